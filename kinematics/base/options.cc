@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/base/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace gaitwright {
+namespace {
+
+std::size_t EditDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+    }
+  }
+  return row[b.size()];
+}
+
+void CheckNumber(const OptionField& field, double value) {
+  if (!std::isfinite(value) || value < field.lowest || value > field.highest) {
+    throw InvalidArgument(fmt::format("option '{}' is {} {}; accepted: {} to {}", field.key, value, field.unit,
+                                      field.lowest, field.highest));
+  }
+}
+
+template <class Number>
+Number Parse(const OptionField& field, const std::string& text, const char* kind) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw InvalidArgument(fmt::format("option '{}' is '{}', which is not {}", field.key, text, kind));
+  }
+  CheckNumber(field, static_cast<double>(value));
+  return value;
+}
+
+void CheckChoice(const OptionField& field, const std::string& text) {
+  if (field.choices.empty() || std::find(field.choices.begin(), field.choices.end(), text) != field.choices.end()) return;
+  throw InvalidArgument(fmt::format("option '{}' is '{}'; accepted: {}", field.key, text, QuotedList(field.choices)));
+}
+
+struct Setter {
+  const OptionField& field;
+  const std::string& text;
+
+  void operator()(double* target) const { *target = Parse<double>(field, text, "a number"); }
+  void operator()(int* target) const { *target = Parse<int>(field, text, "a whole number"); }
+  void operator()(bool* target) const {
+    if (text != "true" && text != "false") {
+      throw InvalidArgument(fmt::format("option '{}' is '{}'; accepted: true, false", field.key, text));
+    }
+    *target = text == "true";
+  }
+  void operator()(std::string* target) const {
+    CheckChoice(field, text);
+    *target = text;
+  }
+};
+
+struct Printer {
+  std::string operator()(const double* target) const { return fmt::format("{}", *target); }
+  std::string operator()(const int* target) const { return fmt::format("{}", *target); }
+  std::string operator()(const bool* target) const { return *target ? "true" : "false"; }
+  std::string operator()(const std::string* target) const { return *target; }
+};
+
+struct Checker {
+  const OptionField& field;
+
+  void operator()(const double* target) const { CheckNumber(field, *target); }
+  void operator()(const int* target) const { CheckNumber(field, *target); }
+  void operator()(const bool*) const {}
+  void operator()(const std::string* target) const { CheckChoice(field, *target); }
+};
+
+}  // namespace
+
+std::string NearestName(const std::string& word, const std::vector<std::string>& candidates) {
+  const auto nearest = std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+    return EditDistance(word, a) < EditDistance(word, b);
+  });
+  return nearest == candidates.end() ? std::string{} : *nearest;
+}
+
+std::string QuotedList(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
+  return list;
+}
+
+void SetOption(OptionFields& fields, const std::string& key, const std::string& text) {
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
+  if (field == fields.end()) {
+    std::vector<std::string> keys;
+    for (const OptionField& f : fields) keys.push_back(f.key);
+    throw InvalidArgument(fmt::format("unknown option '{}'; the nearest is '{}'", key, NearestName(key, keys)));
+  }
+  std::visit(Setter{*field, text}, field->target);
+}
+
+std::string OptionText(const OptionField& field) { return std::visit(Printer{}, field.target); }
+
+void CheckOptions(const OptionFields& fields) {
+  for (const OptionField& field : fields) std::visit(Checker{field}, field.target);
+}
+
+OptionFields Prefixed(const std::string& prefix, OptionFields fields) {
+  for (OptionField& field : fields) field.key = prefix + "." + field.key;
+  return fields;
+}
+
+OptionFields Joined(std::vector<OptionFields> lists) {
+  OptionFields joined;
+  for (OptionFields& list : lists) {
+    joined.insert(joined.end(), std::make_move_iterator(list.begin()), std::make_move_iterator(list.end()));
+  }
+  return joined;
+}
+
+}  // namespace gaitwright

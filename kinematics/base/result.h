@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gaitwright {
+
+/// Thrown for what a caller can get wrong: the message names the offender, its value and what is accepted.
+class InvalidArgument : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// What kind of failure a stage reports; the program maps it to its exit status.
+enum class FailureKind {
+  kBadInput,    ///< a file or argument is wrong (exit status 1)
+  kInfeasible,  ///< no plan exists within the limits (exit status 2)
+};
+
+/// Why a stage has no value to give: one plain sentence and what would help.
+struct Failure {
+  FailureKind kind = FailureKind::kBadInput;
+  std::string code;   ///< short and stable, such as `urdf_loop`
+  std::string stage;  ///< the stage that failed, such as `LoadRobot`
+  std::string message;
+  std::vector<std::string> hints;
+
+  bool operator==(const Failure&) const = default;
+};
+
+/// A complete value or a Failure, never something in between.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : value_(std::move(value)) {}            // NOLINT(google-explicit-constructor)
+  Result(Failure failure) : failure_(std::move(failure)) {}  // NOLINT(google-explicit-constructor)
+
+  bool ok() const { return value_.has_value(); }
+  explicit operator bool() const { return ok(); }
+
+  /// The value. @throws std::logic_error when this holds a failure (a bug of the caller).
+  const T& value() const& {
+    Require();
+    return *value_;
+  }
+  T& value() & {
+    Require();
+    return *value_;
+  }
+  T&& value() && {
+    Require();
+    return std::move(*value_);
+  }
+  const T& operator*() const& { return value(); }
+  T& operator*() & { return value(); }
+  T&& operator*() && { return std::move(*this).value(); }
+  const T* operator->() const { return &value(); }
+  T* operator->() { return &value(); }
+
+  /// The failure. Only when `!ok()`.
+  const Failure& failure() const { return failure_; }
+
+ private:
+  void Require() const {
+    if (!value_) throw std::logic_error("Result without a value: " + failure_.message);
+  }
+
+  std::optional<T> value_;
+  Failure failure_;
+};
+
+}  // namespace gaitwright

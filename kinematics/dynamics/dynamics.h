@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// Work space of the functions below for one model: explicit and caller-owned, so that threads need nothing else.
+/// After ForwardKinematics the poses and axes are valid; after ForwardVelocities the velocities too.
+///
+/// = Notation =
+///   W world, B a body's frame, O the origin of the base (body 0). "At O" means world axes, moments and linear velocities
+///   referred to the point that coincides with O: one reference point for all bodies makes composite inertias plain sums.
+struct DynamicsScratch {
+  explicit DynamicsScratch(const RobotModel& model);
+
+  std::vector<Matrix3> R_WB;      ///< by body
+  std::vector<Vector3> p_WB;      ///< by body [m]
+  std::vector<Vector3> axis_W;    ///< by joint, unit
+  std::vector<Vector3> w_WB;      ///< by body: angular velocity [rad/s]
+  std::vector<Vector3> v_WB;      ///< by body: velocity of the body's origin [m/s]
+
+  // Used inside; not part of what the functions promise.
+  struct Composite {
+    double mass;
+    Vector3 moment;   // mass times the centre of mass, from O
+    Matrix3 inertia;  // about O
+  };
+  std::vector<Vector3> p_OB, alpha_W, a_O, v_O, force_W, moment_O, p_OC;
+  std::vector<Composite> composite;
+  std::vector<Matrix3> I_W;
+};
+
+/// Poses of all bodies at q (size nq; the quaternion need not be exactly unit).
+void ForwardKinematics(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch);
+
+/// Poses and velocities at q, v. ForwardKinematics is included.
+void ForwardVelocities(const RobotModel& model, const VectorX& q, const VectorX& v, DynamicsScratch& scratch);
+
+/// X_WF of a frame fixed in a body. Needs ForwardKinematics.
+Pose FramePose(const DynamicsScratch& scratch, int body, const Pose& X_BF);
+
+/// Jacobian of the point Q fixed in a body: [v_WQ; w_WB] = J v, size 6 x nv, rows linear then angular, in W.
+void PointJacobian(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,
+                   Eigen::Ref<MatrixX> J);
+
+/// Velocity [v_WQ; w_WB] of a point fixed in a body. Needs ForwardVelocities.
+Vector6 PointVelocity(const DynamicsScratch& scratch, int body, const Vector3& p_BQ);
+
+/// Jdot v: the acceleration [a_WQ; alpha_WB] of a point when all accelerations `a` are zero. Needs ForwardVelocities.
+Vector6 PointBiasAcceleration(const RobotModel& model, const VectorX& v, DynamicsScratch& scratch, int body, const Vector3& p_BQ);
+
+/// p_WC [m]. Needs ForwardKinematics.
+Vector3 CentreOfMass(const RobotModel& model, const DynamicsScratch& scratch);
+
+/// v_WC = J v, size 3 x nv. Needs ForwardKinematics.
+void CentreOfMassJacobian(const RobotModel& model, DynamicsScratch& scratch, Eigen::Ref<MatrixX> J);
+
+/// Jdot v of the centre of mass [m/s^2]. Needs ForwardVelocities.
+Vector3 CentreOfMassBiasAcceleration(const RobotModel& model, const VectorX& v, DynamicsScratch& scratch);
+
+/// [linear momentum; angular momentum about C] in W [N s; N m s]. Needs ForwardVelocities.
+Vector6 CentroidalMomentum(const RobotModel& model, DynamicsScratch& scratch);
+
+/// Generalised forces tau (size nv) with M(q) a + h(q, v) = tau, gravity included; no contact forces.
+/// tau[0..5] is the wrench on the base: force, then moment about O, in W. Does the kinematics itself.
+/// Recursive Newton-Euler: Featherstone, Rigid Body Dynamics Algorithms, 2008, section 5.3.
+void InverseDynamics(const RobotModel& model, const VectorX& q, const VectorX& v, const VectorX& a,
+                     DynamicsScratch& scratch, VectorX& tau);
+
+/// M(q), size nv x nv, both triangles. Composite rigid bodies: Featherstone 2008, section 6.2. Does the kinematics itself.
+void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch, MatrixX& M);
+
+/// Kinetic plus potential energy [J], zero height at z = 0. Needs ForwardVelocities.
+double MechanicalEnergy(const RobotModel& model, DynamicsScratch& scratch);
+
+}  // namespace gaitwright
