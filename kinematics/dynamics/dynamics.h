@@ -12,8 +12,8 @@ namespace gaitwright {
 /// After ForwardKinematics the poses and axes are valid; after ForwardVelocities the velocities too.
 ///
 /// = Notation =
-///   W world, B a body's frame, O the origin of the base (body 0). "At O" means world axes, moments and linear velocities
-///   referred to the point that coincides with O: one reference point for all bodies makes composite inertias plain sums.
+///   W world, B a body's frame, O the origin of the base (body 0). Composite inertias are kept in world axes about O: one
+///   reference point for all bodies makes them plain sums.
 struct DynamicsScratch {
   explicit DynamicsScratch(const RobotModel& model);
 
@@ -23,15 +23,17 @@ struct DynamicsScratch {
   std::vector<Vector3> w_WB;      ///< by body: angular velocity [rad/s]
   std::vector<Vector3> v_WB;      ///< by body: velocity of the body's origin [m/s]
 
+  std::vector<Vector3> alpha_bias_W;  ///< by body: angular acceleration when `a` is zero [rad/s^2]
+  std::vector<Vector3> a_bias_W;      ///< by body: acceleration of the body's origin when `a` is zero [m/s^2]
+
   // Used inside; not part of what the functions promise.
   struct Composite {
     double mass;
-    Vector3 moment;   // mass times the centre of mass, from O
-    Matrix3 inertia;  // about O
+    Vector3 moment_O;   // mass times the position of the centre of mass from O
+    Matrix3 inertia_O;
   };
-  std::vector<Vector3> p_OB, alpha_W, a_O, v_O, force_W, moment_O, p_OC;
+  std::vector<Vector3> alpha_W, a_W, force_W, moment_W;
   std::vector<Composite> composite;
-  std::vector<Matrix3> I_W;
 };
 
 /// Poses of all bodies at q (size nq; the quaternion need not be exactly unit).
@@ -51,7 +53,7 @@ void PointJacobian(const RobotModel& model, const DynamicsScratch& scratch, int 
 Vector6 PointVelocity(const DynamicsScratch& scratch, int body, const Vector3& p_BQ);
 
 /// Jdot v: the acceleration [a_WQ; alpha_WB] of a point when all accelerations `a` are zero. Needs ForwardVelocities.
-Vector6 PointBiasAcceleration(const RobotModel& model, const VectorX& v, DynamicsScratch& scratch, int body, const Vector3& p_BQ);
+Vector6 PointBiasAcceleration(const DynamicsScratch& scratch, int body, const Vector3& p_BQ);
 
 /// p_WC [m]. Needs ForwardKinematics.
 Vector3 CentreOfMass(const RobotModel& model, const DynamicsScratch& scratch);
@@ -60,10 +62,10 @@ Vector3 CentreOfMass(const RobotModel& model, const DynamicsScratch& scratch);
 void CentreOfMassJacobian(const RobotModel& model, DynamicsScratch& scratch, Eigen::Ref<MatrixX> J);
 
 /// Jdot v of the centre of mass [m/s^2]. Needs ForwardVelocities.
-Vector3 CentreOfMassBiasAcceleration(const RobotModel& model, const VectorX& v, DynamicsScratch& scratch);
+Vector3 CentreOfMassBiasAcceleration(const RobotModel& model, const DynamicsScratch& scratch);
 
 /// [linear momentum; angular momentum about C] in W [N s; N m s]. Needs ForwardVelocities.
-Vector6 CentroidalMomentum(const RobotModel& model, DynamicsScratch& scratch);
+Vector6 CentroidalMomentum(const RobotModel& model, const DynamicsScratch& scratch);
 
 /// Generalised forces tau (size nv) with M(q) a + h(q, v) = tau, gravity included; no contact forces.
 /// tau[0..5] is the wrench on the base: force, then moment about O, in W. Does the kinematics itself.
@@ -75,6 +77,6 @@ void InverseDynamics(const RobotModel& model, const VectorX& q, const VectorX& v
 void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch, MatrixX& M);
 
 /// Kinetic plus potential energy [J], zero height at z = 0. Needs ForwardVelocities.
-double MechanicalEnergy(const RobotModel& model, DynamicsScratch& scratch);
+double MechanicalEnergy(const RobotModel& model, const DynamicsScratch& scratch);
 
 }  // namespace gaitwright
