@@ -3,14 +3,10 @@
 
 #include <cmath>
 
+#include "kinematics/spatial/rotation.h"
+
 namespace gaitwright {
 namespace {
-
-Matrix3 Skew(const Vector3& a) {
-  Matrix3 m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
 
 /// Rotation by an angle about a unit axis (Rodrigues).
 Matrix3 AxisRotation(const Vector3& axis, double angle) {

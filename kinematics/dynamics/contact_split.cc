@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/dynamics/contact_split.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/result.h"
+#include "kinematics/spatial/rotation.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kDualPenalty = 1e-9;
+
+/// Projection of a force (tangents, normal) onto the cone |t| <= mu n, and its derivative.
+struct ConeProjection {
+  Vector3 force;
+  Matrix3 derivative;
+};
+
+ConeProjection ProjectOntoCone(const Vector3& f, double mu) {
+  const double t = f.head<2>().norm(), n = f.z();
+  if (t <= mu * n) return {f, Matrix3::Identity()};
+  if (mu * t <= -n) return {Vector3::Zero(), Matrix3::Zero()};
+  const double scale = 1.0 / (1.0 + mu * mu);
+  const double along = (mu * t + n) * scale;  // the projection is `along` times (mu u, 1)
+  const Vector2 u = f.head<2>() / t;
+  Vector3 ray;
+  ray << mu * u, 1.0;
+  ConeProjection projection{along * ray, scale * ray * ray.transpose()};
+  const Vector2 across(-u.y(), u.x());
+  projection.derivative.topLeftCorner<2, 2>() += mu * along / t * across * across.transpose();
+  return projection;
+}
+
+/// Rows: two tangents and the normal.
+Matrix3 ContactAxes(const Vector3& normal) {
+  const Vector3 helper = std::abs(normal.x()) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
+  const Vector3 t2 = normal.cross(helper).normalized();
+  Matrix3 axes;
+  axes.row(0) = t2.cross(normal).transpose();
+  axes.row(1) = t2.transpose();
+  axes.row(2) = normal.transpose();
+  return axes;
+}
+
+}  // namespace
+
+double ContactSplitter::Dual(const Vector6& wanted, const Vector6& y, bool with_derivatives) {
+  double value = y.dot(wanted) - 0.5 * kDualPenalty * y.squaredNorm();
+  if (with_derivatives) {
+    gradient_ = wanted - kDualPenalty * y;
+    hessian_ = kDualPenalty * Eigen::Matrix<double, 6, 6>::Identity();
+  }
+  for (std::size_t i = 0; i < maps_.size(); ++i) {
+    const Map& map = maps_[i];
+    Eigen::Matrix<double, 3, 6> Gt;  // contact force per unit of y
+    Gt.leftCols<3>() = map.to_contact;
+    Gt.rightCols<3>() = -map.to_contact * Skew(map.arm);
+    const ConeProjection projection = ProjectOntoCone(Gt * y / map.weight, map.mu);
+    value -= 0.5 * map.weight * projection.force.squaredNorm();
+    if (!with_derivatives) continue;
+    forces_[i] = projection.force;
+    gradient_ -= Gt.transpose() * projection.force;
+    hessian_ += Gt.transpose() * projection.derivative * Gt / map.weight;
+  }
+  return value;
+}
+
+void ContactSplitter::Solve(const std::vector<ContactPoint>& contacts, const PointWrench& wanted, ContactSplit& split) {
+  if (contacts.empty()) throw InvalidArgument("ContactSplitter: no contact; one or more are needed");
+  Vector3 centre = Vector3::Zero();
+  for (const ContactPoint& contact : contacts) centre += contact.p_W / static_cast<double>(contacts.size());
+  double length = 0.05;
+  for (const ContactPoint& contact : contacts) length = std::max(length, (contact.p_W - centre).norm());
+  double lightest = contacts.front().reluctance;
+  for (const ContactPoint& contact : contacts) lightest = std::min(lightest, contact.reluctance);
+  maps_.clear();
+  for (const ContactPoint& contact : contacts) {
+    if (!(contact.friction > 0.0) || !(contact.reluctance > 0.0)) {
+      throw InvalidArgument("ContactSplitter: friction and reluctance must be positive");
+    }
+    maps_.push_back({(contact.p_W - centre) / length, ContactAxes(contact.normal_W), contact.friction,
+                     contact.reluctance / lightest});
+  }
+  forces_.resize(maps_.size());
+  const double scale = std::max(wanted.force_W.norm(), 1e-9);
+  Vector6 target;
+  target << wanted.force_W, (wanted.moment_W + (wanted.p_W - centre).cross(wanted.force_W)) / length;
+  target /= scale;
+
+  Vector6 y = Vector6::Zero();
+  y.head<3>() = target.head<3>();
+  double value = Dual(target, y, true);
+  constexpr int kMaxIterations = 60;
+  for (split.iterations = 0; split.iterations < kMaxIterations; ++split.iterations) {
+    if (gradient_.squaredNorm() < 1e-22) break;
+    const Vector6 step = hessian_.ldlt().solve(gradient_);
+    const double slope = gradient_.dot(step);
+    if (slope < 1e-20) break;
+    double length_of_step = 1.0, trial = Dual(target, y + step, false);
+    while (trial < value + 1e-4 * length_of_step * slope && length_of_step > 1e-8) {
+      length_of_step *= 0.5;
+      trial = Dual(target, y + length_of_step * step, false);
+    }
+    if (length_of_step <= 1e-8) break;
+    y += length_of_step * step;
+    value = Dual(target, y, true);
+  }
+
+  split.force_W.resize(contacts.size());
+  split.residual_force_W = wanted.force_W;
+  split.residual_moment_W = wanted.moment_W;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    split.force_W[i] = scale * (maps_[i].to_contact.transpose() * forces_[i]);
+    split.residual_force_W -= split.force_W[i];
+    split.residual_moment_W -= (contacts[i].p_W - wanted.p_W).cross(split.force_W[i]);
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// Position, velocity and acceleration of a scalar at one time.
+struct Motion1 {
+  double value = 0.0, rate = 0.0, acceleration = 0.0;
+};
+
+/// Minimum-jerk step from 0 to 1 over u in [0, 1] and its derivatives by u: 10 u^3 - 15 u^4 + 6 u^5; constant outside.
+/// Flash and Hogan, J. Neuroscience 5(7), 1985.
+Motion1 SmoothStep(double u);
+
+/// Bump 64 u^3 (1 - u)^3 from 0 to 1 at u = 1/2 and back, with zero rate and acceleration at both ends; 0 outside.
+Motion1 SmoothBump(double u);
+
+/// Motion of a foot's contact frame in W.
+struct FrameMotion {
+  Pose X_WF = Pose::Identity();
+  Vector3 v_WF = Vector3::Zero(), w_WF = Vector3::Zero();
+  Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
+};
+
+/// The closed-form swing: a minimum-jerk move from start to end with a bump of `lift_m` along z, at rest (zero velocity and
+/// acceleration) at both ends. The rotation is the shortest one, about a fixed axis.
+struct SwingCurve {
+  double start_s = 0.0, end_s = 1.0;
+  Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();
+  double lift_m = 0.0;
+};
+
+/// The frame's motion at a time; at rest on the ends outside [start_s, end_s].
+FrameMotion Evaluate(const SwingCurve& curve, double time_s);
+
+/// Highest point of the curve's origin above the higher of its ends [m].
+double ApexHeight(const SwingCurve& curve);
+
+}  // namespace gaitwright
