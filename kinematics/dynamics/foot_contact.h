@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// The contact frame of a foot at the scratch's pose: of a sole or line the frame F itself; of a point or sphere the
+/// contact point (`radius` below the centre along the normal) with the axes of F.
+Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, int foot,
+                  const Vector3& normal_W = Vector3::UnitZ());
+
+/// The points through which a foot can push: the corners of its sole, or its one contact point. In W [m].
+std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, int foot,
+                                   const Vector3& normal_W = Vector3::UnitZ());
+
+/// Adds to `tau` (size nv) the generalised forces J^T f of a force at a point fixed in a body at this moment.
+void AddPointForce(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_WQ,
+                   const Vector3& force_W, VectorX& tau);
+
+/// Adds to `tau` the generalised forces of a wrench on a body: force and moment about p_WQ.
+void AddPointWrench(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_WQ,
+                    const Vector6& force_and_moment_W, VectorX& tau);
+
+}  // namespace gaitwright

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/LU>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/robot_model.h"
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// What a foot shall do at one time. The controlled frame is F of Foot: the middle of a sole, the centre of a sphere.
+///
+/// A sphere rolls on its radius r: with normal n its centre moves by r w x n more than the material point under it, so
+/// v_WF and a_WF are those of the material contact point (zero in stance, the swing's otherwise), and the position wanted
+/// is p_WF + r log(R R_anchor^T) x n, R being the foot's rotation and R_anchor that at which p_WF was reckoned.
+struct FootTarget {
+  Vector3 p_WF = Vector3::Zero();
+  Matrix3 R_WF = Matrix3::Identity();  ///< sole, line
+  Matrix3 R_anchor = Matrix3::Identity();  ///< sphere
+  Vector3 normal_W = Vector3::UnitZ();
+  Vector3 v_WF = Vector3::Zero(), w_WF = Vector3::Zero();
+  Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
+};
+
+/// What the whole body shall do at one time.
+struct BodyTarget {
+  Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero(), a_WC = Vector3::Zero();
+  Matrix3 R_WB = Matrix3::Identity();
+  Vector3 w_WB = Vector3::Zero(), alpha_WB = Vector3::Zero();
+  std::vector<FootTarget> feet;  ///< by foot
+};
+
+/// Joint motion from the motion of centre of mass, base orientation and feet, for one model.
+///
+/// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are taken from the top
+/// while they are independent of those above and freedoms are left; the rest yields (NAO has 17 freedoms for 18 rows: its
+/// yaw follows from the coupled hip). Freedoms that are still left are held at the standing posture: joints outside the legs
+/// first. So the system is square: positions are solved to 1e-10, velocities and accelerations are its exact derivatives.
+///
+/// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its target.
+class WholeBodyIk {
+ public:
+  explicit WholeBodyIk(const RobotModel& model);
+
+  /// Moves q (the first guess; size nq) onto the target. Failure kInfeasible names the foot and the distance left.
+  Result<int> SolvePosition(const BodyTarget& target, VectorX& q);
+
+  /// v and a at q for the target; SolvePosition first. The sizes are nv.
+  void SolveRates(const BodyTarget& target, const VectorX& q, VectorX& v, VectorX& a);
+
+  /// Where a foot's controlled frame and rotation are after SolvePosition.
+  Pose FootPose(int foot) const;
+
+  /// Rows that yielded and joints that are held, for people.
+  const std::vector<std::string>& notes() const { return notes_; }
+  const DynamicsScratch& scratch() const { return scratch_; }
+
+ private:
+  struct Row {
+    enum class Kind { kFootLinear, kFootAngular, kCentreOfMass, kBaseRotation } kind;
+    int foot, axis;
+    std::string name;
+  };
+
+  void ListRows();
+  void ChooseRows();
+  void UpdateJacobians(const BodyTarget& target);
+  void AssembleSystem();
+  Eigen::RowVectorXd RowJacobian(const Row& row) const;
+  double RowError(const Row& row, const BodyTarget& target) const;
+  Failure OutOfReach(const BodyTarget& target) const;
+
+  const RobotModel* model_;
+  DynamicsScratch scratch_;
+  std::vector<Row> rows_;        // chosen
+  std::vector<int> columns_;     // free velocity coordinates
+  std::vector<MatrixX> foot_jacobians_;
+  MatrixX com_jacobian_, system_;
+  VectorX rhs_, solution_;
+  Eigen::PartialPivLU<MatrixX> lu_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// Zero-moment point of a contact wrench on level ground: where its horizontal moment vanishes,
+///   Z_x = p_x - (M_y + h F_x) / F_z,   Z_y = p_y + (M_x - h F_y) / F_z,   h = p_z - ground height.
+/// @param p_WP, force_W, moment_W  the wrench: its point of reference [m], force [N] and moment about P [N m].
+/// @throws InvalidArgument unless force_W.z() > 0.   Sardain and Bessonnet, IEEE T-SMC A 34(5), 2004.
+Vector2 ZeroMomentPoint(const Vector3& p_WP, const Vector3& force_W, const Vector3& moment_W, double ground_height_m);
+
+/// Zero-moment point of the linear inverted pendulum, p_WC - a_WC / omega^2 (x and y).
+/// Kajita et al., ICRA 2003, doi:10.1109/ROBOT.2003.1241826.
+Vector2 PendulumZmp(const Vector3& p_WC, const Vector3& a_WC, double omega_rad_s);
+
+/// Divergent component of motion, p_WC + v_WC / omega (x and y). Englsberger et al., T-RO 31(2), 2015.
+Vector2 DivergentComponent(const Vector3& p_WC, const Vector3& v_WC, double omega_rad_s);
+
+}  // namespace gaitwright

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <vector>
+
+#include "kinematics/dynamics/contact_split.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/stability/zero_moment_point.h"
+#include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/whole_body/solve_whole_body.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kLeastLoad = 1e-5;
+
+/// Share of its load that a foot bears at a time: rises from 0 after touch-down and falls to 0 before lift-off.
+class LoadShare {
+ public:
+  LoadShare(const ContactSchedule& schedule, int foot, double ramp_s) {
+    for (const ContactInterval& interval : IntervalsOf(schedule, foot)) {
+      const auto length = [&](int phase) {
+        const ContactPhase& p = schedule.phases[static_cast<std::size_t>(phase)];
+        return p.end_s - p.start_s;
+      };
+      Ramp ramp{interval, 0.0, 0.0};
+      if (interval.start_s > schedule.start_s()) {
+        ramp.rise_s = std::min(ramp_s, length(PhaseAt(schedule, interval.start_s)));
+      }
+      if (interval.end_s < schedule.end_s()) {
+        ramp.fall_s = std::min(ramp_s, length(PhaseAt(schedule, interval.end_s) - 1));
+      }
+      ramps_.push_back(ramp);
+    }
+  }
+
+  double At(double time_s) const {
+    for (const Ramp& ramp : ramps_) {
+      if (time_s < ramp.interval.start_s || time_s > ramp.interval.end_s) continue;
+      double load = 1.0;
+      if (ramp.rise_s > 0.0) load = std::min(load, SmoothStep((time_s - ramp.interval.start_s) / ramp.rise_s).value);
+      if (ramp.fall_s > 0.0) load = std::min(load, SmoothStep((ramp.interval.end_s - time_s) / ramp.fall_s).value);
+      return std::max(load, kLeastLoad);
+    }
+    return 0.0;
+  }
+
+ private:
+  struct Ramp {
+    ContactInterval interval;
+    double rise_s, fall_s;
+  };
+  std::vector<Ramp> ramps_;
+};
+
+}  // namespace
+
+void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options,
+                      WholeBodySolution& solution) {
+  WholeBodyTrajectory& out = solution.trajectory;
+  DynamicsScratch scratch(model);
+  ContactSplitter splitter;
+  ContactSplit split;
+  std::vector<LoadShare> loads;
+  const int num_feet = static_cast<int>(model.feet.size());
+  for (int f = 0; f < num_feet; ++f) loads.emplace_back(*problem.schedule, f, options.load_ramp_s);
+  std::vector<ContactPoint> contacts;
+  std::vector<int> foot_of;
+  VectorX tau;
+  out.tau.clear();
+  out.wrenches.clear();
+  solution.zmp_W.clear();
+  for (int k = 0; k < out.size(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double time_s = out.start_s + k * out.step_s;
+    InverseDynamics(model, out.q[i], out.v[i], out.a[i], scratch, tau);
+    contacts.clear();
+    foot_of.clear();
+    double ground = 0.0;
+    for (int f = 0; f < num_feet; ++f) {
+      const double load = loads[static_cast<std::size_t>(f)].At(time_s);
+      if (load <= 0.0) continue;
+      const auto points = ContactPoints(model, scratch, f);
+      for (const Vector3& p_W : points) {
+        const GroundPoint at = GroundAt(*problem.terrain, p_W.head<2>());
+        contacts.push_back({p_W, at.normal_W, options.friction_use * at.friction,
+                            static_cast<double>(points.size()) / load});
+        foot_of.push_back(f);
+        ground = at.height_m;
+      }
+    }
+    solution.zmp_W.push_back(ZeroMomentPoint(scratch.p_WB[0], tau.head<3>(), tau.segment<3>(3), ground));
+    splitter.Solve(contacts, {scratch.p_WB[0], tau.head<3>(), tau.segment<3>(3)}, split);
+    std::vector<ContactWrench> wrenches(static_cast<std::size_t>(num_feet));
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const int f = foot_of[c];
+      const Foot& foot = model.feet[static_cast<std::size_t>(f)];
+      ContactWrench& wrench = wrenches[static_cast<std::size_t>(f)];
+      const Vector3 origin = ContactFrame(model, scratch, f).translation();
+      wrench.force_W += split.force_W[c];
+      wrench.moment_W += (contacts[c].p_W - origin).cross(split.force_W[c]);
+      AddPointForce(model, scratch, foot.body, contacts[c].p_W, -split.force_W[c], tau);
+    }
+    out.tau.push_back(tau.tail(model.num_dofs()));
+    out.wrenches.push_back(std::move(wrenches));
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "kinematics/trajectory/cubic_spline.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+struct WholeBodyOptions {
+  double load_ramp_s = 0.1;
+  double friction_use = 0.9;
+
+  OptionFields Fields() {
+    return {{"load_ramp_s", &load_ramp_s, "s", 0.0, 1.0,
+             "Longest time in which a foot takes up its load after touch-down and gives it up before lift-off.", {}},
+            {"friction_use", &friction_use, "1", 0.05, 1.0,
+             "Share of the ground's friction that planned contact forces may use.", {}}};
+  }
+};
+
+/// What the whole-body stage is given: everything that is settled before joints are.
+struct WholeBodyProblem {
+  const Terrain* terrain = nullptr;
+  const ContactSchedule* schedule = nullptr;
+  const FootstepPlan* footsteps = nullptr;
+  const CentroidalTrajectory* centroidal = nullptr;
+  const std::vector<SwingTrajectory>* swings = nullptr;
+  const CubicSpline* yaw = nullptr;  ///< of the base over time
+};
+
+/// Joint motion and what it tells back to the stages before it.
+struct WholeBodySolution {
+  WholeBodyTrajectory trajectory;
+  std::vector<Vector3> roll_at_touchdown_W;  ///< by foothold: how far the foot has rolled since the start [m]
+  std::vector<Vector3> roll_at_liftoff_W;    ///< by foothold
+  std::vector<Vector2> zmp_W;                ///< by sample: of the multibody, from its inverse dynamics [m]
+  std::vector<std::string> warnings;         ///< limits that are not kept
+};
+
+/// Joint positions that put the centre of mass, base orientation and feet where the plan has them, with their exact
+/// derivatives; then torques and contact forces by inverse dynamics and the split over the contacts.
+/// @param expected_roll_W  by foothold, the roll at touch-down that the swings aim off by (from an earlier solution;
+///        zero at first). A sphere's swing ends on its foothold once this agrees with `roll_at_touchdown_W`.
+Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBodyProblem& problem,
+                                         const std::vector<Vector3>& expected_roll_W, const WholeBodyOptions& options);
+
+/// Adds torques and contact wrenches to a trajectory that has q, v, a; and the multibody ZMP by sample.
+void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options,
+                      WholeBodySolution& solution);
+
+}  // namespace gaitwright
