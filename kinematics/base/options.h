@@ -28,7 +28,7 @@ struct OptionField {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
   std::string meaning;
-  std::vector<std::string> choices;  ///< for text: the values that are accepted; empty for any
+  std::vector<std::string> choices = {};  ///< for text: the values that are accepted; empty for any
 };
 
 using OptionFields = std::vector<OptionField>;

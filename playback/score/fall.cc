@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/fall.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaitwright {
+namespace {
+
+double AngleBetween(const Vector3& a, const Vector3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+Vector3 UpInBase(const MotionSample& sample) { return sample.X_WB.linear().transpose() * Vector3::UnitZ(); }
+
+double Tilt(const MotionSample& sample) { return AngleBetween(UpInBase(sample), Vector3::UnitZ()); }
+
+/// Why this sample is out of bounds, or nothing.
+std::string OutOfBounds(const MotionSample& planned, const MotionSample& measured, const ScoreOptions& options) {
+  if (AngleBetween(UpInBase(planned), UpInBase(measured)) > options.fall_tilt_rad) {
+    return fmt::format("the base tilted {:.2f} rad where the plan has {:.2f} rad", Tilt(measured), Tilt(planned));
+  }
+  const double ground = planned.p_WC.z() - kGravity / (planned.omega_rad_s * planned.omega_rad_s);
+  const double height = measured.X_WB.translation().z() - ground;
+  const double planned_height = planned.X_WB.translation().z() - ground;
+  if (height < options.fall_height_lowest * planned_height || height > options.fall_height_highest * planned_height) {
+    return fmt::format("the base was {:.3f} m high where the plan has {:.3f} m", height, planned_height);
+  }
+  return {};
+}
+
+void Earlier(double time_s, const std::string& what, Fall& fall) {
+  if (what.empty() || (fall.fell && fall.time_s <= time_s)) return;
+  fall = {true, time_s, what};
+}
+
+}  // namespace
+
+Fall FindFall(const MotionPlan& plan, const PlaybackLog& log, const MotionSeries& series, const ScoreOptions& options) {
+  Fall fall{false, log.samples.empty() ? log.start_s : log.samples.back().time_s, ""};
+  const double log_end = fall.time_s;
+  for (std::size_t k = 0; k < series.measured.size() && !fall.fell; ++k) {
+    Earlier(series.measured[k].time_s, OutOfBounds(series.planned[k], series.measured[k], options), fall);
+  }
+  for (const BodyContact& contact : log.body_contacts) {
+    Earlier(contact.time_s, fmt::format("'{}', which is no foot, touched the ground", contact.link), fall);
+  }
+  if (series.measured.size() < log.samples.size()) {
+    Earlier(log.samples[series.measured.size()].time_s, "the physics gave a state that is not finite", fall);
+  }
+  const double plan_end = plan.whole_body.end_s();
+  if (log_end < plan_end - std::max(0.02, 2.0 / log.log_rate_hz)) {
+    Earlier(log_end, fmt::format("the log ends here, before the plan's end at {:.2f} s", plan_end), fall);
+  }
+  return fall;
+}
+
+}  // namespace gaitwright

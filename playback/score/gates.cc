@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/gates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaitwright {
+namespace {
+
+constexpr double kGoalShare = 0.05;  // of the commanded distance
+constexpr double kGoalLeast = 0.02;  // [m]
+constexpr auto kLower = Better::kLower;
+constexpr auto kHigher = Better::kHigher;
+
+/// A figure that is told and scored, but fails nothing.
+MetricRule Told(std::string key, std::string unit, Better better, double weight, double scale, bool scales,
+                std::string meaning) {
+  MetricRule rule;
+  rule.key = std::move(key);
+  rule.unit = std::move(unit);
+  rule.better = better;
+  rule.weight = weight;
+  rule.scale = scale;
+  rule.scales_with_leg = scales;
+  rule.meaning = std::move(meaning);
+  return rule;
+}
+
+MetricRule Gated(MetricRule rule, Bound bound, double limit) {
+  rule.bound = bound;
+  rule.limit = limit;
+  return rule;
+}
+
+// Columns: key, unit, better, weight in the score, value at quality one half, lengths scale with the leg, meaning.
+std::vector<MetricRule> ProgressRules() {
+  return {
+      Gated(Told("fell", "1", kLower, 0.0, 1.0, false, "base or body out of bounds of the plan's own"), Bound::kAtMost,
+            0.0),
+      Told("time_to_fall_s", "s", kHigher, 0.0, 1.0, false, "from the start of the playback"),
+      Told("distance_m", "m", Better::kNeither, 0.0, 1.0, false, "from the base's start to its end, in plan view"),
+      Gated(Told("goal_error_m", "m", kLower, 3.0, 0.03, false, "from the base's end to the command's goal"),
+            Bound::kAtMost, kGoalLeast),
+      Gated(Told("heading_error_rad", "rad", kLower, 2.0, 0.05, false, "base yaw at the end against the goal's"),
+            Bound::kAtMost, 0.1),
+  };
+}
+
+std::vector<MetricRule> BalanceRules() {
+  return {
+      Told("zmp_margin_min_m", "m", kHigher, 1.0, 0.02, true, "ZMP to the edge of the support, smallest"),
+      Gated(Told("zmp_margin_p05_m", "m", kHigher, 3.0, 0.02, true, "ZMP to the edge of the support, 5th percentile"),
+            Bound::kAbove, 0.0),
+      Told("zmp_outside_fraction", "1", kLower, 1.0, 0.1, false, "share of time with the ZMP outside of the support"),
+      Told("zmp_error_mean_m", "m", kLower, 2.0, 0.01, true,
+           "measured ZMP from the planned one, in the support's frame"),
+      Told("zmp_error_rms_m", "m", kLower, 1.0, 0.01, true, "the same, root mean square"),
+      Told("zmp_error_max_m", "m", kLower, 0.5, 0.03, true, "the same, largest"),
+      Told("dcm_error_mean_m", "m", kLower, 2.0, 0.01, true,
+           "measured DCM from the planned one, in the support's frame"),
+      Told("dcm_error_max_m", "m", kLower, 0.5, 0.03, true, "the same, largest"),
+      Gated(Told("dcm_capture_margin_min_m", "m", kHigher, 3.0, 0.03, true,
+                 "DCM at touch-down to the edge of the one-step capturable set, smallest"),
+            Bound::kAbove, 0.0),
+      Told("static_margin_min_m", "m", kHigher, 0.5, 0.03, true, "centre of mass in plan view to the edge, smallest"),
+      Told("energy_margin_min_m", "m", kHigher, 0.5, 0.01, true, "rise of the centre of mass to tip over an edge"),
+      Told("tracking_joint_rms_rad", "rad", kLower, 1.0, 0.02, false, "joints against the plan"),
+      Told("tracking_base_rms_m", "m", kLower, 1.0, 0.02, true, "base position against the plan, in W"),
+      Told("tracking_com_rms_m", "m", kLower, 1.0, 0.02, true, "centre of mass against the plan, in W"),
+  };
+}
+
+std::vector<MetricRule> ContactRules() {
+  return {
+      Told("slip_total_m", "m", kLower, 1.0, 0.05, true, "way that feet slid in contact, all together"),
+      Gated(Told("slip_max_step_m", "m", kLower, 1.0, 0.01, true, "way that one foot slid in one stance, largest"),
+            Bound::kAtMost, 0.010),
+      Gated(Told("penetration_max_m", "m", kLower, 0.5, 0.002, false, "foot below ground, deepest"), Bound::kAtMost,
+            0.002),
+      Told("clearance_min_m", "m", kHigher, 0.5, 0.02, true, "lowest height of a sole in the middle half of a swing"),
+      Gated(Told("scuffs", "1", kLower, 1.0, 1.0, false, "swings that touched on the way"), Bound::kAtMost, 0.0),
+      Told("impact_max_n_per_mg", "1", kLower, 1.0, 2.0, false, "peak normal force of a foot over the weight"),
+      Told("touchdown_speed_max_m_s", "m/s", kLower, 0.5, 0.3, false, "speed of a foot just before contact, largest"),
+      Told("friction_use_max", "1", kLower, 1.0, 0.6, false, "tangential force over mu times normal force, largest"),
+      Gated(Told("contact_timing_error_max_s", "s", kLower, 1.0, 0.03, false,
+                 "touch-down and lift-off against the schedule, largest"),
+            Bound::kAtMost, 0.040),
+  };
+}
+
+std::vector<MetricRule> JointRules() {
+  return {
+      Told("torque_use_max", "1", kLower, 1.0, 0.6, false, "joint torque over its limit, largest"),
+      Gated(Told("torque_saturated_fraction", "1", kLower, 1.0, 0.01, false,
+                 "share of time at the torque limit, of the worst joint"),
+            Bound::kAtMost, 0.01),
+      Told("joint_speed_use_max", "1", kLower, 0.5, 0.6, false, "joint speed over its limit, largest"),
+      Gated(Told("joint_limit_margin_min_rad", "rad", kHigher, 0.5, 0.1, false,
+                 "distance of a joint from its limit, smallest (metres for a sliding joint)"),
+            Bound::kAbove, 0.0),
+      Told("cost_of_transport", "1", kLower, 0.5, 1.0, false, "positive joint work over m g d"),
+      Told("smoothness_jerk_rms", "rad/s^3", kLower, 0.5, 1000.0, false, "jerk of the joints"),
+      Told("torque_step_use_max", "1", kLower, 0.5, 0.3, false,
+           "largest step of a joint's torque at a contact switch, over its limit"),
+  };
+}
+
+double LegFactor(const MetricRule& rule, const GateScale& scale) {
+  return rule.scales_with_leg ? scale.leg_length_m / kReferenceLegLength : 1.0;
+}
+
+}  // namespace
+
+const std::vector<MetricRule>& MetricRules() {
+  static const std::vector<MetricRule> rules = [] {
+    std::vector<MetricRule> all = ProgressRules();
+    for (const auto& part : {BalanceRules(), ContactRules(), JointRules()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
+  return rules;
+}
+
+GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {
+  GateScale scale;
+  const double leg = model.legs.empty() ? 0.0 : model.leg_length_m();
+  if (std::isfinite(leg) && leg > 0.0) scale.leg_length_m = leg;
+  if (!plan.whole_body.q.empty()) {
+    const Vector2 start = plan.whole_body.q.front().head<2>();
+    scale.commanded_distance_m = (Vector2(plan.goal.x_m, plan.goal.y_m) - start).norm();
+  }
+  return scale;
+}
+
+std::optional<double> LimitOf(const MetricRule& rule, const GateScale& scale) {
+  if (rule.bound == Bound::kNone) return std::nullopt;
+  if (rule.key == "goal_error_m") return std::max(kGoalShare * scale.commanded_distance_m, kGoalLeast);
+  return rule.limit * LegFactor(rule, scale);
+}
+
+bool Holds(Bound bound, double value, double limit) {
+  switch (bound) {
+    case Bound::kNone:
+      return true;
+    case Bound::kAtMost:
+      return value <= limit;
+    case Bound::kAtLeast:
+      return value >= limit;
+    case Bound::kAbove:
+      return value > limit;
+  }
+  return false;
+}
+
+double QualityOf(const MetricRule& rule, double value, const GateScale& scale) {
+  const double s = rule.scale * LegFactor(rule, scale);
+  switch (rule.better) {
+    case Better::kNeither:
+      return 1.0;
+    case Better::kLower:
+      return 1.0 / (1.0 + std::max(value, 0.0) / s);
+    case Better::kHigher:
+      return 1.0 / (1.0 + std::exp(-value / s));
+  }
+  return 0.0;
+}
+
+double ScoreOf(const std::vector<Metric>& metrics, const GateScale& scale, double share_before_fall) {
+  double weighted = 0.0, weights = 0.0;
+  bool fell = false, pass = true;
+  for (const Metric& metric : metrics) {
+    if (metric.key == "fell") fell = metric.value.value_or(0.0) > 0.0;
+    pass = pass && metric.pass;
+  }
+  for (const MetricRule& rule : MetricRules()) {
+    const auto metric =
+        std::find_if(metrics.begin(), metrics.end(), [&](const Metric& m) { return m.key == rule.key; });
+    const bool known = metric != metrics.end() && metric->value.has_value();
+    const double quality = known ? QualityOf(rule, *metric->value, scale) : (fell ? 0.0 : 1.0);
+    weighted += rule.weight * quality;
+    weights += rule.weight;
+  }
+  const double mean = weighted / weights;
+  if (fell) return 25.0 * std::clamp(share_before_fall, 0.0, 1.0) * mean;
+  return (pass ? 50.0 : 0.0) + 50.0 * mean;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "playback/score/measurements.h"
+
+namespace gaitwright {
+namespace {
+
+const char* const kNoTorqueLimit = "no joint has a torque limit that is more than a placeholder";
+
+bool HasTorqueLimit(const RobotModel& model, int dof) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
+  const double limit = model.dof_effort_limit(dof);
+  return !joint.effort_limit_is_placeholder && std::isfinite(limit) && limit > 0.0;
+}
+
+bool HasSpeedLimit(const RobotModel& model, int dof) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
+  const double limit = model.dof_velocity_limit(dof);
+  return !joint.velocity_limit_is_placeholder && std::isfinite(limit) && limit > 0.0;
+}
+
+/// The extremes over time of some figures of the joints, of plan and log alike.
+struct JointExtremes {
+  Extreme torque{Extreme::Kind::kLargest}, speed{Extreme::Kind::kLargest}, margin{Extreme::Kind::kSmallest};
+
+  void See(const RobotModel& model, const VectorX& q, const VectorX& v, const VectorX& tau, double time_s) {
+    for (int i = 0; i < model.num_dofs(); ++i) {
+      if (tau.size() > i && HasTorqueLimit(model, i)) torque.See(std::abs(tau[i]) / model.dof_effort_limit(i), time_s);
+      if (HasSpeedLimit(model, i)) speed.See(std::abs(v[6 + i]) / model.dof_velocity_limit(i), time_s);
+      const double room = std::min(q[7 + i] - model.dof_lower(i), model.dof_upper(i) - q[7 + i]);
+      if (std::isfinite(room)) margin.See(room, time_s);
+    }
+  }
+};
+
+Measurement Saturated(const ScoreInputs& in) {
+  const double duration = in.log.samples.back().time_s - in.log.start_s;
+  Extreme largest(Extreme::Kind::kLargest);
+  for (int i = 0; i < std::min(in.model.num_dofs(), static_cast<int>(in.log.saturated_s.size())); ++i) {
+    if (HasTorqueLimit(in.model, i) && duration > 0.0) largest.See(in.log.saturated_s[i] / duration, 0.0);
+  }
+  if (!largest.value) return {"torque_saturated_fraction", {}, {}, {}, kNoTorqueLimit};
+  return {"torque_saturated_fraction", *largest.value, {}, {}, ""};
+}
+
+/// Integral of max(tau v, 0) over all joints [J].
+double PositiveWork(double step_s, const VectorX& tau, const VectorX& v) {
+  double power = 0.0;
+  for (Eigen::Index i = 0; i < tau.size(); ++i) power += std::max(tau[i] * v[6 + i], 0.0);
+  return power * step_s;
+}
+
+Measurement CostOfTransport(const ScoreInputs& in) {
+  constexpr double kLeastShareOfLeg = 0.25;
+  const auto& [planned, measured, plan] = in.series;
+  const auto way = [](const std::vector<MotionSample>& samples) {
+    return (samples.back().X_WB.translation() - samples.front().X_WB.translation()).head<2>().norm();
+  };
+  if (std::min(way(measured), way(planned)) < kLeastShareOfLeg * in.leg_length_m) {
+    return {"cost_of_transport", {}, {}, {}, "it went less than a quarter of a leg's length"};
+  }
+  double work = 0.0, planned_work = 0.0;
+  for (std::size_t k = 1; k < measured.size(); ++k) {
+    const double step = measured[k].time_s - measured[k - 1].time_s;
+    work += PositiveWork(step, in.log.samples[k].tau, in.log.samples[k].v);
+    if (plan[k].tau.size() == in.model.num_dofs()) planned_work += PositiveWork(step, plan[k].tau, plan[k].v);
+  }
+  const double weight = in.model.weight_n();
+  return {"cost_of_transport", work / (weight * way(measured)), planned_work / (weight * way(planned)), {}, ""};
+}
+
+/// Second difference of joint rates, squared and summed over the joints, and when it was largest.
+Measurement Jerk(const ScoreInputs& in) {
+  const auto& samples = in.log.samples;
+  const std::size_t count = in.series.measured.size();
+  const Eigen::Index n = in.model.num_dofs();
+  if (count < 3 || n == 0) return {"smoothness_jerk_rms", {}, {}, {}, "fewer than three samples or no joints"};
+  const double h = 1.0 / in.log.log_rate_hz;
+  const auto square = [&](const VectorX& a, const VectorX& b, const VectorX& c) {
+    return ((a - 2.0 * b + c).tail(n) / (h * h)).squaredNorm();
+  };
+  double sum = 0.0, planned = 0.0;
+  Extreme largest(Extreme::Kind::kLargest);
+  for (std::size_t k = 1; k + 1 < count; ++k) {
+    const double now = square(samples[k - 1].v, samples[k].v, samples[k + 1].v);
+    sum += now;
+    planned += square(in.series.plan[k - 1].v, in.series.plan[k].v, in.series.plan[k + 1].v);
+    largest.See(now, samples[k].time_s);
+  }
+  const double terms = static_cast<double>(count - 2) * static_cast<double>(n);
+  return {"smoothness_jerk_rms", std::sqrt(sum / terms), std::sqrt(planned / terms), largest.at_s, ""};
+}
+
+/// Largest change of a joint's torque from one log interval to the next, within two of a switch of the schedule.
+Measurement TorqueStep(const ScoreInputs& in) {
+  const double near = 2.0 / in.log.log_rate_hz;
+  Extreme measured(Extreme::Kind::kLargest), planned(Extreme::Kind::kLargest);
+  const auto see = [&](const VectorX& before, const VectorX& now, double time_s, Extreme& largest) {
+    for (int i = 0; i < std::min(in.model.num_dofs(), static_cast<int>(now.size())); ++i) {
+      if (HasTorqueLimit(in.model, i)) largest.See(std::abs(now[i] - before[i]) / in.model.dof_effort_limit(i), time_s);
+    }
+  };
+  const auto& phases = in.plan.schedule.phases;
+  for (std::size_t k = 1; k < in.series.measured.size(); ++k) {
+    const double time = in.log.samples[k].time_s;
+    const bool at_switch = std::any_of(phases.begin() + (phases.empty() ? 0 : 1), phases.end(),
+                                       [&](const ContactPhase& p) { return std::abs(time - p.start_s) <= near; });
+    if (!at_switch) continue;
+    see(in.log.samples[k - 1].tau, in.log.samples[k].tau, time, measured);
+    see(in.series.plan[k - 1].tau, in.series.plan[k].tau, time, planned);
+  }
+  return FromExtremes("torque_step_use_max", measured, planned, "no contact switches, or no torque limits");
+}
+
+}  // namespace
+
+std::vector<Measurement> JointMeasurements(const ScoreInputs& in) {
+  JointExtremes measured, planned;
+  for (std::size_t k = 0; k < in.series.measured.size(); ++k) {
+    const LogSample& sample = in.log.samples[k];
+    const PlanState& wanted = in.series.plan[k];
+    measured.See(in.model, sample.q, sample.v, sample.tau_peak, sample.time_s);
+    planned.See(in.model, wanted.q, wanted.v, wanted.tau, sample.time_s);
+  }
+  return {FromExtremes("torque_use_max", measured.torque, planned.torque, kNoTorqueLimit),
+          Saturated(in),
+          FromExtremes("joint_speed_use_max", measured.speed, planned.speed,
+                       "no joint has a speed limit that is more than a placeholder"),
+          FromExtremes("joint_limit_margin_min_rad", measured.margin, planned.margin, "no joint has position limits"),
+          CostOfTransport(in),
+          Jerk(in),
+          TorqueStep(in)};
+}
+
+}  // namespace gaitwright

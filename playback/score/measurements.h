@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playback/score/fall.h"
+#include "playback/score/motion_series.h"
+
+namespace gaitwright {
+
+/// A figure before it is held against its gate.
+struct Measurement {
+  std::string key;
+  std::optional<double> value, planned, at_s;
+  std::string missing;  ///< why there is no value
+};
+
+/// All that measuring needs. `series` ends at the fall.
+struct ScoreInputs {
+  const RobotModel& model;
+  const MotionPlan& plan;
+  const PlaybackLog& log;
+  const ScoreOptions& options;
+  MotionSeries series;
+  Fall fall;
+  double leg_length_m = 0.0;
+};
+
+/// The extreme of a sequence and when it came.
+class Extreme {
+ public:
+  enum class Kind { kSmallest, kLargest };
+  explicit Extreme(Kind kind) : kind_(kind) {}
+
+  void See(double value, double time_s);
+  std::optional<double> value, at_s;
+
+ private:
+  Kind kind_;
+};
+
+/// A measurement from extremes of what was measured and planned.
+Measurement FromExtremes(const std::string& key, const Extreme& measured, const Extreme& planned,
+                         const std::string& missing);
+
+// Groups of rows of metrics.md; each returns its rows in any order.
+std::vector<Measurement> ProgressMeasurements(const ScoreInputs& in);
+std::vector<Measurement> ZmpMeasurements(const ScoreInputs& in);
+std::vector<Measurement> BalanceMeasurements(const ScoreInputs& in);
+std::vector<Measurement> ContactMeasurements(const ScoreInputs& in);
+std::vector<Measurement> JointMeasurements(const ScoreInputs& in);
+
+/// Share of the planned time on the ground in which the support is a line or a point.
+double ShareWithoutArea(const MotionSeries& series);
+
+}  // namespace gaitwright

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/motion_series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+namespace {
+
+/// Force on the robot and its moment about a point, in W.
+struct TotalWrench {
+  Vector3 force_W = Vector3::Zero(), moment_W = Vector3::Zero();
+
+  void Add(const Vector3& force, const Vector3& moment, const Vector3& arm) {
+    force_W += force;
+    moment_W += moment + arm.cross(force);
+  }
+};
+
+class Sampler {
+ public:
+  Sampler(const RobotModel& model, const MotionPlan& plan, const ScoreOptions& options)
+      : model_(model), plan_(plan), options_(options), scratch_(model) {}
+
+  /// Everything that follows from the posture and its velocity.
+  MotionSample Posture(double time_s, FootSet stance, const VectorX& q, const VectorX& v) {
+    ForwardVelocities(model_, q, v, scratch_);
+    MotionSample sample;
+    sample.time_s = time_s;
+    sample.stance = stance;
+    sample.X_WB.linear() = scratch_.R_WB[0];
+    sample.X_WB.translation() = scratch_.p_WB[0];
+    sample.p_WC = CentreOfMass(model_, scratch_);
+    sample.v_WC = CentroidalMomentum(model_, scratch_).head<3>() / model_.total_mass_kg;
+    sample.support = SupportOf(model_, scratch_, plan_.terrain, stance);
+    const double ground = sample.support.empty() ? GroundAt(plan_.terrain, sample.p_WC.head<2>()).height_m
+                                                 : sample.support.reference_W.z();
+    sample.omega_rad_s = std::sqrt(kGravity / std::max(sample.p_WC.z() - ground, 1e-3));
+    sample.dcm_W = (sample.p_WC + sample.v_WC / sample.omega_rad_s).head<2>();
+    for (int foot = 0; foot < static_cast<int>(model_.feet.size()); ++foot) sample.feet.push_back(FootOf(foot));
+    return sample;
+  }
+
+  /// The unfiltered ZMP of the wrenches on the feet. @pre Posture at the same q.
+  void AddMeasuredForces(const std::vector<ContactWrench>& wrenches, MotionSample& sample) {
+    TotalWrench total;
+    for (std::size_t i = 0; i < std::min(wrenches.size(), sample.feet.size()); ++i) {
+      sample.feet[i].force_W = wrenches[i].force_W;
+      total.Add(wrenches[i].force_W, wrenches[i].moment_W, sample.feet[i].p_WF - sample.support.reference_W);
+    }
+    SetZmp(total, sample);
+  }
+
+  /// The unfiltered ZMP of a plan's row, by inverse dynamics.
+  void AddPlannedForces(const PlanState& row, MotionSample& sample) {
+    VectorX tau;
+    InverseDynamics(model_, row.q, row.v, row.a, scratch_, tau);
+    TotalWrench total;
+    total.Add(tau.head<3>(), tau.segment<3>(3), Vector3(row.q.head<3>()) - sample.support.reference_W);
+    for (std::size_t i = 0; i < std::min(row.wrenches.size(), sample.feet.size()); ++i) {
+      sample.feet[i].force_W = row.wrenches[i].force_W;
+    }
+    SetZmp(total, sample);
+  }
+
+ private:
+  FootSample FootOf(int foot) const {
+    const Foot& f = model_.feet[static_cast<std::size_t>(foot)];
+    FootSample sample;
+    const Pose X_WF = ContactFrame(model_, scratch_, plan_.terrain, foot);
+    sample.p_WF = X_WF.translation();
+    const std::size_t body = static_cast<std::size_t>(f.body);
+    const Vector3 p_BF = scratch_.R_WB[body].transpose() * (sample.p_WF - scratch_.p_WB[body]);
+    const Vector3 v = PointVelocity(scratch_, f.body, p_BF).head<3>();
+    const Vector3 normal = GroundAt(plan_.terrain, sample.p_WF.head<2>()).normal_W;
+    sample.slide_m_s = (v - v.dot(normal) * normal).norm();
+    sample.height_m = std::numeric_limits<double>::infinity();
+    for (const Vector3& p : ContactPoints(model_, scratch_, plan_.terrain, foot)) {
+      const GroundPoint ground = GroundAt(plan_.terrain, p.head<2>());
+      if (ground.patch >= 0) sample.height_m = std::min(sample.height_m, p.z() - ground.height_m);
+    }
+    return sample;
+  }
+
+  /// p_WZ = p_WS + n x M_S / (n . F): the point of the support plane where the moment has only a normal part.
+  /// Sardain and Bessonnet, IEEE T-SMC A 34(5) 2004.
+  void SetZmp(const TotalWrench& about_support, MotionSample& sample) const {
+    const Vector3& n = sample.support.normal_W;
+    sample.normal_n = n.dot(about_support.force_W);
+    sample.has_zmp = !sample.support.empty() && sample.support.coplanar && std::isfinite(sample.normal_n) &&
+                     sample.normal_n >= options_.min_normal_fraction * model_.weight_n();
+    if (!sample.has_zmp) return;
+    const Vector3 offset = n.cross(about_support.moment_W) / sample.normal_n;
+    sample.p_WZ = (sample.support.reference_W + offset).head<2>();
+  }
+
+  const RobotModel& model_;
+  const MotionPlan& plan_;
+  const ScoreOptions& options_;
+  DynamicsScratch scratch_;
+};
+
+void LowPassZmp(std::vector<MotionSample>& samples, double time_constant_s) {
+  const MotionSample* before = nullptr;
+  for (MotionSample& sample : samples) {
+    if (sample.has_zmp && before != nullptr && time_constant_s > 0.0) {
+      const double gain = 1.0 - std::exp(-(sample.time_s - before->time_s) / time_constant_s);
+      sample.p_WZ = before->p_WZ + gain * (sample.p_WZ - before->p_WZ);
+    }
+    before = sample.has_zmp ? &sample : nullptr;
+  }
+}
+
+void CheckSize(const char* what, const VectorX& vector, int expected, const std::string& robot) {
+  if (vector.size() == expected) return;
+  throw InvalidArgument(
+      fmt::format("Score: {} has {} entries; robot '{}' needs {}", what, vector.size(), robot, expected));
+}
+
+void CheckFits(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log) {
+  const WholeBodyTrajectory& motion = plan.whole_body;
+  if (motion.size() == 0) throw InvalidArgument("Score: the plan has no whole-body rows; one or more are needed");
+  if (motion.v.size() != motion.q.size() || motion.a.size() != motion.q.size()) {
+    throw InvalidArgument(fmt::format("Score: the plan has {} rows of q but {} of v and {} of a", motion.q.size(),
+                                      motion.v.size(), motion.a.size()));
+  }
+  for (const VectorX& q : motion.q) CheckSize("the plan's q", q, model.nq(), model.name);
+  for (const VectorX& v : motion.v) CheckSize("the plan's v", v, model.nv(), model.name);
+  for (const VectorX& a : motion.a) CheckSize("the plan's a", a, model.nv(), model.name);
+  for (const VectorX& tau : motion.tau) CheckSize("the plan's tau", tau, model.num_dofs(), model.name);
+  for (const LogSample& sample : log.samples) {
+    CheckSize("the log's q", sample.q, model.nq(), model.name);
+    CheckSize("the log's v", sample.v, model.nv(), model.name);
+    CheckSize("the log's tau", sample.tau, model.num_dofs(), model.name);
+    CheckSize("the log's tau_peak", sample.tau_peak, model.num_dofs(), model.name);
+  }
+  if (log.log_rate_hz <= 0.0) {
+    throw InvalidArgument(fmt::format("Score: the log's rate is {} Hz; it must be positive", log.log_rate_hz));
+  }
+}
+
+FootSet ScheduledAt(const ContactSchedule& schedule, double time_s) {
+  if (schedule.phases.empty()) return 0;
+  return schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, time_s))].stance;
+}
+
+}  // namespace
+
+MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                              const ScoreOptions& options) {
+  CheckFits(model, plan, log);
+  Sampler sampler(model, plan, options);
+  MotionSeries series;
+  const double half_interval = 0.5 / log.log_rate_hz;
+  for (const LogSample& row : log.samples) {
+    if (!row.q.allFinite() || !row.v.allFinite()) break;  // the physics blew up; Score says when
+    const double middle = row.time_s - half_interval;
+    const FootSet stance = ScheduledAt(plan.schedule, middle);
+    series.measured.push_back(sampler.Posture(row.time_s, stance, row.q, row.v));
+    sampler.AddMeasuredForces(row.wrenches, series.measured.back());
+    series.plan.push_back(PlanStateAt(plan.whole_body, row.time_s));
+    series.planned.push_back(sampler.Posture(row.time_s, stance, series.plan.back().q, series.plan.back().v));
+    sampler.AddPlannedForces(PlanStateAt(plan.whole_body, middle), series.planned.back());
+  }
+  LowPassZmp(series.measured, options.zmp_filter_s);
+  LowPassZmp(series.planned, options.zmp_filter_s);
+  return series;
+}
+
+namespace {
+
+double RiseOver(const Vector3& a, const Vector3& b, const Vector3& p_WC) {
+  const Vector3 along = (b - a).normalized();
+  const Vector3 arm = (p_WC - a) - (p_WC - a).dot(along) * along;
+  const double cos_inclination = along.head<2>().norm();
+  return arm.norm() * cos_inclination - arm.z();
+}
+
+/// The contact point below a corner of the hull.
+Vector3 Lifted(const Support& support, const Vector2& corner) {
+  return *std::min_element(support.points_W.begin(), support.points_W.end(), [&](const Vector3& a, const Vector3& b) {
+    return (a.head<2>() - corner).squaredNorm() < (b.head<2>() - corner).squaredNorm();
+  });
+}
+
+}  // namespace
+
+double EnergyMargin(const MotionSample& sample) {
+  const Polygon& polygon = sample.support.polygon;
+  const Vector2 below = sample.p_WC.head<2>();
+  if (polygon.size() < 3) {
+    const double d = SignedDistance(polygon, below), z = sample.p_WC.z() - sample.support.reference_W.z();
+    return -(std::hypot(d, z) - z);
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double rise = RiseOver(Lifted(sample.support, a), Lifted(sample.support, b), sample.p_WC);
+    const Vector2 edge = b - a, to = below - a;
+    smallest = std::min(smallest, edge.x() * to.y() - edge.y() * to.x() >= 0.0 ? rise : -rise);
+  }
+  return smallest;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "playback/log/playback_log.h"
+#include "playback/score/plan_state.h"
+#include "playback/score/score_options.h"
+#include "playback/score/support.h"
+
+namespace gaitwright {
+
+/// One foot at one instant.
+struct FootSample {
+  Vector3 p_WF = Vector3::Zero();  ///< origin of its contact frame [m]
+  double height_m = 0.0;           ///< of its lowest contact point over the ground
+  double slide_m_s = 0.0;          ///< speed along the ground of the material at the contact frame's origin
+  Vector3 force_W = Vector3::Zero();
+};
+
+/// Balance at one instant: the same code for what was planned and for what was measured.
+///
+/// = Notation =  W world, C centre of mass, Z zero-moment point, S support (the scheduled feet where they are)
+struct MotionSample {
+  double time_s = 0.0;
+  FootSet stance = 0;  ///< scheduled
+  Pose X_WB = Pose::Identity();
+  Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero();
+  double omega_rad_s = 0.0;         ///< sqrt(g / height of C over S, or over the ground in flight)
+  Vector2 dcm_W = Vector2::Zero();  ///< c + c' / omega
+  Support support;
+  Vector2 p_WZ = Vector2::Zero();  ///< low-passed; only when has_zmp
+  bool has_zmp = false;            ///< enough normal force on a coplanar support
+  double normal_n = 0.0;           ///< of all contacts
+  std::vector<FootSample> feet;
+
+  /// Signed distances to the edge of S [m]. @pre has_zmp, or a support.
+  double zmp_margin_m() const { return SignedDistance(support.polygon, p_WZ); }
+  double static_margin_m() const { return SignedDistance(support.polygon, p_WC.head<2>()); }
+};
+
+/// A motion as planned and as measured, sample k of each at the same time.
+struct MotionSeries {
+  std::vector<MotionSample> planned, measured;
+  std::vector<PlanState> plan;  ///< the plan's rows at these times
+};
+
+/// The plan and the log side by side at the log's times.
+///
+/// The force of a log sample is a mean over the interval before it; the scheduled feet and the planned forces are
+/// therefore taken at the middle of that interval, postures and velocities at its end. The planned ZMP follows from the
+/// plan's own q, v, a by inverse dynamics, the measured one from contact impulses; both pass the same first-order
+/// low-pass, y += (1 - exp(-dt / zmp_filter_s)) (x - y), which starts anew after samples that have no ZMP.
+/// @throws InvalidArgument when the plan has no rows or a vector of plan or log does not fit the model.
+MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                              const ScoreOptions& options);
+
+/// Smallest rise of the centre of mass on its way over an edge of the support [m]; negative when it is beyond an edge,
+/// and minus the rise over the line itself when the support has no area. With R the distance of C from the edge, psi
+/// the edge's inclination: rise = R cos(psi) - (height of C over the edge). Normalised energy stability margin: Messuri
+/// and Klein, IEEE J. Robotics and Automation 1(3) 1985; Hirose et al., 2001. @pre a support.
+double EnergyMargin(const MotionSample& sample);
+
+}  // namespace gaitwright

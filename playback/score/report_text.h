@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "playback/score/stability_report.h"
+
+namespace gaitwright {
+
+/// For people: the verdict, the score, the reason, and a table of the figures with what was planned and their limits.
+std::string ReportText(const StabilityReport& report);
+
+/// The stable object of `walk` and `play`: robot, verdict, score, reason, metrics {KEY: {value, planned, unit, limit,
+/// pass, at_s}}, notes. What does not exist is null and `not_applied` says why; `pass` is false only where an applied
+/// gate broke. The caller adds its files and times.
+std::string ReportJson(const StabilityReport& report);
+
+/// A figure for people: "23.4 mm", "1.2 %", "0.31 rad", "yes". Lengths below 1 m in mm.
+std::string FigureText(const Metric& metric, double value);
+
+/// The limit for people: "<= 40 ms", "> 0 mm"; "-" when there is none, "n/a" when the gate does not apply.
+std::string LimitText(const Metric& metric);
+
+}  // namespace gaitwright

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/stability_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinematics/base/result.h"
+#include "playback/score/gates.h"
+#include "playback/score/measurements.h"
+#include "playback/score/why_it_fell.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kLineShare = 0.05;  // of the time on a line or a point, from which on the ZMP's margin says nothing
+
+/// Why the gate of this key does not apply to the motion, or nothing.
+std::string NotApplied(const std::string& key, double share_without_area) {
+  if (key == "zmp_margin_p05_m" && share_without_area > kLineShare) {
+    return fmt::format("the support is a line or a point for {:.0f} % of the time; dcm_capture_margin_min_m stands in",
+                       100.0 * share_without_area);
+  }
+  if (key == "dcm_capture_margin_min_m" && share_without_area <= kLineShare) {
+    return "the support has area; zmp_margin_p05_m is the gate";
+  }
+  return {};
+}
+
+Metric Gated(const MetricRule& rule, const Measurement& measured, const GateScale& scale, double share_without_area) {
+  Metric metric;
+  metric.key = rule.key;
+  metric.unit = rule.unit;
+  metric.value = measured.value;
+  metric.planned = measured.planned;
+  metric.at_s = measured.at_s;
+  metric.not_applied = measured.value ? NotApplied(rule.key, share_without_area) : measured.missing;
+  metric.bound = rule.bound;
+  const auto limit = LimitOf(rule, scale);
+  metric.applied = limit.has_value() && metric.not_applied.empty();
+  if (!metric.applied) return metric;
+  metric.limit = limit;
+  metric.pass = Holds(rule.bound, *metric.value, *limit);
+  return metric;
+}
+
+std::vector<Metric> GatedMetrics(const ScoreInputs& in, const GateScale& scale) {
+  std::vector<Measurement> all;
+  for (const auto& group : {ProgressMeasurements(in), ZmpMeasurements(in), BalanceMeasurements(in),
+                            ContactMeasurements(in), JointMeasurements(in)}) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  const double share_without_area = ShareWithoutArea(in.series);
+  std::vector<Metric> metrics;
+  for (const MetricRule& rule : MetricRules()) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Measurement& m) { return m.key == rule.key; });
+    if (found == all.end()) throw std::logic_error("Score: nothing measures '" + rule.key + "'");
+    metrics.push_back(Gated(rule, *found, scale, share_without_area));
+  }
+  return metrics;
+}
+
+/// Drops what came after the fall; keeps at least one sample.
+void CutAt(double time_s, MotionSeries& series) {
+  std::size_t count = series.measured.size();
+  while (count > 1 && series.measured[count - 1].time_s > time_s + 1e-9) --count;
+  series.measured.resize(count);
+  series.planned.resize(count);
+  series.plan.resize(count);
+}
+
+std::vector<std::string> NotesOf(const RobotModel& model) {
+  std::vector<std::string> efforts, speeds, notes;
+  for (const Joint& joint : model.joints) {
+    if (joint.effort_limit_is_placeholder) efforts.push_back(joint.name);
+    if (joint.velocity_limit_is_placeholder) speeds.push_back(joint.name);
+  }
+  if (!efforts.empty()) notes.push_back("torque limits are placeholders and judge nothing: " + QuotedList(efforts));
+  if (!speeds.empty()) notes.push_back("speed limits are placeholders and judge nothing: " + QuotedList(speeds));
+  return notes;
+}
+
+}  // namespace
+
+const Metric& StabilityReport::At(const std::string& key) const {
+  std::vector<std::string> keys;
+  for (const Metric& metric : metrics) {
+    if (metric.key == key) return metric;
+    keys.push_back(metric.key);
+  }
+  throw InvalidArgument(
+      fmt::format("StabilityReport: no metric '{}'; the nearest is '{}'", key, NearestName(key, keys)));
+}
+
+StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                      const ScoreOptions& options) {
+  ScoreOptions checked = options;
+  CheckOptions(checked.Fields());
+  if (log.samples.empty()) throw InvalidArgument("Score: the log has no samples; one or more are needed");
+  MotionSeries series = MakeMotionSeries(model, plan, log, options);
+  if (series.measured.empty())
+    throw InvalidArgument("Score: the log's first state is not finite; nothing can be measured");
+  const Fall fall = FindFall(plan, log, series, options);
+  if (fall.fell) CutAt(fall.time_s, series);
+  const GateScale scale = ScaleOf(model, plan);
+  const ScoreInputs in{model, plan, log, options, std::move(series), fall, scale.leg_length_m};
+
+  StabilityReport report;
+  report.robot = model.name;
+  report.metrics = GatedMetrics(in, scale);
+  report.pass = std::all_of(report.metrics.begin(), report.metrics.end(), [](const Metric& m) { return m.pass; });
+  const double duration = plan.duration_s();
+  const double share = duration > 0.0 ? (fall.time_s - log.start_s) / duration : 1.0;
+  report.score = ScoreOf(report.metrics, scale, share);
+  report.reason = ReasonOf(in, report.metrics);
+  report.notes = NotesOf(model);
+  return report;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gaitwright {
+namespace {
+
+constexpr double kCoplanar = 0.005;   // [m]
+constexpr double kLineWidth = 0.001;  // [m]
+
+Pose FootPose(const RobotModel& model, const DynamicsScratch& scratch, int foot) {
+  const Foot& f = model.feet[static_cast<std::size_t>(foot)];
+  return FramePose(scratch, f.body, f.X_BF);
+}
+
+Matrix3 AxesAlong(const Vector3& normal_W, const Vector3& ahead_W) {
+  Matrix3 R;
+  R.col(2) = normal_W.normalized();
+  R.col(1) = R.col(2).cross(ahead_W).normalized();
+  R.col(0) = R.col(1).cross(R.col(2));
+  return R;
+}
+
+bool Coplanar(const std::vector<Vector3>& points, const Vector3& normal) {
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Vector3& p) { return std::abs((p - points.front()).dot(normal)) <= kCoplanar; });
+}
+
+}  // namespace
+
+Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, int foot) {
+  const Foot& f = model.feet[static_cast<std::size_t>(foot)];
+  Pose X_WF = FootPose(model, scratch, foot);
+  if (f.type == FootType::kSole || f.type == FootType::kLine) return X_WF;
+  const Vector3 centre = X_WF.translation();
+  const Vector3 normal = GroundAt(terrain, centre.head<2>()).normal_W;
+  X_WF.linear() = AxesAlong(normal, scratch.R_WB[0].col(0));
+  X_WF.translation() = centre - f.radius * normal;
+  return X_WF;
+}
+
+std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain,
+                                   int foot) {
+  const Foot& f = model.feet[static_cast<std::size_t>(foot)];
+  const Pose X_WF = ContactFrame(model, scratch, terrain, foot);
+  if (f.sole_F.empty()) return {X_WF.translation()};
+  std::vector<Vector3> points;
+  for (const Vector2& corner : f.sole_F) points.push_back(X_WF * Vector3(corner.x(), corner.y(), 0.0));
+  return points;
+}
+
+Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, FootSet stance) {
+  Support support;
+  std::vector<Vector2> flat;
+  std::vector<Vector3> ground;
+  Vector3 normal = Vector3::Zero();
+  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
+    if (!Contains(stance, foot)) continue;
+    for (const Vector3& p : ContactPoints(model, scratch, terrain, foot)) {
+      support.points_W.push_back(p);
+      support.reference_W += p;
+      flat.emplace_back(p.head<2>());
+      const GroundPoint below = GroundAt(terrain, p.head<2>());
+      if (below.patch < 0) continue;
+      normal += below.normal_W;
+      ground.emplace_back(p.x(), p.y(), below.height_m);
+    }
+  }
+  support.base_yaw_rad = YawOf(scratch.R_WB[0]);
+  if (support.empty()) return support;
+  support.reference_W /= static_cast<double>(support.points_W.size());
+  support.normal_W = normal.norm() > 0.0 ? Vector3(normal.normalized()) : Vector3::UnitZ();
+  support.coplanar = Coplanar(ground, support.normal_W);
+  support.polygon = ConvexHull(std::move(flat));
+  return support;
+}
+
+bool HasArea(const Polygon& polygon) {
+  double perimeter = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) perimeter += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
+  return Area(polygon) > 0.5 * perimeter * kLineWidth;
+}
+
+Vector2 SupportMotion::Back(const Vector2& p_W) const { return from_W + Eigen::Rotation2Dd(-yaw_rad) * (p_W - to_W); }
+
+SupportMotion MotionBetween(const Support& planned, const Support& measured) {
+  SupportMotion motion{planned.reference_W.head<2>(), measured.reference_W.head<2>(), 0.0};
+  double dot = 0.0, cross = 0.0, spread = 0.0;
+  for (std::size_t i = 0; i < std::min(planned.points_W.size(), measured.points_W.size()); ++i) {
+    const Vector2 a = planned.points_W[i].head<2>() - motion.from_W;
+    const Vector2 b = measured.points_W[i].head<2>() - motion.to_W;
+    dot += a.dot(b);
+    cross += a.x() * b.y() - a.y() * b.x();
+    spread += a.squaredNorm();
+  }
+  motion.yaw_rad = spread > 1e-8 ? std::atan2(cross, dot) : WrappedAngle(measured.base_yaw_rad - planned.base_yaw_rad);
+  return motion;
+}
+
+double YawOf(const Matrix3& R_WB) { return std::atan2(R_WB(1, 0), R_WB(0, 0)); }
+
+double WrappedAngle(double angle_rad) { return std::remainder(angle_rad, 2.0 * std::numbers::pi); }
+
+}  // namespace gaitwright

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/stability/polygon.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// Pose of a foot's contact frame in W: the sole frame (sole, line) or the contact point with z along the ground's
+/// normal (point; sphere: a radius below the centre along that normal). Needs ForwardKinematics.
+Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, int foot);
+
+/// The points with which a foot meets the ground: the corners of its sole, or its contact point. Needs
+/// ForwardKinematics.
+std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain,
+                                   int foot);
+
+/// What carries the robot: the soles of a set of feet at the poses where they are, whether or not they touch.
+/// Invariant: points_W, polygon are empty together.
+struct Support {
+  std::vector<Vector3> points_W;          ///< contact points, in the order of the feet
+  Polygon polygon;                        ///< their hull in plan view
+  Vector3 reference_W = Vector3::Zero();  ///< their mean
+  Vector3 normal_W = Vector3::UnitZ();    ///< mean normal of the ground below them
+  double base_yaw_rad = 0.0;              ///< heading where the points alone give none
+  bool coplanar = true;                   ///< the ground below them, to 5 mm: only then is there a ZMP
+
+  bool empty() const { return points_W.empty(); }
+};
+
+/// @pre ForwardKinematics of `scratch`.
+Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, FootSet stance);
+
+/// True when the polygon is wider than 1 mm on average: else it is a line or a point, and margins to it are never
+/// positive.
+bool HasArea(const Polygon& polygon);
+
+/// A planar rigid motion from one support to the same support elsewhere.
+struct SupportMotion {
+  Vector2 from_W = Vector2::Zero(), to_W = Vector2::Zero();  ///< the reference points
+  double yaw_rad = 0.0;
+
+  /// Where a point that belongs to `to` would lie beside `from`.
+  Vector2 Back(const Vector2& p_W) const;
+};
+
+/// The motion that brings the points of `planned` nearest to those of `measured` in plan view (least squares); a single
+/// point turns with the base. @pre both have the same feet.
+SupportMotion MotionBetween(const Support& planned, const Support& measured);
+
+/// Yaw of a pose: heading of its x axis in plan view [rad].
+double YawOf(const Matrix3& R_WB);
+
+/// The angle in [-pi, pi].
+double WrappedAngle(double angle_rad);
+
+}  // namespace gaitwright

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/why_it_fell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "playback/score/capture.h"
+#include "playback/score/contact_timing.h"
+#include "playback/score/gates.h"
+
+namespace gaitwright {
+namespace {
+
+using Kind = FailureEvent::Kind;
+using Event = std::optional<FailureEvent>;
+
+constexpr double kPersistent = 0.05;    // a state that lasts this long is no transient [s]
+constexpr double kAtLimit = 0.999;      // of the torque limit
+constexpr double kFarOff = 0.03;        // from plan or foothold, for the reference leg [m]
+constexpr double kPlanOutside = 0.002;  // [m]
+
+double Scaled(const ScoreInputs& in, double length_m) { return length_m * in.leg_length_m / kReferenceLegLength; }
+
+const std::string& FootName(const ScoreInputs& in, int foot) {
+  return in.model.feet[static_cast<std::size_t>(foot)].name;
+}
+
+std::string NamesOf(const ScoreInputs& in, FootSet stance) {
+  std::string names;
+  for (int foot = 0; foot < static_cast<int>(in.model.feet.size()); ++foot) {
+    if (Contains(stance, foot)) names += (names.empty() ? "'" : ", '") + FootName(in, foot) + "'";
+  }
+  return names;
+}
+
+/// "to the left": the main direction of a vector as the base sees it.
+std::string DirectionOf(const Vector2& d_W, double base_yaw_rad) {
+  const Vector2 d = Eigen::Rotation2Dd(-base_yaw_rad) * d_W;
+  if (std::abs(d.x()) > std::abs(d.y())) return d.x() > 0.0 ? "ahead" : "behind";
+  return d.y() > 0.0 ? "to the left" : "to the right";
+}
+
+/// Index of the first sample from which `holds` is true for kPersistent, or to the end if that comes sooner.
+template <class Holds>
+std::optional<std::size_t> FirstPersistent(const std::vector<MotionSample>& samples, Holds holds) {
+  std::optional<std::size_t> start;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (!holds(k)) {
+      start.reset();
+    } else if (!start) {
+      start = k;
+    }
+    if (start && samples[k].time_s - samples[*start].time_s >= kPersistent) return start;
+  }
+  return start;
+}
+
+Event PlanUnstable(const ScoreInputs& in) {
+  const auto& planned = in.series.planned;
+  const auto outside = [&](std::size_t k) {
+    return planned[k].has_zmp && HasArea(planned[k].support.polygon) && planned[k].zmp_margin_m() < -kPlanOutside;
+  };
+  const auto at = FirstPersistent(planned, outside);
+  if (!at) return {};
+  double worst = 0.0;
+  for (std::size_t k = *at; k < planned.size() && outside(k); ++k) worst = std::min(worst, planned[k].zmp_margin_m());
+  const MotionSample& s = planned[*at];
+  return FailureEvent{
+      Kind::kPlanUnstable, s.time_s,
+      fmt::format("from {:.2f} s the plan itself has its ZMP outside of the support of {}, by up to {:.0f} mm",
+                  s.time_s, NamesOf(in, s.stance), -1e3 * worst)};
+}
+
+Event ContactLost(const ScoreInputs& in) {
+  Event first;
+  for (int foot = 0; foot < static_cast<int>(in.model.feet.size()); ++foot) {
+    double off_since = -1.0;
+    for (std::size_t k = 0; k < in.series.measured.size(); ++k) {
+      const LogSample& sample = in.log.samples[k];
+      const bool off = Contains(in.series.measured[k].stance, foot) && !Contains(sample.contact, foot);
+      if (!off) off_since = -1.0;
+      if (off && off_since < 0.0) off_since = sample.time_s;
+      if (!off || sample.time_s - off_since < TimingGate()) continue;
+      if (!first || off_since < first->time_s) {
+        first = FailureEvent{Kind::kContactLost, off_since,
+                             fmt::format("at {:.2f} s '{}' was off the ground where the schedule has it standing",
+                                         off_since, FootName(in, foot))};
+      }
+      break;
+    }
+  }
+  return first;
+}
+
+Event EarlyContact(const ScoreInputs& in) {
+  Event first;
+  const int feet = static_cast<int>(in.model.feet.size());
+  for (const auto& swing : ScuffedSwings(in.plan.schedule, in.log, feet, TimingGate(), in.fall.time_s)) {
+    for (const StanceRecord& stance : in.log.stances) {
+      const bool inside = stance.foot == swing.foot && stance.liftoff_s > swing.liftoff_s + TimingGate() &&
+                          stance.touchdown_s < swing.touchdown_s - TimingGate();
+      const double at = std::max(stance.touchdown_s, swing.liftoff_s);
+      if (!inside || (first && first->time_s <= at)) continue;
+      const char* how = stance.touchdown_s <= swing.liftoff_s ? "did not leave the ground when its swing began"
+                                                              : "touched the ground in mid swing";
+      first =
+          FailureEvent{Kind::kEarlyContact, at, fmt::format("at {:.2f} s '{}' {}", at, FootName(in, swing.foot), how)};
+    }
+  }
+  return first;
+}
+
+/// Where a foot came down against its foothold, less the drift of the base when that explains it.
+Vector2 FootholdError(const ScoreInputs& in, const StanceRecord& stance, const Foothold& foothold, std::size_t k) {
+  const MotionSample &actual = in.series.measured[k], &wanted = in.series.planned[k];
+  const Vector2 there = stance.p_touchdown_W.head<2>(), here = foothold.X_WF.translation().head<2>();
+  const SupportMotion drift{wanted.X_WB.translation().head<2>(), actual.X_WB.translation().head<2>(),
+                            WrappedAngle(YawOf(actual.X_WB.linear()) - YawOf(wanted.X_WB.linear()))};
+  const Vector2 in_world = there - here, beside_base = drift.Back(there) - here;
+  return in_world.norm() < beside_base.norm() ? in_world : beside_base;
+}
+
+Event MissedFoothold(const ScoreInputs& in) {
+  for (const StanceRecord& stance : in.log.stances) {
+    if (stance.touchdown_s > in.fall.time_s || stance.touchdown_s <= in.log.start_s + TimingGate()) continue;
+    const auto foothold =
+        std::find_if(in.plan.footsteps.footholds.begin(), in.plan.footsteps.footholds.end(), [&](const Foothold& f) {
+          return f.foot == stance.foot && std::abs(f.touchdown_s - stance.touchdown_s) < 2.5 * TimingGate();
+        });
+    const auto k = std::find_if(in.series.measured.begin(), in.series.measured.end(),
+                                [&](const MotionSample& s) { return s.time_s >= stance.touchdown_s; });
+    if (foothold == in.plan.footsteps.footholds.end() || k == in.series.measured.end()) continue;
+    const Vector2 error =
+        FootholdError(in, stance, *foothold, static_cast<std::size_t>(k - in.series.measured.begin()));
+    if (error.norm() <= Scaled(in, kFarOff)) continue;
+    return FailureEvent{
+        Kind::kMissedFoothold, stance.touchdown_s,
+        fmt::format("at {:.2f} s '{}' came down {:.0f} mm off its foothold, {}", stance.touchdown_s,
+                    FootName(in, stance.foot), 1e3 * error.norm(), DirectionOf(error, YawOf(k->X_WB.linear())))};
+  }
+  return {};
+}
+
+Event Slip(const ScoreInputs& in) {
+  const double gate = Scaled(in, 0.010);
+  Event first;
+  for (const StanceRecord& stance : in.log.stances) {
+    if (stance.slip_m <= gate || stance.touchdown_s > in.fall.time_s) continue;
+    double slid = 0.0, at = std::min(stance.liftoff_s, in.fall.time_s);
+    for (const MotionSample& sample : in.series.measured) {
+      if (sample.time_s < stance.touchdown_s || sample.time_s > stance.liftoff_s) continue;
+      slid += sample.feet[static_cast<std::size_t>(stance.foot)].slide_m_s / in.log.log_rate_hz;
+      if (slid > gate) at = std::min(at, sample.time_s);
+    }
+    if (first && first->time_s <= at) continue;
+    first = FailureEvent{Kind::kSlip, at,
+                         fmt::format("by {:.2f} s '{}' had slid more than {:.0f} mm (in all {:.0f} mm in that stance)",
+                                     at, FootName(in, stance.foot), 1e3 * gate, 1e3 * stance.slip_m)};
+  }
+  return first;
+}
+
+Event TorqueLimit(const ScoreInputs& in) {
+  Event first;
+  for (int i = 0; i < in.model.num_dofs(); ++i) {
+    const Joint& joint = in.model.joints[static_cast<std::size_t>(in.model.dof_joint[static_cast<std::size_t>(i)])];
+    const double limit = in.model.dof_effort_limit(i);
+    if (joint.effort_limit_is_placeholder || !(limit > 0.0)) continue;
+    const auto at = FirstPersistent(in.series.measured,
+                                    [&](std::size_t k) { return in.log.samples[k].tau_peak[i] >= kAtLimit * limit; });
+    if (!at || (first && first->time_s <= in.series.measured[*at].time_s)) continue;
+    const double time = in.series.measured[*at].time_s;
+    first = FailureEvent{Kind::kTorqueLimit, time,
+                         fmt::format("the torque of '{}' was at its limit {:.2f} N m from {:.2f} s",
+                                     in.model.dof_names[static_cast<std::size_t>(i)], limit, time)};
+  }
+  return first;
+}
+
+Event DcmOut(const ScoreInputs& in) {
+  const double reach = StepReach(in.model, in.options.stretch);
+  const auto touchdowns = TouchdownsOf(in.plan.schedule);
+  const auto& measured = in.series.measured;
+  const auto out = [&](std::size_t k) {
+    const MotionSample &actual = measured[k], &wanted = in.series.planned[k];
+    if (actual.support.empty()) return false;
+    const bool more_steps = !touchdowns.empty() && touchdowns.back().time_s > actual.time_s;
+    const double left = more_steps ? TimeToNextTouchdown(in.plan, actual.time_s) : 0.0;
+    if (CaptureMargin(actual.support, actual, more_steps ? reach : 0.0, left) >= 0.0) return false;
+    const SupportMotion motion = MotionBetween(wanted.support, actual.support);
+    return (motion.Back(actual.dcm_W) - wanted.dcm_W).norm() > Scaled(in, kFarOff);
+  };
+  const auto at = FirstPersistent(measured, out);
+  if (!at) return {};
+  const MotionSample& s = measured[*at];
+  const Vector2 off = s.dcm_W - NearestPoint(s.support.polygon, s.dcm_W);
+  return FailureEvent{
+      Kind::kDcmOut, s.time_s,
+      fmt::format("at {:.2f} s the DCM had left the support of {} by {:.0f} mm {}, out of reach of the next step",
+                  s.time_s, NamesOf(in, s.stance), 1e3 * off.norm(), DirectionOf(off, YawOf(s.X_WB.linear())))};
+}
+
+Event BodyTouched(const ScoreInputs& in) {
+  Event first;
+  for (const BodyContact& contact : in.log.body_contacts) {
+    if (first && first->time_s <= contact.time_s) continue;
+    first = FailureEvent{Kind::kBodyContact, contact.time_s,
+                         fmt::format("at {:.2f} s '{}' touched the ground", contact.time_s, contact.link)};
+  }
+  return first;
+}
+
+}  // namespace
+
+std::vector<FailureEvent> FailureEvents(const ScoreInputs& in) {
+  std::vector<FailureEvent> events;
+  for (const Event& event : {PlanUnstable(in), ContactLost(in), EarlyContact(in), MissedFoothold(in), Slip(in),
+                             TorqueLimit(in), DcmOut(in), BodyTouched(in)}) {
+    if (event && event->time_s <= in.fall.time_s) events.push_back(*event);
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const FailureEvent& a, const FailureEvent& b) { return a.time_s < b.time_s; });
+  return events;
+}
+
+namespace {
+
+std::string First(const std::vector<FailureEvent>& events, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, events.size()); ++i) {
+    text += (i == 0 ? "first, " : "; then ") + events[i].text;
+  }
+  return text;
+}
+
+std::string Figure(double value, const std::string& unit) {
+  return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + unit);
+}
+
+std::string BrokenGates(const std::vector<Metric>& metrics) {
+  std::string text;
+  for (const Metric& m : metrics) {
+    if (m.pass) continue;
+    const std::string limit = Figure(*m.limit, m.unit);
+    const char* side = m.bound == Bound::kAtMost ? "over" : "not over";
+    text += fmt::format("{}{} is {}, {} its limit {}", text.empty() ? "" : "; ", m.key, Figure(*m.value, m.unit), side,
+                        limit);
+  }
+  return text;
+}
+
+std::string Tightest(const std::vector<Metric>& metrics) {
+  const Metric* tightest = nullptr;
+  const auto use = [](const Metric& m) { return *m.value / *m.limit; };
+  for (const Metric& m : metrics) {
+    if (!m.applied || !m.value || m.bound != Bound::kAtMost || *m.limit <= 0.0) continue;
+    if (tightest == nullptr || use(m) > use(*tightest)) tightest = &m;
+  }
+  if (tightest == nullptr) return "every gate holds";
+  return fmt::format("every gate holds; nearest to its limit is {} with {} of {}", tightest->key,
+                     Figure(*tightest->value, tightest->unit), Figure(*tightest->limit, tightest->unit));
+}
+
+}  // namespace
+
+std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) {
+  const bool pass = std::all_of(metrics.begin(), metrics.end(), [](const Metric& m) { return m.pass; });
+  if (pass) return Tightest(metrics);
+  const std::vector<FailureEvent> events = FailureEvents(in);
+  std::string text = in.fall.fell ? fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what)
+                                  : "it did not fall, but " + BrokenGates(metrics);
+  if (!events.empty()) text += "; " + First(events, in.fall.fell ? 3 : 1);
+  return text;
+}
+
+}  // namespace gaitwright
