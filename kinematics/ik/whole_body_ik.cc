@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kConverged = 1e-10;
 constexpr int kMaxIterations = 40;
-constexpr double kDependent = 0.02;  // of a row's length, left after those above are taken out
+constexpr double kDependent = 1e-3;  // of a row's length, left after those above are taken out
 
 bool HasRotation(const Foot& foot) { return foot.type == FootType::kSole || foot.type == FootType::kLine; }
 

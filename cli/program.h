@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright::cli {
+
+/// Exit statuses of the program.
+enum Exit { kPass = 0, kWrongInput = 1, kNoPlan = 2, kVerdictFail = 3 };
+
+/// Flags that every verb takes.
+struct Common {
+  bool json = false;
+  bool quiet = false;
+  std::uint64_t seed = 0;
+  std::vector<std::string> sets;  ///< key=value
+};
+
+/// Adds the flags of Common to a verb.
+void AddCommon(CLI::App& verb, Common& common);
+
+/// Prints a failure (a sentence on standard error; with --json the error object on standard output) and gives its status.
+int Report(const Failure& failure, const Common& common);
+
+/// Runs a verb; an InvalidArgument becomes a failure like any other.
+int Guarded(const Common& common, const std::function<int()>& verb);
+
+// One function for each verb: adds it to the program; `status` gets the exit status when it has run.
+void AddWalk(CLI::App& app, int& status);
+void AddPlan(CLI::App& app, int& status);
+void AddAudit(CLI::App& app, int& status);
+void AddPlay(CLI::App& app, int& status);
+void AddRobots(CLI::App& app, int& status);
+void AddGaits(CLI::App& app, int& status);
+
+}  // namespace gaitwright::cli
