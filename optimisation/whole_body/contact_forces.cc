@@ -69,6 +69,7 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
   out.tau.clear();
   out.wrenches.clear();
   solution.zmp_W.clear();
+  solution.contact_W.assign(model.feet.size(), {});
   for (int k = 0; k < out.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
     const double time_s = out.start_s + k * out.step_s;
@@ -77,6 +78,7 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
     foot_of.clear();
     double ground = 0.0;
     for (int f = 0; f < num_feet; ++f) {
+      solution.contact_W[static_cast<std::size_t>(f)].push_back(ContactFrame(model, scratch, f).translation());
       const double load = loads[static_cast<std::size_t>(f)].At(time_s);
       if (load <= 0.0) continue;
       const auto points = ContactPoints(model, scratch, f);

@@ -39,6 +39,7 @@ struct WholeBodySolution {
   WholeBodyTrajectory trajectory;
   std::vector<Vector3> roll_at_touchdown_W;  ///< by foothold: how far the foot has rolled since the start [m]
   std::vector<Vector3> roll_at_liftoff_W;    ///< by foothold
+  std::vector<std::vector<Vector3>> contact_W;     ///< by foot, by sample: origin of the contact frame [m]
   std::vector<Vector2> zmp_W;                ///< by sample: of the multibody, from its inverse dynamics [m]
   std::vector<std::string> warnings;         ///< limits that are not kept
 };
