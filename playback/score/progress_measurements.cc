@@ -21,7 +21,7 @@ std::vector<Measurement> ProgressMeasurements(const ScoreInputs& in) {
   const MotionSample &plan_first = in.series.planned.front(), &plan_last = in.series.planned.back();
   const Vector2 goal(in.plan.goal.x_m, in.plan.goal.y_m);
   const auto heading_error = [&](const MotionSample& sample) {
-    return std::abs(WrappedAngle(YawOf(sample.X_WB.linear()) - in.plan.goal.yaw_rad));
+    return std::abs(WrapAngle(YawOf(sample.X_WB.linear()) - in.plan.goal.yaw_rad));
   };
   std::vector<Measurement> rows;
   rows.push_back({"fell", in.fall.fell ? 1.0 : 0.0, {}, {}, ""});

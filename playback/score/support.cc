@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gaitwright {
 namespace {
@@ -96,12 +95,8 @@ SupportMotion MotionBetween(const Support& planned, const Support& measured) {
     cross += a.x() * b.y() - a.y() * b.x();
     spread += a.squaredNorm();
   }
-  motion.yaw_rad = spread > 1e-8 ? std::atan2(cross, dot) : WrappedAngle(measured.base_yaw_rad - planned.base_yaw_rad);
+  motion.yaw_rad = spread > 1e-8 ? std::atan2(cross, dot) : WrapAngle(measured.base_yaw_rad - planned.base_yaw_rad);
   return motion;
 }
-
-double YawOf(const Matrix3& R_WB) { return std::atan2(R_WB(1, 0), R_WB(0, 0)); }
-
-double WrappedAngle(double angle_rad) { return std::remainder(angle_rad, 2.0 * std::numbers::pi); }
 
 }  // namespace gaitwright

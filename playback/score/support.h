@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/polygon.h"
 #include "planning/plan/motion_plan.h"
 
@@ -50,11 +51,5 @@ struct SupportMotion {
 /// The motion that brings the points of `planned` nearest to those of `measured` in plan view (least squares); a single
 /// point turns with the base. @pre both have the same feet.
 SupportMotion MotionBetween(const Support& planned, const Support& measured);
-
-/// Yaw of a pose: heading of its x axis in plan view [rad].
-double YawOf(const Matrix3& R_WB);
-
-/// The angle in [-pi, pi].
-double WrappedAngle(double angle_rad);
 
 }  // namespace gaitwright

@@ -118,7 +118,7 @@ Vector2 FootholdError(const ScoreInputs& in, const StanceRecord& stance, const F
   const MotionSample &actual = in.series.measured[k], &wanted = in.series.planned[k];
   const Vector2 there = stance.p_touchdown_W.head<2>(), here = foothold.X_WF.translation().head<2>();
   const SupportMotion drift{wanted.X_WB.translation().head<2>(), actual.X_WB.translation().head<2>(),
-                            WrappedAngle(YawOf(actual.X_WB.linear()) - YawOf(wanted.X_WB.linear()))};
+                            WrapAngle(YawOf(actual.X_WB.linear()) - YawOf(wanted.X_WB.linear()))};
   const Vector2 in_world = there - here, beside_base = drift.Back(there) - here;
   return in_world.norm() < beside_base.norm() ? in_world : beside_base;
 }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/support.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/playback/synthetic.h"
+
+namespace gaitwright {
+namespace {
+
+Support StandingSupport(const RobotModel& model, FootSet stance) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, synthetic::StandingPlan(model, 0.1).whole_body.q[0], scratch);
+  return SupportOf(model, scratch, FlatTerrain(), stance);
+}
+
+TEST(Support, OneSoleTwoSolesAndNone) {
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  const Support left = StandingSupport(model, 1), both = StandingSupport(model, 3);
+  EXPECT_NEAR(Area(left.polygon), 0.16 * 0.08, 1e-12);
+  EXPECT_NEAR(Area(both.polygon), 0.16 * 0.28, 1e-12);
+  EXPECT_LT((left.reference_W - Vector3(0.0, 0.1, 0.0)).norm(), 1e-12);
+  EXPECT_TRUE(HasArea(left.polygon));
+  EXPECT_TRUE(StandingSupport(model, 0).empty());
+}
+
+TEST(Support, ASphereStandsARadiusBelowItsCentre) {
+  const RobotModel model = synthetic::Robot(4, FootType::kSphere);
+  const Support diagonal = StandingSupport(model, 0b1001);
+  ASSERT_EQ(diagonal.points_W.size(), 2u);
+  EXPECT_NEAR(diagonal.points_W[0].z(), 0.0, 1e-12);
+  EXPECT_FALSE(HasArea(diagonal.polygon));
+  EXPECT_TRUE(HasArea(StandingSupport(model, 0b0111).polygon));
+}
+
+TEST(Support, TheMotionBetweenTwoSupportsUndoesDriftAndTurn) {
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  for (const double yaw : {0.0, 1e-9, 0.3, -2.0, std::numbers::pi - 0.01}) {
+    for (const FootSet stance : {FootSet{1}, FootSet{3}}) {
+      const Support planned = StandingSupport(model, stance);
+      Support measured = planned;
+      const Eigen::Rotation2Dd turn(yaw);
+      const Vector2 d(0.4, -0.7);
+      measured.reference_W.head<2>() = turn * Vector2(planned.reference_W.head<2>()) + d;
+      for (Vector3& p : measured.points_W) p.head<2>() = turn * Vector2(p.head<2>()) + d;
+      const SupportMotion motion = MotionBetween(planned, measured);
+      EXPECT_NEAR(WrapAngle(motion.yaw_rad - yaw), 0.0, 1e-9);
+      const Vector2 p(0.05, 0.02);
+      EXPECT_LT((motion.Back(turn * p + d) - p).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(Support, OnePointTurnsWithTheBase) {
+  const RobotModel model = synthetic::Robot(4, FootType::kPoint);
+  const Support planned = StandingSupport(model, 1);
+  Support measured = planned;
+  measured.base_yaw_rad += 0.4;
+  EXPECT_NEAR(MotionBetween(planned, measured).yaw_rad, 0.4, 1e-12);
+}
+
+TEST(Support, GroundOfTwoHeightsHasNoZmp) {
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, synthetic::StandingPlan(model, 0.1).whole_body.q[0], scratch);
+  Terrain step = FlatTerrain();
+  TerrainPatch block = step.patches[0];
+  block.X_WT.translation() = Vector3(0.0, 0.1, 0.05);
+  block.outline_T = {{-0.2, -0.09}, {0.2, -0.09}, {0.2, 0.09}, {-0.2, 0.09}};
+  step.patches.push_back(block);
+  EXPECT_TRUE(SupportOf(model, scratch, FlatTerrain(), 3).coplanar);
+  EXPECT_FALSE(SupportOf(model, scratch, step, 3).coplanar);
+  EXPECT_TRUE(SupportOf(model, scratch, step, 1).coplanar);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/why_it_fell.h"
+
+#include <gtest/gtest.h>
+
+#include "playback/score/stability_report.h"
+#include "tests/playback/synthetic.h"
+
+namespace gaitwright {
+namespace {
+
+using synthetic::PerfectLog;
+using synthetic::Robot;
+using synthetic::StandingPlan;
+using synthetic::SteppingPlan;
+
+bool Says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Tips the robot about its left edge from 0.4 s on, faster and faster.
+void TipToTheLeft(PlaybackLog& log) {
+  for (LogSample& sample : log.samples) {
+    const double t = std::max(0.0, sample.time_s - 0.4);
+    sample.q[1] += 2.0 * t * t;
+    sample.v[1] += 4.0 * t;
+    sample.q.segment<4>(3) = Quaternion(Eigen::AngleAxisd(-4.0 * t * t, Vector3::UnitX())).coeffs();
+    for (const int slider : {1, 4}) sample.q[7 + slider] -= 2.0 * t * t;
+  }
+}
+
+TEST(WhyItFell, ADcmThatLeavesTheSupportIsNamedWithPlaceAndDirection) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = StandingPlan(model, 1.0);
+  PlaybackLog log = PerfectLog(model, plan);
+  TipToTheLeft(log);
+  const StabilityReport report = Score(model, plan, log);
+  EXPECT_TRUE(Says(report.reason, "it fell at")) << report.reason;
+  EXPECT_TRUE(Says(report.reason, "the DCM had left the support of 'left', 'right'")) << report.reason;
+  EXPECT_TRUE(Says(report.reason, "mm to the left")) << report.reason;
+}
+
+TEST(WhyItFell, ATorqueLimitThatCameFirstIsToldFirst) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = StandingPlan(model, 1.0);
+  PlaybackLog log = PerfectLog(model, plan);
+  TipToTheLeft(log);
+  for (LogSample& sample : log.samples) {
+    if (sample.time_s > 0.299) sample.tau_peak[4] = 200.0;
+  }
+  const std::string reason = Score(model, plan, log).reason;
+  EXPECT_TRUE(Says(reason, "first, the torque of 'right_y' was at its limit 200.00 N m from 0.30 s; then at"))
+      << reason;
+}
+
+TEST(WhyItFell, AFootThatLiftsIsALostContact) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = StandingPlan(model, 1.0);
+  PlaybackLog log = PerfectLog(model, plan);
+  for (LogSample& sample : log.samples) {
+    if (sample.time_s > 0.349) sample.contact = 1;
+  }
+  log.body_contacts = {{0.8, "trunk"}};
+  const std::string reason = Score(model, plan, log).reason;
+  EXPECT_TRUE(Says(reason, "'right' was off the ground where the schedule has it standing")) << reason;
+  EXPECT_TRUE(Says(reason, "at 0.35 s")) << reason;
+  EXPECT_TRUE(Says(reason, "'trunk'")) << reason;
+}
+
+TEST(WhyItFell, SlipScuffAndMissedFootholdAreTold) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = SteppingPlan(model);
+  const PlaybackLog good = PerfectLog(model, plan);
+  const double step_at = plan.schedule.phases[2].start_s;  // the left foot lands
+
+  PlaybackLog slip = good;
+  slip.stances[0].slip_m = 0.05;
+  EXPECT_TRUE(Says(Score(model, plan, slip).reason, "had slid more than 14 mm (in all 50 mm"))
+      << Score(model, plan, slip).reason;
+
+  PlaybackLog scuff = good;
+  StanceRecord touch;
+  touch.touchdown_s = step_at - 0.2;
+  touch.liftoff_s = step_at - 0.18;
+  scuff.stances.push_back(touch);
+  EXPECT_EQ(*Score(model, plan, scuff).At("scuffs").value, 1.0);
+  EXPECT_TRUE(Says(Score(model, plan, scuff).reason, "'left' touched the ground in mid swing"));
+
+  PlaybackLog missed = good;
+  for (StanceRecord& stance : missed.stances) {
+    if (stance.touchdown_s == step_at) stance.p_touchdown_W.y() -= 0.06;
+  }
+  missed.body_contacts = {{step_at + 0.5, "trunk"}};
+  const std::string reason = Score(model, plan, missed).reason;
+  EXPECT_TRUE(Says(reason, "'left' came down 60 mm off its foothold, to the right")) << reason;
+}
+
+TEST(WhyItFell, APlanThatCannotStandIsBlamedItself) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = StandingPlan(model, 1.0, {0.1, 0.0});  // 20 mm before the toes
+  PlaybackLog log = PerfectLog(model, plan);
+  log.body_contacts = {{0.5, "trunk"}};
+  const std::string reason = Score(model, plan, log).reason;
+  EXPECT_TRUE(Says(reason, "the plan itself has its ZMP outside of the support")) << reason;
+  EXPECT_TRUE(Says(reason, "by up to 20 mm")) << reason;
+}
+
+TEST(WhyItFell, APassNamesTheTightestGate) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = SteppingPlan(model);
+  PlaybackLog log = PerfectLog(model, plan);
+  log.stances[0].penetration_m = 0.0019;
+  const StabilityReport report = Score(model, plan, log);
+  EXPECT_TRUE(report.pass);
+  EXPECT_EQ(report.reason, "every gate holds; nearest to its limit is penetration_max_m with 0.0019 m of 0.002 m");
+}
+
+}  // namespace
+}  // namespace gaitwright
