@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A room is a folder and a library target of the same name, gaitwright::NAME.
 set(GAITWRIGHT_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+set(GAITWRIGHT_ROOMS "")
 
+# gaitwright_room(NAME FOLDERS ... LINKS lower rooms... PRIVATE third parties...)
+# A room that has only headers so far is an interface library; its users see no difference.
 function(gaitwright_room name)
   cmake_parse_arguments(room "" "" "FOLDERS;LINKS;PRIVATE" ${ARGN})
   set(patterns "")
@@ -20,9 +23,12 @@ function(gaitwright_room name)
     target_link_libraries(${name} PRIVATE ${room_PRIVATE})
   endif()
   add_library(gaitwright::${name} ALIAS ${name})
-  target_include_directories(${name} ${scope} $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
+  target_compile_features(${name} ${scope} cxx_std_20)
+  target_include_directories(${name} ${scope} $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/gaitwright>)
   target_link_libraries(${name} ${scope} Eigen3::Eigen)
   foreach(lower ${room_LINKS})
-    target_link_libraries(${name} ${scope} gaitwright::${lower})
+    target_link_libraries(${name} ${scope} ${lower})
   endforeach()
+  set(GAITWRIGHT_ROOMS ${GAITWRIGHT_ROOMS} ${name} PARENT_SCOPE)
 endfunction()

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# cmake --install: the program, the libraries with their public headers, the robots, and the package for find_package.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gaitwright)
+
+install(TARGETS gaitwright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS ${GAITWRIGHT_ROOMS} EXPORT gaitwrightTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT gaitwrightTargets NAMESPACE gaitwright:: DESTINATION ${package_dir})
+
+# Headers called *_internal.h belong to the .cc files beside them.
+foreach(room kinematics planning optimisation playback workflows)
+  if(EXISTS ${CMAKE_SOURCE_DIR}/${room})
+    install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gaitwright
+            FILES_MATCHING PATTERN "*.h" PATTERN "*_internal.h" EXCLUDE)
+  endif()
+endforeach()
+if(EXISTS ${CMAKE_SOURCE_DIR}/robots)
+  install(DIRECTORY robots DESTINATION ${CMAKE_INSTALL_DATADIR}/gaitwright)
+endif()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(cmake/gaitwrightConfig.cmake.in ${CMAKE_BINARY_DIR}/gaitwrightConfig.cmake
+                              INSTALL_DESTINATION ${package_dir} PATH_VARS CMAKE_INSTALL_DATADIR)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/gaitwrightConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/gaitwrightConfig.cmake ${CMAKE_BINARY_DIR}/gaitwrightConfigVersion.cmake
+        DESTINATION ${package_dir})

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What ./run and ./test share: packages, configuring, building. Sourced by them, with $root set.
+# All that it says goes to standard error, so that the program's standard output stays its own.
+
+program_packages="build-essential cmake ninja-build ccache pkg-config libeigen3-dev liburdfdom-dev libtinyxml2-dev
+  libfcl-dev libccd-dev libceres-dev libbullet-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev"
+test_packages="libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev clang-format"
+long_test_packages="clang-tidy"
+
+say() { printf '%s\n' "$*" >&2; }
+fail() {
+  say "${0##*/}: $1"
+  shift
+  for line in "$@"; do say "  $line"; done
+  exit 1
+}
+
+# missing_packages PACKAGE...: those that are not installed, on one line.
+missing_packages() {
+  local package
+  for package in "$@"; do
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || printf '%s ' "$package"
+  done
+}
+
+# as_root COMMAND...: by sudo unless already root.
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
+
+# ensure_packages PACKAGE...: installs what is missing, from the distribution's own packages.
+ensure_packages() {
+  [ -z "${GAITWRIGHT_NO_INSTALL:-}" ] || return 0
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    fail "this is not Debian or a relative of it, so nothing can be installed for you." \
+      "Install what these Debian packages hold: $*" "then set GAITWRIGHT_NO_INSTALL=1 and call ${0##*/} again."
+  fi
+  local missing
+  missing=$(missing_packages "$@")
+  [ -n "$missing" ] || return 0
+  local install="apt-get install -y --no-install-recommends $missing"
+  if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
+    fail "some packages are missing, and only root can install them (there is no sudo here)." \
+      "As root: apt-get update && $install" "then call ${0##*/} again."
+  fi
+  say "Installing from the distribution's packages: $missing"
+  as_root apt-get update -qq >&2 || fail "apt-get update failed; is there a network?"
+  as_root env DEBIAN_FRONTEND=noninteractive $install -qq >&2 ||
+    fail "the packages could not be installed." "By hand: apt-get update && $install"
+}
+
+# configure PRESET [-D...]: build/PRESET, ready to be built.
+configure() {
+  local preset=$1 log
+  shift
+  log=$(mktemp)
+  if ! (cd "$root" && cmake --preset "$preset" "$@") >"$log" 2>&1; then
+    cat "$log" >&2
+    rm -f "$log"
+    fail "the build in build/$preset could not be configured; the reason stands above."
+  fi
+  rm -f "$log"
+}
+
+# build PRESET [TARGET...]
+build() {
+  local preset=$1
+  shift
+  local targets=()
+  [ $# = 0 ] || targets=(--target "$@")
+  say "Building build/$preset (the first time takes minutes)"
+  cmake --build "$root/build/$preset" "${targets[@]}" >&2 || fail "the build failed; the reason stands above."
+}

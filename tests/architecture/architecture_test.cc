@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tree as it is keeps its own rules.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/architecture/include_rules.h"
+#include "tests/architecture/source_tree.h"
+
+namespace gaitwright::architecture {
+namespace {
+
+const std::string kRoot = GAITWRIGHT_SOURCE_DIR;
+
+std::vector<SourceFile> RoomFiles() {
+  return CppFiles(kRoot,
+                  {"kinematics", "planning", "optimisation", "playback", "workflows", "cli", "examples", "python"});
+}
+
+std::string Joined(const std::vector<std::string>& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
+
+TEST(Architecture, FindsTheRooms) {
+  std::vector<std::string> seen;
+  for (const SourceFile& file : RoomFiles()) seen.push_back(file.path.substr(0, file.path.find('/')));
+  for (const char* room : {"kinematics", "planning", "optimisation", "playback", "cli"}) {
+    EXPECT_NE(std::find(seen.begin(), seen.end(), room), seen.end()) << "no C++ file found below " << room;
+  }
+}
+
+TEST(Architecture, RoomsIncludeOnlyWhatTheyMay) {
+  std::vector<std::string> breaches;
+  for (const SourceFile& file : RoomFiles()) {
+    for (std::string& breach : IncludeBreaches(file.path, file.text)) breaches.push_back(std::move(breach));
+  }
+  EXPECT_TRUE(breaches.empty()) << Joined(breaches);
+}
+
+TEST(Architecture, OwnIncludesExist) {
+  std::vector<std::string> paths;
+  const std::vector<SourceFile> files = RoomFiles();
+  for (const SourceFile& file : files) paths.push_back(file.path);
+  for (const SourceFile& file : files) {
+    for (const Include& include : IncludesOf(file.text)) {
+      if (include.angled) continue;
+      EXPECT_TRUE(std::binary_search(paths.begin(), paths.end(), include.path))
+          << file.path << ":" << include.line << ": no file '" << include.path << "'";
+    }
+  }
+}
+
+TEST(Architecture, EachFileKeepsTheHouseRules) {
+  std::vector<std::string> breaches;
+  std::vector<SourceFile> files = RoomFiles();
+  for (SourceFile& file : CppFiles(kRoot, {"tests"})) files.push_back(std::move(file));
+  for (SourceFile& file : ScriptFiles(kRoot)) files.push_back(std::move(file));
+  for (const SourceFile& file : files) {
+    for (std::string& breach : FileBreaches(file.path, file.text)) breaches.push_back(std::move(breach));
+  }
+  EXPECT_TRUE(breaches.empty()) << Joined(breaches);
+}
+
+TEST(Architecture, NamesOfFilesAreSnakeCase) {
+  std::vector<SourceFile> files = RoomFiles();
+  for (SourceFile& file : CppFiles(kRoot, {"tests"})) files.push_back(std::move(file));
+  for (const SourceFile& file : files) {
+    const bool plain = std::all_of(file.path.begin(), file.path.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '/' || c == '.';
+    });
+    EXPECT_TRUE(plain) << file.path;
+    const std::string ending = file.path.substr(file.path.rfind('.'));
+    EXPECT_TRUE(ending == ".h" || ending == ".cc") << file.path;
+  }
+}
+
+TEST(Architecture, AllowedLongFilesExist) {
+  for (const std::string& allowed : FilesAllowedToBeLong()) {
+    const std::vector<SourceFile> files = CppFiles(kRoot, {allowed.substr(0, allowed.find('/'))});
+    EXPECT_TRUE(std::any_of(files.begin(), files.end(), [&](const SourceFile& file) { return file.path == allowed; }))
+        << "rules_table.h allows '" << allowed << "' to be long, but there is no such file";
+  }
+}
+
+}  // namespace
+}  // namespace gaitwright::architecture

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Each header compiles alone: one translation unit a header, which includes it twice and nothing else.
+set(header_patterns "")
+foreach(folder kinematics planning optimisation playback workflows cli examples)
+  list(APPEND header_patterns ${CMAKE_SOURCE_DIR}/${folder}/*.h)
+endforeach()
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} ${header_patterns})
+
+set(header_units "")
+foreach(header ${headers})
+  string(REPLACE "/" "__" unit ${header})
+  set(unit ${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${unit}.cc)
+  file(CONFIGURE OUTPUT ${unit} CONTENT "#include \"@header@\"\n#include \"@header@\"\n" @ONLY)
+  list(APPEND header_units ${unit})
+endforeach()
+if(header_units)
+  add_library(headers_alone OBJECT ${header_units})
+  target_include_directories(headers_alone PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(headers_alone PRIVATE Eigen3::Eigen CLI11::CLI11 PkgConfig::bullet)
+  target_compile_options(headers_alone PRIVATE ${GAITWRIGHT_WARNINGS} -O0 -g0)
+  set_target_properties(headers_alone PROPERTIES EXPORT_COMPILE_COMMANDS OFF)
+endif()

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace gaitwright::architecture {
+
+/// A folder and its height: a file may include what is lower, and its own folder.
+struct Layer {
+  std::string_view folder;
+  int rank;
+};
+
+/// The one arrow between the rooms and inside them. A new folder gets its line here, in its place in the order.
+inline const std::vector<Layer> kLayers = {
+    {"kinematics/base", 10},
+    {"kinematics/spatial", 11},
+    {"kinematics/trajectory", 12},
+    {"kinematics/model", 13},
+    {"kinematics/dynamics", 14},
+    {"kinematics/stability", 15},
+    {"kinematics/collision", 16},
+    {"kinematics/ik", 17},
+
+    {"planning/plan", 20},
+    {"planning/terrain", 21},
+    {"planning/gait", 22},
+    {"planning/paths", 23},
+    {"planning/footsteps", 24},
+    {"planning/audit", 25},
+    {"planning/tasks", 26},
+
+    {"optimisation/numerics", 30},
+    {"optimisation/centroidal", 31},
+    {"optimisation/swing", 32},
+    {"optimisation/whole_body", 33},
+    {"optimisation/pipeline", 34},
+
+    {"playback/log", 40},
+    {"playback/bullet", 41},
+    {"playback/sensing", 42},
+    {"playback/control", 43},
+    {"playback/score", 44},
+    {"playback/trials", 45},
+    {"playback/report", 46},
+    {"playback/viewer", 46},
+
+    {"workflows/walk", 50},
+    {"workflows/study", 51},
+    {"workflows/exchange", 52},
+    {"workflows/words", 53},
+    {"workflows/live", 54},
+    {"workflows/cluster", 55},
+
+    {"cli", 60},
+    {"examples", 60},
+    {"python", 60},
+};
+
+/// A folder that may see less than what is lower.
+struct Blinkers {
+  std::string_view folder;
+  std::vector<std::string_view> sees;
+};
+
+/// The judge cannot see the maker.
+inline const std::vector<Blinkers> kBlinkers = {
+    {"playback", {"playback", "kinematics", "planning/plan"}},
+    {"planning/audit", {"planning/audit", "kinematics", "planning/plan"}},
+};
+
+/// A third party, by how its include paths begin, and the folders that may include it.
+/// `in_headers` also allows it in headers of those folders; otherwise it stays in .cc and *_internal.h files.
+struct Owner {
+  std::string_view prefix;
+  std::vector<std::string_view> folders;
+  bool in_headers = false;
+};
+
+inline const std::vector<std::string_view> kAnywhere = {""};
+
+inline const std::vector<Owner> kOwners = {
+    {"Eigen/", kAnywhere, true},
+    {"unsupported/Eigen/", kAnywhere},
+    {"fmt/", kAnywhere},
+    {"nlohmann/", kAnywhere},
+    {"yaml-cpp/", kAnywhere},
+    {"urdf_parser/", {"kinematics/model"}},
+    {"urdf_model/", {"kinematics/model"}},
+    {"urdf_world/", {"kinematics/model"}},
+    {"urdf_exception/", {"kinematics/model"}},
+    {"console_bridge/", {"kinematics/model"}},
+    {"tinyxml2.h", {"kinematics/model"}},
+    {"fcl/", {"kinematics/collision"}},
+    {"ccd/", {"kinematics/collision"}},
+    {"ompl/", {"planning"}},
+    {"assimp/", {"planning/terrain"}},
+    {"png.h", {"planning/terrain"}},
+    {"ceres/", {"optimisation"}},
+    {"glog/", {"optimisation"}},
+    {"bt", {"playback/bullet"}},
+    {"Bullet", {"playback/bullet"}},
+    {"LinearMath/", {"playback/bullet"}},
+    {"mpi.h", {"workflows/cluster"}},
+    {"CLI/", {"cli", "examples"}, true},
+    // Of the operating system: atomic writing and terminals.
+    {"unistd.h", kAnywhere},
+    {"fcntl.h", kAnywhere},
+    {"sys/", kAnywhere},
+};
+
+/// Longest that a file may be, and those that may be longer, with the reason.
+inline constexpr int kLongestFile = 400;
+struct LongFile {
+  std::string_view file, reason;
+};
+inline const std::vector<LongFile> kLongFiles = {};
+
+}  // namespace gaitwright::architecture

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# One program, gaitwright_benchmarks, of every .cc below tests/benchmarks; ./test --long runs each benchmark briefly.
+find_package(benchmark QUIET)
+file(GLOB_RECURSE benchmark_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/benchmarks/*.cc)
+if(benchmark_FOUND AND benchmark_sources)
+  add_executable(gaitwright_benchmarks ${benchmark_sources})
+  target_link_libraries(gaitwright_benchmarks PRIVATE gaitwright::workflows benchmark::benchmark_main fmt::fmt)
+  target_compile_options(gaitwright_benchmarks PRIVATE ${GAITWRIGHT_WARNINGS})
+  target_compile_definitions(gaitwright_benchmarks PRIVATE GAITWRIGHT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  add_test(NAME benchmarks COMMAND gaitwright_benchmarks --benchmark_min_time=0.1)
+  set_tests_properties(benchmarks PROPERTIES LABELS long)
+endif()

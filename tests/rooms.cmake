@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+string(TOUPPER "${CMAKE_BUILD_TYPE}" GAITWRIGHT_BUILD_TYPE_UPPER)
+
+# gaitwright_test_program(NAME ROOM LABEL SOURCES... LINKS ...)
+function(gaitwright_test_program name room label)
+  cmake_parse_arguments(test "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${test_SOURCES})
+  target_link_libraries(${name} PRIVATE ${test_LINKS} GTest::gtest_main fmt::fmt)
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_compile_options(${name} PRIVATE ${GAITWRIGHT_WARNINGS})
+  target_compile_definitions(${name} PRIVATE GAITWRIGHT_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                             GAITWRIGHT_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_PREFIX ${room}. PROPERTIES LABELS ${label})
+endfunction()
+
+# gaitwright_test(ROOM LINKS...): one test program a room, ROOM_tests, of every *_test.cc below tests/ROOM with the
+# helpers (other .cc files) there. Files called *_long_test.cc make ROOM_long_tests, labelled `long`: only
+# `./test --long` runs them.
+function(gaitwright_test room)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*.cc)
+  if(NOT DART_FOUND)
+    list(FILTER sources EXCLUDE REGEX "dart[a-z_]*\\.cc$")
+  endif()
+  set(long_tests ${sources})
+  set(helpers ${sources})
+  set(tests ${sources})
+  list(FILTER long_tests INCLUDE REGEX "_long_test\\.cc$")
+  list(FILTER tests INCLUDE REGEX "_test\\.cc$")
+  list(FILTER tests EXCLUDE REGEX "_long_test\\.cc$")
+  list(FILTER helpers EXCLUDE REGEX "_test\\.cc$")
+  if(tests)
+    gaitwright_test_program(${room}_tests ${room} ${room} SOURCES ${tests} ${helpers} LINKS ${ARGN})
+  endif()
+  if(long_tests)
+    gaitwright_test_program(${room}_long_tests ${room} long SOURCES ${long_tests} ${helpers} LINKS ${ARGN})
+  endif()
+endfunction()
