@@ -20,7 +20,8 @@ Failure FileFailure(const std::string& code, const std::string& message) {
 
 Result<std::string> ReadFile(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) return FileFailure("no_such_file", fmt::format("no such file: '{}'", path));
+  if (!std::filesystem::exists(path, error))
+    return FileFailure("no_such_file", fmt::format("no such file: '{}'", path));
   if (std::filesystem::is_directory(path, error)) {
     return FileFailure("not_a_file", fmt::format("'{}' is a folder, not a file", path));
   }

@@ -45,7 +45,8 @@ Number Parse(const OptionField& field, const std::string& text, const char* kind
 }
 
 void CheckChoice(const OptionField& field, const std::string& text) {
-  if (field.choices.empty() || std::find(field.choices.begin(), field.choices.end(), text) != field.choices.end()) return;
+  if (field.choices.empty() || std::find(field.choices.begin(), field.choices.end(), text) != field.choices.end())
+    return;
   throw InvalidArgument(fmt::format("option '{}' is '{}'; accepted: {}", field.key, text, QuotedList(field.choices)));
 }
 

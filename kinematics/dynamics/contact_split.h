@@ -9,10 +9,11 @@ namespace gaitwright {
 
 /// A point through which the ground can push on the robot.
 struct ContactPoint {
-  Vector3 p_W = Vector3::Zero();         ///< [m]
-  Vector3 normal_W = Vector3::UnitZ();   ///< unit, out of the ground
+  Vector3 p_W = Vector3::Zero();        ///< [m]
+  Vector3 normal_W = Vector3::UnitZ();  ///< unit, out of the ground
   double friction = 0.8;
-  double reluctance = 1.0;  ///< > 0: forces are shared in inverse proportion; large for a foot about to leave or just landed
+  double reluctance =
+      1.0;  ///< > 0: forces are shared in inverse proportion; large for a foot about to leave or just landed
 };
 
 /// A force and a moment about a point, in W.
@@ -23,7 +24,7 @@ struct PointWrench {
 };
 
 struct ContactSplit {
-  std::vector<Vector3> force_W;         ///< by contact, each inside its friction cone
+  std::vector<Vector3> force_W;                 ///< by contact, each inside its friction cone
   Vector3 residual_force_W = Vector3::Zero();   ///< wanted minus given [N]
   Vector3 residual_moment_W = Vector3::Zero();  ///< about the wanted wrench's point [N m]
   int iterations = 0;
@@ -31,10 +32,10 @@ struct ContactSplit {
 
 /// The contact forces of least weighted square sum that give a wrench, each inside its second-order friction cone:
 ///   min sum_i reluctance_i |f_i|^2 / 2   s.t.  sum_i f_i = F,  sum_i (p_i - p) x f_i = M,  f_i in K_i.
-/// Solved in the dual, six unknowns y: f_i = project_Ki(G_i^T y / reluctance_i), by a semi-smooth Newton method with line
-/// search; a slight penalty on y makes it a least-squares fit where the wrench cannot be had (two point feet have no
-/// moment about the line between them). The result is a continuous function of its inputs.
-/// Projection onto the second-order cone: Boyd and Vandenberghe, Convex Optimization, 2004, exercise 8.3(c).
+/// Solved in the dual, six unknowns y: f_i = project_Ki(G_i^T y / reluctance_i), by a semi-smooth Newton method with
+/// line search; a slight penalty on y makes it a least-squares fit where the wrench cannot be had (two point feet have
+/// no moment about the line between them). The result is a continuous function of its inputs. Projection onto the
+/// second-order cone: Boyd and Vandenberghe, Convex Optimization, 2004, exercise 8.3(c).
 class ContactSplitter {
  public:
   /// @throws InvalidArgument for no contact, a friction or reluctance that is not positive.
@@ -42,8 +43,8 @@ class ContactSplitter {
 
  private:
   struct Map {
-    Vector3 arm;                    // from the reference point, by length
-    Matrix3 to_contact;             // rows: two tangents, normal
+    Vector3 arm;         // from the reference point, by length
+    Matrix3 to_contact;  // rows: two tangents, normal
     double mu, weight;
   };
   double Dual(const Vector6& wanted, const Vector6& y, bool with_derivatives);

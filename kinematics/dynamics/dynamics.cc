@@ -163,8 +163,7 @@ void CentreOfMassJacobian(const RobotModel& model, DynamicsScratch& scratch, Eig
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
     scratch.composite[i].mass = body.mass;
-    scratch.composite[i].moment_O =
-        body.mass * (scratch.p_WB[i] - scratch.p_WB[0] + scratch.R_WB[i] * body.p_BC);
+    scratch.composite[i].moment_O = body.mass * (scratch.p_WB[i] - scratch.p_WB[0] + scratch.R_WB[i] * body.p_BC);
   }
   J.setZero();
   for (std::size_t j = model.joints.size(); j-- > 0;) {
@@ -295,10 +294,9 @@ void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scra
       const Joint& ancestor = model.joints[k];
       const Vector3& axis_k = scratch.axis_W[k];
       const double coupling =
-          ancestor.multiplier *
-          (IsPrismatic(ancestor)
-               ? axis_k.dot(linear)
-               : axis_k.dot(angular_O - (scratch.p_WB[k + 1] - scratch.p_WB[0]).cross(linear)));
+          ancestor.multiplier * (IsPrismatic(ancestor)
+                                     ? axis_k.dot(linear)
+                                     : axis_k.dot(angular_O - (scratch.p_WB[k + 1] - scratch.p_WB[0]).cross(linear)));
       M(6 + ancestor.dof, column) += coupling;
       M(column, 6 + ancestor.dof) += coupling;
     }

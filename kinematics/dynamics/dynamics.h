@@ -12,16 +12,16 @@ namespace gaitwright {
 /// After ForwardKinematics the poses and axes are valid; after ForwardVelocities the velocities too.
 ///
 /// = Notation =
-///   W world, B a body's frame, O the origin of the base (body 0). Composite inertias are kept in world axes about O: one
-///   reference point for all bodies makes them plain sums.
+///   W world, B a body's frame, O the origin of the base (body 0). Composite inertias are kept in world axes about O:
+///   one reference point for all bodies makes them plain sums.
 struct DynamicsScratch {
   explicit DynamicsScratch(const RobotModel& model);
 
-  std::vector<Matrix3> R_WB;      ///< by body
-  std::vector<Vector3> p_WB;      ///< by body [m]
-  std::vector<Vector3> axis_W;    ///< by joint, unit
-  std::vector<Vector3> w_WB;      ///< by body: angular velocity [rad/s]
-  std::vector<Vector3> v_WB;      ///< by body: velocity of the body's origin [m/s]
+  std::vector<Matrix3> R_WB;    ///< by body
+  std::vector<Vector3> p_WB;    ///< by body [m]
+  std::vector<Vector3> axis_W;  ///< by joint, unit
+  std::vector<Vector3> w_WB;    ///< by body: angular velocity [rad/s]
+  std::vector<Vector3> v_WB;    ///< by body: velocity of the body's origin [m/s]
 
   std::vector<Vector3> alpha_bias_W;  ///< by body: angular acceleration when `a` is zero [rad/s^2]
   std::vector<Vector3> a_bias_W;      ///< by body: acceleration of the body's origin when `a` is zero [m/s^2]
@@ -29,7 +29,7 @@ struct DynamicsScratch {
   // Used inside; not part of what the functions promise.
   struct Composite {
     double mass;
-    Vector3 moment_O;   // mass times the position of the centre of mass from O
+    Vector3 moment_O;  // mass times the position of the centre of mass from O
     Matrix3 inertia_O;
   };
   std::vector<Vector3> alpha_W, a_W, force_W, moment_W;
@@ -73,7 +73,8 @@ Vector6 CentroidalMomentum(const RobotModel& model, const DynamicsScratch& scrat
 void InverseDynamics(const RobotModel& model, const VectorX& q, const VectorX& v, const VectorX& a,
                      DynamicsScratch& scratch, VectorX& tau);
 
-/// M(q), size nv x nv, both triangles. Composite rigid bodies: Featherstone 2008, section 6.2. Does the kinematics itself.
+/// M(q), size nv x nv, both triangles. Composite rigid bodies: Featherstone 2008, section 6.2. Does the kinematics
+/// itself.
 void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch, MatrixX& M);
 
 /// Kinetic plus potential energy [J], zero height at z = 0. Needs ForwardVelocities.

@@ -144,8 +144,8 @@ void WholeBodyIk::AssembleSystem() {
       system_(i, 3 + row.axis) = 1.0;
       continue;
     }
-    const MatrixX& J = row.kind == Row::Kind::kCentreOfMass ? com_jacobian_
-                                                            : foot_jacobians_[static_cast<std::size_t>(row.foot)];
+    const MatrixX& J =
+        row.kind == Row::Kind::kCentreOfMass ? com_jacobian_ : foot_jacobians_[static_cast<std::size_t>(row.foot)];
     const Eigen::Index from = row.axis + (row.kind == Row::Kind::kFootAngular ? 3 : 0);
     for (std::size_t c = 0; c < columns_.size(); ++c) system_(i, static_cast<Eigen::Index>(c)) = J(from, columns_[c]);
   }
@@ -201,7 +201,9 @@ Failure WholeBodyIk::OutOfReach(const BodyTarget& target) const {
     }
   }
   const double com_gap = (target.p_WC - CentreOfMass(*model_, scratch_)).norm();
-  return {FailureKind::kInfeasible, "out_of_reach", "WholeBodyIk",
+  return {FailureKind::kInfeasible,
+          "out_of_reach",
+          "WholeBodyIk",
           fmt::format("foot '{}' cannot reach its target: {:.0f} mm are missing (the centre of mass is {:.0f} mm off)",
                       model_->feet[worst].name, 1e3 * distance, 1e3 * com_gap),
           {"lower the speed or the step length, or lower the centre of mass"}};

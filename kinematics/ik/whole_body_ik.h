@@ -15,11 +15,11 @@ namespace gaitwright {
 /// What a foot shall do at one time. The controlled frame is F of Foot: the middle of a sole, the centre of a sphere.
 ///
 /// A sphere rolls on its radius r: with normal n its centre moves by r w x n more than the material point under it, so
-/// v_WF and a_WF are those of the material contact point (zero in stance, the swing's otherwise), and the position wanted
-/// is p_WF + r log(R R_anchor^T) x n, R being the foot's rotation and R_anchor that at which p_WF was reckoned.
+/// v_WF and a_WF are those of the material contact point (zero in stance, the swing's otherwise), and the position
+/// wanted is p_WF + r log(R R_anchor^T) x n, R being the foot's rotation and R_anchor that at which p_WF was reckoned.
 struct FootTarget {
   Vector3 p_WF = Vector3::Zero();
-  Matrix3 R_WF = Matrix3::Identity();  ///< sole, line
+  Matrix3 R_WF = Matrix3::Identity();      ///< sole, line
   Matrix3 R_anchor = Matrix3::Identity();  ///< sphere
   Vector3 normal_W = Vector3::UnitZ();
   Vector3 v_WF = Vector3::Zero(), w_WF = Vector3::Zero();
@@ -36,12 +36,14 @@ struct BodyTarget {
 
 /// Joint motion from the motion of centre of mass, base orientation and feet, for one model.
 ///
-/// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are taken from the top
-/// while they are independent of those above and freedoms are left; the rest yields (NAO has 17 freedoms for 18 rows: its
-/// yaw follows from the coupled hip). Freedoms that are still left are held at the standing posture: joints outside the legs
-/// first. So the system is square: positions are solved to 1e-10, velocities and accelerations are its exact derivatives.
+/// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are taken from the
+/// top while they are independent of those above and freedoms are left; the rest yields (NAO has 17 freedoms for 18
+/// rows: its yaw follows from the coupled hip). Freedoms that are still left are held at the standing posture: joints
+/// outside the legs first. So the system is square: positions are solved to 1e-10, velocities and accelerations are its
+/// exact derivatives.
 ///
-/// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its target.
+/// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its
+/// target.
 class WholeBodyIk {
  public:
   explicit WholeBodyIk(const RobotModel& model);
@@ -76,8 +78,8 @@ class WholeBodyIk {
 
   const RobotModel* model_;
   DynamicsScratch scratch_;
-  std::vector<Row> rows_;        // chosen
-  std::vector<int> columns_;     // free velocity coordinates
+  std::vector<Row> rows_;     // chosen
+  std::vector<int> columns_;  // free velocity coordinates
   std::vector<MatrixX> foot_jacobians_;
   MatrixX com_jacobian_, system_;
   VectorX rhs_, solution_;

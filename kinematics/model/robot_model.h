@@ -19,12 +19,12 @@ enum class JointType { kRevolute, kContinuous, kPrismatic };
 struct Joint {
   std::string name;
   JointType type = JointType::kRevolute;
-  int parent_body = 0;                    ///< index into bodies, less than the child's
-  Pose X_PJ = Pose::Identity();           ///< in the parent body's frame
-  Vector3 axis_J = Vector3::UnitZ();      ///< unit
-  double lower = 0.0, upper = 0.0;        ///< [rad] or [m]; -inf and inf when continuous
-  double velocity_limit = 0.0;            ///< [rad/s] or [m/s]
-  double effort_limit = 0.0;              ///< [N m] or [N]
+  int parent_body = 0;                         ///< index into bodies, less than the child's
+  Pose X_PJ = Pose::Identity();                ///< in the parent body's frame
+  Vector3 axis_J = Vector3::UnitZ();           ///< unit
+  double lower = 0.0, upper = 0.0;             ///< [rad] or [m]; -inf and inf when continuous
+  double velocity_limit = 0.0;                 ///< [rad/s] or [m/s]
+  double effort_limit = 0.0;                   ///< [N m] or [N]
   bool velocity_limit_is_placeholder = false;  ///< reported, never used to fail a plan
   bool effort_limit_is_placeholder = false;
   double damping = 0.0;   ///< [N m s/rad]
@@ -40,10 +40,10 @@ struct Joint {
 
 /// A rigid body: a URDF link with every link fixed to it. Body 0 is the floating base in the URDF root link's frame.
 struct Body {
-  std::string name;                   ///< the heaviest link merged into it
-  double mass = 0.0;                  ///< [kg]; 0 for a massless intermediate link
-  Vector3 p_BC = Vector3::Zero();     ///< centre of mass [m]
-  Matrix3 I_C = Matrix3::Zero();      ///< about the centre of mass, in axes parallel to the body frame [kg m^2]
+  std::string name;                ///< the heaviest link merged into it
+  double mass = 0.0;               ///< [kg]; 0 for a massless intermediate link
+  Vector3 p_BC = Vector3::Zero();  ///< centre of mass [m]
+  Matrix3 I_C = Matrix3::Zero();   ///< about the centre of mass, in axes parallel to the body frame [kg m^2]
 };
 
 /// Any URDF link by name, as a frame fixed in a body.
@@ -58,10 +58,11 @@ enum class ShapeType { kBox, kCylinder, kSphere, kCapsule, kMesh };
 /// Collision or visual geometry fixed in a body; cylinder and capsule lie along z of S.
 struct Shape {
   ShapeType type = ShapeType::kBox;
-  std::string link;             ///< URDF link it belongs to
+  std::string link;  ///< URDF link it belongs to
   int body = 0;
   Pose X_BS = Pose::Identity();
-  Vector3 size = Vector3::Zero();  ///< box: edge lengths; cylinder, capsule: (radius, length, 0); sphere: (radius, 0, 0); mesh: scale
+  Vector3 size = Vector3::Zero();  ///< box: edge lengths; cylinder, capsule: (radius, length, 0); sphere: (radius, 0,
+                                   ///< 0); mesh: scale
   std::string mesh_file;           ///< mesh: as written in the URDF
   std::vector<Vector3> vertices;   ///< mesh: in S, scaled; empty when the file could not be read
 };
@@ -75,7 +76,8 @@ enum class FootType {
 };
 
 /// = Notation =
-///   F  sole frame: origin at the middle of the sole polygon (sole, line), at the sphere's centre (sphere) or the point;
+///   F  sole frame: origin at the middle of the sole polygon (sole, line), at the sphere's centre (sphere) or the
+///   point;
 ///      z is up out of the ground and x ahead in the nominal standing posture
 struct Foot {
   std::string name;  ///< the link's name
@@ -83,19 +85,19 @@ struct Foot {
   int body = 0;
   FootType type = FootType::kPoint;
   Pose X_BF = Pose::Identity();
-  double radius = 0.0;               ///< sphere [m]
-  std::vector<Vector2> sole_F;       ///< sole, line: corners in F's xy plane, counter-clockwise [m]
+  double radius = 0.0;          ///< sphere [m]
+  std::vector<Vector2> sole_F;  ///< sole, line: corners in F's xy plane, counter-clockwise [m]
 };
 
 /// A chain of joints from the base to a foot.
 struct Leg {
   std::string name;
-  int foot = 0;               ///< index into feet
-  std::vector<int> joints;    ///< indices into joints, base first
-  int mirror = -1;            ///< index of the leg on the other side, or -1
-  double length_m = 0.0;      ///< from the first pitch joint to the contact, straight
-  int knee_joint = -1;        ///< index into joints, or -1
-  double knee_sign = 0.0;     ///< sign of the knee's bend in the standing posture
+  int foot = 0;             ///< index into feet
+  std::vector<int> joints;  ///< indices into joints, base first
+  int mirror = -1;          ///< index of the leg on the other side, or -1
+  double length_m = 0.0;    ///< from the first pitch joint to the contact, straight
+  int knee_joint = -1;      ///< index into joints, or -1
+  double knee_sign = 0.0;   ///< sign of the knee's bend in the standing posture
 };
 
 /// A robot: joints, bodies, limits, legs, feet and geometry. Made by LoadRobot, then never changed.
@@ -115,18 +117,18 @@ struct RobotModel {
   std::vector<Foot> feet;
   std::vector<Leg> legs;  ///< legs[i].foot == i; front before rear, left before right
 
-  VectorX standing_joints;        ///< nominal posture of the independent joints, size n
+  VectorX standing_joints;              ///< nominal posture of the independent joints, size n
   double standing_base_height_m = 0.0;  ///< of the base origin over level ground in that posture
   double nominal_speed_m_s = 0.0;
 
   double total_mass_kg = 0.0;
-  std::vector<std::string> dof_names;   ///< of the joint that leads each independent coordinate, size n
-  std::vector<int> dof_joint;           ///< index of that joint, size n
+  std::vector<std::string> dof_names;  ///< of the joint that leads each independent coordinate, size n
+  std::vector<int> dof_joint;          ///< index of that joint, size n
 
   /// Gains from robot.yaml, by dof; zero where they are to be derived from the effective inertia.
   VectorX stiffness, damping;  ///< [N m/rad], [N m s/rad]
 
-  std::vector<std::string> notes;  ///< what was derived, from what, and what was odd; for people
+  std::vector<std::string> notes;    ///< what was derived, from what, and what was odd; for people
   std::string urdf_text, yaml_text;  ///< what it was made from
   std::string hash;                  ///< of both texts
 

@@ -24,9 +24,7 @@ Vector3 RotationLog(const Matrix3& R) {
 
 double YawOf(const Matrix3& R_WB) { return std::atan2(R_WB(1, 0), R_WB(0, 0)); }
 
-Matrix3 YawRotation(double yaw_rad) {
-  return Eigen::AngleAxisd(yaw_rad, Vector3::UnitZ()).toRotationMatrix();
-}
+Matrix3 YawRotation(double yaw_rad) { return Eigen::AngleAxisd(yaw_rad, Vector3::UnitZ()).toRotationMatrix(); }
 
 double WrapAngle(double angle_rad) {
   const double wrapped = std::remainder(angle_rad, 2.0 * std::numbers::pi);

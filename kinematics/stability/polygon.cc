@@ -38,9 +38,8 @@ Polygon ClippedToLeft(const Polygon& polygon, const Vector2& a, const Vector2& a
 }  // namespace
 
 Polygon ConvexHull(std::vector<Vector2> points) {
-  std::sort(points.begin(), points.end(), [](const Vector2& a, const Vector2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
+  std::sort(points.begin(), points.end(),
+            [](const Vector2& a, const Vector2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
   points.erase(std::unique(points.begin(), points.end(), [](const Vector2& a, const Vector2& b) { return a == b; }),
                points.end());
   if (points.size() < 3) return points;

@@ -11,7 +11,8 @@ namespace gaitwright {
 /// nothing. ConvexHull makes one; every other function here expects one.
 using Polygon = std::vector<Vector2>;
 
-/// Convex hull, counter-clockwise, without collinear corners (tolerance 1e-12 m^2). Andrew, Inf. Proc. Letters 9(5) 1979.
+/// Convex hull, counter-clockwise, without collinear corners (tolerance 1e-12 m^2). Andrew, Inf. Proc. Letters 9(5)
+/// 1979.
 Polygon ConvexHull(std::vector<Vector2> points);
 
 /// Area [m^2]; zero for segments and points.

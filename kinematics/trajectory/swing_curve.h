@@ -24,8 +24,8 @@ struct FrameMotion {
   Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
 };
 
-/// The closed-form swing: a minimum-jerk move from start to end with a bump of `lift_m` along z, at rest (zero velocity and
-/// acceleration) at both ends. The rotation is the shortest one, about a fixed axis.
+/// The closed-form swing: a minimum-jerk move from start to end with a bump of `lift_m` along z, at rest (zero velocity
+/// and acceleration) at both ends. The rotation is the shortest one, about a fixed axis.
 struct SwingCurve {
   double start_s = 0.0, end_s = 1.0;
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();

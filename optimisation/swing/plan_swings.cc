@@ -56,7 +56,9 @@ Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const T
     while (swing.clearance_m < wanted) {
       swing.apex_height_m += std::max(wanted - swing.clearance_m, 0.1 * lift);
       if (swing.apex_height_m > model.leg_length_m()) {
-        return Failure{FailureKind::kInfeasible, "no_clearance", "PlanSwings",
+        return Failure{FailureKind::kInfeasible,
+                       "no_clearance",
+                       "PlanSwings",
                        fmt::format("the swing of foot '{}' at {:.2f} s cannot clear the ground by {:.3f} m",
                                    model.feet[static_cast<std::size_t>(swing.foot)].name, swing.start_s, wanted),
                        {"lower swing.clearance_m or choose other footholds"}};

@@ -15,10 +15,20 @@ struct SwingOptions {
   double clearance_m = 0.0;
 
   OptionFields Fields() {
-    return {{"height_m", &height_m, "m", 0.0, 1.0,
-             "Lift of the foot over the straight line between its footholds; 0 takes 0.12 of the leg length.", {}},
-            {"clearance_m", &clearance_m, "m", 0.0, 0.5,
-             "Least height of the whole sole over the ground in mid swing; 0 takes a quarter of the lift.", {}}};
+    return {{"height_m",
+             &height_m,
+             "m",
+             0.0,
+             1.0,
+             "Lift of the foot over the straight line between its footholds; 0 takes 0.12 of the leg length.",
+             {}},
+            {"clearance_m",
+             &clearance_m,
+             "m",
+             0.0,
+             0.5,
+             "Least height of the whole sole over the ground in mid swing; 0 takes a quarter of the lift.",
+             {}}};
   }
 };
 

@@ -84,8 +84,8 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
       const auto points = ContactPoints(model, scratch, f);
       for (const Vector3& p_W : points) {
         const GroundPoint at = GroundAt(*problem.terrain, p_W.head<2>());
-        contacts.push_back({p_W, at.normal_W, options.friction_use * at.friction,
-                            static_cast<double>(points.size()) / load});
+        contacts.push_back(
+            {p_W, at.normal_W, options.friction_use * at.friction, static_cast<double>(points.size()) / load});
         foot_of.push_back(f);
         ground = at.height_m;
       }

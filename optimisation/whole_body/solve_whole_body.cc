@@ -14,11 +14,13 @@ namespace {
 
 /// Follows one foot through its footholds and swings, and keeps account of how far it has rolled.
 ///
-/// A sphere's contact point is `path + roll`: the path stands still in stance and is the swing curve in swing; the roll grows
-/// with the foot's rotation all the time. A swing's path therefore ends short of its foothold by the roll expected there.
+/// A sphere's contact point is `path + roll`: the path stands still in stance and is the swing curve in swing; the roll
+/// grows with the foot's rotation all the time. A swing's path therefore ends short of its foothold by the roll
+/// expected there.
 class FootPath {
  public:
-  FootPath(const RobotModel& model, const WholeBodyProblem& problem, int foot, const std::vector<Vector3>& expected_roll)
+  FootPath(const RobotModel& model, const WholeBodyProblem& problem, int foot,
+           const std::vector<Vector3>& expected_roll)
       : foot_(&model.feet[static_cast<std::size_t>(foot)]), expected_roll_(&expected_roll) {
     const auto& all = problem.footsteps->footholds;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -109,7 +111,8 @@ void SetBodyTarget(const RobotModel& model, const WholeBodyProblem& problem, int
   target.a_WC = c.a_WC[k];
   const VectorX standing = StandingConfiguration(model);
   const Motion1 yaw = problem.yaw->At(c.start_s + sample * c.step_s);
-  target.R_WB = YawRotation(yaw.value) * Quaternion(standing[6], standing[3], standing[4], standing[5]).toRotationMatrix();
+  target.R_WB =
+      YawRotation(yaw.value) * Quaternion(standing[6], standing[3], standing[4], standing[5]).toRotationMatrix();
   target.w_WB = Vector3(0.0, 0.0, yaw.rate);
   target.alpha_WB = Vector3(0.0, 0.0, yaw.acceleration);
 }

@@ -17,10 +17,20 @@ struct WholeBodyOptions {
   double friction_use = 0.9;
 
   OptionFields Fields() {
-    return {{"load_ramp_s", &load_ramp_s, "s", 0.0, 1.0,
-             "Longest time in which a foot takes up its load after touch-down and gives it up before lift-off.", {}},
-            {"friction_use", &friction_use, "1", 0.05, 1.0,
-             "Share of the ground's friction that planned contact forces may use.", {}}};
+    return {{"load_ramp_s",
+             &load_ramp_s,
+             "s",
+             0.0,
+             1.0,
+             "Longest time in which a foot takes up its load after touch-down and gives it up before lift-off.",
+             {}},
+            {"friction_use",
+             &friction_use,
+             "1",
+             0.05,
+             1.0,
+             "Share of the ground's friction that planned contact forces may use.",
+             {}}};
   }
 };
 
@@ -37,11 +47,11 @@ struct WholeBodyProblem {
 /// Joint motion and what it tells back to the stages before it.
 struct WholeBodySolution {
   WholeBodyTrajectory trajectory;
-  std::vector<Vector3> roll_at_touchdown_W;  ///< by foothold: how far the foot has rolled since the start [m]
-  std::vector<Vector3> roll_at_liftoff_W;    ///< by foothold
-  std::vector<std::vector<Vector3>> contact_W;     ///< by foot, by sample: origin of the contact frame [m]
-  std::vector<Vector2> zmp_W;                ///< by sample: of the multibody, from its inverse dynamics [m]
-  std::vector<std::string> warnings;         ///< limits that are not kept
+  std::vector<Vector3> roll_at_touchdown_W;     ///< by foothold: how far the foot has rolled since the start [m]
+  std::vector<Vector3> roll_at_liftoff_W;       ///< by foothold
+  std::vector<std::vector<Vector3>> contact_W;  ///< by foot, by sample: origin of the contact frame [m]
+  std::vector<Vector2> zmp_W;                   ///< by sample: of the multibody, from its inverse dynamics [m]
+  std::vector<std::string> warnings;            ///< limits that are not kept
 };
 
 /// Joint positions that put the centre of mass, base orientation and feet where the plan has them, with their exact

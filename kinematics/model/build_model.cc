@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/build_model.h"
+
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+
+namespace gaitwright {
+namespace {
+
+Pose ToPose(const urdf::Pose& pose) {
+  Pose X = Pose::Identity();
+  X.translation() = Vector3(pose.position.x, pose.position.y, pose.position.z);
+  X.linear() =
+      Quaternion(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z).normalized().toRotationMatrix();
+  return X;
+}
+
+/// Inertia of a point mass at d about the origin.
+Matrix3 Steiner(double mass, const Vector3& d) {
+  return mass * (d.squaredNorm() * Matrix3::Identity() - d * d.transpose());
+}
+
+void AddInertia(Body& body, const urdf::Inertial& inertial, const Pose& X_BL) {
+  const Pose X_BI = X_BL * ToPose(inertial.origin);
+  Matrix3 I;
+  I << inertial.ixx, inertial.ixy, inertial.ixz, inertial.ixy, inertial.iyy, inertial.iyz, inertial.ixz, inertial.iyz,
+      inertial.izz;
+  I = (X_BI.linear() * I * X_BI.linear().transpose()).eval();
+  const double mass = body.mass + inertial.mass;
+  const Vector3 p = X_BI.translation();
+  const Vector3 centre = mass > 0.0 ? Vector3((body.mass * body.p_BC + inertial.mass * p) / mass) : Vector3::Zero();
+  body.I_C += I + Steiner(body.mass, body.p_BC - centre) + Steiner(inertial.mass, p - centre);
+  body.mass = mass;
+  body.p_BC = centre;
+}
+
+Shape ToShape(const urdf::Geometry& geometry, const Pose& X_BS, int body, const std::string& link) {
+  Shape shape;
+  shape.link = link;
+  shape.body = body;
+  shape.X_BS = X_BS;
+  if (geometry.type == urdf::Geometry::BOX) {
+    const auto& box = static_cast<const urdf::Box&>(geometry);
+    shape.size = Vector3(box.dim.x, box.dim.y, box.dim.z);
+  } else if (geometry.type == urdf::Geometry::SPHERE) {
+    shape.type = ShapeType::kSphere;
+    shape.size.x() = static_cast<const urdf::Sphere&>(geometry).radius;
+  } else if (geometry.type == urdf::Geometry::CYLINDER) {
+    const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+    shape.type = ShapeType::kCylinder;
+    shape.size = Vector3(cylinder.radius, cylinder.length, 0.0);
+  } else {
+    const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+    shape.type = ShapeType::kMesh;
+    shape.size = Vector3(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+    shape.mesh_file = mesh.filename;
+  }
+  return shape;
+}
+
+/// Walks the URDF's tree and fills a model.
+class Builder {
+ public:
+  Builder(const urdf::ModelInterface& urdf, const std::string& name) {
+    model_.name = urdf.getName().empty() ? name : urdf.getName();
+    model_.bodies.emplace_back();
+    heaviest_.push_back(-1.0);
+    VisitLink(*urdf.getRoot(), 0, Pose::Identity());
+    AssignCoordinates();
+    for (const Body& body : model_.bodies) model_.total_mass_kg += body.mass;
+    model_.stiffness = model_.damping = model_.standing_joints = VectorX::Zero(model_.num_dofs());
+  }
+  RobotModel Take() { return std::move(model_); }
+
+ private:
+  void VisitLink(const urdf::Link& link, int body, const Pose& X_BL) {
+    const auto b = static_cast<std::size_t>(body);
+    model_.frames.push_back({link.name, body, X_BL});
+    const double mass = link.inertial ? link.inertial->mass : 0.0;
+    if (mass > heaviest_[b]) {
+      heaviest_[b] = mass;
+      model_.bodies[b].name = link.name;
+    }
+    if (link.inertial) AddInertia(model_.bodies[b], *link.inertial, X_BL);
+    for (const auto& c : link.collision_array) {
+      model_.collision_shapes.push_back(ToShape(*c->geometry, X_BL * ToPose(c->origin), body, link.name));
+    }
+    for (const auto& v : link.visual_array) {
+      model_.visual_shapes.push_back(ToShape(*v->geometry, X_BL * ToPose(v->origin), body, link.name));
+    }
+    for (const auto& joint : link.child_joints) VisitJoint(*joint, link.child_links, body, X_BL);
+  }
+
+  void VisitJoint(const urdf::Joint& joint, const std::vector<urdf::LinkSharedPtr>& children, int body,
+                  const Pose& X_BL) {
+    const auto child = std::find_if(children.begin(), children.end(),
+                                    [&](const auto& link) { return link->name == joint.child_link_name; });
+    const Pose X_PJ = X_BL * ToPose(joint.parent_to_joint_origin_transform);
+    if (joint.type == urdf::Joint::FIXED) {
+      VisitLink(**child, body, X_PJ);
+      return;
+    }
+    Joint made;
+    made.name = joint.name;
+    made.parent_body = body;
+    made.X_PJ = X_PJ;
+    made.axis_J = Vector3(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
+    made.type = joint.type == urdf::Joint::PRISMATIC    ? JointType::kPrismatic
+                : joint.type == urdf::Joint::CONTINUOUS ? JointType::kContinuous
+                                                        : JointType::kRevolute;
+    SetLimits(joint, made);
+    if (joint.mimic) {
+      made.is_mimic = true;
+      made.multiplier = joint.mimic->multiplier;
+      made.offset = joint.mimic->offset;
+      leader_[model_.joints.size()] = joint.mimic->joint_name;
+    }
+    model_.joints.push_back(made);
+    model_.bodies.emplace_back();
+    heaviest_.push_back(-1.0);
+    VisitLink(**child, static_cast<int>(model_.joints.size()), Pose::Identity());
+  }
+
+  static void SetLimits(const urdf::Joint& joint, Joint& made) {
+    constexpr double kPlaceholder = 1000.0;  // N m, rad/s: no leg joint has as much
+    made.lower = -std::numeric_limits<double>::infinity();
+    made.upper = std::numeric_limits<double>::infinity();
+    if (joint.limits) {
+      if (joint.type != urdf::Joint::CONTINUOUS) {
+        made.lower = joint.limits->lower;
+        made.upper = joint.limits->upper;
+      }
+      made.velocity_limit = joint.limits->velocity;
+      made.effort_limit = joint.limits->effort;
+    }
+    made.velocity_limit_is_placeholder = made.velocity_limit <= 0.0 || made.velocity_limit >= kPlaceholder;
+    made.effort_limit_is_placeholder = made.effort_limit <= 0.0 || made.effort_limit >= kPlaceholder;
+    if (joint.dynamics) {
+      made.damping = joint.dynamics->damping;
+      made.friction = joint.dynamics->friction;
+    }
+  }
+
+  /// Gives each joint that mimics no other a coordinate; followers take their leader's, through chains of them.
+  void AssignCoordinates() {
+    std::map<std::string, std::size_t> index;
+    for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+      index[model_.joints[j].name] = j;
+      if (model_.joints[j].is_mimic) continue;
+      model_.joints[j].dof = model_.num_dofs();
+      model_.dof_names.push_back(model_.joints[j].name);
+      model_.dof_joint.push_back(static_cast<int>(j));
+    }
+    for (const auto& [follower, name] : leader_) {
+      Joint& joint = model_.joints[follower];
+      std::string at = name;
+      for (std::size_t hops = 0; hops <= model_.joints.size() && index.contains(at); ++hops) {
+        const std::size_t lead = index.at(at);
+        if (!model_.joints[lead].is_mimic) {
+          joint.dof = model_.joints[lead].dof;
+          break;
+        }
+        const Joint& between = model_.joints[lead];
+        joint.offset += joint.multiplier * between.offset;
+        joint.multiplier *= between.multiplier;
+        at = leader_.at(lead);
+      }
+    }
+  }
+
+  RobotModel model_;
+  std::vector<double> heaviest_;
+  std::map<std::size_t, std::string> leader_;
+};
+
+std::optional<Failure> CheckInertiaBeyondJoints(const RobotModel& model) {
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const Pose X_OJ = X_OB[static_cast<std::size_t>(model.joints[j].parent_body)] * model.joints[j].X_PJ;
+    const Vector3 axis = X_OJ.linear() * model.joints[j].axis_J;
+    std::vector<bool> beyond(model.bodies.size(), false);
+    double inertia = 0.0;
+    for (std::size_t i = j + 1; i < model.bodies.size(); ++i) {
+      beyond[i] = i == j + 1 || beyond[static_cast<std::size_t>(model.joints[i - 1].parent_body)];
+      if (!beyond[i]) continue;
+      const Body& body = model.bodies[i];
+      const Vector3 arm = X_OB[i] * body.p_BC - X_OJ.translation();
+      const Vector3 axis_B = X_OB[i].linear().transpose() * axis;
+      inertia += model.joints[j].type == JointType::kPrismatic
+                     ? body.mass
+                     : axis_B.dot(body.I_C * axis_B) + body.mass * axis.cross(arm).squaredNorm();
+    }
+    if (inertia < 1e-12) {
+      return Failure{
+          FailureKind::kBadInput,
+          "no_inertia",
+          "LoadRobot",
+          fmt::format("joint '{}' moves nothing: all beyond it has no inertia about its axis", model.joints[j].name),
+          {"give a link beyond it an <inertial>, or make the joint fixed"}};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints) {
+  std::vector<Pose> X_OB(model.bodies.size(), Pose::Identity());
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    const double position = joint.multiplier * joints[joint.dof] + joint.offset;
+    Pose X_JB = Pose::Identity();
+    if (joint.type == JointType::kPrismatic) {
+      X_JB.translation() = position * joint.axis_J;
+    } else {
+      X_JB.linear() = Eigen::AngleAxisd(position, joint.axis_J).toRotationMatrix();
+    }
+    X_OB[j + 1] = X_OB[static_cast<std::size_t>(joint.parent_body)] * joint.X_PJ * X_JB;
+  }
+  return X_OB;
+}
+
+Result<RobotModel> BuildModel(const std::string& urdf_text, const std::string& name) {
+  console_bridge::noOutputHandler();
+  const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDF(urdf_text);
+  console_bridge::restorePreviousOutputHandler();
+  if (!urdf || !urdf->getRoot()) {
+    return Failure{
+        FailureKind::kBadInput, "not_urdf", "LoadRobot", fmt::format("urdfdom cannot read the URDF of '{}'", name), {}};
+  }
+  RobotModel model = Builder(*urdf, name).Take();
+  if (auto failure = CheckInertiaBeyondJoints(model)) return *failure;
+  return model;
+}
+
+}  // namespace gaitwright

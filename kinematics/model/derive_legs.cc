@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/derive_legs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "kinematics/model/build_model.h"
+#include "kinematics/model/find_feet.h"
+#include "kinematics/model/standing_posture.h"
+
+namespace gaitwright {
+namespace {
+
+/// Joints from the base to a body, base first.
+std::vector<int> ChainTo(const RobotModel& model, int body) {
+  std::vector<int> chain;
+  for (int b = body; b > 0; b = model.joints[static_cast<std::size_t>(b - 1)].parent_body) chain.push_back(b - 1);
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+/// How far down the end of a chain can come: its first joint's height less all its length.
+double LowestReach(const RobotModel& model, const std::vector<int>& chain, const std::vector<Pose>& X_OB) {
+  const int last = chain.back() + 1;
+  double reach = FarthestExtent(model, last);
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    reach += model.joints[static_cast<std::size_t>(chain[i])].X_PJ.translation().norm();
+  }
+  return X_OB[static_cast<std::size_t>(chain.front() + 1)].translation().z() - reach;
+}
+
+/// Bodies at the ends of legs: leaves that can come down nearly as far as the lowest.
+std::vector<int> EndBodies(const RobotModel& model) {
+  std::vector<bool> is_leaf(model.bodies.size(), true);
+  for (const Joint& joint : model.joints) is_leaf[static_cast<std::size_t>(joint.parent_body)] = false;
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  std::vector<std::pair<double, int>> leaves;
+  for (std::size_t b = 1; b < model.bodies.size(); ++b) {
+    if (!is_leaf[b]) continue;
+    const std::vector<int> chain = ChainTo(model, static_cast<int>(b));
+    if (chain.size() >= 2) leaves.emplace_back(LowestReach(model, chain, X_OB), static_cast<int>(b));
+  }
+  std::sort(leaves.begin(), leaves.end());
+  std::vector<int> ends;
+  constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher
+  for (const auto& [lowest, body] : leaves) {
+    if (lowest < 0.0 && lowest <= leaves.front().first * (1.0 - kShare)) ends.push_back(body);
+  }
+  return ends;
+}
+
+/// Front row before rear rows, left before right within a row.
+void SortLegs(RobotModel& model) {
+  const std::vector<Pose> X_OB = BodyPoses(model, model.standing_joints);
+  std::vector<Vector3> at;
+  double low_x = std::numeric_limits<double>::infinity(), high_x = -low_x;
+  for (const Foot& foot : model.feet) {
+    at.push_back((X_OB[static_cast<std::size_t>(foot.body)] * foot.X_BF).translation());
+    low_x = std::min(low_x, at.back().x());
+    high_x = std::max(high_x, at.back().x());
+  }
+  const double length = std::max(model.leg_length_m(), 1e-6);
+  const auto row = [&](int i) {
+    return high_x - low_x < 0.2 * length ? 0L
+                                         : std::lround((high_x - at[static_cast<std::size_t>(i)].x()) / (0.3 * length));
+  };
+  std::vector<int> order(model.feet.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    if (row(a) != row(b)) return row(a) < row(b);
+    return at[static_cast<std::size_t>(a)].y() > at[static_cast<std::size_t>(b)].y();
+  });
+  const auto feet = model.feet;
+  const auto legs = model.legs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    model.feet[i] = feet[static_cast<std::size_t>(order[i])];
+    model.legs[i] = legs[static_cast<std::size_t>(order[i])];
+    model.legs[i].foot = static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = 0; j < order.size(); ++j) {
+      const Vector3 a = at[static_cast<std::size_t>(order[i])], b = at[static_cast<std::size_t>(order[j])];
+      if (i != j && std::abs(a.x() - b.x()) + std::abs(a.y() + b.y()) < 0.1 * length)
+        model.legs[i].mirror = static_cast<int>(j);
+    }
+  }
+}
+
+void NoteDerivation(RobotModel& model) {
+  for (std::size_t i = 0; i < model.legs.size(); ++i) {
+    model.notes.push_back(fmt::format("foot '{}': found at the end of {} joints that reach lowest", model.feet[i].name,
+                                      model.legs[i].joints.size()));
+  }
+  for (const Joint& joint : model.joints) {
+    if (joint.effort_limit_is_placeholder)
+      model.notes.push_back(
+          fmt::format("joint '{}': effort limit {} is a placeholder and not used", joint.name, joint.effort_limit));
+    if (joint.velocity_limit_is_placeholder)
+      model.notes.push_back(
+          fmt::format("joint '{}': velocity limit {} is a placeholder and not used", joint.name, joint.velocity_limit));
+  }
+}
+
+}  // namespace
+
+Result<int> DeriveLegs(RobotModel& model, const std::vector<FootOverride>& feet, const VectorX& standing) {
+  std::vector<int> ends;
+  for (const FootOverride& foot : feet) {
+    ends.push_back(model.frames[static_cast<std::size_t>(model.FrameIndex(foot.link))].body);
+  }
+  if (feet.empty()) ends = EndBodies(model);
+  if (ends.size() < 2) {
+    return Failure{
+        FailureKind::kBadInput,
+        "no_legs",
+        "LoadRobot",
+        fmt::format("robot '{}': {} legs found; two or more chains of joints that end at the bottom are needed",
+                    model.name, ends.size()),
+        {"name the feet in robot.yaml: feet: [{link: NAME}, ...]"}};
+  }
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    Leg leg;
+    leg.foot = static_cast<int>(i);
+    leg.joints = ChainTo(model, ends[i]);
+    model.feet.push_back(FindFoot(model, leg, feet.empty() ? nullptr : &feet[i]));
+    leg.name = model.feet.back().name;
+    MeasureLeg(model, leg, model.feet.back());
+    model.legs.push_back(leg);
+  }
+  DeriveStanding(model, standing);
+  SortLegs(model);
+  NoteDerivation(model);
+  return static_cast<int>(model.legs.size());
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// What a user says of a foot where the URDF does not tell.
+struct FootOverride {
+  std::string link;
+  std::optional<FootType> type;
+  double radius_m = 0.0;
+  std::vector<Vector2> sole_m;  ///< corners in the link's frame's xy plane
+};
+
+/// Finds legs, feet, symmetry and a standing posture from the tree and its collision geometry alone; names play no
+/// part.
+///
+///   legs      chains whose end can come nearly as far down as the lowest of all (arms and heads cannot)
+///   feet      a sphere at the far end of the last body: it rolls; the bottom of a box, cylinder or corner spheres
+///   under a
+///             leg of five or more joints: a sole (a line where no joint rolls it); else the farthest point
+///   posture   a leg of up to four joints: foot under its hip, 0.62 of the straight length below it; a leg with a sole:
+///             0.92, sole level. The knee bends to the side that its limits allow more of. Other joints: nearest to
+///             zero.
+/// @param feet overrides; where given, their links are the feet and no others are looked for.
+/// @param standing joint positions that are given, by coordinate; NaN where they are to be derived.
+Result<int> DeriveLegs(RobotModel& model, const std::vector<FootOverride>& feet, const VectorX& standing);
+
+}  // namespace gaitwright

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/model/derive_legs.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// Distance from a body's joint to the farthest point of its collision geometry, or of its frames where it has none
+/// [m].
+double FarthestExtent(const RobotModel& model, int body);
+
+/// The foot at the end of a leg; X_BF has the base's axes at joint positions zero (a sphere's are set with the
+/// posture).
+Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given);
+
+/// Fills a leg's length, knee and first pitch joint's geometry: length_m, knee_joint, knee_sign.
+void MeasureLeg(const RobotModel& model, Leg& leg, const Foot& foot);
+
+/// Joints of a leg that turn about the base's y axis at joint positions zero, base first.
+std::vector<int> PitchJoints(const RobotModel& model, const Leg& leg);
+
+}  // namespace gaitwright

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// The robot of a URDF file. @param yaml_path overrides for what derivation cannot know; "" takes `robot.yaml` beside
+/// the URDF where there is one, "none" uses nothing but the URDF.
+Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
+
+/// The same from texts. @param name used where the texts give none.
+Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
+                                     const std::string& name = "robot");
+
+/// A robot of the `robots` folder by name. The folder is that of the environment variable GAITWRIGHT_ROBOTS, else the
+/// one of the source tree, else the installed one. An unknown name is a failure that lists what exists.
+Result<RobotModel> LoadNamedRobot(const std::string& name);
+
+/// Names of the robots in that folder, sorted.
+std::vector<std::string> RobotNames();
+
+}  // namespace gaitwright

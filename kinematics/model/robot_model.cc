@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/robot_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+namespace {
+
+/// The tightest of a limit over all joints that one coordinate moves.
+template <class Limit>
+double Tightest(const RobotModel& model, int dof, Limit limit) {
+  double tightest = std::numeric_limits<double>::infinity();
+  for (const Joint& joint : model.joints) {
+    if (joint.dof == dof && joint.multiplier != 0.0) tightest = std::min(tightest, limit(joint));
+  }
+  return tightest;
+}
+
+/// The coordinate's value at which a joint is at one of its limits.
+double AtLimit(const Joint& joint, bool upper) {
+  const bool high = upper == (joint.multiplier > 0.0);
+  return ((high ? joint.upper : joint.lower) - joint.offset) / joint.multiplier;
+}
+
+}  // namespace
+
+double RobotModel::dof_lower(int dof) const {
+  return -Tightest(*this, dof, [](const Joint& joint) { return -AtLimit(joint, false); });
+}
+
+double RobotModel::dof_upper(int dof) const {
+  return Tightest(*this, dof, [](const Joint& joint) { return AtLimit(joint, true); });
+}
+
+double RobotModel::dof_velocity_limit(int dof) const {
+  return Tightest(*this, dof, [](const Joint& joint) {
+    return joint.velocity_limit_is_placeholder ? std::numeric_limits<double>::infinity()
+                                               : joint.velocity_limit / std::abs(joint.multiplier);
+  });
+}
+
+double RobotModel::dof_effort_limit(int dof) const {
+  const Joint& leader = joints[static_cast<std::size_t>(dof_joint[static_cast<std::size_t>(dof)])];
+  return leader.effort_limit_is_placeholder ? std::numeric_limits<double>::infinity() : leader.effort_limit;
+}
+
+double RobotModel::leg_length_m() const {
+  double longest = 0.0;
+  for (const Leg& leg : legs) longest = std::max(longest, leg.length_m);
+  return longest;
+}
+
+int RobotModel::FrameIndex(const std::string& frame_name) const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].name == frame_name) return static_cast<int>(i);
+    names.push_back(frames[i].name);
+  }
+  throw InvalidArgument(fmt::format("robot '{}' has no link '{}'; the nearest is '{}'", name, frame_name,
+                                    NearestName(frame_name, names)));
+}
+
+int RobotModel::DofIndex(const std::string& joint_name) const {
+  const auto at = std::find(dof_names.begin(), dof_names.end(), joint_name);
+  if (at == dof_names.end()) {
+    throw InvalidArgument(fmt::format("robot '{}' has no moving joint '{}'; the nearest is '{}'", name, joint_name,
+                                      NearestName(joint_name, dof_names)));
+  }
+  return static_cast<int>(at - dof_names.begin());
+}
+
+VectorX StandingConfiguration(const RobotModel& model) {
+  VectorX q = VectorX::Zero(model.nq());
+  q[2] = model.standing_base_height_m;
+  q[6] = 1.0;
+  q.tail(model.num_dofs()) = model.standing_joints;
+  return q;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// Fills standing_joints, standing_base_height_m and the axes of spherical feet. Needs legs and feet.
+/// @param given joint positions by coordinate; NaN where they are to be derived.
+void DeriveStanding(RobotModel& model, const VectorX& given);
+
+}  // namespace gaitwright

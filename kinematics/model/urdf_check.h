@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+
+/// Reads a URDF for what is wrong with it before urdfdom, which passes over much, sees it: not XML, another root
+/// element, names that are missing, double or unknown, a link with two parents (a loop), several roots or a detached
+/// cycle, numbers that are none, a negative mass, an impossible inertia, a zero axis, a missing or inverted limit, an
+/// unknown mimic target, an unsupported joint type, a size that is not positive.
+/// @return the first thing wrong, naming the offender, or nothing.
+std::optional<Failure> CheckUrdf(const std::string& urdf_text);
+
+}  // namespace gaitwright

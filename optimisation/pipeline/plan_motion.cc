@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/plan_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/base/version.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/stability/zero_moment_point.h"
+#include "kinematics/trajectory/cubic_spline.h"
+#include "optimisation/centroidal/preview_control.h"
+#include "optimisation/pipeline/support_regions.h"
+
+namespace gaitwright {
+namespace {
+
+/// Centre of mass of the standing posture with the base origin at a planar pose.
+Vector3 StandingCentreOfMass(const RobotModel& model, const PlanarPose& at) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  const Vector3 p_BC = CentreOfMass(model, scratch);
+  Vector3 p_WC = YawRotation(at.yaw_rad) * p_BC;
+  p_WC += Vector3(at.x_m, at.y_m, 0.0);
+  return p_WC;
+}
+
+CubicSpline YawSpline(const BasePath& path, double start_s, double end_s) {
+  constexpr double kKnotStep = 0.05;
+  const int intervals = std::max(2, static_cast<int>(std::lround((end_s - start_s) / kKnotStep)));
+  const double step = (end_s - start_s) / intervals;
+  std::vector<double> yaw;
+  std::size_t i = 0;
+  for (int k = 0; k <= intervals; ++k) {
+    const double t = start_s + k * step;
+    while (i + 2 < path.time_s.size() && path.time_s[i + 1] < t) ++i;
+    if (path.time_s.size() < 2) {
+      yaw.push_back(path.pose.front().yaw_rad);
+      continue;
+    }
+    const double u = std::clamp((t - path.time_s[i]) / (path.time_s[i + 1] - path.time_s[i]), 0.0, 1.0);
+    yaw.push_back((1.0 - u) * path.pose[i].yaw_rad + u * path.pose[i + 1].yaw_rad);
+  }
+  return CubicSpline(start_s, step, yaw);
+}
+
+/// One pass: what was tried and how far its ZMP is from its reference.
+struct Pass {
+  CentroidalTrajectory centroidal;
+  std::vector<SwingTrajectory> swings;
+  FootstepPlan footsteps;
+  WholeBodySolution solution;
+  double error_m = std::numeric_limits<double>::infinity();
+};
+
+/// Plans the stages after the footsteps again and again, feeding back what the multibody did.
+class Passes {
+ public:
+  Passes(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
+         const MotionOptions& options)
+      : model_(model),
+        terrain_(terrain),
+        skeleton_(skeleton),
+        options_(options),
+        yaw_(YawSpline(skeleton.path, skeleton.schedule.start_s(), skeleton.schedule.end_s())) {
+    footsteps_ = skeleton.footsteps;
+    expected_roll_.assign(footsteps_.footholds.size(), Vector3::Zero());
+    const Vector3 start = StandingCentreOfMass(model, skeleton.path.pose.front());
+    const Vector3 end = StandingCentreOfMass(model, skeleton.path.pose.back());
+    problem_.start_s = skeleton.schedule.start_s();
+    problem_.step_s = options.pipeline.grid_step_s;
+    problem_.samples =
+        1 + static_cast<int>(std::lround((skeleton.schedule.end_s() - problem_.start_s) / problem_.step_s));
+    problem_.com_height_m = start.z();
+    problem_.omega_rad_s = std::sqrt(kGravity / start.z());
+    problem_.start_W = start.head<2>();
+    problem_.end_W = end.head<2>();
+    support_ = {problem_.start_W, problem_.end_W, options.pipeline.zmp_inward, problem_.step_s, {}};
+    problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
+  }
+
+  Result<Pass> Run(int& passes) {
+    Pass best;
+    double gain = 1.0;
+    for (passes = 0; passes < options_.pipeline.max_passes; ++passes) {
+      Result<Pass> made = MakePass();
+      if (!made) return made;
+      const bool rolls_settled = UpdateRolls(made->solution);
+      if (made->error_m < best.error_m || !settled_) {
+        best = *made;
+      } else {
+        gain *= 0.5;
+        if (gain < 0.1) break;
+      }
+      settled_ = rolls_settled;
+      if (settled_ && best.error_m < options_.pipeline.zmp_tolerance_m) break;
+      UpdateOffset(*made, gain);
+    }
+    return best;
+  }
+
+ private:
+  Result<Pass> MakePass() {
+    Pass pass;
+    pass.footsteps = footsteps_;
+    problem_.phases = SupportRegions(model_, skeleton_.schedule, footsteps_, support_);
+    Result<CentreOfMassPlan> com = options_.pipeline.com_method == "preview"
+                                       ? PlanCentreOfMassByPreview(problem_, PreviewOptions{})
+                                       : PlanCentreOfMass(problem_, options_.centre_of_mass);
+    if (!com) return com.failure();
+    pass.centroidal = com->trajectory;
+    Result<std::vector<SwingTrajectory>> swings = PlanSwings(model_, terrain_, footsteps_, options_.swing);
+    if (!swings) return swings.failure();
+    pass.swings = *swings;
+    const WholeBodyProblem problem{&terrain_, &skeleton_.schedule, &footsteps_, &pass.centroidal, &pass.swings, &yaw_};
+    Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, options_.whole_body);
+    if (!solution) return solution.failure();
+    pass.solution = std::move(*solution);
+    pass.error_m = 0.0;
+    for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
+      pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
+    }
+    return pass;
+  }
+
+  /// True when the rolls are what the swings were aimed by.
+  bool UpdateRolls(const WholeBodySolution& solution) {
+    support_.contact_W = solution.contact_W;
+    constexpr double kSettled = 2e-4;
+    double change = 0.0;
+    for (std::size_t i = 0; i < footsteps_.footholds.size(); ++i) {
+      const Vector3 roll = solution.roll_at_liftoff_W[i] - solution.roll_at_touchdown_W[i];
+      change = std::max(change, (solution.roll_at_touchdown_W[i] - expected_roll_[i]).norm());
+      change = std::max(change, (roll - footsteps_.footholds[i].roll_W).norm());
+      expected_roll_[i] = solution.roll_at_touchdown_W[i];
+      footsteps_.footholds[i].roll_W = roll;
+    }
+    return change < kSettled;
+  }
+
+  void UpdateOffset(const Pass& pass, double gain) {
+    for (std::size_t k = 0; k < problem_.zmp_offset.size(); ++k) {
+      problem_.zmp_offset[k] += gain * (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]);
+    }
+  }
+
+  const RobotModel& model_;
+  const Terrain& terrain_;
+  const FootstepSkeleton& skeleton_;
+  const MotionOptions& options_;
+  CubicSpline yaw_;
+  FootstepPlan footsteps_;
+  std::vector<Vector3> expected_roll_;
+  ZmpProblem problem_;
+  SupportInputs support_;
+  bool settled_ = false;
+};
+
+/// Joint limits that the trajectory does not keep, worst of each joint and kind.
+std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion) {
+  std::vector<std::string> warnings;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    double low = 0.0, high = 0.0, speed = 0.0, torque = 0.0;
+    for (std::size_t k = 0; k < motion.q.size(); ++k) {
+      low = std::max(low, model.dof_lower(d) - motion.q[k][7 + d]);
+      high = std::max(high, motion.q[k][7 + d] - model.dof_upper(d));
+      speed = std::max(speed, std::abs(motion.v[k][6 + d]) - model.dof_velocity_limit(d));
+      torque = std::max(torque, std::abs(motion.tau[k][d]) - model.dof_effort_limit(d));
+    }
+    const std::string& name = model.dof_names[static_cast<std::size_t>(d)];
+    if (std::max(low, high) > 0.0)
+      warnings.push_back(fmt::format("{} is {:.3f} rad past its limit", name, std::max(low, high)));
+    if (speed > 0.0) warnings.push_back(fmt::format("{} is {:.2f} rad/s over its speed limit", name, speed));
+    if (torque > 0.0) warnings.push_back(fmt::format("{} is {:.2f} N m over its torque limit", name, torque));
+  }
+  return warnings;
+}
+
+Provenance MakeProvenance(MotionOptions options) {
+  Provenance provenance{Version(), "PlanMotion", {}, 0};
+  for (const OptionField& field : options.Fields()) provenance.options.emplace_back(field.key, OptionText(field));
+  return provenance;
+}
+
+}  // namespace
+
+Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                 const WalkCommand& command, const MotionOptions& options) {
+  MotionOptions checked = options;
+  CheckOptions(checked.Fields());
+  Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, options.footsteps);
+  if (!skeleton) return skeleton.failure();
+  PlannedMotion planned;
+  Result<Pass> pass = Passes(model, terrain, *skeleton, options).Run(planned.passes);
+  if (!pass) return pass.failure();
+  MotionPlan& plan = planned.plan;
+  plan.robot = model.name;
+  plan.robot_hash = model.hash;
+  plan.urdf_text = model.urdf_text;
+  plan.yaml_text = model.yaml_text;
+  plan.provenance = MakeProvenance(options);
+  plan.command = command;
+  plan.goal = skeleton->goal;
+  plan.terrain = terrain;
+  plan.gait = gait;
+  plan.schedule = skeleton->schedule;
+  plan.footsteps = std::move(pass->footsteps);
+  plan.centroidal = std::move(pass->centroidal);
+  plan.swings = std::move(pass->swings);
+  plan.whole_body = std::move(pass->solution.trajectory);
+  plan.warnings = skeleton->warnings;
+  const auto limits = LimitWarnings(model, plan.whole_body);
+  plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
+  planned.zmp_error_max_m = pass->error_m;
+  planned.summary =
+      fmt::format("{:.2f} s, {} footholds, {} passes, multibody ZMP within {:.1f} mm of its reference",
+                  plan.duration_s(), plan.footsteps.footholds.size(), planned.passes, 1e3 * pass->error_m);
+  return planned;
+}
+
+}  // namespace gaitwright

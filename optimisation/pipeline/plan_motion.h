@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "optimisation/centroidal/centre_of_mass.h"
+#include "optimisation/swing/plan_swings.h"
+#include "optimisation/whole_body/solve_whole_body.h"
+#include "planning/footsteps/plan_footsteps.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+struct PipelineOptions {
+  double grid_step_s = 0.005;
+  int max_passes = 6;
+  double zmp_tolerance_m = 0.001;
+  double zmp_inward = 0.15;
+  std::string com_method = "zmp";
+
+  OptionFields Fields() {
+    return {{"grid_step_s", &grid_step_s, "s", 0.001, 0.01, "Step of the plan's uniform grid.", {}},
+            {"max_passes",
+             &max_passes,
+             "1",
+             1.0,
+             20.0,
+             "Most passes in which the multibody ZMP is brought onto its reference.",
+             {}},
+            {"zmp_tolerance_m",
+             &zmp_tolerance_m,
+             "m",
+             1e-6,
+             0.1,
+             "The passes end when the multibody ZMP is this near to its reference everywhere.",
+             {}},
+            {"zmp_inward",
+             &zmp_inward,
+             "1",
+             0.0,
+             0.4,
+             "How far the preferred ZMP under a single sole lies towards the body, as a share of the sole's width.",
+             {}},
+            {"com_method",
+             &com_method,
+             "",
+             0.0,
+             0.0,
+             "How the centre of mass is planned: zmp (ZMP knots in the support, exact pendulum) or preview (Kajita).",
+             {"zmp", "preview"}}};
+  }
+};
+
+/// Every option that shapes a motion; the same keys serve YAML, `--set` and the plan's provenance.
+struct MotionOptions {
+  FootstepOptions footsteps;
+  CentreOfMassOptions centre_of_mass;
+  SwingOptions swing;
+  WholeBodyOptions whole_body;
+  PipelineOptions pipeline;
+
+  OptionFields Fields() {
+    return Joined({Prefixed("footsteps", footsteps.Fields()), Prefixed("centre_of_mass", centre_of_mass.Fields()),
+                   Prefixed("swing", swing.Fields()), Prefixed("whole_body", whole_body.Fields()),
+                   Prefixed("pipeline", pipeline.Fields())});
+  }
+};
+
+/// A plan and how it came about.
+struct PlannedMotion {
+  MotionPlan plan;
+  int passes = 0;                ///< of the ZMP correction
+  double zmp_error_max_m = 0.0;  ///< multibody ZMP against its reference, worst
+  std::string summary;           ///< one line
+};
+
+/// From a command to a whole motion: footsteps, centre of mass, swings, whole body. The multibody ZMP of each pass,
+/// from its own inverse dynamics, corrects the pendulum of the next until it agrees with its reference; a pass that
+/// does not help is dropped.
+Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                 const WalkCommand& command, const MotionOptions& options);
+
+}  // namespace gaitwright

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/support_regions.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "kinematics/stability/polygon.h"
+
+namespace gaitwright {
+namespace {
+
+/// Corners of a foot's contact with the ground at a time since the start of the grid, in plan view.
+std::vector<Vector2> CornersAt(const Foot& foot, const Foothold& foothold, double since_start_s,
+                               const SupportInputs& inputs) {
+  const auto index = static_cast<std::size_t>(foothold.foot);
+  if (foot.sole_F.empty()) {
+    if (inputs.contact_W.empty()) return {foothold.X_WF.translation().head<2>()};
+    return {inputs.contact_W[index][static_cast<std::size_t>(std::lround(since_start_s / inputs.step_s))].head<2>()};
+  }
+  std::vector<Vector2> corners;
+  for (const Vector2& corner : foot.sole_F) {
+    corners.push_back((foothold.X_WF * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
+  }
+  return corners;
+}
+
+/// What a phase's region is made from.
+struct Scene {
+  const RobotModel& model;
+  const FootstepPlan& footsteps;
+  const SupportInputs& inputs;
+  double start_s;
+};
+
+std::vector<Vector2> StanceCorners(const Scene& scene, const ContactPhase& phase, double time_s) {
+  std::vector<Vector2> corners;
+  for (int f = 0; f < static_cast<int>(scene.model.feet.size()); ++f) {
+    if (!Contains(phase.stance, f)) continue;
+    const int index = FootholdAt(scene.footsteps, f, 0.5 * (phase.start_s + phase.end_s));
+    const Foothold& foothold = scene.footsteps.footholds[static_cast<std::size_t>(index)];
+    const auto own =
+        CornersAt(scene.model.feet[static_cast<std::size_t>(f)], foothold, time_s - scene.start_s, scene.inputs);
+    corners.insert(corners.end(), own.begin(), own.end());
+  }
+  return corners;
+}
+
+/// The hull at mid phase, and its corners at both ends of the phase.
+ZmpPhase MovingHull(const Scene& scene, const ContactPhase& phase) {
+  const auto middle = StanceCorners(scene, phase, 0.5 * (phase.start_s + phase.end_s));
+  const auto start = StanceCorners(scene, phase, phase.start_s);
+  const auto end = StanceCorners(scene, phase, phase.end_s);
+  ZmpPhase region;
+  region.start_s = phase.start_s;
+  region.end_s = phase.end_s;
+  for (const Vector2& corner : ConvexHull(middle)) {
+    const auto at = static_cast<std::size_t>(std::find(middle.begin(), middle.end(), corner) - middle.begin());
+    region.region_start.push_back(start[at]);
+    region.region_end.push_back(end[at]);
+  }
+  return region;
+}
+
+/// From the middle of a single sole towards the middle of the next foothold of another foot.
+Vector2 InwardShift(const RobotModel& model, const FootstepPlan& footsteps, const ContactPhase& phase, double inward) {
+  if (std::popcount(phase.stance) != 1) return Vector2::Zero();
+  const int foot = std::countr_zero(phase.stance);
+  const Foot& sole = model.feet[static_cast<std::size_t>(foot)];
+  if (sole.sole_F.empty()) return Vector2::Zero();
+  const double time_s = 0.5 * (phase.start_s + phase.end_s);
+  const Pose& X_WF = footsteps.footholds[static_cast<std::size_t>(FootholdAt(footsteps, foot, time_s))].X_WF;
+  double side = 0.0, low = 0.0, high = 0.0;
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
+    if (f == foot) continue;
+    const int index = FootholdAt(footsteps, f, time_s);
+    side += (X_WF.inverse() * footsteps.footholds[static_cast<std::size_t>(index)].X_WF.translation()).y();
+  }
+  for (const Vector2& corner : sole.sole_F) {
+    low = std::min(low, corner.y());
+    high = std::max(high, corner.y());
+  }
+  const Vector3 shift_F(0.0, (side > 0.0 ? 1.0 : -1.0) * inward * (high - low), 0.0);
+  return (X_WF.linear() * shift_F).head<2>();
+}
+
+bool HandsOver(const std::vector<ContactPhase>& phases, std::size_t i) {
+  const FootSet stance = phases[i].stance, before = phases[i - 1].stance, after = phases[i + 1].stance;
+  return (stance & before) == before && (stance & after) == after && stance != before && stance != after;
+}
+
+}  // namespace
+
+std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSchedule& schedule,
+                                     const FootstepPlan& footsteps, const SupportInputs& inputs) {
+  const auto& phases = schedule.phases;
+  const Scene scene{model, footsteps, inputs, schedule.start_s()};
+  std::vector<ZmpPhase> regions;
+  for (const ContactPhase& phase : phases) {
+    ZmpPhase region = MovingHull(scene, phase);
+    const Vector2 shift = InwardShift(model, footsteps, phase, inputs.inward);
+    region.preferred_start = Centroid(region.region_start) + shift;
+    region.preferred_end = Centroid(region.region_end) + shift;
+    regions.push_back(region);
+  }
+  for (std::size_t i = 1; i + 1 < regions.size(); ++i) {
+    if (!HandsOver(phases, i)) continue;
+    regions[i].preferred_start = regions[i - 1].preferred_end;
+    regions[i].preferred_end = regions[i + 1].preferred_start;
+  }
+  if (regions.size() == 1) {
+    regions[0].preferred_start = inputs.start_W;
+    regions[0].preferred_end = inputs.end_W;
+  } else if (!regions.empty()) {
+    regions.front().preferred_start = inputs.start_W;
+    regions.front().preferred_end = regions[1].preferred_start;
+    regions.back().preferred_start = regions[regions.size() - 2].preferred_end;
+    regions.back().preferred_end = inputs.end_W;
+  }
+  return regions;
+}
+
+}  // namespace gaitwright

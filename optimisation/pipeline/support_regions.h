@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+#include "optimisation/centroidal/centre_of_mass.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+struct SupportInputs {
+  Vector2 start_W = Vector2::Zero(), end_W = Vector2::Zero();  ///< centre of mass at rest [m]
+  double inward = 0.15;                                        ///< see SupportRegions
+  double step_s = 0.005;
+  std::vector<std::vector<Vector3>> contact_W;  ///< by foot, by sample [m]; may be empty
+};
+
+/// For each phase of the schedule, where the ZMP may be and where it is wanted.
+/// The region is the hull of the soles in contact; the contact point of a foot that rolls is taken from `contact_W`, an
+/// earlier solution's contact points by foot and sample of the grid, or stands still when that is empty.
+/// Wanted: the middle of the region, moved by `inward` of the sole's width towards the body under a single sole; in a
+/// phase that only hands over between two others it moves from the one's point to the other's; at the ends it is the
+/// centre of mass at rest.
+std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSchedule& schedule,
+                                     const FootstepPlan& footsteps, const SupportInputs& inputs);
+
+}  // namespace gaitwright
