@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/spatial/pose.h"
+#include "planning/plan/gait.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// What a controller is told at the start of a step. All of it is measured.
+struct ControlInput {
+  double time_s = 0.0;  ///< on the plan's clock; after the plan's end it runs on
+  double step_s = 0.001;
+  VectorX q, v;                         ///< in the orders of RobotModel
+  std::vector<ContactWrench> wrenches;  ///< by foot, of the last step, about the contact frame's origin
+  FootSet contact = 0;                  ///< feet that carried force in the last step
+};
+
+/// What the motors shall do until the next call, by independent joint:
+///   tau = tau_ff + stiffness (q - q_measured) + damping (v - v_measured),  within +-effort limit.
+/// A motor solves this with the step's outcome as measured state (implicit), so that no gain is too stiff. The step is
+/// semi-implicit, q' = q + h v', v' = v + h a(q): targets of a trajectory fit it to second order when sampled as
+/// q(t + h), v(t + h/2), tau_ff(t).
+struct JointCommand {
+  VectorX q, v;                ///< targets, size n [rad], [rad/s]
+  VectorX tau_ff;              ///< feed-forward [N m]
+  VectorX stiffness, damping;  ///< [N m/rad], [N m s/rad]; not negative
+};
+
+/// State in, command out: the only thing that the simulator knows of a controller, and the only thing that a user's own
+/// has to be. It must be deterministic, and must not keep time by itself: `time_s` may stand still while a robot
+/// settles.
+class Controller {
+ public:
+  virtual ~Controller() = default;
+
+  /// Called once per step. @return all vectors of size n = RobotModel::num_dofs(), finite.
+  virtual JointCommand Update(const ControlInput& input) = 0;
+
+  /// Called before a playback: forgets what an earlier one left behind.
+  virtual void Reset() {}
+
+  /// For logs and reports, such as "joint-pd".
+  virtual std::string Name() const = 0;
+};
+
+}  // namespace gaitwright

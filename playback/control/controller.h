@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// The interface stands beside the simulator, which is below all controllers.
+#include "playback/bullet/controller.h"  // IWYU pragma: export
