@@ -14,13 +14,14 @@ inline constexpr FootSet FootBit(int foot) { return FootSet{1} << foot; }
 inline constexpr bool Contains(FootSet set, int foot) { return (set >> foot & 1U) != 0; }
 inline constexpr FootSet AllFeet(int count) { return count >= 64 ? ~FootSet{0} : FootBit(count) - 1; }
 
-/// A periodic pattern of contact, as data. Foot i touches down at `phase[i]` of the cycle and stays for `duty_factor[i]` of it.
+/// A periodic pattern of contact, as data. Foot i touches down at `phase[i]` of the cycle and stays for
+/// `duty_factor[i]` of it.
 struct Gait {
   std::string name;
   std::string description;
-  double cycle_s = 0.5;               ///< [s]
-  std::vector<double> phase;          ///< by foot, in [0, 1)
-  std::vector<double> duty_factor;    ///< by foot, in (0, 1)
+  double cycle_s = 0.5;             ///< [s]
+  std::vector<double> phase;        ///< by foot, in [0, 1)
+  std::vector<double> duty_factor;  ///< by foot, in (0, 1)
 
   int num_feet() const { return static_cast<int>(phase.size()); }
   bool operator==(const Gait&) const = default;
@@ -63,7 +64,8 @@ struct ContactInterval {
 std::vector<ContactInterval> IntervalsOf(const ContactSchedule& schedule, int foot);
 
 /// The schedule made of each foot's intervals of contact (each sorted, disjoint, within [start_s, end_s]).
-ContactSchedule ScheduleFromIntervals(const std::vector<std::vector<ContactInterval>>& by_foot, double start_s, double end_s);
+ContactSchedule ScheduleFromIntervals(const std::vector<std::vector<ContactInterval>>& by_foot, double start_s,
+                                      double end_s);
 
 /// @throws InvalidArgument when intervals do not abut exactly, are empty, or name a foot beyond `num_feet`.
 void CheckSchedule(const ContactSchedule& schedule, int num_feet);

@@ -16,13 +16,13 @@ struct WalkCommand {
   enum class Extent { kDistance, kGoal, kSteps };
 
   Extent extent = Extent::kDistance;
-  double speed_m_s = 0.0;           ///< along the body's x, > 0; 0 for the robot's own
-  double lateral_speed_m_s = 0.0;   ///< along the body's y, left positive
-  double yaw_rate_rad_s = 0.0;      ///< left positive
-  double distance_m = 0.0;          ///< kDistance: along the commanded direction
+  double speed_m_s = 0.0;                                     ///< along the body's x, > 0; 0 for the robot's own
+  double lateral_speed_m_s = 0.0;                             ///< along the body's y, left positive
+  double yaw_rate_rad_s = 0.0;                                ///< left positive
+  double distance_m = 0.0;                                    ///< kDistance: along the commanded direction
   double goal_x_m = 0.0, goal_y_m = 0.0, goal_yaw_rad = 0.0;  ///< kGoal: base pose in its start frame
-  int steps = 0;                    ///< kSteps: footfalls, the last one closing the feet
-  double step_length_m = 0.0;       ///< kSteps: advance of a footfall ahead of the other foot
+  int steps = 0;                                              ///< kSteps: footfalls, the last one closing the feet
+  double step_length_m = 0.0;                                 ///< kSteps: advance of a footfall ahead of the other foot
 
   bool operator==(const WalkCommand&) const = default;
 };
@@ -42,8 +42,8 @@ struct BasePath {
 
 /// A place of contact of a foot over one interval of stance.
 ///
-/// X_WF is, at touch-down, the pose of the sole frame (sole, line) or of the contact point on the ground with z along the
-/// ground's normal (point, sphere). A sphere rolls: its contact point moves by `roll_W` until lift-off.
+/// X_WF is, at touch-down, the pose of the sole frame (sole, line) or of the contact point on the ground with z along
+/// the ground's normal (point, sphere). A sphere rolls: its contact point moves by `roll_W` until lift-off.
 struct Foothold {
   int foot = 0;
   Pose X_WF = Pose::Identity();
@@ -64,8 +64,8 @@ int FootholdAt(const FootstepPlan& plan, int foot, double time_s);
 struct CentroidalTrajectory {
   double start_s = 0.0, step_s = 0.0;
   std::vector<Vector3> p_WC, v_WC, a_WC;
-  std::vector<Vector2> p_WZ;          ///< reference of the multibody ZMP [m]
-  double omega_rad_s = 0.0;           ///< of the pendulum it was planned with
+  std::vector<Vector2> p_WZ;  ///< reference of the multibody ZMP [m]
+  double omega_rad_s = 0.0;   ///< of the pendulum it was planned with
 
   int size() const { return static_cast<int>(p_WC.size()); }
 };
@@ -76,8 +76,8 @@ struct SwingTrajectory {
   double start_s = 0.0, end_s = 0.0;
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();
   /// Horizontal progress and height are polynomials of normalised time; see kinematics/trajectory/swing_curve.h.
-  double apex_height_m = 0.0;         ///< of the contact point over the higher of the two ends
-  double clearance_m = 0.0;           ///< lowest height of the whole sole over the ground in mid swing, achieved
+  double apex_height_m = 0.0;  ///< of the contact point over the higher of the two ends
+  double clearance_m = 0.0;    ///< lowest height of the whole sole over the ground in mid swing, achieved
 };
 
 /// Force that the ground puts on a foot, and its moment about the foothold's contact frame origin, in W.
@@ -91,10 +91,10 @@ struct ContactWrench {
 /// Uniform grid of whole-body states; row k is at start_s + k * step_s.
 struct WholeBodyTrajectory {
   double start_s = 0.0, step_s = 0.0;
-  std::vector<VectorX> q;    ///< size 7 + n
-  std::vector<VectorX> v;    ///< size 6 + n
-  std::vector<VectorX> a;    ///< size 6 + n
-  std::vector<VectorX> tau;  ///< feed-forward of the independent joints, size n
+  std::vector<VectorX> q;                            ///< size 7 + n
+  std::vector<VectorX> v;                            ///< size 6 + n
+  std::vector<VectorX> a;                            ///< size 6 + n
+  std::vector<VectorX> tau;                          ///< feed-forward of the independent joints, size n
   std::vector<std::vector<ContactWrench>> wrenches;  ///< by foot
 
   int size() const { return static_cast<int>(q.size()); }
@@ -104,7 +104,7 @@ struct WholeBodyTrajectory {
 /// What made a plan: enough to make it again, and no path, host, date or duration.
 struct Provenance {
   std::string program_version;
-  std::string made_by;  ///< stage or importer
+  std::string made_by;                                       ///< stage or importer
   std::vector<std::pair<std::string, std::string>> options;  ///< every option that shapes the motion
   std::uint64_t seed = 0;
 
@@ -115,12 +115,12 @@ struct Provenance {
 struct MotionPlan {
   static constexpr int kSchema = 1;
 
-  std::string robot;       ///< name
-  std::string robot_hash;  ///< RobotModel::hash
+  std::string robot;                 ///< name
+  std::string robot_hash;            ///< RobotModel::hash
   std::string urdf_text, yaml_text;  ///< of the robot, so that the plan is whole by itself
   Provenance provenance;
   WalkCommand command;
-  PlanarPose goal;         ///< where the command ends, in W, whatever the plan does
+  PlanarPose goal;  ///< where the command ends, in W, whatever the plan does
   Terrain terrain;
   Gait gait;
   ContactSchedule schedule;

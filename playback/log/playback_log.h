@@ -13,9 +13,9 @@ namespace gaitwright {
 /// What was measured over one log interval, at its end. Forces and torques are means over the interval.
 struct LogSample {
   double time_s = 0.0;
-  VectorX q, v;      ///< in the orders of RobotModel
-  VectorX tau;       ///< applied by the independent joints, mean [N m]
-  VectorX tau_peak;  ///< largest magnitude in the interval [N m]
+  VectorX q, v;                         ///< in the orders of RobotModel
+  VectorX tau;                          ///< applied by the independent joints, mean [N m]
+  VectorX tau_peak;                     ///< largest magnitude in the interval [N m]
   std::vector<ContactWrench> wrenches;  ///< by foot: mean over the interval, moment about the contact frame origin
   FootSet contact = 0;                  ///< feet that touch at time_s
 };
@@ -26,9 +26,9 @@ struct StanceRecord {
   double touchdown_s = 0.0, liftoff_s = 0.0;  ///< liftoff_s is the log's end when it still stands
   Vector3 p_touchdown_W = Vector3::Zero();    ///< contact point [m]
   double touchdown_speed_m_s = 0.0;           ///< of the foot, just before contact
-  double slip_m = 0.0;          ///< integral of the tangential speed of the material contact point
-  double peak_normal_n = 0.0;   ///< low-passed by the log interval
-  double penetration_m = 0.0;   ///< deepest
+  double slip_m = 0.0;                        ///< integral of the tangential speed of the material contact point
+  double peak_normal_n = 0.0;                 ///< low-passed by the log interval
+  double penetration_m = 0.0;                 ///< deepest
   double friction_use_max = 0.0;  ///< tangential over mu times normal, where the normal force is over 5 % of m g
 };
 
@@ -47,9 +47,9 @@ struct PlaybackLog {
   double start_s = 0.0, log_rate_hz = 200.0, step_s = 0.001;
   double total_mass_kg = 0.0, friction = 0.0;
   std::vector<LogSample> samples;
-  std::vector<StanceRecord> stances;     ///< sorted by touch-down
+  std::vector<StanceRecord> stances;       ///< sorted by touch-down
   std::vector<BodyContact> body_contacts;  ///< first contact of each link
-  VectorX saturated_s;                   ///< time each independent joint spent at its effort limit [s]
+  VectorX saturated_s;                     ///< time each independent joint spent at its effort limit [s]
   std::vector<std::pair<std::string, std::string>> options;  ///< of the playback
 };
 
