@@ -17,6 +17,9 @@ endforeach()
 if(EXISTS ${CMAKE_SOURCE_DIR}/robots)
   install(DIRECTORY robots DESTINATION ${CMAKE_INSTALL_DATADIR}/gaitwright)
 endif()
+if(EXISTS ${CMAKE_SOURCE_DIR}/planning/gait/gaits.yaml)
+  install(FILES planning/gait/gaits.yaml DESTINATION ${CMAKE_INSTALL_DATADIR}/gaitwright)
+endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(cmake/gaitwrightConfig.cmake.in ${CMAKE_BINARY_DIR}/gaitwrightConfig.cmake
