@@ -6,23 +6,23 @@
 namespace gaitwright {
 namespace {
 
-double Distance(const Vector2& a, const Vector2& b) { return (a - b).norm(); }
-
-Vector2 BaseOf(const MotionSample& sample) { return sample.X_WB.translation().head<2>(); }
-
-Measurement At(const std::string& key, double value, double planned, double at_s) {
-  return {key, value, planned, at_s, ""};
+/// The base in plan view.
+PlanarPose BaseOf(const VectorX& q) {
+  const Quaternion r(Eigen::Vector4d(q.segment<4>(3)));
+  return {q[0], q[1], YawOf(r.normalized().toRotationMatrix())};
 }
+
+double Distance(const PlanarPose& a, const PlanarPose& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+
+double Turn(const PlanarPose& a, const PlanarPose& b) { return std::abs(WrapAngle(a.yaw_rad - b.yaw_rad)); }
 
 }  // namespace
 
 std::vector<Measurement> ProgressMeasurements(const ScoreInputs& in) {
-  const MotionSample &first = in.series.measured.front(), &last = in.series.measured.back();
-  const MotionSample &plan_first = in.series.planned.front(), &plan_last = in.series.planned.back();
-  const Vector2 goal(in.plan.goal.x_m, in.plan.goal.y_m);
-  const auto heading_error = [&](const MotionSample& sample) {
-    return std::abs(WrapAngle(YawOf(sample.X_WB.linear()) - in.plan.goal.yaw_rad));
-  };
+  const std::size_t count = in.series.measured.size();
+  const PlanarPose first = BaseOf(in.log.samples.front().q), last = BaseOf(in.log.samples[count - 1].q);
+  const PlanarPose from = BaseOf(in.plan.whole_body.q.front()), to = BaseOf(in.plan.whole_body.q.back());
+  const double end = in.series.measured.back().time_s;
   std::vector<Measurement> rows;
   rows.push_back({"fell", in.fall.fell ? 1.0 : 0.0, {}, {}, ""});
   if (in.fall.fell) {
@@ -31,10 +31,9 @@ std::vector<Measurement> ProgressMeasurements(const ScoreInputs& in) {
   } else {
     rows.push_back({"time_to_fall_s", {}, {}, {}, "it did not fall"});
   }
-  rows.push_back(At("distance_m", Distance(BaseOf(last), BaseOf(first)),
-                    Distance(BaseOf(plan_last), BaseOf(plan_first)), last.time_s));
-  rows.push_back(At("goal_error_m", Distance(BaseOf(last), goal), Distance(BaseOf(plan_last), goal), last.time_s));
-  rows.push_back(At("heading_error_rad", heading_error(last), heading_error(plan_last), last.time_s));
+  rows.push_back({"distance_m", Distance(last, first), Distance(to, from), end, ""});
+  rows.push_back({"goal_error_m", Distance(last, in.plan.goal), Distance(to, in.plan.goal), end, ""});
+  rows.push_back({"heading_error_rad", Turn(last, in.plan.goal), Turn(to, in.plan.goal), end, ""});
   return rows;
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "playback/report/svg_plot.h"
+
+namespace gaitwright {
+
+/// Many small plots in a grid, as one `<svg>`; all have the size of the first, whose legend stands beside the title.
+std::string GridOfPlots(const std::vector<SvgPlot>& plots, int columns, const std::string& title);
+
+}  // namespace gaitwright

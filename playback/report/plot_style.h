@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace gaitwright {
+
+/// What a colour stands for. The colours are those of Okabe and Ito (https://jfly.uni-koeln.de/color/), which people
+/// with the common kinds of colour blindness tell apart; each has a lighter brother for dark screens.
+enum class Ink { kZmp, kCom, kDcm, kFoot, kJoint, kLimit, kSupport, kBad, kMuted };
+
+/// How a line is drawn: what was planned is broad and pale, what was measured lies thin and dark on top of it.
+enum class Stroke { kPlanned, kMeasured, kThin, kDashed };
+
+/// The style sheet's class of an ink or a stroke.
+const char* CssClass(Ink ink);
+const char* CssClass(Stroke stroke);
+
+/// The style sheet of all plots, for light and dark screens.
+std::string PlotStyle();
+
+/// A plot as a file of its own: XML declaration, name space, style inside.
+std::string StandaloneSvg(const std::string& svg);
+
+}  // namespace gaitwright

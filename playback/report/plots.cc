@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/report/plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinematics/base/result.h"
+#include "playback/report/svg_plot.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kAfterFall = 0.15;  // shown [s]
+
+void Append(std::vector<Plot> more, std::vector<Plot>& plots) {
+  for (Plot& plot : more) plots.push_back(std::move(plot));
+}
+
+}  // namespace
+
+void MarkFall(const PlotData& data, SvgPlot& plot, bool in_words) {
+  const Metric& fell = data.report.At("fell");
+  if (fell.value.value_or(0.0) <= 0.0 || !fell.at_s) return;
+  plot.AcrossY(*fell.at_s, Ink::kBad, in_words ? fmt::format("fell, {:.2f} s", *fell.at_s) : "");
+}
+
+std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                            const StabilityReport& report) {
+  PlotData data{model, plan, log, report, MakeMotionSeries(model, plan, log, ScoreOptions{})};
+  if (data.series.measured.empty()) throw InvalidArgument("MakePlots: the log has no sample that can be drawn");
+  const Metric& fell = report.At("fell");
+  if (fell.value.value_or(0.0) > 0.0 && fell.at_s) {
+    std::size_t count = data.series.measured.size();
+    while (count > 2 && data.series.measured[count - 1].time_s > *fell.at_s + kAfterFall) --count;
+    data.series.measured.resize(count);
+    data.series.planned.resize(count);
+    data.series.plan.resize(count);
+  }
+  std::vector<Plot> plots = {TopView(data)};
+  Append(BalancePlots(data), plots);
+  Append(ContactPlots(data), plots);
+  Append(JointPlots(data), plots);
+  return plots;
+}
+
+}  // namespace gaitwright

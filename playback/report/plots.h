@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "playback/score/motion_series.h"
+#include "playback/score/stability_report.h"
+
+namespace gaitwright {
+
+/// One picture of a playback.
+struct Plot {
+  std::string name;     ///< short, fit for a file name: "top_view"
+  std::string caption;  ///< what it shows and how to read it
+  std::string svg;      ///< without style; StandaloneSvg makes a file of it
+};
+
+/// All plots of a playback: top_view, zmp_com_x, zmp_com_y, margins, errors, gait, foot_heights, foot_forces, base,
+/// joint_torques, joint_positions. Planned is broad and pale, measured thin and dark on top. They end shortly after a
+/// fall.
+/// @throws InvalidArgument as Score does.
+std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                            const StabilityReport& report);
+
+/// What the plots are drawn from: the motion as Score saw it, cut shortly after the fall.
+struct PlotData {
+  const RobotModel& model;
+  const MotionPlan& plan;
+  const PlaybackLog& log;
+  const StabilityReport& report;
+  MotionSeries series;
+
+  double start_s() const { return series.measured.front().time_s; }
+  double end_s() const { return series.measured.back().time_s; }
+};
+
+// The plots by kind; MakePlots puts them together.
+Plot TopView(const PlotData& data);
+std::vector<Plot> BalancePlots(const PlotData& data);
+std::vector<Plot> ContactPlots(const PlotData& data);
+std::vector<Plot> JointPlots(const PlotData& data);
+
+class SvgPlot;
+/// A line at the time of the fall, if there was one.
+void MarkFall(const PlotData& data, SvgPlot& plot, bool in_words = true);
+
+}  // namespace gaitwright

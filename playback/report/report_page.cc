@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/report/report_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "playback/report/page_style.h"
+#include "playback/report/plot_style.h"
+#include "playback/report/plots.h"
+#include "playback/report/svg_tools.h"
+#include "playback/score/gates.h"
+#include "playback/score/report_text.h"
+
+namespace gaitwright {
+namespace {
+
+/// A headline figure: its key and what people call it.
+struct Headline {
+  const char* key;
+  const char* words;
+};
+
+constexpr Headline kHeadlines[] = {
+    {"goal_error_m", "from the goal at the end"},
+    {"zmp_margin_p05_m", "ZMP margin, 5th percentile"},
+    {"dcm_capture_margin_min_m", "capture margin at touch-down"},
+    {"zmp_error_mean_m", "ZMP error, mean"},
+    {"slip_max_step_m", "slip of a step, largest"},
+    {"torque_use_max", "torque of its limit, largest"},
+    {"contact_timing_error_max_s", "contact timing error"},
+};
+
+/// Heading of a part of the table, by the first key of it.
+struct Group {
+  const char* first_key;
+  const char* title;
+};
+
+constexpr Group kGroups[] = {
+    {"fell", "Progress"}, {"zmp_margin_min_m", "Balance"}, {"slip_total_m", "Contact"}, {"torque_use_max", "Joints"}};
+
+/// The limit with the signs of print.
+std::string PrintedLimit(const Metric& metric) {
+  std::string text = LimitText(metric);
+  if (text.rfind("<=", 0) == 0) text.replace(0, 2, "\u2264");
+  if (text.rfind(">=", 0) == 0) text.replace(0, 2, "\u2265");
+  return text == "-" ? "\u2013" : EscapedXml(text);
+}
+
+std::string Sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return EscapedXml(text) + ".";
+}
+
+std::string Card(const Headline& headline, const Metric& metric) {
+  const char* state = metric.pass ? "pass" : "fail";
+  std::string use;
+  if (metric.applied && metric.bound == Bound::kAtMost && *metric.limit > 0.0) {
+    const double share = std::clamp(*metric.value / *metric.limit, 0.0, 1.0);
+    use = fmt::format("<div class=\"use\"><i class=\"{}\" style=\"width:{:.1f}%\"></i></div>", state, 100.0 * share);
+  }
+  std::string beside;
+  if (metric.applied) beside = "limit " + PrintedLimit(metric);
+  if (metric.planned)
+    beside += (beside.empty() ? "planned " : ", planned ") + EscapedXml(FigureText(metric, *metric.planned));
+  return fmt::format(
+      "<div class=\"card\"><div class=\"what\">{}</div><div class=\"figure {}\">{}</div>{}<div "
+      "class=\"limit\">{}</div></div>\n",
+      EscapedXml(headline.words), state, EscapedXml(FigureText(metric, *metric.value)), use, beside);
+}
+
+std::string Cards(const StabilityReport& report) {
+  std::string html = "<div class=\"cards\">\n";
+  for (const Headline& headline : kHeadlines) {
+    const Metric& metric = report.At(headline.key);
+    const bool beside_the_point = metric.bound != Bound::kNone && !metric.applied;
+    if (metric.value && !beside_the_point) html += Card(headline, metric);
+  }
+  return html + "</div>\n";
+}
+
+std::string TitleOf(const RobotModel& model, const MotionPlan& plan) {
+  const std::string gait = plan.gait.name.empty() ? "a motion" : plan.gait.name;
+  const std::string ground = plan.terrain.name.empty() ? "" : " on " + plan.terrain.name + " ground";
+  return fmt::format("{}: {}{}", model.name, gait, ground);
+}
+
+std::string Head(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                 const StabilityReport& report) {
+  const char* verdict = report.pass ? "pass" : "fail";
+  const double duration = log.samples.empty() ? 0.0 : log.samples.back().time_s - log.start_s;
+  const std::string controller = log.controller.empty() ? "" : ", controller " + log.controller;
+  return fmt::format(
+      "<div class=\"head\"><span class=\"verdict {0}\">{1}</span><div><h1>{2}</h1><p class=\"soft\">{3:.2f} s played "
+      "in "
+      "physics at a {4:.3g} ms step{5}; {6:.4g} kg, friction {7:.3g}</p></div><div class=\"score\"><b>{8:.1f}</b><br/>"
+      "<span class=\"soft\">of 100</span></div></div>\n<p class=\"reason {0}\">{9}</p>\n",
+      verdict, report.pass ? "PASS" : "FAIL", EscapedXml(TitleOf(model, plan)), duration, 1e3 * log.step_s,
+      EscapedXml(controller), model.total_mass_kg, log.friction, report.score, Sentence(report.reason));
+}
+
+std::string MarkOf(const Metric& metric) {
+  if (!metric.applied) return "";
+  return metric.pass ? "<span class=\"mark pass\">pass</span>" : "<span class=\"mark fail\">FAIL</span>";
+}
+
+std::string OrDash(const Metric& metric, const std::optional<double>& value) {
+  return value ? EscapedXml(FigureText(metric, *value)) : "\u2013";
+}
+
+std::string TableRow(const MetricRule& rule, const Metric& metric) {
+  const std::string why = metric.not_applied.empty() ? "" : "; not applied: " + metric.not_applied;
+  return fmt::format(
+      "<tr><td><span class=\"key\">{}</span><span class=\"meaning\">{}{}</span></td><td class=\"n\">{}</td><td "
+      "class=\"n\">{}"
+      "</td><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td></tr>\n",
+      rule.key, EscapedXml(rule.meaning), EscapedXml(why), OrDash(metric, metric.value), OrDash(metric, metric.planned),
+      PrintedLimit(metric), MarkOf(metric), metric.at_s ? fmt::format("{:.2f} s", *metric.at_s) : "");
+}
+
+std::string MetricTable(const StabilityReport& report) {
+  std::string html =
+      "<h2>All figures</h2>\n<div class=\"scroll\"><table><thead><tr><th>metric</th><th class=\"n\">measured</th>"
+      "<th class=\"n\">planned</th><th class=\"n\">limit</th><th>gate</th><th class=\"n\">worst "
+      "at</th></tr></thead><tbody>\n";
+  for (const MetricRule& rule : MetricRules()) {
+    for (const Group& group : kGroups) {
+      if (rule.key == group.first_key)
+        html += fmt::format("<tr class=\"group\"><td colspan=\"6\">{}</td></tr>\n", group.title);
+    }
+    html += TableRow(rule, report.At(rule.key));
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string Figures(const std::vector<Plot>& plots) {
+  std::string html = "<h2>What happened</h2>\n";
+  for (const Plot& plot : plots) {
+    html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
+                        plot.name, plot.svg, EscapedXml(plot.caption));
+  }
+  return html;
+}
+
+std::string ListOf(const std::string& title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return "";
+  std::string html = fmt::format("<h2>{}</h2>\n<ul>\n", EscapedXml(title));
+  for (const std::string& line : lines) html += "<li>" + EscapedXml(line) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+std::string OptionTable(const std::string& title, const std::vector<std::pair<std::string, std::string>>& options) {
+  if (options.empty()) return "";
+  std::string html = fmt::format("<details><summary>{}</summary><table><tbody>\n", EscapedXml(title));
+  for (const auto& [key, value] : options) {
+    html +=
+        fmt::format("<tr><td><span class=\"key\">{}</span></td><td>{}</td></tr>\n", EscapedXml(key), EscapedXml(value));
+  }
+  return html + "</tbody></table></details>\n";
+}
+
+std::string Origin(const MotionPlan& plan, const PlaybackLog& log) {
+  std::string html = "<h2>What made it</h2>\n";
+  html += fmt::format("<p class=\"soft\">Plan by {} {} with seed {}; robot {}; plan {}.</p>\n",
+                      EscapedXml(plan.provenance.made_by), EscapedXml(plan.provenance.program_version),
+                      plan.provenance.seed, EscapedXml(log.robot_hash), EscapedXml(log.plan_hash));
+  html += OptionTable("Options of the plan", plan.provenance.options);
+  return html + OptionTable("Options of the playback", log.options);
+}
+
+}  // namespace
+
+std::string ReportPage(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
+                       const StabilityReport& report, const std::vector<std::string>& audit_lines) {
+  const std::vector<Plot> plots = MakePlots(model, plan, log, report);
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
+      "content=\"width=device-width,initial-scale=1\"/><title>{} \u2013 "
+      "{}</title>\n<style>{}{}</style></head>\n<body><main>\n",
+      EscapedXml(TitleOf(model, plan)), report.pass ? "pass" : "fail", PageStyle(), PlotStyle());
+  html += Head(model, plan, log, report) + Cards(report) + Figures(plots) + MetricTable(report);
+  html += ListOf("Audit of the plan", audit_lines) + ListOf("Notes", report.notes);
+  html += ListOf("Warnings of the plan", plan.warnings) + Origin(plan, log);
+  return html + "</main></body></html>\n";
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// Round numbers from at or above `lowest` to at or below `highest`, in steps of 1, 2 or 5 times a power of ten, about
+/// `count` of them. Empty unless lowest < highest and both are finite.
+std::vector<double> RoundTicks(double lowest, double highest, int count);
+
+/// A subset of the points from which a line differs by at most `tolerance` (Douglas and Peucker, Cartographica 10(2)
+/// 1973), with the tolerance doubled until at most `most` points are left.
+std::vector<Vector2> Simplified(const std::vector<Vector2>& points, double tolerance, std::size_t most);
+
+/// The five characters that XML reserves, escaped.
+std::string EscapedXml(const std::string& text);
+
+/// Elements of SVG; coordinates in pixels. A text without words is nothing.
+std::string SvgText(double x, double y, const std::string& css, const std::string& words);
+std::string SvgSegment(const Vector2& a, const Vector2& b, const std::string& css);
+
+}  // namespace gaitwright

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "playback/report/plots.h"
+#include "playback/report/svg_plot.h"
+
+namespace gaitwright {
+namespace {
+
+/// Plan view of a foot at a pose of its contact frame: its sole, or one point.
+std::vector<Vector2> Outline(const Foot& foot, const Pose& X_WF) {
+  if (foot.sole_F.empty()) return {X_WF.translation().head<2>()};
+  std::vector<Vector2> outline;
+  for (const Vector2& corner : foot.sole_F)
+    outline.emplace_back((X_WF * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
+  return outline;
+}
+
+/// A phase in which more feet stand than in the one before or after only joins the two; its support would hide theirs.
+bool OnlyJoins(const ContactSchedule& schedule, std::size_t i) {
+  if (i == 0 || i + 1 == schedule.phases.size()) return false;
+  const FootSet now = schedule.phases[i].stance, before = schedule.phases[i - 1].stance;
+  const FootSet after = schedule.phases[i + 1].stance;
+  const bool more_than_before = (now & before) == before && now != before;
+  const bool more_than_after = (now & after) == after && now != after;
+  return more_than_before || more_than_after;
+}
+
+void DrawSupports(const PlotData& data, SvgPlot& plot) {
+  std::size_t drawn = data.plan.schedule.phases.size();
+  for (const MotionSample& sample : data.series.measured) {
+    const std::size_t phase = static_cast<std::size_t>(PhaseAt(data.plan.schedule, sample.time_s));
+    if (phase == drawn || sample.support.empty() || OnlyJoins(data.plan.schedule, phase)) continue;
+    if (sample.stance != data.plan.schedule.phases[phase].stance) continue;
+    drawn = phase;
+    plot.Area(sample.support.polygon, Ink::kSupport, true, "support polygons");
+  }
+}
+
+void DrawFootholds(const PlotData& data, SvgPlot& plot) {
+  for (const Foothold& foothold : data.plan.footsteps.footholds) {
+    if (foothold.touchdown_s > data.end_s()) continue;
+    const Foot& foot = data.model.feet[static_cast<std::size_t>(foothold.foot)];
+    if (foot.sole_F.empty()) {
+      plot.Dot(foothold.X_WF.translation().head<2>(), Ink::kFoot, 3.0, "footholds planned");
+    } else {
+      plot.Area(Outline(foot, foothold.X_WF), Ink::kFoot, true, "footholds planned");
+    }
+  }
+}
+
+/// Where the feet came down, as measured: their outline at the first sample in the stance.
+void DrawLandings(const PlotData& data, SvgPlot& plot) {
+  DynamicsScratch scratch(data.model);
+  const auto& samples = data.series.measured;
+  for (const StanceRecord& stance : data.log.stances) {
+    const Foot& foot = data.model.feet[static_cast<std::size_t>(stance.foot)];
+    if (stance.touchdown_s > data.end_s() || stance.liftoff_s - stance.touchdown_s < 0.02) continue;
+    if (foot.sole_F.empty()) {
+      plot.Cross(stance.p_touchdown_W.head<2>(), Ink::kFoot, "feet measured");
+      continue;
+    }
+    const double middle = std::min(0.5 * (stance.touchdown_s + stance.liftoff_s), data.end_s());
+    const double row = (middle - samples.front().time_s) * data.log.log_rate_hz;
+    const std::size_t k =
+        static_cast<std::size_t>(std::max(0.0, std::min(row, static_cast<double>(samples.size()) - 1.0)));
+    ForwardKinematics(data.model, data.log.samples[k].q, scratch);
+    const Pose X_WF = ContactFrame(data.model, scratch, data.plan.terrain, stance.foot);
+    plot.Area(Outline(foot, X_WF), Ink::kFoot, false, "feet measured");
+  }
+}
+
+std::vector<Vector2> PathOf(const std::vector<MotionSample>& samples, bool zmp) {
+  std::vector<Vector2> path;
+  for (const MotionSample& s : samples) {
+    const Vector2 gap = Vector2::Constant(std::nan(""));
+    path.push_back(zmp ? (s.has_zmp ? s.p_WZ : gap) : Vector2(s.p_WC.head<2>()));
+  }
+  return path;
+}
+
+/// The goal as an arrow with its heading.
+void DrawGoal(const PlotData& data, SvgPlot& plot) {
+  const Vector2 goal(data.plan.goal.x_m, data.plan.goal.y_m);
+  const double size = 0.07 * std::max(data.model.leg_length_m(), 0.1);
+  const Eigen::Rotation2Dd turn(data.plan.goal.yaw_rad);
+  plot.Area({goal + turn * Vector2(size, 0.0), goal + turn * Vector2(-size, 0.6 * size),
+             goal + turn * Vector2(-0.4 * size, 0.0), goal + turn * Vector2(-size, -0.6 * size)},
+            Ink::kBad, true, "goal of the base");
+}
+
+}  // namespace
+
+Plot TopView(const PlotData& data) {
+  SvgPlot::Options options;
+  options.title = "From above";
+  options.x_label = "x [m]";
+  options.y_label = "y [m]";
+  options.equal_axes = true;
+  options.most_points = 2000;
+  SvgPlot plot(options);
+  DrawSupports(data, plot);
+  DrawFootholds(data, plot);
+  DrawLandings(data, plot);
+  plot.Line(PathOf(data.series.planned, false), Ink::kCom, Stroke::kPlanned, "CoM planned");
+  plot.Line(PathOf(data.series.measured, false), Ink::kCom, Stroke::kMeasured, "CoM measured");
+  plot.Line(PathOf(data.series.planned, true), Ink::kZmp, Stroke::kPlanned, "ZMP planned");
+  plot.Line(PathOf(data.series.measured, true), Ink::kZmp, Stroke::kMeasured, "ZMP measured");
+  DrawGoal(data, plot);
+  return {
+      "top_view",
+      "Footholds, support polygons, centre of mass and zero-moment point, in metres and to scale. The measured ZMP is "
+      "low-passed at 10 ms; the supports are those of the feet that are scheduled to stand, where they really were.",
+      plot.Svg()};
+}
+
+}  // namespace gaitwright

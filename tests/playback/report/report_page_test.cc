@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/report/report_page.h"
+
+#include <gtest/gtest.h>
+
+#include "playback/report/plot_style.h"
+#include "playback/report/plots.h"
+#include "playback/score/gates.h"
+#include "tests/playback/synthetic.h"
+#include "tests/playback/xml_check.h"
+
+namespace gaitwright {
+namespace {
+
+bool Has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+struct Case {
+  RobotModel model;
+  MotionPlan plan;
+  PlaybackLog log;
+  StabilityReport report;
+};
+
+Case MakeCase(int legs, int steps, bool falls) {
+  Case c;
+  c.model = synthetic::Robot(legs, legs == 2 ? FootType::kSole : FootType::kSphere);
+  synthetic::Steps walk;
+  walk.count = steps;
+  c.plan = synthetic::SteppingPlan(c.model, walk);
+  c.plan.gait.name = "walk & run";
+  c.plan.provenance.options = {{"speed_m_s", "<0.3>"}};
+  c.log = synthetic::PerfectLog(c.model, c.plan);
+  if (falls) {
+    for (std::size_t k = 400; k < c.log.samples.size(); ++k) c.log.samples[k].q[2] = 0.1;
+  }
+  c.report = Score(c.model, c.plan, c.log);
+  return c;
+}
+
+TEST(ReportPage, IsWholeWellFormedAndHoldsEveryPlotAndFigure) {
+  for (const bool falls : {false, true}) {
+    const Case c = MakeCase(4, 6, falls);
+    const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {"every law holds: a < b"});
+    EXPECT_EQ(XmlFault(page), "");
+    EXPECT_FALSE(Has(page, "http")) << "no network";
+    EXPECT_FALSE(Has(page, "<script"));
+    EXPECT_FALSE(Has(page, "nan"));
+    EXPECT_TRUE(Has(page, falls ? ">FAIL<" : ">PASS<"));
+    EXPECT_TRUE(Has(page, "every law holds: a &lt; b"));
+    EXPECT_TRUE(Has(page, "walk &amp; run"));
+    EXPECT_TRUE(Has(page, "prefers-color-scheme:dark"));
+    for (const MetricRule& rule : MetricRules()) EXPECT_TRUE(Has(page, ">" + rule.key + "<")) << rule.key;
+    for (const Plot& plot : MakePlots(c.model, c.plan, c.log, c.report)) {
+      EXPECT_TRUE(Has(page, "<figure id=\"" + plot.name + "\">")) << plot.name;
+      EXPECT_TRUE(Has(page, plot.svg)) << plot.name;
+    }
+  }
+}
+
+TEST(ReportPage, PlotsHaveNamesFitForFilesAndAreFilesOfTheirOwn) {
+  const Case c = MakeCase(2, 6, false);
+  std::vector<std::string> names;
+  for (const Plot& plot : MakePlots(c.model, c.plan, c.log, c.report)) {
+    names.push_back(plot.name);
+    EXPECT_EQ(plot.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string::npos) << plot.name;
+    EXPECT_EQ(XmlFault(StandaloneSvg(plot.svg)), "") << plot.name;
+    EXPECT_FALSE(plot.caption.empty());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"top_view", "zmp_com_x", "zmp_com_y", "margins", "errors", "base_attitude",
+                                             "base_height", "gait", "foot_heights", "foot_forces", "joint_torques",
+                                             "joint_positions"}));
+}
+
+TEST(ReportPage, ALongMotionStaysSmall) {
+  const Case c = MakeCase(4, 80, false);
+  ASSERT_GT(c.log.samples.size(), 8000u);
+  EXPECT_LT(ReportPage(c.model, c.plan, c.log, c.report, {}).size(), 1'500'000u);
+}
+
+TEST(ReportPage, TheSameInputsGiveTheSameBytes) {
+  const Case c = MakeCase(2, 2, false);
+  EXPECT_EQ(ReportPage(c.model, c.plan, c.log, c.report, {}), ReportPage(c.model, c.plan, c.log, c.report, {}));
+}
+
+}  // namespace
+}  // namespace gaitwright
