@@ -12,7 +12,6 @@
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "kinematics/trajectory/cubic_spline.h"
-#include "optimisation/centroidal/preview_control.h"
 #include "optimisation/pipeline/support_regions.h"
 
 namespace gaitwright {
@@ -60,7 +59,7 @@ struct Pass {
 class Passes {
  public:
   Passes(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-         const MotionOptions& options)
+         const MotionOptions& options, double com_height_m)
       : model_(model),
         terrain_(terrain),
         skeleton_(skeleton),
@@ -74,8 +73,8 @@ class Passes {
     problem_.step_s = options.pipeline.grid_step_s;
     problem_.samples =
         1 + static_cast<int>(std::lround((skeleton.schedule.end_s() - problem_.start_s) / problem_.step_s));
-    problem_.com_height_m = start.z();
-    problem_.omega_rad_s = std::sqrt(kGravity / start.z());
+    problem_.com_height_m = com_height_m;
+    problem_.omega_rad_s = std::sqrt(kGravity / com_height_m);
     problem_.start_W = start.head<2>();
     problem_.end_W = end.head<2>();
     support_ = {problem_.start_W, problem_.end_W, options.pipeline.zmp_inward, problem_.step_s, {}};
@@ -107,9 +106,7 @@ class Passes {
     Pass pass;
     pass.footsteps = footsteps_;
     problem_.phases = SupportRegions(model_, skeleton_.schedule, footsteps_, support_);
-    Result<CentreOfMassPlan> com = options_.pipeline.com_method == "preview"
-                                       ? PlanCentreOfMassByPreview(problem_, PreviewOptions{})
-                                       : PlanCentreOfMass(problem_, options_.centre_of_mass);
+    Result<CentreOfMassPlan> com = PlanCentreOfMass(problem_, options_.centre_of_mass);
     if (!com) return com.failure();
     pass.centroidal = com->trajectory;
     Result<std::vector<SwingTrajectory>> swings = PlanSwings(model_, terrain_, footsteps_, options_.swing);
@@ -179,6 +176,21 @@ std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyT
   return warnings;
 }
 
+/// Runs the passes at the height asked, or at that of standing and then ever lower while some foot cannot reach.
+Result<Pass> RunAtSomeHeight(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
+                             const MotionOptions& options, int& passes) {
+  constexpr double kStep = 0.02, kLowest = 0.8;  // of the standing height
+  const double standing = StandingCentreOfMass(model, skeleton.path.pose.front()).z();
+  const double asked = options.pipeline.com_height_m;
+  Result<Pass> first = Passes(model, terrain, skeleton, options, asked > 0.0 ? asked : standing).Run(passes);
+  if (first || asked > 0.0 || first.failure().code != "out_of_reach") return first;
+  for (double share = 1.0 - kStep; share >= kLowest; share -= kStep) {
+    Result<Pass> pass = Passes(model, terrain, skeleton, options, share * standing).Run(passes);
+    if (pass || pass.failure().code != "out_of_reach") return pass;
+  }
+  return first;
+}
+
 Provenance MakeProvenance(MotionOptions options) {
   Provenance provenance{Version(), "PlanMotion", {}, 0};
   for (const OptionField& field : options.Fields()) provenance.options.emplace_back(field.key, OptionText(field));
@@ -194,7 +206,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, options.footsteps);
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
-  Result<Pass> pass = Passes(model, terrain, *skeleton, options).Run(planned.passes);
+  Result<Pass> pass = RunAtSomeHeight(model, terrain, *skeleton, options, planned.passes);
   if (!pass) return pass.failure();
   MotionPlan& plan = planned.plan;
   plan.robot = model.name;

@@ -20,7 +20,7 @@ struct PipelineOptions {
   int max_passes = 6;
   double zmp_tolerance_m = 0.001;
   double zmp_inward = 0.15;
-  std::string com_method = "zmp";
+  double com_height_m = 0.0;
 
   OptionFields Fields() {
     return {{"grid_step_s", &grid_step_s, "s", 0.001, 0.01, "Step of the plan's uniform grid.", {}},
@@ -38,20 +38,20 @@ struct PipelineOptions {
              0.1,
              "The passes end when the multibody ZMP is this near to its reference everywhere.",
              {}},
+            {"com_height_m",
+             &com_height_m,
+             "m",
+             0.0,
+             5.0,
+             "Height of the centre of mass over the ground; 0 takes that of standing, lowered as far as the legs need.",
+             {}},
             {"zmp_inward",
              &zmp_inward,
              "1",
              0.0,
              0.4,
              "How far the preferred ZMP under a single sole lies towards the body, as a share of the sole's width.",
-             {}},
-            {"com_method",
-             &com_method,
-             "",
-             0.0,
-             0.0,
-             "How the centre of mass is planned: zmp (ZMP knots in the support, exact pendulum) or preview (Kajita).",
-             {"zmp", "preview"}}};
+             {}}};
   }
 };
 

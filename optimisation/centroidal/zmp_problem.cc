@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/zmp_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/trajectory/swing_curve.h"
+
+namespace gaitwright {
+namespace {
+
+double FractionOf(const ZmpPhase& phase, double time_s) {
+  return std::clamp((time_s - phase.start_s) / (phase.end_s - phase.start_s), 0.0, 1.0);
+}
+
+}  // namespace
+
+Polygon RegionAt(const ZmpPhase& phase, double time_s) {
+  const double u = FractionOf(phase, time_s);
+  Polygon region;
+  for (std::size_t i = 0; i < phase.region_start.size(); ++i) {
+    region.push_back((1.0 - u) * phase.region_start[i] + u * phase.region_end[i]);
+  }
+  return region;
+}
+
+Vector2 PreferredAt(const ZmpPhase& phase, double time_s) {
+  const bool has_area = phase.region_start.size() >= 3;  // on a line it must keep to the line, which moves evenly
+  const double fraction = FractionOf(phase, time_s);
+  const double u = has_area ? SmoothStep(fraction).value : fraction;
+  return (1.0 - u) * phase.preferred_start + u * phase.preferred_end;
+}
+
+std::size_t ZmpPhaseAt(const ZmpProblem& problem, double time_s) {
+  constexpr double kTiny = 1e-9;
+  const auto at = std::upper_bound(problem.phases.begin(), problem.phases.end(), time_s + kTiny,
+                                   [](double t, const ZmpPhase& phase) { return t < phase.end_s; });
+  return std::min(static_cast<std::size_t>(at - problem.phases.begin()), problem.phases.size() - 1);
+}
+
+CentroidalTrajectory PendulumMotion(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ) {
+  const auto n = p_WZ.size();
+  const double w = problem.omega_rad_s, h = problem.step_s, decay = std::exp(-w * h);
+  std::vector<Vector2> input(n), xi(n), c(n);
+  for (std::size_t k = 0; k < n; ++k) input[k] = p_WZ[k] - problem.zmp_offset[k];
+  // Between samples the input is u + r t; the DCM is u + r t + r/w + A exp(w t), the CoM u + r t + A exp(w t)/2 + B
+  // exp(-w t).
+  xi[n - 1] = problem.end_W;
+  for (std::size_t k = n - 1; k-- > 0;) {
+    const Vector2 r_over_w = (input[k + 1] - input[k]) / (h * w);
+    xi[k] = input[k] + r_over_w + decay * (xi[k + 1] - input[k + 1] - r_over_w);
+  }
+  c[0] = problem.start_W;
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    const Vector2 half_a = 0.5 * (xi[k] - input[k] - (input[k + 1] - input[k]) / (h * w));
+    c[k + 1] = input[k + 1] + half_a / decay + decay * (c[k] - input[k] - half_a);
+  }
+  CentroidalTrajectory motion;
+  motion.start_s = problem.start_s;
+  motion.step_s = h;
+  motion.omega_rad_s = w;
+  motion.p_WZ = p_WZ;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vector2 v = w * (xi[k] - c[k]), a = w * w * (c[k] - input[k]);
+    motion.p_WC.emplace_back(c[k].x(), c[k].y(), problem.com_height_m);
+    motion.v_WC.emplace_back(v.x(), v.y(), 0.0);
+    motion.a_WC.emplace_back(a.x(), a.y(), 0.0);
+  }
+  return motion;
+}
+
+}  // namespace gaitwright

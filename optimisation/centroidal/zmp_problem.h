@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/spatial/pose.h"
+#include "kinematics/stability/polygon.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// Where the ZMP may be in one phase of contact: a convex set whose corners move linearly from start to end, and the
+/// point where it is wanted, moving likewise.
+struct ZmpPhase {
+  double start_s = 0.0, end_s = 0.0;
+  Polygon region_start, region_end;  ///< corners correspond one to one
+  Vector2 preferred_start = Vector2::Zero(), preferred_end = Vector2::Zero();
+};
+
+/// The planar problem of the linear inverted pendulum with a known disturbance d(t):
+///   c'' = w^2 (c - (p - d)),  p(t) in its region,  c and c' given at both ends (at rest).
+/// d is the multibody ZMP less the pendulum's, so that p is the ZMP of the whole robot.
+struct ZmpProblem {
+  double start_s = 0.0, step_s = 0.005;
+  int samples = 2;  ///< of the uniform grid, both ends included
+  double omega_rad_s = 1.0;
+  double com_height_m = 1.0;
+  Vector2 start_W = Vector2::Zero(), end_W = Vector2::Zero();  ///< centre of mass at rest [m]
+  std::vector<ZmpPhase> phases;
+  std::vector<Vector2> zmp_offset;  ///< d by sample [m]
+};
+
+/// A planned centre of mass.
+struct CentreOfMassPlan {
+  CentroidalTrajectory trajectory;
+  double margin_min_m = 0.0;  ///< least signed distance of the ZMP to the edge of its region, where that has area
+  std::string summary;
+};
+
+/// The corners of a phase's region at a time.
+Polygon RegionAt(const ZmpPhase& phase, double time_s);
+
+/// The wanted point at a time: eased from start to end where the region has area, evenly on a line.
+Vector2 PreferredAt(const ZmpPhase& phase, double time_s);
+
+/// Index of the phase at a time; a boundary belongs to the later one.
+std::size_t ZmpPhaseAt(const ZmpProblem& problem, double time_s);
+
+/// CoM, velocity and acceleration that follow exactly from a ZMP that is linear between samples: the DCM backwards from
+/// rest at the end, the CoM forwards from the start. Englsberger et al., T-RO 31(2), 2015, section III.
+CentroidalTrajectory PendulumMotion(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ);
+
+}  // namespace gaitwright

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/gait.h"
+
+namespace gaitwright {
+
+struct GaitOptions {
+  double cycle_s = 0.0;
+  double duty_factor = 0.0;
+  double stance_travel = 0.42;
+
+  OptionFields Fields() {
+    return {
+        {"cycle_s", &cycle_s, "s", 0.0, 20.0, "Time of a cycle; 0 takes the gait's own.", {}},
+        {"duty_factor",
+         &duty_factor,
+         "1",
+         0.0,
+         0.99,
+         "Share of the cycle a foot is on the ground; 0 takes the gait's own.",
+         {}},
+        {"stance_travel",
+         &stance_travel,
+         "1",
+         0.05,
+         1.0,
+         "Farthest that the body moves over a foot, as a share of the leg length; faster walking shortens the cycle.",
+         {}}};
+  }
+};
+
+/// A gait as its file has it, before it is fitted to a robot.
+struct GaitEntry {
+  Gait gait;                        ///< cycle_s is 0 when it scales with the leg
+  double cycle_per_leg_time = 0.0;  ///< cycle over sqrt(leg length / g)
+};
+
+/// Reads and validates a file of gaits: unknown keys (the nearest is named), numbers that are not finite or out of
+/// range, lists whose length is not that of the feet are refused.
+Result<std::vector<GaitEntry>> LoadGaits(const std::string& path);
+
+/// The gaits that come with the program.
+Result<std::vector<GaitEntry>> BuiltInGaits();
+
+/// The gait of that name fitted to a robot and speed. "walk" is the one for its number of legs, "" its best; a name
+/// that ends in .yaml is a file whose first gait is taken. Failure kBadInput lists what exists for this number of feet.
+Result<Gait> FindGait(const RobotModel& model, const std::string& name, double speed_m_s, const GaitOptions& options);
+
+}  // namespace gaitwright

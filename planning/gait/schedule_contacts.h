@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/base/result.h"
+#include "planning/plan/gait.h"
+
+namespace gaitwright {
+
+struct ScheduleRequest {
+  double initial_stand_s = 0.8;  ///< all feet on the ground before the first lift-off
+  double final_stand_s = 0.8;    ///< and after the last touch-down
+  double stepping_s = 1.0;       ///< time in which swings may start, from the first lift-off
+  int footfalls = 0;             ///< > 0: exactly so many swings instead, in the gait's order
+  double grid_s = 0.005;         ///< every boundary is a multiple of it
+};
+
+/// The schedule of a gait that starts and ends standing on all feet. Each foot's last swing brings it beside the
+/// others. Failure kInfeasible when the gait has flight: walking with one is not planned yet.
+Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest& request);
+
+}  // namespace gaitwright

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// A whole-body trajectory between its nodes.
+struct WholeBodySample {
+  VectorX q, v, a, tau;
+  std::vector<ContactWrench> wrenches;
+};
+
+/// The state at a time: joints and base position by the quintic that has q, v, a of both nodes, the base's rotation by
+/// the same quintic of the rotation vector from the left node, torques and wrenches linearly. At the ends before and
+/// after: the end state at rest. No allocation once `sample` has its sizes.
+void SampleWholeBody(const WholeBodyTrajectory& trajectory, double time_s, WholeBodySample& sample);
+
+/// The centroidal trajectory at a time: the quintic that has p, v, a of both nodes; the ZMP linearly.
+struct CentroidalSample {
+  Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero(), a_WC = Vector3::Zero();
+  Vector2 p_WZ = Vector2::Zero();
+};
+CentroidalSample SampleCentroidal(const CentroidalTrajectory& trajectory, double time_s);
+
+}  // namespace gaitwright
