@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "playback/bullet/robot_body_internal.h"
+#include "playback/bullet/world.h"
+
+namespace gaitwright::bullet {
+
+/// Reads contact forces out of Bullet's manifolds after a step. Their points belong to the step's start.
+class ContactReader {
+ public:
+  ContactReader(const RobotModel& model, const RobotBody& robot) : model_(model), robot_(robot) {}
+
+  /// @param before, after  kinematics at the step's start and end.
+  void Read(btDispatcher& dispatcher, double step_s, const DynamicsScratch& before, const DynamicsScratch& after);
+
+  const std::vector<FootContact>& feet() const { return feet_; }
+  const std::vector<std::string>& body_contacts() const { return body_contacts_; }
+
+ private:
+  struct Point {
+    Vector3 p_W, force_W, normal_W;
+    double normal_n, distance_m, friction, slide_m;
+  };
+  void ReadManifold(const btPersistentManifold& manifold, double step_s, const DynamicsScratch& before,
+                    const DynamicsScratch& after);
+  void AddToFoot(int foot, const Point& point, const DynamicsScratch& before);
+
+  const RobotModel& model_;
+  const RobotBody& robot_;
+  std::vector<FootContact> feet_;
+  std::vector<std::string> body_contacts_;
+};
+
+}  // namespace gaitwright::bullet

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/bullet/world.h"
+
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "playback/bullet/contact_reader_internal.h"
+#include "playback/bullet/ground_internal.h"
+#include "playback/bullet/joint_rows_internal.h"
+#include "playback/bullet/robot_body_internal.h"
+
+namespace gaitwright {
+namespace {
+
+WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions options) {
+  CheckOptions(options.Fields());
+  if (q.size() != model.nq()) {
+    throw InvalidArgument(
+        fmt::format("the first configuration of '{}' has {} numbers; {} are needed", model.name, q.size(), model.nq()));
+  }
+  for (int dof : options.locked_dofs) {
+    if (dof < 0 || dof >= model.num_dofs()) {
+      throw InvalidArgument(fmt::format("locked joint {} does not exist; '{}' has joints 0 to {}", dof, model.name,
+                                        model.num_dofs() - 1));
+    }
+  }
+  if (options.bump_free_radius_m == 0.0) options.bump_free_radius_m = 1.5 * model.leg_length_m();
+  return options;
+}
+
+bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q, bool has_edges) {
+  const bool corners = options.sole_contact == "corners" || (options.sole_contact == "auto" && !has_edges);
+  return {options.mass_scale, corners, options.locked_dofs, q};
+}
+
+void CheckSize(const VectorX& values, const char* what, int n) {
+  if (values.size() != n) {
+    throw InvalidArgument(fmt::format("command has {} numbers for '{}'; {} are needed", values.size(), what, n));
+  }
+  if (!values.allFinite()) throw InvalidArgument(fmt::format("command '{}' is not finite", what));
+}
+
+void CheckCommand(const JointCommand& command, int n) {
+  CheckSize(command.q, "q", n);
+  CheckSize(command.v, "v", n);
+  CheckSize(command.tau_ff, "tau_ff", n);
+  CheckSize(command.stiffness, "stiffness", n);
+  CheckSize(command.damping, "damping", n);
+  if (command.stiffness.size() > 0 && std::min(command.stiffness.minCoeff(), command.damping.minCoeff()) < 0.0) {
+    throw InvalidArgument("command has a negative stiffness or damping");
+  }
+}
+
+}  // namespace
+
+struct BulletWorld::Impl {
+  Impl(const RobotModel& robot, const Terrain& terrain, const VectorX& q0, const WorldOptions& wanted)
+      : model(robot),
+        options(Checked(robot, q0, wanted)),
+        ground(terrain, options, q0.head<2>()),
+        body(robot, BodyOptionsOf(options, q0, ground.has_edges())),
+        dispatcher(&configuration),
+        world(&dispatcher, &broadphase, &solver, &configuration),
+        reader(robot, body),
+        before(robot),
+        after(robot) {
+    SetUpSolver();
+    ground.AddTo(world);
+    body.AddTo(world);
+    AddMotors();
+    tau = VectorX::Zero(model.num_dofs());
+    saturated.assign(model.dof_names.size(), 0);
+    Refresh();
+  }
+
+  ~Impl() {
+    for (auto& motor : motors) {
+      if (motor) world.removeMultiBodyConstraint(motor.get());
+    }
+    for (auto& gear : gears) world.removeMultiBodyConstraint(gear.get());
+    world.removeMultiBody(&body.multibody());
+    for (int i = world.getNumCollisionObjects() - 1; i >= 0; --i) {
+      world.removeCollisionObject(world.getCollisionObjectArray()[i]);
+    }
+  }
+
+  void SetUpSolver() {
+    world.setGravity(btVector3(0.0, 0.0, -kGravity));
+    btContactSolverInfo& info = world.getSolverInfo();
+    info.m_numIterations = options.solver_iterations;
+    info.m_globalCfm = options.contact_cfm;
+    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;  // and so the cone
+  }
+
+  void AddMotors() {
+    for (int dof = 0; dof < model.num_dofs(); ++dof) {
+      motors.push_back(nullptr);
+      if (body.locked(dof)) continue;
+      const bullet::MotorRow::Limits limits{model.dof_lower(dof), model.dof_upper(dof), model.dof_effort_limit(dof)};
+      motors.back() = std::make_unique<bullet::MotorRow>(body, body.multibody(), dof, limits);
+      world.addMultiBodyConstraint(motors.back().get());
+    }
+    for (std::size_t i = 0; i < model.joints.size(); ++i) {
+      const Joint& joint = model.joints[i];
+      if (!joint.is_mimic || body.locked(joint.dof)) continue;
+      const int leader = model.dof_joint[static_cast<std::size_t>(joint.dof)];
+      gears.push_back(std::make_unique<bullet::GearRow>(body, body.multibody(), joint, static_cast<int>(i), leader));
+      world.addMultiBodyConstraint(gears.back().get());
+    }
+  }
+
+  /// Our state and kinematics from Bullet's.
+  void Refresh() {
+    body.GetState(q, v);
+    ForwardKinematics(model, q, after);
+  }
+
+  /// What a motor shall add to the feed-forward; all of it when torques are explicit.
+  bullet::MotorRow::Target TargetOf(const JointCommand& command, int dof, double limit) {
+    const double kp = command.stiffness[dof], kd = command.damping[dof];
+    double torque = command.tau_ff[dof];
+    if (options.actuation != "torque") return {command.q[dof], command.v[dof], torque, kp, kd};
+    torque += kp * (command.q[dof] - q[7 + dof]) + kd * (command.v[dof] - v[6 + dof]);
+    return {0.0, 0.0, std::clamp(torque, -limit, limit), 0.0, 0.0};
+  }
+
+  void Command(const JointCommand& command) {
+    VectorX feed_forward = VectorX::Zero(model.num_dofs());
+    for (int dof = 0; dof < model.num_dofs(); ++dof) {
+      auto& motor = motors[static_cast<std::size_t>(dof)];
+      if (!motor) continue;
+      const auto target = TargetOf(command, dof, motor->effort_limit());
+      motor->SetTarget(target);
+      feed_forward[dof] = target.tau_ff;
+    }
+    body.AddTorque(feed_forward);
+  }
+
+  void ReadTorques() {
+    for (std::size_t i = 0; i < motors.size(); ++i) {
+      if (!motors[i]) continue;
+      const double torque = motors[i]->Torque(options.step_s), limit = motors[i]->effort_limit();
+      tau[static_cast<Eigen::Index>(i)] = torque;
+      saturated[i] = std::isfinite(limit) && std::abs(torque) >= limit * (1.0 - 1e-9) ? 1 : 0;
+    }
+  }
+
+  const RobotModel& model;
+  WorldOptions options;
+  bullet::Ground ground;
+  bullet::RobotBody body;
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher;
+  btDbvtBroadphase broadphase;
+  btMultiBodyConstraintSolver solver;
+  btMultiBodyDynamicsWorld world;
+  std::vector<std::unique_ptr<bullet::MotorRow>> motors;  ///< by dof; null where locked
+  std::vector<std::unique_ptr<bullet::GearRow>> gears;
+  bullet::ContactReader reader;
+  DynamicsScratch before, after;
+  VectorX q, v, tau;
+  std::vector<char> saturated;
+};
+
+BulletWorld::BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options)
+    : impl_(std::make_unique<Impl>(model, terrain, q, options)) {}
+BulletWorld::~BulletWorld() = default;
+BulletWorld::BulletWorld(BulletWorld&&) noexcept = default;
+
+void BulletWorld::SetState(const VectorX& q, const VectorX& v) {
+  impl_->body.SetState(q, v);
+  impl_->Refresh();
+}
+
+const VectorX& BulletWorld::q() const { return impl_->q; }
+const VectorX& BulletWorld::v() const { return impl_->v; }
+const VectorX& BulletWorld::tau() const { return impl_->tau; }
+const std::vector<char>& BulletWorld::saturated() const { return impl_->saturated; }
+const std::vector<FootContact>& BulletWorld::feet() const { return impl_->reader.feet(); }
+const std::vector<std::string>& BulletWorld::body_contacts() const { return impl_->reader.body_contacts(); }
+
+void BulletWorld::Push(const Vector3& force_W, const Vector3& p_W) {
+  const Vector3 p_WM = impl_->after.p_WB[0] + impl_->after.R_WB[0] * impl_->model.bodies[0].p_BC;
+  btMultiBody& body = impl_->body.multibody();
+  body.addBaseForce(bullet::ToBullet(force_W));
+  body.addBaseTorque(bullet::ToBullet(Vector3((p_W - p_WM).cross(force_W))));
+}
+
+void BulletWorld::PushBase(const Vector3& force_W) { impl_->body.multibody().addBaseForce(bullet::ToBullet(force_W)); }
+
+void BulletWorld::PushRobot(const Vector3& force_W) { Push(force_W, CentreOfMass(impl_->model, impl_->after)); }
+
+void BulletWorld::Step(const JointCommand& command) {
+  Impl& self = *impl_;
+  CheckCommand(command, self.model.num_dofs());
+  self.Command(command);
+  self.world.stepSimulation(self.options.step_s, 0);
+  std::swap(self.before, self.after);
+  self.Refresh();
+  self.ReadTorques();
+  self.reader.Read(self.dispatcher, self.options.step_s, self.before, self.after);
+}
+
+VectorX BulletWorld::Accelerations(const VectorX& q, const VectorX& v, const VectorX& tau) {
+  VectorX a = impl_->body.Accelerations(q, v, tau);
+  impl_->Refresh();
+  return a;
+}
+
+double BulletWorld::total_mass_kg() const {
+  const btMultiBody& body = impl_->body.multibody();
+  double mass = body.getBaseMass();
+  for (int i = 0; i < body.getNumLinks(); ++i) mass += body.getLinkMass(i);
+  return mass;
+}
+
+double BulletWorld::gear_error() const {
+  double error = 0.0;
+  for (const auto& gear : impl_->gears) error = std::max(error, std::abs(gear->Error()));
+  return error;
+}
+
+Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vector2& start_W) {
+  const Vector3 start(start_W.x(), start_W.y(), GroundAt(terrain, start_W).height_m);
+  const double slope = options.ground_slope_deg * std::numbers::pi / 180.0;
+  Pose X = Pose::Identity();
+  X.linear() = Eigen::AngleAxisd(-slope, Vector3::UnitY()).toRotationMatrix();
+  X.translation() = start - X.linear() * start;
+  return X;
+}
+
+double FrictionOf(const Terrain& terrain, const WorldOptions& options, const Vector2& p_W) {
+  return options.friction > 0.0 ? options.friction : GroundAt(terrain, p_W).friction;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+#include "playback/bullet/controller.h"
+#include "playback/bullet/world_options.h"
+
+namespace gaitwright {
+
+/// One foot's contact with the ground over the last step.
+struct FootContact {
+  bool touching = false;  ///< it carried force
+  ContactWrench
+      wrench;  ///< on the foot; moment about its contact frame's origin (see ContactFrame) at the step's start
+  double normal_n = 0.0, tangential_n = 0.0;  ///< of the contact forces, along and across the ground's normals
+  double friction = 0.0;                      ///< coefficient of this contact
+  double penetration_m = 0.0;                 ///< deepest point
+  double slide_m = 0.0;  ///< how far its material moved along the ground, mean of its points weighted by normal force
+};
+
+/// A robot on a terrain in Bullet, exact to rounding for the free multibody: RobotModel and Terrain in, forces and
+/// states out in our own order and frames. Deterministic; make a new one for each playback.
+///
+/// The state is integrated semi-implicitly (q' = q + h v'). Motors are implicit PD with feed-forward and a limit on the
+/// sum; position limits are hard stops; mimic joints are geared to their leader (NAO's RHipYawPitch), and the torque of
+/// the coordinate drives the whole gear. Contact is hard, friction a cone, restitution zero; the robot does not touch
+/// itself. Damping and friction of URDF joints are not modelled.
+class BulletWorld {
+ public:
+  /// @param q  first configuration, size nq; also where locked joints stay, and its x and y the start point of the
+  /// ground.
+  /// @throws InvalidArgument for a wrong size, an option out of range or a locked dof that does not exist.
+  BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options);
+  ~BulletWorld();
+  BulletWorld(BulletWorld&&) noexcept;
+
+  void SetState(const VectorX& q, const VectorX& v);
+  const VectorX& q() const;
+  const VectorX& v() const;
+
+  /// Adds a force at a point in W for the coming step, on the base.
+  void Push(const Vector3& force_W, const Vector3& p_W);
+  /// Adds a force on the base for the coming step: at its own centre of mass, or at the whole robot's.
+  void PushBase(const Vector3& force_W);
+  void PushRobot(const Vector3& force_W);
+
+  /// One step. @throws InvalidArgument when the command has a wrong size or is not finite.
+  void Step(const JointCommand& command);
+
+  // Of the last step.
+  const VectorX& tau() const;                             ///< applied, by independent joint; zero where locked
+  const std::vector<char>& saturated() const;             ///< by independent joint: at its effort limit
+  const std::vector<FootContact>& feet() const;           ///< by foot
+  const std::vector<std::string>& body_contacts() const;  ///< links other than feet that touch the ground
+
+  /// Accelerations (size nv) by Bullet's articulated-body algorithm with no contact; the state is left at q, v.
+  VectorX Accelerations(const VectorX& q, const VectorX& v, const VectorX& tau);
+
+  double total_mass_kg() const;
+  /// Largest deviation of a mimic joint from what it should follow [rad] or [m].
+  double gear_error() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// How the unannounced slope turns the ground about the start point: p' = GroundTilt * p. A robot that stands on it
+/// turns along.
+Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vector2& start_W);
+
+/// Coefficient of friction at a place, with the option's override.
+double FrictionOf(const Terrain& terrain, const WorldOptions& options, const Vector2& p_W);
+
+}  // namespace gaitwright

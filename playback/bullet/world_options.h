@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// The physics of a playback, and what is unlike the plan.
+///
+/// Tuning
+///   slow                              fewer solver_iterations; locked_dofs; a larger step_s
+///   feet sink in                      lower contact_cfm
+///   contact forces rattle at rest     raise contact_cfm tenfold
+struct WorldOptions {
+  double step_s = 0.001;
+  int solver_iterations = 50;
+  double contact_cfm = 1e-5;
+  std::string actuation = "implicit-pd";
+  std::string sole_contact = "auto";
+  double friction = 0.0;
+  double mass_scale = 1.0;
+  double ground_slope_deg = 0.0;
+  double ground_bumps_m = 0.0;
+  double bump_wavelength_m = 0.4;
+  double bump_free_radius_m = 0.0;
+  int seed = 1;
+
+  /// Independent joints that are held at their first position without a motor, as if welded.
+  std::vector<int> locked_dofs = {};
+  /// Bumps reach this far in plan view [m]; beyond there is no bumpy ground. Play takes it from the plan.
+  Vector2 bumps_from_W = Vector2(-5.0, -5.0), bumps_to_W = Vector2(5.0, 5.0);
+
+  OptionFields Fields() {
+    return {
+        {"step_s", &step_s, "s", 1e-5, 0.01, "Time step.", {}},
+        {"solver_iterations", &solver_iterations, "1", 1, 10000, "Iterations of the contact solver per step.", {}},
+        {"contact_cfm",
+         &contact_cfm,
+         "m/(N s)",
+         0.0,
+         1.0,
+         "Softness of a contact over the time step; a foot sinks in by cfm times force times step over 0.2.",
+         {}},
+        {"actuation",
+         &actuation,
+         "",
+         0.0,
+         0.0,
+         "implicit-pd: stable for every gain; torque: feed-forward plus PD of the state at the start of the step.",
+         {"implicit-pd", "torque"}},
+        {"sole_contact",
+         &sole_contact,
+         "",
+         0.0,
+         0.0,
+         "What of a sole touches: spheres of 2 mm at its corners or its whole plate; auto: the plate only on ground "
+         "with "
+         "edges.",
+         {"auto", "corners", "plate"}},
+        {"friction", &friction, "1", 0.0, 10.0, "Coefficient everywhere; 0 for the terrain's own.", {}},
+        {"mass_scale", &mass_scale, "1", 0.1, 10.0, "Factor on all masses and inertias, unknown to the plan.", {}},
+        {"ground_slope_deg",
+         &ground_slope_deg,
+         "deg",
+         -45.0,
+         45.0,
+         "The whole ground turned about the y axis at the start point, unknown to the plan; positive is uphill ahead.",
+         {}},
+        {"ground_bumps_m",
+         &ground_bumps_m,
+         "m",
+         0.0,
+         0.5,
+         "Amplitude of bumps unknown to the plan: heights between minus and plus this, zero under the start.",
+         {}},
+        {"bump_wavelength_m",
+         &bump_wavelength_m,
+         "m",
+         0.02,
+         10.0,
+         "Twice the distance between neighbouring bumps.",
+         {}},
+        {"bump_free_radius_m",
+         &bump_free_radius_m,
+         "m",
+         0.0,
+         10.0,
+         "Level ground about the start point, before bumps rise over one wavelength; 0 for the robot's stance.",
+         {}},
+        {"seed", &seed, "1", 0, 2147483647, "Of the bumps.", {}},
+    };
+  }
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/base/options.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// Tuning
+///   sags, sways or drifts from the plan under load    raise stance_frequency
+///   stamps; contact forces ring at touch-down         lower stance_frequency or raise stance_damping
+///   swing legs or arms ring                           raise stance_damping, free_damping
+///   explicit torque control explodes at lift-off      give explicit_step_s
+struct GainOptions {
+  double stance_frequency = 3.0;
+  double stance_damping = 0.2;
+  double free_frequency_rad_s = 40.0;
+  double free_damping = 1.0;
+  double explicit_step_s = 0.0;
+
+  OptionFields Fields() {
+    return {
+        {"stance_frequency",
+         &stance_frequency,
+         "1",
+         0.1,
+         30.0,
+         "Natural frequency of a leg joint under its share of the robot, in pendulum frequencies sqrt(g / leg length).",
+         {}},
+        {"stance_damping", &stance_damping, "1", 0.0, 5.0, "Damping ratio of the same.", {}},
+        {"free_frequency_rad_s",
+         &free_frequency_rad_s,
+         "rad/s",
+         1.0,
+         1000.0,
+         "Natural frequency of a joint that is in no leg.",
+         {}},
+        {"free_damping", &free_damping, "1", 0.0, 5.0, "Damping ratio of the same.", {}},
+        {"explicit_step_s",
+         &explicit_step_s,
+         "s",
+         0.0,
+         0.1,
+         "Bounds the gains so that explicit PD is stable at this step even in the air; 0 for no bound.",
+         {}}};
+  }
+};
+
+/// Stiffness and damping by independent joint.
+struct Gains {
+  VectorX stiffness;  ///< [N m/rad] or [N/m]
+  VectorX damping;    ///< [N m s/rad] or [N s/m]
+};
+
+/// Joint gains from the effective inertia that each joint has to command; no tuned constant of any robot.
+///
+///   in a leg of length L, n legs:  I = m L^2 / n, the leg's share of the robot at a leg's length,
+///       kp = I w^2,  w = stance_frequency sqrt(g / L),  kd = 2 stance_damping I w;
+///       for a prismatic joint m / n in place of I
+///   elsewhere:  I = 1 / (M^-1)_jj in the standing posture, floating,
+///       kp = I w^2,  w = free_frequency,  kd = 2 free_damping I w, not above the leg's gains
+///   bound for explicit control with step h:  kd <= 0.5 I_j / h, kp <= 0.25 I_j / h^2,
+///       I_j = 1 / lambda, the row sum of |M^-1|: Gershgorin's bound on coupled joints
+/// RobotModel::stiffness and damping take precedence where they are not zero.
+///
+/// Feed-forward carries the weight, so these only have to hold against what the plan did not foresee: a1 gets about
+/// 120 N m/rad and 3.3 N m s/rad, nao 60 and 1.2.
+Gains DeriveGains(const RobotModel& model, const GainOptions& options = {});
+
+}  // namespace gaitwright
