@@ -31,7 +31,7 @@ std::vector<int> ShownDofs(const PlotData& data) {
   std::vector<int> shown;
   for (int i = 0; i < data.model.num_dofs(); ++i) {
     double least = INFINITY, most = -INFINITY;
-    for (const PlanState& row : data.series.plan) {
+    for (const WholeBodySample& row : data.series.plan) {
       least = std::min(least, row.q[7 + i]);
       most = std::max(most, row.q[7 + i]);
     }

@@ -120,7 +120,7 @@ std::vector<Measurement> JointMeasurements(const ScoreInputs& in) {
   JointExtremes measured, planned;
   for (std::size_t k = 0; k < in.series.measured.size(); ++k) {
     const LogSample& sample = in.log.samples[k];
-    const PlanState& wanted = in.series.plan[k];
+    const WholeBodySample& wanted = in.series.plan[k];
     measured.See(in.model, sample.q, sample.v, sample.tau_peak, sample.time_s);
     planned.See(in.model, wanted.q, wanted.v, wanted.tau, sample.time_s);
   }

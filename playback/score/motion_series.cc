@@ -57,7 +57,7 @@ class Sampler {
   }
 
   /// The unfiltered ZMP of a plan's row, by inverse dynamics.
-  void AddPlannedForces(const PlanState& row, MotionSample& sample) {
+  void AddPlannedForces(const WholeBodySample& row, MotionSample& sample) {
     VectorX tau;
     InverseDynamics(model_, row.q, row.v, row.a, scratch_, tau);
     TotalWrench total;
@@ -132,6 +132,10 @@ void CheckFits(const RobotModel& model, const MotionPlan& plan, const PlaybackLo
   for (const VectorX& q : motion.q) CheckSize("the plan's q", q, model.nq(), model.name);
   for (const VectorX& v : motion.v) CheckSize("the plan's v", v, model.nv(), model.name);
   for (const VectorX& a : motion.a) CheckSize("the plan's a", a, model.nv(), model.name);
+  if (!motion.tau.empty() && motion.tau.size() != motion.q.size()) {
+    throw InvalidArgument(fmt::format("Score: the plan has {} rows of q but {} of tau; as many, or none, are needed",
+                                      motion.q.size(), motion.tau.size()));
+  }
   for (const VectorX& tau : motion.tau) CheckSize("the plan's tau", tau, model.num_dofs(), model.name);
   for (const LogSample& sample : log.samples) {
     CheckSize("the log's q", sample.q, model.nq(), model.name);
@@ -149,12 +153,26 @@ FootSet ScheduledAt(const ContactSchedule& schedule, double time_s) {
   return schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, time_s))].stance;
 }
 
+/// The plan's rows; where there are no torques or wrenches, each row has empty ones.
+WholeBodyTrajectory WithAllRows(WholeBodyTrajectory motion) {
+  motion.tau.resize(motion.q.size());
+  motion.wrenches.resize(motion.q.size());
+  return motion;
+}
+
+WholeBodySample At(const WholeBodyTrajectory& motion, double time_s) {
+  WholeBodySample sample;
+  SampleWholeBody(motion, time_s, sample);
+  return sample;
+}
+
 }  // namespace
 
 MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                               const ScoreOptions& options) {
   CheckFits(model, plan, log);
   Sampler sampler(model, plan, options);
+  const WholeBodyTrajectory motion = WithAllRows(plan.whole_body);
   MotionSeries series;
   const double half_interval = 0.5 / log.log_rate_hz;
   for (const LogSample& row : log.samples) {
@@ -163,9 +181,9 @@ MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, c
     const FootSet stance = ScheduledAt(plan.schedule, middle);
     series.measured.push_back(sampler.Posture(row.time_s, stance, row.q, row.v));
     sampler.AddMeasuredForces(row.wrenches, series.measured.back());
-    series.plan.push_back(PlanStateAt(plan.whole_body, row.time_s));
+    series.plan.push_back(At(motion, row.time_s));
     series.planned.push_back(sampler.Posture(row.time_s, stance, series.plan.back().q, series.plan.back().v));
-    sampler.AddPlannedForces(PlanStateAt(plan.whole_body, middle), series.planned.back());
+    sampler.AddPlannedForces(At(motion, middle), series.planned.back());
   }
   LowPassZmp(series.measured, options.zmp_filter_s);
   LowPassZmp(series.planned, options.zmp_filter_s);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "planning/plan/sample_plan.h"
 #include "playback/log/playback_log.h"
-#include "playback/score/plan_state.h"
 #include "playback/score/score_options.h"
 #include "playback/score/support.h"
 
@@ -42,7 +42,7 @@ struct MotionSample {
 /// A motion as planned and as measured, sample k of each at the same time.
 struct MotionSeries {
   std::vector<MotionSample> planned, measured;
-  std::vector<PlanState> plan;  ///< the plan's rows at these times
+  std::vector<WholeBodySample> plan;  ///< the plan's rows at these times
 };
 
 /// The plan and the log side by side at the log's times.
