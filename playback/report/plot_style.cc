@@ -89,7 +89,7 @@ std::string PlotStyle() {
       ".band{stroke:none;fill-opacity:.22}"
       ".gw .bar-planned{stroke:none;fill-opacity:.28}.gw .bar-measured{stroke:none}";
   css += ColourRules(false);
-  return css + "@media (prefers-color-scheme:dark){" + ColourRules(true) + "}";
+  return css + "@media (prefers-color-scheme:dark){" + ColourRules(true) + ".gw .planned{opacity:.45}}";
 }
 
 std::string StandaloneSvg(const std::string& svg) {

@@ -24,13 +24,13 @@ struct Headline {
 };
 
 constexpr Headline kHeadlines[] = {
-    {"goal_error_m", "from the goal at the end"},
+    {"goal_error_m", "distance to the goal at the end"},
     {"zmp_margin_p05_m", "ZMP margin, 5th percentile"},
     {"dcm_capture_margin_min_m", "capture margin at touch-down"},
     {"zmp_error_mean_m", "ZMP error, mean"},
-    {"slip_max_step_m", "slip of a step, largest"},
-    {"torque_use_max", "torque of its limit, largest"},
-    {"contact_timing_error_max_s", "contact timing error"},
+    {"slip_max_step_m", "largest slip of a step"},
+    {"torque_use_max", "largest joint torque, share of its limit"},
+    {"contact_timing_error_max_s", "largest contact timing error"},
 };
 
 /// Heading of a part of the table, by the first key of it.

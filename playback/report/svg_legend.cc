@@ -11,7 +11,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kSwatch = 46.0;      // a sample and the gaps around it [px]
-constexpr double kCharacter = 6.0;    // [px]
+constexpr double kCharacter = 6.3;    // [px]
 constexpr double kLineHeight = 17.0;  // [px]
 
 }  // namespace
