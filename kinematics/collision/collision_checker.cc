@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/collision/collision_checker.h"
+
+#include <fcl/fcl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace gaitwright {
+namespace {
+
+std::shared_ptr<fcl::CollisionGeometryd> Geometry(const Shape& shape) {
+  switch (shape.type) {
+    case ShapeType::kBox:
+      return std::make_shared<fcl::Boxd>(shape.size);
+    case ShapeType::kSphere:
+      return std::make_shared<fcl::Sphered>(shape.size.x());
+    case ShapeType::kCylinder:
+      return std::make_shared<fcl::Cylinderd>(shape.size.x(), shape.size.y());
+    case ShapeType::kCapsule:
+      return std::make_shared<fcl::Capsuled>(shape.size.x(), shape.size.y());
+    case ShapeType::kMesh:
+      break;
+  }
+  return nullptr;
+}
+
+double BoundingRadius(const Shape& shape) {
+  if (shape.type == ShapeType::kBox) return 0.5 * shape.size.norm();
+  if (shape.type == ShapeType::kSphere) return shape.size.x();
+  return std::hypot(shape.size.x(), 0.5 * shape.size.y()) + (shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0);
+}
+
+/// The nearest body towards the base that has shapes, or the base.
+int ParentWithShapes(const RobotModel& model, const std::vector<bool>& has_shapes, int body) {
+  while (body > 0) {
+    body = model.joints[static_cast<std::size_t>(body - 1)].parent_body;
+    if (has_shapes[static_cast<std::size_t>(body)]) break;
+  }
+  return body;
+}
+
+}  // namespace
+
+Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape) {
+  const Pose X_WS = FramePose(scratch, shape.body, shape.X_BS);
+  const Vector3 down_S = -X_WS.linear().row(2).transpose();
+  Vector3 p_S = Vector3::Zero();
+  if (shape.type == ShapeType::kBox) {
+    p_S = 0.5 * shape.size.cwiseProduct(down_S.cwiseSign());
+  } else if (shape.type == ShapeType::kSphere) {
+    p_S = shape.size.x() * down_S;
+  } else if (shape.type == ShapeType::kMesh) {
+    for (const Vector3& v : shape.vertices) {
+      if (v.dot(down_S) > p_S.dot(down_S)) p_S = v;
+    }
+  } else {
+    p_S.z() = std::copysign(0.5 * shape.size.y(), down_S.z());
+    if (shape.type == ShapeType::kCapsule) {
+      p_S += shape.size.x() * down_S;
+    } else if (down_S.head<2>().norm() > 1e-12) {
+      p_S.head<2>() = shape.size.x() * down_S.head<2>().normalized();
+    }
+  }
+  return X_WS * p_S;
+}
+
+struct CollisionChecker::Scene {
+  struct Part {
+    const Shape* shape;
+    double radius;
+    fcl::CollisionObjectd object;
+  };
+  std::vector<Shape> shapes;
+  std::vector<Part> parts;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<std::string> notes;
+
+  void Place(const DynamicsScratch& scratch) {
+    for (Part& part : parts) {
+      part.object.setTransform(FramePose(scratch, part.shape->body, part.shape->X_BS));
+      part.object.computeAABB();
+    }
+  }
+
+  bool Touch(const std::pair<std::size_t, std::size_t>& pair) const {
+    const Part &a = parts[pair.first], &b = parts[pair.second];
+    if ((a.object.getTranslation() - b.object.getTranslation()).norm() > a.radius + b.radius) return false;
+    const fcl::CollisionRequestd request;
+    fcl::CollisionResultd result;
+    return fcl::collide(&a.object, &b.object, request, result) > 0;
+  }
+};
+
+CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_unique<Scene>()) {
+  std::vector<bool> has_shapes(model.bodies.size(), false);
+  scene_->shapes = model.collision_shapes;
+  for (const Shape& shape : scene_->shapes) {
+    has_shapes[static_cast<std::size_t>(shape.body)] = true;
+    const auto geometry = Geometry(shape);
+    if (geometry == nullptr) {
+      scene_->notes.push_back(fmt::format("link '{}': its mesh takes no part in self-collision", shape.link));
+      continue;
+    }
+    scene_->parts.push_back({&shape, BoundingRadius(shape), fcl::CollisionObjectd(geometry)});
+  }
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  scene_->Place(scratch);
+  for (std::size_t i = 0; i < scene_->parts.size(); ++i) {
+    for (std::size_t j = i + 1; j < scene_->parts.size(); ++j) {
+      const int a = scene_->parts[i].shape->body, b = scene_->parts[j].shape->body;
+      if (a == b || ParentWithShapes(model, has_shapes, a) == b || ParentWithShapes(model, has_shapes, b) == a)
+        continue;
+      if (scene_->Touch({i, j})) {
+        scene_->notes.push_back(fmt::format("links '{}' and '{}' touch in the standing posture: not checked",
+                                            scene_->parts[i].shape->link, scene_->parts[j].shape->link));
+        continue;
+      }
+      scene_->pairs.emplace_back(i, j);
+    }
+  }
+}
+
+CollisionChecker::~CollisionChecker() = default;
+CollisionChecker::CollisionChecker(CollisionChecker&&) noexcept = default;
+CollisionChecker& CollisionChecker::operator=(CollisionChecker&&) noexcept = default;
+
+std::optional<std::pair<std::string, std::string>> CollisionChecker::FirstCollision(const DynamicsScratch& scratch) {
+  scene_->Place(scratch);
+  for (const auto& pair : scene_->pairs) {
+    if (scene_->Touch(pair)) {
+      return std::pair(scene_->parts[pair.first].shape->link, scene_->parts[pair.second].shape->link);
+    }
+  }
+  return std::nullopt;
+}
+
+const std::vector<std::string>& CollisionChecker::notes() const { return scene_->notes; }
+int CollisionChecker::num_pairs() const { return static_cast<int>(scene_->pairs.size()); }
+
+}  // namespace gaitwright

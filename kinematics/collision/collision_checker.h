@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// The lowest point of a shape at the scratch's pose, in W; of a mesh without vertices its origin.
+Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape);
+
+/// Finds parts of a robot that touch each other. Pairs that say nothing are left out: shapes of one body, of bodies
+/// that a joint joins (also through bodies without shapes), and pairs that already touch in the standing posture.
+class CollisionChecker {
+ public:
+  explicit CollisionChecker(const RobotModel& model);
+  ~CollisionChecker();
+  CollisionChecker(CollisionChecker&&) noexcept;
+  CollisionChecker& operator=(CollisionChecker&&) noexcept;
+
+  /// The links of the first pair that touches at the scratch's pose, or nothing. Needs ForwardKinematics.
+  std::optional<std::pair<std::string, std::string>> FirstCollision(const DynamicsScratch& scratch);
+
+  /// Pairs left out because they touch in the standing posture, and meshes that could not be read; for people.
+  const std::vector<std::string>& notes() const;
+  int num_pairs() const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/audit/audit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planning/audit/auditor.h"
+
+namespace gaitwright {
+
+void Findings::Note(const std::string& law, const std::string& where, double at_s, double value, double limit,
+                    const char* unit) {
+  // A value that is no number breaks its law too.
+  const double excess = std::isfinite(value) ? std::abs(value - limit) : 1e300;
+  auto& entry = worst_[{law, where}];
+  if (entry.second.law.empty() || excess > entry.first) entry = {excess, {law, at_s, where, value, limit, unit}};
+}
+
+std::vector<Violation> Findings::Sorted() const {
+  std::vector<Violation> sorted;
+  for (const std::string& law : AuditLaws()) {
+    std::vector<std::pair<double, Violation>> of_law;
+    for (const auto& [key, entry] : worst_) {
+      if (key.first == law) of_law.push_back(entry);
+    }
+    std::stable_sort(of_law.begin(), of_law.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (const auto& entry : of_law) sorted.push_back(entry.second);
+  }
+  return sorted;
+}
+
+Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options)
+    : model_(model), plan_(plan), options_(options), scratch_(model), collision_(model) {
+  slip_W_.assign(model.feet.size(), Vector3::Zero());
+  foothold_.assign(model.feet.size(), -1);
+}
+
+AuditReport Auditor::Run() {
+  AuditReport report;
+  report.rate_hz = options_.rate_hz;
+  const double step = 1.0 / options_.rate_hz;
+  report.samples = 1 + static_cast<int>(std::floor(plan_.duration_s() * options_.rate_hz + 1e-6));
+  const int collision_every = std::max(1, static_cast<int>(std::lround(options_.rate_hz / 100.0)));
+  for (int k = 0; k < report.samples; ++k) {
+    const double time_s = plan_.whole_body.start_s + k * step;
+    SampleWholeBody(plan_.whole_body, time_s, sample_);
+    const auto phase = [&](double t) {
+      return plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, t))].stance;
+    };
+    stance_ = phase(time_s);
+    at_switch_ = phase(time_s - 1.5 * step) != stance_ || phase(time_s + 1.5 * step) != stance_;
+    InverseDynamics(model_, sample_.q, sample_.v, sample_.a, scratch_, needed_);
+    com_height_m_ = CentreOfMass(model_, scratch_).z();
+    CheckDynamics(time_s);
+    CheckContactForces(time_s);
+    CheckZmp(time_s);
+    CheckJoints(time_s);
+    CheckStanceFeet(time_s);
+    CheckSwingFeet(time_s);
+    CheckReach(time_s);
+    if (k % collision_every == 0) CheckBodies(time_s);
+  }
+  CheckColumns();
+  CheckCentroidal();
+  CheckFootholds();
+  CheckSwings();
+  report.violations = findings_.Sorted();
+  for (const Joint& joint : model_.joints) {
+    if (joint.effort_limit_is_placeholder)
+      report.notes.push_back(fmt::format("joint '{}': its torque limit is a placeholder", joint.name));
+    if (joint.velocity_limit_is_placeholder)
+      report.notes.push_back(fmt::format("joint '{}': its speed limit is a placeholder", joint.name));
+  }
+  return report;
+}
+
+Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options) {
+  const auto misfit = [&](const std::string& why) {
+    return Failure{FailureKind::kBadInput,
+                   "misfit",
+                   "Audit",
+                   fmt::format("the plan does not fit robot '{}': {}", model.name, why),
+                   {}};
+  };
+  if (plan.whole_body.size() < 2) return misfit("it has fewer than two samples");
+  if (plan.whole_body.q[0].size() != model.nq()) {
+    return misfit(fmt::format("its q has {} numbers, the robot {}", plan.whole_body.q[0].size(), model.nq()));
+  }
+  if (plan.whole_body.wrenches[0].size() != model.feet.size()) {
+    return misfit(fmt::format("it has {} feet, the robot {}", plan.whole_body.wrenches[0].size(), model.feet.size()));
+  }
+  return Auditor(model, plan, options).Run();
+}
+
+}  // namespace gaitwright

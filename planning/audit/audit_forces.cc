@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/stability/polygon.h"
+#include "kinematics/stability/zero_moment_point.h"
+#include "planning/audit/auditor.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kResidualShare = 0.02;  // of m g, and of m g h
+constexpr double kRelative = 1e-6;
+constexpr double kLineWidth = 2e-3;  // [m] within which a ZMP is on a line
+constexpr double kLeastLoad = 0.05;  // of m g: below it a centre of pressure means nothing
+
+}  // namespace
+
+void Auditor::CheckDynamics(double time_s) {
+  VectorX residual = needed_;
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    const ContactWrench& wrench = sample_.wrenches[static_cast<std::size_t>(f)];
+    Vector6 w;
+    w << -wrench.force_W, -wrench.moment_W;
+    AddPointWrench(model_, scratch_, model_.feet[static_cast<std::size_t>(f)].body,
+                   ContactFrame(model_, scratch_, f).translation(), w, residual);
+  }
+  residual.tail(model_.num_dofs()) -= sample_.tau;
+  const double force_limit = kResidualShare * model_.weight_n();
+  const double moment_limit = force_limit * com_height_m_;
+  const double force = residual.head<3>().norm(), moment = residual.segment<3>(3).norm();
+  if (!(force <= force_limit)) findings_.Note("dynamics", "base force", time_s, force, force_limit, "N");
+  if (!(moment <= moment_limit)) findings_.Note("dynamics", "base moment", time_s, moment, moment_limit, "N m");
+  for (int d = 0; d < model_.num_dofs(); ++d) {
+    const double torque = std::abs(residual[6 + d]);
+    if (!(torque <= moment_limit)) {
+      findings_.Note("dynamics", model_.dof_names[static_cast<std::size_t>(d)], time_s, torque, moment_limit, "N m");
+    }
+  }
+}
+
+void Auditor::CheckContactForces(double time_s) {
+  const double slack = kRelative * model_.weight_n();
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    const ContactWrench& wrench = sample_.wrenches[static_cast<std::size_t>(f)];
+    const Pose X_WF = ContactFrame(model_, scratch_, f);
+    const GroundPoint ground = GroundAt(plan_.terrain, X_WF.translation().head<2>());
+    const double normal = wrench.force_W.dot(ground.normal_W);
+    const double tangential = (wrench.force_W - normal * ground.normal_W).norm();
+    if (!(normal >= -slack)) findings_.Note("unilateral", FootName(f), time_s, normal, 0.0, "N");
+    const double cone = ground.friction * std::max(normal, 0.0);
+    if (!(tangential <= cone + slack)) findings_.Note("friction_cone", FootName(f), time_s, tangential, cone, "N");
+    if (!Contains(stance_, f) && !at_switch_ && normal > 1e-3 * model_.weight_n()) {
+      findings_.Note("consistency", FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
+    }
+    const Foot& foot = model_.feet[static_cast<std::size_t>(f)];
+    if (foot.sole_F.empty() || normal < kLeastLoad * model_.weight_n()) continue;
+    const Vector3 moment_F = X_WF.linear().transpose() * wrench.moment_W;
+    const double normal_F = X_WF.linear().col(2).dot(wrench.force_W);
+    const double outside = -SignedDistance(foot.sole_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
+    constexpr double kSlack = 1e-4;
+    if (outside > kSlack)
+      findings_.Note("unilateral", FootName(f) + " centre of pressure outside", time_s, outside, kSlack, "m");
+  }
+}
+
+void Auditor::CheckZmp(double time_s) {
+  std::vector<Vector2> corners;
+  double ground = 0.0;
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    if (!Contains(stance_, f)) continue;
+    for (const Vector3& p : ContactPoints(model_, scratch_, f)) {
+      corners.push_back(p.head<2>());
+      ground = GroundAt(plan_.terrain, p.head<2>()).height_m;
+    }
+  }
+  if (corners.empty() || needed_[2] < kLeastLoad * model_.weight_n()) return;
+  const Vector2 zmp = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), ground);
+  const Polygon support = ConvexHull(corners);
+  const double outside = -SignedDistance(support, zmp);
+  const bool has_area = Area(support) > 1e-3 * (support[0] - support[support.size() / 2]).norm();
+  // At a switch the sample may lie on either side of it.
+  const double limit = has_area && !at_switch_ ? 1e-6 : kLineWidth;
+  if (!(outside <= limit)) findings_.Note("zmp_support", "zero-moment point", time_s, outside, limit, "m");
+}
+
+void Auditor::CheckJoints(double time_s) {
+  for (int d = 0; d < model_.num_dofs(); ++d) {
+    const std::string& name = model_.dof_names[static_cast<std::size_t>(d)];
+    const double q = sample_.q[7 + d], speed = std::abs(sample_.v[6 + d]), torque = std::abs(sample_.tau[d]);
+    const double lower = model_.dof_lower(d), upper = model_.dof_upper(d);
+    if (!(q >= lower - kRelative * std::max(1.0, std::abs(lower))))
+      findings_.Note("joint_position", name, time_s, q, lower, "rad");
+    if (!(q <= upper + kRelative * std::max(1.0, std::abs(upper))))
+      findings_.Note("joint_position", name, time_s, q, upper, "rad");
+    const double speed_limit = options_.derate_speed * model_.dof_velocity_limit(d);
+    if (!(speed <= speed_limit * (1.0 + kRelative)))
+      findings_.Note("joint_velocity", name, time_s, speed, speed_limit, "rad/s");
+    const double torque_limit = options_.derate_torque * model_.dof_effort_limit(d);
+    if (!(torque <= torque_limit * (1.0 + kRelative)))
+      findings_.Note("joint_torque", name, time_s, torque, torque_limit, "N m");
+  }
+}
+
+}  // namespace gaitwright

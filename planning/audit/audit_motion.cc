@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/spatial/rotation.h"
+#include "planning/audit/auditor.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kPosition = 1e-3;  // [m]
+constexpr double kRotation = 1e-3;  // [rad]
+constexpr double kTouching = 1e-4;  // [m] below which a clearance counts as none
+
+}  // namespace
+
+void Auditor::CheckStanceFeet(double time_s) {
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    const auto i = static_cast<std::size_t>(f);
+    if (!Contains(stance_, f)) continue;
+    const int index = FootholdAt(plan_.footsteps, f, time_s);
+    if (index < 0) continue;
+    const Foothold& foothold = plan_.footsteps.footholds[static_cast<std::size_t>(index)];
+    const Foot& foot = model_.feet[i];
+    const Pose X_WF = ContactFrame(model_, scratch_, f);
+    if (foot.radius > 0.0) {
+      // The material point under a sphere must stand still; the contact point moves on as the sphere rolls.
+      const Vector3 p_BQ = scratch_.R_WB[static_cast<std::size_t>(foot.body)].transpose() *
+                           (X_WF.translation() - scratch_.p_WB[static_cast<std::size_t>(foot.body)]);
+      if (foothold_[i] != index) {
+        foothold_[i] = index;
+        slip_W_[i].setZero();
+        const double off = (X_WF.translation() - foothold.X_WF.translation()).norm();
+        if (!(off <= kPosition))
+          findings_.Note("consistency", FootName(f) + " off its foothold", time_s, off, kPosition, "m");
+      }
+      slip_W_[i] += PointVelocity(scratch_, foot.body, p_BQ).head<3>() / options_.rate_hz;
+      if (!(slip_W_[i].norm() <= kPosition))
+        findings_.Note("consistency", FootName(f) + " slides", time_s, slip_W_[i].norm(), kPosition, "m");
+      continue;
+    }
+    const double off = (X_WF.translation() - foothold.X_WF.translation()).norm();
+    const double turned = RotationLog(X_WF.linear() * foothold.X_WF.linear().transpose()).norm();
+    if (!(off <= kPosition))
+      findings_.Note("consistency", FootName(f) + " off its foothold", time_s, off, kPosition, "m");
+    if (foot.type == FootType::kSole && !(turned <= kRotation)) {
+      findings_.Note("consistency", FootName(f) + " turned from its foothold", time_s, turned, kRotation, "rad");
+    }
+  }
+}
+
+void Auditor::CheckSwingFeet(double time_s) {
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    const double limit = Contains(stance_, f) ? -kPosition : -kTouching;
+    for (const Vector3& p : ContactPoints(model_, scratch_, f)) {
+      const double height = p.z() - GroundAt(plan_.terrain, p.head<2>()).height_m;
+      if (!(height >= limit)) findings_.Note("foot_clearance", FootName(f), time_s, height, limit, "m");
+    }
+  }
+}
+
+void Auditor::CheckBodies(double time_s) {
+  if (const auto pair = collision_.FirstCollision(scratch_)) {
+    findings_.Note("self_collision", pair->first + " and " + pair->second, time_s, -1.0, 0.0, "m");
+  }
+  for (const Shape& shape : model_.collision_shapes) {
+    const bool is_foot =
+        std::any_of(model_.feet.begin(), model_.feet.end(), [&](const Foot& foot) { return foot.link == shape.link; });
+    if (is_foot) continue;
+    const Vector3 lowest = LowestPoint(scratch_, shape);
+    const double height = lowest.z() - GroundAt(plan_.terrain, lowest.head<2>()).height_m;
+    if (!(height >= 0.0)) findings_.Note("body_clearance", shape.link, time_s, height, 0.0, "m");
+  }
+}
+
+void Auditor::CheckReach(double time_s) {
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    if (!Contains(stance_, f)) continue;
+    const int index = FootholdAt(plan_.footsteps, f, time_s);
+    if (index < 0) continue;
+    const Leg& leg = model_.legs[static_cast<std::size_t>(f)];
+    double length = model_.feet[static_cast<std::size_t>(f)].X_BF.translation().norm() +
+                    model_.feet[static_cast<std::size_t>(f)].radius;
+    for (std::size_t i = 1; i < leg.joints.size(); ++i) {
+      length += model_.joints[static_cast<std::size_t>(leg.joints[i])].X_PJ.translation().norm();
+    }
+    const Foothold& foothold = plan_.footsteps.footholds[static_cast<std::size_t>(index)];
+    const Vector3 hip = scratch_.p_WB[static_cast<std::size_t>(leg.joints.front() + 1)];
+    const double distance = (foothold.X_WF.translation() - hip).norm();
+    if (!(distance <= length + kPosition)) findings_.Note("reach", FootName(f), time_s, distance, length, "m");
+  }
+}
+
+}  // namespace gaitwright

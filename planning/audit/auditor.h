@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinematics/collision/collision_checker.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "planning/audit/audit.h"
+#include "planning/plan/sample_plan.h"
+
+namespace gaitwright {
+
+/// Keeps the worst of each law at each place.
+class Findings {
+ public:
+  /// Notes a value that is over its limit by `excess` > 0 (nothing otherwise); the largest excess of a place is kept.
+  void Note(const std::string& law, const std::string& where, double at_s, double value, double limit,
+            const char* unit);
+  std::vector<Violation> Sorted() const;
+
+ private:
+  std::map<std::pair<std::string, std::string>, std::pair<double, Violation>> worst_;
+};
+
+/// One pass over a plan. Each Check... is one law, or a few that look at the same thing.
+class Auditor {
+ public:
+  Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);
+  AuditReport Run();
+
+ private:
+  // At one sample (audit_forces.cc, audit_motion.cc)
+  void CheckDynamics(double time_s);
+  void CheckContactForces(double time_s);
+  void CheckZmp(double time_s);
+  void CheckJoints(double time_s);
+  void CheckStanceFeet(double time_s);
+  void CheckSwingFeet(double time_s);
+  void CheckBodies(double time_s);
+  void CheckReach(double time_s);
+  // Over the plan as a whole (audit_consistency.cc)
+  void CheckColumns();
+  void CheckCentroidal();
+  void CheckFootholds();
+  void CheckSwings();
+
+  const std::string& FootName(int foot) const { return model_.feet[static_cast<std::size_t>(foot)].name; }
+
+  const RobotModel& model_;
+  const MotionPlan& plan_;
+  const AuditOptions& options_;
+  DynamicsScratch scratch_;
+  CollisionChecker collision_;
+  WholeBodySample sample_;
+  VectorX needed_;  // generalised forces of the motion
+  FootSet stance_ = 0;
+  bool at_switch_ = false;  // a foot lands or leaves within a sample of now
+  double com_height_m_ = 0.0;
+  std::vector<Vector3> slip_W_;  // by foot: travel of the material contact point in this stance
+  std::vector<int> foothold_;    // by foot: the one last stood on
+  Findings findings_;
+};
+
+}  // namespace gaitwright
