@@ -10,6 +10,11 @@ void ContactReader::Read(btDispatcher& dispatcher, double step_s, const Dynamics
                          const DynamicsScratch& after) {
   feet_.assign(model_.feet.size(), FootContact{});
   body_contacts_.clear();
+  for (int i = 0; i < static_cast<int>(feet_.size()); ++i) {
+    FootContact& foot = feet_[static_cast<std::size_t>(i)];
+    foot.p_W = ContactFrame(model_, before, i).translation();
+    foot.speed_m_s = (ContactFrame(model_, after, i).translation() - foot.p_W).norm() / step_s;
+  }
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     ReadManifold(*dispatcher.getManifoldByIndexInternal(i), step_s, before, after);
   }
@@ -49,16 +54,15 @@ void ContactReader::ReadManifold(const btPersistentManifold& manifold, double st
     const Point point{before.p_WB[b] + before.R_WB[b] * p_BQ,     impulse / step_s,      normal,
                       contact.m_appliedImpulse / step_s,          contact.getDistance(), contact.m_combinedFriction,
                       (moved - normal.dot(moved) * normal).norm()};
-    AddToFoot(part.foot, point, before);
+    AddToFoot(part.foot, point);
   }
 }
 
-void ContactReader::AddToFoot(int index, const Point& point, const DynamicsScratch& before) {
+void ContactReader::AddToFoot(int index, const Point& point) {
   FootContact& foot = feet_[static_cast<std::size_t>(index)];
-  const Vector3 origin = ContactFrame(model_, before, index).translation();
   foot.touching = true;
   foot.wrench.force_W += point.force_W;
-  foot.wrench.moment_W += (point.p_W - origin).cross(point.force_W);
+  foot.wrench.moment_W += (point.p_W - foot.p_W).cross(point.force_W);
   foot.normal_n += point.normal_n;
   foot.tangential_n += (point.force_W - point.normal_n * point.normal_W).norm();
   foot.friction += point.normal_n * point.friction;

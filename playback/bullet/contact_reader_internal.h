@@ -31,7 +31,7 @@ class ContactReader {
   };
   void ReadManifold(const btPersistentManifold& manifold, double step_s, const DynamicsScratch& before,
                     const DynamicsScratch& after);
-  void AddToFoot(int foot, const Point& point, const DynamicsScratch& before);
+  void AddToFoot(int foot, const Point& point);
 
   const RobotModel& model_;
   const RobotBody& robot_;

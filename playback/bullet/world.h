@@ -20,6 +20,8 @@ struct FootContact {
   double normal_n = 0.0, tangential_n = 0.0;  ///< of the contact forces, along and across the ground's normals
   double friction = 0.0;                      ///< coefficient of this contact
   double penetration_m = 0.0;                 ///< deepest point
+  Vector3 p_W = Vector3::Zero();              ///< contact frame's origin at the step's start, touching or not [m]
+  double speed_m_s = 0.0;                     ///< of that origin over the step
   double slide_m = 0.0;  ///< how far its material moved along the ground, mean of its points weighted by normal force
 };
 

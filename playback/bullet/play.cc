@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/bullet/play.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/hash.h"
+#include "playback/bullet/stance_recorder_internal.h"
+#include "playback/bullet/world.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kFallenTilt = 1.0;       // [rad]
+constexpr double kFallenContact = 0.2;    // a body on the ground for this long is a fall [s]
+constexpr double kKeptAfterFall = 0.3;    // [s]
+constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
+
+void Append(std::string& bytes, const VectorX& values) {
+  bytes.append(reinterpret_cast<const char*>(values.data()), static_cast<std::size_t>(values.size()) * sizeof(double));
+}
+
+Failure Mismatch(const std::string& code, const std::string& message, const std::string& hint) {
+  return {FailureKind::kBadInput, code, "Play", message, {hint}};
+}
+
+/// Why the plan cannot be played by this robot; empty code when it can.
+Failure Misfit(const RobotModel& model, const MotionPlan& plan) {
+  const WholeBodyTrajectory& w = plan.whole_body;
+  if (w.size() == 0 || w.step_s <= 0.0) {
+    return Mismatch("plan_without_motion", "the plan has no whole-body motion to play", "plan it again");
+  }
+  if (!model.hash.empty() && !plan.robot_hash.empty() && plan.robot_hash != model.hash) {
+    return Mismatch("plan_of_other_robot",
+                    fmt::format("the plan was made for robot '{}' ({}), and this is '{}' ({})", plan.robot,
+                                plan.robot_hash, model.name, model.hash),
+                    "play it with the robot in the plan itself, or plan again");
+  }
+  if (w.q.front().size() != model.nq() || w.v.front().size() != model.nv()) {
+    return Mismatch("plan_of_other_robot",
+                    fmt::format("the plan's states have {} positions; robot '{}' has {}", w.q.front().size(),
+                                model.name, model.nq()),
+                    "plan again for this robot");
+  }
+  return {};
+}
+
+/// The world's options with what the plan says: which joints never move, and where it goes.
+WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
+  WorldOptions world = options.world;
+  Vector2 low = plan.whole_body.q.front().head<2>(), high = low;
+  for (const VectorX& q : plan.whole_body.q) {
+    low = low.cwiseMin(q.head<2>());
+    high = high.cwiseMax(q.head<2>());
+  }
+  world.bumps_from_W = low - Vector2::Constant(kBumpsBeyondPlan);
+  world.bumps_to_W = high + Vector2::Constant(kBumpsBeyondPlan);
+  if (!options.lock_unmoved) return world;
+  const VectorX& first = plan.whole_body.q.front();
+  for (Eigen::Index i = 7; i < first.size(); ++i) {
+    const bool still = std::all_of(plan.whole_body.q.begin(), plan.whole_body.q.end(),
+                                   [&](const VectorX& q) { return std::abs(q[i] - first[i]) < 1e-9; });
+    if (still) world.locked_dofs.push_back(static_cast<int>(i) - 7);
+  }
+  return world;
+}
+
+/// A state turned rigidly by X.
+VectorX Moved(const Pose& X, VectorX q) {
+  const Quaternion turn(X.linear());
+  q.head<3>() = X * Vector3(q.head<3>());
+  q.segment<4>(3) = (turn * Quaternion(q[6], q[3], q[4], q[5])).normalized().coeffs();
+  return q;
+}
+
+VectorX MovedVelocity(const Pose& X, VectorX v) {
+  v.head<3>() = X.linear() * Vector3(v.head<3>());
+  v.segment<3>(3) = X.linear() * Vector3(v.segment<3>(3));
+  return v;
+}
+
+/// Means and peaks since the last sample.
+class Interval {
+ public:
+  void Add(const BulletWorld& world) {
+    if (steps_ == 0) {
+      sample_.tau = VectorX::Zero(world.tau().size());
+      sample_.tau_peak = sample_.tau;
+      sample_.wrenches.assign(world.feet().size(), {});
+    }
+    ++steps_;
+    sample_.tau += world.tau();
+    sample_.tau_peak = sample_.tau_peak.cwiseMax(world.tau().cwiseAbs());
+    sample_.contact = 0;
+    for (std::size_t i = 0; i < world.feet().size(); ++i) {
+      const FootContact& foot = world.feet()[i];
+      sample_.wrenches[i].force_W += foot.wrench.force_W;
+      sample_.wrenches[i].moment_W += foot.wrench.moment_W;
+      if (foot.touching) sample_.contact |= FootBit(static_cast<int>(i));
+    }
+  }
+
+  LogSample Take(double time_s, const BulletWorld& world) {
+    const double share = 1.0 / steps_;
+    sample_.time_s = time_s;
+    sample_.q = world.q();
+    sample_.v = world.v();
+    sample_.tau *= share;
+    for (ContactWrench& wrench : sample_.wrenches) {
+      wrench.force_W *= share;
+      wrench.moment_W *= share;
+    }
+    steps_ = 0;
+    return std::move(sample_);
+  }
+
+ private:
+  int steps_ = 0;
+  LogSample sample_;
+};
+
+/// Tells when going on is pointless.
+class FallWatch {
+ public:
+  explicit FallWatch(const VectorX& q0) : up_B_(Rotation(q0).transpose() * Vector3::UnitZ()) {}
+
+  void Add(double time_s, const BulletWorld& world) {
+    const Vector3 up_W = Rotation(world.q()) * up_B_;
+    const bool tilted = std::acos(std::clamp(up_W.z(), -1.0, 1.0)) > kFallenTilt;
+    if (world.body_contacts().empty()) contact_since_s_ = time_s;
+    const bool down = time_s - contact_since_s_ > kFallenContact;
+    if (!fallen_ && (tilted || down)) {
+      fallen_ = true;
+      fallen_s_ = time_s;
+    }
+  }
+  void Start(double time_s) { contact_since_s_ = time_s; }
+  bool Over(double time_s) const { return fallen_ && time_s - fallen_s_ > kKeptAfterFall; }
+
+ private:
+  static Matrix3 Rotation(const VectorX& q) { return Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix(); }
+  Vector3 up_B_;
+  double contact_since_s_ = 0.0, fallen_s_ = 0.0;
+  bool fallen_ = false;
+};
+
+/// One playback from start to end.
+class Playback {
+ public:
+  Playback(const RobotModel& model, const MotionPlan& plan, Controller& controller, const PlayOptions& options)
+      : model_(model),
+        plan_(plan),
+        controller_(controller),
+        options_(options),
+        world_options_(WorldOf(plan, options)),
+        step_s_(options.world.step_s),
+        stride_(StrideOf(options)),
+        world_(model, plan.terrain, plan.whole_body.q.front(), world_options_),
+        stances_(static_cast<int>(model.feet.size()), world_.total_mass_kg() * kGravity, step_s_,
+                 1.0 / options.log_rate_hz),
+        fall_(plan.whole_body.q.front()) {
+    input_.step_s = step_s_;
+    input_.wrenches.resize(model.feet.size());
+  }
+
+  PlaybackLog Run() {
+    const Vector2 start_W = plan_.whole_body.q.front().head<2>();
+    const Pose X_tilt = GroundTilt(plan_.terrain, world_options_, start_W);
+    world_.SetState(Moved(X_tilt, plan_.whole_body.q.front()), MovedVelocity(X_tilt, plan_.whole_body.v.front()));
+    controller_.Reset();
+    StartLog(start_W);
+    Settle();
+    const long steps = std::lround((plan_.duration_s() + options_.hold_s) / step_s_);
+    fall_.Start(log_.start_s);
+    for (long k = 0; k < steps; ++k) {
+      const double time_s = log_.start_s + static_cast<double>(k) * step_s_;
+      if (!OneStep(time_s)) break;
+      Record(time_s);
+      const double end_s = log_.start_s + static_cast<double>(k + 1) * step_s_;
+      if ((k + 1) % stride_ == 0) log_.samples.push_back(interval_.Take(end_s, world_));
+      if (fall_.Over(end_s)) break;
+    }
+    const double end_s = log_.samples.empty() ? log_.start_s : log_.samples.back().time_s;
+    log_.stances = stances_.Finish(end_s);
+    return std::move(log_);
+  }
+
+ private:
+  static long StrideOf(const PlayOptions& options) {
+    const double steps = 1.0 / (options.log_rate_hz * options.world.step_s);
+    if (std::abs(steps - std::round(steps)) > 1e-6 || steps < 0.5) {
+      throw InvalidArgument(fmt::format("log_rate_hz {} does not divide the {} steps per second", options.log_rate_hz,
+                                        1.0 / options.world.step_s));
+    }
+    return std::lround(steps);
+  }
+
+  void StartLog(const Vector2& start_W) {
+    log_.robot = model_.name;
+    log_.robot_hash = model_.hash;
+    log_.plan_hash = MotionHash(plan_);
+    log_.controller = controller_.Name();
+    log_.start_s = plan_.whole_body.start_s;
+    log_.log_rate_hz = options_.log_rate_hz;
+    log_.step_s = step_s_;
+    log_.total_mass_kg = world_.total_mass_kg();
+    log_.friction = FrictionOf(plan_.terrain, world_options_, start_W);
+    log_.saturated_s = VectorX::Zero(model_.num_dofs());
+    PlayOptions copy = options_;
+    for (const OptionField& field : copy.Fields()) log_.options.emplace_back(field.key, OptionText(field));
+  }
+
+  /// The clock stands at the plan's start.
+  void Settle() {
+    const long steps = std::lround(options_.settle_s / step_s_);
+    for (long k = 0; k < steps; ++k) OneStep(log_.start_s, false);
+  }
+
+  bool OneStep(double time_s, bool may_push = true) {
+    input_.time_s = time_s;
+    input_.q = world_.q();
+    input_.v = world_.v();
+    const double since_push_s = time_s - options_.push_at_s;
+    if (may_push && since_push_s > -0.5 * step_s_ && since_push_s < options_.push_for_s - 0.5 * step_s_) {
+      options_.push_on == "robot" ? world_.PushRobot(options_.push_force_W) : world_.PushBase(options_.push_force_W);
+    }
+    world_.Step(controller_.Update(input_));
+    input_.contact = 0;
+    for (std::size_t i = 0; i < world_.feet().size(); ++i) {
+      input_.wrenches[i] = world_.feet()[i].wrench;
+      if (world_.feet()[i].touching) input_.contact |= FootBit(static_cast<int>(i));
+    }
+    return world_.q().allFinite() && world_.v().allFinite();
+  }
+
+  void Record(double time_s) {
+    interval_.Add(world_);
+    stances_.Add(time_s, world_.feet());
+    fall_.Add(time_s + step_s_, world_);
+    for (std::size_t i = 0; i < world_.saturated().size(); ++i) {
+      if (world_.saturated()[i] != 0) log_.saturated_s[static_cast<Eigen::Index>(i)] += step_s_;
+    }
+    for (const std::string& link : world_.body_contacts()) {
+      const bool known = std::any_of(log_.body_contacts.begin(), log_.body_contacts.end(),
+                                     [&](const BodyContact& contact) { return contact.link == link; });
+      if (!known) log_.body_contacts.push_back({time_s, link});
+    }
+  }
+
+  const RobotModel& model_;
+  const MotionPlan& plan_;
+  Controller& controller_;
+  PlayOptions options_;
+  WorldOptions world_options_;
+  double step_s_;
+  long stride_;
+  BulletWorld world_;
+  bullet::StanceRecorder stances_;
+  FallWatch fall_;
+  Interval interval_;
+  ControlInput input_;
+  PlaybackLog log_;
+};
+
+}  // namespace
+
+std::string MotionHash(const MotionPlan& plan) {
+  const WholeBodyTrajectory& w = plan.whole_body;
+  std::string bytes = fmt::format("{} {} {}", plan.robot_hash, w.start_s, w.step_s);
+  for (const ContactPhase& p : plan.schedule.phases) bytes += fmt::format(" {} {} {}", p.start_s, p.end_s, p.stance);
+  for (int k = 0; k < w.size(); ++k) {
+    const auto row = static_cast<std::size_t>(k);
+    Append(bytes, w.q[row]);
+    Append(bytes, w.v[row]);
+    Append(bytes, w.tau[row]);
+  }
+  return HexHash(bytes);
+}
+
+Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
+                         const PlayOptions& options) {
+  PlayOptions checked = options;
+  CheckOptions(checked.Fields());
+  Failure misfit = Misfit(model, plan);
+  if (!misfit.code.empty()) return misfit;
+  return Playback(model, plan, controller, options).Run();
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "playback/bullet/controller.h"
+#include "playback/bullet/world_options.h"
+#include "playback/log/playback_log.h"
+
+namespace gaitwright {
+
+/// How a plan is played.
+struct PlayOptions {
+  WorldOptions world;
+  double log_rate_hz = 200.0;
+  double settle_s = 0.2;
+  double hold_s = 0.3;
+  Vector3 push_force_W = Vector3::Zero();
+  double push_at_s = 0.0;
+  double push_for_s = 0.1;
+  std::string push_on = "base";
+  bool lock_unmoved = false;
+
+  OptionFields Fields() {
+    return Joined(
+        {world.Fields(),
+         {{"log_rate_hz", &log_rate_hz, "Hz", 1.0, 100000.0, "Samples per second in the log; divides 1 / step_s.", {}},
+          {"settle_s",
+           &settle_s,
+           "s",
+           0.0,
+           10.0,
+           "Stands at the plan's start for this long before the clock runs.",
+           {}},
+          {"hold_s", &hold_s, "s", 0.0, 60.0, "Goes on for this long after the plan's end.", {}},
+          {"push_force_x_n", &push_force_W.x(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
+          {"push_force_y_n", &push_force_W.y(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
+          {"push_force_z_n", &push_force_W.z(), "N", -1e5, 1e5, "Push on the robot, in W.", {}},
+          {"push_at_s", &push_at_s, "s", 0.0, 1e6, "When the push begins, on the plan's clock.", {}},
+          {"push_for_s", &push_for_s, "s", 0.0, 1e6, "How long it lasts.", {}},
+          {"push_on",
+           &push_on,
+           "",
+           0.0,
+           0.0,
+           "Where the push acts: the base's own centre of mass or that of the whole robot.",
+           {"base", "robot"}},
+          {"lock_unmoved",
+           &lock_unmoved,
+           "",
+           0.0,
+           0.0,
+           "Joints that the plan never moves are welded, which is faster: true or false.",
+           {}}}});
+  }
+};
+
+/// Plays a plan in physics: the robot starts in the plan's first state, settles, and the controller is asked once per
+/// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts turned with the
+/// ground. Nobody holds the robot.
+///
+/// Ends early, after another 0.3 s, when the robot has clearly fallen: its up axis is over 1 rad off, or a body that is
+/// no foot stays on the ground for 0.2 s; at once when the state is no longer finite.
+///
+/// The log has one sample per 1 / log_rate_hz from the plan's start, each at its interval's end. A foot's stance begins
+/// with the first step that carries force, and ends with the first that does not, unless force comes back within 15 ms
+/// (flicker): gaps that short are closed, short touches are kept. Stances at the start begin with the log.
+/// Deterministic: no clock, path or address enters the log.
+///
+/// @return the log; a failure when plan and robot do not belong together.
+/// @throws InvalidArgument for an option out of range, or a log rate that does not divide the steps.
+Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
+                         const PlayOptions& options = {});
+
+/// Hash of the motion in a plan (robot, schedule, whole-body rows): ties a log to its plan.
+std::string MotionHash(const MotionPlan& plan);
+
+}  // namespace gaitwright
