@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/log/log_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "kinematics/base/file.h"
+
+namespace gaitwright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr char kFormat[] = "gaitwright-playback-log";
+
+template <class Vector>
+Json ToJson(const Vector& v) {
+  Json list = Json::array();
+  for (Eigen::Index i = 0; i < v.size(); ++i) list.push_back(v[i]);
+  return list;
+}
+
+Json StancesJson(const std::vector<StanceRecord>& stances) {
+  Json list = Json::array();
+  for (const StanceRecord& s : stances) {
+    list.push_back({{"foot", s.foot},
+                    {"touchdown_s", s.touchdown_s},
+                    {"liftoff_s", s.liftoff_s},
+                    {"touchdown_m", ToJson(s.p_touchdown_W)},
+                    {"touchdown_speed_m_s", s.touchdown_speed_m_s},
+                    {"slip_m", s.slip_m},
+                    {"peak_normal_n", s.peak_normal_n},
+                    {"penetration_m", s.penetration_m},
+                    {"friction_use_max", s.friction_use_max}});
+  }
+  return list;
+}
+
+Json HeadJson(const PlaybackLog& log) {
+  Json contacts = Json::array();
+  for (const BodyContact& c : log.body_contacts) contacts.push_back({{"time_s", c.time_s}, {"link", c.link}});
+  Json options = Json::object();
+  for (const auto& [key, value] : log.options) options[key] = value;
+  return {{"format", kFormat},
+          {"schema", PlaybackLog::kSchema},
+          {"robot", log.robot},
+          {"robot_hash", log.robot_hash},
+          {"plan_hash", log.plan_hash},
+          {"controller", log.controller},
+          {"start_s", log.start_s},
+          {"log_rate_hz", log.log_rate_hz},
+          {"step_s", log.step_s},
+          {"total_mass_kg", log.total_mass_kg},
+          {"friction", log.friction},
+          {"options", options},
+          {"saturated_s", ToJson(log.saturated_s)},
+          {"stances", StancesJson(log.stances)},
+          {"body_contacts", contacts}};
+}
+
+/// One row a sample and a line; written by hand since most of a log is these.
+template <class Row>
+void AppendRows(std::string& text, const char* key, const std::vector<LogSample>& samples, Row row) {
+  fmt::format_to(std::back_inserter(text), ",\n\"{}\": [", key);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    text += k == 0 ? "\n[" : ",\n[";
+    const VectorX values = row(samples[k]);
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      if (i > 0) text += ',';
+      fmt::format_to(std::back_inserter(text), "{}", values[i]);
+    }
+    text += ']';
+  }
+  text += ']';
+}
+
+VectorX WrenchRow(const LogSample& sample) {
+  VectorX row(6 * static_cast<Eigen::Index>(sample.wrenches.size()));
+  for (std::size_t f = 0; f < sample.wrenches.size(); ++f) {
+    row.segment<6>(6 * static_cast<Eigen::Index>(f)) << sample.wrenches[f].force_W, sample.wrenches[f].moment_W;
+  }
+  return row;
+}
+
+Vector3 ToVector3(const Json& j) { return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()}; }
+
+VectorX ToVector(const Json& j) {
+  const auto values = j.get<std::vector<double>>();
+  return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+StanceRecord ToStance(const Json& j) {
+  return {j.at("foot").get<int>(),
+          j.at("touchdown_s").get<double>(),
+          j.at("liftoff_s").get<double>(),
+          ToVector3(j.at("touchdown_m")),
+          j.at("touchdown_speed_m_s").get<double>(),
+          j.at("slip_m").get<double>(),
+          j.at("peak_normal_n").get<double>(),
+          j.at("penetration_m").get<double>(),
+          j.at("friction_use_max").get<double>()};
+}
+
+/// The rows of a key into the samples. @throws InvalidArgument unless there is one a sample and all are of one length.
+template <class Take>
+void ReadRows(const Json& j, const char* key, std::vector<LogSample>& samples, Take take) {
+  const Json& rows = j.at(key);
+  if (rows.size() != samples.size()) {
+    throw InvalidArgument(fmt::format("'{}' has {} rows, {} are needed", key, rows.size(), samples.size()));
+  }
+  Eigen::Index length = 0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const VectorX row = ToVector(rows[k]);
+    if (k == 0) length = row.size();
+    if (row.size() != length) {
+      throw InvalidArgument(fmt::format("row {} of '{}' has {} numbers, the first has {}", k, key, row.size(), length));
+    }
+    take(row, samples[k]);
+  }
+}
+
+void ReadSamples(const Json& j, PlaybackLog& log) {
+  std::vector<LogSample>& samples = log.samples;
+  samples.resize(j.at("q").size());
+  ReadRows(j, "time_s", samples, [](const VectorX& row, LogSample& s) {
+    if (row.size() != 1) throw InvalidArgument("'time_s' needs one number a row");
+    s.time_s = row[0];
+  });
+  ReadRows(j, "q", samples, [](const VectorX& row, LogSample& s) { s.q = row; });
+  ReadRows(j, "v", samples, [](const VectorX& row, LogSample& s) { s.v = row; });
+  ReadRows(j, "tau_nm", samples, [](const VectorX& row, LogSample& s) { s.tau = row; });
+  ReadRows(j, "tau_peak_nm", samples, [](const VectorX& row, LogSample& s) { s.tau_peak = row; });
+  ReadRows(j, "contact_wrenches", samples, [](const VectorX& row, LogSample& s) {
+    if (row.size() % 6 != 0) throw InvalidArgument("'contact_wrenches' needs six numbers a foot");
+    for (Eigen::Index f = 0; f < row.size(); f += 6) s.wrenches.push_back({row.segment<3>(f), row.segment<3>(f + 3)});
+  });
+  const auto contact = j.at("contact").get<std::vector<FootSet>>();
+  if (contact.size() != samples.size()) {
+    throw InvalidArgument(fmt::format("'contact' has {} numbers, {} are needed", contact.size(), samples.size()));
+  }
+  for (std::size_t k = 0; k < samples.size(); ++k) samples[k].contact = contact[k];
+  if (samples.empty()) return;
+  const LogSample& s = samples.front();
+  if (s.q.size() < 7 || s.v.size() != s.q.size() - 1 || s.tau.size() != s.v.size() - 6 ||
+      s.tau_peak.size() != s.tau.size() || log.saturated_s.size() != s.tau.size()) {
+    throw InvalidArgument("the columns of 'q', 'v', 'tau_nm', 'tau_peak_nm' and 'saturated_s' do not belong together");
+  }
+}
+
+PlaybackLog ReadLog(const Json& j) {
+  PlaybackLog log;
+  log.robot = j.at("robot").get<std::string>();
+  log.robot_hash = j.at("robot_hash").get<std::string>();
+  log.plan_hash = j.at("plan_hash").get<std::string>();
+  log.controller = j.at("controller").get<std::string>();
+  log.start_s = j.at("start_s").get<double>();
+  log.log_rate_hz = j.at("log_rate_hz").get<double>();
+  log.step_s = j.at("step_s").get<double>();
+  log.total_mass_kg = j.at("total_mass_kg").get<double>();
+  log.friction = j.at("friction").get<double>();
+  for (const auto& [key, value] : j.at("options").items()) log.options.emplace_back(key, value.get<std::string>());
+  log.saturated_s = ToVector(j.at("saturated_s"));
+  for (const Json& stance : j.at("stances")) log.stances.push_back(ToStance(stance));
+  for (const Json& c : j.at("body_contacts")) {
+    log.body_contacts.push_back({c.at("time_s").get<double>(), c.at("link").get<std::string>()});
+  }
+  ReadSamples(j, log);
+  return log;
+}
+
+Failure Refused(const std::string& source, const std::string& why) {
+  return {FailureKind::kBadInput, "log_file", "LoadLog", fmt::format("'{}' is refused: {}", source, why), {}};
+}
+
+}  // namespace
+
+std::string LogToJson(const PlaybackLog& log) {
+  std::string text = HeadJson(log).dump();
+  text.pop_back();  // the closing brace
+  AppendRows(text, "time_s", log.samples, [](const LogSample& s) { return VectorX::Constant(1, s.time_s); });
+  AppendRows(text, "q", log.samples, [](const LogSample& s) { return s.q; });
+  AppendRows(text, "v", log.samples, [](const LogSample& s) { return s.v; });
+  AppendRows(text, "tau_nm", log.samples, [](const LogSample& s) { return s.tau; });
+  AppendRows(text, "tau_peak_nm", log.samples, [](const LogSample& s) { return s.tau_peak; });
+  AppendRows(text, "contact_wrenches", log.samples, [](const LogSample& s) { return WrenchRow(s); });
+  text += ",\n\"contact\": [";
+  for (std::size_t k = 0; k < log.samples.size(); ++k) {
+    fmt::format_to(std::back_inserter(text), "{}{}", k == 0 ? "" : ",", log.samples[k].contact);
+  }
+  text += "]\n}\n";
+  return text;
+}
+
+Result<PlaybackLog> LogFromJson(const std::string& text, const std::string& source) {
+  try {
+    const Json j = Json::parse(text);
+    if (!j.is_object() || !j.contains("format") || j.at("format") != kFormat) {
+      return Refused(source, "it is no playback log");
+    }
+    const int schema = j.at("schema").get<int>();
+    if (schema != PlaybackLog::kSchema) {
+      return Refused(source,
+                     fmt::format("it has schema {}; this program reads schema {}", schema, PlaybackLog::kSchema));
+    }
+    return ReadLog(j);
+  } catch (const Json::parse_error& error) {
+    return Refused(source, fmt::format("its JSON is cut short or broken at byte {}", error.byte));
+  } catch (const Json::exception& error) {
+    return Refused(source, fmt::format("a part is missing or of the wrong kind: {}", error.what()));
+  } catch (const InvalidArgument& error) {
+    return Refused(source, error.what());
+  }
+}
+
+Result<std::string> SaveLog(const PlaybackLog& log, const std::string& path) {
+  return WriteFileAtomically(path, LogToJson(log));
+}
+
+Result<PlaybackLog> LoadLog(const std::string& path) {
+  const Result<std::string> text = ReadFile(path);
+  if (!text) return text.failure();
+  return LogFromJson(*text, path);
+}
+
+}  // namespace gaitwright
