@@ -80,14 +80,15 @@ Extreme CaptureMargins(const ScoreInputs& in, const std::vector<MotionSample>& s
   Extreme smallest(Extreme::Kind::kSmallest);
   const double reach = StepReach(in.model, in.options.stretch);
   DynamicsScratch scratch(in.model);
-  for (const Touchdown& touchdown : TouchdownsOf(in.plan.schedule)) {
+  for (const double touchdown : TouchdownTimes(in.plan.schedule)) {
     const auto at = std::find_if(samples.begin(), samples.end(),
-                                 [&](const MotionSample& s) { return s.time_s >= touchdown.time_s - 1e-9; });
+                                 [&](const MotionSample& s) { return s.time_s >= touchdown - 1e-9; });
     if (at == samples.end()) break;
     const std::size_t k = static_cast<std::size_t>(at - samples.begin());
     ForwardKinematics(in.model, measured ? in.log.samples[k].q : in.series.plan[k].q, scratch);
-    const Support support = SupportOf(in.model, scratch, in.plan.terrain, touchdown.stance);
-    smallest.See(CaptureMargin(support, *at, reach, TimeToNextTouchdown(in.plan, touchdown.time_s)), at->time_s);
+    const auto stages = StagesToNextTouchdown(in.plan, touchdown);
+    const auto margin = CaptureMargin(in.model, scratch, in.plan.terrain, stages, *at, reach);
+    if (margin) smallest.See(*margin, at->time_s);
   }
   return smallest;
 }

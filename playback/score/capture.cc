@@ -7,12 +7,23 @@
 namespace gaitwright {
 namespace {
 
+constexpr double kSame = 1e-6;  // [s]
+
 double HipHeight(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg) {
   const std::size_t foot_body = static_cast<std::size_t>(model.feet[static_cast<std::size_t>(leg.foot)].body);
   const double foot = scratch.p_WB[foot_body].z();
   double highest = foot;
   for (const int joint : leg.joints) highest = std::max(highest, scratch.p_WB[static_cast<std::size_t>(joint) + 1].z());
   return highest;
+}
+
+/// Minkowski sum of `a` and `weight` times `b`.
+Polygon Plus(const Polygon& a, double weight, const Polygon& b) {
+  std::vector<Vector2> sums;
+  for (const Vector2& p : a) {
+    for (const Vector2& q : b) sums.push_back(p + weight * q);
+  }
+  return ConvexHull(std::move(sums));
 }
 
 }  // namespace
@@ -30,37 +41,47 @@ double StepReach(const RobotModel& model, double stretch) {
   return sum / static_cast<double>(model.legs.size());
 }
 
-std::vector<Touchdown> TouchdownsOf(const ContactSchedule& schedule) {
-  std::vector<Touchdown> touchdowns;
-  FootSet coming = 0;
-  const auto close_last = [&] {
-    if (!touchdowns.empty() && touchdowns.back().stance == 0) touchdowns.back().stance = coming;
-  };
+std::vector<double> TouchdownTimes(const ContactSchedule& schedule) {
+  std::vector<double> times;
   for (std::size_t i = 1; i < schedule.phases.size(); ++i) {
-    const FootSet stance = schedule.phases[i].stance, landed = stance & ~schedule.phases[i - 1].stance;
-    if (landed != 0) {
-      close_last();
-      touchdowns.push_back({schedule.phases[i].start_s, stance});
-      coming = landed;
-    } else if (!touchdowns.empty()) {
-      touchdowns.back().stance &= stance;
-    }
+    const bool comes_down = (schedule.phases[i].stance & ~schedule.phases[i - 1].stance) != 0;
+    if (comes_down) times.push_back(schedule.phases[i].start_s);
   }
-  close_last();
-  return touchdowns;
+  return times;
 }
 
-double TimeToNextTouchdown(const MotionPlan& plan, double time_s) {
-  constexpr double kSame = 1e-6;
-  const std::vector<Touchdown> all = TouchdownsOf(plan.schedule);
-  const auto next = std::find_if(all.begin(), all.end(), [&](const Touchdown& t) { return t.time_s > time_s + kSame; });
-  if (next != all.end()) return next->time_s - time_s;
-  if (all.size() < 2) return 0.5 * plan.gait.cycle_s;
-  return (all.back().time_s - all.front().time_s) / static_cast<double>(all.size() - 1);
+std::vector<CaptureStage> StagesToNextTouchdown(const MotionPlan& plan, double time_s) {
+  const std::vector<double> times = TouchdownTimes(plan.schedule);
+  const auto next = std::find_if(times.begin(), times.end(), [&](double t) { return t > time_s + kSame; });
+  if (plan.schedule.phases.empty()) return {};
+  if (next == times.end()) {
+    const double mean = times.size() < 2 ? 0.5 * plan.gait.cycle_s
+                                         : (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+    return {{mean, plan.schedule.phases.back().stance}};
+  }
+  std::vector<CaptureStage> stages;
+  for (const ContactPhase& phase : plan.schedule.phases) {
+    const double start = std::max(phase.start_s, time_s), end = std::min(phase.end_s, *next);
+    if (end > start + kSame) stages.push_back({end - start, phase.stance});
+  }
+  return stages;
 }
 
-double CaptureMargin(const Support& support, const MotionSample& sample, double reach_m, double time_s) {
-  return SignedDistance(support.polygon, sample.dcm_W) + reach_m * std::exp(-sample.omega_rad_s * time_s);
+std::optional<double> CaptureMargin(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain,
+                                    const std::vector<CaptureStage>& stages, const MotionSample& sample,
+                                    double reach_m) {
+  Polygon set = {Vector2::Zero()}, last;
+  double still = 1.0;  // exp(-omega T_i)
+  for (const CaptureStage& stage : stages) {
+    const double after = still * std::exp(-sample.omega_rad_s * stage.duration_s);
+    const Polygon support = SupportOf(model, scratch, terrain, stage.stance).polygon;
+    if (support.empty()) continue;  // in flight nothing pushes the DCM
+    set = Plus(set, still - after, support);
+    last = support;
+    still = after;
+  }
+  if (last.empty()) return std::nullopt;
+  return SignedDistance(Plus(set, still, last), sample.dcm_W) + reach_m * still;
 }
 
 }  // namespace gaitwright

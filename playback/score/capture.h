@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "playback/score/motion_series.h"
 
 namespace gaitwright {
@@ -9,25 +11,31 @@ namespace gaitwright {
 /// h of the standing posture: l = 2 sqrt((stretch L)^2 - h^2), at least 0.2 L, averaged over the legs.
 double StepReach(const RobotModel& model, double stretch);
 
-/// Time from `time_s` to the next scheduled touch-down after it; after the last one, the mean interval between those
-/// that were, or the gait's half cycle.
-double TimeToNextTouchdown(const MotionPlan& plan, double time_s);
+/// Times at which some foot comes down after the schedule's start, in order.
+std::vector<double> TouchdownTimes(const ContactSchedule& schedule);
 
-/// A touch-down of the schedule, and the feet that then stand until the next one ("the support to come").
-struct Touchdown {
-  double time_s = 0.0;
+/// Some feet standing for some time on the way to the next touch-down.
+struct CaptureStage {
+  double duration_s = 0.0;
   FootSet stance = 0;
 };
 
-/// All of them after the schedule's start. Where no foot stands all the way to the next, the feet that come down.
-std::vector<Touchdown> TouchdownsOf(const ContactSchedule& schedule);
+/// The stages of the schedule from `time_s` to the next touch-down after it: both feet, then one, say. After the last
+/// touch-down the final stance is held for the mean interval between touch-downs, or the gait's half cycle.
+std::vector<CaptureStage> StagesToNextTouchdown(const MotionPlan& plan, double time_s);
 
-/// Signed distance of the DCM to the one-step capturable set of a support [m].
+/// Signed distance of the DCM to the one-step capturable set of the support to come [m]; nothing when no stage has a
+/// foot on the ground.
 ///
-/// With the ZMP held at a point p of S for the time T, the DCM goes to p + (xi - p) exp(omega T). A step puts a copy of
-/// S at most l further, so it can come under the DCM exactly when |xi - p| <= l exp(-omega T) for some p of S: the set
-/// is S inflated by l exp(-omega T). After Koolen et al., Int. J. Robotics Research 31(9) 2012, with the step time of
-/// the plan in place of the smallest possible one. @pre the support is not empty.
-double CaptureMargin(const Support& support, const MotionSample& sample, double reach_m, double time_s);
+/// While the ZMP is held at a point p for a time t, the DCM goes from xi to p + (xi - p) exp(omega t). Over the stages
+/// i of the support S_i and the duration t_i up to the next touch-down, at T = sum t_i, it can be brought to every
+/// point within reach l of S_last exactly from the set
+///   C = sum_i (exp(-omega T_i) - exp(-omega T_i+1)) S_i  +  exp(-omega T) (S_last + disc of radius l),
+/// T_i the start of stage i and sums those of Minkowski; a step puts a copy of S_last at most l further, under the DCM.
+/// With one stage C is S inflated by l exp(-omega T). After Koolen et al., Int. J. Robotics Research 31(9) 2012, with
+/// the step times of the plan in place of the smallest possible ones. @pre ForwardKinematics of `scratch`.
+std::optional<double> CaptureMargin(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain,
+                                    const std::vector<CaptureStage>& stages, const MotionSample& sample,
+                                    double reach_m);
 
 }  // namespace gaitwright

@@ -96,7 +96,7 @@ std::vector<MetricRule> JointRules() {
             Bound::kAtMost, 0.01),
       Told("joint_speed_use_max", "1", kLower, 0.5, 0.6, false, "joint speed over its limit, largest"),
       Gated(Told("joint_limit_margin_min_rad", "rad", kHigher, 0.5, 0.1, false,
-                 "distance of a joint from its limit, smallest (metres for a sliding joint)"),
+                 "distance of a joint that the plan moves from its limit, smallest (metres for a sliding one)"),
             Bound::kAbove, 0.0),
       Told("cost_of_transport", "1", kLower, 0.5, 1.0, false, "positive joint work over m g d"),
       Told("smoothness_jerk_rms", "rad/s^3", kLower, 0.5, 1000.0, false, "jerk of the joints"),

@@ -21,16 +21,29 @@ bool HasSpeedLimit(const RobotModel& model, int dof) {
   return !joint.velocity_limit_is_placeholder && std::isfinite(limit) && limit > 0.0;
 }
 
+/// A joint that the plan holds still may be parked at its limit (a closed hand, a stretched arm).
+bool Moves(const ScoreInputs& in, int dof) {
+  constexpr double kStill = 1e-3;  // [rad] or [m]
+  double least = in.series.plan.front().q[7 + dof], most = least;
+  for (const WholeBodySample& row : in.series.plan) {
+    least = std::min(least, row.q[7 + dof]);
+    most = std::max(most, row.q[7 + dof]);
+  }
+  return most - least > kStill;
+}
+
 /// The extremes over time of some figures of the joints, of plan and log alike.
 struct JointExtremes {
   Extreme torque{Extreme::Kind::kLargest}, speed{Extreme::Kind::kLargest}, margin{Extreme::Kind::kSmallest};
+
+  std::vector<bool> moves;  ///< by joint
 
   void See(const RobotModel& model, const VectorX& q, const VectorX& v, const VectorX& tau, double time_s) {
     for (int i = 0; i < model.num_dofs(); ++i) {
       if (tau.size() > i && HasTorqueLimit(model, i)) torque.See(std::abs(tau[i]) / model.dof_effort_limit(i), time_s);
       if (HasSpeedLimit(model, i)) speed.See(std::abs(v[6 + i]) / model.dof_velocity_limit(i), time_s);
       const double room = std::min(q[7 + i] - model.dof_lower(i), model.dof_upper(i) - q[7 + i]);
-      if (std::isfinite(room)) margin.See(room, time_s);
+      if (moves[static_cast<std::size_t>(i)] && std::isfinite(room)) margin.See(room, time_s);
     }
   }
 };
@@ -118,6 +131,8 @@ Measurement TorqueStep(const ScoreInputs& in) {
 
 std::vector<Measurement> JointMeasurements(const ScoreInputs& in) {
   JointExtremes measured, planned;
+  for (int i = 0; i < in.model.num_dofs(); ++i) measured.moves.push_back(Moves(in, i));
+  planned.moves = measured.moves;
   for (std::size_t k = 0; k < in.series.measured.size(); ++k) {
     const LogSample& sample = in.log.samples[k];
     const WholeBodySample& wanted = in.series.plan[k];
@@ -128,7 +143,8 @@ std::vector<Measurement> JointMeasurements(const ScoreInputs& in) {
           Saturated(in),
           FromExtremes("joint_speed_use_max", measured.speed, planned.speed,
                        "no joint has a speed limit that is more than a placeholder"),
-          FromExtremes("joint_limit_margin_min_rad", measured.margin, planned.margin, "no joint has position limits"),
+          FromExtremes("joint_limit_margin_min_rad", measured.margin, planned.margin,
+                       "no joint with position limits moves"),
           CostOfTransport(in),
           Jerk(in),
           TorqueStep(in)};

@@ -187,9 +187,9 @@ TEST(Score, ALowBaseABodyOnTheGroundAndAShortLogAreFalls) {
 
 TEST(Score, SaturationSpeedAndLimitsAreSharesOfTheUrdfsLimits) {
   const RobotModel model = Robot(2, FootType::kSole);
-  const MotionPlan plan = StandingPlan(model, 1.0);
+  const MotionPlan plan = SteppingPlan(model);
   PlaybackLog log = PerfectLog(model, plan);
-  log.saturated_s[4] = 0.03;
+  log.saturated_s[4] = 0.03 * plan.duration_s();
   log.samples[20].tau_peak[4] = 200.0;
   log.samples[30].v[6 + 1] = -5.0;
   log.samples[40].q[7] = 0.9;
@@ -198,10 +198,22 @@ TEST(Score, SaturationSpeedAndLimitsAreSharesOfTheUrdfsLimits) {
   EXPECT_FALSE(report.At("torque_saturated_fraction").pass);
   EXPECT_NEAR(Value(report, "torque_use_max"), 1.0, 1e-12);
   EXPECT_NEAR(*report.At("torque_use_max").at_s, 0.1, 1e-12);
-  EXPECT_NEAR(*report.At("torque_use_max").planned, 0.5 * model.weight_n() / 200.0, 1e-9);
+  EXPECT_NEAR(*report.At("torque_use_max").planned, model.weight_n() / 200.0, 1e-9) << "one leg carries all";
   EXPECT_NEAR(Value(report, "joint_speed_use_max"), 0.5, 1e-12);
   EXPECT_NEAR(Value(report, "joint_limit_margin_min_rad"), 0.1, 1e-12);
-  EXPECT_NEAR(*report.At("joint_limit_margin_min_rad").planned, 0.5, 1e-12);
+  EXPECT_NEAR(*report.At("joint_limit_margin_min_rad").planned, 0.5, 1e-9);
+}
+
+TEST(Score, AJointParkedAtItsLimitIsNotHeldAgainstThePlayback) {
+  RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = SteppingPlan(model);
+  model.joints[2].upper = -0.4;
+  EXPECT_TRUE(Score(model, plan, PerfectLog(model, plan)).At("joint_limit_margin_min_rad").pass);
+  model.joints[2].upper = -0.47;
+  EXPECT_FALSE(Score(model, plan, PerfectLog(model, plan)).At("joint_limit_margin_min_rad").pass) << "it moves past";
+  const MotionPlan still = StandingPlan(model, 1.0);
+  model.joints[2].upper = -synthetic::kHeight;
+  EXPECT_TRUE(Score(model, still, PerfectLog(model, still)).At("joint_limit_margin_min_rad").pass) << "parked";
 }
 
 TEST(Score, PlaceholderLimitsJudgeNothingAndAreNoted) {
