@@ -6,9 +6,10 @@
 
 int main(int argc, char** argv) {
   using namespace gaitwright::cli;
-  CLI::App app("Gaitwright plans gaits for legged robots and proves them in physics.\n"
-               "First words: gaitwright walk --robot a1",
-               "gaitwright");
+  CLI::App app(
+      "Gaitwright plans gaits for legged robots and proves them in physics.\n"
+      "First words: gaitwright walk --robot a1",
+      "gaitwright");
   app.set_version_flag("--version", gaitwright::Version());
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);

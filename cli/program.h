@@ -25,7 +25,8 @@ struct Common {
 /// Adds the flags of Common to a verb.
 void AddCommon(CLI::App& verb, Common& common);
 
-/// Prints a failure (a sentence on standard error; with --json the error object on standard output) and gives its status.
+/// Prints a failure (a sentence on standard error; with --json the error object on standard output) and gives its
+/// status.
 int Report(const Failure& failure, const Common& common);
 
 /// Runs a verb; an InvalidArgument becomes a failure like any other.

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/output.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "kinematics/base/file.h"
+#include "planning/plan/plan_json.h"
+#include "playback/log/log_json.h"
+#include "playback/report/plot_style.h"
+#include "playback/report/plots.h"
+#include "playback/report/report_page.h"
+#include "playback/score/report_text.h"
+
+namespace gaitwright::cli {
+namespace {
+
+std::vector<std::string> Lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+void Outputs::AddTo(CLI::App& verb) {
+  verb.add_option("--out-dir", folder, "Folder for plan.json, log.json and report.html")->capture_default_str();
+  verb.add_option("--plot-dir", plot_folder, "Folder for the plots as SVG files");
+}
+
+Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
+  Files files;
+  const auto write = [&](const char* kind, const std::string& name, const auto& text) -> std::optional<Failure> {
+    if (name.empty()) return std::nullopt;
+    const std::string path = (std::filesystem::path(outputs.folder) / name).string();
+    const Result<std::string> written = WriteFileAtomically(path, text());
+    if (!written) return written.failure();
+    files.emplace_back(kind, path);
+    return std::nullopt;
+  };
+  if (auto failure = write("plan", outputs.plan, [&] { return PlanToJson(judged.plan); })) return *failure;
+  if (auto failure = write("log", outputs.log, [&] { return LogToJson(judged.played.log); })) return *failure;
+  if (auto failure = write("report", outputs.report, [&] {
+        return ReportPage(judged.model, judged.plan, judged.played.log, judged.played.report,
+                          Lines(AuditText(judged.audit)));
+      })) {
+    return *failure;
+  }
+  if (outputs.plot_folder.empty()) return files;
+  for (const Plot& plot : MakePlots(judged.model, judged.plan, judged.played.log, judged.played.report)) {
+    const std::string path = (std::filesystem::path(outputs.plot_folder) / (plot.name + ".svg")).string();
+    const Result<std::string> written = WriteFileAtomically(path, StandaloneSvg(plot.svg));
+    if (!written) return written.failure();
+  }
+  files.emplace_back("plots", outputs.plot_folder);
+  return files;
+}
+
+void PrintJudged(const Judged& judged, const Files& files, const Common& common) {
+  if (common.json) {
+    auto json = nlohmann::ordered_json::parse(ReportJson(judged.played.report));
+    json["audit"] = nlohmann::ordered_json::parse(AuditJson(judged.audit));
+    if (judged.played.report.pass && !judged.pass()) {
+      json["verdict"] = "fail";
+      json["reason"] = "the plan fails its audit: " + judged.audit.violations.front().law;
+    }
+    json["planning_cpu_s"] = judged.planning_cpu_s;
+    json["playback_realtime_factor"] = judged.played.realtime_factor;
+    json["files"] = nlohmann::ordered_json::object();
+    for (const auto& [kind, path] : files) json["files"][kind] = path;
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  if (common.quiet) {
+    fmt::print("{}\n", judged.pass() ? "pass" : "fail");
+    return;
+  }
+  fmt::print("{}", ReportText(judged.played.report));
+  fmt::print("\n{}", AuditText(judged.audit));
+  for (const std::string& warning : judged.plan.warnings) fmt::print("warning: {}\n", warning);
+  if (judged.planning_cpu_s > 0.0) fmt::print("planned in {:.2f} s of CPU, ", judged.planning_cpu_s);
+  fmt::print("played at {:.1f} times real time\n", judged.played.realtime_factor);
+  for (const auto& [kind, path] : files) fmt::print("{:<7} {}\n", kind, path);
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "cli/walk_arguments.h"
+#include "planning/plan/plan_json.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string plan, derate;
+  AuditOptions options;
+};
+
+/// --derate torque=0.8,speed=0.9
+void Derate(const std::string& text, AuditOptions& options) {
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');) {
+    OptionFields fields = {{"torque", &options.derate_torque, "1", 0.01, 1.0, "", {}},
+                           {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}}};
+    ApplySets({word}, fields);
+  }
+}
+
+int Run(Arguments& a) {
+  ApplySets(a.common.sets, a.options.Fields());
+  Derate(a.derate, a.options);
+  const Result<MotionPlan> plan = LoadPlan(a.plan);
+  if (!plan) return Report(plan.failure(), a.common);
+  const Result<RobotModel> model = RobotOf(*plan);
+  if (!model) return Report(model.failure(), a.common);
+  const Result<AuditReport> report = Audit(*model, *plan, a.options);
+  if (!report) return Report(report.failure(), a.common);
+  fmt::print("{}", a.common.json ? AuditJson(*report) + "\n" : AuditText(*report));
+  return report->pass() ? kPass : kVerdictFail;
+}
+
+}  // namespace
+
+void AddAudit(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("audit", "Check a plan densely against the laws, without a simulator");
+  verb.add_option("PLAN", a->plan, "A plan file")->required();
+  verb.add_option("--derate", a->derate, "Use less than the limits, as torque=0.8,speed=0.9");
+  AddCommon(verb, a->common);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "planning/gait/find_gait.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string file;
+};
+
+int Run(const Arguments& a) {
+  const Result<std::vector<GaitEntry>> gaits = a.file.empty() ? BuiltInGaits() : LoadGaits(a.file);
+  if (!gaits) return Report(gaits.failure(), a.common);
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const GaitEntry& entry : *gaits) {
+    Gait gait = entry.gait;
+    const bool flight = HasFlight(gait);
+    list.push_back({{"name", gait.name},
+                    {"feet", gait.num_feet()},
+                    {"description", gait.description},
+                    {"phase", gait.phase},
+                    {"duty_factor", gait.duty_factor},
+                    {"flight", flight}});
+    if (!a.common.json)
+      fmt::print("{:<8} {} feet  {}{}\n", gait.name, gait.num_feet(), gait.description,
+                 flight ? "; not planned yet" : "");
+  }
+  if (a.common.json) fmt::print("{}\n", nlohmann::ordered_json{{"gaits", list}}.dump(2));
+  return kPass;
+}
+
+}  // namespace
+
+void AddGaits(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("gaits", "List the gaits, or those of a file");
+  verb.add_option("FILE", a->file, "A .yaml file of gaits");
+  AddCommon(verb, a->common);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/walk_arguments.h"
+#include "planning/plan/plan_json.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  WalkArguments walk;
+  std::string out = "plan.json", folder;
+};
+
+void Print(const PlannedWalk& planned, const std::string& path, const Common& common) {
+  if (common.json) {
+    const nlohmann::ordered_json json = {{"robot", planned.motion.plan.robot},
+                                         {"gait", planned.motion.plan.gait.name},
+                                         {"duration_s", planned.motion.plan.duration_s()},
+                                         {"footholds", planned.motion.plan.footsteps.footholds.size()},
+                                         {"zmp_error_max_m", planned.motion.zmp_error_max_m},
+                                         {"planning_cpu_s", planned.planning_cpu_s},
+                                         {"warnings", planned.motion.plan.warnings},
+                                         {"audit", nlohmann::ordered_json::parse(AuditJson(planned.audit))},
+                                         {"files", {{"plan", path}}}};
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  if (!common.quiet) {
+    fmt::print("{} {}: {}\nplanned in {:.2f} s of CPU\n", planned.motion.plan.robot, planned.motion.plan.gait.name,
+               planned.motion.summary, planned.planning_cpu_s);
+    for (const std::string& warning : planned.motion.plan.warnings) fmt::print("warning: {}\n", warning);
+  }
+  fmt::print("{}", AuditText(planned.audit));
+  fmt::print("plan    {}\n", path);
+}
+
+int Run(Arguments& a) {
+  ApplySets(a.common.sets, a.walk.request.Fields());
+  a.walk.request.seed = a.common.seed;
+  const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
+  if (!model) return Report(model.failure(), a.common);
+  a.walk.Finish(*model);
+  const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);
+  if (!planned) return Report(planned.failure(), a.common);
+  const std::string path = a.folder.empty() ? a.out : a.folder + "/plan.json";
+  const Result<std::string> saved = SavePlan(planned->motion.plan, path);
+  if (!saved) return Report(saved.failure(), a.common);
+  Print(*planned, path, a.common);
+  return planned->audit.pass() ? kPass : kVerdictFail;
+}
+
+}  // namespace
+
+void AddPlan(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("plan", "Plan a walk, audit it and write it to a file");
+  a->walk.AddTo(verb);
+  verb.add_option("--out", a->out, "File to write")->capture_default_str();
+  verb.add_option("--out-dir", a->folder, "Folder for plan.json, instead of --out");
+  AddCommon(verb, a->common);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

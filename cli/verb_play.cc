@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/output.h"
+#include "cli/walk_arguments.h"
+#include "planning/plan/plan_json.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string plan;
+  PlayArguments play;
+  Outputs outputs;
+};
+
+int Run(Arguments& a) {
+  ApplySets(a.common.sets, a.play.request.Fields());
+  a.play.Finish();
+  const Result<MotionPlan> plan = LoadPlan(a.plan);
+  if (!plan) return Report(plan.failure(), a.common);
+  const Result<RobotModel> model = RobotOf(*plan);
+  if (!model) return Report(model.failure(), a.common);
+  const Result<AuditReport> audit = Audit(*model, *plan, AuditOptions{});
+  if (!audit) return Report(audit.failure(), a.common);
+  const Result<PlayedWalk> played = PlayWalk(*model, *plan, a.play.request);
+  if (!played) return Report(played.failure(), a.common);
+  const Judged judged{*model, *plan, *played, *audit};
+  const Result<Files> files = WriteOutputs(judged, a.outputs);
+  if (!files) return Report(files.failure(), a.common);
+  PrintJudged(judged, *files, a.common);
+  return judged.pass() ? kPass : kVerdictFail;
+}
+
+}  // namespace
+
+void AddPlay(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("play", "Play a plan in physics and score it");
+  a->outputs = {"", "", "", "", ""};
+  verb.add_option("PLAN", a->plan, "A plan file")->required();
+  verb.add_option("--log", a->outputs.log, "Write the log to this file");
+  verb.add_option("--report", a->outputs.report, "Write the report to this file");
+  verb.add_option("--plot-dir", a->outputs.plot_folder, "Folder for the plots as SVG files");
+  a->play.AddTo(verb);
+  AddCommon(verb, a->common);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

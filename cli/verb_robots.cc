@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "kinematics/collision/collision_checker.h"
+#include "kinematics/ik/whole_body_ik.h"
+#include "kinematics/model/describe.h"
+#include "kinematics/model/load_robot.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string robot;
+};
+
+int List(const Common& common) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const std::string& name : RobotNames()) {
+    const Result<RobotModel> model = LoadNamedRobot(name);
+    if (!model) return Report(model.failure(), common);
+    if (!common.json) {
+      fmt::print("{:<14} {} legs, {} motors, {:.1f} kg\n", name, model->legs.size(), model->num_dofs(),
+                 model->total_mass_kg);
+    }
+    list.push_back({{"name", name},
+                    {"legs", model->legs.size()},
+                    {"motors", model->num_dofs()},
+                    {"mass_kg", model->total_mass_kg}});
+  }
+  if (common.json) fmt::print("{}\n", nlohmann::ordered_json{{"robots", list}}.dump(2));
+  return kPass;
+}
+
+int Show(const Arguments& a) {
+  const bool is_file =
+      a.robot.ends_with(".urdf") || a.robot.ends_with(".xml") || a.robot.find('/') != std::string::npos;
+  Result<RobotModel> model = ChooseRobot(a.robot, is_file ? a.robot : "");
+  if (!model) return Report(model.failure(), a.common);
+  const WholeBodyIk ik(*model);
+  const CollisionChecker collision(*model);
+  model->notes.insert(model->notes.end(), ik.notes().begin(), ik.notes().end());
+  model->notes.insert(model->notes.end(), collision.notes().begin(), collision.notes().end());
+  fmt::print("{}\n", a.common.json ? RobotJson(*model) : DescribeRobot(*model));
+  return kPass;
+}
+
+}  // namespace
+
+void AddRobots(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
+  CLI::App& show = *verb.add_subcommand("show", "Explain one robot: legs, feet, posture, limits");
+  show.add_option("ROBOT", a->robot, "A name or a URDF file")->required();
+  AddCommon(verb, a->common);
+  AddCommon(show, a->common);
+  verb.require_subcommand(0, 1);
+  verb.callback(
+      [a, &status] { status = Guarded(a->common, [&] { return a->robot.empty() ? List(a->common) : Show(*a); }); });
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/output.h"
+#include "cli/walk_arguments.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  WalkArguments walk;
+  PlayArguments play;
+  Outputs outputs;
+};
+
+int Run(Arguments& a) {
+  ApplySets(a.common.sets, Joined({a.walk.request.Fields(), a.play.request.Fields()}));
+  a.walk.request.seed = a.common.seed;
+  const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
+  if (!model) return Report(model.failure(), a.common);
+  a.walk.Finish(*model);
+  a.play.Finish();
+  const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);
+  if (!planned) return Report(planned.failure(), a.common);
+  const Result<PlayedWalk> played = PlayWalk(*model, planned->motion.plan, a.play.request);
+  if (!played) return Report(played.failure(), a.common);
+  const Judged judged{*model, planned->motion.plan, *played, planned->audit, planned->planning_cpu_s, true};
+  const Result<Files> files = WriteOutputs(judged, a.outputs);
+  if (!files) return Report(files.failure(), a.common);
+  PrintJudged(judged, *files, a.common);
+  return judged.pass() ? kPass : kVerdictFail;
+}
+
+}  // namespace
+
+void AddWalk(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("walk", "Plan, audit, play and score a walk in one go, and write the report");
+  a->outputs.folder = "out";
+  a->walk.AddTo(verb);
+  a->play.AddTo(verb);
+  a->outputs.AddTo(verb);
+  AddCommon(verb, a->common);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

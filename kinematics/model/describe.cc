@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/describe.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace gaitwright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* FootTypeName(FootType type) {
+  const char* const names[] = {"point", "sphere", "line", "sole"};
+  return names[static_cast<int>(type)];
+}
+
+std::string FootText(const Foot& foot) {
+  std::string text = fmt::format("{} '{}'", FootTypeName(foot.type), foot.link);
+  if (foot.radius > 0.0) text += fmt::format(", radius {:.3f} m", foot.radius);
+  if (!foot.sole_F.empty()) {
+    const Vector2 size = foot.sole_F[2] - foot.sole_F[0];
+    text += fmt::format(", {:.3f} m long, {:.3f} m wide", size.x(), size.y());
+  }
+  return text;
+}
+
+std::string JointNames(const RobotModel& model, const Leg& leg) {
+  std::string names;
+  for (const int joint : leg.joints) {
+    const Joint& j = model.joints[static_cast<std::size_t>(joint)];
+    names += (names.empty() ? "" : ", ") + j.name + (j.is_mimic ? " (mimic)" : "");
+  }
+  return names;
+}
+
+Json LegJson(const RobotModel& model, const Leg& leg) {
+  const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
+  Json joints = Json::array();
+  for (const int joint : leg.joints) joints.push_back(model.joints[static_cast<std::size_t>(joint)].name);
+  return {
+      {"joints", joints},
+      {"length_m", leg.length_m},
+      {"mirror", leg.mirror < 0 ? Json(nullptr) : Json(model.legs[static_cast<std::size_t>(leg.mirror)].name)},
+      {"knee", leg.knee_joint < 0 ? Json(nullptr) : Json(model.joints[static_cast<std::size_t>(leg.knee_joint)].name)},
+      {"foot", {{"link", foot.link}, {"type", FootTypeName(foot.type)}, {"radius_m", foot.radius}}}};
+}
+
+}  // namespace
+
+std::string DescribeRobot(const RobotModel& model) {
+  std::string text = fmt::format("{}: {:.3f} kg, {} motors, {} legs of {:.3f} m, own speed {:.2f} m/s\n", model.name,
+                                 model.total_mass_kg, model.num_dofs(), model.legs.size(), model.leg_length_m(),
+                                 model.nominal_speed_m_s);
+  text += fmt::format("stands with its base '{}' {:.4f} m over the ground\n\nlegs\n", model.bodies[0].name,
+                      model.standing_base_height_m);
+  for (const Leg& leg : model.legs) {
+    text += fmt::format("  {}: {}\n    joints {}\n", leg.name, FootText(model.feet[static_cast<std::size_t>(leg.foot)]),
+                        JointNames(model, leg));
+    if (leg.knee_joint >= 0) {
+      text += fmt::format("    knee {} bends to {}\n", model.joints[static_cast<std::size_t>(leg.knee_joint)].name,
+                          leg.knee_sign > 0.0 ? "plus" : "minus");
+    }
+  }
+  text += "\njoint                 stands at   lower    upper    speed   effort\n";
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    text += fmt::format("  {:<20} {:8.3f} {:8.3f} {:8.3f} {:8.2f} {:8.2f}\n",
+                        model.dof_names[static_cast<std::size_t>(d)], model.standing_joints[d], model.dof_lower(d),
+                        model.dof_upper(d), model.dof_velocity_limit(d), model.dof_effort_limit(d));
+  }
+  if (!model.notes.empty()) text += "\nnotes\n";
+  for (const std::string& note : model.notes) text += "  " + note + "\n";
+  return text;
+}
+
+std::string RobotJson(const RobotModel& model) {
+  Json legs = Json::object(), standing = Json::object();
+  for (const Leg& leg : model.legs) legs[leg.name] = LegJson(model, leg);
+  for (int d = 0; d < model.num_dofs(); ++d)
+    standing[model.dof_names[static_cast<std::size_t>(d)]] = model.standing_joints[d];
+  const Json json = {{"name", model.name},
+                     {"mass_kg", model.total_mass_kg},
+                     {"motors", model.num_dofs()},
+                     {"leg_length_m", model.leg_length_m()},
+                     {"nominal_speed_m_s", model.nominal_speed_m_s},
+                     {"standing_base_height_m", model.standing_base_height_m},
+                     {"legs", legs},
+                     {"standing", standing},
+                     {"notes", model.notes},
+                     {"hash", model.hash}};
+  return json.dump(2);
+}
+
+}  // namespace gaitwright

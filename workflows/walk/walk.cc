@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/walk/walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "kinematics/model/load_robot.h"
+#include "playback/control/joint_pd.h"
+
+namespace gaitwright {
+namespace {
+
+/// CPU time of this process since it was made.
+class CpuClock {
+ public:
+  double elapsed_s() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
+
+ private:
+  std::clock_t start_ = std::clock();
+};
+
+}  // namespace
+
+Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_path) {
+  return urdf_path.empty() ? LoadNamedRobot(name) : LoadRobot(urdf_path);
+}
+
+Result<RobotModel> RobotOf(const MotionPlan& plan) {
+  Result<RobotModel> model = LoadRobotFromText(plan.urdf_text, plan.yaml_text, plan.robot);
+  if (model && model->hash != plan.robot_hash) {
+    return Failure{FailureKind::kBadInput,
+                   "robot_hash",
+                   "RobotOf",
+                   fmt::format("the plan was made for robot {} ({}), but carries another ({})", plan.robot,
+                               plan.robot_hash, model->hash),
+                   {"make the plan anew"}};
+  }
+  return model;
+}
+
+Result<Terrain> FindTerrain(const std::string& name) {
+  if (name == "flat") return FlatTerrain();
+  return Failure{FailureKind::kBadInput,
+                 "unknown_terrain",
+                 "FindTerrain",
+                 fmt::format("there is no terrain '{}'; there is 'flat'", name),
+                 {}};
+}
+
+Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request) {
+  const CpuClock clock;
+  WalkRequest checked = request;
+  CheckOptions(checked.Fields());
+  const Result<Terrain> terrain = FindTerrain(request.terrain);
+  if (!terrain) return terrain.failure();
+  const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, request.command), request.gait_options);
+  if (!gait) return gait.failure();
+  Result<PlannedMotion> motion = PlanMotion(model, *terrain, *gait, request.command, request.motion);
+  if (!motion) return motion.failure();
+  PlannedWalk planned;
+  planned.motion = std::move(*motion);
+  planned.motion.plan.provenance.seed = request.seed;
+  for (const OptionField& field : Prefixed("gait", checked.gait_options.Fields())) {
+    planned.motion.plan.provenance.options.emplace_back(field.key, OptionText(field));
+  }
+  planned.planning_cpu_s = clock.elapsed_s();
+  const Result<AuditReport> audit = Audit(model, planned.motion.plan, AuditOptions{});
+  if (!audit) return audit.failure();
+  planned.audit = *audit;
+  return planned;
+}
+
+std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
+                                           const PlayRequest& request) {
+  if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan);
+  if (request.controller == "stabilised") return MakeStabilised(model, plan, request.stabilised);
+  throw InvalidArgument(
+      fmt::format("there is no controller '{}'; there are 'joint-pd', 'stabilised'", request.controller));
+}
+
+Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {
+  PlayRequest checked = request;
+  CheckOptions(checked.Fields());
+  const std::unique_ptr<Controller> controller = MakeController(model, plan, request);
+  const CpuClock clock;
+  Result<PlaybackLog> log = Play(model, plan, *controller, request.play);
+  if (!log) return log.failure();
+  PlayedWalk played;
+  const double cpu = std::max(clock.elapsed_s(), 1e-9);
+  played.log = std::move(*log);
+  if (!played.log.samples.empty())
+    played.realtime_factor = (played.log.samples.back().time_s - played.log.start_s) / cpu;
+  played.report = Score(model, plan, played.log, request.score);
+  return played;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "optimisation/pipeline/plan_motion.h"
+#include "planning/audit/audit.h"
+#include "planning/gait/find_gait.h"
+#include "playback/bullet/play.h"
+#include "playback/control/stabilised.h"
+#include "playback/score/stability_report.h"
+
+namespace gaitwright {
+
+/// What is asked of PlanWalk.
+struct WalkRequest {
+  std::string gait;  ///< "" for the robot's best
+  std::string terrain = "flat";
+  WalkCommand command;
+  GaitOptions gait_options;
+  MotionOptions motion;
+  std::uint64_t seed = 0;
+
+  OptionFields Fields() { return Joined({Prefixed("gait", gait_options.Fields()), motion.Fields()}); }
+};
+
+/// How a plan is played and judged.
+struct PlayRequest {
+  std::string controller = "stabilised";  ///< or joint-pd
+  PlayOptions play;
+  StabilisedOptions stabilised;
+  ScoreOptions score;
+
+  OptionFields Fields() {
+    return Joined({Prefixed("play", play.Fields()), Prefixed("stabilised", stabilised.Fields()),
+                   Prefixed("score", score.Fields())});
+  }
+};
+
+struct PlannedWalk {
+  PlannedMotion motion;
+  AuditReport audit;
+  double planning_cpu_s = 0.0;
+};
+
+struct PlayedWalk {
+  PlaybackLog log;
+  StabilityReport report;
+  double realtime_factor = 0.0;  ///< simulated time over CPU time
+};
+
+/// A robot by name, or by the path of a URDF when that is not empty.
+Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_path);
+
+/// The robot that a plan carries in itself.
+Result<RobotModel> RobotOf(const MotionPlan& plan);
+
+/// The built-in terrain of that name.
+Result<Terrain> FindTerrain(const std::string& name);
+
+/// Plans and audits. The audit's verdict is in the result; a plan that fails it is still given, for looking at.
+Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
+
+/// The controller of that name. @throws InvalidArgument listing those there are. The plan must outlive it.
+std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
+
+/// Plays and scores.
+Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
+
+}  // namespace gaitwright
