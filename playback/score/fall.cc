@@ -15,14 +15,18 @@ Vector3 UpInBase(const MotionSample& sample) { return sample.X_WB.linear().trans
 
 double Tilt(const MotionSample& sample) { return AngleBetween(UpInBase(sample), Vector3::UnitZ()); }
 
+/// Over the feet that are scheduled to stand, where they are: so on ground that the plan does not know, too.
+double HeightOverSupport(const MotionSample& sample) {
+  const double ground = sample.p_WC.z() - kGravity / (sample.omega_rad_s * sample.omega_rad_s);
+  return sample.X_WB.translation().z() - ground;
+}
+
 /// Why this sample is out of bounds, or nothing.
 std::string OutOfBounds(const MotionSample& planned, const MotionSample& measured, const ScoreOptions& options) {
   if (AngleBetween(UpInBase(planned), UpInBase(measured)) > options.fall_tilt_rad) {
     return fmt::format("the base tilted {:.2f} rad where the plan has {:.2f} rad", Tilt(measured), Tilt(planned));
   }
-  const double ground = planned.p_WC.z() - kGravity / (planned.omega_rad_s * planned.omega_rad_s);
-  const double height = measured.X_WB.translation().z() - ground;
-  const double planned_height = planned.X_WB.translation().z() - ground;
+  const double height = HeightOverSupport(measured), planned_height = HeightOverSupport(planned);
   if (height < options.fall_height_lowest * planned_height || height > options.fall_height_highest * planned_height) {
     return fmt::format("the base was {:.3f} m high where the plan has {:.3f} m", height, planned_height);
   }

@@ -339,4 +339,13 @@ inline PlaybackLog PerfectLog(const RobotModel& model, const MotionPlan& plan) {
   return log;
 }
 
+/// Lets the base down onto its legs, with the feet where they are, from sample `first` on.
+inline void Sink(PlaybackLog& log, std::size_t first, double base_height_m) {
+  for (std::size_t k = first; k < log.samples.size(); ++k) {
+    VectorX& q = log.samples[k].q;
+    for (Eigen::Index i = 9; i < q.size(); i += 3) q[i] += q[2] - base_height_m;
+    q[2] = base_height_m;
+  }
+}
+
 }  // namespace gaitwright::synthetic

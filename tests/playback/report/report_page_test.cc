@@ -30,9 +30,7 @@ Case MakeCase(int legs, int steps, bool falls) {
   c.plan.gait.name = "walk & run";
   c.plan.provenance.options = {{"speed_m_s", "<0.3>"}};
   c.log = synthetic::PerfectLog(c.model, c.plan);
-  if (falls) {
-    for (std::size_t k = 400; k < c.log.samples.size(); ++k) c.log.samples[k].q[2] = 0.1;
-  }
+  if (falls) synthetic::Sink(c.log, 400, 0.1);
   c.report = Score(c.model, c.plan, c.log);
   return c;
 }

@@ -174,7 +174,7 @@ TEST(Score, ALowBaseABodyOnTheGroundAndAShortLogAreFalls) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
   PlaybackLog low = PerfectLog(model, plan), body = low, cut = low, broken = low;
-  for (std::size_t k = 80; k < low.samples.size(); ++k) low.samples[k].q[2] = 0.29;
+  synthetic::Sink(low, 80, 0.29);
   body.body_contacts = {{0.7, "left_z"}};
   cut.samples.resize(50);
   broken.samples[60].q[9] = std::numeric_limits<double>::quiet_NaN();
