@@ -84,19 +84,21 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
   driven_ = drive > 0.0;
   if (driven_) {
     const double pull = target_.stiffness * (target_.q - q) + target_.damping * target_.v;
-    AddRow({0, h * pull / drive, 1.0 / drive, std::max(-kUnlimited, h * (-limits_.effort - target_.tau_ff)),
+    AddRow({kDrive, h * pull / drive, 1.0 / drive, std::max(-kUnlimited, h * (-limits_.effort - target_.tau_ff)),
             std::min(kUnlimited, h * (limits_.effort - target_.tau_ff))},
            rows, data);
   }
   // A stop acts only when the coming step could pass it.
   double velocity = 0.0;
   for (const RobotBody::Member& member : members_) velocity += member.share * m_bodyA->getJointVel(member.joint);
-  if (q + 2.0 * h * velocity < limits_.lower) AddRow({1, (limits_.lower - q) / h, 0.0, 0.0, kUnlimited}, rows, data);
-  if (q + 2.0 * h * velocity > limits_.upper) AddRow({1, (limits_.upper - q) / h, 0.0, -kUnlimited, 0.0}, rows, data);
+  if (q + 2.0 * h * velocity < limits_.lower)
+    AddRow({kStop, (limits_.lower - q) / h, 0.0, 0.0, kUnlimited}, rows, data);
+  if (q + 2.0 * h * velocity > limits_.upper)
+    AddRow({kStop, (limits_.upper - q) / h, 0.0, -kUnlimited, 0.0}, rows, data);
 }
 
 double MotorRow::Torque(double step_s) {
-  const double total = target_.tau_ff + (driven_ ? getAppliedImpulse(0) / step_s : 0.0);
+  const double total = target_.tau_ff + (driven_ ? getAppliedImpulse(kDrive) / step_s : 0.0);
   return std::clamp(total, -limits_.effort, limits_.effort);
 }
 

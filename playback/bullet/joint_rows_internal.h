@@ -41,6 +41,9 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
 /// stable for every gain. Limits are on the sum of feed-forward and PD.
 class MotorRow : public JointSpaceConstraint {
  public:
+  /// Which of its rows is which: JointSpaceConstraint's index.
+  static constexpr int kDrive = 0, kStop = 1;
+
   struct Limits {
     double lower, upper;  ///< position
     double effort;

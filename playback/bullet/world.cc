@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "playback/bullet/world.h"
 
-#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/contact_reader_internal.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
@@ -156,7 +156,7 @@ struct BulletWorld::Impl {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher;
   btDbvtBroadphase broadphase;
-  btMultiBodyConstraintSolver solver;
+  bullet::CondensedSolver solver;
   btMultiBodyDynamicsWorld world;
   std::vector<std::unique_ptr<bullet::MotorRow>> motors;  ///< by dof; null where locked
   std::vector<std::unique_ptr<bullet::GearRow>> gears;

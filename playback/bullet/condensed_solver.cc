@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "playback/bullet/condensed_solver_internal.h"
+#include "playback/bullet/joint_rows_internal.h"
+
+namespace gaitwright::bullet {
+namespace {
+
+constexpr double kSettled = 1e-9;  // relative change of impulses at which iterating ends
+
+btMultiBody* BodyOf(const btMultiBodySolverConstraint& row) {
+  return row.m_multiBodyA != nullptr ? row.m_multiBodyA : row.m_multiBodyB;
+}
+
+}  // namespace
+
+btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold**, int,
+                                                            btTypedConstraint**, int, const btContactSolverInfo& info,
+                                                            btIDebugDraw*) {
+  btMultiBody* body = Gather();
+  if (body == nullptr) return 0.0;
+  WarmStart();
+  do {
+    if (!Condense()) break;
+    Iterate(info.m_numIterations);
+  } while (MoveSaturated());
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].row->m_appliedImpulse = impulse_[static_cast<Eigen::Index>(i)];
+  }
+  const VectorX change = U_ * impulse_;
+  body->applyDeltaVeeMultiDof2(change.data(), 1.0);
+  body->setPosUpdated(false);
+  return 0.0;
+}
+
+btMultiBody* CondensedSolver::Gather() {
+  lines_.clear();
+  direct_.clear();
+  iterated_.clear();
+  AddLines(m_multiBodyNonContactConstraints, Kind::kDirect, 0);
+  const int normals_at = static_cast<int>(lines_.size());
+  AddLines(m_multiBodyNormalContactConstraints, Kind::kNormal, 0);
+  AddLines(m_multiBodyFrictionContactConstraints, Kind::kFriction, normals_at);
+  if (lines_.empty()) return nullptr;
+
+  btMultiBody* body = BodyOf(*lines_.front().row);
+  const Eigen::Index n = 6 + body->getNumDofs(), m = static_cast<Eigen::Index>(lines_.size());
+  J_.resize(n, m);
+  U_.resize(n, m);
+  impulse_.setZero(m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(i)].row;
+    const int at = row.m_multiBodyA != nullptr ? row.m_jacAindex : row.m_jacBindex;
+    J_.col(i) = Eigen::Map<const VectorX>(&m_data.m_jacobians[at], n);
+    U_.col(i) = Eigen::Map<const VectorX>(&m_data.m_deltaVelocitiesUnitImpulse[at], n);
+    (lines_[static_cast<std::size_t>(i)].kind == Kind::kDirect ? direct_ : iterated_).push_back(i);
+  }
+  A_.noalias() = J_.transpose() * U_;
+  return body;
+}
+
+void CondensedSolver::AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at) {
+  for (int i = 0; i < rows.size(); ++i) {
+    btMultiBodySolverConstraint& row = rows[i];
+    const bool bounded = kind == Kind::kDirect && row.m_orgDofIndex == MotorRow::kStop;
+    lines_.push_back({&row, bounded ? Kind::kBounded : kind, normals_at + row.m_frictionIndex,
+                      row.m_rhs / row.m_jacDiagABInv, row.m_cfm / row.m_jacDiagABInv});
+  }
+}
+
+void CondensedSolver::WarmStart() {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (lines_[i].kind != Kind::kNormal) continue;
+    const auto* point = static_cast<const btManifoldPoint*>(lines_[i].row->m_originalContactPoint);
+    impulse_[static_cast<Eigen::Index>(i)] = point->m_appliedImpulse;
+  }
+  for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
+    if (lines_[i].kind != Kind::kFriction) continue;
+    const auto* point = static_cast<const btManifoldPoint*>(lines_[i].row->m_originalContactPoint);
+    impulse_[static_cast<Eigen::Index>(i)] = point->m_appliedImpulseLateral1;
+    impulse_[static_cast<Eigen::Index>(i + 1)] = point->m_appliedImpulseLateral2;
+    ++i;
+  }
+}
+
+bool CondensedSolver::Condense() {
+  const auto nd = static_cast<Eigen::Index>(direct_.size()), ni = static_cast<Eigen::Index>(iterated_.size());
+  position_.assign(lines_.size(), -1);
+  b_direct_.resize(nd);
+  b_small_.resize(ni);
+  p_small_.resize(ni);
+  softness_small_.resize(ni);
+  A_direct_ = A_(direct_, direct_);
+  for (Eigen::Index k = 0; k < nd; ++k) {
+    const Line& line = lines_[static_cast<std::size_t>(direct_[static_cast<std::size_t>(k)])];
+    A_direct_(k, k) += line.softness;
+    b_direct_[k] = line.b;
+  }
+  for (Eigen::Index k = 0; k < ni; ++k) {
+    const Eigen::Index i = iterated_[static_cast<std::size_t>(k)];
+    position_[static_cast<std::size_t>(i)] = k;
+    b_small_[k] = lines_[static_cast<std::size_t>(i)].b;
+    softness_small_[k] = lines_[static_cast<std::size_t>(i)].softness;
+    p_small_[k] = impulse_[i];
+  }
+  A_small_ = A_(iterated_, iterated_);
+  if (nd > 0) {
+    factor_.compute(A_direct_);
+    if (factor_.info() != Eigen::Success) return false;
+    coupling_ = A_(direct_, iterated_);
+    elimination_ = factor_.solve(coupling_);
+    A_small_.noalias() -= coupling_.transpose() * elimination_;
+    b_small_.noalias() -= elimination_.transpose() * b_direct_;
+  }
+  w_small_.noalias() = A_small_ * p_small_;
+  return true;
+}
+
+void CondensedSolver::Iterate(int most) {
+  const Eigen::Index ni = p_small_.size();
+  for (int iteration = 0; iteration < most; ++iteration) {
+    double change = 0.0;
+    for (Eigen::Index k = 0; k < ni; ++k) {
+      const bool friction =
+          lines_[static_cast<std::size_t>(iterated_[static_cast<std::size_t>(k)])].kind == Kind::kFriction;
+      change = std::max(change, friction ? SolveCone(k) : SolveLine(k));
+      if (friction) ++k;
+    }
+    if (ni == 0 || change <= kSettled * p_small_.lpNorm<Eigen::Infinity>()) break;
+  }
+  for (Eigen::Index k = 0; k < ni; ++k) impulse_[iterated_[static_cast<std::size_t>(k)]] = p_small_[k];
+  if (direct_.empty()) return;
+  const VectorX direct = factor_.solve(b_direct_ - coupling_ * p_small_);
+  for (std::size_t k = 0; k < direct_.size(); ++k) impulse_[direct_[k]] = direct[static_cast<Eigen::Index>(k)];
+}
+
+void CondensedSolver::ChangeImpulse(Eigen::Index k, double change) {
+  p_small_[k] += change;
+  w_small_ += change * A_small_.col(k);
+}
+
+double CondensedSolver::SolveLine(Eigen::Index k) {
+  const btMultiBodySolverConstraint& row =
+      *lines_[static_cast<std::size_t>(iterated_[static_cast<std::size_t>(k)])].row;
+  const double s = softness_small_[k], now = p_small_[k];
+  const double free = now + (b_small_[k] - w_small_[k] - s * now) / (A_small_(k, k) + s);
+  const double change = std::clamp<double>(free, row.m_lowerLimit, row.m_upperLimit) - now;
+  if (change != 0.0) ChangeImpulse(k, change);
+  return std::abs(change);
+}
+
+double CondensedSolver::SolveCone(Eigen::Index k) {
+  const Line& line = lines_[static_cast<std::size_t>(iterated_[static_cast<std::size_t>(k)])];
+  const double radius = line.row->m_friction * p_small_[position_[static_cast<std::size_t>(line.normal)]];
+  const Vector2 now = p_small_.segment<2>(k), s = softness_small_.segment<2>(k);
+  Eigen::Matrix2d block = A_small_.block<2, 2>(k, k);
+  block.diagonal() += s;
+  const Vector2 residual = b_small_.segment<2>(k) - w_small_.segment<2>(k) - s.cwiseProduct(now);
+  // A step by the larger eigenvalue keeps the projection onto the disc a descent; the exact step is taken inside it.
+  Vector2 wanted = now + block.inverse() * residual;
+  if (wanted.norm() > radius) {
+    const double half = 0.5 * block.trace();
+    const double largest = half + std::sqrt(std::max(0.0, half * half - block.determinant()));
+    wanted = now + residual / largest;
+    if (wanted.norm() > radius) wanted *= radius / wanted.norm();
+  }
+  const Vector2 change = wanted - now;
+  if (change.x() != 0.0) ChangeImpulse(k, change.x());
+  if (change.y() != 0.0) ChangeImpulse(k + 1, change.y());
+  return change.lpNorm<Eigen::Infinity>();
+}
+
+bool CondensedSolver::MoveSaturated() {
+  const auto beyond = [&](Eigen::Index i) {
+    const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(i)].row;
+    return impulse_[i] < row.m_lowerLimit || impulse_[i] > row.m_upperLimit;
+  };
+  const auto kept = std::stable_partition(direct_.begin(), direct_.end(), [&](Eigen::Index i) { return !beyond(i); });
+  if (kept == direct_.end()) return false;
+  for (auto moved = kept; moved != direct_.end(); ++moved) {
+    const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(*moved)].row;
+    impulse_[*moved] = std::clamp<double>(impulse_[*moved], row.m_lowerLimit, row.m_upperLimit);
+    lines_[static_cast<std::size_t>(*moved)].kind = Kind::kBounded;
+  }
+  // First, so that friction lines stay in pairs behind their normals.
+  iterated_.insert(iterated_.begin(), kept, direct_.end());
+  direct_.erase(kept, direct_.end());
+  return true;
+}
+
+}  // namespace gaitwright::bullet
