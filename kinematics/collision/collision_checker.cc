@@ -32,13 +32,17 @@ double BoundingRadius(const Shape& shape) {
   return std::hypot(shape.size.x(), 0.5 * shape.size.y()) + (shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0);
 }
 
-/// The nearest body towards the base that has shapes, or the base.
-int ParentWithShapes(const RobotModel& model, const std::vector<bool>& has_shapes, int body) {
+/// True when `ancestor` carries `body` directly: through one joint, joints whose axes meet in one point (an ankle, a
+/// hip), or bodies without shapes.
+bool Carries(const RobotModel& model, const std::vector<bool>& has_shapes, int ancestor, int body) {
+  constexpr double kMeet = 5e-3;  // [m]
   while (body > 0) {
-    body = model.joints[static_cast<std::size_t>(body - 1)].parent_body;
-    if (has_shapes[static_cast<std::size_t>(body)]) break;
+    const Joint& joint = model.joints[static_cast<std::size_t>(body - 1)];
+    body = joint.parent_body;
+    if (body == ancestor) return true;
+    if (has_shapes[static_cast<std::size_t>(body)] && joint.X_PJ.translation().norm() > kMeet) return false;
   }
-  return body;
+  return false;
 }
 
 }  // namespace
@@ -111,8 +115,7 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
   for (std::size_t i = 0; i < scene_->parts.size(); ++i) {
     for (std::size_t j = i + 1; j < scene_->parts.size(); ++j) {
       const int a = scene_->parts[i].shape->body, b = scene_->parts[j].shape->body;
-      if (a == b || ParentWithShapes(model, has_shapes, a) == b || ParentWithShapes(model, has_shapes, b) == a)
-        continue;
+      if (a == b || Carries(model, has_shapes, a, b) || Carries(model, has_shapes, b, a)) continue;
       if (scene_->Touch({i, j})) {
         scene_->notes.push_back(fmt::format("links '{}' and '{}' touch in the standing posture: not checked",
                                             scene_->parts[i].shape->link, scene_->parts[j].shape->link));

@@ -16,7 +16,8 @@ namespace gaitwright {
 Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape);
 
 /// Finds parts of a robot that touch each other. Pairs that say nothing are left out: shapes of one body, of bodies
-/// that a joint joins (also through bodies without shapes), and pairs that already touch in the standing posture.
+/// that a joint joins (or joints whose axes meet in one point, or bodies without shapes between them), and pairs that
+/// already touch in the standing posture.
 class CollisionChecker {
  public:
   explicit CollisionChecker(const RobotModel& model);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
@@ -43,12 +45,40 @@ struct Course {
   bool operator==(const Course&) const = default;
 };
 
+/// Contact frames of the standing posture with the base origin at the origin.
+std::vector<Pose> StandingFeet(const RobotModel& model) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  std::vector<Pose> feet;
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
+    Pose X_BF = ContactFrame(model, scratch, f);
+    X_BF.translation().z() = 0.0;
+    feet.push_back(X_BF);
+  }
+  return feet;
+}
+
+/// Turning rate at which soles side by side, turned against each other by what a step turns, keep apart with a margin;
+/// for feet without soles that at which they move no faster than the body's own speed.
+double OwnTurnRate(const RobotModel& model, const Gait& gait, double speed) {
+  constexpr double kShareOfGap = 0.7;
+  double gap = std::numeric_limits<double>::infinity(), half_length = 0.0;
+  const std::vector<Pose> standing = StandingFeet(model);
+  for (std::size_t f = 0; f < model.feet.size(); ++f) {
+    for (const Vector2& corner : model.feet[f].sole_F) {
+      half_length = std::max(half_length, std::abs(corner.x()));
+      gap = std::min(gap, 2.0 * (std::abs(standing[f].translation().y()) - std::abs(corner.y())));
+    }
+  }
+  if (half_length == 0.0) return speed / (0.6 * model.leg_length_m());
+  return kShareOfGap * std::max(gap, 0.0) / half_length / gait.cycle_s;
+}
+
 Course MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
   const double speed = CommandedSpeed(model, c);
   if (c.extent == WalkCommand::Extent::kGoal) {
     const PlanarTwist twist = TwistTo({c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
-    const double turn_rate =
-        c.yaw_rate_rad_s != 0.0 ? std::abs(c.yaw_rate_rad_s) : speed / (0.6 * model.leg_length_m());
+    const double turn_rate = c.yaw_rate_rad_s != 0.0 ? std::abs(c.yaw_rate_rad_s) : OwnTurnRate(model, gait, speed);
     const double lateral = c.lateral_speed_m_s != 0.0 ? std::abs(c.lateral_speed_m_s) : 0.35 * speed;
     return {twist, std::max({std::abs(twist.x_m) / speed, std::abs(twist.y_m) / lateral,
                              std::abs(twist.yaw_rad) / turn_rate})};
@@ -64,19 +94,6 @@ Course MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& 
   const double forward = c.lateral_speed_m_s == 0.0 ? speed : c.speed_m_s;
   const double duration = c.distance_m / std::hypot(forward, c.lateral_speed_m_s);
   return {{forward * duration, c.lateral_speed_m_s * duration, c.yaw_rate_rad_s * duration}, duration};
-}
-
-/// Contact frames of the standing posture with the base origin at the origin.
-std::vector<Pose> StandingFeet(const RobotModel& model) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  std::vector<Pose> feet;
-  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
-    Pose X_BF = ContactFrame(model, scratch, f);
-    X_BF.translation().z() = 0.0;
-    feet.push_back(X_BF);
-  }
-  return feet;
 }
 
 Pose Carried(const PlanarPose& base, const Pose& X_BF) {
