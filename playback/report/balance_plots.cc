@@ -11,12 +11,15 @@ namespace {
 constexpr double kMillimetres = 1e3;
 const double kGap = std::nan("");
 
-SvgPlot TimePlot(const std::string& title, const std::string& y_label, double y_least_span = 0.0) {
+SvgPlot TimePlot(const PlotData& data, const std::string& title, const std::string& y_label,
+                 double y_least_span = 0.0) {
   SvgPlot::Options options;
   options.title = title;
   options.x_label = "time [s]";
   options.y_label = y_label;
   options.y_least_span = y_least_span;
+  options.x_lowest = data.start_s();
+  options.x_highest = data.end_s();
   return SvgPlot(options);
 }
 
@@ -54,7 +57,7 @@ void DrawExtent(const MotionSeries& series, int axis, SvgPlot& plot) {
 
 Plot ZmpAndCom(const PlotData& data, int axis) {
   const std::string name = axis == 0 ? "x" : "y";
-  SvgPlot plot = TimePlot("Zero-moment point and centre of mass, " + name, name + " [m]");
+  SvgPlot plot = TimePlot(data, "Zero-moment point and centre of mass, " + name, name + " [m]");
   DrawExtent(data.series, axis, plot);
   const auto com = [axis](const MotionSample& s) { return s.p_WC[axis]; };
   const auto zmp = [axis](const MotionSample& s) { return s.has_zmp ? s.p_WZ[axis] : kGap; };
@@ -69,7 +72,7 @@ Plot ZmpAndCom(const PlotData& data, int axis) {
 }
 
 Plot Margins(const PlotData& data) {
-  SvgPlot plot = TimePlot("Margin of the zero-moment point", "margin [mm]");
+  SvgPlot plot = TimePlot(data, "Margin of the zero-moment point", "margin [mm]");
   const auto margin = [](const MotionSample& s) { return s.has_zmp ? kMillimetres * s.zmp_margin_m() : kGap; };
   plot.Line(Over(data.series.planned, margin), Ink::kZmp, Stroke::kPlanned, "planned");
   plot.Line(Over(data.series.measured, margin), Ink::kZmp, Stroke::kMeasured, "measured");
@@ -83,7 +86,7 @@ Plot Margins(const PlotData& data) {
 }
 
 Plot Errors(const PlotData& data) {
-  SvgPlot plot = TimePlot("Error of zero-moment point and divergent component", "error [mm]");
+  SvgPlot plot = TimePlot(data, "Error of zero-moment point and divergent component", "error [mm]");
   std::vector<Vector2> zmp, dcm;
   for (std::size_t k = 0; k < data.series.measured.size(); ++k) {
     const MotionSample &actual = data.series.measured[k], &wanted = data.series.planned[k];
@@ -113,7 +116,7 @@ Attitude AttitudeOf(const MotionSample& sample) {
 }
 
 Plot Base(const PlotData& data) {
-  SvgPlot plot = TimePlot("Attitude of the base", "angle [rad]", 0.05);
+  SvgPlot plot = TimePlot(data, "Attitude of the base", "angle [rad]", 0.05);
   const auto& [planned, measured, plan] = data.series;
   const auto roll = [](const MotionSample& s) { return AttitudeOf(s).roll; };
   const auto pitch = [](const MotionSample& s) { return AttitudeOf(s).pitch; };
@@ -133,7 +136,7 @@ Plot Base(const PlotData& data) {
 }
 
 Plot BaseHeight(const PlotData& data) {
-  SvgPlot plot = TimePlot("Height of the base", "z [m]", 0.02);
+  SvgPlot plot = TimePlot(data, "Height of the base", "z [m]", 0.02);
   const auto height = [](const MotionSample& s) { return s.X_WB.translation().z(); };
   plot.Line(Over(data.series.planned, height), Ink::kCom, Stroke::kPlanned, "planned");
   plot.Line(Over(data.series.measured, height), Ink::kCom, Stroke::kMeasured, "measured");

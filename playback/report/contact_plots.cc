@@ -41,6 +41,8 @@ std::string FootGrid(const PlotData& data, const std::string& title, const std::
     options.title = data.model.feet[static_cast<std::size_t>(foot)].name;
     options.width_px = 480.0;
     options.height_px = 170.0;
+    options.x_lowest = data.start_s();
+    options.x_highest = data.end_s();
     options.x_label_room = true;
     options.x_label = foot >= NumFeet(data) - columns ? "time [s]" : "";
     options.y_label = unit;

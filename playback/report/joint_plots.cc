@@ -45,6 +45,8 @@ SvgPlot SmallPlot(const PlotData& data, int dof, std::size_t index, std::size_t 
   options.title = data.model.dof_names[static_cast<std::size_t>(dof)];
   options.width_px = 320.0;
   options.height_px = 155.0;
+  options.x_lowest = data.start_s();
+  options.x_highest = data.end_s();
   options.x_label_room = true;
   options.x_label = index + kColumns >= count ? "time [s]" : "";
   options.y_label = unit;

@@ -31,7 +31,7 @@ struct PlotData {
   const StabilityReport& report;
   MotionSeries series;
 
-  double start_s() const { return series.measured.front().time_s; }
+  double start_s() const { return log.start_s; }
   double end_s() const { return series.measured.back().time_s; }
 };
 

@@ -5,15 +5,16 @@
 #include "playback/score/measurements.h"
 
 namespace gaitwright {
-namespace {
-
-const char* const kNoTorqueLimit = "no joint has a torque limit that is more than a placeholder";
 
 bool HasTorqueLimit(const RobotModel& model, int dof) {
   const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
   const double limit = model.dof_effort_limit(dof);
   return !joint.effort_limit_is_placeholder && std::isfinite(limit) && limit > 0.0;
 }
+
+namespace {
+
+const char* const kNoTorqueLimit = "no joint has a torque limit that is more than a placeholder";
 
 bool HasSpeedLimit(const RobotModel& model, int dof) {
   const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];

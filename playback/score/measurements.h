@@ -52,6 +52,9 @@ std::vector<Measurement> BalanceMeasurements(const ScoreInputs& in);
 std::vector<Measurement> ContactMeasurements(const ScoreInputs& in);
 std::vector<Measurement> JointMeasurements(const ScoreInputs& in);
 
+/// Whether the torque limit of an independent joint is more than a placeholder.
+bool HasTorqueLimit(const RobotModel& model, int dof);
+
 /// Share of the planned time on the ground in which the support is a line or a point.
 double ShareWithoutArea(const MotionSeries& series);
 

@@ -8,7 +8,7 @@
 #include "kinematics/base/result.h"
 #include "playback/score/gates.h"
 #include "playback/score/measurements.h"
-#include "playback/score/why_it_fell.h"
+#include "playback/score/reason.h"
 
 namespace gaitwright {
 namespace {

@@ -74,6 +74,33 @@ Event PlanUnstable(const ScoreInputs& in) {
                   s.time_s, NamesOf(in, s.stance), -1e3 * worst)};
 }
 
+/// The first time the plan itself is past a limit of position or torque.
+Event PlanBeyondLimits(const ScoreInputs& in) {
+  constexpr double kSlack = 1e-3;  // [rad], share of the torque
+  for (std::size_t k = 0; k < in.series.plan.size(); ++k) {
+    const WholeBodySample& row = in.series.plan[k];
+    const double time = in.series.planned[k].time_s;
+    for (int i = 0; i < in.model.num_dofs(); ++i) {
+      const std::string& name = in.model.dof_names[static_cast<std::size_t>(i)];
+      const double q = row.q[7 + i], past = std::max(in.model.dof_lower(i) - q, q - in.model.dof_upper(i));
+      if (past > kSlack) {
+        return FailureEvent{
+            Kind::kPlanBeyondLimits, time,
+            fmt::format("at {:.2f} s the plan itself takes '{}' {:.3f} rad past its limit", time, name, past)};
+      }
+      const double limit = in.model.dof_effort_limit(i);
+      const double use = HasTorqueLimit(in.model, i) && row.tau.size() > i ? std::abs(row.tau[i]) / limit : 0.0;
+      if (use > 1.0 + kSlack) {
+        return FailureEvent{
+            Kind::kPlanBeyondLimits, time,
+            fmt::format("at {:.2f} s the plan itself asks {:.2f} N m of '{}', whose limit is {:.2f} N m", time,
+                        std::abs(row.tau[i]), name, limit)};
+      }
+    }
+  }
+  return {};
+}
+
 Event ContactLost(const ScoreInputs& in) {
   Event first;
   for (int foot = 0; foot < static_cast<int>(in.model.feet.size()); ++foot) {
@@ -166,9 +193,8 @@ Event Slip(const ScoreInputs& in) {
 Event TorqueLimit(const ScoreInputs& in) {
   Event first;
   for (int i = 0; i < in.model.num_dofs(); ++i) {
-    const Joint& joint = in.model.joints[static_cast<std::size_t>(in.model.dof_joint[static_cast<std::size_t>(i)])];
     const double limit = in.model.dof_effort_limit(i);
-    if (joint.effort_limit_is_placeholder || !(limit > 0.0)) continue;
+    if (!HasTorqueLimit(in.model, i)) continue;
     const auto at = FirstPersistent(in.series.measured,
                                     [&](std::size_t k) { return in.log.samples[k].tau_peak[i] >= kAtLimit * limit; });
     if (!at || (first && first->time_s <= in.series.measured[*at].time_s)) continue;
@@ -225,63 +251,13 @@ Event BodyTouched(const ScoreInputs& in) {
 
 std::vector<FailureEvent> FailureEvents(const ScoreInputs& in) {
   std::vector<FailureEvent> events;
-  for (const Event& event : {PlanUnstable(in), ContactLost(in), EarlyContact(in), MissedFoothold(in), Slip(in),
-                             TorqueLimit(in), DcmOut(in), BodyTouched(in)}) {
+  for (const Event& event : {PlanUnstable(in), PlanBeyondLimits(in), ContactLost(in), EarlyContact(in),
+                             MissedFoothold(in), Slip(in), TorqueLimit(in), DcmOut(in), BodyTouched(in)}) {
     if (event && event->time_s <= in.fall.time_s) events.push_back(*event);
   }
   std::stable_sort(events.begin(), events.end(),
                    [](const FailureEvent& a, const FailureEvent& b) { return a.time_s < b.time_s; });
   return events;
-}
-
-namespace {
-
-std::string First(const std::vector<FailureEvent>& events, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most, events.size()); ++i) {
-    text += (i == 0 ? "first, " : "; then ") + events[i].text;
-  }
-  return text;
-}
-
-std::string Figure(double value, const std::string& unit) {
-  return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + unit);
-}
-
-std::string BrokenGates(const std::vector<Metric>& metrics) {
-  std::string text;
-  for (const Metric& m : metrics) {
-    if (m.pass) continue;
-    const std::string limit = Figure(*m.limit, m.unit);
-    const char* side = m.bound == Bound::kAtMost ? "over" : "not over";
-    text += fmt::format("{}{} is {}, {} its limit {}", text.empty() ? "" : "; ", m.key, Figure(*m.value, m.unit), side,
-                        limit);
-  }
-  return text;
-}
-
-std::string Tightest(const std::vector<Metric>& metrics) {
-  const Metric* tightest = nullptr;
-  const auto use = [](const Metric& m) { return *m.value / *m.limit; };
-  for (const Metric& m : metrics) {
-    if (!m.applied || !m.value || m.bound != Bound::kAtMost || *m.limit <= 0.0) continue;
-    if (tightest == nullptr || use(m) > use(*tightest)) tightest = &m;
-  }
-  if (tightest == nullptr) return "every gate holds";
-  return fmt::format("every gate holds; nearest to its limit is {} with {} of {}", tightest->key,
-                     Figure(*tightest->value, tightest->unit), Figure(*tightest->limit, tightest->unit));
-}
-
-}  // namespace
-
-std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) {
-  const bool pass = std::all_of(metrics.begin(), metrics.end(), [](const Metric& m) { return m.pass; });
-  if (pass) return Tightest(metrics);
-  const std::vector<FailureEvent> events = FailureEvents(in);
-  std::string text = in.fall.fell ? fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what)
-                                  : "it did not fall, but " + BrokenGates(metrics);
-  if (!events.empty()) text += "; " + First(events, in.fall.fell ? 3 : 1);
-  return text;
 }
 
 }  // namespace gaitwright

@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "playback/score/measurements.h"
-#include "playback/score/metric.h"
 
 namespace gaitwright {
 
 /// Something that went wrong on the way.
 struct FailureEvent {
   enum class Kind {
-    kPlanUnstable,    ///< the plan's own ZMP is outside of its support
-    kContactLost,     ///< a foot was off the ground where the schedule has it standing
-    kEarlyContact,    ///< a foot touched in mid swing
-    kMissedFoothold,  ///< a foot came down elsewhere
-    kSlip,            ///< a foot slid further than the gate allows
-    kTorqueLimit,     ///< a joint stayed at its limit
-    kDcmOut,          ///< no step of the plan could catch the DCM any more
-    kBodyContact,     ///< a body that is no foot touched the ground
+    kPlanUnstable,      ///< the plan's own ZMP is outside of its support
+    kPlanBeyondLimits,  ///< the plan itself is past a limit of position or torque
+    kContactLost,       ///< a foot was off the ground where the schedule has it standing
+    kEarlyContact,      ///< a foot touched in mid swing
+    kMissedFoothold,    ///< a foot came down elsewhere
+    kSlip,              ///< a foot slid further than the gate allows
+    kTorqueLimit,       ///< a joint stayed at its limit
+    kDcmOut,            ///< no step of the plan could catch the DCM any more
+    kBodyContact,       ///< a body that is no foot touched the ground
   };
   Kind kind = Kind::kContactLost;
   double time_s = 0.0;
@@ -28,9 +28,5 @@ struct FailureEvent {
 
 /// The first event of each kind before the fall (or the end), in the order of time.
 std::vector<FailureEvent> FailureEvents(const ScoreInputs& in);
-
-/// The reason for the verdict in one plain sentence: for a fall what ended it and up to three events that came before,
-/// for a failure without a fall the gates that broke, for a pass the gate that is nearest to its limit.
-std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
 
 }  // namespace gaitwright

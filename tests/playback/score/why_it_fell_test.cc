@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "playback/score/reason.h"
 #include "playback/score/stability_report.h"
 #include "tests/playback/synthetic.h"
 
@@ -110,7 +111,39 @@ TEST(WhyItFell, APassNamesTheTightestGate) {
   log.stances[0].penetration_m = 0.0019;
   const StabilityReport report = Score(model, plan, log);
   EXPECT_TRUE(report.pass);
-  EXPECT_EQ(report.reason, "every gate holds; nearest to its limit is penetration_max_m with 0.0019 m of 0.002 m");
+  EXPECT_EQ(report.reason, "every gate holds; nearest to its limit is penetration_max_m with 1.9 mm of 2.0 mm");
+}
+
+TEST(WhyItFell, APlanPastItsOwnLimitsIsBlamedItself) {
+  RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = SteppingPlan(model);
+  const PlaybackLog log = PerfectLog(model, plan);
+  model.joints[2].upper = -0.47;
+  EXPECT_TRUE(Says(Score(model, plan, log).reason, "the plan itself takes 'left_z'")) << Score(model, plan, log).reason;
+  model.joints[2].upper = 1.0;
+  MotionPlan doubled = plan;
+  for (VectorX& tau : doubled.whole_body.tau) tau *= 3.0;
+  PlaybackLog fallen = log;
+  fallen.body_contacts = {{3.0, "trunk"}};
+  const std::string reason = Score(model, doubled, fallen).reason;
+  EXPECT_TRUE(Says(reason, "the plan itself asks")) << reason;
+  EXPECT_TRUE(Says(reason, "whose limit is 200.00 N m")) << reason;
+}
+
+TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = SteppingPlan(model);
+  PlaybackLog log = PerfectLog(model, plan);
+  EXPECT_TRUE(DisturbancesOf(log).empty());
+  log.options = {{"push_force_y_n", "-60"},  {"push_at_s", "3"},    {"push_for_s", "0.1"}, {"ground_slope_deg", "2"},
+                 {"ground_bumps_m", "0.01"}, {"mass_scale", "1.2"}, {"friction", "0.3"}};
+  const std::vector<std::string> expected = {"a push of 60 N to the right from 3.00 s for 0.10 s",
+                                             "a slope of 2 degrees", "bumps of 10 mm", "1.2 times the mass",
+                                             "a friction of 0.3"};
+  EXPECT_EQ(DisturbancesOf(log), expected);
+  log.body_contacts = {{3.5, "trunk"}};
+  EXPECT_TRUE(
+      Says(Score(model, plan, log).reason, "under a push of 60 N to the right from 3.00 s for 0.10 s, a slope"));
 }
 
 }  // namespace

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/reason.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "playback/score/report_text.h"
+#include "playback/score/why_it_fell.h"
+
+namespace gaitwright {
+namespace {
+
+double Option(const PlaybackLog& log, const std::string& key, double otherwise) {
+  for (const auto& [name, text] : log.options) {
+    if (name == key) return std::strtod(text.c_str(), nullptr);
+  }
+  return otherwise;
+}
+
+/// Where a push in W goes, in words.
+std::string PushWords(const Vector3& force) {
+  const char* names[3][2] = {{"backward", "ahead"}, {"to the right", "to the left"}, {"down", "up"}};
+  Eigen::Index axis = 0;
+  force.cwiseAbs().maxCoeff(&axis);
+  return fmt::format("{:.4g} N {}", force.norm(), names[axis][force[axis] > 0.0]);
+}
+
+std::string First(const std::vector<FailureEvent>& events, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, events.size()); ++i) {
+    text += (i == 0 ? "first, " : "; then ") + events[i].text;
+  }
+  return text;
+}
+
+std::string BrokenGates(const std::vector<Metric>& metrics) {
+  std::string text;
+  for (const Metric& m : metrics) {
+    if (m.pass) continue;
+    const char* side = m.bound == Bound::kAtMost ? "over" : "not over";
+    text += fmt::format("{}{} is {}, {} its limit {}", text.empty() ? "" : "; ", m.key, FigureText(m, *m.value), side,
+                        FigureText(m, *m.limit));
+  }
+  return text;
+}
+
+std::string Tightest(const std::vector<Metric>& metrics) {
+  const Metric* tightest = nullptr;
+  const auto use = [](const Metric& m) { return *m.value / *m.limit; };
+  for (const Metric& m : metrics) {
+    if (!m.applied || !m.value || m.bound != Bound::kAtMost || *m.limit <= 0.0) continue;
+    if (tightest == nullptr || use(m) > use(*tightest)) tightest = &m;
+  }
+  if (tightest == nullptr) return "every gate holds";
+  return fmt::format("every gate holds; nearest to its limit is {} with {} of {}", tightest->key,
+                     FigureText(*tightest, *tightest->value), FigureText(*tightest, *tightest->limit));
+}
+
+std::string Joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> DisturbancesOf(const PlaybackLog& log) {
+  std::vector<std::string> words;
+  const Vector3 push(Option(log, "push_force_x_n", 0.0), Option(log, "push_force_y_n", 0.0),
+                     Option(log, "push_force_z_n", 0.0));
+  if (push.norm() > 0.0) {
+    words.push_back(fmt::format("a push of {} from {:.2f} s for {:.2f} s", PushWords(push),
+                                Option(log, "push_at_s", 0.0), Option(log, "push_for_s", 0.0)));
+  }
+  const double slope = Option(log, "ground_slope_deg", 0.0), bumps = Option(log, "ground_bumps_m", 0.0);
+  const double mass = Option(log, "mass_scale", 1.0), friction = Option(log, "friction", 0.0);
+  if (slope != 0.0) words.push_back(fmt::format("a slope of {:.3g} degrees", slope));
+  if (bumps != 0.0) words.push_back(fmt::format("bumps of {:.3g} mm", 1e3 * bumps));
+  if (mass != 1.0) words.push_back(fmt::format("{:.3g} times the mass", mass));
+  if (friction > 0.0) words.push_back(fmt::format("a friction of {:.3g}", friction));
+  return words;
+}
+
+std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) {
+  const bool pass = std::all_of(metrics.begin(), metrics.end(), [](const Metric& m) { return m.pass; });
+  if (pass) return Tightest(metrics);
+  const std::vector<FailureEvent> events = FailureEvents(in);
+  const std::string under = Joined(DisturbancesOf(in.log));
+  std::string text = under.empty() ? "" : "under " + under + " ";
+  text += in.fall.fell ? fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what)
+                       : "it did not fall, but " + BrokenGates(metrics);
+  if (!events.empty()) text += "; " + First(events, in.fall.fell ? 3 : 1);
+  return text;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "playback/score/measurements.h"
+#include "playback/score/metric.h"
+
+namespace gaitwright {
+
+/// What a playback was put through that its plan did not know, in words, from the options in its log: "a push of 60 N
+/// to the left from 3.00 s for 0.10 s", "a slope of 2 degrees". Empty for a plain playback.
+std::vector<std::string> DisturbancesOf(const PlaybackLog& log);
+
+/// The reason for the verdict in one plain sentence: for a fall what ended it and up to three events that came before,
+/// for a failure without a fall the gates that broke, for a pass the gate that is nearest to its limit.
+std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
+
+}  // namespace gaitwright
