@@ -40,7 +40,12 @@ std::vector<int> ShownDofs(const PlotData& data) {
   return shown;
 }
 
-SvgPlot SmallPlot(const PlotData& data, int dof, std::size_t index, std::size_t count, const std::string& unit) {
+bool Slides(const RobotModel& model, int dof) {
+  const int joint = model.dof_joint[static_cast<std::size_t>(dof)];
+  return model.joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic;
+}
+
+SvgPlot::Options SmallPlot(const PlotData& data, int dof, bool last_row) {
   SvgPlot::Options options;
   options.title = data.model.dof_names[static_cast<std::size_t>(dof)];
   options.width_px = 320.0;
@@ -48,14 +53,16 @@ SvgPlot SmallPlot(const PlotData& data, int dof, std::size_t index, std::size_t 
   options.x_lowest = data.start_s();
   options.x_highest = data.end_s();
   options.x_label_room = true;
-  options.x_label = index + kColumns >= count ? "time [s]" : "";
-  options.y_label = unit;
+  options.x_label = last_row ? "time [s]" : "";
   options.most_points = 300;
   options.legend = false;
-  return SvgPlot(options);
+  return options;
 }
 
-SvgPlot TorquePlot(const PlotData& data, SvgPlot plot, int dof) {
+SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
+  options.y_label = Slides(data.model, dof) ? "[N]" : "[N m]";
+  options.y_least_span = HasLimit(data.model, dof) ? 0.02 * data.model.dof_effort_limit(dof) : 0.1;
+  SvgPlot plot(options);
   std::vector<Vector2> planned, measured;
   for (std::size_t k = 0; k < data.series.measured.size(); ++k) {
     const LogSample& sample = data.log.samples[k];
@@ -77,7 +84,10 @@ SvgPlot TorquePlot(const PlotData& data, SvgPlot plot, int dof) {
   return plot;
 }
 
-SvgPlot PositionPlot(const PlotData& data, SvgPlot plot, int dof) {
+SvgPlot PositionPlot(const PlotData& data, SvgPlot::Options options, int dof) {
+  options.y_label = Slides(data.model, dof) ? "[m]" : "[rad]";
+  options.y_least_span = 0.02;
+  SvgPlot plot(options);
   std::vector<Vector2> planned, measured;
   for (std::size_t k = 0; k < data.series.measured.size(); ++k) {
     planned.emplace_back(data.log.samples[k].time_s, data.series.plan[k].q[7 + dof]);
@@ -92,21 +102,15 @@ SvgPlot PositionPlot(const PlotData& data, SvgPlot plot, int dof) {
   return plot;
 }
 
-std::string UnitOf(const PlotData& data, int dof, const char* revolute, const char* prismatic) {
-  const int joint = data.model.dof_joint[static_cast<std::size_t>(dof)];
-  return data.model.joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic ? prismatic : revolute;
-}
-
 }  // namespace
 
 std::vector<Plot> JointPlots(const PlotData& data) {
   const std::vector<int> shown = ShownDofs(data);
   std::vector<SvgPlot> torques, positions;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const int dof = shown[i];
-    torques.push_back(TorquePlot(data, SmallPlot(data, dof, i, shown.size(), UnitOf(data, dof, "[N m]", "[N]")), dof));
-    positions.push_back(
-        PositionPlot(data, SmallPlot(data, dof, i, shown.size(), UnitOf(data, dof, "[rad]", "[m]")), dof));
+    const SvgPlot::Options options = SmallPlot(data, shown[i], i + kColumns >= shown.size());
+    torques.push_back(TorquePlot(data, options, shown[i]));
+    positions.push_back(PositionPlot(data, options, shown[i]));
   }
   if (shown.empty()) return {};
   return {{"joint_torques",

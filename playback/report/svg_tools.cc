@@ -50,7 +50,8 @@ std::vector<double> RoundTicks(double lowest, double highest, int count) {
   std::vector<double> ticks;
   const double first = std::ceil(lowest / step - 1e-9), last = std::floor(highest / step + 1e-9);
   for (double i = first; i <= last; i += 1.0) ticks.push_back(i * step);
-  return ticks;
+  constexpr int kMostTicks = 64;
+  return ticks.size() < 2 && count < kMostTicks ? RoundTicks(lowest, highest, 2 * std::max(count, 1)) : ticks;
 }
 
 std::vector<Vector2> Simplified(const std::vector<Vector2>& points, double tolerance, std::size_t most) {

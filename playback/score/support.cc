@@ -23,6 +23,13 @@ Matrix3 AxesAlong(const Vector3& normal_W, const Vector3& ahead_W) {
   return R;
 }
 
+/// The point on a grid of a nanometre: toes in one line to rounding are then in one line exactly, which a hull with a
+/// tolerance for collinear corners needs.
+Vector2 OnGrid(const Vector3& p) {
+  constexpr double kGrid = 1e-9;  // [m]
+  return {kGrid * std::round(p.x() / kGrid), kGrid * std::round(p.y() / kGrid)};
+}
+
 bool Coplanar(const std::vector<Vector3>& points, const Vector3& normal) {
   return std::all_of(points.begin(), points.end(),
                      [&](const Vector3& p) { return std::abs((p - points.front()).dot(normal)) <= kCoplanar; });
@@ -61,7 +68,7 @@ Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const
     for (const Vector3& p : ContactPoints(model, scratch, terrain, foot)) {
       support.points_W.push_back(p);
       support.reference_W += p;
-      flat.emplace_back(p.head<2>());
+      flat.push_back(OnGrid(p));
       const GroundPoint below = GroundAt(terrain, p.head<2>());
       if (below.patch < 0) continue;
       normal += below.normal_W;

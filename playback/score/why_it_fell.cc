@@ -184,7 +184,7 @@ Event Slip(const ScoreInputs& in) {
     }
     if (first && first->time_s <= at) continue;
     first = FailureEvent{Kind::kSlip, at,
-                         fmt::format("by {:.2f} s '{}' had slid more than {:.0f} mm (in all {:.0f} mm in that stance)",
+                         fmt::format("by {:.2f} s '{}' had slid more than {:.1f} mm (in all {:.1f} mm in that stance)",
                                      at, FootName(in, stance.foot), 1e3 * gate, 1e3 * stance.slip_m)};
   }
   return first;

@@ -15,6 +15,7 @@ TEST(SvgTools, TicksAreRoundAndInside) {
   EXPECT_NEAR(ticks.back(), 0.4, 1e-12);
   EXPECT_TRUE(RoundTicks(1.0, 1.0, 5).empty());
   EXPECT_TRUE(RoundTicks(0.0, std::nan(""), 5).empty());
+  EXPECT_GE(RoundTicks(-0.41, 0.43, 1).size(), 2u) << "one tick is no scale";
   for (const double span : {1e-6, 0.7, 3.0, 12345.0}) {
     const auto some = RoundTicks(0.0, span, 5);
     EXPECT_GE(some.size(), 2u) << span;

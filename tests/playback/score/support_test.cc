@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "tests/playback/synthetic.h"
@@ -73,6 +74,20 @@ TEST(Support, GroundOfTwoHeightsHasNoZmp) {
   EXPECT_TRUE(SupportOf(model, scratch, FlatTerrain(), 3).coplanar);
   EXPECT_FALSE(SupportOf(model, scratch, step, 3).coplanar);
   EXPECT_TRUE(SupportOf(model, scratch, step, 1).coplanar);
+}
+
+TEST(Support, ToesInOneLineToRoundingLoseNoCorner) {
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  VectorX q = synthetic::StandingPlan(model, 0.1).whole_body.q[0];
+  DynamicsScratch scratch(model);
+  for (int i = 0; i < 2000; ++i) {
+    const double noise = 1e-11 * std::sin(12.9898 * i);
+    q[7] = noise;
+    q[10] = -0.7 * noise;
+    q.segment<4>(3) << 0.0, 0.0, 1e-12 * std::cos(78.233 * i), 1.0;
+    ForwardKinematics(model, q, scratch);
+    EXPECT_NEAR(Area(SupportOf(model, scratch, FlatTerrain(), 3).polygon), 0.16 * 0.28, 1e-6);
+  }
 }
 
 }  // namespace

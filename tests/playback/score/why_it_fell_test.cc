@@ -74,7 +74,7 @@ TEST(WhyItFell, SlipScuffAndMissedFootholdAreTold) {
 
   PlaybackLog slip = good;
   slip.stances[0].slip_m = 0.05;
-  EXPECT_TRUE(Says(Score(model, plan, slip).reason, "had slid more than 14 mm (in all 50 mm"))
+  EXPECT_TRUE(Says(Score(model, plan, slip).reason, "had slid more than 14.3 mm (in all 50.0 mm"))
       << Score(model, plan, slip).reason;
 
   PlaybackLog scuff = good;
