@@ -133,7 +133,12 @@ std::string MetricTable(const StabilityReport& report) {
     }
     html += TableRow(rule, report.At(rule.key));
   }
-  return html + "</tbody></table></div>\n";
+  return html +
+         "</tbody></table></div>\n<p class=\"soft\">The score is 50 for keeping every gate and up to 50 for the "
+         "quality of "
+         "all figures; after a fall it is at most 25, by how long it stood. It never rises when a figure gets worse, "
+         "and "
+         "compares runs of the same robot, terrain and command only.</p>\n";
 }
 
 std::string Figures(const std::vector<Plot>& plots) {

@@ -50,7 +50,7 @@ std::string FigureText(const Metric& metric, double value) {
   if (metric.key == "fell") return value > 0.0 ? "yes" : "no";
   if (metric.key == "scuffs") return fmt::format("{:.0f}", value);
   if (metric.key == "distance_m") return fmt::format("{:.3f} m", value);
-  if (metric.unit == "m") return fmt::format("{:.1f} mm", 1e3 * value);
+  if (metric.unit == "m") return fmt::format("{:.{}f} mm", 1e3 * value, value != 0.0 && std::abs(value) < 1e-3 ? 2 : 1);
   if (metric.key == "contact_timing_error_max_s") return fmt::format("{:.0f} ms", 1e3 * value);
   if (IsShare(metric.key)) return fmt::format("{:.1f} %", 1e2 * value);
   if (metric.unit == "1") return fmt::format("{:.2f}", value);
