@@ -30,7 +30,7 @@ class Ground {
   Ground(const Terrain& terrain, const WorldOptions& options, const Vector2& start);
 
   void AddTo(btCollisionWorld& world);
-  /// True when contact happens on edges too, so that soles must be whole plates.
+  /// True when contact happens on edges too, so that soles must be plates too.
   bool has_edges() const { return has_edges_; }
 
  private:

@@ -23,7 +23,8 @@ void JointSpaceConstraint::AddTerm(int dof_row, double coefficient) {
   jacobian_.at(static_cast<std::size_t>(6 + dof_row)) += coefficient;
 }
 
-void JointSpaceConstraint::AddRow(const Row& wanted, btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data) {
+double JointSpaceConstraint::AddRow(const Row& wanted, btMultiBodyConstraintArray& rows,
+                                    btMultiBodyJacobianData& data) {
   const int n = 6 + m_bodyA->getNumDofs();
   btMultiBodySolverConstraint& row = rows.expandNonInitializing();
   row = btMultiBodySolverConstraint();
@@ -62,6 +63,7 @@ void JointSpaceConstraint::AddRow(const Row& wanted, btMultiBodyConstraintArray&
   }
   row.m_originalContactPoint = nullptr;
   row.m_frictionIndex = row.m_overrideNumSolverIterations = row.m_deltaVelBindex = row.m_jacBindex = 0;
+  return inertia_inverse;
 }
 
 MotorRow::MotorRow(const RobotBody& robot, btMultiBody& body, int dof, const Limits& limits)
@@ -82,19 +84,19 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
   const double h = info.m_timeStep, q = Position();
   const double drive = h * h * target_.stiffness + h * target_.damping;
   driven_ = drive > 0.0;
+  double velocity = 0.0, gain = 0.0;  // what the motor may add to it in the step
+  for (const RobotBody::Member& member : members_) velocity += member.share * m_bodyA->getJointVel(member.joint);
   if (driven_) {
     const double pull = target_.stiffness * (target_.q - q) + target_.damping * target_.v;
-    AddRow({kDrive, h * pull / drive, 1.0 / drive, std::max(-kUnlimited, h * (-limits_.effort - target_.tau_ff)),
-            std::min(kUnlimited, h * (limits_.effort - target_.tau_ff))},
-           rows, data);
+    const double lowest = std::max(-kUnlimited, h * (-limits_.effort - target_.tau_ff));
+    const double highest = std::min(kUnlimited, h * (limits_.effort - target_.tau_ff));
+    const double response = AddRow({kDrive, h * pull / drive, 1.0 / drive, lowest, highest}, rows, data);
+    gain = response * h * std::min(limits_.effort, std::abs(pull) + target_.damping * std::abs(velocity));
   }
   // A stop acts only when the coming step could pass it.
-  double velocity = 0.0;
-  for (const RobotBody::Member& member : members_) velocity += member.share * m_bodyA->getJointVel(member.joint);
-  if (q + 2.0 * h * velocity < limits_.lower)
-    AddRow({kStop, (limits_.lower - q) / h, 0.0, 0.0, kUnlimited}, rows, data);
-  if (q + 2.0 * h * velocity > limits_.upper)
-    AddRow({kStop, (limits_.upper - q) / h, 0.0, -kUnlimited, 0.0}, rows, data);
+  const double reach = 2.0 * h * (std::abs(velocity) + gain);
+  if (q - reach < limits_.lower) AddRow({kStop, (limits_.lower - q) / h, 0.0, 0.0, kUnlimited}, rows, data);
+  if (q + reach > limits_.upper) AddRow({kStop, (limits_.upper - q) / h, 0.0, -kUnlimited, 0.0}, rows, data);
 }
 
 double MotorRow::Torque(double step_s) {

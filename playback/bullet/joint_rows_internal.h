@@ -28,7 +28,8 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
     double lowest, highest;  ///< impulse [N m s]
   };
   void AddTerm(int dof_row, double coefficient);
-  void AddRow(const Row& row, btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data);
+  /// @return J M^-1 J^T: the velocity J qd that a unit impulse gives.
+  double AddRow(const Row& row, btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data);
 
  private:
   std::vector<double> jacobian_;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPointFootRadius = 0.005;     // of a point foot's sphere [m]
 constexpr double kCornerSphereRadius = 0.002;  // [m]
+constexpr double kPlateLift = 0.0002;          // of the plate over the corners: it touches where they do not [m]
 
 btQuaternion ToQuaternion(const Matrix3& R) {
   const Quaternion q(R);
@@ -114,7 +115,7 @@ void RobotBody::SetupJoint(const RobotModel& model, int i, double mass_scale) {
 void RobotBody::AddColliders(const RobotModel& model, const BodyOptions& options) {
   parts_.resize(model.bodies.size());
   for (std::size_t i = 0; i < model.bodies.size(); ++i) compounds_.push_back(std::make_unique<btCompoundShape>(false));
-  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) AddFoot(model, foot, options.corner_spheres);
+  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) AddFoot(model, foot, options.sole_plates);
   for (const Shape& shape : model.collision_shapes) {
     const bool of_foot =
         std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return IsShapeOfFoot(foot, shape); });
@@ -133,7 +134,7 @@ void RobotBody::AddColliders(const RobotModel& model, const BodyOptions& options
   }
 }
 
-void RobotBody::AddFoot(const RobotModel& model, int index, bool corner_spheres) {
+void RobotBody::AddFoot(const RobotModel& model, int index, bool with_plate) {
   const Foot& foot = model.feet[static_cast<std::size_t>(index)];
   const ColliderPart part{index, foot.link};
   const auto sphere = [&](const Vector3& p_F, double radius) {
@@ -142,11 +143,10 @@ void RobotBody::AddFoot(const RobotModel& model, int index, bool corner_spheres)
   };
   if (foot.type == FootType::kSphere) return sphere(Vector3::Zero(), foot.radius);
   if (foot.type == FootType::kPoint) return sphere({0.0, 0.0, kPointFootRadius}, kPointFootRadius);
-  if (corner_spheres || foot.sole_F.size() < 3) {
-    for (const Vector2& c : foot.sole_F) sphere({c.x(), c.y(), kCornerSphereRadius}, kCornerSphereRadius);
-    return;
-  }
-  AddChild(foot.body, foot.X_BF, MakeSolePlate(foot.sole_F), part);
+  for (const Vector2& c : foot.sole_F) sphere({c.x(), c.y(), kCornerSphereRadius}, kCornerSphereRadius);
+  if (!with_plate || foot.sole_F.size() < 3) return;
+  const Pose X_FS(Eigen::Translation3d(0.0, 0.0, kPlateLift));
+  AddChild(foot.body, foot.X_BF * X_FS, MakeSolePlate(foot.sole_F), part);
 }
 
 void RobotBody::AddChild(int body, const Pose& X_BS, std::unique_ptr<btCollisionShape> shape,
@@ -229,6 +229,25 @@ void RobotBody::AddTorque(const VectorX& tau) {
   }
 }
 
+void RobotBody::HoldGears(VectorX& a) {
+  std::vector<std::size_t> followers;
+  for (std::size_t i = 0; i < model_.joints.size(); ++i) {
+    if (model_.joints[i].is_mimic && !locked(model_.joints[i].dof)) followers.push_back(i);
+  }
+  if (followers.empty()) return;
+  const auto m = static_cast<Eigen::Index>(followers.size());
+  MatrixX J = MatrixX::Zero(m, a.size()), response(a.size(), m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const std::size_t follower = followers[static_cast<std::size_t>(k)];
+    const Joint& joint = model_.joints[follower];
+    J(k, 6 + Row(static_cast<int>(follower))) = 1.0;
+    J(k, 6 + Row(model_.dof_joint[static_cast<std::size_t>(joint.dof)])) = -joint.multiplier;
+    const VectorX row = J.row(k).transpose();
+    body_->calcAccelerationDeltasMultiDof(row.data(), response.col(k).data(), scratch_r_, scratch_v_);
+  }
+  a -= response * (J * response).ldlt().solve(J * a);
+}
+
 VectorX RobotBody::Accelerations(const VectorX& q, const VectorX& v, const VectorX& tau) {
   SetState(q, v);
   body_->clearForcesAndTorques();
@@ -239,27 +258,10 @@ VectorX RobotBody::Accelerations(const VectorX& q, const VectorX& v, const Vecto
   AddTorque(tau);
   body_->computeAccelerationsArticulatedBodyAlgorithmMultiDof(0.0, scratch_r_, scratch_v_, scratch_m_, false, false,
                                                               false);
-  const int n = 6 + body_->getNumDofs();
-  VectorX a = Eigen::Map<const VectorX>(&scratch_r_[body_->getNumDofs()], n);  // angular, linear of M, joints
   body_->clearForcesAndTorques();
-
-  std::vector<std::pair<int, int>> gears;  // follower, leader
-  for (std::size_t i = 0; i < model_.joints.size(); ++i) {
-    const Joint& joint = model_.joints[i];
-    if (joint.is_mimic && !locked(joint.dof)) {
-      gears.emplace_back(static_cast<int>(i), model_.dof_joint[static_cast<std::size_t>(joint.dof)]);
-    }
-  }
-  const auto m = static_cast<Eigen::Index>(gears.size());
-  MatrixX J = MatrixX::Zero(m, n), response(n, m);
-  for (Eigen::Index k = 0; k < m; ++k) {
-    const auto [follower, leader] = gears[static_cast<std::size_t>(k)];
-    J(k, 6 + Row(follower)) = 1.0;
-    J(k, 6 + Row(leader)) = -model_.joints[static_cast<std::size_t>(follower)].multiplier;
-    const VectorX row = J.row(k).transpose();
-    body_->calcAccelerationDeltasMultiDof(row.data(), response.col(k).data(), scratch_r_, scratch_v_);
-  }
-  if (m > 0) a -= response * (J * response).ldlt().solve(J * a);
+  // Left in the scratch behind the joints' own: angular and linear acceleration of M, then the joints.
+  VectorX a = Eigen::Map<const VectorX>(&scratch_r_[body_->getNumDofs()], 6 + body_->getNumDofs());
+  HoldGears(a);
 
   VectorX result = VectorX::Zero(model_.nv());
   const Matrix3 R_WB = Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix();

@@ -27,7 +27,7 @@ struct ColliderPart {
 /// How the robot is built.
 struct BodyOptions {
   double mass_scale = 1.0;
-  bool corner_spheres = false;   ///< soles as spheres at their corners; else as convex plates
+  bool sole_plates = false;      ///< soles as convex plates too, beside the spheres at their corners
   std::vector<int> locked_dofs;  ///< held at their position in q0, without a motor
   VectorX q0;                    ///< size nq
 };
@@ -72,9 +72,10 @@ class RobotBody {
  private:
   void SetupJoint(const RobotModel& model, int joint, double mass_scale);
   void AddColliders(const RobotModel& model, const BodyOptions& options);
-  void AddFoot(const RobotModel& model, int foot, bool corner_spheres);
+  void AddFoot(const RobotModel& model, int foot, bool with_plate);
   void AddChild(int body, const Pose& X_BS, std::unique_ptr<btCollisionShape> shape, const ColliderPart& part);
-  void AddSharedTorque(int dof, double tau);
+  /// Projects accelerations in Bullet's order onto those that the gears allow.
+  void HoldGears(VectorX& a);
 
   const RobotModel& model_;
   std::vector<Pose> X_BM_;

@@ -33,8 +33,8 @@ WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions opt
 }
 
 bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q, bool has_edges) {
-  const bool corners = options.sole_contact == "corners" || (options.sole_contact == "auto" && !has_edges);
-  return {options.mass_scale, corners, options.locked_dofs, q};
+  const bool plates = options.sole_contact == "plate" || (options.sole_contact == "auto" && has_edges);
+  return {options.mass_scale, plates, options.locked_dofs, q};
 }
 
 void CheckSize(const VectorX& values, const char* what, int n) {

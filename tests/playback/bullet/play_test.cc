@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/bullet/play.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "kinematics/base/result.h"
+#include "playback/control/joint_pd.h"
+#include "playback/log/log_json.h"
+#include "tests/playback/standing_plan.h"
+
+namespace gaitwright {
+namespace {
+
+/// Lets go of all joints.
+class Limp : public Controller {
+ public:
+  explicit Limp(int n) : zero_(VectorX::Zero(n)) {}
+  JointCommand Update(const ControlInput&) override { return {zero_, zero_, zero_, zero_, zero_}; }
+  std::string Name() const override { return "limp"; }
+
+ private:
+  VectorX zero_;
+};
+
+/// Remembers what it was told.
+class Listener : public JointPd {
+ public:
+  using JointPd::JointPd;
+  JointCommand Update(const ControlInput& input) override {
+    inputs.push_back(input);
+    return JointPd::Update(input);
+  }
+  void Reset() override { ++resets; }
+
+  std::vector<ControlInput> inputs;
+  int resets = 0;
+};
+
+class PlayTest : public ::testing::TestWithParam<const char*> {
+ protected:
+  PlaybackLog Stand(const PlayOptions& options) const {
+    JointPd controller(model_, plan_);
+    return Play(model_, plan_, controller, options).value();
+  }
+
+  const RobotModel model_ = standing::Load(GetParam());
+  const MotionPlan plan_ = standing::Plan(model_, 1.0);
+};
+
+TEST_P(PlayTest, LogsAStand) {
+  const PlaybackLog log = Stand({});
+  EXPECT_EQ(log.robot, model_.name);
+  EXPECT_EQ(log.plan_hash, MotionHash(plan_));
+  EXPECT_EQ(log.controller, "joint-pd");
+  ASSERT_EQ(log.samples.size(), 260U);
+  EXPECT_NEAR(log.samples.front().time_s, 0.005, 1e-12);
+  EXPECT_NEAR(log.samples.back().time_s, 1.3, 1e-12);
+  double force = 0.0;
+  for (const ContactWrench& wrench : log.samples.back().wrenches) force += wrench.force_W.z();
+  EXPECT_NEAR(force, model_.weight_n(), 1e-3 * model_.weight_n());
+  EXPECT_EQ(log.samples.back().contact, AllFeet(static_cast<int>(model_.feet.size())));
+  ASSERT_EQ(log.stances.size(), model_.feet.size());
+  for (const StanceRecord& stance : log.stances) {
+    EXPECT_EQ(stance.touchdown_s, 0.0);
+    EXPECT_NEAR(stance.liftoff_s, 1.3, 1e-12);
+    EXPECT_LT(stance.slip_m, 1e-5);
+    EXPECT_LE(stance.friction_use_max, 1.0 + 1e-9);
+  }
+  EXPECT_EQ(log.saturated_s.norm(), 0.0);
+}
+
+TEST_P(PlayTest, RepeatsBitForBit) {
+  PlayOptions options;
+  options.push_force_W = Vector3(0.0, 10.0, 0.0);
+  options.push_at_s = 0.2;
+  options.world.ground_bumps_m = 0.005;
+  EXPECT_EQ(LogToJson(Stand(options)), LogToJson(Stand(options)));
+}
+
+TEST_P(PlayTest, AsksTheControllerOnThePlansClock) {
+  Listener controller(model_, plan_);
+  const PlaybackLog log = Play(model_, plan_, controller).value();
+  EXPECT_EQ(controller.resets, 1);
+  ASSERT_EQ(controller.inputs.size(), 1500U);
+  EXPECT_EQ(controller.inputs[199].time_s, 0.0) << "the clock stands while the robot settles";
+  EXPECT_EQ(controller.inputs[200].time_s, 0.0);
+  EXPECT_NEAR(controller.inputs.back().time_s, 1.299, 1e-12);
+  EXPECT_EQ(controller.inputs.back().contact, AllFeet(static_cast<int>(model_.feet.size())));
+  EXPECT_GT(controller.inputs.back().wrenches[0].force_W.z(), 0.0);
+}
+
+TEST_P(PlayTest, APushMovesTheRobot) {
+  PlayOptions options;
+  options.push_force_W = Vector3(0.0, 0.1 * model_.weight_n(), 0.0);
+  options.push_at_s = 0.5;
+  const PlaybackLog log = Stand(options);
+  EXPECT_LT(std::abs(log.samples[98].v[1]), 1e-3);
+  EXPECT_GT(log.samples[110].v[1], 1e-3);
+}
+
+TEST_P(PlayTest, EndsSoonAfterAFall) {
+  Limp controller(model_.num_dofs());
+  MotionPlan longer = standing::Plan(model_, 20.0);
+  PlayOptions options;
+  options.settle_s = 0.0;
+  const PlaybackLog log = Play(model_, longer, controller, options).value();
+  EXPECT_LT(log.samples.back().time_s, 10.0);
+  EXPECT_FALSE(log.body_contacts.empty());
+  EXPECT_TRUE(log.samples.back().q.allFinite());
+}
+
+TEST_P(PlayTest, StartsOnASlopeThatItDoesNotKnow) {
+  PlayOptions options;
+  options.world.ground_slope_deg = 2.0;
+  const PlaybackLog log = Stand(options);
+  EXPECT_TRUE(log.body_contacts.empty());
+  EXPECT_EQ(log.stances.size(), model_.feet.size());
+  const VectorX& q = log.samples.back().q;
+  const Matrix3 R = Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix();
+  EXPECT_NEAR(-R(2, 0), -std::sin(2.0 * 3.14159265358979 / 180.0), 0.02);
+}
+
+TEST_P(PlayTest, WeldsWhatNeverMovesWhenAsked) {
+  PlayOptions options;
+  options.lock_unmoved = true;
+  const PlaybackLog log = Stand(options);
+  EXPECT_EQ((log.samples.back().q.tail(model_.num_dofs()) - model_.standing_joints).norm(), 0.0);
+  EXPECT_EQ(log.samples.back().tau.norm(), 0.0);
+}
+
+TEST_P(PlayTest, WritesItsOptionsDown) {
+  PlayOptions options;
+  options.world.mass_scale = 1.1;
+  const PlaybackLog log = Stand(options);
+  EXPECT_NE(std::find(log.options.begin(), log.options.end(), std::pair<std::string, std::string>("mass_scale", "1.1")),
+            log.options.end());
+  EXPECT_NEAR(log.total_mass_kg, 1.1 * model_.total_mass_kg, 1e-12);
+}
+
+TEST_P(PlayTest, RefusesPlansOfOthersAndBadRates) {
+  JointPd controller(model_, plan_);
+  MotionPlan other = plan_;
+  other.robot_hash = "0000000000000000";
+  other.robot = "somebody";
+  const auto refused = Play(model_, other, controller);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.failure().code, "plan_of_other_robot");
+  EXPECT_NE(refused.failure().message.find("somebody"), std::string::npos);
+  other.whole_body = {};
+  other.robot_hash = plan_.robot_hash;
+  EXPECT_EQ(Play(model_, other, controller).failure().code, "plan_without_motion");
+  PlayOptions options;
+  options.log_rate_hz = 300.0;
+  EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);
+  options = {};
+  options.world.step_s = -1.0;
+  EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, PlayTest, ::testing::Values("a1", "nao"), [](const auto& i) { return i.param; });
+
+}  // namespace
+}  // namespace gaitwright

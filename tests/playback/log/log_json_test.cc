@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/log/log_json.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace gaitwright {
+namespace {
+
+PlaybackLog Example() {
+  PlaybackLog log;
+  log.robot = "a \"quoted\" robot";
+  log.robot_hash = "0123456789abcdef";
+  log.plan_hash = "fedcba9876543210";
+  log.controller = "joint-pd";
+  log.start_s = 0.1;
+  log.total_mass_kg = 13.741;
+  log.friction = 0.8;
+  log.options = {{"step_s", "0.001"}, {"actuation", "implicit-pd"}};
+  log.saturated_s = Vector2(0.1, 1.0 / 3.0);
+  log.stances = {{1, 0.1, 0.7, Vector3(1.0 / 3.0, 2.0, 3.0), 0.2, 1e-7, 55.5, 2e-6, 0.3}};
+  log.body_contacts = {{0.55, "trunk"}};
+  std::srand(1);
+  for (int k = 0; k < 3; ++k) {
+    LogSample sample;
+    sample.time_s = 0.1 + 0.005 * (k + 1);
+    sample.q = VectorX::Random(9);
+    sample.v = VectorX::Random(8);
+    sample.tau = 1e-300 * VectorX::Random(2);
+    sample.tau_peak = VectorX::Random(2).cwiseAbs();
+    sample.wrenches = {{Vector3::Random(), Vector3::Random()}, {Vector3::Random(), Vector3::Zero()}};
+    sample.contact = 3;
+    log.samples.push_back(sample);
+  }
+  return log;
+}
+
+std::string Why(const std::string& text) {
+  const auto result = LogFromJson(text, "some.json");
+  EXPECT_FALSE(result.ok());
+  return result.ok() ? "" : result.failure().message;
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(LogJson, ReadsBackExactlyWhatItWrote) {
+  const PlaybackLog log = Example();
+  const std::string text = LogToJson(log);
+  const PlaybackLog back = LogFromJson(text, "x").value();
+  EXPECT_EQ(LogToJson(back), text);
+  EXPECT_EQ(back.robot, log.robot);
+  EXPECT_EQ(back.options, log.options);
+  EXPECT_EQ(back.body_contacts, log.body_contacts);
+  EXPECT_EQ(back.saturated_s, log.saturated_s);
+  ASSERT_EQ(back.samples.size(), 3U);
+  EXPECT_EQ(back.samples[2].q, log.samples[2].q);
+  EXPECT_EQ(back.samples[2].tau, log.samples[2].tau);
+  EXPECT_EQ(back.samples[2].wrenches, log.samples[2].wrenches);
+  EXPECT_EQ(back.samples[2].contact, log.samples[2].contact);
+  EXPECT_EQ(back.stances[0].p_touchdown_W, log.stances[0].p_touchdown_W);
+  EXPECT_EQ(back.stances[0].friction_use_max, log.stances[0].friction_use_max);
+}
+
+TEST(LogJson, SavesAndLoads) {
+  const auto path = std::filesystem::temp_directory_path() / "gaitwright_log_test" / "log.json";
+  ASSERT_TRUE(SaveLog(Example(), path.string()).ok());
+  EXPECT_EQ(LogToJson(LoadLog(path.string()).value()), LogToJson(Example()));
+  std::filesystem::remove_all(path.parent_path());
+  EXPECT_FALSE(LoadLog(path.string()).ok());
+}
+
+TEST(LogJson, AnEmptyLogIsALog) {
+  PlaybackLog log;
+  log.saturated_s = Vector2::Zero();
+  EXPECT_TRUE(LogFromJson(LogToJson(log), "x").ok());
+}
+
+TEST(LogJson, RefusesWithTheReason) {
+  const std::string text = LogToJson(Example());
+  EXPECT_NE(Why(text.substr(0, text.size() / 2)).find("cut short"), std::string::npos);
+  EXPECT_NE(Why("").find("cut short"), std::string::npos);
+  EXPECT_NE(Why("[1,2]").find("no playback log"), std::string::npos);
+  EXPECT_NE(Why(Replaced(text, "gaitwright-playback-log", "something-else")).find("no playback log"),
+            std::string::npos);
+  EXPECT_NE(Why(Replaced(text, "\"schema\":1", "\"schema\":2")).find("schema 2; this program reads schema 1"),
+            std::string::npos);
+  EXPECT_NE(Why(Replaced(text, "\"controller\"", "\"kontroller\"")).find("controller"), std::string::npos);
+  EXPECT_NE(Why(Replaced(text, "\"contact\": [3,3,3]", "\"contact\": [3,3]")).find("'contact' has 2"),
+            std::string::npos);
+  EXPECT_NE(Why(Replaced(text, "\"saturated_s\":[0.1,", "\"saturated_s\":[")).find("do not belong together"),
+            std::string::npos);
+  EXPECT_NE(Why(Replaced(text, "\"tau_nm\": [\n[", "\"tau_nm\": [\n[7,")).find("of 'tau_nm' has"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gaitwright
