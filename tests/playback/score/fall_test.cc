@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/score/fall.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/playback/synthetic.h"
+
+namespace gaitwright {
+namespace {
+
+struct Case {
+  RobotModel model = synthetic::Robot(2, FootType::kSole);
+  MotionPlan plan = synthetic::StandingPlan(model, 1.0);
+  PlaybackLog log = synthetic::PerfectLog(model, plan);
+
+  Fall Find() const { return FindFall(plan, log, MakeMotionSeries(model, plan, log, {}), {}); }
+};
+
+void Turn(VectorX& q, double angle, const Vector3& axis) {
+  q.segment<4>(3) = Quaternion(Eigen::AngleAxisd(angle, axis)).coeffs();
+}
+
+TEST(Fall, StandingIsNone) {
+  const Fall fall = Case{}.Find();
+  EXPECT_FALSE(fall.fell);
+  EXPECT_NEAR(fall.time_s, 1.0, 1e-12) << "the end of the log";
+}
+
+TEST(Fall, TiltCountsAgainstThePlansOwnInEveryDirection) {
+  for (const double direction : {0.0, 1.0, 2.5, 4.0}) {
+    const Vector3 axis(std::cos(direction), std::sin(direction), 0.0);
+    Case upright;
+    Turn(upright.log.samples[50].q, 0.59, axis);
+    EXPECT_FALSE(upright.Find().fell);
+    Turn(upright.log.samples[50].q, 0.61, axis);
+    EXPECT_TRUE(upright.Find().fell);
+    Case leaning;  // a plan that leans by 0.7 rad is no fall, and neither is following it with another yaw
+    for (VectorX& q : leaning.plan.whole_body.q) Turn(q, 0.7, axis);
+    for (LogSample& sample : leaning.log.samples) {
+      const Quaternion lean(Eigen::AngleAxisd(0.7, axis)), yaw(Eigen::AngleAxisd(2.0, Vector3::UnitZ()));
+      sample.q.segment<4>(3) = (yaw * lean).coeffs();
+    }
+    EXPECT_FALSE(leaning.Find().fell);
+    Turn(leaning.log.samples[70].q, -0.7, axis);
+    EXPECT_TRUE(leaning.Find().fell) << "the same tilt to the other side is 1.4 rad off";
+  }
+}
+
+TEST(Fall, TheFirstOfSeveralIsTold) {
+  Case c;
+  synthetic::Sink(c.log, 120, 0.2);
+  c.log.body_contacts = {{0.7, "trunk"}, {0.5, "right_z"}};
+  const Fall fall = c.Find();
+  EXPECT_NEAR(fall.time_s, 0.5, 1e-12);
+  EXPECT_EQ(fall.what, "'right_z', which is no foot, touched the ground");
+}
+
+TEST(Fall, HeightIsOverTheFeetWhereTheyStand) {
+  Case downhill;
+  for (LogSample& sample : downhill.log.samples) sample.q[2] -= 0.4;  // the ground fell away, the robot stands on it
+  EXPECT_FALSE(downhill.Find().fell);
+  Case thrown;
+  for (int i : {9, 12}) thrown.log.samples[20].q[i] -= 0.3;
+  EXPECT_TRUE(thrown.Find().fell) << "0.8 m over its feet where the plan has 0.5";
+}
+
+TEST(Fall, BoundsAreOptions) {
+  Case c;
+  Turn(c.log.samples[50].q, 0.5, Vector3::UnitX());
+  ScoreOptions strict;
+  strict.fall_tilt_rad = 0.4;
+  EXPECT_FALSE(c.Find().fell);
+  EXPECT_TRUE(FindFall(c.plan, c.log, MakeMotionSeries(c.model, c.plan, c.log, strict), strict).fell);
+}
+
+}  // namespace
+}  // namespace gaitwright
