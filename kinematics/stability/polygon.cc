@@ -35,6 +35,20 @@ Polygon ClippedToLeft(const Polygon& polygon, const Vector2& a, const Vector2& a
   return clipped;
 }
 
+/// Takes out corners that lie, to rounding, between their neighbours. Done after the chains: popping by a tolerance
+/// there can lose a true corner next to two that are nearly in line with it.
+void DropMiddleCorners(Polygon& hull) {
+  for (std::size_t i = 0; hull.size() > 2 && i < hull.size();) {
+    const Vector2 in = hull[i] - hull[(i + hull.size() - 1) % hull.size()];
+    const Vector2 out = hull[(i + 1) % hull.size()] - hull[i];
+    if (std::abs(Cross(in, out)) <= kCollinear && in.dot(out) > 0.0) {
+      hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+}
+
 }  // namespace
 
 Polygon ConvexHull(std::vector<Vector2> points) {
@@ -47,7 +61,7 @@ Polygon ConvexHull(std::vector<Vector2> points) {
   const auto add_chain = [&hull](auto begin, auto end) {
     const std::size_t base = hull.size();
     for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= base + 2 && Cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= kCollinear) {
+      while (hull.size() >= base + 2 && Cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0.0) {
         hull.pop_back();
       }
       hull.push_back(*p);
@@ -56,6 +70,7 @@ Polygon ConvexHull(std::vector<Vector2> points) {
   };
   add_chain(points.begin(), points.end());
   add_chain(points.rbegin(), points.rend());
+  DropMiddleCorners(hull);
   return hull;
 }
 

@@ -50,7 +50,7 @@ void Auditor::CheckContactForces(double time_s) {
     if (!(normal >= -slack)) findings_.Note("unilateral", FootName(f), time_s, normal, 0.0, "N");
     const double cone = ground.friction * std::max(normal, 0.0);
     if (!(tangential <= cone + slack)) findings_.Note("friction_cone", FootName(f), time_s, tangential, cone, "N");
-    if (!Contains(stance_, f) && !at_switch_ && normal > 1e-3 * model_.weight_n()) {
+    if (!Contains(stance_, f) && !at_switch_ && normal > 5e-3 * model_.weight_n()) {
       findings_.Note("consistency", FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
     }
     const Foot& foot = model_.feet[static_cast<std::size_t>(f)];

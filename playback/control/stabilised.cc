@@ -26,13 +26,21 @@ struct BodyState {
   std::vector<Pose> X_WF;  // contact frames
 };
 
+/// Feedback carries the balance, so the joints may give way more than under replay alone.
+GainOptions SoftGains(const StabilisedOptions& options) {
+  GainOptions gains;
+  gains.stance_frequency = options.stance_frequency;
+  gains.stance_damping = options.stance_damping;
+  return gains;
+}
+
 class Stabilised final : public Controller {
  public:
   Stabilised(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options)
       : model_(model),
         plan_(plan),
         options_(options),
-        replay_(model, plan),
+        replay_(model, plan, SoftGains(options)),
         measured_scratch_(model),
         planned_scratch_(model),
         leg_scratch_(model) {
@@ -51,8 +59,10 @@ class Stabilised final : public Controller {
     replay_.Reset();
     offset_W_.assign(model_.feet.size(), Vector2::Zero());
     liftoff_offset_W_ = offset_W_;
-    last_shift_W_ = offset_W_;
+    last_offset_W_ = offset_W_;
+    wanted_W_ = offset_W_;
     follow_W_.setZero();
+    follow_rate_W_.setZero();
   }
 
   std::string Name() const override { return "stabilised"; }
@@ -110,7 +120,9 @@ class Stabilised final : public Controller {
       liftoff_offset_W_[f] = offset_W_[f];
     }
     const Vector2 displaced = (measured_scratch_.p_WB[0] - planned_scratch_.p_WB[0]).head<2>();
-    follow_W_ += std::min(input.step_s / options_.follow_s, 1.0) * (displaced - follow_W_);
+    const Vector2 follow = std::min(input.step_s / options_.follow_s, 1.0) * (displaced - follow_W_);
+    follow_W_ += follow;
+    follow_rate_W_ = follow / input.step_s;
   }
 
   /// The wrench about the centre of mass that the stance feet shall give, and where that puts the ZMP.
@@ -166,8 +178,8 @@ class Stabilised final : public Controller {
       const auto points = ContactPoints(model_, measured_scratch_, f);
       for (const Vector3& p_W : points) {
         const GroundPoint ground = GroundAt(plan_.terrain, p_W.head<2>());
-        contacts_.push_back(
-            {p_W, ground.normal_W, std::max(ground.friction, 0.05), static_cast<double>(points.size()) / share});
+        contacts_.push_back({p_W, ground.normal_W, std::max(options_.friction_use * ground.friction, 0.05),
+                             static_cast<double>(points.size()) / share});
         contact_foot_.push_back(f);
         corners.push_back(p_W.head<2>());
       }
@@ -218,13 +230,25 @@ class Stabilised final : public Controller {
       if (leg_dofs_[i].empty()) continue;
       if (!Contains(stance_, f)) {
         double progress = 0.0;
-        const Vector2 wanted = FootholdShift(f, input.time_s, progress);
-        offset_W_[i] = liftoff_offset_W_[i] + SmoothStep(progress).value * (wanted - liftoff_offset_W_[i]);
+        const Vector2 now = FootholdShift(f, input.time_s, progress);
+        if (progress <= 1.0 - options_.settle_share) wanted_W_[i] = now;
+        offset_W_[i] = liftoff_offset_W_[i] + SmoothStep(progress).value * (wanted_W_[i] - liftoff_offset_W_[i]);
       }
+      // A foot on the ground stands still; only a swing moves against the plan, and the base against both.
+      const Vector2 moved =
+          Contains(stance_, f) ? Vector2::Zero() : Vector2((offset_W_[i] - last_offset_W_[i]) / input.step_s);
+      last_offset_W_[i] = offset_W_[i];
       const Vector2 shift = offset_W_[i] - follow_W_;
-      const Vector2 rate = (shift - last_shift_W_[i]) / input.step_s;
-      last_shift_W_[i] = shift;
+      const Vector2 rate = moved - follow_rate_W_;
+      if (!Contains(stance_, f)) Stiffen(i, command);
       ShiftLeg(f, shift, rate, command);
+    }
+  }
+
+  void Stiffen(std::size_t leg, JointCommand& command) const {
+    for (const int dof : leg_dofs_[leg]) {
+      command.stiffness[dof] *= options_.swing_stiffness;
+      command.damping[dof] *= std::sqrt(options_.swing_stiffness);
     }
   }
 
@@ -277,8 +301,9 @@ class Stabilised final : public Controller {
   double omega_rad_s_ = 1.0;
   std::vector<std::vector<int>> leg_dofs_;  // by leg; empty where the foot cannot be moved by itself
 
-  std::vector<Vector2> offset_W_, liftoff_offset_W_, last_shift_W_;  // by foot, against the plan
-  Vector2 follow_W_ = Vector2::Zero(), dcm_error_W_ = Vector2::Zero(), zmp_shift_W_ = Vector2::Zero();
+  std::vector<Vector2> offset_W_, liftoff_offset_W_, last_offset_W_, wanted_W_;  // by foot, against the plan
+  Vector2 follow_W_ = Vector2::Zero(), follow_rate_W_ = Vector2::Zero(), dcm_error_W_ = Vector2::Zero(),
+          zmp_shift_W_ = Vector2::Zero();
 
   std::vector<ContactPoint> contacts_;
   std::vector<int> contact_foot_;

@@ -21,31 +21,97 @@ struct StabilisedOptions {
   double dcm_gain = 2.0;
   double step_gain = 1.0;
   double step_reach = 0.35;
-  double follow_s = 0.1;
+  double friction_use = 0.9;
+  double swing_stiffness = 1.0;
+  double stance_frequency = 3.0;
+  double stance_damping = 0.2;
+  double settle_share = 0.25;
+  double follow_s = 0.01;
 
   OptionFields Fields() {
-    return {{"attitude_rad_s", &attitude_rad_s, "rad/s", 0.0, 50.0,
-             "Natural frequency of the base attitude, held critically damped through the stance feet.", {}},
-            {"height_rad_s", &height_rad_s, "rad/s", 0.0, 50.0,
-             "Natural frequency of the height of the centre of mass, likewise.", {}},
-            {"dcm_gain", &dcm_gain, "1", 1.0, 10.0,
-             "The ZMP is moved by this many times the error of the DCM, as far as the support allows; above 1 it converges.", {}},
-            {"step_gain", &step_gain, "1", 0.0, 2.0,
-             "Share of the foot placement that brings the DCM error to step_decay over the next step.", {}},
-            {"step_reach", &step_reach, "1", 0.0, 1.0,
-             "Farthest that a foothold is moved from its plan, as a share of the leg length.", {}},
-            {"follow_s", &follow_s, "s", 0.01, 2.0,
-             "Time in which the joint targets follow a base that has been pushed away from its plan.", {}}};
+    return {{"attitude_rad_s",
+             &attitude_rad_s,
+             "rad/s",
+             0.0,
+             50.0,
+             "Natural frequency of the base attitude, held critically damped through the stance feet.",
+             {}},
+            {"height_rad_s",
+             &height_rad_s,
+             "rad/s",
+             0.0,
+             50.0,
+             "Natural frequency of the height of the centre of mass, likewise.",
+             {}},
+            {"dcm_gain",
+             &dcm_gain,
+             "1",
+             1.0,
+             10.0,
+             "The ZMP is moved by this many times the error of the DCM, as far as the support allows; above 1 it "
+             "converges.",
+             {}},
+            {"step_gain",
+             &step_gain,
+             "1",
+             0.0,
+             2.0,
+             "Share of the foot placement that brings the DCM error to step_decay over the next step.",
+             {}},
+            {"step_reach",
+             &step_reach,
+             "1",
+             0.0,
+             1.0,
+             "Farthest that a foothold is moved from its plan, as a share of the leg length.",
+             {}},
+            {"swing_stiffness",
+             &swing_stiffness,
+             "1",
+             1.0,
+             50.0,
+             "Factor on the stiffness of a leg in its swing; its damping rises with the square root.",
+             {}},
+            {"stance_frequency",
+             &stance_frequency,
+             "1",
+             0.1,
+             30.0,
+             "Of the joints' own PD, see GainOptions: lower than for replay, since feedback carries the balance.",
+             {}},
+            {"stance_damping", &stance_damping, "1", 0.0, 5.0, "Likewise.", {}},
+            {"friction_use",
+             &friction_use,
+             "1",
+             0.1,
+             1.0,
+             "Share of the ground's friction that the contact forces asked for may use.",
+             {}},
+            {"settle_share",
+             &settle_share,
+             "1",
+             0.0,
+             0.9,
+             "Last share of a swing in which its foothold is no longer moved.",
+             {}},
+            {"follow_s",
+             &follow_s,
+             "s",
+             0.01,
+             2.0,
+             "Time in which the joint targets follow a base that has been pushed away from its plan.",
+             {}}};
   }
 };
 
-/// Feed-forward and PD replay with feedback of base attitude, height and DCM through the stance feet, and footholds moved to
-/// where the DCM can be caught.
+/// Feed-forward and PD replay with feedback of base attitude, height and DCM through the stance feet, and footholds
+/// moved to where the DCM can be caught.
 ///
 ///   attitude, height:  M = I (k^2 e_R + 2 k e_w),  F_z = m (k^2 e_z + 2 k e_vz)
 ///   DCM:               the ZMP is moved by dcm_gain times the error xi - xi_planned, as a horizontal force on C
-///   split:             planned wrench plus feedback over the feet in stance, inside their cones; tau -= J^T (f - f_planned)
-///   foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a foothold
+///   split:             planned wrench plus feedback over the feet in stance, inside their cones; tau -= J^T (f -
+///   f_planned) foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a
+///   foothold
 ///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come.
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.
