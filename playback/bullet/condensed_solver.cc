@@ -92,7 +92,7 @@ bool CondensedSolver::Condense() {
   b_small_.resize(ni);
   p_small_.resize(ni);
   softness_small_.resize(ni);
-  A_direct_ = A_(direct_, direct_);
+  if (nd > 0) A_direct_ = A_(direct_, direct_);
   for (Eigen::Index k = 0; k < nd; ++k) {
     const Line& line = lines_[static_cast<std::size_t>(direct_[static_cast<std::size_t>(k)])];
     A_direct_(k, k) += line.softness;
@@ -105,10 +105,13 @@ bool CondensedSolver::Condense() {
     softness_small_[k] = lines_[static_cast<std::size_t>(i)].softness;
     p_small_[k] = impulse_[i];
   }
-  A_small_ = A_(iterated_, iterated_);
   if (nd > 0) {
     factor_.compute(A_direct_);
     if (factor_.info() != Eigen::Success) return false;
+  }
+  if (ni == 0) return true;
+  A_small_ = A_(iterated_, iterated_);
+  if (nd > 0) {
     coupling_ = A_(direct_, iterated_);
     elimination_ = factor_.solve(coupling_);
     A_small_.noalias() -= coupling_.transpose() * elimination_;
@@ -132,7 +135,9 @@ void CondensedSolver::Iterate(int most) {
   }
   for (Eigen::Index k = 0; k < ni; ++k) impulse_[iterated_[static_cast<std::size_t>(k)]] = p_small_[k];
   if (direct_.empty()) return;
-  const VectorX direct = factor_.solve(b_direct_ - coupling_ * p_small_);
+  VectorX direct = b_direct_;
+  if (ni > 0) direct.noalias() -= coupling_ * p_small_;
+  factor_.solveInPlace(direct);
   for (std::size_t k = 0; k < direct_.size(); ++k) impulse_[direct_[k]] = direct[static_cast<Eigen::Index>(k)];
 }
 

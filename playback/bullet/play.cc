@@ -191,8 +191,11 @@ class Playback {
   static long StrideOf(const PlayOptions& options) {
     const double steps = 1.0 / (options.log_rate_hz * options.world.step_s);
     if (std::abs(steps - std::round(steps)) > 1e-6 || steps < 0.5) {
-      throw InvalidArgument(fmt::format("log_rate_hz {} does not divide the {} steps per second", options.log_rate_hz,
-                                        1.0 / options.world.step_s));
+      const double per_second = 1.0 / options.world.step_s, nearest = per_second / std::max(1.0, std::round(steps));
+      throw InvalidArgument(
+          fmt::format("option 'log_rate_hz' is {} Hz, which does not divide the {} steps per second; "
+                      "the nearest that does is {:.6g}",
+                      options.log_rate_hz, per_second, nearest));
     }
     return std::lround(steps);
   }
