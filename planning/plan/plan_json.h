@@ -11,8 +11,8 @@ namespace gaitwright {
 /// The plan as JSON text (docs/plan-format.md). The same plan gives the same bytes.
 std::string PlanToJson(const MotionPlan& plan);
 
-/// A plan from its JSON text. Refused with the reason: text that is cut short, that is no plan, of another schema, a key
-/// that is missing or of the wrong kind, sizes that disagree. @param source names the text in messages.
+/// A plan from its JSON text. Refused with the reason: text that is cut short, that is no plan, of another schema, a
+/// key that is missing or of the wrong kind, sizes that disagree. @param source names the text in messages.
 Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& source);
 
 /// Writes atomically. @return the path.

@@ -155,7 +155,10 @@ class Stabilised final : public Controller {
     const Vector2 planned_zmp = ZeroMomentPoint(planned_.p_WC, planned.force_W, planned.moment_W, 0.0);
     const Vector2 error = DivergentComponent(measured_.p_WC, measured_.v_WC, omega_rad_s_) -
                           DivergentComponent(planned_.p_WC, planned_.v_WC, omega_rad_s_);
-    const Vector2 zmp = NearestPoint(support_, planned_zmp + options_.dcm_gain * error);
+    const Vector2 home = NearestPoint(support_, planned_zmp + StanceOffset());
+    Polygon usable = support_;
+    for (Vector2& corner : usable) corner = home + options_.support_use * (corner - home);
+    const Vector2 zmp = NearestPoint(usable, planned_zmp + options_.dcm_gain * error);
     zmp_shift_W_ = zmp - planned_zmp;
     dcm_error_W_ = error;
     // The attitude comes first: with the moment given, this is the force that puts the ZMP there.
@@ -164,6 +167,18 @@ class Stabilised final : public Controller {
                         ((measured_.p_WC.y() - zmp.y()) * normal + moment.x()) / height, normal);
     splitter_.Solve(contacts_, {measured_.p_WC, force, moment}, split_);
     AddTorques(command);
+  }
+
+  /// How far the feet in stance are from their plan, on average.
+  Vector2 StanceOffset() const {
+    Vector2 sum = Vector2::Zero();
+    int count = 0;
+    for (std::size_t f = 0; f < offset_W_.size(); ++f) {
+      if (!Contains(stance_, static_cast<int>(f))) continue;
+      sum += offset_W_[f];
+      ++count;
+    }
+    return count > 0 ? Vector2(sum / count) : sum;
   }
 
   void GatherContacts(FootSet pushing, double total_normal) {
