@@ -16,14 +16,18 @@ btMultiBody* BodyOf(const btMultiBodySolverConstraint& row) {
 
 }  // namespace
 
-btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject**, int, btPersistentManifold**, int,
-                                                            btTypedConstraint**, int, const btContactSolverInfo& info,
-                                                            btIDebugDraw*) {
+btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int num_bodies,
+                                                            btPersistentManifold** manifolds, int num_manifolds,
+                                                            btTypedConstraint** constraints, int num_constraints,
+                                                            const btContactSolverInfo& info, btIDebugDraw* debug) {
   btMultiBody* body = Gather();
   if (body == nullptr) return 0.0;
   WarmStart();
   do {
-    if (!Condense()) break;
+    if (!Condense()) {  // gears that contradict each other: let projected Gauss-Seidel find a compromise
+      return btMultiBodyConstraintSolver::solveGroupCacheFriendlyIterations(
+          bodies, num_bodies, manifolds, num_manifolds, constraints, num_constraints, info, debug);
+    }
     Iterate(info.m_numIterations);
   } while (MoveSaturated());
   for (std::size_t i = 0; i < lines_.size(); ++i) {

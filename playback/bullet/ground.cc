@@ -41,7 +41,7 @@ double Bumps::HeightAt(const Vector2& p_W) const {
   const auto value = [&](std::int64_t dx, std::int64_t dy) { return CellValue(ix + dx, iy + dy, seed); };
   const double noise =
       (1.0 - v) * ((1.0 - u) * value(0, 0) + u * value(1, 0)) + v * ((1.0 - u) * value(0, 1) + u * value(1, 1));
-  const double rise = std::clamp(((p_W - start).norm() - free_radius) / wavelength, 0.0, 1.0);
+  const double rise = std::clamp(((p_W - start).norm() - free_radius) / (0.5 * wavelength), 0.0, 1.0);
   return amplitude * noise * Blend(rise);
 }
 

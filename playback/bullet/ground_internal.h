@@ -12,7 +12,7 @@
 namespace gaitwright::bullet {
 
 /// Bumps: value noise on a square grid of half a wavelength, blended by 6u^5 - 15u^4 + 10u^3, uniform in
-/// [-amplitude, amplitude], times a rise from zero at `free_radius` from `start` to one a wavelength further.
+/// [-amplitude, amplitude], times a rise from zero at `free_radius` from `start` to one half a wavelength further.
 /// Perlin, ACM SIGGRAPH 2002, doi:10.1145/566654.566636, for the blend.
 struct Bumps {
   Vector2 start = Vector2::Zero();

@@ -31,7 +31,7 @@ void StanceRecorder::AddContact(Foot& foot, double time_s, const FootContact& co
   StanceRecord& stance = foot.stance;
   stance.penetration_m = std::max(stance.penetration_m, contact.penetration_m);
   if (contact.normal_n > kSlipLoad * weight_n_) stance.slip_m += contact.slide_m;
-  if (contact.normal_n > kFrictionLoad * weight_n_) {
+  if (contact.normal_n > kFrictionLoad * weight_n_ && contact.friction > 0.0) {
     stance.friction_use_max =
         std::max(stance.friction_use_max, contact.tangential_n / (contact.friction * contact.normal_n));
   }

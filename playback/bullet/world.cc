@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kinematics/dynamics/foot_contact.h"
 #include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/contact_reader_internal.h"
 #include "playback/bullet/ground_internal.h"
@@ -15,6 +16,19 @@
 
 namespace gaitwright {
 namespace {
+
+/// A circle about the base that takes in all feet, with 2 cm to spare.
+double StanceRadius(const RobotModel& model, const VectorX& q) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, q, scratch);
+  double radius = 0.0;
+  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
+    for (const Vector3& p_W : ContactPoints(model, scratch, foot)) {
+      radius = std::max(radius, (p_W.head<2>() - q.head<2>()).norm());
+    }
+  }
+  return radius + 0.02;
+}
 
 WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions options) {
   CheckOptions(options.Fields());
@@ -28,7 +42,7 @@ WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions opt
                                         model.num_dofs() - 1));
     }
   }
-  if (options.bump_free_radius_m == 0.0) options.bump_free_radius_m = 1.5 * model.leg_length_m();
+  if (options.bump_free_radius_m == 0.0) options.bump_free_radius_m = StanceRadius(model, q);
   return options;
 }
 

@@ -89,7 +89,8 @@ struct WorldOptions {
          "m",
          0.0,
          10.0,
-         "Level ground about the start point, before bumps rise over one wavelength; 0 for the robot's stance.",
+         "Level ground about the start point, before bumps rise over half a wavelength; 0 takes in the feet at the "
+         "start.",
          {}},
         {"seed", &seed, "1", 0, 2147483647, "Of the bumps.", {}},
     };

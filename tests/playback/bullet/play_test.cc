@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "kinematics/base/result.h"
 #include "playback/control/joint_pd.h"
@@ -77,6 +78,15 @@ TEST_P(PlayTest, RepeatsBitForBit) {
   options.push_at_s = 0.2;
   options.world.ground_bumps_m = 0.005;
   EXPECT_EQ(LogToJson(Stand(options)), LogToJson(Stand(options)));
+}
+
+TEST_P(PlayTest, RepeatsBitForBitInThreads) {
+  const std::string alone = LogToJson(Stand({}));
+  std::vector<std::string> logs(3);
+  std::vector<std::thread> threads;
+  for (std::string& log : logs) threads.emplace_back([&] { log = LogToJson(Stand({})); });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::string& log : logs) EXPECT_EQ(log, alone);
 }
 
 TEST_P(PlayTest, AsksTheControllerOnThePlansClock) {

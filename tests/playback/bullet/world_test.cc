@@ -217,6 +217,43 @@ TEST_P(WorldTest, ContactForcesExplainTheChangeOfMomentum) {
   }
 }
 
+TEST_P(WorldTest, IterationsAreEnough) {
+  const MotionPlan plan = standing::Plan(model_, 1.0);
+  WorldOptions many;
+  many.solver_iterations = 5000;
+  BulletWorld usual(model_, plan.terrain, plan.whole_body.q.front(), {});
+  BulletWorld exact(model_, plan.terrain, plan.whole_body.q.front(), many);
+  JointPd controller(model_, plan);
+  for (int k = 0; k < 300; ++k) {
+    JointCommand command = controller.Update({});
+    command.q.array() += 0.03 * std::sin(0.02 * k);
+    usual.Step(command);
+    exact.Step(command);
+    ASSERT_LT((usual.tau() - exact.tau()).lpNorm<Eigen::Infinity>(), 0.02 * exact.tau().lpNorm<Eigen::Infinity>());
+  }
+  EXPECT_LT((usual.q() - exact.q()).lpNorm<Eigen::Infinity>(), 1e-5);
+}
+
+TEST_P(WorldTest, FrictionStaysInItsCone) {
+  const MotionPlan plan = standing::Plan(model_, 1.0);
+  WorldOptions slippery;
+  slippery.friction = 0.05;
+  BulletWorld world(model_, plan.terrain, plan.whole_body.q.front(), slippery);
+  JointPd controller(model_, plan);
+  double most = 0.0;
+  for (int k = 0; k < 300; ++k) {
+    world.PushRobot(Vector3(0.0, 0.08 * model_.weight_n(), 0.0));
+    world.Step(controller.Update({}));
+    for (const FootContact& foot : world.feet()) {
+      if (!foot.touching) continue;
+      ASSERT_LE(foot.tangential_n, 0.05 * foot.normal_n * (1.0 + 1e-9));
+      most = std::max(most, foot.tangential_n / foot.normal_n);
+    }
+  }
+  EXPECT_NEAR(most, 0.05, 1e-6);
+  EXPECT_GT(world.v()[1], 0.01) << "it slides";
+}
+
 TEST_P(WorldTest, ALockedRobotSlidesDownASlope) {
   WorldOptions options;
   options.friction = 0.1;
