@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/dynamics/dynamics.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "kinematics/dynamics/foot_contact.h"
+#include "tests/kinematics/random_state.h"
+
+namespace gaitwright {
+namespace {
+
+class Dynamics : public testing::TestWithParam<const char*> {
+ protected:
+  RobotModel model_ = Robot(GetParam());
+  DynamicsScratch scratch_{model_}, other_{model_};
+  RandomState random_{7};
+};
+
+constexpr double kStep = 1e-6;
+
+TEST_P(Dynamics, JacobiansAreDerivatives) {
+  MatrixX J(6, model_.nv()), J_C(3, model_.nv());
+  for (int trial = 0; trial < 20; ++trial) {
+    const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv());
+    const int body = static_cast<int>(model_.bodies.size()) - 1;
+    const Vector3 p_BQ = random_.Vector(3);
+    ForwardVelocities(model_, q, v, scratch_);
+    PointJacobian(model_, scratch_, body, p_BQ, J);
+    CentreOfMassJacobian(model_, scratch_, J_C);
+    EXPECT_LT((J * v - PointVelocity(scratch_, body, p_BQ)).norm(), 1e-12);
+    const auto at = [&](double time_s) {
+      ForwardKinematics(model_, Moved(q, v, time_s), other_);
+      Pose X_BQ = Pose::Identity();
+      X_BQ.translation() = p_BQ;
+      Vector6 both;
+      both << FramePose(other_, body, X_BQ).translation(), CentreOfMass(model_, other_);
+      return both;
+    };
+    const Vector6 difference = (at(kStep) - at(-kStep)) / (2.0 * kStep);
+    ASSERT_GT((J * v).norm(), 0.1);
+    EXPECT_LT(((J * v).head<3>() - difference.head<3>()).norm(), 1e-7);
+    EXPECT_LT((J_C * v - difference.tail<3>()).norm(), 1e-7);
+  }
+}
+
+TEST_P(Dynamics, BiasAccelerationsAreDerivativesOfVelocities) {
+  const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv());
+  const int body = static_cast<int>(model_.bodies.size()) - 1;
+  const Vector3 p_BQ(0.1, 0.2, 0.3);
+  ForwardVelocities(model_, q, v, scratch_);
+  const auto velocity = [&](double time_s) {
+    ForwardVelocities(model_, Moved(q, v, time_s), v, other_);
+    return PointVelocity(other_, body, p_BQ);
+  };
+  const Vector6 difference = (velocity(kStep) - velocity(-kStep)) / (2.0 * kStep);
+  ASSERT_GT(difference.norm(), 0.1);
+  EXPECT_LT((difference - PointBiasAcceleration(scratch_, body, p_BQ)).norm(), 1e-6);
+}
+
+TEST_P(Dynamics, MassMatrixAgreesWithInverseDynamics) {
+  MatrixX M;
+  VectorX tau, bias;
+  for (int trial = 0; trial < 20; ++trial) {
+    const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv()), a = random_.Vector(model_.nv());
+    MassMatrix(model_, q, scratch_, M);
+    InverseDynamics(model_, q, v, a, scratch_, tau);
+    InverseDynamics(model_, q, v, VectorX::Zero(model_.nv()), scratch_, bias);
+    EXPECT_LT((M * a + bias - tau).norm(), 1e-10);
+    EXPECT_LT((M - M.transpose()).norm(), 1e-12);
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<MatrixX>(M).eigenvalues().minCoeff(), 0.0);
+    ForwardVelocities(model_, q, v, scratch_);
+    EXPECT_LT(((M * v).head<3>() - CentroidalMomentum(model_, scratch_).head<3>()).norm(), 1e-10);
+  }
+}
+
+TEST_P(Dynamics, PowerIsTheRateOfEnergy) {
+  const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv()), a = random_.Vector(model_.nv());
+  VectorX tau;
+  InverseDynamics(model_, q, v, a, scratch_, tau);
+  const auto energy = [&](double time_s) {
+    const VectorX mean_v = v + 0.5 * time_s * a, end_v = v + time_s * a;
+    ForwardVelocities(model_, Moved(q, mean_v, time_s), end_v, other_);
+    return MechanicalEnergy(model_, other_);
+  };
+  const double rate = (energy(1e-5) - energy(-1e-5)) / 2e-5;
+  ASSERT_GT(std::abs(rate), 0.1);
+  EXPECT_NEAR(rate, v.dot(tau), 1e-5 * std::abs(rate));
+}
+
+TEST_P(Dynamics, PointWrenchIsTheTransposedJacobian) {
+  const VectorX q = random_.Configuration(model_);
+  ForwardKinematics(model_, q, scratch_);
+  const int body = static_cast<int>(model_.bodies.size()) - 1;
+  const Vector6 wrench = random_.Vector(6);
+  MatrixX J(6, model_.nv());
+  PointJacobian(model_, scratch_, body, Vector3::Zero(), J);
+  VectorX tau = VectorX::Zero(model_.nv());
+  AddPointWrench(model_, scratch_, body, scratch_.p_WB[static_cast<std::size_t>(body)], wrench, tau);
+  EXPECT_LT((J.transpose() * wrench - tau).norm(), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Dynamics, testing::Values("a1", "nao"));
+
+}  // namespace
+}  // namespace gaitwright
