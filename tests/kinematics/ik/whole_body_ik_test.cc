@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/ik/whole_body_ik.h"
+
+#include "tests/kinematics/random_state.h"
+
+namespace gaitwright {
+namespace {
+
+/// Stands with the feet where they are and sways the centre of mass on all three axes.
+class Sway {
+ public:
+  explicit Sway(const RobotModel& model) : scratch_(model) {
+    ForwardKinematics(model, StandingConfiguration(model), scratch_);
+    home_ = CentreOfMass(model, scratch_);
+    for (const Foot& foot : model.feet) {
+      const Pose X_WF = FramePose(scratch_, foot.body, foot.X_BF);
+      FootTarget target;
+      target.p_WF = X_WF.translation();
+      target.R_WF = target.R_anchor = X_WF.linear();
+      target_.feet.push_back(target);
+    }
+  }
+  const BodyTarget& At(double time_s) {
+    constexpr double kSwing = 0.015, kRate = 4.0;
+    const Vector3 along = Vector3(1.0, 1.0, 1.0) * kSwing;
+    target_.p_WC = home_ + along * (std::cos(kRate * time_s) - 1.0);
+    target_.v_WC = -along * kRate * std::sin(kRate * time_s);
+    target_.a_WC = -along * kRate * kRate * std::cos(kRate * time_s);
+    return target_;
+  }
+  BodyTarget& target() { return target_; }
+
+ private:
+  DynamicsScratch scratch_;
+  Vector3 home_;
+  BodyTarget target_;
+};
+
+class WholeBodyIkTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(WholeBodyIkTest, RatesAreDerivativesOfPositions) {
+  const RobotModel model = Robot(GetParam());
+  WholeBodyIk ik(model);
+  Sway sway(model);
+  VectorX q = StandingConfiguration(model), v, a;
+  std::vector<VectorX> positions, velocities, accelerations;
+  constexpr double kStep = 0.001;
+  for (int k = 0; k < 300; ++k) {
+    const BodyTarget& target = sway.At(k * kStep);
+    const Result<int> solved = ik.SolvePosition(target, q);
+    ASSERT_TRUE(solved.ok()) << solved.failure().message;
+    ik.SolveRates(target, q, v, a);
+    positions.push_back(q);
+    velocities.push_back(v);
+    accelerations.push_back(a);
+    for (std::size_t f = 0; f < model.feet.size(); ++f) {  // spheres roll on
+      const Matrix3 R = ik.FootPose(static_cast<int>(f)).linear();
+      FootTarget& foot = sway.target().feet[f];
+      foot.p_WF += model.feet[f].radius * RotationLog(R * foot.R_anchor.transpose()).cross(Vector3::UnitZ());
+      foot.R_anchor = R;
+    }
+  }
+  const Eigen::Index n = model.num_dofs();
+  for (std::size_t k = 1; k + 1 < positions.size(); ++k) {
+    const VectorX rate = (positions[k + 1] - positions[k - 1]).tail(n) / (2.0 * kStep);
+    const VectorX acceleration = (velocities[k + 1] - velocities[k - 1]) / (2.0 * kStep);
+    EXPECT_LT((rate - velocities[k].tail(n)).norm(), 1e-3);
+    EXPECT_LT((acceleration - accelerations[k]).norm(), 1e-2);
+  }
+  EXPECT_GT(velocities[100].tail(n).norm(), 0.1);
+}
+
+TEST_P(WholeBodyIkTest, OutOfReachNamesAFoot) {
+  const RobotModel model = Robot(GetParam());
+  WholeBodyIk ik(model);
+  Sway sway(model);
+  BodyTarget target = sway.At(0.0);
+  target.p_WC.z() += 0.5;
+  VectorX q = StandingConfiguration(model);
+  const Result<int> solved = ik.SolvePosition(target, q);
+  ASSERT_FALSE(solved.ok());
+  EXPECT_NE(solved.failure().message.find("cannot reach"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, WholeBodyIkTest, testing::Values("a1", "nao"));
+
+TEST(WholeBodyIk, OnlyTheYawOfNaoYields) {
+  const RobotModel nao = Robot("nao"), a1 = Robot("a1");
+  EXPECT_TRUE(WholeBodyIk(a1).notes().empty());
+  const WholeBodyIk ik(nao);
+  ASSERT_EQ(ik.notes().size(), 1U);
+  EXPECT_NE(ik.notes()[0].find("base yaw yields"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gaitwright
