@@ -37,6 +37,13 @@ Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOpt
   foothold_.assign(model.feet.size(), -1);
 }
 
+bool Auditor::AllFinite() const {
+  const bool contacts = std::all_of(sample_.wrenches.begin(), sample_.wrenches.end(), [](const ContactWrench& wrench) {
+    return wrench.force_W.allFinite() && wrench.moment_W.allFinite();
+  });
+  return contacts && sample_.q.allFinite() && sample_.v.allFinite() && sample_.a.allFinite() && sample_.tau.allFinite();
+}
+
 AuditReport Auditor::Run() {
   AuditReport report;
   report.rate_hz = options_.rate_hz;
@@ -46,6 +53,10 @@ AuditReport Auditor::Run() {
   for (int k = 0; k < report.samples; ++k) {
     const double time_s = plan_.whole_body.start_s + k * step;
     SampleWholeBody(plan_.whole_body, time_s, sample_);
+    if (!AllFinite()) {
+      findings_.Note("consistency", "a number that is none", time_s, std::nan(""), 0.0, "1");
+      continue;
+    }
     const auto phase = [&](double t) {
       return plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, t))].stance;
     };

@@ -33,6 +33,8 @@ class Auditor {
   AuditReport Run();
 
  private:
+  bool AllFinite() const;  // the present sample
+
   // At one sample (audit_forces.cc, audit_motion.cc)
   void CheckDynamics(double time_s);
   void CheckContactForces(double time_s);

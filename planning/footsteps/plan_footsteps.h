@@ -45,7 +45,7 @@ struct FootstepSkeleton {
 /// A foothold stands where its foot stands in the standing posture, carried along by the base to where it is at the
 /// middle of the stance (Raibert's symmetric placement, Legged Robots That Balance, 1986); first and last footholds are
 /// those of standing at the start and at the goal. With two feet the one on the side of a side-step or turn leads by
-/// half a cycle, so that the feet never come nearer than they stand. Failures: kBadInput for a command that makes no
+/// half a cycle, so that the feet are kept apart. Failures: kBadInput for a command that makes no
 /// sense; kInfeasible for gaits with flight, a speed that no leg can reach (names the largest that can), a foothold out
 /// of reach (names foot, time and distance).
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
