@@ -23,7 +23,8 @@ Json ToJson(const Vector& v) {
 
 Json ToJson(const Pose& X) {
   Json list = ToJson(Vector3(X.translation()));
-  for (const double c : Quaternion(X.linear()).coeffs()) list.push_back(c);
+  const Quaternion quaternion(X.linear());
+  for (const double c : quaternion.coeffs()) list.push_back(c);
   return list;
 }
 
