@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The first exercise of many courses: where must the centre of mass go so that the ZMP goes where the feet are?
+#include "examples/preview_control.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "kinematics/base/file.h"
+#include "kinematics/base/result.h"
+#include "optimisation/centroidal/preview_control.h"
+
+namespace gaitwright::examples {
+namespace {
+
+constexpr char kHeader[] = "time_s,zmp_x_m,zmp_y_m";
+
+std::vector<double> ParseRow(const std::string& line, int number) {
+  std::vector<double> values;
+  std::istringstream stream(line);
+  for (std::string word; std::getline(stream, word, ',');) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
+      throw InvalidArgument(fmt::format("line {}: '{}' is not a finite number", number, word));
+    }
+    values.push_back(value);
+  }
+  if (values.size() != 3)
+    throw InvalidArgument(fmt::format("line {}: {} columns, 3 are needed ({})", number, values.size(), kHeader));
+  return values;
+}
+
+PreviewSetup SetupFor(const ZmpTable& reference, double com_height_m, double preview_s) {
+  PreviewSetup setup;
+  setup.com_height_m = com_height_m;
+  setup.preview_s = preview_s;
+  setup.step_s = reference.time_s[1] - reference.time_s[0];
+  return setup;
+}
+
+struct Axes {
+  PreviewMotion x, y;
+};
+
+Axes Follow(const ZmpTable& reference, double com_height_m, double preview_s) {
+  const PreviewSetup setup = SetupFor(reference, com_height_m, preview_s);
+  return {FollowZmp(setup, reference.zmp_x_m, reference.zmp_x_m.front()),
+          FollowZmp(setup, reference.zmp_y_m, reference.zmp_y_m.front())};
+}
+
+std::string Polyline(const std::vector<double>& time_s, const std::vector<double>& values, double scale,
+                     double middle_px, const char* colour) {
+  std::string points;
+  for (std::size_t k = 0; k < values.size(); k += 4) {
+    points += fmt::format("{:.1f},{:.1f} ", 60.0 + 800.0 * time_s[k] / time_s.back(), middle_px - scale * values[k]);
+  }
+  return fmt::format("<polyline fill='none' stroke='{}' stroke-width='1.5' points='{}'/>\n", colour, points);
+}
+
+}  // namespace
+
+ZmpTable WalkOfItsOwn() {
+  constexpr double kStep = 0.005, kStand = 2.0, kStepTime = 0.8, kStepLength = 0.2, kHalfWidth = 0.1;
+  constexpr int kSteps = 8;
+  ZmpTable table;
+  const int samples = 1 + static_cast<int>(std::lround((2.0 * kStand + kSteps * kStepTime) / kStep));
+  for (int k = 0; k < samples; ++k) {
+    const double t = k * kStep;
+    const int step = static_cast<int>(std::floor((t - kStand) / kStepTime));
+    table.time_s.push_back(t);
+    table.zmp_x_m.push_back(kStepLength * std::clamp(step, 0, kSteps - 1));
+    table.zmp_y_m.push_back(step < 0 || step >= kSteps ? 0.0 : (step % 2 == 0 ? kHalfWidth : -kHalfWidth));
+  }
+  return table;
+}
+
+ZmpTable ReadZmp(const std::string& csv_text) {
+  ZmpTable table;
+  std::istringstream stream(csv_text);
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (number == 1) {
+      if (line != kHeader)
+        throw InvalidArgument(fmt::format("line 1: the header is '{}'; '{}' is needed", line, kHeader));
+      continue;
+    }
+    if (line.empty()) continue;
+    const std::vector<double> row = ParseRow(line, number);
+    const std::size_t n = table.time_s.size();
+    constexpr double kEven = 1e-6;
+    if (n >= 1 && row[0] <= table.time_s.back())
+      throw InvalidArgument(fmt::format("line {}: the time does not grow", number));
+    if (n >= 2 && std::abs((row[0] - table.time_s[n - 1]) - (table.time_s[1] - table.time_s[0])) > kEven) {
+      throw InvalidArgument(fmt::format("line {}: the time step changes; an even one is needed", number));
+    }
+    table.time_s.push_back(row[0]);
+    table.zmp_x_m.push_back(row[1]);
+    table.zmp_y_m.push_back(row[2]);
+  }
+  if (table.time_s.size() < 2) throw InvalidArgument("the reference has fewer than two rows");
+  return table;
+}
+
+std::string PreviewedCsv(const ZmpTable& reference, double com_height_m, double preview_s) {
+  const Axes motion = Follow(reference, com_height_m, preview_s);
+  std::string csv = "time_s,com_x_m,com_y_m,zmp_x_m,zmp_y_m\n";
+  for (std::size_t k = 0; k < reference.time_s.size(); ++k) {
+    csv += fmt::format("{},{},{},{},{}\n", reference.time_s[k], motion.x.com_m[k], motion.y.com_m[k], motion.x.zmp_m[k],
+                       motion.y.zmp_m[k]);
+  }
+  return csv;
+}
+
+std::string PreviewPicture(const ZmpTable& reference, double com_height_m, double preview_s) {
+  const Axes motion = Follow(reference, com_height_m, preview_s);
+  const auto span = [](const std::vector<double>& v) {
+    const auto [low, high] = std::minmax_element(v.begin(), v.end());
+    return std::pair(0.5 * (*low + *high), std::max(*high - *low, 1e-3));
+  };
+  std::string svg =
+      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 900 560' font-family='sans-serif' font-size='13'>\n"
+      "<rect width='900' height='560' fill='white'/>\n"
+      "<text x='60' y='24'>ZMP reference (grey), ZMP (orange) and centre of mass (blue) over time</text>\n";
+  const auto axis = [&](const char* name, const std::vector<double>& wanted, const PreviewMotion& got,
+                        double middle_px) {
+    const auto [centre, size] = span(wanted);
+    const double scale = 180.0 / size, zero = middle_px + scale * centre;
+    svg += fmt::format("<text x='8' y='{}'>{} [m]</text>\n", middle_px, name);
+    svg += Polyline(reference.time_s, wanted, scale, zero, "#999999");
+    svg += Polyline(reference.time_s, got.zmp_m, scale, zero, "#d55e00");
+    svg += Polyline(reference.time_s, got.com_m, scale, zero, "#0072b2");
+  };
+  axis("x", reference.zmp_x_m, motion.x, 150.0);
+  axis("y", reference.zmp_y_m, motion.y, 410.0);
+  svg += fmt::format("<text x='780' y='545'>time 0 to {:.1f} s</text>\n</svg>\n", reference.time_s.back());
+  return svg;
+}
+
+int PreviewControlMain(int argc, const char* const* argv) {
+  CLI::App app("Where the centre of mass goes so that the ZMP follows its reference: Kajita's preview control",
+               "preview_control");
+  std::string zmp, out = "com.csv", plot;
+  double com_height_m = 0.814, preview_s = 1.6;
+  app.add_option("--zmp", zmp, "Reference: CSV with the columns time_s,zmp_x_m,zmp_y_m; default: a walk of its own");
+  app.add_option("--com-height", com_height_m, "Height of the centre of mass [m]")->capture_default_str();
+  app.add_option("--preview", preview_s, "How far the controller looks ahead [s]")->capture_default_str();
+  app.add_option("--out", out, "CSV to write")->capture_default_str();
+  app.add_option("--plot", plot, "SVG to write; default without --zmp: preview_control.svg");
+  try {
+    app.parse(argc, argv);
+    ZmpTable reference = WalkOfItsOwn();
+    if (!zmp.empty()) {
+      const Result<std::string> text = ReadFile(zmp);
+      if (!text) throw InvalidArgument(text.failure().message);
+      reference = ReadZmp(*text);
+    } else if (plot.empty()) {
+      plot = "preview_control.svg";
+    }
+    const std::string csv = PreviewedCsv(reference, com_height_m, preview_s);
+    for (const auto& [path, text] :
+         {std::pair(out, csv),
+          std::pair(plot, plot.empty() ? "" : PreviewPicture(reference, com_height_m, preview_s))}) {
+      if (path.empty()) continue;
+      const Result<std::string> written = WriteFileAtomically(path, text);
+      if (!written) throw InvalidArgument(written.failure().message);
+      fmt::print("{}\n", path);
+    }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 1;
+  } catch (const InvalidArgument& error) {
+    fmt::print(stderr, "preview_control: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace gaitwright::examples

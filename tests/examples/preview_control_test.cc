@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "examples/preview_control.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright::examples {
+namespace {
+
+TEST(PreviewControlExample, TheCentreOfMassMovesBeforeTheZmpDoes) {
+  const ZmpTable walk = WalkOfItsOwn();
+  std::istringstream csv(PreviewedCsv(walk, 0.814, 1.6));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "time_s,com_x_m,com_y_m,zmp_x_m,zmp_y_m");
+  double time = 0.0, com_x = 0.0, com_y = 0.0, early = 0.0;
+  std::size_t rows = 0;
+  while (std::getline(csv, line)) {
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &time, &com_x, &com_y), 3);
+    if (time < 1.99) early = std::max(early, std::abs(com_y));
+    ++rows;
+  }
+  EXPECT_EQ(rows, walk.time_s.size());
+  EXPECT_GT(early, 0.005);        // it leans before the first step, at 2 s
+  EXPECT_NEAR(com_x, 1.4, 5e-3);  // and ends over the last foothold
+}
+
+TEST(PreviewControlExample, WrongFilesNameTheLine) {
+  const auto message = [](const std::string& text) {
+    try {
+      ReadZmp(text);
+    } catch (const InvalidArgument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string header = "time_s,zmp_x_m,zmp_y_m\n";
+  EXPECT_EQ(message(header + "0,0,0\n0.005,0,0\n"), "");
+  EXPECT_NE(message("t,x,y\n").find("line 1"), std::string::npos);
+  EXPECT_NE(message(header + "0,0,0\n0.005,abc,0\n").find("line 3: 'abc'"), std::string::npos);
+  EXPECT_NE(message(header + "0,0,0\n0.005,0\n").find("line 3: 2 columns"), std::string::npos);
+  EXPECT_NE(message(header + "0,0,0\n-1,0,0\n").find("line 3"), std::string::npos);
+  EXPECT_NE(message(header + "0,0,0\n0.005,0,0\n0.02,0,0\n").find("line 4"), std::string::npos);
+  EXPECT_NE(message(header).find("two rows"), std::string::npos);
+}
+
+TEST(PreviewControlExample, DrawsThreeLinesForEachAxis) {
+  const std::string svg = PreviewPicture(WalkOfItsOwn(), 0.814, 1.6);
+  EXPECT_EQ(std::count(svg.begin(), svg.end(), '\n') > 8, true);
+  std::size_t lines = 0;
+  for (std::size_t at = 0; (at = svg.find("<polyline", at)) != std::string::npos; ++at) ++lines;
+  EXPECT_EQ(lines, 6U);
+}
+
+}  // namespace
+}  // namespace gaitwright::examples
