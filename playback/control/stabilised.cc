@@ -63,6 +63,7 @@ class Stabilised final : public Controller {
     wanted_W_ = offset_W_;
     follow_W_.setZero();
     follow_rate_W_.setZero();
+    ground_tilt_W_.setZero();
   }
 
   std::string Name() const override { return "stabilised"; }
@@ -75,6 +76,7 @@ class Stabilised final : public Controller {
     stance_ = plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, input.time_s))].stance;
     omega_rad_s_ = std::sqrt(kGravity / std::max(planned_.p_WC.z(), 0.05));
     FollowFeet(input);
+    FollowGround(input);
     BalanceThroughStance(input.contact, command);
     MoveFootholds(input, command);
     return command;
@@ -125,6 +127,23 @@ class Stabilised final : public Controller {
     follow_rate_W_ = follow / input.step_s;
   }
 
+  /// Soles that bear load lie flat on the ground: their tilt against the plan is the ground's.
+  void FollowGround(const ControlInput& input) {
+    constexpr double kBearing = 0.3;  // of the weight
+    Vector3 tilt = Vector3::Zero();
+    int count = 0;
+    for (std::size_t f = 0; f < model_.feet.size(); ++f) {
+      if (model_.feet[f].sole_F.empty() || !Contains(stance_, static_cast<int>(f))) continue;
+      if (input.wrenches[f].force_W.z() < kBearing * model_.weight_n()) continue;
+      tilt += RotationLog(measured_.X_WF[f].linear() * planned_.X_WF[f].linear().transpose());
+      ++count;
+    }
+    if (count == 0) return;
+    tilt /= count;
+    tilt.z() = 0.0;
+    ground_tilt_W_ += std::min(input.step_s / options_.lean_s, 1.0) * (tilt - ground_tilt_W_);
+  }
+
   /// The wrench about the centre of mass that the stance feet shall give, and where that puts the ZMP.
   void BalanceThroughStance(FootSet contact, JointCommand& command) {
     // A foot that is due on the ground and not there yet is pushed down with its share, and so finds it.
@@ -140,21 +159,22 @@ class Stabilised final : public Controller {
     if (planned.force_W.z() < 0.1 * mass * kGravity) return;
     GatherContacts(pushing, planned.force_W.z());
 
-    const Vector3 turn = RotationLog(planned_.R_WB * measured_.R_WB.transpose());
+    const Vector3 turn = RotationLog(RotationExp(ground_tilt_W_) * planned_.R_WB * measured_.R_WB.transpose());
     const double k = options_.attitude_rad_s, kz = options_.height_rad_s;
     Vector3 moment = planned.moment_W;
     for (int i = 0; i < 3; ++i) {
       moment[i] += inertia_[i] * (k * k * turn[i] + 2.0 * k * (planned_.w_WB - measured_.w_WB)[i]);
     }
-    const double lift = planned.force_W.z() + mass * (kz * kz * (planned_.p_WC - measured_.p_WC).z() +
-                                                      2.0 * kz * (planned_.v_WC - measured_.v_WC).z());
+    const double lift =
+        planned.force_W.z() + mass * (kz * kz * HeightError() + 2.0 * kz * (planned_.v_WC - measured_.v_WC).z());
     const double normal = std::clamp(lift, 0.3 * mass * kGravity, 2.0 * mass * kGravity);
 
     double ground = 0.0;
     for (const ContactPoint& point : contacts_) ground += point.p_W.z() / static_cast<double>(contacts_.size());
-    const Vector2 planned_zmp = ZeroMomentPoint(planned_.p_WC, planned.force_W, planned.moment_W, 0.0);
+    const Vector2 lean = planned_.p_WC.z() * Vector2(ground_tilt_W_.y(), -ground_tilt_W_.x());
+    const Vector2 planned_zmp = lean + ZeroMomentPoint(planned_.p_WC, planned.force_W, planned.moment_W, 0.0);
     const Vector2 error = DivergentComponent(measured_.p_WC, measured_.v_WC, omega_rad_s_) -
-                          DivergentComponent(planned_.p_WC, planned_.v_WC, omega_rad_s_);
+                          DivergentComponent(planned_.p_WC, planned_.v_WC, omega_rad_s_) - lean;
     const Vector2 home = NearestPoint(support_, planned_zmp + StanceOffset());
     Polygon usable = support_;
     for (Vector2& corner : usable) corner = home + options_.support_use * (corner - home);
@@ -167,6 +187,20 @@ class Stabilised final : public Controller {
                         ((measured_.p_WC.y() - zmp.y()) * normal + moment.x()) / height, normal);
     splitter_.Solve(contacts_, {measured_.p_WC, force, moment}, split_);
     AddTorques(command);
+  }
+
+  /// How much higher the centre of mass should be over the feet in stance.
+  double HeightError() const {
+    double error = (planned_.p_WC - measured_.p_WC).z();
+    int count = 0;
+    double feet = 0.0;
+    for (std::size_t f = 0; f < model_.feet.size(); ++f) {
+      if (!Contains(stance_, static_cast<int>(f))) continue;
+      feet += (planned_.X_WF[f].translation() - measured_.X_WF[f].translation()).z();
+      ++count;
+    }
+    if (count > 0) error -= feet / count;
+    return error;
   }
 
   /// How far the feet in stance are from their plan, on average.
@@ -317,6 +351,7 @@ class Stabilised final : public Controller {
   std::vector<std::vector<int>> leg_dofs_;  // by leg; empty where the foot cannot be moved by itself
 
   std::vector<Vector2> offset_W_, liftoff_offset_W_, last_offset_W_, wanted_W_;  // by foot, against the plan
+  Vector3 ground_tilt_W_ = Vector3::Zero();  // rotation vector, against the plan's ground
   Vector2 follow_W_ = Vector2::Zero(), follow_rate_W_ = Vector2::Zero(), dcm_error_W_ = Vector2::Zero(),
           zmp_shift_W_ = Vector2::Zero();
 

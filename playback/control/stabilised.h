@@ -28,6 +28,7 @@ struct StabilisedOptions {
   double stance_damping = 0.2;
   double settle_share = 0.25;
   double follow_s = 0.01;
+  double lean_s = 0.2;
 
   OptionFields Fields() {
     return {
@@ -103,6 +104,13 @@ struct StabilisedOptions {
          0.9,
          "Last share of a swing in which its foothold is no longer moved.",
          {}},
+        {"lean_s",
+         &lean_s,
+         "s",
+         0.01,
+         100.0,
+         "Time in which the base leans with soles that stand on ground inclined against the plan.",
+         {}},
         {"follow_s",
          &follow_s,
          "s",
@@ -118,6 +126,7 @@ struct StabilisedOptions {
 ///
 ///   attitude, height:  M = I (k^2 e_R + 2 k e_w),  F_z = m (k^2 e_z + 2 k e_vz)
 ///   DCM:               the ZMP is moved by dcm_gain times the error xi - xi_planned, as a horizontal force on C
+///   lean:              soles that stand tell the ground's tilt; the base leans with it, so that swings meet the ground
 ///   split:             planned wrench plus feedback over the feet in stance, inside their cones; tau -= J^T (f -
 ///   f_planned) foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a
 ///   foothold
