@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <benchmark/benchmark.h>
+
+#include "kinematics/dynamics/contact_split.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/load_robot.h"
+#include "optimisation/pipeline/plan_motion.h"
+#include "planning/gait/find_gait.h"
+
+namespace gaitwright {
+namespace {
+
+const char* const kRobots[] = {"a1", "nao"};
+
+/// A robot that stands, with its scratch.
+struct Stand {
+  explicit Stand(const benchmark::State& state)
+      : model(LoadNamedRobot(kRobots[state.range(0)]).value()),
+        scratch(model),
+        q(StandingConfiguration(model)),
+        v(VectorX::Constant(model.nv(), 0.1)),
+        a(VectorX::Constant(model.nv(), 0.2)) {
+    ForwardVelocities(model, q, v, scratch);
+  }
+  RobotModel model;
+  DynamicsScratch scratch;
+  VectorX q, v, a;
+};
+
+void ForwardKinematicsCall(benchmark::State& state) {
+  Stand s(state);
+  for (auto _ : state) ForwardKinematics(s.model, s.q, s.scratch);
+}
+
+void FootJacobians(benchmark::State& state) {
+  Stand s(state);
+  MatrixX J(6, s.model.nv());
+  for (auto _ : state) {
+    for (const Foot& foot : s.model.feet) PointJacobian(s.model, s.scratch, foot.body, foot.X_BF.translation(), J);
+    benchmark::DoNotOptimize(J.data());
+  }
+}
+
+void CentreOfMassJacobianCall(benchmark::State& state) {
+  Stand s(state);
+  MatrixX J(3, s.model.nv());
+  for (auto _ : state) {
+    CentreOfMassJacobian(s.model, s.scratch, J);
+    benchmark::DoNotOptimize(J.data());
+  }
+}
+
+void InverseDynamicsCall(benchmark::State& state) {
+  Stand s(state);
+  VectorX tau(s.model.nv());
+  for (auto _ : state) InverseDynamics(s.model, s.q, s.v, s.a, s.scratch, tau);
+}
+
+void MassMatrixCall(benchmark::State& state) {
+  Stand s(state);
+  MatrixX M(s.model.nv(), s.model.nv());
+  for (auto _ : state) MassMatrix(s.model, s.q, s.scratch, M);
+}
+
+void ContactSplitCall(benchmark::State& state) {
+  Stand s(state);
+  std::vector<ContactPoint> contacts;
+  for (int f = 0; f < static_cast<int>(s.model.feet.size()); ++f) {
+    for (const Vector3& p : ContactPoints(s.model, s.scratch, f)) contacts.push_back({p, Vector3::UnitZ(), 0.8, 1.0});
+  }
+  const PointWrench wanted{CentreOfMass(s.model, s.scratch), Vector3(5.0, 2.0, s.model.weight_n()),
+                           Vector3(0.3, 0.2, 0.1)};
+  ContactSplitter splitter;
+  ContactSplit split;
+  for (auto _ : state) splitter.Solve(contacts, wanted, split);
+}
+
+/// 10 s of A1 trot, or 20 steps of NAO.
+void PlanMotionCall(benchmark::State& state) {
+  const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
+  WalkCommand command;
+  if (state.range(0) == 0) {
+    command.speed_m_s = 0.3;
+    command.distance_m = 2.4;
+  } else {
+    command.extent = WalkCommand::Extent::kSteps;
+    command.steps = 20;
+    command.step_length_m = 0.04;
+  }
+  const Gait gait = FindGait(model, "", CommandedSpeed(model, command), {}).value();
+  double duration_s = 0.0;
+  for (auto _ : state) {
+    const Result<PlannedMotion> planned = PlanMotion(model, FlatTerrain(), gait, command, {});
+    duration_s = planned.value().plan.duration_s();
+  }
+  state.counters["planned_s"] = duration_s;
+}
+
+BENCHMARK(ForwardKinematicsCall)->Arg(0)->Arg(1);
+BENCHMARK(FootJacobians)->Arg(0)->Arg(1);
+BENCHMARK(CentreOfMassJacobianCall)->Arg(0)->Arg(1);
+BENCHMARK(InverseDynamicsCall)->Arg(0)->Arg(1);
+BENCHMARK(MassMatrixCall)->Arg(0)->Arg(1);
+BENCHMARK(ContactSplitCall)->Arg(0)->Arg(1);
+BENCHMARK(PlanMotionCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace gaitwright
