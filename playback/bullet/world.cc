@@ -137,7 +137,8 @@ struct BulletWorld::Impl {
   bullet::MotorRow::Target TargetOf(const JointCommand& command, int dof, double limit) {
     const double kp = command.stiffness[dof], kd = command.damping[dof];
     double torque = command.tau_ff[dof];
-    if (options.actuation != "torque") return {command.q[dof], command.v[dof], torque, kp, kd};
+    const bool has_row = options.actuation != "torque" && (kp > 0.0 || kd > 0.0);  // which limits the sum
+    if (has_row) return {command.q[dof], command.v[dof], torque, kp, kd};
     torque += kp * (command.q[dof] - q[7 + dof]) + kd * (command.v[dof] - v[6 + dof]);
     return {0.0, 0.0, std::clamp(torque, -limit, limit), 0.0, 0.0};
   }
