@@ -21,20 +21,6 @@ Vector2 NearestOnSegment(const Vector2& a, const Vector2& b, const Vector2& p) {
   return a + t * ab;
 }
 
-/// The part of a polygon on the left of the line from `a` along the unit vector `along`, moved inward by `margin`.
-Polygon ClippedToLeft(const Polygon& polygon, const Vector2& a, const Vector2& along, double margin) {
-  const auto height = [&](const Vector2& p) { return Cross(along, p - a) - margin; };
-  Polygon clipped;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2& p = polygon[i];
-    const Vector2& next = polygon[(i + 1) % polygon.size()];
-    const double h = height(p), h_next = height(next);
-    if (h >= 0.0) clipped.push_back(p);
-    if ((h > 0.0 && h_next < 0.0) || (h < 0.0 && h_next > 0.0)) clipped.push_back(p + h / (h - h_next) * (next - p));
-  }
-  return clipped;
-}
-
 /// Takes out corners that lie, to rounding, between their neighbours. Done after the chains: popping by a tolerance
 /// there can lose a true corner next to two that are nearly in line with it.
 void DropMiddleCorners(Polygon& hull) {
@@ -103,11 +89,25 @@ Vector2 NearestPoint(const Polygon& polygon, const Vector2& point) {
   return best;
 }
 
+Polygon Clipped(const Polygon& polygon, const Vector2& normal, double least) {
+  const auto height = [&](const Vector2& p) { return normal.dot(p) - least; };
+  Polygon clipped;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2& p = polygon[i];
+    const Vector2& next = polygon[(i + 1) % polygon.size()];
+    const double h = height(p), h_next = height(next);
+    if (h >= 0.0) clipped.push_back(p);
+    if ((h > 0.0 && h_next < 0.0) || (h < 0.0 && h_next > 0.0)) clipped.push_back(p + h / (h - h_next) * (next - p));
+  }
+  return clipped;
+}
+
 Polygon Shrunk(const Polygon& polygon, double margin_m) {
   Polygon shrunk = polygon;
   for (std::size_t i = 0; i < polygon.size() && polygon.size() >= 3; ++i) {
-    const Vector2& a = polygon[i];
-    shrunk = ClippedToLeft(shrunk, a, (polygon[(i + 1) % polygon.size()] - a).normalized(), margin_m);
+    const Vector2 along = (polygon[(i + 1) % polygon.size()] - polygon[i]).normalized();
+    const Vector2 inward(-along.y(), along.x());
+    shrunk = Clipped(shrunk, inward, inward.dot(polygon[i]) + margin_m);
   }
   return polygon.size() >= 3 ? ConvexHull(shrunk) : polygon;
 }

@@ -25,6 +25,9 @@ double SignedDistance(const Polygon& polygon, const Vector2& point);
 /// The member nearest to a point.
 Vector2 NearestPoint(const Polygon& polygon, const Vector2& point);
 
+/// The part of a polygon (three or more corners) where normal . p >= least; empty when there is none.
+Polygon Clipped(const Polygon& polygon, const Vector2& normal, double least);
+
 /// The polygon moved inward by `margin_m` on every edge; empty when nothing is left.
 Polygon Shrunk(const Polygon& polygon, double margin_m);
 

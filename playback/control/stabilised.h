@@ -18,16 +18,18 @@ namespace gaitwright {
 struct StabilisedOptions {
   double attitude_rad_s = 10.0;
   double height_rad_s = 10.0;
-  double dcm_gain = 2.0;
+  double dcm_gain = 1.3;
   double step_gain = 1.0;
-  double step_reach = 0.35;
+  double step_decay = 0.2;
+  double step_reach = 0.3;
   double support_use = 0.7;
   double friction_use = 0.9;
+  double torque_use = 0.9;
   double swing_stiffness = 1.0;
-  double stance_frequency = 3.0;
-  double stance_damping = 0.2;
-  double settle_share = 0.25;
-  double follow_s = 0.01;
+  double swing_acceleration_m_s2 = 60.0;
+  double stance_damping = 1.0;
+  double settle_s = 0.03;
+  double search_m_s = 0.3;
   double lean_s = 0.2;
 
   OptionFields Fields() {
@@ -61,13 +63,6 @@ struct StabilisedOptions {
          2.0,
          "Share of the foot placement that brings the DCM error to step_decay over the next step.",
          {}},
-        {"step_reach",
-         &step_reach,
-         "1",
-         0.0,
-         1.0,
-         "Farthest that a foothold is moved from its plan, as a share of the leg length.",
-         {}},
         {"swing_stiffness",
          &swing_stiffness,
          "1",
@@ -75,14 +70,43 @@ struct StabilisedOptions {
          50.0,
          "Factor on the stiffness of a leg in its swing; its damping rises with the square root.",
          {}},
-        {"stance_frequency",
-         &stance_frequency,
+        {"step_decay",
+         &step_decay,
          "1",
-         0.1,
-         30.0,
-         "Of the joints' own PD, see GainOptions: lower than for replay, since feedback carries the balance.",
+         0.0,
+         1.0,
+         "What is to be left of a DCM error one step later; 1 keeps the displaced gait where it is.",
          {}},
-        {"stance_damping", &stance_damping, "1", 0.0, 5.0, "Likewise.", {}},
+        {"step_reach",
+         &step_reach,
+         "1",
+         0.0,
+         1.0,
+         "Farthest that a foothold is moved against the base, as a share of the leg length.",
+         {}},
+        {"swing_acceleration_m_s2",
+         &swing_acceleration_m_s2,
+         "m/s^2",
+         1.0,
+         1000.0,
+         "Most that a swing is accelerated on its way to a moved foothold.",
+         {}},
+        {"stance_damping",
+         &stance_damping,
+         "1",
+         0.0,
+         1.0,
+         "Factor on the damping of a leg that stands, which keeps its foot from sliding.",
+         {}},
+        {"torque_use", &torque_use, "1", 0.1, 1.0, "Share of an ankle's effort limit that moving the ZMP may use.", {}},
+        {"settle_s", &settle_s, "s", 0.001, 0.2, "Last part of a swing in which its foothold is no longer moved.", {}},
+        {"search_m_s",
+         &search_m_s,
+         "m/s",
+         0.0,
+         2.0,
+         "Speed downwards of a foot that is due on the ground and has not found it.",
+         {}},
         {"support_use",
          &support_use,
          "1",
@@ -97,13 +121,6 @@ struct StabilisedOptions {
          1.0,
          "Share of the ground's friction that the contact forces asked for may use.",
          {}},
-        {"settle_share",
-         &settle_share,
-         "1",
-         0.0,
-         0.9,
-         "Last share of a swing in which its foothold is no longer moved.",
-         {}},
         {"lean_s",
          &lean_s,
          "s",
@@ -111,13 +128,7 @@ struct StabilisedOptions {
          100.0,
          "Time in which the base leans with soles that stand on ground inclined against the plan.",
          {}},
-        {"follow_s",
-         &follow_s,
-         "s",
-         0.01,
-         2.0,
-         "Time in which the joint targets follow a base that has been pushed away from its plan.",
-         {}}};
+    };
   }
 };
 

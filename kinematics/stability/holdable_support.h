@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/robot_model.h"
+#include "kinematics/stability/polygon.h"
+
+namespace gaitwright {
+
+/// The part of one foot's support in which its ankle can hold the robot alone.
+///
+/// With the contact force f = N z + N (C - Z)_xy / h through the ZMP Z and the centre of mass C, a revolute joint with
+/// unit axis a through P, at height z below h / 2, takes  tau = -((Z + (C - Z) z / h - P) x N z) . a, linear in Z; each
+/// joint leaves the strip where |tau| <= use * limit. Joints higher up hardly feel where the ZMP is, and are left out.
+///
+/// @param support   convex, in plan view, of the ground at the height of the foot's contact frame; W [m].
+/// @param p_WC      centre of mass [m];  @param normal_n  force N that the foot carries [N].
+/// @param use       share of the joints' effort limits, > 0.
+/// @return the part of `support`; `support` itself when it has no area, or a joint leaves nothing of it.
+/// Needs ForwardKinematics on the scratch.
+Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch, int foot, const Polygon& support,
+                        const Vector3& p_WC, double normal_n, double use);
+
+}  // namespace gaitwright

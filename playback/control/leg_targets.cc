@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/control/leg_targets.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <set>
+
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/rotation.h"
+
+namespace gaitwright {
+
+LegTargets::LegTargets(const RobotModel& model) : model_(model), scratch_(model), whole_(6, model.nv()) {
+  std::vector<int> users(static_cast<std::size_t>(model.num_dofs()), 0);
+  for (const Leg& leg : model.legs) {
+    std::set<int> dofs;
+    for (const int joint : leg.joints) dofs.insert(model.joints[static_cast<std::size_t>(joint)].dof);
+    dofs_.emplace_back(dofs.begin(), dofs.end());
+    for (const int dof : dofs) ++users[static_cast<std::size_t>(dof)];
+  }
+  for (std::vector<int>& dofs : dofs_) {
+    std::erase_if(dofs, [&](int dof) { return users[static_cast<std::size_t>(dof)] > 1; });
+    if (dofs.size() < 3 || dofs.size() > kMost) dofs.clear();
+  }
+}
+
+void LegTargets::UpdateJacobian(int leg, const Vector3& p_BQ) {
+  const Foot& foot = model_.feet[static_cast<std::size_t>(leg)];
+  const std::vector<int>& dofs = dofs_[static_cast<std::size_t>(leg)];
+  PointJacobian(model_, scratch_, foot.body, p_BQ, whole_);
+  jacobian_.resize(6, static_cast<Eigen::Index>(dofs.size()));
+  for (std::size_t c = 0; c < dofs.size(); ++c) jacobian_.col(static_cast<Eigen::Index>(c)) = whole_.col(6 + dofs[c]);
+  // Angles count as the way they move a point a tenth of a leg away; what cannot be had yields softly.
+  const double angular = foot.sole_F.empty() ? 0.0 : 0.1 * model_.leg_length_m();
+  const double yaw = dofs.size() >= 6 ? angular : 0.01 * angular;
+  weight_ << 1.0, 1.0, 1.0, angular, angular, yaw;
+}
+
+LegTargets::Joints LegTargets::LeastSquares(const Vector6& rows) const {
+  constexpr double kDamping = 1e-7;  // [m^2]
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+  const Jacobian weighted = weight_.asDiagonal() * jacobian_;
+  Square normal = weighted.transpose() * weighted;
+  normal.diagonal().array() += kDamping;
+  return normal.llt().solve(Joints(weighted.transpose() * (weight_.asDiagonal() * rows)));
+}
+
+void LegTargets::Solve(int leg, const FootMotion& wanted, const VectorX& q_planned, VectorX& q, VectorX& v) {
+  constexpr int kIterations = 4;
+  constexpr double kLargest = 0.3;  // step [rad]
+  constexpr double kMargin = 0.03;  // to a joint's limit [rad]
+  const Foot& foot = model_.feet[static_cast<std::size_t>(leg)];
+  const std::vector<int>& dofs = dofs_[static_cast<std::size_t>(leg)];
+  Vector6 error;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    ForwardKinematics(model_, q, scratch_);
+    UpdateJacobian(leg, foot.X_BF.translation());
+    const Pose X_WF = FramePose(scratch_, foot.body, foot.X_BF);
+    error << wanted.X_WF.translation() - X_WF.translation(),
+        RotationLog(wanted.X_WF.linear() * X_WF.linear().transpose());
+    const Joints step = LeastSquares(error);
+    for (std::size_t c = 0; c < dofs.size(); ++c) {
+      const int dof = dofs[c];
+      const double wanted_q = q[7 + dof] + std::clamp(step[static_cast<Eigen::Index>(c)], -kLargest, kLargest);
+      q[7 + dof] = std::clamp(wanted_q, std::min(model_.dof_lower(dof) + kMargin, q_planned[7 + dof]),
+                              std::max(model_.dof_upper(dof) - kMargin, q_planned[7 + dof]));
+    }
+  }
+  SetRates(leg, wanted.v_WF, v);
+}
+
+void LegTargets::SetRates(int leg, const Vector6& wanted, VectorX& v) const {
+  const std::vector<int>& dofs = dofs_[static_cast<std::size_t>(leg)];
+  for (const int dof : dofs) v[6 + dof] = 0.0;
+  const Joints rate = LeastSquares(wanted - whole_ * v);
+  for (std::size_t c = 0; c < dofs.size(); ++c) {
+    const double fastest = model_.dof_velocity_limit(dofs[c]);
+    v[6 + dofs[c]] = std::clamp(rate[static_cast<Eigen::Index>(c)], -fastest, fastest);
+  }
+}
+
+void LegTargets::Hold(int leg, const VectorX& q, VectorX& v) {
+  const Foot& foot = model_.feet[static_cast<std::size_t>(leg)];
+  ForwardKinematics(model_, q, scratch_);
+  const auto body = static_cast<std::size_t>(foot.body);
+  const Vector3 p_WQ = ContactFrame(model_, scratch_, leg).translation();
+  UpdateJacobian(leg, scratch_.R_WB[body].transpose() * (p_WQ - scratch_.p_WB[body]));
+  SetRates(leg, Vector6::Zero(), v);
+}
+
+VectorX LegTargets::ExtraTorque(int leg, const FootMotion& wanted, const MatrixX& M) const {
+  const std::vector<int>& dofs = dofs_[static_cast<std::size_t>(leg)];
+  Vector6 rows = Vector6::Zero();
+  rows.head<3>() = wanted.a_extra_WF;
+  const Joints acceleration = LeastSquares(rows);
+  VectorX torque = VectorX::Zero(static_cast<Eigen::Index>(dofs.size()));
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    for (std::size_t j = 0; j < dofs.size(); ++j)
+      torque[static_cast<Eigen::Index>(i)] += M(6 + dofs[i], 6 + dofs[j]) * acceleration[static_cast<Eigen::Index>(j)];
+  }
+  return torque;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/robot_model.h"
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// Motion wanted of a foot's controlled frame (Foot::X_BF on Foot::body) in W.
+struct FootMotion {
+  Pose X_WF = Pose::Identity();
+  Vector6 v_WF = Vector6::Zero();        ///< linear, then angular
+  Vector3 a_extra_WF = Vector3::Zero();  ///< acceleration beyond the plan's, for the feed-forward [m/s^2]
+};
+
+/// Joint targets of single legs in the world's frame: the base is where it is, not where the plan has it.
+///
+/// A leg is moved by the motors that it does not share. With fewer of them than the foot has rows, position comes
+/// first, then roll and pitch of a sole; its yaw yields.
+class LegTargets {
+ public:
+  explicit LegTargets(const RobotModel& model);
+
+  /// The leg's own independent joints; empty for a leg with fewer than three.
+  const std::vector<int>& dofs(int leg) const { return dofs_[static_cast<std::size_t>(leg)]; }
+
+  /// Moves the leg's entries of q (size nq; base pose and guess in it) and v (size nv; base velocity in it) onto the
+  /// wanted motion: a foot out of reach comes as near as the steps allow. The joints stay a little inside of their
+  /// limits, or as near to them as the plan goes.
+  void Solve(int leg, const FootMotion& wanted, const VectorX& q_planned, VectorX& q, VectorX& v);
+
+  /// The leg's entries of v with which its contact point stands still on the ground, at the state q, v.
+  void Hold(int leg, const VectorX& q, VectorX& v);
+
+  /// Torques that the leg's joints need for the extra acceleration: M_ll J_l^+ a. Solve first.
+  /// @param M  mass matrix of the robot, nv x nv.
+  VectorX ExtraTorque(int leg, const FootMotion& wanted, const MatrixX& M) const;
+
+ private:
+  static constexpr int kMost = 12;
+  using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMost>;
+  using Joints = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
+
+  void UpdateJacobian(int leg, const Vector3& p_BQ);
+  void SetRates(int leg, const Vector6& wanted, VectorX& v) const;
+  Joints LeastSquares(const Vector6& rows) const;
+
+  const RobotModel& model_;
+  DynamicsScratch scratch_;
+  std::vector<std::vector<int>> dofs_;
+  MatrixX whole_;
+  Jacobian jacobian_;
+  Vector6 weight_ = Vector6::Ones();
+};
+
+}  // namespace gaitwright

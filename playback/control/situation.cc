@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/control/situation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/dynamics/foot_contact.h"
+
+namespace gaitwright {
+
+void Situation::Reset() { touched_s_.clear(); }
+
+void Situation::Observe(const RobotModel& model, const VectorX& q, const VectorX& v, BodyState& body) const {
+  body.q = q;
+  body.v = v;
+  ForwardVelocities(model, q, v, body.scratch);
+  body.p_WC = CentreOfMass(model, body.scratch);
+  body.v_WC = CentroidalMomentum(model, body.scratch).head<3>() / model.total_mass_kg;
+  body.X_WF.clear();
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f)
+    body.X_WF.push_back(ContactFrame(model, body.scratch, f));
+}
+
+void Situation::Update(const RobotModel& model, const ControlInput& input) {
+  constexpr double kBridge = 0.01;  // a contact lost for less is a bounce [s]
+  constexpr double kLanding = 0.5;  // share of a swing after which a contact is an early landing
+  constexpr double kLowest = 0.05;  // [m]
+  time_s = input.time_s;
+  step_s = input.step_s;
+  wrenches = input.wrenches;
+  SampleWholeBody(plan_.whole_body, time_s, sample);
+  Observe(model, input.q, input.v, measured);
+  Observe(model, sample.q, sample.v, planned);
+  scheduled = plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, time_s))].stance;
+  omega_rad_s = std::sqrt(kGravity / std::max(planned.p_WC.z(), kLowest));
+  if (touched_s_.empty()) touched_s_.assign(model.feet.size(), time_s);
+  bearing = 0;
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
+    double& touched = touched_s_[static_cast<std::size_t>(f)];
+    if (Contains(input.contact, f)) touched = time_s;
+    const bool due = Contains(scheduled, f) || SwingAt(plan_.footsteps, f, time_s).Progress(time_s) > kLanding;
+    if (due && time_s - touched < kBridge) bearing |= FootBit(f);
+  }
+}
+
+double SwingNow::Progress(double time_s) const {
+  return swings ? std::clamp((time_s - liftoff_s) / (touchdown_s - liftoff_s), 0.0, 1.0) : 0.0;
+}
+
+SwingNow SwingAt(const FootstepPlan& footsteps, int foot, double time_s) {
+  constexpr double kTiny = 1e-9;  // [s]
+  SwingNow swing;
+  const auto& footholds = footsteps.footholds;
+  const auto index = static_cast<std::size_t>(FootholdAt(footsteps, foot, time_s));
+  const Foothold& last = footholds[index];
+  const auto next = std::find_if(footholds.begin() + static_cast<std::ptrdiff_t>(index) + 1, footholds.end(),
+                                 [&](const Foothold& foothold) { return foothold.foot == foot; });
+  if (next == footholds.end() || next->touchdown_s <= last.liftoff_s) return swing;
+  swing.liftoff_s = last.liftoff_s;
+  swing.touchdown_s = next->touchdown_s;
+  swing.next_liftoff_s = next->liftoff_s;
+  swing.swings = time_s > last.liftoff_s - kTiny && time_s < next->touchdown_s - kTiny;
+  return swing;
+}
+
+}  // namespace gaitwright

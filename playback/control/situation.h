@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+#include "planning/plan/sample_plan.h"
+#include "playback/control/controller.h"
+
+namespace gaitwright {
+
+/// A robot at one time.
+struct BodyState {
+  explicit BodyState(const RobotModel& model) : scratch(model) {}
+
+  DynamicsScratch scratch;
+  VectorX q, v;
+  Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero();
+  std::vector<Pose> X_WF;  ///< contact frames, by foot
+
+  const Matrix3& R_WB() const { return scratch.R_WB[0]; }
+  const Vector3& p_WB() const { return scratch.p_WB[0]; }
+  const Vector3& w_WB() const { return scratch.w_WB[0]; }
+};
+
+/// The robot beside its plan at the same time: what feedback works on.
+struct Situation {
+  Situation(const RobotModel& model, const MotionPlan& plan) : measured(model), planned(model), plan_(plan) {}
+
+  /// Forgets what was seen.
+  void Reset();
+  void Update(const RobotModel& model, const ControlInput& input);
+
+  double time_s = 0.0, step_s = 0.001;
+  WholeBodySample sample;  ///< of the plan
+  BodyState measured, planned;
+  std::vector<ContactWrench> wrenches;  ///< measured, by foot
+  FootSet scheduled = 0;                ///< feet that shall stand
+  FootSet bearing = 0;                  ///< feet that stand: scheduled or at the end of their swing, and in contact
+  double omega_rad_s = 1.0;             ///< of the planned pendulum
+
+ private:
+  void Observe(const RobotModel& model, const VectorX& q, const VectorX& v, BodyState& body) const;
+  const MotionPlan& plan_;
+  std::vector<double> touched_s_;  // last contact, by foot
+};
+
+/// The swing that a foot is in.
+struct SwingNow {
+  double liftoff_s = 0.0, touchdown_s = 0.0;
+  double next_liftoff_s = 0.0;  ///< of the foothold that it goes to
+  bool swings = false;
+
+  double Progress(double time_s) const;
+};
+
+/// The swing of a foot at a time; `swings` is false while it stands.
+SwingNow SwingAt(const FootstepPlan& footsteps, int foot, double time_s);
+
+}  // namespace gaitwright

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/control/stance_feedback.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/stability/holdable_support.h"
+#include "kinematics/stability/zero_moment_point.h"
+
+namespace gaitwright {
+
+StanceFeedback::StanceFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options)
+    : model_(model), plan_(plan), options_(options) {
+  DynamicsScratch scratch(model);
+  MatrixX M;
+  const VectorX standing = StandingConfiguration(model);
+  MassMatrix(model, standing, scratch, M);
+  const Vector3 p_OC = CentreOfMass(model, scratch) - standing.head<3>();
+  for (int i = 0; i < 3; ++i)
+    inertia_[i] = M(3 + i, 3 + i) - model.total_mass_kg * (p_OC.squaredNorm() - p_OC[i] * p_OC[i]);
+}
+
+void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau) {
+  constexpr double kLeast = 0.3, kMost = 2.0;  // of the weight, of the normal force asked for
+  contacts_.clear();
+  contact_foot_.clear();
+  const PointWrench planned = PlannedWrench(now);
+  const double weight = model_.weight_n();
+  if (now.bearing != 0 && planned.force_W.z() > 0.1 * weight) {
+    GatherContacts(now, planned.force_W.z());
+    const Vector3 moment = WantedMoment(now, footing, planned.moment_W);
+    const double kz = options_.height_rad_s;
+    const double rise = now.planned.p_WC.z() + footing.mean_offset_W.z() - now.measured.p_WC.z();
+    const double rate = now.planned.v_WC.z() - now.measured.v_WC.z();
+    const double lift = planned.force_W.z() + model_.total_mass_kg * kz * (kz * rise + 2.0 * rate);
+    const double normal = std::clamp(lift, kLeast * weight, kMost * weight);
+    const Vector2 zmp = WantedZmp(now, footing, planned);
+    double ground = 0.0;
+    for (const ContactPoint& point : contacts_) ground += point.p_W.z() / static_cast<double>(contacts_.size());
+    // The attitude comes first: with the moment given, this is the force that puts the ZMP there.
+    const Vector3& p_WC = now.measured.p_WC;
+    const double height = p_WC.z() - ground;
+    const Vector3 force(((p_WC.x() - zmp.x()) * normal - moment.y()) / height,
+                        ((p_WC.y() - zmp.y()) * normal + moment.x()) / height, normal);
+    splitter_.Solve(contacts_, {p_WC, force, moment}, split_);
+  }
+  AddTorques(now, tau);
+}
+
+PointWrench StanceFeedback::PlannedWrench(const Situation& now) const {
+  PointWrench planned{now.planned.p_WC, Vector3::Zero(), Vector3::Zero()};
+  for (std::size_t f = 0; f < now.sample.wrenches.size(); ++f) {
+    const ContactWrench& wrench = now.sample.wrenches[f];
+    const Vector3 arm = now.planned.X_WF[f].translation() - now.planned.p_WC;
+    planned.force_W += wrench.force_W;
+    planned.moment_W += wrench.moment_W + arm.cross(wrench.force_W);
+  }
+  return planned;
+}
+
+void StanceFeedback::GatherContacts(const Situation& now, double total_normal_n) {
+  constexpr double kLeastShare = 1e-3;
+  std::vector<Vector2> corners;
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    if (!Contains(now.bearing, f)) continue;
+    const double share =
+        std::max(now.sample.wrenches[static_cast<std::size_t>(f)].force_W.z() / total_normal_n, kLeastShare);
+    const auto points = ContactPoints(model_, now.measured.scratch, f);
+    for (const Vector3& p_W : points) {
+      const GroundPoint ground = GroundAt(plan_.terrain, p_W.head<2>());
+      contacts_.push_back({p_W, ground.normal_W, std::max(options_.friction_use * ground.friction, 0.05),
+                           static_cast<double>(points.size()) / share});
+      contact_foot_.push_back(f);
+      corners.push_back(p_W.head<2>());
+    }
+  }
+  support_ = ConvexHull(corners);
+}
+
+Vector3 StanceFeedback::WantedMoment(const Situation& now, const Footing& footing, const Vector3& planned_W) const {
+  const Matrix3 R_wanted = RotationExp(footing.ground_tilt_W) * now.planned.R_WB();
+  const Vector3 turn = RotationLog(R_wanted * now.measured.R_WB().transpose());
+  const Vector3 spin = now.planned.w_WB() - now.measured.w_WB();
+  const double k = options_.attitude_rad_s;
+  return planned_W + inertia_.cwiseProduct(k * k * turn + 2.0 * k * spin);
+}
+
+Vector2 StanceFeedback::WantedZmp(const Situation& now, const Footing& footing, const PointWrench& planned) {
+  const Vector2 lean = now.planned.p_WC.z() * Vector2(footing.ground_tilt_W.y(), -footing.ground_tilt_W.x());
+  planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, 0.0);
+  dcm_error_W_ = DivergentComponent(now.measured.p_WC, now.measured.v_WC, now.omega_rad_s) -
+                 DivergentComponent(now.planned.p_WC, now.planned.v_WC, now.omega_rad_s) - lean;
+  const Vector2 home = NearestPoint(support_, planned_zmp_W_ + footing.mean_offset_W.head<2>());
+  usable_ = support_;
+  if (std::popcount(now.bearing) == 1) {
+    usable_ = HoldableSupport(model_, now.measured.scratch, std::countr_zero(now.bearing), support_, now.measured.p_WC,
+                              model_.weight_n(), options_.torque_use);
+    usable_.push_back(home);
+    usable_ = ConvexHull(usable_);
+  }
+  for (Vector2& corner : usable_) corner = home + options_.support_use * (corner - home);
+  return ZmpFor(dcm_error_W_);
+}
+
+Vector2 StanceFeedback::ZmpFor(const Vector2& dcm_error_W) const {
+  return NearestPoint(usable_, planned_zmp_W_ + options_.dcm_gain * dcm_error_W);
+}
+
+StanceFeedback::Drift StanceFeedback::DriftAhead(const Situation& now, double ahead_s) const {
+  constexpr int kSteps = 10;
+  Drift drift{dcm_error_W_, (now.measured.p_WC - now.planned.p_WC).head<2>()};
+  if (usable_.empty()) return drift;
+  // With the ZMP moved by s for a time h:  xi' = s + (xi - s) e^{w h},  and the centre of mass follows the DCM.
+  const double growth = std::exp(now.omega_rad_s * ahead_s / kSteps);
+  for (int i = 0; i < kSteps; ++i) {
+    const Vector2 shift = ZmpFor(drift.dcm_W) - planned_zmp_W_, half = 0.5 * (drift.dcm_W - shift);
+    drift.com_W = shift + half * growth + (drift.com_W - shift - half) / growth;
+    drift.dcm_W = shift + 2.0 * half * growth;
+  }
+  return drift;
+}
+
+/// tau -= J^T (f - f_planned)
+void StanceFeedback::AddTorques(const Situation& now, VectorX& tau) const {
+  VectorX all = VectorX::Zero(model_.nv());
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Foot& foot = model_.feet[static_cast<std::size_t>(contact_foot_[c])];
+    AddPointForce(model_, now.measured.scratch, foot.body, contacts_[c].p_W, -split_.force_W[c], all);
+  }
+  for (std::size_t f = 0; f < model_.feet.size(); ++f) {
+    Vector6 wrench;
+    wrench << now.sample.wrenches[f].force_W, now.sample.wrenches[f].moment_W;
+    AddPointWrench(model_, now.planned.scratch, model_.feet[f].body, now.planned.X_WF[f].translation(), wrench, all);
+  }
+  tau += all.tail(model_.num_dofs());
+}
+
+}  // namespace gaitwright

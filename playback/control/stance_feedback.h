@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/dynamics/contact_split.h"
+#include "kinematics/stability/polygon.h"
+#include "playback/control/situation.h"
+#include "playback/control/stabilised.h"
+
+namespace gaitwright {
+
+/// Where the feet are against their plan, as those that stand tell.
+struct Footing {
+  std::vector<Vector3> offset_W;            ///< by foot: contact point less its planned place [m]
+  Vector3 ground_tilt_W = Vector3::Zero();  ///< rotation vector of the ground against the plan's
+  Vector3 mean_offset_W = Vector3::Zero();  ///< of the feet that shall stand [m]
+};
+
+/// The part of `stabilised` that works through the feet on the ground: base attitude, height and DCM.
+class StanceFeedback {
+ public:
+  StanceFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options);
+
+  /// Adds to tau (size n) the torques that turn the planned contact forces into the wanted ones.
+  void Update(const Situation& now, const Footing& footing, VectorX& tau);
+
+  /// Where the robot will be against its plan some time ahead, if the feet that stand now go on standing and the ZMP
+  /// goes on being moved within them.
+  struct Drift {
+    Vector2 dcm_W = Vector2::Zero(), com_W = Vector2::Zero();  ///< [m]
+  };
+  Drift DriftAhead(const Situation& now, double ahead_s) const;
+
+ private:
+  void GatherContacts(const Situation& now, double total_normal_n);
+  PointWrench PlannedWrench(const Situation& now) const;
+  Vector3 WantedMoment(const Situation& now, const Footing& footing, const Vector3& planned_W) const;
+  Vector2 WantedZmp(const Situation& now, const Footing& footing, const PointWrench& planned);
+  void AddTorques(const Situation& now, VectorX& tau) const;
+
+  const RobotModel& model_;
+  const MotionPlan& plan_;
+  const StabilisedOptions& options_;
+  Vector3 inertia_ = Vector3::Ones();
+  Vector2 ZmpFor(const Vector2& dcm_error_W) const;
+
+  Vector2 dcm_error_W_ = Vector2::Zero(), planned_zmp_W_ = Vector2::Zero();
+  Polygon usable_;  // where the ZMP may be moved to
+  std::vector<ContactPoint> contacts_;
+  std::vector<int> contact_foot_;
+  Polygon support_;
+  ContactSplitter splitter_;
+  ContactSplit split_;
+};
+
+}  // namespace gaitwright

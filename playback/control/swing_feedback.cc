@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/control/swing_feedback.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/spatial/rotation.h"
+
+namespace gaitwright {
+
+SwingFeedback::SwingFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options)
+    : model_(model),
+      plan_(plan),
+      options_(options),
+      legs_(model),
+      next_scratch_(model),
+      mass_scratch_(model),
+      mass_(model.nv(), model.nv()) {
+  Reset();
+}
+
+void SwingFeedback::Reset() {
+  footing_ = {};
+  footing_.offset_W.assign(model_.feet.size(), Vector3::Zero());
+  offsets_.assign(model_.feet.size(), {});
+}
+
+const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
+  constexpr double kSettle = 0.02;  // [s]
+  constexpr double kBearing = 0.3;  // of the weight
+  Vector3 tilt = Vector3::Zero();
+  int flat = 0, standing = 0;
+  footing_.mean_offset_W.setZero();
+  for (std::size_t f = 0; f < model_.feet.size(); ++f) {
+    const int foot = static_cast<int>(f);
+    if (!Contains(now.bearing, foot)) continue;
+    const Vector3 seen = now.measured.X_WF[f].translation() - now.planned.X_WF[f].translation();
+    footing_.offset_W[f] += std::min(now.step_s / kSettle, 1.0) * (seen - footing_.offset_W[f]);
+    if (!Contains(now.scheduled, foot)) continue;
+    footing_.mean_offset_W += footing_.offset_W[f];
+    ++standing;
+    // Soles that bear load lie flat on the ground: their tilt against the plan is the ground's.
+    if (model_.feet[f].sole_F.empty() || now.wrenches[f].force_W.z() < kBearing * model_.weight_n()) continue;
+    tilt += RotationLog(now.measured.X_WF[f].linear() * now.planned.X_WF[f].linear().transpose());
+    ++flat;
+  }
+  if (standing > 0) footing_.mean_offset_W /= standing;
+  if (flat > 0) {
+    tilt /= flat;
+    tilt.z() = 0.0;
+    footing_.ground_tilt_W += std::min(now.step_s / options_.lean_s, 1.0) * (tilt - footing_.ground_tilt_W);
+  }
+  return footing_;
+}
+
+void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, JointCommand& command) {
+  SampleWholeBody(plan_.whole_body, now.time_s + now.step_s, next_);
+  ForwardVelocities(model_, next_.q, next_.v, next_scratch_);
+  MassMatrix(model_, now.measured.q, mass_scratch_, mass_);
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    Offset& offset = offsets_[static_cast<std::size_t>(f)];
+    if (legs_.dofs(f).empty()) continue;
+    if (Contains(now.bearing, f)) {
+      offset = {};
+      offset.value = offset.wanted = footing_.offset_W[static_cast<std::size_t>(f)];
+      CommandStance(now, f, command);
+      continue;
+    }
+    const SwingNow swing = SwingAt(plan_.footsteps, f, now.time_s);
+    if (swing.swings) {
+      if (swing.touchdown_s - now.time_s > options_.settle_s) offset.wanted = WantedOffset(now, f, swing, stance);
+      MoveOffset(now, swing, offset);
+    } else {
+      // Due on the ground and not there: on downwards until it is found.
+      offset.rate = Vector3(0.0, 0.0, -options_.search_m_s);
+      offset.acceleration.setZero();
+      offset.value += now.step_s * offset.rate;
+    }
+    CommandSwing(now, f, command);
+  }
+}
+
+/// The DCM's error at touch-down is met by a foothold moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T being the
+/// stance to come; within reach of where the base will be.
+Vector3 SwingFeedback::WantedOffset(const Situation& now, int foot, const SwingNow& swing,
+                                    const StanceFeedback& stance) const {
+  constexpr double kLongest = 0.5;  // [s]
+  const double left = std::clamp(swing.touchdown_s - now.time_s, 0.0, kLongest);
+  const StanceFeedback::Drift drift = stance.DriftAhead(now, left);
+  const double ahead = std::exp(now.omega_rad_s * std::min(swing.next_liftoff_s - swing.touchdown_s, kLongest));
+  const Vector2 caught = options_.step_gain * (ahead - options_.step_decay) / (ahead - 1.0) * drift.dcm_W;
+  const double reach = options_.step_reach * model_.leg_length_m();
+  const Vector2 away = caught - drift.com_W;
+  const Vector2 step = away.norm() > reach ? Vector2(drift.com_W + away * reach / away.norm()) : caught;
+  const Vector3 arm = now.planned.X_WF[static_cast<std::size_t>(foot)].translation() - now.planned.p_WC;
+  const double height = footing_.mean_offset_W.z() + footing_.ground_tilt_W.cross(arm).z();
+  return {step.x(), step.y(), height};
+}
+
+/// On the minimum-jerk way from here to the wanted offset, at rest at touch-down; no faster than the leg can turn
+/// round.
+void SwingFeedback::MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const {
+  const double h = now.step_s, left = std::max(swing.touchdown_s - now.time_s, options_.settle_s);
+  constexpr double kPeak = 5.7735;  // acceleration of a minimum-jerk move of 1 m in 1 s [m/s^2]
+  Vector3 way = offset.wanted - offset.value;
+  const double most = options_.swing_acceleration_m_s2 * left * left / kPeak;
+  const Vector3 coast = offset.rate * left * 0.5;
+  if ((way - coast).norm() > most) way = coast + (way - coast) * most / (way - coast).norm();
+  const Vector3 jerk =
+      60.0 * way / (left * left * left) - 36.0 * offset.rate / (left * left) - 9.0 * offset.acceleration / left;
+  offset.value += h * (offset.rate + h * (0.5 * offset.acceleration + h / 6.0 * jerk));
+  offset.rate += h * (offset.acceleration + 0.5 * h * jerk);
+  offset.acceleration += h * jerk;
+}
+
+FootMotion SwingFeedback::WantedMotion(int foot) const {
+  const Foot& f = model_.feet[static_cast<std::size_t>(foot)];
+  const Offset& offset = offsets_[static_cast<std::size_t>(foot)];
+  FootMotion wanted;
+  wanted.X_WF = FramePose(next_scratch_, f.body, f.X_BF);
+  wanted.X_WF.translation() += offset.value;
+  wanted.X_WF.linear() = RotationExp(footing_.ground_tilt_W) * wanted.X_WF.linear();
+  wanted.v_WF = PointVelocity(next_scratch_, f.body, f.X_BF.translation());
+  wanted.v_WF.head<3>() += offset.rate;
+  wanted.a_extra_WF = offset.acceleration;
+  return wanted;
+}
+
+/// Contact forces carry the balance; the motors only keep the foot from sliding.
+void SwingFeedback::CommandStance(const Situation& now, int leg, JointCommand& command) {
+  v_ = now.measured.v;
+  legs_.Hold(leg, now.measured.q, v_);
+  for (const int dof : legs_.dofs(leg)) {
+    command.q[dof] = now.measured.q[7 + dof];
+    command.v[dof] = v_[6 + dof];
+    command.stiffness[dof] = 0.0;
+    command.damping[dof] *= options_.stance_damping;
+  }
+}
+
+void SwingFeedback::CommandSwing(const Situation& now, int leg, JointCommand& command) {
+  const FootMotion wanted = WantedMotion(leg);
+  q_ = now.measured.q;
+  v_ = now.measured.v;
+  q_.head<3>() += now.step_s * v_.head<3>();
+  legs_.Solve(leg, wanted, now.planned.q, q_, v_);
+  const VectorX extra = legs_.ExtraTorque(leg, wanted, mass_);
+  const std::vector<int>& dofs = legs_.dofs(leg);
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    command.q[dofs[i]] = q_[7 + dofs[i]];
+    command.v[dofs[i]] = v_[6 + dofs[i]];
+    command.tau_ff[dofs[i]] += extra[static_cast<Eigen::Index>(i)];
+    command.stiffness[dofs[i]] *= options_.swing_stiffness;
+    command.damping[dofs[i]] *= std::sqrt(options_.swing_stiffness);
+  }
+}
+
+}  // namespace gaitwright

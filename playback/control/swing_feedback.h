@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "playback/control/leg_targets.h"
+#include "playback/control/situation.h"
+#include "playback/control/stabilised.h"
+#include "playback/control/stance_feedback.h"
+
+namespace gaitwright {
+
+/// The part of `stabilised` that works through the feet in the air: each swing goes to where the DCM can be caught, in
+/// the world's frame, with its sole level with the ground, however the base is displaced and tilted.
+class SwingFeedback {
+ public:
+  SwingFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options);
+  void Reset();
+
+  /// Offsets of the feet that stand, and the ground that they tell of.
+  const Footing& UpdateFooting(const Situation& now);
+
+  /// Sets the targets of the legs in the air; those on the ground get their stance gains.
+  void Update(const Situation& now, const StanceFeedback& stance, JointCommand& command);
+
+ private:
+  /// A foot's place against its plan, moving.
+  struct Offset {
+    Vector3 value = Vector3::Zero(), rate = Vector3::Zero(), acceleration = Vector3::Zero();
+    Vector3 wanted = Vector3::Zero();
+  };
+
+  Vector3 WantedOffset(const Situation& now, int foot, const SwingNow& swing, const StanceFeedback& stance) const;
+  void MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const;
+  FootMotion WantedMotion(int foot) const;
+  void CommandStance(const Situation& now, int leg, JointCommand& command);
+  void CommandSwing(const Situation& now, int leg, JointCommand& command);
+
+  const RobotModel& model_;
+  const MotionPlan& plan_;
+  const StabilisedOptions& options_;
+  LegTargets legs_;
+  Footing footing_;
+  std::vector<Offset> offsets_;
+  WholeBodySample next_;
+  DynamicsScratch next_scratch_, mass_scratch_;
+  MatrixX mass_;
+  VectorX q_, v_;
+};
+
+}  // namespace gaitwright
