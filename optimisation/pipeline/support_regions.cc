@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/stability/holdable_support.h"
 #include "kinematics/stability/polygon.h"
 
 namespace gaitwright {
@@ -62,26 +64,53 @@ ZmpPhase MovingHull(const Scene& scene, const ContactPhase& phase) {
   return region;
 }
 
-/// From the middle of a single sole towards the middle of the next foothold of another foot.
-Vector2 InwardShift(const RobotModel& model, const FootstepPlan& footsteps, const ContactPhase& phase, double inward) {
+/// By foot: where in F the ZMP is best while the foot stands alone: in the middle of the part of its sole in which its
+/// ankle holds the robot.
+std::vector<Vector2> HomePoints(const RobotModel& model) {
+  constexpr double kUse = 1.0;
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  const double height = CentreOfMass(model, scratch).z();
+  std::vector<Vector2> homes;
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
+    const Foot& foot = model.feet[static_cast<std::size_t>(f)];
+    if (foot.sole_F.size() < 3) {
+      homes.emplace_back(Vector2::Zero());
+      continue;
+    }
+    const Pose X_WF = FramePose(scratch, foot.body, foot.X_BF);
+    std::vector<Vector2> corners;
+    for (const Vector2& corner : foot.sole_F)
+      corners.push_back((X_WF * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
+    const Vector3 above(X_WF.translation().x(), X_WF.translation().y(), height);
+    const Vector2 middle =
+        Centroid(HoldableSupport(model, scratch, f, ConvexHull(corners), above, model.weight_n(), kUse));
+    homes.emplace_back((X_WF.inverse() * Vector3(middle.x(), middle.y(), X_WF.translation().z())).head<2>());
+  }
+  return homes;
+}
+
+/// From the middle of a single sole to its home point, and on towards the next foothold of another foot.
+Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vector<Vector2>& homes) {
   if (std::popcount(phase.stance) != 1) return Vector2::Zero();
   const int foot = std::countr_zero(phase.stance);
-  const Foot& sole = model.feet[static_cast<std::size_t>(foot)];
+  const Foot& sole = scene.model.feet[static_cast<std::size_t>(foot)];
   if (sole.sole_F.empty()) return Vector2::Zero();
   const double time_s = 0.5 * (phase.start_s + phase.end_s);
-  const Pose& X_WF = footsteps.footholds[static_cast<std::size_t>(FootholdAt(footsteps, foot, time_s))].X_WF;
+  const auto place = [&](int f) -> const Pose& {
+    return scene.footsteps.footholds[static_cast<std::size_t>(FootholdAt(scene.footsteps, f, time_s))].X_WF;
+  };
   double side = 0.0, low = 0.0, high = 0.0;
-  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
-    if (f == foot) continue;
-    const int index = FootholdAt(footsteps, f, time_s);
-    side += (X_WF.inverse() * footsteps.footholds[static_cast<std::size_t>(index)].X_WF.translation()).y();
+  for (int f = 0; f < static_cast<int>(scene.model.feet.size()); ++f) {
+    if (f != foot) side += (place(foot).inverse() * place(f).translation()).y();
   }
   for (const Vector2& corner : sole.sole_F) {
     low = std::min(low, corner.y());
     high = std::max(high, corner.y());
   }
-  const Vector3 shift_F(0.0, (side > 0.0 ? 1.0 : -1.0) * inward * (high - low), 0.0);
-  return (X_WF.linear() * shift_F).head<2>();
+  const Vector2 home = homes[static_cast<std::size_t>(foot)];
+  const double inward = (side > 0.0 ? 1.0 : -1.0) * scene.inputs.inward * (high - low);
+  return (place(foot).linear() * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }
 
 bool HandsOver(const std::vector<ContactPhase>& phases, std::size_t i) {
@@ -95,10 +124,11 @@ std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSched
                                      const FootstepPlan& footsteps, const SupportInputs& inputs) {
   const auto& phases = schedule.phases;
   const Scene scene{model, footsteps, inputs, schedule.start_s()};
+  const std::vector<Vector2> homes = HomePoints(model);
   std::vector<ZmpPhase> regions;
   for (const ContactPhase& phase : phases) {
     ZmpPhase region = MovingHull(scene, phase);
-    const Vector2 shift = InwardShift(model, footsteps, phase, inputs.inward);
+    const Vector2 shift = HomeShift(scene, phase, homes);
     region.preferred_start = Centroid(region.region_start) + shift;
     region.preferred_end = Centroid(region.region_end) + shift;
     regions.push_back(region);

@@ -22,7 +22,7 @@ struct StabilisedOptions {
   double step_gain = 1.0;
   double step_decay = 0.2;
   double step_reach = 0.3;
-  double support_use = 0.7;
+  double support_use = 0.95;
   double friction_use = 0.9;
   double torque_use = 0.9;
   double swing_stiffness = 1.0;
