@@ -87,7 +87,7 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
   double velocity = 0.0, gain = 0.0;  // what the motor may add to it in the step
   for (const RobotBody::Member& member : members_) velocity += member.share * m_bodyA->getJointVel(member.joint);
   if (driven_) {
-    const double pull = target_.stiffness * (target_.q - q) + target_.damping * target_.v;
+    const double pull = target_.excess + target_.stiffness * (target_.q - q) + target_.damping * target_.v;
     const double lowest = std::max(-kUnlimited, h * (-limits_.effort - target_.tau_ff));
     const double highest = std::min(kUnlimited, h * (limits_.effort - target_.tau_ff));
     const double response = AddRow({kDrive, h * pull / drive, 1.0 / drive, lowest, highest}, rows, data);

@@ -52,7 +52,10 @@ class MotorRow : public JointSpaceConstraint {
   MotorRow(const RobotBody& robot, btMultiBody& body, int dof, const Limits& limits);
 
   struct Target {
-    double q, v, tau_ff, stiffness, damping;
+    double q, v;
+    double tau_ff;  ///< within the effort limit
+    double stiffness, damping;
+    double excess = 0.0;  ///< feed-forward beyond the limit: the row has it, so that the sum is what is limited
   };
   void SetTarget(const Target& target) { target_ = target; }
 

@@ -138,9 +138,10 @@ struct BulletWorld::Impl {
     const double kp = command.stiffness[dof], kd = command.damping[dof];
     double torque = command.tau_ff[dof];
     const bool has_row = options.actuation != "torque" && (kp > 0.0 || kd > 0.0);  // which limits the sum
-    if (has_row) return {command.q[dof], command.v[dof], torque, kp, kd};
+    const double inside = std::clamp(torque, -limit, limit);
+    if (has_row) return {command.q[dof], command.v[dof], inside, kp, kd, torque - inside};
     torque += kp * (command.q[dof] - q[7 + dof]) + kd * (command.v[dof] - v[6 + dof]);
-    return {0.0, 0.0, std::clamp(torque, -limit, limit), 0.0, 0.0};
+    return {0.0, 0.0, std::clamp(torque, -limit, limit), 0.0, 0.0, 0.0};
   }
 
   void Command(const JointCommand& command) {

@@ -25,6 +25,7 @@ StanceFeedback::StanceFeedback(const RobotModel& model, const MotionPlan& plan, 
 
 void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau) {
   constexpr double kLeast = 0.3, kMost = 2.0;  // of the weight, of the normal force asked for
+  constexpr double kLow = 0.3;                 // of the planned height: lower is a fall
   contacts_.clear();
   contact_foot_.clear();
   const PointWrench planned = PlannedWrench(now);
@@ -42,7 +43,7 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
     for (const ContactPoint& point : contacts_) ground += point.p_W.z() / static_cast<double>(contacts_.size());
     // The attitude comes first: with the moment given, this is the force that puts the ZMP there.
     const Vector3& p_WC = now.measured.p_WC;
-    const double height = p_WC.z() - ground;
+    const double height = std::max(p_WC.z() - ground, kLow * now.planned.p_WC.z());
     const Vector3 force(((p_WC.x() - zmp.x()) * normal - moment.y()) / height,
                         ((p_WC.y() - zmp.y()) * normal + moment.x()) / height, normal);
     splitter_.Solve(contacts_, {p_WC, force, moment}, split_);
