@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// No angle, one, or two [rad]. One is a double root, or any angle at all where every one would do.
+struct Angles {
+  std::array<double, 2> rad{};
+  int count = 0;
+};
+
+/// x with a cos x + b sin x = c. A ratio |c| / |(a, b)| that passes 1 by no more than rounding is a double root.
+/// @param any  [rad] the answer where a, b and c are all zero.
+Angles SolveCosineSine(double a, double b, double c, double any);
+
+/// u turned about a unit axis through the origin.
+Vector3 Turned(const Vector3& axis, double angle_rad, const Vector3& u);
+
+/// The rotation about a unit axis that brings `from` nearest to `to` [rad], in (-pi, pi].
+/// @param any  the answer where one of them lies along the axis.   Paden and Kahan's first subproblem.
+double AngleAbout(const Vector3& axis, const Vector3& from, const Vector3& to, double any);
+
+/// Rotations x of u with h . Turned(axis, x, u) = height. `any` as above.
+Angles AnglesToHeight(const Vector3& axis, const Vector3& u, const Vector3& h, double height, double any);
+
+/// Rotations x of u with |Turned(axis, x, u) - v| = distance. `any` as above.   Paden and Kahan's third subproblem.
+Angles AnglesToDistance(const Vector3& axis, const Vector3& u, const Vector3& v, double distance, double any);
+
+/// (x, y) with Turned(a, x, Turned(b, y, u)) along v.   Paden and Kahan's second subproblem.
+///
+/// Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation, 1994, section 3.3.2.
+struct TwoTurns {
+  std::array<double, 2> first{}, second{};
+  int count = 0;
+};
+TwoTurns TurnOnto(const Vector3& a, const Vector3& b, const Vector3& u, const Vector3& v, const Vector2& any);
+
+/// By how much the direction v lies outside of what TurnOnto can reach from u [rad]; 0 inside.
+double TurnGap(const Vector3& a, const Vector3& b, const Vector3& u, const Vector3& v);
+
+/// (x1, x2, x3) with R = R(axis 1, x1) R(axis 2, x2) R(axis 3, x3), for any three unit axes, orthogonal or not. Empty
+/// where they cannot make R, which perpendicular neighbours always can.
+/// @param any  angles to keep where two of the axes have come into line.
+struct ThreeTurns {
+  std::array<Vector3, 2> rad;
+  int count = 0;
+};
+ThreeTurns DecomposeRotation(const std::array<Vector3, 3>& axes, const Matrix3& R, const Vector3& any);
+
+}  // namespace gaitwright

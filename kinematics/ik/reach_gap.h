@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace gaitwright {
+
+/// How far a foot's target lies outside of what its leg can reach by its geometry, joint limits apart.
+struct ReachGap {
+  enum class Kind {
+    kNone,         ///< within reach
+    kTooFar,       ///< farther from the hip than the straight leg
+    kTooNear,      ///< nearer to the hip than the folded leg
+    kTooNearAxis,  ///< nearer to the axis of the first joint than the foot's offset from it
+    kTurned,       ///< the position is within reach, but the foot cannot be turned so
+  };
+  Kind kind = Kind::kNone;
+  double distance_m = 0.0;  ///< from the target to the nearest point within reach, the rotation kept
+  double angle_rad = 0.0;   ///< by which the foot's rotation is out of reach
+};
+
+}  // namespace gaitwright
