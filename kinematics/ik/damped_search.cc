@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kConverged = 1e-11;  // of the scaled error
 constexpr int kMaxIterations = 100;
-constexpr int kRestarts = 10;
+constexpr int kPatience = 10;         // steps in a row that bring less than a fiftieth
 constexpr double kLongestStep = 0.5;  // [rad]
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
@@ -48,17 +48,20 @@ class Descent {
     x = start.cwiseMax(lower_).cwiseMin(upper_);
     double cost = Linearise(x);
     double damping = std::min(1e-2, cost);
+    int stalled = 0;
     for (out.iterations = 0; out.iterations < kMaxIterations && !Converged(); ++out.iterations) {
       Step(x, damping);
       trial_ = (x + step_).cwiseMax(lower_).cwiseMin(upper_);
       if ((trial_ - x).lpNorm<Eigen::Infinity>() < 1e-14) break;  // at rest
       const double tried = ErrorOf(trial_);
+      stalled = tried > 0.98 * cost ? stalled + 1 : 0;
+      if (stalled > kPatience) break;
       if (tried < cost) {
         x.swap(trial_);
         cost = Linearise(x);
         damping = std::max(std::min(0.2 * damping, cost), 1e-15);
       } else {
-        damping = std::max(5.0 * damping, 1e-9);
+        damping = std::max(10.0 * damping, 1e-9);
         if (damping > 1e6) break;
       }
     }
@@ -142,13 +145,13 @@ DampedSearch DescendToPose(const LegChain& chain, const Pose& X_BF, const Vector
 }
 
 DampedSearch SearchPose(const LegChain& chain, const Pose& X_BF, const VectorX& lower, const VectorX& upper,
-                        const VectorX& guess) {
+                        const VectorX& guess, int starts) {
   Descent descent(chain, X_BF, lower, upper);
   DampedSearch best, found;
   std::mt19937 engine(1);
   const auto left = [&](const DampedSearch& s) { return std::hypot(s.distance_m / chain.length_m, s.angle_rad); };
   int iterations = 0;
-  for (int i = 0; i < kRestarts && !best.converged; ++i) {
+  for (int i = 0; i < starts && !best.converged; ++i) {
     descent.Run(i == 0 ? guess : i == 1 ? chain.standing : Place(lower, upper, engine), found);
     iterations += found.iterations;
     if (i == 0 || found.converged || left(found) < left(best)) std::swap(best, found);

@@ -22,6 +22,8 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kExact = 1e-11;    // [m, rad] left over by a closed form
 constexpr double kSlack = 1e-9;     // [rad] beyond a limit that rounding may give
+constexpr int kStarts = 100;        // of the damped search
+constexpr int kFreeStarts = 20;     // of the same without limits, which has few local minima
 constexpr double kStraight = 0.02;  // [rad] of bend that says nothing on which way a knee bends
 
 double Beyond(double value, double lower, double upper) { return std::max({0.0, lower - value, value - upper}); }
@@ -170,10 +172,11 @@ VectorX LegIk::Unlimited(bool upper) const {
 }
 
 Result<LegIk::Solution> LegIk::SolveDamped(const Pose& X_BF_target, const VectorX& guess) const {
-  DampedSearch found = SearchPose(chain_, X_BF_target, chain_.lower, chain_.upper, guess);
+  DampedSearch found = SearchPose(chain_, X_BF_target, chain_.lower, chain_.upper, guess, kStarts);
   if (found.converged) return Solution{std::move(found.coordinates), 1, found.iterations};
-  DampedSearch free = SearchPose(chain_, X_BF_target, Unlimited(false), Unlimited(true), found.coordinates);
-  if (!free.converged) return OutOfReach(Gap(X_BF_target));
+  DampedSearch free =
+      SearchPose(chain_, X_BF_target, Unlimited(false), Unlimited(true), found.coordinates, kFreeStarts);
+  if (!free.converged) return OutOfReach(GapOf(X_BF_target, free));
   for (const LegChain::Link& link : chain_.links) {
     if (!link.turns || std::abs(link.multiplier) != 1.0) continue;
     const int c = link.coordinate;
@@ -184,7 +187,11 @@ Result<LegIk::Solution> LegIk::SolveDamped(const Pose& X_BF_target, const Vector
 
 ReachGap LegIk::Gap(const Pose& X_BF_target) const {
   if (form_) return form_->Gap(X_BF_target);
-  const DampedSearch best = SearchPose(chain_, X_BF_target, Unlimited(false), Unlimited(true), chain_.standing);
+  return GapOf(X_BF_target,
+               SearchPose(chain_, X_BF_target, Unlimited(false), Unlimited(true), chain_.standing, kFreeStarts));
+}
+
+ReachGap LegIk::GapOf(const Pose& X_BF_target, const DampedSearch& best) const {
   if (best.converged) return {};
   const Vector3& hip = chain_.links.front().point_B;
   const double wanted = (X_BF_target.translation() - hip).norm();

@@ -14,6 +14,8 @@
 
 namespace gaitwright {
 
+struct DampedSearch;
+
 /// Joint positions of one leg from the pose X_BF of its foot's controlled frame in the base: the middle of a sole, the
 /// centre of a sphere.
 ///
@@ -84,6 +86,7 @@ class LegIk {
   Choice Choose(const LegBranches& branches, const Vector6& guess) const;
   bool Reaches(const Pose& X_BF_target, const VectorX& joints) const;
   Result<Solution> SolveDamped(const Pose& X_BF_target, const VectorX& guess) const;
+  ReachGap GapOf(const Pose& X_BF_target, const DampedSearch& best) const;
   VectorX Unlimited(bool upper) const;
   Failure OutOfReach(const ReachGap& gap) const;
   Failure JointLimit(const VectorX& joints) const;

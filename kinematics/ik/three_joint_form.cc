@@ -52,6 +52,7 @@ class ThreeJointForm : public LegClosedForm {
 
   /// The least distance over all planes that the first joint can give: a scan, then a golden section.
   ReachGap Gap(const Pose& X_BF) const override {
+    if (Branches(X_BF, Vector6::Zero()).count > 0) return {};
     const Vector3 target = X_BF.translation() - points_[0];
     const auto cost = [&](double angle_rad) { return Missing(target, angle_rad).norm(); };
     constexpr int kScan = 180;
@@ -69,7 +70,6 @@ class ThreeJointForm : public LegClosedForm {
     }
     const Vector2 missing = Missing(target, 0.5 * (low + high));
     constexpr double kReached = 1e-12;
-    if (missing.norm() < kReached) return {};
     const auto kind = missing[1] > kReached    ? ReachGap::Kind::kTooFar
                       : missing[1] < -kReached ? ReachGap::Kind::kTooNear
                                                : ReachGap::Kind::kTooNearAxis;

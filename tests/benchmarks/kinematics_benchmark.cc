@@ -4,6 +4,7 @@
 #include "kinematics/dynamics/contact_split.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/ik/leg_ik.h"
 #include "kinematics/model/load_robot.h"
 #include "optimisation/pipeline/plan_motion.h"
 #include "planning/gait/find_gait.h"
@@ -76,6 +77,36 @@ void ContactSplitCall(benchmark::State& state) {
   for (auto _ : state) splitter.Solve(contacts, wanted, split);
 }
 
+/// One leg from a guess a few degrees off, as in a sequence: A1's (three joints) or NAO's (six).
+void SolveLeg(benchmark::State& state, const LegIk& ik, const RobotModel& model) {
+  VectorX standing(static_cast<Eigen::Index>(ik.dofs().size()));
+  for (std::size_t i = 0; i < ik.dofs().size(); ++i) {
+    standing[static_cast<Eigen::Index>(i)] = model.standing_joints[ik.dofs()[i]];
+  }
+  const VectorX bent = standing + VectorX::Constant(standing.size(), 0.05);
+  const Pose X_BF = ik.FootPose(bent);
+  for (auto _ : state) benchmark::DoNotOptimize(ik.Solve(X_BF, standing));
+}
+
+void LegIkClosedForm(benchmark::State& state) {
+  const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
+  SolveLeg(state, LegIk(model, 0), model);
+}
+
+void LegIkDamped(benchmark::State& state) {
+  const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
+  SolveLeg(state, LegIk(model, 0, LegIk::Method::kDamped), model);
+}
+
+/// A target 0.5 m below the leg's reach.
+void LegIkOutOfReach(benchmark::State& state) {
+  const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
+  const LegIk ik(model, 0, state.range(1) == 0 ? LegIk(model, 0).method() : LegIk::Method::kDamped);
+  Pose X_BF = Pose::Identity();
+  X_BF.translation() = Vector3(0.0, 0.1, -1.0);
+  for (auto _ : state) benchmark::DoNotOptimize(ik.Solve(X_BF));
+}
+
 /// 10 s of A1 trot, or 20 steps of NAO.
 void PlanMotionCall(benchmark::State& state) {
   const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
@@ -103,6 +134,9 @@ BENCHMARK(CentreOfMassJacobianCall)->Arg(0)->Arg(1);
 BENCHMARK(InverseDynamicsCall)->Arg(0)->Arg(1);
 BENCHMARK(MassMatrixCall)->Arg(0)->Arg(1);
 BENCHMARK(ContactSplitCall)->Arg(0)->Arg(1);
+BENCHMARK(LegIkClosedForm)->Arg(0)->Arg(1);
+BENCHMARK(LegIkDamped)->Arg(0)->Arg(1);
+BENCHMARK(LegIkOutOfReach)->ArgsProduct({{0, 1}, {0, 1}});
 BENCHMARK(PlanMotionCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
