@@ -247,8 +247,9 @@ Failure LegIk::JointLimit(const VectorX& joints) const {
   return {FailureKind::kInfeasible,
           "joint_limit",
           "LegIk",
-          fmt::format("foot '{}' reaches its target only with joint '{}' at {:.3f} {}, beyond its limit of {:.3f}",
-                      chain_.foot_name, worst->name, position(joints[c]), worst->turns ? "rad" : "m", position(limit)),
+          fmt::format("foot '{}' {} its target only with joint '{}' at {:.3f} {}, beyond its limit of {:.3f}",
+                      chain_.foot_name, form_ ? "reaches" : "was found to reach", worst->name, position(joints[c]),
+                      worst->turns ? "rad" : "m", position(limit)),
           {"move the foot's target, or the base, so that the leg bends within its limits"}};
 }
 

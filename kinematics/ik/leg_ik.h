@@ -55,6 +55,8 @@ class LegIk {
 
   /// @param X_BF_target  [m]; its rotation must be one (not checked).
   /// @param guess        by dofs() [rad] or [m].
+  /// A closed form finds every solution there is. kDamped may miss one, chiefly where the leg is singular close to its
+  /// limits, and then fails (from random guesses about one pose in ten thousand); a guess that is near helps.
   /// Failure kInfeasible: `out_of_reach` says by how much and to which side, `joint_limit` names the joint, its
   /// position and its limit. @throws InvalidArgument for a guess of another size and for what is not finite.
   Result<Solution> Solve(const Pose& X_BF_target, const VectorX& guess) const;
