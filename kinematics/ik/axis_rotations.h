@@ -30,25 +30,29 @@ Angles AnglesToHeight(const Vector3& axis, const Vector3& u, const Vector3& h, d
 /// Rotations x of u with |Turned(axis, x, u) - v| = distance. `any` as above.   Paden and Kahan's third subproblem.
 Angles AnglesToDistance(const Vector3& axis, const Vector3& u, const Vector3& v, double distance, double any);
 
-/// (x, y) with Turned(a, x, Turned(b, y, u)) along v.   Paden and Kahan's second subproblem.
-///
-/// Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation, 1994, section 3.3.2.
+/// Solutions of TurnOnto [rad].
 struct TwoTurns {
   std::array<double, 2> first{}, second{};
   int count = 0;
 };
+
+/// (first, second) with Turned(a, first, Turned(b, second, u)) = v, |u| = |v|. `any` as above, in the same order.
+/// Paden and Kahan's second subproblem: Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation,
+/// 1994, section 3.3.2.
 TwoTurns TurnOnto(const Vector3& a, const Vector3& b, const Vector3& u, const Vector3& v, const Vector2& any);
 
 /// By how much the direction v lies outside of what TurnOnto can reach from u [rad]; 0 inside.
 double TurnGap(const Vector3& a, const Vector3& b, const Vector3& u, const Vector3& v);
 
-/// (x1, x2, x3) with R = R(axis 1, x1) R(axis 2, x2) R(axis 3, x3), for any three unit axes, orthogonal or not. Empty
-/// where they cannot make R, which perpendicular neighbours always can.
-/// @param any  angles to keep where two of the axes have come into line.
+/// Solutions of DecomposeRotation [rad].
 struct ThreeTurns {
   std::array<Vector3, 2> rad;
   int count = 0;
 };
+
+/// (x1, x2, x3) with R = R(axis 1, x1) R(axis 2, x2) R(axis 3, x3), for any three unit axes, orthogonal or not. Empty
+/// where they cannot make R, which perpendicular neighbours always can.
+/// @param any  angles to keep where two of the axes have come into line.
 ThreeTurns DecomposeRotation(const std::array<Vector3, 3>& axes, const Matrix3& R, const Vector3& any);
 
 }  // namespace gaitwright
