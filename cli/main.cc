@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cstdio>
+#include <algorithm>
+#include <string_view>
 
 #include "cli/program.h"
+#include "cli/usage.h"
 #include "kinematics/base/version.h"
 
 int main(int argc, char** argv) {
@@ -12,7 +14,6 @@ int main(int argc, char** argv) {
       "gaitwright");
   app.set_version_flag("--version", gaitwright::Version());
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::simple);
   int status = kPass;
   AddWalk(app, status);
   AddPlan(app, status);
@@ -22,8 +23,12 @@ int main(int argc, char** argv) {
   AddGaits(app, status);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help and --version
+    return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kPass : kWrongInput;
+    Common common;
+    common.json = std::find(argv + 1, argv + argc, std::string_view("--json")) != argv + argc;
+    return Report(UsageFailure(app, error), common);
   }
   return status;
 }

@@ -25,6 +25,10 @@ std::vector<std::string> Lines(const std::string& text) {
   return lines;
 }
 
+std::string AuditReason(const AuditReport& audit) {
+  return "the plan fails its audit: " + audit.violations.front().law;
+}
+
 }  // namespace
 
 void Outputs::AddTo(CLI::App& verb) {
@@ -66,19 +70,20 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common)
     json["audit"] = nlohmann::ordered_json::parse(AuditJson(judged.audit));
     if (judged.played.report.pass && !judged.pass()) {
       json["verdict"] = "fail";
-      json["reason"] = "the plan fails its audit: " + judged.audit.violations.front().law;
+      json["reason"] = AuditReason(judged.audit);
     }
     json["planning_cpu_s"] = judged.planning_cpu_s;
     json["playback_realtime_factor"] = judged.played.realtime_factor;
     json["files"] = nlohmann::ordered_json::object();
     for (const auto& [kind, path] : files) json["files"][kind] = path;
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return;
   }
   if (common.quiet) {
     fmt::print("{}\n", judged.pass() ? "pass" : "fail");
     return;
   }
+  if (judged.played.report.pass && !judged.pass()) fmt::print("FAIL   {}; in physics:\n", AuditReason(judged.audit));
   fmt::print("{}", ReportText(judged.played.report));
   fmt::print("\n{}", AuditText(judged.audit));
   for (const std::string& warning : judged.plan.warnings) fmt::print("warning: {}\n", warning);

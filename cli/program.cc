@@ -6,24 +6,25 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/flags.h"
+
 namespace gaitwright::cli {
 
 void AddCommon(CLI::App& verb, Common& common) {
   verb.add_flag("--json", common.json, "Print one JSON object on standard output and nothing else there");
   verb.add_flag("--quiet", common.quiet, "Print only the verdict");
-  verb.add_option("--seed", common.seed, "Seed of whatever is random")->capture_default_str();
+  AddWholeNumber(verb, "--seed", 0, common.seed, "Seed of whatever is random; default 0");
   verb.add_option("--set", common.sets, "Set any option, as key=value; may be repeated")->take_all();
 }
 
 int Report(const Failure& failure, const Common& common) {
-  std::string text = failure.message;
-  for (const std::string& hint : failure.hints) text += fmt::format("\n  try: {}", hint);
-  fmt::print(stderr, "gaitwright: {}\n", text);
+  const std::string hints = failure.hints.empty() ? "" : fmt::format(" (try: {})", fmt::join(failure.hints, "; or: "));
+  fmt::print(stderr, "gaitwright: {}{}\n", failure.message, hints);
   if (common.json) {
     const nlohmann::ordered_json error = {
         {"error",
          {{"code", failure.code}, {"stage", failure.stage}, {"message", failure.message}, {"hints", failure.hints}}}};
-    fmt::print("{}\n", error.dump(2));
+    fmt::print("{}\n", error.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   }
   return failure.kind == FailureKind::kInfeasible ? kNoPlan : kWrongInput;
 }
@@ -33,6 +34,9 @@ int Guarded(const Common& common, const std::function<int()>& verb) {
     return verb();
   } catch (const InvalidArgument& error) {
     return Report({FailureKind::kBadInput, "invalid_argument", "program", error.what(), {}}, common);
+  } catch (const std::exception& error) {
+    const std::string message = fmt::format("the program failed, which is its own fault: {}", error.what());
+    return Report({FailureKind::kBadInput, "internal", "program", message, {}}, common);
   }
 }
 

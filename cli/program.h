@@ -25,11 +25,11 @@ struct Common {
 /// Adds the flags of Common to a verb.
 void AddCommon(CLI::App& verb, Common& common);
 
-/// Prints a failure (a sentence on standard error; with --json the error object on standard output) and gives its
+/// Prints a failure (one line on standard error; with --json the error object on standard output) and gives its
 /// status.
 int Report(const Failure& failure, const Common& common);
 
-/// Runs a verb; an InvalidArgument becomes a failure like any other.
+/// Runs a verb; an exception becomes a failure like any other.
 int Guarded(const Common& common, const std::function<int()>& verb);
 
 // One function for each verb: adds it to the program; `status` gets the exit status when it has run.

@@ -19,12 +19,12 @@ void Derate(const std::string& text, AuditOptions& options) {
   for (std::string word; std::getline(stream, word, ',');) {
     OptionFields fields = {{"torque", &options.derate_torque, "1", 0.01, 1.0, "", {}},
                            {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}}};
-    ApplySets({word}, fields);
+    ApplySets("--derate", {word}, fields);
   }
 }
 
 int Run(Arguments& a) {
-  ApplySets(a.common.sets, a.options.Fields());
+  ApplySets("--set", a.common.sets, a.options.Fields());
   Derate(a.derate, a.options);
   const Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return Report(plan.failure(), a.common);
@@ -32,7 +32,13 @@ int Run(Arguments& a) {
   if (!model) return Report(model.failure(), a.common);
   const Result<AuditReport> report = Audit(*model, *plan, a.options);
   if (!report) return Report(report.failure(), a.common);
-  fmt::print("{}", a.common.json ? AuditJson(*report) + "\n" : AuditText(*report));
+  if (a.common.json) {
+    fmt::print("{}\n", AuditJson(*report));
+  } else if (a.common.quiet) {
+    fmt::print("{}\n", report->pass() ? "pass" : "fail");
+  } else {
+    fmt::print("{}", AuditText(*report));
+  }
   return report->pass() ? kPass : kVerdictFail;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/flags.h"
 #include "cli/program.h"
 #include "planning/gait/find_gait.h"
 
@@ -16,6 +17,7 @@ struct Arguments {
 };
 
 int Run(const Arguments& a) {
+  ApplySets("--set", a.common.sets, {});
   const Result<std::vector<GaitEntry>> gaits = a.file.empty() ? BuiltInGaits() : LoadGaits(a.file);
   if (!gaits) return Report(gaits.failure(), a.common);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -28,9 +30,13 @@ int Run(const Arguments& a) {
                     {"phase", gait.phase},
                     {"duty_factor", gait.duty_factor},
                     {"flight", flight}});
-    if (!a.common.json)
-      fmt::print("{:<8} {} feet  {}{}\n", gait.name, gait.num_feet(), gait.description,
-                 flight ? "; not planned yet" : "");
+    if (a.common.json) continue;
+    if (a.common.quiet) {
+      fmt::print("{}\n", gait.name);
+      continue;
+    }
+    fmt::print("{:<8} {} feet  {}{}\n", gait.name, gait.num_feet(), gait.description,
+               flight ? "; not planned yet" : "");
   }
   if (a.common.json) fmt::print("{}\n", nlohmann::ordered_json{{"gaits", list}}.dump(2));
   return kPass;

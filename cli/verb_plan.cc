@@ -18,6 +18,7 @@ struct Arguments {
 void Print(const PlannedWalk& planned, const std::string& path, const Common& common) {
   if (common.json) {
     const nlohmann::ordered_json json = {{"robot", planned.motion.plan.robot},
+                                         {"verdict", planned.audit.pass() ? "pass" : "fail"},
                                          {"gait", planned.motion.plan.gait.name},
                                          {"duration_s", planned.motion.plan.duration_s()},
                                          {"footholds", planned.motion.plan.footsteps.footholds.size()},
@@ -26,20 +27,22 @@ void Print(const PlannedWalk& planned, const std::string& path, const Common& co
                                          {"warnings", planned.motion.plan.warnings},
                                          {"audit", nlohmann::ordered_json::parse(AuditJson(planned.audit))},
                                          {"files", {{"plan", path}}}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return;
   }
-  if (!common.quiet) {
-    fmt::print("{} {}: {}\nplanned in {:.2f} s of CPU\n", planned.motion.plan.robot, planned.motion.plan.gait.name,
-               planned.motion.summary, planned.planning_cpu_s);
-    for (const std::string& warning : planned.motion.plan.warnings) fmt::print("warning: {}\n", warning);
+  if (common.quiet) {
+    fmt::print("{}\n", planned.audit.pass() ? "pass" : "fail");
+    return;
   }
+  fmt::print("{} {}: {}\nplanned in {:.2f} s of CPU\n", planned.motion.plan.robot, planned.motion.plan.gait.name,
+             planned.motion.summary, planned.planning_cpu_s);
+  for (const std::string& warning : planned.motion.plan.warnings) fmt::print("warning: {}\n", warning);
   fmt::print("{}", AuditText(planned.audit));
   fmt::print("plan    {}\n", path);
 }
 
 int Run(Arguments& a) {
-  ApplySets(a.common.sets, a.walk.request.Fields());
+  ApplySets("--set", a.common.sets, a.walk.request.Fields());
   a.walk.request.seed = a.common.seed;
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
@@ -59,8 +62,8 @@ void AddPlan(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("plan", "Plan a walk, audit it and write it to a file");
   a->walk.AddTo(verb);
-  verb.add_option("--out", a->out, "File to write")->capture_default_str();
-  verb.add_option("--out-dir", a->folder, "Folder for plan.json, instead of --out");
+  CLI::Option* out = verb.add_option("--out", a->out, "File to write")->capture_default_str();
+  verb.add_option("--out-dir", a->folder, "Folder for plan.json, instead of --out")->excludes(out);
   AddCommon(verb, a->common);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }

@@ -14,7 +14,7 @@ struct Arguments {
 };
 
 int Run(Arguments& a) {
-  ApplySets(a.common.sets, a.play.request.Fields());
+  ApplySets("--set", a.common.sets, a.play.request.Fields());
   a.play.Finish();
   const Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return Report(plan.failure(), a.common);
@@ -25,8 +25,9 @@ int Run(Arguments& a) {
   const Result<PlayedWalk> played = PlayWalk(*model, *plan, a.play.request);
   if (!played) return Report(played.failure(), a.common);
   const Judged judged{*model, *plan, *played, *audit};
-  const Result<Files> files = WriteOutputs(judged, a.outputs);
+  Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
+  files->insert(files->begin(), {"plan", a.plan});
   PrintJudged(judged, *files, a.common);
   return judged.pass() ? kPass : kVerdictFail;
 }

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/flags.h"
 #include "cli/program.h"
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/ik/whole_body_ik.h"
@@ -23,7 +24,8 @@ int List(const Common& common) {
   for (const std::string& name : RobotNames()) {
     const Result<RobotModel> model = LoadNamedRobot(name);
     if (!model) return Report(model.failure(), common);
-    if (!common.json) {
+    if (common.quiet && !common.json) fmt::print("{}\n", name);
+    if (!common.json && !common.quiet) {
       fmt::print("{:<14} {} legs, {} motors, {:.1f} kg\n", name, model->legs.size(), model->num_dofs(),
                  model->total_mass_kg);
     }
@@ -59,8 +61,12 @@ void AddRobots(CLI::App& app, int& status) {
   AddCommon(verb, a->common);
   AddCommon(show, a->common);
   verb.require_subcommand(0, 1);
-  verb.callback(
-      [a, &status] { status = Guarded(a->common, [&] { return a->robot.empty() ? List(a->common) : Show(*a); }); });
+  verb.callback([a, &status] {
+    status = Guarded(a->common, [&] {
+      ApplySets("--set", a->common.sets, {});
+      return a->robot.empty() ? List(a->common) : Show(*a);
+    });
+  });
 }
 
 }  // namespace gaitwright::cli

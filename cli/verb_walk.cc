@@ -13,7 +13,7 @@ struct Arguments {
 };
 
 int Run(Arguments& a) {
-  ApplySets(a.common.sets, Joined({a.walk.request.Fields(), a.play.request.Fields()}));
+  ApplySets("--set", a.common.sets, Joined({a.walk.request.Fields(), a.play.request.Fields()}));
   a.walk.request.seed = a.common.seed;
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);

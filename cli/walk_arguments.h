@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/flags.h"
 #include "cli/program.h"
 #include "workflows/walk/walk.h"
 
@@ -14,8 +15,8 @@ namespace gaitwright::cli {
 struct WalkArguments {
   std::string robot = "a1", urdf, goal;
   WalkRequest request;
-  std::optional<double> distance_m;
-  int steps = 0;
+  std::optional<double> distance_m, step_length_m;
+  std::optional<int> steps;
 
   void AddTo(CLI::App& verb);
   /// Puts the flags into the request. @throws InvalidArgument for flags that contradict each other or do not parse.
@@ -26,16 +27,11 @@ struct WalkArguments {
 struct PlayArguments {
   PlayRequest request;
   std::string push;
+  std::vector<CLI::Option*> only_with_push;
 
   void AddTo(CLI::App& verb);
-  /// @throws InvalidArgument when --push is not three numbers.
+  /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given.
   void Finish();
 };
-
-/// Applies every --set key=value to the fields. @throws InvalidArgument on a key that none has (the nearest is named).
-void ApplySets(const std::vector<std::string>& sets, OptionFields fields);
-
-/// Comma-separated numbers. @throws InvalidArgument naming the flag.
-std::vector<double> ParseNumbers(const std::string& flag, const std::string& text, std::size_t count);
 
 }  // namespace gaitwright::cli

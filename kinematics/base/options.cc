@@ -28,8 +28,9 @@ std::size_t EditDistance(const std::string& a, const std::string& b) {
 
 void CheckNumber(const OptionField& field, double value) {
   if (!std::isfinite(value) || value < field.lowest || value > field.highest) {
-    throw InvalidArgument(fmt::format("option '{}' is {} {}; accepted: {} to {}", field.key, value, field.unit,
-                                      field.lowest, field.highest));
+    const std::string unit = field.unit.empty() || field.unit == "1" ? "" : " " + field.unit;
+    throw InvalidArgument(
+        fmt::format("option '{}' is {}{}; accepted: {} to {}", field.key, value, unit, field.lowest, field.highest));
   }
 }
 

@@ -34,7 +34,8 @@ std::optional<Failure> CheckCommand(const WalkCommand& c) {
     return BadCommand(fmt::format("the distance is {} m; it must not be negative", c.distance_m));
   if (c.extent == WalkCommand::Extent::kSteps && c.steps < 1)
     return BadCommand(fmt::format("{} steps are asked for; one or more are accepted", c.steps));
-  if (std::abs(c.goal_yaw_rad) >= std::numbers::pi) return BadCommand("the goal's yaw must lie within -pi and pi");
+  if (std::abs(c.goal_yaw_rad) >= std::numbers::pi)
+    return BadCommand(fmt::format("the goal's yaw is {} rad; it must lie between -pi and pi", c.goal_yaw_rad));
   return std::nullopt;
 }
 

@@ -47,6 +47,16 @@ Failure Misfit(const RobotModel& model, const MotionPlan& plan) {
   return {};
 }
 
+/// Why the push of the options never comes; empty code when it does, or none is asked for.
+Failure LatePush(const MotionPlan& plan, const PlayOptions& options) {
+  const double end_s = plan.whole_body.end_s() + options.hold_s;
+  if (options.push_force_W.isZero(0.0) || options.push_at_s < end_s) return {};
+  return Mismatch("late_push",
+                  fmt::format("the push begins at {} s, when the playback has ended: it ends at {:.3f} s",
+                              options.push_at_s, end_s),
+                  "push earlier");
+}
+
 /// The world's options with what the plan says: which joints never move, and where it goes.
 WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
   WorldOptions world = options.world;
@@ -287,6 +297,7 @@ Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Contro
   PlayOptions checked = options;
   CheckOptions(checked.Fields());
   Failure misfit = Misfit(model, plan);
+  if (misfit.code.empty()) misfit = LatePush(plan, options);
   if (!misfit.code.empty()) return misfit;
   return Playback(model, plan, controller, options).Run();
 }

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/flags.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace gaitwright::cli {
+namespace {
+
+/// The whole text as a number; false when it is none.
+template <class Number>
+bool Read(const std::string& text, Number& value) {
+  const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+const OptionField& FieldOf(const OptionFields& fields, const std::string& key) {
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
+  if (field == fields.end()) throw InvalidArgument(fmt::format("there is no option '{}' to make a flag of", key));
+  return *field;
+}
+
+/// "Coefficient everywhere. From 0 to 10; default 0."
+std::string HelpOf(const OptionField& field) {
+  if (!field.choices.empty()) return fmt::format("{} Default {}.", field.meaning, OptionText(field));
+  return fmt::format("{} From {} to {}; default {}.", field.meaning, field.lowest, field.highest, OptionText(field));
+}
+
+}  // namespace
+
+std::string NotANumber(const std::string& text) {
+  double value = 0.0;
+  return Read(text, value) && std::isfinite(value) ? "" : fmt::format("'{}' is not a finite number", text);
+}
+
+std::string NotAWholeNumber(const std::string& text, std::int64_t lowest) {
+  std::int64_t value = 0;
+  if (!Read(text, value)) return fmt::format("'{}' is not a whole number", text);
+  return value >= lowest ? "" : fmt::format("it is {}; {} or more is accepted", value, lowest);
+}
+
+CLI::Option* AddField(CLI::App& verb, const std::string& flag, const OptionFields& fields, const std::string& key) {
+  const OptionField field = FieldOf(fields, key);
+  const auto set = [flag, field](const std::string& text) {
+    OptionFields one = {field};
+    try {
+      SetOption(one, field.key, text);
+    } catch (const InvalidArgument& error) {
+      throw CLI::ValidationError(flag, error.what());
+    }
+  };
+  const std::string type = field.unit.empty() || field.unit == "1" ? "NUMBER" : field.unit;
+  return verb.add_option_function<std::string>(flag, set, HelpOf(field))
+      ->type_name(field.choices.empty() ? type : fmt::format("{}", fmt::join(field.choices, "|")));
+}
+
+void ApplySets(const std::string& flag, const std::vector<std::string>& sets, OptionFields fields) {
+  for (const std::string& set : sets) {
+    const std::size_t equals = set.find('=');
+    if (equals == std::string::npos) {
+      throw InvalidArgument(fmt::format("{}: '{}' has no '='; key=value is needed", flag, set));
+    }
+    if (fields.empty()) throw InvalidArgument(fmt::format("{} {}: this verb has no options to set", flag, set));
+    SetOption(fields, set.substr(0, equals), set.substr(equals + 1));
+  }
+}
+
+std::vector<double> ParseNumbers(const std::string& flag, const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');) {
+    double value = 0.0;
+    if (!Read(word, value) || !std::isfinite(value))
+      throw InvalidArgument(fmt::format("{}: '{}' is not a finite number", flag, word));
+    numbers.push_back(value);
+  }
+  if (numbers.size() != count || text.ends_with(',')) {
+    throw InvalidArgument(
+        fmt::format("{}: {} numbers are needed, separated by commas; '{}' has {}", flag, count, text, numbers.size()));
+  }
+  return numbers;
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+
+namespace gaitwright::cli {
+
+/// Why a text is no finite number, or "" when it is one.
+std::string NotANumber(const std::string& text);
+
+/// Why a text is no whole number from `lowest` up, or "" when it is one.
+std::string NotAWholeNumber(const std::string& text, std::int64_t lowest);
+
+/// A flag with a finite number; `unit` stands after it in the help. Target: double or std::optional<double>.
+template <class Target>
+CLI::Option* AddNumber(CLI::App& verb, const std::string& flag, const std::string& unit, Target& target,
+                       const std::string& help) {
+  return verb.add_option(flag, target, help)->type_name(unit)->check(NotANumber);
+}
+
+/// A flag with a whole number. Target: an integer or std::optional of one.
+template <class Target>
+CLI::Option* AddWholeNumber(CLI::App& verb, const std::string& flag, std::int64_t lowest, Target& target,
+                            const std::string& help) {
+  const auto check = [lowest](const std::string& text) { return NotAWholeNumber(text, lowest); };
+  return verb.add_option(flag, target, help)->type_name("N")->check(check);
+}
+
+/// A flag for one field of `fields`, which gives its unit, range, default and meaning. @throws InvalidArgument when no
+/// field has that key.
+CLI::Option* AddField(CLI::App& verb, const std::string& flag, const OptionFields& fields, const std::string& key);
+
+/// Applies every `flag` key=value to the fields. @throws InvalidArgument on a key that none has (the nearest is named).
+void ApplySets(const std::string& flag, const std::vector<std::string>& sets, OptionFields fields);
+
+/// Comma-separated numbers. @throws InvalidArgument naming the flag.
+std::vector<double> ParseNumbers(const std::string& flag, const std::string& text, std::size_t count);
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wrong input: status 1, one sentence that names the offender, and nothing written.
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+class Refusals : public Stranger {
+ protected:
+  /// A walk that would write to `no`, with more arguments.
+  Ran Walk(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"walk", "--out-dir", "no", "--plot-dir", "no/plots"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Run(arguments);
+  }
+
+  void ExpectNothingWritten() const { EXPECT_EQ(Found(), std::vector<std::string>{}); }
+
+  /// A robot of the program's own in the folder `mine`, with `yaml` beside it.
+  void CopyRobot(const std::string& yaml) const {
+    std::filesystem::create_directories(In("mine"));
+    std::filesystem::copy_file(std::string(GAITWRIGHT_SOURCE_DIR) + "/robots/a1/robot.urdf", In("mine/robot.urdf"),
+                               std::filesystem::copy_options::overwrite_existing);
+    Write("mine/robot.yaml", yaml);
+  }
+};
+
+TEST_F(Refusals, RobotThatIsNotThere) {
+  ExpectRefused(Walk({"--robot", "b2"}), 1, {"'b2'", "'a1', 'nao'"});
+  ExpectRefused(Run({"robots", "show", "b2"}), 1, {"'b2'", "'a1', 'nao'"});
+  ExpectRefused(Walk({"--urdf", "none.urdf"}), 1, {"none.urdf"});
+  ExpectRefused(Walk({"--robot", "a1", "--urdf", "none.urdf"}), 1, {"--robot", "--urdf"});
+  ExpectNothingWritten();
+}
+
+TEST_F(Refusals, UrdfWithALoop) {
+  Write("loop.urdf",
+        "<robot name='r'><link name='a'/><link name='b'/><link name='c'/>"
+        "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint>"
+        "<joint name='k' type='fixed'><parent link='a'/><child link='c'/></joint>"
+        "<joint name='l' type='fixed'><parent link='b'/><child link='c'/></joint></robot>");
+  ExpectRefused(Walk({"--urdf", "loop.urdf"}), 1, {"'c'", "'k'", "'l'", "loop"});
+  EXPECT_EQ(Found(), std::vector<std::string>{"loop.urdf"});
+}
+
+TEST_F(Refusals, RobotYaml) {
+  CopyRobot("standing_base_height_m: .nan\n");
+  ExpectRefused(Walk({"--urdf", "mine/robot.urdf"}), 1, {"robot.yaml, line 1", "'standing_base_height_m'", "finite"});
+  CopyRobot("description: mine\nstanding_base_hight_m: 0.3\n");
+  ExpectRefused(Walk({"--urdf", "mine/robot.urdf"}), 1,
+                {"robot.yaml, line 2", "'standing_base_hight_m'", "'standing_base_height_m'"});
+  EXPECT_EQ(Found(), std::vector<std::string>{"mine"});
+}
+
+TEST_F(Refusals, Command) {
+  ExpectRefused(Walk({"--speed", "-0.2"}), 1, {"-0.2 m/s", "negative"});
+  ExpectRefused(Walk({"--speed", "nan"}), 1, {"--speed", "'nan'", "finite number"});
+  ExpectRefused(Walk({"--speed", "fast"}), 1, {"--speed", "'fast'"});
+  ExpectRefused(Walk({"--distance", "-1"}), 1, {"-1 m", "negative"});
+  ExpectRefused(Walk({"--distance", "1e999"}), 1, {"--distance", "1e999"});
+  ExpectRefused(Walk({"--distance", "1", "--steps", "4"}), 1, {"--distance", "--goal", "--steps", "one of them"});
+  ExpectRefused(Walk({"--steps", "0"}), 1, {"--steps", "1 or more"});
+  ExpectRefused(Walk({"--steps", "2.5"}), 1, {"--steps", "'2.5'", "whole number"});
+  ExpectRefused(Walk({"--step-length", "0.1"}), 1, {"--step-length", "--steps"});
+  ExpectRefused(Walk({"--goal", "1,0"}), 1, {"--goal", "3 numbers", "has 2"});
+  ExpectRefused(Walk({"--goal", "1,0,nan"}), 1, {"--goal", "'nan'"});
+  ExpectRefused(Walk({"--goal", "1,0,4"}), 1, {"4 rad", "pi"});
+  ExpectRefused(Walk({"--gait", "trott"}), 1, {"'trott'", "'trot'", "'crawl'"});
+  ExpectRefused(Walk({"--gait", "none.yaml"}), 1, {"none.yaml"});
+  ExpectRefused(Walk({"--terrain", "flatt"}), 1, {"'flatt'", "'flat'"});
+  ExpectRefused(Walk({"--seed", "-1"}), 1, {"--seed", "-1", "0 or more"});
+  ExpectNothingWritten();
+}
+
+TEST_F(Refusals, Options) {
+  ExpectRefused(Walk({"--set", "swing.heigth_m=0.1"}), 1, {"'swing.heigth_m'", "'swing.height_m'"});
+  ExpectRefused(Walk({"--set", "swing.height_m=9"}), 1, {"'swing.height_m' is 9 m", "0 to 1"});
+  ExpectRefused(Walk({"--set", "swing.height_m=nan"}), 1, {"'swing.height_m'", "nan"});
+  ExpectRefused(Walk({"--set", "swing.height_m"}), 1, {"--set", "key=value"});
+  ExpectRefused(Run({"gaits", "--set", "a=1"}), 1, {"no options"});
+  ExpectNothingWritten();
+}
+
+TEST_F(Refusals, Playback) {
+  ExpectRefused(Walk({"--push", "1,2"}), 1, {"--push", "3 numbers", "has 2"});
+  ExpectRefused(Walk({"--push", "1,2,x"}), 1, {"--push", "'x'"});
+  ExpectRefused(Walk({"--push-at", "1"}), 1, {"--push-at", "without --push"});
+  ExpectRefused(Walk({"--push", "0,9,0", "--push-at", "100"}), 1, {"100 s", "ends"});
+  ExpectRefused(Walk({"--friction", "-1"}), 1, {"--friction", "-1", "0 to 10"});
+  ExpectRefused(Walk({"--mass-scale", "0"}), 1, {"--mass-scale", "0.1 to 10"});
+  ExpectRefused(Walk({"--controller", "pid"}), 1, {"'pid'", "'joint-pd', 'stabilised'"});
+  ExpectRefused(Walk({"--set", "play.log_rate_hz=300"}), 1, {"300 Hz", "333.333"});
+  ExpectNothingWritten();
+}
+
+TEST_F(Refusals, PlanFile) {
+  ExpectRefused(Run({"audit", "none.json"}), 1, {"none.json"});
+  ExpectRefused(Run({"play", "none.json", "--log", "log.json", "--report", "r.html"}), 1, {"none.json"});
+  ExpectNothingWritten();
+  Json plan = MakePlan("plan.json");
+  const std::string text = Read("plan.json");
+  Write("short.json", text.substr(0, text.size() / 2));
+  plan["schema"] = plan.at("schema").get<int>() + 1;
+  Write("newer.json", plan.dump());
+  Write("other.json", "{\"a\": 1}");
+  for (const char* verb : {"audit", "play"}) {
+    ExpectRefused(Run({verb, "short.json"}), 1, {"short.json", "cut short"});
+    ExpectRefused(Run({verb, "newer.json"}), 1, {"newer.json", "schema"});
+    ExpectRefused(Run({verb, "other.json"}), 1, {"other.json", "no motion plan"});
+    ExpectRefused(Run({verb, "."}), 1, {"folder"});
+  }
+}
+
+TEST_F(Refusals, Usage) {
+  ExpectRefused(Run({}), 1, {"a verb is needed", "'walk'"});
+  ExpectRefused(Run({"wlk"}), 1, {"'wlk'", "nearest is 'walk'", "'audit'"});
+  ExpectRefused(Walk({"--distnace", "1"}), 1, {"walk", "'--distnace'", "'--distance'"});
+  ExpectRefused(Walk({"more"}), 1, {"walk", "'more'"});
+  ExpectRefused(Walk({"--speed"}), 1, {"--speed"});
+  ExpectRefused(Walk({"--speed", "0.1", "--speed", "0.2"}), 1, {"--speed"});
+  ExpectRefused(Run({"play"}), 1, {"play", "PLAN"});
+  ExpectRefused(Run({"robots", "shwo", "a1"}), 1, {"'gaitwright robots shwo'", "'show'"});
+  ExpectRefused(Run({"--jsn", "walk"}), 1, {"'--jsn'"});
+  ExpectNothingWritten();
+}
+
+TEST_F(Refusals, JsonHasTheErrorObject) {
+  const std::vector<std::vector<std::string>> wrong = {{"walk", "--json", "--robot", "b2"},
+                                                       {"walk", "--json", "--frobnicate"},
+                                                       {"wlk", "--json"},
+                                                       {"play", "--json"},
+                                                       {"--json"},
+                                                       {"audit", "none.json", "--json"},
+                                                       {"walk", "--json", "--robot", "\xff"},
+                                                       {"plan", "--json", "--steps", "four"}};
+  for (const auto& arguments : wrong) {
+    const Ran ran = Run(arguments);
+    EXPECT_EQ(ran.status, 1);
+    const Json error = ran.json().at("error");
+    EXPECT_FALSE(error.at("code").get<std::string>().empty());
+    EXPECT_FALSE(error.at("stage").get<std::string>().empty());
+    EXPECT_TRUE(error.at("hints").is_array());
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    if (arguments.back() != "\xff") {
+      EXPECT_NE(ran.err.find(error.at("message").get<std::string>()), std::string::npos) << ran.err;
+    }
+  }
+  ExpectNothingWritten();
+}
+
+}  // namespace
+}  // namespace gaitwright::cli
