@@ -33,6 +33,12 @@ std::string HelpOf(const OptionField& field) {
 
 }  // namespace
 
+CLI::Option* AddText(CLI::App& verb, const std::string& flag, const std::string& type, std::string& target,
+                     const std::string& help) {
+  const auto check = [](const std::string& text) { return std::string(text.empty() ? "it is empty" : ""); };
+  return verb.add_option(flag, target, help)->type_name(type)->check(check);
+}
+
 std::string NotANumber(const std::string& text) {
   double value = 0.0;
   return Read(text, value) && std::isfinite(value) ? "" : fmt::format("'{}' is not a finite number", text);
@@ -41,7 +47,7 @@ std::string NotANumber(const std::string& text) {
 std::string NotAWholeNumber(const std::string& text, std::int64_t lowest) {
   std::int64_t value = 0;
   if (!Read(text, value)) return fmt::format("'{}' is not a whole number", text);
-  return value >= lowest ? "" : fmt::format("it is {}; {} or more is accepted", value, lowest);
+  return value >= lowest ? "" : fmt::format("{} is too little; {} or more is accepted", value, lowest);
 }
 
 CLI::Option* AddField(CLI::App& verb, const std::string& flag, const OptionFields& fields, const std::string& key) {

@@ -12,6 +12,10 @@
 
 namespace gaitwright::cli {
 
+/// A flag with a text that must not be empty; `type` stands after it in the help.
+CLI::Option* AddText(CLI::App& verb, const std::string& flag, const std::string& type, std::string& target,
+                     const std::string& help);
+
 /// Why a text is no finite number, or "" when it is one.
 std::string NotANumber(const std::string& text);
 

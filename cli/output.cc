@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/flags.h"
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
 #include "playback/log/log_json.h"
@@ -32,8 +33,8 @@ std::string AuditReason(const AuditReport& audit) {
 }  // namespace
 
 void Outputs::AddTo(CLI::App& verb) {
-  verb.add_option("--out-dir", folder, "Folder for plan.json, log.json and report.html")->capture_default_str();
-  verb.add_option("--plot-dir", plot_folder, "Folder for the plots as SVG files");
+  AddText(verb, "--out-dir", "FOLDER", folder, "Folder for plan.json, log.json and report.html")->capture_default_str();
+  AddText(verb, "--plot-dir", "FOLDER", plot_folder, "Folder for the plots as SVG files");
 }
 
 Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {

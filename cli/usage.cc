@@ -18,9 +18,11 @@ const CLI::App& Reached(const CLI::App& app) {
   return *at;
 }
 
-/// "gaitwright robots show"
+/// "robots show"; for the program itself its own name.
 std::string NameOf(const CLI::App& verb) {
-  return verb.get_parent() == nullptr ? verb.get_name() : NameOf(*verb.get_parent()) + " " + verb.get_name();
+  const CLI::App* parent = verb.get_parent();
+  const bool nested = parent != nullptr && parent->get_parent() != nullptr;
+  return nested ? NameOf(*parent) + " " + verb.get_name() : verb.get_name();
 }
 
 std::vector<std::string> Verbs(const CLI::App& app) {
@@ -57,15 +59,21 @@ std::string Message(const CLI::App& app, const CLI::App& verb, const CLI::ParseE
   const bool extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
   if (!left.empty() && (extra || no_verb)) return Unexpected(app, verb, left.front());
   if (no_verb) return fmt::format("a verb is needed; there are {}", QuotedList(Verbs(app)));
-  const std::string what = error.what();
-  return fmt::format("{}: {}", NameOf(verb), what.substr(0, what.find('\n')));
+  std::string what = error.what();
+  what = what.substr(0, what.find('\n'));
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ArgumentMismatch)) {
+    const bool missing = what.ends_with("missing");
+    what = what.substr(0, what.find(':')) + (missing ? " needs a value" : " is given more than once");
+  }
+  return fmt::format("{}: {}", NameOf(verb), what);
 }
 
 }  // namespace
 
 Failure UsageFailure(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& verb = Reached(app);
-  return {FailureKind::kBadInput, "usage", "program", Message(app, verb, error), {NameOf(verb) + " --help"}};
+  const std::string help = &verb == &app ? "gaitwright --help" : fmt::format("gaitwright {} --help", NameOf(verb));
+  return {FailureKind::kBadInput, "usage", "program", Message(app, verb, error), {help}};
 }
 
 }  // namespace gaitwright::cli

@@ -47,8 +47,8 @@ int Run(Arguments& a) {
 void AddAudit(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("audit", "Check a plan densely against the laws, without a simulator");
-  verb.add_option("PLAN", a->plan, "A plan file")->required();
-  verb.add_option("--derate", a->derate, "Use less than the limits, as torque=0.8,speed=0.9");
+  AddText(verb, "PLAN", "FILE", a->plan, "A plan file")->required();
+  AddText(verb, "--derate", "KEY=SHARE", a->derate, "Use less than the limits, as torque=0.8,speed=0.9");
   AddCommon(verb, a->common);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }

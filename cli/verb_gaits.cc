@@ -47,7 +47,7 @@ int Run(const Arguments& a) {
 void AddGaits(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("gaits", "List the gaits, or those of a file");
-  verb.add_option("FILE", a->file, "A .yaml file of gaits");
+  AddText(verb, "FILE", "", a->file, "A .yaml file of gaits");
   AddCommon(verb, a->common);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }

@@ -62,8 +62,8 @@ void AddPlan(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("plan", "Plan a walk, audit it and write it to a file");
   a->walk.AddTo(verb);
-  CLI::Option* out = verb.add_option("--out", a->out, "File to write")->capture_default_str();
-  verb.add_option("--out-dir", a->folder, "Folder for plan.json, instead of --out")->excludes(out);
+  CLI::Option* out = AddText(verb, "--out", "FILE", a->out, "File to write")->capture_default_str();
+  AddText(verb, "--out-dir", "FOLDER", a->folder, "Folder for plan.json, instead of --out")->excludes(out);
   AddCommon(verb, a->common);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }

@@ -38,10 +38,10 @@ void AddPlay(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("play", "Play a plan in physics and score it");
   a->outputs = {"", "", "", "", ""};
-  verb.add_option("PLAN", a->plan, "A plan file")->required();
-  verb.add_option("--log", a->outputs.log, "Write the log to this file");
-  verb.add_option("--report", a->outputs.report, "Write the report to this file");
-  verb.add_option("--plot-dir", a->outputs.plot_folder, "Folder for the plots as SVG files");
+  AddText(verb, "PLAN", "FILE", a->plan, "A plan file")->required();
+  AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this file");
+  AddText(verb, "--report", "FILE", a->outputs.report, "Write the report to this file");
+  AddText(verb, "--plot-dir", "FOLDER", a->outputs.plot_folder, "Folder for the plots as SVG files");
   a->play.AddTo(verb);
   AddCommon(verb, a->common);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });

@@ -57,7 +57,7 @@ void AddRobots(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
   CLI::App& show = *verb.add_subcommand("show", "Explain one robot: legs, feet, posture, limits");
-  show.add_option("ROBOT", a->robot, "A name or a URDF file")->required();
+  AddText(show, "ROBOT", "NAME", a->robot, "A name or a URDF file")->required();
   AddCommon(verb, a->common);
   AddCommon(show, a->common);
   verb.require_subcommand(0, 1);

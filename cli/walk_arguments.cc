@@ -5,16 +5,16 @@ namespace gaitwright::cli {
 
 void WalkArguments::AddTo(CLI::App& verb) {
   CLI::Option* named =
-      verb.add_option("--robot", robot, "Robot by name (see 'gaitwright robots')")->capture_default_str();
-  verb.add_option("--urdf", urdf, "A URDF file of your own, instead of --robot")->excludes(named);
-  verb.add_option("--gait", request.gait, "Gait by name, or a .yaml file; default: the robot's best");
-  verb.add_option("--terrain", request.terrain, "Ground")->capture_default_str();
+      AddText(verb, "--robot", "NAME", robot, "Robot by name (see 'gaitwright robots')")->capture_default_str();
+  AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own, instead of --robot")->excludes(named);
+  AddText(verb, "--gait", "NAME", request.gait, "Gait by name, or a .yaml file; default: the robot's best");
+  AddText(verb, "--terrain", "NAME", request.terrain, "Ground")->capture_default_str();
   WalkCommand& c = request.command;
   AddNumber(verb, "--speed", "m/s", c.speed_m_s, "Speed ahead; default: the robot's own");
   AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s, "Speed to the left");
   AddNumber(verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s, "Turning to the left");
   AddNumber(verb, "--distance", "m", distance_m, "How far, along the commanded direction; default 1");
-  verb.add_option("--goal", goal, "Where to: x,y,yaw in the start frame [m, m, rad]");
+  AddText(verb, "--goal", "x,y,yaw", goal, "Where to: x,y,yaw in the start frame [m, m, rad]");
   CLI::Option* count = AddWholeNumber(verb, "--steps", 1, steps, "How many footfalls, the last one closing the feet");
   AddNumber(verb, "--step-length", "m", step_length_m, "Advance of a footfall, with --steps")->needs(count);
 }
@@ -42,8 +42,8 @@ void WalkArguments::Finish(const RobotModel& model) {
 
 void PlayArguments::AddTo(CLI::App& verb) {
   const OptionFields fields = request.Fields();
-  verb.add_option("--controller", request.controller, "stabilised or joint-pd")->capture_default_str();
-  verb.add_option("--push", push, "Push on the base, in world axes: fx,fy,fz [N]");
+  AddText(verb, "--controller", "NAME", request.controller, "stabilised or joint-pd")->capture_default_str();
+  AddText(verb, "--push", "fx,fy,fz", push, "Push on the base, in world axes: fx,fy,fz [N]");
   only_with_push = {AddField(verb, "--push-at", fields, "play.push_at_s"),
                     AddField(verb, "--push-for", fields, "play.push_for_s")};
   AddField(verb, "--ground-slope-deg", fields, "play.ground_slope_deg");

@@ -35,6 +35,10 @@ Result<std::string> WriteFileAtomically(const std::string& path, const std::stri
   std::error_code error;
   const fs::path target(path);
   if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
+  if (error) {
+    return FileFailure("unwritable_file", fmt::format("cannot make the folder '{}' for '{}': {}",
+                                                      target.parent_path().string(), path, error.message()));
+  }
   const fs::path temporary = path + fmt::format(".{}.part", ::getpid());
   {
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);

@@ -97,6 +97,17 @@ Course MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& 
   return {{forward * duration, c.lateral_speed_m_s * duration, c.yaw_rate_rad_s * duration}, duration};
 }
 
+/// Why a course cannot be walked in one plan, however the legs are.
+std::optional<Failure> CheckCourse(const Course& course) {
+  constexpr double kLongest = 600.0;  // [s]
+  if (!(course.cruise_s > 0.0)) return BadCommand("the command goes nowhere: it ends where it starts");
+  if (course.cruise_s > kLongest) {
+    return BadCommand(fmt::format("the walk would take {:.6g} s; at most {} s go into one plan: go less far or faster",
+                                  course.cruise_s, kLongest));
+  }
+  return std::nullopt;
+}
+
 Pose Carried(const PlanarPose& base, const Pose& X_BF) {
   Pose X_WB = Pose::Identity();
   X_WB.linear() = YawRotation(base.yaw_rad);
@@ -190,6 +201,7 @@ Reach WorstReach(const RobotModel& model, const FootstepSkeleton& skeleton, doub
 Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                                       const FootstepOptions& options) {
   const Course course = MakeCourse(model, gait, command);
+  if (const auto failure = CheckCourse(course)) return *failure;
   const double ramp = std::min(options.ramp_cycles * gait.cycle_s, course.cruise_s);
   const bool steps = command.extent == WalkCommand::Extent::kSteps;
   const double duration = steps ? course.cruise_s : course.cruise_s + ramp;

@@ -16,6 +16,7 @@ namespace {
 constexpr double kFallenTilt = 1.0;       // [rad]
 constexpr double kFallenContact = 0.2;    // a body on the ground for this long is a fall [s]
 constexpr double kKeptAfterFall = 0.3;    // [s]
+constexpr double kLongestPlan = 3600.0;   // [s]
 constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
 
 void Append(std::string& bytes, const VectorX& values) {
@@ -31,6 +32,12 @@ Failure Misfit(const RobotModel& model, const MotionPlan& plan) {
   const WholeBodyTrajectory& w = plan.whole_body;
   if (w.size() == 0 || w.step_s <= 0.0) {
     return Mismatch("plan_without_motion", "the plan has no whole-body motion to play", "plan it again");
+  }
+  if (!(plan.duration_s() <= kLongestPlan) || !std::isfinite(w.start_s)) {
+    return Mismatch("plan_too_long",
+                    fmt::format("the plan lasts {:.6g} s from {:.6g} s on; at most {} s are played", plan.duration_s(),
+                                w.start_s, kLongestPlan),
+                    "see that its 'step_s' is right");
   }
   if (!model.hash.empty() && !plan.robot_hash.empty() && plan.robot_hash != model.hash) {
     return Mismatch("plan_of_other_robot",

@@ -57,6 +57,11 @@ TEST_F(Refusals, Command) {
   ExpectRefused(Walk({"--speed", "nan"}), 1, {"--speed", "'nan'", "finite number"});
   ExpectRefused(Walk({"--speed", "fast"}), 1, {"--speed", "'fast'"});
   ExpectRefused(Walk({"--distance", "-1"}), 1, {"-1 m", "negative"});
+  ExpectRefused(Walk({"--distance", "1e6"}), 1, {"at most 600 s"});
+  ExpectRefused(Walk({"--steps", "1000000"}), 1, {"at most 600 s"});
+  ExpectRefused(Walk({"--speed", "1e-9"}), 1, {"at most 600 s"});
+  ExpectRefused(Walk({"--distance", "0"}), 1, {"goes nowhere"});
+  ExpectRefused(Walk({"--goal", "0,0,0"}), 1, {"goes nowhere"});
   ExpectRefused(Walk({"--distance", "1e999"}), 1, {"--distance", "1e999"});
   ExpectRefused(Walk({"--distance", "1", "--steps", "4"}), 1, {"--distance", "--goal", "--steps", "one of them"});
   ExpectRefused(Walk({"--steps", "0"}), 1, {"--steps", "1 or more"});
@@ -68,6 +73,10 @@ TEST_F(Refusals, Command) {
   ExpectRefused(Walk({"--gait", "trott"}), 1, {"'trott'", "'trot'", "'crawl'"});
   ExpectRefused(Walk({"--gait", "none.yaml"}), 1, {"none.yaml"});
   ExpectRefused(Walk({"--terrain", "flatt"}), 1, {"'flatt'", "'flat'"});
+  for (const char* flag : {"--robot", "--urdf", "--gait", "--goal", "--push"}) {
+    ExpectRefused(Walk({flag, ""}), 1, {flag, "empty"});
+  }
+  ExpectRefused(Run({"robots", "show", ""}), 1, {"ROBOT", "empty"});
   ExpectRefused(Walk({"--seed", "-1"}), 1, {"--seed", "-1", "0 or more"});
   ExpectNothingWritten();
 }
@@ -109,6 +118,10 @@ TEST_F(Refusals, PlanFile) {
     ExpectRefused(Run({verb, "other.json"}), 1, {"other.json", "no motion plan"});
     ExpectRefused(Run({verb, "."}), 1, {"folder"});
   }
+  plan["schema"] = plan.at("schema").get<int>() - 1;
+  plan["step_s"] = 1e9;
+  Write("endless.json", plan.dump());
+  ExpectRefused(Run({"play", "endless.json"}), 1, {"at most 3600 s"});
 }
 
 TEST_F(Refusals, Usage) {
@@ -116,12 +129,20 @@ TEST_F(Refusals, Usage) {
   ExpectRefused(Run({"wlk"}), 1, {"'wlk'", "nearest is 'walk'", "'audit'"});
   ExpectRefused(Walk({"--distnace", "1"}), 1, {"walk", "'--distnace'", "'--distance'"});
   ExpectRefused(Walk({"more"}), 1, {"walk", "'more'"});
-  ExpectRefused(Walk({"--speed"}), 1, {"--speed"});
-  ExpectRefused(Walk({"--speed", "0.1", "--speed", "0.2"}), 1, {"--speed"});
+  ExpectRefused(Walk({"--speed"}), 1, {"walk: --speed needs a value"});
+  ExpectRefused(Walk({"--speed", "0.1", "--speed", "0.2"}), 1, {"walk: --speed is given more than once"});
   ExpectRefused(Run({"play"}), 1, {"play", "PLAN"});
-  ExpectRefused(Run({"robots", "shwo", "a1"}), 1, {"'gaitwright robots shwo'", "'show'"});
+  ExpectRefused(Run({"robots", "shwo", "a1"}), 1, {"'robots shwo'", "'show'"});
   ExpectRefused(Run({"--jsn", "walk"}), 1, {"'--jsn'"});
   ExpectNothingWritten();
+}
+
+TEST_F(Refusals, PlacesThatCannotBeWritten) {
+  Write("file", "text");
+  ExpectRefused(Run({"plan", "--distance", "0.3", "--out-dir", "file"}), 1, {"'file'", "file/plan.json"});
+  ExpectRefused(Run({"plan", "--distance", "0.3", "--out-dir", "a", "--out", "b"}), 1, {"--out", "--out-dir"});
+  ExpectRefused(Run({"plan", "--distance", "0.3", "--out", "."}), 1, {"'.'"});
+  EXPECT_EQ(Found(), std::vector<std::string>{"file"});
 }
 
 TEST_F(Refusals, JsonHasTheErrorObject) {
