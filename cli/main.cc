@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   AddPlay(app, status);
   AddRobots(app, status);
   AddGaits(app, status);
+  AddTerrains(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version

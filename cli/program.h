@@ -39,5 +39,6 @@ void AddAudit(CLI::App& app, int& status);
 void AddPlay(CLI::App& app, int& status);
 void AddRobots(CLI::App& app, int& status);
 void AddGaits(CLI::App& app, int& status);
+void AddTerrains(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

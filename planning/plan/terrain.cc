@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/plan/terrain.h"
 
+#include <fmt/format.h>
+
+#include "kinematics/base/options.h"
 #include "kinematics/stability/polygon.h"
 
 namespace gaitwright {
@@ -10,6 +13,21 @@ Terrain FlatTerrain(double friction) {
   ground.name = "ground";
   ground.friction = friction;
   return {"flat", {ground}};
+}
+
+std::vector<BuiltInTerrain> BuiltInTerrains() { return {{"flat", "level ground without end", FlatTerrain()}}; }
+
+Result<Terrain> FindTerrain(const std::string& name) {
+  std::vector<std::string> names;
+  for (BuiltInTerrain& entry : BuiltInTerrains()) {
+    if (entry.name == name) return std::move(entry.terrain);
+    names.push_back(entry.name);
+  }
+  return Failure{FailureKind::kBadInput,
+                 "unknown_terrain",
+                 "FindTerrain",
+                 fmt::format("there is no terrain '{}'; there is {}", name, QuotedList(names)),
+                 {}};
 }
 
 GroundPoint GroundAt(const Terrain& terrain, const Vector2& p_W) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/result.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
@@ -25,6 +26,19 @@ struct Terrain {
 
 /// Level ground without end at z = 0.
 Terrain FlatTerrain(double friction = 0.8);
+
+/// A ground that comes with the program.
+struct BuiltInTerrain {
+  std::string name;
+  std::string description;
+  Terrain terrain;
+};
+
+/// The one list of built-in grounds.
+std::vector<BuiltInTerrain> BuiltInTerrains();
+
+/// The built-in terrain of that name. An unknown name is a failure that lists what exists.
+Result<Terrain> FindTerrain(const std::string& name);
 
 /// The ground under a point in plan view.
 struct GroundPoint {

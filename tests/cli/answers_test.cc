@@ -68,7 +68,25 @@ TEST_F(Answers, WhatThereIsIsListed) {
   const Ran gaits = Run({"gaits", "--json"});
   EXPECT_EQ(gaits.status, 0);
   EXPECT_GT(gaits.json().at("gaits").size(), 5U);
+  const Ran terrains = Run({"terrains", "--json"});
+  EXPECT_EQ(terrains.status, 0);
+  ExpectKeys(terrains.json().at("terrains").at(0), {"name", "description"});
   EXPECT_TRUE(Found().empty());
+}
+
+TEST_F(Answers, EveryTerrainOfTheListIsShownAndWalked) {
+  for (const Json& entry : Run({"terrains", "--json"}).json().at("terrains")) {
+    const std::string name = entry.at("name");
+    SCOPED_TRACE(name);
+    const Ran shown = Run({"terrains", "show", name, "--json"});
+    EXPECT_EQ(shown.status, 0) << shown.err;
+    EXPECT_EQ(shown.json().at("name"), name);
+    EXPECT_EQ(shown.json().at("description"), entry.at("description"));
+    ASSERT_FALSE(shown.json().at("patches").empty());
+    ExpectKeys(shown.json().at("patches").at(0), {"name", "origin_m", "normal", "outline_m", "friction"});
+    EXPECT_NE(Run({"terrains", "show", name}).out.find("friction"), std::string::npos);
+    EXPECT_EQ(Run({"plan", "--terrain", name, "--distance", "0.3", "--quiet"}).status, 0);
+  }
 }
 
 TEST_F(Answers, QuietPrintsTheVerdictAlone) {
@@ -77,6 +95,7 @@ TEST_F(Answers, QuietPrintsTheVerdictAlone) {
   EXPECT_EQ(Run({"play", "plan.json", "--quiet"}).out, "pass\n");
   EXPECT_EQ(Run({"walk", "--distance", "0.3", "--quiet"}).out, "pass\n");
   EXPECT_EQ(Run({"robots", "--quiet"}).out, "a1\nnao\n");
+  EXPECT_TRUE(Run({"terrains", "--quiet"}).out.starts_with("flat\n"));
 }
 
 TEST_F(Answers, AStrangersOwnRobotWalks) {

@@ -73,6 +73,7 @@ TEST_F(Refusals, Command) {
   ExpectRefused(Walk({"--gait", "trott"}), 1, {"'trott'", "'trot'", "'crawl'"});
   ExpectRefused(Walk({"--gait", "none.yaml"}), 1, {"none.yaml"});
   ExpectRefused(Walk({"--terrain", "flatt"}), 1, {"'flatt'", "'flat'"});
+  ExpectRefused(Run({"terrains", "show", "flatt"}), 1, {"'flatt'", "'flat'"});
   for (const char* flag : {"--robot", "--urdf", "--gait", "--goal", "--push"}) {
     ExpectRefused(Walk({flag, ""}), 1, {flag, "empty"});
   }

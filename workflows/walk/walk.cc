@@ -40,15 +40,6 @@ Result<RobotModel> RobotOf(const MotionPlan& plan) {
   return model;
 }
 
-Result<Terrain> FindTerrain(const std::string& name) {
-  if (name == "flat") return FlatTerrain();
-  return Failure{FailureKind::kBadInput,
-                 "unknown_terrain",
-                 "FindTerrain",
-                 fmt::format("there is no terrain '{}'; there is 'flat'", name),
-                 {}};
-}
-
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request) {
   const CpuClock clock;
   WalkRequest checked = request;

@@ -61,9 +61,6 @@ Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_
 /// The robot that a plan carries in itself.
 Result<RobotModel> RobotOf(const MotionPlan& plan);
 
-/// The built-in terrain of that name.
-Result<Terrain> FindTerrain(const std::string& name);
-
 /// Plans and audits. The audit's verdict is in the result; a plan that fails it is still given, for looking at.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
