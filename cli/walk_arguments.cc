@@ -50,6 +50,7 @@ void PlayArguments::AddTo(CLI::App& verb) {
   AddField(verb, "--ground-bumps", fields, "play.ground_bumps_m");
   AddField(verb, "--friction", fields, "play.friction");
   AddField(verb, "--mass-scale", fields, "play.mass_scale");
+  AddField(verb, "--log-rate-hz", fields, "play.log_rate_hz");
 }
 
 void PlayArguments::Finish() {

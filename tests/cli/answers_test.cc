@@ -115,6 +115,18 @@ TEST_F(Answers, TheSameCommandWritesTheSameBytes) {
   }
 }
 
+TEST_F(Answers, TheLogIsAsDenseAsAsked) {
+  MakePlan("plan.json");
+  EXPECT_EQ(Run({"play", "plan.json", "--log", "usual.json", "--quiet"}).status, 0);
+  EXPECT_EQ(Run({"play", "plan.json", "--log", "dense.json", "--log-rate-hz", "500", "--quiet"}).status, 0);
+  EXPECT_EQ(Run({"walk", "--distance", "0.3", "--log-rate-hz", "500", "--quiet"}).status, 0);
+  const Json usual = Json::parse(Read("usual.json")), dense = Json::parse(Read("dense.json"));
+  EXPECT_EQ(usual.at("log_rate_hz"), 200.0);
+  EXPECT_EQ(dense.at("log_rate_hz"), 500.0);
+  EXPECT_EQ(2 * dense.at("q").size(), 5 * usual.at("q").size());
+  EXPECT_TRUE(Read("dense.json") == Read("out/log.json")) << "a plan's log is the same from walk and from play";
+}
+
 TEST_F(Answers, NegativeNumbersAreNoFlags) {
   const Ran back = Run({"walk", "--goal", "-0.2,0,0", "--json", "--push", "-5,-5,0", "--push-at", "1"});
   EXPECT_EQ(back.status, 0) << back.err;
