@@ -15,7 +15,7 @@ constexpr double kLiftPerLegLength = 0.12;
 constexpr double kMidSwingFrom = 0.35, kMidSwingTo = 0.65;
 
 SwingCurve CurveOf(const SwingTrajectory& swing) {
-  return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.apex_height_m};
+  return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.lift_m};
 }
 
 /// Lowest height of the whole sole over the ground between two fractions of the swing.
@@ -54,8 +54,8 @@ Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const T
     swing.X_WF_start.translation() += from.roll_W;
     swing.clearance_m = ClearanceBetween(model, terrain, swing, kMidSwingFrom, kMidSwingTo);
     while (swing.clearance_m < wanted) {
-      swing.apex_height_m += std::max(wanted - swing.clearance_m, 0.1 * lift);
-      if (swing.apex_height_m > model.leg_length_m()) {
+      swing.lift_m += std::max(wanted - swing.clearance_m, 0.1 * lift);
+      if (swing.lift_m > model.leg_length_m()) {
         return Failure{FailureKind::kInfeasible,
                        "no_clearance",
                        "PlanSwings",

@@ -86,7 +86,7 @@ class FootPath {
   }
 
   static SwingCurve CurveOf(const SwingTrajectory& swing) {
-    return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.apex_height_m};
+    return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.lift_m};
   }
 
   const Foot* foot_;

@@ -70,14 +70,14 @@ struct CentroidalTrajectory {
   int size() const { return static_cast<int>(p_WC.size()); }
 };
 
-/// Pose of one foot's contact frame over one swing, as a quintic-Hermite table (position) and yaw.
+/// Motion of one foot's contact frame over one swing: the closed form of kinematics/trajectory/swing_curve.h, a
+/// straight minimum-jerk move from start to end with a bump along z.
 struct SwingTrajectory {
   int foot = 0;
   double start_s = 0.0, end_s = 0.0;
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();
-  /// Horizontal progress and height are polynomials of normalised time; see kinematics/trajectory/swing_curve.h.
-  double apex_height_m = 0.0;  ///< of the contact point over the higher of the two ends
-  double clearance_m = 0.0;    ///< lowest height of the whole sole over the ground in mid swing, achieved
+  double lift_m = 0.0;       ///< of the bump above the straight line between the ends, at half time
+  double clearance_m = 0.0;  ///< lowest height of the whole sole over the ground in mid swing, achieved
 };
 
 /// Force that the ground puts on a foot, and its moment about the foothold's contact frame origin, in W.
@@ -113,7 +113,7 @@ struct Provenance {
 
 /// Everything that a robot needs to do a motion, and that a judge needs to check it.
 struct MotionPlan {
-  static constexpr int kSchema = 1;
+  static constexpr int kSchema = 2;
 
   std::string robot;                 ///< name
   std::string robot_hash;            ///< RobotModel::hash

@@ -89,7 +89,7 @@ Json SwingsJson(const std::vector<SwingTrajectory>& swings) {
                     {"end_s", s.end_s},
                     {"start_pose", ToJson(s.X_WF_start)},
                     {"end_pose", ToJson(s.X_WF_end)},
-                    {"apex_height_m", s.apex_height_m},
+                    {"lift_m", s.lift_m},
                     {"clearance_m", s.clearance_m}});
   }
   return list;
@@ -213,7 +213,7 @@ void ReadContacts(const Json& j, MotionPlan& plan) {
   }
   for (const Json& s : j.at("swings")) {
     plan.swings.push_back({s.at("foot").get<int>(), s.at("start_s").get<double>(), s.at("end_s").get<double>(),
-                           ToPose(s.at("start_pose")), ToPose(s.at("end_pose")), s.at("apex_height_m").get<double>(),
+                           ToPose(s.at("start_pose")), ToPose(s.at("end_pose")), s.at("lift_m").get<double>(),
                            s.at("clearance_m").get<double>()});
   }
 }
@@ -287,8 +287,14 @@ MotionPlan ReadPlan(const Json& j) {
   return plan;
 }
 
-Failure Refused(const std::string& source, const std::string& why) {
-  return {FailureKind::kBadInput, "plan_file", "LoadPlan", fmt::format("'{}' is refused: {}", source, why), {}};
+Failure Refused(const std::string& source, const std::string& why, const std::vector<std::string>& hints = {}) {
+  return {FailureKind::kBadInput, "plan_file", "LoadPlan", fmt::format("'{}' is refused: {}", source, why), hints};
+}
+
+Failure OtherSchema(const std::string& source, int schema) {
+  return Refused(
+      source, fmt::format("it has schema {}; this program reads schema {}", schema, MotionPlan::kSchema),
+      {schema > MotionPlan::kSchema ? "read it with the newer program that wrote it" : "make the plan anew"});
 }
 
 }  // namespace
@@ -330,10 +336,7 @@ Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& sour
     if (!j.is_object() || !j.contains("format") || j.at("format") != kFormat)
       return Refused(source, "it is no motion plan");
     const int schema = j.at("schema").get<int>();
-    if (schema != MotionPlan::kSchema) {
-      return Refused(source,
-                     fmt::format("it has schema {}; this program reads schema {}", schema, MotionPlan::kSchema));
-    }
+    if (schema != MotionPlan::kSchema) return OtherSchema(source, schema);
     MotionPlan plan = ReadPlan(j);
     CheckSchedule(plan.schedule, static_cast<int>(plan.whole_body.wrenches.front().size()));
     return plan;

@@ -114,14 +114,17 @@ TEST_F(Refusals, PlanFile) {
   Write("short.json", text.substr(0, text.size() / 2));
   plan["schema"] = plan.at("schema").get<int>() + 1;
   Write("newer.json", plan.dump());
+  plan["schema"] = 1;
+  Write("older.json", plan.dump());
   Write("other.json", "{\"a\": 1}");
   for (const char* verb : {"audit", "play"}) {
     ExpectRefused(Run({verb, "short.json"}), 1, {"short.json", "cut short"});
-    ExpectRefused(Run({verb, "newer.json"}), 1, {"newer.json", "schema"});
+    ExpectRefused(Run({verb, "newer.json"}), 1, {"newer.json", "schema", "newer program"});
+    ExpectRefused(Run({verb, "older.json"}), 1, {"older.json", "schema", "anew"});
     ExpectRefused(Run({verb, "other.json"}), 1, {"other.json", "no motion plan"});
     ExpectRefused(Run({verb, "."}), 1, {"folder"});
   }
-  plan["schema"] = plan.at("schema").get<int>() - 1;
+  plan = Json::parse(text);
   plan["step_s"] = 1e9;
   Write("endless.json", plan.dump());
   ExpectRefused(Run({"play", "endless.json"}), 1, {"at most 3600 s"});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans broken on purpose in the finished file: the audit names the law that each breaks.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
@@ -119,6 +120,8 @@ TEST_F(BrokenPlan, FilesComeBackAsTheyWere) {
   ASSERT_TRUE(back.ok()) << back.failure().message;
   EXPECT_EQ(back->whole_body.q, plan_->whole_body.q);
   EXPECT_EQ(back->schedule, plan_->schedule);
+  ASSERT_EQ(back->swings.size(), plan_->swings.size());
+  EXPECT_EQ(back->swings[3].lift_m, plan_->swings[3].lift_m);
   EXPECT_TRUE(Audit(*model_, *back, {})->pass());
 }
 
@@ -130,9 +133,14 @@ TEST_F(BrokenPlan, TruncatedForeignAndNewerFilesAreRefused) {
   };
   EXPECT_NE(message(text.substr(0, text.size() / 2)).find("cut short"), std::string::npos);
   EXPECT_NE(message("{\"a\": 1}").find("no motion plan"), std::string::npos);
-  std::string newer = text;
-  newer.replace(newer.find("\"schema\":1"), 10, "\"schema\":2");
-  EXPECT_NE(message(newer).find("schema 2"), std::string::npos);
+  const auto of_schema = [&](int schema) {
+    const std::string own = fmt::format("\"schema\":{}", MotionPlan::kSchema);
+    return std::string(text).replace(text.find(own), own.size(), fmt::format("\"schema\":{}", schema));
+  };
+  EXPECT_EQ(message(of_schema(MotionPlan::kSchema)), "");
+  for (const int schema : {MotionPlan::kSchema - 1, MotionPlan::kSchema + 1}) {
+    EXPECT_NE(message(of_schema(schema)).find(fmt::format("schema {};", schema)), std::string::npos);
+  }
 }
 
 // The judge in physics.
