@@ -7,15 +7,13 @@
 #include <cmath>
 
 #include "kinematics/base/hash.h"
+#include "playback/bullet/fall_watch_internal.h"
 #include "playback/bullet/stance_recorder_internal.h"
 #include "playback/bullet/world.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kFallenTilt = 1.0;       // [rad]
-constexpr double kFallenContact = 0.2;    // a body on the ground for this long is a fall [s]
-constexpr double kKeptAfterFall = 0.3;    // [s]
 constexpr double kLongestPlan = 3600.0;   // [s]
 constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
 
@@ -138,31 +136,6 @@ class Interval {
   LogSample sample_;
 };
 
-/// Tells when going on is pointless.
-class FallWatch {
- public:
-  explicit FallWatch(const VectorX& q0) : up_B_(Rotation(q0).transpose() * Vector3::UnitZ()) {}
-
-  void Add(double time_s, const BulletWorld& world) {
-    const Vector3 up_W = Rotation(world.q()) * up_B_;
-    const bool tilted = std::acos(std::clamp(up_W.z(), -1.0, 1.0)) > kFallenTilt;
-    if (world.body_contacts().empty()) contact_since_s_ = time_s;
-    const bool down = time_s - contact_since_s_ > kFallenContact;
-    if (!fallen_ && (tilted || down)) {
-      fallen_ = true;
-      fallen_s_ = time_s;
-    }
-  }
-  void Start(double time_s) { contact_since_s_ = time_s; }
-  bool Over(double time_s) const { return fallen_ && time_s - fallen_s_ > kKeptAfterFall; }
-
- private:
-  static Matrix3 Rotation(const VectorX& q) { return Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix(); }
-  Vector3 up_B_;
-  double contact_since_s_ = 0.0, fallen_s_ = 0.0;
-  bool fallen_ = false;
-};
-
 /// One playback from start to end.
 class Playback {
  public:
@@ -177,7 +150,7 @@ class Playback {
         world_(model, plan.terrain, plan.whole_body.q.front(), world_options_),
         stances_(static_cast<int>(model.feet.size()), world_.total_mass_kg() * kGravity, step_s_,
                  1.0 / options.log_rate_hz),
-        fall_(plan.whole_body.q.front()) {
+        fall_(model, plan, options.fall_height_lowest) {
     input_.step_s = step_s_;
     input_.wrenches.resize(model.feet.size());
   }
@@ -278,7 +251,7 @@ class Playback {
   long stride_;
   BulletWorld world_;
   bullet::StanceRecorder stances_;
-  FallWatch fall_;
+  bullet::FallWatch fall_;
   Interval interval_;
   ControlInput input_;
   PlaybackLog log_;

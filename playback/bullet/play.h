@@ -20,6 +20,7 @@ struct PlayOptions {
   double push_for_s = 0.1;
   std::string push_on = "base";
   bool lock_unmoved = false;
+  double fall_height_lowest = 0.4;
 
   OptionFields Fields() {
     return Joined(
@@ -51,6 +52,13 @@ struct PlayOptions {
            0.0,
            0.0,
            "Joints that the plan never moves are welded, which is faster: true or false.",
+           {}},
+          {"fall_height_lowest",
+           &fall_height_lowest,
+           "1",
+           0.0,
+           1.0,
+           "Ends soon after the base is below this share of the plan's height over the ground of the feet; 0 never.",
            {}}}});
   }
 };
@@ -59,8 +67,9 @@ struct PlayOptions {
 /// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts turned with the
 /// ground. Nobody holds the robot.
 ///
-/// Ends early, after another 0.3 s, when the robot has clearly fallen: its up axis is over 1 rad off, or a body that is
-/// no foot stays on the ground for 0.2 s; at once when the state is no longer finite.
+/// Ends early, after another 0.3 s, when the robot has clearly fallen: its up axis is over 1 rad off, a body that is
+/// no foot stays on the ground for 0.2 s, or its base is below `fall_height_lowest` of the plan's height (each over the
+/// mean height of the feet that stand, the measured ones where they touch); at once when the state is no longer finite.
 ///
 /// The log has one sample per 1 / log_rate_hz from the plan's start, each at its interval's end. A foot's stance begins
 /// with the first step that carries force, and ends with the first that does not, unless force comes back within 15 ms

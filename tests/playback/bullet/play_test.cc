@@ -169,6 +169,46 @@ TEST_P(PlayTest, RefusesPlansOfOthersAndBadRates) {
   EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);
 }
 
+/// Folds the legs straight down to about half of the standing height over the plan's first half.
+MotionPlan Sinking(const RobotModel& a1, double duration_s) {
+  MotionPlan plan = standing::Plan(a1, duration_s);
+  const double stands = a1.standing_joints[a1.DofIndex("FL_thigh_joint")], folded = 1.25;
+  for (std::size_t k = 0; k < plan.whole_body.q.size(); ++k) {
+    const double u = std::min(1.0, 2.0 * static_cast<double>(k) / static_cast<double>(plan.whole_body.q.size()));
+    const double thigh = stands + u * (folded - stands);
+    for (const char* leg : {"FL", "FR", "RL", "RR"}) {
+      plan.whole_body.q[k][7 + a1.DofIndex(std::string(leg) + "_thigh_joint")] = thigh;
+      plan.whole_body.q[k][7 + a1.DofIndex(std::string(leg) + "_calf_joint")] = -2.0 * thigh;
+    }
+    plan.whole_body.q[k][2] += 0.4 * (std::cos(thigh) - std::cos(stands));
+  }
+  return plan;
+}
+
+TEST(Play, EndsSoonAfterTheBaseHasSunk) {
+  const RobotModel a1 = standing::Load("a1");
+  const MotionPlan upright = standing::Plan(a1, 4.0), sinking = Sinking(a1, 4.0);
+  PlayOptions options;
+  const auto log = [&](const MotionPlan& plan, double lowest) {
+    options.fall_height_lowest = lowest;
+    JointPd sinks(a1, sinking);
+    return Play(a1, plan, sinks, options).value();
+  };
+  const PlaybackLog sunk = log(upright, 0.75);
+  EXPECT_TRUE(sunk.body_contacts.empty()) << "neither a touch";
+  const double height = upright.whole_body.q.front()[2];
+  const LogSample& at_fall = sunk.samples.at(sunk.samples.size() - 61);  // 0.3 s before the end
+  EXPECT_NEAR(at_fall.q[2], 0.75 * height, 0.01 * height);
+  EXPECT_NEAR(Quaternion(at_fall.q[6], at_fall.q[3], at_fall.q[4], at_fall.q[5]).w(), 1.0, 1e-3) << "nor a tilt";
+  EXPECT_LT(sunk.samples.back().time_s, 2.0);
+  const double whole_s = 4.0 + options.hold_s;
+  EXPECT_NEAR(log(upright, 0.4).samples.back().time_s, whole_s, 1e-9) << "half the height is no fall by default";
+  EXPECT_NEAR(log(upright, 0.0).samples.back().time_s, whole_s, 1e-9) << "0 never ends it";
+  EXPECT_NEAR(log(sinking, 0.75).samples.back().time_s, whole_s, 1e-9) << "the plan itself is low";
+  options.world.ground_slope_deg = 2.0;
+  EXPECT_LT(log(upright, 0.75).samples.back().time_s, 2.0) << "on a slope too";
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, PlayTest, ::testing::Values("a1", "nao"), [](const auto& i) { return i.param; });
 
 }  // namespace
