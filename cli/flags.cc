@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace gaitwright::cli {
@@ -31,7 +32,37 @@ std::string HelpOf(const OptionField& field) {
   return fmt::format("{} From {} to {}; default {}.", field.meaning, field.lowest, field.highest, OptionText(field));
 }
 
+std::string RangeOf(const OptionField& field) {
+  if (!field.choices.empty()) return fmt::format("{}", fmt::join(field.choices, ", "));
+  if (std::holds_alternative<bool*>(field.target)) return "true, false";
+  return fmt::format("{} to {}", field.lowest, field.highest);
+}
+
+void PrintOptions(const OptionFields& fields, bool as_json) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const OptionField& field : fields) {
+    const std::string value = OptionText(field), range = RangeOf(field);
+    const std::string unit = field.unit.empty() || field.unit == "1" ? "" : " " + field.unit;
+    list.push_back({{"key", field.key},
+                    {"default", value},
+                    {"unit", field.unit},
+                    {"accepted", range},
+                    {"meaning", field.meaning}});
+    if (!as_json) fmt::print("{} = {}{}  ({})\n    {}\n", field.key, value, unit, range, field.meaning);
+  }
+  if (as_json) fmt::print("{}\n", nlohmann::ordered_json{{"options", list}}.dump(2));
+}
+
 }  // namespace
+
+void AddOptionList(CLI::App& verb, const OptionFields& fields, const bool& json) {
+  const auto print = [fields, &json] {
+    PrintOptions(fields, json);
+    throw CLI::Success();
+  };
+  verb.add_flag_callback("--list-options", print, "Print every key of --set with its unit, range and default.")
+      ->group("Flags of every verb");
+}
 
 CLI::Option* AddText(CLI::App& verb, const std::string& flag, const std::string& type, std::string& target,
                      const std::string& help) {

@@ -41,6 +41,9 @@ CLI::Option* AddWholeNumber(CLI::App& verb, const std::string& flag, std::int64_
 /// field has that key.
 CLI::Option* AddField(CLI::App& verb, const std::string& flag, const OptionFields& fields, const std::string& key);
 
+/// A flag --list-options, which prints what --set can set (with --json, whose place `json` is, as an object) and ends.
+void AddOptionList(CLI::App& verb, const OptionFields& fields, const bool& json);
+
 /// Applies every `flag` key=value to the fields. @throws InvalidArgument on a key that none has (the nearest is named).
 void ApplySets(const std::string& flag, const std::vector<std::string>& sets, OptionFields fields);
 

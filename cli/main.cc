@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 #include "cli/program.h"
@@ -10,10 +11,15 @@ int main(int argc, char** argv) {
   using namespace gaitwright::cli;
   CLI::App app(
       "Gaitwright plans gaits for legged robots and proves them in physics.\n"
-      "First words: gaitwright walk --robot a1",
+      "First words: gaitwright walk --robot a1\n",
       "gaitwright");
-  app.set_version_flag("--version", gaitwright::Version());
+  app.set_version_flag("--version", gaitwright::Version(), "Print the version and exit.");
   app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "Print this help and exit.");
+  app.footer(
+      std::string("Each verb has its own: gaitwright walk --help\nSI units throughout; degrees only where a name says "
+                  "so.\n\n") +
+      kExitStatuses);
   int status = kPass;
   AddWalk(app, status);
   AddPlan(app, status);
@@ -22,6 +28,7 @@ int main(int argc, char** argv) {
   AddRobots(app, status);
   AddGaits(app, status);
   AddTerrains(app, status);
+  LayOutHelp(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version

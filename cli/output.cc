@@ -33,8 +33,11 @@ std::string AuditReason(const AuditReport& audit) {
 }  // namespace
 
 void Outputs::AddTo(CLI::App& verb) {
-  AddText(verb, "--out-dir", "FOLDER", folder, "Folder for plan.json, log.json and report.html")->capture_default_str();
-  AddText(verb, "--plot-dir", "FOLDER", plot_folder, "Folder for the plots as SVG files");
+  verb.option_defaults()->group("What is written");
+  AddText(verb, "--out-dir", "FOLDER", folder,
+          "Folder for plan.json, log.json and report.html, made if need be; default out.");
+  AddText(verb, "--plot-dir", "FOLDER", plot_folder,
+          "Write the plots into this folder too, as SVG files; default: nowhere.");
 }
 
 Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {

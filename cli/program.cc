@@ -10,11 +10,20 @@
 
 namespace gaitwright::cli {
 
-void AddCommon(CLI::App& verb, Common& common) {
-  verb.add_flag("--json", common.json, "Print one JSON object on standard output and nothing else there");
-  verb.add_flag("--quiet", common.quiet, "Print only the verdict");
-  AddWholeNumber(verb, "--seed", 0, common.seed, "Seed of whatever is random; default 0");
-  verb.add_option("--set", common.sets, "Set any option, as key=value; may be repeated")->take_all();
+void AddCommon(CLI::App& verb, Common& common, const std::vector<std::string>& examples) {
+  verb.option_defaults()->group("Flags of every verb");
+  verb.add_flag("--json", common.json, "Print one JSON object on standard output, and nothing else there.");
+  verb.add_flag("--quiet", common.quiet, "Print only the verdict (pass or fail), of a list only the names.");
+  AddWholeNumber(verb, "--seed", 0, common.seed, "Seed of whatever is random, 0 or more; default 0.");
+  verb.add_option("--set", common.sets,
+                  "Set one of the many options behind the flags; may be repeated. They win over flags.")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  verb.option_defaults()->group("Options");
+  std::string footer = examples.size() > 1 ? "Examples:\n" : "Example:\n";
+  for (const std::string& example : examples) footer += "  gaitwright " + example + "\n";
+  verb.footer(footer + "\n" + kExitStatuses);
 }
 
 int Report(const Failure& failure, const Common& common) {

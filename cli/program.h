@@ -14,6 +14,14 @@ namespace gaitwright::cli {
 /// Exit statuses of the program.
 enum Exit { kPass = 0, kWrongInput = 1, kNoPlan = 2, kVerdictFail = 3 };
 
+/// The same in words, for the help.
+inline constexpr char kExitStatuses[] =
+    "Exit status:\n"
+    "  0  done, and the verdict is a pass\n"
+    "  1  the input or the usage is wrong\n"
+    "  2  no plan exists within the limits\n"
+    "  3  the plan was made or played, and the verdict is a fail";
+
 /// Flags that every verb takes.
 struct Common {
   bool json = false;
@@ -22,8 +30,9 @@ struct Common {
   std::vector<std::string> sets;  ///< key=value
 };
 
-/// Adds the flags of Common to a verb.
-void AddCommon(CLI::App& verb, Common& common);
+/// Adds the flags of Common to a verb, and to the end of its help the examples (command lines without the program's
+/// name) and the exit statuses.
+void AddCommon(CLI::App& verb, Common& common, const std::vector<std::string>& examples);
 
 /// Prints a failure (one line on standard error; with --json the error object on standard output) and gives its
 /// status.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -68,7 +70,45 @@ std::string Message(const CLI::App& app, const CLI::App& verb, const CLI::ParseE
   return fmt::format("{}: {}", NameOf(verb), what);
 }
 
+/// The text in lines of at most `width`.
+std::string Wrapped(const std::string& text, std::size_t width) {
+  std::istringstream words(text);
+  std::string wrapped;
+  std::size_t column = 0;
+  for (std::string word; words >> word;) {
+    if (column > 0 && column + 1 + word.size() > width) {
+      wrapped += '\n';
+      column = 0;
+    }
+    if (column > 0) wrapped += ' ';
+    wrapped += word;
+    column += word.size() + (column > 0 ? 1 : 0);
+  }
+  return wrapped;
+}
+
+/// Names and types alone at the left, and one empty line between groups.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+  }
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+    for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
+    return text;
+  }
+};
+
 }  // namespace
+
+void LayOutHelp(CLI::App& app) {
+  constexpr std::size_t kNames = 28, kDescriptions = 72;
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.get_formatter()->column_width(kNames);
+  for (CLI::Option* option : app.get_options()) option->description(Wrapped(option->get_description(), kDescriptions));
+  for (CLI::App* verb : app.get_subcommands({})) LayOutHelp(*verb);
+}
 
 Failure UsageFailure(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& verb = Reached(app);

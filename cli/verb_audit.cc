@@ -47,9 +47,11 @@ int Run(Arguments& a) {
 void AddAudit(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("audit", "Check a plan densely against the laws, without a simulator");
-  AddText(verb, "PLAN", "FILE", a->plan, "A plan file")->required();
-  AddText(verb, "--derate", "KEY=SHARE", a->derate, "Use less than the limits, as torque=0.8,speed=0.9");
-  AddCommon(verb, a->common);
+  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.")->required();
+  AddText(verb, "--derate", "KEY=SHARE", a->derate,
+          "Hold the plan against these shares of the limits, as torque=0.8,speed=0.9; from 0.01 to 1, default 1.");
+  AddCommon(verb, a->common, {"audit plan.json", "audit plan.json --derate torque=0.8,speed=0.9"});
+  AddOptionList(verb, a->options.Fields(), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }
 

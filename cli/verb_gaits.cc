@@ -21,12 +21,18 @@ int Run(const Arguments& a) {
   const Result<std::vector<GaitEntry>> gaits = a.file.empty() ? BuiltInGaits() : LoadGaits(a.file);
   if (!gaits) return Report(gaits.failure(), a.common);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  if (!a.common.json && !a.common.quiet) {
+    fmt::print("duty: share of the cycle that a foot is on the ground; phases: when each foot touches down\n\n");
+    fmt::print("{:<8} {:>4}  {:>4}  {:<31}  what it is\n", "gait", "feet", "duty", "phases");
+  }
   for (const GaitEntry& entry : *gaits) {
     Gait gait = entry.gait;
     const bool flight = HasFlight(gait);
     list.push_back({{"name", gait.name},
                     {"feet", gait.num_feet()},
                     {"description", gait.description},
+                    {"cycle_s", gait.cycle_s > 0.0 ? nlohmann::ordered_json(gait.cycle_s) : nullptr},
+                    {"cycle_per_leg_time", entry.cycle_per_leg_time},
                     {"phase", gait.phase},
                     {"duty_factor", gait.duty_factor},
                     {"flight", flight}});
@@ -35,8 +41,8 @@ int Run(const Arguments& a) {
       fmt::print("{}\n", gait.name);
       continue;
     }
-    fmt::print("{:<8} {} feet  {}{}\n", gait.name, gait.num_feet(), gait.description,
-               flight ? "; not planned yet" : "");
+    fmt::print("{:<8} {:>4}  {:>4.2f}  {:<31}  {}{}\n", gait.name, gait.num_feet(), gait.duty_factor.front(),
+               fmt::format("{:.2f}", fmt::join(gait.phase, " ")), gait.description, flight ? "; not planned yet" : "");
   }
   if (a.common.json) fmt::print("{}\n", nlohmann::ordered_json{{"gaits", list}}.dump(2));
   return kPass;
@@ -47,8 +53,8 @@ int Run(const Arguments& a) {
 void AddGaits(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("gaits", "List the gaits, or those of a file");
-  AddText(verb, "FILE", "", a->file, "A .yaml file of gaits");
-  AddCommon(verb, a->common);
+  AddText(verb, "FILE", "", a->file, "A .yaml file of gaits; default: those that come with the program.");
+  AddCommon(verb, a->common, {"gaits", "gaits --json"});
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }
 

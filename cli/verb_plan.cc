@@ -62,9 +62,14 @@ void AddPlan(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("plan", "Plan a walk, audit it and write it to a file");
   a->walk.AddTo(verb);
-  CLI::Option* out = AddText(verb, "--out", "FILE", a->out, "File to write")->capture_default_str();
-  AddText(verb, "--out-dir", "FOLDER", a->folder, "Folder for plan.json, instead of --out")->excludes(out);
-  AddCommon(verb, a->common);
+  verb.option_defaults()->group("What is written");
+  CLI::Option* out =
+      AddText(verb, "--out", "FILE", a->out, "The file to write, its folder made if need be; default plan.json.");
+  AddText(verb, "--out-dir", "FOLDER", a->folder, "Folder for plan.json, instead of --out; default: where --out says.")
+      ->excludes(out);
+  AddCommon(verb, a->common,
+            {"plan --robot a1 --gait trot --speed 0.3 --distance 1 --out plan.json", "plan --goal 1,0.5,0.7 --json"});
+  AddOptionList(verb, a->walk.request.Fields(), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }
 

@@ -38,12 +38,18 @@ void AddPlay(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("play", "Play a plan in physics and score it");
   a->outputs = {"", "", "", "", ""};
-  AddText(verb, "PLAN", "FILE", a->plan, "A plan file")->required();
-  AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this file");
-  AddText(verb, "--report", "FILE", a->outputs.report, "Write the report to this file");
-  AddText(verb, "--plot-dir", "FOLDER", a->outputs.plot_folder, "Folder for the plots as SVG files");
+  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.")->required();
   a->play.AddTo(verb);
-  AddCommon(verb, a->common);
+  verb.option_defaults()->group("What is written");
+  AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this file, as JSON; default: nowhere.");
+  AddText(verb, "--report", "FILE", a->outputs.report,
+          "Write the report to this file, as one HTML page; default: nowhere.");
+  AddText(verb, "--plot-dir", "FOLDER", a->outputs.plot_folder,
+          "Write the plots into this folder, as SVG files; default: nowhere.");
+  AddCommon(
+      verb, a->common,
+      {"play plan.json --report report.html", "play plan.json --push 0,20,0 --push-at 1.5 --friction 0.6 --json"});
+  AddOptionList(verb, a->play.request.Fields(), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }
 

@@ -57,9 +57,9 @@ void AddRobots(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
   CLI::App& show = *verb.add_subcommand("show", "Explain one robot: legs, feet, posture, limits");
-  AddText(show, "ROBOT", "NAME", a->robot, "A name or a URDF file")->required();
-  AddCommon(verb, a->common);
-  AddCommon(show, a->common);
+  AddText(show, "ROBOT", "NAME", a->robot, "A name of the list, or the path of a URDF file.")->required();
+  AddCommon(verb, a->common, {"robots", "robots show a1"});
+  AddCommon(show, a->common, {"robots show a1", "robots show nao --json"});
   verb.require_subcommand(0, 1);
   verb.callback([a, &status] {
     status = Guarded(a->common, [&] {

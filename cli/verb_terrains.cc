@@ -82,9 +82,9 @@ void AddTerrains(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("terrains", "List the grounds; 'terrains show X' describes one");
   CLI::App& show = *verb.add_subcommand("show", "Describe one ground: its patches and their friction");
-  AddText(show, "TERRAIN", "NAME", a->terrain, "A name of the list")->required();
-  AddCommon(verb, a->common);
-  AddCommon(show, a->common);
+  AddText(show, "TERRAIN", "NAME", a->terrain, "A name of the list.")->required();
+  AddCommon(verb, a->common, {"terrains", "terrains show flat"});
+  AddCommon(show, a->common, {"terrains show flat"});
   verb.require_subcommand(0, 1);
   verb.callback([a, &status] {
     status = Guarded(a->common, [&] {

@@ -34,12 +34,16 @@ int Run(Arguments& a) {
 
 void AddWalk(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("walk", "Plan, audit, play and score a walk in one go, and write the report");
+  CLI::App& verb =
+      *app.add_subcommand("walk", "Plan, audit, play and score a walk in one go, and write the report: the main job");
   a->outputs.folder = "out";
   a->walk.AddTo(verb);
   a->play.AddTo(verb);
   a->outputs.AddTo(verb);
-  AddCommon(verb, a->common);
+  AddCommon(verb, a->common,
+            {"walk --robot a1 --speed 0.3 --distance 1", "walk --robot nao --steps 4 --step-length 0.04 --out-dir nao",
+             "walk --robot a1 --distance 1 --push 0,30,0 --push-at 2 --quiet"});
+  AddOptionList(verb, Joined({a->walk.request.Fields(), a->play.request.Fields()}), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }
 

@@ -4,19 +4,32 @@
 namespace gaitwright::cli {
 
 void WalkArguments::AddTo(CLI::App& verb) {
-  CLI::Option* named =
-      AddText(verb, "--robot", "NAME", robot, "Robot by name (see 'gaitwright robots')")->capture_default_str();
-  AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own, instead of --robot")->excludes(named);
-  AddText(verb, "--gait", "NAME", request.gait, "Gait by name, or a .yaml file; default: the robot's best");
-  AddText(verb, "--terrain", "NAME", request.terrain, "Ground")->capture_default_str();
+  verb.option_defaults()->group("Robot and ground");
+  CLI::Option* named = AddText(verb, "--robot", "NAME", robot, "Robot by name, see 'gaitwright robots'; default a1.");
+  AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
+  AddText(verb, "--terrain", "NAME", request.terrain, "Ground by name, see 'gaitwright terrains'; default flat.");
+  verb.option_defaults()->group("How fast (any mix of these)");
   WalkCommand& c = request.command;
-  AddNumber(verb, "--speed", "m/s", c.speed_m_s, "Speed ahead; default: the robot's own");
-  AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s, "Speed to the left");
-  AddNumber(verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s, "Turning to the left");
-  AddNumber(verb, "--distance", "m", distance_m, "How far, along the commanded direction; default 1");
-  AddText(verb, "--goal", "x,y,yaw", goal, "Where to: x,y,yaw in the start frame [m, m, rad]");
-  CLI::Option* count = AddWholeNumber(verb, "--steps", 1, steps, "How many footfalls, the last one closing the feet");
-  AddNumber(verb, "--step-length", "m", step_length_m, "Advance of a footfall, with --steps")->needs(count);
+  AddText(verb, "--gait", "NAME", request.gait,
+          "Gait by name, see 'gaitwright gaits', or a .yaml file whose first gait is taken; 'walk' is the slow one for "
+          "the robot's number of legs; default: the robot's best.");
+  AddNumber(verb, "--speed", "m/s", c.speed_m_s,
+            "Speed ahead, 0 or more; default 0: the robot's own, see 'gaitwright robots show'.");
+  AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
+            "Speed to the left, negative to the right; default 0.");
+  AddNumber(verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s, "Turning to the left, negative to the right; default 0.");
+  verb.option_defaults()->group("How far (one of --distance, --goal, --steps)");
+  AddNumber(verb, "--distance", "m", distance_m, "Along the commanded direction, more than 0; default 1.");
+  AddText(verb, "--goal", "x,y,yaw", goal,
+          "Where to, in m, m and rad from the start: x ahead, y to the left, yaw between -pi and pi. A goal behind is "
+          "walked to backward.");
+  CLI::Option* count =
+      AddWholeNumber(verb, "--steps", 1, steps, "So many footfalls, the last one closing the feet; 1 or more.");
+  AddNumber(
+      verb, "--step-length", "m", step_length_m,
+      "Advance of a footfall, with --steps; 0 steps on the spot, negative goes back; default 0.16 of the leg length.")
+      ->needs(count);
+  verb.option_defaults()->group("Options");
 }
 
 void WalkArguments::Finish(const RobotModel& model) {
@@ -42,8 +55,10 @@ void WalkArguments::Finish(const RobotModel& model) {
 
 void PlayArguments::AddTo(CLI::App& verb) {
   const OptionFields fields = request.Fields();
-  AddText(verb, "--controller", "NAME", request.controller, "stabilised or joint-pd")->capture_default_str();
-  AddText(verb, "--push", "fx,fy,fz", push, "Push on the base, in world axes: fx,fy,fz [N]");
+  verb.option_defaults()->group("Playback, and what the plan does not know");
+  AddText(verb, "--controller", "NAME", request.controller, "stabilised or joint-pd; default stabilised.");
+  AddText(verb, "--push", "fx,fy,fz", push,
+          "Push on the base in N, world axes: x ahead, y to the left, z up; default none.");
   only_with_push = {AddField(verb, "--push-at", fields, "play.push_at_s"),
                     AddField(verb, "--push-for", fields, "play.push_for_s")};
   AddField(verb, "--ground-slope-deg", fields, "play.ground_slope_deg");
@@ -51,6 +66,7 @@ void PlayArguments::AddTo(CLI::App& verb) {
   AddField(verb, "--friction", fields, "play.friction");
   AddField(verb, "--mass-scale", fields, "play.mass_scale");
   AddField(verb, "--log-rate-hz", fields, "play.log_rate_hz");
+  verb.option_defaults()->group("Options");
 }
 
 void PlayArguments::Finish() {

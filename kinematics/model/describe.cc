@@ -62,7 +62,8 @@ std::string DescribeRobot(const RobotModel& model) {
                           leg.knee_sign > 0.0 ? "plus" : "minus");
     }
   }
-  text += "\njoint                 stands at   lower    upper    speed   effort\n";
+  text +=
+      "\njoint                 stands at   lower    upper    speed   effort  (rad, rad/s, N m; sliding: m, m/s, N)\n";
   for (int d = 0; d < model.num_dofs(); ++d) {
     text += fmt::format("  {:<20} {:8.3f} {:8.3f} {:8.3f} {:8.2f} {:8.2f}\n",
                         model.dof_names[static_cast<std::size_t>(d)], model.standing_joints[d], model.dof_lower(d),

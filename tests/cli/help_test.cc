@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The help is a promise: every example in it works, and every flag says what it takes.
+#include <sstream>
+
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+/// Every verb, in an order in which each finds the files that its examples read.
+const std::vector<std::vector<std::string>> kVerbs = {{"plan"},  {"walk"},     {"audit"},
+                                                      {"play"},  {"robots"},   {"robots", "show"},
+                                                      {"gaits"}, {"terrains"}, {"terrains", "show"}};
+
+class Help : public Stranger {
+ protected:
+  std::string Of(std::vector<std::string> verb) const {
+    verb.push_back("--help");
+    const Ran ran = Run(verb);
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_EQ(ran.err, "");
+    return ran.out;
+  }
+};
+
+std::vector<std::string> Words(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+TEST_F(Help, EveryExampleWorks) {
+  const std::string start = "  gaitwright ";
+  for (const auto& verb : kVerbs) {
+    std::istringstream help(Of(verb));
+    int examples = 0;
+    for (std::string line; std::getline(help, line);) {
+      if (!line.starts_with(start)) continue;
+      SCOPED_TRACE(line);
+      const Ran ran = Run(Words(line.substr(start.size())));
+      EXPECT_EQ(ran.status, 0) << ran.out.substr(0, 300) << ran.err;
+      EXPECT_FALSE(ran.out.empty());
+      ++examples;
+    }
+    EXPECT_GE(examples, 1) << verb.front();
+  }
+}
+
+TEST_F(Help, NamesTheExitStatusesAndFitsItsLines) {
+  std::vector<std::vector<std::string>> verbs = kVerbs;
+  verbs.push_back({});
+  for (const auto& verb : verbs) {
+    const std::string help = Of(verb);
+    for (const char* status : {"Exit status:", "  0  done", "  1  the input", "  2  no plan", "  3  the plan"}) {
+      EXPECT_NE(help.find(status), std::string::npos) << status;
+    }
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110U) << line;
+  }
+}
+
+TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
+  const std::vector<std::string> bare = {"--help", "--json", "--quiet", "--list-options", "--set", "--urdf"};
+  for (const char* verb : {"walk", "plan", "play", "audit"}) {
+    std::istringstream help(Of({verb}));
+    std::string flag, text;
+    const auto check = [&] {
+      if (flag.empty() || std::find(bare.begin(), bare.end(), flag) != bare.end()) return;
+      const bool optional = flag == "--distance" || flag == "--goal" || flag == "--steps";  // one of them holds
+      EXPECT_TRUE(optional || text.find("default") != std::string::npos) << verb << " " << flag << ": " << text;
+    };
+    for (std::string line; std::getline(help, line);) {
+      if (line.starts_with("  --")) {
+        check();
+        flag = Words(line).front();
+        text = line;
+        const bool switches = flag == "--json" || flag == "--quiet" || flag == "--list-options";
+        EXPECT_TRUE(switches || line.substr(2 + flag.size(), 2) != "  ")
+            << verb << " " << flag << " has no type or unit";
+      } else if (line.starts_with("     ")) {
+        text += line;
+      } else {
+        check();
+        flag.clear();
+      }
+    }
+  }
+}
+
+TEST_F(Help, EveryOptionOfTheListCanBeSetToItsDefault) {
+  MakePlan("plan.json");
+  for (const std::string verb : {"plan", "play"}) {
+    const Json options = Run({verb, "--list-options", "--json"}).json().at("options");
+    EXPECT_GT(options.size(), 10U);
+    std::vector<std::string> arguments = {"play", "plan.json", "--quiet"};
+    if (verb == "plan") arguments = {"plan", "--distance", "0.3", "--quiet"};
+    const std::string without = verb == "plan" ? Read("plan.json") : Run(arguments).out;
+    for (const Json& option : options) {
+      EXPECT_FALSE(option.at("meaning").get<std::string>().empty()) << option;
+      arguments.insert(arguments.end(),
+                       {"--set", option.at("key").get<std::string>() + "=" + option.at("default").get<std::string>()});
+    }
+    const Ran ran = Run(arguments);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(without == (verb == "plan" ? Read("plan.json") : ran.out)) << "the defaults change nothing";
+  }
+  EXPECT_NE(Run({"walk", "--list-options"}).out.find("swing.height_m = 0 m  (0 to 1)"), std::string::npos);
+}
+
+TEST_F(Help, VersionIsANumber) {
+  const Ran ran = Run({"--version"});
+  EXPECT_EQ(ran.status, 0);
+  int major = 0, minor = 0, patch = 0;
+  EXPECT_EQ(std::sscanf(ran.out.c_str(), "%d.%d.%d", &major, &minor, &patch), 3) << ran.out;
+}
+
+}  // namespace
+}  // namespace gaitwright::cli
