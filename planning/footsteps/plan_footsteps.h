@@ -46,8 +46,8 @@ struct FootstepSkeleton {
 /// middle of the stance (Raibert's symmetric placement, Legged Robots That Balance, 1986); first and last footholds are
 /// those of standing at the start and at the goal. With two feet the one on the side of a side-step or turn leads by
 /// half a cycle, so that the feet are kept apart. Failures: kBadInput for a command that makes no
-/// sense; kInfeasible for gaits with flight, a speed that no leg can reach (names the largest that can), a foothold out
-/// of reach (names foot, time and distance).
+/// sense, goes nowhere or takes over 600 s; kInfeasible for gaits with flight, a speed that no leg can reach (names the
+/// largest that can), a foothold out of reach (names foot, time and distance).
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options);
 

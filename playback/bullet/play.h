@@ -76,7 +76,8 @@ struct PlayOptions {
 /// (flicker): gaps that short are closed, short touches are kept. Stances at the start begin with the log.
 /// Deterministic: no clock, path or address enters the log.
 ///
-/// @return the log; a failure when plan and robot do not belong together, or a push would begin after the end.
+/// @return the log; a failure when plan and robot do not belong together, the plan lasts over an hour, or a push would
+/// begin after the end.
 /// @throws InvalidArgument for an option out of range, or a log rate that does not divide the steps.
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options = {});
