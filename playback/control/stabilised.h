@@ -29,7 +29,7 @@ struct StabilisedOptions {
   double swing_acceleration_m_s2 = 60.0;
   double stance_damping = 1.0;
   double settle_s = 0.03;
-  double search_m_s = 0.3;
+  double search_m_s = 0.6;
   double lean_s = 0.2;
 
   OptionFields Fields() {

@@ -32,6 +32,7 @@ const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
   Vector3 tilt = Vector3::Zero();
   int flat = 0, standing = 0;
   footing_.mean_offset_W.setZero();
+  Vector3 middle = Vector3::Zero();
   for (std::size_t f = 0; f < model_.feet.size(); ++f) {
     const int foot = static_cast<int>(f);
     if (!Contains(now.bearing, foot)) continue;
@@ -39,13 +40,17 @@ const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
     footing_.offset_W[f] += std::min(now.step_s / kSettle, 1.0) * (seen - footing_.offset_W[f]);
     if (!Contains(now.scheduled, foot)) continue;
     footing_.mean_offset_W += footing_.offset_W[f];
+    middle += now.planned.X_WF[f].translation();
     ++standing;
     // Soles that bear load lie flat on the ground: their tilt against the plan is the ground's.
     if (model_.feet[f].sole_F.empty() || now.wrenches[f].force_W.z() < kBearing * model_.weight_n()) continue;
     tilt += RotationLog(now.measured.X_WF[f].linear() * now.planned.X_WF[f].linear().transpose());
     ++flat;
   }
-  if (standing > 0) footing_.mean_offset_W /= standing;
+  if (standing > 0) {
+    footing_.mean_offset_W /= standing;
+    footing_.middle_W = middle / standing;
+  }
   if (flat > 0) {
     tilt /= flat;
     tilt.z() = 0.0;
@@ -93,7 +98,7 @@ Vector3 SwingFeedback::WantedOffset(const Situation& now, int foot, const SwingN
   const double reach = options_.step_reach * model_.leg_length_m();
   const Vector2 away = caught - drift.com_W;
   const Vector2 step = away.norm() > reach ? Vector2(drift.com_W + away * reach / away.norm()) : caught;
-  const Vector3 arm = now.planned.X_WF[static_cast<std::size_t>(foot)].translation() - now.planned.p_WC;
+  const Vector3 arm = now.planned.X_WF[static_cast<std::size_t>(foot)].translation() - footing_.middle_W;
   const double height = footing_.mean_offset_W.z() + footing_.ground_tilt_W.cross(arm).z();
   return {step.x(), step.y(), height};
 }
