@@ -6,59 +6,98 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
+#include <numeric>
 
 namespace gaitwright {
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// A constraint with its multipliers and penalty, shared with the cost that Ceres sees.
-struct Penalised {
-  const Constraint* constraint;
-  VectorX lambda;
+/// A function of some of the variables with the room to evaluate it in, and for a constraint its multipliers and
+/// penalty.
+struct Term {
+  const VectorFunction* function;
+  std::vector<int> variables;
+  const Constraint* constraint = nullptr;  // null: a residual
+  VectorX lambda = {};
   double rho = 1.0;
+  VectorX x = {}, value = {}, excess = {};
+  MatrixX J = {};
+
+  void Evaluate(bool wants_jacobian) {
+    if (wants_jacobian) J.setZero();
+    (*function)(x, value, wants_jacobian ? &J : nullptr);
+  }
+
+  void EvaluateAt(const VectorX& all, bool wants_jacobian) {
+    for (std::size_t i = 0; i < variables.size(); ++i) x[static_cast<Eigen::Index>(i)] = all[variables[i]];
+    Evaluate(wants_jacobian);
+  }
 
   /// y - clamp(y): what is left outside of the interval.
-  VectorX Excess(const VectorX& c) const {
-    const VectorX y = c + lambda / rho;
-    return y - y.cwiseMax(constraint->lower).cwiseMin(constraint->upper);
+  void FindExcess() {
+    excess = value + lambda / rho;
+    excess -= excess.cwiseMax(constraint->lower).cwiseMin(constraint->upper);
+  }
+
+  double Violation() const {
+    return (value - value.cwiseMax(constraint->lower).cwiseMin(constraint->upper)).cwiseAbs().maxCoeff();
   }
 };
 
-/// A residual, or a constraint's penalty, as Ceres wants it.
+/// Neighbouring variables that the same terms see.
+struct Block {
+  int start, size;
+};
+
+/// Where a variable of a term is among its blocks.
+struct Place {
+  std::size_t block;
+  int offset;
+};
+
+/// A term as Ceres wants it. Evaluates in the term's own room, so one thread at a time.
 class Cost final : public ceres::CostFunction {
  public:
-  Cost(const VectorFunction& function, int rows, int variables, const Penalised* penalised)
-      : function_(function), penalised_(penalised) {
-    set_num_residuals(rows);
-    mutable_parameter_block_sizes()->push_back(variables);
+  Cost(Term& term, const std::vector<Block>& blocks, std::vector<Place> places)
+      : term_(term), places_(std::move(places)) {
+    set_num_residuals(static_cast<int>(term.value.size()));
+    for (const Block& block : blocks) mutable_parameter_block_sizes()->push_back(block.size);
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const int variables = parameter_block_sizes()[0];
-    const VectorX x = Eigen::Map<const VectorX>(parameters[0], variables);
-    VectorX value(num_residuals());
-    MatrixX J = MatrixX::Zero(num_residuals(), variables);
-    const bool wants_jacobian = jacobians != nullptr && jacobians[0] != nullptr;
-    function_(x, value, wants_jacobian ? &J : nullptr);
-    if (!value.allFinite()) return false;
-    if (penalised_ != nullptr) {
-      const VectorX excess = penalised_->Excess(value);
-      const double root = std::sqrt(penalised_->rho);
-      for (Eigen::Index i = 0; i < excess.size(); ++i) {
-        if (excess[i] == 0.0) J.row(i).setZero();
-      }
-      value = root * excess;
-      J *= root;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      term_.x[static_cast<Eigen::Index>(i)] = parameters[places_[i].block][places_[i].offset];
     }
-    Eigen::Map<VectorX>(residuals, value.size()) = value;
-    if (wants_jacobian) Eigen::Map<RowMajor>(jacobians[0], J.rows(), J.cols()) = J;
+    term_.Evaluate(jacobians != nullptr);
+    if (!term_.value.allFinite()) return false;
+    double root = 1.0;
+    const VectorX* out = &term_.value;
+    if (term_.constraint != nullptr) {
+      term_.FindExcess();
+      root = std::sqrt(term_.rho);
+      out = &term_.excess;
+    }
+    Eigen::Map<VectorX>(residuals, out->size()) = root * *out;
+    if (jacobians != nullptr) WriteJacobians(root, jacobians);
     return true;
   }
 
  private:
-  const VectorFunction& function_;
-  const Penalised* penalised_;
+  void WriteJacobians(double root, double** jacobians) const {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      double* block = jacobians[places_[i].block];
+      if (block == nullptr) continue;
+      const int width = parameter_block_sizes()[places_[i].block];
+      for (Eigen::Index row = 0; row < term_.J.rows(); ++row) {
+        const bool active = term_.constraint == nullptr || term_.excess[row] != 0.0;
+        block[row * width + places_[i].offset] = active ? root * term_.J(row, static_cast<Eigen::Index>(i)) : 0.0;
+      }
+    }
+  }
+
+  Term& term_;
+  const std::vector<Place> places_;
 };
 
 void Identity(const VectorX& x, VectorX& value, MatrixX* J) {
@@ -66,19 +105,52 @@ void Identity(const VectorX& x, VectorX& value, MatrixX* J) {
   if (J != nullptr) J->setIdentity();
 }
 
+/// The list of variables as given, or all. @throws InvalidArgument for one named twice or that there is not.
+std::vector<int> Checked(const std::vector<int>& variables, int count) {
+  std::vector<int> all(static_cast<std::size_t>(count));
+  std::iota(all.begin(), all.end(), 0);
+  if (variables.empty()) return all;
+  std::vector<int> sorted = variables;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    throw InvalidArgument(fmt::format("Solve: a list of variables names {} twice", *twice));
+  for (const int v : {sorted.front(), sorted.back()}) {
+    if (v < 0 || v >= count)
+      throw InvalidArgument(fmt::format("Solve: a list of variables names {}; there are 0 to {}", v, count - 1));
+  }
+  return variables;
+}
+
+/// The coarsest blocks of neighbours such that each term sees all of a block or nothing of it.
+std::vector<Block> BlocksOf(const std::vector<Term>& terms, int count) {
+  std::vector<std::vector<std::size_t>> seen_by(static_cast<std::size_t>(count));
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (static_cast<int>(terms[t].variables.size()) == count) continue;
+    for (const int v : terms[t].variables) seen_by[static_cast<std::size_t>(v)].push_back(t);
+  }
+  std::vector<Block> blocks;
+  for (int v = 0; v < count; ++v) {
+    const auto i = static_cast<std::size_t>(v);
+    if (v > 0 && seen_by[i] == seen_by[i - 1]) {
+      ++blocks.back().size;
+    } else {
+      blocks.push_back({v, 1});
+    }
+  }
+  return blocks;
+}
+
 /// Runs the outer loop.
 class Solver {
  public:
   Solver(const ConstrainedProblem& problem, const ConstrainedOptions& options)
       : problem_(problem), options_(options), x_(problem.start) {
-    if (problem.lower.size() > 0) {
-      x_ = x_.cwiseMax(problem.lower).cwiseMin(problem.upper);
-      bounds_ = {"bounds", Identity, problem.lower, problem.upper};
-      penalised_.push_back({&bounds_, VectorX::Zero(problem.lower.size()), 1.0});
-    }
-    for (const Constraint& constraint : problem.constraints) {
-      penalised_.push_back({&constraint, VectorX::Zero(constraint.lower.size()), 1.0});
-    }
+    const int n = static_cast<int>(x_.size());
+    for (const Residual& r : problem.residuals) terms_.push_back({&r.function, Checked(r.variables, n)});
+    for (const Constraint& c : problem.constraints) terms_.push_back({&c.function, Checked(c.variables, n), &c});
+    blocks_ = BlocksOf(terms_, n);
+    AddBounds();
+    for (Term& term : terms_) MakeRoom(term);
     MatchCurvature();
     Build();
   }
@@ -96,7 +168,7 @@ class Solver {
         continue;
       }
       stalled = 0;
-      const bool settled = std::abs(solution_.cost - last_cost) <= 1e-10 * (1.0 + solution_.cost);
+      const bool settled = std::abs(solution_.cost - last_cost) <= options_.cost_tolerance * (1.0 + solution_.cost);
       if (solution_.violation <= options_.tolerance && settled) return Finished();
       last_cost = solution_.cost;
       UpdateMultipliers();
@@ -110,33 +182,64 @@ class Solver {
   }
 
  private:
-  void Build() {
-    const int n = static_cast<int>(x_.size());
-    ceres_problem_.AddParameterBlock(x_.data(), n);
-    VectorX value;
-    for (const VectorFunction& residual : problem_.residuals) {
-      residual(x_, value, nullptr);
-      ceres_problem_.AddResidualBlock(new Cost(residual, static_cast<int>(value.size()), n, nullptr), nullptr,
-                                      x_.data());
+  /// As constraints, by block: smoother for Levenberg and Marquardt than projected steps.
+  void AddBounds() {
+    if (problem_.lower.size() == 0) return;
+    x_ = x_.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+    for (const Block& block : blocks_) {
+      std::vector<int> variables(static_cast<std::size_t>(block.size));
+      std::iota(variables.begin(), variables.end(), block.start);
+      bounds_.push_back({"bounds", Identity, problem_.lower.segment(block.start, block.size),
+                         problem_.upper.segment(block.start, block.size), variables});
     }
-    for (Penalised& p : penalised_) {
-      const int rows = static_cast<int>(p.lambda.size());
-      ceres_problem_.AddResidualBlock(new Cost(p.constraint->function, rows, n, &p), nullptr, x_.data());
+    for (const Constraint& bound : bounds_) terms_.push_back({&bound.function, bound.variables, &bound});
+  }
+
+  void MakeRoom(Term& term) {
+    term.x.setZero(static_cast<Eigen::Index>(term.variables.size()));
+    if (term.constraint != nullptr) {
+      term.lambda.setZero(term.constraint->lower.size());
+      term.value = term.excess = term.lambda;
+      has_constraints_ = true;
+    }
+    term.EvaluateAt(x_, false);
+    term.J.setZero(term.value.size(), term.x.size());
+  }
+
+  void Build() {
+    for (const Block& block : blocks_) ceres_problem_.AddParameterBlock(x_.data() + block.start, block.size);
+    std::vector<Place> where(static_cast<std::size_t>(x_.size()));
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      for (int i = 0; i < blocks_[b].size; ++i) where[static_cast<std::size_t>(blocks_[b].start + i)] = {b, i};
+    }
+    std::vector<std::size_t> slot(blocks_.size());
+    for (Term& term : terms_) {
+      std::vector<Block> own;
+      std::vector<double*> pointers;
+      std::fill(slot.begin(), slot.end(), blocks_.size());
+      std::vector<Place> places;
+      for (const int v : term.variables) {
+        const Place& at = where[static_cast<std::size_t>(v)];
+        if (slot[at.block] == blocks_.size()) {
+          slot[at.block] = own.size();
+          own.push_back(blocks_[at.block]);
+          pointers.push_back(x_.data() + blocks_[at.block].start);
+        }
+        places.push_back({slot[at.block], at.offset});
+      }
+      ceres_problem_.AddResidualBlock(new Cost(term, own, std::move(places)), nullptr, pointers);
     }
   }
 
   /// rho = stiffness * median_j of the cost's curvature over the constraints', by variable.
   void MatchCurvature() {
-    VectorX of_cost = VectorX::Zero(x_.size()), of_constraints = of_cost, value;
-    MatrixX J;
-    const auto add = [&](const VectorFunction& function, VectorX& sum) {
-      function(x_, value, nullptr);
-      J.setZero(value.size(), x_.size());
-      function(x_, value, &J);
-      sum += J.colwise().squaredNorm().transpose();
-    };
-    for (const VectorFunction& residual : problem_.residuals) add(residual, of_cost);
-    for (const Penalised& p : penalised_) add(p.constraint->function, of_constraints);
+    VectorX of_cost = VectorX::Zero(x_.size()), of_constraints = of_cost;
+    for (Term& term : terms_) {
+      term.EvaluateAt(x_, true);
+      VectorX& sum = term.constraint == nullptr ? of_cost : of_constraints;
+      for (std::size_t i = 0; i < term.variables.size(); ++i)
+        sum[term.variables[i]] += term.J.col(static_cast<Eigen::Index>(i)).squaredNorm();
+    }
     std::vector<double> ratios;
     for (Eigen::Index j = 0; j < x_.size(); ++j) {
       if (of_constraints[j] > 0.0 && of_cost[j] > 0.0) ratios.push_back(of_cost[j] / of_constraints[j]);
@@ -146,13 +249,17 @@ class Solver {
       std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
       first_rho_ *= ratios[ratios.size() / 2];
     }
-    for (Penalised& p : penalised_) p.rho = first_rho_;
+    for (Term& term : terms_) term.rho = first_rho_;
   }
 
   /// @return whether it took more than one step.
   bool Minimise(double tolerance) {
     ceres::Solver::Options options;
-    options.linear_solver_type = ceres::DENSE_QR;
+    constexpr int kLargestDense = 60;
+    options.linear_solver_type = x_.size() > kLargestDense ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
+    options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
+    options.num_threads = 1;
+    options.initial_trust_region_radius = options_.trust_radius;
     options.max_num_iterations = options_.max_inner;
     options.function_tolerance = tolerance;
     options.gradient_tolerance = 1e-15;
@@ -165,29 +272,24 @@ class Solver {
   }
 
   void Measure() {
-    VectorX value;
-    solution_.cost = 0.0;
-    for (const VectorFunction& residual : problem_.residuals) {
-      residual(x_, value, nullptr);
-      solution_.cost += value.squaredNorm();
-    }
-    solution_.violation = 0.0;
-    for (const Penalised& p : penalised_) {
-      p.constraint->function(x_, value, nullptr);
-      const double worst =
-          (value - value.cwiseMax(p.constraint->lower).cwiseMin(p.constraint->upper)).cwiseAbs().maxCoeff();
-      if (worst >= solution_.violation) {
+    solution_.cost = solution_.violation = 0.0;
+    for (Term& term : terms_) {
+      term.EvaluateAt(x_, false);
+      if (term.constraint == nullptr) {
+        solution_.cost += term.value.squaredNorm();
+      } else if (const double worst = term.Violation(); worst >= solution_.violation) {
         solution_.violation = worst;
-        solution_.worst_constraint = p.constraint->name;
+        solution_.worst_constraint = term.constraint->name;
       }
     }
   }
 
+  /// By the values that Measure left.
   void UpdateMultipliers() {
-    VectorX value;
-    for (Penalised& p : penalised_) {
-      p.constraint->function(x_, value, nullptr);
-      p.lambda = p.rho * p.Excess(value);
+    for (Term& term : terms_) {
+      if (term.constraint == nullptr) continue;
+      term.FindExcess();
+      term.lambda = term.rho * term.excess;
     }
   }
 
@@ -195,12 +297,10 @@ class Solver {
   bool GrowPenalty(double last_violation) {
     constexpr double kGrowth = 10.0, kCap = 1e5, kEnough = 0.25;
     const bool slow = solution_.violation > options_.tolerance && solution_.violation > kEnough * last_violation;
-    bool capped = !penalised_.empty();
-    for (Penalised& p : penalised_) {
-      if (slow) p.rho = std::min(p.rho * kGrowth, kCap * first_rho_);
-      capped = capped && p.rho >= kCap * first_rho_;
+    for (Term& term : terms_) {
+      if (slow) term.rho = std::min(term.rho * kGrowth, kCap * first_rho_);
     }
-    return capped;
+    return has_constraints_ && terms_.back().rho >= kCap * first_rho_;
   }
 
   Result<ConstrainedSolution> Finished() {
@@ -222,8 +322,10 @@ class Solver {
   const ConstrainedProblem& problem_;
   const ConstrainedOptions options_;
   VectorX x_;
-  Constraint bounds_;  // as one more constraint: smoother for Levenberg and Marquardt than projected steps
-  std::vector<Penalised> penalised_;
+  std::deque<Constraint> bounds_;
+  std::vector<Term> terms_;
+  std::vector<Block> blocks_;
+  bool has_constraints_ = false;
   double first_rho_ = 1.0;
   ceres::Problem ceres_problem_;
   ConstrainedSolution solution_;

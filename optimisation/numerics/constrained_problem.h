@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/base/options.h"
@@ -17,17 +18,28 @@ using VectorFunction = std::function<void(const VectorX& x, VectorX& value, Matr
 /// A function given by its values alone: the Jacobian by central differences.
 VectorFunction Differenced(std::function<void(const VectorX& x, VectorX& value)> function);
 
+/// Rows of the cost. Where they depend on a few variables only, naming those keeps a large problem sparse: `function`
+/// then sees these alone, in this order, and its Jacobian has a column for each.
+struct Residual {
+  Residual(VectorFunction of, std::vector<int> variables_seen = {})
+      : function(std::move(of)), variables(std::move(variables_seen)) {}
+
+  VectorFunction function;
+  std::vector<int> variables;  ///< empty for all
+};
+
 /// lower <= c(x) <= upper by rows; an equality where both are the same, one-sided with an infinite end.
 struct Constraint {
   std::string name;
   VectorFunction function;
   VectorX lower, upper;
+  std::vector<int> variables = {};  ///< that `function` sees, as in Residual; empty for all
 };
 
-/// min |r(x)|^2 subject to constraints and bounds, dense.
+/// min |r(x)|^2 subject to constraints and bounds. Solved by dense factorisation up to 60 variables, by sparse beyond.
 struct ConstrainedProblem {
   VectorX start;  ///< first guess
-  std::vector<VectorFunction> residuals;
+  std::vector<Residual> residuals;
   std::vector<Constraint> constraints;
   VectorX lower, upper;  ///< bounds; empty for none
 };
@@ -35,23 +47,35 @@ struct ConstrainedProblem {
 /// Tuning
 ///   hundreds of iterations, steps rejected at every change of the active set   lower stiffness
 ///   the violation goes down slowly                                             raise stiffness
+///   many steps although residuals are linear or nearly so                      raise trust_radius
 struct ConstrainedOptions {
   double tolerance = 1e-8;
   double stiffness = 10.0;
+  double cost_tolerance = 1e-10;
+  double trust_radius = 1e4;
   int max_outer = 80;
   int max_inner = 200;
 
   OptionFields Fields() {
-    return {{"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest violation of a constraint that counts as none.", {}},
-            {"stiffness",
-             &stiffness,
-             "1",
-             1e-6,
-             1e6,
-             "First penalty, in units of the curvature of the cost over that of the constraints.",
-             {}},
-            {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
-            {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}}};
+    return {
+        {"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest violation of a constraint that counts as none.", {}},
+        {"stiffness",
+         &stiffness,
+         "1",
+         1e-6,
+         1e6,
+         "First penalty, in units of the curvature of the cost over that of the constraints.",
+         {}},
+        {"cost_tolerance",
+         &cost_tolerance,
+         "1",
+         1e-14,
+         1.0,
+         "Change of the cost between two updates, relative to 1 + cost, that counts as none.",
+         {}},
+        {"trust_radius", &trust_radius, "1", 1e-3, 1e12, "First trust region, in units of the scaled variables.", {}},
+        {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
+        {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}}};
   }
 };
 
@@ -70,7 +94,8 @@ struct ConstrainedSolution {
 /// The first rho matches the curvature of the constraints to that of the cost, which makes the path the same whatever
 /// the cost's scale; rho grows where the violation does not fall. A solve that stops without having moved is repeated
 /// with a finer tolerance before anything is updated. Failure kInfeasible names the constraint that stays unmet and by
-/// how much. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
+/// how much. @throws InvalidArgument for a start that is empty or not finite, and for a list of variables that names
+/// one twice or one that there is not. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {});
 
 }  // namespace gaitwright

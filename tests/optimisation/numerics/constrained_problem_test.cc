@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gaitwright {
 namespace {
@@ -275,6 +276,97 @@ TEST(ConstrainedProblem, DifferencesAreDerivatives) {
   EXPECT_NEAR(J(0, 1), std::sin(0.7), 1e-9);
   EXPECT_NEAR(J(1, 0), 1.4, 1e-9);
   EXPECT_NEAR(J(1, 1), 0.0, 1e-12);
+}
+
+/// A string of `count` points, each drawn to its neighbours, from 0 to 1 over a nail at 2. Taut: straight from the one
+/// end to the nail and on to the other end. The neighbours' difference is told of two variables, or of all.
+ConstrainedProblem String(int count, int nail, bool sparse) {
+  ConstrainedProblem problem;
+  problem.start = VectorX::Zero(count);
+  const auto pick = [sparse](int a, int b) { return sparse ? std::vector<int>{b, a} : std::vector<int>{}; };
+  for (int i = 0; i + 1 < count; ++i) {
+    const int left = sparse ? 1 : i, right = sparse ? 0 : i + 1;  // the list is in another order on purpose
+    problem.residuals.push_back({[left, right](const VectorX& x, VectorX& value, MatrixX* J) {
+                                   value = VectorX::Constant(1, x[right] - x[left]);
+                                   if (J == nullptr) return;
+                                   (*J)(0, left) = -1.0;
+                                   (*J)(0, right) = 1.0;
+                                 },
+                                 pick(i, i + 1)});
+  }
+  const auto at = [&](const std::string& name, int i, double low, double high) {
+    const int local = sparse ? 0 : i;
+    problem.constraints.push_back({name,
+                                   [local](const VectorX& x, VectorX& value, MatrixX* J) {
+                                     value = VectorX::Constant(1, x[local]);
+                                     if (J != nullptr) (*J)(0, local) = 1.0;
+                                   },
+                                   Vec({low}), Vec({high}), sparse ? std::vector<int>{i} : std::vector<int>{}});
+  };
+  at("the one end", 0, 0.0, 0.0);
+  at("the other end", count - 1, 1.0, 1.0);
+  at("the nail", nail, 2.0, kInf);
+  return problem;
+}
+
+TEST(ConstrainedProblem, AStringOverANailIsTaut) {
+  // Up to 60 variables the factorisation is dense, beyond it is sparse: the answer is the same, told of few or of all.
+  for (const int count : {3, 30, 60, 61, 300}) {
+    const int nail = count / 3;
+    const double answer = 4.0 / nail + 1.0 / (count - 1 - nail);
+    for (const bool sparse : {true, false}) {
+      if (count > 100 && !sparse) continue;
+      ConstrainedOptions options;
+      options.trust_radius = 1e8;
+      const Result<ConstrainedSolution> solution = Solve(String(count, nail, sparse), options);
+      ASSERT_TRUE(solution.ok()) << count << ": " << solution.failure().message;
+      EXPECT_NEAR(solution->cost, answer, 1e-7) << count << (sparse ? " of few" : " of all");
+      EXPECT_NEAR(solution->x[nail / 2], 2.0 * (nail / 2) / nail, 1e-6) << count;
+      EXPECT_LT(solution->violation, 1e-8);
+    }
+  }
+}
+
+TEST(ConstrainedProblem, BoundsHoldInEveryBlock) {
+  ConstrainedProblem problem = String(100, 50, true);
+  problem.lower = VectorX::Constant(100, -kInf);
+  problem.upper = VectorX::Constant(100, kInf);
+  problem.upper[75] = 0.25;  // a ceiling lower than the taut string
+  const Result<ConstrainedSolution> solution = Solve(problem);
+  ASSERT_TRUE(solution.ok()) << solution.failure().message;
+  EXPECT_LE(solution->x[75], 0.25);
+  EXPECT_NEAR(solution->cost, 4.0 / 50.0 + 1.75 * 1.75 / 25.0 + 0.75 * 0.75 / 24.0, 1e-7);
+}
+
+TEST(ConstrainedProblem, FewVariablesAreSeenInTheOrderGiven) {
+  ConstrainedProblem problem;
+  problem.start = Vec({0.0, 0.0, 0.0});
+  problem.residuals = {{Of([](const VectorX& x) {
+                          EXPECT_EQ(x.size(), 2);
+                          return Values{x[0] - 5.0, x[1] - 7.0};
+                        }),
+                        {2, 0}},
+                       {Of([](const VectorX& x) { return Values{x[0] - 1.0}; }), {1}}};
+  const Result<ConstrainedSolution> solution = Solve(problem);
+  ASSERT_TRUE(solution.ok());
+  EXPECT_LT((solution->x - Vec({7.0, 1.0, 5.0})).norm(), 1e-6);
+}
+
+TEST(ConstrainedProblem, RefusesVariablesNamedTwiceOrNotThere) {
+  ConstrainedProblem problem;
+  problem.start = Vec({0.0, 0.0});
+  const auto message = [&](std::vector<int> variables) -> std::string {
+    problem.residuals = {{Of([](const VectorX& x) { return Values{x[0]}; }), std::move(variables)}};
+    try {
+      (void)Solve(problem);
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message({1, 1}), "Solve: a list of variables names 1 twice");
+  EXPECT_EQ(message({0, 2}), "Solve: a list of variables names 2; there are 0 to 1");
+  EXPECT_EQ(message({0, 1}), "");
 }
 
 }  // namespace
