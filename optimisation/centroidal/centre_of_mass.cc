@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/centroidal/optimise_zmp.h"
 
 namespace gaitwright {
 namespace {
@@ -45,34 +46,66 @@ void MeetEnds(const ZmpProblem& problem, std::vector<Vector2>& p_WZ) {
     p_WZ[k] += Vector2(x[0] * first[k] + x[1] * last[k], y[0] * first[k] + y[1] * last[k]);
 }
 
-}  // namespace
-
-Result<CentreOfMassPlan> PlanCentreOfMass(const ZmpProblem& problem, const CentreOfMassOptions& options) {
+/// The preferred points with their ends met.
+std::vector<Vector2> ClosedFormZmp(const ZmpProblem& problem) {
   std::vector<Vector2> p_WZ;
   for (int k = 0; k < problem.samples; ++k) {
     const double t = problem.start_s + k * problem.step_s;
     p_WZ.push_back(PreferredAt(problem.phases[ZmpPhaseAt(problem, t)], t));
   }
   MeetEnds(problem, p_WZ);
+  return p_WZ;
+}
+
+/// The motion under a ZMP, when that keeps to its supports.
+Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ, double margin_m) {
+  constexpr double kRounding = 1e-9, kLine = 1e-6;
   CentreOfMassPlan plan;
   plan.margin_min_m = std::numeric_limits<double>::infinity();
+  double worst = 0.0, worst_s = 0.0;
   for (int k = 0; k < problem.samples; ++k) {
     const double t = problem.start_s + k * problem.step_s;
-    const ZmpPhase& phase = problem.phases[ZmpPhaseAt(problem, t)];
-    const Polygon region = RegionAt(phase, t);
-    const double margin = SignedDistance(region, p_WZ[static_cast<std::size_t>(k)]);
+    const Polygon region = RegionAt(problem.phases[ZmpPhaseAt(problem, t)], t);
+    const double inside = SignedDistance(region, p_WZ[static_cast<std::size_t>(k)]);
     const bool has_area = region.size() >= 3;
-    if (has_area) plan.margin_min_m = std::min(plan.margin_min_m, margin);
-    if (margin < (has_area ? options.zmp_margin_m : -1e-6)) {
-      return Failure{FailureKind::kInfeasible,
-                     "zmp_support",
-                     "PlanCentreOfMass",
-                     fmt::format("at {:.2f} s the ZMP would be {:.1f} mm outside its support", t, -1e3 * margin),
-                     {"stand longer at the ends, or take smaller or slower steps"}};
+    if (has_area) plan.margin_min_m = std::min(plan.margin_min_m, inside);
+    const double lacking = (has_area ? margin_m - kRounding : -kLine) - inside;
+    if (lacking > worst) {
+      worst = lacking;
+      worst_s = t;
     }
+  }
+  if (worst > 0.0) {
+    return Failure{FailureKind::kInfeasible,
+                   "zmp_support",
+                   "PlanCentreOfMass",
+                   fmt::format("in phase {} the ZMP would at {:.2f} s be {:.1f} mm outside its support",
+                               ZmpPhaseAt(problem, worst_s), worst_s, 1e3 * worst),
+                   {"stand longer at the ends, or take smaller or slower steps"}};
   }
   plan.trajectory = PendulumMotion(problem, p_WZ);
   plan.summary = fmt::format("{} samples, least ZMP margin {:.1f} mm", problem.samples, 1e3 * plan.margin_min_m);
+  return plan;
+}
+
+}  // namespace
+
+Result<CentreOfMassPlan> PlanCentreOfMass(const ZmpProblem& problem, const CentreOfMassOptions& options) {
+  CentreOfMassOptions checked = options;
+  CheckOptions(checked.Fields());
+  const std::vector<Vector2> closed_form = ClosedFormZmp(problem);
+  if (options.method == "closed-form") return Checked(problem, closed_form, options.zmp_margin_m);
+  ZmpWeights weights;
+  weights.centre = options.centre_weight;
+  weights.smooth = options.smooth_weight;
+  weights.margin_m = options.zmp_margin_m;
+  const Result<OptimisedZmp> optimised = OptimiseZmp(problem, weights, closed_form);
+  if (!optimised) {
+    const Result<CentreOfMassPlan> fallback = Checked(problem, closed_form, options.zmp_margin_m);
+    return fallback ? fallback : Result<CentreOfMassPlan>(optimised.failure());
+  }
+  Result<CentreOfMassPlan> plan = Checked(problem, optimised->p_WZ, options.zmp_margin_m);
+  if (plan) plan->summary += fmt::format("; {} variables, {}", optimised->variables, optimised->brief);
   return plan;
 }
 

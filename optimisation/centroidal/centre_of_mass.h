@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "optimisation/centroidal/zmp_problem.h"
@@ -8,21 +10,43 @@
 namespace gaitwright {
 
 struct CentreOfMassOptions {
+  std::string method = "optimised";
   double zmp_margin_m = 0.0;
+  double centre_weight = 1.0;
+  double smooth_weight = 1e-3;
 
   OptionFields Fields() {
-    return {{"zmp_margin_m",
-             &zmp_margin_m,
-             "m",
-             0.0,
-             0.2,
-             "Least distance of the planned ZMP to the edge of a support that has area.",
-             {}}};
+    return {
+        {"method",
+         &method,
+         "",
+         0.0,
+         0.0,
+         "How the ZMP is found: by optimisation over its supports or in closed form.",
+         {"optimised", "closed-form"}},
+        {"zmp_margin_m",
+         &zmp_margin_m,
+         "m",
+         0.0,
+         0.2,
+         "Least distance of the planned ZMP to the edge of a support that has area.",
+         {}},
+        {"centre_weight",
+         &centre_weight,
+         "1/(m^2 s)",
+         1e-6,
+         1e6,
+         "Weight of the squared distance of the ZMP to its preferred point, over time.",
+         {}},
+        {"smooth_weight", &smooth_weight, "s/m^2", 0.0, 1e6, "Weight of the squared rate of the ZMP, over time.", {}}};
   }
 };
 
-/// The ZMP at its preferred points, moved in the first and last phase as little as makes the pendulum start and end at
-/// rest. Failure kInfeasible names the phase in which the ZMP would leave its region, and by how much.
+/// The centre of mass of the pendulum under a ZMP in its supports that makes it start and end at rest.
+///   optimised    OptimiseZmp: near its preferred points and smooth; where that finds none, the closed form if it keeps
+///                to the supports
+///   closed-form  at its preferred points, moved in the first and last phase as little as makes the ends meet
+/// Failure kInfeasible names the phase in which the ZMP would leave its region, and by how much.
 Result<CentreOfMassPlan> PlanCentreOfMass(const ZmpProblem& problem, const CentreOfMassOptions& options);
 
 }  // namespace gaitwright

@@ -69,4 +69,38 @@ CentroidalTrajectory PendulumMotion(const ZmpProblem& problem, const std::vector
   return motion;
 }
 
+EndResponse RespondAtEnds(const ZmpProblem& problem) {
+  const auto n = static_cast<std::size_t>(problem.samples);
+  const double wh = problem.omega_rad_s * problem.step_s, decay = std::exp(-wh), gamma = (1.0 - decay) / wh;
+  const double growth = 0.5 * (1.0 / decay - decay);
+  EndResponse r;
+  r.dcm_start.assign(n, 0.0);
+  r.com_end.assign(n, 0.0);
+  // One step of the DCM: xi_k = (1 - gamma) u_k + (gamma - decay) u_k+1 + decay xi_k+1.
+  double weight = 1.0;
+  for (std::size_t k = 0; k + 1 < n; ++k, weight *= decay) {
+    r.dcm_start[k] += weight * (1.0 - gamma);
+    r.dcm_start[k + 1] += weight * (gamma - decay);
+  }
+  r.dcm_start_by_end = weight;
+  // One step of the CoM: c_k+1 = decay c_k + growth xi_k - (decay + growth - growth / wh) u_k + (1 - growth / wh)
+  // u_k+1.
+  std::vector<double> by_dcm(n, 0.0);
+  weight = 1.0;
+  for (std::size_t k = n - 1; k-- > 0; weight *= decay) {
+    by_dcm[k] = weight * growth;
+    r.com_end[k + 1] += weight * (1.0 - growth / wh);
+    r.com_end[k] -= weight * (decay + growth - growth / wh);
+  }
+  r.com_end_by_start = weight;
+  double carried = 0.0;
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    carried = by_dcm[k] + decay * carried;
+    r.com_end[k] += carried * (1.0 - gamma);
+    r.com_end[k + 1] += carried * (gamma - decay);
+  }
+  r.com_end_by_end = decay * carried;
+  return r;
+}
+
 }  // namespace gaitwright

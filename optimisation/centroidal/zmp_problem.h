@@ -51,4 +51,14 @@ std::size_t ZmpPhaseAt(const ZmpProblem& problem, double time_s);
 /// rest at the end, the CoM forwards from the start. Englsberger et al., T-RO 31(2), 2015, section III.
 CentroidalTrajectory PendulumMotion(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ);
 
+/// How both ends of PendulumMotion depend on the ZMP, the same for x and y; u = p - d by sample:
+///   DCM at the start = sum_k dcm_start[k] u_k + dcm_start_by_end * end_W
+///   CoM at the end   = sum_k com_end[k] u_k + com_end_by_start * start_W + com_end_by_end * end_W
+/// Where the first is the CoM at the start and the second is `end_W`, the pendulum starts and ends at rest.
+struct EndResponse {
+  std::vector<double> dcm_start, com_end;
+  double dcm_start_by_end = 0.0, com_end_by_start = 0.0, com_end_by_end = 0.0;
+};
+EndResponse RespondAtEnds(const ZmpProblem& problem);
+
 }  // namespace gaitwright

@@ -181,6 +181,12 @@ class Solver {
     return Unmet();
   }
 
+  ConstrainedSolution last() const {
+    ConstrainedSolution last = solution_;
+    last.x = x_;
+    return last;
+  }
+
  private:
   /// As constraints, by block: smoother for Levenberg and Marquardt than projected steps.
   void AddBounds() {
@@ -350,12 +356,16 @@ VectorFunction Differenced(std::function<void(const VectorX& x, VectorX& value)>
   };
 }
 
-Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options) {
+Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options,
+                                  ConstrainedSolution* last) {
   ConstrainedOptions checked = options;
   CheckOptions(checked.Fields());
   if (problem.start.size() == 0 || !problem.start.allFinite())
     throw InvalidArgument("Solve: the start must be finite and not empty");
-  return Solver(problem, options).Run();
+  Solver solver(problem, options);
+  Result<ConstrainedSolution> solution = solver.Run();
+  if (last != nullptr) *last = solver.last();
+  return solution;
 }
 
 }  // namespace gaitwright

@@ -96,6 +96,8 @@ struct ConstrainedSolution {
 /// with a finer tolerance before anything is updated. Failure kInfeasible names the constraint that stays unmet and by
 /// how much. @throws InvalidArgument for a start that is empty or not finite, and for a list of variables that names
 /// one twice or one that there is not. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
-Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {});
+/// @param last  if given: where it stood at the end, whether that is a solution or not.
+Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {},
+                                  ConstrainedSolution* last = nullptr);
 
 }  // namespace gaitwright

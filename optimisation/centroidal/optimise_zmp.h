@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "optimisation/centroidal/zmp_problem.h"
+
+namespace gaitwright {
+
+/// How a ZMP is weighed.
+struct ZmpWeights {
+  double centre = 1.0;    ///< of the squared distance to the preferred point, over time [1/(m^2 s)]
+  double smooth = 1e-3;   ///< of the squared rate, over time [s/m^2]
+  double margin_m = 0.0;  ///< least distance to the edge of the region
+  double knot_spacing_s = 0.15;
+};
+
+/// A ZMP on the grid and how it was found.
+struct OptimisedZmp {
+  std::vector<Vector2> p_WZ;
+  int variables = 0;
+  std::string brief;
+};
+
+/// The ZMP that minimises
+///   integral of centre |p - preferred|^2 + smooth |p'|^2
+/// over piecewise linear ZMPs in their regions (zmp_knots.h) with which the pendulum starts and ends at rest: four
+/// equality rows, whose coefficients fall off exponentially and are left out below 1e-9.
+/// `guess` is a ZMP on the grid to start from. Failure kInfeasible names the phase and how far the ZMP would be
+/// outside.
+Result<OptimisedZmp> OptimiseZmp(const ZmpProblem& problem, const ZmpWeights& weights,
+                                 const std::vector<Vector2>& guess);
+
+}  // namespace gaitwright
