@@ -58,7 +58,8 @@ std::vector<Vector2> ClosedFormZmp(const ZmpProblem& problem) {
 }
 
 /// The motion under a ZMP, when that keeps to its supports.
-Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ, double margin_m) {
+Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ,
+                                 const std::vector<double>& margin_m) {
   constexpr double kRounding = 1e-9, kLine = 1e-6;
   CentreOfMassPlan plan;
   plan.margin_min_m = std::numeric_limits<double>::infinity();
@@ -69,7 +70,7 @@ Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Ve
     const double inside = SignedDistance(region, p_WZ[static_cast<std::size_t>(k)]);
     const bool has_area = region.size() >= 3;
     if (has_area) plan.margin_min_m = std::min(plan.margin_min_m, inside);
-    const double lacking = (has_area ? margin_m - kRounding : -kLine) - inside;
+    const double lacking = (has_area ? margin_m[static_cast<std::size_t>(k)] - kRounding : -kLine) - inside;
     if (lacking > worst) {
       worst = lacking;
       worst_s = t;
@@ -94,17 +95,15 @@ Result<CentreOfMassPlan> PlanCentreOfMass(const ZmpProblem& problem, const Centr
   CentreOfMassOptions checked = options;
   CheckOptions(checked.Fields());
   const std::vector<Vector2> closed_form = ClosedFormZmp(problem);
-  if (options.method == "closed-form") return Checked(problem, closed_form, options.zmp_margin_m);
-  ZmpWeights weights;
-  weights.centre = options.centre_weight;
-  weights.smooth = options.smooth_weight;
-  weights.margin_m = options.zmp_margin_m;
+  const std::vector<double> margin_m(closed_form.size(), options.zmp_margin_m);
+  if (options.method == "closed-form") return Checked(problem, closed_form, margin_m);
+  const ZmpWeights weights{options.centre_weight, options.smooth_weight, options.zmp_margin_m, options.knot_spacing_s};
   const Result<OptimisedZmp> optimised = OptimiseZmp(problem, weights, closed_form);
   if (!optimised) {
-    const Result<CentreOfMassPlan> fallback = Checked(problem, closed_form, options.zmp_margin_m);
+    const Result<CentreOfMassPlan> fallback = Checked(problem, closed_form, margin_m);
     return fallback ? fallback : Result<CentreOfMassPlan>(optimised.failure());
   }
-  Result<CentreOfMassPlan> plan = Checked(problem, optimised->p_WZ, options.zmp_margin_m);
+  Result<CentreOfMassPlan> plan = Checked(problem, optimised->p_WZ, optimised->margin_m);
   if (plan) plan->summary += fmt::format("; {} variables, {}", optimised->variables, optimised->brief);
   return plan;
 }

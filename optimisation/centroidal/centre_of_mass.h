@@ -13,7 +13,8 @@ struct CentreOfMassOptions {
   std::string method = "optimised";
   double zmp_margin_m = 0.0;
   double centre_weight = 1.0;
-  double smooth_weight = 1e-3;
+  double smooth_weight = 1e-4;
+  double knot_spacing_s = 0.25;
 
   OptionFields Fields() {
     return {
@@ -29,7 +30,8 @@ struct CentreOfMassOptions {
          "m",
          0.0,
          0.2,
-         "Least distance of the planned ZMP to the edge of a support that has area.",
+         "Least distance of the planned ZMP to the edge of a support that has area; next to a support without, the way "
+         "there.",
          {}},
         {"centre_weight",
          &centre_weight,
@@ -37,6 +39,13 @@ struct CentreOfMassOptions {
          1e-6,
          1e6,
          "Weight of the squared distance of the ZMP to its preferred point, over time.",
+         {}},
+        {"knot_spacing_s",
+         &knot_spacing_s,
+         "s",
+         0.02,
+         1.0,
+         "Longest time between two knots of the ZMP; a phase has at least one between its ends.",
          {}},
         {"smooth_weight", &smooth_weight, "s/m^2", 0.0, 1e6, "Weight of the squared rate of the ZMP, over time.", {}}};
   }

@@ -172,7 +172,7 @@ Result<OptimisedZmp> OptimiseZmp(const ZmpProblem& problem, const ZmpWeights& we
                                  const std::vector<Vector2>& guess) {
   const Result<ZmpKnots> zmp = PlaceZmpKnots(problem, weights.margin_m, weights.knot_spacing_s);
   if (!zmp) return zmp.failure();
-  if (zmp->num_variables == 0) return OptimisedZmp{zmp->Sample(VectorX()), 0, "no choice"};
+  if (zmp->num_variables == 0) return OptimisedZmp{zmp->Sample(VectorX()), zmp->Margins(), 0, "no choice"};
   ConstrainedOptions options;
   options.tolerance = 1e-9;
   options.cost_tolerance = 1e-9;
@@ -186,7 +186,7 @@ Result<OptimisedZmp> OptimiseZmp(const ZmpProblem& problem, const ZmpWeights& we
                    fmt::format(fmt::runtime(last.worst_constraint), 1e3 * last.violation),
                    {"stand longer at the ends, or take smaller or slower steps"}};
   }
-  return OptimisedZmp{zmp->Sample(Clamped(*zmp, solution->x)), zmp->num_variables, solution->brief};
+  return OptimisedZmp{zmp->Sample(Clamped(*zmp, solution->x)), zmp->Margins(), zmp->num_variables, solution->brief};
 }
 
 }  // namespace gaitwright

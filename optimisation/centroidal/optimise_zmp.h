@@ -12,14 +12,15 @@ namespace gaitwright {
 /// How a ZMP is weighed.
 struct ZmpWeights {
   double centre = 1.0;    ///< of the squared distance to the preferred point, over time [1/(m^2 s)]
-  double smooth = 1e-3;   ///< of the squared rate, over time [s/m^2]
+  double smooth = 1e-4;   ///< of the squared rate, over time [s/m^2]
   double margin_m = 0.0;  ///< least distance to the edge of the region
-  double knot_spacing_s = 0.15;
+  double knot_spacing_s = 0.25;
 };
 
 /// A ZMP on the grid and how it was found.
 struct OptimisedZmp {
   std::vector<Vector2> p_WZ;
+  std::vector<double> margin_m;  ///< by sample: distance to the edge that was asked
   int variables = 0;
   std::string brief;
 };

@@ -85,14 +85,14 @@ class Placer {
   }
 
   std::size_t AddGiven(std::size_t phase, double time_s, const Vector2& p_W) {
-    out_.knots.push_back({time_s, phase, out_.num_variables, 0, p_W, Eigen::Matrix2d::Zero(), {p_W}});
+    out_.knots.push_back({time_s, phase, out_.num_variables, 0, p_W, Eigen::Matrix2d::Zero(), {p_W}, 0.0});
     return out_.knots.size() - 1;
   }
 
   std::size_t Add(std::size_t phase, double time_s, double spare_m) {
     const Polygon region = RegionAt(problem_.phases[phase], time_s);
     if (region.size() == 1) return AddGiven(phase, time_s, region[0]);
-    ZmpKnot knot{time_s, phase, out_.num_variables, 2, Mean(region), Eigen::Matrix2d::Identity(), {}};
+    ZmpKnot knot{time_s, phase, out_.num_variables, 2, Mean(region), Eigen::Matrix2d::Identity(), {}, 0.0};
     if (region.size() == 2) {
       knot.size = 1;
       knot.origin_W = region[0];
@@ -100,6 +100,7 @@ class Placer {
       knot.region_W = Shortened(region, margin_m_);
     } else {
       knot.region_W = Shrunk(region, margin_m_ + spare_m);
+      knot.margin_m = margin_m_;
       if (knot.region_W.size() < 3 && margin_m_ > 0.0) NoteNarrow(phase, time_s);
       if (knot.region_W.size() < 3) return AddGiven(phase, time_s, Centroid(region));
     }
@@ -134,7 +135,7 @@ class Placer {
     const double t0 = out_.knots[left].time_s, t1 = out_.knots[right].time_s;
     const double s = std::clamp((t - t0) / (t1 - t0), 0.0, 1.0);
     const Polygon now = RegionAt(phase, t), before = RegionAt(phase, t0), after = RegionAt(phase, t1);
-    ZmpBlend blend{left, right, Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero(), now[0]};
+    ZmpBlend blend{left, right, s, Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero(), now[0]};
     if (now.size() == 2) {
       const Vector2 d0 = before[1] - before[0], d1 = after[1] - after[0], d = now[1] - now[0];
       blend.by_left = (1.0 - s) / d0.squaredNorm() * d * d0.transpose();
@@ -164,6 +165,15 @@ std::vector<Vector2> ZmpKnots::Sample(const VectorX& x) const {
     p_WZ.push_back(s.constant_W + s.by_left * knots[s.left].At(x) + s.by_right * knots[s.right].At(x));
   }
   return p_WZ;
+}
+
+std::vector<double> ZmpKnots::Margins() const {
+  std::vector<double> margins_m;
+  margins_m.reserve(samples.size());
+  for (const ZmpBlend& s : samples) {
+    margins_m.push_back((1.0 - s.share) * knots[s.left].margin_m + s.share * knots[s.right].margin_m);
+  }
+  return margins_m;
 }
 
 Result<ZmpKnots> PlaceZmpKnots(const ZmpProblem& problem, double margin_m, double spacing_s) {

@@ -20,6 +20,7 @@ struct ZmpKnot {
   Vector2 origin_W = Vector2::Zero();
   Eigen::Matrix2d basis = Eigen::Matrix2d::Zero();  ///< its first `size` columns count
   Polygon region_W;                                 ///< where it may be
+  double margin_m = 0.0;                            ///< by which that is inside of a support with area
 
   Vector2 At(const VectorX& x) const {
     return size == 0 ? origin_W : Vector2(origin_W + basis.leftCols(size) * x.segment(first, size));
@@ -29,6 +30,7 @@ struct ZmpKnot {
 /// A sample of the grid between two knots: p = constant + left p_left + right p_right.
 struct ZmpBlend {
   std::size_t left = 0, right = 0;  ///< knots
+  double share = 0.0;               ///< of the way from left to right
   Eigen::Matrix2d by_left, by_right;
   Vector2 constant_W;
 };
@@ -45,6 +47,8 @@ struct ZmpKnots {
 
   /// The ZMP on the grid.
   std::vector<Vector2> Sample(const VectorX& x) const;
+  /// By sample: what the margin between two knots comes to, 0 next to one that another support's line holds [m].
+  std::vector<double> Margins() const;
 };
 
 /// Places the knots: every `spacing_s` or nearer, at least one between the ends of a phase that lasts long enough.
