@@ -60,7 +60,7 @@ std::vector<Vector2> ClosedFormZmp(const ZmpProblem& problem) {
 /// The motion under a ZMP, when that keeps to its supports.
 Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Vector2>& p_WZ,
                                  const std::vector<double>& margin_m) {
-  constexpr double kRounding = 1e-9, kLine = 1e-6;
+  constexpr double kRounding = 1e-6;
   CentreOfMassPlan plan;
   plan.margin_min_m = std::numeric_limits<double>::infinity();
   double worst = 0.0, worst_s = 0.0;
@@ -70,7 +70,7 @@ Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Ve
     const double inside = SignedDistance(region, p_WZ[static_cast<std::size_t>(k)]);
     const bool has_area = region.size() >= 3;
     if (has_area) plan.margin_min_m = std::min(plan.margin_min_m, inside);
-    const double lacking = (has_area ? margin_m[static_cast<std::size_t>(k)] - kRounding : -kLine) - inside;
+    const double lacking = (has_area ? margin_m[static_cast<std::size_t>(k)] : 0.0) - kRounding - inside;
     if (lacking > worst) {
       worst = lacking;
       worst_s = t;
