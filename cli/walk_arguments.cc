@@ -29,6 +29,9 @@ void WalkArguments::AddTo(CLI::App& verb) {
       verb, "--step-length", "m", step_length_m,
       "Advance of a footfall, with --steps; 0 steps on the spot, negative goes back; default 0.16 of the leg length.")
       ->needs(count);
+  verb.option_defaults()->group("How it is planned");
+  AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
+          "How the centre of mass is planned: optimised, closed-form or preview; default optimised.");
   verb.option_defaults()->group("Options");
 }
 

@@ -10,6 +10,7 @@
 
 #include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/centroidal/optimise_zmp.h"
+#include "optimisation/centroidal/preview_zmp.h"
 
 namespace gaitwright {
 namespace {
@@ -97,6 +98,11 @@ Result<CentreOfMassPlan> PlanCentreOfMass(const ZmpProblem& problem, const Centr
   const std::vector<Vector2> closed_form = ClosedFormZmp(problem);
   const std::vector<double> margin_m(closed_form.size(), options.zmp_margin_m);
   if (options.method == "closed-form") return Checked(problem, closed_form, margin_m);
+  if (options.method == "preview") {
+    std::vector<Vector2> followed = PreviewZmp(problem, {options.preview_s, options.preview_jerk_weight});
+    MeetEnds(problem, followed);
+    return Checked(problem, followed, margin_m);
+  }
   const ZmpWeights weights{options.centre_weight, options.smooth_weight, options.zmp_margin_m, options.knot_spacing_s};
   const Result<OptimisedZmp> optimised = OptimiseZmp(problem, weights, closed_form);
   if (!optimised) {

@@ -15,6 +15,8 @@ struct CentreOfMassOptions {
   double centre_weight = 1.0;
   double smooth_weight = 1e-4;
   double knot_spacing_s = 0.25;
+  double preview_s = 1.6;
+  double preview_jerk_weight = 1e-6;
 
   OptionFields Fields() {
     return {
@@ -23,8 +25,8 @@ struct CentreOfMassOptions {
          "",
          0.0,
          0.0,
-         "How the ZMP is found: by optimisation over its supports or in closed form.",
-         {"optimised", "closed-form"}},
+         "How the ZMP is found: by optimisation over its supports, in closed form or by preview control.",
+         {"optimised", "closed-form", "preview"}},
         {"zmp_margin_m",
          &zmp_margin_m,
          "m",
@@ -47,6 +49,20 @@ struct CentreOfMassOptions {
          1.0,
          "Longest time between two knots of the ZMP; a phase has at least one between its ends.",
          {}},
+        {"preview_s",
+         &preview_s,
+         "s",
+         0.1,
+         5.0,
+         "How far preview control looks ahead; with it a plan stands that much longer at both ends.",
+         {}},
+        {"preview_jerk_weight",
+         &preview_jerk_weight,
+         "s^6/m^2",
+         1e-12,
+         1.0,
+         "Weight of the squared jerk in preview control, against 1 for the squared ZMP error.",
+         {}},
         {"smooth_weight", &smooth_weight, "s/m^2", 0.0, 1e6, "Weight of the squared rate of the ZMP, over time.", {}}};
   }
 };
@@ -55,6 +71,7 @@ struct CentreOfMassOptions {
 ///   optimised    OptimiseZmp: near its preferred points and smooth; where that finds none, the closed form if it keeps
 ///                to the supports
 ///   closed-form  at its preferred points, moved in the first and last phase as little as makes the ends meet
+///   preview      PreviewZmp, moved likewise
 /// Failure kInfeasible names the phase in which the ZMP would leave its region, and by how much.
 Result<CentreOfMassPlan> PlanCentreOfMass(const ZmpProblem& problem, const CentreOfMassOptions& options);
 

@@ -191,6 +191,16 @@ Result<Pass> RunAtSomeHeight(const RobotModel& model, const Terrain& terrain, co
   return first;
 }
 
+/// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
+FootstepOptions StandingOptions(const MotionOptions& options) {
+  FootstepOptions footsteps = options.footsteps;
+  if (options.centre_of_mass.method == "preview") {
+    footsteps.initial_stand_s += options.centre_of_mass.preview_s;
+    footsteps.final_stand_s += options.centre_of_mass.preview_s;
+  }
+  return footsteps;
+}
+
 Provenance MakeProvenance(MotionOptions options) {
   Provenance provenance{Version(), "PlanMotion", {}, 0};
   for (const OptionField& field : options.Fields()) provenance.options.emplace_back(field.key, OptionText(field));
@@ -203,7 +213,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
                                  const WalkCommand& command, const MotionOptions& options) {
   MotionOptions checked = options;
   CheckOptions(checked.Fields());
-  Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, options.footsteps);
+  Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, StandingOptions(options));
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
   Result<Pass> pass = RunAtSomeHeight(model, terrain, *skeleton, options, planned.passes);
