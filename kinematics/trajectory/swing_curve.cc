@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kinematics/spatial/rotation.h"
+#include "kinematics/trajectory/quintic_bspline.h"
 
 namespace gaitwright {
 
@@ -20,33 +21,58 @@ Motion1 SmoothBump(double u) {
   return {64.0 * uw * uw * uw, 192.0 * uw * uw * slope, 384.0 * uw * (slope * slope - uw)};
 }
 
+namespace {
+
+/// What is added to the straight move, and its derivatives by the fraction of the swing.
+struct Offset {
+  Vector3 value = Vector3::Zero(), rate = Vector3::Zero(), acceleration = Vector3::Zero();
+};
+
+Offset OffsetAt(const SwingCurve& curve, double u) {
+  Offset offset;
+  if (curve.detour_W.empty()) {
+    const Motion1 bump = SmoothBump(u);
+    offset.value.z() = bump.value * curve.lift_m;
+    offset.rate.z() = bump.rate * curve.lift_m;
+    offset.acceleration.z() = bump.acceleration * curve.lift_m;
+    return offset;
+  }
+  if (u <= 0.0 || u >= 1.0) return offset;
+  constexpr int kFixed = 3;
+  const int free = static_cast<int>(curve.detour_W.size());
+  const QuinticBasis basis = EvaluateQuinticBasis(free + 2 * kFixed, u);
+  for (int i = 0; i < 6; ++i) {
+    const int point = basis.first + i - kFixed;
+    if (point < 0 || point >= free) continue;
+    const auto at = static_cast<std::size_t>(i);
+    const Vector3& p = curve.detour_W[static_cast<std::size_t>(point)];
+    offset.value += basis.value[at] * p;
+    offset.rate += basis.rate[at] * p;
+    offset.acceleration += basis.acceleration[at] * p;
+  }
+  return offset;
+}
+
+}  // namespace
+
 FrameMotion Evaluate(const SwingCurve& curve, double time_s) {
   const double duration = curve.end_s - curve.start_s;
   const double u = (time_s - curve.start_s) / duration;
-  const Motion1 step = SmoothStep(u), bump = SmoothBump(u);
+  const Motion1 step = SmoothStep(u);
+  const Offset offset = OffsetAt(curve, u);
   const Vector3 travel = curve.X_WF_end.translation() - curve.X_WF_start.translation();
-  const Vector3 lift(0.0, 0.0, curve.lift_m);
   const Vector3 turn = RotationLog(curve.X_WF_end.linear() * curve.X_WF_start.linear().transpose());
   const double per_s = 1.0 / duration;
   FrameMotion motion;
-  motion.X_WF.translation() = curve.X_WF_start.translation() + step.value * travel + bump.value * lift;
+  motion.X_WF.translation() = curve.X_WF_start.translation() + step.value * travel + offset.value;
   motion.X_WF.linear() = RotationExp(step.value * turn) * curve.X_WF_start.linear();
-  motion.v_WF = per_s * (step.rate * travel + bump.rate * lift);
-  motion.a_WF = per_s * per_s * (step.acceleration * travel + bump.acceleration * lift);
+  motion.v_WF = per_s * (step.rate * travel + offset.rate);
+  motion.a_WF = per_s * per_s * (step.acceleration * travel + offset.acceleration);
   motion.w_WF = per_s * step.rate * turn;
   motion.alpha_WF = per_s * per_s * step.acceleration * turn;
   return motion;
 }
 
-double ApexHeight(const SwingCurve& curve) {
-  const double base = std::max(curve.X_WF_start.translation().z(), curve.X_WF_end.translation().z());
-  double apex = 0.0;
-  constexpr int kSamples = 64;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double time = curve.start_s + (curve.end_s - curve.start_s) * i / kSamples;
-    apex = std::max(apex, Evaluate(curve, time).X_WF.translation().z() - base);
-  }
-  return apex;
-}
+double LiftAtHalfTime(const SwingCurve& curve) { return OffsetAt(curve, 0.5).value.z(); }
 
 }  // namespace gaitwright

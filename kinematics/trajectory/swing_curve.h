@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
@@ -24,18 +26,20 @@ struct FrameMotion {
   Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
 };
 
-/// The closed-form swing: a minimum-jerk move from start to end with a bump of `lift_m` along z, at rest (zero velocity
-/// and acceleration) at both ends. The rotation is the shortest one, about a fixed axis.
+/// A swing: a minimum-jerk move from start to end with a bump of `lift_m` along z, at rest (zero velocity and
+/// acceleration) at both ends. The rotation is the shortest one, about a fixed axis. Where `detour_W` has control
+/// points, a quintic B-spline takes the bump's place: three points of zero, these, three points of zero.
 struct SwingCurve {
   double start_s = 0.0, end_s = 1.0;
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();
   double lift_m = 0.0;
+  std::vector<Vector3> detour_W = {};  ///< [m]
 };
 
 /// The frame's motion at a time; at rest on the ends outside [start_s, end_s].
 FrameMotion Evaluate(const SwingCurve& curve, double time_s);
 
-/// Highest point of the curve's origin above the higher of its ends [m].
-double ApexHeight(const SwingCurve& curve);
+/// Height of the curve's origin above the straight line between its ends, at half time [m].
+double LiftAtHalfTime(const SwingCurve& curve);
 
 }  // namespace gaitwright

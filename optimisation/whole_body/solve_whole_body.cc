@@ -8,6 +8,7 @@
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/swing_curve.h"
+#include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
 namespace {
@@ -83,10 +84,6 @@ class FootPath {
       ++stance_;
       path_ = curve_.X_WF_end;
     }
-  }
-
-  static SwingCurve CurveOf(const SwingTrajectory& swing) {
-    return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.lift_m};
   }
 
   const Foot* foot_;

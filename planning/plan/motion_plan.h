@@ -70,14 +70,15 @@ struct CentroidalTrajectory {
   int size() const { return static_cast<int>(p_WC.size()); }
 };
 
-/// Motion of one foot's contact frame over one swing: the closed form of kinematics/trajectory/swing_curve.h, a
-/// straight minimum-jerk move from start to end with a bump along z.
+/// Motion of one foot's contact frame over one swing, see kinematics/trajectory/swing_curve.h: a straight minimum-jerk
+/// move with a bump along z, or with a detour where one was needed.
 struct SwingTrajectory {
   int foot = 0;
   double start_s = 0.0, end_s = 0.0;
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();
   double lift_m = 0.0;       ///< of the bump above the straight line between the ends, at half time
   double clearance_m = 0.0;  ///< lowest height of the whole sole over the ground in mid swing, achieved
+  std::vector<Vector3> detour_W = {};  ///< control points of the spline that replaces the lift; empty for none [m]
 };
 
 /// Force that the ground puts on a foot, and its moment about the foothold's contact frame origin, in W.

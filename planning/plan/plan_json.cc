@@ -30,9 +30,10 @@ Json ToJson(const Pose& X) {
 
 Json ToJson(const PlanarPose& p) { return {{"x_m", p.x_m}, {"y_m", p.y_m}, {"yaw_rad", p.yaw_rad}}; }
 
-Json ToJson(const std::vector<Vector2>& points) {
+template <class Vector>
+Json ToJson(const std::vector<Vector>& points) {
   Json list = Json::array();
-  for (const Vector2& p : points) list.push_back(ToJson(p));
+  for (const Vector& p : points) list.push_back(ToJson(p));
   return list;
 }
 
@@ -90,7 +91,8 @@ Json SwingsJson(const std::vector<SwingTrajectory>& swings) {
                     {"start_pose", ToJson(s.X_WF_start)},
                     {"end_pose", ToJson(s.X_WF_end)},
                     {"lift_m", s.lift_m},
-                    {"clearance_m", s.clearance_m}});
+                    {"clearance_m", s.clearance_m},
+                    {"detour_m", ToJson(s.detour_W)}});
   }
   return list;
 }
@@ -215,6 +217,7 @@ void ReadContacts(const Json& j, MotionPlan& plan) {
     plan.swings.push_back({s.at("foot").get<int>(), s.at("start_s").get<double>(), s.at("end_s").get<double>(),
                            ToPose(s.at("start_pose")), ToPose(s.at("end_pose")), s.at("lift_m").get<double>(),
                            s.at("clearance_m").get<double>()});
+    for (const Json& p : s.value("detour_m", Json::array())) plan.swings.back().detour_W.push_back(ToVector3(p));
   }
 }
 

@@ -131,4 +131,8 @@ CentroidalSample SampleCentroidal(const CentroidalTrajectory& t, double time_s) 
   return sample;
 }
 
+SwingCurve CurveOf(const SwingTrajectory& swing) {
+  return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.lift_m, swing.detour_W};
+}
+
 }  // namespace gaitwright

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "kinematics/trajectory/swing_curve.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
@@ -24,5 +25,8 @@ struct CentroidalSample {
   Vector2 p_WZ = Vector2::Zero();
 };
 CentroidalSample SampleCentroidal(const CentroidalTrajectory& trajectory, double time_s);
+
+/// A swing as a curve that can be evaluated.
+SwingCurve CurveOf(const SwingTrajectory& swing);
 
 }  // namespace gaitwright

@@ -39,7 +39,7 @@ TEST(SwingCurve, RatesAreDerivatives) {
     EXPECT_LT(((after.v_WF - before.v_WF) / (2.0 * kStep) - now.a_WF).norm(), 1e-4);
     EXPECT_LT(((after.w_WF - before.w_WF) / (2.0 * kStep) - now.alpha_WF).norm(), 1e-4);
   }
-  EXPECT_GT(ApexHeight(curve), 0.0);
+  EXPECT_NEAR(LiftAtHalfTime(curve), curve.lift_m, 1e-15);
 }
 
 TEST(CubicSpline, InterpolatesAndIsSmooth) {

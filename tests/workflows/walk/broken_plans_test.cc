@@ -125,6 +125,37 @@ TEST_F(BrokenPlan, FilesComeBackAsTheyWere) {
   EXPECT_TRUE(Audit(*model_, *back, {})->pass());
 }
 
+TEST_F(BrokenPlan, DetoursComeBackAndFilesWithoutThemAreRead) {
+  MotionPlan plan = *plan_;
+  plan.swings[1].detour_W = {{0.0, 0.01, 0.1}, {-0.02, 0.0, 0.2}, {0.0, 0.0, 0.1}};
+  std::string text = PlanToJson(plan);
+  EXPECT_EQ(PlanFromJson(text, "test")->swings[1].detour_W, plan.swings[1].detour_W);
+  text = PlanToJson(*plan_);
+  for (std::size_t at = 0; (at = text.find(",\"detour_m\":[]")) != std::string::npos;) text.erase(at, 14);
+  const Result<MotionPlan> older = PlanFromJson(text, "test");
+  ASSERT_TRUE(older.ok()) << older.failure().message;
+  EXPECT_TRUE(older->swings[1].detour_W.empty());
+}
+
+TEST(Walk, A1LiftsItsFeetByDetours) {
+  // More clearance over the whole of mid swing than the closed form has at its edges.
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  WalkRequest request;
+  request.command.speed_m_s = 0.3;
+  request.command.distance_m = 0.6;
+  request.motion.swing.clearance_m = 0.045;
+  const Result<PlannedWalk> planned = PlanWalk(a1, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  for (const SwingTrajectory& swing : planned->motion.plan.swings) {
+    EXPECT_FALSE(swing.detour_W.empty());
+    EXPECT_GT(swing.clearance_m, 0.0425);
+  }
+  const Result<PlayedWalk> played = PlayWalk(a1, planned->motion.plan, {});
+  ASSERT_TRUE(played.ok());
+  EXPECT_TRUE(played->report.pass) << played->report.reason;
+}
+
 TEST_F(BrokenPlan, TruncatedForeignAndNewerFilesAreRefused) {
   const std::string text = PlanToJson(*plan_);
   const auto message = [](const std::string& t) {

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/swing/refine_swing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/trajectory/quintic_bspline.h"
+#include "optimisation/numerics/constrained_problem.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr int kFixed = 3;  // control points at each end
+
+/// The least height of the contact frame at which the underside touches the ground, by progress along the way: a table
+/// with straight pieces.
+class Profile {
+ public:
+  Profile(const SwingCurve& swing, const std::vector<Vector3>& underside_F, const GroundHeight& ground) {
+    const Vector3 travel = swing.X_WF_end.translation() - swing.X_WF_start.translation();
+    length_m_ = travel.head<2>().norm();
+    if (length_m_ > kShortest) along_W_ = travel.head<2>() / length_m_;
+    const Vector3 turn = RotationLog(swing.X_WF_end.linear() * swing.X_WF_start.linear().transpose());
+    constexpr double kDeep = 1.0;  // where there is no ground
+    const double floor_m = std::min(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) - kDeep;
+    const int count = 1 + static_cast<int>(std::ceil((length_m_ + 2.0 * kBeyond) / kStep));
+    for (int i = 0; i < count; ++i) {
+      const double s = i * kStep - kBeyond;
+      const double share = length_m_ > kShortest ? std::clamp(s / length_m_, 0.0, 1.0) : 0.5;
+      const Matrix3 R_WF = RotationExp(share * turn) * swing.X_WF_start.linear();
+      const Vector2 p_W = swing.X_WF_start.translation().head<2>() + s * along_W_;
+      double height = floor_m;
+      for (const Vector3& q_F : underside_F) {
+        const Vector3 q_W = R_WF * q_F;
+        height = std::max(height, ground(p_W + q_W.head<2>()) - q_W.z());
+      }
+      height_m_.push_back(height);
+    }
+    LimitSlope(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z());
+  }
+
+  double length_m() const { return length_m_; }
+  const Vector2& along_W() const { return along_W_; }
+
+  /// The greatest height within `reach` of a progress, and the slope there.
+  std::pair<double, double> Highest(double s, double reach) const {
+    return std::max({At(s - reach), At(s), At(s + reach)});
+  }
+
+ private:
+  static constexpr double kStep = 0.004, kBeyond = 0.1, kShortest = 1e-3;  // [m]
+
+  std::pair<double, double> At(double s) const {
+    const double place = std::clamp((s + kBeyond) / kStep, 0.0, static_cast<double>(height_m_.size()) - 1.001);
+    const auto i = static_cast<std::size_t>(place);
+    const double slope = (height_m_[i + 1] - height_m_[i]) / kStep;
+    return {height_m_[i] + (place - static_cast<double>(i)) * kStep * slope, slope};
+  }
+
+  /// Raises the table where it climbs or falls faster than a slope that leaves start and end as they are.
+  void LimitSlope(double start_z, double end_z) {
+    constexpr double kGentle = 2.0, kSteepest = 40.0;
+    double slope = kGentle;
+    for (const auto& [at_s, z] : {std::pair{0.0, start_z}, std::pair{length_m_, end_z}}) {
+      for (std::size_t i = 0; i < height_m_.size(); ++i) {
+        const double away = std::abs(static_cast<double>(i) * kStep - kBeyond - at_s), above = height_m_[i] - z;
+        if (away > kStep && above > 0.0) slope = std::max(slope, above / (away - kStep));
+      }
+    }
+    const double drop = std::min(slope, kSteepest) * kStep;
+    for (std::size_t i = 1; i < height_m_.size(); ++i) height_m_[i] = std::max(height_m_[i], height_m_[i - 1] - drop);
+    for (std::size_t i = height_m_.size() - 1; i-- > 0;) height_m_[i] = std::max(height_m_[i], height_m_[i + 1] - drop);
+  }
+
+  std::vector<double> height_m_;
+  double length_m_ = 0.0;
+  Vector2 along_W_ = Vector2::Zero();
+};
+
+/// Values or accelerations of the free control points' basis at fractions of the swing.
+MatrixX BasisAt(const std::vector<double>& fractions, int free, bool acceleration) {
+  MatrixX rows = MatrixX::Zero(static_cast<Eigen::Index>(fractions.size()), free);
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    const QuinticBasis basis = EvaluateQuinticBasis(free + 2 * kFixed, fractions[k]);
+    for (int i = 0; i < 6; ++i) {
+      const int point = basis.first + i - kFixed;
+      if (point < 0 || point >= free) continue;
+      const auto at = static_cast<std::size_t>(i);
+      rows(static_cast<Eigen::Index>(k), point) = acceleration ? basis.acceleration[at] : basis.value[at];
+    }
+  }
+  return rows;
+}
+
+std::vector<double> Fractions(int count) {
+  std::vector<double> fractions;
+  for (int k = 1; k <= count; ++k) fractions.push_back(k / (count + 1.0));
+  return fractions;
+}
+
+/// The problem in the free control points: along the way first, then upwards.
+class Detour {
+ public:
+  Detour(const SwingCurve& swing, const Profile& profile, const RefineChoice& choice)
+      : profile_(profile),
+        free_(choice.control_points - 2 * kFixed),
+        start_z_(swing.X_WF_start.translation().z()),
+        rise_m_(swing.X_WF_end.translation().z() - start_z_) {
+    fractions_ = Fractions(choice.samples);
+    basis_ = BasisAt(fractions_, free_, false);
+    const double step = 1.0 / (choice.samples + 1);
+    for (const double u : fractions_) {
+      wanted_m_.push_back(choice.clearance_m * ClearanceRamp(u));
+      // To the neighbours on both sides, so that two samples over the ground are over all that is between them.
+      const double at = SmoothStep(u).value;
+      const double reach = std::max(SmoothStep(u + step).value - at, at - SmoothStep(u - step).value);
+      reach_m_.push_back(reach * profile.length_m());
+    }
+  }
+
+  ConstrainedProblem Problem() const {
+    ConstrainedProblem problem;
+    problem.start = VectorX::Zero(2 * free_);
+    double lift = 0.0;
+    for (std::size_t k = 0; k < fractions_.size(); ++k) {
+      const double step = SmoothStep(fractions_[k]).value;
+      lift = std::max(lift, profile_.Highest(step * profile_.length_m(), reach_m_[k]).first + wanted_m_[k] - start_z_ -
+                                step * rise_m_);
+    }
+    problem.start.tail(free_).setConstant(lift);
+    AddAcceleration(problem);
+    const auto rows = static_cast<Eigen::Index>(fractions_.size());
+    problem.constraints.push_back({"the clearance",
+                                   [this](const VectorX& x, VectorX& value, MatrixX* J) { Clearance(x, value, J); },
+                                   VectorX::Zero(rows), VectorX::Constant(rows, kInf)});
+    return problem;
+  }
+
+  std::vector<Vector3> ControlPoints(const VectorX& x) const {
+    std::vector<Vector3> points;
+    for (int i = 0; i < free_; ++i) {
+      const Vector2 along = x[i] * profile_.along_W();
+      points.emplace_back(along.x(), along.y(), x[free_ + i]);
+    }
+    return points;
+  }
+
+ private:
+  /// Along the way and upwards, by the fraction of the swing; times in units of its duration.
+  void AddAcceleration(ConstrainedProblem& problem) const {
+    constexpr int kSamples = 40;
+    const std::vector<double> fractions = Fractions(kSamples);
+    const double root = std::sqrt(1.0 / (kSamples + 1));
+    const MatrixX basis = root * BasisAt(fractions, free_, true);
+    VectorX step(kSamples);
+    for (int k = 0; k < kSamples; ++k) step[k] = root * SmoothStep(fractions[static_cast<std::size_t>(k)]).acceleration;
+    const auto add = [&](int first, double travel_m) {
+      std::vector<int> variables;
+      for (int i = 0; i < free_; ++i) variables.push_back(first + i);
+      problem.residuals.push_back(
+          {[basis, of_step = VectorX(travel_m * step)](const VectorX& x, VectorX& value, MatrixX* J) {
+             value = of_step;
+             value.noalias() += basis * x;
+             if (J != nullptr) *J = basis;
+           },
+           variables});
+    };
+    add(0, profile_.length_m());
+    add(free_, rise_m_);
+  }
+
+  void Clearance(const VectorX& x, VectorX& value, MatrixX* J) const {
+    value.resize(basis_.rows());
+    for (Eigen::Index k = 0; k < basis_.rows(); ++k) {
+      const double step = SmoothStep(fractions_[static_cast<std::size_t>(k)]).value;
+      const double s = step * profile_.length_m() + basis_.row(k).dot(x.head(free_));
+      const auto [height, slope] = profile_.Highest(s, reach_m_[static_cast<std::size_t>(k)]);
+      const double z = start_z_ + step * rise_m_ + basis_.row(k).dot(x.tail(free_));
+      value[k] = z - height - wanted_m_[static_cast<std::size_t>(k)];
+      if (J == nullptr) continue;
+      J->row(k).head(free_) = -slope * basis_.row(k);
+      J->row(k).tail(free_) = basis_.row(k);
+    }
+  }
+
+  const Profile& profile_;
+  const int free_;
+  const double start_z_, rise_m_;
+  std::vector<double> fractions_, wanted_m_, reach_m_;
+  MatrixX basis_;
+};
+
+void Check(const RefineChoice& choice) {
+  if (choice.control_points < 9 || choice.control_points > 14)
+    throw InvalidArgument(fmt::format("RefineSwing: {} control points; accepted: 9 to 14", choice.control_points));
+  if (choice.samples < 20 || choice.samples > 40)
+    throw InvalidArgument(fmt::format("RefineSwing: {} samples; accepted: 20 to 40", choice.samples));
+}
+
+}  // namespace
+
+std::vector<Vector3> UndersideOf(const Foot& foot) {
+  std::vector<Vector3> points = {Vector3::Zero()};
+  constexpr int kAround = 8;
+  for (int i = 0; foot.radius > 0.0 && i < kAround; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kAround;
+    for (const double share : {0.6, 1.0}) {  // of the radius: 0.2 and 1 of it up
+      const Vector2 away = share * foot.radius * Vector2(std::cos(angle), std::sin(angle));
+      points.emplace_back(away.x(), away.y(), foot.radius * (1.0 - std::sqrt(1.0 - share * share)));
+    }
+  }
+  if (foot.sole_F.empty()) return points;
+  points.clear();
+  Vector2 middle = Vector2::Zero();
+  for (const Vector2& corner : foot.sole_F) middle += corner / static_cast<double>(foot.sole_F.size());
+  constexpr int kPieces = 4;  // of an edge
+  for (std::size_t i = 0; i < foot.sole_F.size(); ++i) {
+    const Vector2 &corner = foot.sole_F[i], &next = foot.sole_F[(i + 1) % foot.sole_F.size()];
+    for (int piece = 0; piece < kPieces; ++piece) {
+      const Vector2 edge = corner + (next - corner) * piece / kPieces, inner = 0.5 * (edge + middle);
+      points.emplace_back(edge.x(), edge.y(), 0.0);
+      points.emplace_back(inner.x(), inner.y(), 0.0);
+    }
+  }
+  points.emplace_back(middle.x(), middle.y(), 0.0);
+  return points;
+}
+
+double ClearanceRamp(double u) {
+  constexpr double kEnds = 0.35;
+  return std::min(SmoothStep(u / kEnds).value, SmoothStep((1.0 - u) / kEnds).value);
+}
+
+double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+                      double clearance_m) {
+  constexpr int kSamples = 60;
+  double least = kInf;
+  for (int k = 1; k < kSamples; ++k) {
+    const double u = static_cast<double>(k) / kSamples;
+    const Pose X_WF = Evaluate(curve, curve.start_s + u * (curve.end_s - curve.start_s)).X_WF;
+    for (const Vector3& q_F : underside_F) {
+      const Vector3 q_W = X_WF * q_F;
+      least = std::min(least, q_W.z() - ground(q_W.head<2>()) - clearance_m * ClearanceRamp(u));
+    }
+  }
+  return least;
+}
+
+Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vector3>& underside_F,
+                                 const GroundHeight& ground, const RefineChoice& choice) {
+  Check(choice);
+  const Profile profile(swing, underside_F, ground);
+  const Detour detour(swing, profile, choice);
+  ConstrainedOptions options;
+  options.tolerance = 1e-5;
+  options.cost_tolerance = 1e-6;
+  options.trust_radius = 1e8;
+  const auto unmet = [](double by_m) {
+    return Failure{FailureKind::kInfeasible,
+                   "no_clearance",
+                   "RefineSwing",
+                   fmt::format("no swing keeps the clearance; it is missed by {:.1f} mm", 1e3 * by_m),
+                   {"ask for less clearance, or place the footholds farther from edges"}};
+  };
+  ConstrainedSolution last;
+  const Result<ConstrainedSolution> solution = Solve(detour.Problem(), options, &last);
+  if (!solution) return unmet(last.violation);
+  RefinedSwing refined{swing, 0.0, solution->brief};
+  refined.curve.detour_W = detour.ControlPoints(solution->x);
+  refined.spare_m = SpareClearance(refined.curve, underside_F, ground, choice.clearance_m);
+  const double rounding_m = 1e-4 + 0.05 * choice.clearance_m;
+  if (refined.spare_m < -rounding_m) return unmet(-refined.spare_m);
+  return refined;
+}
+
+}  // namespace gaitwright

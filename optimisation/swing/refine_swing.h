@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "kinematics/trajectory/swing_curve.h"
+
+namespace gaitwright {
+
+/// Height of the ground at a point in plan view [m]; -infinity where there is none.
+using GroundHeight = std::function<double(const Vector2& p_W)>;
+
+/// Points of a foot's underside in its contact frame: the sole's corners, edges and middle, or a sphere's lower side.
+std::vector<Vector3> UndersideOf(const Foot& foot);
+
+/// What is asked over the ground at a fraction u of the swing, as a share of the clearance: a minimum-jerk rise over
+/// the first 35 % from 0 to 1, and down again over the last 35 %. It starts out slower than a foot that lifts off at
+/// rest.
+double ClearanceRamp(double u);
+
+/// Least height of the underside over the ground, less `clearance_m` times the ramp, over the whole swing: not negative
+/// where the swing clears the ground.
+double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+                      double clearance_m);
+
+struct RefineChoice {
+  double clearance_m = 0.02;
+  int control_points = 12;  ///< 9 to 14, three of which are fixed at each end
+  int samples = 30;         ///< 20 to 40, at which the clearance is asked for
+};
+
+/// A swing with a detour and how it came about.
+struct RefinedSwing {
+  SwingCurve curve;
+  double spare_m = 0.0;  ///< SpareClearance
+  std::string brief;
+};
+
+/// The detour, along the way and upwards, that makes the acceleration's integral of squares least while the underside
+/// clears the ground. The ground under the foot, by progress along the way, is looked up once; its steps are taken as
+/// steep slopes, as steep as start and end allow, so that the solver feels them coming.
+/// Tuning
+///   the foot rises too steeply near an edge   more control points, or footholds farther from the edge
+///   the sole cuts a corner between samples    more samples
+/// Failure kInfeasible says by how much the clearance is missed.
+/// @throws InvalidArgument for a number of control points or samples outside of its range.
+Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vector3>& underside_F,
+                                 const GroundHeight& ground, const RefineChoice& choice);
+
+}  // namespace gaitwright
