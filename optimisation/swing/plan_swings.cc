@@ -51,9 +51,12 @@ class SwingPlanner {
     return undersides_[static_cast<std::size_t>(swing.foot)];
   }
 
+  /// The whole clearance in mid swing, and a third of what the ramp asks for on the way there and back; on level ground
+  /// a lift that has the one has the other.
   bool Clears(const SwingTrajectory& swing) const {
-    constexpr double kRounding = 1e-6;
-    return SpareClearance(CurveOf(swing), Underside(swing), ground_, choice_.clearance_m) > -kRounding;
+    constexpr double kRounding = 1e-6, kPart = 0.35;
+    return MidSwingClearance(swing) > choice_.clearance_m - kRounding &&
+           SpareClearance(CurveOf(swing), Underside(swing), ground_, kPart * choice_.clearance_m) > -kRounding;
   }
 
   /// By a detour.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "kinematics/model/load_robot.h"
 #include "optimisation/swing/refine_swing.h"
 #include "planning/plan/sample_plan.h"
@@ -47,6 +49,19 @@ TEST(PlanSwings, FlatGroundNeedsNoDetour) {
   }
 }
 
+TEST(PlanSwings, OnLevelGroundALiftThatClearsMidSwingIsLeftAlone) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  SwingOptions options;
+  options.height_m = 0.05;
+  const double mid_swing = 0.05 * 64.0 * std::pow(0.35 * 0.65, 3);
+  for (const double share : {0.9, 0.999, 1.001, 1.1}) {
+    options.clearance_m = share * mid_swing;
+    const auto swings = PlanSwings(model, FlatTerrain(), OneStep(0.08, 0.0), options);
+    ASSERT_TRUE(swings.ok()) << swings.failure().message;
+    EXPECT_EQ(swings->front().detour_W.empty(), share < 1.0) << share;
+  }
+}
+
 TEST(PlanSwings, ABoxUnderTheSwingMakesADetour) {
   struct Case {
     const char* robot;
@@ -66,12 +81,9 @@ TEST(PlanSwings, ABoxUnderTheSwingMakesADetour) {
     const auto swings = PlanSwings(model, terrain, OneStep(c.length_m, c.rise_m), options);
     ASSERT_TRUE(swings.ok()) << c.robot << ": " << swings.failure().message;
     const SwingTrajectory& swing = swings->front();
-    EXPECT_GT(Spare(model, terrain, swing, 0.02), -0.0012) << c.robot << " " << c.rise_m;
+    EXPECT_GT(Spare(model, terrain, swing, swing.detour_W.empty() ? 0.007 : 0.02), -0.0012)
+        << c.robot << " " << c.rise_m;
     EXPECT_GT(swing.clearance_m, 0.0185);
-    SwingTrajectory closed_form = swing;
-    closed_form.detour_W.clear();
-    closed_form.lift_m = 0.12 * model.leg_length_m();
-    EXPECT_EQ(swing.detour_W.empty(), Spare(model, terrain, closed_form, 0.02) > -1e-6);
     EXPECT_TRUE(c.rise_m < 0.0 || !swing.detour_W.empty()) << c.robot << " " << c.rise_m;
   }
 }
