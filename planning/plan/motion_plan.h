@@ -76,8 +76,8 @@ struct SwingTrajectory {
   int foot = 0;
   double start_s = 0.0, end_s = 0.0;
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();
-  double lift_m = 0.0;       ///< of the bump above the straight line between the ends, at half time
-  double clearance_m = 0.0;  ///< lowest height of the whole sole over the ground in mid swing, achieved
+  double lift_m = 0.0;                 ///< of the bump above the straight line between the ends, at half time
+  double clearance_m = 0.0;            ///< lowest height of the whole sole over the ground in mid swing, achieved
   std::vector<Vector3> detour_W = {};  ///< control points of the spline that replaces the lift; empty for none [m]
 };
 
