@@ -204,7 +204,7 @@ Failure WholeBodyIk::OutOfReach(const BodyTarget& target) const {
   return {FailureKind::kInfeasible,
           "out_of_reach",
           "WholeBodyIk",
-          fmt::format("foot '{}' cannot reach its target: {:.0f} mm are missing (the centre of mass is {:.0f} mm off)",
+          fmt::format("foot '{}' cannot reach its target: {:.1f} mm are missing (the centre of mass is {:.1f} mm off)",
                       model_->feet[worst].name, 1e3 * distance, 1e3 * com_gap),
           {"lower the speed or the step length, or lower the centre of mass"}};
 }

@@ -8,6 +8,7 @@
 
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/find_feet.h"
+#include "kinematics/model/hang_limbs.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
@@ -98,6 +99,8 @@ void DeriveStanding(RobotModel& model, const VectorX& given) {
   for (int dof = 0; dof < model.num_dofs(); ++dof) {
     if (std::isfinite(given[dof])) joints[dof] = given[dof];
   }
+  const std::vector<std::string> hung = HangLimbs(model, given, joints);
+  model.notes.insert(model.notes.end(), hung.begin(), hung.end());
   model.standing_joints = joints;
   const std::vector<Pose> X_OB = BodyPoses(model, joints);
   double lowest = 1e9;

@@ -156,39 +156,67 @@ class Passes {
   bool settled_ = false;
 };
 
+/// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.
+struct LimitExcess {
+  double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
+
+  bool any() const { return position > 0.0 || speed > 0.0 || torque > 0.0; }
+};
+
+LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof) {
+  LimitExcess worst;
+  for (std::size_t k = 0; k < motion.q.size(); ++k) {
+    const double q = motion.q[k][7 + dof];
+    worst.position = std::max({worst.position, model.dof_lower(dof) - q, q - model.dof_upper(dof)});
+    worst.speed = std::max(worst.speed, std::abs(motion.v[k][6 + dof]) - model.dof_velocity_limit(dof));
+    worst.torque = std::max(worst.torque, std::abs(motion.tau[k][dof]) - model.dof_effort_limit(dof));
+  }
+  return worst;
+}
+
+int CountOverLimit(const RobotModel& model, const WholeBodyTrajectory& motion) {
+  int count = 0;
+  for (int d = 0; d < model.num_dofs(); ++d) count += ExcessOf(model, motion, d).any() ? 1 : 0;
+  return count;
+}
+
 /// Joint limits that the trajectory does not keep, worst of each joint and kind.
 std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion) {
   std::vector<std::string> warnings;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    double low = 0.0, high = 0.0, speed = 0.0, torque = 0.0;
-    for (std::size_t k = 0; k < motion.q.size(); ++k) {
-      low = std::max(low, model.dof_lower(d) - motion.q[k][7 + d]);
-      high = std::max(high, motion.q[k][7 + d] - model.dof_upper(d));
-      speed = std::max(speed, std::abs(motion.v[k][6 + d]) - model.dof_velocity_limit(d));
-      torque = std::max(torque, std::abs(motion.tau[k][d]) - model.dof_effort_limit(d));
-    }
+    const LimitExcess over = ExcessOf(model, motion, d);
     const std::string& name = model.dof_names[static_cast<std::size_t>(d)];
-    if (std::max(low, high) > 0.0)
-      warnings.push_back(fmt::format("{} is {:.3f} rad past its limit", name, std::max(low, high)));
-    if (speed > 0.0) warnings.push_back(fmt::format("{} is {:.2f} rad/s over its speed limit", name, speed));
-    if (torque > 0.0) warnings.push_back(fmt::format("{} is {:.2f} N m over its torque limit", name, torque));
+    if (over.position > 0.0) warnings.push_back(fmt::format("{} is {:.3f} rad past its limit", name, over.position));
+    if (over.speed > 0.0) warnings.push_back(fmt::format("{} is {:.2f} rad/s over its speed limit", name, over.speed));
+    if (over.torque > 0.0) warnings.push_back(fmt::format("{} is {:.2f} N m over its torque limit", name, over.torque));
   }
   return warnings;
 }
 
-/// Runs the passes at the height asked, or at that of standing and then ever lower while some foot cannot reach.
+/// Runs the passes at the height asked, or at that of standing and then ever lower while some foot cannot reach or some
+/// joint is past a limit, as knees are that straighten. Where no height serves all joints, the one with the fewest
+/// past their limits, the highest of them.
 Result<Pass> RunAtSomeHeight(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
                              const MotionOptions& options, int& passes) {
   constexpr double kStep = 0.02, kLowest = 0.8;  // of the standing height
   const double standing = StandingCentreOfMass(model, skeleton.path.pose.front()).z();
   const double asked = options.pipeline.com_height_m;
-  Result<Pass> first = Passes(model, terrain, skeleton, options, asked > 0.0 ? asked : standing).Run(passes);
-  if (first || asked > 0.0 || first.failure().code != "out_of_reach") return first;
-  for (double share = 1.0 - kStep; share >= kLowest; share -= kStep) {
-    Result<Pass> pass = Passes(model, terrain, skeleton, options, share * standing).Run(passes);
-    if (pass || pass.failure().code != "out_of_reach") return pass;
+  Result<Pass> best = Passes(model, terrain, skeleton, options, asked > 0.0 ? asked : standing).Run(passes);
+  if (asked > 0.0) return best;
+  const auto over = [&](const Result<Pass>& pass) {
+    return pass ? CountOverLimit(model, pass->solution.trajectory) : std::numeric_limits<int>::max();
+  };
+  int fewest = over(best);
+  for (double share = 1.0 - kStep; share >= kLowest && fewest > 0; share -= kStep) {
+    if (!best && best.failure().code != "out_of_reach") return best;
+    Result<Pass> lower = Passes(model, terrain, skeleton, options, share * standing).Run(passes);
+    const int count = over(lower);
+    if (count < fewest) {
+      best = std::move(lower);
+      fewest = count;
+    }
   }
-  return first;
+  return best;
 }
 
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
