@@ -14,7 +14,8 @@ void AddCommon(CLI::App& verb, Common& common, const std::vector<std::string>& e
   verb.option_defaults()->group("Flags of every verb");
   verb.add_flag("--json", common.json, "Print one JSON object on standard output, and nothing else there.");
   verb.add_flag("--quiet", common.quiet, "Print only the verdict (pass or fail), of a list only the names.");
-  AddWholeNumber(verb, "--seed", 0, common.seed, "Seed of whatever is random, 0 or more; default 0.");
+  AddWholeNumber(verb, "--seed", 0, common.seed,
+                 "Seed of whatever is random, such as --ground-bumps, 0 or more; default 0.");
   verb.add_option("--set", common.sets,
                   "Set one of the many options behind the flags; may be repeated. They win over flags.")
       ->type_name("KEY=VALUE")

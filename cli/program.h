@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -26,7 +25,7 @@ inline constexpr char kExitStatuses[] =
 struct Common {
   bool json = false;
   bool quiet = false;
-  std::uint64_t seed = 0;
+  int seed = 0;
   std::vector<std::string> sets;  ///< key=value
 };
 

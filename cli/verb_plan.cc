@@ -43,7 +43,7 @@ void Print(const PlannedWalk& planned, const std::string& path, const Common& co
 
 int Run(Arguments& a) {
   ApplySets("--set", a.common.sets, a.walk.request.Fields());
-  a.walk.request.seed = a.common.seed;
+  a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);

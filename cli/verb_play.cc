@@ -14,6 +14,7 @@ struct Arguments {
 };
 
 int Run(Arguments& a) {
+  a.play.request.play.world.seed = a.common.seed;
   ApplySets("--set", a.common.sets, a.play.request.Fields());
   a.play.Finish();
   const Result<MotionPlan> plan = LoadPlan(a.plan);

@@ -13,8 +13,9 @@ struct Arguments {
 };
 
 int Run(Arguments& a) {
+  a.play.request.play.world.seed = a.common.seed;
   ApplySets("--set", a.common.sets, Joined({a.walk.request.Fields(), a.play.request.Fields()}));
-  a.walk.request.seed = a.common.seed;
+  a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);

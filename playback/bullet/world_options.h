@@ -27,7 +27,7 @@ struct WorldOptions {
   double ground_bumps_m = 0.0;
   double bump_wavelength_m = 0.4;
   double bump_free_radius_m = 0.0;
-  int seed = 1;
+  int seed = 0;
 
   /// Independent joints that are held at their first position without a motor, as if welded.
   std::vector<int> locked_dofs = {};

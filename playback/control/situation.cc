@@ -55,8 +55,8 @@ SwingNow SwingAt(const FootstepPlan& footsteps, int foot, double time_s) {
   const Foothold& last = footholds[index];
   const auto next = std::find_if(footholds.begin() + static_cast<std::ptrdiff_t>(index) + 1, footholds.end(),
                                  [&](const Foothold& foothold) { return foothold.foot == foot; });
-  if (next == footholds.end() || next->touchdown_s <= last.liftoff_s) return swing;
   swing.liftoff_s = last.liftoff_s;
+  if (next == footholds.end() || next->touchdown_s <= last.liftoff_s) return swing;
   swing.touchdown_s = next->touchdown_s;
   swing.next_liftoff_s = next->liftoff_s;
   swing.swings = time_s > last.liftoff_s - kTiny && time_s < next->touchdown_s - kTiny;

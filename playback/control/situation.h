@@ -47,9 +47,10 @@ struct Situation {
   std::vector<double> touched_s_;  // last contact, by foot
 };
 
-/// The swing that a foot is in.
+/// The swing that a foot is in, or the next.
 struct SwingNow {
-  double liftoff_s = 0.0, touchdown_s = 0.0;
+  double liftoff_s = 0.0;  ///< or the end of the foot's last stance
+  double touchdown_s = 0.0;
   double next_liftoff_s = 0.0;  ///< of the foothold that it goes to
   bool swings = false;
 

@@ -77,10 +77,7 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
       if (swing.touchdown_s - now.time_s > options_.settle_s) offset.wanted = WantedOffset(now, f, swing, stance);
       MoveOffset(now, swing, offset);
     } else {
-      // Due on the ground and not there: on downwards until it is found.
-      offset.rate = Vector3(0.0, 0.0, -options_.search_m_s);
-      offset.acceleration.setZero();
-      offset.value += now.step_s * offset.rate;
+      SearchGround(now, swing, offset);
     }
     CommandSwing(now, f, command);
   }
@@ -117,6 +114,24 @@ void SwingFeedback::MoveOffset(const Situation& now, const SwingNow& swing, Offs
   offset.value += h * (offset.rate + h * (0.5 * offset.acceleration + h / 6.0 * jerk));
   offset.rate += h * (offset.acceleration + 0.5 * h * jerk);
   offset.acceleration += h * jerk;
+}
+
+/// Due on the ground and not there: on downwards until it is found, faster and faster, so that ground a hair's breadth
+/// below is not kicked. A foot that is about to lift off stays where it is.
+void SwingFeedback::SearchGround(const Situation& now, const SwingNow& next, Offset& offset) const {
+  if (next.liftoff_s - now.time_s < options_.settle_s) {
+    offset.rate.setZero();
+    offset.acceleration.setZero();
+    return;
+  }
+  constexpr double kRamp = 0.01;  // to the whole acceleration [s]
+  const double fastest = -options_.search_m_s, most = -options_.swing_acceleration_m_s2;
+  const double before = std::min(offset.rate.z(), 0.0);
+  const double wanted = std::max(std::min(offset.acceleration.z(), 0.0) + most * now.step_s / kRamp, most);
+  const double rate = std::max(before + wanted * now.step_s, fastest);
+  offset.acceleration = Vector3(0.0, 0.0, (rate - before) / now.step_s);
+  offset.rate = Vector3(0.0, 0.0, rate);
+  offset.value += now.step_s * offset.rate;
 }
 
 FootMotion SwingFeedback::WantedMotion(int foot) const {

@@ -32,6 +32,7 @@ class SwingFeedback {
 
   Vector3 WantedOffset(const Situation& now, int foot, const SwingNow& swing, const StanceFeedback& stance) const;
   void MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const;
+  void SearchGround(const Situation& now, const SwingNow& next, Offset& offset) const;
   FootMotion WantedMotion(int foot) const;
   void CommandStance(const Situation& now, int leg, JointCommand& command);
   void CommandSwing(const Situation& now, int leg, JointCommand& command);
