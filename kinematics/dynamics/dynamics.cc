@@ -133,6 +133,28 @@ void PointJacobian(const RobotModel& model, const DynamicsScratch& scratch, int 
   }
 }
 
+void PointJacobianRate(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,
+                       Eigen::Ref<MatrixX> Jdot) {
+  const auto b = static_cast<std::size_t>(body);
+  const Vector3 p_WQ = scratch.p_WB[b] + scratch.R_WB[b] * p_BQ;
+  const Vector3 v_WQ = PointVelocity(scratch, body, p_BQ).head<3>();
+  Jdot.setZero();
+  Jdot.block<3, 3>(0, 3) = -Skew(v_WQ - scratch.v_WB[0]);
+  for (int i = body; i > 0; i = model.joints[static_cast<std::size_t>(i - 1)].parent_body) {
+    const auto j = static_cast<std::size_t>(i - 1);
+    const Joint& joint = model.joints[j];
+    const Vector3 motion = joint.multiplier * scratch.axis_W[j];
+    const Vector3 turning = scratch.w_WB[j + 1].cross(motion);
+    if (IsPrismatic(joint)) {
+      Jdot.col(6 + joint.dof).head<3>() += turning;
+    } else {
+      Jdot.col(6 + joint.dof).head<3>() +=
+          turning.cross(p_WQ - scratch.p_WB[j + 1]) + motion.cross(v_WQ - scratch.v_WB[j + 1]);
+      Jdot.col(6 + joint.dof).tail<3>() += turning;
+    }
+  }
+}
+
 Vector6 PointVelocity(const DynamicsScratch& scratch, int body, const Vector3& p_BQ) {
   const auto b = static_cast<std::size_t>(body);
   Vector6 velocity;

@@ -49,6 +49,11 @@ Pose FramePose(const DynamicsScratch& scratch, int body, const Pose& X_BF);
 void PointJacobian(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,
                    Eigen::Ref<MatrixX> J);
 
+/// Time derivative of PointJacobian, size 6 x nv; Jdot v alone is had faster by PointBiasAcceleration. Needs
+/// ForwardVelocities.
+void PointJacobianRate(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,
+                       Eigen::Ref<MatrixX> Jdot);
+
 /// Velocity [v_WQ; w_WB] of a point fixed in a body. Needs ForwardVelocities.
 Vector6 PointVelocity(const DynamicsScratch& scratch, int body, const Vector3& p_BQ);
 

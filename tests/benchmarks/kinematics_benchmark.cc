@@ -5,9 +5,8 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/ik/leg_ik.h"
+#include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/model/load_robot.h"
-#include "optimisation/pipeline/plan_motion.h"
-#include "planning/gait/find_gait.h"
 
 namespace gaitwright {
 namespace {
@@ -41,6 +40,39 @@ void FootJacobians(benchmark::State& state) {
     for (const Foot& foot : s.model.feet) PointJacobian(s.model, s.scratch, foot.body, foot.X_BF.translation(), J);
     benchmark::DoNotOptimize(J.data());
   }
+}
+
+void FootJacobianRates(benchmark::State& state) {
+  Stand s(state);
+  MatrixX rate(6, s.model.nv());
+  for (auto _ : state) {
+    for (const Foot& foot : s.model.feet)
+      PointJacobianRate(s.model, s.scratch, foot.body, foot.X_BF.translation(), rate);
+    benchmark::DoNotOptimize(rate.data());
+  }
+}
+
+/// Those of all bodies, from the configuration on.
+void AllJacobians(benchmark::State& state) {
+  Stand s(state);
+  MatrixX J(6, s.model.nv());
+  for (auto _ : state) {
+    ForwardKinematics(s.model, s.q, s.scratch);
+    for (int b = 1; b < static_cast<int>(s.model.bodies.size()); ++b) {
+      PointJacobian(s.model, s.scratch, b, Vector3::Zero(), J);
+      benchmark::DoNotOptimize(J.data());
+    }
+  }
+}
+
+void CentreOfMassCall(benchmark::State& state) {
+  Stand s(state);
+  for (auto _ : state) benchmark::DoNotOptimize(CentreOfMass(s.model, s.scratch));
+}
+
+void CentroidalMomentumCall(benchmark::State& state) {
+  Stand s(state);
+  for (auto _ : state) benchmark::DoNotOptimize(CentroidalMomentum(s.model, s.scratch));
 }
 
 void CentreOfMassJacobianCall(benchmark::State& state) {
@@ -107,29 +139,33 @@ void LegIkOutOfReach(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(ik.Solve(X_BF));
 }
 
-/// 10 s of A1 trot, or 20 steps of NAO.
-void PlanMotionCall(benchmark::State& state) {
-  const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
-  WalkCommand command;
-  if (state.range(0) == 0) {
-    command.speed_m_s = 0.3;
-    command.distance_m = 2.4;
-  } else {
-    command.extent = WalkCommand::Extent::kSteps;
-    command.steps = 20;
-    command.step_length_m = 0.04;
+/// Positions and rates of all joints for a standing body whose centre of mass is 1 cm aside, from standing.
+void WholeBodyIkCall(benchmark::State& state) {
+  Stand s(state);
+  WholeBodyIk ik(s.model);
+  BodyTarget target;
+  target.p_WC = CentreOfMass(s.model, s.scratch) + Vector3(0.01, 0.01, -0.01);
+  for (const Foot& foot : s.model.feet) {
+    FootTarget on_ground;
+    const Pose X_WF = FramePose(s.scratch, foot.body, foot.X_BF);
+    on_ground.p_WF = X_WF.translation();
+    on_ground.R_WF = on_ground.R_anchor = X_WF.linear();
+    target.feet.push_back(on_ground);
   }
-  const Gait gait = FindGait(model, "", CommandedSpeed(model, command), {}).value();
-  double duration_s = 0.0;
+  VectorX q = s.q;
   for (auto _ : state) {
-    const Result<PlannedMotion> planned = PlanMotion(model, FlatTerrain(), gait, command, {});
-    duration_s = planned.value().plan.duration_s();
+    q = s.q;
+    if (!ik.SolvePosition(target, q)) state.SkipWithError("out of reach");
+    ik.SolveRates(target, q, s.v, s.a);
   }
-  state.counters["planned_s"] = duration_s;
 }
 
 BENCHMARK(ForwardKinematicsCall)->Arg(0)->Arg(1);
 BENCHMARK(FootJacobians)->Arg(0)->Arg(1);
+BENCHMARK(FootJacobianRates)->Arg(0)->Arg(1);
+BENCHMARK(AllJacobians)->Arg(0)->Arg(1);
+BENCHMARK(CentreOfMassCall)->Arg(0)->Arg(1);
+BENCHMARK(CentroidalMomentumCall)->Arg(0)->Arg(1);
 BENCHMARK(CentreOfMassJacobianCall)->Arg(0)->Arg(1);
 BENCHMARK(InverseDynamicsCall)->Arg(0)->Arg(1);
 BENCHMARK(MassMatrixCall)->Arg(0)->Arg(1);
@@ -137,7 +173,7 @@ BENCHMARK(ContactSplitCall)->Arg(0)->Arg(1);
 BENCHMARK(LegIkClosedForm)->Arg(0)->Arg(1);
 BENCHMARK(LegIkDamped)->Arg(0)->Arg(1);
 BENCHMARK(LegIkOutOfReach)->ArgsProduct({{0, 1}, {0, 1}});
-BENCHMARK(PlanMotionCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(WholeBodyIkCall)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace gaitwright

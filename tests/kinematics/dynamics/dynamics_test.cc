@@ -57,6 +57,22 @@ TEST_P(Dynamics, BiasAccelerationsAreDerivativesOfVelocities) {
   EXPECT_LT((difference - PointBiasAcceleration(scratch_, body, p_BQ)).norm(), 1e-6);
 }
 
+TEST_P(Dynamics, JacobianRateIsTheJacobiansDerivative) {
+  const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv());
+  const Vector3 p_BQ(0.03, -0.02, 0.05);
+  ForwardVelocities(model_, q, v, scratch_);
+  MatrixX rate(6, model_.nv()), before(6, model_.nv()), after(6, model_.nv());
+  for (int body = 0; body < static_cast<int>(model_.bodies.size()); ++body) {
+    PointJacobianRate(model_, scratch_, body, p_BQ, rate);
+    ForwardKinematics(model_, Moved(q, v, -kStep), other_);
+    PointJacobian(model_, other_, body, p_BQ, before);
+    ForwardKinematics(model_, Moved(q, v, kStep), other_);
+    PointJacobian(model_, other_, body, p_BQ, after);
+    EXPECT_LT(((after - before) / (2.0 * kStep) - rate).norm(), 1e-7 * (1.0 + rate.norm()));
+    EXPECT_LT((rate * v - PointBiasAcceleration(scratch_, body, p_BQ)).norm(), 1e-10 * (1.0 + rate.norm()));
+  }
+}
+
 TEST_P(Dynamics, MassMatrixAgreesWithInverseDynamics) {
   MatrixX M;
   VectorX tau, bias;

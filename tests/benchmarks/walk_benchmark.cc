@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <benchmark/benchmark.h>
+
+#include "kinematics/model/load_robot.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+/// 10 s of A1 trot, or 20 steps of NAO.
+struct Walk {
+  explicit Walk(const benchmark::State& state) : model(LoadNamedRobot(state.range(0) == 0 ? "a1" : "nao").value()) {
+    WalkCommand& command = request.command;
+    if (state.range(0) == 0) {
+      command.speed_m_s = 0.3;
+      command.distance_m = 2.4;
+    } else {
+      command.extent = WalkCommand::Extent::kSteps;
+      command.steps = 20;
+      command.step_length_m = 0.04;
+    }
+  }
+
+  MotionPlan Plan() const {
+    const Gait gait = FindGait(model, "", CommandedSpeed(model, request.command), {}).value();
+    return PlanMotion(model, FlatTerrain(), gait, request.command, request.motion).value().plan;
+  }
+
+  RobotModel model;
+  WalkRequest request;
+};
+
+void PlanMotionCall(benchmark::State& state) {
+  const Walk walk(state);
+  double planned_s = 0.0;
+  for (auto _ : state) planned_s = walk.Plan().duration_s();
+  state.counters["planned_s"] = planned_s;
+}
+
+void AuditCall(benchmark::State& state) {
+  const Walk walk(state);
+  const MotionPlan plan = walk.Plan();
+  for (auto _ : state) benchmark::DoNotOptimize(Audit(walk.model, plan, {}));
+}
+
+/// At a step of 1 ms, with every joint; the counter is simulated time over CPU time.
+void PlayCall(benchmark::State& state, const char* controller) {
+  const Walk walk(state);
+  const MotionPlan plan = walk.Plan();
+  PlayRequest request;
+  request.controller = controller;
+  double times_real_time = 0.0;
+  for (auto _ : state) times_real_time = PlayWalk(walk.model, plan, request).value().realtime_factor;
+  state.counters["times_real_time"] = times_real_time;
+}
+
+BENCHMARK(PlanMotionCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(AuditCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlayCall, joint_pd, "joint-pd")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlayCall, stabilised, "stabilised")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace gaitwright
