@@ -132,6 +132,27 @@ VectorX FirstGuess(const RobotModel& model, const BodyTarget& target, DynamicsSc
   return q;
 }
 
+/// Solves the first sample. Spheres start on their footholds, unrolled, whatever the first guess was: each solution's
+/// rotations are where the next one reckons its rolls from, until they stay.
+Result<int> SolveStart(WholeBodyIk& ik, double time_s, std::vector<FootPath>& paths, BodyTarget& target, VectorX& q) {
+  constexpr int kPasses = 50;
+  constexpr double kSettled = 1e-10;  // [rad]
+  Result<int> solved = 0;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (std::size_t f = 0; f < paths.size(); ++f) target.feet[f] = paths[f].At(time_s);
+    solved = ik.SolvePosition(target, q);
+    if (!solved) return solved;
+    double turned = 0.0;
+    for (std::size_t f = 0; f < paths.size(); ++f) {
+      const Matrix3 R_WF = ik.FootPose(static_cast<int>(f)).linear();
+      turned = std::max(turned, RotationLog(R_WF * target.feet[f].R_anchor.transpose()).norm());
+      paths[f].Start(R_WF);
+    }
+    if (turned < kSettled) break;
+  }
+  return solved;
+}
+
 void NoteRolls(const std::vector<FootPath>& paths, double time_s, const FootstepPlan& footsteps,
                WholeBodySolution& solution) {
   constexpr double kTiny = 1e-9;
@@ -175,7 +196,7 @@ Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBod
       Extrapolate(v, out.step_s, q);
     }
     for (std::size_t f = 0; f < paths.size(); ++f) target.feet[f] = paths[f].At(time_s);
-    const Result<int> solved = ik.SolvePosition(target, q);
+    const Result<int> solved = k == 0 ? SolveStart(ik, time_s, paths, target, q) : ik.SolvePosition(target, q);
     if (!solved) {
       Failure failure = solved.failure();
       failure.stage = "SolveWholeBody";
