@@ -34,7 +34,8 @@ struct AuditOptions {
 ///   dynamics       what the motion needs less what contacts and torques give: 0.02 m g of force, 0.02 m g h of moment
 ///   unilateral     no pulling force; centre of pressure inside the sole
 ///   friction_cone  tangential force at most friction times normal force
-///   zmp_support    multibody ZMP inside the hull of the scheduled soles, or within 2 mm of it where it is a line
+///   zmp_support    multibody ZMP inside the hull of the scheduled soles, or within 2 mm of it where it is a line; the
+///                  reference that the plan has for it likewise, to 2 mm
 ///   consistency    q, v, a, footholds, schedule, swings and centroidal columns tell one story, to 1 mm and 1e-3 rad
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);
 

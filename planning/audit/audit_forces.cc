@@ -39,6 +39,17 @@ void Auditor::CheckDynamics(double time_s) {
   }
 }
 
+/// Whether a foot is in swing at a time and a step of the plan's grid before and after: forces are linear between the
+/// rows, so that one which jumps at touch-down has its slope in the swing.
+bool Auditor::SwingsThroughout(int foot, double time_s) const {
+  const double step = plan_.whole_body.step_s;
+  for (const double t : {time_s - step, time_s, time_s + step}) {
+    if (Contains(plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, t))].stance, foot))
+      return false;
+  }
+  return true;
+}
+
 void Auditor::CheckContactForces(double time_s) {
   const double slack = kRelative * model_.weight_n();
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
@@ -50,7 +61,7 @@ void Auditor::CheckContactForces(double time_s) {
     if (!(normal >= -slack)) findings_.Note("unilateral", FootName(f), time_s, normal, 0.0, "N");
     const double cone = ground.friction * std::max(normal, 0.0);
     if (!(tangential <= cone + slack)) findings_.Note("friction_cone", FootName(f), time_s, tangential, cone, "N");
-    if (!Contains(stance_, f) && !at_switch_ && normal > 5e-3 * model_.weight_n()) {
+    if (normal > 5e-3 * model_.weight_n() && SwingsThroughout(f, time_s)) {
       findings_.Note("consistency", FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
     }
     const Foot& foot = model_.feet[static_cast<std::size_t>(f)];
@@ -82,6 +93,11 @@ void Auditor::CheckZmp(double time_s) {
   // At a switch the sample may lie on either side of it.
   const double limit = has_area && !at_switch_ ? 1e-6 : kLineWidth;
   if (!(outside <= limit)) findings_.Note("zmp_support", "zero-moment point", time_s, outside, limit, "m");
+  if (plan_.centroidal.size() != plan_.whole_body.size()) return;
+  const double reference = -SignedDistance(support, SampleCentroidal(plan_.centroidal, time_s).p_WZ);
+  if (!(reference <= kLineWidth)) {
+    findings_.Note("zmp_support", "reference of the zero-moment point", time_s, reference, kLineWidth, "m");
+  }
 }
 
 void Auditor::CheckJoints(double time_s) {

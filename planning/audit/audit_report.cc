@@ -8,9 +8,9 @@
 namespace gaitwright {
 
 const std::vector<std::string>& AuditLaws() {
-  static const std::vector<std::string> laws = {"consistency", "dynamics",       "unilateral",     "friction_cone",
-                                                "zmp_support", "joint_position", "joint_velocity", "joint_torque",
-                                                "reach",       "self_collision", "foot_clearance", "body_clearance"};
+  static const std::vector<std::string> laws = {"consistency",    "joint_position", "joint_velocity", "reach",
+                                                "self_collision", "foot_clearance", "body_clearance", "zmp_support",
+                                                "unilateral",     "friction_cone",  "dynamics",       "joint_torque"};
   return laws;
 }
 

@@ -27,7 +27,9 @@ struct AuditReport {
   bool pass() const { return violations.empty(); }
 };
 
-/// The names of all laws, in the order of reports.
+/// The names of all laws, in the order of reports: a law stands before those that its breach breaks too, so that the
+/// first named is the cause. Columns that disagree make all else doubtful; then come what the postures alone show, what
+/// no forces could mend, forces that the ground cannot give, and last the torques.
 const std::vector<std::string>& AuditLaws();
 
 /// A verdict and a line for each violation.

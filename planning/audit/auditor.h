@@ -34,6 +34,7 @@ class Auditor {
 
  private:
   bool AllFinite() const;  // the present sample
+  bool SwingsThroughout(int foot, double time_s) const;
 
   // At one sample (audit_forces.cc, audit_motion.cc)
   void CheckDynamics(double time_s);
