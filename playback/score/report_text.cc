@@ -9,6 +9,8 @@
 namespace gaitwright {
 namespace {
 
+constexpr double kNothing = 1e-5;  // [rad]: told as zero, without a sign
+
 using Json = nlohmann::ordered_json;
 
 Json OrNull(const std::optional<double>& value) {
@@ -46,6 +48,7 @@ std::string OrDash(const Metric& metric, const std::optional<double>& value) {
 }  // namespace
 
 std::string FigureText(const Metric& metric, double value) {
+  if (metric.unit == "rad" && std::abs(value) < kNothing) value = 0.0;
   if (!std::isfinite(value)) return "not finite";
   if (metric.key == "fell") return value > 0.0 ? "yes" : "no";
   if (metric.key == "scuffs") return fmt::format("{:.0f}", value);

@@ -9,96 +9,24 @@
 
 #include "playback/score/capture.h"
 #include "playback/score/contact_timing.h"
+#include "playback/score/failure_events_internal.h"
 #include "playback/score/gates.h"
 
 namespace gaitwright {
 namespace {
 
 using Kind = FailureEvent::Kind;
-using Event = std::optional<FailureEvent>;
 
-constexpr double kPersistent = 0.05;    // a state that lasts this long is no transient [s]
-constexpr double kAtLimit = 0.999;      // of the torque limit
-constexpr double kFarOff = 0.03;        // from plan or foothold, for the reference leg [m]
-constexpr double kPlanOutside = 0.002;  // [m]
+constexpr double kAtLimit = 0.999;  // of the torque limit
+constexpr double kFarOff = 0.03;    // from plan or foothold, for the reference leg [m]
 
 double Scaled(const ScoreInputs& in, double length_m) { return length_m * in.leg_length_m / kReferenceLegLength; }
-
-const std::string& FootName(const ScoreInputs& in, int foot) {
-  return in.model.feet[static_cast<std::size_t>(foot)].name;
-}
-
-std::string NamesOf(const ScoreInputs& in, FootSet stance) {
-  std::string names;
-  for (int foot = 0; foot < static_cast<int>(in.model.feet.size()); ++foot) {
-    if (Contains(stance, foot)) names += (names.empty() ? "'" : ", '") + FootName(in, foot) + "'";
-  }
-  return names;
-}
 
 /// "to the left": the main direction of a vector as the base sees it.
 std::string DirectionOf(const Vector2& d_W, double base_yaw_rad) {
   const Vector2 d = Eigen::Rotation2Dd(-base_yaw_rad) * d_W;
   if (std::abs(d.x()) > std::abs(d.y())) return d.x() > 0.0 ? "ahead" : "behind";
   return d.y() > 0.0 ? "to the left" : "to the right";
-}
-
-/// Index of the first sample from which `holds` is true for kPersistent, or to the end if that comes sooner.
-template <class Holds>
-std::optional<std::size_t> FirstPersistent(const std::vector<MotionSample>& samples, Holds holds) {
-  std::optional<std::size_t> start;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    if (!holds(k)) {
-      start.reset();
-    } else if (!start) {
-      start = k;
-    }
-    if (start && samples[k].time_s - samples[*start].time_s >= kPersistent) return start;
-  }
-  return start;
-}
-
-Event PlanUnstable(const ScoreInputs& in) {
-  const auto& planned = in.series.planned;
-  const auto outside = [&](std::size_t k) {
-    return planned[k].has_zmp && HasArea(planned[k].support.polygon) && planned[k].zmp_margin_m() < -kPlanOutside;
-  };
-  const auto at = FirstPersistent(planned, outside);
-  if (!at) return {};
-  double worst = 0.0;
-  for (std::size_t k = *at; k < planned.size() && outside(k); ++k) worst = std::min(worst, planned[k].zmp_margin_m());
-  const MotionSample& s = planned[*at];
-  return FailureEvent{
-      Kind::kPlanUnstable, s.time_s,
-      fmt::format("from {:.2f} s the plan itself has its ZMP outside of the support of {}, by up to {:.0f} mm",
-                  s.time_s, NamesOf(in, s.stance), -1e3 * worst)};
-}
-
-/// The first time the plan itself is past a limit of position or torque.
-Event PlanBeyondLimits(const ScoreInputs& in) {
-  constexpr double kSlack = 1e-3;  // [rad], share of the torque
-  for (std::size_t k = 0; k < in.series.plan.size(); ++k) {
-    const WholeBodySample& row = in.series.plan[k];
-    const double time = in.series.planned[k].time_s;
-    for (int i = 0; i < in.model.num_dofs(); ++i) {
-      const std::string& name = in.model.dof_names[static_cast<std::size_t>(i)];
-      const double q = row.q[7 + i], past = std::max(in.model.dof_lower(i) - q, q - in.model.dof_upper(i));
-      if (past > kSlack) {
-        return FailureEvent{
-            Kind::kPlanBeyondLimits, time,
-            fmt::format("at {:.2f} s the plan itself takes '{}' {:.3f} rad past its limit", time, name, past)};
-      }
-      const double limit = in.model.dof_effort_limit(i);
-      const double use = HasTorqueLimit(in.model, i) && row.tau.size() > i ? std::abs(row.tau[i]) / limit : 0.0;
-      if (use > 1.0 + kSlack) {
-        return FailureEvent{
-            Kind::kPlanBeyondLimits, time,
-            fmt::format("at {:.2f} s the plan itself asks {:.2f} N m of '{}', whose limit is {:.2f} N m", time,
-                        std::abs(row.tau[i]), name, limit)};
-      }
-    }
-  }
-  return {};
 }
 
 Event ContactLost(const ScoreInputs& in) {
@@ -251,8 +179,9 @@ Event BodyTouched(const ScoreInputs& in) {
 
 std::vector<FailureEvent> FailureEvents(const ScoreInputs& in) {
   std::vector<FailureEvent> events;
-  for (const Event& event : {PlanUnstable(in), PlanBeyondLimits(in), ContactLost(in), EarlyContact(in),
-                             MissedFoothold(in), Slip(in), TorqueLimit(in), DcmOut(in), BodyTouched(in)}) {
+  for (const Event& event :
+       {PlanUnstable(in), PlanBeyondLimits(in), PlanBeyondFriction(in), PlanForcesOff(in), ContactLost(in),
+        EarlyContact(in), MissedFoothold(in), Slip(in), TorqueLimit(in), DcmOut(in), BodyTouched(in)}) {
     if (event && event->time_s <= in.fall.time_s) events.push_back(*event);
   }
   std::stable_sort(events.begin(), events.end(),

@@ -11,15 +11,17 @@ namespace gaitwright {
 /// Something that went wrong on the way.
 struct FailureEvent {
   enum class Kind {
-    kPlanUnstable,      ///< the plan's own ZMP is outside of its support
-    kPlanBeyondLimits,  ///< the plan itself is past a limit of position or torque
-    kContactLost,       ///< a foot was off the ground where the schedule has it standing
-    kEarlyContact,      ///< a foot touched in mid swing
-    kMissedFoothold,    ///< a foot came down elsewhere
-    kSlip,              ///< a foot slid further than the gate allows
-    kTorqueLimit,       ///< a joint stayed at its limit
-    kDcmOut,            ///< no step of the plan could catch the DCM any more
-    kBodyContact,       ///< a body that is no foot touched the ground
+    kPlanUnstable,        ///< the plan's own ZMP is outside of its support
+    kPlanBeyondLimits,    ///< the plan itself is past a limit of position or torque
+    kPlanBeyondFriction,  ///< the plan itself asks the ground for more than friction holds
+    kPlanForcesOff,       ///< the plan's torques or contact forces are not those that its motion needs
+    kContactLost,         ///< a foot was off the ground where the schedule has it standing
+    kEarlyContact,        ///< a foot touched in mid swing
+    kMissedFoothold,      ///< a foot came down elsewhere
+    kSlip,                ///< a foot slid further than the gate allows
+    kTorqueLimit,         ///< a joint stayed at its limit
+    kDcmOut,              ///< no step of the plan could catch the DCM any more
+    kBodyContact,         ///< a body that is no foot touched the ground
   };
   Kind kind = Kind::kContactLost;
   double time_s = 0.0;
