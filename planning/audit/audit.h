@@ -35,7 +35,7 @@ struct AuditOptions {
 ///   unilateral     no pulling force; centre of pressure inside the sole
 ///   friction_cone  tangential force at most friction times normal force
 ///   zmp_support    multibody ZMP inside the hull of the scheduled soles, or within 2 mm of it where it is a line; the
-///                  reference that the plan has for it likewise, to 2 mm
+///                  reference that the plan has for it likewise, to 5 mm
 ///   consistency    q, v, a, footholds, schedule, swings and centroidal columns tell one story, to 1 mm and 1e-3 rad
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);
 
