@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/audit/audit.h"
 #include "planning/gait/find_gait.h"
@@ -45,6 +46,24 @@ TEST(PlanMotion, GoesLowerWhereStraightKneesWouldBeTooFast) {
   EXPECT_NEAR(Height(asked), upright.pipeline.com_height_m, 1e-6) << "a height that is asked for is kept";
   EXPECT_FALSE(asked.warnings.empty());
   EXPECT_FALSE(Passes(model, asked));
+}
+
+/// The first guess is the standing posture, whose feet are turned otherwise than those of a lower one.
+TEST(PlanMotion, SpheresStandStillOnTheirFootholdsFromTheFirstRowAtAnyHeight) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  MotionOptions low;
+  low.pipeline.com_height_m = 0.9 * Height(Planned(model, {}));
+  const MotionPlan plan = Planned(model, low);
+  DynamicsScratch scratch(model);
+  for (const std::size_t row : {0, 1}) {
+    ForwardKinematics(model, plan.whole_body.q[row], scratch);
+    for (const Foothold& foothold : plan.footsteps.footholds) {
+      if (foothold.touchdown_s > 0.0) continue;
+      const Vector3 p_WF = ContactFrame(model, scratch, foothold.foot).translation();
+      EXPECT_LT((p_WF - foothold.X_WF.translation()).norm(), 1e-6) << "row " << row << ", foot " << foothold.foot;
+    }
+  }
+  EXPECT_TRUE(Passes(model, plan));
 }
 
 TEST(PlanMotion, TheSameTwice) {
