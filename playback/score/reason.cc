@@ -39,9 +39,14 @@ std::string BrokenGates(const std::vector<Metric>& metrics) {
   std::string text;
   for (const Metric& m : metrics) {
     if (m.pass) continue;
-    const char* side = m.bound == Bound::kAtMost ? "over" : "not over";
-    text += fmt::format("{}{} is {}, {} its limit {}", text.empty() ? "" : "; ", m.key, FigureText(m, *m.value), side,
-                        FigureText(m, *m.limit));
+    const std::string value = FigureText(m, *m.value), limit = FigureText(m, *m.limit);
+    const bool over = m.bound == Bound::kAtMost;
+    text += fmt::format("{}{} is ", text.empty() ? "" : "; ", m.key);
+    if (value == limit) {
+      text += fmt::format("{} its limit {}", over ? "just over" : "not over", limit);
+    } else {
+      text += fmt::format("{}, {} its limit {}", value, over ? "over" : "not over", limit);
+    }
   }
   return text;
 }

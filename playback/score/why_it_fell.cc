@@ -178,10 +178,13 @@ Event BodyTouched(const ScoreInputs& in) {
 }  // namespace
 
 std::vector<FailureEvent> FailureEvents(const ScoreInputs& in) {
+  const Event unstable = PlanUnstable(in), beyond_friction = PlanBeyondFriction(in);
+  // No forces are right for a ZMP that is outside, nor forces that the ground cannot give.
+  const Event forces_off = unstable || beyond_friction ? Event() : PlanForcesOff(in);
   std::vector<FailureEvent> events;
   for (const Event& event :
-       {PlanUnstable(in), PlanBeyondLimits(in), PlanBeyondFriction(in), PlanForcesOff(in), ContactLost(in),
-        EarlyContact(in), MissedFoothold(in), Slip(in), TorqueLimit(in), DcmOut(in), BodyTouched(in)}) {
+       {unstable, PlanBeyondLimits(in), beyond_friction, forces_off, ContactLost(in), EarlyContact(in),
+        MissedFoothold(in), Slip(in), TorqueLimit(in), DcmOut(in), BodyTouched(in)}) {
     if (event && event->time_s <= in.fall.time_s) events.push_back(*event);
   }
   std::stable_sort(events.begin(), events.end(),
