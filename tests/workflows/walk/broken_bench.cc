@@ -72,7 +72,9 @@ std::size_t MiddleFoothold(const MotionPlan& plan) {
 MotionPlan WithSwingsThroughTheGround(const Bench& bench, int foot) {
   MotionPlan plan = bench.plan;
   for (SwingTrajectory& swing : plan.swings) {
-    if (swing.foot == foot) swing.lift_m *= -0.25;
+    if (swing.foot != foot) continue;
+    swing.lift_m *= -0.25;
+    swing.detour_W.clear();
   }
   return WithMotionAnew(bench.model, plan);
 }
