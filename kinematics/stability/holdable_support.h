@@ -16,7 +16,8 @@ namespace gaitwright {
 /// @param support   convex, in plan view, of the ground at the height of the foot's contact frame; W [m].
 /// @param p_WC      centre of mass [m];  @param normal_n  force N that the foot carries [N].
 /// @param use       share of the joints' effort limits, > 0.
-/// @return the part of `support`; `support` itself when it has no area, or a joint leaves nothing of it.
+/// @return the part of `support`; `support` itself when it has no area. A joint that would leave nothing is passed
+/// over.
 /// Needs ForwardKinematics on the scratch.
 Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch, int foot, const Polygon& support,
                         const Vector3& p_WC, double normal_n, double use);

@@ -56,5 +56,60 @@ TEST(Polygon, SegmentsAndPointsHaveNoInside) {
   EXPECT_THROW(SignedDistance({}, {0.0, 0.0}), InvalidArgument);
 }
 
+/// Convex, seeded, of random size and place.
+Polygon RandomPolygon(std::mt19937& engine) {
+  std::normal_distribution<double> normal;
+  std::vector<Vector2> points;
+  for (int i = 0; i < 8; ++i) points.emplace_back(normal(engine), normal(engine));
+  return ConvexHull(points);
+}
+
+TEST(Clipped, RectanglesInClosedForm) {
+  const Polygon rectangle = ConvexHull({{0.0, 0.0}, {3.0, 0.0}, {3.0, 2.0}, {0.0, 2.0}});
+  const Polygon right = Clipped(rectangle, {1.0, 0.0}, 1.0);
+  EXPECT_NEAR(Area(right), 4.0, 1e-12);
+  EXPECT_NEAR((Centroid(right) - Vector2(2.0, 1.0)).norm(), 0.0, 1e-12);
+  const Polygon below = Clipped(rectangle, {0.0, -2.0}, -1.0);  // y <= 1/2
+  EXPECT_NEAR(Area(below), 1.5, 1e-12);
+  EXPECT_NEAR((Centroid(below) - Vector2(1.5, 0.25)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(Area(Clipped(rectangle, {1.0, 1.0}, 4.0)), 0.5, 1e-12);
+  EXPECT_EQ(Clipped(rectangle, {1.0, 1.0}, 4.0).size(), 3U);
+  EXPECT_TRUE(Clipped(rectangle, {1.0, 0.0}, 3.5).empty());
+  EXPECT_EQ(Clipped(rectangle, {1.0, 0.0}, -0.5), rectangle);
+}
+
+TEST(Clipped, IsConvexInsideOnTheSideAndTheTwoSidesMakeTheWhole) {
+  std::mt19937 engine(11);
+  std::normal_distribution<double> random;
+  int cut = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Polygon whole = RandomPolygon(engine);
+    const Vector2 normal(random(engine), random(engine));
+    const double least = random(engine);
+    const Polygon part = Clipped(whole, normal, least), other = Clipped(whole, -normal, -least);
+    for (const Vector2& p : part) {
+      EXPECT_GE(normal.dot(p), least - 1e-12);
+      EXPECT_GE(SignedDistance(whole, p), -1e-12);
+    }
+    EXPECT_NEAR(Area(part) + Area(other), Area(whole), 1e-12);
+    EXPECT_NEAR(Area(ConvexHull(part)), Area(part), 1e-12);
+    cut += static_cast<int>(Area(part) > 1e-3 && Area(other) > 1e-3);
+  }
+  EXPECT_GT(cut, 100);
+}
+
+TEST(Clipped, TwiceIsOnce) {
+  std::mt19937 engine(13);
+  std::normal_distribution<double> random;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Polygon whole = RandomPolygon(engine);
+    const Vector2 normal(random(engine), random(engine));
+    const Polygon once = Clipped(whole, normal, 0.3), twice = Clipped(once, normal, 0.3 - 1e-12);
+    EXPECT_EQ(once, twice);
+    const Vector2 across(random(engine), random(engine));
+    EXPECT_NEAR(Area(Clipped(once, across, 0.1)), Area(Clipped(Clipped(whole, across, 0.1), normal, 0.3)), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace gaitwright
