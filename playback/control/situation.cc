@@ -2,6 +2,7 @@
 #include "playback/control/situation.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "kinematics/dynamics/foot_contact.h"
@@ -32,7 +33,12 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
   Observe(model, input.q, input.v, measured);
   Observe(model, sample.q, sample.v, planned);
   scheduled = plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, time_s))].stance;
-  omega_rad_s = std::sqrt(kGravity / std::max(planned.p_WC.z(), kLowest));
+  double height = 0.0;
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
+    if (Contains(scheduled, f)) height += planned.X_WF[static_cast<std::size_t>(f)].translation().z();
+  }
+  if (scheduled != 0) ground_m = height / std::popcount(scheduled);
+  omega_rad_s = std::sqrt(kGravity / std::max(planned.p_WC.z() - ground_m, kLowest));
   if (touched_s_.empty()) touched_s_.assign(model.feet.size(), time_s);
   bearing = 0;
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {

@@ -39,7 +39,8 @@ struct Situation {
   std::vector<ContactWrench> wrenches;  ///< measured, by foot
   FootSet scheduled = 0;                ///< feet that shall stand
   FootSet bearing = 0;                  ///< feet that stand: scheduled or at the end of their swing, and in contact
-  double omega_rad_s = 1.0;             ///< of the planned pendulum
+  double ground_m = 0.0;     ///< mean height of the planned contact of the feet that shall stand, or last did
+  double omega_rad_s = 1.0;  ///< of the planned pendulum
 
  private:
   void Observe(const RobotModel& model, const VectorX& q, const VectorX& v, BodyState& body) const;

@@ -20,7 +20,7 @@ StanceFeedback::StanceFeedback(const RobotModel& model, const MotionPlan& plan, 
   MassMatrix(model, standing, scratch, M);
   const Vector3 p_OC = CentreOfMass(model, scratch) - standing.head<3>();
   for (int i = 0; i < 3; ++i)
-    inertia_[i] = M(3 + i, 3 + i) - model.total_mass_kg * (p_OC.squaredNorm() - p_OC[i] * p_OC[i]);
+    inertia_B_[i] = M(3 + i, 3 + i) - model.total_mass_kg * (p_OC.squaredNorm() - p_OC[i] * p_OC[i]);
 }
 
 void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau) {
@@ -43,7 +43,7 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
     for (const ContactPoint& point : contacts_) ground += point.p_W.z() / static_cast<double>(contacts_.size());
     // The attitude comes first: with the moment given, this is the force that puts the ZMP there.
     const Vector3& p_WC = now.measured.p_WC;
-    const double height = std::max(p_WC.z() - ground, kLow * now.planned.p_WC.z());
+    const double height = std::max(p_WC.z() - ground, kLow * (now.planned.p_WC.z() - now.ground_m));
     const Vector3 force(((p_WC.x() - zmp.x()) * normal - moment.y()) / height,
                         ((p_WC.y() - zmp.y()) * normal + moment.x()) / height, normal);
     splitter_.Solve(contacts_, {p_WC, force, moment}, split_);
@@ -86,12 +86,14 @@ Vector3 StanceFeedback::WantedMoment(const Situation& now, const Footing& footin
   const Vector3 turn = RotationLog(R_wanted * now.measured.R_WB().transpose());
   const Vector3 spin = now.planned.w_WB() - now.measured.w_WB();
   const double k = options_.attitude_rad_s;
-  return planned_W + inertia_.cwiseProduct(k * k * turn + 2.0 * k * spin);
+  const Matrix3& R_WB = now.planned.R_WB();
+  return planned_W + R_WB * inertia_B_.cwiseProduct(R_WB.transpose() * (k * k * turn + 2.0 * k * spin));
 }
 
 Vector2 StanceFeedback::WantedZmp(const Situation& now, const Footing& footing, const PointWrench& planned) {
-  const Vector2 lean = now.planned.p_WC.z() * Vector2(footing.ground_tilt_W.y(), -footing.ground_tilt_W.x());
-  planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, 0.0);
+  const double ground = now.ground_m;
+  const Vector2 lean = (now.planned.p_WC.z() - ground) * Vector2(footing.ground_tilt_W.y(), -footing.ground_tilt_W.x());
+  planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, ground);
   dcm_error_W_ = DivergentComponent(now.measured.p_WC, now.measured.v_WC, now.omega_rad_s) -
                  DivergentComponent(now.planned.p_WC, now.planned.v_WC, now.omega_rad_s) - lean;
   const Vector2 home = NearestPoint(support_, planned_zmp_W_ + footing.mean_offset_W.head<2>());

@@ -43,7 +43,7 @@ class StanceFeedback {
   const RobotModel& model_;
   const MotionPlan& plan_;
   const StabilisedOptions& options_;
-  Vector3 inertia_ = Vector3::Ones();
+  Vector3 inertia_B_ = Vector3::Ones();  // of the standing robot, about its centre of mass
   Vector2 ZmpFor(const Vector2& dcm_error_W) const;
 
   Vector2 dcm_error_W_ = Vector2::Zero(), planned_zmp_W_ = Vector2::Zero();
