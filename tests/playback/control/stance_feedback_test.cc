@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/control/stance_feedback.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "tests/playback/reaction.h"
+#include "tests/playback/short_walk.h"
+#include "tests/playback/standing_plan.h"
+#include "tests/playback/synthetic.h"
+
+namespace gaitwright {
+namespace {
+
+using displaced::BaseMoved;
+using displaced::OnPlan;
+
+/// Inertia of the whole robot about its centre of mass, body by body.
+Matrix3 InertiaOf(const RobotModel& model, const VectorX& q) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, q, scratch);
+  const Vector3 p_WC = CentreOfMass(model, scratch);
+  Matrix3 inertia = Matrix3::Zero();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Matrix3& R = scratch.R_WB[b];
+    const Matrix3 arm = Skew(scratch.p_WB[b] + R * model.bodies[b].p_BC - p_WC);
+    inertia += R * model.bodies[b].I_C * R.transpose() - model.bodies[b].mass * arm * arm;
+  }
+  return inertia;
+}
+
+/// A quadruped that stands on four points: the wrench is whatever friction allows.
+class OnFourFeet : public ::testing::TestWithParam<const char*> {
+ protected:
+  static RobotModel Named(const std::string& name) {
+    return name == "block" ? synthetic::Robot(4, FootType::kPoint) : standing::Load(name);
+  }
+  static MotionPlan Standing(const RobotModel& model) {
+    return model.hash.empty() ? synthetic::StandingPlan(model, 1.0) : standing::Plan(model, 1.0);
+  }
+  /// On the plan, but for the base.
+  ControlInput Off(const Vector3& way, const Vector3& turn) const {
+    ControlInput input = on_plan_;
+    input.q = BaseMoved(model_, input.q, way, turn);
+    return input;
+  }
+  /// On the plan, but for the base's velocity, feet at rest.
+  ControlInput Moving(const Vector3& v_WC, const Vector3& w_WB) const {
+    ControlInput input = on_plan_;
+    DynamicsScratch scratch(model_);
+    ForwardKinematics(model_, input.q, scratch);
+    const Vector3 arm = scratch.p_WB[0] - CentreOfMass(model_, scratch);
+    input.v.setZero();
+    input.v.head<3>() = v_WC + w_WB.cross(arm);
+    input.v.segment<3>(3) = w_WB;
+    return input;
+  }
+
+  const RobotModel model_ = Named(GetParam());
+  StanceCase case_{model_, Standing(model_)};
+  const ControlInput on_plan_ = OnPlan(case_.plan(), 0.5);
+  const double m_ = model_.total_mass_kg;
+};
+
+TEST_P(OnFourFeet, NoErrorAsksForThePlannedWrench) {
+  const Reaction asked = case_.Ask(on_plan_);
+  EXPECT_LT((asked.force_W - Vector3(0.0, 0.0, model_.weight_n())).norm(), 1e-5 * model_.weight_n());
+  EXPECT_LT(asked.moment_W.norm(), 1e-5 * model_.weight_n());
+}
+
+TEST_P(OnFourFeet, ATiltMeetsTheMomentOfACriticallyDampedSpring) {
+  const double k = StabilisedOptions{}.attitude_rad_s;
+  const Matrix3 inertia = InertiaOf(model_, on_plan_.q);
+  const Vector3 none = case_.Ask(on_plan_).moment_W;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 unit = Vector3::Unit(axis);
+    for (const double side : {-1.0, 1.0}) {
+      const Vector3 turn = side * 0.01 * unit, spin = side * 0.05 * unit;
+      const Vector3 spring = case_.Ask(Off(Vector3::Zero(), turn)).moment_W - none;
+      EXPECT_NEAR(spring[axis], -k * k * inertia(axis, axis) * side * 0.01, 0.02 * k * k * inertia(axis, axis) * 0.01);
+      const Vector3 damper = case_.Ask(Moving(Vector3::Zero(), spin)).moment_W - none;
+      EXPECT_NEAR(damper[axis], -2.0 * k * inertia(axis, axis) * side * 0.05, 0.02 * k * inertia(axis, axis) * 0.05);
+    }
+  }
+}
+
+TEST_P(OnFourFeet, HeightIsHeldLikewise) {
+  const double k = StabilisedOptions{}.height_rad_s, weight = model_.weight_n();
+  const ControlInput raised = Off({0.0, 0.0, 0.01}, Vector3::Zero());
+  const double lift = case_.Ask(raised).force_W.z() - weight;
+  const double rise = case_.now.measured.p_WC.z() - case_.now.planned.p_WC.z();
+  EXPECT_GT(rise, 0.005);
+  EXPECT_NEAR(lift, -m_ * k * k * rise, 1e-3 * weight);
+  const double brake = case_.Ask(Moving({0.0, 0.0, 0.1}, Vector3::Zero())).force_W.z() - weight;
+  EXPECT_NEAR(brake, -m_ * 2.0 * k * case_.now.measured.v_WC.z(), 1e-3 * weight);
+  EXPECT_LT(brake, -0.01 * weight);
+}
+
+TEST_P(OnFourFeet, TheZmpGoesBeyondTheDcmByTheGain) {
+  const double gain = StabilisedOptions{}.dcm_gain;
+  const Vector2 home = case_.Ask(on_plan_).zmp_W;
+  for (const Vector3& way : {Vector3(0.005, 0.0, 0.0), Vector3(0.0, -0.005, 0.0), Vector3(-0.003, 0.002, 0.0)}) {
+    const Vector2 moved = case_.Ask(Off(way, Vector3::Zero())).zmp_W - home;
+    const Vector2 error = (case_.now.measured.p_WC - case_.now.planned.p_WC).head<2>();
+    EXPECT_GT(error.norm(), 0.5 * way.norm());
+    EXPECT_LT((moved - gain * error).norm(), 0.02 * gain * error.norm());
+    const Vector2 caught = case_.Ask(Moving(5.0 * way, Vector3::Zero())).zmp_W - home;
+    const Vector2 ahead = case_.now.measured.v_WC.head<2>() / case_.now.omega_rad_s;
+    EXPECT_LT((caught - gain * ahead).norm(), 0.02 * gain * ahead.norm());
+  }
+}
+
+TEST_P(OnFourFeet, AWrenchScalesWithASmallError) {
+  const Reaction none = case_.Ask(on_plan_);
+  const Vector3 way(0.002, -0.001, 0.001), turn(0.002, 0.003, -0.002);
+  const Reaction one = case_.Ask(Off(way, turn)), half = case_.Ask(Off(0.5 * way, 0.5 * turn));
+  const Vector3 force = one.force_W - none.force_W, moment = one.moment_W - none.moment_W;
+  EXPECT_GT(force.norm(), 1.0);
+  EXPECT_GT(moment.norm(), 0.05);
+  EXPECT_LT((force - 2.0 * (half.force_W - none.force_W)).norm(), 0.02 * force.norm());
+  EXPECT_LT((moment - 2.0 * (half.moment_W - none.moment_W)).norm(), 0.02 * moment.norm());
+}
+
+TEST_P(OnFourFeet, TheZmpStaysInTheUsableSupportWhateverTheError) {
+  MotionPlan sticky = Standing(model_);
+  sticky.terrain = FlatTerrain(5.0);  // so that friction is not what stops it
+  StanceCase rough(model_, sticky);
+  const Vector2 home = rough.Ask(on_plan_).zmp_W;
+  Polygon feet;
+  for (const Pose& X_WF : rough.now.measured.X_WF) feet.push_back(X_WF.translation().head<2>());
+  Polygon usable = ConvexHull(feet);
+  for (Vector2& corner : usable) corner = home + StabilisedOptions{}.support_use * (corner - home);
+  for (int i = 0; i < 16; ++i) {
+    const Vector3 way(std::cos(0.4 * i), std::sin(0.4 * i), 0.0);
+    for (const double speed : {0.1, 1.0, 10.0, 1000.0}) {
+      const Vector2 zmp = rough.Ask(Moving(speed * way, Vector3::Zero())).zmp_W;
+      const double inside = SignedDistance(usable, zmp);
+      EXPECT_GT(inside, -1e-5) << speed << " m/s towards " << way.transpose();
+      EXPECT_GT((zmp - home).dot(way.head<2>()), 0.01) << "towards the error";
+      if (speed > 5.0) {
+        EXPECT_LT(inside, 1e-5) << "as far as it goes";
+      }
+    }
+  }
+}
+
+TEST_P(OnFourFeet, ForcesStayInTheUsedPartOfTheFrictionCone) {
+  const double mu = 0.8 * StabilisedOptions{}.friction_use;
+  double most = 0.0;
+  for (int i = 0; i < 50; ++i) {
+    const Vector3 v(3.0 * std::sin(1.0 * i), 3.0 * std::sin(2.3 * i), std::sin(0.7 * i));
+    const Vector3 w(4.0 * std::sin(1.3 * i), 4.0 * std::sin(1.9 * i), 4.0 * std::sin(0.3 * i));
+    for (const Vector3& force : case_.Ask(Moving(v, w)).foot_W) {
+      ASSERT_GE(force.z(), -1e-6);
+      ASSERT_LE(force.head<2>().norm(), mu * force.z() + 1e-6);
+      if (force.z() > 1.0) most = std::max(most, force.head<2>().norm() / force.z());
+    }
+  }
+  EXPECT_NEAR(most, mu, 1e-6) << "some are on the cone";
+}
+
+TEST_P(OnFourFeet, FeetInTheAirAreNotAskedForAnything) {
+  ControlInput input = Off({0.02, 0.01, 0.0}, Vector3::Zero());
+  input.time_s = 0.4;
+  case_.now.Update(model_, input);
+  input.time_s = 0.5;
+  input.contact = 0b0011;
+  case_.now.Update(model_, input);
+  ASSERT_EQ(case_.now.bearing, FootSet{0b0011});
+  VectorX tau = VectorX::Zero(model_.num_dofs());
+  case_.stance.Update(case_.now, case_.footing, tau);
+  VectorX planned = VectorX::Zero(model_.nv());
+  for (std::size_t f = 2; f < 4; ++f) {
+    Vector6 wrench;
+    wrench << case_.now.sample.wrenches[f].force_W, case_.now.sample.wrenches[f].moment_W;
+    AddPointWrench(model_, case_.now.planned.scratch, model_.feet[f].body, case_.now.planned.X_WF[f].translation(),
+                   wrench, planned);
+  }
+  for (const std::size_t leg : {2U, 3U}) {
+    for (const int joint : model_.legs[leg].joints) {
+      const int dof = model_.joints[static_cast<std::size_t>(joint)].dof;
+      EXPECT_NEAR(tau[dof], planned[6 + dof], 1e-9) << "takes back what the plan holds the ground with";
+    }
+  }
+  EXPECT_GT(planned.tail(model_.num_dofs()).norm(), 1.0);
+}
+
+TEST_P(OnFourFeet, TheSameElsewhereAsksForTheSame) {
+  ControlInput input = Off({0.004, -0.003, 0.002}, {0.01, 0.02, -0.01});
+  input.v.head<6>() << 0.02, -0.03, 0.01, 0.05, 0.04, -0.03;
+  const VectorX here = case_.Torques(input), none = case_.Torques(on_plan_);
+  EXPECT_GT((here - none).norm(), 0.5);
+  for (const Vector3& way : {Vector3(5.0, -3.0, 0.0), Vector3(0.0, 0.0, 0.4), Vector3(0.0, 0.0, -1.0)}) {
+    for (const double yaw : {0.0, 1.5707963, 2.2}) {
+      Pose X(YawRotation(yaw));
+      X.translation() = way;
+      StanceCase there(model_, displaced::Carried(X, case_.plan()));
+      const VectorX tau = there.Torques(displaced::Carried(X, input));
+      EXPECT_LT((tau - here).lpNorm<Eigen::Infinity>(), 1e-4 * here.lpNorm<Eigen::Infinity>())
+          << "turned by " << yaw << ", moved by " << way.transpose();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, OnFourFeet, ::testing::Values("block", "a1"), [](const auto& i) { return i.param; });
+
+/// The block robots are their own mirror images in the plane y = 0: feet and joints by the table.
+class Mirrored : public ::testing::TestWithParam<int> {
+ protected:
+  VectorX Mirror(const VectorX& joints) const {
+    VectorX mirrored(joints.size());
+    for (Eigen::Index leg = 0; leg < joints.size() / 3; ++leg) {
+      const Eigen::Index other = leg % 2 == 0 ? leg + 1 : leg - 1;
+      mirrored.segment<3>(3 * other) = joints.segment<3>(3 * leg).cwiseProduct(Vector3(1.0, -1.0, 1.0));
+    }
+    return mirrored;
+  }
+  ControlInput Mirror(ControlInput input) const {
+    const Eigen::Index n = model_.num_dofs();
+    input.q.head<7>() = input.q.head<7>().cwiseProduct(Eigen::Vector<double, 7>(1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0));
+    input.v.head<6>() = input.v.head<6>().cwiseProduct(Vector6(1.0, -1.0, 1.0, -1.0, 1.0, -1.0));
+    input.q.tail(n) = Mirror(VectorX(input.q.tail(n)));
+    input.v.tail(n) = Mirror(VectorX(input.v.tail(n)));
+    return input;
+  }
+
+  const RobotModel model_ = synthetic::Robot(GetParam(), GetParam() == 2 ? FootType::kSole : FootType::kPoint);
+};
+
+TEST_P(Mirrored, AMirroredErrorIsMetByMirroredTorques) {
+  StanceCase standing(model_, synthetic::StandingPlan(model_, 1.0));
+  for (int i = 0; i < 20; ++i) {
+    const double size = i < 10 ? 0.01 : 0.2;  // feet lose their grip in the second half
+    const auto wave = [&](double rate) { return size * std::sin(rate * (i + 1)); };
+    ControlInput input = OnPlan(standing.plan(), 0.5);
+    input.q = BaseMoved(model_, input.q, {wave(1.0), wave(2.1), wave(0.7)}, {wave(1.7), wave(0.4), wave(2.9)});
+    for (Eigen::Index k = 0; k < input.v.size(); ++k) input.v[k] = wave(0.31 * static_cast<double>(k + 1));
+    const VectorX tau = standing.Torques(input), mirrored = standing.Torques(Mirror(input));
+    EXPECT_GT((tau - Mirror(tau)).norm(), 0.1) << "not its own mirror image";
+    EXPECT_LT((mirrored - Mirror(tau)).lpNorm<Eigen::Infinity>(), 1e-3) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Feet, Mirrored, ::testing::Values(2, 4));
+
+TEST(StanceFeedback, OnAWalkWithoutErrorNothingIsAdded) {
+  const RobotModel model = synthetic::Robot(4, FootType::kPoint);
+  StanceCase walking(model, synthetic::SteppingPlan(model));
+  for (double t = 0.0; t < walking.plan().whole_body.end_s(); t += 0.005) {
+    EXPECT_LT(walking.Torques(OnPlan(walking.plan(), t)).lpNorm<Eigen::Infinity>(), 0.02) << t;
+  }
+}
+
+TEST(StanceFeedback, AnAnkleAloneIsNotAskedForMoreThanItHas) {
+  const RobotModel nao = standing::Load("nao");
+  StanceCase walking(nao, ShortWalk(nao, "", 4, 0.04));
+  const MotionPlan& plan = walking.plan();
+  double most = 0.0;
+  int alone = 0;
+  for (const ContactPhase& phase : plan.schedule.phases) {
+    if (phase.stance == AllFeet(2)) continue;
+    for (int i = 0; i < 12; ++i) {
+      ControlInput input = OnPlan(plan, 0.5 * (phase.start_s + phase.end_s));
+      input.v.head<2>() += 3.0 * Vector2(std::cos(0.5 * i), std::sin(0.5 * i));
+      WholeBodySample sample;
+      SampleWholeBody(plan.whole_body, input.time_s, sample);
+      const VectorX tau = sample.tau + walking.Torques(input);
+      const std::string side = phase.stance == FootSet{1} ? "L" : "R";
+      for (const char* ankle : {"AnklePitch", "AnkleRoll"}) {
+        const int dof = nao.DofIndex(side + ankle);
+        most = std::max(most, std::abs(tau[dof]) / nao.dof_effort_limit(dof));
+      }
+      ++alone;
+    }
+  }
+  EXPECT_GT(alone, 20);
+  EXPECT_LT(most, 1.0);
+  EXPECT_GT(most, 0.7);
+}
+
+/// A point mass on the line between two feet: dcm' = w (dcm - zmp), com' = w (dcm - com), by small steps.
+StanceFeedback::Drift Integrated(Vector2 dcm, Vector2 com, double omega, double ahead_s,
+                                 const std::function<Vector2(const Vector2&)>& zmp) {
+  constexpr int kSteps = 20000;
+  const double h = ahead_s / kSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vector2 rate = omega * (dcm - zmp(dcm));
+    com += h * omega * (dcm - com) + 0.5 * h * h * omega * (rate - omega * (dcm - com));
+    dcm += h * rate;
+  }
+  return {dcm, com};
+}
+
+/// The block quadruped in the middle of a diagonal's swing, in error.
+class DriftAhead : public ::testing::Test {
+ protected:
+  StanceCase& At(const StabilisedOptions& options, const Vector2& way, const Vector2& velocity) {
+    case_ = std::make_unique<StanceCase>(model_, synthetic::SteppingPlan(model_), options);
+    ControlInput input = OnPlan(case_->plan(), 1.1);
+    input.q = BaseMoved(model_, input.q, Vector3(way.x(), way.y(), 0.0), Vector3::Zero());
+    input.v.head<2>() += velocity;
+    case_->Torques(input);
+    EXPECT_EQ(case_->now.bearing, FootSet{0b0110});
+    return *case_;
+  }
+
+  const RobotModel model_ = synthetic::Robot(4, FootType::kPoint);
+  const double omega_ = std::sqrt(kGravity / synthetic::kHeight);
+  std::unique_ptr<StanceCase> case_;
+};
+
+TEST_F(DriftAhead, WithAFixedZmpIsThePendulum) {
+  StabilisedOptions options;
+  options.support_use = 0.0;  // the ZMP stays where it is planned
+  const Vector2 x0(0.01, -0.02), v0(0.1, 0.05);
+  const StanceCase& off = At(options, x0, v0);
+  for (const double t : {0.0, 0.05, 0.3, 0.5}) {
+    const StanceFeedback::Drift drift = off.stance.DriftAhead(off.now, t);
+    const double c = std::cosh(omega_ * t), s = std::sinh(omega_ * t);
+    const Vector2 x = x0 * c + v0 / omega_ * s, v = x0 * omega_ * s + v0 * c;
+    EXPECT_LT((drift.com_W - x).norm(), 1e-6) << t;
+    EXPECT_LT((drift.dcm_W - x - v / omega_).norm(), 1e-6) << t;
+  }
+}
+
+TEST_F(DriftAhead, WithTheZmpAtTheEndOfItsLineIsThePendulumAboutIt) {
+  StabilisedOptions options;
+  options.support_use = 1.0;
+  const StanceCase& off = At(options, Vector2::Zero(), {-30.0, 0.0});
+  // Far beyond the rear one of the feet that stand.
+  const auto& feet = off.now.measured.X_WF;
+  const Vector2 end =
+      (feet[1].translation().x() < feet[2].translation().x() ? feet[1] : feet[2]).translation().head<2>();
+  const Vector2 zmp = 0.5 * (feet[1].translation() + feet[2].translation()).head<2>();
+  const Vector2 shift = end - zmp, dcm0 = Vector2(-30.0, 0.0) / omega_;
+  for (const double t : {0.1, 0.3}) {
+    const StanceFeedback::Drift drift = off.stance.DriftAhead(off.now, t);
+    EXPECT_LT((drift.dcm_W - shift - (dcm0 - shift) * std::exp(omega_ * t)).norm(), 1e-6) << t;
+    const double c = std::cosh(omega_ * t), s = std::sinh(omega_ * t);
+    EXPECT_LT((drift.com_W - shift + shift * c - dcm0 * s).norm(), 1e-6) << t;
+  }
+}
+
+TEST_F(DriftAhead, WithTheZmpThatFollowsIsTheIntegralOfTheClosedLoop) {
+  const StabilisedOptions options;
+  const Vector2 x0(0.01, -0.02), v0(0.1, 0.05);
+  const StanceCase& off = At(options, x0, v0);
+  const auto& feet = off.now.measured.X_WF;
+  const Vector2 a = feet[1].translation().head<2>(), b = feet[2].translation().head<2>(), middle = 0.5 * (a + b);
+  const Vector2 along = (b - a).normalized();
+  const auto zmp = [&](const Vector2& dcm) {
+    const double most = 0.5 * options.support_use * (b - a).norm();
+    return Vector2(along * std::clamp(options.dcm_gain * along.dot(dcm), -most, most));
+  };
+  const double t = 0.2;
+  const StanceFeedback::Drift drift = off.stance.DriftAhead(off.now, t);
+  const StanceFeedback::Drift exact = Integrated(x0 + v0 / omega_, x0, omega_, t, zmp);
+  EXPECT_GT((exact.dcm_W - x0 - v0 / omega_).norm(), 0.01);
+  EXPECT_LT((drift.dcm_W - exact.dcm_W).norm(), 0.02 * exact.dcm_W.norm());
+  EXPECT_LT((drift.com_W - exact.com_W).norm(), 0.02 * exact.dcm_W.norm());
+  EXPECT_LT(middle.norm(), 0.5);
+}
+
+TEST_F(DriftAhead, WithoutErrorIsNone) {
+  const StanceCase& on = At({}, Vector2::Zero(), Vector2::Zero());
+  const StanceFeedback::Drift drift = on.stance.DriftAhead(on.now, 0.5);
+  EXPECT_LT(drift.dcm_W.norm(), 1e-4);
+  EXPECT_LT(drift.com_W.norm(), 1e-4);
+}
+
+}  // namespace
+}  // namespace gaitwright
