@@ -57,9 +57,10 @@ SwingNow SwingAt(const FootstepPlan& footsteps, int foot, double time_s) {
   constexpr double kTiny = 1e-9;  // [s]
   SwingNow swing;
   const auto& footholds = footsteps.footholds;
-  const auto index = static_cast<std::size_t>(FootholdAt(footsteps, foot, time_s));
-  const Foothold& last = footholds[index];
-  const auto next = std::find_if(footholds.begin() + static_cast<std::ptrdiff_t>(index) + 1, footholds.end(),
+  const int index = FootholdAt(footsteps, foot, time_s);
+  if (index < 0) return swing;
+  const Foothold& last = footholds[static_cast<std::size_t>(index)];
+  const auto next = std::find_if(footholds.begin() + index + 1, footholds.end(),
                                  [&](const Foothold& foothold) { return foothold.foot == foot; });
   swing.liftoff_s = last.liftoff_s;
   if (next == footholds.end() || next->touchdown_s <= last.liftoff_s) return swing;

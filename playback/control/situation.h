@@ -58,7 +58,8 @@ struct SwingNow {
   double Progress(double time_s) const;
 };
 
-/// The swing of a foot at a time; `swings` is false while it stands.
+/// The swing of a foot at a time; `swings` is false while it stands, and in the air before the first or after the last
+/// of its footholds.
 SwingNow SwingAt(const FootstepPlan& footsteps, int foot, double time_s);
 
 }  // namespace gaitwright

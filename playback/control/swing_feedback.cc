@@ -76,8 +76,11 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
     if (swing.swings) {
       if (swing.touchdown_s - now.time_s > options_.settle_s) offset.wanted = WantedOffset(now, f, swing, stance);
       MoveOffset(now, swing, offset);
-    } else {
+    } else if (Contains(now.scheduled, f)) {
       SearchGround(now, swing, offset);
+    } else {
+      offset.rate.setZero();
+      offset.acceleration.setZero();
     }
     CommandSwing(now, f, command);
   }
