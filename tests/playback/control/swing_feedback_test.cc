@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/control/swing_feedback.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "kinematics/spatial/rotation.h"
+#include "playback/control/joint_pd.h"
+#include "tests/playback/displaced.h"
+#include "tests/playback/short_walk.h"
+#include "tests/playback/standing_plan.h"
+#include "tests/playback/synthetic.h"
+
+namespace gaitwright {
+namespace {
+
+using displaced::BaseMoved;
+using displaced::OnPlan;
+
+constexpr double kStep = 0.001;
+
+/// The feedback along a plan, without a world: what is measured is told.
+class Walk {
+ public:
+  Walk(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options = {})
+      : model_(model),
+        plan_(plan),
+        options_(options),
+        replay_(model_, plan_),
+        now(model_, plan_),
+        stance_(model_, plan_, options_),
+        swing_(model_, plan_, options_) {}
+
+  JointCommand Step(const ControlInput& input) {
+    input_ = input;
+    command = replay_.Update(input);
+    now.Update(model_, input);
+    footing = swing_.UpdateFooting(now);
+    stance_.Update(now, footing, command.tau_ff);
+    swing_.Update(now, stance_, command);
+    return command;
+  }
+
+  /// From one time to another, the last one left out, with the input made by `measured`.
+  void Run(double from_s, double to_s, const std::function<ControlInput(double)>& measured) {
+    for (double t = from_s; t < to_s - 1e-9; t += kStep) Step(measured(t));
+  }
+
+  /// Where the last command wants a foot to be at the end of its step, though the base is elsewhere.
+  Pose Target(int foot) const {
+    VectorX q = input_.q;
+    q.head<3>() += kStep * input_.v.head<3>();
+    q.tail(model_.num_dofs()) = command.q;
+    return FootPose(foot, q);
+  }
+  Pose Planned(int foot) const { return FootPose(foot, OnPlan(plan_, input_.time_s + kStep).q); }
+  Vector3 Offset(int foot) const { return Target(foot).translation() - Planned(foot).translation(); }
+
+  JointCommand command;
+  Footing footing;
+
+ private:
+  Pose FootPose(int foot, const VectorX& q) const {
+    DynamicsScratch scratch(model_);
+    ForwardKinematics(model_, q, scratch);
+    const Foot& f = model_.feet[static_cast<std::size_t>(foot)];
+    return FramePose(scratch, f.body, f.X_BF);
+  }
+
+  const RobotModel model_;
+  const MotionPlan plan_;
+  const StabilisedOptions options_;
+  JointPd replay_;
+
+ public:
+  Situation now;
+
+ private:
+  StanceFeedback stance_;
+  SwingFeedback swing_;
+  ControlInput input_;
+};
+
+/// The block quadruped; feet 0 and 3 swing from 0.85 to 1.05 s and stand until 1.35 s.
+class SwingFeedbackTest : public ::testing::Test {
+ protected:
+  static synthetic::Steps Quick() {
+    synthetic::Steps steps;
+    steps.swing_s = 0.2;
+    steps.double_s = 0.05;
+    return steps;
+  }
+  /// Off the plan by a constant way of the base.
+  std::function<ControlInput(double)> OffBy(const Vector2& way) const {
+    return [=, this](double t) {
+      ControlInput input = OnPlan(plan_, t);
+      if (!way.isZero(0.0)) input.q = BaseMoved(model_, input.q, {way.x(), way.y(), 0.0}, Vector3::Zero());
+      return input;
+    };
+  }
+  static StabilisedOptions FixedZmp() {
+    StabilisedOptions options;
+    options.support_use = 0.0;
+    return options;
+  }
+  SwingNow Swing() const { return SwingAt(plan_.footsteps, 0, 0.95); }
+
+  const RobotModel model_ = synthetic::Robot(4, FootType::kPoint);
+  const MotionPlan plan_ = synthetic::SteppingPlan(model_, Quick());
+  const double omega_ = std::sqrt(kGravity / synthetic::kHeight);
+};
+
+TEST_F(SwingFeedbackTest, WithoutErrorSwingsAsPlanned) {
+  Walk walk(model_, plan_);
+  int swings = 0;
+  for (double t = 0.7; t < plan_.whole_body.end_s() - 0.1; t += kStep) {
+    walk.Step(OnPlan(plan_, t));
+    const ControlInput next = OnPlan(plan_, t + kStep);
+    for (int foot = 0; foot < 4; ++foot) {
+      if (Contains(walk.now.bearing, foot)) continue;
+      ++swings;
+      EXPECT_LT((walk.command.q - next.q.tail(12)).segment<3>(3 * foot).norm(), 1e-4) << t;
+      EXPECT_LT((walk.command.v - next.v.tail(12)).segment<3>(3 * foot).norm(), 1e-2) << t;
+    }
+  }
+  EXPECT_GT(swings, 2000);
+}
+
+TEST_F(SwingFeedbackTest, AfterTheStepToComeTheDcmHasDecayedAsWanted) {
+  for (const double decay : {0.0, 0.2, 1.0}) {
+    StabilisedOptions options = FixedZmp();
+    options.step_decay = decay;
+    options.step_reach = 1.0;
+    Walk walk(model_, plan_, options);
+    const Vector2 way(0.0, 0.02);
+    const SwingNow swing = Swing();
+    walk.Run(0.7, swing.touchdown_s - 1e-4, OffBy(way));
+    // The last foothold was chosen settle_s before touch-down, for the DCM that was to be expected then.
+    const Vector2 dcm = way * std::exp(omega_ * options.settle_s);
+    const Vector2 foothold = walk.Offset(0).head<2>();
+    const double growth = std::exp(omega_ * (swing.next_liftoff_s - swing.touchdown_s));
+    EXPECT_LT((foothold + growth * (dcm - foothold) - decay * dcm).norm(), 0.1 * dcm.norm()) << decay;
+    EXPECT_NEAR(foothold.x(), 0.0, 1e-3);
+    EXPECT_GT(foothold.y(), 0.9 * way.y()) << "towards the fall";
+    EXPECT_LT((walk.Offset(3) - walk.Offset(0)).norm(), 1e-4) << "both feet of the diagonal alike";
+  }
+}
+
+TEST_F(SwingFeedbackTest, AStepReachesOnlySoFarFromTheBase) {
+  StabilisedOptions options = FixedZmp();
+  const Vector2 way(0.0, 0.25);
+  const auto beyond = [&](double reach) {
+    options.step_reach = reach;
+    Walk walk(model_, plan_, options);
+    walk.Run(0.7, Swing().touchdown_s - 1e-4, OffBy(way));
+    const Vector2 base = way * std::cosh(omega_ * options.settle_s);
+    return Vector2(walk.Offset(0).head<2>() - base).norm();
+  };
+  EXPECT_NEAR(beyond(0.05), 0.05 * model_.leg_length_m(), 0.005);
+  EXPECT_NEAR(beyond(0.1), 0.1 * model_.leg_length_m(), 0.005);
+  EXPECT_GT(beyond(1.0), 0.12 * model_.leg_length_m());
+}
+
+TEST_F(SwingFeedbackTest, TargetsDoNotJumpWhenTheErrorDoes) {
+  const StabilisedOptions options;
+  const SwingNow swing = Swing();
+  Walk walk(model_, plan_, options);
+  Vector3 last = Vector3::Zero(), last_rate = Vector3::Zero();
+  double farthest = 0.0, fastest = 0.0, hardest = 0.0;
+  for (double t = 0.7; t < swing.touchdown_s - 1e-9; t += kStep) {
+    const double since = t - swing.liftoff_s;
+    const Vector2 way(0.0, since > 0.15 ? 0.03 : since > 0.1 ? -0.05 : since > 0.03 ? 0.05 : 0.0);
+    walk.Step(OffBy(way)(t));
+    if (Contains(walk.now.bearing, 0)) continue;
+    const Vector3 offset = walk.Offset(0), rate = (offset - last) / kStep;
+    farthest = std::max(farthest, offset.norm());
+    fastest = std::max(fastest, rate.norm());
+    hardest = std::max(hardest, (rate - last_rate).norm() / kStep);
+    last = offset;
+    last_rate = rate;
+  }
+  EXPECT_GT(farthest, 0.01);
+  EXPECT_LT(fastest, 2.0);
+  EXPECT_LT(hardest, 2.0 * options.swing_acceleration_m_s2);
+}
+
+TEST_F(SwingFeedbackTest, TheFootholdIsFixedBeforeTouchDown) {
+  const SwingNow swing = Swing();
+  const StabilisedOptions options;
+  const auto landing = [&](double error_since_s) {
+    Walk walk(model_, plan_, options);
+    walk.Run(0.7, swing.touchdown_s - 1e-4, [&](double t) {
+      ControlInput input = OnPlan(plan_, t);
+      if (t > error_since_s - 1e-9) input.v[1] += 0.2;
+      return input;
+    });
+    return walk.Offset(0);
+  };
+  EXPECT_GT(landing(swing.touchdown_s - 3.0 * options.settle_s).y(), 0.005);
+  EXPECT_LT(landing(swing.touchdown_s - 0.9 * options.settle_s).norm(), 1e-3);
+}
+
+TEST_F(SwingFeedbackTest, AFootThatDoesNotFindTheGroundSearchesForIt) {
+  const StabilisedOptions options;
+  Walk walk(model_, plan_, options);
+  const double touchdown = Swing().touchdown_s;
+  const auto late = [&](double t) {
+    ControlInput input = OnPlan(plan_, t);
+    if (t > touchdown - 0.02) input.contact &= ~FootBit(0);
+    return input;
+  };
+  walk.Run(0.7, touchdown + 0.0205, late);
+  const double before = walk.Offset(0).z();
+  walk.Run(touchdown + 0.021, touchdown + 0.0415, late);
+  EXPECT_LT(before, 0.0);
+  EXPECT_NEAR(walk.Offset(0).z() - before, -0.021 * options.search_m_s, 0.002);
+  EXPECT_LT(walk.Offset(3).norm(), 1e-3) << "the other one stands";
+}
+
+TEST_F(SwingFeedbackTest, AFootThatThePlanKeepsInTheAirStaysThere) {
+  MotionPlan plan = synthetic::StandingPlan(model_, 1.0);
+  for (VectorX& q : plan.whole_body.q) q[7 + 2] += 0.1;
+  for (auto& wrenches : plan.whole_body.wrenches) wrenches[0] = {};
+  plan.schedule.phases = {{0.0, 1.0, AllFeet(4) & ~FootBit(0)}};
+  std::erase_if(plan.footsteps.footholds, [](const Foothold& foothold) { return foothold.foot == 0; });
+  Walk walk(model_, plan);
+  walk.Run(0.0, 0.5, [&](double t) { return OnPlan(plan, t); });
+  EXPECT_EQ(walk.now.bearing, AllFeet(4) & ~FootBit(0));
+  EXPECT_LT(walk.Offset(0).norm(), 1e-3);
+}
+
+TEST_F(SwingFeedbackTest, LegsThatStandOnlyKeepTheirFeetFromSliding) {
+  StabilisedOptions options;
+  options.stance_damping = 0.5;
+  Walk walk(model_, plan_, options);
+  ControlInput input = OnPlan(plan_, 0.5);
+  input.v.head<3>() << 0.1, -0.2, 0.05;
+  const JointCommand planned = JointPd(model_, plan_).Update(input);
+  walk.Step(input);
+  EXPECT_EQ(walk.command.stiffness.norm(), 0.0);
+  EXPECT_LT((walk.command.damping - 0.5 * planned.damping).norm(), 1e-9);
+  for (int leg = 0; leg < 4; ++leg) {
+    EXPECT_LT((walk.command.v.segment<3>(3 * leg) + Vector3(0.1, -0.2, 0.05)).norm(), 1e-3) << "against the base";
+  }
+}
+
+TEST_F(SwingFeedbackTest, StandingFeetTellTheirOffsetInTheTimeThatItTakesToSettle) {
+  Walk walk(model_, plan_);
+  const Vector3 way(0.03, -0.02, -0.01);
+  const auto all_moved = [&](double t) {
+    ControlInput input = OnPlan(plan_, t);
+    input.q.head<3>() += way;
+    return input;
+  };
+  walk.Run(0.0, 0.0205, all_moved);
+  EXPECT_LT((walk.footing.mean_offset_W - (1.0 - std::exp(-1.0)) * way).norm(), 0.06 * way.norm());
+  walk.Run(0.021, 0.3, all_moved);
+  EXPECT_LT((walk.footing.mean_offset_W - way).norm(), 1e-6);
+  EXPECT_LT((walk.footing.offset_W[2] - way).norm(), 1e-6);
+  EXPECT_LT(walk.footing.middle_W.norm(), 1e-12) << "of the plan, not of the feet";
+}
+
+/// NAO in the middle of its first swing.
+class SwingOfASole : public ::testing::Test {
+ protected:
+  const RobotModel nao_ = standing::Load("nao");
+  const MotionPlan plan_ = ShortWalk(nao_, "", 4, 0.04);
+  const ContactPhase swing_ = plan_.schedule.phases[1];
+  const int lifted_ = swing_.stance == FootSet{1} ? 1 : 0;
+};
+
+TEST_F(SwingOfASole, StaysLevelThoughTheRobotTilts) {
+  Walk walk(nao_, plan_);
+  const double middle = 0.5 * (swing_.start_s + swing_.end_s);
+  const Pose tilt(RotationExp({0.06, -0.04, 0.0}));
+  walk.Run(swing_.start_s - 0.1, middle, [&](double t) {
+    ControlInput input = OnPlan(plan_, t);
+    if (t > swing_.start_s + 0.02) input = displaced::Carried(tilt, input);
+    for (ContactWrench& wrench : input.wrenches) wrench = {};  // no weight on the sole: it tells nothing of the ground
+    return input;
+  });
+  const Matrix3 off = walk.Target(lifted_).linear() * walk.Planned(lifted_).linear().transpose();
+  EXPECT_LT(RotationLog(off).head<2>().norm(), 0.01);
+  EXPECT_LT(walk.footing.ground_tilt_W.norm(), 1e-9);
+}
+
+TEST_F(SwingOfASole, LoadedSolesTellTheGroundsTiltAndTheSwingFollowsIt) {
+  const StabilisedOptions options;
+  const Vector3 turn(0.03, -0.05, 0.0);
+  const auto leaning = [&](double t) { return displaced::Carried(Pose(RotationExp(turn)), OnPlan(plan_, t)); };
+  Walk walk(nao_, plan_, options);
+  walk.Run(0.0, options.lean_s, leaning);
+  EXPECT_LT((walk.footing.ground_tilt_W - (1.0 - std::exp(-1.0)) * turn).norm(), 0.02 * turn.norm());
+  ASSERT_GT(swing_.start_s, 3.9 * options.lean_s);
+  walk.Run(options.lean_s, 0.5 * (swing_.start_s + swing_.end_s), leaning);
+  EXPECT_LT((walk.footing.ground_tilt_W - turn).norm(), 0.03 * turn.norm());
+  const Matrix3 off = walk.Target(lifted_).linear() * walk.Planned(lifted_).linear().transpose();
+  EXPECT_LT((RotationLog(off) - turn).head<2>().norm(), 0.01);
+  // The ground under the foot is where the tilt about the standing foot has it.
+  const int standing = 1 - lifted_;
+  const Vector3 arm = walk.Planned(lifted_).translation() - walk.Planned(standing).translation();
+  EXPECT_NEAR(walk.Offset(lifted_).z() - walk.Offset(standing).z(), turn.cross(arm).z(), 0.002);
+}
+
+}  // namespace
+}  // namespace gaitwright
