@@ -9,11 +9,16 @@
 namespace gaitwright {
 namespace {
 
+StabilisedOptions Checked(StabilisedOptions options) {
+  CheckOptions(options.Fields());
+  return options;
+}
+
 class Stabilised final : public Controller {
  public:
   Stabilised(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options)
       : model_(model),
-        options_(options),
+        options_(Checked(options)),
         replay_(model, plan),
         now_(model, plan),
         stance_(model, plan, options_),
