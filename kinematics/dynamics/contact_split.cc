@@ -48,10 +48,10 @@ Matrix3 ContactAxes(const Vector3& normal) {
 }  // namespace
 
 double ContactSplitter::Dual(const Vector6& wanted, const Vector6& y, bool with_derivatives) {
-  double value = y.dot(wanted) - 0.5 * kDualPenalty * y.squaredNorm();
+  double value = y.dot(wanted) - 0.5 * penalty_ * y.squaredNorm();
   if (with_derivatives) {
-    gradient_ = wanted - kDualPenalty * y;
-    hessian_ = kDualPenalty * Eigen::Matrix<double, 6, 6>::Identity();
+    gradient_ = wanted - penalty_ * y;
+    hessian_ = penalty_ * Eigen::Matrix<double, 6, 6>::Identity();
   }
   for (std::size_t i = 0; i < maps_.size(); ++i) {
     const Map& map = maps_[i];
@@ -66,6 +66,27 @@ double ContactSplitter::Dual(const Vector6& wanted, const Vector6& y, bool with_
     hessian_ += Gt.transpose() * projection.derivative * Gt / map.weight;
   }
   return value;
+}
+
+bool ContactSplitter::Climb(const Vector6& wanted, double penalty, Vector6& y, int& iterations) {
+  constexpr int kMaxIterations = 30;
+  penalty_ = penalty;
+  double value = Dual(wanted, y, true);
+  for (int i = 0; i < kMaxIterations; ++i, ++iterations) {
+    if (gradient_.norm() < 1e-11 + 1e-15 * y.norm()) return true;
+    const Vector6 step = hessian_.ldlt().solve(gradient_);
+    const double slope = gradient_.dot(step);
+    if (slope < 1e-20) return true;
+    double length = 1.0, trial = Dual(wanted, y + step, false);
+    while (trial < value + 1e-4 * length * slope && length > 1e-8) {
+      length *= 0.5;
+      trial = Dual(wanted, y + length * step, false);
+    }
+    if (length <= 1e-8) break;
+    y += length * step;
+    value = Dual(wanted, y, true);
+  }
+  return false;
 }
 
 void ContactSplitter::Solve(const std::vector<ContactPoint>& contacts, const PointWrench& wanted, ContactSplit& split) {
@@ -92,21 +113,12 @@ void ContactSplitter::Solve(const std::vector<ContactPoint>& contacts, const Poi
 
   Vector6 y = Vector6::Zero();
   y.head<3>() = target.head<3>();
-  double value = Dual(target, y, true);
-  constexpr int kMaxIterations = 60;
-  for (split.iterations = 0; split.iterations < kMaxIterations; ++split.iterations) {
-    if (gradient_.squaredNorm() < 1e-22) break;
-    const Vector6 step = hessian_.ldlt().solve(gradient_);
-    const double slope = gradient_.dot(step);
-    if (slope < 1e-20) break;
-    double length_of_step = 1.0, trial = Dual(target, y + step, false);
-    while (trial < value + 1e-4 * length_of_step * slope && length_of_step > 1e-8) {
-      length_of_step *= 0.5;
-      trial = Dual(target, y + length_of_step * step, false);
-    }
-    if (length_of_step <= 1e-8) break;
-    y += length_of_step * step;
-    value = Dual(target, y, true);
+  split.iterations = 0;
+  // From far away the way up to a slight penalty is long and crooked: then it is followed from a heavy one on.
+  if (!Climb(target, kDualPenalty, y, split.iterations)) {
+    y.setZero();
+    for (double penalty = 0.1; penalty > 0.5 * kDualPenalty; penalty *= 0.1)
+      Climb(target, penalty, y, split.iterations);
   }
 
   split.force_W.resize(contacts.size());

@@ -48,9 +48,11 @@ class ContactSplitter {
     double mu, weight;
   };
   double Dual(const Vector6& wanted, const Vector6& y, bool with_derivatives);
+  bool Climb(const Vector6& wanted, double penalty, Vector6& y, int& iterations);
 
   std::vector<Map> maps_;
   std::vector<Vector3> forces_;
+  double penalty_ = 0.0;
   Vector6 gradient_;
   Eigen::Matrix<double, 6, 6> hessian_;
 };
