@@ -199,6 +199,21 @@ TEST(LegTargets, AMotorThatLegsShareIsNobodys) {
   EXPECT_EQ(own.dofs(0).size(), 3U);
 }
 
+TEST(LegTargets, YawYieldsBeforePlaceRollAndPitch) {
+  const RobotModel nao = Robot("nao");
+  const VectorX standing = StandingConfiguration(nao), rest = VectorX::Zero(nao.nv());
+  LegTargets legs(nao);
+  FootMotion wanted = MotionOf(nao, 0, standing, rest);
+  wanted.X_WF.linear() = YawRotation(0.2) * wanted.X_WF.linear();
+  VectorX q = standing, v = rest;
+  legs.Solve(0, wanted, standing, q, v);
+  const Pose X_WF = MotionOf(nao, 0, q, v).X_WF;
+  const Vector3 turn = RotationLog(wanted.X_WF.linear() * X_WF.linear().transpose());
+  EXPECT_LT((X_WF.translation() - wanted.X_WF.translation()).norm(), 1e-4);
+  EXPECT_LT(turn.head<2>().norm(), 2e-3);
+  EXPECT_GT(turn.z(), 0.1) << "the motor for it is shared";
+}
+
 TEST(LegTargets, AKneeUnreachedStretchesToItsMargin) {
   const RobotModel a1 = Robot("a1");
   const VectorX standing = StandingConfiguration(a1), rest = VectorX::Zero(a1.nv());

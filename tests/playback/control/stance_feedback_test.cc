@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -188,6 +189,18 @@ TEST_P(OnFourFeet, FeetInTheAirAreNotAskedForAnything) {
   EXPECT_GT(planned.tail(model_.num_dofs()).norm(), 1.0);
 }
 
+TEST_P(OnFourFeet, LeaningWithTheGroundIsNoError) {
+  const Vector3 turn(0.02, -0.03, 0.0);
+  const ControlInput leaning = displaced::Carried(Pose(RotationExp(turn)), on_plan_);
+  const Vector3 upright = case_.Ask(leaning).moment_W;
+  case_.footing.ground_tilt_W = turn;
+  const Reaction asked = case_.Ask(leaning);
+  EXPECT_GT(upright.norm(), 0.1);
+  EXPECT_LT(asked.moment_W.norm(), 0.02 * upright.norm());
+  EXPECT_LT(asked.force_W.head<2>().norm(), 2e-3 * model_.weight_n()) << "the ZMP goes along with the centre of mass";
+  EXPECT_GT((asked.zmp_W - case_.Ask(on_plan_).zmp_W).norm(), 0.002);
+}
+
 TEST_P(OnFourFeet, TheSameElsewhereAsksForTheSame) {
   ControlInput input = Off({0.004, -0.003, 0.002}, {0.01, 0.02, -0.01});
   input.v.head<6>() << 0.02, -0.03, 0.01, 0.05, 0.04, -0.03;
@@ -349,7 +362,7 @@ TEST_F(DriftAhead, WithTheZmpThatFollowsIsTheIntegralOfTheClosedLoop) {
   const Vector2 x0(0.01, -0.02), v0(0.1, 0.05);
   const StanceCase& off = At(options, x0, v0);
   const auto& feet = off.now.measured.X_WF;
-  const Vector2 a = feet[1].translation().head<2>(), b = feet[2].translation().head<2>(), middle = 0.5 * (a + b);
+  const Vector2 a = feet[1].translation().head<2>(), b = feet[2].translation().head<2>();
   const Vector2 along = (b - a).normalized();
   const auto zmp = [&](const Vector2& dcm) {
     const double most = 0.5 * options.support_use * (b - a).norm();
@@ -361,7 +374,6 @@ TEST_F(DriftAhead, WithTheZmpThatFollowsIsTheIntegralOfTheClosedLoop) {
   EXPECT_GT((exact.dcm_W - x0 - v0 / omega_).norm(), 0.01);
   EXPECT_LT((drift.dcm_W - exact.dcm_W).norm(), 0.02 * exact.dcm_W.norm());
   EXPECT_LT((drift.com_W - exact.com_W).norm(), 0.02 * exact.dcm_W.norm());
-  EXPECT_LT(middle.norm(), 0.5);
 }
 
 TEST_F(DriftAhead, WithoutErrorIsNone) {

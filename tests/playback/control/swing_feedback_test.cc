@@ -224,11 +224,21 @@ TEST_F(SwingFeedbackTest, AFootThatThePlanKeepsInTheAirStaysThere) {
   for (VectorX& q : plan.whole_body.q) q[7 + 2] += 0.1;
   for (auto& wrenches : plan.whole_body.wrenches) wrenches[0] = {};
   plan.schedule.phases = {{0.0, 1.0, AllFeet(4) & ~FootBit(0)}};
-  std::erase_if(plan.footsteps.footholds, [](const Foothold& foothold) { return foothold.foot == 0; });
-  Walk walk(model_, plan);
-  walk.Run(0.0, 0.5, [&](double t) { return OnPlan(plan, t); });
-  EXPECT_EQ(walk.now.bearing, AllFeet(4) & ~FootBit(0));
-  EXPECT_LT(walk.Offset(0).norm(), 1e-3);
+  std::vector<Foothold>& footholds = plan.footsteps.footholds;
+  std::erase_if(footholds, [](const Foothold& foothold) { return foothold.foot == 0; });
+  const auto held = [&] {
+    Walk walk(model_, plan);
+    walk.Run(0.0, 0.5, [&](double t) { return OnPlan(plan, t); });
+    EXPECT_EQ(walk.now.bearing, AllFeet(4) & ~FootBit(0));
+    return walk.Offset(0).norm();
+  };
+  EXPECT_LT(held(), 1e-3) << "without a foothold";
+  Foothold later;
+  later.foot = 0;
+  later.touchdown_s = 0.9;
+  later.liftoff_s = 1.0;
+  footholds.push_back(later);
+  EXPECT_LT(held(), 1e-3) << "before its first foothold";
 }
 
 TEST_F(SwingFeedbackTest, LegsThatStandOnlyKeepTheirFeetFromSliding) {
