@@ -46,9 +46,26 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
     const double height = std::max(p_WC.z() - ground, kLow * (now.planned.p_WC.z() - now.ground_m));
     const Vector3 force(((p_WC.x() - zmp.x()) * normal - moment.y()) / height,
                         ((p_WC.y() - zmp.y()) * normal + moment.x()) / height, normal);
-    splitter_.Solve(contacts_, {p_WC, force, moment}, split_);
+    Split(now, {p_WC, force, moment});
   }
   AddTorques(now, tau);
+}
+
+/// Shares a wrench out over the contacts. Each foot keeps a part of the load that the plan has on it, so that turning
+/// the base back does not take a foot off the ground.
+void StanceFeedback::Split(const Situation& now, PointWrench wanted) {
+  constexpr double kKept = 0.1;
+  kept_W_.clear();
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const int foot = contact_foot_[c];
+    const auto points = static_cast<double>(std::count(contact_foot_.begin(), contact_foot_.end(), foot));
+    const double load = std::max(now.sample.wrenches[static_cast<std::size_t>(foot)].force_W.z(), 0.0);
+    kept_W_.push_back(kKept * load / points * contacts_[c].normal_W);
+    wanted.force_W -= kept_W_[c];
+    wanted.moment_W -= (contacts_[c].p_W - wanted.p_W).cross(kept_W_[c]);
+  }
+  splitter_.Solve(contacts_, wanted, split_);
+  for (std::size_t c = 0; c < contacts_.size(); ++c) split_.force_W[c] += kept_W_[c];
 }
 
 PointWrench StanceFeedback::PlannedWrench(const Situation& now) const {

@@ -38,14 +38,14 @@ class StanceFeedback {
   PointWrench PlannedWrench(const Situation& now) const;
   Vector3 WantedMoment(const Situation& now, const Footing& footing, const Vector3& planned_W) const;
   Vector2 WantedZmp(const Situation& now, const Footing& footing, const PointWrench& planned);
+  Vector2 ZmpFor(const Vector2& dcm_error_W) const;
+  void Split(const Situation& now, PointWrench wanted);
   void AddTorques(const Situation& now, VectorX& tau) const;
 
   const RobotModel& model_;
   const MotionPlan& plan_;
   const StabilisedOptions& options_;
   Vector3 inertia_B_ = Vector3::Ones();  // of the standing robot, about its centre of mass
-  Vector2 ZmpFor(const Vector2& dcm_error_W) const;
-
   Vector2 dcm_error_W_ = Vector2::Zero(), planned_zmp_W_ = Vector2::Zero();
   Polygon usable_;  // where the ZMP may be moved to
   std::vector<ContactPoint> contacts_;
@@ -53,6 +53,7 @@ class StanceFeedback {
   Polygon support_;
   ContactSplitter splitter_;
   ContactSplit split_;
+  std::vector<Vector3> kept_W_;  // by contact [N]
 };
 
 }  // namespace gaitwright
