@@ -51,16 +51,17 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
   AddTorques(now, tau);
 }
 
-/// Shares a wrench out over the contacts. Each foot keeps a part of the load that the plan has on it, so that turning
-/// the base back does not take a foot off the ground.
+/// Shares a wrench out over the contacts. Where several feet stand, each keeps a part of the load that the plan has on
+/// it, so that turning the base back does not take a foot off the ground.
 void StanceFeedback::Split(const Situation& now, PointWrench wanted) {
   constexpr double kKept = 0.1;
+  const double kept = std::popcount(now.bearing) > 1 ? kKept : 0.0;
   kept_W_.clear();
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const int foot = contact_foot_[c];
     const auto points = static_cast<double>(std::count(contact_foot_.begin(), contact_foot_.end(), foot));
     const double load = std::max(now.sample.wrenches[static_cast<std::size_t>(foot)].force_W.z(), 0.0);
-    kept_W_.push_back(kKept * load / points * contacts_[c].normal_W);
+    kept_W_.push_back(kept * load / points * contacts_[c].normal_W);
     wanted.force_W -= kept_W_[c];
     wanted.moment_W -= (contacts_[c].p_W - wanted.p_W).cross(kept_W_[c]);
   }

@@ -133,7 +133,9 @@ TEST_P(OnFourFeet, TheZmpStaysInTheUsableSupportWhateverTheError) {
   Polygon feet;
   for (const Pose& X_WF : rough.now.measured.X_WF) feet.push_back(X_WF.translation().head<2>());
   Polygon usable = ConvexHull(feet);
+  Polygon reached = usable;
   for (Vector2& corner : usable) corner = home + StabilisedOptions{}.support_use * (corner - home);
+  for (Vector2& corner : reached) corner = home + 0.9 * (corner - home);
   for (int i = 0; i < 16; ++i) {
     const Vector3 way(std::cos(0.4 * i), std::sin(0.4 * i), 0.0);
     for (const double speed : {0.1, 1.0, 10.0, 1000.0}) {
@@ -142,7 +144,7 @@ TEST_P(OnFourFeet, TheZmpStaysInTheUsableSupportWhateverTheError) {
       EXPECT_GT(inside, -1e-5) << speed << " m/s towards " << way.transpose();
       EXPECT_GT((zmp - home).dot(way.head<2>()), 0.01) << "towards the error";
       if (speed > 5.0) {
-        EXPECT_LT(inside, 1e-5) << "as far as it goes";
+        EXPECT_LT(SignedDistance(reached, zmp), 0.002) << "as far as it goes, but for what the other feet keep";
       }
     }
   }
@@ -160,7 +162,7 @@ TEST_P(OnFourFeet, ForcesStayInTheUsedPartOfTheFrictionCone) {
       if (force.z() > 1.0) most = std::max(most, force.head<2>().norm() / force.z());
     }
   }
-  EXPECT_NEAR(most, mu, 1e-6) << "some are on the cone";
+  EXPECT_GT(most, 0.98 * mu) << "some are on the cone, but for what each foot keeps";
 }
 
 TEST_P(OnFourFeet, FeetInTheAirAreNotAskedForAnything) {
