@@ -31,7 +31,8 @@ void MeetEnds(const ZmpProblem& problem, std::vector<Vector2>& p_WZ) {
     // Velocity at the start stands for the DCM's error there.
     return std::pair<Vector2, Vector2>(motion.v_WC.front().head<2>(), motion.p_WC.back().head<2>());
   };
-  const auto [v0, c1] = ends(p_WZ);
+  const std::pair<Vector2, Vector2> unmoved = ends(p_WZ);
+  const Vector2 &v0 = unmoved.first, &c1 = unmoved.second;
   const auto moved = [&](const std::vector<double>& bump) {
     std::vector<Vector2> p = p_WZ;
     for (std::size_t k = 0; k < n; ++k) p[k] += bump[k] * Vector2::Ones();

@@ -108,7 +108,7 @@ Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vect
     low = std::min(low, corner.y());
     high = std::max(high, corner.y());
   }
-  const Vector2 home = homes[static_cast<std::size_t>(foot)];
+  const Vector2& home = homes[static_cast<std::size_t>(foot)];
   const double inward = (side > 0.0 ? 1.0 : -1.0) * scene.inputs.inward * (high - low);
   return (place(foot).linear() * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }
