@@ -24,7 +24,8 @@ std::string GridOfPlots(const std::vector<SvgPlot>& plots, int columns, const st
   if (!title.empty()) svg += "<text x=\"13\" y=\"15\" class=\"heading\">" + EscapedXml(title) + "</text>";
   svg += plots[0].LegendEndingAt(whole_width - 12.0, 11.0);
   for (std::size_t i = 0; i < plots.size(); ++i) {
-    svg += plots[i].Svg({width * static_cast<double>(i % wide), above + height * static_cast<double>(i / wide)}) + "\n";
+    const std::size_t row = i / wide, column = i % wide;
+    svg += plots[i].Svg({width * static_cast<double>(column), above + height * static_cast<double>(row)}) + "\n";
   }
   return svg + "</svg>";
 }

@@ -16,7 +16,6 @@ namespace {
 constexpr double kTolerance = 0.3;                           // of simplified lines [px]
 constexpr double kCharacter = 6.0;                           // width of one at the size of the labels [px]
 constexpr double kLineHeight = 17.0;                         // [px]
-constexpr double kSwatch = 46.0;                             // of a legend's sample and the gaps around it [px]
 constexpr double kLeastHeight = 130.0, kMostHeight = 620.0;  // of equal axes [px]
 
 std::string TickText(double value, double step) {
