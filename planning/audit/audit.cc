@@ -54,6 +54,9 @@ Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOpt
     : model_(model), plan_(plan), options_(options), scratch_(model), collision_(model) {
   slip_W_.assign(model.feet.size(), Vector3::Zero());
   foothold_.assign(model.feet.size(), -1);
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    limits_.push_back({model.dof_lower(d), model.dof_upper(d), model.dof_velocity_limit(d), model.dof_effort_limit(d)});
+  }
   highest_ground_m_ = HighestGround(plan.terrain);
   for (const Shape& shape : model.collision_shapes) {
     const bool is_foot =

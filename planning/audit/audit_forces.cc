@@ -35,7 +35,8 @@ void Auditor::CheckDynamics(double time_s) {
   if (!(moment <= moment_limit)) findings_.Note("dynamics", "base moment", time_s, moment, moment_limit, "N m");
   for (int d = 0; d < model_.num_dofs(); ++d) {
     const double effort = std::abs(residual[6 + d]);
-    const double limit = std::min(Slides(d) ? force_limit : moment_limit, kEffortShare * model_.dof_effort_limit(d));
+    const double limit =
+        std::min(Slides(d) ? force_limit : moment_limit, kEffortShare * limits_[static_cast<std::size_t>(d)].effort);
     if (!(effort <= limit)) {
       findings_.Note("dynamics", model_.dof_names[static_cast<std::size_t>(d)], time_s, effort, limit,
                      Slides(d) ? "N" : "N m");
@@ -108,16 +109,17 @@ void Auditor::CheckJoints(double time_s) {
   for (int d = 0; d < model_.num_dofs(); ++d) {
     const std::string& name = model_.dof_names[static_cast<std::size_t>(d)];
     const double q = sample_.q[7 + d], speed = std::abs(sample_.v[6 + d]), torque = std::abs(sample_.tau[d]);
-    const double lower = model_.dof_lower(d), upper = model_.dof_upper(d);
+    const JointLimits& limits = limits_[static_cast<std::size_t>(d)];
+    const double lower = limits.lower, upper = limits.upper;
     const bool slides = Slides(d);
     if (!(q >= lower - kRelative * std::max(1.0, std::abs(lower))))
       findings_.Note("joint_position", name, time_s, q, lower, slides ? "m" : "rad");
     if (!(q <= upper + kRelative * std::max(1.0, std::abs(upper))))
       findings_.Note("joint_position", name, time_s, q, upper, slides ? "m" : "rad");
-    const double speed_limit = options_.derate_speed * model_.dof_velocity_limit(d);
+    const double speed_limit = options_.derate_speed * limits.speed;
     if (!(speed <= speed_limit * (1.0 + kRelative)))
       findings_.Note("joint_velocity", name, time_s, speed, speed_limit, slides ? "m/s" : "rad/s");
-    const double torque_limit = options_.derate_torque * model_.dof_effort_limit(d);
+    const double torque_limit = options_.derate_torque * limits.effort;
     if (!(torque <= torque_limit * (1.0 + kRelative)))
       findings_.Note("joint_torque", name, time_s, torque, torque_limit, slides ? "N" : "N m");
   }

@@ -89,6 +89,11 @@ void Auditor::CheckSwing(const SwingTrajectory& swing, const ContactInterval& ga
   const double off = std::max((start.X_WF.translation() + start.roll_W - swing.X_WF_start.translation()).norm(),
                               (end.X_WF.translation() - swing.X_WF_end.translation()).norm());
   Expect(foot + " swing off its footholds", swing.start_s, off, kPosition, "m");
+  const auto turned = [](const Pose& X_WF, const Pose& X_WG) {
+    return RotationLog(X_WF.linear() * X_WG.linear().transpose()).norm();
+  };
+  Expect(foot + " swing turned from its footholds", swing.start_s,
+         std::max(turned(start.X_WF, swing.X_WF_start), turned(end.X_WF, swing.X_WF_end)), kRotation, "rad");
   CheckSwingPath(swing);
 }
 

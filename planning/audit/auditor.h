@@ -71,6 +71,10 @@ class Auditor {
   const MotionPlan& plan_;
   const AuditOptions& options_;
   DynamicsScratch scratch_;
+  struct JointLimits {
+    double lower, upper, speed, effort;
+  };
+  std::vector<JointLimits> limits_;                      // by dof, before derating
   std::vector<std::pair<const Shape*, double>> bodies_;  // shapes that are no feet, with their bounding radii
   CollisionChecker collision_;
   WholeBodySample sample_;
