@@ -19,7 +19,7 @@ using Json = JsonPart::Json;
 std::string Told(const Json& json) {
   if (json.is_object()) return "an object";
   if (json.is_array()) return fmt::format("a list of {}", json.size());
-  if (json.is_null()) return "null, as a number that is none is often written,";
+  if (json.is_null()) return "null";
   if (json.is_boolean()) return json.get<bool>() ? "true" : "false";
   if (!json.is_string()) return json.dump();
   constexpr std::size_t kLongest = 30;

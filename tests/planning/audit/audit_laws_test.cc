@@ -245,5 +245,30 @@ TEST_P(AuditLaw, BodyClearanceFindsAPostThatTheTrunkPassesInFourMilliseconds) {
   EXPECT_EQ(found[0].unit, "m");
 }
 
+TEST(AuditOfSlides, GivesLengthsAndForces) {
+  // A joint that stays at zero, made a slide: it would have to carry what is above it.
+  const GoodPlan& nao = GoodPlanOf("nao");
+  RobotModel slides = nao.model;
+  slides.joints[0].type = JointType::kPrismatic;
+  slides.joints[0].lower = 0.01;
+  const auto found = ViolationsOf(slides, nao.plan);
+  EXPECT_EQ(LawsOf(found), (Laws{"joint_position", "dynamics"}));
+  EXPECT_EQ(found[0].where, nao.model.dof_names[0]);
+  EXPECT_EQ(found[0].unit, "m");
+  EXPECT_EQ(At({found[1]}, nao.model.dof_names[0]).unit, "N");
+}
+
+TEST(AuditOfTorques, FindsAQuarterNewtonMetreOnASmallJoint) {
+  const GoodPlan& nao = GoodPlanOf("nao");
+  MotionPlan plan = nao.plan;
+  const int head = nao.model.DofIndex("HeadYaw");
+  for (VectorX& tau : plan.whole_body.tau) tau[head] += 0.25;
+  const auto found = ViolationsOf(nao.model, plan);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "dynamics");
+  EXPECT_EQ(found[0].where, "HeadYaw");
+  EXPECT_NEAR(found[0].value, 0.25, 1e-3);
+}
+
 }  // namespace
 }  // namespace gaitwright
