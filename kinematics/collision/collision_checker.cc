@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace gaitwright {
 namespace {
@@ -26,12 +27,6 @@ std::shared_ptr<fcl::CollisionGeometryd> Geometry(const Shape& shape) {
   return nullptr;
 }
 
-double BoundingRadius(const Shape& shape) {
-  if (shape.type == ShapeType::kBox) return 0.5 * shape.size.norm();
-  if (shape.type == ShapeType::kSphere) return shape.size.x();
-  return std::hypot(shape.size.x(), 0.5 * shape.size.y()) + (shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0);
-}
-
 /// True when `ancestor` carries `body` directly: through one joint, joints whose axes meet in one point (an ankle, a
 /// hip), or bodies without shapes.
 bool Carries(const RobotModel& model, const std::vector<bool>& has_shapes, int ancestor, int body) {
@@ -46,6 +41,17 @@ bool Carries(const RobotModel& model, const std::vector<bool>& has_shapes, int a
 }
 
 }  // namespace
+
+double BoundingRadius(const Shape& shape) {
+  if (shape.type == ShapeType::kBox) return 0.5 * shape.size.norm();
+  if (shape.type == ShapeType::kSphere) return shape.size.x();
+  if (shape.type == ShapeType::kMesh) {
+    double radius = 0.0;
+    for (const Vector3& v : shape.vertices) radius = std::max(radius, v.norm());
+    return radius;
+  }
+  return std::hypot(shape.size.x(), 0.5 * shape.size.y()) + (shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0);
+}
 
 Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape) {
   const Pose X_WS = FramePose(scratch, shape.body, shape.X_BS);
@@ -75,11 +81,18 @@ struct CollisionChecker::Scene {
     const Shape* shape;
     double radius;
     fcl::CollisionObjectd object;
+    Pose X_BS = Pose::Identity();  ///< in the robot's base, so that what all parts do alike is no motion
+    double path_m = 0.0;           ///< bound on how far any of its points has gone since the start
+  };
+  struct Pair {
+    std::size_t a, b;
+    double free_m = 0.0;  ///< the two paths together, up to which the parts cannot touch
   };
   std::vector<Shape> shapes;
   std::vector<Part> parts;
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<Pair> pairs;
   std::vector<std::string> notes;
+  std::vector<Overlap> overlaps;
 
   void Place(const DynamicsScratch& scratch) {
     for (Part& part : parts) {
@@ -88,8 +101,46 @@ struct CollisionChecker::Scene {
     }
   }
 
-  bool Touch(const std::pair<std::size_t, std::size_t>& pair) const {
-    const Part &a = parts[pair.first], &b = parts[pair.second];
+  /// Poses in the base, and how far that may have taken any point of each part: its centre's way and the radius times
+  /// the chord of its turn.
+  void Move(const DynamicsScratch& scratch) {
+    Pose X_WB = Pose::Identity();
+    X_WB.linear() = scratch.R_WB[0];
+    X_WB.translation() = scratch.p_WB[0];
+    const Pose X_BW = X_WB.inverse();
+    for (Part& part : parts) {
+      const Pose X_BS = X_BW * FramePose(scratch, part.shape->body, part.shape->X_BS);
+      const double chord = (X_BS.linear() - part.X_BS.linear()).norm() / std::numbers::sqrt2;
+      part.path_m += (X_BS.translation() - part.X_BS.translation()).norm() + part.radius * chord;
+      part.X_BS = X_BS;
+    }
+  }
+
+  /// Puts the parts of a pair where they are and says how far they are apart at least; negative when they touch, by
+  /// their depth.
+  double Apart(const Pair& pair) {
+    Part &a = parts[pair.a], &b = parts[pair.b];
+    const double spheres = (a.X_BS.translation() - b.X_BS.translation()).norm() - a.radius - b.radius;
+    if (spheres > 0.0) return spheres;
+    for (Part* part : {&a, &b}) {
+      part->object.setTransform(part->X_BS);
+      part->object.computeAABB();
+    }
+    fcl::DistanceResultd distance;
+    constexpr double kSolver = 1e-5;  // [m] what the distance may be off by
+    const double apart = fcl::distance(&a.object, &b.object, fcl::DistanceRequestd(), distance) - kSolver;
+    if (apart > 0.0) return apart;
+    constexpr std::size_t kMostContacts = 16;
+    fcl::CollisionResultd result;
+    fcl::collide(&a.object, &b.object, fcl::CollisionRequestd(kMostContacts, true), result);
+    double depth = 0.0;
+    for (std::size_t i = 0; i < result.numContacts(); ++i)
+      depth = std::max(depth, result.getContact(i).penetration_depth);
+    return result.isCollision() ? -depth : 0.0;
+  }
+
+  bool Touch(const Pair& pair) const {
+    const Part &a = parts[pair.a], &b = parts[pair.b];
     if ((a.object.getTranslation() - b.object.getTranslation()).norm() > a.radius + b.radius) return false;
     const fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
@@ -121,7 +172,7 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
                                             scene_->parts[i].shape->link, scene_->parts[j].shape->link));
         continue;
       }
-      scene_->pairs.emplace_back(i, j);
+      scene_->pairs.push_back({i, j});
     }
   }
 }
@@ -134,10 +185,24 @@ std::optional<std::pair<std::string, std::string>> CollisionChecker::FirstCollis
   scene_->Place(scratch);
   for (const auto& pair : scene_->pairs) {
     if (scene_->Touch(pair)) {
-      return std::pair(scene_->parts[pair.first].shape->link, scene_->parts[pair.second].shape->link);
+      return std::pair(scene_->parts[pair.a].shape->link, scene_->parts[pair.b].shape->link);
     }
   }
   return std::nullopt;
+}
+
+const std::vector<Overlap>& CollisionChecker::Overlaps(const DynamicsScratch& scratch) {
+  scene_->Move(scratch);
+  scene_->overlaps.clear();
+  for (Scene::Pair& pair : scene_->pairs) {
+    const Scene::Part &a = scene_->parts[pair.a], &b = scene_->parts[pair.b];
+    const double path = a.path_m + b.path_m;
+    if (path < pair.free_m) continue;
+    const double apart = scene_->Apart(pair);
+    pair.free_m = path + std::max(apart, 0.0);
+    if (apart < 0.0) scene_->overlaps.push_back({a.shape->link, b.shape->link, -apart});
+  }
+  return scene_->overlaps;
 }
 
 const std::vector<std::string>& CollisionChecker::notes() const { return scene_->notes; }

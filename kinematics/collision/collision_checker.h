@@ -15,6 +15,15 @@ namespace gaitwright {
 /// The lowest point of a shape at the scratch's pose, in W; of a mesh without vertices its origin.
 Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape);
 
+/// Radius about the origin of S that holds the whole shape [m].
+double BoundingRadius(const Shape& shape);
+
+/// Two links that touch, and how far one would have to move for them to part.
+struct Overlap {
+  std::string link_a, link_b;
+  double depth_m = 0.0;
+};
+
 /// Finds parts of a robot that touch each other. Pairs that say nothing are left out: shapes of one body, of bodies
 /// that a joint joins (or joints whose axes meet in one point, or bodies without shapes between them), and pairs that
 /// already touch in the standing posture.
@@ -27,6 +36,12 @@ class CollisionChecker {
 
   /// The links of the first pair that touches at the scratch's pose, or nothing. Needs ForwardKinematics.
   std::optional<std::pair<std::string, std::string>> FirstCollision(const DynamicsScratch& scratch);
+
+  /// All pairs that touch at the scratch's pose, with their depths. Meant for motions: a pair is looked at again only
+  /// once its parts may have moved as far as they were apart, so poses that differ little cost little; the answer does
+  /// not depend on it. Needs ForwardKinematics.
+  /// Conservative advancement: Mirtich, Impulse-based Dynamic Simulation, 1996, section 2.3.
+  const std::vector<Overlap>& Overlaps(const DynamicsScratch& scratch);
 
   /// Pairs left out because they touch in the standing posture, and meshes that could not be read; for people.
   const std::vector<std::string>& notes() const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "planning/audit/auditor.h"
 
@@ -31,10 +32,37 @@ std::vector<Violation> Findings::Sorted() const {
   return sorted;
 }
 
+namespace {
+
+/// Height above which there is no ground [m].
+double HighestGround(const Terrain& terrain) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const TerrainPatch& patch : terrain.patches) {
+    const bool level = patch.X_WT.linear()(2, 2) > 1.0 - 1e-12;
+    if (patch.outline_T.empty()) {
+      highest = level ? std::max(highest, patch.X_WT.translation().z()) : std::numeric_limits<double>::infinity();
+    }
+    for (const Vector2& corner : patch.outline_T)
+      highest = std::max(highest, (patch.X_WT * Vector3(corner.x(), corner.y(), 0.0)).z());
+  }
+  return highest;
+}
+
+}  // namespace
+
 Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options)
     : model_(model), plan_(plan), options_(options), scratch_(model), collision_(model) {
   slip_W_.assign(model.feet.size(), Vector3::Zero());
   foothold_.assign(model.feet.size(), -1);
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    limits_.push_back({model.dof_lower(d), model.dof_upper(d), model.dof_velocity_limit(d), model.dof_effort_limit(d)});
+  }
+  highest_ground_m_ = HighestGround(plan.terrain);
+  for (const Shape& shape : model.collision_shapes) {
+    const bool is_foot =
+        std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return foot.link == shape.link; });
+    if (!is_foot) bodies_.emplace_back(&shape, BoundingRadius(shape));
+  }
 }
 
 bool Auditor::AllFinite() const {
@@ -49,7 +77,6 @@ AuditReport Auditor::Run() {
   report.rate_hz = options_.rate_hz;
   const double step = 1.0 / options_.rate_hz;
   report.samples = 1 + static_cast<int>(std::floor(plan_.duration_s() * options_.rate_hz + 1e-6));
-  const int collision_every = std::max(1, static_cast<int>(std::lround(options_.rate_hz / 100.0)));
   for (int k = 0; k < report.samples; ++k) {
     const double time_s = plan_.whole_body.start_s + k * step;
     SampleWholeBody(plan_.whole_body, time_s, sample_);
@@ -71,10 +98,13 @@ AuditReport Auditor::Run() {
     CheckStanceFeet(time_s);
     CheckSwingFeet(time_s);
     CheckReach(time_s);
-    if (k % collision_every == 0) CheckBodies(time_s);
+    CheckBodies(time_s);
   }
   CheckColumns();
   CheckCentroidal();
+  CheckPendulum();
+  CheckSchedule();
+  CheckCommand();
   CheckFootholds();
   CheckSwings();
   report.violations = findings_.Sorted();
@@ -101,6 +131,11 @@ Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const
   }
   if (plan.whole_body.wrenches[0].size() != model.feet.size()) {
     return misfit(fmt::format("it has {} feet, the robot {}", plan.whole_body.wrenches[0].size(), model.feet.size()));
+  }
+  constexpr double kLongest = 3600.0;
+  if (!(plan.whole_body.step_s > 0.0) || !(plan.duration_s() <= kLongest)) {
+    return misfit(fmt::format("it has {} rows, {} s apart; at most an hour is audited", plan.whole_body.size(),
+                              plan.whole_body.step_s));
   }
   return Auditor(model, plan, options).Run();
 }

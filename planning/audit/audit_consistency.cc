@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Law `consistency`: what stands beside the grid, against it and each other: schedule, gait, command, footholds.
 #include <algorithm>
 #include <cmath>
 
@@ -8,89 +9,115 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kPosition = 1e-3;  // [m]
-constexpr double kRotation = 1e-3;  // [rad]
-constexpr double kTime = 1e-6;      // [s]
+constexpr double kPosition = 1e-3;     // [m]
+constexpr double kRotation = 1e-3;     // [rad]
+constexpr double kTime = 1e-6;         // [s]
+constexpr double kGoalShare = 0.03;    // of the leg's length: the base may stand that far from where its walk starts
+constexpr double kGoalHeading = 0.02;  // [rad]
 
-Matrix3 BaseRotation(const VectorX& q) { return Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix(); }
+/// Where a constant twist of the base in the plane leads in a time, from the origin.
+PlanarPose Arc(double forward_m_s, double lateral_m_s, double yaw_rate_rad_s, double duration_s) {
+  const double yaw = yaw_rate_rad_s * duration_s;
+  const double half = 0.5 * yaw;
+  const double chord = duration_s * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);
+  return {chord * (std::cos(half) * forward_m_s - std::sin(half) * lateral_m_s),
+          chord * (std::sin(half) * forward_m_s + std::cos(half) * lateral_m_s), yaw};
+}
+
+/// Pose `p` given in the frame of pose `origin`.
+PlanarPose Carried(const PlanarPose& origin, const PlanarPose& p) {
+  const double c = std::cos(origin.yaw_rad), s = std::sin(origin.yaw_rad);
+  return {origin.x_m + c * p.x_m - s * p.y_m, origin.y_m + s * p.x_m + c * p.y_m, origin.yaw_rad + p.yaw_rad};
+}
+
+bool HoldsPatch(const Terrain& terrain, int patch) {
+  return patch >= 0 && patch < static_cast<int>(terrain.patches.size());
+}
 
 }  // namespace
 
-void Auditor::CheckColumns() {
+void Auditor::CheckSchedule() {
   const WholeBodyTrajectory& w = plan_.whole_body;
-  const double h = w.step_s;
-  for (std::size_t k = 0; k < w.q.size(); ++k) {
-    const double time_s = w.start_s + static_cast<double>(k) * h;
-    const double norm = w.q[k].segment<4>(3).norm();
-    if (!(std::abs(norm - 1.0) <= 1e-6)) findings_.Note("consistency", "quaternion norm", time_s, norm, 1.0, "1");
-    if (k + 1 == w.q.size()) break;
-    // The corrected trapezium, exact to the fifth order: what v and a say that q does in one step.
-    const VectorX step = 0.5 * h * (w.v[k] + w.v[k + 1]) + h * h / 12.0 * (w.a[k] - w.a[k + 1]);
-    const double position = (w.q[k + 1].head<3>() - w.q[k].head<3>() - step.head<3>()).norm();
-    const double rotation =
-        (RotationLog(BaseRotation(w.q[k + 1]) * BaseRotation(w.q[k]).transpose()) - step.segment<3>(3)).norm();
-    if (!(position <= kPosition))
-      findings_.Note("consistency", "base position against velocity", time_s, position, kPosition, "m");
-    if (!(rotation <= kRotation))
-      findings_.Note("consistency", "base rotation against velocity", time_s, rotation, kRotation, "rad");
-    for (int d = 0; d < model_.num_dofs(); ++d) {
-      const double joint = std::abs(w.q[k + 1][7 + d] - w.q[k][7 + d] - step[6 + d]);
-      if (!(joint <= kRotation)) {
-        findings_.Note("consistency", model_.dof_names[static_cast<std::size_t>(d)] + " position against velocity",
-                       time_s, joint, kRotation, "rad");
-      }
-    }
+  Expect("start of the schedule", w.start_s, std::abs(plan_.schedule.start_s() - w.start_s), w.step_s, "s");
+  Expect("end of the schedule", w.end_s(), std::abs(plan_.schedule.end_s() - w.end_s()), w.step_s, "s");
+  const auto feet = static_cast<double>(model_.feet.size());
+  const auto phases = static_cast<double>(plan_.gait.phase.size());
+  const auto duties = static_cast<double>(plan_.gait.duty_factor.size());
+  if (phases != feet) findings_.Note("consistency", "number of the gait's phases", w.start_s, phases, feet, "1");
+  if (duties != feet) findings_.Note("consistency", "number of the gait's duty factors", w.start_s, duties, feet, "1");
+}
+
+/// The goal is where the command leads from where the base stands first. A command of steps says it only to a step of
+/// each foot; one that turns on the spot as far as the planner likes says only where.
+void Auditor::CheckCommand() {
+  const WalkCommand& c = plan_.command;
+  const VectorX& q = plan_.whole_body.q.front();
+  const PlanarPose start = {q[0], q[1], YawOf(Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix())};
+  const double position = kGoalShare * model_.leg_length_m(), start_s = plan_.whole_body.start_s;
+  const auto compare = [&](const char* where, const PlanarPose& expected) {
+    const PlanarPose goal = Carried(start, expected);
+    Expect(where, start_s, std::hypot(goal.x_m - plan_.goal.x_m, goal.y_m - plan_.goal.y_m), position, "m");
+    const double turned = std::abs(WrapAngle(goal.yaw_rad - plan_.goal.yaw_rad));
+    Expect(std::string(where) + ", heading", start_s, turned, kGoalHeading, "rad");
+  };
+  if (c.extent == WalkCommand::Extent::kGoal) {
+    compare("goal against the command's pose", {c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
+    return;
+  }
+  const bool own_speed = c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0;
+  if (c.extent == WalkCommand::Extent::kDistance && !(own_speed && c.yaw_rate_rad_s != 0.0)) {
+    const double forward = own_speed ? model_.nominal_speed_m_s : c.speed_m_s;
+    const double duration = c.distance_m / std::hypot(forward, c.lateral_speed_m_s);
+    compare("goal against the command's distance", Arc(forward, c.lateral_speed_m_s, c.yaw_rate_rad_s, duration));
+  } else if (c.extent == WalkCommand::Extent::kSteps && own_speed && c.yaw_rate_rad_s == 0.0) {
+    const double distance = std::hypot(plan_.goal.x_m - start.x_m, plan_.goal.y_m - start.y_m);
+    const double most = c.steps * std::abs(c.step_length_m);
+    const double least = most - static_cast<double>(model_.feet.size()) * std::abs(c.step_length_m);
+    if (!(distance <= most + position && distance >= least - position))
+      findings_.Note("consistency", "goal against the command's steps", start_s, distance, most, "m");
   }
 }
 
-void Auditor::CheckCentroidal() {
-  const CentroidalTrajectory& c = plan_.centroidal;
-  if (c.p_WC.size() != plan_.whole_body.q.size()) {
-    findings_.Note("consistency", "centroidal rows", 0.0, static_cast<double>(c.p_WC.size()),
-                   static_cast<double>(plan_.whole_body.q.size()), "1");
+void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& interval) {
+  const std::string& foot = FootName(foothold.foot);
+  const auto time = [&](const char* what, double value, double limit) {
+    if (!(std::abs(value - limit) <= kTime))
+      findings_.Note("consistency", foot + " foothold's " + what + " against schedule", limit, value, limit, "s");
+  };
+  time("touch-down", foothold.touchdown_s, interval.start_s);
+  time("lift-off", foothold.liftoff_s, interval.end_s);
+  if (!HoldsPatch(plan_.terrain, foothold.patch)) {
+    findings_.Note("consistency", foot + " foothold's patch", foothold.touchdown_s, foothold.patch,
+                   static_cast<double>(plan_.terrain.patches.size()) - 1.0, "1");
     return;
   }
-  for (std::size_t k = 0; k < c.p_WC.size(); ++k) {
-    ForwardKinematics(model_, plan_.whole_body.q[k], scratch_);
-    const double off = (CentreOfMass(model_, scratch_) - c.p_WC[k]).norm();
-    if (!(off <= kPosition))
-      findings_.Note("consistency", "centre of mass against joints", c.start_s + static_cast<double>(k) * c.step_s, off,
-                     kPosition, "m");
-  }
+  const Pose& X_WT = plan_.terrain.patches[static_cast<std::size_t>(foothold.patch)].X_WT;
+  const Vector3 normal_W = X_WT.linear().col(2);
+  Expect(foot + " foothold off its patch", foothold.touchdown_s,
+         std::abs(normal_W.dot(foothold.X_WF.translation() - X_WT.translation())), kPosition, "m");
+  Expect(foot + " foothold tilted from its patch", foothold.touchdown_s,
+         normal_W.cross(foothold.X_WF.linear().col(2)).norm(), kRotation, "rad");
 }
 
 void Auditor::CheckFootholds() {
-  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+  const int feet = static_cast<int>(model_.feet.size());
+  for (int f = 0; f < feet; ++f) {
     const auto intervals = IntervalsOf(plan_.schedule, f);
     std::size_t i = 0;
     for (const Foothold& foothold : plan_.footsteps.footholds) {
       if (foothold.foot != f) continue;
-      const bool fits = i < intervals.size() && std::abs(intervals[i].start_s - foothold.touchdown_s) <= kTime &&
-                        std::abs(intervals[i].end_s - foothold.liftoff_s) <= kTime;
-      if (!fits)
-        findings_.Note("consistency", FootName(f) + " foothold against schedule", foothold.touchdown_s,
-                       foothold.liftoff_s, kTime, "s");
+      if (i < intervals.size()) CheckFoothold(foothold, intervals[i]);
       ++i;
     }
     if (i != intervals.size()) {
-      findings_.Note("consistency", FootName(f) + " number of footholds", 0.0, static_cast<double>(i),
-                     static_cast<double>(intervals.size()), "1");
+      findings_.Note("consistency", FootName(f) + " number of footholds", plan_.schedule.start_s(),
+                     static_cast<double>(i), static_cast<double>(intervals.size()), "1");
     }
   }
-}
-
-void Auditor::CheckSwings() {
-  for (const SwingTrajectory& swing : plan_.swings) {
-    const int from = FootholdAt(plan_.footsteps, swing.foot, swing.start_s - kTime);
-    const int to = FootholdAt(plan_.footsteps, swing.foot, swing.end_s);
-    if (from < 0 || to < 0) continue;
-    const Foothold& start = plan_.footsteps.footholds[static_cast<std::size_t>(from)];
-    const Foothold& end = plan_.footsteps.footholds[static_cast<std::size_t>(to)];
-    const double off = std::max((start.X_WF.translation() + start.roll_W - swing.X_WF_start.translation()).norm(),
-                                (end.X_WF.translation() - swing.X_WF_end.translation()).norm());
-    if (!(off <= kPosition))
-      findings_.Note("consistency", FootName(swing.foot) + " swing off its footholds", swing.start_s, off, kPosition,
-                     "m");
+  for (const Foothold& foothold : plan_.footsteps.footholds) {
+    if (foothold.foot < 0 || foothold.foot >= feet)
+      findings_.Note("consistency", "foothold of a foot that is not there", foothold.touchdown_s, foothold.foot,
+                     feet - 1.0, "1");
   }
 }
 

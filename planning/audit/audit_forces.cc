@@ -10,6 +10,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kResidualShare = 0.02;  // of m g, and of m g h
+constexpr double kEffortShare = 0.05;    // of a joint's limit
 constexpr double kRelative = 1e-6;
 constexpr double kLineWidth = 2e-3;       // [m] within which a ZMP is on a line
 constexpr double kReferenceSlack = 5e-3;  // [m] for feet that roll on from where they were when it was planned
@@ -33,9 +34,12 @@ void Auditor::CheckDynamics(double time_s) {
   if (!(force <= force_limit)) findings_.Note("dynamics", "base force", time_s, force, force_limit, "N");
   if (!(moment <= moment_limit)) findings_.Note("dynamics", "base moment", time_s, moment, moment_limit, "N m");
   for (int d = 0; d < model_.num_dofs(); ++d) {
-    const double torque = std::abs(residual[6 + d]);
-    if (!(torque <= moment_limit)) {
-      findings_.Note("dynamics", model_.dof_names[static_cast<std::size_t>(d)], time_s, torque, moment_limit, "N m");
+    const double effort = std::abs(residual[6 + d]);
+    const double limit =
+        std::min(Slides(d) ? force_limit : moment_limit, kEffortShare * limits_[static_cast<std::size_t>(d)].effort);
+    if (!(effort <= limit)) {
+      findings_.Note("dynamics", model_.dof_names[static_cast<std::size_t>(d)], time_s, effort, limit,
+                     Slides(d) ? "N" : "N m");
     }
   }
 }
@@ -105,17 +109,19 @@ void Auditor::CheckJoints(double time_s) {
   for (int d = 0; d < model_.num_dofs(); ++d) {
     const std::string& name = model_.dof_names[static_cast<std::size_t>(d)];
     const double q = sample_.q[7 + d], speed = std::abs(sample_.v[6 + d]), torque = std::abs(sample_.tau[d]);
-    const double lower = model_.dof_lower(d), upper = model_.dof_upper(d);
+    const JointLimits& limits = limits_[static_cast<std::size_t>(d)];
+    const double lower = limits.lower, upper = limits.upper;
+    const bool slides = Slides(d);
     if (!(q >= lower - kRelative * std::max(1.0, std::abs(lower))))
-      findings_.Note("joint_position", name, time_s, q, lower, "rad");
+      findings_.Note("joint_position", name, time_s, q, lower, slides ? "m" : "rad");
     if (!(q <= upper + kRelative * std::max(1.0, std::abs(upper))))
-      findings_.Note("joint_position", name, time_s, q, upper, "rad");
-    const double speed_limit = options_.derate_speed * model_.dof_velocity_limit(d);
+      findings_.Note("joint_position", name, time_s, q, upper, slides ? "m" : "rad");
+    const double speed_limit = options_.derate_speed * limits.speed;
     if (!(speed <= speed_limit * (1.0 + kRelative)))
-      findings_.Note("joint_velocity", name, time_s, speed, speed_limit, "rad/s");
-    const double torque_limit = options_.derate_torque * model_.dof_effort_limit(d);
+      findings_.Note("joint_velocity", name, time_s, speed, speed_limit, slides ? "m/s" : "rad/s");
+    const double torque_limit = options_.derate_torque * limits.effort;
     if (!(torque <= torque_limit * (1.0 + kRelative)))
-      findings_.Note("joint_torque", name, time_s, torque, torque_limit, "N m");
+      findings_.Note("joint_torque", name, time_s, torque, torque_limit, slides ? "N" : "N m");
   }
 }
 

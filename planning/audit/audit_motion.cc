@@ -60,16 +60,16 @@ void Auditor::CheckSwingFeet(double time_s) {
 }
 
 void Auditor::CheckBodies(double time_s) {
-  if (const auto pair = collision_.FirstCollision(scratch_)) {
-    findings_.Note("self_collision", pair->first + " and " + pair->second, time_s, -1.0, 0.0, "m");
+  for (const Overlap& overlap : collision_.Overlaps(scratch_)) {
+    findings_.Note("self_collision", overlap.link_a + " and " + overlap.link_b, time_s, overlap.depth_m, 0.0, "m");
   }
-  for (const Shape& shape : model_.collision_shapes) {
-    const bool is_foot =
-        std::any_of(model_.feet.begin(), model_.feet.end(), [&](const Foot& foot) { return foot.link == shape.link; });
-    if (is_foot) continue;
-    const Vector3 lowest = LowestPoint(scratch_, shape);
+  for (const auto& [shape, radius] : bodies_) {
+    const auto body = static_cast<std::size_t>(shape->body);
+    const double middle = (scratch_.p_WB[body] + scratch_.R_WB[body] * shape->X_BS.translation()).z();
+    if (middle - radius > highest_ground_m_) continue;
+    const Vector3 lowest = LowestPoint(scratch_, *shape);
     const double height = lowest.z() - GroundAt(plan_.terrain, lowest.head<2>()).height_m;
-    if (!(height >= 0.0)) findings_.Note("body_clearance", shape.link, time_s, height, 0.0, "m");
+    if (!(height >= 0.0)) findings_.Note("body_clearance", shape->link, time_s, height, 0.0, "m");
   }
 }
 

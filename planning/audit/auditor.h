@@ -45,26 +45,46 @@ class Auditor {
   void CheckSwingFeet(double time_s);
   void CheckBodies(double time_s);
   void CheckReach(double time_s);
-  // Over the plan as a whole (audit_consistency.cc)
+  // Over the plan as a whole (audit_columns.cc, audit_consistency.cc, audit_swings.cc)
   void CheckColumns();
   void CheckCentroidal();
+  void CheckPendulum();
+  void CheckSchedule();
+  void CheckCommand();
   void CheckFootholds();
+  void CheckFoothold(const Foothold& foothold, const ContactInterval& interval);
   void CheckSwings();
+  void CheckSwing(const SwingTrajectory& swing, const ContactInterval& gap);
+  void CheckSwingPath(const SwingTrajectory& swing);
 
+  /// Notes a breach of consistency unless `off` is at most `limit`.
+  void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {
+    if (!(off <= limit)) findings_.Note("consistency", where, time_s, off, limit, unit);
+  }
+  bool Slides(int dof) const {
+    const auto joint = static_cast<std::size_t>(model_.dof_joint[static_cast<std::size_t>(dof)]);
+    return model_.joints[joint].type == JointType::kPrismatic;
+  }
   const std::string& FootName(int foot) const { return model_.feet[static_cast<std::size_t>(foot)].name; }
 
   const RobotModel& model_;
   const MotionPlan& plan_;
   const AuditOptions& options_;
   DynamicsScratch scratch_;
+  struct JointLimits {
+    double lower, upper, speed, effort;
+  };
+  std::vector<JointLimits> limits_;                      // by dof, before derating
+  std::vector<std::pair<const Shape*, double>> bodies_;  // shapes that are no feet, with their bounding radii
   CollisionChecker collision_;
   WholeBodySample sample_;
   VectorX needed_;  // generalised forces of the motion
   FootSet stance_ = 0;
   bool at_switch_ = false;  // a foot lands or leaves within a sample of now
   double com_height_m_ = 0.0;
-  std::vector<Vector3> slip_W_;  // by foot: travel of the material contact point in this stance
-  std::vector<int> foothold_;    // by foot: the one last stood on
+  double highest_ground_m_ = 0.0;  // of all patches; infinite where one is tilted and without end
+  std::vector<Vector3> slip_W_;    // by foot: travel of the material contact point in this stance
+  std::vector<int> foothold_;      // by foot: the one last stood on
   Findings findings_;
 };
 

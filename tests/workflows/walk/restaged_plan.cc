@@ -77,7 +77,7 @@ ZmpProblem ProblemOf(const MotionPlan& plan) {
 }  // namespace
 
 MotionPlan WithWholeBodyAnew(const RobotModel& maker, MotionPlan plan) {
-  SolveAnew(maker, plan);
+  plan.centroidal.p_WZ = SolveAnew(maker, plan).zmp_W;
   return plan;
 }
 

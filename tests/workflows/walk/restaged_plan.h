@@ -7,7 +7,8 @@
 
 namespace gaitwright {
 
-/// Swings, joints, torques and forces anew from the footholds, centre of mass and swings' lifts that the plan has.
+/// Swings, joints, torques and forces anew from the footholds, centre of mass and swings' lifts that the plan has; the
+/// reference of the ZMP is what they do.
 MotionPlan WithWholeBodyAnew(const RobotModel& maker, MotionPlan plan);
 
 /// The same, with the centre of mass planned anew for the plan's footholds first.

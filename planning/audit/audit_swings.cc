@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Law `consistency`: swings against the schedule, the footholds and the way that the feet go in q.
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/spatial/rotation.h"
+#include "planning/audit/auditor.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kPosition = 1e-3;  // [m]
+constexpr double kRotation = 1e-3;  // [rad]
+constexpr double kTime = 1e-6;      // [s]
+
+}  // namespace
+
+/// Where a foot goes in q, against the curve from start to end. A sphere rolls in the air as on the ground: its contact
+/// point is on the curve but for what it has rolled since lift-off, and the curve ends short by the whole of that.
+void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
+  const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
+  const Vector3 normal_W = swing.X_WF_start.linear().col(2);
+  const double duration = swing.end_s - swing.start_s;
+  const int pieces = std::max(2, static_cast<int>(std::ceil(duration / plan_.whole_body.step_s)));
+  const auto time = [&](int k) { return swing.start_s + k * duration / pieces; };
+  std::vector<Pose> path;
+  std::vector<Vector3> rolled_W;
+  for (int k = 0; k <= pieces; ++k) {
+    SampleWholeBody(plan_.whole_body, time(k), sample_);
+    ForwardKinematics(model_, sample_.q, scratch_);
+    path.push_back(ContactFrame(model_, scratch_, swing.foot, normal_W));
+    Vector3 roll_W = Vector3::Zero();
+    if (k > 0) {
+      const Vector3 turn = RotationLog(path[path.size() - 1].linear() * path[path.size() - 2].linear().transpose());
+      roll_W = rolled_W.back() + foot.radius * turn.cross(normal_W);
+    }
+    rolled_W.push_back(roll_W);
+  }
+  SwingCurve curve = CurveOf(swing);
+  curve.X_WF_end.translation() -= rolled_W.back();
+  for (int k = 0; k <= pieces; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const Pose X_WF = Evaluate(curve, time(k)).X_WF;
+    Expect(FootName(swing.foot) + " off its swing", time(k),
+           (path[i].translation() - rolled_W[i] - X_WF.translation()).norm(), kPosition, "m");
+    if (foot.type != FootType::kSole) continue;
+    Expect(FootName(swing.foot) + " turned from its swing", time(k),
+           RotationLog(path[i].linear() * X_WF.linear().transpose()).norm(), kRotation, "rad");
+  }
+}
+
+/// The swings of each foot in order, one for each gap between two of its intervals of contact.
+void Auditor::CheckSwings() {
+  const int feet = static_cast<int>(model_.feet.size());
+  std::vector<std::vector<const SwingTrajectory*>> swings(model_.feet.size());
+  for (const SwingTrajectory& swing : plan_.swings) {
+    if (swing.foot >= 0 && swing.foot < feet) {
+      swings[static_cast<std::size_t>(swing.foot)].push_back(&swing);
+    } else {
+      findings_.Note("consistency", "swing of a foot that is not there", swing.start_s, swing.foot, feet - 1.0, "1");
+    }
+  }
+  for (int f = 0; f < feet; ++f) {
+    const auto intervals = IntervalsOf(plan_.schedule, f);
+    const auto& of_foot = swings[static_cast<std::size_t>(f)];
+    const std::size_t gaps = intervals.empty() ? 0 : intervals.size() - 1;
+    if (of_foot.size() != gaps) {
+      findings_.Note("consistency", FootName(f) + " number of swings", plan_.schedule.start_s(),
+                     static_cast<double>(of_foot.size()), static_cast<double>(gaps), "1");
+    }
+    for (std::size_t i = 0; i < std::min(gaps, of_foot.size()); ++i)
+      CheckSwing(*of_foot[i], {intervals[i].end_s, intervals[i + 1].start_s});
+  }
+}
+
+void Auditor::CheckSwing(const SwingTrajectory& swing, const ContactInterval& gap) {
+  const std::string& foot = FootName(swing.foot);
+  const auto fits = [&](const char* what, double value, double limit) {
+    if (std::abs(value - limit) <= kTime) return true;
+    findings_.Note("consistency", foot + " swing's " + what + " against schedule", limit, value, limit, "s");
+    return false;
+  };
+  const bool starts = fits("start", swing.start_s, gap.start_s), ends = fits("end", swing.end_s, gap.end_s);
+  const int from = FootholdAt(plan_.footsteps, swing.foot, gap.start_s - kTime);
+  const int to = FootholdAt(plan_.footsteps, swing.foot, gap.end_s);
+  if (!starts || !ends || from < 0 || to < 0) return;
+  const Foothold& start = plan_.footsteps.footholds[static_cast<std::size_t>(from)];
+  const Foothold& end = plan_.footsteps.footholds[static_cast<std::size_t>(to)];
+  const double off = std::max((start.X_WF.translation() + start.roll_W - swing.X_WF_start.translation()).norm(),
+                              (end.X_WF.translation() - swing.X_WF_end.translation()).norm());
+  Expect(foot + " swing off its footholds", swing.start_s, off, kPosition, "m");
+  const auto turned = [](const Pose& X_WF, const Pose& X_WG) {
+    return RotationLog(X_WF.linear() * X_WG.linear().transpose()).norm();
+  };
+  Expect(foot + " swing turned from its footholds", swing.start_s,
+         std::max(turned(start.X_WF, swing.X_WF_start), turned(end.X_WF, swing.X_WF_end)), kRotation, "rad");
+  CheckSwingPath(swing);
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "planning/plan/json_part_internal.h"
+
+namespace gaitwright {
+namespace {
+
+using Json = JsonPart::Json;
+
+/// What stands there, briefly.
+std::string Told(const Json& json) {
+  if (json.is_object()) return "an object";
+  if (json.is_array()) return fmt::format("a list of {}", json.size());
+  if (json.is_null()) return "null";
+  if (json.is_boolean()) return json.get<bool>() ? "true" : "false";
+  if (!json.is_string()) return json.dump();
+  constexpr std::size_t kLongest = 30;
+  const auto& text = json.get_ref<const std::string&>();
+  return "'" + (text.size() > kLongest ? text.substr(0, kLongest) + "..." : text) + "'";
+}
+
+/// Notes the last key before the text breaks, and where that is.
+struct BreakFinder : nlohmann::json_sax<Json> {
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*size*/) override { return true; }
+  bool key(string_t& value) override {
+    last_key = value;
+    return true;
+  }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t /*size*/) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t position, const std::string& /*token*/, const Json::exception& /*error*/) override {
+    byte = position;
+    return false;
+  }
+
+  std::string last_key;
+  std::size_t byte = 0;  ///< counted from 1
+};
+
+/// The run of letters, digits, signs and points that holds a place.
+std::string WordAt(const std::string& text, std::size_t at) {
+  const auto belongs = [&](std::size_t i) {
+    return std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '-' || text[i] == '+' || text[i] == '.';
+  };
+  std::size_t first = at, last = at;
+  while (first > 0 && belongs(first - 1)) --first;
+  while (last < text.size() && belongs(last)) ++last;
+  return text.substr(first, last - first);
+}
+
+bool IsNoFiniteNumber(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.erase(0, 1);
+  if (word == "nan" || word == "inf" || word == "infinity") return true;
+  // A number too large to be held, such as 1e999.
+  return !word.empty() &&
+         std::all_of(word.begin(), word.end(),
+                     [](char c) {
+                       return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == 'e' || c == '+' || c == '-' ||
+                              c == '.';
+                     }) &&
+         std::isdigit(static_cast<unsigned char>(word[0])) != 0 && !std::isfinite(std::strtod(word.c_str(), nullptr));
+}
+
+}  // namespace
+
+void JsonPart::Refuse(const std::string& what) const {
+  throw InvalidArgument(way_.empty() ? "it " + what : fmt::format("'{}' {}", way_, what));
+}
+
+void JsonPart::NeedsA(const char* kind) const { Refuse(fmt::format("is {}; {} is needed", Told(*json_), kind)); }
+
+const JsonPart& JsonPart::Object(const std::vector<std::string>& required,
+                                 const std::vector<std::string>& optional) const {
+  if (!json_->is_object()) NeedsA("an object");
+  std::vector<std::string> known = required;
+  known.insert(known.end(), optional.begin(), optional.end());
+  for (const auto& [key, value] : json_->items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      Refuse(fmt::format("has an unknown key '{}'; the nearest that is known is '{}'", key, NearestName(key, known)));
+  }
+  for (const std::string& key : required) {
+    if (!json_->contains(key)) Refuse(fmt::format("lacks '{}'", key));
+  }
+  return *this;
+}
+
+JsonPart JsonPart::At(const std::string& key) const {
+  if (!json_->is_object()) NeedsA("an object");
+  if (!json_->contains(key)) Refuse(fmt::format("lacks '{}'", key));
+  return {json_->at(key), way_.empty() ? key : way_ + "." + key};
+}
+
+std::vector<JsonPart> JsonPart::List() const {
+  if (!json_->is_array()) NeedsA("a list");
+  std::vector<JsonPart> parts;
+  for (std::size_t i = 0; i < json_->size(); ++i)
+    parts.push_back(JsonPart((*json_)[i], fmt::format("{}[{}]", way_, i)));
+  return parts;
+}
+
+double JsonPart::Number() const {
+  if (!json_->is_number()) NeedsA("a number");
+  return json_->get<double>();
+}
+
+double JsonPart::NumberFrom(double lowest) const {
+  const double number = Number();
+  if (!(number >= lowest)) Refuse(fmt::format("is {}; it must be at least {}", number, lowest));
+  return number;
+}
+
+int JsonPart::Whole(int lowest, int highest) const {
+  if (!json_->is_number_integer()) NeedsA("a whole number");
+  const double value = json_->get<double>();
+  if (value < lowest || value > highest)
+    Refuse(fmt::format("is {}; accepted: {} to {}", json_->dump(), lowest, highest));
+  return json_->get<int>();
+}
+
+std::uint64_t JsonPart::Natural() const {
+  if (!json_->is_number_unsigned()) NeedsA("a whole number, 0 or more,");
+  return json_->get<std::uint64_t>();
+}
+
+std::string JsonPart::Text() const {
+  if (!json_->is_string()) NeedsA("a text");
+  return json_->get<std::string>();
+}
+
+int JsonPart::Choice(const std::vector<std::string>& choices) const {
+  const auto found = std::find(choices.begin(), choices.end(), Text());
+  if (found == choices.end()) Refuse(fmt::format("is {}; accepted: {}", Told(*json_), QuotedList(choices)));
+  return static_cast<int>(found - choices.begin());
+}
+
+std::vector<double> JsonPart::Numbers() const {
+  if (!json_->is_array()) NeedsA("a list of numbers");
+  std::vector<double> numbers;
+  numbers.reserve(json_->size());
+  for (std::size_t i = 0; i < json_->size(); ++i) {
+    const Json& number = (*json_)[i];
+    numbers.push_back(number.is_number() ? number.get<double>()
+                                         : JsonPart(number, fmt::format("{}[{}]", way_, i)).Number());
+  }
+  return numbers;
+}
+
+VectorX JsonPart::Vector(std::size_t count) const {
+  const std::vector<double> numbers = Numbers();
+  if (numbers.size() != count) Refuse(fmt::format("has {} numbers; {} are needed", numbers.size(), count));
+  return Eigen::Map<const VectorX>(numbers.data(), static_cast<Eigen::Index>(count));
+}
+
+Pose JsonPart::ToPose() const {
+  constexpr double kUnit = 1e-6;
+  const VectorX v = Vector(7);
+  const double length = v.tail<4>().norm();
+  if (!(std::abs(length - 1.0) <= kUnit))
+    Refuse(fmt::format("has a quaternion of length {:.6g}; it must be 1", length));
+  Pose X = Pose::Identity();
+  X.translation() = v.head<3>();
+  X.linear() = Quaternion(v[6], v[3], v[4], v[5]).normalized().toRotationMatrix();
+  return X;
+}
+
+std::string WhyNoJson(const std::string& text) {
+  if (text.empty()) return "it is empty";
+  BreakFinder finder;
+  if (Json::sax_parse(text, &finder)) return "it is no JSON";
+  const std::string place = finder.last_key.empty() ? "" : fmt::format(", after the key '{}'", finder.last_key);
+  if (finder.byte > text.size()) return fmt::format("its JSON is cut short at byte {}{}", text.size(), place);
+  const std::string word = WordAt(text, finder.byte - 1);
+  if (IsNoFiniteNumber(word))
+    return fmt::format("'{}' holds {} (byte {}); every number must be finite", finder.last_key, word, finder.byte);
+  return fmt::format("its JSON is broken at byte {}{}", finder.byte, place);
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// A part of a JSON text and the way to it, such as `footholds[3].pose`, for reading strictly: whatever is not as it
+/// must be throws InvalidArgument with that way, what stands there and what is accepted.
+class JsonPart {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  /// The whole of a text. `json` must outlive this and all parts of it.
+  explicit JsonPart(const Json& json) : json_(&json) {}
+
+  /// An object that has each of `required` and nothing else but `optional`; an unknown key is refused with the nearest.
+  const JsonPart& Object(const std::vector<std::string>& required, const std::vector<std::string>& optional = {}) const;
+  JsonPart At(const std::string& key) const;
+  bool Has(const std::string& key) const { return json_->contains(key); }
+  const Json& json() const { return *json_; }
+
+  /// The members of a list.
+  std::vector<JsonPart> List() const;
+
+  double Number() const;
+  double NumberFrom(double lowest) const;
+  int Whole(int lowest, int highest) const;
+  std::uint64_t Natural() const;
+  std::string Text() const;
+  /// @return the index of the text among the choices.
+  int Choice(const std::vector<std::string>& choices) const;
+
+  std::vector<double> Numbers() const;
+  /// A list of exactly `count` numbers.
+  VectorX Vector(std::size_t count) const;
+  /// [x, y, z, qx, qy, qz, qw], the quaternion of unit length to 1e-6.
+  Pose ToPose() const;
+
+  /// @throws InvalidArgument "'way' <what>".
+  [[noreturn]] void Refuse(const std::string& what) const;
+
+ private:
+  JsonPart(const Json& json, std::string way) : json_(&json), way_(std::move(way)) {}
+  [[noreturn]] void NeedsA(const char* kind) const;
+
+  const Json* json_;
+  std::string way_;
+};
+
+/// Why a text is no JSON: cut short, or broken where, or with a number that is none.
+std::string WhyNoJson(const std::string& text);
+
+}  // namespace gaitwright

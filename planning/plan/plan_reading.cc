@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/result.h"
+#include "planning/plan/plan_reading_internal.h"
+
+namespace gaitwright {
+namespace {
+
+std::vector<Vector3> ToPoints(const JsonPart& list) {
+  std::vector<Vector3> points;
+  for (const JsonPart& point : list.List()) points.emplace_back(point.Vector(3));
+  return points;
+}
+
+PlanarPose ToPlanarPose(const JsonPart& pose) {
+  pose.Object({"x_m", "y_m", "yaw_rad"});
+  return {pose.At("x_m").Number(), pose.At("y_m").Number(), pose.At("yaw_rad").Number()};
+}
+
+WalkCommand ToCommand(const JsonPart& command) {
+  command.Object({"extent", "speed_m_s", "lateral_speed_m_s", "yaw_rate_rad_s", "distance_m", "goal_x_m", "goal_y_m",
+                  "goal_yaw_rad", "steps", "step_length_m"});
+  WalkCommand c;
+  c.extent = static_cast<WalkCommand::Extent>(command.At("extent").Choice(PlanExtents()));
+  c.speed_m_s = command.At("speed_m_s").NumberFrom(0.0);
+  c.lateral_speed_m_s = command.At("lateral_speed_m_s").Number();
+  c.yaw_rate_rad_s = command.At("yaw_rate_rad_s").Number();
+  c.distance_m = command.At("distance_m").NumberFrom(0.0);
+  c.goal_x_m = command.At("goal_x_m").Number();
+  c.goal_y_m = command.At("goal_y_m").Number();
+  c.goal_yaw_rad = command.At("goal_yaw_rad").Number();
+  c.steps = command.At("steps").Whole(0, 1000000);
+  c.step_length_m = command.At("step_length_m").Number();
+  return c;
+}
+
+TerrainPatch ToPatch(const JsonPart& part) {
+  part.Object({"name", "pose", "outline_m", "friction"});
+  TerrainPatch patch{part.At("name").Text(), part.At("pose").ToPose(), {}, part.At("friction").NumberFrom(0.0)};
+  const double upright = patch.X_WT.linear()(2, 2);
+  if (!(upright > 0.0))
+    part.Refuse(fmt::format("faces down: the z of its normal is {:.3g}; it must be over 0", upright));
+  for (const JsonPart& corner : part.At("outline_m").List()) patch.outline_T.emplace_back(corner.Vector(2));
+  const std::size_t corners = patch.outline_T.size();
+  if (corners == 1 || corners == 2) {
+    part.At("outline_m")
+        .Refuse(fmt::format("has {} corners; none makes a plane without end, three or more an outline", corners));
+  }
+  return patch;
+}
+
+Terrain ToTerrain(const JsonPart& part) {
+  part.Object({"name", "patches"});
+  Terrain terrain;
+  terrain.name = part.At("name").Text();
+  for (const JsonPart& patch : part.At("patches").List()) terrain.patches.push_back(ToPatch(patch));
+  if (terrain.patches.empty()) part.At("patches").Refuse("is empty; a plan needs ground to stand on");
+  return terrain;
+}
+
+Gait ToGait(const JsonPart& part, int feet) {
+  part.Object({"name", "description", "cycle_s", "phase", "duty_factor"});
+  const auto by_foot = [&](const char* key) {
+    const VectorX numbers = part.At(key).Vector(static_cast<std::size_t>(feet));
+    return std::vector<double>(numbers.begin(), numbers.end());
+  };
+  return {part.At("name").Text(), part.At("description").Text(), part.At("cycle_s").Number(), by_foot("phase"),
+          by_foot("duty_factor")};
+}
+
+ContactSchedule ToSchedule(const JsonPart& list, int feet) {
+  ContactSchedule schedule;
+  for (const JsonPart& phase : list.List()) {
+    const std::vector<JsonPart> parts = phase.List();
+    if (parts.size() != 3) phase.Refuse(fmt::format("has {} parts; start, end and stance are needed", parts.size()));
+    schedule.phases.push_back({parts[0].Number(), parts[1].Number(), parts[2].Natural()});
+  }
+  CheckSchedule(schedule, feet);
+  return schedule;
+}
+
+Foothold ToFoothold(const JsonPart& part, int feet, int patches) {
+  part.Object({"foot", "pose", "roll_m", "patch", "touchdown_s", "liftoff_s"});
+  return {part.At("foot").Whole(0, feet - 1),     part.At("pose").ToPose(),        part.At("roll_m").Vector(3),
+          part.At("patch").Whole(0, patches - 1), part.At("touchdown_s").Number(), part.At("liftoff_s").Number()};
+}
+
+SwingTrajectory ToSwing(const JsonPart& part, int feet) {
+  part.Object({"foot", "start_s", "end_s", "start_pose", "end_pose", "lift_m", "clearance_m"}, {"detour_m"});
+  SwingTrajectory swing{part.At("foot").Whole(0, feet - 1), part.At("start_s").Number(),  part.At("end_s").Number(),
+                        part.At("start_pose").ToPose(),     part.At("end_pose").ToPose(), part.At("lift_m").Number(),
+                        part.At("clearance_m").Number()};
+  if (!(swing.end_s > swing.start_s))
+    part.Refuse(fmt::format("lasts from {} s to {} s; it must end after its start", swing.start_s, swing.end_s));
+  if (part.Has("detour_m")) swing.detour_W = ToPoints(part.At("detour_m"));
+  return swing;
+}
+
+Provenance ToProvenance(const JsonPart& part) {
+  part.Object({"program_version", "made_by", "seed", "options"});
+  Provenance provenance{part.At("program_version").Text(), part.At("made_by").Text(), {}, part.At("seed").Natural()};
+  const JsonPart options = part.At("options");
+  if (!options.json().is_object()) options.Object({});
+  for (const auto& [key, value] : options.json().items()) provenance.options.emplace_back(key, options.At(key).Text());
+  return provenance;
+}
+
+/// Rows of equal length: `count` of them, or as many as there are when it is 0.
+std::vector<VectorX> ToRows(const JsonPart& list, std::size_t count) {
+  std::vector<VectorX> rows;
+  for (const JsonPart& row : list.List()) {
+    const std::vector<double> values = row.Numbers();
+    rows.push_back(Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size())));
+    if (rows.back().size() != rows.front().size())
+      row.Refuse(fmt::format("has {} numbers, the first row {}", rows.back().size(), rows.front().size()));
+  }
+  if (rows.empty() || (count > 0 && rows.size() != count))
+    list.Refuse(fmt::format("has {} rows; {} are needed", rows.size(), std::max<std::size_t>(count, 1)));
+  return rows;
+}
+
+void CheckQuaternions(const JsonPart& list, const std::vector<VectorX>& q) {
+  constexpr double kUnit = 1e-6;
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    const double length = q[k].segment<4>(3).norm();
+    if (!(std::abs(length - 1.0) <= kUnit))
+      list.List()[k].Refuse(fmt::format("has a quaternion of length {:.6g}; it must be 1", length));
+  }
+}
+
+void ReadWholeBody(const JsonPart& whole, WholeBodyTrajectory& w) {
+  w.start_s = whole.At("start_s").Number();
+  w.step_s = whole.At("step_s").Number();
+  if (!(w.step_s > 0.0)) whole.At("step_s").Refuse(fmt::format("is {}; it must be positive", w.step_s));
+  w.q = ToRows(whole.At("q"), 0);
+  w.v = ToRows(whole.At("v"), w.q.size());
+  w.a = ToRows(whole.At("a"), w.q.size());
+  w.tau = ToRows(whole.At("tau_nm"), w.q.size());
+  const Eigen::Index nq = w.q[0].size();
+  if (nq < 8 || w.v[0].size() != nq - 1 || w.a[0].size() != nq - 1 || w.tau[0].size() != nq - 7) {
+    whole.Refuse(
+        fmt::format("has rows of {}, {}, {} and {} numbers in 'q', 'v', 'a' and 'tau_nm'; with n joints 7 + n, "
+                    "6 + n, 6 + n and n are needed",
+                    nq, w.v[0].size(), w.a[0].size(), w.tau[0].size()));
+  }
+  CheckQuaternions(whole.At("q"), w.q);
+  for (const VectorX& row : ToRows(whole.At("contact_wrenches"), w.q.size())) {
+    if (row.size() == 0 || row.size() % 6 != 0)
+      whole.At("contact_wrenches").Refuse(fmt::format("has rows of {} numbers; each foot has six", row.size()));
+    std::vector<ContactWrench> wrenches;
+    for (Eigen::Index f = 0; f < row.size(); f += 6) wrenches.push_back({row.segment<3>(f), row.segment<3>(f + 3)});
+    w.wrenches.push_back(std::move(wrenches));
+  }
+}
+
+void ReadCentroidal(const JsonPart& whole, const WholeBodyTrajectory& w, CentroidalTrajectory& c) {
+  constexpr Eigen::Index kColumns = 11;
+  c.start_s = w.start_s;
+  c.step_s = w.step_s;
+  c.omega_rad_s = whole.At("omega_rad_s").Number();
+  for (const VectorX& row : ToRows(whole.At("centroidal"), w.q.size())) {
+    if (row.size() != kColumns)
+      whole.At("centroidal").Refuse(fmt::format("has rows of {} numbers; {} are needed", row.size(), kColumns));
+    c.p_WC.push_back(row.segment<3>(0));
+    c.v_WC.push_back(row.segment<3>(3));
+    c.a_WC.push_back(row.segment<3>(6));
+    c.p_WZ.push_back(row.segment<2>(9));
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& PlanExtents() {
+  static const std::vector<std::string> extents = {"distance", "goal", "steps"};
+  return extents;
+}
+
+MotionPlan ReadPlan(const JsonPart& whole) {
+  whole.Object({"format", "schema",   "robot",      "robot_hash",  "provenance", "command",
+                "goal",   "warnings", "terrain",    "gait",        "schedule",   "footholds",
+                "swings", "urdf",     "robot_yaml", "start_s",     "step_s",     "q",
+                "v",      "a",        "tau_nm",     "omega_rad_s", "centroidal", "contact_wrenches"});
+  MotionPlan plan;
+  plan.robot = whole.At("robot").Text();
+  plan.robot_hash = whole.At("robot_hash").Text();
+  plan.urdf_text = whole.At("urdf").Text();
+  plan.yaml_text = whole.At("robot_yaml").Text();
+  plan.provenance = ToProvenance(whole.At("provenance"));
+  plan.command = ToCommand(whole.At("command"));
+  plan.goal = ToPlanarPose(whole.At("goal"));
+  plan.terrain = ToTerrain(whole.At("terrain"));
+  for (const JsonPart& warning : whole.At("warnings").List()) plan.warnings.push_back(warning.Text());
+  ReadWholeBody(whole, plan.whole_body);
+  ReadCentroidal(whole, plan.whole_body, plan.centroidal);
+  const int feet = static_cast<int>(plan.whole_body.wrenches.front().size());
+  const int patches = static_cast<int>(plan.terrain.patches.size());
+  plan.gait = ToGait(whole.At("gait"), feet);
+  plan.schedule = ToSchedule(whole.At("schedule"), feet);
+  for (const JsonPart& part : whole.At("footholds").List())
+    plan.footsteps.footholds.push_back(ToFoothold(part, feet, patches));
+  for (const JsonPart& part : whole.At("swings").List()) plan.swings.push_back(ToSwing(part, feet));
+  return plan;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planning/plan/json_part_internal.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// Names of WalkCommand::Extent in files, in its order.
+const std::vector<std::string>& PlanExtents();
+
+/// The plan of a JSON text whose format and schema are known. @throws InvalidArgument naming the first part that is
+/// missing, unknown, of the wrong kind or out of range.
+MotionPlan ReadPlan(const JsonPart& whole);
+
+}  // namespace gaitwright

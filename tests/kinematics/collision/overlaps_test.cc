@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Overlaps along a motion: known depths, and the same answer as a checker that has seen nothing before.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "kinematics/collision/collision_checker.h"
+#include "kinematics/model/load_robot.h"
+
+namespace gaitwright {
+namespace {
+
+/// Two bodies on slides over a base: one shape each.
+RobotModel TwoOnSlides(ShapeType type, const Vector3& size) {
+  RobotModel model;
+  model.bodies = {{"base", 1.0, Vector3::Zero(), Matrix3::Identity()},
+                  {"left", 1.0, Vector3::Zero(), Matrix3::Identity()},
+                  {"right", 1.0, Vector3::Zero(), Matrix3::Identity()}};
+  for (int i = 0; i < 2; ++i) {
+    Joint slide;
+    slide.type = JointType::kPrismatic;
+    slide.axis_J = Vector3::UnitX();
+    slide.dof = i;
+    model.joints.push_back(slide);
+    model.dof_names.push_back(i == 0 ? "left" : "right");
+    model.dof_joint.push_back(i);
+    Shape shape;
+    shape.type = type;
+    shape.size = size;
+    shape.body = i + 1;
+    shape.link = model.dof_names.back();
+    model.collision_shapes.push_back(shape);
+  }
+  model.standing_joints = Eigen::Vector2d(-1.0, 1.0);
+  return model;
+}
+
+TEST(Overlaps, DepthsOfShapesThatMeetHeadOn) {
+  struct Case {
+    ShapeType type;
+    Vector3 size;
+    double width_m;
+  };
+  for (const Case& c :
+       {Case{ShapeType::kBox, {0.1, 0.3, 0.3}, 0.1}, Case{ShapeType::kSphere, {0.05, 0.0, 0.0}, 0.1},
+        Case{ShapeType::kCylinder, {0.05, 0.3, 0.0}, 0.1}, Case{ShapeType::kCapsule, {0.05, 0.3, 0.0}, 0.1}}) {
+    const RobotModel model = TwoOnSlides(c.type, c.size);
+    CollisionChecker checker(model);
+    ASSERT_EQ(checker.num_pairs(), 1);
+    DynamicsScratch scratch(model);
+    VectorX q = StandingConfiguration(model);
+    for (double gap = 0.5; gap > -0.03; gap -= 0.0037) {
+      q.tail(2) = Eigen::Vector2d(0.0, c.width_m + gap);
+      ForwardKinematics(model, q, scratch);
+      const std::vector<Overlap>& found = checker.Overlaps(scratch);
+      ASSERT_EQ(found.size(), gap < 0.0 ? 1U : 0U) << "gap " << gap;
+      if (gap > 0.0) continue;
+      EXPECT_EQ(found[0].link_a, "left");
+      EXPECT_EQ(found[0].link_b, "right");
+      EXPECT_NEAR(found[0].depth_m, -gap, 1e-5);
+    }
+  }
+}
+
+TEST(Overlaps, DoNotDependOnWhatWasSeenBefore) {
+  for (const char* name : {"a1", "nao"}) {
+    const RobotModel model = LoadNamedRobot(name).value();
+    CollisionChecker watching(model);
+    DynamicsScratch scratch(model);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    int touched = 0;
+    for (int motion = 0; motion < 10; ++motion) {
+      VectorX direction(model.num_dofs());
+      for (double& d : direction) d = uniform(random);
+      for (int k = 0; k < 40; ++k) {
+        VectorX q = StandingConfiguration(model);
+        q[0] += 0.02 * k;
+        q.tail(model.num_dofs()) += 0.08 * k * direction;
+        ForwardKinematics(model, q, scratch);
+        CollisionChecker fresh(model);
+        const std::vector<Overlap> expected = fresh.Overlaps(scratch);
+        const std::vector<Overlap>& found = watching.Overlaps(scratch);
+        ASSERT_EQ(found.size(), expected.size()) << name << ", motion " << motion << ", pose " << k;
+        EXPECT_EQ(found.empty(), !watching.FirstCollision(scratch).has_value());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          EXPECT_EQ(found[i].link_a, expected[i].link_a);
+          EXPECT_EQ(found[i].link_b, expected[i].link_b);
+          EXPECT_EQ(found[i].depth_m, expected[i].depth_m);
+        }
+        touched += static_cast<int>(found.size());
+      }
+    }
+    EXPECT_GT(touched, 20) << "the motions must bring links together";
+  }
+}
+
+}  // namespace
+}  // namespace gaitwright

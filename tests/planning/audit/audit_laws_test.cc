@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// For each law a small breach in a good plan: found where it is, when and by how much, and nothing else without cause.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/dynamics/foot_contact.h"
+#include "tests/planning/audit/good_plan.h"
+
+namespace gaitwright {
+namespace {
+
+using Laws = std::vector<std::string>;
+
+class AuditLaw : public testing::TestWithParam<std::string> {
+ protected:
+  const RobotModel& model() const { return GoodPlanOf(GetParam()).model; }
+  const MotionPlan& good() const { return GoodPlanOf(GetParam()).plan; }
+  const std::string& foot() const { return model().feet[0].name; }
+  std::size_t row() const { return MidSwingRow(good()); }
+  double row_s() const { return TimeOf(good(), row()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Robots, AuditLaw, testing::Values("a1", "nao"), [](const auto& robot) { return robot.param; });
+
+/// The sample at which a figure of the plan is largest, and how large.
+template <class Figure>
+std::pair<double, double> LargestOf(const RobotModel& model, const MotionPlan& plan, const Figure& figure) {
+  std::pair<double, double> largest = {0.0, -1e300};
+  for (const double time_s : SampleTimes(plan)) {
+    const double value = figure(Moment(model, plan, time_s));
+    if (value > largest.second) largest = {time_s, value};
+  }
+  return largest;
+}
+
+/// A joint that moves in the good plan: the one before foot 0.
+int MovingDof(const RobotModel& model) { return model.joints[static_cast<std::size_t>(model.legs[0].knee_joint)].dof; }
+
+Shape Ball(int body, const std::string& link, const Vector3& p_BS, double radius_m) {
+  Shape ball;
+  ball.type = ShapeType::kSphere;
+  ball.body = body;
+  ball.link = link;
+  ball.X_BS.translation() = p_BS;
+  ball.size.x() = radius_m;
+  return ball;
+}
+
+TEST_P(AuditLaw, AGoodPlanKeepsAll) {
+  const AuditReport report = Audit(model(), good(), {}).value();
+  EXPECT_TRUE(report.pass()) << AuditText(report);
+  EXPECT_EQ(report.samples, static_cast<int>(SampleTimes(good()).size()));
+}
+
+TEST_P(AuditLaw, DynamicsFindsATorqueThatIsNotOfTheMotion) {
+  const double limit =
+      std::min(0.05 * model().dof_effort_limit(0), 0.02 * model().weight_n() * good().centroidal.p_WC[row()].z());
+  MotionPlan plan = good();
+  plan.whole_body.tau[row()][0] += 1.5 * limit;
+  const auto found = ViolationsOf(model(), plan);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "dynamics");
+  EXPECT_EQ(found[0].where, model().dof_names[0]);
+  EXPECT_NEAR(found[0].at_s, row_s(), 1e-9);
+  EXPECT_NEAR(found[0].value, 1.5 * limit, 0.1 * limit);
+  EXPECT_NEAR(found[0].limit, limit, 1e-6);
+}
+
+TEST_P(AuditLaw, UnilateralFindsAFootThatPulls) {
+  const double pull = 0.01 * model().weight_n();
+  MotionPlan plan = good();
+  plan.whole_body.wrenches[row()][0].force_W.z() -= pull;
+  const auto found = ViolationsOf(model(), plan);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "unilateral");
+  EXPECT_EQ(found[0].where, foot());
+  EXPECT_NEAR(found[0].at_s, row_s(), 1e-9);
+  EXPECT_NEAR(found[0].value, -pull, 1e-9);
+}
+
+TEST_P(AuditLaw, FrictionConeFindsAGroundTooSlippery) {
+  const auto use = [](const Moment& moment) {
+    double most = 0.0;
+    for (const ContactWrench& wrench : moment.sample.wrenches) {
+      if (wrench.force_W.z() > 5.0) most = std::max(most, wrench.force_W.head<2>().norm() / wrench.force_W.z());
+    }
+    return most;
+  };
+  MotionPlan plan = good();
+  plan.terrain = FlatTerrain(0.8 * LargestOf(model(), good(), use).second);
+  const auto found = ViolationsOf(model(), plan);
+  EXPECT_EQ(LawsOf(found), Laws{"friction_cone"});
+  for (std::size_t f = 0; f < model().feet.size(); ++f) {
+    const auto at =
+        std::find_if(found.begin(), found.end(), [&](const auto& v) { return v.where == model().feet[f].name; });
+    if (at == found.end()) continue;
+    const Vector3 force_W = Moment(model(), plan, at->at_s).sample.wrenches[f].force_W;
+    EXPECT_NEAR(at->value, force_W.head<2>().norm(), 1e-9);
+    EXPECT_NEAR(at->limit, plan.terrain.patches[0].friction * force_W.z(), 1e-9);
+  }
+}
+
+TEST_P(AuditLaw, ZmpSupportFindsAnAccelerationThatPutsItOut) {
+  const double height = good().centroidal.p_WC[row()].z(), out = 0.2;
+  MotionPlan plan = good();
+  plan.whole_body.a[row()][1] += out * kGravity / height;
+  const auto found = ViolationsOf(model(), plan);
+  EXPECT_EQ(LawsOf(found), (Laws{"consistency", "zmp_support", "dynamics"}));
+  const Violation& zmp = At(found, "zero-moment point");
+  EXPECT_NEAR(zmp.at_s, row_s(), 1e-9);
+  EXPECT_LT(zmp.value, out);
+  EXPECT_GT(zmp.value, 0.3 * out) << "the rest is the way to the edge";
+}
+
+TEST_P(AuditLaw, ZmpSupportFindsAReferenceOutside) {
+  MotionPlan plan = good();
+  plan.centroidal.p_WZ[row()].y() += 0.2;
+  const auto found = ViolationsOf(model(), plan);
+  EXPECT_EQ(LawsOf(found), (Laws{"consistency", "zmp_support"}));
+  EXPECT_NEAR(At(found, "reference of the zero-moment point").at_s, row_s(), 1e-9);
+}
+
+TEST_P(AuditLaw, JointPositionFindsALimitPassed) {
+  const int dof = MovingDof(model());
+  const auto [at_s, most] = LargestOf(model(), good(), [&](const Moment& moment) { return moment.sample.q[7 + dof]; });
+  RobotModel stiff = model();
+  stiff.joints[static_cast<std::size_t>(stiff.dof_joint[static_cast<std::size_t>(dof)])].upper = most - 0.01;
+  const auto found = ViolationsOf(stiff, good());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "joint_position");
+  EXPECT_EQ(found[0].where, model().dof_names[static_cast<std::size_t>(dof)]);
+  EXPECT_NEAR(found[0].value, most, 1e-12);
+  EXPECT_NEAR(found[0].at_s, at_s, 1e-9);
+  EXPECT_EQ(found[0].unit, "rad");
+}
+
+TEST_P(AuditLaw, JointVelocityFindsALimitPassed) {
+  const int dof = MovingDof(model());
+  const auto [at_s, most] =
+      LargestOf(model(), good(), [&](const Moment& moment) { return std::abs(moment.sample.v[6 + dof]); });
+  RobotModel slow = model();
+  slow.joints[static_cast<std::size_t>(slow.dof_joint[static_cast<std::size_t>(dof)])].velocity_limit = 0.95 * most;
+  const auto found = ViolationsOf(slow, good());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "joint_velocity");
+  EXPECT_EQ(found[0].where, model().dof_names[static_cast<std::size_t>(dof)]);
+  EXPECT_NEAR(found[0].value, most, 1e-9);
+  EXPECT_NEAR(found[0].at_s, at_s, 1e-9);
+  EXPECT_EQ(found[0].unit, "rad/s");
+}
+
+TEST_P(AuditLaw, JointTorqueFindsALimitPassed) {
+  const int dof = MovingDof(model());
+  const auto [at_s, most] =
+      LargestOf(model(), good(), [&](const Moment& moment) { return std::abs(moment.sample.tau[dof]); });
+  RobotModel weak = model();
+  weak.joints[static_cast<std::size_t>(weak.dof_joint[static_cast<std::size_t>(dof)])].effort_limit = 0.95 * most;
+  const auto found = ViolationsOf(weak, good());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "joint_torque");
+  EXPECT_EQ(found[0].where, model().dof_names[static_cast<std::size_t>(dof)]);
+  EXPECT_NEAR(found[0].value, most, 1e-9);
+  EXPECT_NEAR(found[0].at_s, at_s, 1e-9);
+}
+
+TEST_P(AuditLaw, ReachFindsAFootholdFartherThanTheLegIsLong) {
+  MotionPlan plan = good();
+  Foothold& last = plan.footsteps.footholds[static_cast<std::size_t>(FootholdAt(plan.footsteps, 0, 1e9))];
+  last.X_WF.translation().x() += 2.0 * model().leg_length_m();
+  const auto found = ViolationsOf(model(), plan);
+  EXPECT_EQ(LawsOf(found), (Laws{"consistency", "reach"}));
+  const Violation& reach = found.back();
+  EXPECT_EQ(reach.where, foot());
+  EXPECT_GE(reach.at_s, last.touchdown_s);
+  const int hip = model().legs[0].joints.front() + 1;
+  const Vector3 p_WH = Moment(model(), plan, reach.at_s).scratch.p_WB[static_cast<std::size_t>(hip)];
+  EXPECT_NEAR(reach.value, (last.X_WF.translation() - p_WH).norm(), 1e-9);
+  EXPECT_GT(reach.value, reach.limit);
+}
+
+TEST_P(AuditLaw, SelfCollisionFindsHowDeepAFootGoesIntoWhatIsAheadOfIt) {
+  // A ball on the foot and another fixed in the base ahead of it, which it meets only where it swings farthest ahead.
+  const Foot& lifted = model().feet[0];
+  const auto in_base = [&](const Moment& moment) {
+    const Vector3 p_WF = FramePose(moment.scratch, lifted.body, lifted.X_BF).translation();
+    return Vector3(moment.scratch.R_WB[0].transpose() * (p_WF - moment.scratch.p_WB[0]));
+  };
+  const Vector3 ahead = in_base(Moment(model(), good(), row_s())) + Vector3(0.1, 0.0, 0.0);
+  const auto [at_s, nearness] =
+      LargestOf(model(), good(), [&](const Moment& moment) { return -(in_base(moment) - ahead).norm(); });
+  constexpr double kSmall = 0.01, kDepth = 0.003, kGrain = 1e-4;
+  RobotModel balls = model();
+  balls.collision_shapes = {Ball(lifted.body, lifted.link, lifted.X_BF.translation(), kSmall),
+                            Ball(0, model().feet[1].link, ahead, -nearness - kSmall + kDepth)};
+  // Links of feet may be at the ground. Bodies without shapes would join the two balls.
+  for (int body = 1; body < static_cast<int>(model().bodies.size()); ++body) {
+    if (body != lifted.body) balls.collision_shapes.push_back(Ball(body, "grain", Vector3::Zero(), kGrain));
+  }
+  const auto found = ViolationsOf(balls, good());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "self_collision");
+  EXPECT_EQ(found[0].where, lifted.link + " and " + model().feet[1].link);
+  EXPECT_NEAR(found[0].value, kDepth, 1e-5);
+  EXPECT_NEAR(found[0].at_s, at_s, 1.5e-3);
+  EXPECT_EQ(found[0].unit, "m");
+}
+
+TEST_P(AuditLaw, FootClearanceFindsABumpUnderASwing) {
+  const std::vector<Vector3> points = ContactPoints(model(), Moment(model(), good(), row_s()).scratch, 0);
+  MotionPlan plan = good();
+  TerrainPatch bump = plan.terrain.patches[0];
+  constexpr double kHalf = 1e-3, kOver = 2e-3;
+  bump.X_WT.translation() = points[0] + Vector3(0.0, 0.0, kOver);
+  bump.outline_T = {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
+  plan.terrain.patches.push_back(bump);
+  const auto found = ViolationsOf(model(), plan);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "foot_clearance");
+  EXPECT_EQ(found[0].where, foot());
+  EXPECT_NEAR(found[0].at_s, row_s(), 0.01);
+  EXPECT_NEAR(found[0].value, -kOver, 5e-4);
+}
+
+TEST_P(AuditLaw, BodyClearanceFindsAPostThatTheTrunkPassesInFourMilliseconds) {
+  constexpr double kRadius = 0.02, kOver = 2e-3, kHalf_s = 2e-3;
+  RobotModel ball = model();
+  ball.collision_shapes = {Ball(0, "ball", Vector3::Zero(), kRadius)};
+  const double middle_s = good().whole_body.start_s + 0.5 * good().duration_s();
+  const Moment middle(model(), good(), middle_s);
+  MotionPlan plan = good();
+  TerrainPatch post = plan.terrain.patches[0];
+  post.X_WT.translation() = middle.scratch.p_WB[0] + Vector3(0.0, 0.0, kOver - kRadius);
+  const double along = kHalf_s * middle.sample.v.head<2>().norm();
+  ASSERT_GT(along, 1e-5);
+  post.outline_T = {{-along, -along}, {along, -along}, {along, along}, {-along, along}};
+  plan.terrain.patches.push_back(post);
+  const auto found = ViolationsOf(ball, plan);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "body_clearance");
+  EXPECT_EQ(found[0].where, "ball");
+  EXPECT_NEAR(found[0].at_s, middle_s, 2.0 * kHalf_s);
+  EXPECT_NEAR(found[0].value, -kOver, 2e-4);
+  EXPECT_EQ(found[0].unit, "m");
+}
+
+TEST(AuditOfSlides, GivesLengthsAndForces) {
+  // A joint that stays at zero, made a slide: it would have to carry what is above it.
+  const GoodPlan& nao = GoodPlanOf("nao");
+  RobotModel slides = nao.model;
+  slides.joints[0].type = JointType::kPrismatic;
+  slides.joints[0].lower = 0.01;
+  const auto found = ViolationsOf(slides, nao.plan);
+  EXPECT_EQ(LawsOf(found), (Laws{"joint_position", "dynamics"}));
+  EXPECT_EQ(found[0].where, nao.model.dof_names[0]);
+  EXPECT_EQ(found[0].unit, "m");
+  EXPECT_EQ(At({found[1]}, nao.model.dof_names[0]).unit, "N");
+}
+
+TEST(AuditOfTorques, FindsAQuarterNewtonMetreOnASmallJoint) {
+  const GoodPlan& nao = GoodPlanOf("nao");
+  MotionPlan plan = nao.plan;
+  const int head = nao.model.DofIndex("HeadYaw");
+  for (VectorX& tau : plan.whole_body.tau) tau[head] += 0.25;
+  const auto found = ViolationsOf(nao.model, plan);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "dynamics");
+  EXPECT_EQ(found[0].where, "HeadYaw");
+  EXPECT_NEAR(found[0].value, 0.25, 1e-3);
+}
+
+}  // namespace
+}  // namespace gaitwright
