@@ -9,7 +9,8 @@
 namespace gaitwright {
 namespace {
 
-/// Points that span a shape (a sphere: its centre), in the body's frame.
+/// Points that, blown up by Radius, span a shape (a sphere: its centre; a capsule: those of its ends), in the body's
+/// frame.
 std::vector<Vector3> Corners(const Shape& shape) {
   std::vector<Vector3> corners;
   if (shape.type == ShapeType::kMesh) {
@@ -17,6 +18,10 @@ std::vector<Vector3> Corners(const Shape& shape) {
     return corners;
   }
   if (shape.type == ShapeType::kSphere) return {shape.X_BS.translation()};
+  if (shape.type == ShapeType::kCapsule) {
+    const Vector3 end(0.0, 0.0, 0.5 * shape.size.y());
+    return {shape.X_BS * Vector3(-end), shape.X_BS * end};
+  }
   Vector3 half = 0.5 * shape.size;
   if (shape.type != ShapeType::kBox) half = Vector3(shape.size.x(), shape.size.x(), 0.5 * shape.size.y());
   for (int i = 0; i < 8; ++i) {
@@ -26,7 +31,10 @@ std::vector<Vector3> Corners(const Shape& shape) {
   return corners;
 }
 
-double Radius(const Shape& shape) { return shape.type == ShapeType::kSphere ? shape.size.x() : 0.0; }
+/// Of a shape with round ends.
+double Radius(const Shape& shape) {
+  return shape.type == ShapeType::kSphere || shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0;
+}
 
 std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
   std::vector<const Shape*> shapes;

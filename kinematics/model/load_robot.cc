@@ -41,7 +41,7 @@ VectorX GivenPosture(const RobotModel& model, const RobotYaml& yaml) {
 Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_text, const std::string& name) {
   if (const auto failure = CheckUrdf(urdf_text)) return *failure;
   const RobotYaml yaml = ParseRobotYaml(yaml_text);
-  Result<RobotModel> built = BuildModel(urdf_text, name);
+  Result<RobotModel> built = BuildModel(SplitUrdf(urdf_text), name);
   if (!built) return built;
   RobotModel model = std::move(*built);
   model.name = yaml.name.empty() ? name : yaml.name;
