@@ -23,12 +23,20 @@ std::shared_ptr<fcl::CollisionGeometryd> Geometry(const Shape& shape) {
     case ShapeType::kMesh:
       break;
   }
-  return nullptr;
+  if (shape.vertices.empty()) return nullptr;
+  // The points alone do: without faces FCL looks through all of them for the farthest.
+  return std::make_shared<fcl::Convexd>(std::make_shared<std::vector<Vector3>>(shape.vertices), 0,
+                                        std::make_shared<std::vector<int>>());
 }
 
 double BoundingRadius(const Shape& shape) {
   if (shape.type == ShapeType::kBox) return 0.5 * shape.size.norm();
   if (shape.type == ShapeType::kSphere) return shape.size.x();
+  if (shape.type == ShapeType::kMesh) {
+    double radius = 0.0;
+    for (const Vector3& v : shape.vertices) radius = std::max(radius, v.norm());
+    return radius;
+  }
   return std::hypot(shape.size.x(), 0.5 * shape.size.y()) + (shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0);
 }
 
@@ -56,6 +64,7 @@ Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape) {
   } else if (shape.type == ShapeType::kSphere) {
     p_S = shape.size.x() * down_S;
   } else if (shape.type == ShapeType::kMesh) {
+    if (!shape.vertices.empty()) p_S = shape.vertices.front();
     for (const Vector3& v : shape.vertices) {
       if (v.dot(down_S) > p_S.dot(down_S)) p_S = v;
     }

@@ -28,7 +28,7 @@ class CollisionChecker {
   /// The links of the first pair that touches at the scratch's pose, or nothing. Needs ForwardKinematics.
   std::optional<std::pair<std::string, std::string>> FirstCollision(const DynamicsScratch& scratch);
 
-  /// Pairs left out because they touch in the standing posture, and meshes that could not be read; for people.
+  /// Pairs left out because they touch in the standing posture, and meshes without vertices; for people.
   const std::vector<std::string>& notes() const;
   int num_pairs() const;
 

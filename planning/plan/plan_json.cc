@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kinematics/base/file.h"
+#include "planning/plan/plan_meshes_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -275,6 +276,7 @@ MotionPlan ReadPlan(const Json& j) {
   plan.robot_hash = j.at("robot_hash").get<std::string>();
   plan.urdf_text = j.at("urdf").get<std::string>();
   plan.yaml_text = j.at("robot_yaml").get<std::string>();
+  if (j.contains("meshes")) plan.meshes = ToMeshes(j.at("meshes"));
   const Json& provenance = j.at("provenance");
   plan.provenance.program_version = provenance.at("program_version").get<std::string>();
   plan.provenance.made_by = provenance.at("made_by").get<std::string>();
@@ -326,6 +328,7 @@ std::string PlanToJson(const MotionPlan& plan) {
                {"start_s", plan.whole_body.start_s},
                {"step_s", plan.whole_body.step_s},
                {"omega_rad_s", plan.centroidal.omega_rad_s}};
+  if (!plan.meshes.empty()) head["meshes"] = MeshesJson(plan.meshes);
   std::string text = head.dump();
   text.pop_back();  // the closing brace
   AppendTrajectories(text, plan);
