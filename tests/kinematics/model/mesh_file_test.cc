@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 class MeshFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = testing::TempDir() + "mesh_file_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = std::string(GAITWRIGHT_BINARY_DIR) + "/test_files/mesh_file/" +
+              testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
