@@ -9,6 +9,7 @@
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/model/describe.h"
 #include "kinematics/model/load_robot.h"
+#include "playback/control/gains.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright::cli {
@@ -47,6 +48,9 @@ int Show(const Arguments& a) {
   const CollisionChecker collision(*model);
   model->notes.insert(model->notes.end(), ik.notes().begin(), ik.notes().end());
   model->notes.insert(model->notes.end(), collision.notes().begin(), collision.notes().end());
+  const Gains gains = DeriveGains(*model);  // those of robot.yaml where it has some
+  model->stiffness = gains.stiffness;
+  model->damping = gains.damping;
   fmt::print("{}\n", a.common.json ? RobotJson(*model) : DescribeRobot(*model));
   return kPass;
 }

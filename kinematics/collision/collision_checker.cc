@@ -24,7 +24,10 @@ std::shared_ptr<fcl::CollisionGeometryd> Geometry(const Shape& shape) {
     case ShapeType::kMesh:
       break;
   }
-  return nullptr;
+  if (shape.vertices.empty()) return nullptr;
+  // The points alone do: without faces FCL looks through all of them for the farthest.
+  return std::make_shared<fcl::Convexd>(std::make_shared<std::vector<Vector3>>(shape.vertices), 0,
+                                        std::make_shared<std::vector<int>>());
 }
 
 /// True when `ancestor` carries `body` directly: through one joint, joints whose axes meet in one point (an ankle, a
@@ -62,6 +65,7 @@ Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape) {
   } else if (shape.type == ShapeType::kSphere) {
     p_S = shape.size.x() * down_S;
   } else if (shape.type == ShapeType::kMesh) {
+    if (!shape.vertices.empty()) p_S = shape.vertices.front();
     for (const Vector3& v : shape.vertices) {
       if (v.dot(down_S) > p_S.dot(down_S)) p_S = v;
     }

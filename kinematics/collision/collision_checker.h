@@ -43,7 +43,7 @@ class CollisionChecker {
   /// Conservative advancement: Mirtich, Impulse-based Dynamic Simulation, 1996, section 2.3.
   const std::vector<Overlap>& Overlaps(const DynamicsScratch& scratch);
 
-  /// Pairs left out because they touch in the standing posture, and meshes that could not be read; for people.
+  /// Pairs left out because they touch in the standing posture, and meshes without vertices; for people.
   const std::vector<std::string>& notes() const;
   int num_pairs() const;
 

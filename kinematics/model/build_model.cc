@@ -10,17 +10,12 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
+
+#include "kinematics/model/urdf_pose_internal.h"
 
 namespace gaitwright {
 namespace {
-
-Pose ToPose(const urdf::Pose& pose) {
-  Pose X = Pose::Identity();
-  X.translation() = Vector3(pose.position.x, pose.position.y, pose.position.z);
-  X.linear() =
-      Quaternion(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z).normalized().toRotationMatrix();
-  return X;
-}
 
 /// Inertia of a point mass at d about the origin.
 Matrix3 Steiner(double mass, const Vector3& d) {
@@ -28,7 +23,7 @@ Matrix3 Steiner(double mass, const Vector3& d) {
 }
 
 void AddInertia(Body& body, const urdf::Inertial& inertial, const Pose& X_BL) {
-  const Pose X_BI = X_BL * ToPose(inertial.origin);
+  const Pose X_BI = X_BL * FromUrdf(inertial.origin);
   Matrix3 I;
   I << inertial.ixx, inertial.ixy, inertial.ixz, inertial.ixy, inertial.iyy, inertial.iyz, inertial.ixz, inertial.iyz,
       inertial.izz;
@@ -41,34 +36,11 @@ void AddInertia(Body& body, const urdf::Inertial& inertial, const Pose& X_BL) {
   body.p_BC = centre;
 }
 
-Shape ToShape(const urdf::Geometry& geometry, const Pose& X_BS, int body, const std::string& link) {
-  Shape shape;
-  shape.link = link;
-  shape.body = body;
-  shape.X_BS = X_BS;
-  if (geometry.type == urdf::Geometry::BOX) {
-    const auto& box = static_cast<const urdf::Box&>(geometry);
-    shape.size = Vector3(box.dim.x, box.dim.y, box.dim.z);
-  } else if (geometry.type == urdf::Geometry::SPHERE) {
-    shape.type = ShapeType::kSphere;
-    shape.size.x() = static_cast<const urdf::Sphere&>(geometry).radius;
-  } else if (geometry.type == urdf::Geometry::CYLINDER) {
-    const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
-    shape.type = ShapeType::kCylinder;
-    shape.size = Vector3(cylinder.radius, cylinder.length, 0.0);
-  } else {
-    const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
-    shape.type = ShapeType::kMesh;
-    shape.size = Vector3(mesh.scale.x, mesh.scale.y, mesh.scale.z);
-    shape.mesh_file = mesh.filename;
-  }
-  return shape;
-}
-
 /// Walks the URDF's tree and fills a model.
 class Builder {
  public:
-  Builder(const urdf::ModelInterface& urdf, const std::string& name) {
+  Builder(const urdf::ModelInterface& urdf, const UrdfParts& parts, const std::string& name)
+      : collision_(parts.collision), visual_(parts.visual) {
     model_.name = urdf.getName().empty() ? name : urdf.getName();
     model_.bodies.emplace_back();
     heaviest_.push_back(-1.0);
@@ -89,20 +61,27 @@ class Builder {
       model_.bodies[b].name = link.name;
     }
     if (link.inertial) AddInertia(model_.bodies[b], *link.inertial, X_BL);
-    for (const auto& c : link.collision_array) {
-      model_.collision_shapes.push_back(ToShape(*c->geometry, X_BL * ToPose(c->origin), body, link.name));
-    }
-    for (const auto& v : link.visual_array) {
-      model_.visual_shapes.push_back(ToShape(*v->geometry, X_BL * ToPose(v->origin), body, link.name));
-    }
+    AddShapes(collision_, link.name, body, X_BL, model_.collision_shapes);
+    AddShapes(visual_, link.name, body, X_BL, model_.visual_shapes);
     for (const auto& joint : link.child_joints) VisitJoint(*joint, link.child_links, body, X_BL);
+  }
+
+  /// Those of a link, from its frame into that of its body.
+  static void AddShapes(const std::vector<Shape>& from, const std::string& link, int body, const Pose& X_BL,
+                        std::vector<Shape>& to) {
+    for (const Shape& shape : from) {
+      if (shape.link != link) continue;
+      to.push_back(shape);
+      to.back().body = body;
+      to.back().X_BS = X_BL * shape.X_BS;
+    }
   }
 
   void VisitJoint(const urdf::Joint& joint, const std::vector<urdf::LinkSharedPtr>& children, int body,
                   const Pose& X_BL) {
     const auto child = std::find_if(children.begin(), children.end(),
                                     [&](const auto& link) { return link->name == joint.child_link_name; });
-    const Pose X_PJ = X_BL * ToPose(joint.parent_to_joint_origin_transform);
+    const Pose X_PJ = X_BL * FromUrdf(joint.parent_to_joint_origin_transform);
     if (joint.type == urdf::Joint::FIXED) {
       VisitLink(**child, body, X_PJ);
       return;
@@ -158,23 +137,19 @@ class Builder {
       model_.dof_names.push_back(model_.joints[j].name);
       model_.dof_joint.push_back(static_cast<int>(j));
     }
-    for (const auto& [follower, name] : leader_) {
+    const std::vector<Joint> written = model_.joints;
+    for (const auto& [follower, first] : leader_) {
       Joint& joint = model_.joints[follower];
-      std::string at = name;
-      for (std::size_t hops = 0; hops <= model_.joints.size() && index.contains(at); ++hops) {
-        const std::size_t lead = index.at(at);
-        if (!model_.joints[lead].is_mimic) {
-          joint.dof = model_.joints[lead].dof;
-          break;
-        }
-        const Joint& between = model_.joints[lead];
-        joint.offset += joint.multiplier * between.offset;
-        joint.multiplier *= between.multiplier;
-        at = leader_.at(lead);
+      std::size_t lead = index.at(first);
+      for (; written[lead].is_mimic; lead = index.at(leader_.at(lead))) {
+        joint.offset += joint.multiplier * written[lead].offset;
+        joint.multiplier *= written[lead].multiplier;
       }
+      joint.dof = written[lead].dof;
     }
   }
 
+  const std::vector<Shape>&collision_, &visual_;
   RobotModel model_;
   std::vector<double> heaviest_;
   std::map<std::size_t, std::string> leader_;
@@ -209,6 +184,40 @@ std::optional<Failure> CheckInertiaBeyondJoints(const RobotModel& model) {
   return std::nullopt;
 }
 
+/// Keeps what urdfdom says, which would go to standard error.
+class Listener : public console_bridge::OutputHandler {
+ public:
+  Listener() : previous_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
+  ~Listener() override { console_bridge::useOutputHandler(previous_); }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/, int /*line*/) override {
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    said_ += (said_.empty() ? "" : "; ") + text;
+  }
+  const std::string& said() const { return said_; }
+
+ private:
+  console_bridge::OutputHandler* previous_;
+  std::string said_;
+};
+
+urdf::ModelInterfaceSharedPtr ParseTree(const std::string& tree_text, std::string& reason) {
+  static std::mutex one_at_a_time;  // the handler of the messages is one for the whole program
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
+  const Listener listener;
+  urdf::ModelInterfaceSharedPtr urdf;
+  try {
+    urdf = urdf::parseURDF(tree_text);
+    reason = listener.said();
+  } catch (const std::exception& error) {
+    reason = error.what();
+  }
+  if (reason.empty()) reason = "urdfdom gives no reason";
+  return urdf;
+}
+
 }  // namespace
 
 std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints) {
@@ -227,15 +236,25 @@ std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints) {
   return X_OB;
 }
 
-Result<RobotModel> BuildModel(const std::string& urdf_text, const std::string& name) {
-  console_bridge::noOutputHandler();
-  const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDF(urdf_text);
-  console_bridge::restorePreviousOutputHandler();
+Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name) {
+  std::string reason;
+  const urdf::ModelInterfaceSharedPtr urdf = ParseTree(parts.tree_text, reason);
   if (!urdf || !urdf->getRoot()) {
-    return Failure{
-        FailureKind::kBadInput, "not_urdf", "LoadRobot", fmt::format("urdfdom cannot read the URDF of '{}'", name), {}};
+    return Failure{FailureKind::kBadInput,
+                   "not_urdf",
+                   "LoadRobot",
+                   fmt::format("the URDF of '{}' cannot be read: {}", name, reason),
+                   {}};
   }
-  RobotModel model = Builder(*urdf, name).Take();
+  RobotModel model = Builder(*urdf, parts, name).Take();
+  if (!(model.total_mass_kg > 0.0)) {
+    return Failure{FailureKind::kBadInput,
+                   "no_mass",
+                   "LoadRobot",
+                   fmt::format("robot '{}': its {} links weigh {} kg together; a robot needs mass", name,
+                               model.frames.size(), model.total_mass_kg),
+                   {"give its links an <inertial>"}};
+  }
   if (auto failure = CheckInertiaBeyondJoints(model)) return *failure;
   return model;
 }

@@ -8,7 +8,9 @@
 #include <limits>
 #include <numeric>
 
+#include "kinematics/model/apply_legs.h"
 #include "kinematics/model/build_model.h"
+#include "kinematics/model/check_feet.h"
 #include "kinematics/model/find_feet.h"
 #include "kinematics/model/standing_posture.h"
 
@@ -53,6 +55,15 @@ std::vector<int> EndBodies(const RobotModel& model) {
   return ends;
 }
 
+/// The body of a foot that is named.
+int EndOf(const RobotModel& model, const FootOverride& foot) {
+  try {
+    return model.frames[static_cast<std::size_t>(model.FrameIndex(foot.link))].body;
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(fmt::format("robot.yaml, line {}: {}", foot.line, error.what()));
+  }
+}
+
 /// Front row before rear rows, left before right within a row.
 void SortLegs(RobotModel& model) {
   const std::vector<Pose> X_OB = BodyPoses(model, model.standing_joints);
@@ -90,28 +101,15 @@ void SortLegs(RobotModel& model) {
   }
 }
 
-void NoteDerivation(RobotModel& model) {
-  for (std::size_t i = 0; i < model.legs.size(); ++i) {
-    model.notes.push_back(fmt::format("foot '{}': found at the end of {} joints that reach lowest", model.feet[i].name,
-                                      model.legs[i].joints.size()));
-  }
-  for (const Joint& joint : model.joints) {
-    if (joint.effort_limit_is_placeholder)
-      model.notes.push_back(
-          fmt::format("joint '{}': effort limit {} is a placeholder and not used", joint.name, joint.effort_limit));
-    if (joint.velocity_limit_is_placeholder)
-      model.notes.push_back(
-          fmt::format("joint '{}': velocity limit {} is a placeholder and not used", joint.name, joint.velocity_limit));
-  }
-}
-
 }  // namespace
 
-Result<int> DeriveLegs(RobotModel& model, const std::vector<FootOverride>& feet, const VectorX& standing) {
+Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX& standing) {
+  const std::vector<FootOverride>& feet = given.feet;
   std::vector<int> ends;
   for (const FootOverride& foot : feet) {
-    ends.push_back(model.frames[static_cast<std::size_t>(model.FrameIndex(foot.link))].body);
+    ends.push_back(EndOf(model, foot));
   }
+  if (const auto failure = CheckNamedFeet(model, feet, ends)) return *failure;
   if (feet.empty()) ends = EndBodies(model);
   if (ends.size() < 2) {
     return Failure{
@@ -131,9 +129,10 @@ Result<int> DeriveLegs(RobotModel& model, const std::vector<FootOverride>& feet,
     MeasureLeg(model, leg, model.feet.back());
     model.legs.push_back(leg);
   }
+  ApplyLegs(given.legs, model);
   DeriveStanding(model, standing);
   SortLegs(model);
-  NoteDerivation(model);
+  if (given.mirror_pairs) ApplyMirrors(*given.mirror_pairs, model);
   return static_cast<int>(model.legs.size());
 }
 

@@ -15,7 +15,30 @@ struct FootOverride {
   std::string link;
   std::optional<FootType> type;
   double radius_m = 0.0;
-  std::vector<Vector2> sole_m;  ///< corners in the link's frame's xy plane
+  std::vector<Vector2> sole_m;  ///< corners in the link's frame's xy plane, counter-clockwise
+  int line = 0;                 ///< of the file that says it
+};
+
+/// What a user says of the leg that ends in a foot.
+struct LegOverride {
+  std::string foot;
+  std::vector<std::string> joints;  ///< all of its moving joints, base first; empty: not said
+  std::string knee;                 ///< joint; "" not said
+  double knee_sign = 0.0;           ///< 0: not said
+  int line = 0;
+};
+
+/// Two feet whose legs mirror each other.
+struct MirrorPair {
+  std::string first, second;
+  int line = 0;
+};
+
+/// What a user says of legs; everything may be left out.
+struct LegChoices {
+  std::vector<FootOverride> feet;
+  std::vector<LegOverride> legs;
+  std::optional<std::vector<MirrorPair>> mirror_pairs;  ///< all of them, where said
 };
 
 /// Finds legs, feet, symmetry and a standing posture from the tree and its collision geometry alone; names play no
@@ -28,8 +51,9 @@ struct FootOverride {
 ///   posture   a leg of up to four joints: foot under its hip, 0.62 of the straight length below it; a leg with a sole:
 ///             0.92, sole level. The knee bends to the side that its limits allow more of. Other joints: nearest to
 ///             zero.
-/// @param feet overrides; where given, their links are the feet and no others are looked for.
+/// @param given overrides; where it names feet, their links are the feet and no others are looked for.
+/// @throws InvalidArgument with the line of an override that contradicts the robot.
 /// @param standing joint positions that are given, by coordinate; NaN where they are to be derived.
-Result<int> DeriveLegs(RobotModel& model, const std::vector<FootOverride>& feet, const VectorX& standing);
+Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX& standing);
 
 }  // namespace gaitwright

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace gaitwright {
@@ -19,8 +20,13 @@ std::string FootText(const Foot& foot) {
   std::string text = fmt::format("{} '{}'", FootTypeName(foot.type), foot.link);
   if (foot.radius > 0.0) text += fmt::format(", radius {:.3f} m", foot.radius);
   if (!foot.sole_F.empty()) {
-    const Vector2 size = foot.sole_F[2] - foot.sole_F[0];
-    text += fmt::format(", {:.3f} m long, {:.3f} m wide", size.x(), size.y());
+    Vector2 low = foot.sole_F[0], high = low;
+    for (const Vector2& corner : foot.sole_F) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+    text += fmt::format(", {} corners, {:.3f} m long, {:.3f} m wide", foot.sole_F.size(), high.x() - low.x(),
+                        high.y() - low.y());
   }
   return text;
 }
@@ -38,12 +44,51 @@ Json LegJson(const RobotModel& model, const Leg& leg) {
   const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
   Json joints = Json::array();
   for (const int joint : leg.joints) joints.push_back(model.joints[static_cast<std::size_t>(joint)].name);
+  Json sole = Json::array();
+  for (const Vector2& corner : foot.sole_F) sole.push_back({corner.x(), corner.y()});
   return {
       {"joints", joints},
       {"length_m", leg.length_m},
       {"mirror", leg.mirror < 0 ? Json(nullptr) : Json(model.legs[static_cast<std::size_t>(leg.mirror)].name)},
       {"knee", leg.knee_joint < 0 ? Json(nullptr) : Json(model.joints[static_cast<std::size_t>(leg.knee_joint)].name)},
-      {"foot", {{"link", foot.link}, {"type", FootTypeName(foot.type)}, {"radius_m", foot.radius}}}};
+      {"knee_side", leg.knee_joint < 0 ? Json(nullptr) : Json(leg.knee_sign > 0.0 ? "plus" : "minus")},
+      {"foot",
+       {{"link", foot.link},
+        {"type", FootTypeName(foot.type)},
+        {"radius_m", foot.radius},
+        {"sole_m", sole},
+        {"derived_from", foot.derived_from}}}};
+}
+
+/// A limit that is none is null.
+Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json LimitsJson(const RobotModel& model, int dof) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
+  const bool slides = joint.type == JointType::kPrismatic;
+  return {{slides ? "lower_m" : "lower_rad", Finite(model.dof_lower(dof))},
+          {slides ? "upper_m" : "upper_rad", Finite(model.dof_upper(dof))},
+          {slides ? "velocity_m_s" : "velocity_rad_s", Finite(model.dof_velocity_limit(dof))},
+          {slides ? "effort_n" : "effort_nm", Finite(model.dof_effort_limit(dof))}};
+}
+
+Json GainsJson(const RobotModel& model, int dof) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
+  const bool slides = joint.type == JointType::kPrismatic;
+  const auto given = [](double gain) { return gain > 0.0 ? Json(gain) : Json(nullptr); };
+  return {{slides ? "stiffness_n_m" : "stiffness_nm_rad", given(model.stiffness[dof])},
+          {slides ? "damping_n_s_m" : "damping_nm_s_rad", given(model.damping[dof])}};
+}
+
+Json MirrorsJson(const RobotModel& model) {
+  Json pairs = Json::array();
+  for (std::size_t i = 0; i < model.legs.size(); ++i) {
+    const int mirror = model.legs[i].mirror;
+    if (mirror > static_cast<int>(i)) {
+      pairs.push_back({model.legs[i].name, model.legs[static_cast<std::size_t>(mirror)].name});
+    }
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -52,6 +97,7 @@ std::string DescribeRobot(const RobotModel& model) {
   std::string text = fmt::format("{}: {:.3f} kg, {} motors, {} legs of {:.3f} m, own speed {:.2f} m/s\n", model.name,
                                  model.total_mass_kg, model.num_dofs(), model.legs.size(), model.leg_length_m(),
                                  model.nominal_speed_m_s);
+  if (!model.description.empty()) text += model.description + "\n";
   text += fmt::format("stands with its base '{}' {:.4f} m over the ground\n\nlegs\n", model.bodies[0].name,
                       model.standing_base_height_m);
   for (const Leg& leg : model.legs) {
@@ -75,18 +121,26 @@ std::string DescribeRobot(const RobotModel& model) {
 }
 
 std::string RobotJson(const RobotModel& model) {
-  Json legs = Json::object(), standing = Json::object();
+  Json legs = Json::object(), standing = Json::object(), limits = Json::object(), gains = Json::object();
   for (const Leg& leg : model.legs) legs[leg.name] = LegJson(model, leg);
-  for (int d = 0; d < model.num_dofs(); ++d)
-    standing[model.dof_names[static_cast<std::size_t>(d)]] = model.standing_joints[d];
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const std::string& joint = model.dof_names[static_cast<std::size_t>(d)];
+    standing[joint] = model.standing_joints[d];
+    limits[joint] = LimitsJson(model, d);
+    gains[joint] = GainsJson(model, d);
+  }
   const Json json = {{"name", model.name},
+                     {"description", model.description},
                      {"mass_kg", model.total_mass_kg},
                      {"motors", model.num_dofs()},
                      {"leg_length_m", model.leg_length_m()},
                      {"nominal_speed_m_s", model.nominal_speed_m_s},
                      {"standing_base_height_m", model.standing_base_height_m},
                      {"legs", legs},
+                     {"mirror_pairs", MirrorsJson(model)},
                      {"standing", standing},
+                     {"limits", limits},
+                     {"gains", gains},
                      {"notes", model.notes},
                      {"hash", model.hash}};
   return json.dump(2);

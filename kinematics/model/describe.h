@@ -10,7 +10,8 @@ namespace gaitwright {
 /// What a robot is and what was derived from what, for people.
 std::string DescribeRobot(const RobotModel& model);
 
-/// The same as a JSON object: name, mass_kg, dofs, legs, feet, standing, limits, notes.
+/// The same as a JSON object: name, mass, legs with their feet and soles (corners in the sole frame), mirror pairs,
+/// standing posture, limits and gains by joint (null: none, or to be derived), notes. Its units are in its keys.
 std::string RobotJson(const RobotModel& model);
 
 }  // namespace gaitwright

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/model/find_feet.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 
 #include "kinematics/model/build_model.h"
+#include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
 namespace {
 
-/// Points that span a shape (a sphere: its centre), in the body's frame.
+/// Points that, blown up by Radius, span a shape (a sphere: its centre; a capsule: those of its ends), in the body's
+/// frame.
 std::vector<Vector3> Corners(const Shape& shape) {
   std::vector<Vector3> corners;
   if (shape.type == ShapeType::kMesh) {
@@ -17,6 +23,10 @@ std::vector<Vector3> Corners(const Shape& shape) {
     return corners;
   }
   if (shape.type == ShapeType::kSphere) return {shape.X_BS.translation()};
+  if (shape.type == ShapeType::kCapsule) {
+    const Vector3 end(0.0, 0.0, 0.5 * shape.size.y());
+    return {shape.X_BS * Vector3(-end), shape.X_BS * end};
+  }
   Vector3 half = 0.5 * shape.size;
   if (shape.type != ShapeType::kBox) half = Vector3(shape.size.x(), shape.size.x(), 0.5 * shape.size.y());
   for (int i = 0; i < 8; ++i) {
@@ -26,7 +36,10 @@ std::vector<Vector3> Corners(const Shape& shape) {
   return corners;
 }
 
-double Radius(const Shape& shape) { return shape.type == ShapeType::kSphere ? shape.size.x() : 0.0; }
+/// Of a shape with round ends.
+double Radius(const Shape& shape) {
+  return shape.type == ShapeType::kSphere || shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0;
+}
 
 std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
   std::vector<const Shape*> shapes;
@@ -42,8 +55,25 @@ double Extent(const Shape& shape) {
   return extent;
 }
 
+/// At most this many corners of a mesh's flat bottom are kept, which of a disc is 95 % of the area.
+constexpr int kMostCorners = 12;
+
+/// The convex hull of points in the plane, or the polygon of its points that are farthest in evenly spread directions.
+Polygon Outline(const std::vector<Vector2>& points) {
+  Polygon hull = ConvexHull(points);
+  if (hull.size() <= kMostCorners) return hull;
+  std::vector<Vector2> farthest;
+  for (int i = 0; i < kMostCorners; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / kMostCorners;
+    const Vector2 d(std::cos(turn), std::sin(turn));
+    farthest.push_back(
+        *std::max_element(hull.begin(), hull.end(), [&](const auto& a, const auto& b) { return a.dot(d) < b.dot(d); }));
+  }
+  return ConvexHull(farthest);
+}
+
 /// Axis-aligned rectangle around points in the plane, counter-clockwise, and its middle.
-std::vector<Vector2> Rectangle(const std::vector<Vector2>& points, Vector2& middle) {
+Polygon Rectangle(const std::vector<Vector2>& points, Vector2& middle) {
   Vector2 low = points.front(), high = points.front();
   for (const Vector2& p : points) {
     low = low.cwiseMin(p);
@@ -63,52 +93,126 @@ bool HasRoll(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X
   return false;
 }
 
-/// The flat bottom of the last body at joint positions zero, as a sole.
-bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X_OB, Foot& foot) {
+constexpr double kLeastSole = 1e-4;  // [m^2] a flat bottom smaller than this is a tip
+
+/// "the mesh 'foot.stl' of link 'l_foot'", "4 spheres of link 'l_foot'": for people.
+std::string NameOf(const std::vector<const Shape*>& shapes) {
+  const char* const kinds[] = {"box", "cylinder", "sphere", "capsule", "mesh"};
+  const Shape& first = *shapes.front();
+  const std::string kind = kinds[static_cast<int>(first.type)];
+  if (shapes.size() > 1) {
+    const bool alike = std::all_of(shapes.begin(), shapes.end(), [&](const Shape* s) { return s->type == first.type; });
+    return fmt::format("{} {} of link '{}'", shapes.size(), alike ? kind + (kind == "box" ? "es" : "s") : "shapes",
+                       first.link);
+  }
+  return fmt::format("the {}{} of link '{}'", kind, first.mesh_file.empty() ? "" : " '" + first.mesh_file + "'",
+                     first.link);
+}
+
+/// The flat bottom of shapes of the last body at joint positions zero, as a sole.
+bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, Foot& foot) {
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
   const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
   double bottom = 1e9;
-  for (const Shape* shape : ShapesOf(model, foot.body)) {
+  for (const Shape* shape : shapes) {
     for (const Vector3& corner : Corners(*shape)) bottom = std::min(bottom, (X_OE * corner).z() - Radius(*shape));
   }
   std::vector<Vector2> touching;
-  for (const Shape* shape : ShapesOf(model, foot.body)) {
+  std::vector<const Shape*> at_bottom;
+  for (const Shape* shape : shapes) {
     for (const Vector3& corner : Corners(*shape)) {
       const Vector3 p = X_OE * corner;
-      if (p.z() - Radius(*shape) < bottom + 2e-3) touching.push_back(p.head<2>());
+      if (p.z() - Radius(*shape) >= bottom + 2e-3) continue;
+      touching.push_back(p.head<2>());
+      if (at_bottom.empty() || at_bottom.back() != shape) at_bottom.push_back(shape);
     }
   }
   if (touching.size() < 3) return false;
   Vector2 middle;
   foot.sole_F = Rectangle(touching, middle);
+  if (std::any_of(at_bottom.begin(), at_bottom.end(), [](const auto* s) { return s->type == ShapeType::kMesh; })) {
+    for (Vector2& p : touching) p -= middle;
+    const Polygon outline = Outline(touching);
+    foot.sole_F = Area(outline) < kLeastSole ? Polygon{} : outline;
+    if (foot.sole_F.empty()) return false;
+  }
   foot.type = HasRoll(model, leg, X_OB) ? FootType::kSole : FootType::kLine;
   Pose X_OF = Pose::Identity();
   X_OF.translation() = Vector3(middle.x(), middle.y(), bottom);
   foot.X_BF = X_OE.inverse() * X_OF;
+  foot.derived_from =
+      fmt::format("a {} from the flat bottom of {}", foot.type == FootType::kSole ? "sole" : "line", NameOf(at_bottom));
   return true;
 }
 
-void FindTip(const RobotModel& model, Foot& foot) {
+/// The farthest point of the shapes from the last joint: the middle of those points of one shape that are as far, so
+/// that a box that hangs straight down ends in the middle of its bottom. Without shapes: the frame that is farthest.
+void FindTip(const RobotModel& model, const std::vector<const Shape*>& shapes, Foot& foot) {
+  constexpr double kSame = 1e-3;  // [m]
   double farthest = -1.0;
-  for (const Shape* shape : ShapesOf(model, foot.body)) {
-    for (const Vector3& corner : Corners(*shape)) {
-      // A sphere at the far end stands out a little beyond the shank that it ends.
-      const double extent = corner.norm() + Radius(*shape);
-      if (extent < farthest + (shape->type == ShapeType::kSphere ? -1e-3 : 1e-3)) continue;
-      farthest = extent;
-      foot.X_BF.translation() = corner;
-      foot.radius = Radius(*shape);
-      foot.link = shape->link;
-    }
+  const Shape* tip = nullptr;
+  for (const Shape* shape : shapes) {
+    // A sphere at the far end stands out a little beyond the shank that it ends.
+    const double extent = Extent(*shape);
+    if (extent < farthest + (shape->type == ShapeType::kSphere ? -kSame : kSame)) continue;
+    farthest = extent;
+    tip = shape;
   }
-  if (farthest < 0.0) {
-    for (const Frame& frame : model.frames) {
-      if (frame.body != foot.body || frame.X_BF.translation().norm() < farthest) continue;
-      farthest = frame.X_BF.translation().norm();
-      foot.X_BF.translation() = frame.X_BF.translation();
-      foot.link = frame.name;
+  if (tip != nullptr) {
+    Vector3 sum = Vector3::Zero();
+    double count = 0.0;
+    for (const Vector3& corner : Corners(*tip)) {
+      if (corner.norm() + Radius(*tip) < farthest - kSame) continue;
+      sum += corner;
+      count += 1.0;
     }
+    foot.X_BF.translation() = sum / count;
+    foot.radius = Radius(*tip);
+    foot.link = tip->link;
+    foot.derived_from = fmt::format("a {} from {}, the farthest from its last joint",
+                                    foot.radius > 0.0 ? "rolling foot" : "point", NameOf({tip}));
+  }
+  for (const Frame& frame : model.frames) {
+    if (tip != nullptr || frame.body != foot.body || frame.X_BF.translation().norm() < farthest) continue;
+    farthest = frame.X_BF.translation().norm();
+    foot.X_BF.translation() = frame.X_BF.translation();
+    foot.link = frame.name;
+    foot.derived_from = fmt::format("a point at the frame of link '{}', since no shape is there", frame.name);
   }
   foot.type = foot.radius > 0.0 ? FootType::kSphere : FootType::kPoint;
+}
+
+/// A foot whose sole the user gives.
+void TakeSole(const RobotModel& model, const FootOverride& given, Foot& foot) {
+  const Frame& frame = model.frames[static_cast<std::size_t>(model.FrameIndex(given.link))];
+  foot.type = given.type.value_or(FootType::kSole);
+  Vector2 middle = Vector2::Zero();
+  for (const Vector2& corner : given.sole_m) middle += corner / static_cast<double>(given.sole_m.size());
+  for (const Vector2& corner : given.sole_m) foot.sole_F.push_back(corner - middle);
+  foot.X_BF = frame.X_BF * Eigen::Translation3d(middle.x(), middle.y(), 0.0);
+  foot.derived_from = fmt::format("its {} corners from robot.yaml", given.sole_m.size());
+}
+
+/// Puts the type and radius that the user gives in place of those that were found. @throws InvalidArgument for a sphere
+/// without a radius.
+void TakeType(const FootOverride& given, Foot& foot) {
+  foot.link = given.link;
+  if (given.radius_m > 0.0) {
+    foot.radius = given.radius_m;
+    foot.type = FootType::kSphere;
+    foot.derived_from += "; its radius from robot.yaml";
+  }
+  if (!given.type || !given.sole_m.empty()) return;
+  foot.type = *given.type;
+  foot.sole_F.clear();
+  foot.derived_from += "; its type from robot.yaml";
+  if (foot.type == FootType::kPoint) foot.radius = 0.0;
+  if (foot.type == FootType::kSphere && foot.radius <= 0.0) {
+    throw InvalidArgument(
+        fmt::format("robot.yaml, line {}: foot '{}' of type sphere needs 'radius_m': no sphere ends it "
+                    "in the URDF",
+                    given.line, given.link));
+  }
 }
 
 }  // namespace
@@ -126,24 +230,21 @@ Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given
   Foot foot;
   foot.body = leg.joints.back() + 1;
   foot.link = model.bodies[static_cast<std::size_t>(foot.body)].name;
-  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  std::vector<const Shape*> shapes = ShapesOf(model, foot.body);
+  if (given != nullptr) {  // the link's own shapes, where it has some
+    std::vector<const Shape*> own;
+    std::copy_if(shapes.begin(), shapes.end(), std::back_inserter(own),
+                 [&](const Shape* shape) { return shape->link == given->link; });
+    if (!own.empty()) shapes = own;
+  }
   constexpr std::size_t kSoleJoints = 5;
+  const bool tip = given != nullptr && (given->type || given->radius_m > 0.0);
   if (given != nullptr && !given->sole_m.empty()) {
-    const Frame& frame = model.frames[static_cast<std::size_t>(model.FrameIndex(given->link))];
-    foot.type = given->type.value_or(FootType::kSole);
-    Vector2 middle = Vector2::Zero();
-    for (const Vector2& corner : given->sole_m) middle += corner / static_cast<double>(given->sole_m.size());
-    for (const Vector2& corner : given->sole_m) foot.sole_F.push_back(corner - middle);
-    foot.X_BF = frame.X_BF * Eigen::Translation3d(middle.x(), middle.y(), 0.0);
-  } else if (leg.joints.size() < kSoleJoints || !FindSole(model, leg, X_OB, foot)) {
-    FindTip(model, foot);
+    TakeSole(model, *given, foot);
+  } else if (tip || leg.joints.size() < kSoleJoints || !FindSole(model, leg, shapes, foot)) {
+    FindTip(model, shapes, foot);
   }
-  if (given != nullptr) {
-    foot.link = given->link;
-    if (given->radius_m > 0.0) foot.radius = given->radius_m;
-    if (given->type) foot.type = *given->type;
-    if (foot.type == FootType::kPoint) foot.radius = 0.0;
-  }
+  if (given != nullptr) TakeType(*given, foot);
   foot.name = foot.link;
   return foot;
 }

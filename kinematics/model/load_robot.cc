@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
+#include <functional>
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "kinematics/base/options.h"
+#include "kinematics/model/apply_yaml.h"
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/derive_legs.h"
+#include "kinematics/model/mesh_file.h"
 #include "kinematics/model/robot_yaml.h"
 #include "kinematics/model/urdf_check.h"
 
@@ -25,38 +27,80 @@ Failure BadInput(const std::string& code, const std::string& message) {
   return {FailureKind::kBadInput, code, "LoadRobot", message, {}};
 }
 
-VectorX GivenPosture(const RobotModel& model, const RobotYaml& yaml) {
-  VectorX given = VectorX::Constant(model.num_dofs(), std::numeric_limits<double>::quiet_NaN());
-  for (const auto& [joint, position] : yaml.standing) {
-    const int dof = model.DofIndex(joint);
-    if (position < model.dof_lower(dof) || position > model.dof_upper(dof)) {
-      throw InvalidArgument(fmt::format("robot.yaml: standing position {} of joint '{}' is outside its limits {} to {}",
-                                        position, joint, model.dof_lower(dof), model.dof_upper(dof)));
+/// The hull of a mesh by its file as the URDF names it.
+using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string& file)>;
+
+/// Gives the collision meshes their vertices. @return the hulls used.
+Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source) {
+  std::vector<MeshHull> meshes;
+  for (Shape& shape : shapes) {
+    if (shape.type != ShapeType::kMesh) continue;
+    auto known = std::find_if(meshes.begin(), meshes.end(), [&](const auto& m) { return m.file == shape.mesh_file; });
+    if (known == meshes.end()) {
+      Result<std::vector<Vector3>> hull = source(shape.mesh_file);
+      if (!hull) {
+        Failure failure = hull.failure();
+        failure.message = fmt::format("link '{}': its collision shape cannot be had: {}", shape.link, failure.message);
+        failure.stage = "LoadRobot";
+        return failure;
+      }
+      known = meshes.insert(meshes.end(), {shape.mesh_file, std::move(*hull)});
     }
-    given[dof] = position;
+    for (const Vector3& v : known->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
   }
-  return given;
+  return meshes;
 }
 
-Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_text, const std::string& name) {
+/// Of the texts and of the meshes' points.
+std::string RobotHash(const RobotModel& model) {
+  std::string bytes = model.urdf_text + '\0' + model.yaml_text;
+  for (const MeshHull& mesh : model.meshes) {
+    bytes += '\0' + mesh.file + '\0';
+    for (const Vector3& v : mesh.vertices) bytes.append(reinterpret_cast<const char*>(v.data()), sizeof(double) * 3);
+  }
+  return HexHash(bytes);
+}
+
+Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_text, const std::string& name,
+                        const MeshSource& source) {
   if (const auto failure = CheckUrdf(urdf_text)) return *failure;
   const RobotYaml yaml = ParseRobotYaml(yaml_text);
-  Result<RobotModel> built = BuildModel(urdf_text, name);
+  UrdfParts parts = SplitUrdf(urdf_text);
+  const Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source);
+  if (!meshes) return meshes.failure();
+  Result<RobotModel> built = BuildModel(parts, name);
   if (!built) return built;
   RobotModel model = std::move(*built);
   model.name = yaml.name.empty() ? name : yaml.name;
-  const Result<int> legs = DeriveLegs(model, yaml.feet, GivenPosture(model, yaml));
+  model.description = yaml.description;
+  ApplyLimits(yaml, model);
+  const Result<int> legs = DeriveLegs(model, yaml, GivenPosture(yaml, model));
   if (!legs) return legs.failure();
-  if (yaml.standing_base_height_m) model.standing_base_height_m = *yaml.standing_base_height_m;
-  if (yaml.nominal_speed_m_s) model.nominal_speed_m_s = *yaml.nominal_speed_m_s;
-  for (const auto& [joint, gains] : yaml.gains) {
-    model.stiffness[model.DofIndex(joint)] = gains.stiffness;
-    model.damping[model.DofIndex(joint)] = gains.damping;
-  }
+  ApplyStanding(yaml, model);
+  const std::vector<std::string> notes = DerivationNotes(yaml, model);
+  model.notes.insert(model.notes.begin(), notes.begin(), notes.end());
   model.urdf_text = urdf_text;
   model.yaml_text = yaml_text;
-  model.hash = HexHash(urdf_text + '\0' + yaml_text);
+  model.meshes = *meshes;
+  model.hash = RobotHash(model);
   return model;
+}
+
+Result<RobotModel> LoadGuarded(const std::string& urdf_text, const std::string& yaml_text, const std::string& name,
+                               const MeshSource& source) {
+  try {
+    return Load(urdf_text, yaml_text, name, source);
+  } catch (const InvalidArgument& error) {
+    return BadInput("robot_yaml", error.what());
+  }
+}
+
+void NoteMissingPictures(const std::string& folder, RobotModel& model) {
+  for (const Shape& shape : model.visual_shapes) {
+    if (shape.type != ShapeType::kMesh) continue;
+    const Result<std::string> file = FindMeshFile(shape.mesh_file, folder);
+    if (!file) model.notes.push_back(fmt::format("link '{}': no picture: {}", shape.link, file.failure().message));
+  }
 }
 
 std::string RobotsFolder() {
@@ -72,12 +116,13 @@ std::string RobotsFolder() {
 }  // namespace
 
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
-                                     const std::string& name) {
-  try {
-    return Load(urdf_text, yaml_text, name);
-  } catch (const InvalidArgument& error) {
-    return BadInput("robot_yaml", error.what());
-  }
+                                     const std::string& name, const std::vector<MeshHull>& meshes) {
+  return LoadGuarded(urdf_text, yaml_text, name, [&](const std::string& file) -> Result<std::vector<Vector3>> {
+    for (const MeshHull& mesh : meshes) {
+      if (mesh.file == file) return mesh.vertices;
+    }
+    return BadInput("no_file", fmt::format("the mesh '{}' does not come with the text of the robot", file));
+  });
 }
 
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path) {
@@ -92,8 +137,17 @@ Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& ya
     yaml_text = *yaml;
   }
   const std::string stem = fs::path(urdf_path).stem().string();
-  return LoadRobotFromText(*urdf, yaml_text,
-                           stem == "robot" && folder.has_filename() ? folder.filename().string() : stem);
+  const std::string name = stem == "robot" && folder.has_filename() ? folder.filename().string() : stem;
+  Result<RobotModel> model =
+      LoadGuarded(*urdf, yaml_text, name, [&](const std::string& file) -> Result<std::vector<Vector3>> {
+        const Result<std::string> path = FindMeshFile(file, folder.string());
+        if (!path) return path.failure();
+        Result<Mesh> mesh = ReadMesh(*path);
+        if (!mesh) return mesh.failure();
+        return HullPoints(std::move(mesh->vertices));
+      });
+  if (model) NoteMissingPictures(folder.string(), *model);
+  return model;
 }
 
 std::vector<std::string> RobotNames() {

@@ -9,13 +9,15 @@
 
 namespace gaitwright {
 
-/// The robot of a URDF file. @param yaml_path overrides for what derivation cannot know; "" takes `robot.yaml` beside
-/// the URDF where there is one, "none" uses nothing but the URDF.
+/// The robot of a URDF file. Its collision meshes are read (see FindMeshFile); one that is missing or unreadable is a
+/// failure that names the file and the link, a missing visual mesh is a note. @param yaml_path overrides for what
+/// derivation cannot know; "" takes `robot.yaml` beside the URDF where there is one, "none" uses nothing but the URDF.
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 
-/// The same from texts. @param name used where the texts give none.
+/// The same from texts. @param name used where the texts give none. @param meshes the hulls of the URDF's collision
+/// meshes, as RobotModel::meshes has them; one that is missing is a failure that names the file and the link.
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
-                                     const std::string& name = "robot");
+                                     const std::string& name = "robot", const std::vector<MeshHull>& meshes = {});
 
 /// A robot of the `robots` folder by name. The folder is that of the environment variable GAITWRIGHT_ROBOTS, else the
 /// one of the source tree, else the installed one. An unknown name is a failure that lists what exists.

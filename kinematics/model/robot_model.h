@@ -64,7 +64,15 @@ struct Shape {
   Vector3 size = Vector3::Zero();  ///< box: edge lengths; cylinder, capsule: (radius, length, 0); sphere: (radius, 0,
                                    ///< 0); mesh: scale
   std::string mesh_file;           ///< mesh: as written in the URDF
-  std::vector<Vector3> vertices;   ///< mesh: in S, scaled; empty when the file could not be read
+  std::vector<Vector3> vertices;   ///< collision mesh: of its convex hull, in S, scaled; visual mesh: none
+};
+
+/// The points that span the convex hull of a mesh file; all that is used of it.
+struct MeshHull {
+  std::string file;               ///< as written in the URDF
+  std::vector<Vector3> vertices;  ///< in the mesh's frame, before the URDF's scale
+
+  bool operator==(const MeshHull&) const = default;
 };
 
 /// How a foot meets the ground.
@@ -87,6 +95,7 @@ struct Foot {
   Pose X_BF = Pose::Identity();
   double radius = 0.0;          ///< sphere [m]
   std::vector<Vector2> sole_F;  ///< sole, line: corners in F's xy plane, counter-clockwise [m]
+  std::string derived_from;     ///< what its type and size were taken from, for people
 };
 
 /// A chain of joints from the base to a foot.
@@ -108,7 +117,7 @@ struct Leg {
 /// Mimic joints follow their dof and have no coordinate of their own.
 /// Invariant: joints[i] carries bodies[i + 1]; parents come before children; masses and inertias are physical.
 struct RobotModel {
-  std::string name;
+  std::string name, description;
   std::vector<Body> bodies;
   std::vector<Joint> joints;
   std::vector<Frame> frames;  ///< one for each URDF link
@@ -129,8 +138,9 @@ struct RobotModel {
   VectorX stiffness, damping;  ///< [N m/rad], [N m s/rad]
 
   std::vector<std::string> notes;    ///< what was derived, from what, and what was odd; for people
-  std::string urdf_text, yaml_text;  ///< what it was made from
-  std::string hash;                  ///< of both texts
+  std::string urdf_text, yaml_text;  ///< what it was made from, with
+  std::vector<MeshHull> meshes;      ///< those of the collision shapes, each file once, in the order of the URDF
+  std::string hash;                  ///< of all three
 
   int num_dofs() const { return static_cast<int>(dof_names.size()); }
   int nq() const { return 7 + num_dofs(); }

@@ -2,100 +2,222 @@
 #include "kinematics/model/robot_yaml.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "kinematics/base/options.h"
+#include "kinematics/model/yaml_map_internal.h"
+#include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
 namespace {
 
-double Number(const YAML::Node& node, const std::string& key) {
-  double value = 0.0;
-  try {
-    value = node.as<double>();
-  } catch (const YAML::Exception&) {
-    throw InvalidArgument(fmt::format("robot.yaml, line {}: '{}' is not a number", node.Mark().line + 1, key));
-  }
-  if (!std::isfinite(value)) {
-    throw InvalidArgument(
-        fmt::format("robot.yaml, line {}: '{}' is {}; a finite number is needed", node.Mark().line + 1, key, value));
-  }
-  return value;
-}
+constexpr double kLeastSole = 1e-6;  // [m^2]
 
-void CheckKeys(const YAML::Node& node, const std::string& where, const std::vector<std::string>& known) {
-  if (!node.IsMap()) throw InvalidArgument(fmt::format("robot.yaml: {} must be a map of keys to values", where));
-  for (const auto& entry : node) {
-    const auto key = entry.first.as<std::string>();
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
-      throw InvalidArgument(fmt::format("robot.yaml, line {}: unknown key '{}' in {}; the nearest is '{}'",
-                                        entry.first.Mark().line + 1, key, where, NearestName(key, known)));
-    }
-  }
-}
-
-FootType ParseFootType(const std::string& text) {
+FootType ParseFootType(const YAML::Node& node) {
   const std::vector<std::string> names = {"point", "sphere", "line", "sole"};
+  const std::string text = TextOf(node, "'type'");
   const auto at = std::find(names.begin(), names.end(), text);
-  if (at == names.end())
-    throw InvalidArgument(fmt::format("robot.yaml: foot type '{}' is unknown; there are {}", text, QuotedList(names)));
+  if (at == names.end()) {
+    RefuseYaml(node, fmt::format("foot type '{}' is unknown; there are {}", text, QuotedList(names)));
+  }
   return static_cast<FootType>(at - names.begin());
 }
 
+double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Whether the segments a and b cross inside both.
+bool Cross(const Vector2& a0, const Vector2& a1, const Vector2& b0, const Vector2& b1) {
+  return Cross(a1 - a0, b0 - a0) * Cross(a1 - a0, b1 - a0) < 0.0 &&
+         Cross(b1 - b0, a0 - b0) * Cross(b1 - b0, a1 - b0) < 0.0;
+}
+
+bool CrossesItself(const std::vector<Vector2>& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (Cross(corners[i], corners[i + 1], corners[j], corners[(j + 1) % n])) return true;
+    }
+  }
+  return false;
+}
+
+/// The corners counter-clockwise. Refuses what is no convex polygon.
+std::vector<Vector2> ParseSole(const YAML::Node& node) {
+  std::vector<Vector2> corners;
+  for (const YAML::Node& corner : ListOf(node, "'sole_m'")) {
+    const std::vector<YAML::Node> xy = ListOf(corner, "a corner of 'sole_m'");
+    if (xy.size() != 2)
+      RefuseYaml(corner, fmt::format("a corner of 'sole_m' has {} numbers; [x, y] is needed", xy.size()));
+    corners.emplace_back(NumberOf(xy[0], "a corner of 'sole_m'"), NumberOf(xy[1], "a corner of 'sole_m'"));
+  }
+  if (corners.size() < 3)
+    RefuseYaml(node, fmt::format("'sole_m' has {} corners; three or more are needed", corners.size()));
+  if (CrossesItself(corners))
+    RefuseYaml(node, "the outline 'sole_m' crosses itself; give its corners in order around it");
+  const double area = Area(corners), full = Area(ConvexHull(corners));
+  if (full < kLeastSole)
+    RefuseYaml(node, fmt::format("'sole_m' has an area of {:.3g} m^2; {} or more is needed", full, kLeastSole));
+  if (std::abs(area) < full * (1.0 - 1e-9)) {
+    RefuseYaml(node, fmt::format("'sole_m' is not convex: it fills {:.0f} % of its hull; give the corners of the hull",
+                                 100.0 * std::abs(area) / full));
+  }
+  if (area < 0.0) std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
 FootOverride ParseFoot(const YAML::Node& node) {
-  CheckKeys(node, "feet", {"link", "type", "radius_m", "sole_m"});
+  const YamlMap map(node, "a foot", {"link", "type", "radius_m", "sole_m"});
   FootOverride foot;
-  if (!node["link"]) throw InvalidArgument("robot.yaml: a foot needs the key 'link'");
-  foot.link = node["link"].as<std::string>();
-  if (node["type"]) foot.type = ParseFootType(node["type"].as<std::string>());
-  if (node["radius_m"]) foot.radius_m = Number(node["radius_m"], "radius_m");
-  for (const YAML::Node& corner : node["sole_m"]) {
-    foot.sole_m.emplace_back(Number(corner[0], "sole_m"), Number(corner[1], "sole_m"));
+  foot.line = LineOf(node);
+  foot.link = map.Text("link");
+  if (foot.link.empty()) RefuseYaml(node, "a foot needs the key 'link'");
+  if (const YAML::Node* type = map.Find("type")) foot.type = ParseFootType(*type);
+  foot.radius_m = map.Positive("radius_m").value_or(0.0);
+  if (const YAML::Node* sole = map.Find("sole_m")) foot.sole_m = ParseSole(*sole);
+  const bool flat = foot.type == FootType::kSole || foot.type == FootType::kLine;
+  const std::string who = fmt::format("foot '{}'", foot.link);
+  if (flat && foot.sole_m.empty()) RefuseYaml(node, who + " of type sole or line needs its corners: 'sole_m'");
+  if (foot.type && !flat && !foot.sole_m.empty()) RefuseYaml(node, who + " is no sole or line, and has 'sole_m'");
+  if (foot.radius_m > 0.0 && (foot.type.value_or(FootType::kSphere) != FootType::kSphere || !foot.sole_m.empty())) {
+    RefuseYaml(node, who + " is no sphere, and has 'radius_m'");
   }
   return foot;
+}
+
+LegOverride ParseLeg(const YamlMap::Entry& entry) {
+  const std::string what = fmt::format("leg '{}'", entry.key);
+  const YamlMap map(entry.value, what, {"joints", "knee", "knee_side"});
+  LegOverride leg;
+  leg.foot = entry.key;
+  leg.line = LineOf(entry.key_node);
+  leg.knee = map.Text("knee");
+  if (const YAML::Node* joints = map.Find("joints")) {
+    for (const YAML::Node& joint : ListOf(*joints, what + ", 'joints'")) leg.joints.push_back(TextOf(joint, "a joint"));
+  }
+  const std::string side = map.Text("knee_side");
+  if (map.Find("knee_side") != nullptr && side != "plus" && side != "minus") {
+    RefuseYaml(*map.Find("knee_side"), fmt::format("'knee_side' is '{}'; accepted: 'plus', 'minus'", side));
+  }
+  if (!side.empty()) leg.knee_sign = side == "plus" ? 1.0 : -1.0;
+  return leg;
+}
+
+std::vector<MirrorPair> ParsePairs(const YAML::Node& node) {
+  std::vector<MirrorPair> pairs;
+  for (const YAML::Node& pair : ListOf(node, "'mirror_pairs'")) {
+    const std::vector<YAML::Node> both = ListOf(pair, "a pair of 'mirror_pairs'");
+    if (both.size() != 2)
+      RefuseYaml(pair, fmt::format("a pair of 'mirror_pairs' has {} feet; two are needed", both.size()));
+    pairs.push_back({TextOf(both[0], "a foot of a pair"), TextOf(both[1], "a foot of a pair"), LineOf(pair)});
+  }
+  return pairs;
+}
+
+/// One of two keys of a joint, by its unit; notes in `turning` and `sliding` which kind was used.
+struct UnitKeys {
+  const YamlMap& map;
+  bool turning = false, sliding = false;
+
+  std::optional<double> Take(const std::string& of_turning, const std::string& of_sliding, bool positive) {
+    const auto take = [&](const std::string& key) { return positive ? map.Positive(key) : map.Number(key); };
+    turning = turning || map.Find(of_turning) != nullptr;
+    sliding = sliding || map.Find(of_sliding) != nullptr;
+    return map.Find(of_turning) != nullptr ? take(of_turning) : take(of_sliding);
+  }
+  bool Sliding(const YamlMap::Entry& entry) const {
+    if (turning && sliding) {
+      RefuseYaml(
+          entry.key_node,
+          fmt::format("joint '{}' has keys of a turning joint and of a sliding one; it is one of both", entry.key));
+    }
+    return sliding;
+  }
+};
+
+RobotYaml::JointGains ParseGains(const YamlMap::Entry& entry) {
+  const YamlMap map(entry.value, fmt::format("the gains of '{}'", entry.key),
+                    {"stiffness_nm_rad", "damping_nm_s_rad", "stiffness_n_m", "damping_n_s_m"});
+  UnitKeys keys{map};
+  RobotYaml::JointGains gains;
+  gains.joint = entry.key;
+  gains.line = LineOf(entry.key_node);
+  gains.stiffness = keys.Take("stiffness_nm_rad", "stiffness_n_m", true);
+  gains.damping = keys.Take("damping_nm_s_rad", "damping_n_s_m", true);
+  gains.sliding = keys.Sliding(entry);
+  return gains;
+}
+
+RobotYaml::JointLimits ParseLimits(const YamlMap::Entry& entry) {
+  const YamlMap map(
+      entry.value, fmt::format("the limits of '{}'", entry.key),
+      {"lower_rad", "upper_rad", "velocity_rad_s", "effort_nm", "lower_m", "upper_m", "velocity_m_s", "effort_n"});
+  UnitKeys keys{map};
+  RobotYaml::JointLimits limits;
+  limits.joint = entry.key;
+  limits.line = LineOf(entry.key_node);
+  limits.lower = keys.Take("lower_rad", "lower_m", false);
+  limits.upper = keys.Take("upper_rad", "upper_m", false);
+  limits.velocity = keys.Take("velocity_rad_s", "velocity_m_s", true);
+  limits.effort = keys.Take("effort_nm", "effort_n", true);
+  limits.sliding = keys.Sliding(entry);
+  return limits;
+}
+
+/// Calls `each` for every entry of the map under `key`.
+template <class Each>
+void ForEach(const YamlMap& root, const std::string& key, Each each) {
+  if (const YAML::Node* node = root.Find(key)) {
+    const YamlMap map(*node, fmt::format("'{}'", key));
+    for (const YamlMap::Entry& entry : map.entries()) each(entry);
+  }
 }
 
 RobotYaml Parse(const YAML::Node& root) {
   RobotYaml yaml;
   if (!root || root.IsNull()) return yaml;
-  CheckKeys(root, "the file",
-            {"name", "description", "feet", "standing", "standing_base_height_m", "gains", "nominal_speed_m_s"});
-  if (root["name"]) yaml.name = root["name"].as<std::string>();
-  if (root["description"]) yaml.description = root["description"].as<std::string>();
-  for (const YAML::Node& foot : root["feet"]) yaml.feet.push_back(ParseFoot(foot));
-  for (const auto& entry : root["standing"]) {
-    const auto joint = entry.first.as<std::string>();
-    yaml.standing[joint] = Number(entry.second, joint);
+  const YamlMap map(root, "the file",
+                    {"name", "description", "limits", "feet", "legs", "mirror_pairs", "standing",
+                     "standing_base_height_m", "nominal_speed_m_s", "gains"});
+  yaml.name = map.Text("name");
+  if (map.Find("name") != nullptr && yaml.name.empty()) RefuseYaml(*map.Find("name"), "'name' is empty");
+  yaml.description = map.Text("description");
+  if (const YAML::Node* feet = map.Find("feet")) {
+    for (const YAML::Node& foot : ListOf(*feet, "'feet'")) yaml.feet.push_back(ParseFoot(foot));
+    if (yaml.feet.empty()) RefuseYaml(*feet, "'feet' is empty; leave it out to have the feet derived");
   }
-  for (const auto& entry : root["gains"]) {
-    CheckKeys(entry.second, "gains", {"stiffness_nm_rad", "damping_nm_s_rad"});
-    RobotYaml::JointGains& gains = yaml.gains[entry.first.as<std::string>()];
-    if (entry.second["stiffness_nm_rad"])
-      gains.stiffness = Number(entry.second["stiffness_nm_rad"], "stiffness_nm_rad");
-    if (entry.second["damping_nm_s_rad"]) gains.damping = Number(entry.second["damping_nm_s_rad"], "damping_nm_s_rad");
-    if (gains.stiffness < 0.0 || gains.damping < 0.0) throw InvalidArgument("robot.yaml: gains must not be negative");
-  }
-  const auto optional = [&](const char* key) -> std::optional<double> {
-    if (!root[key]) return std::nullopt;
-    const double value = Number(root[key], key);
-    if (value <= 0.0) throw InvalidArgument(fmt::format("robot.yaml: '{}' is {}; it must be positive", key, value));
-    return value;
-  };
-  yaml.standing_base_height_m = optional("standing_base_height_m");
-  yaml.nominal_speed_m_s = optional("nominal_speed_m_s");
+  if (const YAML::Node* pairs = map.Find("mirror_pairs")) yaml.mirror_pairs = ParsePairs(*pairs);
+  ForEach(map, "legs", [&](const auto& entry) { yaml.legs.push_back(ParseLeg(entry)); });
+  ForEach(map, "limits", [&](const auto& entry) { yaml.limits.push_back(ParseLimits(entry)); });
+  ForEach(map, "gains", [&](const auto& entry) { yaml.gains.push_back(ParseGains(entry)); });
+  ForEach(map, "standing", [&](const YamlMap::Entry& entry) {
+    const double position = NumberOf(entry.value, fmt::format("the position of '{}'", entry.key));
+    yaml.standing.push_back({entry.key, position, LineOf(entry.key_node)});
+  });
+  yaml.standing_base_height_m = map.Positive("standing_base_height_m");
+  if (yaml.standing_base_height_m) yaml.height_line = LineOf(*map.Find("standing_base_height_m"));
+  yaml.nominal_speed_m_s = map.Positive("nominal_speed_m_s");
   return yaml;
 }
 
 }  // namespace
 
 RobotYaml ParseRobotYaml(const std::string& text) {
+  std::vector<YAML::Node> documents;
   try {
-    return Parse(YAML::Load(text));
+    documents = YAML::LoadAll(text);
   } catch (const YAML::Exception& error) {
-    throw InvalidArgument(fmt::format("robot.yaml, line {}: {}", error.mark.line + 1, error.msg));
+    throw InvalidArgument(
+        fmt::format("robot.yaml, line {}, column {}: this is not YAML; look for a bracket or quote "
+                    "that is not closed, a tab, or a wrong indent",
+                    error.mark.line + 1, error.mark.column + 1));
+  }
+  if (documents.size() > 1) RefuseYaml(documents[1], "a second document begins; one is needed");
+  try {
+    return documents.empty() ? RobotYaml{} : Parse(documents.front());
+  } catch (const YAML::Exception& error) {
+    throw InvalidArgument(fmt::format("robot.yaml, line {}: a value of the wrong kind", error.mark.line + 1));
   }
 }
 

@@ -1,29 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/model/derive_legs.h"
 
 namespace gaitwright {
 
-/// What a robot.yaml says; everything may be left out.
-struct RobotYaml {
-  struct JointGains {
-    double stiffness = 0.0, damping = 0.0;
+/// What a robot.yaml says; everything may be left out. Each item has the line it stands on; docs/robot-yaml.md tells
+/// what the keys mean.
+struct RobotYaml : LegChoices {
+  /// A value of a joint, in the units of `sliding` joints (m, N) or turning ones (rad, N m).
+  struct JointPosition {
+    std::string joint;
+    double position = 0.0;
+    int line = 0;
   };
+  struct JointGains {
+    std::string joint;
+    std::optional<double> stiffness, damping;
+    bool sliding = false;
+    int line = 0;
+  };
+  struct JointLimits {
+    std::string joint;
+    std::optional<double> lower, upper, velocity, effort;
+    bool sliding = false;
+    int line = 0;
+  };
+
   std::string name, description;
-  std::vector<FootOverride> feet;
-  std::map<std::string, double> standing;   ///< joint to position
-  std::map<std::string, JointGains> gains;  ///< by joint
+  std::vector<JointLimits> limits;
+  std::vector<JointPosition> standing;
+  std::vector<JointGains> gains;
   std::optional<double> standing_base_height_m, nominal_speed_m_s;
+  int height_line = 0;  ///< of standing_base_height_m
 };
 
-/// Reads the text of a robot.yaml. @throws InvalidArgument on YAML that does not parse, an unknown key (names the
-/// nearest), a number that is not finite, a wrong kind of value.
+/// Reads the text of a robot.yaml. @throws InvalidArgument with the line, on what is no YAML, an unknown key (names the
+/// nearest), a key that stands there twice, a wrong kind of value, a number that is not finite or out of its range, a
+/// sole that is no convex polygon, a foot whose keys contradict its type.
 RobotYaml ParseRobotYaml(const std::string& text);
 
 }  // namespace gaitwright

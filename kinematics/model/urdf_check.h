@@ -10,8 +10,9 @@ namespace gaitwright {
 
 /// Reads a URDF for what is wrong with it before urdfdom, which passes over much, sees it: not XML, another root
 /// element, names that are missing, double or unknown, a link with two parents (a loop), several roots or a detached
-/// cycle, numbers that are none, a negative mass, an impossible inertia, a zero axis, a missing or inverted limit, an
-/// unknown mimic target, an unsupported joint type, a size that is not positive.
+/// cycle, numbers that are not finite or absurd, a negative mass, an impossible inertia, a zero axis, a missing or
+/// inverted limit, a mimic of an unknown or fixed joint, of itself, in a circle or with multiplier 0, an unsupported
+/// joint type, a size that is not positive, a mesh without a file.
 /// @return the first thing wrong, naming the offender, or nothing.
 std::optional<Failure> CheckUrdf(const std::string& urdf_text);
 

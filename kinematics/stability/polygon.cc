@@ -10,8 +10,6 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kCollinear = 1e-12;
-
 double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Vector2 NearestOnSegment(const Vector2& a, const Vector2& b, const Vector2& p) {
@@ -21,50 +19,7 @@ Vector2 NearestOnSegment(const Vector2& a, const Vector2& b, const Vector2& p) {
   return a + t * ab;
 }
 
-/// Takes out corners that lie, to rounding, between their neighbours. Done after the chains: popping by a tolerance
-/// there can lose a true corner next to two that are nearly in line with it.
-void DropMiddleCorners(Polygon& hull) {
-  for (std::size_t i = 0; hull.size() > 2 && i < hull.size();) {
-    const Vector2 in = hull[i] - hull[(i + hull.size() - 1) % hull.size()];
-    const Vector2 out = hull[(i + 1) % hull.size()] - hull[i];
-    if (std::abs(Cross(in, out)) <= kCollinear && in.dot(out) > 0.0) {
-      hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(i));
-    } else {
-      ++i;
-    }
-  }
-}
-
 }  // namespace
-
-Polygon ConvexHull(std::vector<Vector2> points) {
-  std::sort(points.begin(), points.end(),
-            [](const Vector2& a, const Vector2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
-  points.erase(std::unique(points.begin(), points.end(), [](const Vector2& a, const Vector2& b) { return a == b; }),
-               points.end());
-  if (points.size() < 3) return points;
-  Polygon hull;
-  const auto add_chain = [&hull](auto begin, auto end) {
-    const std::size_t base = hull.size();
-    for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= base + 2 && Cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0.0) {
-        hull.pop_back();
-      }
-      hull.push_back(*p);
-    }
-    hull.pop_back();
-  };
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  DropMiddleCorners(hull);
-  return hull;
-}
-
-double Area(const Polygon& polygon) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) twice += Cross(polygon[i], polygon[(i + 1) % polygon.size()]);
-  return polygon.size() < 3 ? 0.0 : 0.5 * twice;
-}
 
 double SignedDistance(const Polygon& polygon, const Vector2& point) {
   if (polygon.empty()) throw InvalidArgument("SignedDistance: the polygon has no corner; one or more are needed");

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
-#include "kinematics/spatial/pose.h"
+#include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
 
-/// A convex set in the plane: a polygon (three or more corners, counter-clockwise), a segment (two), a point (one) or
-/// nothing. ConvexHull makes one; every other function here expects one.
-using Polygon = std::vector<Vector2>;
-
-/// Convex hull, counter-clockwise, without collinear corners (tolerance 1e-12 m^2). Andrew, Inf. Proc. Letters 9(5)
-/// 1979.
-Polygon ConvexHull(std::vector<Vector2> points);
-
-/// Area [m^2]; zero for segments and points.
-double Area(const Polygon& polygon);
+// Every function here expects a polygon as ConvexHull makes it.
 
 /// Signed distance of a point to the edge: positive inside, negative outside; never positive for a segment or a point.
 /// @throws InvalidArgument for an empty polygon.

@@ -251,6 +251,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   plan.robot_hash = model.hash;
   plan.urdf_text = model.urdf_text;
   plan.yaml_text = model.yaml_text;
+  plan.meshes = model.meshes;
   plan.provenance = MakeProvenance(options);
   plan.command = command;
   plan.goal = skeleton->goal;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/model/robot_model.h"
 #include "kinematics/spatial/pose.h"
 #include "planning/plan/gait.h"
 #include "planning/plan/terrain.h"
@@ -118,7 +119,8 @@ struct MotionPlan {
 
   std::string robot;                 ///< name
   std::string robot_hash;            ///< RobotModel::hash
-  std::string urdf_text, yaml_text;  ///< of the robot, so that the plan is whole by itself
+  std::string urdf_text, yaml_text;  ///< of the robot, so that the plan is whole by itself; and
+  std::vector<MeshHull> meshes;      ///< the hulls of its collision meshes, which the texts do not hold
   Provenance provenance;
   WalkCommand command;
   PlanarPose goal;  ///< where the command ends, in W, whatever the plan does

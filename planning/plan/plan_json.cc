@@ -129,6 +129,12 @@ void Append(std::vector<double>& values, const Vector& v) {
   for (Eigen::Index i = 0; i < v.size(); ++i) values.push_back(v[i]);
 }
 
+Json MeshesJson(const std::vector<MeshHull>& meshes) {
+  Json list = Json::array();
+  for (const MeshHull& mesh : meshes) list.push_back({{"file", mesh.file}, {"vertices_m", ToJson(mesh.vertices)}});
+  return list;
+}
+
 void AppendTrajectories(std::string& text, const MotionPlan& plan) {
   const CentroidalTrajectory& c = plan.centroidal;
   AppendRows(text, "centroidal", c.p_WC.size(), [&](std::size_t k, std::vector<double>& row) {
@@ -189,6 +195,7 @@ std::string PlanToJson(const MotionPlan& plan) {
                {"start_s", plan.whole_body.start_s},
                {"step_s", plan.whole_body.step_s},
                {"omega_rad_s", plan.centroidal.omega_rad_s}};
+  if (!plan.meshes.empty()) head["meshes"] = MeshesJson(plan.meshes);
   std::string text = head.dump();
   text.pop_back();  // the closing brace
   AppendTrajectories(text, plan);

@@ -16,6 +16,13 @@ std::vector<Vector3> ToPoints(const JsonPart& list) {
   return points;
 }
 
+MeshHull ToMesh(const JsonPart& part) {
+  part.Object({"file", "vertices_m"});
+  MeshHull mesh{part.At("file").Text(), ToPoints(part.At("vertices_m"))};
+  if (mesh.vertices.empty()) part.At("vertices_m").Refuse("is empty; a mesh needs vertices");
+  return mesh;
+}
+
 PlanarPose ToPlanarPose(const JsonPart& pose) {
   pose.Object({"x_m", "y_m", "yaw_rad"});
   return {pose.At("x_m").Number(), pose.At("y_m").Number(), pose.At("yaw_rad").Number()};
@@ -180,15 +187,19 @@ const std::vector<std::string>& PlanExtents() {
 }
 
 MotionPlan ReadPlan(const JsonPart& whole) {
-  whole.Object({"format", "schema",   "robot",      "robot_hash",  "provenance", "command",
-                "goal",   "warnings", "terrain",    "gait",        "schedule",   "footholds",
-                "swings", "urdf",     "robot_yaml", "start_s",     "step_s",     "q",
-                "v",      "a",        "tau_nm",     "omega_rad_s", "centroidal", "contact_wrenches"});
+  whole.Object(
+      {"format",  "schema", "robot",    "robot_hash", "provenance", "command",     "goal",       "warnings",
+       "terrain", "gait",   "schedule", "footholds",  "swings",     "urdf",        "robot_yaml", "start_s",
+       "step_s",  "q",      "v",        "a",          "tau_nm",     "omega_rad_s", "centroidal", "contact_wrenches"},
+      {"meshes"});
   MotionPlan plan;
   plan.robot = whole.At("robot").Text();
   plan.robot_hash = whole.At("robot_hash").Text();
   plan.urdf_text = whole.At("urdf").Text();
   plan.yaml_text = whole.At("robot_yaml").Text();
+  if (whole.Has("meshes")) {
+    for (const JsonPart& mesh : whole.At("meshes").List()) plan.meshes.push_back(ToMesh(mesh));
+  }
   plan.provenance = ToProvenance(whole.At("provenance"));
   plan.command = ToCommand(whole.At("command"));
   plan.goal = ToPlanarPose(whole.At("goal"));

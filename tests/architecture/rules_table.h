@@ -95,7 +95,7 @@ inline const std::vector<Owner> kOwners = {
     {"fcl/", {"kinematics/collision"}},
     {"ccd/", {"kinematics/collision"}},
     {"ompl/", {"planning"}},
-    {"assimp/", {"planning/terrain"}},
+    {"assimp/", {"kinematics/model"}},
     {"png.h", {"planning/terrain"}},
     {"ceres/", {"optimisation"}},
     {"glog/", {"optimisation"}},

@@ -28,7 +28,7 @@ Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_
 }
 
 Result<RobotModel> RobotOf(const MotionPlan& plan) {
-  Result<RobotModel> model = LoadRobotFromText(plan.urdf_text, plan.yaml_text, plan.robot);
+  Result<RobotModel> model = LoadRobotFromText(plan.urdf_text, plan.yaml_text, plan.robot, plan.meshes);
   if (model && model->hash != plan.robot_hash) {
     return Failure{FailureKind::kBadInput,
                    "robot_hash",

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/model/robot_yaml.h"
+
+namespace gaitwright {
+
+/// Puts the limits of a robot.yaml in place of the URDF's. All functions here throw InvalidArgument with the line and
+/// the name of the offender: no such joint (names the nearest), a joint that mimics another, keys of a sliding joint
+/// for a turning one and the reverse, values that contradict each other.
+void ApplyLimits(const RobotYaml& yaml, RobotModel& model);
+
+/// Standing positions by coordinate; NaN where none is given. Refuses one outside its joint's limits.
+VectorX GivenPosture(const RobotYaml& yaml, const RobotModel& model);
+
+/// Puts in gains, own speed and base height. Refuses a height that is not the one of the standing posture, and a
+/// posture from the file in which a foot is more than 5 mm above the lowest, naming it and by how much.
+void ApplyStanding(const RobotYaml& yaml, RobotModel& model);
+
+/// One line for each thing that was derived or taken from the file, with what it was taken from; for people.
+std::vector<std::string> DerivationNotes(const RobotYaml& yaml, const RobotModel& model);
+
+}  // namespace gaitwright

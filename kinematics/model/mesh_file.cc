@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/mesh_file.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+
+#include "kinematics/base/options.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kKinds = {".stl", ".obj", ".dae"};
+
+Failure Refused(const std::string& code, const std::string& message) {
+  return {FailureKind::kBadInput, code, "ReadMesh", message, {}};
+}
+
+std::string Kind(const std::string& path) {
+  std::string kind = fs::path(path).extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+  return kind;
+}
+
+/// Adds the triangles of a node and of those below it, in the scene's frame.
+void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Mesh& mesh) {
+  const aiMatrix4x4 here = above * node.mTransformation;
+  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[node.mMeshes[m]];
+    const auto base = static_cast<int>(mesh.vertices.size());
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const aiVector3D p = here * part.mVertices[i];
+      mesh.vertices.emplace_back(p.x, p.y, p.z);
+    }
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+      const aiFace& face = part.mFaces[i];
+      if (face.mNumIndices != 3) continue;
+      mesh.triangles.push_back(Eigen::Vector3i::Constant(base) + Eigen::Vector3i(static_cast<int>(face.mIndices[0]),
+                                                                                 static_cast<int>(face.mIndices[1]),
+                                                                                 static_cast<int>(face.mIndices[2])));
+    }
+  }
+  for (unsigned c = 0; c < node.mNumChildren; ++c) AddNode(scene, *node.mChildren[c], here, mesh);
+}
+
+/// Direction i of n spread evenly over the sphere, along a spiral of golden angles.
+Vector3 Spread(int i, int n) {
+  const double z = 1.0 - (2.0 * i + 1.0) / n;
+  const double turn = i * std::numbers::pi * (3.0 - std::sqrt(5.0)), r = std::sqrt(1.0 - z * z);
+  return {r * std::cos(turn), r * std::sin(turn), z};
+}
+
+/// The name in a folder's package.xml, or "".
+std::string PackageName(const fs::path& folder) {
+  tinyxml2::XMLDocument document;
+  const std::string file = (folder / "package.xml").string();
+  if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS || document.RootElement() == nullptr) return "";
+  const tinyxml2::XMLElement* name = document.RootElement()->FirstChildElement("name");
+  return name == nullptr || name->GetText() == nullptr ? "" : name->GetText();
+}
+
+/// Where the file may be, nearest first.
+std::vector<fs::path> Candidates(const std::string& name, const fs::path& folder) {
+  const std::size_t scheme = name.find("://");
+  if (scheme == std::string::npos) return {folder / name};
+  const std::string rest = name.substr(scheme + 3);
+  if (name.starts_with("file://")) return {folder / rest};
+  if (!name.starts_with("package://")) return {};
+  const std::size_t slash = rest.find('/');
+  if (slash == std::string::npos) return {};
+  const std::string package = rest.substr(0, slash), path = rest.substr(slash + 1);
+  std::vector<fs::path> candidates;
+  std::error_code error;
+  for (fs::path at = fs::weakly_canonical(folder, error);; at = at.parent_path()) {
+    if (at.filename() == package || PackageName(at) == package) candidates.push_back(at / path);
+    if (fs::is_directory(at / package, error)) candidates.push_back(at / package / path);
+    if (at == at.parent_path()) return candidates;
+  }
+}
+
+}  // namespace
+
+Result<Mesh> ReadMesh(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return Refused("no_file", fmt::format("there is no file '{}'", path));
+  if (std::find(kKinds.begin(), kKinds.end(), Kind(path)) == kKinds.end()) {
+    return Refused("mesh_kind",
+                   fmt::format("'{}' is a mesh of a kind that is not read; there are {}", path, QuotedList(kKinds)));
+  }
+  Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    return Refused("mesh_unreadable", fmt::format("the mesh '{}' cannot be read: {}", path, importer.GetErrorString()));
+  }
+  Mesh mesh;
+  AddNode(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
+  if (mesh.triangles.empty()) return Refused("mesh_empty", fmt::format("the mesh '{}' has no triangles", path));
+  for (const Vector3& v : mesh.vertices) {
+    if (!v.allFinite())
+      return Refused("mesh_number", fmt::format("the mesh '{}' has a vertex that is not finite", path));
+  }
+  return mesh;
+}
+
+std::vector<Vector3> HullPoints(std::vector<Vector3> points) {
+  constexpr std::size_t kMany = 512;
+  constexpr int kDirections = 1024;
+  const auto less = [](const Vector3& a, const Vector3& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  const auto once = [&](std::vector<Vector3>& all) {
+    std::sort(all.begin(), all.end(), less);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  };
+  once(points);
+  if (points.size() <= kMany) return points;
+  std::vector<Vector3> farthest;
+  for (int i = 0; i < kDirections; ++i) {
+    const Vector3 direction = Spread(i, kDirections);
+    farthest.push_back(*std::max_element(points.begin(), points.end(), [&](const Vector3& a, const Vector3& b) {
+      return a.dot(direction) < b.dot(direction);
+    }));
+  }
+  once(farthest);
+  return farthest;
+}
+
+Result<std::string> FindMeshFile(const std::string& name, const std::string& folder) {
+  std::vector<std::string> tried;
+  std::error_code error;
+  for (const fs::path& candidate : Candidates(name, folder)) {
+    if (fs::is_regular_file(candidate, error)) return candidate.lexically_normal().string();
+    tried.push_back(candidate.lexically_normal().string());
+  }
+  if (!tried.empty()) {
+    return Refused("no_file", fmt::format("the mesh '{}' is not there; looked for {}", name, QuotedList(tried)));
+  }
+  return Refused(
+      "no_file",
+      name.starts_with("package://")
+          ? fmt::format("the mesh '{}' is not found: no folder above '{}' is or holds its package", name, folder)
+          : fmt::format("the mesh '{}' cannot be looked for; a path, 'file://' or 'package://NAME/' can", name));
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// Triangles of a mesh in its own frame and unit.
+struct Mesh {
+  std::vector<Vector3> vertices;
+  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
+};
+
+/// Reads an STL (text or binary), OBJ or Collada (.dae) file. A Collada file's unit is kept to (its numbers become
+/// metres) and its up-axis is not: links have their own axes. Failure: no such file, another kind of file, one that
+/// cannot be read (with the reason), one without triangles or with numbers that are not finite.
+Result<Mesh> ReadMesh(const std::string& path);
+
+/// The points that span the convex hull, sorted: each once; of over 512 of them those that are farthest in one of 1024
+/// directions spread over the sphere, which lie within 0.2 % of the mesh's radius of the hull.
+std::vector<Vector3> HullPoints(std::vector<Vector3> points);
+
+/// Where the file is that a URDF names: a path relative to `folder` (the URDF's) or absolute, `file://PATH`, or
+/// `package://NAME/PATH`, where the package is a folder NAME or one whose package.xml has that name, looked for in and
+/// beside `folder` and every folder above it. Failure: there is none; the message lists where it was looked for.
+Result<std::string> FindMeshFile(const std::string& name, const std::string& folder);
+
+}  // namespace gaitwright

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "kinematics/base/options.h"
+#include "kinematics/model/urdf_xml_internal.h"
+
+namespace gaitwright {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// The URDF gives a limit that is left out the value 0; a joint cannot be meant to stop there unsaid.
+double PositionLimit(const XMLElement& limit, const char* name, const std::string& owner) {
+  if (limit.Attribute(name) == nullptr) {
+    Refuse("missing_limit",
+           fmt::format("{}: its <limit> has no '{}', which the URDF format takes for 0: say it, as lower=\"...\" "
+                       "upper=\"...\", or make the joint continuous",
+                       owner, name));
+  }
+  return Number(limit, name, owner);
+}
+
+void CheckLimit(const XMLElement& joint, const std::string& type, const std::string& owner) {
+  const XMLElement* limit = joint.FirstChildElement("limit");
+  if (limit == nullptr) {
+    if (type == "continuous") return;
+    Refuse("missing_limit", fmt::format("{}: a {} joint needs a <limit>", owner, type));
+  }
+  for (const char* name : {"effort", "velocity"}) {
+    if (Number(*limit, name, owner) < 0.0)
+      Refuse("bad_limit", fmt::format("{}: its {} limit is negative", owner, name));
+  }
+  if (type == "continuous") return;
+  const double lower = PositionLimit(*limit, "lower", owner), upper = PositionLimit(*limit, "upper", owner);
+  if (lower > upper)
+    Refuse("bad_limit", fmt::format("{}: its lower limit {} is over its upper limit {}", owner, lower, upper));
+}
+
+/// Numbers of an element of a joint that may be left out; negative ones are refused where `positive`.
+void CheckNumbers(const XMLElement& joint, const char* element, const std::vector<const char*>& names, bool positive,
+                  const std::string& owner) {
+  const XMLElement* e = joint.FirstChildElement(element);
+  for (const char* name : names) {
+    if (e == nullptr || e->Attribute(name) == nullptr) continue;
+    const double value = Number(*e, name, owner);
+    if (positive && value < 0.0) {
+      Refuse("bad_dynamics", fmt::format("{}: its {} is {}; zero or more is accepted", owner, name, value));
+    }
+  }
+}
+
+void CheckMimic(const XMLElement& mimic, const std::map<std::string, std::string>& types, const std::string& name) {
+  const std::string owner = fmt::format("joint '{}'", name);
+  const std::string target = Attribute(mimic, "joint", owner);
+  std::vector<std::string> others;
+  for (const auto& [joint, type] : types) {
+    if (joint != name) others.push_back(joint);
+  }
+  if (target == name) Refuse("bad_mimic", fmt::format("{}: it mimics itself; name another joint", owner));
+  if (!types.contains(target)) {
+    Refuse("unknown_mimic", fmt::format("{}: it mimics '{}', which is no joint; the nearest is '{}'", owner, target,
+                                        NearestName(target, others)));
+  }
+  if (types.at(target) == "fixed") {
+    Refuse("bad_mimic", fmt::format("{}: it mimics '{}', which is fixed and never moves; name a moving joint or make "
+                                    "'{}' fixed too",
+                                    owner, target, name));
+  }
+  if (mimic.Attribute("offset") != nullptr) Number(mimic, "offset", owner);
+  if (mimic.Attribute("multiplier") != nullptr && Number(mimic, "multiplier", owner) == 0.0) {
+    Refuse("bad_mimic",
+           fmt::format("{}: it mimics '{}' with multiplier 0, so it never moves; make it fixed", owner, target));
+  }
+}
+
+}  // namespace
+
+void CheckMotion(const XMLElement& joint, const std::string& type, const std::string& owner) {
+  if (const XMLElement* axis = joint.FirstChildElement("axis")) {
+    const auto a = Numbers(Attribute(*axis, "xyz", owner), 3, owner + ", axis");
+    if (std::hypot(a[0], a[1], a[2]) < 1e-9) Refuse("zero_axis", fmt::format("{}: its axis is zero", owner));
+  }
+  CheckLimit(joint, type, owner);
+  CheckNumbers(joint, "dynamics", {"damping", "friction"}, true, owner);
+  CheckNumbers(joint, "calibration", {"rising", "falling", "reference_position"}, false, owner);
+  CheckNumbers(joint, "safety_controller", {"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"}, false,
+               owner);
+}
+
+void CheckMimics(const XMLElement& robot) {
+  std::map<std::string, std::string> types, leader;
+  for (const XMLElement* j = robot.FirstChildElement("joint"); j != nullptr; j = j->NextSiblingElement("joint")) {
+    types[j->Attribute("name")] = j->Attribute("type");
+  }
+  for (const XMLElement* j = robot.FirstChildElement("joint"); j != nullptr; j = j->NextSiblingElement("joint")) {
+    const XMLElement* mimic = j->FirstChildElement("mimic");
+    if (mimic == nullptr || types[j->Attribute("name")] == "fixed") continue;
+    CheckMimic(*mimic, types, j->Attribute("name"));
+    leader[j->Attribute("name")] = mimic->Attribute("joint");
+  }
+  for (const auto& [follower, first] : leader) {
+    std::string path = fmt::format("'{}'", follower);
+    std::set<std::string> seen = {follower};
+    for (std::string at = first;; at = leader.at(at)) {
+      path += fmt::format(" mimics '{}'", at);
+      if (!seen.insert(at).second) {
+        Refuse("bad_mimic", fmt::format("joint '{}': {}: a circle; one of them must mimic none", follower, path));
+      }
+      if (!leader.contains(at)) break;
+      path += ", which";
+    }
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "kinematics/model/urdf_xml_internal.h"
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+namespace {
+
+using tinyxml2::XMLElement;
+
+void CheckMoments(const Matrix3& tensor, const std::string& owner) {
+  const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
+  const double slack = 1e-6 * std::max(moments.cwiseAbs().maxCoeff(), 1e-12);
+  if (moments[0] < -slack) {
+    Refuse("impossible_inertia",
+           fmt::format("{}: its inertia has the negative principal moment {:.3g} kg m^2", owner, moments[0]));
+  }
+  if (moments[0] + moments[1] < moments[2] - slack) {
+    Refuse("impossible_inertia",
+           fmt::format("{}: its inertia breaks the triangle inequality: {:.4g} + {:.4g} < {:.4g} kg m^2", owner,
+                       moments[0], moments[1], moments[2]));
+  }
+}
+
+void CheckInertial(const XMLElement& link, const std::string& owner) {
+  const XMLElement* inertial = link.FirstChildElement("inertial");
+  if (inertial == nullptr) return;
+  CheckOrigin(*inertial, owner);
+  const XMLElement* mass = inertial->FirstChildElement("mass");
+  const XMLElement* inertia = inertial->FirstChildElement("inertia");
+  if (mass == nullptr || inertia == nullptr) {
+    Refuse("urdf_missing", fmt::format("{}: <inertial> needs <mass> and <inertia>", owner));
+  }
+  const double m = Number(*mass, "value", owner, kHeaviest);
+  if (m < 0.0) Refuse("negative_mass", fmt::format("{}: its mass is {} kg; zero or more is accepted", owner, m));
+  const auto I = [&](const char* name) { return Number(*inertia, name, owner, kHeaviest); };
+  Matrix3 tensor;
+  tensor << I("ixx"), I("ixy"), I("ixz"), I("ixy"), I("iyy"), I("iyz"), I("ixz"), I("iyz"), I("izz");
+  CheckMoments(tensor, owner);
+}
+
+void CheckMesh(const XMLElement& mesh, const std::string& owner) {
+  if (Attribute(mesh, "filename", owner).empty()) {
+    Refuse("urdf_missing", fmt::format("{}: <mesh> has an empty 'filename'", owner));
+  }
+  if (mesh.Attribute("scale") == nullptr) return;
+  for (const double s : Numbers(mesh.Attribute("scale"), 3, owner + ", mesh scale", kHeaviest)) {
+    if (s == 0.0)
+      Refuse("urdf_geometry", fmt::format("{}: its mesh has the scale 0, which leaves nothing of it", owner));
+  }
+}
+
+void CheckShape(const XMLElement& shape, const std::string& owner) {
+  const std::string type = shape.Name();
+  std::vector<double> sizes;
+  if (type == "box") {
+    sizes = Numbers(Attribute(shape, "size", owner), 3, owner + ", box size", kLongest);
+  } else if (type == "sphere") {
+    sizes = {Number(shape, "radius", owner, kLongest)};
+  } else if (type == "cylinder" || type == "capsule") {
+    sizes = {Number(shape, "radius", owner, kLongest), Number(shape, "length", owner, kLongest)};
+  } else if (type == "mesh") {
+    CheckMesh(shape, owner);
+  } else {
+    Refuse("urdf_geometry", fmt::format("{}: geometry '{}' is not known; there are 'box', 'cylinder', 'sphere', "
+                                        "'capsule', 'mesh'",
+                                        owner, type));
+  }
+  for (const double size : sizes) {
+    if (size <= 0.0)
+      Refuse("urdf_geometry", fmt::format("{}: a {} has the size {}; it must be positive", owner, type, size));
+  }
+}
+
+}  // namespace
+
+void Refuse(const std::string& code, const std::string& message, std::vector<std::string> hints) {
+  throw Failure{FailureKind::kBadInput, code, "LoadRobot", message, std::move(hints)};
+}
+
+std::string Attribute(const XMLElement& element, const char* name, const std::string& owner) {
+  const char* text = element.Attribute(name);
+  if (text == nullptr) Refuse("urdf_missing", fmt::format("{}: <{}> has no '{}'", owner, element.Name(), name));
+  return text;
+}
+
+std::vector<double> Numbers(const std::string& text, std::size_t count, const std::string& owner, double largest) {
+  std::istringstream words(text);
+  std::vector<double> numbers;
+  for (std::string word; words >> word;) {
+    double value = 0.0;
+    const char* begin = word.data() + (word.front() == '+' ? 1 : 0);
+    const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
+      Refuse("urdf_number", fmt::format("{}: '{}' is not a finite number", owner, word));
+    }
+    if (std::abs(value) > largest) {
+      Refuse("urdf_number", fmt::format("{}: {} is absurd; at most {} is accepted", owner, word, largest));
+    }
+    numbers.push_back(value);
+  }
+  if (numbers.size() != count) {
+    Refuse("urdf_number", fmt::format("{}: '{}' holds {} numbers, {} are needed", owner, text, numbers.size(), count));
+  }
+  return numbers;
+}
+
+double Number(const XMLElement& element, const char* name, const std::string& owner, double largest) {
+  return Numbers(Attribute(element, name, owner), 1, fmt::format("{}, {} {}", owner, element.Name(), name), largest)
+      .front();
+}
+
+void CheckOrigin(const XMLElement& parent, const std::string& owner) {
+  const XMLElement* origin = parent.FirstChildElement("origin");
+  if (origin == nullptr) return;
+  for (const char* name : {"xyz", "rpy"}) {
+    if (origin->Attribute(name) != nullptr) Numbers(origin->Attribute(name), 3, owner + ", origin " + name, kLongest);
+  }
+}
+
+void CheckLink(const XMLElement& link, const std::string& owner) {
+  CheckInertial(link, owner);
+  for (const char* kind : {"visual", "collision"}) {
+    for (const XMLElement* e = link.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind)) {
+      CheckOrigin(*e, owner);
+      const XMLElement* geometry = e->FirstChildElement("geometry");
+      const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+      if (shape == nullptr) Refuse("urdf_missing", fmt::format("{}: <{}> has no geometry", owner, kind));
+      CheckShape(*shape, owner);
+    }
+  }
+}
+
+}  // namespace gaitwright

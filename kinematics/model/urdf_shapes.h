@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// A URDF in two parts: its tree, as a URDF without geometry, and the geometry. Each shape has its link's name, X_BS is
+/// its pose in that link's frame and `body` is not set; meshes have no vertices yet.
+struct UrdfParts {
+  std::string tree_text;
+  std::vector<Shape> collision, visual;
+};
+
+/// Splits a URDF that CheckUrdf has passed.
+UrdfParts SplitUrdf(const std::string& urdf_text);
+
+}  // namespace gaitwright

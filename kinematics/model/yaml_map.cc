@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/options.h"
+#include "kinematics/model/yaml_map_internal.h"
+
+namespace gaitwright {
+namespace {
+
+const char* KindOf(const YAML::Node& node) {
+  switch (node.Type()) {
+    case YAML::NodeType::Sequence:
+      return "a list";
+    case YAML::NodeType::Map:
+      return "a map";
+    case YAML::NodeType::Null:
+      return "empty";
+    default:
+      return "a single value";
+  }
+}
+
+}  // namespace
+
+int LineOf(const YAML::Node& node) { return node.Mark().line + 1; }
+
+void RefuseYaml(const YAML::Node& node, const std::string& message) {
+  throw InvalidArgument(fmt::format("robot.yaml, line {}: {}", LineOf(node), message));
+}
+
+std::string TextOf(const YAML::Node& node, const std::string& what) {
+  if (!node.IsScalar()) RefuseYaml(node, fmt::format("{} is {}; one word or text is needed", what, KindOf(node)));
+  return node.Scalar();
+}
+
+double NumberOf(const YAML::Node& node, const std::string& what) {
+  const std::string text = TextOf(node, what);
+  double value = 0.0;
+  if (!YAML::convert<double>::decode(node, value))
+    RefuseYaml(node, fmt::format("{} is '{}', not a number", what, text));
+  if (!std::isfinite(value)) RefuseYaml(node, fmt::format("{} is {}; a finite number is needed", what, text));
+  return value;
+}
+
+std::vector<YAML::Node> ListOf(const YAML::Node& node, const std::string& what) {
+  if (!node.IsSequence()) RefuseYaml(node, fmt::format("{} is {}; a list is needed", what, KindOf(node)));
+  return {node.begin(), node.end()};
+}
+
+YamlMap::YamlMap(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known) {
+  if (!node.IsMap()) {
+    RefuseYaml(node, fmt::format("{} is {}; a map of keys to values is needed", what, KindOf(node)));
+  }
+  for (const auto& entry : node) {
+    const std::string key = TextOf(entry.first, "a key of " + what);
+    if (Find(key) != nullptr) RefuseYaml(entry.first, fmt::format("{} has the key '{}' twice", what, key));
+    if (!known.empty() && std::find(known.begin(), known.end(), key) == known.end()) {
+      RefuseYaml(entry.first,
+                 fmt::format("{} has the unknown key '{}'; the nearest is '{}'", what, key, NearestName(key, known)));
+    }
+    entries_.push_back({key, entry.first, entry.second});
+  }
+}
+
+const YAML::Node* YamlMap::Find(const std::string& key) const {
+  const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key == key; });
+  return at == entries_.end() ? nullptr : &at->value;
+}
+
+std::string YamlMap::Text(const std::string& key) const {
+  const YAML::Node* node = Find(key);
+  return node == nullptr ? "" : TextOf(*node, fmt::format("'{}'", key));
+}
+
+std::optional<double> YamlMap::Number(const std::string& key) const {
+  const YAML::Node* node = Find(key);
+  if (node == nullptr) return std::nullopt;
+  return NumberOf(*node, fmt::format("'{}'", key));
+}
+
+std::optional<double> YamlMap::Positive(const std::string& key) const {
+  const std::optional<double> value = Number(key);
+  if (value && *value <= 0.0) {
+    RefuseYaml(*Find(key),
+               fmt::format("'{}' is {}; it must be over zero (leave it out to have it derived)", key, *value));
+  }
+  return value;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/mesh_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "kinematics/base/file.h"
+#include "kinematics/collision/collision_checker.h"
+#include "tests/kinematics/model/mesh_boxes.h"
+#include "tests/kinematics/model/small_urdf.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MeshFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::string(GAITWRIGHT_BINARY_DIR) + "/test_files/mesh_file/" +
+              testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string Write(const std::string& name, const std::string& text) {
+    return WriteFileAtomically(folder_ + "/" + name, text).value();
+  }
+  std::string WhyNot(const std::string& path) {
+    const Result<Mesh> mesh = ReadMesh(path);
+    return mesh.ok() ? "" : mesh.failure().message;
+  }
+  /// What loading a robot of four legs with that foot says.
+  std::string Load(const std::string& foot) {
+    const Result<RobotModel> model = LoadRobot(Write("robot.urdf", FourLegs(foot)));
+    return model.ok() ? "" : model.failure().message;
+  }
+
+  std::string folder_;
+};
+
+const Vector3 kHalf(0.1, 0.05, 0.01);
+
+TEST_F(MeshFile, EveryKindGivesTheSameBox) {
+  const std::vector<Vector3> corners = HullPoints(BoxCorners(kHalf));
+  ASSERT_EQ(corners.size(), 8U);
+  for (const std::string& path :
+       {Write("binary.stl", BinaryStl(kHalf)), Write("text.STL", TextStl(kHalf)), Write("box.obj", Obj(kHalf)),
+        Write("box.dae", Collada(kHalf, 1.0)), Write("mm.dae", Collada(1e3 * kHalf, 1e-3))}) {
+    const Result<Mesh> mesh = ReadMesh(path);
+    ASSERT_TRUE(mesh.ok()) << mesh.failure().message;
+    EXPECT_EQ(mesh->triangles.size(), 12U) << path;
+    const std::vector<Vector3> hull = HullPoints(mesh->vertices);
+    ASSERT_EQ(hull.size(), 8U) << path;
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_LT((hull[i] - corners[i]).norm(), 1e-7) << path;
+  }
+}
+
+TEST_F(MeshFile, ManyPointsOfABallKeepItsSurface) {
+  std::vector<Vector3> points;
+  for (int i = 0; i < 20000; ++i)
+    points.push_back(0.3 * Vector3(std::sin(i), std::cos(2.3 * i), std::sin(3.7 * i + 1.0)).normalized());
+  points.insert(points.end(), 1000, Vector3::Zero());
+  const std::vector<Vector3> hull = HullPoints(points);
+  EXPECT_LE(hull.size(), 1024U);
+  for (const Vector3& d : points) {
+    if (d.norm() == 0.0) continue;
+    double farthest = 0.0;
+    for (const Vector3& p : hull) farthest = std::max(farthest, p.dot(d.normalized()));
+    ASSERT_GT(farthest, 0.3 * 0.994);
+  }
+}
+
+TEST_F(MeshFile, RefusesWhatIsNoMeshWithTheReason) {
+  ExpectSays(WhyNot(folder_ + "/no.stl"), {"no file", "no.stl"});
+  ExpectSays(WhyNot(Write("a.ply", "ply")), {"a.ply", "'.stl', '.obj', '.dae'"});
+  ExpectSays(WhyNot(Write("cut.stl", BinaryStl(kHalf).substr(0, 200))), {"cut.stl", "cannot be read"});
+  ExpectSays(WhyNot(Write("empty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")), {"empty.obj"});
+}
+
+TEST_F(MeshFile, FindsPathsFilesAndPackages) {
+  const std::string file = Write("my_robot/meshes/foot.stl", BinaryStl(kHalf));
+  Write("other/package.xml", "<package><name>named</name></package>");
+  const std::string named = Write("other/meshes/foot.stl", BinaryStl(kHalf));
+  Write("my_robot/urdf/r.urdf", "");
+  const std::string from = folder_ + "/my_robot/urdf";
+  const auto same = [&](const std::string& name, const std::string& where, const std::string& expected) {
+    const Result<std::string> found = FindMeshFile(name, where);
+    ASSERT_TRUE(found.ok()) << found.failure().message;
+    EXPECT_TRUE(fs::equivalent(*found, expected)) << name << " gives " << *found;
+  };
+  same("../meshes/foot.stl", from, file);
+  same(file, from, file);
+  same("file://" + fs::absolute(file).string(), from, file);
+  same("package://my_robot/meshes/foot.stl", from, file);
+  same("package://named/meshes/foot.stl", folder_ + "/other/urdf", named);
+  ExpectSays(FindMeshFile("meshes/foo.stl", from).failure().message,
+             {"'meshes/foo.stl' is not there", "urdf/meshes/foo.stl"});
+  ExpectSays(FindMeshFile("package://nowhere/foo.stl", from).failure().message,
+             {"package://nowhere/foo.stl", "no folder"});
+  ExpectSays(FindMeshFile("http://x/foo.stl", from).failure().message, {"http://x/foo.stl", "'package://NAME/'"});
+}
+
+TEST_F(MeshFile, CollisionMeshesMustBeThereAndReadable) {
+  ExpectSays(Load("<mesh filename='no.stl'/>"), {"link 'A_foot'", "'no.stl' is not there"});
+  Write("bad.stl", "solid nonsense");
+  ExpectSays(Load("<mesh filename='bad.stl'/>"), {"link 'A_foot'", "bad.stl"});
+  ExpectSays(Load("<mesh/>"), {"link 'A_foot'", "<mesh> has no 'filename'"});
+  ExpectSays(Load("<mesh filename=''/>"), {"link 'A_foot'", "empty 'filename'"});
+  Write("foot.stl", BinaryStl(kHalf));
+  ExpectSays(Load("<mesh filename='foot.stl' scale='a b c'/>"), {"link 'A_foot'", "mesh scale", "'a' is not"});
+  ExpectSays(Load("<mesh filename='foot.stl' scale='1 1'/>"), {"link 'A_foot'", "3 are needed"});
+  ExpectSays(Load("<mesh filename='foot.stl' scale='1 0 1'/>"), {"link 'A_foot'", "scale 0"});
+  EXPECT_EQ(Load("<mesh filename='foot.stl'/>"), "");
+}
+
+TEST_F(MeshFile, AMissingPictureIsANote) {
+  const std::string urdf =
+      Replaced(FourLegs(), "<link name='A_foot'>",
+               "<link name='A_foot'><visual><geometry><mesh filename='no.dae'/></geometry></visual>");
+  const Result<RobotModel> model = LoadRobot(Write("robot.urdf", urdf));
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  std::string notes;
+  for (const std::string& note : model->notes) notes += note + "\n";
+  ExpectSays(notes, {"link 'A_foot': no picture", "'no.dae' is not there"});
+}
+
+TEST_F(MeshFile, ScaleAndPlaceAreKept) {
+  Write("foot.stl", BinaryStl(10.0 * kHalf));
+  const Result<RobotModel> model =
+      LoadRobot(Write("robot.urdf", FourLegs("<mesh filename='foot.stl' scale='0.1 -0.1 0.1'/>")));
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  const Shape& shape = model->collision_shapes[1];
+  ASSERT_EQ(shape.vertices.size(), 8U);
+  for (const Vector3& v : shape.vertices) EXPECT_LT((v.cwiseAbs() - kHalf).norm(), 1e-7);
+  DynamicsScratch scratch(*model);
+  ForwardKinematics(*model, StandingConfiguration(*model), scratch);
+  EXPECT_NEAR(LowestVertex(scratch, shape), LowestPoint(scratch, shape).z(), 1e-12);
+}
+
+TEST_F(MeshFile, TextsAndHullsMakeTheSameRobot) {
+  Write("foot.stl", BinaryStl(kHalf));
+  const Result<RobotModel> file = LoadRobot(Write("robot.urdf", FourLegs("<mesh filename='foot.stl'/>")));
+  ASSERT_TRUE(file.ok()) << file.failure().message;
+  ASSERT_EQ(file->meshes.size(), 1U);
+  const Result<RobotModel> text = LoadRobotFromText(file->urdf_text, file->yaml_text, file->name, file->meshes);
+  ASSERT_TRUE(text.ok()) << text.failure().message;
+  EXPECT_EQ(text->hash, file->hash);
+  EXPECT_EQ(text->standing_joints, file->standing_joints);
+  std::vector<MeshHull> other = file->meshes;
+  other[0].vertices[0].x() -= 1e-3;
+  EXPECT_NE(LoadRobotFromText(file->urdf_text, file->yaml_text, file->name, other)->hash, file->hash);
+  ExpectSays(MessageOf(file->urdf_text), {"link 'A_foot'", "'foot.stl' does not come with the text"});
+}
+
+TEST_F(MeshFile, MeshesCollideAsBoxesDo) {
+  Write("foot.stl", BinaryStl(Vector3(0.03, 0.03, 0.03)));
+  const RobotModel mesh = LoadRobot(Write("robot.urdf", FourLegs("<mesh filename='foot.stl'/>"))).value();
+  const RobotModel box = LoadRobotFromText(FourLegs("<box size='0.06 0.06 0.06'/>"), "").value();
+  int touching = 0;
+  for (double angle = -1.9; angle < 1.0; angle += 0.02) {
+    std::string found[2];
+    for (const RobotModel* model : {&mesh, &box}) {
+      CollisionChecker checker(*model);
+      DynamicsScratch scratch(*model);
+      VectorX q = StandingConfiguration(*model);
+      q[7 + model->DofIndex("A_hip")] = angle;
+      q[7 + model->DofIndex("A_knee")] = 0.0;
+      q[7 + model->DofIndex("C_hip")] = -angle;
+      q[7 + model->DofIndex("C_knee")] = 0.0;
+      ForwardKinematics(*model, q, scratch);
+      const auto pair = checker.FirstCollision(scratch);
+      found[model == &box] = pair ? pair->first + " " + pair->second : "";
+    }
+    EXPECT_EQ(found[0], found[1]) << angle;
+    touching += found[0].empty() ? 0 : 1;
+  }
+  EXPECT_GT(touching, 3);
+}
+
+}  // namespace
+}  // namespace gaitwright

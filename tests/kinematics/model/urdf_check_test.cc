@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/urdf_check.h"
+
+#include <gtest/gtest.h>
+
+#include "kinematics/model/build_model.h"
+#include "tests/kinematics/model/small_urdf.h"
+
+namespace gaitwright {
+namespace {
+
+std::string With(const std::string& from, const std::string& to) { return MessageOf(Replaced(FourLegs(), from, to)); }
+
+TEST(UrdfCheck, TheSmallRobotItselfIsGood) {
+  const Result<RobotModel> model = LoadRobotFromText(FourLegs(), "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  EXPECT_EQ(model->num_dofs(), 8);
+  EXPECT_EQ(model->legs.size(), 4U);
+}
+
+TEST(UrdfCheck, RefusesMimicsThatCannotBeAndNamesTheJoint) {
+  const auto with = [](const std::string& mimic) { return MessageOf(FourLegsWhere("A", "<mimic " + mimic + "/>")); };
+  ExpectSays(with("joint='A_knee'"), {"joint 'A_knee'", "mimics itself"});
+  ExpectSays(with("joint='B_end'"), {"joint 'A_knee'", "'B_end', which is fixed"});
+  ExpectSays(with("joint='B_kneee'"), {"joint 'A_knee'", "no joint", "nearest is 'B_knee'"});
+  ExpectSays(with("joint='B_knee' multiplier='0'"), {"joint 'A_knee'", "multiplier 0"});
+  ExpectSays(with("joint='B_knee' multiplier='nan'"), {"joint 'A_knee'", "multiplier", "not a finite number"});
+  ExpectSays(with("joint='B_knee' offset='inf'"), {"joint 'A_knee'", "offset", "not a finite number"});
+  std::string circle = Replaced(FourLegs(), "<!--A_extra-->", "<mimic joint='B_knee'/>");
+  circle = Replaced(circle, "<!--B_extra-->", "<mimic joint='C_knee'/>");
+  EXPECT_EQ(MessageOf(circle), "");
+  circle = Replaced(circle, "<!--C_extra-->", "<mimic joint='B_knee'/>");
+  ExpectSays(MessageOf(circle), {"'A_knee' mimics 'B_knee', which mimics 'C_knee', which mimics 'B_knee'", "circle"});
+}
+
+TEST(UrdfCheck, AChainOfMimicsMovesAsItsProduct) {
+  // A = 2 B + 0.1, B = -C + 0.2, C = 0.5 D - 0.3, with the chain against the order of the joints.
+  std::string urdf = Replaced(FourLegs(), "<!--A_extra-->", "<mimic joint='B_knee' multiplier='2' offset='0.1'/>");
+  urdf = Replaced(urdf, "<!--B_extra-->", "<mimic joint='C_knee' multiplier='-1' offset='0.2'/>");
+  urdf = Replaced(urdf, "<!--C_extra-->", "<mimic joint='D_knee' multiplier='0.5' offset='-0.3'/>");
+  for (const bool backwards : {false, true}) {
+    std::string text = urdf;
+    if (backwards) {  // A mimics none, B mimics A and so on
+      text = FourLegs();
+      text = Replaced(text, "<!--D_extra-->", "<mimic joint='C_knee' multiplier='2' offset='0.1'/>");
+      text = Replaced(text, "<!--C_extra-->", "<mimic joint='B_knee' multiplier='-1' offset='0.2'/>");
+      text = Replaced(text, "<!--B_extra-->", "<mimic joint='A_knee' multiplier='0.5' offset='-0.3'/>");
+    }
+    const Result<RobotModel> model = BuildModel(SplitUrdf(text), "chain");
+    ASSERT_TRUE(model.ok()) << model.failure().message;
+    EXPECT_EQ(model->num_dofs(), 5);
+    const double lead = 0.7;
+    const double third = 0.5 * lead - 0.3, second = -third + 0.2, first = 2.0 * second + 0.1;
+    for (const Joint& joint : model->joints) {
+      if (joint.name != (backwards ? "D_knee" : "A_knee")) continue;
+      EXPECT_EQ(joint.dof, model->DofIndex(backwards ? "A_knee" : "D_knee"));
+      EXPECT_NEAR(joint.multiplier * lead + joint.offset, first, 1e-12);
+    }
+  }
+}
+
+TEST(UrdfCheck, RefusesLimitsThatAreLeftOut) {
+  ExpectSays(With(" lower='-2' upper='1'", ""), {"joint 'A_hip'", "'lower'", "takes for 0"});
+  ExpectSays(With(" lower='-2'", ""), {"joint 'A_hip'", "'lower'"});
+  ExpectSays(With(" upper='1'", ""), {"joint 'A_hip'", "'upper'"});
+  EXPECT_EQ(With("'revolute'", "'continuous'"), "");
+  EXPECT_EQ(MessageOf(Replaced(Replaced(FourLegs(), "'revolute'", "'continuous'"), " lower='-2' upper='1'", "")), "");
+}
+
+TEST(UrdfCheck, RefusesNumbersThatAreNoneOrAbsurdByName) {
+  ExpectSays(With("mass value='1'", "mass value='1e7'"), {"link 'trunk'", "1e7 is absurd"});
+  ExpectSays(With("ixx='0.01'", "ixx='1e300'"), {"link 'trunk'", "ixx", "absurd"});
+  ExpectSays(With("0 0 -0.2", "0 0 -2e5"), {"joint 'A_knee'", "absurd"});
+  ExpectSays(With("sphere radius='0.02'", "sphere radius='inf'"), {"link 'A_foot'", "'inf' is not a finite number"});
+  ExpectSays(With("damping='0.1'", "damping='nan'"), {"joint 'A_hip'", "damping", "not a finite number"});
+  ExpectSays(With("damping='0.1'", "damping='-3'"), {"joint 'A_hip'", "damping is -3"});
+  ExpectSays(With("damping='0.1'", "friction='-3'"), {"joint 'A_hip'", "friction is -3"});
+  ExpectSays(MessageOf(FourLegsWhere("C", "<safety_controller k_velocity='inf'/>")), {"joint 'C_knee'", "k_velocity"});
+  ExpectSays(With("mass value='1'", "mass value='0'"), {"robot 'robot'", "weigh 0 kg"});
+}
+
+TEST(UrdfCheck, UrdfdomsOwnReasonIsGivenAndNothingPrinted) {
+  testing::internal::CaptureStderr();
+  const std::string message = MessageOf(FourLegsWhere("A", "<safety_controller soft_lower_limit='0'/>"));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  ExpectSays(message, {"k_velocity"});
+}
+
+TEST(UrdfCheck, CapsulesAreRead) {
+  const Result<RobotModel> model = LoadRobotFromText(FourLegs("<capsule radius='0.02' length='0.1'/>"), "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  ASSERT_EQ(model->collision_shapes.size(), 5U);
+  EXPECT_EQ(model->collision_shapes[1].type, ShapeType::kCapsule);
+  EXPECT_EQ(model->collision_shapes[1].link, "A_foot");
+  EXPECT_EQ(model->collision_shapes[1].size, Vector3(0.02, 0.1, 0.0));
+  // It reaches 0.2 + 0.05 + 0.02 below the knee and rolls on its round end.
+  EXPECT_EQ(model->feet[0].type, FootType::kSphere);
+  EXPECT_DOUBLE_EQ(model->feet[0].radius, 0.02);
+  EXPECT_NEAR(model->feet[0].X_BF.translation().z(), -0.25, 1e-12);
+}
+
+}  // namespace
+}  // namespace gaitwright
