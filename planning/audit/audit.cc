@@ -132,11 +132,11 @@ Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const
   if (plan.whole_body.wrenches[0].size() != model.feet.size()) {
     return misfit(fmt::format("it has {} feet, the robot {}", plan.whole_body.wrenches[0].size(), model.feet.size()));
   }
-  constexpr double kLongest = 3600.0;
-  if (!(plan.whole_body.step_s > 0.0) || !(plan.duration_s() <= kLongest)) {
-    return misfit(fmt::format("it has {} rows, {} s apart; at most an hour is audited", plan.whole_body.size(),
-                              plan.whole_body.step_s));
-  }
+  constexpr double kLongest = 3600.0;  // [s]
+  const double step = plan.whole_body.step_s;
+  if (!(step > 0.0)) return misfit(fmt::format("its rows are {} s apart; more than 0 is needed", step));
+  if (!(plan.duration_s() <= kLongest))
+    return misfit(fmt::format("it lasts {:.6g} s; at most {:.0f} s are audited", plan.duration_s(), kLongest));
   return Auditor(model, plan, options).Run();
 }
 

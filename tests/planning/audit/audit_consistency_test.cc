@@ -204,7 +204,7 @@ TEST(AuditedTime, APlanThatLastsForEverIsRefused) {
   plan.whole_body.step_s = 1e9;
   const Result<AuditReport> report = Audit(GoodPlanOf("a1").model, plan, {});
   ASSERT_FALSE(report.ok());
-  EXPECT_NE(report.failure().message.find("at most an hour"), std::string::npos);
+  EXPECT_NE(report.failure().message.find("at most 3600 s"), std::string::npos);
 }
 
 }  // namespace
