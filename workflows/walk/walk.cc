@@ -21,6 +21,14 @@ class CpuClock {
   std::clock_t start_ = std::clock();
 };
 
+/// The gains asked for, bounded for explicit torque control at the playback's own step unless another is given.
+GainOptions GainsFor(const PlayRequest& request) {
+  GainOptions gains = request.gains;
+  if (request.play.world.actuation == "torque" && gains.explicit_step_s == 0.0)
+    gains.explicit_step_s = request.play.world.step_s;
+  return gains;
+}
+
 }  // namespace
 
 Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_path) {
@@ -65,8 +73,9 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
 
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
                                            const PlayRequest& request) {
-  if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan);
-  if (request.controller == "stabilised") return MakeStabilised(model, plan, request.stabilised);
+  const GainOptions gains = GainsFor(request);
+  if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan, gains);
+  if (request.controller == "stabilised") return MakeStabilised(model, plan, request.stabilised, gains);
   throw InvalidArgument(
       fmt::format("there is no controller '{}'; there are 'joint-pd', 'stabilised'", request.controller));
 }

@@ -13,6 +13,7 @@
 #include "planning/audit/audit.h"
 #include "planning/gait/find_gait.h"
 #include "playback/bullet/play.h"
+#include "playback/control/gains.h"
 #include "playback/control/stabilised.h"
 #include "playback/score/stability_report.h"
 
@@ -35,11 +36,12 @@ struct PlayRequest {
   std::string controller = "stabilised";  ///< or joint-pd
   PlayOptions play;
   StabilisedOptions stabilised;
+  GainOptions gains;
   ScoreOptions score;
 
   OptionFields Fields() {
     return Joined({Prefixed("play", play.Fields()), Prefixed("stabilised", stabilised.Fields()),
-                   Prefixed("score", score.Fields())});
+                   Prefixed("gains", gains.Fields()), Prefixed("score", score.Fields())});
   }
 };
 
