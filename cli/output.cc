@@ -52,8 +52,9 @@ Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
   render("plan", outputs.plan, [&] { return PlanToJson(judged.plan); });
   render("log", outputs.log, [&] { return LogToJson(judged.played.log); });
   render("report", outputs.report, [&] {
-    return ReportPage(judged.model, judged.plan, judged.played.log, judged.played.report,
-                      Lines(AuditText(judged.audit)));
+    const ReportWords words{Lines(AuditText(judged.audit)), ChangedOptions(judged.plan, judged.played.log),
+                            judged.audit_counts && !judged.audit.pass() ? AuditReason(judged.audit) : ""};
+    return ReportPage(judged.model, judged.plan, judged.played.log, judged.played.report, words);
   });
   if (!outputs.plot_folder.empty()) {
     for (const Plot& plot : MakePlots(judged.model, judged.plan, judged.played.log, judged.played.report))

@@ -69,7 +69,10 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
 /// The controller of that name. @throws InvalidArgument listing those there are. The plan must outlive it.
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
-/// Plays and scores.
+/// Plays and scores. The log's options are all of the request's, not only those of the physics.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
+
+/// The options of a plan and of its playback that are not at their usual values, by the plan's and the log's own words.
+std::vector<OptionChange> ChangedOptions(const MotionPlan& plan, const PlaybackLog& log);
 
 }  // namespace gaitwright
