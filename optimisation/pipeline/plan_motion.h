@@ -79,8 +79,8 @@ struct PlannedMotion {
 };
 
 /// From a command to a whole motion: footsteps, centre of mass, swings, whole body. The multibody ZMP of each pass,
-/// from its own inverse dynamics, corrects the pendulum of the next until it agrees with its reference; a pass that
-/// does not help is dropped.
+/// from its own inverse dynamics, corrects the pendulum of the next until it agrees with its reference; once the feet
+/// roll as they were taken to, a pass that does not help is dropped.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                  const WalkCommand& command, const MotionOptions& options);
 
