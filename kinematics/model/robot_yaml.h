@@ -12,6 +12,8 @@ namespace gaitwright {
 
 /// What a robot.yaml says; everything may be left out.
 struct RobotYaml {
+  /// Gains of one joint; 0 where they are derived. Stiffness [N m/rad], damping [N m s/rad], of a sliding one [N/m, N
+  /// s/m].
   struct JointGains {
     double stiffness = 0.0, damping = 0.0;
   };

@@ -15,6 +15,9 @@
 
 namespace gaitwright {
 
+/// Tuning
+///   multibody ZMP too far from its reference    more max_passes
+///   knees too straight or too bent              give com_height_m
 struct PipelineOptions {
   double grid_step_s = 0.005;
   int max_passes = 6;

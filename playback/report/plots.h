@@ -35,7 +35,7 @@ struct PlotData {
   double end_s() const { return series.measured.back().time_s; }
 };
 
-// The plots by kind; MakePlots puts them together.
+/// The plots by kind; MakePlots puts them together.
 Plot TopView(const PlotData& data);
 std::vector<Plot> BalancePlots(const PlotData& data);
 std::vector<Plot> ContactPlots(const PlotData& data);

@@ -45,12 +45,14 @@ struct PlayRequest {
   }
 };
 
+/// A plan, its audit, and the CPU time of planning without the audit.
 struct PlannedWalk {
   PlannedMotion motion;
   AuditReport audit;
   double planning_cpu_s = 0.0;
 };
 
+/// What was measured and what it is worth.
 struct PlayedWalk {
   PlaybackLog log;
   StabilityReport report;
