@@ -12,16 +12,16 @@ namespace gaitwright {
 inline const char* const kAnyRobots[] = {"a1", "nao", "sliding", "continuous", "hollow", "mimic"};
 
 /// URDF of a made-up biped: a prismatic knee; a continuous hip; links without mass between the joints of the hip; a
-/// knee of two joints that bend together, with a prismatic toe that follows the hip.
+/// thigh of two joints that turn together, with a shin whose length follows the knee.
 inline std::string MadeUrdf(const std::string& kind) {
   std::vector<SyntheticJoint> joints = SixJoints();
   if (kind == "sliding") joints[3] = {"0.01 0.005 -0.3", "0 0 1", "lower='-0.1' upper='0.1'", "", "prismatic"};
   if (kind == "continuous") joints[2] = {"0 0 0", "0 1 0", "", "", "continuous"};
   if (kind == "mimic") {
-    joints.insert(joints.begin() + 4, {"0 0 -0.1", "0 1 0", "lower='-2' upper='2'",
-                                       "<mimic joint='j_SIDE3' multiplier='0.5' offset='0.1'/>"});
-    joints.push_back({"0.02 0 -0.05", "0 0.6 0.8", "lower='-0.1' upper='0.1'",
-                      "<mimic joint='j_SIDE2' multiplier='-0.03' offset='0.01'/>", "prismatic"});
+    joints.insert(joints.begin() + 4, {"0 0 -0.1", "0 0 1", "lower='-0.1' upper='0.1'",
+                                       "<mimic joint='j_SIDE4' multiplier='0.02' offset='0.01'/>", "prismatic"});
+    joints.insert(joints.begin() + 3,
+                  {"0 0 -0.05", "0 1 0", "lower='-2' upper='2'", "<mimic joint='j_SIDE2' multiplier='-0.2'/>"});
   }
   std::string urdf = SyntheticUrdf(joints, kBoxFoot);
   if (kind != "hollow") return urdf;
