@@ -41,30 +41,28 @@ void Outputs::AddTo(CLI::App& verb) {
 }
 
 Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
+  const std::filesystem::path folder(outputs.folder), plot_folder(outputs.plot_folder);
   Files files;
-  const auto write = [&](const char* kind, const std::string& name, const auto& text) -> std::optional<Failure> {
-    if (name.empty()) return std::nullopt;
-    const std::string path = (std::filesystem::path(outputs.folder) / name).string();
-    const Result<std::string> written = WriteFileAtomically(path, text());
-    if (!written) return written.failure();
-    files.emplace_back(kind, path);
-    return std::nullopt;
+  std::vector<OutputFile> texts;
+  const auto render = [&](const char* kind, const std::string& name, const auto& text) {
+    if (name.empty()) return;
+    files.emplace_back(kind, (folder / name).string());
+    texts.push_back({files.back().second, text()});
   };
-  if (auto failure = write("plan", outputs.plan, [&] { return PlanToJson(judged.plan); })) return *failure;
-  if (auto failure = write("log", outputs.log, [&] { return LogToJson(judged.played.log); })) return *failure;
-  if (auto failure = write("report", outputs.report, [&] {
-        return ReportPage(judged.model, judged.plan, judged.played.log, judged.played.report,
-                          Lines(AuditText(judged.audit)));
-      })) {
-    return *failure;
+  render("plan", outputs.plan, [&] { return PlanToJson(judged.plan); });
+  render("log", outputs.log, [&] { return LogToJson(judged.played.log); });
+  render("report", outputs.report, [&] {
+    const ReportWords words{Lines(AuditText(judged.audit)), ChangedOptions(judged.plan, judged.played.log),
+                            judged.audit_counts && !judged.audit.pass() ? AuditReason(judged.audit) : ""};
+    return ReportPage(judged.model, judged.plan, judged.played.log, judged.played.report, words);
+  });
+  if (!outputs.plot_folder.empty()) {
+    for (const Plot& plot : MakePlots(judged.model, judged.plan, judged.played.log, judged.played.report))
+      texts.push_back({(plot_folder / (plot.name + ".svg")).string(), StandaloneSvg(plot.svg)});
+    files.emplace_back("plots", outputs.plot_folder);
   }
-  if (outputs.plot_folder.empty()) return files;
-  for (const Plot& plot : MakePlots(judged.model, judged.plan, judged.played.log, judged.played.report)) {
-    const std::string path = (std::filesystem::path(outputs.plot_folder) / (plot.name + ".svg")).string();
-    const Result<std::string> written = WriteFileAtomically(path, StandaloneSvg(plot.svg));
-    if (!written) return written.failure();
-  }
-  files.emplace_back("plots", outputs.plot_folder);
+  const auto written = WriteFilesTogether(texts);
+  if (!written) return written.failure();
   return files;
 }
 

@@ -32,7 +32,7 @@ struct Judged {
   bool pass() const { return played.report.pass && (!audit_counts || audit.pass()); }
 };
 
-/// Writes plan, log, report and plots. Nothing is left half written.
+/// Writes plan, log, report and plots: all of them, or upon a failure none.
 Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs);
 
 /// The object of `walk` and `play` with --json, else the report in words.

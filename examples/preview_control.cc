@@ -165,16 +165,15 @@ int PreviewControlMain(int argc, const char* const* argv) {
       plot = "preview_control.svg";
     }
     const std::string csv = PreviewedCsv(reference, com_height_m, preview_s);
-    for (const auto& [path, text] :
-         {std::pair(out, csv),
-          std::pair(plot, plot.empty() ? "" : PreviewPicture(reference, com_height_m, preview_s))}) {
-      if (path.empty()) continue;
-      const Result<std::string> written = WriteFileAtomically(path, text);
-      if (!written) throw InvalidArgument(written.failure().message);
-      fmt::print("{}\n", path);
-    }
+    std::vector<OutputFile> files = {{out, csv}};
+    if (!plot.empty()) files.push_back({plot, PreviewPicture(reference, com_height_m, preview_s)});
+    const auto written = WriteFilesTogether(files);
+    if (!written) throw InvalidArgument(written.failure().message);
+    for (const std::string& path : *written) fmt::print("{}\n", path);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    fmt::print(stderr, "preview_control: {} (see --help)\n", error.what());
+    return 1;
   } catch (const InvalidArgument& error) {
     fmt::print(stderr, "preview_control: {}\n", error.what());
     return 1;

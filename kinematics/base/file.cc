@@ -7,22 +7,126 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <system_error>
 
 namespace gaitwright {
 namespace {
 
+namespace fs = std::filesystem;
+
 Failure FileFailure(const std::string& code, const std::string& message) {
   return {FailureKind::kBadInput, code, "File", message, {}};
 }
+
+Failure Unwritable(const std::string& path, const std::error_code& error) {
+  return FileFailure("unwritable_file", fmt::format("cannot write '{}': {}", path, error.message()));
+}
+
+/// Files that come into being together. What was prepared or put in place is undone unless all of it succeeded.
+class Transaction {
+ public:
+  Transaction() = default;
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  ~Transaction() {
+    if (!done_) Undo();
+  }
+
+  /// Makes the folder and writes the text beside the target.
+  std::optional<Failure> Prepare(const OutputFile& file) {
+    std::error_code error;
+    const fs::path target(file.path);
+    if (!MakeFolder(target.parent_path(), error)) {
+      return FileFailure("unwritable_file", fmt::format("cannot make the folder '{}' for '{}': {}",
+                                                        target.parent_path().string(), file.path, error.message()));
+    }
+    if (fs::is_directory(target, error)) return Unwritable(file.path, std::make_error_code(std::errc::is_a_directory));
+    if (fs::exists(target, error) && !fs::is_regular_file(target, error))
+      return FileFailure("unwritable_file",
+                         fmt::format("cannot write '{}': it is there and no regular file", file.path));
+    steps_.push_back({target, file.path + fmt::format(".{}.part", ::getpid()), {}, false});
+    std::ofstream stream(steps_.back().temporary, std::ios::binary | std::ios::trunc);
+    stream.write(file.text.data(), static_cast<std::streamsize>(file.text.size()));
+    stream.close();
+    if (!stream) return FileFailure("unwritable_file", fmt::format("cannot write '{}'", file.path));
+    return std::nullopt;
+  }
+
+  /// Puts all in place; the former files are kept until that is done.
+  std::optional<Failure> Commit() {
+    std::error_code error;
+    for (Step& step : steps_) {
+      if (steps_.size() > 1 && !KeepFormer(step, error)) return Unwritable(step.target.string(), error);
+      fs::rename(step.temporary, step.target, error);
+      if (error) return Unwritable(step.target.string(), error);
+      step.placed = true;
+    }
+    done_ = true;
+    for (const Step& step : steps_) {
+      if (!step.former.empty()) fs::remove(step.former, error);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Step {
+    fs::path target, temporary, former;
+    bool placed = false;
+  };
+
+  bool MakeFolder(const fs::path& folder, std::error_code& error) {
+    std::vector<fs::path> missing;
+    for (fs::path at = folder; !at.empty() && !fs::exists(at, error); at = at.parent_path()) missing.push_back(at);
+    error.clear();
+    if (missing.empty() && !folder.empty() && !fs::is_directory(folder, error)) {
+      error = std::make_error_code(std::errc::not_a_directory);
+      return false;
+    }
+    for (auto at = missing.rbegin(); at != missing.rend(); ++at) {
+      if (fs::create_directory(*at, error)) folders_.push_back(*at);
+      if (error) return false;
+    }
+    return true;
+  }
+
+  /// A second name, or a copy where the disk has no such thing, so that there is a whole file under the target all the
+  /// time.
+  static bool KeepFormer(Step& step, std::error_code& error) {
+    if (!fs::exists(step.target, error)) {
+      error.clear();
+      return true;
+    }
+    const fs::path former = step.target.string() + fmt::format(".{}.former", ::getpid());
+    fs::remove(former, error);
+    fs::create_hard_link(step.target, former, error);
+    if (error) fs::copy_file(step.target, former, error);
+    if (!error) step.former = former;
+    return !error;
+  }
+
+  void Undo() {
+    std::error_code ignored;
+    for (const Step& step : steps_) {
+      fs::remove(step.temporary, ignored);
+      if (step.placed && step.former.empty()) fs::remove(step.target, ignored);
+      if (step.placed && !step.former.empty()) fs::rename(step.former, step.target, ignored);
+      if (!step.placed && !step.former.empty()) fs::remove(step.former, ignored);
+    }
+    for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) fs::remove(*folder, ignored);
+  }
+
+  std::vector<Step> steps_;
+  std::vector<fs::path> folders_;  ///< made here, outer ones first
+  bool done_ = false;
+};
 
 }  // namespace
 
 Result<std::string> ReadFile(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    return FileFailure("no_such_file", fmt::format("no such file: '{}'", path));
-  if (std::filesystem::is_directory(path, error)) {
+  if (!fs::exists(path, error)) return FileFailure("no_such_file", fmt::format("no such file: '{}'", path));
+  if (fs::is_directory(path, error)) {
     return FileFailure("not_a_file", fmt::format("'{}' is a folder, not a file", path));
   }
   std::ifstream stream(path, std::ios::binary);
@@ -31,31 +135,25 @@ Result<std::string> ReadFile(const std::string& path) {
 }
 
 Result<std::string> WriteFileAtomically(const std::string& path, const std::string& text) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path target(path);
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
-  if (error) {
-    return FileFailure("unwritable_file", fmt::format("cannot make the folder '{}' for '{}': {}",
-                                                      target.parent_path().string(), path, error.message()));
-  }
-  const fs::path temporary = path + fmt::format(".{}.part", ::getpid());
-  {
-    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream) {
-      fs::remove(temporary, error);
-      return FileFailure("unwritable_file", fmt::format("cannot write '{}'", path));
-    }
-  }
-  fs::rename(temporary, target, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return FileFailure("unwritable_file", fmt::format("cannot write '{}': {}", path, error.message()));
-  }
+  const auto written = WriteFilesTogether({{path, text}});
+  if (!written) return written.failure();
   return path;
+}
+
+Result<std::vector<std::string>> WriteFilesTogether(const std::vector<OutputFile>& files) {
+  Transaction transaction;
+  std::vector<std::string> paths;
+  for (const OutputFile& file : files) {
+    for (const std::string& other : paths) {
+      if (fs::path(other).lexically_normal() == fs::path(file.path).lexically_normal()) {
+        return FileFailure("file_named_twice", fmt::format("'{}' is named for two outputs: give each its own", other));
+      }
+    }
+    if (auto failure = transaction.Prepare(file)) return *failure;
+    paths.push_back(file.path);
+  }
+  if (auto failure = transaction.Commit()) return *failure;
+  return paths;
 }
 
 }  // namespace gaitwright

@@ -112,6 +112,22 @@ void SetOption(OptionFields& fields, const std::string& key, const std::string& 
 
 std::string OptionText(const OptionField& field) { return std::visit(Printer{}, field.target); }
 
+OptionTexts TextsOf(const OptionFields& fields) {
+  OptionTexts texts;
+  for (const OptionField& field : fields) texts.emplace_back(field.key, OptionText(field));
+  return texts;
+}
+
+std::vector<OptionChange> ChangesFrom(const OptionFields& usual, const OptionTexts& texts) {
+  std::vector<OptionChange> changes;
+  for (const auto& [key, text] : texts) {
+    for (const OptionField& field : usual) {
+      if (field.key == key && OptionText(field) != text) changes.push_back({key, text, OptionText(field)});
+    }
+  }
+  return changes;
+}
+
 void CheckOptions(const OptionFields& fields) {
   for (const OptionField& field : fields) std::visit(Checker{field}, field.target);
 }

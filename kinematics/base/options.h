@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -51,6 +52,22 @@ void CheckOptions(const OptionFields& fields);
 
 /// `fields` with `prefix` + '.' before every key, so that several structs share one namespace.
 OptionFields Prefixed(const std::string& prefix, OptionFields fields);
+
+/// Options as they are written down: key and text.
+using OptionTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// Key and text of every field.
+OptionTexts TextsOf(const OptionFields& fields);
+
+/// An option that is not at its usual value.
+struct OptionChange {
+  std::string key, value, usual;
+
+  bool operator==(const OptionChange&) const = default;
+};
+
+/// Those of `texts` that differ from what `usual` holds, in their order; keys that `usual` does not have are left out.
+std::vector<OptionChange> ChangesFrom(const OptionFields& usual, const OptionTexts& texts);
 
 /// Joins lists of fields.
 OptionFields Joined(std::vector<OptionFields> lists);

@@ -23,6 +23,7 @@ struct PointWrench {
   Vector3 moment_W = Vector3::Zero();
 };
 
+/// Contact forces of a wanted wrench, and what of it they cannot give.
 struct ContactSplit {
   std::vector<Vector3> force_W;                 ///< by contact, each inside its friction cone
   Vector3 residual_force_W = Vector3::Zero();   ///< wanted minus given [N]

@@ -26,7 +26,7 @@ struct DynamicsScratch {
   std::vector<Vector3> alpha_bias_W;  ///< by body: angular acceleration when `a` is zero [rad/s^2]
   std::vector<Vector3> a_bias_W;      ///< by body: acceleration of the body's origin when `a` is zero [m/s^2]
 
-  // Used inside; not part of what the functions promise.
+  /// Used inside; not part of what the functions promise.
   struct Composite {
     double mass;
     Vector3 moment_O;  // mass times the position of the centre of mass from O

@@ -15,6 +15,7 @@ namespace gaitwright {
 ///
 /// Murray, Li and Sastry 1994, section 3.2.2: product of exponentials.
 struct LegChain {
+  /// One joint of the chain, seen from the base.
   struct Link {
     std::string name;
     Vector3 axis_B = Vector3::UnitZ();  ///< unit, at positions zero

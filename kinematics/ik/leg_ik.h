@@ -42,6 +42,7 @@ class LegIk {
     kSixJoint,    ///< three axes that meet, a knee, two that meet, in closed form
     kDamped,      ///< least squares from the guess and from seeded places
   };
+  /// Joint positions that bring the foot to its target.
   struct Solution {
     VectorX joints;      ///< by dofs(), within the limits
     int branches = 0;    ///< solutions within the limits, this one included; 1 when not in closed form

@@ -40,10 +40,11 @@ WholeBodyIk::WholeBodyIk(const RobotModel& model) : model_(&model), scratch_(mod
   ListRows();
   ChooseRows();
   const auto n = static_cast<Eigen::Index>(columns_.size());
-  system_.resize(n, n);
+  system_ = SquareSolver(n);
   rhs_.resize(n);
   solution_.resize(n);
-  lu_ = Eigen::PartialPivLU<MatrixX>(n);
+  step_ = VectorX::Zero(model.nv());
+  foot_bias_.resize(model.feet.size());
 }
 
 void WholeBodyIk::ListRows() {
@@ -114,7 +115,9 @@ void WholeBodyIk::UpdateJacobians(const BodyTarget& target) {
     const Foot& foot = model_->feet[f];
     MatrixX& J = foot_jacobians_[f];
     PointJacobian(*model_, scratch_, foot.body, foot.X_BF.translation(), J);
-    if (foot.radius > 0.0) J.topRows<3>() += RollMatrix(foot, target.feet[f].normal_W) * J.bottomRows<3>();
+    if (foot.radius > 0.0) {
+      J.topRows<3>() += RollMatrix(foot, target.feet[f].normal_W).lazyProduct(J.bottomRows<3>());
+    }
   }
   CentreOfMassJacobian(*model_, scratch_, com_jacobian_);
 }
@@ -136,20 +139,21 @@ Eigen::RowVectorXd WholeBodyIk::RowJacobian(const Row& row) const {
 }
 
 void WholeBodyIk::AssembleSystem() {
+  MatrixX& system = system_.matrix();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const Row& row = rows_[r];
     const auto i = static_cast<Eigen::Index>(r);
     if (row.kind == Row::Kind::kBaseRotation) {
-      system_.row(i).setZero();
-      system_(i, 3 + row.axis) = 1.0;
+      system.row(i).setZero();
+      system(i, 3 + row.axis) = 1.0;
       continue;
     }
     const MatrixX& J =
         row.kind == Row::Kind::kCentreOfMass ? com_jacobian_ : foot_jacobians_[static_cast<std::size_t>(row.foot)];
     const Eigen::Index from = row.axis + (row.kind == Row::Kind::kFootAngular ? 3 : 0);
-    for (std::size_t c = 0; c < columns_.size(); ++c) system_(i, static_cast<Eigen::Index>(c)) = J(from, columns_[c]);
+    for (std::size_t c = 0; c < columns_.size(); ++c) system(i, static_cast<Eigen::Index>(c)) = J(from, columns_[c]);
   }
-  lu_.compute(system_);
+  system_.Factor();
 }
 
 Pose WholeBodyIk::FootPose(int foot) const {
@@ -170,7 +174,6 @@ double WholeBodyIk::RowError(const Row& row, const BodyTarget& target) const {
 }
 
 Result<int> WholeBodyIk::SolvePosition(const BodyTarget& target, VectorX& q) {
-  VectorX step = VectorX::Zero(model_->nv());
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     ForwardKinematics(*model_, q, scratch_);
     for (std::size_t r = 0; r < rows_.size(); ++r) rhs_[static_cast<Eigen::Index>(r)] = RowError(rows_[r], target);
@@ -179,11 +182,11 @@ Result<int> WholeBodyIk::SolvePosition(const BodyTarget& target, VectorX& q) {
     if (!std::isfinite(error)) break;
     UpdateJacobians(target);
     AssembleSystem();
-    solution_ = lu_.solve(rhs_);
+    system_.Solve(rhs_, solution_);
     const double largest = solution_.lpNorm<Eigen::Infinity>();
     if (largest > 0.3) solution_ *= 0.3 / largest;
-    for (std::size_t c = 0; c < columns_.size(); ++c) step[columns_[c]] = solution_[static_cast<Eigen::Index>(c)];
-    Integrate(step, q);
+    for (std::size_t c = 0; c < columns_.size(); ++c) step_[columns_[c]] = solution_[static_cast<Eigen::Index>(c)];
+    Integrate(step_, q);
   }
   return OutOfReach(target);
 }
@@ -230,25 +233,25 @@ void WholeBodyIk::SolveRates(const BodyTarget& target, const VectorX& q, VectorX
     return second ? target.alpha_WB[row.axis] : target.w_WB[row.axis];
   };
   const auto scatter = [&](VectorX& out) {
-    solution_ = lu_.solve(rhs_);
+    system_.Solve(rhs_, solution_);
     for (std::size_t c = 0; c < columns_.size(); ++c) out[columns_[c]] = solution_[static_cast<Eigen::Index>(c)];
   };
   for (std::size_t r = 0; r < rows_.size(); ++r) rhs_[static_cast<Eigen::Index>(r)] = wanted(rows_[r], false);
   scatter(v);
   ForwardVelocities(*model_, q, v, scratch_);
-  std::vector<Vector6> bias(model_->feet.size());
-  for (std::size_t f = 0; f < bias.size(); ++f) {
+  for (std::size_t f = 0; f < foot_bias_.size(); ++f) {
     const Foot& foot = model_->feet[f];
-    bias[f] = PointBiasAcceleration(scratch_, foot.body, foot.X_BF.translation());
-    if (foot.radius > 0.0) bias[f].head<3>() += RollMatrix(foot, target.feet[f].normal_W) * bias[f].tail<3>();
+    Vector6& bias = foot_bias_[f];
+    bias = PointBiasAcceleration(scratch_, foot.body, foot.X_BF.translation());
+    if (foot.radius > 0.0) bias.head<3>() += RollMatrix(foot, target.feet[f].normal_W) * bias.tail<3>();
   }
   const Vector3 com_bias = CentreOfMassBiasAcceleration(*model_, scratch_);
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const Row& row = rows_[r];
     double value = wanted(row, true);
     if (row.kind == Row::Kind::kCentreOfMass) value -= com_bias[row.axis];
-    if (row.kind == Row::Kind::kFootLinear) value -= bias[static_cast<std::size_t>(row.foot)][row.axis];
-    if (row.kind == Row::Kind::kFootAngular) value -= bias[static_cast<std::size_t>(row.foot)][3 + row.axis];
+    if (row.kind == Row::Kind::kFootLinear) value -= foot_bias_[static_cast<std::size_t>(row.foot)][row.axis];
+    if (row.kind == Row::Kind::kFootAngular) value -= foot_bias_[static_cast<std::size_t>(row.foot)][3 + row.axis];
     rhs_[static_cast<Eigen::Index>(r)] = value;
   }
   scatter(a);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/LU>
 #include <string>
 #include <vector>
 
 #include "kinematics/base/result.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/ik/square_solver.h"
 #include "kinematics/model/robot_model.h"
 #include "kinematics/spatial/pose.h"
 
@@ -40,7 +40,7 @@ struct BodyTarget {
 /// top while they are independent of those above and freedoms are left; the rest yields (NAO has 17 freedoms for 18
 /// rows: its yaw follows from the coupled hip). Freedoms that are still left are held at the standing posture: joints
 /// outside the legs first. So the system is square: positions are solved to 1e-10, velocities and accelerations are its
-/// exact derivatives.
+/// exact derivatives. Once made it allocates nothing, failures excepted.
 ///
 /// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its
 /// target.
@@ -81,9 +81,10 @@ class WholeBodyIk {
   std::vector<Row> rows_;     // chosen
   std::vector<int> columns_;  // free velocity coordinates
   std::vector<MatrixX> foot_jacobians_;
-  MatrixX com_jacobian_, system_;
-  VectorX rhs_, solution_;
-  Eigen::PartialPivLU<MatrixX> lu_;
+  MatrixX com_jacobian_;
+  VectorX rhs_, solution_, step_;
+  std::vector<Vector6> foot_bias_;
+  SquareSolver system_;
   std::vector<std::string> notes_;
 };
 

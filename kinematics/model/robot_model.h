@@ -53,6 +53,7 @@ struct Frame {
   Pose X_BF = Pose::Identity();
 };
 
+/// Kinds of geometry that a URDF may give a link.
 enum class ShapeType { kBox, kCylinder, kSphere, kCapsule, kMesh };
 
 /// Collision or visual geometry fixed in a body; cylinder and capsule lie along z of S.

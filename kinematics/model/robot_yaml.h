@@ -19,12 +19,14 @@ struct RobotYaml : LegChoices {
     double position = 0.0;
     int line = 0;
   };
+  /// Gains of a joint that are given: [N m/rad, N m s/rad], of a sliding one [N/m, N s/m].
   struct JointGains {
     std::string joint;
     std::optional<double> stiffness, damping;
     bool sliding = false;
     int line = 0;
   };
+  /// Limits of a joint that are given: [rad, rad/s, N m], of a sliding one [m, m/s, N].
   struct JointLimits {
     std::string joint;
     std::optional<double> lower, upper, velocity, effort;

@@ -9,6 +9,7 @@
 
 namespace gaitwright {
 
+/// How the centre of mass is planned, and what the ZMP is to keep.
 struct CentreOfMassOptions {
   std::string method = "optimised";
   double zmp_margin_m = 0.0;

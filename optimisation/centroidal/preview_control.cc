@@ -15,6 +15,8 @@ namespace {
 using Matrix4 = Eigen::Matrix4d;
 using Vector4 = Eigen::Vector4d;
 
+constexpr int kMostPreviews = 10000;  // steps; the gains of a robot's height are nothing long before
+
 /// The cart-table in discrete time: x' = A x + b u, p = c x.
 struct CartTable {
   Matrix3 A;
@@ -50,6 +52,12 @@ void Check(const PreviewSetup& setup) {
     if (!std::isfinite(value) || value <= 0.0) {
       throw InvalidArgument(fmt::format("preview control: {} is given where a positive number is needed", value));
     }
+  }
+  const double most_s = kMostPreviews * setup.step_s;
+  if (setup.preview_s > most_s) {
+    throw InvalidArgument(fmt::format("preview control: a preview of {} s is {:.6g} steps of {} s; at most {} ({} s)",
+                                      setup.preview_s, setup.preview_s / setup.step_s, setup.step_s, kMostPreviews,
+                                      most_s));
   }
 }
 

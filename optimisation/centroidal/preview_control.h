@@ -26,7 +26,8 @@ struct PreviewGains {
 
 /// Gains from the discrete algebraic Riccati equation of the model with its error summed, solved by structured
 /// doubling.
-/// @throws InvalidArgument unless every number of the setup is positive and finite.
+/// @throws InvalidArgument unless every number of the setup is positive and finite, and the preview at most 10,000
+/// steps.
 /// Kajita et al., ICRA 2003, doi:10.1109/ROBOT.2003.1241826, equations 13 to 19; the gains with the summed error after
 /// Katayama et al., Int. J. Control 41(3), 1985.  Doubling: Chu et al., Int. J. Control 77(8), 2004.
 PreviewGains ComputePreviewGains(const PreviewSetup& setup);

@@ -22,6 +22,7 @@ struct ZmpKnot {
   Polygon region_W;                                 ///< where it may be
   double margin_m = 0.0;                            ///< by which that is inside of a support with area
 
+  /// The ZMP at this knot for the unknowns x, in W [m].
   Vector2 At(const VectorX& x) const {
     return size == 0 ? origin_W : Vector2(origin_W + basis.leftCols(size) * x.segment(first, size));
   }

@@ -59,6 +59,8 @@ struct EndResponse {
   std::vector<double> dcm_start, com_end;
   double dcm_start_by_end = 0.0, com_end_by_start = 0.0, com_end_by_end = 0.0;
 };
+
+/// The response of a problem's grid and frequency; regions and references do not matter.
 EndResponse RespondAtEnds(const ZmpProblem& problem);
 
 }  // namespace gaitwright

@@ -47,12 +47,23 @@ CubicSpline YawSpline(const BasePath& path, double start_s, double end_s) {
 }
 
 /// One pass: what was tried and how far its ZMP is from its reference.
+///
+/// A pass is settled when the feet rolled as the pass itself had taken them to. One that is not has footholds and
+/// swings aimed with rolls that are not its own, so that its motion does not end where it should, whatever its ZMP
+/// does: any settled pass is better. Among unsettled ones the newest is, being aimed with the freshest rolls; among
+/// settled ones that whose ZMP is nearest to its reference.
 struct Pass {
   CentroidalTrajectory centroidal;
   std::vector<SwingTrajectory> swings;
   FootstepPlan footsteps;
   WholeBodySolution solution;
   double error_m = std::numeric_limits<double>::infinity();
+  bool settled = false;
+
+  bool BetterThan(const Pass& former) const {
+    if (settled != former.settled) return settled;
+    return !settled || error_m < former.error_m;
+  }
 };
 
 /// Plans the stages after the footsteps again and again, feeding back what the multibody did.
@@ -87,15 +98,14 @@ class Passes {
     for (passes = 0; passes < options_.pipeline.max_passes; ++passes) {
       Result<Pass> made = MakePass();
       if (!made) return made;
-      const bool rolls_settled = UpdateRolls(made->solution);
-      if (made->error_m < best.error_m || !settled_) {
+      made->settled = UpdateRolls(made->solution);
+      if (made->BetterThan(best)) {
         best = *made;
       } else {
         gain *= 0.5;
         if (gain < 0.1) break;
       }
-      settled_ = rolls_settled;
-      if (settled_ && best.error_m < options_.pipeline.zmp_tolerance_m) break;
+      if (best.settled && best.error_m < options_.pipeline.zmp_tolerance_m) break;
       UpdateOffset(*made, gain);
     }
     return best;
@@ -153,7 +163,6 @@ class Passes {
   std::vector<Vector3> expected_roll_;
   ZmpProblem problem_;
   SupportInputs support_;
-  bool settled_ = false;
 };
 
 /// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.

@@ -15,6 +15,9 @@
 
 namespace gaitwright {
 
+/// Tuning
+///   multibody ZMP too far from its reference    more max_passes
+///   knees too straight or too bent              give com_height_m
 struct PipelineOptions {
   double grid_step_s = 0.005;
   int max_passes = 6;
@@ -79,8 +82,8 @@ struct PlannedMotion {
 };
 
 /// From a command to a whole motion: footsteps, centre of mass, swings, whole body. The multibody ZMP of each pass,
-/// from its own inverse dynamics, corrects the pendulum of the next until it agrees with its reference; a pass that
-/// does not help is dropped.
+/// from its own inverse dynamics, corrects the pendulum of the next until it agrees with its reference; once the feet
+/// roll as they were taken to, a pass that does not help is dropped.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                  const WalkCommand& command, const MotionOptions& options);
 

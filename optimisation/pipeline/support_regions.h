@@ -9,6 +9,7 @@
 
 namespace gaitwright {
 
+/// What SupportRegions needs beside robot, schedule and footholds.
 struct SupportInputs {
   Vector2 start_W = Vector2::Zero(), end_W = Vector2::Zero();  ///< centre of mass at rest [m]
   double inward = 0.15;                                        ///< see SupportRegions

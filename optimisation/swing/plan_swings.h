@@ -10,6 +10,7 @@
 
 namespace gaitwright {
 
+/// How high feet are lifted, and how a detour is sought where that is not enough.
 struct SwingOptions {
   double height_m = 0.0;
   double clearance_m = 0.0;

@@ -27,6 +27,7 @@ double ClearanceRamp(double u);
 double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
                       double clearance_m);
 
+/// What a detour has to keep, and how finely it is sought.
 struct RefineChoice {
   double clearance_m = 0.02;
   int control_points = 12;  ///< 9 to 14, three of which are fixed at each end

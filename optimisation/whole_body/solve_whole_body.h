@@ -12,6 +12,7 @@
 
 namespace gaitwright {
 
+/// How contact forces of a plan are chosen.
 struct WholeBodyOptions {
   double load_ramp_s = 0.1;
   double friction_use = 0.9;

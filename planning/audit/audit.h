@@ -9,6 +9,7 @@
 
 namespace gaitwright {
 
+/// How densely a plan is looked at, and with what reserve.
 struct AuditOptions {
   double rate_hz = 1000.0;
   double derate_torque = 1.0, derate_speed = 1.0;

@@ -30,6 +30,7 @@ class Findings {
 class Auditor {
  public:
   Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);
+  /// Checks all laws at all samples.
   AuditReport Run();
 
  private:

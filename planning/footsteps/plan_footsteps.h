@@ -11,6 +11,7 @@
 
 namespace gaitwright {
 
+/// How a walk begins and ends, and how far a foot may go.
 struct FootstepOptions {
   double initial_stand_s = 0.8;
   double final_stand_s = 0.8;

@@ -11,6 +11,7 @@
 
 namespace gaitwright {
 
+/// What of a gait is changed for one walk.
 struct GaitOptions {
   double cycle_s = 0.0;
   double duty_factor = 0.0;

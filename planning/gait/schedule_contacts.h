@@ -6,6 +6,7 @@
 
 namespace gaitwright {
 
+/// How long, or how many footfalls, a gait is to go on.
 struct ScheduleRequest {
   double initial_stand_s = 0.8;  ///< all feet on the ground before the first lift-off
   double final_stand_s = 0.8;    ///< and after the last touch-down

@@ -10,8 +10,11 @@ namespace gaitwright {
 /// Which feet are on the ground: bit i is foot i of RobotModel::feet.
 using FootSet = std::uint64_t;
 
+/// The set of one foot, 0 <= foot < 64.
 inline constexpr FootSet FootBit(int foot) { return FootSet{1} << foot; }
+/// Whether a foot is in the set.
 inline constexpr bool Contains(FootSet set, int foot) { return (set >> foot & 1U) != 0; }
+/// The set of feet 0 to count - 1; of 64 feet and more, all 64.
 inline constexpr FootSet AllFeet(int count) { return count >= 64 ? ~FootSet{0} : FootBit(count) - 1; }
 
 /// A periodic pattern of contact, as data. Foot i touches down at `phase[i]` of the cycle and stays for

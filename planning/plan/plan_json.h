@@ -17,6 +17,7 @@ Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& sour
 
 /// Writes atomically. @return the path.
 Result<std::string> SavePlan(const MotionPlan& plan, const std::string& path);
+/// The plan of a file; refused as PlanFromJson does, or where there is no such file.
 Result<MotionPlan> LoadPlan(const std::string& path);
 
 }  // namespace gaitwright

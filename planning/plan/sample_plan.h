@@ -19,11 +19,14 @@ struct WholeBodySample {
 /// after: the end state at rest. No allocation once `sample` has its sizes.
 void SampleWholeBody(const WholeBodyTrajectory& trajectory, double time_s, WholeBodySample& sample);
 
-/// The centroidal trajectory at a time: the quintic that has p, v, a of both nodes; the ZMP linearly.
+/// A centroidal trajectory between its nodes.
 struct CentroidalSample {
   Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero(), a_WC = Vector3::Zero();
   Vector2 p_WZ = Vector2::Zero();
 };
+
+/// The centroidal trajectory at a time: the quintic that has p, v, a of both nodes; the ZMP linearly. Before and after
+/// its ends the end at rest.
 CentroidalSample SampleCentroidal(const CentroidalTrajectory& trajectory, double time_s);
 
 /// A swing as a curve that can be evaluated.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/base/hash.h"
+#include "kinematics/base/version.h"
 #include "playback/bullet/fall_watch_internal.h"
 #include "playback/bullet/stance_recorder_internal.h"
 #include "playback/bullet/world.h"
@@ -191,6 +192,7 @@ class Playback {
   }
 
   void StartLog(const Vector2& start_W) {
+    log_.program_version = Version();
     log_.robot = model_.name;
     log_.robot_hash = model_.hash;
     log_.plan_hash = MotionHash(plan_);
@@ -202,7 +204,7 @@ class Playback {
     log_.friction = FrictionOf(plan_.terrain, world_options_, start_W);
     log_.saturated_s = VectorX::Zero(model_.num_dofs());
     PlayOptions copy = options_;
-    for (const OptionField& field : copy.Fields()) log_.options.emplace_back(field.key, OptionText(field));
+    log_.options = TextsOf(Prefixed("play", copy.Fields()));
   }
 
   /// The clock stands at the plan's start.

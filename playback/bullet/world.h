@@ -41,14 +41,16 @@ class BulletWorld {
   ~BulletWorld();
   BulletWorld(BulletWorld&&) noexcept;
 
+  /// Puts the robot there, sizes nq and nv; forces and contacts are those of the last step still.
   void SetState(const VectorX& q, const VectorX& v);
   const VectorX& q() const;
   const VectorX& v() const;
 
   /// Adds a force at a point in W for the coming step, on the base.
   void Push(const Vector3& force_W, const Vector3& p_W);
-  /// Adds a force on the base for the coming step: at its own centre of mass, or at the whole robot's.
+  /// Adds a force [N] on the base for the coming step, at its own centre of mass.
   void PushBase(const Vector3& force_W);
+  /// The same at the centre of mass of the whole robot.
   void PushRobot(const Vector3& force_W);
 
   /// One step. @throws InvalidArgument when the command has a wrong size or is not finite.

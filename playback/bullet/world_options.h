@@ -50,7 +50,8 @@ struct WorldOptions {
          "",
          0.0,
          0.0,
-         "implicit-pd: stable for every gain; torque: feed-forward plus PD of the state at the start of the step.",
+         "implicit-pd: stable for every gain; torque: feed-forward plus PD of the state at the start of the step, with "
+         "gains that must know the step.",
          {"implicit-pd", "torque"}},
         {"sole_contact",
          &sole_contact,

@@ -41,7 +41,9 @@ struct GainOptions {
          "s",
          0.0,
          0.1,
-         "Bounds the gains so that explicit PD is stable at this step even in the air; 0 for no bound.",
+         "Bounds the gains so that explicit PD is stable at this step even in the air; 0: the step of the playback "
+         "where "
+         "its actuation is torque, else no bound.",
          {}}};
   }
 };

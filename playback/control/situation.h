@@ -55,6 +55,7 @@ struct SwingNow {
   double next_liftoff_s = 0.0;  ///< of the foothold that it goes to
   bool swings = false;
 
+  /// Share of the swing that has passed, from 0 to 1.
   double Progress(double time_s) const;
 };
 

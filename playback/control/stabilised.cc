@@ -16,10 +16,11 @@ StabilisedOptions Checked(StabilisedOptions options) {
 
 class Stabilised final : public Controller {
  public:
-  Stabilised(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options)
+  Stabilised(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options,
+             const GainOptions& gains)
       : model_(model),
         options_(Checked(options)),
-        replay_(model, plan),
+        replay_(model, plan, gains),
         now_(model, plan),
         stance_(model, plan, options_),
         swing_(model, plan, options_) {}
@@ -53,8 +54,8 @@ class Stabilised final : public Controller {
 }  // namespace
 
 std::unique_ptr<Controller> MakeStabilised(const RobotModel& model, const MotionPlan& plan,
-                                           const StabilisedOptions& options) {
-  return std::make_unique<Stabilised>(model, plan, options);
+                                           const StabilisedOptions& options, const GainOptions& gains) {
+  return std::make_unique<Stabilised>(model, plan, options, gains);
 }
 
 }  // namespace gaitwright

@@ -7,6 +7,7 @@
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
 #include "playback/control/controller.h"
+#include "playback/control/gains.h"
 
 namespace gaitwright {
 
@@ -144,9 +145,10 @@ struct StabilisedOptions {
 ///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come.
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.
+/// @param gains  of the joints, as for JointPd.
 /// @throws InvalidArgument for an option out of its range, or a plan without motion of this robot's size. Model and
 /// plan must outlive it.
 std::unique_ptr<Controller> MakeStabilised(const RobotModel& model, const MotionPlan& plan,
-                                           const StabilisedOptions& options);
+                                           const StabilisedOptions& options, const GainOptions& gains = {});
 
 }  // namespace gaitwright

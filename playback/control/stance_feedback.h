@@ -31,6 +31,7 @@ class StanceFeedback {
   struct Drift {
     Vector2 dcm_W = Vector2::Zero(), com_W = Vector2::Zero();  ///< [m]
   };
+  /// The drift `ahead_s` >= 0 from now [s]; the present errors where no foot stands. Update first.
   Drift DriftAhead(const Situation& now, double ahead_s) const;
 
  private:

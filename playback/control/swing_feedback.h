@@ -15,6 +15,7 @@ namespace gaitwright {
 class SwingFeedback {
  public:
   SwingFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options);
+  /// Forgets where feet were moved to.
   void Reset();
 
   /// Offsets of the feet that stand, and the ground that they tell of.

@@ -45,6 +45,7 @@ Json HeadJson(const PlaybackLog& log) {
   for (const auto& [key, value] : log.options) options[key] = value;
   return {{"format", kFormat},
           {"schema", PlaybackLog::kSchema},
+          {"program_version", log.program_version},
           {"robot", log.robot},
           {"robot_hash", log.robot_hash},
           {"plan_hash", log.plan_hash},
@@ -151,6 +152,7 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
 
 PlaybackLog ReadLog(const Json& j) {
   PlaybackLog log;
+  log.program_version = j.at("program_version").get<std::string>();
   log.robot = j.at("robot").get<std::string>();
   log.robot_hash = j.at("robot_hash").get<std::string>();
   log.plan_hash = j.at("plan_hash").get<std::string>();

@@ -21,6 +21,7 @@ Result<PlaybackLog> LogFromJson(const std::string& text, const std::string& sour
 
 /// Writes atomically. @return the path.
 Result<std::string> SaveLog(const PlaybackLog& log, const std::string& path);
+/// The log of a file; refused as LogFromJson does, or where there is no such file.
 Result<PlaybackLog> LoadLog(const std::string& path);
 
 }  // namespace gaitwright

@@ -41,8 +41,9 @@ struct BodyContact {
 
 /// What happened in the simulator; measured only, never copied from the plan. A pure value.
 struct PlaybackLog {
-  static constexpr int kSchema = 1;
+  static constexpr int kSchema = 2;
 
+  std::string program_version;  ///< of the program that played
   std::string robot, robot_hash, plan_hash, controller;
   double start_s = 0.0, log_rate_hz = 200.0, step_s = 0.001;
   double total_mass_kg = 0.0, friction = 0.0;
@@ -50,7 +51,8 @@ struct PlaybackLog {
   std::vector<StanceRecord> stances;       ///< sorted by touch-down
   std::vector<BodyContact> body_contacts;  ///< first contact of each link
   VectorX saturated_s;                     ///< time each independent joint spent at its effort limit [s]
-  std::vector<std::pair<std::string, std::string>> options;  ///< of the playback
+  std::vector<std::pair<std::string, std::string>>
+      options;  ///< every option of the playback, "play." before those of Play
 };
 
 }  // namespace gaitwright

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "playback/report/plot_grid.h"
 #include "playback/report/plots.h"
@@ -59,9 +60,63 @@ SvgPlot::Options SmallPlot(const PlotData& data, int dof, bool last_row) {
   return options;
 }
 
+double Limit(const RobotModel& model, int dof) { return model.dof_effort_limit(dof); }
+
+const char* EffortUnit(const RobotModel& model, int dof) { return Slides(model, dof) ? "N" : "N m"; }
+
+/// Largest torque of a joint in the part that is shown, over its limit [%].
+struct Use {
+  double planned = 0.0, measured = 0.0;
+};
+
+Use UseOf(const PlotData& data, int dof) {
+  Use use;
+  for (std::size_t k = 0; k < data.series.measured.size(); ++k) {
+    if (data.series.plan[k].tau.size() > dof)
+      use.planned = std::max(use.planned, std::abs(data.series.plan[k].tau[dof]));
+    use.measured = std::max(use.measured, data.log.samples[k].tau_peak[dof]);
+  }
+  const double scale = 100.0 / Limit(data.model, dof);
+  return {scale * use.planned, scale * use.measured};
+}
+
+/// All limits at a glance: one bar a joint, its limit being 100 %.
+std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& shown) {
+  constexpr double kRowHeight = 21.0, kAround = 76.0;  // [px]
+  std::vector<int> limited;
+  std::copy_if(shown.begin(), shown.end(), std::back_inserter(limited),
+               [&](int dof) { return HasLimit(data.model, dof); });
+  if (limited.empty()) return {};
+  SvgPlot::Options options;
+  options.title = "Largest torques against their limits";
+  options.x_label = "largest torque, share of the joint's limit [%]";
+  options.x_lowest = 0.0;
+  options.x_highest = 105.0;
+  options.height_px = kAround + kRowHeight * static_cast<double>(limited.size());
+  for (const int dof : limited) {
+    options.rows.push_back(fmt::format("{}, {:.4g} {}", data.model.dof_names[static_cast<std::size_t>(dof)],
+                                       Limit(data.model, dof), EffortUnit(data.model, dof)));
+    options.x_highest = std::max(*options.x_highest, 1.05 * UseOf(data, dof).planned);
+  }
+  SvgPlot plot(options);
+  for (std::size_t i = 0; i < limited.size(); ++i) {
+    const Use use = UseOf(data, limited[i]);
+    plot.Bar(static_cast<int>(i), 0.0, use.planned, Ink::kJoint, Stroke::kPlanned, "planned");
+    plot.Bar(static_cast<int>(i), 0.0, use.measured, Ink::kJoint, Stroke::kMeasured, "measured");
+  }
+  plot.AcrossY(100.0, Ink::kLimit, "limit");
+  return {{"torque_use",
+           "Largest torque of each joint as a share of its limit, which stands after its name: planned (broad) and "
+           "measured (narrow), peaks within the log's intervals included.",
+           plot.Svg()}};
+}
+
 SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
-  options.y_label = Slides(data.model, dof) ? "[N]" : "[N m]";
-  options.y_least_span = HasLimit(data.model, dof) ? 0.02 * data.model.dof_effort_limit(dof) : 0.1;
+  options.y_label = Slides(data.model, dof) ? "force [N]" : "torque [N m]";
+  options.y_least_span = HasLimit(data.model, dof) ? 0.02 * Limit(data.model, dof) : 0.1;
+  if (HasLimit(data.model, dof)) {
+    options.title += fmt::format(", limit \u00b1{:.4g} {}", Limit(data.model, dof), EffortUnit(data.model, dof));
+  }
   SvgPlot plot(options);
   std::vector<Vector2> planned, measured;
   for (std::size_t k = 0; k < data.series.measured.size(); ++k) {
@@ -72,12 +127,9 @@ SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
   plot.Line(planned, Ink::kJoint, Stroke::kPlanned, "planned");
   plot.Line(measured, Ink::kJoint, Stroke::kMeasured, "measured");
   if (HasLimit(data.model, dof)) {
-    const double limit = data.model.dof_effort_limit(dof);
-    double peak = 0.0;
-    for (std::size_t k = 0; k < data.series.measured.size(); ++k)
-      peak = std::max(peak, data.log.samples[k].tau_peak[dof]);
-    const bool near = peak > 0.5 * limit;
-    plot.AcrossX(limit, Ink::kLimit, fmt::format("limit {:.4g}", limit), near);
+    const double limit = Limit(data.model, dof);
+    const bool near = UseOf(data, dof).measured > 50.0;
+    plot.AcrossX(limit, Ink::kLimit, "", near);
     plot.AcrossX(-limit, Ink::kLimit, "", near);
   }
   MarkFall(data, plot, false);
@@ -85,7 +137,7 @@ SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
 }
 
 SvgPlot PositionPlot(const PlotData& data, SvgPlot::Options options, int dof) {
-  options.y_label = Slides(data.model, dof) ? "[m]" : "[rad]";
+  options.y_label = Slides(data.model, dof) ? "way [m]" : "angle [rad]";
   options.y_least_span = 0.02;
   SvgPlot plot(options);
   std::vector<Vector2> planned, measured;
@@ -113,10 +165,14 @@ std::vector<Plot> JointPlots(const PlotData& data) {
     positions.push_back(PositionPlot(data, options, shown[i]));
   }
   if (shown.empty()) return {};
-  return {{"joint_torques",
-           "Torque of each joint; the dashed lines are its limit, drawn where the torque comes within half of it.",
-           GridOfPlots(torques, kColumns, "Torques of the joints")},
-          {"joint_positions", "Position of each joint.", GridOfPlots(positions, kColumns, "Positions of the joints")}};
+  std::vector<Plot> plots = TorqueUsePlot(data, shown);
+  plots.push_back(
+      {"joint_torques",
+       "Torque of each joint over time; dashed is its limit, drawn where the torque comes within half of it.",
+       GridOfPlots(torques, kColumns, "Torques of the joints")});
+  plots.push_back({"joint_positions", "Position of each joint; dashed is a limit that it comes near to.",
+                   GridOfPlots(positions, kColumns, "Positions of the joints")});
+  return plots;
 }
 
 }  // namespace gaitwright

@@ -16,9 +16,9 @@ struct Plot {
   std::string svg;      ///< without style; StandaloneSvg makes a file of it
 };
 
-/// All plots of a playback: top_view, zmp_com_x, zmp_com_y, margins, errors, gait, foot_heights, foot_forces, base,
-/// joint_torques, joint_positions. Planned is broad and pale, measured thin and dark on top. They end shortly after a
-/// fall.
+/// All plots of a playback: top_view, zmp_com_x, zmp_com_y, margins, errors, base_attitude, base_height, gait,
+/// foot_heights, foot_forces, torque_use (where a joint has a limit), joint_torques, joint_positions. Planned is broad
+/// and pale, measured thin and dark on top. They end shortly after a fall.
 /// @throws InvalidArgument as Score does.
 std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                             const StabilityReport& report);
@@ -35,7 +35,7 @@ struct PlotData {
   double end_s() const { return series.measured.back().time_s; }
 };
 
-// The plots by kind; MakePlots puts them together.
+/// The plots by kind; MakePlots puts them together.
 Plot TopView(const PlotData& data);
 std::vector<Plot> BalancePlots(const PlotData& data);
 std::vector<Plot> ContactPlots(const PlotData& data);

@@ -88,9 +88,21 @@ std::string TitleOf(const RobotModel& model, const MotionPlan& plan) {
   return fmt::format("{}: {}{}", model.name, gait, ground);
 }
 
-std::string Head(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
-                 const StabilityReport& report) {
-  const char* verdict = report.pass ? "pass" : "fail";
+/// What a page is about.
+struct Subject {
+  const RobotModel& model;
+  const MotionPlan& plan;
+  const PlaybackLog& log;
+  const StabilityReport& report;
+};
+
+std::string Head(const Subject& about, const std::string& objection) {
+  const auto& [model, plan, log, report] = about;
+  const bool pass = report.pass && objection.empty();
+  const char* verdict = pass ? "pass" : "fail";
+  const std::string reason = objection.empty()
+                                 ? report.reason
+                                 : objection + "; in physics, " + (report.pass ? "" : "it fails too: ") + report.reason;
   const double duration = log.samples.empty() ? 0.0 : log.samples.back().time_s - log.start_s;
   const std::string controller = log.controller.empty() ? "" : ", controller " + log.controller;
   return fmt::format(
@@ -98,8 +110,8 @@ std::string Head(const RobotModel& model, const MotionPlan& plan, const Playback
       "in "
       "physics at a {4:.3g} ms step{5}; {6:.4g} kg, friction {7:.3g}</p></div><div class=\"score\"><b>{8:.1f}</b><br/>"
       "<span class=\"soft\">of 100</span></div></div>\n<p class=\"reason {0}\">{9}</p>\n",
-      verdict, report.pass ? "PASS" : "FAIL", EscapedXml(TitleOf(model, plan)), duration, 1e3 * log.step_s,
-      EscapedXml(controller), model.total_mass_kg, log.friction, report.score, Sentence(report.reason));
+      verdict, pass ? "PASS" : "FAIL", EscapedXml(TitleOf(model, plan)), duration, 1e3 * log.step_s,
+      EscapedXml(controller), model.total_mass_kg, log.friction, report.score, Sentence(reason));
 }
 
 std::string MarkOf(const Metric& metric) {
@@ -167,28 +179,43 @@ std::string OptionTable(const std::string& title, const std::vector<std::pair<st
   return html + "</tbody></table></details>\n";
 }
 
-std::string Origin(const MotionPlan& plan, const PlaybackLog& log) {
+std::string ChangeTable(const std::vector<OptionChange>& changes) {
+  if (changes.empty()) return "<p>Every option was at its usual value.</p>\n";
+  std::string html =
+      "<div class=\"scroll\"><table id=\"changed_options\"><thead><tr><th>option</th><th>value</th><th>usual "
+      "value</th></tr></thead><tbody>\n";
+  for (const OptionChange& change : changes) {
+    html +=
+        fmt::format("<tr><td><span class=\"key\">{}</span></td><td>{}</td><td>{}</td></tr>\n", EscapedXml(change.key),
+                    EscapedXml(change.value), change.usual.empty() ? "\u2013" : EscapedXml(change.usual));
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string Origin(const MotionPlan& plan, const PlaybackLog& log, const std::vector<OptionChange>& changes) {
   std::string html = "<h2>What made it</h2>\n";
-  html += fmt::format("<p class=\"soft\">Plan by {} {} with seed {}; robot {}; plan {}.</p>\n",
+  html += fmt::format("<p class=\"soft\">Plan by {} {} with seed {}; played by {}; robot {}; plan {}.</p>\n",
                       EscapedXml(plan.provenance.made_by), EscapedXml(plan.provenance.program_version),
-                      plan.provenance.seed, EscapedXml(log.robot_hash), EscapedXml(log.plan_hash));
-  html += OptionTable("Options of the plan", plan.provenance.options);
-  return html + OptionTable("Options of the playback", log.options);
+                      plan.provenance.seed, EscapedXml(log.program_version), EscapedXml(log.robot_hash),
+                      EscapedXml(log.plan_hash));
+  html += ChangeTable(changes) + OptionTable("All options of the plan", plan.provenance.options);
+  return html + OptionTable("All options of the playback", log.options);
 }
 
 }  // namespace
 
 std::string ReportPage(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
-                       const StabilityReport& report, const std::vector<std::string>& audit_lines) {
+                       const StabilityReport& report, const ReportWords& words) {
   const std::vector<Plot> plots = MakePlots(model, plan, log, report);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
       "content=\"width=device-width,initial-scale=1\"/><title>{} \u2013 "
       "{}</title>\n<style>{}{}</style></head>\n<body><main>\n",
-      EscapedXml(TitleOf(model, plan)), report.pass ? "pass" : "fail", PageStyle(), PlotStyle());
-  html += Head(model, plan, log, report) + Cards(report) + Figures(plots) + MetricTable(report);
-  html += ListOf("Audit of the plan", audit_lines) + ListOf("Notes", report.notes);
-  html += ListOf("Warnings of the plan", plan.warnings) + Origin(plan, log);
+      EscapedXml(TitleOf(model, plan)), report.pass && words.objection.empty() ? "pass" : "fail", PageStyle(),
+      PlotStyle());
+  html += Head({model, plan, log, report}, words.objection) + Cards(report) + Figures(plots) + MetricTable(report);
+  html += ListOf("Audit of the plan", words.audit_lines) + ListOf("Notes", report.notes);
+  html += ListOf("Warnings of the plan", plan.warnings) + Origin(plan, log, words.changed_options);
   return html + "</main></body></html>\n";
 }
 

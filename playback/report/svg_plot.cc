@@ -150,7 +150,7 @@ SvgPlot::Frame SvgPlot::MakeFrame() const {
   const double missing = options_.y_least_span - (frame.highest.y() - frame.lowest.y());
   if (missing > 0.0 && std::isfinite(missing)) frame.lowest.y() -= 0.5 * missing, frame.highest.y() += 0.5 * missing;
   Widen(frame.lowest.x(), frame.highest.x(), options_.equal_axes ? 0.03 : 0.0);
-  Widen(frame.lowest.y(), frame.highest.y(), 0.06);
+  Widen(frame.lowest.y(), frame.highest.y(), options_.equal_axes ? 0.12 : 0.06);
   frame.lowest = {options_.x_lowest.value_or(frame.lowest.x()), options_.y_lowest.value_or(frame.lowest.y())};
   frame.highest = {options_.x_highest.value_or(frame.highest.x()), options_.y_highest.value_or(frame.highest.y())};
   if (!options_.rows.empty()) {

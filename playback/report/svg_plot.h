@@ -13,6 +13,7 @@ namespace gaitwright {
 /// One set of axes, as SVG. Add what it shows, in the order from back to front; then take `Svg()`.
 class SvgPlot {
  public:
+  /// Size, titles and scales; what is left out follows from the data.
   struct Options {
     std::string title;
     std::string x_label, y_label;  ///< with the unit
@@ -43,7 +44,9 @@ class SvgPlot {
   /// A bar in a row (see Options::rows), from x0 to x1; a planned one is tall and pale.
   void Bar(int row, double x0, double x1, Ink ink, Stroke stroke, const std::string& label = "");
 
+  /// A filled circle.
   void Dot(const Vector2& at, Ink ink, double radius_px, const std::string& label = "");
+  /// A small x.
   void Cross(const Vector2& at, Ink ink, const std::string& label = "");
 
   /// A line across the whole plot, with words at its end. It widens the scale only when `in_scale`.

@@ -34,6 +34,7 @@ class Extreme {
   enum class Kind { kSmallest, kLargest };
   explicit Extreme(Kind kind) : kind_(kind) {}
 
+  /// Keeps the value when it is the first or beyond the one kept; of equal ones the first.
   void See(double value, double time_s);
   std::optional<double> value, at_s;
 

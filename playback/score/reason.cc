@@ -12,9 +12,10 @@
 namespace gaitwright {
 namespace {
 
+/// An option of the playback, see PlayOptions.
 double Option(const PlaybackLog& log, const std::string& key, double otherwise) {
   for (const auto& [name, text] : log.options) {
-    if (name == key) return std::strtod(text.c_str(), nullptr);
+    if (name == "play." + key) return std::strtod(text.c_str(), nullptr);
   }
   return otherwise;
 }

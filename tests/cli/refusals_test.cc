@@ -151,6 +151,26 @@ TEST_F(Refusals, PlacesThatCannotBeWritten) {
   EXPECT_EQ(Found(), std::vector<std::string>{"file"});
 }
 
+TEST_F(Refusals, AnOutputThatCannotBeWrittenTakesTheOthersWithIt) {
+  const std::vector<std::string> walk = {"walk", "--distance", "0.3", "--out-dir", "w", "--plot-dir"};
+  const auto to = [&](const std::string& folder) {
+    std::vector<std::string> arguments = walk;
+    arguments.push_back(folder);
+    return arguments;
+  };
+  ExpectRefused(Run(to("/proc/none")), 1, {"/proc/none"});
+  ExpectNothingWritten();
+  Write("w/plan.json", "an earlier one");
+  Write("p/gait.svg/file", "in the way");
+  ExpectRefused(Run(to("p")), 1, {"'p/gait.svg'"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"p", "w"}));
+  EXPECT_EQ(Read("w/plan.json"), "an earlier one");
+  EXPECT_FALSE(std::filesystem::exists(In("w/log.json")));
+  MakePlan("plan.json");
+  ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", "./a"}), 1, {"'a'", "two outputs"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"p", "plan.json", "w"}));
+}
+
 TEST_F(Refusals, JsonHasTheErrorObject) {
   const std::vector<std::vector<std::string>> wrong = {{"walk", "--json", "--robot", "b2"},
                                                        {"walk", "--json", "--frobnicate"},

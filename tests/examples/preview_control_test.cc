@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "kinematics/base/result.h"
 
@@ -46,6 +50,32 @@ TEST(PreviewControlExample, WrongFilesNameTheLine) {
   EXPECT_NE(message(header + "0,0,0\n-1,0,0\n").find("line 3"), std::string::npos);
   EXPECT_NE(message(header + "0,0,0\n0.005,0,0\n0.02,0,0\n").find("line 4"), std::string::npos);
   EXPECT_NE(message(header).find("two rows"), std::string::npos);
+}
+
+/// Standard error of the program and its status.
+std::pair<int, std::string> Said(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "preview_control");
+  testing::internal::CaptureStderr();
+  const int status = PreviewControlMain(static_cast<int>(arguments.size()), arguments.data());
+  return {status, testing::internal::GetCapturedStderr()};
+}
+
+TEST(PreviewControlExample, RefusesInOneLineAndWritesNothing) {
+  const std::string out = (std::filesystem::temp_directory_path() / "gaitwright_preview_refused.csv").string();
+  const std::vector<std::vector<const char*>> wrong = {
+      {"--preview", "1e9"},  {"--preview", "-1"}, {"--preview", "nan"}, {"--preview", "soon"},
+      {"--com-height", "0"}, {"--frobnicate"},    {"--zmp", "/none"},   {"--preview"}};
+  for (std::vector<const char*> arguments : wrong) {
+    const std::string offender = arguments.back();
+    arguments.insert(arguments.end(), {"--out", out.c_str(), "--plot", "/proc/none.svg"});
+    if (offender == "--preview") arguments = {"--out", out.c_str(), "--preview"};
+    const auto [status, text] = Said(arguments);
+    EXPECT_EQ(status, 1) << offender;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    EXPECT_EQ(text.rfind("preview_control: ", 0), 0U) << text;
+    EXPECT_FALSE(std::filesystem::exists(out)) << offender;
+  }
+  EXPECT_NE(Said({"--preview", "1e9"}).second.find("at most 10000"), std::string::npos);
 }
 
 TEST(PreviewControlExample, DrawsThreeLinesForEachAxis) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <filesystem>
 
 #include "kinematics/model/load_robot.h"
 #include "playback/control/joint_pd.h"
@@ -20,6 +21,23 @@ class CpuClock {
  private:
   std::clock_t start_ = std::clock();
 };
+
+/// All that shapes a plan beside its command and seed: what was asked for by name (of a file its name alone, since a
+/// plan holds no path; the gait itself is in it), and the options.
+OptionFields AsAsked(WalkRequest& request) {
+  if (!request.gait.empty()) request.gait = std::filesystem::path(request.gait).filename().string();
+  return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best.", {}},
+                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for.", {}}},
+                 request.Fields()});
+}
+
+/// The gains asked for, bounded for explicit torque control at the playback's own step unless another is given.
+GainOptions GainsFor(const PlayRequest& request) {
+  GainOptions gains = request.gains;
+  if (request.play.world.actuation == "torque" && gains.explicit_step_s == 0.0)
+    gains.explicit_step_s = request.play.world.step_s;
+  return gains;
+}
 
 }  // namespace
 
@@ -53,9 +71,7 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
   PlannedWalk planned;
   planned.motion = std::move(*motion);
   planned.motion.plan.provenance.seed = request.seed;
-  for (const OptionField& field : Prefixed("gait", checked.gait_options.Fields())) {
-    planned.motion.plan.provenance.options.emplace_back(field.key, OptionText(field));
-  }
+  planned.motion.plan.provenance.options = TextsOf(AsAsked(checked));
   planned.planning_cpu_s = clock.elapsed_s();
   const Result<AuditReport> audit = Audit(model, planned.motion.plan, AuditOptions{});
   if (!audit) return audit.failure();
@@ -65,8 +81,9 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
 
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
                                            const PlayRequest& request) {
-  if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan);
-  if (request.controller == "stabilised") return MakeStabilised(model, plan, request.stabilised);
+  const GainOptions gains = GainsFor(request);
+  if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan, gains);
+  if (request.controller == "stabilised") return MakeStabilised(model, plan, request.stabilised, gains);
   throw InvalidArgument(
       fmt::format("there is no controller '{}'; there are 'joint-pd', 'stabilised'", request.controller));
 }
@@ -81,10 +98,19 @@ Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, con
   PlayedWalk played;
   const double cpu = std::max(clock.elapsed_s(), 1e-9);
   played.log = std::move(*log);
+  played.log.options = TextsOf(checked.Fields());
   if (!played.log.samples.empty())
     played.realtime_factor = (played.log.samples.back().time_s - played.log.start_s) / cpu;
   played.report = Score(model, plan, played.log, request.score);
   return played;
+}
+
+std::vector<OptionChange> ChangedOptions(const MotionPlan& plan, const PlaybackLog& log) {
+  WalkRequest walk;
+  PlayRequest play;
+  std::vector<OptionChange> changes = ChangesFrom(AsAsked(walk), plan.provenance.options);
+  for (OptionChange& change : ChangesFrom(play.Fields(), log.options)) changes.push_back(std::move(change));
+  return changes;
 }
 
 }  // namespace gaitwright

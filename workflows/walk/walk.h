@@ -13,6 +13,7 @@
 #include "planning/audit/audit.h"
 #include "planning/gait/find_gait.h"
 #include "playback/bullet/play.h"
+#include "playback/control/gains.h"
 #include "playback/control/stabilised.h"
 #include "playback/score/stability_report.h"
 
@@ -35,20 +36,23 @@ struct PlayRequest {
   std::string controller = "stabilised";  ///< or joint-pd
   PlayOptions play;
   StabilisedOptions stabilised;
+  GainOptions gains;
   ScoreOptions score;
 
   OptionFields Fields() {
     return Joined({Prefixed("play", play.Fields()), Prefixed("stabilised", stabilised.Fields()),
-                   Prefixed("score", score.Fields())});
+                   Prefixed("gains", gains.Fields()), Prefixed("score", score.Fields())});
   }
 };
 
+/// A plan, its audit, and the CPU time of planning without the audit.
 struct PlannedWalk {
   PlannedMotion motion;
   AuditReport audit;
   double planning_cpu_s = 0.0;
 };
 
+/// What was measured and what it is worth.
 struct PlayedWalk {
   PlaybackLog log;
   StabilityReport report;
@@ -67,7 +71,10 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
 /// The controller of that name. @throws InvalidArgument listing those there are. The plan must outlive it.
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
-/// Plays and scores.
+/// Plays and scores. The log's options are all of the request's, not only those of the physics.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
+
+/// The options of a plan and of its playback that are not at their usual values, by the plan's and the log's own words.
+std::vector<OptionChange> ChangedOptions(const MotionPlan& plan, const PlaybackLog& log);
 
 }  // namespace gaitwright

@@ -4,14 +4,14 @@
 #include <Eigen/Eigenvalues>
 
 #include "kinematics/dynamics/foot_contact.h"
-#include "tests/kinematics/random_state.h"
+#include "tests/kinematics/made_robots.h"
 
 namespace gaitwright {
 namespace {
 
 class Dynamics : public testing::TestWithParam<const char*> {
  protected:
-  RobotModel model_ = Robot(GetParam());
+  RobotModel model_ = AnyRobot(GetParam());
   DynamicsScratch scratch_{model_}, other_{model_};
   RandomState random_{7};
 };
@@ -55,6 +55,84 @@ TEST_P(Dynamics, BiasAccelerationsAreDerivativesOfVelocities) {
   const Vector6 difference = (velocity(kStep) - velocity(-kStep)) / (2.0 * kStep);
   ASSERT_GT(difference.norm(), 0.1);
   EXPECT_LT((difference - PointBiasAcceleration(scratch_, body, p_BQ)).norm(), 1e-6);
+}
+
+TEST_P(Dynamics, CentreOfMassJacobianAndBiasAreDerivatives) {
+  MatrixX J(3, model_.nv());
+  for (int trial = 0; trial < 10; ++trial) {
+    const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv());
+    const auto position = [&](Eigen::Index along, double step) {
+      ForwardKinematics(model_, Moved(q, step * VectorX::Unit(model_.nv(), along), 1.0), other_);
+      return CentreOfMass(model_, other_);
+    };
+    const auto velocity = [&](double time_s) -> Vector3 {
+      ForwardVelocities(model_, Moved(q, v, time_s), v, other_);
+      CentreOfMassJacobian(model_, other_, J);
+      return J * v;
+    };
+    const Vector3 acceleration = (velocity(kStep) - velocity(-kStep)) / (2.0 * kStep);
+    ForwardVelocities(model_, q, v, scratch_);
+    ASSERT_GT(acceleration.norm(), 0.01);
+    EXPECT_LT((acceleration - CentreOfMassBiasAcceleration(model_, scratch_)).norm(), 1e-6);
+    CentreOfMassJacobian(model_, scratch_, J);
+    for (Eigen::Index i = 0; i < model_.nv(); ++i) {
+      const Vector3 difference = (position(i, kStep) - position(i, -kStep)) / (2.0 * kStep);
+      EXPECT_LT((difference - J.col(i)).norm(), 1e-8) << "column " << i;
+    }
+  }
+}
+
+/// Angular momentum about C by a road of its own: every body as the points of mass m / 6 on the axes of its inertia
+/// ellipsoid that have its mass, centre and inertia, their velocities by finite differences.
+TEST_P(Dynamics, CentroidalMomentumIsThatOfPointsOfMass) {
+  for (int trial = 0; trial < 10; ++trial) {
+    const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv());
+    const auto points = [&](double time_s) {
+      ForwardKinematics(model_, Moved(q, v, time_s), other_);
+      std::vector<Vector3> at;
+      for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
+        const Body& body = model_.bodies[b];
+        const Eigen::SelfAdjointEigenSolver<Matrix3> principal(body.I_C);
+        for (int axis = 0; axis < 3; ++axis) {
+          // Of a principal moment: the sum of the squared distances along the two other axes, so along this one it is
+          // half the trace less its own.
+          const double square = std::max(0.0, 0.5 * body.I_C.trace() - principal.eigenvalues()[axis]);
+          const double reach = body.mass > 0.0 ? std::sqrt(3.0 * square / body.mass) : 0.0;
+          for (const double side : {-1.0, 1.0}) {
+            const Vector3 p_B = body.p_BC + side * reach * principal.eigenvectors().col(axis);
+            at.push_back(other_.p_WB[b] + other_.R_WB[b] * p_B);
+          }
+        }
+      }
+      return at;
+    };
+    const std::vector<Vector3> before = points(-kStep), after = points(kStep), now = points(0.0);
+    const Vector3 p_WC = CentreOfMass(model_, other_);
+    Vector6 momentum = Vector6::Zero();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const Vector3 linear = model_.bodies[i / 6].mass / 6.0 * (after[i] - before[i]) / (2.0 * kStep);
+      momentum.head<3>() += linear;
+      momentum.tail<3>() += (now[i] - p_WC).cross(linear);
+    }
+    ForwardVelocities(model_, q, v, scratch_);
+    ASSERT_GT(momentum.tail<3>().norm(), 1e-3);
+    EXPECT_LT((momentum - CentroidalMomentum(model_, scratch_)).norm(), 1e-7 * (1.0 + momentum.norm()));
+  }
+}
+
+TEST_P(Dynamics, CentroidalMomentumIsTheMassMatrixsRowsTakenToC) {
+  MatrixX M;
+  for (int trial = 0; trial < 20; ++trial) {
+    const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv());
+    MassMatrix(model_, q, scratch_, M);
+    ForwardVelocities(model_, q, v, scratch_);
+    const Vector6 about_O = (M * v).head<6>();
+    const Vector3 p_OC = CentreOfMass(model_, scratch_) - scratch_.p_WB[0];
+    Vector6 about_C = about_O;
+    about_C.tail<3>() -= p_OC.cross(about_O.head<3>());
+    ASSERT_GT(about_C.tail<3>().norm(), 1e-3);
+    EXPECT_LT((about_C - CentroidalMomentum(model_, scratch_)).norm(), 1e-10 * (1.0 + about_O.norm()));
+  }
 }
 
 TEST_P(Dynamics, JacobianRateIsTheJacobiansDerivative) {
@@ -115,7 +193,7 @@ TEST_P(Dynamics, PointWrenchIsTheTransposedJacobian) {
   EXPECT_LT((J.transpose() * wrench - tau).norm(), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, Dynamics, testing::Values("a1", "nao"));
+INSTANTIATE_TEST_SUITE_P(Robots, Dynamics, testing::ValuesIn(kAnyRobots));
 
 }  // namespace
 }  // namespace gaitwright

@@ -8,7 +8,7 @@
 #include <dart/utils/urdf/DartLoader.hpp>
 
 #include "kinematics/dynamics/dynamics.h"
-#include "tests/kinematics/random_state.h"
+#include "tests/kinematics/made_robots.h"
 
 namespace gaitwright {
 namespace {
@@ -16,14 +16,18 @@ namespace {
 class TwoRoads : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    model_ = Robot(GetParam());
+    model_ = AnyRobot(GetParam());
     dart::utils::DartLoader loader;
-    skeleton_ = loader.parseSkeleton(std::string(GAITWRIGHT_SOURCE_DIR) + "/robots/" + GetParam() + "/robot.urdf");
+    const std::string name = GetParam();
+    const bool made = name != "a1" && name != "nao";
+    skeleton_ = made ? loader.parseSkeletonString(MadeUrdf(name), "")
+                     : loader.parseSkeleton(std::string(GAITWRIGHT_SOURCE_DIR) + "/robots/" + name + "/robot.urdf");
     ASSERT_NE(skeleton_, nullptr);
     skeleton_->setGravity(Vector3(0.0, 0.0, -kGravity));
     // DART gives links without an <inertial> a mass of 1 kg.
     for (dart::dynamics::BodyNode* body : skeleton_->getBodyNodes()) {
       if (model_.urdf_text.find("<link name=\"" + body->getName() + "\"/>") != std::string::npos) Lighten(*body);
+      if (model_.urdf_text.find("<link name='" + body->getName() + "'></link>") != std::string::npos) Lighten(*body);
       if (body->getName().ends_with("_thigh_shoulder")) Lighten(*body);
     }
   }
@@ -66,7 +70,7 @@ class TwoRoads : public testing::TestWithParam<const char*> {
 TEST_P(TwoRoads, FrameAndJacobian) {
   DynamicsScratch scratch(model_);
   RandomState random(11);
-  MatrixX J(6, model_.nv());
+  MatrixX J(6, model_.nv()), J_C(3, model_.nv());
   for (int trial = 0; trial < 50; ++trial) {
     const VectorX q = random.Configuration(model_), v = random.Vector(model_.nv());
     Set(q, v, VectorX::Zero(model_.nv()));
@@ -83,6 +87,10 @@ TEST_P(TwoRoads, FrameAndJacobian) {
       EXPECT_LT((J - theirs).norm(), 1e-10) << frame.name;
     }
     EXPECT_LT((CentreOfMass(model_, scratch) - skeleton_->getCOM()).norm(), 1e-10);
+    CentreOfMassJacobian(model_, scratch, J_C);
+    const MatrixX theirs = skeleton_->getCOMLinearJacobian() * follow_;
+    ASSERT_GT(theirs.rightCols(model_.num_dofs()).norm(), 0.01);
+    EXPECT_LT((J_C - theirs).norm(), 1e-10);
   }
 }
 
@@ -104,7 +112,7 @@ TEST_P(TwoRoads, MassMatrixAndInverseDynamics) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, TwoRoads, testing::Values("a1", "nao"));
+INSTANTIATE_TEST_SUITE_P(Robots, TwoRoads, testing::ValuesIn(kAnyRobots));
 
 }  // namespace
 }  // namespace gaitwright

@@ -144,8 +144,9 @@ TEST_P(PlayTest, WritesItsOptionsDown) {
   PlayOptions options;
   options.world.mass_scale = 1.1;
   const PlaybackLog log = Stand(options);
-  EXPECT_NE(std::find(log.options.begin(), log.options.end(), std::pair<std::string, std::string>("mass_scale", "1.1")),
-            log.options.end());
+  EXPECT_NE(
+      std::find(log.options.begin(), log.options.end(), std::pair<std::string, std::string>("play.mass_scale", "1.1")),
+      log.options.end());
   EXPECT_NEAR(log.total_mass_kg, 1.1 * model_.total_mass_kg, 1e-12);
 }
 

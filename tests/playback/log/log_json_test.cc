@@ -11,6 +11,7 @@ namespace {
 PlaybackLog Example() {
   PlaybackLog log;
   log.robot = "a \"quoted\" robot";
+  log.program_version = "1.2.3";
   log.robot_hash = "0123456789abcdef";
   log.plan_hash = "fedcba9876543210";
   log.controller = "joint-pd";
@@ -53,6 +54,7 @@ TEST(LogJson, ReadsBackExactlyWhatItWrote) {
   const std::string text = LogToJson(log);
   const PlaybackLog back = LogFromJson(text, "x").value();
   EXPECT_EQ(LogToJson(back), text);
+  EXPECT_EQ(back.program_version, log.program_version);
   EXPECT_EQ(back.robot, log.robot);
   EXPECT_EQ(back.options, log.options);
   EXPECT_EQ(back.body_contacts, log.body_contacts);
@@ -87,7 +89,7 @@ TEST(LogJson, RefusesWithTheReason) {
   EXPECT_NE(Why("[1,2]").find("no playback log"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "gaitwright-playback-log", "something-else")).find("no playback log"),
             std::string::npos);
-  EXPECT_NE(Why(Replaced(text, "\"schema\":1", "\"schema\":2")).find("schema 2; this program reads schema 1"),
+  EXPECT_NE(Why(Replaced(text, "\"schema\":2", "\"schema\":3")).find("schema 3; this program reads schema 2"),
             std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"controller\"", "\"kontroller\"")).find("controller"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"contact\": [3,3,3]", "\"contact\": [3,3]")).find("'contact' has 2"),

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "playback/report/report_page.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "playback/report/plot_style.h"
 #include "playback/report/plots.h"
@@ -38,7 +41,7 @@ Case MakeCase(int legs, int steps, bool falls) {
 TEST(ReportPage, IsWholeWellFormedAndHoldsEveryPlotAndFigure) {
   for (const bool falls : {false, true}) {
     const Case c = MakeCase(4, 6, falls);
-    const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {"every law holds: a < b"});
+    const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {{"every law holds: a < b"}, {}, ""});
     EXPECT_EQ(XmlFault(page), "");
     EXPECT_FALSE(Has(page, "http")) << "no network";
     EXPECT_FALSE(Has(page, "<script"));
@@ -55,6 +58,24 @@ TEST(ReportPage, IsWholeWellFormedAndHoldsEveryPlotAndFigure) {
   }
 }
 
+TEST(ReportPage, TellsTheOptionsThatAreNotUsual) {
+  const Case c = MakeCase(2, 2, false);
+  const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {{}, {{"a.gain", "<2>", "1.5"}}, ""});
+  EXPECT_EQ(XmlFault(page), "");
+  EXPECT_TRUE(Has(page, ">a.gain</span></td><td>&lt;2&gt;</td><td>1.5</td>"));
+  EXPECT_FALSE(Has(page, "usual value."));
+  EXPECT_TRUE(Has(ReportPage(c.model, c.plan, c.log, c.report), "Every option was at its usual value."));
+}
+
+TEST(ReportPage, AnObjectionOverrulesPhysics) {
+  const Case c = MakeCase(2, 2, false);
+  ASSERT_TRUE(c.report.pass);
+  const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {{}, {}, "the plan fails its audit: reach"});
+  EXPECT_TRUE(Has(page, ">FAIL<"));
+  EXPECT_FALSE(Has(page, ">PASS<"));
+  EXPECT_TRUE(Has(page, "The plan fails its audit: reach; in physics, " + c.report.reason + "."));
+}
+
 TEST(ReportPage, PlotsHaveNamesFitForFilesAndAreFilesOfTheirOwn) {
   const Case c = MakeCase(2, 6, false);
   std::vector<std::string> names;
@@ -65,19 +86,32 @@ TEST(ReportPage, PlotsHaveNamesFitForFilesAndAreFilesOfTheirOwn) {
     EXPECT_FALSE(plot.caption.empty());
   }
   EXPECT_EQ(names, (std::vector<std::string>{"top_view", "zmp_com_x", "zmp_com_y", "margins", "errors", "base_attitude",
-                                             "base_height", "gait", "foot_heights", "foot_forces", "joint_torques",
-                                             "joint_positions"}));
+                                             "base_height", "gait", "foot_heights", "foot_forces", "torque_use",
+                                             "joint_torques", "joint_positions"}));
+}
+
+TEST(ReportPage, EveryLimitOfATorqueIsDrawn) {
+  Case c = MakeCase(2, 6, false);
+  for (LogSample& sample : c.log.samples) sample.tau_peak[0] = 0.5 * c.model.dof_effort_limit(0);
+  std::vector<Plot> plots = MakePlots(c.model, c.plan, c.log, c.report);
+  const auto use = std::find_if(plots.begin(), plots.end(), [](const Plot& plot) { return plot.name == "torque_use"; });
+  ASSERT_NE(use, plots.end());
+  EXPECT_TRUE(Has(use->svg, "[%]"));
+  EXPECT_TRUE(Has(use->svg, ">limit<"));
+  for (int d = 0; d < c.model.num_dofs(); ++d)
+    EXPECT_TRUE(Has(use->svg, fmt::format(">{}, {:.4g} N", c.model.dof_names[static_cast<std::size_t>(d)],
+                                          c.model.dof_effort_limit(d))));
 }
 
 TEST(ReportPage, ALongMotionStaysSmall) {
   const Case c = MakeCase(4, 80, false);
   ASSERT_GT(c.log.samples.size(), 8000u);
-  EXPECT_LT(ReportPage(c.model, c.plan, c.log, c.report, {}).size(), 1'500'000u);
+  EXPECT_LT(ReportPage(c.model, c.plan, c.log, c.report).size(), 1'500'000u);
 }
 
 TEST(ReportPage, TheSameInputsGiveTheSameBytes) {
   const Case c = MakeCase(2, 2, false);
-  EXPECT_EQ(ReportPage(c.model, c.plan, c.log, c.report, {}), ReportPage(c.model, c.plan, c.log, c.report, {}));
+  EXPECT_EQ(ReportPage(c.model, c.plan, c.log, c.report), ReportPage(c.model, c.plan, c.log, c.report));
 }
 
 }  // namespace

@@ -135,8 +135,9 @@ TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
   const MotionPlan plan = SteppingPlan(model);
   PlaybackLog log = PerfectLog(model, plan);
   EXPECT_TRUE(DisturbancesOf(log).empty());
-  log.options = {{"push_force_y_n", "-60"},  {"push_at_s", "3"},    {"push_for_s", "0.1"}, {"ground_slope_deg", "2"},
-                 {"ground_bumps_m", "0.01"}, {"mass_scale", "1.2"}, {"friction", "0.3"}};
+  log.options = {{"play.push_force_y_n", "-60"}, {"play.push_at_s", "3"},         {"play.push_for_s", "0.1"},
+                 {"play.ground_slope_deg", "2"}, {"play.ground_bumps_m", "0.01"}, {"play.mass_scale", "1.2"},
+                 {"play.friction", "0.3"}};
   const std::vector<std::string> expected = {"a push of 60 N to the right from 3.00 s for 0.10 s",
                                              "a slope of 2 degrees", "bumps of 10 mm", "1.2 times the mass",
                                              "a friction of 0.3"};

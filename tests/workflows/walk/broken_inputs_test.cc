@@ -119,10 +119,12 @@ TEST_P(BrokenInput, AGroundMoreSlipperyThanThePlannerThoughtSlips) {
   MotionPlan ice = bench().plan;
   for (TerrainPatch& patch : ice.terrain.patches) patch.friction = 0.25 * FrictionUsed(bench());
   EXPECT_EQ(BrokenLaws(model(), ice), Laws{"friction_cone"});
+  EXPECT_FALSE(Played(model(), ice, "joint-pd").report.At("slip_max_step_m").pass);
   for (const char* controller : {"joint-pd", "stabilised"}) {
     const StabilityReport report = Played(model(), ice, controller).report;
     EXPECT_FALSE(report.pass);
-    EXPECT_FALSE(report.At("slip_max_step_m").pass && report.At("fell").pass) << report.reason;
+    // A replay slides on; who balances may have fallen before a foot has slid far.
+    EXPECT_TRUE(!report.At("slip_max_step_m").pass || report.At("fell").value == 1.0) << report.reason;
     EXPECT_TRUE(Says(report.reason, "first, from")) << report.reason;
     EXPECT_TRUE(Says(report.reason, "along the ground with up to")) << report.reason;
   }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/base/file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public testing::Test {
+ protected:
+  Files() { fs::create_directories(folder_); }
+  ~Files() override {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+
+  std::string In(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// Every file and folder below, sorted.
+  std::vector<std::string> Found() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_))
+      names.push_back(entry.path().lexically_relative(folder_).string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+ private:
+  fs::path folder_ = fs::temp_directory_path() / ("gaitwright_files_" + std::to_string(::getpid()) + "_" +
+                                                  testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Files, AreWrittenTogetherWithTheirFolders) {
+  const auto written = WriteFilesTogether({{In("a/b/one"), "1"}, {In("two"), "2"}});
+  ASSERT_TRUE(written) << written.failure().message;
+  EXPECT_EQ(*written, (std::vector<std::string>{In("a/b/one"), In("two")}));
+  EXPECT_EQ(Found(), (std::vector<std::string>{"a", "a/b", "a/b/one", "two"}));
+  EXPECT_EQ(*ReadFile(In("a/b/one")), "1");
+  ASSERT_TRUE(WriteFilesTogether({{In("two"), "new"}, {In("three"), "3"}}));
+  EXPECT_EQ(*ReadFile(In("two")), "new");
+  EXPECT_EQ(Found(), (std::vector<std::string>{"a", "a/b", "a/b/one", "three", "two"}));
+}
+
+TEST_F(Files, OneThatCannotBeWrittenLeavesAllAsItWas) {
+  ASSERT_TRUE(WriteFileAtomically(In("former"), "old"));
+  fs::create_directories(In("folder"));
+  const std::vector<std::string> before = Found();
+  for (const std::string wrong : {"folder", "former/x", "former/x/y"}) {
+    const auto written = WriteFilesTogether({{In("new/a"), "1"}, {In("former"), "2"}, {In(wrong), "3"}});
+    ASSERT_FALSE(written) << wrong;
+    EXPECT_NE(written.failure().message.find(In(wrong)), std::string::npos) << written.failure().message;
+    EXPECT_EQ(Found(), before);
+    EXPECT_EQ(*ReadFile(In("former")), "old");
+  }
+  const auto no_folder = WriteFilesTogether({{In("new/a"), "1"}, {"/proc/none/b", "2"}});
+  ASSERT_FALSE(no_folder);
+  EXPECT_EQ(no_folder.failure().code, "unwritable_file");
+  EXPECT_EQ(Found(), before);
+}
+
+TEST_F(Files, OneNamedTwiceIsRefused) {
+  const auto written = WriteFilesTogether({{In("a"), "1"}, {In("./a"), "2"}});
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.failure().code, "file_named_twice");
+  EXPECT_TRUE(Found().empty());
+}
+
+/// A file cannot take its name although its temporary could be written, since another made a folder of that name: those
+/// renamed before it go back.
+TEST_F(Files, AFailureWhileRenamingIsUndone) {
+  ASSERT_TRUE(WriteFileAtomically(In("former"), "old"));
+  const auto written = WriteFilesTogether({{In("new"), "1"}, {In("former"), "2"}, {In("x"), "3"}, {In("x/y"), "4"}});
+  ASSERT_FALSE(written);
+  EXPECT_EQ(Found(), std::vector<std::string>{"former"});
+  EXPECT_EQ(*ReadFile(In("former")), "old");
+}
+
+TEST_F(Files, DevicesAreLeftAlone) {
+  EXPECT_FALSE(WriteFileAtomically("/dev/null", "text"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "tests/kinematics/ik/synthetic_legs.h"
+#include "tests/kinematics/random_state.h"
+
+namespace gaitwright {
+
+/// Kinds of joints and links that the robots of the program do not have.
+inline const char* const kAnyRobots[] = {"a1", "nao", "sliding", "continuous", "hollow", "mimic"};
+
+/// URDF of a made-up biped: a prismatic knee; a continuous hip; links without mass between the joints of the hip; a
+/// thigh of two joints that turn together, with a shin whose length follows the knee.
+inline std::string MadeUrdf(const std::string& kind) {
+  std::vector<SyntheticJoint> joints = SixJoints();
+  if (kind == "sliding") joints[3] = {"0.01 0.005 -0.3", "0 0 1", "lower='-0.1' upper='0.1'", "", "prismatic"};
+  if (kind == "continuous") joints[2] = {"0 0 0", "0 1 0", "", "", "continuous"};
+  if (kind == "mimic") {
+    joints.insert(joints.begin() + 4, {"0 0 -0.1", "0 0 1", "lower='-0.1' upper='0.1'",
+                                       "<mimic joint='j_SIDE4' multiplier='0.02' offset='0.01'/>", "prismatic"});
+    joints.insert(joints.begin() + 3,
+                  {"0 0 -0.05", "0 1 0", "lower='-2' upper='2'", "<mimic joint='j_SIDE2' multiplier='-0.2'/>"});
+  }
+  std::string urdf = SyntheticUrdf(joints, kBoxFoot);
+  if (kind != "hollow") return urdf;
+  for (const std::string link : {"l0", "l1", "r0", "r1"}) {
+    const std::size_t at = urdf.find("<link name='" + link + "'>"), end = urdf.find("</link>", at);
+    urdf.replace(at, end - at, "<link name='" + link + "'>");
+  }
+  return urdf;
+}
+
+/// One of kAnyRobots.
+inline RobotModel AnyRobot(const std::string& name) {
+  if (name == "a1" || name == "nao") return Robot(name);
+  Result<RobotModel> model = LoadRobotFromText(MadeUrdf(name), "");
+  EXPECT_TRUE(model.ok()) << (model.ok() ? "" : model.failure().message);
+  return std::move(model).value();
+}
+
+}  // namespace gaitwright
