@@ -10,6 +10,7 @@
 
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/find_feet.h"
+#include "kinematics/model/leg_plane.h"
 #include "kinematics/model/standing_posture.h"
 
 namespace gaitwright {
