@@ -196,10 +196,23 @@ Vector3 CentreOfMassInBase(const RobotModel& model, const VectorX& joints) {
   return moment / model.total_mass_kg;
 }
 
+/// How far from the middle of the feet the centre of mass may stand: on soles half the way to their edges, as ankles
+/// have the less to hold the nearer it is to them; without soles not at all.
+Vector2 BalanceSlack(const RobotModel& model) {
+  Vector2 slack = Vector2::Constant(std::numeric_limits<double>::infinity());
+  for (const Foot& foot : model.feet) {
+    Vector2 half = Vector2::Zero();
+    for (const Vector2& corner : foot.sole_F) half = half.cwiseMax(corner.cwiseAbs());
+    slack = slack.cwiseMin(0.5 * half);
+  }
+  return slack;
+}
+
 /// Moves all feet alike under the centre of mass, so that it stands over their middle; nothing where a leg cannot.
 void Balance(const RobotModel& model, VectorX& joints) {
   constexpr int kPasses = 20;
   constexpr double kMissed = 1e-6, kBalanced = 1e-7;
+  const Vector2 slack = BalanceSlack(model);
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::vector<Pose> X_OB = BodyPoses(model, joints);
     std::vector<Pose> X_OF;
@@ -208,7 +221,8 @@ void Balance(const RobotModel& model, VectorX& joints) {
       X_OF.push_back(X_OB[static_cast<std::size_t>(foot.body)] * foot.X_BF);
       off -= X_OF.back().translation() / static_cast<double>(model.feet.size());
     }
-    off.z() = 0.0;
+    const Vector2 kept = off.head<2>().cwiseMax(-slack).cwiseMin(slack);
+    off -= Vector3(kept.x(), kept.y(), off.z());
     if (off.norm() < kBalanced) return;
     VectorX moved = joints;
     for (std::size_t i = 0; i < X_OF.size(); ++i) {
