@@ -25,6 +25,21 @@ Vector3 WantedPosition(const Foot& foot, const FootTarget& target, const Matrix3
   return target.p_WF + foot.radius * RotationLog(R_WF * target.R_anchor.transpose()).cross(target.normal_W);
 }
 
+/// The column, beyond the base's six, whose unit vector has most left once directions (orthonormal) are taken out.
+std::size_t LeastUsed(const std::vector<Eigen::RowVectorXd>& directions) {
+  constexpr double kTie = 1e-9;
+  std::size_t least = 6;
+  double most_left = -1.0;
+  for (Eigen::Index c = 6; c < directions.front().size(); ++c) {
+    double left = 1.0;
+    for (const auto& direction : directions) left -= direction[c] * direction[c];
+    if (left < most_left - kTie) continue;
+    most_left = left;
+    least = static_cast<std::size_t>(c);
+  }
+  return least;
+}
+
 void Integrate(const VectorX& step, VectorX& q) {
   q.head<3>() += step.head<3>();
   const Quaternion turned(RotationExp(step.segment<3>(3)) * Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix());
@@ -98,14 +113,15 @@ void WholeBodyIk::ChooseRows() {
     }
   }
   rows_ = chosen;
-  // Legs with freedoms to spare: hold those that the tasks use least.
-  for (std::size_t c = columns_.size(); c-- > 6 && basis.size() < columns_.size();) {
+  // Legs with freedoms to spare: hold those that the tasks use least, one after the other.
+  while (basis.size() < columns_.size()) {
+    const std::size_t held = LeastUsed(basis);
     Eigen::RowVectorXd unit = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(columns_.size()));
-    unit[static_cast<Eigen::Index>(c)] = 1.0;
-    if (!take(unit)) continue;
+    unit[static_cast<Eigen::Index>(held)] = 1.0;
+    if (!take(unit)) break;
     notes_.push_back(fmt::format("whole-body IK: joint {} is held at its standing position",
-                                 model_->dof_names[static_cast<std::size_t>(columns_[c] - 6)]));
-    columns_[c] = -1;
+                                 model_->dof_names[static_cast<std::size_t>(columns_[held] - 6)]));
+    columns_[held] = -1;
   }
   std::erase(columns_, -1);
 }

@@ -12,6 +12,7 @@
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/check_feet.h"
 #include "kinematics/model/find_feet.h"
+#include "kinematics/model/leg_plane.h"
 #include "kinematics/model/standing_posture.h"
 
 namespace gaitwright {

@@ -249,35 +249,4 @@ Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given
   return foot;
 }
 
-std::vector<int> PitchJoints(const RobotModel& model, const Leg& leg) {
-  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
-  std::vector<int> pitch;
-  for (const int joint : leg.joints) {
-    const auto j = static_cast<std::size_t>(joint);
-    if (std::abs((X_OB[j + 1].linear() * model.joints[j].axis_J).y()) > 0.8) pitch.push_back(joint);
-  }
-  return pitch;
-}
-
-void MeasureLeg(const RobotModel& model, Leg& leg, const Foot& foot) {
-  const std::vector<int> pitch = PitchJoints(model, leg);
-  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
-  const int first = pitch.empty() ? leg.joints.front() : pitch.front();
-  bool counting = false;
-  for (const int joint : leg.joints) {
-    if (counting) leg.length_m += model.joints[static_cast<std::size_t>(joint)].X_PJ.translation().norm();
-    counting = counting || joint == first;
-  }
-  const Vector3 ankle_to_contact = X_OB[static_cast<std::size_t>(foot.body)].linear() * foot.X_BF.translation();
-  leg.length_m += (foot.sole_F.empty() ? ankle_to_contact.norm() : std::abs(ankle_to_contact.z())) + foot.radius;
-  if (pitch.size() < 2) return;
-  leg.knee_joint = pitch[1];
-  const Joint& knee = model.joints[static_cast<std::size_t>(leg.knee_joint)];
-  const double axis_y = (X_OB[static_cast<std::size_t>(leg.knee_joint + 1)].linear() * knee.axis_J).y();
-  const double middle = std::isfinite(knee.lower + knee.upper) ? knee.lower + knee.upper : 0.0;
-  // Where the limits favour neither side: four legs bend the knee back, two legs forward.
-  const double fallback = foot.sole_F.empty() ? -axis_y : axis_y;
-  leg.knee_sign = (std::abs(middle) > 0.1 ? middle : fallback) > 0.0 ? 1.0 : -1.0;
-}
-
 }  // namespace gaitwright

@@ -14,10 +14,4 @@ double FarthestExtent(const RobotModel& model, int body);
 /// posture).
 Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given);
 
-/// Fills a leg's length, knee and first pitch joint's geometry: length_m, knee_joint, knee_sign.
-void MeasureLeg(const RobotModel& model, Leg& leg, const Foot& foot);
-
-/// Joints of a leg that turn about the base's y axis at joint positions zero, base first.
-std::vector<int> PitchJoints(const RobotModel& model, const Leg& leg);
-
 }  // namespace gaitwright

@@ -105,7 +105,8 @@ struct Leg {
   int foot = 0;             ///< index into feet
   std::vector<int> joints;  ///< indices into joints, base first
   int mirror = -1;          ///< index of the leg on the other side, or -1
-  double length_m = 0.0;    ///< from the first pitch joint to the contact, straight
+  double length_m = 0.0;    ///< from the hip joint to the contact, straight, slides drawn out
+  int hip_joint = -1;       ///< index into joints: the first of those that bend the leg in its own plane
   int knee_joint = -1;      ///< index into joints, or -1
   double knee_sign = 0.0;   ///< sign of the knee's bend in the standing posture
 };

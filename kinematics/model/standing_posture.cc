@@ -4,11 +4,15 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "kinematics/model/build_model.h"
-#include "kinematics/model/find_feet.h"
 #include "kinematics/model/hang_limbs.h"
+#include "kinematics/model/leg_plane.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
@@ -31,15 +35,15 @@ VectorX FootError(const RobotModel& model, const Foot& foot, const VectorX& join
 }
 
 /// Damped least squares on the leg's coordinates, by differences: run once for a model, so speed does not matter.
-void MoveFoot(const RobotModel& model, const Leg& leg, const Pose& wanted, VectorX& joints) {
+/// @return what is left of the error.
+double MoveFoot(const RobotModel& model, const Leg& leg, const Pose& wanted, VectorX& joints) {
   const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
   std::set<int> unique;
   for (const int joint : leg.joints) unique.insert(model.joints[static_cast<std::size_t>(joint)].dof);
   const std::vector<int> dofs(unique.begin(), unique.end());
   const auto n = static_cast<Eigen::Index>(dofs.size());
-  for (int iteration = 0; iteration < 200; ++iteration) {
-    const VectorX error = FootError(model, foot, joints, wanted);
-    if (error.norm() < 1e-12) return;
+  VectorX error = FootError(model, foot, joints, wanted);
+  for (int iteration = 0; iteration < 200 && error.norm() >= 1e-12; ++iteration) {
     MatrixX J(error.size(), n);
     for (Eigen::Index c = 0; c < n; ++c) {
       constexpr double kStep = 1e-7;
@@ -50,44 +54,192 @@ void MoveFoot(const RobotModel& model, const Leg& leg, const Pose& wanted, Vecto
     const MatrixX normal = J.transpose() * J + 1e-9 * MatrixX::Identity(n, n);
     const VectorX step = normal.ldlt().solve(J.transpose() * error);
     const double scale = std::min(1.0, 0.2 / std::max(step.cwiseAbs().maxCoeff(), 1e-12));
+    const VectorX before = joints;
     for (Eigen::Index c = 0; c < n; ++c) {
       const int dof = dofs[static_cast<std::size_t>(c)];
       joints[dof] = Clamped(model, dof, joints[dof] + scale * step[c]);
     }
+    if (joints == before) break;
+    error = FootError(model, foot, joints, wanted);
+  }
+  return error.norm();
+}
+
+/// A leg about to be bent: its plane, and where hip and foot are at joint positions zero in the base frame.
+struct BentLeg {
+  BentLeg(const RobotModel& robot, const Leg& which)
+      : model(robot),
+        leg(which),
+        foot(robot.feet[static_cast<std::size_t>(which.foot)]),
+        plane(FindLegPlane(robot, which, foot)) {
+    const std::vector<Pose> zero = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+    X_OE = zero[static_cast<std::size_t>(foot.body)];
+    p_OF = (X_OE * foot.X_BF).translation();
+    p_OH = zero[static_cast<std::size_t>(leg.hip_joint + 1)].translation();
+    ankle_height = has_sole() ? std::abs((X_OE.linear() * foot.X_BF.translation()).z()) : foot.radius;
+  }
+  bool has_sole() const { return !foot.sole_F.empty(); }
+  bool has_knee() const { return plane.joints.size() >= 2; }
+
+  const RobotModel& model;
+  const Leg& leg;
+  const Foot& foot;
+  LegPlane plane;
+  Pose X_OE;
+  Vector3 p_OF, p_OH;
+  double ankle_height = 0.0;
+};
+
+/// Where a foot without a sole is wanted, so far from its hip: below it. A leg that sprawls has it as far out of the
+/// upright axis as below its hip, where that axis moves it about as far as the others do.
+Vector3 PlaceBelow(const BentLeg& bent, double distance) {
+  const Vector3& normal = bent.plane.normal_O;
+  Vector3 place = bent.p_OH + normal * normal.dot(bent.p_OF - bent.p_OH) - distance * Vector3::UnitZ();
+  if (!bent.plane.sprawls) return place;
+  const double hip_out = bent.plane.outward_O.dot(bent.p_OH - bent.plane.p_OY);
+  double angle = 0.0;
+  while (angle < 1.2 && hip_out + distance * std::sin(angle) < distance * std::cos(angle)) angle += 1e-3;
+  place += distance * (std::sin(angle) * bent.plane.outward_O + (1.0 - std::cos(angle)) * Vector3::UnitZ());
+  return place;
+}
+
+/// The share of the straight leg by each joint in a leg that hangs down straight at zero; slides at half their stroke.
+VectorX BentGuess(const BentLeg& bent, double share, VectorX joints) {
+  const RobotModel& model = bent.model;
+  for (const int j : bent.leg.joints) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+    if (joint.type != JointType::kPrismatic) continue;
+    joints[joint.dof] = Clamped(model, joint.dof, 0.5 * (model.dof_lower(joint.dof) + model.dof_upper(joint.dof)));
+  }
+  if (!bent.has_knee()) return joints;
+  const std::vector<Pose> zero = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  const auto axis = [&](int j) -> Vector3 {
+    return zero[static_cast<std::size_t>(j + 1)].linear() * model.joints[static_cast<std::size_t>(j)].axis_J;
+  };
+  const double bend = std::acos(share);
+  const double signs[] = {-1.0, 2.0, -1.0};
+  for (std::size_t i = 0; i < bent.plane.joints.size() && i < 3; ++i) {
+    const int j = bent.plane.joints[i];
+    const int dof = model.joints[static_cast<std::size_t>(j)].dof;
+    const double same = axis(j).dot(axis(bent.plane.joints[1])) > 0.0 ? 1.0 : -1.0;
+    joints[dof] = Clamped(model, dof, signs[i] * bend * bent.leg.knee_sign * same);
+  }
+  return joints;
+}
+
+/// Places over the limits of a leg's first two bending joints to start from, where the first guess leads astray.
+std::vector<VectorX> MoreGuesses(const BentLeg& bent, const VectorX& guess) {
+  constexpr int kPlaces = 4;
+  std::vector<VectorX> guesses;
+  const auto place = [&](std::size_t i, int k) {
+    const int dof = bent.model.joints[static_cast<std::size_t>(bent.plane.joints[i])].dof;
+    const double low = std::max(bent.model.dof_lower(dof), -std::numbers::pi);
+    const double high = std::min(bent.model.dof_upper(dof), std::numbers::pi);
+    return std::pair(dof, low + (k + 0.5) / kPlaces * (high - low));
+  };
+  for (int k = 0; bent.has_knee() && k < kPlaces * kPlaces; ++k) {
+    guesses.push_back(guess);
+    for (const auto& [dof, angle] : {place(0, k / kPlaces), place(1, k % kPlaces)}) guesses.back()[dof] = angle;
+  }
+  return guesses;
+}
+
+/// Brings the foot to a place with the knee bent to its side. Of guesses that miss, what comes nearest; before those
+/// the ones that bend the knee back.
+void ReachFrom(const BentLeg& bent, const VectorX& guess, const Pose& wanted, VectorX& joints) {
+  constexpr double kMissed = 1e-6;
+  std::vector<VectorX> guesses = MoreGuesses(bent, guess);
+  guesses.insert(guesses.begin(), guess);
+  std::pair<bool, double> best{true, std::numeric_limits<double>::infinity()};
+  for (const VectorX& start : guesses) {
+    VectorX tried = start;
+    const double left = MoveFoot(bent.model, bent.leg, wanted, tried);
+    const bool bends_back = KneeBend(bent.model, bent.leg, bent.foot, tried) * bent.leg.knee_sign < 0.0;
+    const std::pair<bool, double> rank{bends_back && bent.has_knee(), left};
+    const bool missed = left > kMissed && best.second <= kMissed;
+    if (missed || (rank >= best && !(left <= kMissed && best.second > kMissed))) continue;
+    best = rank;
+    joints = tried;
+    if (!rank.first && left <= kMissed) return;
   }
 }
 
-/// Bends hip, knee and ankle of a leg and brings the foot under its hip.
+/// Bends hip, knee and ankle of a leg and brings the foot under its hip, or out of it.
 void BendLeg(const RobotModel& model, const Leg& leg, VectorX& joints) {
-  const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
-  const std::vector<int> pitch = PitchJoints(model, leg);
-  const std::vector<Pose> zero = BodyPoses(model, VectorX::Zero(model.num_dofs()));
-  const bool has_sole = !foot.sole_F.empty();
-  const Pose X_OF = zero[static_cast<std::size_t>(foot.body)] * foot.X_BF;
+  const BentLeg bent(model, leg);
+  const double share = bent.has_sole() ? kUprightShare : kCrouchedShare;
+  const VectorX guess = BentGuess(bent, share, joints);
   Pose wanted = Pose::Identity();
-  wanted.translation() = X_OF.translation();
-  if (pitch.size() >= 2) {
-    const double share = has_sole ? kUprightShare : kCrouchedShare;
-    const Vector3 hip = zero[static_cast<std::size_t>(pitch.front() + 1)].translation();
-    const double ankle_height =
-        has_sole ? std::abs((zero[static_cast<std::size_t>(foot.body)].linear() * foot.X_BF.translation()).z())
-                 : foot.radius;
-    const double straight = leg.length_m - ankle_height;
-    wanted.translation().z() = hip.z() - share * straight - (has_sole ? ankle_height : 0.0);
-    if (!has_sole) wanted.translation().x() = hip.x();
-    const double bend = std::acos(share);
-    const double signs[] = {-1.0, 2.0, -1.0};
-    const double knee_axis = (zero[static_cast<std::size_t>(pitch[1] + 1)].linear() *
-                              model.joints[static_cast<std::size_t>(pitch[1])].axis_J)
-                                 .y();
-    for (std::size_t i = 0; i < pitch.size() && i < 3; ++i) {
-      const Joint& joint = model.joints[static_cast<std::size_t>(pitch[i])];
-      const double axis = (zero[static_cast<std::size_t>(pitch[i] + 1)].linear() * joint.axis_J).y();
-      const double angle = signs[i] * bend * leg.knee_sign * (axis * knee_axis > 0.0 ? 1.0 : -1.0);
-      joints[joint.dof] = Clamped(model, joint.dof, angle);
-    }
+  wanted.translation() = bent.p_OF;
+  const double straight = leg.length_m - bent.ankle_height;
+  const bool slides = std::any_of(leg.joints.begin(), leg.joints.end(), [&](int joint) {
+    return model.joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic;
+  });
+  if (bent.has_sole() && bent.has_knee()) {
+    wanted.translation().z() = bent.p_OH.z() - share * straight - bent.ankle_height;
+  } else if (bent.has_knee()) {
+    wanted.translation() = PlaceBelow(bent, share * straight);
+  } else if (slides) {
+    const std::vector<Pose> X_OB = BodyPoses(model, guess);
+    const Vector3 p_OF = (X_OB[static_cast<std::size_t>(bent.foot.body)] * bent.foot.X_BF).translation();
+    const Vector3& normal = bent.plane.normal_O;
+    const Vector3 in_plane = p_OF - bent.p_OH - normal * normal.dot(p_OF - bent.p_OH);
+    wanted.translation() = bent.has_sole() ? p_OF : PlaceBelow(bent, in_plane.norm());
   }
-  MoveFoot(model, leg, wanted, joints);
+  ReachFrom(bent, guess, wanted, joints);
+}
+
+Vector3 CentreOfMassInBase(const RobotModel& model, const VectorX& joints) {
+  const std::vector<Pose> X_OB = BodyPoses(model, joints);
+  Vector3 moment = Vector3::Zero();
+  for (std::size_t b = 0; b < X_OB.size(); ++b) moment += model.bodies[b].mass * (X_OB[b] * model.bodies[b].p_BC);
+  return moment / model.total_mass_kg;
+}
+
+/// How far from the middle of the feet the centre of mass may stand: on soles half the way to their edges, as ankles
+/// have the less to hold the nearer it is to them; without soles not at all.
+Vector2 BalanceSlack(const RobotModel& model) {
+  Vector2 slack = Vector2::Constant(std::numeric_limits<double>::infinity());
+  for (const Foot& foot : model.feet) {
+    Vector2 half = Vector2::Zero();
+    for (const Vector2& corner : foot.sole_F) half = half.cwiseMax(corner.cwiseAbs());
+    slack = slack.cwiseMin(0.5 * half);
+  }
+  return slack;
+}
+
+/// Moves all feet alike under the centre of mass, so that it stands over their middle; nothing where a leg cannot.
+void Balance(const RobotModel& model, VectorX& joints) {
+  constexpr int kPasses = 20;
+  constexpr double kMissed = 1e-6, kBalanced = 1e-7;
+  const Vector2 slack = BalanceSlack(model);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::vector<Pose> X_OB = BodyPoses(model, joints);
+    std::vector<Pose> X_OF;
+    Vector3 off = CentreOfMassInBase(model, joints);
+    for (const Foot& foot : model.feet) {
+      X_OF.push_back(X_OB[static_cast<std::size_t>(foot.body)] * foot.X_BF);
+      off -= X_OF.back().translation() / static_cast<double>(model.feet.size());
+    }
+    const Vector2 kept = off.head<2>().cwiseMax(-slack).cwiseMin(slack);
+    off -= Vector3(kept.x(), kept.y(), off.z());
+    if (off.norm() < kBalanced) return;
+    VectorX moved = joints;
+    for (std::size_t i = 0; i < X_OF.size(); ++i) {
+      X_OF[i].translation() += off;
+      if (model.feet[i].sole_F.empty()) X_OF[i].linear().setIdentity();
+      if (MoveFoot(model, model.legs[i], X_OF[i], moved) > kMissed) return;
+    }
+    joints = moved;
+  }
+}
+
+bool IsLegGiven(const RobotModel& model, const VectorX& given) {
+  return std::any_of(model.legs.begin(), model.legs.end(), [&](const Leg& leg) {
+    return std::any_of(leg.joints.begin(), leg.joints.end(), [&](int joint) {
+      return std::isfinite(given[model.joints[static_cast<std::size_t>(joint)].dof]);
+    });
+  });
 }
 
 }  // namespace
@@ -101,9 +253,10 @@ void DeriveStanding(RobotModel& model, const VectorX& given) {
   }
   const std::vector<std::string> hung = HangLimbs(model, given, joints);
   model.notes.insert(model.notes.end(), hung.begin(), hung.end());
+  if (!IsLegGiven(model, given)) Balance(model, joints);
   model.standing_joints = joints;
   const std::vector<Pose> X_OB = BodyPoses(model, joints);
-  double lowest = 1e9;
+  double lowest = std::numeric_limits<double>::infinity();
   for (Foot& foot : model.feet) {
     const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
     if (foot.sole_F.empty()) foot.X_BF.linear() = X_OE.linear().transpose();

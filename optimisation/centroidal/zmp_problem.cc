@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/centroidal/zmp_problem.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/trajectory/swing_curve.h"
 
@@ -11,6 +13,25 @@ namespace {
 
 double FractionOf(const ZmpPhase& phase, double time_s) {
   return std::clamp((time_s - phase.start_s) / (phase.end_s - phase.start_s), 0.0, 1.0);
+}
+
+/// A place in one polygon, by the same shares of its corners in another: it stays on its side, corner or inside. The
+/// triangle of the fan from the first corner that holds it, or that it is nearest to, gives the shares.
+Vector2 Carried(const Polygon& from, const Vector2& p, const Polygon& to) {
+  double best = -std::numeric_limits<double>::infinity();
+  Vector2 carried = p;
+  for (std::size_t i = 1; i + 1 < from.size(); ++i) {
+    Eigen::Matrix2d edges, moved;
+    edges << from[i] - from[0], from[i + 1] - from[0];
+    moved << to[i] - to[0], to[i + 1] - to[0];
+    if (!(std::abs(edges.determinant()) > 1e-12)) continue;
+    const Vector2 share = edges.inverse() * (p - from[0]);
+    const double inside = std::min({share.x(), share.y(), 1.0 - share.sum()});
+    if (inside <= best) continue;
+    best = inside;
+    carried = to[0] + moved * share;
+  }
+  return carried;
 }
 
 }  // namespace
@@ -27,8 +48,11 @@ Polygon RegionAt(const ZmpPhase& phase, double time_s) {
 Vector2 PreferredAt(const ZmpPhase& phase, double time_s) {
   const bool has_area = phase.region_start.size() >= 3;  // on a line it must keep to the line, which moves evenly
   const double fraction = FractionOf(phase, time_s);
-  const double u = has_area ? SmoothStep(fraction).value : fraction;
-  return (1.0 - u) * phase.preferred_start + u * phase.preferred_end;
+  if (!has_area) return (1.0 - fraction) * phase.preferred_start + fraction * phase.preferred_end;
+  const Polygon now = RegionAt(phase, time_s);
+  const double u = SmoothStep(fraction).value;
+  return (1.0 - u) * Carried(phase.region_start, phase.preferred_start, now) +
+         u * Carried(phase.region_end, phase.preferred_end, now);
 }
 
 std::size_t ZmpPhaseAt(const ZmpProblem& problem, double time_s) {

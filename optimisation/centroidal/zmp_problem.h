@@ -41,7 +41,8 @@ struct CentreOfMassPlan {
 /// The corners of a phase's region at a time.
 Polygon RegionAt(const ZmpPhase& phase, double time_s);
 
-/// The wanted point at a time: eased from start to end where the region has area, evenly on a line.
+/// The wanted point at a time: eased from start to end where the region has area, evenly on a line. Both ends move
+/// along with the region's corners, so that a point that starts and ends in the region is always in it.
 Vector2 PreferredAt(const ZmpPhase& phase, double time_s);
 
 /// Index of the phase at a time; a boundary belongs to the later one.

@@ -13,6 +13,7 @@
 #include "kinematics/stability/zero_moment_point.h"
 #include "kinematics/trajectory/cubic_spline.h"
 #include "optimisation/pipeline/support_regions.h"
+#include "optimisation/pipeline/tipped_sole.h"
 
 namespace gaitwright {
 namespace {
@@ -58,6 +59,7 @@ struct Pass {
   FootstepPlan footsteps;
   WholeBodySolution solution;
   double error_m = std::numeric_limits<double>::infinity();
+  double outside_m = 0.0;  ///< of supports with area, by the multibody ZMP; on a line its error is all there is
   bool settled = false;
 
   bool BetterThan(const Pass& former) const {
@@ -105,13 +107,27 @@ class Passes {
         gain *= 0.5;
         if (gain < 0.1) break;
       }
-      if (best.settled && best.error_m < options_.pipeline.zmp_tolerance_m) break;
+      const bool near = best.error_m < options_.pipeline.zmp_tolerance_m && best.outside_m < kOutside;
+      if (best.settled && near) break;
       UpdateOffset(*made, gain);
     }
     return best;
   }
 
  private:
+  /// [m] Out of a support. A reference that hands over from a line starts on the edge, so that every error shows there.
+  static constexpr double kOutside = 5e-7;
+
+  double Outside(const Pass& pass) const {
+    double outside = 0.0;
+    for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
+      const double t = problem_.start_s + static_cast<double>(k) * problem_.step_s;
+      const Polygon region = RegionAt(problem_.phases[ZmpPhaseAt(problem_, t)], t);
+      if (region.size() >= 3) outside = std::max(outside, -SignedDistance(region, pass.solution.zmp_W[k]));
+    }
+    return outside;
+  }
+
   Result<Pass> MakePass() {
     Pass pass;
     pass.footsteps = footsteps_;
@@ -130,6 +146,7 @@ class Passes {
     for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
       pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
     }
+    pass.outside_m = Outside(pass);
     return pass;
   }
 
@@ -255,6 +272,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   PlannedMotion planned;
   Result<Pass> pass = RunAtSomeHeight(model, terrain, *skeleton, options, planned.passes);
   if (!pass) return pass.failure();
+  if (auto tipped = TippedSole(model, terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;
   plan.robot = model.name;
   plan.robot_hash = model.hash;

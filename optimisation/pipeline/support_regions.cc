@@ -113,9 +113,16 @@ Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vect
   return (place(foot).linear() * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }
 
-bool HandsOver(const std::vector<ContactPhase>& phases, std::size_t i) {
-  const FootSet stance = phases[i].stance, before = phases[i - 1].stance, after = phases[i + 1].stance;
-  return (stance & before) == before && (stance & after) == after && stance != before && stance != after;
+/// Where one stance goes over into a larger or smaller one, both want the point of the smaller.
+void JoinPreferred(const std::vector<ContactPhase>& phases, std::vector<ZmpPhase>& regions) {
+  const std::vector<ZmpPhase> own = regions;
+  for (std::size_t i = 0; i + 1 < regions.size(); ++i) {
+    const FootSet here = phases[i].stance, there = phases[i + 1].stance, both = here & there;
+    if (here == there || (both != here && both != there)) continue;
+    const Vector2 point = both == here ? own[i].preferred_end : own[i + 1].preferred_start;
+    regions[i].preferred_end = point;
+    regions[i + 1].preferred_start = point;
+  }
 }
 
 }  // namespace
@@ -133,18 +140,9 @@ std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSched
     region.preferred_end = Centroid(region.region_end) + shift;
     regions.push_back(region);
   }
-  for (std::size_t i = 1; i + 1 < regions.size(); ++i) {
-    if (!HandsOver(phases, i)) continue;
-    regions[i].preferred_start = regions[i - 1].preferred_end;
-    regions[i].preferred_end = regions[i + 1].preferred_start;
-  }
-  if (regions.size() == 1) {
-    regions[0].preferred_start = inputs.start_W;
-    regions[0].preferred_end = inputs.end_W;
-  } else if (!regions.empty()) {
+  JoinPreferred(phases, regions);
+  if (!regions.empty()) {
     regions.front().preferred_start = inputs.start_W;
-    regions.front().preferred_end = regions[1].preferred_start;
-    regions.back().preferred_start = regions[regions.size() - 2].preferred_end;
     regions.back().preferred_end = inputs.end_W;
   }
   return regions;

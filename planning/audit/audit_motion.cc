@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/model/leg_plane.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/audit/auditor.h"
 
@@ -79,11 +80,8 @@ void Auditor::CheckReach(double time_s) {
     const int index = FootholdAt(plan_.footsteps, f, time_s);
     if (index < 0) continue;
     const Leg& leg = model_.legs[static_cast<std::size_t>(f)];
-    double length = model_.feet[static_cast<std::size_t>(f)].X_BF.translation().norm() +
-                    model_.feet[static_cast<std::size_t>(f)].radius;
-    for (std::size_t i = 1; i < leg.joints.size(); ++i) {
-      length += model_.joints[static_cast<std::size_t>(leg.joints[i])].X_PJ.translation().norm();
-    }
+    const Foot& foot = model_.feet[static_cast<std::size_t>(f)];
+    const double length = StraightLength(model_, leg, 0, foot.X_BF.translation()) + foot.radius;
     const Foothold& foothold = plan_.footsteps.footholds[static_cast<std::size_t>(index)];
     const Vector3 hip = scratch_.p_WB[static_cast<std::size_t>(leg.joints.front() + 1)];
     const double distance = (foothold.X_WF.translation() - hip).norm();

@@ -11,6 +11,7 @@
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
+#include "planning/footsteps/can_walk.h"
 #include "planning/gait/schedule_contacts.h"
 #include "planning/paths/base_path.h"
 
@@ -183,8 +184,7 @@ Reach WorstReach(const RobotModel& model, const FootstepSkeleton& skeleton, doub
   for (std::size_t i = 0; i < skeleton.footsteps.footholds.size(); ++i) {
     const Foothold& foothold = skeleton.footsteps.footholds[i];
     const Leg& leg = model.legs[static_cast<std::size_t>(foothold.foot)];
-    const int hip_joint = leg.joints.size() >= 2 ? leg.joints[1] : leg.joints[0];
-    const Vector3 p_BH = scratch.p_WB[static_cast<std::size_t>(hip_joint + 1)];
+    const Vector3 p_BH = scratch.p_WB[static_cast<std::size_t>(std::max(leg.hip_joint, leg.joints.front()) + 1)];
     const Foot& foot = model.feet[static_cast<std::size_t>(foothold.foot)];
     for (const double t : {foothold.touchdown_s, foothold.liftoff_s}) {
       Pose X_BH = Pose::Identity();
@@ -246,6 +246,7 @@ Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& t
     return BadCommand(fmt::format("gait '{}' is for {} feet; robot '{}' has {}", gait.name, gait.num_feet(), model.name,
                                   model.feet.size()));
   }
+  if (auto cannot = WhyCannotWalk(model)) return *cannot;
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;
   const Reach worst = WorstReach(model, *skeleton, options.reach);

@@ -32,8 +32,9 @@ void LegTargets::UpdateJacobian(int leg, const Vector3& p_BQ) {
   for (std::size_t c = 0; c < dofs.size(); ++c) jacobian_.col(static_cast<Eigen::Index>(c)) = whole_.col(6 + dofs[c]);
   // Angles count as the way they move a point a tenth of a leg away; what cannot be had yields softly.
   const double angular = foot.sole_F.empty() ? 0.0 : 0.1 * model_.leg_length_m();
-  const double yaw = dofs.size() >= 6 ? angular : 0.01 * angular;
-  weight_ << 1.0, 1.0, 1.0, angular, angular, yaw;
+  const double lacking = dofs.size() >= 6 ? angular : 0.01 * angular;
+  const bool line = foot.type == FootType::kLine;  // cannot roll; another leg without six joints cannot turn
+  weight_ << 1.0, 1.0, 1.0, line ? lacking : angular, angular, line ? angular : lacking;
 }
 
 LegTargets::Joints LegTargets::LeastSquares(const Vector6& rows) const {

@@ -25,7 +25,7 @@ void Situation::Observe(const RobotModel& model, const VectorX& q, const VectorX
 void Situation::Update(const RobotModel& model, const ControlInput& input) {
   constexpr double kBridge = 0.01;  // a contact lost for less is a bounce [s]
   constexpr double kLanding = 0.5;  // share of a swing after which a contact is an early landing
-  constexpr double kLowest = 0.05;  // [m]
+  constexpr double kLowest = 0.1;   // of the leg's length, of the height that the pendulum is reckoned with
   time_s = input.time_s;
   step_s = input.step_s;
   wrenches = input.wrenches;
@@ -38,7 +38,8 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
     if (Contains(scheduled, f)) height += planned.X_WF[static_cast<std::size_t>(f)].translation().z();
   }
   if (scheduled != 0) ground_m = height / std::popcount(scheduled);
-  omega_rad_s = std::sqrt(kGravity / std::max(planned.p_WC.z() - ground_m, kLowest));
+  const double lowest = kLowest * std::max(model.leg_length_m(), 1e-3);
+  omega_rad_s = std::sqrt(kGravity / std::max(planned.p_WC.z() - ground_m, lowest));
   if (touched_s_.empty()) touched_s_.assign(model.feet.size(), time_s);
   bearing = 0;
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/can_walk.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/stability/polygon.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kThin = 0.01;  // of the leg's length: the width under which a support is none
+constexpr double kWeak = 0.02;  // of the leg's length a foot moves for each radian of its joints, under which it cannot
+
+Failure Cannot(const std::string& code, const std::string& message, const std::string& hint) {
+  return {FailureKind::kInfeasible, code, "PlanFootsteps", message, {hint}};
+}
+
+/// Least width of a polygon in any direction.
+double WidthOf(const Polygon& polygon) {
+  if (polygon.size() < 3) return 0.0;
+  double least = (polygon[1] - polygon[0]).norm();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2 edge = (polygon[(i + 1) % polygon.size()] - polygon[i]).normalized();
+    double width = 0.0;
+    for (const Vector2& p : polygon) {
+      const Vector2 r = p - polygon[i];
+      width = std::max(width, edge.x() * r.y() - edge.y() * r.x());
+    }
+    least = std::min(least, width);
+  }
+  return least;
+}
+
+std::optional<Failure> LacksSupport(const RobotModel& model, const DynamicsScratch& scratch) {
+  std::vector<Vector2> corners;
+  std::vector<std::string> names;
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
+    names.push_back(model.feet[static_cast<std::size_t>(f)].name);
+    for (const Vector3& p : ContactPoints(model, scratch, f)) corners.push_back(p.head<2>());
+  }
+  const double width = WidthOf(ConvexHull(corners)), least = kThin * model.leg_length_m();
+  if (width >= least) return std::nullopt;
+  return Cannot("no_support",
+                fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a line {:.1f} mm "
+                            "wide, and it takes {:.1f} mm to stand on; plans start and end standing",
+                            model.name, QuotedList(names), model.feet.size() == 2 ? "two points" : "points in line",
+                            1e3 * width, 1e3 * least),
+                "give it soles (robot.yaml, feet: sole_m) or a third foot");
+}
+
+/// What a foot must be able to do: rows of its Jacobian in W, lengths in legs' lengths.
+struct Demand {
+  MatrixX J;
+  std::vector<std::string> names;
+};
+
+Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg, const std::vector<int>& dofs) {
+  const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
+  MatrixX whole = MatrixX::Zero(6, model.nv());
+  PointJacobian(model, scratch, foot.body, foot.X_BF.translation(), whole);
+  whole.topRows<3>() /= std::max(leg.length_m, 1e-6);
+  Demand demand;
+  demand.names = {"ahead", "sideways", "up"};
+  std::vector<int> rows = {0, 1, 2};
+  if (!foot.sole_F.empty()) {
+    rows.push_back(4);
+    demand.names.emplace_back("to keep its sole level ahead");
+  }
+  if (foot.type == FootType::kSole) {
+    rows.push_back(3);
+    demand.names.emplace_back("to keep its sole level sideways");
+  }
+  demand.J.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(dofs.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < dofs.size(); ++c)
+      demand.J(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = whole(rows[r], 6 + dofs[c]);
+  }
+  return demand;
+}
+
+std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg) {
+  std::vector<int> dofs;
+  std::vector<std::string> names;
+  for (const int j : leg.joints) {
+    const int dof = model.joints[static_cast<std::size_t>(j)].dof;
+    if (std::find(dofs.begin(), dofs.end(), dof) != dofs.end()) continue;
+    dofs.push_back(dof);
+    names.push_back(model.dof_names[static_cast<std::size_t>(dof)]);
+  }
+  const Demand demand = DemandOf(model, scratch, leg, dofs);
+  const Eigen::JacobiSVD<MatrixX> svd(demand.J, Eigen::ComputeFullU);
+  const Eigen::Index needed = demand.J.rows();
+  const auto sigma = svd.singularValues();
+  const auto count = std::count_if(sigma.data(), sigma.data() + sigma.size(), [](double s) { return s >= kWeak; });
+  if (count >= needed) return std::nullopt;
+  Eigen::Index lacking = 0;
+  svd.matrixU().col(needed - 1).cwiseAbs().maxCoeff(&lacking);
+  const std::string& what = demand.names[static_cast<std::size_t>(lacking)];
+  return Cannot("freedoms",
+                fmt::format("leg '{}' cannot walk: {} of {} freedoms of its foot can be moved from the standing "
+                            "posture, and {} is lacking; its own joints are {}",
+                            leg.name, count, needed, lacking < 3 ? "moving its foot " + what : "a joint " + what,
+                            QuotedList(names)),
+                "give the leg a joint for it, or free one that is fixed or follows another");
+}
+
+}  // namespace
+
+std::optional<Failure> WhyCannotWalk(const RobotModel& model) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  for (const Leg& leg : model.legs) {
+    if (auto lacks = LacksFreedom(model, scratch, leg)) return lacks;
+  }
+  return LacksSupport(model, scratch);
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// Why a robot cannot walk whatever it is asked, or nothing. Failure kInfeasible:
+///   `no_support`  in its standing posture what its feet touch has no area: two point feet cannot stand still
+///   `freedoms`    names a leg whose joints cannot move its foot in some direction there, or not keep its sole level,
+///                 what it lacks, and the joints that it has
+/// A sole's turning about the upright axis, and a line's rolling and turning, may be lacking.
+std::optional<Failure> WhyCannotWalk(const RobotModel& model);
+
+}  // namespace gaitwright

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/can_walk.h"
+
+#include <gtest/gtest.h>
+
+#include "kinematics/model/load_robot.h"
+#include "tests/unusual_robots.h"
+
+namespace gaitwright {
+namespace {
+
+void ExpectRefused(const std::string& urdf, const std::string& code, const std::vector<std::string>& parts) {
+  const Result<RobotModel> model = LoadRobotFromText(urdf, "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  const auto failure = WhyCannotWalk(*model);
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
+  EXPECT_EQ(failure->code, code);
+  for (const std::string& part : parts)
+    EXPECT_NE(failure->message.find(part), std::string::npos) << "'" << failure->message << "' lacks '" << part << "'";
+}
+
+TEST(CanWalk, TwoPointsCannotStandStill) {
+  ExpectRefused(unusual::PointBiped(), "no_support", {"cannot stand still", "'a_foot'", "'b_foot'", "two points"});
+}
+
+TEST(CanWalk, ALegNeedsThreeFreedoms) {
+  ExpectRefused(unusual::Planar(), "freedoms",
+                {"leg 'a_foot'", "2 of 3", "sideways is lacking", "'a2_joint', 'a3_joint'"});
+  ExpectRefused(unusual::Pantograph(), "freedoms", {"leg 'a_foot'", "2 of 3", "'a1_joint', 'a2_joint'"});
+}
+
+TEST(CanWalk, OthersCan) {
+  for (const std::string& urdf :
+       {unusual::Plain(), unusual::Telescopic(), unusual::Insect(), unusual::Tripod(), unusual::Wheeled(),
+        unusual::SoledBiped(true, false), LoadNamedRobot("a1")->urdf_text, LoadNamedRobot("nao")->urdf_text}) {
+    const auto failure = WhyCannotWalk(*LoadRobotFromText(urdf, ""));
+    EXPECT_FALSE(failure.has_value()) << failure->message;
+  }
+}
+
+}  // namespace
+}  // namespace gaitwright

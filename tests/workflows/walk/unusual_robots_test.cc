@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Robots of other kinds and sizes, from their URDF alone: each walks at its own speed, or is told why it cannot.
+#include "tests/unusual_robots.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "kinematics/base/file.h"
+#include "kinematics/model/load_robot.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+struct Case {
+  std::string name, urdf, gait;
+};
+
+void PrintTo(const Case& robot, std::ostream* out) { *out << robot.name; }
+
+class UnusualRobot : public testing::TestWithParam<Case> {};
+
+TEST_P(UnusualRobot, WalksAtItsOwnSpeed) {
+  const Result<RobotModel> model = LoadRobotFromText(GetParam().urdf, "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  WalkRequest request;
+  request.gait = GetParam().gait;
+  request.command.distance_m = 0.7 * model->leg_length_m();
+  const Result<PlannedWalk> planned = PlanWalk(*model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  const Result<PlayedWalk> played = PlayWalk(*model, planned->motion.plan, PlayRequest{});
+  ASSERT_TRUE(played.ok()) << played.failure().message;
+  EXPECT_TRUE(played->report.pass) << played->report.reason;
+}
+
+std::vector<Case> Cases() {
+  return {{"telescopic", unusual::Telescopic(), ""},
+          {"insect", unusual::Insect(), ""},
+          {"wheeled", unusual::Wheeled(), ""},
+          {"arm_and_tail", unusual::ArmAndTail(), ""},
+          {"biped", unusual::SoledBiped(true, false), ""},
+          {"humanoid", unusual::SoledBiped(true, true), ""},
+          {"tiny", unusual::Plain(0.25), ""},
+          {"huge", unusual::Plain(3.0), ""}};
+}
+
+INSTANTIATE_TEST_SUITE_P(All, UnusualRobot, testing::ValuesIn(Cases()),
+                         [](const auto& robot) { return robot.param.name; });
+
+TEST(UnusualRobots, ThreeLegsWalkOneAtATime) {
+  const auto file = std::filesystem::temp_directory_path() / "gaitwright_three_legs.yaml";
+  ASSERT_TRUE(WriteFileAtomically(file.string(),
+                                  "three:\n  feet: 3\n  cycle_per_leg_time: 4.0\n  duty_factor: 0.8\n"
+                                  "  phase: [0.0, 0.3333333, 0.6666667]\n"));
+  const RobotModel model = *LoadRobotFromText(unusual::Tripod(), "");
+  WalkRequest request;
+  request.gait = file.string();
+  request.command.distance_m = 0.3;
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  const Result<PlayedWalk> played = PlayWalk(model, planned->motion.plan, PlayRequest{});
+  ASSERT_TRUE(played.ok());
+  EXPECT_TRUE(played->report.pass) << played->report.reason;
+}
+
+TEST(UnusualRobots, WhatCannotWalkIsToldWhy) {
+  const std::vector<std::pair<std::string, std::string>> refused = {
+      {unusual::PointBiped(), "cannot stand still"},
+      {unusual::Planar(), "leg 'a_foot' cannot walk"},
+      {unusual::Pantograph(), "leg 'a_foot' cannot walk"},
+      {unusual::SoledBiped(false, false), "no joint of its leg (5 joints) rolls it"}};
+  for (const auto& [urdf, why] : refused) {
+    WalkRequest request;
+    request.command.distance_m = 0.5;
+    const Result<PlannedWalk> planned = PlanWalk(*LoadRobotFromText(urdf, ""), request);
+    ASSERT_FALSE(planned.ok()) << why;
+    EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
+    EXPECT_NE(planned.failure().message.find(why), std::string::npos) << planned.failure().message;
+  }
+}
+
+}  // namespace
+}  // namespace gaitwright
