@@ -222,6 +222,7 @@ Result<Pass> RunAtSomeHeight(const RobotModel& model, const Terrain& terrain, co
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
 FootstepOptions StandingOptions(const MotionOptions& options) {
   FootstepOptions footsteps = options.footsteps;
+  footsteps.grid_s = options.pipeline.grid_step_s;
   if (options.centre_of_mass.method == "preview") {
     footsteps.initial_stand_s += options.centre_of_mass.preview_s;
     footsteps.final_stand_s += options.centre_of_mass.preview_s;

@@ -37,7 +37,7 @@ Json ToJson(const std::vector<Vector>& points) {
   return list;
 }
 
-const char* const kExtents[] = {"distance", "goal", "steps"};
+const char* const kExtents[] = {"distance", "goal", "steps", "duration"};
 
 Json CommandJson(const WalkCommand& c) {
   return {{"extent", kExtents[static_cast<int>(c.extent)]},
@@ -45,6 +45,7 @@ Json CommandJson(const WalkCommand& c) {
           {"lateral_speed_m_s", c.lateral_speed_m_s},
           {"yaw_rate_rad_s", c.yaw_rate_rad_s},
           {"distance_m", c.distance_m},
+          {"duration_s", c.duration_s},
           {"goal_x_m", c.goal_x_m},
           {"goal_y_m", c.goal_y_m},
           {"goal_yaw_rad", c.goal_yaw_rad},
@@ -174,13 +175,14 @@ PlanarPose ToPlanarPose(const Json& j) {
 WalkCommand ToCommand(const Json& j) {
   WalkCommand c;
   const auto extent = j.at("extent").get<std::string>();
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 4; ++i) {
     if (extent == kExtents[i]) c.extent = static_cast<WalkCommand::Extent>(i);
   }
   c.speed_m_s = j.at("speed_m_s").get<double>();
   c.lateral_speed_m_s = j.at("lateral_speed_m_s").get<double>();
   c.yaw_rate_rad_s = j.at("yaw_rate_rad_s").get<double>();
   c.distance_m = j.at("distance_m").get<double>();
+  c.duration_s = j.value("duration_s", 0.0);
   c.goal_x_m = j.at("goal_x_m").get<double>();
   c.goal_y_m = j.at("goal_y_m").get<double>();
   c.goal_yaw_rad = j.at("goal_yaw_rad").get<double>();
