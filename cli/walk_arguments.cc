@@ -11,8 +11,8 @@ void WalkArguments::AddTo(CLI::App& verb) {
   verb.option_defaults()->group("How fast (any mix of these)");
   WalkCommand& c = request.command;
   AddText(verb, "--gait", "NAME", request.gait,
-          "Gait by name, see 'gaitwright gaits', or a .yaml file whose first gait is taken; 'walk' is the slow one for "
-          "the robot's number of legs; default: the robot's best.");
+          "Gait by name, see 'gaitwright gaits', or a file of gaits: FILE.yaml for its first, FILE.yaml:NAME for "
+          "another one; 'walk' is the slow one for the robot's number of legs; default: the robot's best.");
   CLI::Option* ahead = AddNumber(verb, "--speed", "m/s", c.speed_m_s,
                                  "Speed ahead, 0 or more; default 0: where no other speed says where to go the robot's "
                                  "own, see 'gaitwright robots show'.");

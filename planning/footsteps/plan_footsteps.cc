@@ -55,8 +55,8 @@ BasePath PathOfSteps(const PlanarTwist& step, int steps_to_goal, double footfall
 }
 
 std::string StandingStillNote(const WalkCommand& command, int num_feet) {
-  return fmt::format("{} footfalls of {} feet end where they start; {} or more go ahead", command.steps, num_feet,
-                     num_feet);
+  return fmt::format("{} of {} feet take a step, so that the walk ends where it starts: {} steps or more go ahead",
+                     std::min(command.steps, num_feet), num_feet, num_feet);
 }
 
 Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait, const WalkCommand& command,

@@ -62,6 +62,21 @@ std::optional<Failure> CheckGrid(const Gait& gait, double grid_s) {
   return std::nullopt;
 }
 
+/// Why the weight cannot pass from some phase to the next.
+std::optional<Failure> CheckHandovers(const Gait& gait, const ContactSchedule& schedule) {
+  for (std::size_t i = 1; i < schedule.phases.size(); ++i) {
+    if ((schedule.phases[i - 1].stance & schedule.phases[i].stance) != 0) continue;
+    return Failure{FailureKind::kInfeasible,
+                   "gait_without_handover",
+                   "ScheduleContacts",
+                   fmt::format("in gait '{}' all feet that stand until {:.3f} s lift as others land: there is no time "
+                               "in which the weight can pass from these to those",
+                               gait.name, schedule.phases[i].start_s),
+                   {"a larger duty factor (gait.duty_factor)"}};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest& request) {
@@ -88,7 +103,9 @@ Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest
   }
   const double end = on_grid(last + request.final_stand_s);
   for (std::size_t i = 0; i < by_foot.size(); ++i) by_foot[i].push_back({down[i], end});
-  return ScheduleFromIntervals(by_foot, 0.0, end);
+  ContactSchedule schedule = ScheduleFromIntervals(by_foot, 0.0, end);
+  if (const auto failure = CheckHandovers(gait, schedule)) return *failure;
+  return schedule;
 }
 
 }  // namespace gaitwright

@@ -25,10 +25,14 @@ double Digits(double value, int digits) {
 
 double OwnPace(const RobotModel& model, const WalkCommand& c) {
   switch (PaceOf(c)) {
-    case Pace::kSpeed: return CommandedSpeed(model, c);
-    case Pace::kLateralSpeed: return std::abs(c.lateral_speed_m_s);
-    case Pace::kYawRate: return std::abs(c.yaw_rate_rad_s);
-    case Pace::kStepLength: return std::abs(c.step_length_m);
+    case Pace::kSpeed:
+      return CommandedSpeed(model, c);
+    case Pace::kLateralSpeed:
+      return std::abs(c.lateral_speed_m_s);
+    case Pace::kYawRate:
+      return std::abs(c.yaw_rate_rad_s);
+    case Pace::kStepLength:
+      return std::abs(c.step_length_m);
   }
   return 0.0;
 }
@@ -72,8 +76,8 @@ std::string LimitText(const Violation& v) {
                      : v.law == "joint_velocity" ? "moves at"
                      : v.law == "joint_position" ? "is at"
                                                  : "reaches for";
-  return fmt::format("'{}' {} {:.4g} {} at {:.2f} s, {:.3g} {} past its limit of {:.4g}", v.where, what, v.value, v.unit,
-                     v.at_s, std::abs(v.value - v.limit), v.unit, v.limit);
+  return fmt::format("'{}' {} {:.4g} {} at {:.2f} s, {:.3g} {} past its limit of {:.4g}", v.where, what, v.value,
+                     v.unit, v.at_s, std::abs(v.value - v.limit), v.unit, v.limit);
 }
 
 Pace PaceOf(const WalkCommand& c) {
@@ -81,8 +85,8 @@ Pace PaceOf(const WalkCommand& c) {
   if (c.speed_m_s > 0.0) return Pace::kSpeed;
   const bool aside = c.extent != Extent::kGoal || c.goal_x_m == 0.0;
   if (c.lateral_speed_m_s != 0.0 && aside) return Pace::kLateralSpeed;
-  const bool on_the_spot = c.extent == Extent::kGoal ? aside && c.goal_y_m == 0.0
-                                                     : c.extent != Extent::kDistance || c.distance_m == 0.0;
+  const bool on_the_spot =
+      c.extent == Extent::kGoal ? aside && c.goal_y_m == 0.0 : c.extent != Extent::kDistance || c.distance_m == 0.0;
   return c.yaw_rate_rad_s != 0.0 && on_the_spot ? Pace::kYawRate : Pace::kSpeed;
 }
 
@@ -98,7 +102,7 @@ WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double v
 }
 
 WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, double cycle_s) {
-  constexpr double kCycles = 6.0;
+  constexpr double kCycles = 4.0;
   WalkCommand c = command;
   const PlanarTwist velocity = CommandedVelocity(model, command);
   const double speed = std::hypot(velocity.x_m, velocity.y_m);
@@ -140,6 +144,8 @@ double LargestPace(const RobotModel& model, const WalkCommand& command, const Ca
   }
   return known == 0 ? low : between[known - 1];
 }
+
+double NextLower(double value) { return TwoDigitsBetween(0.5 * value, value).back(); }
 
 std::string PaceFlags(const WalkCommand& c) {
   std::string flags;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
@@ -30,6 +34,9 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, doubl
 /// Largest pace below that of the command, of two digits, at which `can_walk` says yes: by halving and then bisection,
 /// at most 20 questions. 0 when there is none.
 double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk);
+
+/// The next lower number of two digits.
+double NextLower(double value);
 
 /// The flags that ask for a pace and what goes with it: "--speed 1.1 --yaw-rate 0.2".
 std::string PaceFlags(const WalkCommand& command);
