@@ -26,6 +26,7 @@ struct Search {
   const Terrain& terrain;
   const WalkRequest& request;
   bool only_within = false;  // plans past limits are of no interest and not audited
+  AuditOptions audit = {};
 };
 
 Result<PlannedWalk> PlanAndAudit(const Search& search, const Gait& gait, const WalkCommand& command) {
@@ -34,17 +35,17 @@ Result<PlannedWalk> PlanAndAudit(const Search& search, const Gait& gait, const W
   PlannedWalk planned;
   planned.motion = std::move(*motion);
   if (planned.motion.limit_excess >= kSlightExcess && search.only_within) return planned;
-  const Result<AuditReport> audit = Audit(search.model, planned.motion.plan, AuditOptions{});
+  const Result<AuditReport> audit = Audit(search.model, planned.motion.plan, search.audit);
   if (!audit) return audit.failure();
   planned.audit = *audit;
   return planned;
 }
 
-bool KeepsLimits(const Result<PlannedWalk>& planned) { return planned && BrokenLimits(planned->audit).empty(); }
-
-bool Passes(const Result<PlannedWalk>& planned) {
-  return planned && planned->motion.limit_excess < kSlightExcess && planned->audit.pass();
+bool KeepsLimits(const Result<PlannedWalk>& planned) {
+  return planned && planned->motion.limit_excess < kSlightExcess && BrokenLimits(planned->audit).empty();
 }
+
+bool Passes(const Result<PlannedWalk>& planned) { return KeepsLimits(planned) && planned->audit.pass(); }
 
 /// True for failures that a slower walk may not have.
 bool IsTooMuch(const Failure& failure) {
@@ -75,7 +76,7 @@ Result<PlannedWalk> PlanQuicker(const Search& search, const WalkCommand& command
   const std::size_t from = std::min(stepping.from, gaits->size() - 1);
   Result<PlannedWalk> first = PlanAndAudit(search, (*gaits)[from], command);
   if (KeepsLimits(first) || (!first && !IsTooMuch(first.failure()))) return first;
-  const Search within{search.model, search.terrain, search.request, true};
+  const Search within{search.model, search.terrain, search.request, true, search.audit};
   for (std::size_t i = from + 1; i < gaits->size(); ++i) {
     Result<PlannedWalk> planned = PlanAndAudit(within, (*gaits)[i], command);
     if (!Passes(planned)) continue;
@@ -116,20 +117,34 @@ std::string ValueText(const WalkCommand& c) {
   return "";
 }
 
-/// Largest pace of the command that has a plan which passes its audit: looked for on short walks with few quicker
-/// gaits, then tried on the whole walk as it would be asked for. 0 when there is none.
+/// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
+/// enough.
+WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
+  constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
+  WalkRequest coarse = request;
+  double& grid = coarse.motion.pipeline.grid_step_s;
+  if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
+  return coarse;
+}
+
+/// Largest pace of the command that has a plan which passes its audit: looked for on short and coarse plans, then tried
+/// on the whole walk as it would be asked for. 0 when there is none.
 double LargestThatPasses(const Search& search, const Gait& gait) {
   constexpr int kLowered = 4;
-  const Search within{search.model, search.terrain, search.request, true};
-  Stepping coarse{3, 0};
+  AuditOptions seldom;
+  seldom.rate_hz *= 0.5;
+  const WalkRequest coarse = Coarse(search.request, gait.cycle_s);
+  const Search rough{search.model, search.terrain, coarse, true, seldom};
+  Stepping stepping;
   const auto in_short = [&](const WalkCommand& c) {
-    return Passes(PlanQuicker(within, Shortened(search.model, c, gait.cycle_s), coarse));
+    return Passes(PlanQuicker(rough, Shortened(search.model, c, gait.cycle_s), stepping));
   };
+  const Search whole{search.model, search.terrain, search.request, true};
   const WalkCommand& command = search.request.command;
   double largest = LargestPace(search.model, command, in_short);
   for (int i = 0; i < kLowered && largest > 0.0; ++i) {
-    Stepping fine;
-    if (Passes(PlanQuicker(within, AtPace(search.model, command, largest), fine))) return largest;
+    Stepping fresh;
+    if (Passes(PlanQuicker(whole, AtPace(search.model, command, largest), fresh))) return largest;
     largest = NextLower(largest);
   }
   return 0.0;
@@ -175,6 +190,7 @@ Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, 
   if (allow) stepping.quicker = 0;
   Result<PlannedWalk> planned = PlanQuicker(search, request.command, stepping);
   if (allow || KeepsLimits(planned)) return planned;
+  if (planned && BrokenLimits(planned->audit).empty()) return planned;
   if (planned) return Refusal(search, LimitsBroken(planned->audit));
   return IsTooMuch(planned.failure()) ? Refusal(search, planned.failure()) : planned;
 }
