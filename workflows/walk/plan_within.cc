@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "workflows/walk/refuse_walk.h"
 
@@ -70,15 +71,24 @@ Result<std::vector<Gait>> GaitsFor(const Search& search, const WalkCommand& comm
 }
 
 /// The plan at the gait's fitted time, or at a quicker one where only that keeps the limits; else the first's outcome.
+/// Quicker ones are tried as long as they do not take joints ever farther past their limits.
 Result<PlannedWalk> PlanQuicker(const Search& search, const WalkCommand& command, Stepping& stepping) {
+  constexpr int kPatience = 2;
   const Result<std::vector<Gait>> gaits = GaitsFor(search, command, stepping.quicker);
   if (!gaits) return gaits.failure();
   const std::size_t from = std::min(stepping.from, gaits->size() - 1);
   Result<PlannedWalk> first = PlanAndAudit(search, (*gaits)[from], command);
   if (KeepsLimits(first) || (!first && !IsTooMuch(first.failure()))) return first;
   const Search within{search.model, search.terrain, search.request, true, search.audit};
-  for (std::size_t i = from + 1; i < gaits->size(); ++i) {
+  const auto excess = [](const Result<PlannedWalk>& planned) {
+    return planned ? planned->motion.limit_excess : std::numeric_limits<double>::infinity();
+  };
+  double last = excess(first);
+  int worse = 0;
+  for (std::size_t i = from + 1; i < gaits->size() && worse < kPatience; ++i) {
     Result<PlannedWalk> planned = PlanAndAudit(within, (*gaits)[i], command);
+    worse = excess(planned) > last ? worse + 1 : 0;
+    last = excess(planned);
     if (!Passes(planned)) continue;
     stepping.from = i;
     planned->motion.summary +=

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "planning/footsteps/course.h"
 
@@ -108,6 +109,11 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, doubl
   const double speed = std::hypot(velocity.x_m, velocity.y_m);
   if (speed > 0.0) c.distance_m = std::min(c.distance_m, kCycles * cycle_s * speed);
   c.duration_s = std::min(c.duration_s, kCycles * cycle_s);
+  const bool turns = c.extent == Extent::kDistance && speed == 0.0;
+  if (turns && 0.5 * std::numbers::pi > kCycles * cycle_s * std::abs(velocity.yaw_rad)) {
+    c.extent = Extent::kDuration;
+    c.duration_s = kCycles * cycle_s;
+  }
   c.steps = std::min(c.steps, static_cast<int>(kCycles * static_cast<double>(model.feet.size())));
   const double way = std::hypot(c.goal_x_m, c.goal_y_m), most = kCycles * cycle_s * CommandedSpeed(model, c);
   if (c.extent == Extent::kGoal && way > most) {
@@ -125,6 +131,9 @@ double LargestPace(const RobotModel& model, const WalkCommand& command, const Ca
   double high = OwnPace(model, command);
   const double beyond = Beyond(model, PaceOf(command));
   double low = Digits(std::min(0.5 * high, beyond), 2);
+  // A goal is not walked to ever slower, since one plan does not last so long.
+  const double slowest = std::ldexp(low, -kHalvings);
+  if (command.extent != Extent::kGoal && !possible(Digits(slowest, 2))) return 0.0;
   int halvings = 0;
   while (halvings < kHalvings && !possible(low)) {
     high = low;

@@ -32,7 +32,7 @@ WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double v
 WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, double cycle_s);
 
 /// Largest pace below that of the command, of two digits, at which `can_walk` says yes: by halving and then bisection,
-/// at most 20 questions. 0 when there is none.
+/// at most 20 questions. 0 when there is none, as when it says no to the slowest.
 double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk);
 
 /// The next lower number of two digits.
