@@ -11,24 +11,35 @@ void WalkArguments::AddTo(CLI::App& verb) {
   verb.option_defaults()->group("How fast (any mix of these)");
   WalkCommand& c = request.command;
   AddText(verb, "--gait", "NAME", request.gait,
-          "Gait by name, see 'gaitwright gaits', or a .yaml file whose first gait is taken; 'walk' is the slow one for "
-          "the robot's number of legs; default: the robot's best.");
-  AddNumber(verb, "--speed", "m/s", c.speed_m_s,
-            "Speed ahead, 0 or more; default 0: the robot's own, see 'gaitwright robots show'.");
+          "Gait by name, see 'gaitwright gaits', or a file of gaits: FILE.yaml for its first, FILE.yaml:NAME for "
+          "another one; 'walk' is the slow one for the robot's number of legs; default: the robot's best.");
+  CLI::Option* ahead = AddNumber(verb, "--speed", "m/s", c.speed_m_s,
+                                 "Speed ahead, 0 or more; default 0: where no other speed says where to go the robot's "
+                                 "own, see 'gaitwright robots show'.");
   AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
             "Speed to the left, negative to the right; default 0.");
-  AddNumber(verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s, "Turning to the left, negative to the right; default 0.");
-  verb.option_defaults()->group("How far (one of --distance, --goal, --steps)");
-  AddNumber(verb, "--distance", "m", distance_m, "Along the commanded direction, more than 0; default 1.");
+  AddNumber(
+      verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s,
+      "Turning to the left, negative to the right; default 0. Alone it turns on the spot, with --distance it bends "
+      "the way at the robot's own speed.");
+  verb.option_defaults()->group("How far (one of --distance, --duration, --goal, --steps)");
+  AddNumber(verb, "--distance", "m", distance_m,
+            "Length of the way in the commanded direction, along the curve where --yaw-rate bends it, more than 0; "
+            "default 1, or a quarter turn where --yaw-rate stands alone.");
+  AddNumber(verb, "--duration", "s", duration_s,
+            "Time of walking at the commanded speeds, in whole cycles of the gait, more than 0; default: as --distance "
+            "says.");
   AddText(verb, "--goal", "x,y,yaw", goal,
           "Where to, in m, m and rad from the start: x ahead, y to the left, yaw between -pi and pi. A goal behind is "
-          "walked to backward.");
-  CLI::Option* count =
-      AddWholeNumber(verb, "--steps", 1, steps, "So many footfalls, the last one closing the feet; 1 or more.");
-  AddNumber(
-      verb, "--step-length", "m", step_length_m,
-      "Advance of a footfall, with --steps; 0 steps on the spot, negative goes back; default 0.16 of the leg length.")
-      ->needs(count);
+          "walked to backward. Speeds given are the largest on the way.");
+  CLI::Option* count = AddWholeNumber(verb, "--steps", 1, steps,
+                                      "So many footfalls at the commanded speeds, the last ones closing the stance; 1 "
+                                      "or more.");
+  AddNumber(verb, "--step-length", "m", step_length_m,
+            "Advance of the robot in a footfall, with --steps and instead of --speed; 0 steps on the spot, negative "
+            "goes back; default: speed times the time of a footfall.")
+      ->needs(count)
+      ->excludes(ahead);
   verb.option_defaults()->group("How it is planned");
   AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
           "How the centre of mass is planned: optimised, closed-form or preview; default optimised.");
@@ -37,11 +48,19 @@ void WalkArguments::AddTo(CLI::App& verb) {
 
 void WalkArguments::Finish(const RobotModel& model) {
   WalkCommand& c = request.command;
-  if (static_cast<int>(distance_m.has_value()) + static_cast<int>(!goal.empty()) + static_cast<int>(steps.has_value()) >
-      1) {
-    throw InvalidArgument("--distance, --goal and --steps each say how far: give one of them");
+  const int extents = static_cast<int>(distance_m.has_value()) + static_cast<int>(duration_s.has_value()) +
+                      static_cast<int>(!goal.empty()) + static_cast<int>(steps.has_value());
+  if (extents > 1) {
+    throw InvalidArgument("--distance, --duration, --goal and --steps each say how far: give one of them");
   }
-  c.distance_m = distance_m.value_or(1.0);
+  if (distance_m == 0.0) throw InvalidArgument("--distance 0 goes nowhere: it must be more than 0");
+  const bool says_where = c.speed_m_s != 0.0 || c.lateral_speed_m_s != 0.0 || c.yaw_rate_rad_s != 0.0;
+  const bool turns_only = c.yaw_rate_rad_s != 0.0 && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0;
+  c.distance_m = distance_m.value_or(turns_only ? 0.0 : 1.0);
+  if (duration_s) {
+    c.extent = WalkCommand::Extent::kDuration;
+    c.duration_s = *duration_s;
+  }
   if (!goal.empty()) {
     const std::vector<double> pose = ParseNumbers("--goal", goal, 3);
     c.extent = WalkCommand::Extent::kGoal;
@@ -52,7 +71,8 @@ void WalkArguments::Finish(const RobotModel& model) {
   if (steps) {
     c.extent = WalkCommand::Extent::kSteps;
     c.steps = *steps;
-    c.step_length_m = step_length_m.value_or(0.16 * model.leg_length_m());
+    c.step_length_m = step_length_m.value_or(0.0);
+    if (!step_length_m && !says_where) c.speed_m_s = model.nominal_speed_m_s;
   }
 }
 

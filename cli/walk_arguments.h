@@ -15,7 +15,7 @@ namespace gaitwright::cli {
 struct WalkArguments {
   std::string robot = "a1", urdf, goal;
   WalkRequest request;
-  std::optional<double> distance_m, step_length_m;
+  std::optional<double> distance_m, duration_s, step_length_m;
   std::optional<int> steps;
 
   void AddTo(CLI::App& verb);

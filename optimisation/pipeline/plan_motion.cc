@@ -47,6 +47,34 @@ CubicSpline YawSpline(const BasePath& path, double start_s, double end_s) {
   return CubicSpline(start_s, step, yaw);
 }
 
+/// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.
+struct LimitExcess {
+  double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
+};
+
+LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof) {
+  LimitExcess worst;
+  for (std::size_t k = 0; k < motion.q.size(); ++k) {
+    const double q = motion.q[k][7 + dof];
+    worst.position = std::max({worst.position, model.dof_lower(dof) - q, q - model.dof_upper(dof)});
+    worst.speed = std::max(worst.speed, std::abs(motion.v[k][6 + dof]) - model.dof_velocity_limit(dof));
+    worst.torque = std::max(worst.torque, std::abs(motion.tau[k][dof]) - model.dof_effort_limit(dof));
+  }
+  return worst;
+}
+
+/// How far the joints are past their limits, summed in shares of the limits: 0 where all are kept.
+double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion) {
+  double total = 0.0;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const LimitExcess over = ExcessOf(model, motion, d);
+    if (over.position > 0.0) total += over.position / std::max(model.dof_upper(d) - model.dof_lower(d), 1e-6);
+    if (over.speed > 0.0) total += over.speed / std::max(model.dof_velocity_limit(d), 1e-6);
+    if (over.torque > 0.0) total += over.torque / std::max(model.dof_effort_limit(d), 1e-6);
+  }
+  return total;
+}
+
 /// One pass: what was tried and how far its ZMP is from its reference.
 ///
 /// A pass is settled when the feet rolled as the pass itself had taken them to. One that is not has footholds and
@@ -94,7 +122,11 @@ class Passes {
     problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
   }
 
-  Result<Pass> Run(int& passes) {
+  /// One pass without corrections, enough to see which limits are kept.
+  Result<Pass> RunOnce() { return MakePass(); }
+
+  /// Passes until the ZMP is on its reference; a first one farther past limits than `hopeless` stays the only one.
+  Result<Pass> Run(int& passes, double hopeless) {
     Pass best;
     double gain = 1.0;
     for (passes = 0; passes < options_.pipeline.max_passes; ++passes) {
@@ -107,6 +139,7 @@ class Passes {
         gain *= 0.5;
         if (gain < 0.1) break;
       }
+      if (passes == 0 && TotalExcess(model_, best.solution.trajectory) > hopeless) break;
       const bool near = best.error_m < options_.pipeline.zmp_tolerance_m && best.outside_m < kOutside;
       if (best.settled && near) break;
       UpdateOffset(*made, gain);
@@ -182,30 +215,6 @@ class Passes {
   SupportInputs support_;
 };
 
-/// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.
-struct LimitExcess {
-  double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
-
-  bool any() const { return position > 0.0 || speed > 0.0 || torque > 0.0; }
-};
-
-LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof) {
-  LimitExcess worst;
-  for (std::size_t k = 0; k < motion.q.size(); ++k) {
-    const double q = motion.q[k][7 + dof];
-    worst.position = std::max({worst.position, model.dof_lower(dof) - q, q - model.dof_upper(dof)});
-    worst.speed = std::max(worst.speed, std::abs(motion.v[k][6 + dof]) - model.dof_velocity_limit(dof));
-    worst.torque = std::max(worst.torque, std::abs(motion.tau[k][dof]) - model.dof_effort_limit(dof));
-  }
-  return worst;
-}
-
-int CountOverLimit(const RobotModel& model, const WholeBodyTrajectory& motion) {
-  int count = 0;
-  for (int d = 0; d < model.num_dofs(); ++d) count += ExcessOf(model, motion, d).any() ? 1 : 0;
-  return count;
-}
-
 /// Joint limits that the trajectory does not keep, worst of each joint and kind.
 std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion) {
   std::vector<std::string> warnings;
@@ -219,35 +228,64 @@ std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyT
   return warnings;
 }
 
-/// Runs the passes at the height asked, or at that of standing and then ever lower while some foot cannot reach or some
-/// joint is past a limit, as knees are that straighten. Where no height serves all joints, the one with the fewest
-/// past their limits, the highest of them.
-Result<Pass> RunAtSomeHeight(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-                             const MotionOptions& options, int& passes) {
-  constexpr double kStep = 0.02, kLowest = 0.8;  // of the standing height
-  const double standing = StandingCentreOfMass(model, skeleton.path.pose.front()).z();
-  const double asked = options.pipeline.com_height_m;
-  Result<Pass> best = Passes(model, terrain, skeleton, options, asked > 0.0 ? asked : standing).Run(passes);
-  if (asked > 0.0) return best;
-  const auto over = [&](const Result<Pass>& pass) {
-    return pass ? CountOverLimit(model, pass->solution.trajectory) : std::numeric_limits<int>::max();
-  };
-  int fewest = over(best);
-  for (double share = 1.0 - kStep; share >= kLowest && fewest > 0; share -= kStep) {
+/// Finds the height of the centre of mass: the one asked for, or that of standing and then ever lower while that helps
+/// some foot that cannot reach or joints that are past their limits, as knees are that straighten. Where no height
+/// keeps all limits, the one with the least excess.
+class Heights {
+ public:
+  Heights(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
+          const MotionOptions& options, int& passes)
+      : model_(model), terrain_(terrain), skeleton_(skeleton), options_(options), passes_(passes) {}
+
+  Result<Pass> Run() {
+    // More than what the passes after the first can mend; such plans are finished only for those who want them.
+    constexpr double kHopeless = 0.05, kForever = std::numeric_limits<double>::infinity();
+    const double hopeless = options_.pipeline.allow_limits ? kForever : kHopeless;
+    const double standing = StandingCentreOfMass(model_, skeleton_.path.pose.front()).z();
+    const double asked = options_.pipeline.com_height_m;
+    Result<Pass> best = At(asked > 0.0 ? asked : standing).Run(passes_, hopeless);
+    if (asked > 0.0 || Excess(best) == 0.0) return best;
     if (!best && best.failure().code != "out_of_reach") return best;
-    Result<Pass> lower = Passes(model, terrain, skeleton, options, share * standing).Run(passes);
-    const int count = over(lower);
-    if (count < fewest) {
+    Lower(standing, hopeless, best);
+    return best;
+  }
+
+ private:
+  Passes At(double height_m) const { return Passes(model_, terrain_, skeleton_, options_, height_m); }
+
+  double Excess(const Result<Pass>& pass) const {
+    return pass ? TotalExcess(model_, pass->solution.trajectory) : std::numeric_limits<double>::infinity();
+  }
+
+  void Lower(double standing, double hopeless, Result<Pass>& best) {
+    constexpr double kStep = 0.02, kLowest = 0.8;  // of the standing height
+    constexpr int kPatience = 2;                   // heights without gain
+    // What is out of reach at the lowest is so at all heights.
+    if (!best && !At(kLowest * standing).RunOnce()) return;
+    double least = Excess(best);
+    int without_gain = 0;
+    for (double share = 1.0 - kStep; share >= kLowest && least > 0.0 && without_gain < kPatience; share -= kStep) {
+      Result<Pass> lower = At(share * standing).RunOnce();
+      if (Excess(lower) <= hopeless) lower = At(share * standing).Run(passes_, hopeless);
+      const double excess = Excess(lower);
+      without_gain = excess < least || !lower ? 0 : without_gain + 1;
+      if (excess >= least) continue;
       best = std::move(lower);
-      fewest = count;
+      least = excess;
     }
   }
-  return best;
-}
+
+  const RobotModel& model_;
+  const Terrain& terrain_;
+  const FootstepSkeleton& skeleton_;
+  const MotionOptions& options_;
+  int& passes_;
+};
 
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
 FootstepOptions StandingOptions(const MotionOptions& options) {
   FootstepOptions footsteps = options.footsteps;
+  footsteps.grid_s = options.pipeline.grid_step_s;
   if (options.centre_of_mass.method == "preview") {
     footsteps.initial_stand_s += options.centre_of_mass.preview_s;
     footsteps.final_stand_s += options.centre_of_mass.preview_s;
@@ -270,7 +308,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, StandingOptions(options));
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
-  Result<Pass> pass = RunAtSomeHeight(model, terrain, *skeleton, options, planned.passes);
+  Result<Pass> pass = Heights(model, terrain, *skeleton, options, planned.passes).Run();
   if (!pass) return pass.failure();
   if (auto tipped = TippedSole(model, terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;
@@ -290,6 +328,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   plan.swings = std::move(pass->swings);
   plan.whole_body = std::move(pass->solution.trajectory);
   plan.warnings = skeleton->warnings;
+  planned.limit_excess = TotalExcess(model, plan.whole_body);
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
   planned.zmp_error_max_m = pass->error_m;

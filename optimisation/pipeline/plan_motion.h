@@ -24,6 +24,7 @@ struct PipelineOptions {
   double zmp_tolerance_m = 0.001;
   double zmp_inward = 0.15;
   double com_height_m = 0.0;
+  bool allow_limits = false;
 
   OptionFields Fields() {
     return {{"grid_step_s", &grid_step_s, "s", 0.001, 0.01, "Step of the plan's uniform grid.", {}},
@@ -54,6 +55,13 @@ struct PipelineOptions {
              0.0,
              0.4,
              "How far the preferred ZMP under a single sole lies towards the body, as a share of the sole's width.",
+             {}},
+            {"allow_limits",
+             &allow_limits,
+             "1",
+             0.0,
+             1.0,
+             "Hand out a plan that is past limits of joints, reach or collisions too, with warnings, for looking at.",
              {}}};
   }
 };
@@ -78,12 +86,14 @@ struct PlannedMotion {
   MotionPlan plan;
   int passes = 0;                ///< of the ZMP correction
   double zmp_error_max_m = 0.0;  ///< multibody ZMP against its reference, worst
+  double limit_excess = 0.0;     ///< past limits of joints, summed in shares of the limits
   std::string summary;           ///< one line
 };
 
 /// From a command to a whole motion: footsteps, centre of mass, swings, whole body. The multibody ZMP of each pass,
 /// from its own inverse dynamics, corrects the pendulum of the next until it agrees with its reference; once the feet
-/// roll as they were taken to, a pass that does not help is dropped.
+/// roll as they were taken to, a pass that does not help is dropped. A plan past limits of joints is given with
+/// warnings, its passes cut short unless pipeline.allow_limits is set; PlanWalk refuses it.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                  const WalkCommand& command, const MotionOptions& options);
 

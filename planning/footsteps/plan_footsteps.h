@@ -7,6 +7,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
+#include "planning/footsteps/course.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
@@ -17,6 +18,7 @@ struct FootstepOptions {
   double final_stand_s = 0.8;
   double ramp_cycles = 1.0;
   double reach = 0.97;
+  double grid_s = 0.005;  ///< step of the plan's grid, on which contacts begin and end; the pipeline sets it
 
   OptionFields Fields() {
     return {{"initial_stand_s", &initial_stand_s, "s", 0.1, 10.0, "Time on all feet before the first step.", {}},
@@ -43,19 +45,11 @@ struct FootstepSkeleton {
 
 /// Base path, contact schedule and footholds on level ground for a command.
 ///
-/// A foothold stands where its foot stands in the standing posture, carried along by the base to where it is at the
-/// middle of the stance (Raibert's symmetric placement, Legged Robots That Balance, 1986); first and last footholds are
-/// those of standing at the start and at the goal. With two feet the one on the side of a side-step or turn leads by
-/// half a cycle, so that the feet are kept apart. Failures: kBadInput for a command that makes no
-/// sense, goes nowhere or takes over 600 s; kInfeasible for gaits with flight, a speed that no leg can reach (names the
-/// largest that can), a foothold out of reach (names foot, time and distance).
+/// Footholds follow the base along its path (PlaceAlongPath), or a command of counted footfalls (PlaceCounted).
+/// Failures: kBadInput for a command that makes no sense, contradicts itself, goes nowhere or takes over 600 s, and for
+/// a gait too fast for the grid; kInfeasible for gaits with flight and for a foothold out of reach (names foot, time
+/// and distance).
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options);
-
-/// Speed of the command along its direction that is used: given, or the robot's own.
-double CommandedSpeed(const RobotModel& model, const WalkCommand& command);
-
-/// Largest speed at which every foot finds its foothold within reach at this gait, found by bisection [m/s].
-double LargestSpeed(const RobotModel& model, const Gait& gait, const FootstepOptions& options);
 
 }  // namespace gaitwright

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
-#include "planning/plan/gait.h"
+#include "planning/gait/load_gaits.h"
 
 namespace gaitwright {
 
@@ -37,21 +36,13 @@ struct GaitOptions {
   }
 };
 
-/// A gait as its file has it, before it is fitted to a robot.
-struct GaitEntry {
-  Gait gait;                        ///< cycle_s is 0 when it scales with the leg
-  double cycle_per_leg_time = 0.0;  ///< cycle over sqrt(leg length / g)
-};
-
-/// Reads and validates a file of gaits: unknown keys (the nearest is named), numbers that are not finite or out of
-/// range, lists whose length is not that of the feet are refused.
-Result<std::vector<GaitEntry>> LoadGaits(const std::string& path);
-
-/// The gaits that come with the program.
-Result<std::vector<GaitEntry>> BuiltInGaits();
-
 /// The gait of that name fitted to a robot and speed. "walk" is the one for its number of legs, "" its best; a name
-/// that ends in .yaml is a file whose first gait is taken. Failure kBadInput lists what exists for this number of feet.
+/// that ends in .yaml is a file whose first gait is taken, FILE.yaml:NAME another one. Gaits that no file lists are
+/// made for any number of feet, see GeneratedGaits. Failure kBadInput lists what exists for this number of feet.
 Result<Gait> FindGait(const RobotModel& model, const std::string& name, double speed_m_s, const GaitOptions& options);
+
+/// Shortest cycle that the gait may be given for a robot [s]: half of its own where that scales with the leg, else the
+/// one that is given.
+Result<double> ShortestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
 
 }  // namespace gaitwright

@@ -12,18 +12,19 @@
 
 namespace gaitwright {
 
-/// What is asked of the robot, as numbers. Exactly one of distance, goal and steps says how far.
+/// What is asked of the robot, as numbers: how fast, and by `extent` how far.
 struct WalkCommand {
-  enum class Extent { kDistance, kGoal, kSteps };
+  enum class Extent { kDistance, kGoal, kSteps, kDuration };
 
   Extent extent = Extent::kDistance;
-  double speed_m_s = 0.0;                                     ///< along the body's x, > 0; 0 for the robot's own
-  double lateral_speed_m_s = 0.0;                             ///< along the body's y, left positive
-  double yaw_rate_rad_s = 0.0;                                ///< left positive
-  double distance_m = 0.0;                                    ///< kDistance: along the commanded direction
+  double speed_m_s = 0.0;          ///< along the body's x, > 0; 0 for the robot's own where nothing else says where to
+  double lateral_speed_m_s = 0.0;  ///< along the body's y, left positive
+  double yaw_rate_rad_s = 0.0;     ///< left positive
+  double distance_m = 0.0;         ///< kDistance: length of the path; with a yaw rate alone 0 means a quarter turn
+  double duration_s = 0.0;         ///< kDuration: of walking, in whole cycles
   double goal_x_m = 0.0, goal_y_m = 0.0, goal_yaw_rad = 0.0;  ///< kGoal: base pose in its start frame
-  int steps = 0;                                              ///< kSteps: footfalls, the last one closing the feet
-  double step_length_m = 0.0;                                 ///< kSteps: advance of a footfall ahead of the other foot
+  int steps = 0;                                              ///< kSteps: footfalls, the last ones closing the stance
+  double step_length_m = 0.0;  ///< kSteps without a speed: advance of the robot in a footfall
 
   bool operator==(const WalkCommand&) const = default;
 };

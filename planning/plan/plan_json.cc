@@ -45,6 +45,7 @@ Json CommandJson(const WalkCommand& c) {
           {"lateral_speed_m_s", c.lateral_speed_m_s},
           {"yaw_rate_rad_s", c.yaw_rate_rad_s},
           {"distance_m", c.distance_m},
+          {"duration_s", c.duration_s},
           {"goal_x_m", c.goal_x_m},
           {"goal_y_m", c.goal_y_m},
           {"goal_yaw_rad", c.goal_yaw_rad},

@@ -30,13 +30,15 @@ PlanarPose ToPlanarPose(const JsonPart& pose) {
 
 WalkCommand ToCommand(const JsonPart& command) {
   command.Object({"extent", "speed_m_s", "lateral_speed_m_s", "yaw_rate_rad_s", "distance_m", "goal_x_m", "goal_y_m",
-                  "goal_yaw_rad", "steps", "step_length_m"});
+                  "goal_yaw_rad", "steps", "step_length_m"},
+                 {"duration_s"});
   WalkCommand c;
   c.extent = static_cast<WalkCommand::Extent>(command.At("extent").Choice(PlanExtents()));
   c.speed_m_s = command.At("speed_m_s").NumberFrom(0.0);
   c.lateral_speed_m_s = command.At("lateral_speed_m_s").Number();
   c.yaw_rate_rad_s = command.At("yaw_rate_rad_s").Number();
   c.distance_m = command.At("distance_m").NumberFrom(0.0);
+  if (command.Has("duration_s")) c.duration_s = command.At("duration_s").NumberFrom(0.0);
   c.goal_x_m = command.At("goal_x_m").Number();
   c.goal_y_m = command.At("goal_y_m").Number();
   c.goal_yaw_rad = command.At("goal_yaw_rad").Number();
@@ -182,7 +184,7 @@ void ReadCentroidal(const JsonPart& whole, const WholeBodyTrajectory& w, Centroi
 }  // namespace
 
 const std::vector<std::string>& PlanExtents() {
-  static const std::vector<std::string> extents = {"distance", "goal", "steps"};
+  static const std::vector<std::string> extents = {"distance", "goal", "steps", "duration"};
   return extents;
 }
 

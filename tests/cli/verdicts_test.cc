@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exit status 2, no plan exists, and 3, the verdict is a fail.
+#include <sstream>
+
 #include "tests/cli/stranger.h"
 
 namespace gaitwright::cli {
@@ -12,13 +14,46 @@ void DoubleFirstTorque(Json& plan) {
   for (Json& row : plan.at("tau_nm")) row.at(0) = 2.0 * row.at(0).get<double>() + 1.0;
 }
 
-TEST_F(Verdicts, TooFastNamesTheLargestSpeed) {
-  const Ran ran = Run({"walk", "--speed", "9", "--out-dir", "no"});
-  ExpectRefused(ran, 2, {"the largest speed with gait 'trot' is ", " m/s", "try: --speed "});
-  const std::string speed = ran.err.substr(ran.err.find("--speed ") + 8, 4);
-  EXPECT_EQ(Run({"plan", "--speed", speed, "--distance", "0.5", "--quiet"}).status & ~3, 0)
-      << "the speed that the hint names has a plan, whatever its audit says";
-  EXPECT_FALSE(std::filesystem::exists(In("no")));
+/// The flags that a refusal's first hint tries.
+std::vector<std::string> HintOf(const Ran& ran) {
+  const std::size_t at = ran.err.find("(try: ") + 6;
+  std::istringstream stream(ran.err.substr(at, ran.err.find(';', at) - at));
+  std::vector<std::string> flags;
+  for (std::string flag; stream >> flag;) flags.push_back(flag);
+  return flags;
+}
+
+TEST_F(Verdicts, TooMuchNamesTheLargestThatWorksWhenTypedIn) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"--speed", "9"}, "the largest speed with gait 'trot' is "},
+      {{"--speed", "1.5", "--yaw-rate", "1", "--duration", "4"}, "the largest speed with gait 'trot' is "},
+      {{"--robot", "nao", "--lateral-speed", "-0.3"}, "the largest lateral speed with gait 'biped' is "},
+      {{"--robot", "nao", "--yaw-rate", "2"}, "the largest turning rate with gait 'biped' is "},
+      {{"--robot", "nao", "--steps", "6", "--step-length", "0.3"}, "the largest step length with gait 'biped' is "}};
+  for (const auto& [arguments, message] : cases) {
+    SCOPED_TRACE(message);
+    std::vector<std::string> asked = {"plan", "--quiet"};
+    asked.insert(asked.end(), arguments.begin(), arguments.end());
+    const Ran ran = Run(asked);
+    ExpectRefused(ran, 2, {message, "try: --", "pipeline.allow_limits=true"});
+    std::vector<std::string> hinted = {"plan", "--quiet"};
+    for (std::size_t i = 0; i < arguments.size(); i += 2) {
+      if (arguments[i] == "--robot" || arguments[i] == "--steps" || arguments[i] == "--duration")
+        hinted.insert(hinted.end(), {arguments[i], arguments[i + 1]});
+    }
+    const std::vector<std::string> flags = HintOf(ran);
+    hinted.insert(hinted.end(), flags.begin(), flags.end());
+    const Ran again = Run(hinted);
+    EXPECT_EQ(again.out, "pass\n") << again.err;
+  }
+}
+
+TEST_F(Verdicts, APlanPastLimitsIsGivenOnlyWhenAskedFor) {
+  ExpectRefused(Run({"walk", "--speed", "1.6", "--out-dir", "no"}), 2, {"past its limit of 21", "largest speed"});
+  EXPECT_TRUE(Found().empty());
+  const Ran ran = Run({"plan", "--speed", "1.6", "--set", "pipeline.allow_limits=true", "--json"});
+  EXPECT_EQ(ran.status, 3) << ran.err;
+  EXPECT_FALSE(ran.json().at("warnings").empty());
 }
 
 TEST_F(Verdicts, FlightIsNotPlanned) {
@@ -82,12 +117,13 @@ TEST_F(Verdicts, AWalkWhosePlanFailsItsAuditFailsThoughItStands) {
   for (std::size_t at = 0; (at = urdf.find(fast, at)) != std::string::npos;)
     urdf.replace(at, fast.size(), "velocity='1'");
   Write("slow.urdf", urdf);
-  const Ran object = Run({"walk", "--urdf", "slow.urdf", "--distance", "0.3", "--json"});
+  const std::string anyway = "pipeline.allow_limits=true";
+  const Ran object = Run({"walk", "--urdf", "slow.urdf", "--distance", "0.3", "--set", anyway, "--json"});
   EXPECT_EQ(object.status, 3) << object.err;
   EXPECT_EQ(object.json().at("verdict"), "fail");
   EXPECT_EQ(object.json().at("reason"), "the plan fails its audit: joint_velocity");
   EXPECT_EQ(object.json().at("metrics").at("fell").at("value"), false);
-  const Ran words = Run({"walk", "--urdf", "slow.urdf", "--distance", "0.3"});
+  const Ran words = Run({"walk", "--urdf", "slow.urdf", "--distance", "0.3", "--set", anyway});
   EXPECT_EQ(words.status, 3);
   EXPECT_TRUE(words.out.starts_with("FAIL   the plan fails its audit: joint_velocity")) << words.out.substr(0, 200);
 }

@@ -9,6 +9,7 @@
 
 #include "kinematics/model/load_robot.h"
 #include "playback/control/joint_pd.h"
+#include "workflows/walk/plan_within.h"
 
 namespace gaitwright {
 namespace {
@@ -64,18 +65,11 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
   CheckOptions(checked.Fields());
   const Result<Terrain> terrain = FindTerrain(request.terrain);
   if (!terrain) return terrain.failure();
-  const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, request.command), request.gait_options);
-  if (!gait) return gait.failure();
-  Result<PlannedMotion> motion = PlanMotion(model, *terrain, *gait, request.command, request.motion);
-  if (!motion) return motion.failure();
-  PlannedWalk planned;
-  planned.motion = std::move(*motion);
-  planned.motion.plan.provenance.seed = request.seed;
-  planned.motion.plan.provenance.options = TextsOf(AsAsked(checked));
-  planned.planning_cpu_s = clock.elapsed_s();
-  const Result<AuditReport> audit = Audit(model, planned.motion.plan, AuditOptions{});
-  if (!audit) return audit.failure();
-  planned.audit = *audit;
+  Result<PlannedWalk> planned = PlanWithin(model, *terrain, request);
+  if (!planned) return planned;
+  planned->motion.plan.provenance.seed = request.seed;
+  planned->motion.plan.provenance.options = TextsOf(AsAsked(checked));
+  planned->planning_cpu_s = clock.elapsed_s();
   return planned;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -60,6 +61,72 @@ TEST(Gaits, FilesAreValidated) {
   EXPECT_NE(message("hop: {feet: 2, cycle_s: 1.0, duty_factor: 0.6, phase: [0, 0.5, 0.7]}").find("3 entries"),
             std::string::npos);
   EXPECT_NE(message("hop: {feet: 2, cycle_s: 1.0, duty_factor: 1.6, phase: 0}").find("accepted"), std::string::npos);
+  const std::string hop = "hop: {feet: 2, cycle_s: 1.0, duty_factor: 0.6, phase: [0, 0.5]}\n";
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"hop: {feet: 2.5, cycle_s: 1.0, duty_factor: 0.6, phase: 0}", "line 1: feet is 2.5; a whole number"},
+      {"hop: {feet: two, cycle_s: 1.0, duty_factor: 0.6, phase: 0}", "line 1: feet is 'two'; a number"},
+      {"hop:\n  feet: 2\n  cycle_s: 1\n  duty_factor: {a: 1}\n  phase: 0", "line 4: duty_factor is a map"},
+      {"hop: {feet: 2, cycle_s: [1], duty_factor: 0.6, phase: 0}", "cycle_s is a list"},
+      {"hop: {feet: 2, cycle_s: 1, cycle_per_leg_time: 8, duty_factor: 0.6, phase: 0}", "has both"},
+      {"hop: {feet: 2, feet: 2, cycle_s: 1, duty_factor: 0.6, phase: 0}", "'feet' stands there twice"},
+      {"[1]: {feet: 2}", "the gait is a list"},
+      {"hop: 3", "gait 'hop' is a single value"},
+      {"[1, 2]", "holds no gaits"},
+      {"hop: {feet: 2", "line 1: is no YAML"},
+      {hop + hop, "line 2: the gait 'hop' stands there twice"}};
+  for (const auto& [text, part] : wrong) EXPECT_NE(message(text).find(part), std::string::npos) << message(text);
+}
+
+TEST(Gaits, OneOfAFileIsPickedByItsName) {
+  const Result<RobotModel> nao = LoadNamedRobot("nao");
+  const std::string path = testing::TempDir() + "gaits_of_a_file.yaml";
+  std::ofstream(path) << "four: {feet: 4, cycle_s: 1.0, duty_factor: 0.6, phase: [0, 0.5, 0.5, 0]}\n"
+                         "slow: {feet: 2, cycle_s: 2.0, duty_factor: 0.6, phase: [0, 0.5]}\n"
+                         "fast: {feet: 2, cycle_s: 0.8, duty_factor: 0.6, phase: [0, 0.5]}\n";
+  EXPECT_EQ(FindGait(*nao, path + ":fast", 0.1, {})->cycle_s, 0.8);
+  EXPECT_EQ(FindGait(*nao, path + ":slow", 0.1, {})->cycle_s, 2.0);
+  EXPECT_EQ(*ShortestCycle(*nao, path + ":slow", {}), 2.0) << "a time that is given stays";
+  EXPECT_NE(FindGait(*nao, path, 0.1, {}).failure().message.find("FILE:NAME"), std::string::npos);
+  EXPECT_NE(FindGait(*nao, path + ":four", 0.1, {}).failure().message.find("for 4 feet"), std::string::npos);
+  EXPECT_NE(FindGait(*nao, path + ":best", 0.1, {}).failure().message.find("'fast'"), std::string::npos);
+  std::remove(path.c_str());
+}
+
+TEST(Gaits, AreMadeForAnyNumberOfFeet) {
+  for (int feet = 3; feet <= 16; ++feet) {
+    SCOPED_TRACE(feet);
+    RobotModel model = *LoadNamedRobot("a1");
+    model.feet.resize(static_cast<std::size_t>(feet));
+    for (const char* name : {"", "walk", "wave"}) {
+      const Result<Gait> gait = FindGait(model, name, 0.1, {});
+      ASSERT_TRUE(gait.ok()) << gait.failure().message;
+      EXPECT_EQ(gait->num_feet(), feet);
+      EXPECT_FALSE(HasFlight(*gait));
+    }
+    const Result<Gait> wave = FindGait(model, "wave", 0.1, {});
+    for (double u = 0.0; u < 1.0; u += 0.001) EXPECT_GE(__builtin_popcountll(StanceAt(*wave, u)), feet - 1);
+  }
+}
+
+TEST(Gaits, GeneratedOnesMeetTheListedOnes) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1");
+  EXPECT_EQ(FindGait(*a1, "wave", 0.1, {})->phase, FindGait(*a1, "crawl", 0.1, {})->phase);
+  EXPECT_NEAR(FindGait(*a1, "wave", 0.1, {})->duty_factor[0], FindGait(*a1, "crawl", 0.1, {})->duty_factor[0], 1e-12);
+  const auto listed = BuiltInGaits();
+  const auto tripod =
+      std::find_if(listed->begin(), listed->end(), [](const auto& e) { return e.gait.name == "tripod"; });
+  ASSERT_NE(tripod, listed->end());
+  EXPECT_EQ(GeneratedGaits(6).back().gait.phase, tripod->gait.phase);
+}
+
+TEST(Gaits, OptionsTooSmallAreRefusedByName) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1");
+  GaitOptions options;
+  options.cycle_s = 0.01;
+  EXPECT_NE(FindGait(*a1, "", 0.3, options).failure().message.find("'gait.cycle_s' is 0.01 s"), std::string::npos);
+  options = {};
+  options.duty_factor = 0.01;
+  EXPECT_NE(FindGait(*a1, "", 0.3, options).failure().message.find("'gait.duty_factor'"), std::string::npos);
 }
 
 TEST(Schedule, IntervalsAbutExactlyOnTheGrid) {
@@ -88,6 +155,60 @@ TEST(Schedule, FlightIsRefusedAsNotPlannedYet) {
   const Result<ContactSchedule> schedule = ScheduleContacts(*FindGait(*a1, "pronk", 1.0, {}), {});
   ASSERT_FALSE(schedule.ok());
   EXPECT_EQ(schedule.failure().kind, FailureKind::kInfeasible);
+}
+
+TEST(Schedule, PairsStayTogetherOnAnyGrid) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1");
+  Gait trot = *FindGait(*a1, "trot", 0.2, {});
+  for (const double grid : {0.001, 0.0033, 0.005, 0.01}) {
+    for (int i = 0; i < 50; ++i) {
+      trot.cycle_s = 0.4 + 0.005 * i;  // many of whose parts fall just between two steps of a grid
+      ScheduleRequest request;
+      request.grid_s = grid;
+      request.stepping_s = 4.0 * trot.cycle_s;
+      const Result<ContactSchedule> schedule = ScheduleContacts(trot, request);
+      ASSERT_TRUE(schedule.ok()) << schedule.failure().message;
+      for (const ContactPhase& phase : schedule->phases) {
+        EXPECT_EQ(Contains(phase.stance, 0), Contains(phase.stance, 3));
+        EXPECT_EQ(Contains(phase.stance, 1), Contains(phase.stance, 2));
+        EXPECT_NEAR(std::remainder(phase.start_s, grid), 0.0, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Schedule, SwingsShorterThanTheGridAreRefused) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1");
+  Gait trot = *FindGait(*a1, "trot", 0.2, {});
+  trot.cycle_s = 0.04;
+  ScheduleRequest request;
+  request.grid_s = 0.01;
+  const Result<ContactSchedule> schedule = ScheduleContacts(trot, request);
+  ASSERT_FALSE(schedule.ok());
+  EXPECT_EQ(schedule.failure().kind, FailureKind::kBadInput);
+  EXPECT_NE(schedule.failure().message.find("grid of 0.01 s"), std::string::npos);
+}
+
+TEST(Schedule, FeetThatLiftAsOthersLandAreRefused) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1");
+  GaitOptions options;
+  options.duty_factor = 0.5;
+  const Result<ContactSchedule> schedule = ScheduleContacts(*FindGait(*a1, "trot", 0.3, options), {});
+  ASSERT_FALSE(schedule.ok());
+  EXPECT_EQ(schedule.failure().code, "gait_without_handover");
+}
+
+TEST(Schedule, TheFirstFootCanBeChosen) {
+  const Result<RobotModel> nao = LoadNamedRobot("nao");
+  for (int foot = 0; foot < 2; ++foot) {
+    ScheduleRequest request;
+    request.footfalls = 3;
+    request.first_foot = foot;
+    const ContactSchedule schedule = *ScheduleContacts(*FindGait(*nao, "", 0.05, {}), request);
+    EXPECT_EQ(schedule.phases[1].stance, FootBit(1 - foot));
+    EXPECT_EQ(IntervalsOf(schedule, foot).size(), 3U);
+    EXPECT_EQ(IntervalsOf(schedule, 1 - foot).size(), 2U);
+  }
 }
 
 TEST(Schedule, MistakesAreNamed) {

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/course.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "planning/footsteps/standing_feet.h"
+
+namespace gaitwright {
+namespace {
+
+using Extent = WalkCommand::Extent;
+
+Failure BadCommand(const std::string& message) {
+  return {FailureKind::kBadInput, "command", "PlanFootsteps", message, {}};
+}
+
+PlanarTwist Scaled(const PlanarTwist& twist, double factor) {
+  return {factor * twist.x_m, factor * twist.y_m, factor * twist.yaw_rad};
+}
+
+/// Turning rate at which soles side by side, turned against each other by what a step turns, keep apart with a margin;
+/// for feet without soles that at which they move no faster than the body's own speed.
+double OwnTurnRate(const RobotModel& model, const Gait& gait, double speed) {
+  constexpr double kShareOfGap = 0.7;
+  double gap = std::numeric_limits<double>::infinity(), half_length = 0.0;
+  const std::vector<Pose> standing = StandingFeet(model);
+  for (std::size_t f = 0; f < model.feet.size(); ++f) {
+    for (const Vector2& corner : model.feet[f].sole_F) {
+      half_length = std::max(half_length, std::abs(corner.x()));
+      gap = std::min(gap, 2.0 * (std::abs(standing[f].translation().y()) - std::abs(corner.y())));
+    }
+  }
+  if (half_length == 0.0) return speed / (0.6 * model.leg_length_m());
+  return kShareOfGap * std::max(gap, 0.0) / half_length / gait.cycle_s;
+}
+
+/// The course to a pose, with its time at full speed in duration_s.
+Course ToGoal(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
+  const double speed = CommandedSpeed(model, c);
+  const PlanarTwist twist = TwistTo({c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
+  const double turn_rate = c.yaw_rate_rad_s != 0.0 ? std::abs(c.yaw_rate_rad_s) : OwnTurnRate(model, gait, speed);
+  const double lateral = c.lateral_speed_m_s != 0.0 ? std::abs(c.lateral_speed_m_s) : 0.35 * speed;
+  return {twist,
+          std::max({std::abs(twist.x_m) / speed, std::abs(twist.y_m) / lateral, std::abs(twist.yaw_rad) / turn_rate}),
+          0.0};
+}
+
+/// The course along the commanded velocity, with its time at full speed in duration_s.
+Course AlongDistance(const RobotModel& model, const WalkCommand& c) {
+  const PlanarTwist velocity = CommandedVelocity(model, c);
+  const double speed = std::hypot(velocity.x_m, velocity.y_m);
+  const double time = speed > 0.0 ? c.distance_m / speed : 0.5 * std::numbers::pi / std::abs(velocity.yaw_rad);
+  return {Scaled(velocity, time), time, 0.0};
+}
+
+Course ForDuration(const RobotModel& model, const Gait& gait, const WalkCommand& c, double ramp_cycles) {
+  const double duration = std::max(1.0, std::round(c.duration_s / gait.cycle_s)) * gait.cycle_s;
+  const double ramp = std::min(ramp_cycles * gait.cycle_s, 0.5 * duration);
+  return {Scaled(CommandedVelocity(model, c), duration - ramp), duration, ramp};
+}
+
+Course OfSteps(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
+  const double footfall_s = gait.cycle_s / gait.num_feet();
+  PlanarTwist step = Scaled(CommandedVelocity(model, c), footfall_s);
+  if (c.speed_m_s == 0.0) step.x_m = c.step_length_m;
+  return {step, c.steps * footfall_s, 0.0};
+}
+
+std::optional<Failure> CheckExtent(const WalkCommand& c) {
+  if (c.extent == Extent::kDistance && c.distance_m < 0.0)
+    return BadCommand(fmt::format("the distance is {} m; it must not be negative", c.distance_m));
+  if (c.extent == Extent::kDuration && c.duration_s <= 0.0)
+    return BadCommand(fmt::format("the duration is {} s; it must be more than 0", c.duration_s));
+  if (c.extent == Extent::kSteps && c.steps < 1)
+    return BadCommand(fmt::format("{} steps are asked for; one or more are accepted", c.steps));
+  if (c.extent == Extent::kSteps && c.speed_m_s > 0.0 && c.step_length_m != 0.0) {
+    return BadCommand(
+        fmt::format("counted steps are to be {} m long and to go ahead at {} m/s; give the length or the speed",
+                    c.step_length_m, c.speed_m_s));
+  }
+  if (std::abs(c.goal_yaw_rad) >= std::numbers::pi)
+    return BadCommand(fmt::format("the goal's yaw is {} rad; it must lie between -pi and pi", c.goal_yaw_rad));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Failure> CheckCommand(const WalkCommand& c) {
+  for (const double value : {c.speed_m_s, c.lateral_speed_m_s, c.yaw_rate_rad_s, c.distance_m, c.duration_s, c.goal_x_m,
+                             c.goal_y_m, c.goal_yaw_rad, c.step_length_m}) {
+    if (!std::isfinite(value)) return BadCommand(fmt::format("the command holds {}; finite numbers are needed", value));
+  }
+  if (c.speed_m_s < 0.0) {
+    return BadCommand(fmt::format(
+        "the speed is {} m/s; it must not be negative; a goal behind makes the robot walk backward", c.speed_m_s));
+  }
+  return CheckExtent(c);
+}
+
+double CommandedSpeed(const RobotModel& model, const WalkCommand& command) {
+  return command.speed_m_s > 0.0 ? command.speed_m_s : model.nominal_speed_m_s;
+}
+
+PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& c) {
+  PlanarTwist velocity{c.speed_m_s, c.lateral_speed_m_s, c.yaw_rate_rad_s};
+  if (c.extent == Extent::kSteps || c.speed_m_s > 0.0 || c.lateral_speed_m_s != 0.0) return velocity;
+  const bool on_the_spot = c.yaw_rate_rad_s != 0.0 && (c.extent == Extent::kDuration || c.distance_m == 0.0);
+  if (!on_the_spot) velocity.x_m = model.nominal_speed_m_s;
+  return velocity;
+}
+
+Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, double ramp_cycles) {
+  constexpr double kLongest = 600.0;  // [s]
+  Course course;
+  switch (command.extent) {
+    case Extent::kGoal:
+      course = ToGoal(model, gait, command);
+      break;
+    case Extent::kDistance:
+      course = AlongDistance(model, command);
+      break;
+    case Extent::kDuration:
+      course = ForDuration(model, gait, command, ramp_cycles);
+      break;
+    case Extent::kSteps:
+      course = OfSteps(model, gait, command);
+      break;
+  }
+  if (!(course.duration_s > 0.0)) return BadCommand("the command goes nowhere: it ends where it starts");
+  if (course.duration_s > kLongest) {
+    return BadCommand(fmt::format("the walk would take {:.6g} s; at most {} s go into one plan: go less far or faster",
+                                  course.duration_s, kLongest));
+  }
+  if (command.extent == Extent::kGoal || command.extent == Extent::kDistance) {
+    course.ramp_s = std::min(ramp_cycles * gait.cycle_s, course.duration_s);
+    course.duration_s += course.ramp_s;
+  }
+  return course;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/place_feet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planning/footsteps/standing_feet.h"
+
+namespace gaitwright {
+namespace {
+
+/// Which parts of a twist a foot on one side treats in its own way, for two feet.
+struct Sides {
+  bool lateral = false, turn = false;
+  bool any() const { return lateral || turn; }
+};
+
+/// What a foot leads, being on that side; none unless there are two feet.
+Sides LedBy(const std::vector<Pose>& standing, std::size_t foot, const PlanarTwist& twist) {
+  if (standing.size() != 2) return {};
+  const double side = standing[foot].translation().y();
+  return {side * twist.y_m > 0.0, side * twist.yaw_rad > 0.0};
+}
+
+/// `base` with the lateral place and the heading of `other`, as far as `parts` says.
+PlanarPose WithParts(PlanarPose base, const PlanarPose& other, const Sides& parts) {
+  if (parts.turn) base.yaw_rad = other.yaw_rad;
+  if (parts.lateral) {
+    const double s = std::sin(base.yaw_rad), c = std::cos(base.yaw_rad);
+    const double lateral = -s * (other.x_m - base.x_m) + c * (other.y_m - base.y_m);
+    base.x_m -= s * lateral;
+    base.y_m += c * lateral;
+  }
+  return base;
+}
+
+void SortByTouchdown(FootstepPlan& plan) {
+  std::stable_sort(plan.footholds.begin(), plan.footholds.end(),
+                   [](const Foothold& a, const Foothold& b) { return a.touchdown_s < b.touchdown_s; });
+}
+
+/// A footfall of a schedule.
+struct Footfall {
+  int foot = 0;
+  ContactInterval stance;   // that it begins
+  double liftoff_s = 0.0;   // of the swing before
+  int count = 0;            // 1 for the first; the last one's for those that land together
+  PlanarTwist steps_ahead;  // by component, how many steps of the twist
+};
+
+std::vector<Footfall> FootfallsOf(const ContactSchedule& schedule, int num_feet) {
+  std::vector<Footfall> footfalls;
+  for (int foot = 0; foot < num_feet; ++foot) {
+    const auto intervals = IntervalsOf(schedule, foot);
+    for (std::size_t i = 1; i < intervals.size(); ++i)
+      footfalls.push_back({foot, intervals[i], intervals[i - 1].end_s, 0, {}});
+  }
+  std::stable_sort(footfalls.begin(), footfalls.end(),
+                   [](const Footfall& a, const Footfall& b) { return a.liftoff_s < b.liftoff_s; });
+  for (std::size_t k = footfalls.size(); k-- > 0;) {
+    const bool together = k + 1 < footfalls.size() && footfalls[k].stance.start_s == footfalls[k + 1].stance.start_s;
+    footfalls[k].count = together ? footfalls[k + 1].count : static_cast<int>(k) + 1;
+  }
+  return footfalls;
+}
+
+/// The number of steps that every foot's last footfall can reach.
+int StepsToGoal(const std::vector<Footfall>& footfalls, int num_feet) {
+  double goal = std::numeric_limits<double>::infinity();
+  for (int foot = 0; foot < num_feet; ++foot) {
+    double last = 0.0;
+    for (const Footfall& footfall : footfalls) {
+      const PlanarTwist& ahead = footfall.steps_ahead;
+      if (footfall.foot == foot) last = std::min({ahead.x_m, ahead.y_m, ahead.yaw_rad});
+    }
+    goal = std::min(goal, last);
+  }
+  return static_cast<int>(goal);
+}
+
+}  // namespace
+
+FootstepPlan PlaceAlongPath(const RobotModel& model, const Gait& gait, const ContactSchedule& schedule,
+                            const BasePath& path, const PlanarTwist& twist) {
+  const std::vector<Pose> standing = StandingFeet(model);
+  FootstepPlan plan;
+  for (std::size_t f = 0; f < standing.size(); ++f) {
+    const Sides led = LedBy(standing, f, twist);
+    const auto intervals = IntervalsOf(schedule, static_cast<int>(f));
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+      const double middle = 0.5 * (intervals[i].start_s + intervals[i].end_s);
+      PlanarPose base = WithParts(PoseAt(path, middle), PoseAt(path, middle + 0.5 * gait.cycle_s), led);
+      if (i + 1 == intervals.size()) base = path.pose.back();
+      if (i == 0) base = path.pose.front();
+      Foothold foothold;
+      foothold.foot = static_cast<int>(f);
+      foothold.touchdown_s = intervals[i].start_s;
+      foothold.liftoff_s = intervals[i].end_s;
+      foothold.X_WF = Carried(base, standing[f]);
+      plan.footholds.push_back(foothold);
+    }
+  }
+  SortByTouchdown(plan);
+  return plan;
+}
+
+CountedFootsteps PlaceCounted(const RobotModel& model, const ContactSchedule& schedule, const PlanarTwist& step) {
+  const std::vector<Pose> standing = StandingFeet(model);
+  const int num_feet = static_cast<int>(standing.size());
+  std::vector<Footfall> footfalls = FootfallsOf(schedule, num_feet);
+  for (Footfall& footfall : footfalls) {
+    // The foot on the other side than the one that leads follows.
+    const Sides lags = LedBy(standing, static_cast<std::size_t>(footfall.foot), {0.0, -step.y_m, -step.yaw_rad});
+    const double count = footfall.count;
+    footfall.steps_ahead = {count, count - (lags.lateral ? 1.0 : 0.0), count - (lags.turn ? 1.0 : 0.0)};
+  }
+  CountedFootsteps counted;
+  counted.steps_to_goal = StepsToGoal(footfalls, num_feet);
+  const double goal = counted.steps_to_goal;
+  for (int foot = 0; foot < num_feet; ++foot) {
+    const ContactInterval first = IntervalsOf(schedule, foot).front();
+    footfalls.push_back({foot, first, first.start_s, 0, {}});
+  }
+  for (const Footfall& footfall : footfalls) {
+    const PlanarTwist& ahead = footfall.steps_ahead;
+    const auto at = [&](double steps) { return PoseAlong(step, std::min(steps, goal)); };
+    PlanarPose base = WithParts(at(ahead.x_m), at(ahead.y_m), {true, false});
+    base.yaw_rad = at(ahead.yaw_rad).yaw_rad;
+    const Pose X_WF = Carried(base, standing[static_cast<std::size_t>(footfall.foot)]);
+    counted.footsteps.footholds.push_back(
+        {footfall.foot, X_WF, Vector3::Zero(), 0, footfall.stance.start_s, footfall.stance.end_s});
+  }
+  std::stable_sort(counted.footsteps.footholds.begin(), counted.footsteps.footholds.end(),
+                   [](const Foothold& a, const Foothold& b) { return a.foot < b.foot; });
+  SortByTouchdown(counted.footsteps);
+  return counted;
+}
+
+int LeadingFoot(const RobotModel& model, const PlanarTwist& twist) {
+  const std::vector<Pose> standing = StandingFeet(model);
+  for (std::size_t f = 0; f < standing.size(); ++f) {
+    const Sides led = LedBy(standing, f, twist);
+    if (led.lateral || (led.turn && twist.y_m == 0.0)) return static_cast<int>(f);
+  }
+  return -1;
+}
+
+}  // namespace gaitwright

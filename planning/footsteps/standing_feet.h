@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// Contact frames of the standing posture on the ground, by foot, with the base's origin over the world's: X_BF.
+std::vector<Pose> StandingFeet(const RobotModel& model);
+
+/// A pose that was given for the base at the origin, where the base is at a planar pose.
+Pose Carried(const PlanarPose& base, const Pose& X_BF);
+
+}  // namespace gaitwright

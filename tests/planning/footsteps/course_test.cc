@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "kinematics/model/load_robot.h"
+#include "planning/footsteps/plan_footsteps.h"
+#include "planning/gait/find_gait.h"
+
+namespace gaitwright {
+namespace {
+
+using Extent = WalkCommand::Extent;
+
+FootstepSkeleton Planned(const WalkCommand& command, const std::string& robot = "a1") {
+  const RobotModel model = *LoadNamedRobot(robot);
+  const Result<Gait> gait = FindGait(model, "", CommandedSpeed(model, command), {});
+  const Result<FootstepSkeleton> skeleton = PlanFootsteps(model, FlatTerrain(), *gait, command, {});
+  EXPECT_TRUE(skeleton.ok()) << skeleton.failure().message;
+  return *skeleton;
+}
+
+double LengthOf(const BasePath& path) {
+  double length = 0.0;
+  for (std::size_t k = 1; k < path.pose.size(); ++k)
+    length += std::hypot(path.pose[k].x_m - path.pose[k - 1].x_m, path.pose[k].y_m - path.pose[k - 1].y_m);
+  return length;
+}
+
+TEST(Course, YawRateBendsAWayOfTheLengthAskedFor) {
+  const double own = LoadNamedRobot("a1")->nominal_speed_m_s;
+  for (const double rate : {0.5, -0.2}) {
+    WalkCommand command;
+    command.yaw_rate_rad_s = rate;
+    command.distance_m = 1.5;
+    const FootstepSkeleton skeleton = Planned(command);
+    EXPECT_NEAR(LengthOf(skeleton.path), 1.5, 1e-4);
+    EXPECT_NEAR(skeleton.goal.yaw_rad, rate * 1.5 / own, 1e-9);
+    const double radius = own / rate;  // of the circle that both speeds make
+    EXPECT_NEAR(skeleton.goal.x_m, radius * std::sin(skeleton.goal.yaw_rad), 1e-9);
+    EXPECT_NEAR(skeleton.goal.y_m, radius * (1.0 - std::cos(skeleton.goal.yaw_rad)), 1e-9);
+  }
+}
+
+TEST(Course, YawRateAloneIsAQuarterTurn) {
+  for (const double rate : {0.4, -0.4}) {
+    WalkCommand command;
+    command.yaw_rate_rad_s = rate;
+    const PlanarPose goal = Planned(command).goal;
+    EXPECT_NEAR(goal.yaw_rad, std::copysign(0.5 * std::numbers::pi, rate), 1e-12);
+    EXPECT_NEAR(std::hypot(goal.x_m, goal.y_m), 0.0, 1e-12);
+  }
+}
+
+TEST(Course, DurationIsWholeCyclesAtTheCommandedSpeeds) {
+  WalkCommand command;
+  command.extent = Extent::kDuration;
+  command.speed_m_s = 0.25;
+  command.yaw_rate_rad_s = 0.3;
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  const double cycle = FindGait(a1, "", 0.25, {})->cycle_s;
+  for (const double duration : {0.01, 3.0, 6.1}) {
+    command.duration_s = duration;
+    const FootstepSkeleton skeleton = Planned(command);
+    const auto& phases = skeleton.schedule.phases;
+    const double stepping = phases.back().start_s - phases.front().end_s;
+    EXPECT_NEAR(stepping, std::max(cycle, duration), cycle);
+    const double cruise = skeleton.goal.yaw_rad / 0.3;
+    EXPECT_NEAR(LengthOf(skeleton.path), 0.25 * cruise, 1e-4) << "one time at both speeds";
+    EXPECT_LT(cruise, stepping);
+    EXPECT_GT(cruise, stepping - 1.5 * cycle);
+    const PlanarPose a = PoseAt(skeleton.path, 0.5 * skeleton.schedule.end_s());
+    const PlanarPose b = PoseAt(skeleton.path, 0.5 * skeleton.schedule.end_s() + 0.1);
+    if (duration > 2.0) {
+      EXPECT_NEAR(std::hypot(b.x_m - a.x_m, b.y_m - a.y_m), 0.025, 1e-4);
+    }
+  }
+}
+
+TEST(Course, DurationOfATurnAloneStaysOnTheSpot) {
+  WalkCommand command;
+  command.extent = Extent::kDuration;
+  command.duration_s = 5.0;
+  command.yaw_rate_rad_s = -0.3;
+  const PlanarPose goal = Planned(command).goal;
+  EXPECT_NEAR(std::hypot(goal.x_m, goal.y_m), 0.0, 1e-12);
+  EXPECT_LT(goal.yaw_rad, -1.2);
+}
+
+TEST(Course, DurationMustBeMoreThanNothingAndNotTooLong) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  WalkCommand command;
+  command.extent = Extent::kDuration;
+  for (const double duration : {0.0, -1.0, 700.0}) {
+    command.duration_s = duration;
+    const auto refused = PlanFootsteps(a1, FlatTerrain(), *FindGait(a1, "", 0.3, {}), command, {});
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.failure().kind, FailureKind::kBadInput);
+  }
+}
+
+}  // namespace
+}  // namespace gaitwright

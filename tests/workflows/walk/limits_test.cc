@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Walks that are within what the robot can do pass their audit; others are refused with what is possible.
+#include <gtest/gtest.h>
+
+#include "kinematics/model/load_robot.h"
+#include "workflows/walk/refuse_walk.h"
+
+namespace gaitwright {
+namespace {
+
+using Extent = WalkCommand::Extent;
+
+WalkRequest Asked(double speed, double lateral, double yaw_rate) {
+  WalkRequest request;
+  request.command.speed_m_s = speed;
+  request.command.lateral_speed_m_s = lateral;
+  request.command.yaw_rate_rad_s = yaw_rate;
+  if (speed != 0.0 || lateral != 0.0) request.command.distance_m = 0.3;
+  return request;
+}
+
+void ExpectPasses(const RobotModel& model, const WalkRequest& request) {
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  EXPECT_TRUE(BrokenLimits(planned->audit).empty());
+}
+
+TEST(Limits, CountedStepsOfAnyNumberPassTheirAudit) {
+  for (const char* name : {"a1", "nao"}) {
+    const RobotModel model = *LoadNamedRobot(name);
+    for (int count = 1; count <= 12; ++count) {
+      SCOPED_TRACE(testing::Message() << name << ", " << count << " steps");
+      WalkRequest request;
+      request.command.extent = Extent::kSteps;
+      request.command.steps = count;
+      request.command.step_length_m = 0.3 * model.leg_length_m() / static_cast<double>(model.feet.size());
+      ExpectPasses(model, request);
+    }
+  }
+}
+
+TEST(Limits, SideStepsAndTurnsInOrdinaryRangesAreSteppedQuickerAtTheSpeedAskedFor) {
+  const RobotModel nao = *LoadNamedRobot("nao");
+  for (const WalkRequest& request : {Asked(0, -0.04, 0), Asked(0, 0.05, 0), Asked(0, -0.06, 0), Asked(0, 0, 0.4)}) {
+    ExpectPasses(nao, request);
+    const MotionPlan plan = PlanWalk(nao, request)->motion.plan;
+    EXPECT_LT(plan.gait.cycle_s, FindGait(nao, "", nao.nominal_speed_m_s, {})->cycle_s);
+    EXPECT_EQ(plan.command, request.command);
+  }
+}
+
+TEST(Limits, AGivenTimeOfSteppingStays) {
+  const RobotModel nao = *LoadNamedRobot("nao");
+  WalkRequest request = Asked(0.0, -0.06, 0.0);
+  request.gait_options.cycle_s = 1.4;
+  const Result<PlannedWalk> planned = PlanWalk(nao, request);
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
+  request.motion.pipeline.allow_limits = true;
+  EXPECT_FALSE(PlanWalk(nao, request)->audit.pass());
+}
+
+TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
+  RobotModel stiff = *LoadNamedRobot("a1");
+  for (Joint& joint : stiff.joints) joint.effort_limit = 0.5;  // less than standing takes
+  const Result<PlannedWalk> planned = PlanWalk(stiff, Asked(0.3, 0.0, 0.0));
+  ASSERT_FALSE(planned.ok());
+  EXPECT_NE(planned.failure().message.find("has no speed at which it keeps its limits"), std::string::npos);
+  EXPECT_NE(planned.failure().message.find("N m past its limit of 0.5"), std::string::npos);
+  for (const std::string& hint : planned.failure().hints) EXPECT_EQ(hint.find("--speed"), std::string::npos) << hint;
+}
+
+TEST(LargestPace, IsTheLastOfTwoDigitsThatIsPossible) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  for (const double limit : {0.0314, 0.5, 0.999, 1.04, 2.71}) {
+    for (const double asked : {3.0, 4.2, 17.0}) {
+      int questions = 0;
+      const double largest = LargestPace(a1, Asked(asked, 0.0, 0.0).command, [&](const WalkCommand& c) {
+        ++questions;
+        return c.speed_m_s <= limit;
+      });
+      EXPECT_LE(largest, limit);
+      EXPECT_GT(1.1001 * largest, limit) << "the next number of two digits is too much";
+      EXPECT_LE(questions, 20);
+    }
+  }
+  EXPECT_EQ(LargestPace(a1, Asked(3.0, 0.0, 0.0).command, [](const WalkCommand&) { return false; }), 0.0);
+}
+
+TEST(LargestPace, KeepsTheProportionsOfSpeeds) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  const WalkCommand half = AtPace(a1, Asked(0.6, -0.2, 0.4).command, 0.3);
+  EXPECT_EQ(half.speed_m_s, 0.3);
+  EXPECT_EQ(half.lateral_speed_m_s, -0.1);
+  EXPECT_EQ(half.yaw_rate_rad_s, 0.2);
+  EXPECT_EQ(PaceFlags(half), "--speed 0.3 --lateral-speed -0.1 --yaw-rate 0.2");
+  EXPECT_EQ(PaceOf(Asked(0, 0.1, 0.2).command), Pace::kLateralSpeed);
+  EXPECT_EQ(PaceOf(Asked(0, 0, 0.2).command), Pace::kYawRate);
+  EXPECT_EQ(PaceOf(Asked(0, 0, 0).command), Pace::kSpeed);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+
+/// A plan and its audit within the limits of the robot, or why there is none and what there is instead: see PlanWalk.
+Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request);
+
+}  // namespace gaitwright

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+
+/// What a plan breaks of what the robot can do, worst first in proportion to its limit: position, speed and torque of
+/// joints, reach of legs, collisions of the robot with itself. Empty for a plan that keeps them all.
+std::vector<Violation> BrokenLimits(const AuditReport& audit);
+
+/// One sentence without a full stop that names the joint, link or foot of a violation, its value, its limit and by how
+/// much that is passed.
+std::string LimitText(const Violation& violation);
+
+/// Whether a command has a plan within the limits, at the gait's own time or a shorter one: what the search asks.
+using CanWalk = std::function<bool(const WalkCommand& command)>;
+
+/// The quantity of a command that says how fast it is, or with counted steps of a given length how far a step goes.
+enum class Pace { kSpeed, kLateralSpeed, kYawRate, kStepLength };
+Pace PaceOf(const WalkCommand& command);
+
+/// The same walk with its pace at `value`, positive, and every other speed in proportion, to four digits. The robot's
+/// own speed counts where the command gives none.
+WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double value);
+
+/// The start of the same walk: long enough to gain full speed, hold it for some cycles and stop again.
+WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, double cycle_s);
+
+/// Largest pace below that of the command, of two digits, at which `can_walk` says yes: by halving and then bisection,
+/// at most 20 questions. 0 when there is none, as when it says no to the slowest.
+double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk);
+
+/// The next lower number of two digits.
+double NextLower(double value);
+
+/// The flags that ask for a pace and what goes with it: "--speed 1.1 --yaw-rate 0.2".
+std::string PaceFlags(const WalkCommand& command);
+
+}  // namespace gaitwright
