@@ -144,7 +144,7 @@ TEST(RobotYaml, LegsTakeKneesAndSides) {
   const RobotModel model = With("legs: {A_foot: {joints: [A_hip, A_knee], knee: A_hip, knee_side: plus}}");
   EXPECT_EQ(model.joints[static_cast<std::size_t>(model.legs[0].knee_joint)].name, "A_hip");
   EXPECT_EQ(model.legs[0].knee_sign, 1.0);
-  const RobotModel side = With("legs: {A_foot: {knee_side: plus}}");
+  const RobotModel side = With("limits: {A_knee: {upper_rad: 2}}\nlegs: {A_foot: {knee_side: plus}}");
   EXPECT_GT(side.standing_joints[side.DofIndex("A_knee")], 0.1);
   EXPECT_LT(side.standing_joints[side.DofIndex("B_knee")], -0.1);
 }

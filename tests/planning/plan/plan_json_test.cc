@@ -122,7 +122,7 @@ TEST(PlanJson, IndicesAndChoicesThatAreNotThereAreRefused) {
   EXPECT_EQ(WhyRefused([](Json& j) { j["schedule"][0][2] = std::uint64_t{1} << 40U; }),
             "contact phase 0 names a foot beyond the 4 there are");
   EXPECT_EQ(WhyRefused([](Json& j) { j["command"]["extent"] = "foo"; }),
-            "'command.extent' is 'foo'; accepted: 'distance', 'goal', 'steps'");
+            "'command.extent' is 'foo'; accepted: 'distance', 'goal', 'steps', 'duration'");
   EXPECT_EQ(WhyRefused([](Json& j) { j["gait"]["phase"] = Json::array({0}); }),
             "'gait.phase' has 1 numbers; 4 are needed");
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "kinematics/base/file.h"
+#include "kinematics/model/load_robot.h"
 #include "planning/plan/plan_json.h"
 #include "tests/kinematics/model/mesh_boxes.h"
 #include "workflows/walk/walk.h"
@@ -68,7 +69,8 @@ TEST_P(MeshSoles, WalkFromThePlanAlone) {
   const Result<RobotModel> again = RobotOf(*read);
   ASSERT_TRUE(again.ok()) << again.failure().message;
   EXPECT_EQ(again->hash, model.hash);
-  const StabilityReport report = PlayWalk(*again, *read, PlayRequest{}).value().report;
+  const PlayRequest usual;
+  const StabilityReport report = PlayWalk(*again, *read, usual).value().report;
   EXPECT_TRUE(report.pass) << report.reason;
 }
 
