@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <ranges>
 #include <system_error>
 
 namespace gaitwright {
@@ -83,8 +84,8 @@ class Transaction {
       error = std::make_error_code(std::errc::not_a_directory);
       return false;
     }
-    for (auto at = missing.rbegin(); at != missing.rend(); ++at) {
-      if (fs::create_directory(*at, error)) folders_.push_back(*at);
+    for (const fs::path& at : std::views::reverse(missing)) {
+      if (fs::create_directory(at, error)) folders_.push_back(at);
       if (error) return false;
     }
     return true;
@@ -113,7 +114,7 @@ class Transaction {
       if (step.placed && !step.former.empty()) fs::rename(step.former, step.target, ignored);
       if (!step.placed && !step.former.empty()) fs::remove(step.former, ignored);
     }
-    for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) fs::remove(*folder, ignored);
+    for (const fs::path& folder : std::views::reverse(folders_)) fs::remove(folder, ignored);
   }
 
   std::vector<Step> steps_;

@@ -98,7 +98,7 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
   const Demand demand = DemandOf(model, scratch, leg, dofs);
   const Eigen::JacobiSVD<MatrixX> svd(demand.J, Eigen::ComputeFullU);
   const Eigen::Index needed = demand.J.rows();
-  const auto sigma = svd.singularValues();
+  const auto& sigma = svd.singularValues();
   const auto count = std::count_if(sigma.data(), sigma.data() + sigma.size(), [](double s) { return s >= kWeak; });
   if (count >= needed) return std::nullopt;
   Eigen::Index lacking = 0;
