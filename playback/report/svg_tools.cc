@@ -21,10 +21,10 @@ double DistanceToSegment(const Vector2& p, const Vector2& a, const Vector2& b) {
 std::vector<bool> Kept(const std::vector<Vector2>& points, double tolerance) {
   std::vector<bool> kept(points.size(), false);
   kept.front() = kept.back() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> todo = {{0, points.size() - 1}};
-  while (!todo.empty()) {
-    const auto [first, last] = todo.back();
-    todo.pop_back();
+  std::vector<std::pair<std::size_t, std::size_t>> spans = {{0, points.size() - 1}};
+  while (!spans.empty()) {
+    const auto [first, last] = spans.back();
+    spans.pop_back();
     double farthest = tolerance;
     std::size_t at = 0;
     for (std::size_t i = first + 1; i < last; ++i) {
@@ -33,8 +33,8 @@ std::vector<bool> Kept(const std::vector<Vector2>& points, double tolerance) {
     }
     if (at == 0) continue;
     kept[at] = true;
-    todo.emplace_back(first, at);
-    todo.emplace_back(at, last);
+    spans.emplace_back(first, at);
+    spans.emplace_back(at, last);
   }
   return kept;
 }
