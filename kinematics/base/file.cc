@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <ranges>
 #include <system_error>
 
 namespace gaitwright {
@@ -84,7 +84,8 @@ class Transaction {
       error = std::make_error_code(std::errc::not_a_directory);
       return false;
     }
-    for (const fs::path& at : std::views::reverse(missing)) {
+    std::reverse(missing.begin(), missing.end());
+    for (const fs::path& at : missing) {
       if (fs::create_directory(at, error)) folders_.push_back(at);
       if (error) return false;
     }
@@ -114,7 +115,7 @@ class Transaction {
       if (step.placed && !step.former.empty()) fs::rename(step.former, step.target, ignored);
       if (!step.placed && !step.former.empty()) fs::remove(step.former, ignored);
     }
-    for (const fs::path& folder : std::views::reverse(folders_)) fs::remove(folder, ignored);
+    std::for_each(folders_.rbegin(), folders_.rend(), [&](const fs::path& folder) { fs::remove(folder, ignored); });
   }
 
   std::vector<Step> steps_;
