@@ -17,10 +17,12 @@ std::atomic<long> allocations{0};
 #if GAITWRIGHT_COUNTS_ALLOCATIONS
 // The C library lets a program have its own malloc, and keeps its own under these names.
 extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier): not ours to name
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* old, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
+// NOLINTEND(bugprone-reserved-identifier)
 
 void* malloc(std::size_t size) {
   ++allocations;

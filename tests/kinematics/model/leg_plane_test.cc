@@ -55,7 +55,7 @@ TEST(LegPlane, ALegThatSprawlsBendsInItsOwnPlane) {
     const Vector3 coxa = scratch.p_WB[static_cast<std::size_t>(leg.joints[0]) + 1];
     const Vector3 hip = scratch.p_WB[static_cast<std::size_t>(leg.hip_joint) + 1];
     const Vector3 knee = scratch.p_WB[static_cast<std::size_t>(leg.knee_joint) + 1];
-    const Vector3 contact = contacts[static_cast<std::size_t>(leg.foot)];
+    const Vector3& contact = contacts[static_cast<std::size_t>(leg.foot)];
     EXPECT_GT(knee.z(), hip.z() - 0.05);
     // As far out as below, and away from the body.
     EXPECT_NEAR((contact - coxa).head<2>().norm(), hip.z() - contact.z() - foot.radius, 0.02);
