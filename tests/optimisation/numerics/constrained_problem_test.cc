@@ -321,7 +321,8 @@ TEST(ConstrainedProblem, AStringOverANailIsTaut) {
       const Result<ConstrainedSolution> solution = Solve(String(count, nail, sparse), options);
       ASSERT_TRUE(solution.ok()) << count << ": " << solution.failure().message;
       EXPECT_NEAR(solution->cost, answer, 1e-7) << count << (sparse ? " of few" : " of all");
-      EXPECT_NEAR(solution->x[nail / 2], 2.0 * (nail / 2) / nail, 1e-6) << count;
+      const int half = nail / 2;
+      EXPECT_NEAR(solution->x[half], 2.0 * half / nail, 1e-6) << count;
       EXPECT_LT(solution->violation, 1e-8);
     }
   }

@@ -55,7 +55,7 @@ TEST(PlanMotion, SpheresStandStillOnTheirFootholdsFromTheFirstRowAtAnyHeight) {
   low.pipeline.com_height_m = 0.9 * Height(Planned(model, {}));
   const MotionPlan plan = Planned(model, low);
   DynamicsScratch scratch(model);
-  for (const std::size_t row : {0, 1}) {
+  for (const std::size_t row : {0U, 1U}) {
     ForwardKinematics(model, plan.whole_body.q[row], scratch);
     for (const Foothold& foothold : plan.footsteps.footholds) {
       if (foothold.touchdown_s > 0.0) continue;

@@ -29,7 +29,8 @@ TEST(Bumps, AreZeroUnderTheStartBoundedAndSmooth) {
 }
 
 TEST(Bumps, DependOnTheSeedAlone) {
-  const bullet::Bumps one{{0.0, 0.0}, 0.01, 0.4, 0.0, 1}, same = one, other{{0.0, 0.0}, 0.01, 0.4, 0.0, 2};
+  const bullet::Bumps one{{0.0, 0.0}, 0.01, 0.4, 0.0, 1}, same{{0.0, 0.0}, 0.01, 0.4, 0.0, 1},
+      other{{0.0, 0.0}, 0.01, 0.4, 0.0, 2};
   EXPECT_EQ(one.HeightAt({1.3, 0.4}), same.HeightAt({1.3, 0.4}));
   EXPECT_NE(one.HeightAt({1.3, 0.4}), other.HeightAt({1.3, 0.4}));
 }
