@@ -22,47 +22,50 @@ struct PipelineOptions {
   double grid_step_s = 0.005;
   int max_passes = 6;
   double zmp_tolerance_m = 0.001;
-  double zmp_inward = 0.15;
+  double zmp_inward = 0.0;
   double com_height_m = 0.0;
   bool allow_limits = false;
 
   OptionFields Fields() {
-    return {{"grid_step_s", &grid_step_s, "s", 0.001, 0.01, "Step of the plan's uniform grid.", {}},
-            {"max_passes",
-             &max_passes,
-             "1",
-             1.0,
-             20.0,
-             "Most passes in which the multibody ZMP is brought onto its reference.",
-             {}},
-            {"zmp_tolerance_m",
-             &zmp_tolerance_m,
-             "m",
-             1e-6,
-             0.1,
-             "The passes end when the multibody ZMP is this near to its reference everywhere.",
-             {}},
-            {"com_height_m",
-             &com_height_m,
-             "m",
-             0.0,
-             5.0,
-             "Height of the centre of mass over the ground; 0 takes that of standing, lowered as far as the legs need.",
-             {}},
-            {"zmp_inward",
-             &zmp_inward,
-             "1",
-             0.0,
-             0.4,
-             "How far the preferred ZMP under a single sole lies towards the body, as a share of the sole's width.",
-             {}},
-            {"allow_limits",
-             &allow_limits,
-             "1",
-             0.0,
-             1.0,
-             "Hand out a plan that is past limits of joints, reach or collisions too, with warnings, for looking at.",
-             {}}};
+    return {
+        {"grid_step_s", &grid_step_s, "s", 0.001, 0.01, "Step of the plan's uniform grid.", {}},
+        {"max_passes",
+         &max_passes,
+         "1",
+         1.0,
+         20.0,
+         "Most passes in which the multibody ZMP is brought onto its reference.",
+         {}},
+        {"zmp_tolerance_m",
+         &zmp_tolerance_m,
+         "m",
+         1e-6,
+         0.1,
+         "The passes end when the multibody ZMP is this near to its reference everywhere.",
+         {}},
+        {"com_height_m",
+         &com_height_m,
+         "m",
+         0.0,
+         5.0,
+         "Height of the centre of mass over the ground; 0 takes that of standing, lowered as far as the legs need.",
+         {}},
+        {"zmp_inward",
+         &zmp_inward,
+         "1",
+         0.0,
+         0.4,
+         "How far the preferred ZMP under a single sole lies towards the body, as a share of the sole's width. In the "
+         "middle, at 0, pushes to both sides are held alike; inward of it the hips work less and steps can be "
+         "longer.",
+         {}},
+        {"allow_limits",
+         &allow_limits,
+         "1",
+         0.0,
+         1.0,
+         "Hand out a plan that is past limits of joints, reach or collisions too, with warnings, for looking at.",
+         {}}};
   }
 };
 
