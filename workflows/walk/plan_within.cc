@@ -12,35 +12,7 @@
 namespace gaitwright {
 namespace {
 
-/// Which quicker gaits are tried: so many in even ratios, the first of them by its number (0: the gait as fitted).
-/// A search for faster walks need not go back to slower steps than the last that served: it keeps their number here.
-struct Stepping {
-  int quicker = 6;
-  std::size_t from = 0;
-};
-
 constexpr double kSlightExcess = 1e-5;  // which the audit may let pass
-
-/// What a search for plans is about; `command` changes.
-struct Search {
-  const RobotModel& model;
-  const Terrain& terrain;
-  const WalkRequest& request;
-  bool only_within = false;  // plans past limits are of no interest and not audited
-  AuditOptions audit = {};
-};
-
-Result<PlannedWalk> PlanAndAudit(const Search& search, const Gait& gait, const WalkCommand& command) {
-  Result<PlannedMotion> motion = PlanMotion(search.model, search.terrain, gait, command, search.request.motion);
-  if (!motion) return motion.failure();
-  PlannedWalk planned;
-  planned.motion = std::move(*motion);
-  if (planned.motion.limit_excess >= kSlightExcess && search.only_within) return planned;
-  const Result<AuditReport> audit = Audit(search.model, planned.motion.plan, search.audit);
-  if (!audit) return audit.failure();
-  planned.audit = *audit;
-  return planned;
-}
 
 bool KeepsLimits(const Result<PlannedWalk>& planned) {
   return planned && planned->motion.limit_excess < kSlightExcess && BrokenLimits(planned->audit).empty();
@@ -53,51 +25,144 @@ bool IsTooMuch(const Failure& failure) {
   return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts";
 }
 
-/// The gait fitted to a command, and the same with quicker steps, down to the shortest time that it may have.
-Result<std::vector<Gait>> GaitsFor(const Search& search, const WalkCommand& command, int quicker) {
-  const WalkRequest& request = search.request;
-  const double speed = CommandedSpeed(search.model, command);
-  const Result<Gait> gait = FindGait(search.model, request.gait, speed, request.gait_options);
-  if (!gait) return gait.failure();
-  std::vector<Gait> gaits = {*gait};
-  const Result<double> shortest = ShortestCycle(search.model, request.gait, request.gait_options);
-  if (!shortest) return shortest.failure();
-  if (PaceOf(command) == Pace::kStepLength || *shortest >= gait->cycle_s) return gaits;
-  for (int i = 1; i <= quicker; ++i) {
-    gaits.push_back(*gait);
-    gaits.back().cycle_s *= std::pow(*shortest / gait->cycle_s, static_cast<double>(i) / quicker);
-  }
-  return gaits;
+/// How far a plan is from passing, to compare one with the next: past limits, by how far in all beyond 1; else less.
+double Distance(const Result<PlannedWalk>& planned) {
+  if (!planned) return std::numeric_limits<double>::infinity();
+  if (planned->motion.limit_excess >= kSlightExcess) return 1.0 + planned->motion.limit_excess;
+  double passed = 0.0;
+  for (const Violation& v : planned->audit.violations) passed += Passed(v);
+  return passed / (1.0 + passed);
 }
 
-/// The plan at the gait's fitted time, or at a quicker one where only that keeps the limits; else the first's outcome.
-/// Quicker ones are tried as long as they do not take joints ever farther past their limits.
-Result<PlannedWalk> PlanQuicker(const Search& search, const WalkCommand& command, Stepping& stepping) {
-  constexpr int kPatience = 2;
-  const Result<std::vector<Gait>> gaits = GaitsFor(search, command, stepping.quicker);
-  if (!gaits) return gaits.failure();
-  const std::size_t from = std::min(stepping.from, gaits->size() - 1);
-  Result<PlannedWalk> first = PlanAndAudit(search, (*gaits)[from], command);
-  if (KeepsLimits(first) || (!first && !IsTooMuch(first.failure()))) return first;
-  const Search within{search.model, search.terrain, search.request, true, search.audit};
-  const auto excess = [](const Result<PlannedWalk>& planned) {
-    return planned ? planned->motion.limit_excess : std::numeric_limits<double>::infinity();
-  };
-  double last = excess(first);
-  int worse = 0;
-  for (std::size_t i = from + 1; i < gaits->size() && worse < kPatience; ++i) {
-    Result<PlannedWalk> planned = PlanAndAudit(within, (*gaits)[i], command);
-    worse = excess(planned) > last ? worse + 1 : 0;
-    last = excess(planned);
-    if (!Passes(planned)) continue;
-    stepping.from = i;
-    planned->motion.summary +=
-        fmt::format("; a cycle of {:.2f} s, since one of {:.2f} s would break limits of the robot", (*gaits)[i].cycle_s,
-                    gaits->front().cycle_s);
+/// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
+/// enough.
+WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
+  constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
+  WalkRequest coarse = request;
+  double& grid = coarse.motion.pipeline.grid_step_s;
+  if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
+  return coarse;
+}
+
+/// Looks for plans that pass their audit, at a gait's fitted time or a quicker one, and for the largest pace that has
+/// one. What is possible is found on brief walks, the start of the whole one on a coarse grid; a whole walk is then
+/// planned only where its brief one passes.
+class Search {
+ public:
+  Search(const RobotModel& model, const Terrain& terrain, const WalkRequest& request)
+      : model_(model), terrain_(terrain), request_(request) {}
+
+  /// The plan of a command: as the gait is fitted, or quicker where only that passes; else the first one's outcome.
+  Result<PlannedWalk> Plan(const WalkCommand& command) const {
+    const Result<std::vector<Gait>> gaits = GaitsFor(command);
+    if (!gaits) return gaits.failure();
+    Result<PlannedWalk> first = Whole(gaits->front(), command, false);
+    if (request_.motion.pipeline.allow_limits || Passes(first)) return first;
+    if (!first && !IsTooMuch(first.failure())) return first;
+    Result<PlannedWalk> quicker = Quicker(*gaits, command, 1);
+    return quicker ? quicker : first;
+  }
+
+  /// Largest pace of the request's command that has a plan; 0 when there is none.
+  double LargestThatPasses() const {
+    constexpr int kLowered = 4;
+    std::size_t from = 0;  // what is too slow for one pace is so for larger ones
+    const auto can_walk = [&](const WalkCommand& command) {
+      const Result<std::vector<Gait>> gaits = GaitsFor(command);
+      if (!gaits) return false;
+      const std::size_t sound = FirstSound(*gaits, command, from);
+      if (sound < gaits->size()) from = sound;
+      return sound < gaits->size();
+    };
+    double largest = LargestPace(model_, request_.command, can_walk);
+    for (int i = 0; i < kLowered && largest > 0.0; ++i) {
+      const WalkCommand command = AtPace(model_, request_.command, largest);
+      const Result<std::vector<Gait>> gaits = GaitsFor(command);
+      if (gaits && Quicker(*gaits, command, 0)) return largest;
+      largest = NextLower(largest);
+    }
+    return 0.0;
+  }
+
+ private:
+  /// The gait fitted to a command, and the same with quicker steps in even ratios, down to the shortest time it may
+  /// have.
+  Result<std::vector<Gait>> GaitsFor(const WalkCommand& command) const {
+    constexpr int kQuicker = 6;
+    const double speed = CommandedSpeed(model_, command);
+    const Result<Gait> gait = FindGait(model_, request_.gait, speed, request_.gait_options);
+    if (!gait) return gait.failure();
+    std::vector<Gait> gaits = {*gait};
+    const Result<double> shortest = ShortestCycle(model_, request_.gait, request_.gait_options);
+    if (!shortest) return shortest.failure();
+    if (PaceOf(command) == Pace::kStepLength || *shortest >= gait->cycle_s) return gaits;
+    for (int i = 1; i <= kQuicker; ++i) {
+      gaits.push_back(*gait);
+      gaits.back().cycle_s *= std::pow(*shortest / gait->cycle_s, static_cast<double>(i) / kQuicker);
+    }
+    return gaits;
+  }
+
+  /// Plans and audits; a plan past limits is not audited where only one that passes is of interest.
+  Result<PlannedWalk> PlanAndAudit(const WalkRequest& request, const Gait& gait, const WalkCommand& command,
+                                   const AuditOptions& options, bool only_passing) const {
+    Result<PlannedMotion> motion = PlanMotion(model_, terrain_, gait, command, request.motion);
+    if (!motion) return motion.failure();
+    PlannedWalk planned;
+    planned.motion = std::move(*motion);
+    if (planned.motion.limit_excess >= kSlightExcess && only_passing) return planned;
+    const Result<AuditReport> audit = Audit(model_, planned.motion.plan, options);
+    if (!audit) return audit.failure();
+    planned.audit = *audit;
     return planned;
   }
-  return first;
-}
+
+  Result<PlannedWalk> Whole(const Gait& gait, const WalkCommand& command, bool only_passing) const {
+    return PlanAndAudit(request_, gait, command, {}, only_passing);
+  }
+
+  Result<PlannedWalk> Brief(const Gait& gait, double fitted_cycle_s, const WalkCommand& command) const {
+    AuditOptions seldom;
+    seldom.rate_hz *= 0.5;
+    return PlanAndAudit(Coarse(request_, fitted_cycle_s), gait, Shortened(model_, command, gait.cycle_s), seldom, true);
+  }
+
+  /// The first gait from a number on with which the brief walk passes; their count where there is none. Given up where
+  /// quicker steps take the plan ever farther from passing.
+  std::size_t FirstSound(const std::vector<Gait>& gaits, const WalkCommand& command, std::size_t from) const {
+    constexpr int kPatience = 2;
+    double last = std::numeric_limits<double>::infinity();
+    int worse = 0;
+    for (std::size_t i = std::min(from, gaits.size() - 1); i < gaits.size() && worse < kPatience; ++i) {
+      const Result<PlannedWalk> planned = Brief(gaits[i], gaits.front().cycle_s, command);
+      if (Passes(planned)) return i;
+      const double distance = Distance(planned);
+      worse = distance > last ? worse + 1 : 0;
+      last = distance;
+    }
+    return gaits.size();
+  }
+
+  /// The plan with the first gait from a number on that passes.
+  Result<PlannedWalk> Quicker(const std::vector<Gait>& gaits, const WalkCommand& command, std::size_t from) const {
+    for (std::size_t i = from; i < gaits.size(); ++i) {
+      i = FirstSound(gaits, command, i);
+      if (i == gaits.size()) break;
+      Result<PlannedWalk> planned = Whole(gaits[i], command, true);
+      if (!Passes(planned)) continue;
+      if (i > 0) {
+        planned->motion.summary += fmt::format("; a cycle of {:.2f} s, since a plan with {:.2f} s would fail its audit",
+                                               gaits[i].cycle_s, gaits.front().cycle_s);
+      }
+      return planned;
+    }
+    return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no time of the gait serves", {}};
+  }
+
+  const RobotModel& model_;
+  const Terrain& terrain_;
+  const WalkRequest& request_;
+};
 
 const char* NameOf(Pace pace) {
   switch (pace) {
@@ -127,82 +192,42 @@ std::string ValueText(const WalkCommand& c) {
   return "";
 }
 
-/// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
-/// enough.
-WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
-  constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
-  WalkRequest coarse = request;
-  double& grid = coarse.motion.pipeline.grid_step_s;
-  if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
-  return coarse;
-}
-
-/// Largest pace of the command that has a plan which passes its audit: looked for on short and coarse plans, then tried
-/// on the whole walk as it would be asked for. 0 when there is none.
-double LargestThatPasses(const Search& search, const Gait& gait) {
-  constexpr int kLowered = 4;
-  AuditOptions seldom;
-  seldom.rate_hz *= 0.5;
-  const WalkRequest coarse = Coarse(search.request, gait.cycle_s);
-  const Search rough{search.model, search.terrain, coarse, true, seldom};
-  Stepping stepping;
-  const auto in_short = [&](const WalkCommand& c) {
-    return Passes(PlanQuicker(rough, Shortened(search.model, c, gait.cycle_s), stepping));
-  };
-  const Search whole{search.model, search.terrain, search.request, true};
-  const WalkCommand& command = search.request.command;
-  double largest = LargestPace(search.model, command, in_short);
-  for (int i = 0; i < kLowered && largest > 0.0; ++i) {
-    Stepping fresh;
-    if (Passes(PlanQuicker(whole, AtPace(search.model, command, largest), fresh))) return largest;
-    largest = NextLower(largest);
-  }
-  return 0.0;
-}
-
 /// The failure with what it would take instead.
-Failure Refusal(const Search& search, Failure failure) {
-  const WalkCommand& command = search.request.command;
-  const Result<Gait> gait =
-      FindGait(search.model, search.request.gait, CommandedSpeed(search.model, command), search.request.gait_options);
+Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest& request, Failure failure) {
+  const WalkCommand& command = request.command;
+  const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return failure;
-  const double largest = LargestThatPasses(search, *gait);
+  const double largest = search.LargestThatPasses();
   const char* name = NameOf(PaceOf(command));
   failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
   if (largest == 0.0) {
-    failure.message += fmt::format("; robot '{}' has no {} at which it keeps its limits with gait '{}'",
-                                   search.model.name, name, gait->name);
+    failure.message +=
+        fmt::format("; robot '{}' has no {} at which it keeps its limits with gait '{}'", model.name, name, gait->name);
     failure.hints.insert(failure.hints.begin(), "another gait");
     return failure;
   }
-  const WalkCommand slower = AtPace(search.model, command, largest);
+  const WalkCommand slower = AtPace(model, command, largest);
   failure.message += fmt::format("; the largest {} with gait '{}' is {}", name, gait->name, ValueText(slower));
   failure.hints.insert(failure.hints.begin(), PaceFlags(slower));
   return failure;
 }
 
-Failure LimitsBroken(const AuditReport& audit) {
-  const std::vector<Violation> broken = BrokenLimits(audit);
-  return {FailureKind::kInfeasible,
-          "limits",
-          "PlanWalk",
-          fmt::format("{}{}", LimitText(broken.front()),
-                      broken.size() > 1 ? fmt::format(" (worst of {} limits that are broken)", broken.size()) : ""),
-          {}};
+/// Why a plan that fails its audit is not given: the worst limit of the robot, or else the first of the other laws.
+Failure LawsBroken(const AuditReport& audit) {
+  const std::vector<Violation> limits = BrokenLimits(audit);
+  const Violation& worst = limits.empty() ? audit.violations.front() : limits.front();
+  const std::string more = limits.size() > 1 ? fmt::format(" (worst of {} limits that are broken)", limits.size()) : "";
+  return {FailureKind::kInfeasible, limits.empty() ? worst.law : "limits", "PlanWalk", LimitText(worst) + more, {}};
 }
 
 }  // namespace
 
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
-  const Search search{model, terrain, request};
-  const bool allow = request.motion.pipeline.allow_limits;
-  Stepping stepping;
-  if (allow) stepping.quicker = 0;
-  Result<PlannedWalk> planned = PlanQuicker(search, request.command, stepping);
-  if (allow || KeepsLimits(planned)) return planned;
-  if (planned && BrokenLimits(planned->audit).empty()) return planned;
-  if (planned) return Refusal(search, LimitsBroken(planned->audit));
-  return IsTooMuch(planned.failure()) ? Refusal(search, planned.failure()) : planned;
+  const Search search(model, terrain, request);
+  Result<PlannedWalk> planned = search.Plan(request.command);
+  if (request.motion.pipeline.allow_limits || Passes(planned)) return planned;
+  if (planned) return Refusal(search, model, request, LawsBroken(planned->audit));
+  return IsTooMuch(planned.failure()) ? Refusal(search, model, request, planned.failure()) : planned;
 }
 
 }  // namespace gaitwright

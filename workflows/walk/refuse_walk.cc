@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "planning/footsteps/course.h"
@@ -14,14 +15,17 @@ namespace {
 
 using Extent = WalkCommand::Extent;
 
-double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
-
 /// Rounded towards zero to some significant digits.
 double Digits(double value, int digits) {
   if (value == 0.0) return 0.0;
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value)) + 1e-12) - digits + 1);
   const double rounded = std::trunc(value / unit + std::copysign(1e-6, value));
   return std::stod(fmt::format("{:.{}g}", rounded * unit, digits));
+}
+
+bool IsLimit(const Violation& v) {
+  return v.law == "joint_position" || v.law == "joint_velocity" || v.law == "joint_torque" || v.law == "reach" ||
+         v.law == "self_collision";
 }
 
 double OwnPace(const RobotModel& model, const WalkCommand& c) {
@@ -59,13 +63,11 @@ std::vector<double> TwoDigitsBetween(double low, double high) {
 
 }  // namespace
 
+double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
+
 std::vector<Violation> BrokenLimits(const AuditReport& audit) {
   std::vector<Violation> broken;
-  for (const Violation& v : audit.violations) {
-    for (const char* law : {"joint_position", "joint_velocity", "joint_torque", "reach", "self_collision"}) {
-      if (v.law == law) broken.push_back(v);
-    }
-  }
+  std::copy_if(audit.violations.begin(), audit.violations.end(), std::back_inserter(broken), IsLimit);
   std::stable_sort(broken.begin(), broken.end(),
                    [](const Violation& a, const Violation& b) { return Passed(a) > Passed(b); });
   return broken;
@@ -73,6 +75,20 @@ std::vector<Violation> BrokenLimits(const AuditReport& audit) {
 
 std::string LimitText(const Violation& v) {
   if (v.law == "self_collision") return fmt::format("{} collide at {:.2f} s", v.where, v.at_s);
+  if (v.law == "dynamics" && v.where.starts_with("base")) {
+    return fmt::format(
+        "at {:.2f} s the feet on the ground cannot push as the motion needs: {:.3g} {} are lacking, "
+        "where {:.2g} may be; there is too little friction, or too little ground to balance on",
+        v.at_s, v.value, v.unit, v.limit);
+  }
+  if (v.law == "zmp_support") {
+    return fmt::format("the {} is {:.1f} mm outside the feet on the ground at {:.2f} s, where {:.2g} mm may be",
+                       v.where, 1e3 * v.value, v.at_s, 1e3 * v.limit);
+  }
+  if (!IsLimit(v)) {
+    return fmt::format("the plan breaks the law '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", v.law, v.where,
+                       v.value, v.unit, v.at_s, v.limit);
+  }
   const char* what = v.law == "joint_torque"     ? "needs"
                      : v.law == "joint_velocity" ? "moves at"
                      : v.law == "joint_position" ? "is at"

@@ -9,12 +9,15 @@
 
 namespace gaitwright {
 
+/// How far a law is broken, in proportion to its limit.
+double Passed(const Violation& violation);
+
 /// What a plan breaks of what the robot can do, worst first in proportion to its limit: position, speed and torque of
 /// joints, reach of legs, collisions of the robot with itself. Empty for a plan that keeps them all.
 std::vector<Violation> BrokenLimits(const AuditReport& audit);
 
 /// One sentence without a full stop that names the joint, link or foot of a violation, its value, its limit and by how
-/// much that is passed.
+/// much that is passed; of other laws than limits what is lacking.
 std::string LimitText(const Violation& violation);
 
 /// Whether a command has a plan within the limits, at the gait's own time or a shorter one: what the search asks.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
+#include "tests/unusual_robots.h"
 #include "workflows/walk/refuse_walk.h"
 
 namespace gaitwright {
@@ -69,6 +70,39 @@ TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
   EXPECT_NE(planned.failure().message.find("has no speed at which it keeps its limits"), std::string::npos);
   EXPECT_NE(planned.failure().message.find("N m past its limit of 0.5"), std::string::npos);
   for (const std::string& hint : planned.failure().hints) EXPECT_EQ(hint.find("--speed"), std::string::npos) << hint;
+}
+
+/// Refused for a law of the ground rather than a limit of the robot; what is offered instead passes.
+void ExpectRefusedFor(const std::string& law, const RobotModel& model, WalkRequest request) {
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
+  EXPECT_EQ(planned.failure().code, law);
+  ASSERT_EQ(planned.failure().hints.front().rfind("--speed ", 0), 0u) << planned.failure().hints.front();
+  request.motion.pipeline.allow_limits = true;
+  const Result<PlannedWalk> anyway = PlanWalk(model, request);
+  ASSERT_TRUE(anyway.ok());
+  EXPECT_FALSE(anyway->audit.pass());
+  EXPECT_TRUE(BrokenLimits(anyway->audit).empty());
+  request.motion.pipeline.allow_limits = false;
+  request.command.speed_m_s = std::stod(planned.failure().hints.front().substr(8));
+  ExpectPasses(model, request);
+}
+
+TEST(Limits, AWalkThatTheGroundCannotHoldIsRefused) {
+  WalkRequest amble = Asked(0.8, 0.0, 0.0);
+  amble.gait = "amble";
+  ExpectRefusedFor("dynamics", *LoadNamedRobot("a1"), amble);
+  WalkRequest pace = Asked(0.7, 0.0, 0.0);
+  pace.gait = "pace";
+  ExpectRefusedFor("dynamics", *LoadNamedRobot("a1"), pace);
+}
+
+TEST(Limits, ThreeLegsThatWalkTooFastToBalanceAreRefused) {
+  WalkRequest wave = Asked(0.32, 0.0, 0.0);
+  wave.command.distance_m = 0.6;
+  wave.gait = "wave";
+  ExpectRefusedFor("dynamics", *LoadRobotFromText(unusual::Tripod(), ""), wave);
 }
 
 TEST(LargestPace, IsTheLastOfTwoDigitsThatIsPossible) {
