@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "workflows/walk/refuse_walk.h"
 
@@ -23,15 +26,6 @@ bool Passes(const Result<PlannedWalk>& planned) { return KeepsLimits(planned) &&
 /// True for failures that a slower walk may not have.
 bool IsTooMuch(const Failure& failure) {
   return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts";
-}
-
-/// How far a plan is from passing, to compare one with the next: past limits, by how far in all beyond 1; else less.
-double Distance(const Result<PlannedWalk>& planned) {
-  if (!planned) return std::numeric_limits<double>::infinity();
-  if (planned->motion.limit_excess >= kSlightExcess) return 1.0 + planned->motion.limit_excess;
-  double passed = 0.0;
-  for (const Violation& v : planned->audit.violations) passed += Passed(v);
-  return passed / (1.0 + passed);
 }
 
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
@@ -66,19 +60,12 @@ class Search {
   /// Largest pace of the request's command that has a plan; 0 when there is none.
   double LargestThatPasses() const {
     constexpr int kLowered = 4;
-    std::size_t from = 0;  // what is too slow for one pace is so for larger ones
-    const auto can_walk = [&](const WalkCommand& command) {
-      const Result<std::vector<Gait>> gaits = GaitsFor(command);
-      if (!gaits) return false;
-      const std::size_t sound = FirstSound(*gaits, command, from);
-      if (sound < gaits->size()) from = sound;
-      return sound < gaits->size();
-    };
-    double largest = LargestPace(model_, request_.command, can_walk);
+    std::size_t serves = 0;
+    double largest = LargestBrief(serves);
     for (int i = 0; i < kLowered && largest > 0.0; ++i) {
-      const WalkCommand command = AtPace(model_, request_.command, largest);
-      const Result<std::vector<Gait>> gaits = GaitsFor(command);
-      if (gaits && Quicker(*gaits, command, 0)) return largest;
+      const WalkCommand slower = AtPace(model_, request_.command, largest);
+      const Result<std::vector<Gait>> gaits = GaitsFor(slower);
+      if (gaits && Quicker(*gaits, slower, std::min(serves, gaits->size() - 1))) return largest;
       largest = NextLower(largest);
     }
     return 0.0;
@@ -88,7 +75,6 @@ class Search {
   /// The gait fitted to a command, and the same with quicker steps in even ratios, down to the shortest time it may
   /// have.
   Result<std::vector<Gait>> GaitsFor(const WalkCommand& command) const {
-    constexpr int kQuicker = 6;
     const double speed = CommandedSpeed(model_, command);
     const Result<Gait> gait = FindGait(model_, request_.gait, speed, request_.gait_options);
     if (!gait) return gait.failure();
@@ -121,34 +107,61 @@ class Search {
     return PlanAndAudit(request_, gait, command, {}, only_passing);
   }
 
-  Result<PlannedWalk> Brief(const Gait& gait, double fitted_cycle_s, const WalkCommand& command) const {
+  /// Whether the start of a walk has a plan that passes: the height of its centre of mass, or 0.
+  double Brief(const Gait& gait, double fitted_cycle_s, const WalkCommand& command) const {
     AuditOptions seldom;
     seldom.rate_hz *= 0.5;
-    return PlanAndAudit(Coarse(request_, fitted_cycle_s), gait, Shortened(model_, command, gait.cycle_s), seldom, true);
+    const auto asked = std::make_pair(PaceFlags(command), gait.cycle_s);
+    const auto known = brief_.find(asked);
+    if (known != brief_.end()) return known->second;
+    const Result<PlannedWalk> planned =
+        PlanAndAudit(Coarse(request_, fitted_cycle_s), gait, Shortened(model_, command, gait.cycle_s), seldom, true);
+    const double height = Passes(planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
+    brief_[asked] = height;
+    return height;
   }
 
-  /// The first gait from a number on with which the brief walk passes; their count where there is none. Given up where
-  /// quicker steps take the plan ever farther from passing.
-  std::size_t FirstSound(const std::vector<Gait>& gaits, const WalkCommand& command, std::size_t from) const {
-    constexpr int kPatience = 2;
-    double last = std::numeric_limits<double>::infinity();
-    int worse = 0;
-    for (std::size_t i = std::min(from, gaits.size() - 1); i < gaits.size() && worse < kPatience; ++i) {
-      const Result<PlannedWalk> planned = Brief(gaits[i], gaits.front().cycle_s, command);
-      if (Passes(planned)) return i;
-      const double distance = Distance(planned);
-      worse = distance > last ? worse + 1 : 0;
-      last = distance;
-    }
-    return gaits.size();
+  /// Raises the largest pace so far to that whose brief walk passes with a gait of that number; true when it is larger.
+  bool Raise(std::size_t number, double& largest) const {
+    const auto can_walk = [&](const WalkCommand& c) {
+      const Result<std::vector<Gait>> gaits = GaitsFor(c);
+      return gaits && Brief((*gaits)[std::min(number, gaits->size() - 1)], gaits->front().cycle_s, c) > 0.0;
+    };
+    const double before = largest;
+    largest = before > 0.0 ? LargestPaceAbove(model_, request_.command, before, can_walk)
+                           : LargestPace(model_, request_.command, can_walk);
+    return largest > before;
+  }
+
+  /// Largest pace whose brief walk passes with any of the gaits, and the number of that gait: from the middle one and
+  /// from the fitted one on, by neighbours as long as they do better. 0 when none of them has any.
+  double LargestBrief(std::size_t& serves) const {
+    constexpr std::size_t kMiddle = kQuicker / 2;
+    double largest = 0.0;
+    const auto climb = [&](std::size_t from, std::size_t end, int step) {
+      for (std::size_t i = from; i != end && (Raise(i, largest) || largest == 0.0); i += static_cast<std::size_t>(step))
+        serves = i;
+    };
+    climb(kMiddle, kQuicker + 1, 1);
+    if (serves == kMiddle) climb(kMiddle - 1, 0, -1);
+    climb(0, kMiddle, 1);
+    return largest;
+  }
+
+  /// The whole walk at the height of its brief one, or where that fails at heights of its own.
+  Result<PlannedWalk> WholeAt(double height_m, const Gait& gait, const WalkCommand& command) const {
+    WalkRequest at_height = request_;
+    at_height.motion.pipeline.com_height_m = height_m;
+    Result<PlannedWalk> planned = PlanAndAudit(at_height, gait, command, {}, true);
+    return Passes(planned) ? planned : Whole(gait, command, true);
   }
 
   /// The plan with the first gait from a number on that passes.
   Result<PlannedWalk> Quicker(const std::vector<Gait>& gaits, const WalkCommand& command, std::size_t from) const {
     for (std::size_t i = from; i < gaits.size(); ++i) {
-      i = FirstSound(gaits, command, i);
-      if (i == gaits.size()) break;
-      Result<PlannedWalk> planned = Whole(gaits[i], command, true);
+      const double height = Brief(gaits[i], gaits.front().cycle_s, command);
+      if (height == 0.0) continue;
+      Result<PlannedWalk> planned = WholeAt(height, gaits[i], command);
       if (!Passes(planned)) continue;
       if (i > 0) {
         planned->motion.summary += fmt::format("; a cycle of {:.2f} s, since a plan with {:.2f} s would fail its audit",
@@ -159,9 +172,11 @@ class Search {
     return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no time of the gait serves", {}};
   }
 
+  static constexpr int kQuicker = 6;
   const RobotModel& model_;
   const Terrain& terrain_;
   const WalkRequest& request_;
+  mutable std::map<std::pair<std::string, double>, double> brief_;  // by flags of the pace and cycle: answers so far
 };
 
 const char* NameOf(Pace pace) {

@@ -61,6 +61,20 @@ std::vector<double> TwoDigitsBetween(double low, double high) {
   return values;
 }
 
+/// Largest of the numbers of two digits between `known` and `high` that is possible, else `known`: by strides up from
+/// it that double, and bisection from where they lead too far. A first stride as long as the way is bisection alone.
+double LargestBetween(double known, double high, std::size_t stride, const std::function<bool(double)>& possible) {
+  const std::vector<double> between = TwoDigitsBetween(known, high);
+  std::size_t below = 0, end = between.size();  // those before `below` are possible, those from `end` are not
+  while (below < end) {
+    const std::size_t next = std::min(below + stride - 1, (below + end) / 2);
+    const bool is_possible = possible(between[next]);
+    stride = is_possible ? 2 * stride : between.size();
+    (is_possible ? below : end) = is_possible ? next + 1 : next;
+  }
+  return below == 0 ? known : between[below - 1];
+}
+
 }  // namespace
 
 double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
@@ -157,17 +171,12 @@ double LargestPace(const RobotModel& model, const WalkCommand& command, const Ca
     ++halvings;
   }
   if (halvings == kHalvings) return 0.0;
-  const std::vector<double> between = TwoDigitsBetween(low, high);
-  std::size_t known = 0, end = between.size();  // those before `known` are possible, those from `end` are not
-  while (known < end) {
-    const std::size_t middle = (known + end) / 2;
-    if (possible(between[middle])) {
-      known = middle + 1;
-    } else {
-      end = middle;
-    }
-  }
-  return known == 0 ? low : between[known - 1];
+  return LargestBetween(low, high, 1000, possible);
+}
+
+double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, const CanWalk& can_walk) {
+  return LargestBetween(known, OwnPace(model, command), 1,
+                        [&](double value) { return can_walk(AtPace(model, command, value)); });
 }
 
 double NextLower(double value) { return TwoDigitsBetween(0.5 * value, value).back(); }

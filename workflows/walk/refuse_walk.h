@@ -38,6 +38,9 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, doubl
 /// at most 20 questions. 0 when there is none, as when it says no to the slowest.
 double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk);
 
+/// The same from a pace on that is known to be possible; that one when none above it is, as one question tells.
+double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, const CanWalk& can_walk);
+
 /// The next lower number of two digits.
 double NextLower(double value);
 
