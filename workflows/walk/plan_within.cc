@@ -17,11 +17,10 @@ namespace {
 
 constexpr double kSlightExcess = 1e-5;  // which the audit may let pass
 
-bool KeepsLimits(const Result<PlannedWalk>& planned) {
-  return planned && planned->motion.limit_excess < kSlightExcess && BrokenLimits(planned->audit).empty();
+/// Whether a plan is sound enough to be given.
+bool Passes(const RobotModel& model, const Result<PlannedWalk>& planned) {
+  return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(model, planned->audit).empty();
 }
-
-bool Passes(const Result<PlannedWalk>& planned) { return KeepsLimits(planned) && planned->audit.pass(); }
 
 /// True for failures that a slower walk may not have.
 bool IsTooMuch(const Failure& failure) {
@@ -51,7 +50,7 @@ class Search {
     const Result<std::vector<Gait>> gaits = GaitsFor(command);
     if (!gaits) return gaits.failure();
     Result<PlannedWalk> first = Whole(gaits->front(), command, false);
-    if (request_.motion.pipeline.allow_limits || Passes(first)) return first;
+    if (request_.motion.pipeline.allow_limits || Passes(model_, first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
     Result<PlannedWalk> quicker = Quicker(*gaits, command, 1);
     return quicker ? quicker : first;
@@ -116,7 +115,7 @@ class Search {
     if (known != brief_.end()) return known->second;
     const Result<PlannedWalk> planned =
         PlanAndAudit(Coarse(request_, fitted_cycle_s), gait, Shortened(model_, command, gait.cycle_s), seldom, true);
-    const double height = Passes(planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
+    const double height = Passes(model_, planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
     brief_[asked] = height;
     return height;
   }
@@ -153,7 +152,7 @@ class Search {
     WalkRequest at_height = request_;
     at_height.motion.pipeline.com_height_m = height_m;
     Result<PlannedWalk> planned = PlanAndAudit(at_height, gait, command, {}, true);
-    return Passes(planned) ? planned : Whole(gait, command, true);
+    return Passes(model_, planned) ? planned : Whole(gait, command, true);
   }
 
   /// The plan with the first gait from a number on that passes.
@@ -162,7 +161,7 @@ class Search {
       const double height = Brief(gaits[i], gaits.front().cycle_s, command);
       if (height == 0.0) continue;
       Result<PlannedWalk> planned = WholeAt(height, gaits[i], command);
-      if (!Passes(planned)) continue;
+      if (!Passes(model_, planned)) continue;
       if (i > 0) {
         planned->motion.summary += fmt::format("; a cycle of {:.2f} s, since a plan with {:.2f} s would fail its audit",
                                                gaits[i].cycle_s, gaits.front().cycle_s);
@@ -227,12 +226,16 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   return failure;
 }
 
-/// Why a plan that fails its audit is not given: the worst limit of the robot, or else the first of the other laws.
-Failure LawsBroken(const AuditReport& audit) {
-  const std::vector<Violation> limits = BrokenLimits(audit);
-  const Violation& worst = limits.empty() ? audit.violations.front() : limits.front();
-  const std::string more = limits.size() > 1 ? fmt::format(" (worst of {} limits that are broken)", limits.size()) : "";
-  return {FailureKind::kInfeasible, limits.empty() ? worst.law : "limits", "PlanWalk", LimitText(worst) + more, {}};
+/// Why a plan is not given: the worst limit of the robot, or else the first of the other laws.
+Failure Broken(const RobotModel& model, const AuditReport& audit) {
+  const std::vector<Violation> forbidding = Forbidding(model, audit);
+  const std::size_t limits = BrokenLimits(audit).size();
+  return {
+      FailureKind::kInfeasible,
+      limits > 0 ? "limits" : forbidding.front().law,
+      "PlanWalk",
+      LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} limits that are broken)", limits) : ""),
+      {}};
 }
 
 }  // namespace
@@ -240,8 +243,8 @@ Failure LawsBroken(const AuditReport& audit) {
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
   const Search search(model, terrain, request);
   Result<PlannedWalk> planned = search.Plan(request.command);
-  if (request.motion.pipeline.allow_limits || Passes(planned)) return planned;
-  if (planned) return Refusal(search, model, request, LawsBroken(planned->audit));
+  if (request.motion.pipeline.allow_limits || Passes(model, planned)) return planned;
+  if (planned) return Refusal(search, model, request, Broken(model, planned->audit));
   return IsTooMuch(planned.failure()) ? Refusal(search, model, request, planned.failure()) : planned;
 }
 

@@ -28,6 +28,18 @@ bool IsLimit(const Violation& v) {
          v.law == "self_collision";
 }
 
+double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
+
+/// Whether it is the body of a foot itself that comes into the ground: the ground is under it in any case.
+bool IsBesideFoot(const RobotModel& model, const Violation& v) {
+  const auto of_foot = [&](const Shape& shape) {
+    return shape.link == v.where &&
+           std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return foot.body == shape.body; });
+  };
+  return v.law == "body_clearance" &&
+         std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(), of_foot);
+}
+
 double OwnPace(const RobotModel& model, const WalkCommand& c) {
   switch (PaceOf(c)) {
     case Pace::kSpeed:
@@ -77,14 +89,19 @@ double LargestBetween(double known, double high, std::size_t stride, const std::
 
 }  // namespace
 
-double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
-
 std::vector<Violation> BrokenLimits(const AuditReport& audit) {
   std::vector<Violation> broken;
   std::copy_if(audit.violations.begin(), audit.violations.end(), std::back_inserter(broken), IsLimit);
   std::stable_sort(broken.begin(), broken.end(),
                    [](const Violation& a, const Violation& b) { return Passed(a) > Passed(b); });
   return broken;
+}
+
+std::vector<Violation> Forbidding(const RobotModel& model, const AuditReport& audit) {
+  std::vector<Violation> forbidding = BrokenLimits(audit);
+  std::copy_if(audit.violations.begin(), audit.violations.end(), std::back_inserter(forbidding),
+               [&](const Violation& v) { return !IsLimit(v) && !IsBesideFoot(model, v); });
+  return forbidding;
 }
 
 std::string LimitText(const Violation& v) {
@@ -99,6 +116,8 @@ std::string LimitText(const Violation& v) {
     return fmt::format("the {} is {:.1f} mm outside the feet on the ground at {:.2f} s, where {:.2g} mm may be",
                        v.where, 1e3 * v.value, v.at_s, 1e3 * v.limit);
   }
+  if (v.law == "body_clearance")
+    return fmt::format("'{}' is {:.1f} mm in the ground at {:.2f} s", v.where, -1e3 * v.value, v.at_s);
   if (!IsLimit(v)) {
     return fmt::format("the plan breaks the law '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", v.law, v.where,
                        v.value, v.unit, v.at_s, v.limit);

@@ -69,7 +69,8 @@ Result<RobotModel> RobotOf(const MotionPlan& plan);
 /// time may change; when that does not help either, failure kInfeasible names what forbids it, the robot's worst limit
 /// before laws of the ground (dynamics, friction, support), by how much it is passed, and the largest speed, turning
 /// rate or step length of the same walk that has a plan. Both are looked for on the start of the walk and then tried on
-/// the whole. With `pipeline.allow_limits` the first plan is given all the same, with the audit's verdict.
+/// the whole. With `pipeline.allow_limits` the first plan is given all the same, with the audit's verdict; so is in any
+/// case one whose only fault is a shank in the ground beside the foot at its end, which no pace mends.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
 /// The controller of that name. @throws InvalidArgument listing those there are. The plan must outlive it.

@@ -122,6 +122,36 @@ TEST(LargestPace, IsTheLastOfTwoDigitsThatIsPossible) {
   EXPECT_EQ(LargestPace(a1, Asked(3.0, 0.0, 0.0).command, [](const WalkCommand&) { return false; }), 0.0);
 }
 
+TEST(LargestPace, AboveAKnownOneIsFoundWithFewQuestions) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  const WalkCommand asked = Asked(3.0, 0.0, 0.0).command;
+  for (const double limit : {0.5, 0.51, 0.52, 0.56, 0.99, 1.04, 2.71, 3.0}) {
+    int questions = 0;
+    const double largest = LargestPaceAbove(a1, asked, 0.5, [&](const WalkCommand& c) {
+      ++questions;
+      EXPECT_GT(c.speed_m_s, 0.5);
+      EXPECT_LT(c.speed_m_s, 3.0);
+      return c.speed_m_s <= limit;
+    });
+    EXPECT_LE(largest, limit);
+    EXPECT_GE(1.1001 * largest, std::min(limit, 2.9));
+    EXPECT_LE(questions, limit < 0.51 ? 1 : 12);
+  }
+}
+
+TEST(Limits, AShankInTheGroundBesideItsFootIsNoReasonToRefuse) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  AuditReport audit;
+  audit.violations = {{"body_clearance", 1.0, "FR_calf", -0.002, 0.0, "m"}};
+  EXPECT_TRUE(Forbidding(a1, audit).empty());
+  audit.violations.push_back({"body_clearance", 1.0, "trunk", -0.002, 0.0, "m"});
+  audit.violations.push_back({"joint_velocity", 1.2, "FR_hip_joint", 22.0, 21.0, "rad/s"});
+  const std::vector<Violation> forbidding = Forbidding(a1, audit);
+  ASSERT_EQ(forbidding.size(), 2u);
+  EXPECT_EQ(forbidding[0].law, "joint_velocity");
+  EXPECT_EQ(LimitText(forbidding[1]), "'trunk' is 2.0 mm in the ground at 1.00 s");
+}
+
 TEST(LargestPace, KeepsTheProportionsOfSpeeds) {
   const RobotModel a1 = *LoadNamedRobot("a1");
   const WalkCommand half = AtPace(a1, Asked(0.6, -0.2, 0.4).command, 0.3);
