@@ -37,55 +37,70 @@ WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
   return coarse;
 }
 
-/// Looks for plans that pass their audit, at a gait's fitted time or a quicker one, and for the largest pace that has
-/// one. What is possible is found on brief walks, the start of the whole one on a coarse grid; a whole walk is then
-/// planned only where its brief one passes.
+/// A gait fitted to a command and its other possible cycles, by number: 0 as fitted, up to kQuickest ever shorter, down
+/// to kSlowest ever longer, in even ratios.
+struct Cycles {
+  static constexpr int kQuickest = 6, kSlowest = -4;
+  Gait fitted;
+  double shortest_s = 0.0, longest_s = 0.0;
+
+  Gait At(int number) const {
+    Gait gait = fitted;
+    const double last = number > 0 ? std::min(shortest_s, gait.cycle_s) : std::max(longest_s, gait.cycle_s);
+    gait.cycle_s *= std::pow(last / gait.cycle_s, static_cast<double>(number) / (number > 0 ? kQuickest : kSlowest));
+    return gait;
+  }
+};
+
+/// Looks for plans that pass their audit, at a gait's fitted time or another, and for the largest pace that has one.
+/// What is possible is found on brief walks, the start of the whole one on a coarse grid; a whole walk is then planned
+/// only where its brief one passes.
 class Search {
  public:
   Search(const RobotModel& model, const Terrain& terrain, const WalkRequest& request)
       : model_(model), terrain_(terrain), request_(request) {}
 
-  /// The plan of a command: as the gait is fitted, or quicker where only that passes; else the first one's outcome.
+  /// The plan of a command: as the gait is fitted, or at another cycle where only that passes; else the first one's
+  /// outcome. What the joints cannot do may be helped by quicker steps, what the ground cannot hold by slower ones.
   Result<PlannedWalk> Plan(const WalkCommand& command) const {
-    const Result<std::vector<Gait>> gaits = GaitsFor(command);
-    if (!gaits) return gaits.failure();
-    Result<PlannedWalk> first = Whole(gaits->front(), command, false);
+    const Result<Cycles> cycles = CyclesFor(command);
+    if (!cycles) return cycles.failure();
+    Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
     if (request_.motion.pipeline.allow_limits || Passes(model_, first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
-    Result<PlannedWalk> quicker = Quicker(*gaits, command, 1);
-    return quicker ? quicker : first;
+    const bool ground = first ? BrokenLimits(first->audit).empty() : first.failure().code == "zmp_support";
+    Result<PlannedWalk> other = FirstOf(ground ? std::vector<int>{-1, -2, -3, -4, 1, 2, 3, 4, 5, 6}
+                                               : std::vector<int>{1, 2, 3, 4, 5, 6, -1, -2, -3, -4},
+                                        *cycles, command);
+    return other ? other : first;
   }
 
   /// Largest pace of the request's command that has a plan; 0 when there is none.
   double LargestThatPasses() const {
-    constexpr int kLowered = 4;
-    std::size_t serves = 0;
+    constexpr int kDigits = 2, kLowered = 5;
+    constexpr double kShare = 0.75;
+    int serves = 0;
     double largest = LargestBrief(serves);
-    for (int i = 0; i < kLowered && largest > 0.0; ++i) {
+    for (int i = 0; i < kDigits + kLowered && largest > 0.0; ++i) {
       const WalkCommand slower = AtPace(model_, request_.command, largest);
-      const Result<std::vector<Gait>> gaits = GaitsFor(slower);
-      if (gaits && Quicker(*gaits, slower, std::min(serves, gaits->size() - 1))) return largest;
-      largest = NextLower(largest);
+      const Result<Cycles> cycles = CyclesFor(slower);
+      if (cycles && FirstOf({serves, 0}, *cycles, slower)) return largest;
+      largest = NextLower(i < kDigits ? largest : kShare * largest);
     }
     return 0.0;
   }
 
  private:
-  /// The gait fitted to a command, and the same with quicker steps in even ratios, down to the shortest time it may
-  /// have.
-  Result<std::vector<Gait>> GaitsFor(const WalkCommand& command) const {
+  Result<Cycles> CyclesFor(const WalkCommand& command) const {
     const double speed = CommandedSpeed(model_, command);
     const Result<Gait> gait = FindGait(model_, request_.gait, speed, request_.gait_options);
     if (!gait) return gait.failure();
-    std::vector<Gait> gaits = {*gait};
     const Result<double> shortest = ShortestCycle(model_, request_.gait, request_.gait_options);
-    if (!shortest) return shortest.failure();
-    if (PaceOf(command) == Pace::kStepLength || *shortest >= gait->cycle_s) return gaits;
-    for (int i = 1; i <= kQuicker; ++i) {
-      gaits.push_back(*gait);
-      gaits.back().cycle_s *= std::pow(*shortest / gait->cycle_s, static_cast<double>(i) / kQuicker);
-    }
-    return gaits;
+    const Result<double> longest = LongestCycle(model_, request_.gait, request_.gait_options);
+    if (!shortest || !longest) return shortest ? longest.failure() : shortest.failure();
+    const bool quicker =
+        PaceOf(command) != Pace::kStepLength;  // steps as long as they are asked for gain nothing by it
+    return Cycles{*gait, quicker ? *shortest : gait->cycle_s, *longest};
   }
 
   /// Plans and audits; a plan past limits is not audited where only one that passes is of interest.
@@ -107,24 +122,26 @@ class Search {
   }
 
   /// Whether the start of a walk has a plan that passes: the height of its centre of mass, or 0.
-  double Brief(const Gait& gait, double fitted_cycle_s, const WalkCommand& command) const {
-    AuditOptions seldom;
-    seldom.rate_hz *= 0.5;
+  double Brief(const Cycles& cycles, int number, const WalkCommand& command) const {
+    const Gait gait = cycles.At(number);
     const auto asked = std::make_pair(PaceFlags(command), gait.cycle_s);
     const auto known = brief_.find(asked);
     if (known != brief_.end()) return known->second;
-    const Result<PlannedWalk> planned =
-        PlanAndAudit(Coarse(request_, fitted_cycle_s), gait, Shortened(model_, command, gait.cycle_s), seldom, true);
+    AuditOptions seldom;
+    seldom.rate_hz *= 0.5;
+    const WalkRequest coarse = Coarse(request_, cycles.fitted.cycle_s);
+    const Result<PlannedWalk> planned = PlanAndAudit(coarse, gait, Shortened(model_, command, gait), seldom, true);
     const double height = Passes(model_, planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
     brief_[asked] = height;
     return height;
   }
 
-  /// Raises the largest pace so far to that whose brief walk passes with a gait of that number; true when it is larger.
-  bool Raise(std::size_t number, double& largest) const {
+  /// Raises the largest pace so far to that whose brief walk passes with a cycle of that number; true when it is
+  /// larger.
+  bool Raise(int number, double& largest) const {
     const auto can_walk = [&](const WalkCommand& c) {
-      const Result<std::vector<Gait>> gaits = GaitsFor(c);
-      return gaits && Brief((*gaits)[std::min(number, gaits->size() - 1)], gaits->front().cycle_s, c) > 0.0;
+      const Result<Cycles> cycles = CyclesFor(c);
+      return cycles && Brief(*cycles, number, c) > 0.0;
     };
     const double before = largest;
     largest = before > 0.0 ? LargestPaceAbove(model_, request_.command, before, can_walk)
@@ -132,46 +149,53 @@ class Search {
     return largest > before;
   }
 
-  /// Largest pace whose brief walk passes with any of the gaits, and the number of that gait: from the middle one and
-  /// from the fitted one on, by neighbours as long as they do better. 0 when none of them has any.
-  double LargestBrief(std::size_t& serves) const {
-    constexpr std::size_t kMiddle = kQuicker / 2;
+  /// Largest pace whose brief walk passes with any of the cycles, and the number of that: from the middle one of the
+  /// quicker ones and from the fitted one on, by neighbours as long as they do better. 0 when none has any.
+  double LargestBrief(int& serves) const {
+    constexpr int kMiddle = Cycles::kQuickest / 2;
     double largest = 0.0;
-    const auto climb = [&](std::size_t from, std::size_t end, int step) {
-      for (std::size_t i = from; i != end && (Raise(i, largest) || largest == 0.0); i += static_cast<std::size_t>(step))
-        serves = i;
+    const auto climb = [&](int from, int to, int step) {
+      for (int i = from; i != to + step; i += step) {
+        if (Raise(i, largest)) {
+          serves = i;
+        } else if (largest > 0.0) {
+          return;
+        }
+      }
     };
-    climb(kMiddle, kQuicker + 1, 1);
-    if (serves == kMiddle) climb(kMiddle - 1, 0, -1);
-    climb(0, kMiddle, 1);
+    climb(kMiddle, Cycles::kQuickest, 1);
+    if (serves == kMiddle) climb(kMiddle - 1, 1, -1);
+    climb(0, kMiddle - 1, 1);
+    climb(-1, Cycles::kSlowest, -1);
     return largest;
   }
 
-  /// The whole walk at the height of its brief one, or where that fails at heights of its own.
+  /// The whole walk at the height of its brief one or, where it is past limits there, at heights of its own.
   Result<PlannedWalk> WholeAt(double height_m, const Gait& gait, const WalkCommand& command) const {
     WalkRequest at_height = request_;
     at_height.motion.pipeline.com_height_m = height_m;
     Result<PlannedWalk> planned = PlanAndAudit(at_height, gait, command, {}, true);
-    return Passes(model_, planned) ? planned : Whole(gait, command, true);
+    const bool keeps_limits = planned && planned->motion.limit_excess < kSlightExcess;
+    return keeps_limits ? planned : Whole(gait, command, true);
   }
 
-  /// The plan with the first gait from a number on that passes.
-  Result<PlannedWalk> Quicker(const std::vector<Gait>& gaits, const WalkCommand& command, std::size_t from) const {
-    for (std::size_t i = from; i < gaits.size(); ++i) {
-      const double height = Brief(gaits[i], gaits.front().cycle_s, command);
+  /// The plan with the first of some cycles that passes.
+  Result<PlannedWalk> FirstOf(const std::vector<int>& numbers, const Cycles& cycles, const WalkCommand& command) const {
+    for (const int number : numbers) {
+      const double height = Brief(cycles, number, command);
       if (height == 0.0) continue;
-      Result<PlannedWalk> planned = WholeAt(height, gaits[i], command);
+      const Gait gait = cycles.At(number);
+      Result<PlannedWalk> planned = WholeAt(height, gait, command);
       if (!Passes(model_, planned)) continue;
-      if (i > 0) {
+      if (number != 0) {
         planned->motion.summary += fmt::format("; a cycle of {:.2f} s, since a plan with {:.2f} s would fail its audit",
-                                               gaits[i].cycle_s, gaits.front().cycle_s);
+                                               gait.cycle_s, cycles.fitted.cycle_s);
       }
       return planned;
     }
     return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no time of the gait serves", {}};
   }
 
-  static constexpr int kQuicker = 6;
   const RobotModel& model_;
   const Terrain& terrain_;
   const WalkRequest& request_;
@@ -215,8 +239,8 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   const char* name = NameOf(PaceOf(command));
   failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
   if (largest == 0.0) {
-    failure.message +=
-        fmt::format("; robot '{}' has no {} at which it keeps its limits with gait '{}'", model.name, name, gait->name);
+    failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
+                                   model.name, name, gait->name);
     failure.hints.insert(failure.hints.begin(), "another gait");
     return failure;
   }

@@ -151,8 +151,9 @@ WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double v
   return c;
 }
 
-WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, double cycle_s) {
+WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, const Gait& gait) {
   constexpr double kCycles = 4.0;
+  const double cycle_s = gait.cycle_s;
   WalkCommand c = command;
   const PlanarTwist velocity = CommandedVelocity(model, command);
   const double speed = std::hypot(velocity.x_m, velocity.y_m);
@@ -164,9 +165,10 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, doubl
     c.duration_s = kCycles * cycle_s;
   }
   c.steps = std::min(c.steps, static_cast<int>(kCycles * static_cast<double>(model.feet.size())));
-  const double way = std::hypot(c.goal_x_m, c.goal_y_m), most = kCycles * cycle_s * CommandedSpeed(model, c);
-  if (c.extent == Extent::kGoal && way > most) {
-    const PlanarPose near = PoseAlong(TwistTo({c.goal_x_m, c.goal_y_m, c.goal_yaw_rad}), most / way);
+  if (c.extent != Extent::kGoal) return c;
+  const Result<Course> course = MakeCourse(model, gait, command, 0.0);
+  if (course && course->duration_s > kCycles * cycle_s) {
+    const PlanarPose near = PoseAlong(course->twist, kCycles * cycle_s / course->duration_s);
     c.goal_x_m = near.x_m;
     c.goal_y_m = near.y_m;
     c.goal_yaw_rad = near.yaw_rad;
@@ -175,21 +177,20 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, doubl
 }
 
 double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk) {
-  constexpr int kHalvings = 9;
+  // A goal is not walked to ever slower, since one plan does not last so long.
+  const int most_halvings = command.extent == Extent::kGoal ? 5 : 9;
   const auto possible = [&](double value) { return can_walk(AtPace(model, command, value)); };
   double high = OwnPace(model, command);
   const double beyond = Beyond(model, PaceOf(command));
   double low = Digits(std::min(0.5 * high, beyond), 2);
-  // A goal is not walked to ever slower, since one plan does not last so long.
-  const double slowest = std::ldexp(low, -kHalvings);
-  if (command.extent != Extent::kGoal && !possible(Digits(slowest, 2))) return 0.0;
+  if (!possible(Digits(std::ldexp(low, -most_halvings), 2))) return 0.0;
   int halvings = 0;
-  while (halvings < kHalvings && !possible(low)) {
+  while (halvings < most_halvings && !possible(low)) {
     high = low;
     low = Digits(0.5 * low, 2);
     ++halvings;
   }
-  if (halvings == kHalvings) return 0.0;
+  if (halvings == most_halvings) return 0.0;
   return LargestBetween(low, high, 1000, possible);
 }
 

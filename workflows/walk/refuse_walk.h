@@ -33,7 +33,7 @@ Pace PaceOf(const WalkCommand& command);
 WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double value);
 
 /// The start of the same walk: long enough to gain full speed, hold it for some cycles and stop again.
-WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, double cycle_s);
+WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, const Gait& gait);
 
 /// Largest pace below that of the command, of two digits, at which `can_walk` says yes: by halving and then bisection,
 /// at most 20 questions. 0 when there is none, as when it says no to the slowest.

@@ -67,7 +67,7 @@ TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
   for (Joint& joint : stiff.joints) joint.effort_limit = 0.5;  // less than standing takes
   const Result<PlannedWalk> planned = PlanWalk(stiff, Asked(0.3, 0.0, 0.0));
   ASSERT_FALSE(planned.ok());
-  EXPECT_NE(planned.failure().message.find("has no speed at which it keeps its limits"), std::string::npos);
+  EXPECT_NE(planned.failure().message.find("no speed of robot 'a1' was found"), std::string::npos);
   EXPECT_NE(planned.failure().message.find("N m past its limit of 0.5"), std::string::npos);
   for (const std::string& hint : planned.failure().hints) EXPECT_EQ(hint.find("--speed"), std::string::npos) << hint;
 }
@@ -89,20 +89,29 @@ void ExpectRefusedFor(const std::string& law, const RobotModel& model, WalkReque
   ExpectPasses(model, request);
 }
 
-TEST(Limits, AWalkThatTheGroundCannotHoldIsRefused) {
+TEST(Limits, AWalkThatTheGroundCannotHoldIsRefusedWhereTheTimeOfSteppingIsGiven) {
   WalkRequest amble = Asked(0.8, 0.0, 0.0);
   amble.gait = "amble";
+  amble.gait_options.cycle_s = 0.38;
   ExpectRefusedFor("dynamics", *LoadNamedRobot("a1"), amble);
-  WalkRequest pace = Asked(0.7, 0.0, 0.0);
-  pace.gait = "pace";
-  ExpectRefusedFor("dynamics", *LoadNamedRobot("a1"), pace);
+  WalkRequest wave = Asked(0.32, 0.0, 0.0);
+  wave.gait = "wave";
+  wave.gait_options.cycle_s = 0.72;
+  ExpectRefusedFor("dynamics", *LoadRobotFromText(unusual::Tripod(), ""), wave);
 }
 
-TEST(Limits, ThreeLegsThatWalkTooFastToBalanceAreRefused) {
-  WalkRequest wave = Asked(0.32, 0.0, 0.0);
-  wave.command.distance_m = 0.6;
-  wave.gait = "wave";
-  ExpectRefusedFor("dynamics", *LoadRobotFromText(unusual::Tripod(), ""), wave);
+TEST(Limits, WhatTheGroundCannotHoldIsSteppedSlowerAtTheSpeedAskedFor) {
+  const auto expect_slower = [](const RobotModel& model, WalkRequest request, const std::string& gait) {
+    request.gait = gait;
+    ExpectPasses(model, request);
+    const MotionPlan plan = PlanWalk(model, request)->motion.plan;
+    EXPECT_GT(plan.gait.cycle_s, 1.1 * FindGait(model, gait, CommandedSpeed(model, request.command), {})->cycle_s);
+    EXPECT_EQ(plan.command, request.command);
+  };
+  expect_slower(*LoadNamedRobot("a1"), Asked(0.8, 0.0, 0.0), "amble");
+  WalkRequest longer = Asked(0.32, 0.0, 0.0);
+  longer.command.distance_m = 0.6;
+  expect_slower(*LoadRobotFromText(unusual::Tripod(), ""), longer, "wave");
 }
 
 TEST(LargestPace, IsTheLastOfTwoDigitsThatIsPossible) {
