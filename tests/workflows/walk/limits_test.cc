@@ -109,6 +109,7 @@ TEST(Limits, WhatTheGroundCannotHoldIsSteppedSlowerAtTheSpeedAskedFor) {
     EXPECT_EQ(plan.command, request.command);
   };
   expect_slower(*LoadNamedRobot("a1"), Asked(0.8, 0.0, 0.0), "amble");
+  expect_slower(*LoadNamedRobot("a1"), Asked(0.7, 0.0, 0.0), "pace");
   WalkRequest longer = Asked(0.32, 0.0, 0.0);
   longer.command.distance_m = 0.6;
   expect_slower(*LoadRobotFromText(unusual::Tripod(), ""), longer, "wave");
