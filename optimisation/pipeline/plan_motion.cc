@@ -53,14 +53,16 @@ struct LimitExcess {
 };
 
 LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof) {
-  LimitExcess worst;
+  const double lower = model.dof_lower(dof), upper = model.dof_upper(dof);
+  double low = upper, high = lower, speed = 0.0, torque = 0.0;
   for (std::size_t k = 0; k < motion.q.size(); ++k) {
-    const double q = motion.q[k][7 + dof];
-    worst.position = std::max({worst.position, model.dof_lower(dof) - q, q - model.dof_upper(dof)});
-    worst.speed = std::max(worst.speed, std::abs(motion.v[k][6 + dof]) - model.dof_velocity_limit(dof));
-    worst.torque = std::max(worst.torque, std::abs(motion.tau[k][dof]) - model.dof_effort_limit(dof));
+    low = std::min(low, motion.q[k][7 + dof]);
+    high = std::max(high, motion.q[k][7 + dof]);
+    speed = std::max(speed, std::abs(motion.v[k][6 + dof]));
+    torque = std::max(torque, std::abs(motion.tau[k][dof]));
   }
-  return worst;
+  return {std::max({0.0, lower - low, high - upper}), std::max(0.0, speed - model.dof_velocity_limit(dof)),
+          std::max(0.0, torque - model.dof_effort_limit(dof))};
 }
 
 /// How far the joints are past their limits, summed in shares of the limits: 0 where all are kept.
@@ -87,6 +89,7 @@ struct Pass {
   FootstepPlan footsteps;
   WholeBodySolution solution;
   double error_m = std::numeric_limits<double>::infinity();
+  double excess = 0.0;     ///< past limits of joints, summed in shares of the limits
   double outside_m = 0.0;  ///< of supports with area, by the multibody ZMP; on a line its error is all there is
   bool settled = false;
 
@@ -139,7 +142,7 @@ class Passes {
         gain *= 0.5;
         if (gain < 0.1) break;
       }
-      if (passes == 0 && TotalExcess(model_, best.solution.trajectory) > hopeless) break;
+      if (passes == 0 && best.excess > hopeless) break;
       const bool near = best.error_m < options_.pipeline.zmp_tolerance_m && best.outside_m < kOutside;
       if (best.settled && near) break;
       UpdateOffset(*made, gain);
@@ -180,6 +183,7 @@ class Passes {
       pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
     }
     pass.outside_m = Outside(pass);
+    pass.excess = TotalExcess(model_, pass.solution.trajectory);
     return pass;
   }
 
@@ -254,7 +258,7 @@ class Heights {
   Passes At(double height_m) const { return Passes(model_, terrain_, skeleton_, options_, height_m); }
 
   double Excess(const Result<Pass>& pass) const {
-    return pass ? TotalExcess(model_, pass->solution.trajectory) : std::numeric_limits<double>::infinity();
+    return pass ? pass->excess : std::numeric_limits<double>::infinity();
   }
 
   void Lower(double standing, double hopeless, Result<Pass>& best) {
@@ -262,13 +266,16 @@ class Heights {
     constexpr int kPatience = 2;                   // heights without gain
     // What is out of reach at the lowest is so at all heights.
     if (!best && !At(kLowest * standing).RunOnce()) return;
-    double least = Excess(best);
+    double least = Excess(best), gain = std::numeric_limits<double>::infinity();
     int without_gain = 0;
     for (double share = 1.0 - kStep; share >= kLowest && least > 0.0 && without_gain < kPatience; share -= kStep) {
-      Result<Pass> lower = At(share * standing).RunOnce();
-      if (Excess(lower) <= hopeless) lower = At(share * standing).Run(passes_, hopeless);
+      // Lowering helps less and less.
+      const double steps_left = std::round((share - kLowest) / kStep) + 1.0;
+      if (least - gain * steps_left > hopeless) break;
+      Result<Pass> lower = At(share * standing).Run(passes_, hopeless);
       const double excess = Excess(lower);
       without_gain = excess < least || !lower ? 0 : without_gain + 1;
+      gain = !lower ? gain : std::max(0.0, least - excess);
       if (excess >= least) continue;
       best = std::move(lower);
       least = excess;
@@ -328,7 +335,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   plan.swings = std::move(pass->swings);
   plan.whole_body = std::move(pass->solution.trajectory);
   plan.warnings = skeleton->warnings;
-  planned.limit_excess = TotalExcess(model, plan.whole_body);
+  planned.limit_excess = pass->excess;
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
   planned.zmp_error_max_m = pass->error_m;

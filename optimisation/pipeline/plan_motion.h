@@ -64,7 +64,7 @@ struct PipelineOptions {
          "1",
          0.0,
          1.0,
-         "Hand out a plan that is past limits of joints, reach or collisions too, with warnings, for looking at.",
+         "Hand out a plan that is past limits or fails its audit otherwise too, with warnings, for looking at.",
          {}}};
   }
 };

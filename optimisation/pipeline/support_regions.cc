@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/stability/holdable_support.h"
@@ -125,6 +126,40 @@ void JoinPreferred(const std::vector<ContactPhase>& phases, std::vector<ZmpPhase
   }
 }
 
+/// How far the corners of a phase are from where they are taken to be between its ends [m].
+double Bend(const Scene& scene, const ContactPhase& phase, const ZmpPhase& region) {
+  const double middle_s = 0.5 * (phase.start_s + phase.end_s);
+  const std::vector<Vector2> corners = StanceCorners(scene, phase, middle_s);
+  double bend = 0.0;
+  for (const Vector2& taken : RegionAt(region, middle_s)) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vector2& corner : corners) nearest = std::min(nearest, (corner - taken).norm());
+    bend = std::max(bend, nearest);
+  }
+  return bend;
+}
+
+/// A phase on a line, in as many parts as keep its corners within half a millimetre of straight ways between their
+/// ends: feet roll to and fro under a body that sways, and off the line nothing holds.
+void AppendParts(const Scene& scene, const ContactPhase& phase, const ZmpPhase& region, std::vector<ZmpPhase>& parts) {
+  constexpr double kStraight = 5e-4;  // [m]
+  constexpr int kFewestSteps = 8;
+  const int steps = static_cast<int>(std::lround((phase.end_s - phase.start_s) / scene.inputs.step_s));
+  const bool rolls = region.region_start.size() == 2 && !scene.inputs.contact_W.empty();
+  const double bend = rolls ? Bend(scene, phase, region) : 0.0;
+  const int wanted = static_cast<int>(std::ceil(std::sqrt(bend / kStraight)));
+  const int count = std::clamp(wanted, 1, std::max(1, steps / kFewestSteps));
+  if (count == 1) return parts.push_back(region);
+  const auto boundary = [&](int k) { return phase.start_s + (steps * k / count) * scene.inputs.step_s; };
+  for (int k = 0; k < count; ++k) {
+    const double end_s = k + 1 == count ? phase.end_s : boundary(k + 1);
+    ZmpPhase part = MovingHull(scene, {boundary(k), end_s, phase.stance});
+    part.preferred_start = NearestPoint(part.region_start, PreferredAt(region, part.start_s));
+    part.preferred_end = NearestPoint(part.region_end, PreferredAt(region, part.end_s));
+    parts.push_back(std::move(part));
+  }
+}
+
 }  // namespace
 
 std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSchedule& schedule,
@@ -145,7 +180,9 @@ std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSched
     regions.front().preferred_start = inputs.start_W;
     regions.back().preferred_end = inputs.end_W;
   }
-  return regions;
+  std::vector<ZmpPhase> parts;
+  for (std::size_t i = 0; i < regions.size(); ++i) AppendParts(scene, phases[i], regions[i], parts);
+  return parts;
 }
 
 }  // namespace gaitwright

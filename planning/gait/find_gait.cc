@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kShortest = 0.5;  // of a gait's own cycle, where that scales with the leg
+constexpr double kShortest = 0.5, kLongest = 2.0;  // of a gait's own cycle, where that scales with the leg
 
 Failure BadGait(const std::string& message) { return {FailureKind::kBadInput, "gait", "FindGait", message, {}}; }
 
@@ -96,6 +96,14 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
   return gait;
 }
 
+/// So much of the gait's own cycle, or the cycle that is given.
+Result<double> ScaledCycle(const RobotModel& model, const std::string& name, const GaitOptions& options, double scale) {
+  const Result<GaitEntry> entry = FindEntry(name, static_cast<int>(model.feet.size()));
+  if (!entry) return entry.failure();
+  if (options.cycle_s > 0.0) return options.cycle_s;
+  return (entry->gait.cycle_s > 0.0 ? 1.0 : scale) * OwnCycle(*entry, model);
+}
+
 /// Why the options fit no gait.
 std::optional<Failure> CheckGaitOptions(const GaitOptions& options) {
   constexpr double kLeastCycle = 0.05, kLeastDuty = 0.05;  // as in files
@@ -120,10 +128,11 @@ Result<Gait> FindGait(const RobotModel& model, const std::string& name, double s
 }
 
 Result<double> ShortestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options) {
-  const Result<GaitEntry> entry = FindEntry(name, static_cast<int>(model.feet.size()));
-  if (!entry) return entry.failure();
-  if (options.cycle_s > 0.0) return options.cycle_s;
-  return (entry->gait.cycle_s > 0.0 ? 1.0 : kShortest) * OwnCycle(*entry, model);
+  return ScaledCycle(model, name, options, kShortest);
+}
+
+Result<double> LongestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options) {
+  return ScaledCycle(model, name, options, kLongest);
 }
 
 }  // namespace gaitwright

@@ -45,4 +45,8 @@ Result<Gait> FindGait(const RobotModel& model, const std::string& name, double s
 /// one that is given.
 Result<double> ShortestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
 
+/// Longest cycle that the gait may be given for a robot [s]: twice its own where that scales with the leg, else the one
+/// that is given.
+Result<double> LongestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
+
 }  // namespace gaitwright

@@ -5,99 +5,202 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "workflows/walk/refuse_walk.h"
 
 namespace gaitwright {
 namespace {
 
-/// Which quicker gaits are tried: so many in even ratios, the first of them by its number (0: the gait as fitted).
-/// A search for faster walks need not go back to slower steps than the last that served: it keeps their number here.
-struct Stepping {
-  int quicker = 6;
-  std::size_t from = 0;
-};
-
 constexpr double kSlightExcess = 1e-5;  // which the audit may let pass
 
-/// What a search for plans is about; `command` changes.
-struct Search {
-  const RobotModel& model;
-  const Terrain& terrain;
-  const WalkRequest& request;
-  bool only_within = false;  // plans past limits are of no interest and not audited
-  AuditOptions audit = {};
-};
-
-Result<PlannedWalk> PlanAndAudit(const Search& search, const Gait& gait, const WalkCommand& command) {
-  Result<PlannedMotion> motion = PlanMotion(search.model, search.terrain, gait, command, search.request.motion);
-  if (!motion) return motion.failure();
-  PlannedWalk planned;
-  planned.motion = std::move(*motion);
-  if (planned.motion.limit_excess >= kSlightExcess && search.only_within) return planned;
-  const Result<AuditReport> audit = Audit(search.model, planned.motion.plan, search.audit);
-  if (!audit) return audit.failure();
-  planned.audit = *audit;
-  return planned;
+/// Whether a plan is sound enough to be given.
+bool Passes(const RobotModel& model, const Result<PlannedWalk>& planned) {
+  return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(model, planned->audit).empty();
 }
-
-bool KeepsLimits(const Result<PlannedWalk>& planned) {
-  return planned && planned->motion.limit_excess < kSlightExcess && BrokenLimits(planned->audit).empty();
-}
-
-bool Passes(const Result<PlannedWalk>& planned) { return KeepsLimits(planned) && planned->audit.pass(); }
 
 /// True for failures that a slower walk may not have.
 bool IsTooMuch(const Failure& failure) {
   return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts";
 }
 
-/// The gait fitted to a command, and the same with quicker steps, down to the shortest time that it may have.
-Result<std::vector<Gait>> GaitsFor(const Search& search, const WalkCommand& command, int quicker) {
-  const WalkRequest& request = search.request;
-  const double speed = CommandedSpeed(search.model, command);
-  const Result<Gait> gait = FindGait(search.model, request.gait, speed, request.gait_options);
-  if (!gait) return gait.failure();
-  std::vector<Gait> gaits = {*gait};
-  const Result<double> shortest = ShortestCycle(search.model, request.gait, request.gait_options);
-  if (!shortest) return shortest.failure();
-  if (PaceOf(command) == Pace::kStepLength || *shortest >= gait->cycle_s) return gaits;
-  for (int i = 1; i <= quicker; ++i) {
-    gaits.push_back(*gait);
-    gaits.back().cycle_s *= std::pow(*shortest / gait->cycle_s, static_cast<double>(i) / quicker);
-  }
-  return gaits;
+/// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
+/// enough.
+WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
+  constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
+  WalkRequest coarse = request;
+  double& grid = coarse.motion.pipeline.grid_step_s;
+  if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
+  return coarse;
 }
 
-/// The plan at the gait's fitted time, or at a quicker one where only that keeps the limits; else the first's outcome.
-/// Quicker ones are tried as long as they do not take joints ever farther past their limits.
-Result<PlannedWalk> PlanQuicker(const Search& search, const WalkCommand& command, Stepping& stepping) {
-  constexpr int kPatience = 2;
-  const Result<std::vector<Gait>> gaits = GaitsFor(search, command, stepping.quicker);
-  if (!gaits) return gaits.failure();
-  const std::size_t from = std::min(stepping.from, gaits->size() - 1);
-  Result<PlannedWalk> first = PlanAndAudit(search, (*gaits)[from], command);
-  if (KeepsLimits(first) || (!first && !IsTooMuch(first.failure()))) return first;
-  const Search within{search.model, search.terrain, search.request, true, search.audit};
-  const auto excess = [](const Result<PlannedWalk>& planned) {
-    return planned ? planned->motion.limit_excess : std::numeric_limits<double>::infinity();
-  };
-  double last = excess(first);
-  int worse = 0;
-  for (std::size_t i = from + 1; i < gaits->size() && worse < kPatience; ++i) {
-    Result<PlannedWalk> planned = PlanAndAudit(within, (*gaits)[i], command);
-    worse = excess(planned) > last ? worse + 1 : 0;
-    last = excess(planned);
-    if (!Passes(planned)) continue;
-    stepping.from = i;
-    planned->motion.summary +=
-        fmt::format("; a cycle of {:.2f} s, since one of {:.2f} s would break limits of the robot", (*gaits)[i].cycle_s,
-                    gaits->front().cycle_s);
+/// A gait fitted to a command and its other possible cycles, by number: 0 as fitted, up to kQuickest ever shorter, down
+/// to kSlowest ever longer, in even ratios.
+struct Cycles {
+  static constexpr int kQuickest = 6, kSlowest = -4;
+  Gait fitted;
+  double shortest_s = 0.0, longest_s = 0.0;
+
+  Gait At(int number) const {
+    Gait gait = fitted;
+    const double last = number > 0 ? std::min(shortest_s, gait.cycle_s) : std::max(longest_s, gait.cycle_s);
+    gait.cycle_s *= std::pow(last / gait.cycle_s, static_cast<double>(number) / (number > 0 ? kQuickest : kSlowest));
+    return gait;
+  }
+};
+
+/// Looks for plans that pass their audit, at a gait's fitted time or another, and for the largest pace that has one.
+/// What is possible is found on brief walks, the start of the whole one on a coarse grid; a whole walk is then planned
+/// only where its brief one passes.
+class Search {
+ public:
+  Search(const RobotModel& model, const Terrain& terrain, const WalkRequest& request)
+      : model_(model), terrain_(terrain), request_(request) {}
+
+  /// The plan of a command: as the gait is fitted, or at another cycle where only that passes; else the first one's
+  /// outcome. What the joints cannot do may be helped by quicker steps, what the ground cannot hold by slower ones.
+  Result<PlannedWalk> Plan(const WalkCommand& command) const {
+    const Result<Cycles> cycles = CyclesFor(command);
+    if (!cycles) return cycles.failure();
+    Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
+    if (request_.motion.pipeline.allow_limits || Passes(model_, first)) return first;
+    if (!first && !IsTooMuch(first.failure())) return first;
+    const bool ground = first ? BrokenLimits(first->audit).empty() : first.failure().code == "zmp_support";
+    Result<PlannedWalk> other = FirstOf(ground ? std::vector<int>{-1, -2, -3, -4, 1, 2, 3, 4, 5, 6}
+                                               : std::vector<int>{1, 2, 3, 4, 5, 6, -1, -2, -3, -4},
+                                        *cycles, command);
+    return other ? other : first;
+  }
+
+  /// Largest pace of the request's command that has a plan; 0 when there is none.
+  double LargestThatPasses() const {
+    constexpr int kDigits = 2, kLowered = 5;
+    constexpr double kShare = 0.75;
+    int serves = 0;
+    double largest = LargestBrief(serves);
+    for (int i = 0; i < kDigits + kLowered && largest > 0.0; ++i) {
+      const WalkCommand slower = AtPace(model_, request_.command, largest);
+      const Result<Cycles> cycles = CyclesFor(slower);
+      if (cycles && FirstOf({serves, 0}, *cycles, slower)) return largest;
+      largest = NextLower(i < kDigits ? largest : kShare * largest);
+    }
+    return 0.0;
+  }
+
+ private:
+  Result<Cycles> CyclesFor(const WalkCommand& command) const {
+    const double speed = CommandedSpeed(model_, command);
+    const Result<Gait> gait = FindGait(model_, request_.gait, speed, request_.gait_options);
+    if (!gait) return gait.failure();
+    const Result<double> shortest = ShortestCycle(model_, request_.gait, request_.gait_options);
+    const Result<double> longest = LongestCycle(model_, request_.gait, request_.gait_options);
+    if (!shortest || !longest) return shortest ? longest.failure() : shortest.failure();
+    const bool quicker =
+        PaceOf(command) != Pace::kStepLength;  // steps as long as they are asked for gain nothing by it
+    return Cycles{*gait, quicker ? *shortest : gait->cycle_s, *longest};
+  }
+
+  /// Plans and audits; a plan past limits is not audited where only one that passes is of interest.
+  Result<PlannedWalk> PlanAndAudit(const WalkRequest& request, const Gait& gait, const WalkCommand& command,
+                                   const AuditOptions& options, bool only_passing) const {
+    Result<PlannedMotion> motion = PlanMotion(model_, terrain_, gait, command, request.motion);
+    if (!motion) return motion.failure();
+    PlannedWalk planned;
+    planned.motion = std::move(*motion);
+    if (planned.motion.limit_excess >= kSlightExcess && only_passing) return planned;
+    const Result<AuditReport> audit = Audit(model_, planned.motion.plan, options);
+    if (!audit) return audit.failure();
+    planned.audit = *audit;
     return planned;
   }
-  return first;
-}
+
+  Result<PlannedWalk> Whole(const Gait& gait, const WalkCommand& command, bool only_passing) const {
+    return PlanAndAudit(request_, gait, command, {}, only_passing);
+  }
+
+  /// Whether the start of a walk has a plan that passes: the height of its centre of mass, or 0.
+  double Brief(const Cycles& cycles, int number, const WalkCommand& command) const {
+    const Gait gait = cycles.At(number);
+    const auto asked = std::make_pair(PaceFlags(command), gait.cycle_s);
+    const auto known = brief_.find(asked);
+    if (known != brief_.end()) return known->second;
+    AuditOptions seldom;
+    seldom.rate_hz *= 0.5;
+    const WalkRequest coarse = Coarse(request_, cycles.fitted.cycle_s);
+    const Result<PlannedWalk> planned = PlanAndAudit(coarse, gait, Shortened(model_, command, gait), seldom, true);
+    const double height = Passes(model_, planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
+    brief_[asked] = height;
+    return height;
+  }
+
+  /// Raises the largest pace so far to that whose brief walk passes with a cycle of that number; true when it is
+  /// larger.
+  bool Raise(int number, double& largest) const {
+    const auto can_walk = [&](const WalkCommand& c) {
+      const Result<Cycles> cycles = CyclesFor(c);
+      return cycles && Brief(*cycles, number, c) > 0.0;
+    };
+    const double before = largest;
+    largest = before > 0.0 ? LargestPaceAbove(model_, request_.command, before, can_walk)
+                           : LargestPace(model_, request_.command, can_walk);
+    return largest > before;
+  }
+
+  /// Largest pace whose brief walk passes with any of the cycles, and the number of that: from the middle one of the
+  /// quicker ones and from the fitted one on, by neighbours as long as they do better. 0 when none has any.
+  double LargestBrief(int& serves) const {
+    constexpr int kMiddle = Cycles::kQuickest / 2;
+    double largest = 0.0;
+    const auto climb = [&](int from, int to, int step) {
+      for (int i = from; i != to + step; i += step) {
+        if (Raise(i, largest)) {
+          serves = i;
+        } else if (largest > 0.0) {
+          return;
+        }
+      }
+    };
+    climb(kMiddle, Cycles::kQuickest, 1);
+    if (serves == kMiddle) climb(kMiddle - 1, 1, -1);
+    climb(0, kMiddle - 1, 1);
+    climb(-1, Cycles::kSlowest, -1);
+    return largest;
+  }
+
+  /// The whole walk at the height of its brief one or, where it is past limits there, at heights of its own.
+  Result<PlannedWalk> WholeAt(double height_m, const Gait& gait, const WalkCommand& command) const {
+    WalkRequest at_height = request_;
+    at_height.motion.pipeline.com_height_m = height_m;
+    Result<PlannedWalk> planned = PlanAndAudit(at_height, gait, command, {}, true);
+    const bool keeps_limits = planned && planned->motion.limit_excess < kSlightExcess;
+    return keeps_limits ? planned : Whole(gait, command, true);
+  }
+
+  /// The plan with the first of some cycles that passes.
+  Result<PlannedWalk> FirstOf(const std::vector<int>& numbers, const Cycles& cycles, const WalkCommand& command) const {
+    for (const int number : numbers) {
+      const double height = Brief(cycles, number, command);
+      if (height == 0.0) continue;
+      const Gait gait = cycles.At(number);
+      Result<PlannedWalk> planned = WholeAt(height, gait, command);
+      if (!Passes(model_, planned)) continue;
+      if (number != 0) {
+        planned->motion.summary += fmt::format("; a cycle of {:.2f} s, since a plan with {:.2f} s would fail its audit",
+                                               gait.cycle_s, cycles.fitted.cycle_s);
+      }
+      return planned;
+    }
+    return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no time of the gait serves", {}};
+  }
+
+  const RobotModel& model_;
+  const Terrain& terrain_;
+  const WalkRequest& request_;
+  mutable std::map<std::pair<std::string, double>, double> brief_;  // by flags of the pace and cycle: answers so far
+};
 
 const char* NameOf(Pace pace) {
   switch (pace) {
@@ -127,82 +230,46 @@ std::string ValueText(const WalkCommand& c) {
   return "";
 }
 
-/// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
-/// enough.
-WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
-  constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
-  WalkRequest coarse = request;
-  double& grid = coarse.motion.pipeline.grid_step_s;
-  if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
-  return coarse;
-}
-
-/// Largest pace of the command that has a plan which passes its audit: looked for on short and coarse plans, then tried
-/// on the whole walk as it would be asked for. 0 when there is none.
-double LargestThatPasses(const Search& search, const Gait& gait) {
-  constexpr int kLowered = 4;
-  AuditOptions seldom;
-  seldom.rate_hz *= 0.5;
-  const WalkRequest coarse = Coarse(search.request, gait.cycle_s);
-  const Search rough{search.model, search.terrain, coarse, true, seldom};
-  Stepping stepping;
-  const auto in_short = [&](const WalkCommand& c) {
-    return Passes(PlanQuicker(rough, Shortened(search.model, c, gait.cycle_s), stepping));
-  };
-  const Search whole{search.model, search.terrain, search.request, true};
-  const WalkCommand& command = search.request.command;
-  double largest = LargestPace(search.model, command, in_short);
-  for (int i = 0; i < kLowered && largest > 0.0; ++i) {
-    Stepping fresh;
-    if (Passes(PlanQuicker(whole, AtPace(search.model, command, largest), fresh))) return largest;
-    largest = NextLower(largest);
-  }
-  return 0.0;
-}
-
 /// The failure with what it would take instead.
-Failure Refusal(const Search& search, Failure failure) {
-  const WalkCommand& command = search.request.command;
-  const Result<Gait> gait =
-      FindGait(search.model, search.request.gait, CommandedSpeed(search.model, command), search.request.gait_options);
+Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest& request, Failure failure) {
+  const WalkCommand& command = request.command;
+  const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return failure;
-  const double largest = LargestThatPasses(search, *gait);
+  const double largest = search.LargestThatPasses();
   const char* name = NameOf(PaceOf(command));
   failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
   if (largest == 0.0) {
-    failure.message += fmt::format("; robot '{}' has no {} at which it keeps its limits with gait '{}'",
-                                   search.model.name, name, gait->name);
+    failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
+                                   model.name, name, gait->name);
     failure.hints.insert(failure.hints.begin(), "another gait");
     return failure;
   }
-  const WalkCommand slower = AtPace(search.model, command, largest);
+  const WalkCommand slower = AtPace(model, command, largest);
   failure.message += fmt::format("; the largest {} with gait '{}' is {}", name, gait->name, ValueText(slower));
   failure.hints.insert(failure.hints.begin(), PaceFlags(slower));
   return failure;
 }
 
-Failure LimitsBroken(const AuditReport& audit) {
-  const std::vector<Violation> broken = BrokenLimits(audit);
-  return {FailureKind::kInfeasible,
-          "limits",
-          "PlanWalk",
-          fmt::format("{}{}", LimitText(broken.front()),
-                      broken.size() > 1 ? fmt::format(" (worst of {} limits that are broken)", broken.size()) : ""),
-          {}};
+/// Why a plan is not given: the worst limit of the robot, or else the first of the other laws.
+Failure Broken(const RobotModel& model, const AuditReport& audit) {
+  const std::vector<Violation> forbidding = Forbidding(model, audit);
+  const std::size_t limits = BrokenLimits(audit).size();
+  return {
+      FailureKind::kInfeasible,
+      limits > 0 ? "limits" : forbidding.front().law,
+      "PlanWalk",
+      LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} limits that are broken)", limits) : ""),
+      {}};
 }
 
 }  // namespace
 
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
-  const Search search{model, terrain, request};
-  const bool allow = request.motion.pipeline.allow_limits;
-  Stepping stepping;
-  if (allow) stepping.quicker = 0;
-  Result<PlannedWalk> planned = PlanQuicker(search, request.command, stepping);
-  if (allow || KeepsLimits(planned)) return planned;
-  if (planned && BrokenLimits(planned->audit).empty()) return planned;
-  if (planned) return Refusal(search, LimitsBroken(planned->audit));
-  return IsTooMuch(planned.failure()) ? Refusal(search, planned.failure()) : planned;
+  const Search search(model, terrain, request);
+  Result<PlannedWalk> planned = search.Plan(request.command);
+  if (request.motion.pipeline.allow_limits || Passes(model, planned)) return planned;
+  if (planned) return Refusal(search, model, request, Broken(model, planned->audit));
+  return IsTooMuch(planned.failure()) ? Refusal(search, model, request, planned.failure()) : planned;
 }
 
 }  // namespace gaitwright

@@ -5,7 +5,7 @@
 
 namespace gaitwright {
 
-/// A plan and its audit within the limits of the robot, or why there is none and what there is instead: see PlanWalk.
+/// A plan that passes its audit, or why there is none and what there is instead: see PlanWalk.
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request);
 
 }  // namespace gaitwright

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "planning/footsteps/course.h"
@@ -14,14 +15,29 @@ namespace {
 
 using Extent = WalkCommand::Extent;
 
-double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
-
 /// Rounded towards zero to some significant digits.
 double Digits(double value, int digits) {
   if (value == 0.0) return 0.0;
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value)) + 1e-12) - digits + 1);
   const double rounded = std::trunc(value / unit + std::copysign(1e-6, value));
   return std::stod(fmt::format("{:.{}g}", rounded * unit, digits));
+}
+
+bool IsLimit(const Violation& v) {
+  return v.law == "joint_position" || v.law == "joint_velocity" || v.law == "joint_torque" || v.law == "reach" ||
+         v.law == "self_collision";
+}
+
+double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
+
+/// Whether it is the body of a foot itself that comes into the ground: the ground is under it in any case.
+bool IsBesideFoot(const RobotModel& model, const Violation& v) {
+  const auto of_foot = [&](const Shape& shape) {
+    return shape.link == v.where &&
+           std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return foot.body == shape.body; });
+  };
+  return v.law == "body_clearance" &&
+         std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(), of_foot);
 }
 
 double OwnPace(const RobotModel& model, const WalkCommand& c) {
@@ -57,22 +73,55 @@ std::vector<double> TwoDigitsBetween(double low, double high) {
   return values;
 }
 
+/// Largest of the numbers of two digits between `known` and `high` that is possible, else `known`: by strides up from
+/// it that double, and bisection from where they lead too far. A first stride as long as the way is bisection alone.
+double LargestBetween(double known, double high, std::size_t stride, const std::function<bool(double)>& possible) {
+  const std::vector<double> between = TwoDigitsBetween(known, high);
+  std::size_t below = 0, end = between.size();  // those before `below` are possible, those from `end` are not
+  while (below < end) {
+    const std::size_t next = std::min(below + stride - 1, (below + end) / 2);
+    const bool is_possible = possible(between[next]);
+    stride = is_possible ? 2 * stride : between.size();
+    (is_possible ? below : end) = is_possible ? next + 1 : next;
+  }
+  return below == 0 ? known : between[below - 1];
+}
+
 }  // namespace
 
 std::vector<Violation> BrokenLimits(const AuditReport& audit) {
   std::vector<Violation> broken;
-  for (const Violation& v : audit.violations) {
-    for (const char* law : {"joint_position", "joint_velocity", "joint_torque", "reach", "self_collision"}) {
-      if (v.law == law) broken.push_back(v);
-    }
-  }
+  std::copy_if(audit.violations.begin(), audit.violations.end(), std::back_inserter(broken), IsLimit);
   std::stable_sort(broken.begin(), broken.end(),
                    [](const Violation& a, const Violation& b) { return Passed(a) > Passed(b); });
   return broken;
 }
 
+std::vector<Violation> Forbidding(const RobotModel& model, const AuditReport& audit) {
+  std::vector<Violation> forbidding = BrokenLimits(audit);
+  std::copy_if(audit.violations.begin(), audit.violations.end(), std::back_inserter(forbidding),
+               [&](const Violation& v) { return !IsLimit(v) && !IsBesideFoot(model, v); });
+  return forbidding;
+}
+
 std::string LimitText(const Violation& v) {
   if (v.law == "self_collision") return fmt::format("{} collide at {:.2f} s", v.where, v.at_s);
+  if (v.law == "dynamics" && v.where.starts_with("base")) {
+    return fmt::format(
+        "at {:.2f} s the feet on the ground cannot push as the motion needs: {:.3g} {} are lacking, "
+        "where {:.2g} may be; there is too little friction, or too little ground to balance on",
+        v.at_s, v.value, v.unit, v.limit);
+  }
+  if (v.law == "zmp_support") {
+    return fmt::format("the {} is {:.1f} mm outside the feet on the ground at {:.2f} s, where {:.2g} mm may be",
+                       v.where, 1e3 * v.value, v.at_s, 1e3 * v.limit);
+  }
+  if (v.law == "body_clearance")
+    return fmt::format("'{}' is {:.1f} mm in the ground at {:.2f} s", v.where, -1e3 * v.value, v.at_s);
+  if (!IsLimit(v)) {
+    return fmt::format("the plan breaks the law '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", v.law, v.where,
+                       v.value, v.unit, v.at_s, v.limit);
+  }
   const char* what = v.law == "joint_torque"     ? "needs"
                      : v.law == "joint_velocity" ? "moves at"
                      : v.law == "joint_position" ? "is at"
@@ -102,8 +151,9 @@ WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double v
   return c;
 }
 
-WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, double cycle_s) {
+WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, const Gait& gait) {
   constexpr double kCycles = 4.0;
+  const double cycle_s = gait.cycle_s;
   WalkCommand c = command;
   const PlanarTwist velocity = CommandedVelocity(model, command);
   const double speed = std::hypot(velocity.x_m, velocity.y_m);
@@ -115,9 +165,10 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, doubl
     c.duration_s = kCycles * cycle_s;
   }
   c.steps = std::min(c.steps, static_cast<int>(kCycles * static_cast<double>(model.feet.size())));
-  const double way = std::hypot(c.goal_x_m, c.goal_y_m), most = kCycles * cycle_s * CommandedSpeed(model, c);
-  if (c.extent == Extent::kGoal && way > most) {
-    const PlanarPose near = PoseAlong(TwistTo({c.goal_x_m, c.goal_y_m, c.goal_yaw_rad}), most / way);
+  if (c.extent != Extent::kGoal) return c;
+  const Result<Course> course = MakeCourse(model, gait, command, 0.0);
+  if (course && course->duration_s > kCycles * cycle_s) {
+    const PlanarPose near = PoseAlong(course->twist, kCycles * cycle_s / course->duration_s);
     c.goal_x_m = near.x_m;
     c.goal_y_m = near.y_m;
     c.goal_yaw_rad = near.yaw_rad;
@@ -126,32 +177,26 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, doubl
 }
 
 double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk) {
-  constexpr int kHalvings = 9;
+  // A goal is not walked to ever slower, since one plan does not last so long.
+  const int most_halvings = command.extent == Extent::kGoal ? 5 : 9;
   const auto possible = [&](double value) { return can_walk(AtPace(model, command, value)); };
   double high = OwnPace(model, command);
   const double beyond = Beyond(model, PaceOf(command));
   double low = Digits(std::min(0.5 * high, beyond), 2);
-  // A goal is not walked to ever slower, since one plan does not last so long.
-  const double slowest = std::ldexp(low, -kHalvings);
-  if (command.extent != Extent::kGoal && !possible(Digits(slowest, 2))) return 0.0;
+  if (!possible(Digits(std::ldexp(low, -most_halvings), 2))) return 0.0;
   int halvings = 0;
-  while (halvings < kHalvings && !possible(low)) {
+  while (halvings < most_halvings && !possible(low)) {
     high = low;
     low = Digits(0.5 * low, 2);
     ++halvings;
   }
-  if (halvings == kHalvings) return 0.0;
-  const std::vector<double> between = TwoDigitsBetween(low, high);
-  std::size_t known = 0, end = between.size();  // those before `known` are possible, those from `end` are not
-  while (known < end) {
-    const std::size_t middle = (known + end) / 2;
-    if (possible(between[middle])) {
-      known = middle + 1;
-    } else {
-      end = middle;
-    }
-  }
-  return known == 0 ? low : between[known - 1];
+  if (halvings == most_halvings) return 0.0;
+  return LargestBetween(low, high, 1000, possible);
+}
+
+double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, const CanWalk& can_walk) {
+  return LargestBetween(known, OwnPace(model, command), 1,
+                        [&](double value) { return can_walk(AtPace(model, command, value)); });
 }
 
 double NextLower(double value) { return TwoDigitsBetween(0.5 * value, value).back(); }

@@ -13,8 +13,12 @@ namespace gaitwright {
 /// joints, reach of legs, collisions of the robot with itself. Empty for a plan that keeps them all.
 std::vector<Violation> BrokenLimits(const AuditReport& audit);
 
+/// All that a plan breaks for which it is not given: limits, worst first, and then other laws in the audit's order. Not
+/// among them is a shank that touches the ground beside the foot at its end: that is the robot's build at any pace.
+std::vector<Violation> Forbidding(const RobotModel& model, const AuditReport& audit);
+
 /// One sentence without a full stop that names the joint, link or foot of a violation, its value, its limit and by how
-/// much that is passed.
+/// much that is passed; of other laws than limits what is lacking.
 std::string LimitText(const Violation& violation);
 
 /// Whether a command has a plan within the limits, at the gait's own time or a shorter one: what the search asks.
@@ -29,11 +33,14 @@ Pace PaceOf(const WalkCommand& command);
 WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double value);
 
 /// The start of the same walk: long enough to gain full speed, hold it for some cycles and stop again.
-WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, double cycle_s);
+WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, const Gait& gait);
 
 /// Largest pace below that of the command, of two digits, at which `can_walk` says yes: by halving and then bisection,
 /// at most 20 questions. 0 when there is none, as when it says no to the slowest.
 double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk);
+
+/// The same from a pace on that is known to be possible; that one when none above it is, as one question tells.
+double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, const CanWalk& can_walk);
 
 /// The next lower number of two digits.
 double NextLower(double value);

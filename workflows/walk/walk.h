@@ -65,12 +65,13 @@ Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_
 /// The robot that a plan carries in itself.
 Result<RobotModel> RobotOf(const MotionPlan& plan);
 
-/// Plans and audits. Where the plan breaks limits of joints or reach or makes the robot collide with itself, it is
-/// planned again with quicker steps as far as the gait's own time may change; when that does not help either, failure
-/// kInfeasible names the worst limit, by how much it is passed, and the largest speed, turning rate or step length of
-/// the same walk that has a plan (found by bisection on short plans, and tried on the whole). With
-/// `pipeline.allow_limits` such a plan is given all the same. The audit's verdict is in the result; a plan that fails
-/// it by other laws is given too, for looking at.
+/// Plans and audits. A walk whose plan fails its audit is planned again with quicker or slower steps as far as the
+/// gait's own time may change; when that does not help either, failure kInfeasible names what forbids it, the robot's
+/// worst limit before laws of the ground (dynamics, friction, support), by how much it is passed, and the largest
+/// speed, turning rate or step length of the same walk that has a plan. Both are looked for on the start of the walk
+/// and then tried on the whole. With `pipeline.allow_limits` the first plan is given all the same, with the audit's
+/// verdict; so is in any case one whose only fault is a shank in the ground beside the foot at its end, which no pace
+/// mends.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
 /// The controller of that name. @throws InvalidArgument listing those there are. The plan must outlive it.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
+#include "tests/unusual_robots.h"
 #include "workflows/walk/refuse_walk.h"
 
 namespace gaitwright {
@@ -66,9 +67,52 @@ TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
   for (Joint& joint : stiff.joints) joint.effort_limit = 0.5;  // less than standing takes
   const Result<PlannedWalk> planned = PlanWalk(stiff, Asked(0.3, 0.0, 0.0));
   ASSERT_FALSE(planned.ok());
-  EXPECT_NE(planned.failure().message.find("has no speed at which it keeps its limits"), std::string::npos);
+  EXPECT_NE(planned.failure().message.find("no speed of robot 'a1' was found"), std::string::npos);
   EXPECT_NE(planned.failure().message.find("N m past its limit of 0.5"), std::string::npos);
   for (const std::string& hint : planned.failure().hints) EXPECT_EQ(hint.find("--speed"), std::string::npos) << hint;
+}
+
+/// Refused for a law of the ground rather than a limit of the robot; what is offered instead passes.
+void ExpectRefusedFor(const std::string& law, const RobotModel& model, WalkRequest request) {
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
+  EXPECT_EQ(planned.failure().code, law);
+  ASSERT_EQ(planned.failure().hints.front().rfind("--speed ", 0), 0u) << planned.failure().hints.front();
+  request.motion.pipeline.allow_limits = true;
+  const Result<PlannedWalk> anyway = PlanWalk(model, request);
+  ASSERT_TRUE(anyway.ok());
+  EXPECT_FALSE(anyway->audit.pass());
+  EXPECT_TRUE(BrokenLimits(anyway->audit).empty());
+  request.motion.pipeline.allow_limits = false;
+  request.command.speed_m_s = std::stod(planned.failure().hints.front().substr(8));
+  ExpectPasses(model, request);
+}
+
+TEST(Limits, AWalkThatTheGroundCannotHoldIsRefusedWhereTheTimeOfSteppingIsGiven) {
+  WalkRequest amble = Asked(0.8, 0.0, 0.0);
+  amble.gait = "amble";
+  amble.gait_options.cycle_s = 0.38;
+  ExpectRefusedFor("dynamics", *LoadNamedRobot("a1"), amble);
+  WalkRequest wave = Asked(0.32, 0.0, 0.0);
+  wave.gait = "wave";
+  wave.gait_options.cycle_s = 0.72;
+  ExpectRefusedFor("dynamics", *LoadRobotFromText(unusual::Tripod(), ""), wave);
+}
+
+TEST(Limits, WhatTheGroundCannotHoldIsSteppedSlowerAtTheSpeedAskedFor) {
+  const auto expect_slower = [](const RobotModel& model, WalkRequest request, const std::string& gait) {
+    request.gait = gait;
+    ExpectPasses(model, request);
+    const MotionPlan plan = PlanWalk(model, request)->motion.plan;
+    EXPECT_GT(plan.gait.cycle_s, 1.1 * FindGait(model, gait, CommandedSpeed(model, request.command), {})->cycle_s);
+    EXPECT_EQ(plan.command, request.command);
+  };
+  expect_slower(*LoadNamedRobot("a1"), Asked(0.8, 0.0, 0.0), "amble");
+  expect_slower(*LoadNamedRobot("a1"), Asked(0.7, 0.0, 0.0), "pace");
+  WalkRequest longer = Asked(0.32, 0.0, 0.0);
+  longer.command.distance_m = 0.6;
+  expect_slower(*LoadRobotFromText(unusual::Tripod(), ""), longer, "wave");
 }
 
 TEST(LargestPace, IsTheLastOfTwoDigitsThatIsPossible) {
@@ -86,6 +130,36 @@ TEST(LargestPace, IsTheLastOfTwoDigitsThatIsPossible) {
     }
   }
   EXPECT_EQ(LargestPace(a1, Asked(3.0, 0.0, 0.0).command, [](const WalkCommand&) { return false; }), 0.0);
+}
+
+TEST(LargestPace, AboveAKnownOneIsFoundWithFewQuestions) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  const WalkCommand asked = Asked(3.0, 0.0, 0.0).command;
+  for (const double limit : {0.5, 0.51, 0.52, 0.56, 0.99, 1.04, 2.71, 3.0}) {
+    int questions = 0;
+    const double largest = LargestPaceAbove(a1, asked, 0.5, [&](const WalkCommand& c) {
+      ++questions;
+      EXPECT_GT(c.speed_m_s, 0.5);
+      EXPECT_LT(c.speed_m_s, 3.0);
+      return c.speed_m_s <= limit;
+    });
+    EXPECT_LE(largest, limit);
+    EXPECT_GE(1.1001 * largest, std::min(limit, 2.9));
+    EXPECT_LE(questions, limit < 0.51 ? 1 : 12);
+  }
+}
+
+TEST(Limits, AShankInTheGroundBesideItsFootIsNoReasonToRefuse) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  AuditReport audit;
+  audit.violations = {{"body_clearance", 1.0, "FR_calf", -0.002, 0.0, "m"}};
+  EXPECT_TRUE(Forbidding(a1, audit).empty());
+  audit.violations.push_back({"body_clearance", 1.0, "trunk", -0.002, 0.0, "m"});
+  audit.violations.push_back({"joint_velocity", 1.2, "FR_hip_joint", 22.0, 21.0, "rad/s"});
+  const std::vector<Violation> forbidding = Forbidding(a1, audit);
+  ASSERT_EQ(forbidding.size(), 2u);
+  EXPECT_EQ(forbidding[0].law, "joint_velocity");
+  EXPECT_EQ(LimitText(forbidding[1]), "'trunk' is 2.0 mm in the ground at 1.00 s");
 }
 
 TEST(LargestPace, KeepsTheProportionsOfSpeeds) {
