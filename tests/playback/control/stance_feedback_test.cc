@@ -378,6 +378,20 @@ TEST_F(DriftAhead, WithTheZmpThatFollowsIsTheIntegralOfTheClosedLoop) {
   EXPECT_LT((drift.com_W - exact.com_W).norm(), 0.02 * exact.dcm_W.norm());
 }
 
+TEST_F(DriftAhead, InTheAirIsThePresentErrorAndNotAnEarlierOne) {
+  StanceCase& off = At({}, {0.01, -0.02}, {0.1, 0.05});
+  ControlInput airborne = OnPlan(off.plan(), 1.1);
+  airborne.contact = 0;
+  airborne.q.head<2>() += Vector2(-0.03, 0.01);
+  off.Torques(airborne);
+  ASSERT_EQ(off.now.bearing, FootSet{0});
+  for (const double t : {0.0, 0.2}) {
+    const StanceFeedback::Drift drift = off.stance.DriftAhead(off.now, t);
+    EXPECT_LT((drift.dcm_W - Vector2(-0.03, 0.01)).norm(), 1e-9) << t;
+    EXPECT_LT((drift.com_W - Vector2(-0.03, 0.01)).norm(), 1e-9) << t;
+  }
+}
+
 TEST_F(DriftAhead, WithoutErrorIsNone) {
   const StanceCase& on = At({}, Vector2::Zero(), Vector2::Zero());
   const StanceFeedback::Drift drift = on.stance.DriftAhead(on.now, 0.5);
