@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kinematics/base/result.h"
+#include "planning/plan/check_motion.h"
 
 namespace gaitwright {
 namespace {
@@ -122,29 +123,26 @@ void CheckSize(const char* what, const VectorX& vector, int expected, const std:
       fmt::format("Score: {} has {} entries; robot '{}' needs {}", what, vector.size(), robot, expected));
 }
 
-void CheckFits(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log) {
-  const WholeBodyTrajectory& motion = plan.whole_body;
-  if (motion.size() == 0) throw InvalidArgument("Score: the plan has no whole-body rows; one or more are needed");
-  if (motion.v.size() != motion.q.size() || motion.a.size() != motion.q.size()) {
-    throw InvalidArgument(fmt::format("Score: the plan has {} rows of q but {} of v and {} of a", motion.q.size(),
-                                      motion.v.size(), motion.a.size()));
-  }
-  for (const VectorX& q : motion.q) CheckSize("the plan's q", q, model.nq(), model.name);
-  for (const VectorX& v : motion.v) CheckSize("the plan's v", v, model.nv(), model.name);
-  for (const VectorX& a : motion.a) CheckSize("the plan's a", a, model.nv(), model.name);
-  if (!motion.tau.empty() && motion.tau.size() != motion.q.size()) {
-    throw InvalidArgument(fmt::format("Score: the plan has {} rows of q but {} of tau; as many, or none, are needed",
-                                      motion.q.size(), motion.tau.size()));
-  }
-  for (const VectorX& tau : motion.tau) CheckSize("the plan's tau", tau, model.num_dofs(), model.name);
+void CheckLog(const RobotModel& model, const PlaybackLog& log) {
+  const std::size_t feet = model.feet.size();
   for (const LogSample& sample : log.samples) {
     CheckSize("the log's q", sample.q, model.nq(), model.name);
     CheckSize("the log's v", sample.v, model.nv(), model.name);
     CheckSize("the log's tau", sample.tau, model.num_dofs(), model.name);
     CheckSize("the log's tau_peak", sample.tau_peak, model.num_dofs(), model.name);
+    if (sample.wrenches.size() > feet) {
+      throw InvalidArgument(fmt::format("Score: the log has wrenches of {} feet; robot '{}' has {}",
+                                        sample.wrenches.size(), model.name, feet));
+    }
   }
-  if (log.log_rate_hz <= 0.0) {
-    throw InvalidArgument(fmt::format("Score: the log's rate is {} Hz; it must be positive", log.log_rate_hz));
+  for (const StanceRecord& stance : log.stances) {
+    if (stance.foot >= 0 && static_cast<std::size_t>(stance.foot) < feet) continue;
+    throw InvalidArgument(fmt::format("Score: the log has a stance of foot {}; robot '{}' has feet 0 to {}",
+                                      stance.foot, model.name, static_cast<int>(feet) - 1));
+  }
+  if (!(log.log_rate_hz > 0.0 && std::isfinite(log.log_rate_hz))) {
+    throw InvalidArgument(
+        fmt::format("Score: the log's rate is {} Hz; it must be positive and finite", log.log_rate_hz));
   }
 }
 
@@ -170,7 +168,8 @@ WholeBodySample At(const WholeBodyTrajectory& motion, double time_s) {
 
 MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                               const ScoreOptions& options) {
-  CheckFits(model, plan, log);
+  CheckMotion(model, plan.whole_body);
+  CheckLog(model, log);
   Sampler sampler(model, plan, options);
   const WholeBodyTrajectory motion = WithAllRows(plan.whole_body);
   MotionSeries series;
