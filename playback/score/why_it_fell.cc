@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "kinematics/model/dof_units.h"
 #include "playback/score/capture.h"
 #include "playback/score/contact_timing.h"
 #include "playback/score/failure_events_internal.h"
@@ -100,7 +101,7 @@ Event MissedFoothold(const ScoreInputs& in) {
 }
 
 Event Slip(const ScoreInputs& in) {
-  const double gate = Scaled(in, 0.010);
+  const double gate = LimitOf(RuleOf("slip_max_step_m"), ScaleOf(in.model, in.plan)).value_or(0.0);
   Event first;
   for (const StanceRecord& stance : in.log.stances) {
     if (stance.slip_m <= gate || stance.touchdown_s > in.fall.time_s) continue;
@@ -127,9 +128,10 @@ Event TorqueLimit(const ScoreInputs& in) {
                                     [&](std::size_t k) { return in.log.samples[k].tau_peak[i] >= kAtLimit * limit; });
     if (!at || (first && first->time_s <= in.series.measured[*at].time_s)) continue;
     const double time = in.series.measured[*at].time_s;
-    first = FailureEvent{Kind::kTorqueLimit, time,
-                         fmt::format("the torque of '{}' was at its limit {:.2f} N m from {:.2f} s",
-                                     in.model.dof_names[static_cast<std::size_t>(i)], limit, time)};
+    first = FailureEvent{
+        Kind::kTorqueLimit, time,
+        fmt::format("the torque of '{}' was at its limit {:.2f} {} from {:.2f} s",
+                    in.model.dof_names[static_cast<std::size_t>(i)], limit, EffortUnit(in.model, i), time)};
   }
   return first;
 }
