@@ -96,7 +96,8 @@ struct ConstrainedSolution {
 /// with a finer tolerance before anything is updated. Failure kInfeasible names the constraint that stays unmet and by
 /// how much, or says that the cost does not settle. @throws InvalidArgument for a start that is empty or not finite or
 /// where a function is not finite, for intervals of the wrong size or with their ends swapped, and for a list of
-/// variables that names one twice or one that there is not. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
+/// variables that names one twice or one that there is not. Nocedal and Wright, Numerical Optimization, 2006,
+/// section 17.4.
 /// @param last  if given: where it stood at the end, whether that is a solution or not.
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {},
                                   ConstrainedSolution* last = nullptr);
