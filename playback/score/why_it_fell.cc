@@ -136,12 +136,12 @@ Event TorqueLimit(const ScoreInputs& in) {
   return first;
 }
 
-/// Distance of the DCM to where the steps still to come can catch it; to the support itself when none comes.
-double Catchable(const ScoreInputs& in, std::size_t k, double reach_m, DynamicsScratch& scratch) {
+/// Distance of the DCM to where the steps still to come, the last at `last_step_s`, can catch it; to the support itself
+/// when none comes.
+double Catchable(const ScoreInputs& in, std::size_t k, double last_step_s, double reach_m, DynamicsScratch& scratch) {
   const MotionSample& sample = in.series.measured[k];
-  const std::vector<double> touchdowns = TouchdownTimes(in.plan.schedule);
   const double now = SignedDistance(sample.support.polygon, sample.dcm_W);
-  if (now >= 0.0 || touchdowns.empty() || touchdowns.back() <= sample.time_s) return now;
+  if (now >= 0.0 || last_step_s <= sample.time_s) return now;
   ForwardKinematics(in.model, in.log.samples[k].q, scratch);
   const auto stages = StagesToNextTouchdown(in.plan, sample.time_s);
   return CaptureMargin(in.model, scratch, in.plan.terrain, stages, sample, reach_m).value_or(now);
@@ -149,11 +149,13 @@ double Catchable(const ScoreInputs& in, std::size_t k, double reach_m, DynamicsS
 
 Event DcmOut(const ScoreInputs& in) {
   const double reach = StepReach(in.model, in.options.stretch);
+  const std::vector<double> touchdowns = TouchdownTimes(in.plan.schedule);
+  const double last_step = touchdowns.empty() ? in.log.start_s : touchdowns.back();
   DynamicsScratch scratch(in.model);
   const auto& measured = in.series.measured;
   const auto out = [&](std::size_t k) {
     const MotionSample &actual = measured[k], &wanted = in.series.planned[k];
-    if (actual.support.empty() || Catchable(in, k, reach, scratch) >= 0.0) return false;
+    if (actual.support.empty() || Catchable(in, k, last_step, reach, scratch) >= 0.0) return false;
     const SupportMotion motion = MotionBetween(wanted.support, actual.support);
     return (motion.Back(actual.dcm_W) - wanted.dcm_W).norm() > Scaled(in, kFarOff);
   };

@@ -263,6 +263,9 @@ TEST(Score, IsPureAndRefusesWhatDoesNotFit) {
   odd.stances[3].foot = 2;
   EXPECT_THROW(Score(model, plan, odd), InvalidArgument);
   odd = log;
+  std::swap(odd.samples[3], odd.samples[4]);
+  EXPECT_THROW(Score(model, plan, odd), InvalidArgument);
+  odd = log;
   odd.log_rate_hz = std::nan("");
   EXPECT_THROW(Score(model, plan, odd), InvalidArgument);
   odd = log;
