@@ -14,8 +14,9 @@ fs::path Resolved(const std::string& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
   if (error) return fs::path(path).lexically_normal();
-  const fs::path resolved = fs::weakly_canonical(absolute, error);
-  return error ? absolute.lexically_normal() : resolved.lexically_normal();
+  const fs::path canonical = fs::weakly_canonical(absolute, error);
+  const fs::path resolved = (error ? absolute : canonical).lexically_normal();
+  return resolved.has_filename() ? resolved : resolved.parent_path();  // a folder without its last slash
 }
 
 }  // namespace

@@ -372,23 +372,6 @@ class Solver {
 
 }  // namespace
 
-VectorFunction Differenced(std::function<void(const VectorX& x, VectorX& value)> function) {
-  return [function = std::move(function)](const VectorX& x, VectorX& value, MatrixX* J) {
-    function(x, value);
-    if (J == nullptr) return;
-    VectorX moved = x, above = value, below = value;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const double step = 6e-6 * std::max(1.0, std::abs(x[i]));
-      moved[i] = x[i] + step;
-      function(moved, above);
-      moved[i] = x[i] - step;
-      function(moved, below);
-      moved[i] = x[i];
-      J->col(i) = (above - below) / (2.0 * step);
-    }
-  };
-}
-
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options,
                                   ConstrainedSolution* last) {
   ConstrainedOptions checked = options;

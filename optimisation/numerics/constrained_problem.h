@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,14 +8,9 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/spatial/pose.h"
+#include "optimisation/numerics/vector_function.h"
 
 namespace gaitwright {
-
-/// A vector function of the variables. `J` is null when it is not wanted; else size value x variables, to be filled.
-using VectorFunction = std::function<void(const VectorX& x, VectorX& value, MatrixX* J)>;
-
-/// A function given by its values alone: the Jacobian by central differences.
-VectorFunction Differenced(std::function<void(const VectorX& x, VectorX& value)> function);
 
 /// Rows of the cost. Where they depend on a few variables only, naming those keeps a large problem sparse: `function`
 /// then sees these alone, in this order, and its Jacobian has a column for each.

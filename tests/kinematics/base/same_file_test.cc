@@ -17,6 +17,8 @@ TEST(SameFile, HoweverItIsWritten) {
   EXPECT_TRUE(IsSameFile("a/../b", "b"));
   EXPECT_TRUE(IsSameFile("a", (fs::current_path() / "a").string()));
   EXPECT_TRUE(IsSameFile("folder", "folder/."));
+  EXPECT_TRUE(IsSameFile("folder", "folder/"));
+  EXPECT_TRUE(IsSameFile("/", "/."));
   EXPECT_FALSE(IsSameFile("a", "b"));
   EXPECT_FALSE(IsSameFile("a/c", "b/c"));
 }
