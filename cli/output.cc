@@ -40,13 +40,17 @@ void Outputs::AddTo(CLI::App& verb) {
           "Write the plots into this folder too, as SVG files; default: nowhere.");
 }
 
+std::string Outputs::PathOf(const std::string& name) const {
+  return name.empty() ? "" : (std::filesystem::path(folder) / name).string();
+}
+
 Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
-  const std::filesystem::path folder(outputs.folder), plot_folder(outputs.plot_folder);
+  const std::filesystem::path plot_folder(outputs.plot_folder);
   Files files;
   std::vector<OutputFile> texts;
   const auto render = [&](const char* kind, const std::string& name, const auto& text) {
     if (name.empty()) return;
-    files.emplace_back(kind, (folder / name).string());
+    files.emplace_back(kind, outputs.PathOf(name));
     texts.push_back({files.back().second, text()});
   };
   render("plan", outputs.plan, [&] { return PlanToJson(judged.plan); });

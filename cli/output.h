@@ -15,6 +15,8 @@ struct Outputs {
   std::string folder, plan = "plan.json", log = "log.json", report = "report.html", plot_folder;
 
   void AddTo(CLI::App& verb);
+  /// Where a name of this folder lies.
+  std::string PathOf(const std::string& name) const;
 };
 
 /// What was written: kind ("plan", "log", "report") and path.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/paths.h"
 #include "cli/walk_arguments.h"
 #include "planning/plan/plan_json.h"
 
@@ -44,12 +46,15 @@ void Print(const PlannedWalk& planned, const std::string& path, const Common& co
 int Run(Arguments& a) {
   ApplySets("--set", a.common.sets, a.walk.request.Fields());
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
+  const std::string path = a.folder.empty() ? a.out : (std::filesystem::path(a.folder) / "plan.json").string();
+  Paths paths{{}, {{"the plan", path}}, ""};
+  paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
+  CheckPaths(paths);
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
   const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);
   if (!planned) return Report(planned.failure(), a.common);
-  const std::string path = a.folder.empty() ? a.out : a.folder + "/plan.json";
   const Result<std::string> saved = SavePlan(planned->motion.plan, path);
   if (!saved) return Report(saved.failure(), a.common);
   Print(*planned, path, a.common);

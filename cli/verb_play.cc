@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/output.h"
+#include "cli/paths.h"
 #include "cli/walk_arguments.h"
 #include "planning/plan/plan_json.h"
 
@@ -17,6 +18,8 @@ int Run(Arguments& a) {
   a.play.request.play.world.seed = a.common.seed;
   ApplySets("--set", a.common.sets, a.play.request.Fields());
   a.play.Finish();
+  CheckPaths(
+      {{{"the plan", a.plan}}, {{"--log", a.outputs.log}, {"--report", a.outputs.report}}, a.outputs.plot_folder});
   const Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return Report(plan.failure(), a.common);
   const Result<RobotModel> model = RobotOf(*plan);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/output.h"
+#include "cli/paths.h"
 #include "cli/walk_arguments.h"
 
 namespace gaitwright::cli {
@@ -12,10 +13,21 @@ struct Arguments {
   Outputs outputs;
 };
 
+void CheckPathsOf(const Arguments& a) {
+  const Outputs& out = a.outputs;
+  Paths paths{
+      {},
+      {{"the plan", out.PathOf(out.plan)}, {"the log", out.PathOf(out.log)}, {"the report", out.PathOf(out.report)}},
+      out.plot_folder};
+  paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
+  CheckPaths(paths);
+}
+
 int Run(Arguments& a) {
   a.play.request.play.world.seed = a.common.seed;
   ApplySets("--set", a.common.sets, Joined({a.walk.request.Fields(), a.play.request.Fields()}));
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
+  CheckPathsOf(a);
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);

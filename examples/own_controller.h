@@ -4,6 +4,7 @@
 #include <string>
 
 #include "planning/plan/motion_plan.h"
+#include "planning/plan/sample_plan.h"
 #include "playback/control/controller.h"
 #include "playback/control/gains.h"
 #include "playback/score/stability_report.h"
@@ -14,7 +15,7 @@ namespace gaitwright::examples {
 /// that fades in over the first `fade_s`, as one does on hardware that is just being lifted off its stand.
 class FadingIn : public Controller {
  public:
-  /// The plan must outlive it.
+  /// The plan must outlive it. @throws InvalidArgument unless fade_s > 0.
   FadingIn(const RobotModel& model, const MotionPlan& plan, double fade_s);
 
   JointCommand Update(const ControlInput& input) override;
@@ -24,6 +25,7 @@ class FadingIn : public Controller {
   const MotionPlan& plan_;
   Gains gains_;
   double fade_s_;
+  WholeBodySample wanted_;
 };
 
 /// Plans 0.3 m of walking for a robot that comes with the program, plays it with FadingIn and judges it.

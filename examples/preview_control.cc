@@ -13,6 +13,7 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/result.h"
+#include "kinematics/base/same_file.h"
 #include "optimisation/centroidal/preview_control.h"
 
 namespace gaitwright::examples {
@@ -31,8 +32,9 @@ std::vector<double> ParseRow(const std::string& line, int number) {
     }
     values.push_back(value);
   }
-  if (values.size() != 3)
-    throw InvalidArgument(fmt::format("line {}: {} columns, 3 are needed ({})", number, values.size(), kHeader));
+  if (values.size() != 3 || line.ends_with(','))
+    throw InvalidArgument(fmt::format("line {}: {} columns, 3 are needed ({})", number,
+                                      values.size() + (line.ends_with(',') ? 1 : 0), kHeader));
   return values;
 }
 
@@ -48,6 +50,12 @@ struct Axes {
   PreviewMotion x, y;
 };
 
+void RefuseSameFile(const char* read_by, const std::string& read, const char* written_by, const std::string& written) {
+  if (read.empty() || written.empty() || !IsSameFile(read, written)) return;
+  throw InvalidArgument(
+      fmt::format("{} '{}' would be written over {} '{}': name another file", written_by, written, read_by, read));
+}
+
 Axes Follow(const ZmpTable& reference, double com_height_m, double preview_s) {
   const PreviewSetup setup = SetupFor(reference, com_height_m, preview_s);
   return {FollowZmp(setup, reference.zmp_x_m, reference.zmp_x_m.front()),
@@ -57,8 +65,10 @@ Axes Follow(const ZmpTable& reference, double com_height_m, double preview_s) {
 std::string Polyline(const std::vector<double>& time_s, const std::vector<double>& values, double scale,
                      double middle_px, const char* colour) {
   std::string points;
+  const double start_s = time_s.front(), span_s = time_s.back() - start_s;
   for (std::size_t k = 0; k < values.size(); k += 4) {
-    points += fmt::format("{:.1f},{:.1f} ", 60.0 + 800.0 * time_s[k] / time_s.back(), middle_px - scale * values[k]);
+    points +=
+        fmt::format("{:.1f},{:.1f} ", 60.0 + 800.0 * (time_s[k] - start_s) / span_s, middle_px - scale * values[k]);
   }
   return fmt::format("<polyline fill='none' stroke='{}' stroke-width='1.5' points='{}'/>\n", colour, points);
 }
@@ -140,7 +150,8 @@ std::string PreviewPicture(const ZmpTable& reference, double com_height_m, doubl
   };
   axis("x", reference.zmp_x_m, motion.x, 150.0);
   axis("y", reference.zmp_y_m, motion.y, 410.0);
-  svg += fmt::format("<text x='780' y='545'>time 0 to {:.1f} s</text>\n</svg>\n", reference.time_s.back());
+  svg += fmt::format("<text x='740' y='545'>time {:.1f} to {:.1f} s</text>\n</svg>\n", reference.time_s.front(),
+                     reference.time_s.back());
   return svg;
 }
 
@@ -157,6 +168,8 @@ int PreviewControlMain(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     ZmpTable reference = WalkOfItsOwn();
+    RefuseSameFile("--zmp", zmp, "--out", out);
+    RefuseSameFile("--zmp", zmp, "--plot", plot);
     if (!zmp.empty()) {
       const Result<std::string> text = ReadFile(zmp);
       if (!text) throw InvalidArgument(text.failure().message);

@@ -11,6 +11,8 @@
 #include <optional>
 #include <system_error>
 
+#include "kinematics/base/same_file.h"
+
 namespace gaitwright {
 namespace {
 
@@ -147,7 +149,7 @@ Result<std::vector<std::string>> WriteFilesTogether(const std::vector<OutputFile
   std::vector<std::string> paths;
   for (const OutputFile& file : files) {
     for (const std::string& other : paths) {
-      if (fs::path(other).lexically_normal() == fs::path(file.path).lexically_normal()) {
+      if (IsSameFile(other, file.path)) {
         return FileFailure("file_named_twice", fmt::format("'{}' is named for two outputs: give each its own", other));
       }
     }

@@ -15,37 +15,38 @@
 namespace gaitwright {
 namespace {
 
-/// Moves the ZMP by two bumps, one in the first phase and one in the last, so that the DCM starts on the resting CoM
-/// and the CoM ends at its goal. Both are linear in the ZMP, so two unit responses tell how far.
-void MeetEnds(const ZmpProblem& problem, std::vector<Vector2>& p_WZ) {
-  const auto n = static_cast<std::size_t>(problem.samples);
-  std::vector<double> first(n), last(n);
-  const ZmpPhase &head = problem.phases.front(), &tail = problem.phases.back();
-  for (std::size_t k = 0; k < n; ++k) {
+/// A bump over an interval, by sample of the grid.
+std::vector<double> BumpOver(const ZmpProblem& problem, double start_s, double end_s) {
+  std::vector<double> bump(static_cast<std::size_t>(problem.samples));
+  for (std::size_t k = 0; k < bump.size(); ++k) {
     const double t = problem.start_s + static_cast<double>(k) * problem.step_s;
-    first[k] = SmoothBump((t - head.start_s) / (head.end_s - head.start_s)).value;
-    last[k] = SmoothBump((t - tail.start_s) / (tail.end_s - tail.start_s)).value;
+    bump[k] = SmoothBump((t - start_s) / (end_s - start_s)).value;
   }
-  const auto ends = [&](const std::vector<Vector2>& p) {
-    const CentroidalTrajectory motion = PendulumMotion(problem, p);
-    // Velocity at the start stands for the DCM's error there.
-    return std::pair<Vector2, Vector2>(motion.v_WC.front().head<2>(), motion.p_WC.back().head<2>());
-  };
-  const std::pair<Vector2, Vector2> unmoved = ends(p_WZ);
-  const Vector2 &v0 = unmoved.first, &c1 = unmoved.second;
-  const auto moved = [&](const std::vector<double>& bump) {
-    std::vector<Vector2> p = p_WZ;
-    for (std::size_t k = 0; k < n; ++k) p[k] += bump[k] * Vector2::Ones();
-    const auto [v, c] = ends(p);
-    return Vector2((v - v0).x(), (c - c1).x());
-  };
-  Eigen::Matrix2d response;
-  response << moved(first), moved(last);
-  const Eigen::Matrix2d inverse = response.inverse();
-  const Vector2 missing = problem.end_W - c1;
-  const Vector2 x = inverse * Vector2(-v0.x(), missing.x()), y = inverse * Vector2(-v0.y(), missing.y());
-  for (std::size_t k = 0; k < n; ++k)
-    p_WZ[k] += Vector2(x[0] * first[k] + x[1] * last[k], y[0] * first[k] + y[1] * last[k]);
+  return bump;
+}
+
+/// Moves the ZMP by two bumps, one in the first phase and one in the last (the halves of an only one), so that the DCM
+/// starts on the resting CoM and the CoM ends at its goal. Both are linear in the ZMP.
+void MeetEnds(const ZmpProblem& problem, std::vector<Vector2>& p_WZ) {
+  const ZmpPhase &head = problem.phases.front(), &tail = problem.phases.back();
+  const double middle_s = 0.5 * (head.start_s + head.end_s);
+  const bool only_one = problem.phases.size() == 1;
+  const std::vector<double> first = BumpOver(problem, head.start_s, only_one ? middle_s : head.end_s);
+  const std::vector<double> last = BumpOver(problem, only_one ? middle_s : tail.start_s, tail.end_s);
+  const EndResponse ends = RespondAtEnds(problem);
+  Eigen::Matrix2d response = Eigen::Matrix2d::Zero();  // rows: DCM at the start, CoM at the end
+  Vector2 dcm = ends.dcm_start_by_end * problem.end_W;
+  Vector2 com = ends.com_end_by_start * problem.start_W + ends.com_end_by_end * problem.end_W;
+  for (std::size_t k = 0; k < p_WZ.size(); ++k) {
+    const Vector2 input = p_WZ[k] - problem.zmp_offset[k];
+    dcm += ends.dcm_start[k] * input;
+    com += ends.com_end[k] * input;
+    response += Vector2(ends.dcm_start[k], ends.com_end[k]) * Eigen::RowVector2d(first[k], last[k]);
+  }
+  Eigen::Matrix2d missing;  // columns: x, y
+  missing << (problem.start_W - dcm).transpose(), (problem.end_W - com).transpose();
+  const Eigen::Matrix2d moved = response.inverse() * missing;
+  for (std::size_t k = 0; k < p_WZ.size(); ++k) p_WZ[k] += (Eigen::RowVector2d(first[k], last[k]) * moved).transpose();
 }
 
 /// The preferred points with their ends met.
@@ -73,7 +74,7 @@ Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Ve
     const bool has_area = region.size() >= 3;
     if (has_area) plan.margin_min_m = std::min(plan.margin_min_m, inside);
     const double lacking = (has_area ? margin_m[static_cast<std::size_t>(k)] : 0.0) - kRounding - inside;
-    if (lacking > worst) {
+    if (lacking > worst + (worst > 0.0 ? kRounding : 0.0)) {  // of equal ones the first
       worst = lacking;
       worst_s = t;
     }

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "kinematics/base/result.h"
 
@@ -47,11 +48,14 @@ Matrix4 SolveRiccati(const Matrix4& A, const Vector4& b, const Matrix4& Q, doubl
 }
 
 void Check(const PreviewSetup& setup) {
-  for (const double value :
-       {setup.com_height_m, setup.step_s, setup.preview_s, setup.error_weight, setup.jerk_weight}) {
-    if (!std::isfinite(value) || value <= 0.0) {
-      throw InvalidArgument(fmt::format("preview control: {} is given where a positive number is needed", value));
-    }
+  const std::pair<const char*, double> positive[] = {{"com_height_m", setup.com_height_m},
+                                                     {"step_s", setup.step_s},
+                                                     {"preview_s", setup.preview_s},
+                                                     {"error_weight", setup.error_weight},
+                                                     {"jerk_weight", setup.jerk_weight}};
+  for (const auto& [name, value] : positive) {
+    if (!std::isfinite(value) || value <= 0.0)
+      throw InvalidArgument(fmt::format("preview control: {} is {}; it must be positive and finite", name, value));
   }
   const double most_s = kMostPreviews * setup.step_s;
   if (setup.preview_s > most_s) {

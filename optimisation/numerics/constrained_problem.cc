@@ -70,7 +70,7 @@ class Cost final : public ceres::CostFunction {
       term_.x[static_cast<Eigen::Index>(i)] = parameters[places_[i].block][places_[i].offset];
     }
     term_.Evaluate(jacobians != nullptr);
-    if (!term_.value.allFinite()) return false;
+    if (!term_.value.allFinite() || (jacobians != nullptr && !term_.J.allFinite())) return false;
     double root = 1.0;
     const VectorX* out = &term_.value;
     if (term_.constraint != nullptr) {
@@ -121,6 +121,18 @@ std::vector<int> Checked(const std::vector<int>& variables, int count) {
   return variables;
 }
 
+/// @throws InvalidArgument unless there are `size` of both ends, one or more, and no lower one is above its upper one.
+void CheckInterval(const std::string& what, const VectorX& lower, const VectorX& upper, Eigen::Index size) {
+  if (size == 0 || lower.size() != size || upper.size() != size) {
+    throw InvalidArgument(fmt::format("Solve: {}: {} lower and {} upper ends; as many, one or more, are needed", what,
+                                      lower.size(), upper.size()));
+  }
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (!(lower[i] <= upper[i]))
+      throw InvalidArgument(fmt::format("Solve: {}: end {} is {} below and {} above", what, i, lower[i], upper[i]));
+  }
+}
+
 /// The coarsest blocks of neighbours such that each term sees all of a block or nothing of it.
 std::vector<Block> BlocksOf(const std::vector<Term>& terms, int count) {
   std::vector<std::vector<std::size_t>> seen_by(static_cast<std::size_t>(count));
@@ -160,7 +172,7 @@ class Solver {
     double tolerance = 1e-6;
     int stalled = 0, stagnant = 0;
     for (solution_.outer = 1; solution_.outer <= options_.max_outer; ++solution_.outer) {
-      const bool moved = Minimise(tolerance);
+      const auto [moved, converged] = Minimise(tolerance);
       Measure();
       if (!moved && solution_.violation > options_.tolerance && stalled < 4) {
         tolerance *= 1e-3;
@@ -169,7 +181,7 @@ class Solver {
       }
       stalled = 0;
       const bool settled = std::abs(solution_.cost - last_cost) <= options_.cost_tolerance * (1.0 + solution_.cost);
-      if (solution_.violation <= options_.tolerance && settled) return Finished();
+      if (solution_.violation <= options_.tolerance && settled && converged) return Finished();
       last_cost = solution_.cost;
       UpdateMultipliers();
       const bool capped = GrowPenalty(last_violation);
@@ -178,7 +190,8 @@ class Solver {
       last_violation = solution_.violation;
       tolerance = std::max(0.3 * tolerance, 1e-16);
     }
-    return Unmet();
+    solution_.outer = std::min(solution_.outer, options_.max_outer);
+    return solution_.violation > options_.tolerance ? Unmet() : Unsettled();
   }
 
   ConstrainedSolution last() const {
@@ -209,6 +222,12 @@ class Solver {
       has_constraints_ = true;
     }
     term.EvaluateAt(x_, false);
+    if (!term.value.allFinite()) {
+      throw InvalidArgument(
+          term.constraint == nullptr
+              ? "Solve: a residual is not finite at the start"
+              : fmt::format("Solve: constraint '{}' is not finite at the start", term.constraint->name));
+    }
     term.J.setZero(term.value.size(), term.x.size());
   }
 
@@ -258,8 +277,11 @@ class Solver {
     for (Term& term : terms_) term.rho = first_rho_;
   }
 
-  /// @return whether it took more than one step.
-  bool Minimise(double tolerance) {
+  struct Minimised {
+    bool moved, converged;
+  };
+
+  Minimised Minimise(double tolerance) {
     ceres::Solver::Options options;
     constexpr int kLargestDense = 60;
     options.linear_solver_type = x_.size() > kLargestDense ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
@@ -274,7 +296,8 @@ class Solver {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &ceres_problem_, &summary);
     solution_.iterations += summary.num_successful_steps + summary.num_unsuccessful_steps;
-    return summary.num_successful_steps > 1;
+    // The first evaluation counts as a successful step.
+    return {summary.num_successful_steps > 1, summary.termination_type == ceres::CONVERGENCE};
   }
 
   void Measure() {
@@ -325,6 +348,16 @@ class Solver {
             {"relax that constraint, or start elsewhere"}};
   }
 
+  Failure Unsettled() const {
+    return {FailureKind::kInfeasible,
+            "unsettled_cost",
+            "Solve",
+            fmt::format("all constraints are met, but the cost, {:.6g}, has not settled after {} updates and {} "
+                        "iterations",
+                        solution_.cost, solution_.outer, solution_.iterations),
+            {"raise max_outer or max_inner, or start elsewhere"}};
+  }
+
   const ConstrainedProblem& problem_;
   const ConstrainedOptions options_;
   VectorX x_;
@@ -339,29 +372,16 @@ class Solver {
 
 }  // namespace
 
-VectorFunction Differenced(std::function<void(const VectorX& x, VectorX& value)> function) {
-  return [function = std::move(function)](const VectorX& x, VectorX& value, MatrixX* J) {
-    function(x, value);
-    if (J == nullptr) return;
-    VectorX moved = x, above = value, below = value;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const double step = 6e-6 * std::max(1.0, std::abs(x[i]));
-      moved[i] = x[i] + step;
-      function(moved, above);
-      moved[i] = x[i] - step;
-      function(moved, below);
-      moved[i] = x[i];
-      J->col(i) = (above - below) / (2.0 * step);
-    }
-  };
-}
-
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options,
                                   ConstrainedSolution* last) {
   ConstrainedOptions checked = options;
   CheckOptions(checked.Fields());
   if (problem.start.size() == 0 || !problem.start.allFinite())
     throw InvalidArgument("Solve: the start must be finite and not empty");
+  if (problem.lower.size() + problem.upper.size() > 0)
+    CheckInterval("the bounds", problem.lower, problem.upper, problem.start.size());
+  for (const Constraint& c : problem.constraints)
+    CheckInterval(fmt::format("constraint '{}'", c.name), c.lower, c.upper, c.lower.size());
   Solver solver(problem, options);
   Result<ConstrainedSolution> solution = solver.Run();
   if (last != nullptr) *last = solver.last();

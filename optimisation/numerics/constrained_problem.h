@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,14 +8,9 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/spatial/pose.h"
+#include "optimisation/numerics/vector_function.h"
 
 namespace gaitwright {
-
-/// A vector function of the variables. `J` is null when it is not wanted; else size value x variables, to be filled.
-using VectorFunction = std::function<void(const VectorX& x, VectorX& value, MatrixX* J)>;
-
-/// A function given by its values alone: the Jacobian by central differences.
-VectorFunction Differenced(std::function<void(const VectorX& x, VectorX& value)> function);
 
 /// Rows of the cost. Where they depend on a few variables only, naming those keeps a large problem sparse: `function`
 /// then sees these alone, in this order, and its Jacobian has a column for each.
@@ -94,8 +88,10 @@ struct ConstrainedSolution {
 /// The first rho matches the curvature of the constraints to that of the cost, which makes the path the same whatever
 /// the cost's scale; rho grows where the violation does not fall. A solve that stops without having moved is repeated
 /// with a finer tolerance before anything is updated. Failure kInfeasible names the constraint that stays unmet and by
-/// how much. @throws InvalidArgument for a start that is empty or not finite, and for a list of variables that names
-/// one twice or one that there is not. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
+/// how much, or says that the cost does not settle. @throws InvalidArgument for a start that is empty or not finite or
+/// where a function is not finite, for intervals of the wrong size or with their ends swapped, and for a list of
+/// variables that names one twice or one that there is not. Nocedal and Wright, Numerical Optimization, 2006,
+/// section 17.4.
 /// @param last  if given: where it stood at the end, whether that is a solution or not.
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {},
                                   ConstrainedSolution* last = nullptr);

@@ -9,6 +9,7 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/dof_units.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "kinematics/trajectory/cubic_spline.h"
@@ -225,9 +226,12 @@ std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyT
   for (int d = 0; d < model.num_dofs(); ++d) {
     const LimitExcess over = ExcessOf(model, motion, d);
     const std::string& name = model.dof_names[static_cast<std::size_t>(d)];
-    if (over.position > 0.0) warnings.push_back(fmt::format("{} is {:.3f} rad past its limit", name, over.position));
-    if (over.speed > 0.0) warnings.push_back(fmt::format("{} is {:.2f} rad/s over its speed limit", name, over.speed));
-    if (over.torque > 0.0) warnings.push_back(fmt::format("{} is {:.2f} N m over its torque limit", name, over.torque));
+    const auto warn = [&](double by, int decimals, const char* unit, const char* limit) {
+      if (by > 0.0) warnings.push_back(fmt::format("{} is {:.{}f} {} {} limit", name, by, decimals, unit, limit));
+    };
+    warn(over.position, 3, PositionUnit(model, d), "past its");
+    warn(over.speed, 2, SpeedUnit(model, d), "over its speed");
+    warn(over.torque, 2, EffortUnit(model, d), Slides(model, d) ? "over its force" : "over its torque");
   }
   return warnings;
 }

@@ -9,6 +9,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/stability/holdable_support.h"
 #include "kinematics/stability/polygon.h"
+#include "optimisation/pipeline/sole_width.h"
 
 namespace gaitwright {
 namespace {
@@ -91,7 +92,7 @@ std::vector<Vector2> HomePoints(const RobotModel& model) {
   return homes;
 }
 
-/// From the middle of a single sole to its home point, and on towards the next foothold of another foot.
+/// From the middle of a single sole to its home point, and on towards where the other feet are or stood last.
 Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vector<Vector2>& homes) {
   if (std::popcount(phase.stance) != 1) return Vector2::Zero();
   const int foot = std::countr_zero(phase.stance);
@@ -101,16 +102,12 @@ Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vect
   const auto place = [&](int f) -> const Pose& {
     return scene.footsteps.footholds[static_cast<std::size_t>(FootholdAt(scene.footsteps, f, time_s))].X_WF;
   };
-  double side = 0.0, low = 0.0, high = 0.0;
+  double side = 0.0;
   for (int f = 0; f < static_cast<int>(scene.model.feet.size()); ++f) {
     if (f != foot) side += (place(foot).inverse() * place(f).translation()).y();
   }
-  for (const Vector2& corner : sole.sole_F) {
-    low = std::min(low, corner.y());
-    high = std::max(high, corner.y());
-  }
   const Vector2& home = homes[static_cast<std::size_t>(foot)];
-  const double inward = (side > 0.0 ? 1.0 : -1.0) * scene.inputs.inward * (high - low);
+  const double inward = (side > 0.0 ? 1.0 : -1.0) * scene.inputs.inward * SoleWidth(sole);
   return (place(foot).linear() * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kinematics/model/robot_model.h"
-#include "optimisation/centroidal/centre_of_mass.h"
+#include "optimisation/centroidal/zmp_problem.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {

@@ -8,6 +8,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "optimisation/pipeline/sole_width.h"
 
 namespace gaitwright {
 namespace {
@@ -18,15 +19,6 @@ struct Tipped {
   int foot = -1;
   double depth_m = kTouching, tilt_rad = 0.0, at_s = 0.0;
 };
-
-double WidthOf(const Foot& foot) {
-  double low = 0.0, high = 0.0;
-  for (const Vector2& corner : foot.sole_F) {
-    low = std::min(low, corner.y());
-    high = std::max(high, corner.y());
-  }
-  return high - low;
-}
 
 Tipped Worst(const RobotModel& model, const Terrain& terrain, const WholeBodyTrajectory& motion) {
   DynamicsScratch scratch(model);
@@ -61,7 +53,7 @@ std::optional<Failure> TippedSole(const RobotModel& model, const Terrain& terrai
       fmt::format("at {:.2f} s the sole of '{}' would have its edge {:.1f} mm in the ground: no joint of its leg ({} "
                   "joints) rolls it, so that it tips by {:.3f} rad as the body sways, and it is {:.3f} m wide",
                   worst.at_s, foot.name, 1e3 * worst.depth_m,
-                  model.legs[static_cast<std::size_t>(worst.foot)].joints.size(), worst.tilt_rad, WidthOf(foot)),
+                  model.legs[static_cast<std::size_t>(worst.foot)].joints.size(), worst.tilt_rad, SoleWidth(foot)),
       {"give the leg an ankle joint that rolls the sole"}};
 }
 

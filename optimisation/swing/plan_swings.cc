@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLiftPerLegLength = 0.12;
 
-/// One foot's swings over a terrain.
+/// Swings of a robot's feet over a terrain.
 class SwingPlanner {
  public:
   SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options)
@@ -79,7 +79,7 @@ class SwingPlanner {
 
   /// Lowest height of the underside where the whole clearance is asked for.
   double MidSwingClearance(const SwingTrajectory& swing) const {
-    constexpr double kFrom = 0.35, kTo = 0.65;
+    constexpr double kFrom = kClearanceEnds, kTo = 1.0 - kClearanceEnds;
     constexpr int kSamples = 24;
     const SwingCurve curve = CurveOf(swing);
     double lowest = std::numeric_limits<double>::infinity();

@@ -233,8 +233,7 @@ std::vector<Vector3> UndersideOf(const Foot& foot) {
 }
 
 double ClearanceRamp(double u) {
-  constexpr double kEnds = 0.35;
-  return std::min(SmoothStep(u / kEnds).value, SmoothStep((1.0 - u) / kEnds).value);
+  return std::min(SmoothStep(u / kClearanceEnds).value, SmoothStep((1.0 - u) / kClearanceEnds).value);
 }
 
 double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,

@@ -17,9 +17,12 @@ using GroundHeight = std::function<double(const Vector2& p_W)>;
 /// Points of a foot's underside in its contact frame: the sole's corners, edges and middle, or a sphere's lower side.
 std::vector<Vector3> UndersideOf(const Foot& foot);
 
+/// Share of a swing at each end in which less than the whole clearance is asked for.
+inline constexpr double kClearanceEnds = 0.35;
+
 /// What is asked over the ground at a fraction u of the swing, as a share of the clearance: a minimum-jerk rise over
-/// the first 35 % from 0 to 1, and down again over the last 35 %. It starts out slower than a foot that lifts off at
-/// rest.
+/// the first kClearanceEnds from 0 to 1, and down again over the last. It starts out slower than a foot that lifts off
+/// at rest.
 double ClearanceRamp(double u);
 
 /// Least height of the underside over the ground, less `clearance_m` times the ramp, over the whole swing: not negative

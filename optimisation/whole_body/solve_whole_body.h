@@ -52,7 +52,6 @@ struct WholeBodySolution {
   std::vector<Vector3> roll_at_liftoff_W;       ///< by foothold
   std::vector<std::vector<Vector3>> contact_W;  ///< by foot, by sample: origin of the contact frame [m]
   std::vector<Vector2> zmp_W;                   ///< by sample: of the multibody, from its inverse dynamics [m]
-  std::vector<std::string> warnings;            ///< limits that are not kept
 };
 
 /// Joint positions that put the centre of mass, base orientation and feet where the plan has them, with their exact

@@ -127,6 +127,8 @@ Result<Gait> FindGait(const RobotModel& model, const std::string& name, double s
   return Fitted(*entry, model, speed_m_s, options);
 }
 
+std::string GaitFileOf(const std::string& name) { return SplitName(name).file; }
+
 Result<double> ShortestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options) {
   return ScaledCycle(model, name, options, kShortest);
 }

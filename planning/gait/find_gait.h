@@ -41,6 +41,9 @@ struct GaitOptions {
 /// made for any number of feet, see GeneratedGaits. Failure kBadInput lists what exists for this number of feet.
 Result<Gait> FindGait(const RobotModel& model, const std::string& name, double speed_m_s, const GaitOptions& options);
 
+/// The file that such a name stands for; empty where it is a gait by name.
+std::string GaitFileOf(const std::string& name);
+
 /// Shortest cycle that the gait may be given for a robot [s]: half of its own where that scales with the leg, else the
 /// one that is given.
 Result<double> ShortestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);

@@ -3,7 +3,6 @@
 
 #include <btBulletDynamicsCommon.h>
 
-#include <set>
 #include <string>
 #include <vector>
 

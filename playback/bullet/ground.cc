@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/base/result.h"
+#include "kinematics/trajectory/swing_curve.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/robot_body_internal.h"
 #include "playback/bullet/world.h"
@@ -14,9 +17,8 @@ namespace {
 constexpr double kBlockDepth = 1.0;     // of the block under a bounded patch [m]
 constexpr double kBlockMargin = 0.001;  // collision margin, inside the block [m]
 constexpr double kCell = 0.02;          // of a height field [m]
+constexpr double kMostCells = 2.5e7;    // of a height field: 0.2 GB
 constexpr double kNoGround = -2.0;      // height where the terrain has none [m]
-
-double Blend(double u) { return u * u * u * (u * (6.0 * u - 15.0) + 10.0); }
 
 /// Uniform in [-1, 1], from the cell and seed. Steele et al., SplitMix64, OOPSLA 2014, doi:10.1145/2660193.2660195.
 double CellValue(std::int64_t ix, std::int64_t iy, std::uint64_t seed) {
@@ -36,13 +38,13 @@ double CellValue(std::int64_t ix, std::int64_t iy, std::uint64_t seed) {
 double Bumps::HeightAt(const Vector2& p_W) const {
   const Vector2 cell = (p_W - start) / (0.5 * wavelength);
   const double fx = std::floor(cell.x()), fy = std::floor(cell.y());
-  const double u = Blend(cell.x() - fx), v = Blend(cell.y() - fy);
+  const double u = SmoothStep(cell.x() - fx).value, v = SmoothStep(cell.y() - fy).value;
   const auto ix = static_cast<std::int64_t>(fx), iy = static_cast<std::int64_t>(fy);
   const auto value = [&](std::int64_t dx, std::int64_t dy) { return CellValue(ix + dx, iy + dy, seed); };
   const double noise =
       (1.0 - v) * ((1.0 - u) * value(0, 0) + u * value(1, 0)) + v * ((1.0 - u) * value(0, 1) + u * value(1, 1));
   const double rise = std::clamp(((p_W - start).norm() - free_radius) / (0.5 * wavelength), 0.0, 1.0);
-  return amplitude * noise * Blend(rise);
+  return amplitude * noise * SmoothStep(rise).value;
 }
 
 Ground::Ground(const Terrain& terrain, const WorldOptions& options, const Vector2& start)
@@ -87,6 +89,12 @@ void Ground::AddPatch(const TerrainPatch& patch, double friction) {
 
 void Ground::AddHeightField(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps) {
   const Vector2 extent = options.bumps_to_W - options.bumps_from_W;
+  if (!(extent.minCoeff() > 0.0 && (extent / kCell).prod() <= kMostCells)) {
+    throw InvalidArgument(fmt::format(
+        "ground_bumps_m: bumpy ground of {:.6g} m by {:.6g} m is too large, {:.6g} m^2 are the most; play a "
+        "shorter way, or without bumps",
+        extent.x(), extent.y(), kMostCells * kCell * kCell));
+  }
   const int nx = static_cast<int>(std::ceil(extent.x() / kCell)) + 1;
   const int ny = static_cast<int>(std::ceil(extent.y() / kCell)) + 1;
   heights_.reserve(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));

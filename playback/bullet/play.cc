@@ -8,6 +8,7 @@
 
 #include "kinematics/base/hash.h"
 #include "kinematics/base/version.h"
+#include "planning/plan/check_motion.h"
 #include "playback/bullet/fall_watch_internal.h"
 #include "playback/bullet/stance_recorder_internal.h"
 #include "playback/bullet/world.h"
@@ -44,11 +45,10 @@ Failure Misfit(const RobotModel& model, const MotionPlan& plan) {
                                 plan.robot_hash, model.name, model.hash),
                     "play it with the robot in the plan itself, or plan again");
   }
-  if (w.q.front().size() != model.nq() || w.v.front().size() != model.nv()) {
-    return Mismatch("plan_of_other_robot",
-                    fmt::format("the plan's states have {} positions; robot '{}' has {}", w.q.front().size(),
-                                model.name, model.nq()),
-                    "plan again for this robot");
+  try {
+    CheckMotion(model, w);
+  } catch (const InvalidArgument& error) {
+    return Mismatch("plan_of_other_robot", error.what(), "plan again for this robot");
   }
   return {};
 }
@@ -165,15 +165,15 @@ class Playback {
     Settle();
     const long steps = std::lround((plan_.duration_s() + options_.hold_s) / step_s_);
     fall_.Start(log_.start_s);
+    double end_s = log_.start_s;
     for (long k = 0; k < steps; ++k) {
       const double time_s = log_.start_s + static_cast<double>(k) * step_s_;
       if (!OneStep(time_s)) break;
       Record(time_s);
-      const double end_s = log_.start_s + static_cast<double>(k + 1) * step_s_;
+      end_s = log_.start_s + static_cast<double>(k + 1) * step_s_;
       if ((k + 1) % stride_ == 0) log_.samples.push_back(interval_.Take(end_s, world_));
       if (fall_.Over(end_s)) break;
     }
-    const double end_s = log_.samples.empty() ? log_.start_s : log_.samples.back().time_s;
     log_.stances = stances_.Finish(end_s);
     return std::move(log_);
   }
@@ -269,7 +269,7 @@ std::string MotionHash(const MotionPlan& plan) {
     const auto row = static_cast<std::size_t>(k);
     Append(bytes, w.q[row]);
     Append(bytes, w.v[row]);
-    Append(bytes, w.tau[row]);
+    if (!w.tau.empty()) Append(bytes, w.tau[row]);
   }
   return HexHash(bytes);
 }

@@ -78,7 +78,8 @@ struct PlayOptions {
 ///
 /// @return the log; a failure when plan and robot do not belong together, the plan lasts over an hour, or a push would
 /// begin after the end.
-/// @throws InvalidArgument for an option out of range, or a log rate that does not divide the steps.
+/// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, or bumps over more
+/// than 10,000 m^2 of ground.
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options = {});
 

@@ -38,6 +38,8 @@ Gain LegGain(const RobotModel& model, const Leg& leg, JointType type, const Gain
 }  // namespace
 
 Gains DeriveGains(const RobotModel& model, const GainOptions& options) {
+  GainOptions checked = options;
+  CheckOptions(checked.Fields());
   DynamicsScratch scratch(model);
   MatrixX M = MatrixX::Zero(model.nv(), model.nv());
   MassMatrix(model, StandingConfiguration(model), scratch, M);

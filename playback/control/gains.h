@@ -68,6 +68,7 @@ struct Gains {
 /// Feed-forward carries the weight, so these only have to hold against what the plan did not foresee: a1 gets about
 /// 230 N m/rad and 16 N m s/rad, nao 100 and 6. They are for implicit motors, which no gain makes unstable; damping
 /// this high is what lets a trot, unstable about the line between two feet, settle from step to step without feedback.
+/// @throws InvalidArgument for an option out of its range.
 Gains DeriveGains(const RobotModel& model, const GainOptions& options = {});
 
 }  // namespace gaitwright

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "playback/control/joint_pd.h"
 
-#include <fmt/format.h>
-
-#include "kinematics/base/result.h"
+#include "planning/plan/check_motion.h"
 
 namespace gaitwright {
 namespace {
 
 const WholeBodyTrajectory& Checked(const RobotModel& model, const WholeBodyTrajectory& trajectory) {
-  if (trajectory.size() == 0) throw InvalidArgument("the plan has no whole-body trajectory to replay");
-  if (trajectory.q.front().size() != model.nq() || trajectory.tau.front().size() != model.num_dofs()) {
-    throw InvalidArgument(fmt::format("the plan's states have {} numbers; robot '{}' has {}",
-                                      trajectory.q.front().size(), model.name, model.nq()));
-  }
+  CheckMotion(model, trajectory, {.torques = true});
   return trajectory;
 }
 

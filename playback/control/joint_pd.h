@@ -12,8 +12,8 @@ namespace gaitwright {
 /// plan's end it holds the last posture.
 class JointPd : public Controller {
  public:
-  /// @throws InvalidArgument when the plan has no whole-body trajectory of this robot's size. The plan must outlive
-  /// this.
+  /// @throws InvalidArgument when the plan has no whole-body trajectory of this robot's size, or none with torques, or
+  /// a gain option is out of its range. The plan must outlive this.
   JointPd(const RobotModel& model, const MotionPlan& plan, const GainOptions& options = {});
 
   JointCommand Update(const ControlInput& input) override;

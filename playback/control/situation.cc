@@ -45,7 +45,7 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
     double& touched = touched_s_[static_cast<std::size_t>(f)];
     if (Contains(input.contact, f)) touched = time_s;
-    const bool due = Contains(scheduled, f) || SwingAt(plan_.footsteps, f, time_s).Progress(time_s) > kLanding;
+    const bool due = Contains(scheduled, f) || swings.At(f, time_s).Progress(time_s) > kLanding;
     if (due && time_s - touched < kBridge) bearing |= FootBit(f);
   }
 }
@@ -54,20 +54,25 @@ double SwingNow::Progress(double time_s) const {
   return swings ? std::clamp((time_s - liftoff_s) / (touchdown_s - liftoff_s), 0.0, 1.0) : 0.0;
 }
 
-SwingNow SwingAt(const FootstepPlan& footsteps, int foot, double time_s) {
+Swings::Swings(const FootstepPlan& footsteps, std::size_t num_feet) : stays_(num_feet) {
+  for (const Foothold& foothold : footsteps.footholds) {
+    const auto foot = static_cast<std::size_t>(foothold.foot);
+    if (foot < num_feet) stays_[foot].push_back({foothold.touchdown_s, foothold.liftoff_s});
+  }
+}
+
+SwingNow Swings::At(int foot, double time_s) const {
   constexpr double kTiny = 1e-9;  // [s]
   SwingNow swing;
-  const auto& footholds = footsteps.footholds;
-  const int index = FootholdAt(footsteps, foot, time_s);
-  if (index < 0) return swing;
-  const Foothold& last = footholds[static_cast<std::size_t>(index)];
-  const auto next = std::find_if(footholds.begin() + index + 1, footholds.end(),
-                                 [&](const Foothold& foothold) { return foothold.foot == foot; });
-  swing.liftoff_s = last.liftoff_s;
-  if (next == footholds.end() || next->touchdown_s <= last.liftoff_s) return swing;
-  swing.touchdown_s = next->touchdown_s;
-  swing.next_liftoff_s = next->liftoff_s;
-  swing.swings = time_s > last.liftoff_s - kTiny && time_s < next->touchdown_s - kTiny;
+  const std::vector<ContactInterval>& stays = stays_.at(static_cast<std::size_t>(foot));
+  if (stays.empty()) return swing;
+  const auto next = std::partition_point(stays.begin() + 1, stays.end(),
+                                         [&](const ContactInterval& stay) { return stay.start_s <= time_s + kTiny; });
+  swing.liftoff_s = (next - 1)->end_s;
+  if (next == stays.end() || next->start_s <= swing.liftoff_s) return swing;
+  swing.touchdown_s = next->start_s;
+  swing.next_liftoff_s = next->end_s;
+  swing.swings = time_s > swing.liftoff_s - kTiny && time_s < swing.touchdown_s - kTiny;
   return swing;
 }
 

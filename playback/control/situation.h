@@ -25,29 +25,6 @@ struct BodyState {
   const Vector3& w_WB() const { return scratch.w_WB[0]; }
 };
 
-/// The robot beside its plan at the same time: what feedback works on.
-struct Situation {
-  Situation(const RobotModel& model, const MotionPlan& plan) : measured(model), planned(model), plan_(plan) {}
-
-  /// Forgets what was seen.
-  void Reset();
-  void Update(const RobotModel& model, const ControlInput& input);
-
-  double time_s = 0.0, step_s = 0.001;
-  WholeBodySample sample;  ///< of the plan
-  BodyState measured, planned;
-  std::vector<ContactWrench> wrenches;  ///< measured, by foot
-  FootSet scheduled = 0;                ///< feet that shall stand
-  FootSet bearing = 0;                  ///< feet that stand: scheduled or at the end of their swing, and in contact
-  double ground_m = 0.0;     ///< mean height of the planned contact of the feet that shall stand, or last did
-  double omega_rad_s = 1.0;  ///< of the planned pendulum
-
- private:
-  void Observe(const RobotModel& model, const VectorX& q, const VectorX& v, BodyState& body) const;
-  const MotionPlan& plan_;
-  std::vector<double> touched_s_;  // last contact, by foot
-};
-
 /// The swing that a foot is in, or the next.
 struct SwingNow {
   double liftoff_s = 0.0;  ///< or the end of the foot's last stance
@@ -59,8 +36,43 @@ struct SwingNow {
   double Progress(double time_s) const;
 };
 
-/// The swing of a foot at a time; `swings` is false while it stands, and in the air before the first or after the last
-/// of its footholds.
-SwingNow SwingAt(const FootstepPlan& footsteps, int foot, double time_s);
+/// The swings of a plan, kept by foot: at 1 kHz, a walk through all footholds for each question would take ever longer
+/// with the length of the plan.
+class Swings {
+ public:
+  Swings(const FootstepPlan& footsteps, std::size_t num_feet);
+
+  /// The swing of a foot at a time; `swings` is false while it stands, and in the air before the first or after the
+  /// last of its footholds.
+  SwingNow At(int foot, double time_s) const;
+
+ private:
+  std::vector<std::vector<ContactInterval>> stays_;  // by foot, in the order of the plan
+};
+
+/// The robot beside its plan at the same time: what feedback works on.
+struct Situation {
+  Situation(const RobotModel& model, const MotionPlan& plan)
+      : measured(model), planned(model), swings(plan.footsteps, model.feet.size()), plan_(plan) {}
+
+  /// Forgets what was seen.
+  void Reset();
+  void Update(const RobotModel& model, const ControlInput& input);
+
+  double time_s = 0.0, step_s = 0.001;
+  WholeBodySample sample;  ///< of the plan
+  BodyState measured, planned;
+  const Swings swings;                  ///< of the plan
+  std::vector<ContactWrench> wrenches;  ///< measured, by foot
+  FootSet scheduled = 0;                ///< feet that shall stand
+  FootSet bearing = 0;                  ///< feet that stand: scheduled or at the end of their swing, and in contact
+  double ground_m = 0.0;     ///< mean height of the planned contact of the feet that shall stand, or last did
+  double omega_rad_s = 1.0;  ///< of the planned pendulum
+
+ private:
+  void Observe(const RobotModel& model, const VectorX& q, const VectorX& v, BodyState& body) const;
+  const MotionPlan& plan_;
+  std::vector<double> touched_s_;  // last contact, by foot
+};
 
 }  // namespace gaitwright

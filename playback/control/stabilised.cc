@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "playback/control/stabilised.h"
 
+#include "kinematics/base/result.h"
+#include "planning/plan/check_motion.h"
 #include "playback/control/joint_pd.h"
 #include "playback/control/situation.h"
 #include "playback/control/stance_feedback.h"
@@ -9,8 +11,12 @@
 namespace gaitwright {
 namespace {
 
-StabilisedOptions Checked(StabilisedOptions options) {
+StabilisedOptions Checked(const RobotModel& model, const MotionPlan& plan, StabilisedOptions options) {
   CheckOptions(options.Fields());
+  CheckMotion(model, plan.whole_body, {.torques = true, .wrenches = true});
+  if (plan.schedule.phases.empty())
+    throw InvalidArgument("the plan has no contact schedule for 'stabilised' to follow");
+  CheckSchedule(plan.schedule, static_cast<int>(model.feet.size()));
   return options;
 }
 
@@ -19,7 +25,7 @@ class Stabilised final : public Controller {
   Stabilised(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options,
              const GainOptions& gains)
       : model_(model),
-        options_(Checked(options)),
+        options_(Checked(model, plan, options)),
         replay_(model, plan, gains),
         now_(model, plan),
         stance_(model, plan, options_),

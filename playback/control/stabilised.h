@@ -146,8 +146,8 @@ struct StabilisedOptions {
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.
 /// @param gains  of the joints, as for JointPd.
-/// @throws InvalidArgument for an option out of its range, or a plan without motion of this robot's size. Model and
-/// plan must outlive it.
+/// @throws InvalidArgument for an option out of its range, or a plan without motion of this robot's size, without its
+/// torques and contact forces, or without contact schedule. Model and plan must outlive it.
 std::unique_ptr<Controller> MakeStabilised(const RobotModel& model, const MotionPlan& plan,
                                            const StabilisedOptions& options, const GainOptions& gains = {});
 

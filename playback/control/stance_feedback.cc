@@ -24,31 +24,46 @@ StanceFeedback::StanceFeedback(const RobotModel& model, const MotionPlan& plan, 
 }
 
 void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau) {
-  constexpr double kLeast = 0.3, kMost = 2.0;  // of the weight, of the normal force asked for
-  constexpr double kLow = 0.3;                 // of the planned height: lower is a fall
+  constexpr double kLeastPlanned = 0.1;  // of the weight: with less the plan is in the air
   contacts_.clear();
   contact_foot_.clear();
+  usable_.clear();
+  const Vector2 lean = Lean(now, footing);
+  dcm_error_W_ = DivergentComponent(now.measured.p_WC, now.measured.v_WC, now.omega_rad_s) -
+                 DivergentComponent(now.planned.p_WC, now.planned.v_WC, now.omega_rad_s) - lean;
   const PointWrench planned = PlannedWrench(now);
-  const double weight = model_.weight_n();
-  if (now.bearing != 0 && planned.force_W.z() > 0.1 * weight) {
+  if (now.bearing != 0 && planned.force_W.z() > kLeastPlanned * model_.weight_n()) {
     GatherContacts(now, planned.force_W.z());
-    const Vector3 moment = WantedMoment(now, footing, planned.moment_W);
-    const double kz = options_.height_rad_s;
-    const double rise = now.planned.p_WC.z() + footing.mean_offset_W.z() - now.measured.p_WC.z();
-    const double rate = now.planned.v_WC.z() - now.measured.v_WC.z();
-    const double lift = planned.force_W.z() + model_.total_mass_kg * kz * (kz * rise + 2.0 * rate);
-    const double normal = std::clamp(lift, kLeast * weight, kMost * weight);
-    const Vector2 zmp = WantedZmp(now, footing, planned);
-    double ground = 0.0;
-    for (const ContactPoint& point : contacts_) ground += point.p_W.z() / static_cast<double>(contacts_.size());
-    // The attitude comes first: with the moment given, this is the force that puts the ZMP there.
-    const Vector3& p_WC = now.measured.p_WC;
-    const double height = std::max(p_WC.z() - ground, kLow * (now.planned.p_WC.z() - now.ground_m));
-    const Vector3 force(((p_WC.x() - zmp.x()) * normal - moment.y()) / height,
-                        ((p_WC.y() - zmp.y()) * normal + moment.x()) / height, normal);
-    Split(now, {p_WC, force, moment});
+    planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, now.ground_m);
+    FindUsable(now, footing);
+    Split(now, WantedWrench(now, footing, planned));
   }
   AddTorques(now, tau);
+}
+
+/// How far the base is to lean with ground that is tilted against the plan, at the height of the centre of mass [m].
+Vector2 StanceFeedback::Lean(const Situation& now, const Footing& footing) {
+  return (now.planned.p_WC.z() - now.ground_m) * Vector2(footing.ground_tilt_W.y(), -footing.ground_tilt_W.x());
+}
+
+/// About the measured centre of mass. The attitude comes first: with the moment given, the force is the one that puts
+/// the ZMP where it is wanted.
+PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& footing,
+                                         const PointWrench& planned) const {
+  constexpr double kLeast = 0.3, kMost = 2.0;  // of the weight, of the normal force asked for
+  constexpr double kLow = 0.3;                 // of the planned height: lower is a fall
+  const double weight = model_.weight_n(), kz = options_.height_rad_s;
+  const Vector3& p_WC = now.measured.p_WC;
+  const Vector3 moment = WantedMoment(now, footing, planned.moment_W);
+  const double rise = now.planned.p_WC.z() + footing.mean_offset_W.z() - p_WC.z();
+  const double rate = now.planned.v_WC.z() - now.measured.v_WC.z();
+  const double lift = planned.force_W.z() + model_.total_mass_kg * kz * (kz * rise + 2.0 * rate);
+  const double normal = std::clamp(lift, kLeast * weight, kMost * weight);
+  double ground = 0.0;
+  for (const ContactPoint& point : contacts_) ground += point.p_W.z() / static_cast<double>(contacts_.size());
+  const double height = std::max(p_WC.z() - ground, kLow * (now.planned.p_WC.z() - now.ground_m));
+  const Vector2 arm = p_WC.head<2>() - ZmpFor(dcm_error_W_);
+  return {p_WC, {(arm.x() * normal - moment.y()) / height, (arm.y() * normal + moment.x()) / height, normal}, moment};
 }
 
 /// Shares a wrench out over the contacts. Where several feet stand, each keeps a part of the load that the plan has on
@@ -108,12 +123,8 @@ Vector3 StanceFeedback::WantedMoment(const Situation& now, const Footing& footin
   return planned_W + R_WB * inertia_B_.cwiseProduct(R_WB.transpose() * (k * k * turn + 2.0 * k * spin));
 }
 
-Vector2 StanceFeedback::WantedZmp(const Situation& now, const Footing& footing, const PointWrench& planned) {
-  const double ground = now.ground_m;
-  const Vector2 lean = (now.planned.p_WC.z() - ground) * Vector2(footing.ground_tilt_W.y(), -footing.ground_tilt_W.x());
-  planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, ground);
-  dcm_error_W_ = DivergentComponent(now.measured.p_WC, now.measured.v_WC, now.omega_rad_s) -
-                 DivergentComponent(now.planned.p_WC, now.planned.v_WC, now.omega_rad_s) - lean;
+/// Where the ZMP may be moved to.
+void StanceFeedback::FindUsable(const Situation& now, const Footing& footing) {
   const Vector2 home = NearestPoint(support_, planned_zmp_W_ + footing.mean_offset_W.head<2>());
   usable_ = support_;
   if (std::popcount(now.bearing) == 1) {
@@ -123,7 +134,6 @@ Vector2 StanceFeedback::WantedZmp(const Situation& now, const Footing& footing, 
     usable_ = ConvexHull(usable_);
   }
   for (Vector2& corner : usable_) corner = home + options_.support_use * (corner - home);
-  return ZmpFor(dcm_error_W_);
 }
 
 Vector2 StanceFeedback::ZmpFor(const Vector2& dcm_error_W) const {

@@ -31,14 +31,17 @@ class StanceFeedback {
   struct Drift {
     Vector2 dcm_W = Vector2::Zero(), com_W = Vector2::Zero();  ///< [m]
   };
-  /// The drift `ahead_s` >= 0 from now [s]; the present errors where no foot stands. Update first.
+  /// The drift `ahead_s` >= 0 from now [s]; the present errors where no foot stands or the plan is in the air. Update
+  /// first.
   Drift DriftAhead(const Situation& now, double ahead_s) const;
 
  private:
   void GatherContacts(const Situation& now, double total_normal_n);
   PointWrench PlannedWrench(const Situation& now) const;
   Vector3 WantedMoment(const Situation& now, const Footing& footing, const Vector3& planned_W) const;
-  Vector2 WantedZmp(const Situation& now, const Footing& footing, const PointWrench& planned);
+  PointWrench WantedWrench(const Situation& now, const Footing& footing, const PointWrench& planned) const;
+  void FindUsable(const Situation& now, const Footing& footing);
+  static Vector2 Lean(const Situation& now, const Footing& footing);
   Vector2 ZmpFor(const Vector2& dcm_error_W) const;
   void Split(const Situation& now, PointWrench wanted);
   void AddTorques(const Situation& now, VectorX& tau) const;
@@ -47,8 +50,10 @@ class StanceFeedback {
   const MotionPlan& plan_;
   const StabilisedOptions& options_;
   Vector3 inertia_B_ = Vector3::Ones();  // of the standing robot, about its centre of mass
-  Vector2 dcm_error_W_ = Vector2::Zero(), planned_zmp_W_ = Vector2::Zero();
-  Polygon usable_;  // where the ZMP may be moved to
+  // Of the last Update.
+  Vector2 dcm_error_W_ = Vector2::Zero();
+  Vector2 planned_zmp_W_ = Vector2::Zero();  // only where usable_ has points
+  Polygon usable_;                           // where the ZMP may be moved to; empty where no foot stands
   std::vector<ContactPoint> contacts_;
   std::vector<int> contact_foot_;
   Polygon support_;

@@ -72,7 +72,7 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
       CommandStance(now, f, command);
       continue;
     }
-    const SwingNow swing = SwingAt(plan_.footsteps, f, now.time_s);
+    const SwingNow swing = now.swings.At(f, now.time_s);
     if (swing.swings) {
       if (swing.touchdown_s - now.time_s > options_.settle_s) offset.wanted = WantedOffset(now, f, swing, stance);
       MoveOffset(now, swing, offset);

@@ -23,7 +23,7 @@ struct LogSample {
 /// One stay of a foot on the ground, as measured.
 struct StanceRecord {
   int foot = 0;
-  double touchdown_s = 0.0, liftoff_s = 0.0;  ///< liftoff_s is the log's end when it still stands
+  double touchdown_s = 0.0, liftoff_s = 0.0;  ///< liftoff_s is the playback's end when it still stands
   Vector3 p_touchdown_W = Vector3::Zero();    ///< contact point [m]
   double touchdown_speed_m_s = 0.0;           ///< of the foot, just before contact
   double slip_m = 0.0;                        ///< integral of the tangential speed of the material contact point

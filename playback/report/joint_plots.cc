@@ -5,20 +5,16 @@
 #include <cmath>
 #include <iterator>
 
+#include "kinematics/model/dof_units.h"
 #include "playback/report/plot_grid.h"
 #include "playback/report/plots.h"
+#include "playback/score/measurements.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr int kColumns = 3;
-constexpr double kMoves = 1e-3;  // a joint that moves and works less than this is left out [rad, share of its limit]
-
-bool HasLimit(const RobotModel& model, int dof) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
-  return !joint.effort_limit_is_placeholder && std::isfinite(model.dof_effort_limit(dof)) &&
-         model.dof_effort_limit(dof) > 0.0;
-}
+constexpr double kMoves = 1e-3;  // a joint outside of the legs that moves less than this is left out [rad] or [m]
 
 bool InALeg(const RobotModel& model, int dof) {
   const int joint = model.dof_joint[static_cast<std::size_t>(dof)];
@@ -41,11 +37,6 @@ std::vector<int> ShownDofs(const PlotData& data) {
   return shown;
 }
 
-bool Slides(const RobotModel& model, int dof) {
-  const int joint = model.dof_joint[static_cast<std::size_t>(dof)];
-  return model.joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic;
-}
-
 SvgPlot::Options SmallPlot(const PlotData& data, int dof, bool last_row) {
   SvgPlot::Options options;
   options.title = data.model.dof_names[static_cast<std::size_t>(dof)];
@@ -61,8 +52,6 @@ SvgPlot::Options SmallPlot(const PlotData& data, int dof, bool last_row) {
 }
 
 double Limit(const RobotModel& model, int dof) { return model.dof_effort_limit(dof); }
-
-const char* EffortUnit(const RobotModel& model, int dof) { return Slides(model, dof) ? "N" : "N m"; }
 
 /// Largest torque of a joint in the part that is shown, over its limit [%].
 struct Use {
@@ -85,7 +74,7 @@ std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& sh
   constexpr double kRowHeight = 21.0, kAround = 76.0;  // [px]
   std::vector<int> limited;
   std::copy_if(shown.begin(), shown.end(), std::back_inserter(limited),
-               [&](int dof) { return HasLimit(data.model, dof); });
+               [&](int dof) { return HasTorqueLimit(data.model, dof); });
   if (limited.empty()) return {};
   SvgPlot::Options options;
   options.title = "Largest torques against their limits";
@@ -113,8 +102,8 @@ std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& sh
 
 SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
   options.y_label = Slides(data.model, dof) ? "force [N]" : "torque [N m]";
-  options.y_least_span = HasLimit(data.model, dof) ? 0.02 * Limit(data.model, dof) : 0.1;
-  if (HasLimit(data.model, dof)) {
+  options.y_least_span = HasTorqueLimit(data.model, dof) ? 0.02 * Limit(data.model, dof) : 0.1;
+  if (HasTorqueLimit(data.model, dof)) {
     options.title += fmt::format(", limit \u00b1{:.4g} {}", Limit(data.model, dof), EffortUnit(data.model, dof));
   }
   SvgPlot plot(options);
@@ -126,7 +115,7 @@ SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
   }
   plot.Line(planned, Ink::kJoint, Stroke::kPlanned, "planned");
   plot.Line(measured, Ink::kJoint, Stroke::kMeasured, "measured");
-  if (HasLimit(data.model, dof)) {
+  if (HasTorqueLimit(data.model, dof)) {
     const double limit = Limit(data.model, dof);
     const bool near = UseOf(data, dof).measured > 50.0;
     plot.AcrossX(limit, Ink::kLimit, "", near);

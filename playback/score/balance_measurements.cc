@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "playback/score/capture.h"
+#include "playback/score/energy_margin.h"
 #include "playback/score/measurements.h"
 
 namespace gaitwright {
@@ -81,8 +82,8 @@ Extreme CaptureMargins(const ScoreInputs& in, const std::vector<MotionSample>& s
   const double reach = StepReach(in.model, in.options.stretch);
   DynamicsScratch scratch(in.model);
   for (const double touchdown : TouchdownTimes(in.plan.schedule)) {
-    const auto at = std::find_if(samples.begin(), samples.end(),
-                                 [&](const MotionSample& s) { return s.time_s >= touchdown - 1e-9; });
+    const auto at = std::partition_point(samples.begin(), samples.end(),
+                                         [&](const MotionSample& s) { return s.time_s < touchdown - 1e-9; });
     if (at == samples.end()) break;
     const std::size_t k = static_cast<std::size_t>(at - samples.begin());
     ForwardKinematics(in.model, measured ? in.log.samples[k].q : in.series.plan[k].q, scratch);

@@ -17,6 +17,11 @@ double HipHeight(const RobotModel& model, const DynamicsScratch& scratch, const 
   return highest;
 }
 
+/// Whether some foot comes down where phase i >= 1 begins.
+bool BringsDown(const ContactSchedule& schedule, std::size_t i) {
+  return (schedule.phases[i].stance & ~schedule.phases[i - 1].stance) != 0;
+}
+
 /// Minkowski sum of `a` and `weight` times `b`.
 Polygon Plus(const Polygon& a, double weight, const Polygon& b) {
   std::vector<Vector2> sums;
@@ -44,25 +49,27 @@ double StepReach(const RobotModel& model, double stretch) {
 std::vector<double> TouchdownTimes(const ContactSchedule& schedule) {
   std::vector<double> times;
   for (std::size_t i = 1; i < schedule.phases.size(); ++i) {
-    const bool comes_down = (schedule.phases[i].stance & ~schedule.phases[i - 1].stance) != 0;
-    if (comes_down) times.push_back(schedule.phases[i].start_s);
+    if (BringsDown(schedule, i)) times.push_back(schedule.phases[i].start_s);
   }
   return times;
 }
 
 std::vector<CaptureStage> StagesToNextTouchdown(const MotionPlan& plan, double time_s) {
-  const std::vector<double> times = TouchdownTimes(plan.schedule);
-  const auto next = std::find_if(times.begin(), times.end(), [&](double t) { return t > time_s + kSame; });
-  if (plan.schedule.phases.empty()) return {};
-  if (next == times.end()) {
+  const std::vector<ContactPhase>& phases = plan.schedule.phases;
+  if (phases.empty()) return {};
+  const auto now = static_cast<std::size_t>(PhaseAt(plan.schedule, time_s));
+  std::size_t next = now + 1;
+  while (next < phases.size() && !(BringsDown(plan.schedule, next) && phases[next].start_s > time_s + kSame)) ++next;
+  if (next == phases.size()) {
+    const std::vector<double> times = TouchdownTimes(plan.schedule);
     const double mean = times.size() < 2 ? 0.5 * plan.gait.cycle_s
                                          : (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-    return {{mean, plan.schedule.phases.back().stance}};
+    return {{mean, phases.back().stance}};
   }
   std::vector<CaptureStage> stages;
-  for (const ContactPhase& phase : plan.schedule.phases) {
-    const double start = std::max(phase.start_s, time_s), end = std::min(phase.end_s, *next);
-    if (end > start + kSame) stages.push_back({end - start, phase.stance});
+  for (std::size_t i = now; i < next; ++i) {
+    const double start = std::max(phases[i].start_s, time_s);
+    if (phases[i].end_s > start + kSame) stages.push_back({phases[i].end_s - start, phases[i].stance});
   }
   return stages;
 }

@@ -35,10 +35,12 @@ Extreme Clearance(const ScoreInputs& in, const std::vector<MotionSample>& sample
   Extreme lowest(Extreme::Kind::kSmallest);
   for (const ScheduledSwing& swing : SwingsOf(in.plan.schedule, NumFeet(in))) {
     const double quarter = 0.25 * (swing.touchdown_s - swing.liftoff_s);
-    for (const MotionSample& sample : samples) {
-      if (sample.time_s < swing.liftoff_s + quarter || sample.time_s > swing.touchdown_s - quarter) continue;
-      const double height = sample.feet[static_cast<std::size_t>(swing.foot)].height_m;
-      if (std::isfinite(height)) lowest.See(height, sample.time_s);
+    const double from_s = swing.liftoff_s + quarter, to_s = swing.touchdown_s - quarter;
+    auto at = std::partition_point(samples.begin(), samples.end(),
+                                   [&](const MotionSample& sample) { return sample.time_s < from_s; });
+    for (; at != samples.end() && at->time_s <= to_s; ++at) {
+      const double height = at->feet[static_cast<std::size_t>(swing.foot)].height_m;
+      if (std::isfinite(height)) lowest.See(height, at->time_s);
     }
   }
   return lowest;

@@ -82,12 +82,7 @@ std::vector<ScheduledSwing> ScuffedSwings(const ContactSchedule& schedule, const
 }
 
 double TimingGate() {
-  static const double gate = [] {
-    for (const MetricRule& rule : MetricRules()) {
-      if (rule.key == "contact_timing_error_max_s") return rule.limit;
-    }
-    return 0.0;
-  }();
+  static const double gate = RuleOf("contact_timing_error_max_s").limit;
   return gate;
 }
 

@@ -11,7 +11,7 @@ namespace gaitwright {
 struct Fall {
   bool fell = false;
   double time_s = 0.0;  ///< when it fell; the end of the log when it did not
-  std::string what;     ///< "the base tilted 0.71 rad against the plan's 0.02"
+  std::string what;     ///< "the base tilted 0.71 rad where the plan has 0.02 rad"
 };
 
 /// The first of: base tilted off the plan's by more than `fall_tilt_rad` (angle between the two up directions as the

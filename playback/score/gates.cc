@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "playback/score/gates.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
 
 namespace gaitwright {
 namespace {
@@ -119,6 +124,15 @@ const std::vector<MetricRule>& MetricRules() {
     return all;
   }();
   return rules;
+}
+
+const MetricRule& RuleOf(const std::string& key) {
+  std::vector<std::string> keys;
+  for (const MetricRule& rule : MetricRules()) {
+    if (rule.key == key) return rule;
+    keys.push_back(rule.key);
+  }
+  throw InvalidArgument(fmt::format("there is no metric '{}'; the nearest is '{}'", key, NearestName(key, keys)));
 }
 
 GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {

@@ -30,6 +30,9 @@ inline constexpr double kReferenceLegLength = 0.42;
 /// name.
 const std::vector<MetricRule>& MetricRules();
 
+/// The row of that key. @throws InvalidArgument naming the nearest.
+const MetricRule& RuleOf(const std::string& key);
+
 /// What limits depend on.
 struct GateScale {
   double leg_length_m = kReferenceLegLength;

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "kinematics/base/result.h"
+#include "kinematics/stability/zero_moment_point.h"
+#include "planning/plan/check_motion.h"
 
 namespace gaitwright {
 namespace {
@@ -41,7 +43,7 @@ class Sampler {
     const double ground = sample.support.empty() ? GroundAt(plan_.terrain, sample.p_WC.head<2>()).height_m
                                                  : sample.support.reference_W.z();
     sample.omega_rad_s = std::sqrt(kGravity / std::max(sample.p_WC.z() - ground, 1e-3));
-    sample.dcm_W = (sample.p_WC + sample.v_WC / sample.omega_rad_s).head<2>();
+    sample.dcm_W = DivergentComponent(sample.p_WC, sample.v_WC, sample.omega_rad_s);
     for (int foot = 0; foot < static_cast<int>(model_.feet.size()); ++foot) sample.feet.push_back(FootOf(foot));
     return sample;
   }
@@ -122,29 +124,32 @@ void CheckSize(const char* what, const VectorX& vector, int expected, const std:
       fmt::format("Score: {} has {} entries; robot '{}' needs {}", what, vector.size(), robot, expected));
 }
 
-void CheckFits(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log) {
-  const WholeBodyTrajectory& motion = plan.whole_body;
-  if (motion.size() == 0) throw InvalidArgument("Score: the plan has no whole-body rows; one or more are needed");
-  if (motion.v.size() != motion.q.size() || motion.a.size() != motion.q.size()) {
-    throw InvalidArgument(fmt::format("Score: the plan has {} rows of q but {} of v and {} of a", motion.q.size(),
-                                      motion.v.size(), motion.a.size()));
-  }
-  for (const VectorX& q : motion.q) CheckSize("the plan's q", q, model.nq(), model.name);
-  for (const VectorX& v : motion.v) CheckSize("the plan's v", v, model.nv(), model.name);
-  for (const VectorX& a : motion.a) CheckSize("the plan's a", a, model.nv(), model.name);
-  if (!motion.tau.empty() && motion.tau.size() != motion.q.size()) {
-    throw InvalidArgument(fmt::format("Score: the plan has {} rows of q but {} of tau; as many, or none, are needed",
-                                      motion.q.size(), motion.tau.size()));
-  }
-  for (const VectorX& tau : motion.tau) CheckSize("the plan's tau", tau, model.num_dofs(), model.name);
+void CheckLog(const RobotModel& model, const PlaybackLog& log) {
+  const std::size_t feet = model.feet.size();
+  double before_s = -std::numeric_limits<double>::infinity();
   for (const LogSample& sample : log.samples) {
+    if (!(sample.time_s > before_s)) {
+      throw InvalidArgument(fmt::format("Score: the log has a sample at {} s behind one at {} s; their times must grow",
+                                        sample.time_s, before_s));
+    }
+    before_s = sample.time_s;
     CheckSize("the log's q", sample.q, model.nq(), model.name);
     CheckSize("the log's v", sample.v, model.nv(), model.name);
     CheckSize("the log's tau", sample.tau, model.num_dofs(), model.name);
     CheckSize("the log's tau_peak", sample.tau_peak, model.num_dofs(), model.name);
+    if (sample.wrenches.size() > feet) {
+      throw InvalidArgument(fmt::format("Score: the log has wrenches of {} feet; robot '{}' has {}",
+                                        sample.wrenches.size(), model.name, feet));
+    }
   }
-  if (log.log_rate_hz <= 0.0) {
-    throw InvalidArgument(fmt::format("Score: the log's rate is {} Hz; it must be positive", log.log_rate_hz));
+  for (const StanceRecord& stance : log.stances) {
+    if (stance.foot >= 0 && static_cast<std::size_t>(stance.foot) < feet) continue;
+    throw InvalidArgument(fmt::format("Score: the log has a stance of foot {}; robot '{}' has feet 0 to {}",
+                                      stance.foot, model.name, static_cast<int>(feet) - 1));
+  }
+  if (!(log.log_rate_hz > 0.0 && std::isfinite(log.log_rate_hz))) {
+    throw InvalidArgument(
+        fmt::format("Score: the log's rate is {} Hz; it must be positive and finite", log.log_rate_hz));
   }
 }
 
@@ -170,7 +175,8 @@ WholeBodySample At(const WholeBodyTrajectory& motion, double time_s) {
 
 MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                               const ScoreOptions& options) {
-  CheckFits(model, plan, log);
+  CheckMotion(model, plan.whole_body);
+  CheckLog(model, log);
   Sampler sampler(model, plan, options);
   const WholeBodyTrajectory motion = WithAllRows(plan.whole_body);
   MotionSeries series;
@@ -188,41 +194,6 @@ MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, c
   LowPassZmp(series.measured, options.zmp_filter_s);
   LowPassZmp(series.planned, options.zmp_filter_s);
   return series;
-}
-
-namespace {
-
-double RiseOver(const Vector3& a, const Vector3& b, const Vector3& p_WC) {
-  const Vector3 along = (b - a).normalized();
-  const Vector3 arm = (p_WC - a) - (p_WC - a).dot(along) * along;
-  const double cos_inclination = along.head<2>().norm();
-  return arm.norm() * cos_inclination - arm.z();
-}
-
-/// The contact point below a corner of the hull.
-Vector3 Lifted(const Support& support, const Vector2& corner) {
-  return *std::min_element(support.points_W.begin(), support.points_W.end(), [&](const Vector3& a, const Vector3& b) {
-    return (a.head<2>() - corner).squaredNorm() < (b.head<2>() - corner).squaredNorm();
-  });
-}
-
-}  // namespace
-
-double EnergyMargin(const MotionSample& sample) {
-  const Polygon& polygon = sample.support.polygon;
-  const Vector2 below = sample.p_WC.head<2>();
-  if (polygon.size() < 3) {
-    const double d = SignedDistance(polygon, below), z = sample.p_WC.z() - sample.support.reference_W.z();
-    return -(std::hypot(d, z) - z);
-  }
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double rise = RiseOver(Lifted(sample.support, a), Lifted(sample.support, b), sample.p_WC);
-    const Vector2 edge = b - a, to = below - a;
-    smallest = std::min(smallest, edge.x() * to.y() - edge.y() * to.x() >= 0.0 ? rise : -rise);
-  }
-  return smallest;
 }
 
 }  // namespace gaitwright

@@ -6,6 +6,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/dof_units.h"
 #include "playback/score/failure_events_internal.h"
 
 namespace gaitwright {
@@ -98,10 +99,12 @@ Event PlanBeyondLimits(const ScoreInputs& in) {
     }
     const std::string& name = in.model.dof_names[static_cast<std::size_t>(i)];
     Earlier(position, Kind::kPlanBeyondLimits,
-            fmt::format("the plan itself takes '{}' past its limit, by up to {:.3f} rad", name, position.worst), first);
+            fmt::format("the plan itself takes '{}' past its limit, by up to {:.3f} {}", name, position.worst,
+                        PositionUnit(in.model, i)),
+            first);
     Earlier(torque, Kind::kPlanBeyondLimits,
-            fmt::format("the plan itself asks up to {:.2f} N m of '{}', whose limit is {:.2f} N m", torque.worst, name,
-                        limit),
+            fmt::format("the plan itself asks up to {0:.2f} {3} of '{1}', whose limit is {2:.2f} {3}", torque.worst,
+                        name, limit, EffortUnit(in.model, i)),
             first);
   }
   return first;
@@ -153,9 +156,9 @@ Event PlanForcesOff(const ScoreInputs& in) {
                        all[*at].given_W.norm(), all[*at].needed_W.norm());
   } else {
     torque_off(*at);
-    text = fmt::format("torques are not those of its motion: '{}' has {:.2f} N m where it needs {:.2f} N m",
+    text = fmt::format("torques are not those of its motion: '{0}' has {1:.2f} {3} where it needs {2:.2f} {3}",
                        in.model.dof_names[static_cast<std::size_t>(joint)], in.series.plan[*at].tau[joint],
-                       all[*at].needed_tau[joint]);
+                       all[*at].needed_tau[joint], EffortUnit(in.model, static_cast<int>(joint)));
   }
   return FailureEvent{Kind::kPlanForcesOff, planned[*at].time_s,
                       fmt::format("from {:.2f} s the plan's {}", planned[*at].time_s, text)};

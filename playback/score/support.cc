@@ -4,23 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/dynamics/foot_contact.h"
+
 namespace gaitwright {
 namespace {
 
 constexpr double kCoplanar = 0.005;   // [m]
 constexpr double kLineWidth = 0.001;  // [m]
 
-Pose FootPose(const RobotModel& model, const DynamicsScratch& scratch, int foot) {
+/// Normal of the ground under a foot.
+Vector3 NormalUnder(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, int foot) {
   const Foot& f = model.feet[static_cast<std::size_t>(foot)];
-  return FramePose(scratch, f.body, f.X_BF);
-}
-
-Matrix3 AxesAlong(const Vector3& normal_W, const Vector3& ahead_W) {
-  Matrix3 R;
-  R.col(2) = normal_W.normalized();
-  R.col(1) = R.col(2).cross(ahead_W).normalized();
-  R.col(0) = R.col(1).cross(R.col(2));
-  return R;
+  return GroundAt(terrain, FramePose(scratch, f.body, f.X_BF).translation().head<2>()).normal_W;
 }
 
 /// The point on a grid of a nanometre: toes in one line to rounding are then in one line exactly, which a hull with a
@@ -38,24 +33,12 @@ bool Coplanar(const std::vector<Vector3>& points, const Vector3& normal) {
 }  // namespace
 
 Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, int foot) {
-  const Foot& f = model.feet[static_cast<std::size_t>(foot)];
-  Pose X_WF = FootPose(model, scratch, foot);
-  if (f.type == FootType::kSole || f.type == FootType::kLine) return X_WF;
-  const Vector3 centre = X_WF.translation();
-  const Vector3 normal = GroundAt(terrain, centre.head<2>()).normal_W;
-  X_WF.linear() = AxesAlong(normal, scratch.R_WB[0].col(0));
-  X_WF.translation() = centre - f.radius * normal;
-  return X_WF;
+  return ContactFrame(model, scratch, foot, NormalUnder(model, scratch, terrain, foot));
 }
 
 std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain,
                                    int foot) {
-  const Foot& f = model.feet[static_cast<std::size_t>(foot)];
-  const Pose X_WF = ContactFrame(model, scratch, terrain, foot);
-  if (f.sole_F.empty()) return {X_WF.translation()};
-  std::vector<Vector3> points;
-  for (const Vector2& corner : f.sole_F) points.push_back(X_WF * Vector3(corner.x(), corner.y(), 0.0));
-  return points;
+  return ContactPoints(model, scratch, foot, NormalUnder(model, scratch, terrain, foot));
 }
 
 Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, FootSet stance) {

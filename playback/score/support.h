@@ -10,12 +10,9 @@
 
 namespace gaitwright {
 
-/// Pose of a foot's contact frame in W: the sole frame (sole, line) or the contact point with z along the ground's
-/// normal (point; sphere: a radius below the centre along that normal). Needs ForwardKinematics.
+/// ContactFrame and ContactPoints of kinematics/dynamics/foot_contact.h with the normal of the ground under the foot.
+/// Need ForwardKinematics.
 Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, int foot);
-
-/// The points with which a foot meets the ground: the corners of its sole, or its contact point. Needs
-/// ForwardKinematics.
 std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain,
                                    int foot);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "kinematics/model/dof_units.h"
 #include "playback/score/capture.h"
 #include "playback/score/contact_timing.h"
 #include "playback/score/failure_events_internal.h"
@@ -100,7 +101,7 @@ Event MissedFoothold(const ScoreInputs& in) {
 }
 
 Event Slip(const ScoreInputs& in) {
-  const double gate = Scaled(in, 0.010);
+  const double gate = LimitOf(RuleOf("slip_max_step_m"), ScaleOf(in.model, in.plan)).value_or(0.0);
   Event first;
   for (const StanceRecord& stance : in.log.stances) {
     if (stance.slip_m <= gate || stance.touchdown_s > in.fall.time_s) continue;
@@ -127,19 +128,20 @@ Event TorqueLimit(const ScoreInputs& in) {
                                     [&](std::size_t k) { return in.log.samples[k].tau_peak[i] >= kAtLimit * limit; });
     if (!at || (first && first->time_s <= in.series.measured[*at].time_s)) continue;
     const double time = in.series.measured[*at].time_s;
-    first = FailureEvent{Kind::kTorqueLimit, time,
-                         fmt::format("the torque of '{}' was at its limit {:.2f} N m from {:.2f} s",
-                                     in.model.dof_names[static_cast<std::size_t>(i)], limit, time)};
+    first = FailureEvent{
+        Kind::kTorqueLimit, time,
+        fmt::format("the torque of '{}' was at its limit {:.2f} {} from {:.2f} s",
+                    in.model.dof_names[static_cast<std::size_t>(i)], limit, EffortUnit(in.model, i), time)};
   }
   return first;
 }
 
-/// Distance of the DCM to where the steps still to come can catch it; to the support itself when none comes.
-double Catchable(const ScoreInputs& in, std::size_t k, double reach_m, DynamicsScratch& scratch) {
+/// Distance of the DCM to where the steps still to come, the last at `last_step_s`, can catch it; to the support itself
+/// when none comes.
+double Catchable(const ScoreInputs& in, std::size_t k, double last_step_s, double reach_m, DynamicsScratch& scratch) {
   const MotionSample& sample = in.series.measured[k];
-  const std::vector<double> touchdowns = TouchdownTimes(in.plan.schedule);
   const double now = SignedDistance(sample.support.polygon, sample.dcm_W);
-  if (now >= 0.0 || touchdowns.empty() || touchdowns.back() <= sample.time_s) return now;
+  if (now >= 0.0 || last_step_s <= sample.time_s) return now;
   ForwardKinematics(in.model, in.log.samples[k].q, scratch);
   const auto stages = StagesToNextTouchdown(in.plan, sample.time_s);
   return CaptureMargin(in.model, scratch, in.plan.terrain, stages, sample, reach_m).value_or(now);
@@ -147,11 +149,13 @@ double Catchable(const ScoreInputs& in, std::size_t k, double reach_m, DynamicsS
 
 Event DcmOut(const ScoreInputs& in) {
   const double reach = StepReach(in.model, in.options.stretch);
+  const std::vector<double> touchdowns = TouchdownTimes(in.plan.schedule);
+  const double last_step = touchdowns.empty() ? in.log.start_s : touchdowns.back();
   DynamicsScratch scratch(in.model);
   const auto& measured = in.series.measured;
   const auto out = [&](std::size_t k) {
     const MotionSample &actual = measured[k], &wanted = in.series.planned[k];
-    if (actual.support.empty() || Catchable(in, k, reach, scratch) >= 0.0) return false;
+    if (actual.support.empty() || Catchable(in, k, last_step, reach, scratch) >= 0.0) return false;
     const SupportMotion motion = MotionBetween(wanted.support, actual.support);
     return (motion.Back(actual.dcm_W) - wanted.dcm_W).norm() > Scaled(in, kFarOff);
   };

@@ -25,7 +25,7 @@ struct FailureEvent {
   };
   Kind kind = Kind::kContactLost;
   double time_s = 0.0;
-  std::string text;  ///< "at 2.41 s the DCM left the support of 'l_ankle' by 23 mm to the left"
+  std::string text;  ///< "at 2.41 s 'l_ankle' was off the ground where the schedule has it standing"
 };
 
 /// The first event of each kind before the fall (or the end), in the order of time.

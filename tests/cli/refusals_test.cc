@@ -176,6 +176,54 @@ TEST_F(Refusals, AnOutputThatCannotBeWrittenTakesTheOthersWithIt) {
   EXPECT_EQ(Found(), (std::vector<std::string>{"p", "plan.json", "w"}));
 }
 
+TEST_F(Refusals, OutputsOverInputs) {
+  MakePlan("plan.json");
+  const std::string plan = Read("plan.json");
+  std::filesystem::create_symlink("plan.json", In("link.json"));
+  std::filesystem::create_symlink(".", In("here"));
+  for (const std::string out : {"plan.json", "./plan.json", "here/plan.json", "link.json"}) {
+    ExpectRefused(Run({"play", "plan.json", "--log", out}), 1, {"--log", "'" + out + "'", "'plan.json'", "read"});
+    ExpectRefused(Run({"play", out, "--report", "plan.json"}), 1, {"--report", "'plan.json'", "'" + out + "'", "read"});
+  }
+  ExpectRefused(Run({"play", In("plan.json").string(), "--log", "plan.json"}), 1, {"--log", "read"});
+  ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", "here/a"}), 1,
+                {"--log", "--report", "two outputs"});
+  ExpectRefused(Run({"play", "plan.json", "--log", "a", "--report", In("a").string()}), 1, {"two outputs"});
+  Write("p/gait.svg", plan);
+  ExpectRefused(Run({"play", "p/gait.svg", "--plot-dir", "./p"}), 1, {"--plot-dir", "'p/gait.svg'"});
+  EXPECT_EQ(Read("plan.json"), plan);
+  EXPECT_EQ(Read("p/gait.svg"), plan);
+  EXPECT_EQ(Found(), (std::vector<std::string>{"here", "link.json", "p", "plan.json"}));
+}
+
+TEST_F(Refusals, OutputsOverTheRobotOrTheGait) {
+  CopyRobot("description: mine\n");
+  const std::string urdf = Read("mine/robot.urdf");
+  Write("gaits.yaml", "");
+  const auto plan = [&](const std::string& out) {
+    return Run({"plan", "--urdf", "mine/robot.urdf", "--gait", "gaits.yaml:slow", "--out", out});
+  };
+  ExpectRefused(plan("./mine/robot.urdf"), 1, {"'./mine/robot.urdf'", "--urdf", "read"});
+  ExpectRefused(plan("mine/robot.yaml"), 1, {"'mine/robot.yaml'", "robot.yaml", "read"});
+  ExpectRefused(plan("mine/../gaits.yaml"), 1, {"--gait", "'gaits.yaml'", "read"});
+  std::filesystem::rename(In("mine/robot.urdf"), In("mine/log.json"));
+  ExpectRefused(Run({"walk", "--urdf", "mine/log.json", "--out-dir", "mine"}), 1,
+                {"the log 'mine/log.json'", "--urdf"});
+  EXPECT_EQ(Read("mine/log.json"), urdf);
+  EXPECT_EQ(Read("mine/robot.yaml"), "description: mine\n");
+  EXPECT_EQ(Found(), (std::vector<std::string>{"gaits.yaml", "mine"}));
+}
+
+TEST_F(Refusals, FoldersThatAreFiles) {
+  Write("file", "text");
+  for (const char* folder : {"file", "./file", "file/plots"}) {
+    ExpectRefused(Run({"walk", "--distance", "1", "--plot-dir", folder}), 1, {"--plot-dir", folder, "not a folder"});
+    ExpectRefused(Run({"walk", "--distance", "1", "--out-dir", folder}), 1, {folder, "plan.json", "not a folder"});
+  }
+  EXPECT_EQ(Read("file"), "text");
+  EXPECT_EQ(Found(), std::vector<std::string>{"file"});
+}
+
 TEST_F(Refusals, JsonHasTheErrorObject) {
   const std::vector<std::vector<std::string>> wrong = {{"walk", "--json", "--robot", "b2"},
                                                        {"walk", "--json", "--frobnicate"},

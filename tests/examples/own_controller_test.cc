@@ -35,6 +35,7 @@ TEST(OwnControllerExample, FadesTheFeedForwardInAndHoldsThePlan) {
   EXPECT_LT((controller.Update(input).q - model.standing_joints).norm(), 1e-12);
   input.time_s = 1.9;
   EXPECT_EQ(controller.Update(input).tau_ff[3], 8.0);
+  EXPECT_THROW(FadingIn(model, plan, 0.0), InvalidArgument);
 }
 
 TEST(OwnControllerExample, AnUnknownRobotIsNamed) { EXPECT_THROW(WalkWithOwnController("a2", 0.2), InvalidArgument); }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -49,6 +51,7 @@ TEST(PreviewControlExample, WrongFilesNameTheLine) {
   EXPECT_NE(message(header + "0,0,0\n0.005,0\n").find("line 3: 2 columns"), std::string::npos);
   EXPECT_NE(message(header + "0,0,0\n-1,0,0\n").find("line 3"), std::string::npos);
   EXPECT_NE(message(header + "0,0,0\n0.005,0,0\n0.02,0,0\n").find("line 4"), std::string::npos);
+  EXPECT_NE(message(header + "0,0,0,\n").find("line 2: 4 columns"), std::string::npos);
   EXPECT_NE(message(header).find("two rows"), std::string::npos);
 }
 
@@ -75,7 +78,35 @@ TEST(PreviewControlExample, RefusesInOneLineAndWritesNothing) {
     EXPECT_EQ(text.rfind("preview_control: ", 0), 0U) << text;
     EXPECT_FALSE(std::filesystem::exists(out)) << offender;
   }
+  EXPECT_NE(Said({"--com-height", "0"}).second.find("com_height_m is 0"), std::string::npos);
   EXPECT_NE(Said({"--preview", "1e9"}).second.find("at most 10000"), std::string::npos);
+}
+
+TEST(PreviewControlExample, DoesNotWriteOverItsReference) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gaitwright_preview_over";
+  std::filesystem::create_directories(folder);
+  const std::string reference = (folder / "zmp.csv").string(), dotted = (folder / "." / "zmp.csv").string();
+  const std::string text = "time_s,zmp_x_m,zmp_y_m\n0,0,0\n0.005,0,0\n";
+  std::ofstream(reference) << text;
+  for (const char* flag : {"--out", "--plot"}) {
+    const auto [status, said] = Said({"--zmp", reference.c_str(), flag, dotted.c_str()});
+    EXPECT_EQ(status, 1);
+    EXPECT_NE(said.find(flag), std::string::npos) << said;
+  }
+  std::ifstream stream(reference);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), text);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(PreviewControlExample, DrawsWhateverTheTimeStartsAt) {
+  ZmpTable walk = WalkOfItsOwn();
+  const double end_s = walk.time_s.back();
+  for (double& t : walk.time_s) t -= end_s;
+  const std::string svg = PreviewPicture(walk, 0.814, 1.6);
+  EXPECT_NE(svg.find("points='60.0,"), std::string::npos);
+  EXPECT_NE(svg.find(" 860.0,"), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
 TEST(PreviewControlExample, DrawsThreeLinesForEachAxis) {

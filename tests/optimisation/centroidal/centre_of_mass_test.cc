@@ -69,6 +69,25 @@ TEST(CentreOfMass, BothMethodsStartAndEndAtRestInTheSupports) {
   }
 }
 
+TEST(CentreOfMass, AnOnlyPhaseHasRoomForBothEnds) {
+  ZmpProblem sway;
+  sway.omega_rad_s = 4.0;
+  sway.end_W = Vector2(0.02, 0.01);
+  const Polygon sole = synthetic::Sole(Vector2::Zero(), Vector2(0.1, 0.1));
+  synthetic::AddPhase(sway, 2.0, sole, sole);
+  synthetic::Finish(sway);
+  for (const char* method : {"optimised", "closed-form", "preview"}) {
+    CentreOfMassOptions options;
+    options.method = method;
+    const Result<CentreOfMassPlan> plan = PlanCentreOfMass(sway, options);
+    ASSERT_TRUE(plan.ok()) << method << ": " << plan.failure().message;
+    EXPECT_LT(plan->trajectory.v_WC.front().norm(), 1e-6) << method;
+    EXPECT_LT(plan->trajectory.v_WC.back().norm(), 1e-6) << method;
+    EXPECT_LT((plan->trajectory.p_WC.back().head<2>() - sway.end_W).norm(), 1e-6) << method;
+    EXPECT_LT(AtRest(sway, plan->trajectory), 1e-3) << method;
+  }
+}
+
 TEST(CentreOfMass, AMarginIsKept) {
   const ZmpProblem problem = synthetic::Biped(6);
   for (const double margin_m : {0.01, 0.03, 0.045}) {

@@ -8,23 +8,17 @@
 #include <limits>
 #include <utility>
 
+#include "tests/optimisation/numerics/by_values.h"
+
 namespace gaitwright {
 namespace {
 
+using by_values::Function;
+using by_values::Of;
+using by_values::Values;
+using by_values::Vec;
+
 constexpr double kInf = std::numeric_limits<double>::infinity();
-using Values = std::vector<double>;
-using Function = std::function<Values(const VectorX&)>;
-
-VectorFunction Of(const Function& function) {
-  return Differenced([function](const VectorX& x, VectorX& value) {
-    const Values values = function(x);
-    value = Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
-  });
-}
-
-VectorX Vec(const Values& values) {
-  return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 Constraint Equal(const Function& function, Eigen::Index rows) {
   return {"equal", Of(function), VectorX::Zero(rows), VectorX::Zero(rows)};
@@ -351,23 +345,6 @@ TEST(ConstrainedProblem, FewVariablesAreSeenInTheOrderGiven) {
   const Result<ConstrainedSolution> solution = Solve(problem);
   ASSERT_TRUE(solution.ok());
   EXPECT_LT((solution->x - Vec({7.0, 1.0, 5.0})).norm(), 1e-6);
-}
-
-TEST(ConstrainedProblem, RefusesVariablesNamedTwiceOrNotThere) {
-  ConstrainedProblem problem;
-  problem.start = Vec({0.0, 0.0});
-  const auto message = [&](std::vector<int> variables) -> std::string {
-    problem.residuals = {{Of([](const VectorX& x) { return Values{x[0]}; }), std::move(variables)}};
-    try {
-      (void)Solve(problem);
-    } catch (const InvalidArgument& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(message({1, 1}), "Solve: a list of variables names 1 twice");
-  EXPECT_EQ(message({0, 2}), "Solve: a list of variables names 2; there are 0 to 1");
-  EXPECT_EQ(message({0, 1}), "");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "kinematics/base/result.h"
 #include "playback/control/joint_pd.h"
+#include "playback/control/stabilised.h"
 #include "playback/log/log_json.h"
 #include "tests/playback/standing_plan.h"
 
@@ -70,6 +71,63 @@ TEST_P(PlayTest, LogsAStand) {
     EXPECT_LE(stance.friction_use_max, 1.0 + 1e-9);
   }
   EXPECT_EQ(log.saturated_s.norm(), 0.0);
+}
+
+TEST_P(PlayTest, StancesAfterTheLastSampleAreWhole) {
+  PlayOptions options;
+  options.push_force_W = Vector3(0.0, 0.0, 2.0 * model_.weight_n());  // off the ground and down again
+  options.push_for_s = 0.1;
+  options.push_at_s = 0.8;
+  options.hold_s = 0.9;
+  options.log_rate_hz = 1.0;
+  options.fall_height_lowest = 0.0;
+  const PlaybackLog log = Stand(options);
+  ASSERT_EQ(log.samples.size(), 1U);
+  int later = 0;
+  for (const StanceRecord& stance : log.stances) {
+    EXPECT_LE(stance.touchdown_s, stance.liftoff_s);
+    EXPECT_LE(stance.liftoff_s, 1.9 + 1e-9);
+    later += stance.touchdown_s > log.samples.back().time_s ? 1 : 0;
+  }
+  EXPECT_GT(later, 0);
+}
+
+TEST_P(PlayTest, RefusesPlansThatLackColumns) {
+  const auto without = [&](auto change) {
+    MotionPlan plan = plan_;
+    change(plan.whole_body);
+    return plan;
+  };
+  const MotionPlan no_torques = without([](auto& w) { w.tau.clear(); });
+  const MotionPlan no_forces = without([](auto& w) { w.wrenches.clear(); });
+  const MotionPlan short_v = without([](auto& w) { w.v.pop_back(); });
+  EXPECT_THROW(JointPd(model_, no_torques), InvalidArgument);
+  EXPECT_THROW((void)MakeStabilised(model_, no_forces, {}), InvalidArgument);
+  MotionPlan no_schedule = plan_;
+  no_schedule.schedule.phases.clear();
+  EXPECT_THROW((void)MakeStabilised(model_, no_schedule, {}), InvalidArgument);
+  JointPd controller(model_, plan_);
+  EXPECT_TRUE(Play(model_, no_forces, controller).ok());
+  EXPECT_TRUE(Play(model_, no_torques, controller).ok());
+  const Result<PlaybackLog> refused = Play(model_, short_v, controller);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.failure().message.find("201 rows of q but 200 of v"), std::string::npos)
+      << refused.failure().message;
+}
+
+TEST_P(PlayTest, RefusesBumpsWithoutEnd) {
+  MotionPlan plan = plan_;
+  plan.whole_body.q.back()[0] = 1e9;
+  PlayOptions options;
+  options.world.ground_bumps_m = 0.01;
+  JointPd controller(model_, plan_);
+  try {
+    (void)Play(model_, plan, controller, options);
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_NE(std::string(error.what()).find("ground_bumps_m: bumpy ground of 1e+09 m by 4 m"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_P(PlayTest, RepeatsBitForBit) {

@@ -102,7 +102,8 @@ TEST_F(SituationTest, WhatWasSeenIsForgotten) {
 }
 
 TEST_F(SituationTest, SwingsAreThoseBetweenFootholds) {
-  const SwingNow swing = SwingAt(plan_.footsteps, 0, 1.0);
+  const Swings swings(plan_.footsteps, 4);
+  const SwingNow swing = swings.At(0, 1.0);
   EXPECT_TRUE(swing.swings);
   EXPECT_NEAR(swing.liftoff_s, 0.9, 1e-12);
   EXPECT_NEAR(swing.touchdown_s, 1.3, 1e-12);
@@ -113,7 +114,7 @@ TEST_F(SituationTest, SwingsAreThoseBetweenFootholds) {
   for (double t = 0.0; t < plan_.whole_body.end_s(); t += 0.0025) {
     const int phase = PhaseAt(plan_.schedule, t);
     for (int foot = 0; foot < 4; ++foot) {
-      EXPECT_NE(SwingAt(plan_.footsteps, foot, t).swings,
+      EXPECT_NE(swings.At(foot, t).swings,
                 Contains(plan_.schedule.phases[static_cast<std::size_t>(phase)].stance, foot))
           << foot << " at " << t;
     }
@@ -121,9 +122,9 @@ TEST_F(SituationTest, SwingsAreThoseBetweenFootholds) {
 }
 
 TEST_F(SituationTest, AFootWithoutFootholdsDoesNotSwing) {
-  const FootstepPlan none;
-  EXPECT_FALSE(SwingAt(none, 0, 0.5).swings);
-  EXPECT_EQ(SwingAt(none, 0, 0.5).Progress(0.5), 0.0);
+  const Swings none(FootstepPlan{}, 4);
+  EXPECT_FALSE(none.At(0, 0.5).swings);
+  EXPECT_EQ(none.At(0, 0.5).Progress(0.5), 0.0);
 }
 
 }  // namespace

@@ -9,30 +9,20 @@
 #include "playback/report/plot_style.h"
 #include "playback/report/plots.h"
 #include "playback/score/gates.h"
-#include "tests/playback/synthetic.h"
+#include "tests/playback/played.h"
 #include "tests/playback/xml_check.h"
 
 namespace gaitwright {
 namespace {
 
-bool Has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-struct Case {
-  RobotModel model;
-  MotionPlan plan;
-  PlaybackLog log;
+struct Case : synthetic::Played {
   StabilityReport report;
 };
 
 Case MakeCase(int legs, int steps, bool falls) {
-  Case c;
-  c.model = synthetic::Robot(legs, legs == 2 ? FootType::kSole : FootType::kSphere);
-  synthetic::Steps walk;
-  walk.count = steps;
-  c.plan = synthetic::SteppingPlan(c.model, walk);
+  Case c{synthetic::Walked(legs, {.count = steps}), {}};
   c.plan.gait.name = "walk & run";
   c.plan.provenance.options = {{"speed_m_s", "<0.3>"}};
-  c.log = synthetic::PerfectLog(c.model, c.plan);
   if (falls) synthetic::Sink(c.log, 400, 0.1);
   c.report = Score(c.model, c.plan, c.log);
   return c;
@@ -43,17 +33,17 @@ TEST(ReportPage, IsWholeWellFormedAndHoldsEveryPlotAndFigure) {
     const Case c = MakeCase(4, 6, falls);
     const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {{"every law holds: a < b"}, {}, ""});
     EXPECT_EQ(XmlFault(page), "");
-    EXPECT_FALSE(Has(page, "http")) << "no network";
-    EXPECT_FALSE(Has(page, "<script"));
-    EXPECT_FALSE(Has(page, "nan"));
-    EXPECT_TRUE(Has(page, falls ? ">FAIL<" : ">PASS<"));
-    EXPECT_TRUE(Has(page, "every law holds: a &lt; b"));
-    EXPECT_TRUE(Has(page, "walk &amp; run"));
-    EXPECT_TRUE(Has(page, "prefers-color-scheme:dark"));
-    for (const MetricRule& rule : MetricRules()) EXPECT_TRUE(Has(page, ">" + rule.key + "<")) << rule.key;
+    EXPECT_FALSE(synthetic::Says(page, "http")) << "no network";
+    EXPECT_FALSE(synthetic::Says(page, "<script"));
+    EXPECT_FALSE(synthetic::Says(page, "nan"));
+    EXPECT_TRUE(synthetic::Says(page, falls ? ">FAIL<" : ">PASS<"));
+    EXPECT_TRUE(synthetic::Says(page, "every law holds: a &lt; b"));
+    EXPECT_TRUE(synthetic::Says(page, "walk &amp; run"));
+    EXPECT_TRUE(synthetic::Says(page, "prefers-color-scheme:dark"));
+    for (const MetricRule& rule : MetricRules()) EXPECT_TRUE(synthetic::Says(page, ">" + rule.key + "<")) << rule.key;
     for (const Plot& plot : MakePlots(c.model, c.plan, c.log, c.report)) {
-      EXPECT_TRUE(Has(page, "<figure id=\"" + plot.name + "\">")) << plot.name;
-      EXPECT_TRUE(Has(page, plot.svg)) << plot.name;
+      EXPECT_TRUE(synthetic::Says(page, "<figure id=\"" + plot.name + "\">")) << plot.name;
+      EXPECT_TRUE(synthetic::Says(page, plot.svg)) << plot.name;
     }
   }
 }
@@ -62,18 +52,18 @@ TEST(ReportPage, TellsTheOptionsThatAreNotUsual) {
   const Case c = MakeCase(2, 2, false);
   const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {{}, {{"a.gain", "<2>", "1.5"}}, ""});
   EXPECT_EQ(XmlFault(page), "");
-  EXPECT_TRUE(Has(page, ">a.gain</span></td><td>&lt;2&gt;</td><td>1.5</td>"));
-  EXPECT_FALSE(Has(page, "usual value."));
-  EXPECT_TRUE(Has(ReportPage(c.model, c.plan, c.log, c.report), "Every option was at its usual value."));
+  EXPECT_TRUE(synthetic::Says(page, ">a.gain</span></td><td>&lt;2&gt;</td><td>1.5</td>"));
+  EXPECT_FALSE(synthetic::Says(page, "usual value."));
+  EXPECT_TRUE(synthetic::Says(ReportPage(c.model, c.plan, c.log, c.report), "Every option was at its usual value."));
 }
 
 TEST(ReportPage, AnObjectionOverrulesPhysics) {
   const Case c = MakeCase(2, 2, false);
   ASSERT_TRUE(c.report.pass);
   const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {{}, {}, "the plan fails its audit: reach"});
-  EXPECT_TRUE(Has(page, ">FAIL<"));
-  EXPECT_FALSE(Has(page, ">PASS<"));
-  EXPECT_TRUE(Has(page, "The plan fails its audit: reach; in physics, " + c.report.reason + "."));
+  EXPECT_TRUE(synthetic::Says(page, ">FAIL<"));
+  EXPECT_FALSE(synthetic::Says(page, ">PASS<"));
+  EXPECT_TRUE(synthetic::Says(page, "The plan fails its audit: reach; in physics, " + c.report.reason + "."));
 }
 
 TEST(ReportPage, PlotsHaveNamesFitForFilesAndAreFilesOfTheirOwn) {
@@ -96,11 +86,11 @@ TEST(ReportPage, EveryLimitOfATorqueIsDrawn) {
   std::vector<Plot> plots = MakePlots(c.model, c.plan, c.log, c.report);
   const auto use = std::find_if(plots.begin(), plots.end(), [](const Plot& plot) { return plot.name == "torque_use"; });
   ASSERT_NE(use, plots.end());
-  EXPECT_TRUE(Has(use->svg, "[%]"));
-  EXPECT_TRUE(Has(use->svg, ">limit<"));
+  EXPECT_TRUE(synthetic::Says(use->svg, "[%]"));
+  EXPECT_TRUE(synthetic::Says(use->svg, ">limit<"));
   for (int d = 0; d < c.model.num_dofs(); ++d)
-    EXPECT_TRUE(Has(use->svg, fmt::format(">{}, {:.4g} N", c.model.dof_names[static_cast<std::size_t>(d)],
-                                          c.model.dof_effort_limit(d))));
+    EXPECT_TRUE(synthetic::Says(use->svg, fmt::format(">{}, {:.4g} N", c.model.dof_names[static_cast<std::size_t>(d)],
+                                                      c.model.dof_effort_limit(d))));
 }
 
 TEST(ReportPage, ALongMotionStaysSmall) {

@@ -5,15 +5,13 @@
 
 #include <numbers>
 
-#include "tests/playback/synthetic.h"
+#include "tests/playback/played.h"
 
 namespace gaitwright {
 namespace {
 
-struct Case {
-  RobotModel model = synthetic::Robot(2, FootType::kSole);
-  MotionPlan plan = synthetic::StandingPlan(model, 1.0);
-  PlaybackLog log = synthetic::PerfectLog(model, plan);
+struct Case : synthetic::Played {
+  Case() : Played(synthetic::Stood()) {}
 
   Fall Find() const { return FindFall(plan, log, MakeMotionSeries(model, plan, log, {}), {}); }
 };

@@ -3,19 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "playback/score/stability_report.h"
-#include "tests/playback/synthetic.h"
+#include "tests/playback/played.h"
 
 namespace gaitwright {
 namespace {
 
-struct Case {
-  RobotModel model = synthetic::Robot(2, FootType::kSole);
-  MotionPlan plan = synthetic::SteppingPlan(model);
-  PlaybackLog log = synthetic::PerfectLog(model, plan);
-
-  double Value(const std::string& key) const { return Score(model, plan, log).At(key).value.value(); }
-  double Planned(const std::string& key) const { return Score(model, plan, log).At(key).planned.value(); }
+struct Case : synthetic::Played {
+  Case() : Played(synthetic::Walked()) {}
 };
 
 TEST(Measurements, AnExtremeKnowsItsTime) {

@@ -69,30 +69,5 @@ TEST(MotionSeries, AStillSphereFootThatRollsDoesNotSlide) {
   EXPECT_NEAR(series.measured[10].feet[0].height_m, 0.0, 1e-12);
 }
 
-TEST(MotionSeries, EnergyMarginOfAPointMassOverARectangle) {
-  MotionSample sample;
-  sample.p_WC = {0.02, 0.0, 0.4};
-  sample.support.points_W = {{-0.1, -0.2, 0.0}, {0.1, -0.2, 0.0}, {0.1, 0.2, 0.0}, {-0.1, 0.2, 0.0}};
-  sample.support.polygon = {{-0.1, -0.2}, {0.1, -0.2}, {0.1, 0.2}, {-0.1, 0.2}};
-  EXPECT_NEAR(EnergyMargin(sample), std::hypot(0.08, 0.4) - 0.4, 1e-12);
-  sample.p_WC.x() = 0.15;
-  EXPECT_NEAR(EnergyMargin(sample), -(std::hypot(0.05, 0.4) - 0.4), 1e-12) << "already beyond the front edge";
-  sample.support.polygon = {{0.0, -0.2}, {0.0, 0.2}};
-  sample.support.reference_W = Vector3::Zero();
-  EXPECT_NEAR(EnergyMargin(sample), -(std::hypot(0.15, 0.4) - 0.4), 1e-12) << "a line";
-}
-
-TEST(MotionSeries, AnInclinedEdgeIsTippedOverMoreEasily) {
-  MotionSample sample;
-  sample.p_WC = {0.0, 0.0, 0.4};
-  const double rise = 0.1;
-  sample.support.points_W = {{-0.2, -0.1, -rise}, {0.2, -0.1, rise}, {0.2, 0.1, rise}, {-0.2, 0.1, -rise}};
-  sample.support.polygon = {{-0.2, -0.1}, {0.2, -0.1}, {0.2, 0.1}, {-0.2, 0.1}};
-  // Messuri and Klein: R (1 - cos theta) cos psi, with psi the inclination of the long edges.
-  const double cos_psi = 0.2 / std::hypot(0.2, rise), high = 0.4 * cos_psi;
-  const double R = std::hypot(high, 0.1);
-  EXPECT_NEAR(EnergyMargin(sample), (R - high) * cos_psi, 1e-12);
-}
-
 }  // namespace
 }  // namespace gaitwright

@@ -2,18 +2,16 @@
 // What a failed playback blames the plan itself for.
 #include <gtest/gtest.h>
 
-#include "playback/score/stability_report.h"
-#include "tests/playback/synthetic.h"
+#include "tests/playback/played.h"
 
 namespace gaitwright {
 namespace {
 
 using synthetic::PerfectLog;
 using synthetic::Robot;
+using synthetic::Says;
 using synthetic::StandingPlan;
 using synthetic::SteppingPlan;
-
-bool Says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Why the plan failed, had its trunk touched the ground at the end.
 std::string ReasonOf(const RobotModel& model, const MotionPlan& plan) {
@@ -74,7 +72,7 @@ TEST(PlanFaults, TorquesOfAnotherMotionAreBlamed) {
   for (VectorX& tau : plan.whole_body.tau) tau *= 1.5;
   const std::string reason = ReasonOf(model, plan);
   EXPECT_TRUE(
-      Says(reason, "the plan's torques are not those of its motion: 'left_z' has -73.58 N m where it needs -49.05"))
+      Says(reason, "the plan's torques are not those of its motion: 'left_z' has -73.58 N where it needs -49.05 N"))
       << reason;
 }
 

@@ -2,25 +2,17 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/spatial/rotation.h"
-#include "playback/score/stability_report.h"
-#include "tests/playback/synthetic.h"
+#include "tests/playback/played.h"
 
 /// Laws that the score of any playback keeps.
 namespace gaitwright {
 namespace {
 
-struct Case {
-  RobotModel model;
-  MotionPlan plan;
-  PlaybackLog log;
-};
+using Case = synthetic::Played;
 
 /// A walk whose log is off its plan everywhere, a little and deterministically.
 Case Imperfect(int legs) {
-  Case c;
-  c.model = synthetic::Robot(legs, legs == 2 ? FootType::kSole : FootType::kSphere);
-  c.plan = synthetic::SteppingPlan(c.model);
-  c.log = synthetic::PerfectLog(c.model, c.plan);
+  Case c = synthetic::Walked(legs);
   for (std::size_t k = 0; k < c.log.samples.size(); ++k) {
     LogSample& sample = c.log.samples[k];
     const double t = sample.time_s;

@@ -259,6 +259,18 @@ TEST(Score, IsPureAndRefusesWhatDoesNotFit) {
   EXPECT_THROW(Score(other, plan, log), InvalidArgument);
   EXPECT_THROW(Score(model, plan, PlaybackLog{}), InvalidArgument);
   EXPECT_THROW(Score(model, MotionPlan{}, log), InvalidArgument);
+  PlaybackLog odd = log;
+  odd.stances[3].foot = 2;
+  EXPECT_THROW(Score(model, plan, odd), InvalidArgument);
+  odd = log;
+  std::swap(odd.samples[3], odd.samples[4]);
+  EXPECT_THROW(Score(model, plan, odd), InvalidArgument);
+  odd = log;
+  odd.log_rate_hz = std::nan("");
+  EXPECT_THROW(Score(model, plan, odd), InvalidArgument);
+  odd = log;
+  odd.samples[7].wrenches.resize(3);
+  EXPECT_THROW(Score(model, plan, odd), InvalidArgument);
   ScoreOptions options;
   options.zmp_filter_s = -1.0;
   EXPECT_THROW(Score(model, plan, log, options), InvalidArgument);

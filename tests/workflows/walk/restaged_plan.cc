@@ -6,6 +6,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/trajectory/cubic_spline.h"
 #include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/centroidal/centre_of_mass.h"
 #include "optimisation/pipeline/support_regions.h"
 #include "optimisation/whole_body/solve_whole_body.h"
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/paths.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "kinematics/base/result.h"
+#include "kinematics/base/same_file.h"
+#include "planning/gait/find_gait.h"
+
+namespace gaitwright::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// @throws InvalidArgument where a folder cannot be or be made, since a file stands in its way.
+void CheckFolder(const std::string& what, const std::string& path, const fs::path& folder) {
+  std::error_code error;
+  fs::path at = folder;
+  while (!at.empty() && at != at.parent_path() && !fs::exists(at, error)) at = at.parent_path();
+  if (at.empty() || !fs::exists(at, error) || fs::is_directory(at, error)) return;
+  throw InvalidArgument(
+      fmt::format("{} '{}' cannot be written: '{}' is a file, not a folder; name a folder", what, path, at.string()));
+}
+
+void CheckOutput(const NamedPath& output, const Paths& paths) {
+  std::error_code error;
+  if (fs::is_directory(output.path, error)) {
+    throw InvalidArgument(
+        fmt::format("{} '{}' cannot be written: it is a folder; name a file", output.name, output.path));
+  }
+  CheckFolder(output.name, output.path, fs::path(output.path).parent_path());
+  for (const NamedPath& input : paths.read) {
+    if (input.path.empty() || !IsSameFile(output.path, input.path)) continue;
+    throw InvalidArgument(fmt::format("{} '{}' would be written over {} '{}', which is read: name another file",
+                                      output.name, output.path, input.name, input.path));
+  }
+}
+
+/// Plots have names of their own, all of which end in .svg.
+void CheckPlots(const Paths& paths) {
+  CheckFolder("--plot-dir", paths.plot_folder, paths.plot_folder);
+  for (const NamedPath& input : paths.read) {
+    const fs::path path(input.path), folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (path.extension() != ".svg" || !IsSameFile(folder.string(), paths.plot_folder)) continue;
+    throw InvalidArgument(
+        fmt::format("plots of --plot-dir '{}' could be written over {} '{}', which is read: name "
+                    "another folder",
+                    paths.plot_folder, input.name, input.path));
+  }
+}
+
+}  // namespace
+
+void Paths::AddRobotAndGait(const std::string& urdf, const std::string& gait) {
+  if (!urdf.empty()) {
+    read.push_back({"--urdf", urdf});
+    read.push_back({"the robot.yaml beside --urdf", (fs::path(urdf).parent_path() / "robot.yaml").string()});
+  }
+  read.push_back({"--gait", GaitFileOf(gait)});
+}
+
+void CheckPaths(const Paths& paths) {
+  for (std::size_t i = 0; i < paths.written.size(); ++i) {
+    const NamedPath& output = paths.written[i];
+    if (output.path.empty()) continue;
+    CheckOutput(output, paths);
+    for (std::size_t k = 0; k < i; ++k) {
+      const NamedPath& other = paths.written[k];
+      if (other.path.empty() || !IsSameFile(other.path, output.path)) continue;
+      throw InvalidArgument(fmt::format("{} '{}' and {} '{}' are one file for two outputs: give each its own",
+                                        other.name, other.path, output.name, output.path));
+    }
+  }
+  if (!paths.plot_folder.empty()) CheckPlots(paths);
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gaitwright::cli {
+
+/// A file of a command line and what it is there: its flag, or words such as "the log".
+struct NamedPath {
+  std::string name, path;
+};
+
+/// The files that a verb reads and writes. Paths that are empty are none.
+struct Paths {
+  std::vector<NamedPath> read, written;
+  std::string plot_folder;  ///< gets SVG files
+
+  /// Adds a URDF and the robot.yaml beside it, and the file of `gait` when it names one.
+  void AddRobotAndGait(const std::string& urdf, const std::string& gait);
+};
+
+/// Sees to it that nothing is written over what is read, nor twice to one file, and that folders are folders; by `./`
+/// or links too. Call it before the work is done. @throws InvalidArgument naming both.
+void CheckPaths(const Paths& paths);
+
+}  // namespace gaitwright::cli
