@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kinematics/spatial/rotation.h"
+#include "kinematics/stability/polygon.h"
 #include "planning/audit/auditor.h"
 
 namespace gaitwright {
@@ -91,10 +92,11 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
                    static_cast<double>(plan_.terrain.patches.size()) - 1.0, "1");
     return;
   }
-  const Pose& X_WT = plan_.terrain.patches[static_cast<std::size_t>(foothold.patch)].X_WT;
-  const Vector3 normal_W = X_WT.linear().col(2);
-  Expect(foot + " foothold off its patch", foothold.touchdown_s,
-         std::abs(normal_W.dot(foothold.X_WF.translation() - X_WT.translation())), kPosition, "m");
+  const TerrainPatch& patch = plan_.terrain.patches[static_cast<std::size_t>(foothold.patch)];
+  const Pose& X_WT = patch.X_WT;
+  const Vector3 normal_W = X_WT.linear().col(2), p_TF = X_WT.inverse() * foothold.X_WF.translation();
+  const double beyond = patch.outline_T.empty() ? 0.0 : -SignedDistance(patch.outline_T, p_TF.head<2>());
+  Expect(foot + " foothold off its patch", foothold.touchdown_s, std::max(beyond, std::abs(p_TF.z())), kPosition, "m");
   Expect(foot + " foothold tilted from its patch", foothold.touchdown_s,
          normal_W.cross(foothold.X_WF.linear().col(2)).norm(), kRotation, "rad");
 }
