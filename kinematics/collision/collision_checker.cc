@@ -53,7 +53,8 @@ double BoundingRadius(const Shape& shape) {
     for (const Vector3& v : shape.vertices) radius = std::max(radius, v.norm());
     return radius;
   }
-  return std::hypot(shape.size.x(), 0.5 * shape.size.y()) + (shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0);
+  if (shape.type == ShapeType::kCapsule) return shape.size.x() + 0.5 * shape.size.y();
+  return std::hypot(shape.size.x(), 0.5 * shape.size.y());
 }
 
 Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape) {

@@ -41,7 +41,7 @@ class Builder {
  public:
   Builder(const urdf::ModelInterface& urdf, const UrdfParts& parts, const std::string& name)
       : collision_(parts.collision), visual_(parts.visual) {
-    model_.name = urdf.getName().empty() ? name : urdf.getName();
+    model_.name = name;
     model_.bodies.emplace_back();
     heaviest_.push_back(-1.0);
     VisitLink(*urdf.getRoot(), 0, Pose::Identity());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "kinematics/model/build_model.h"
@@ -113,7 +114,7 @@ std::string NameOf(const std::vector<const Shape*>& shapes) {
 bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, Foot& foot) {
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
   const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
-  double bottom = 1e9;
+  double bottom = std::numeric_limits<double>::infinity();
   for (const Shape* shape : shapes) {
     for (const Vector3& corner : Corners(*shape)) bottom = std::min(bottom, (X_OE * corner).z() - Radius(*shape));
   }

@@ -84,10 +84,11 @@ enum class FootType {
   kSole,    ///< a flat convex polygon: six constraints
 };
 
+/// The part of a leg that touches the ground.
+///
 /// = Notation =
-///   F  sole frame: origin at the middle of the sole polygon (sole, line), at the sphere's centre (sphere) or the
-///   point;
-///      z is up out of the ground and x ahead in the nominal standing posture
+///   F  sole frame: z is up out of the ground and x ahead in the nominal standing posture; its origin is the middle of
+///      the sole polygon (sole, line), the sphere's centre (sphere) or the point itself
 struct Foot {
   std::string name;  ///< the link's name
   std::string link;
@@ -149,7 +150,8 @@ struct RobotModel {
   int nv() const { return 6 + num_dofs(); }
   double weight_n() const { return total_mass_kg * kGravity; }
 
-  /// Limits of an independent coordinate, with its mimic followers taken into account.
+  /// Limits of an independent coordinate: of position and speed the tightest of all joints that it moves, of effort
+  /// that of the joint that leads; infinite where they are placeholders.
   double dof_lower(int dof) const;
   double dof_upper(int dof) const;
   double dof_velocity_limit(int dof) const;
