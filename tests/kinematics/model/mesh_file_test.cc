@@ -175,8 +175,8 @@ TEST_F(MeshFile, MeshesCollideAsBoxesDo) {
       q[7 + model->DofIndex("C_hip")] = -angle;
       q[7 + model->DofIndex("C_knee")] = 0.0;
       ForwardKinematics(*model, q, scratch);
-      const auto pair = checker.FirstCollision(scratch);
-      found[model == &box] = pair ? pair->first + " " + pair->second : "";
+      for (const Overlap& overlap : checker.Overlaps(scratch))
+        found[model == &box] += overlap.link_a + " " + overlap.link_b + "; ";
     }
     EXPECT_EQ(found[0], found[1]) << angle;
     touching += found[0].empty() ? 0 : 1;
