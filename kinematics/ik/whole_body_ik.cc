@@ -17,8 +17,6 @@ constexpr int kMaxIterations = 40;
 constexpr double kLongestStep = 0.3;  // [m, rad] of any coordinate in one iteration
 constexpr double kDependent = 1e-3;   // of a row's length, left after those above are taken out
 
-bool HasRotation(const Foot& foot) { return foot.type == FootType::kSole || foot.type == FootType::kLine; }
-
 /// r [n]x: added to the linear Jacobian by the angular one, it gives the material point under a sphere.
 Matrix3 RollMatrix(const Foot& foot, const Vector3& normal) { return foot.radius * Skew(normal); }
 
@@ -44,7 +42,7 @@ std::size_t LeastUsed(const std::vector<Eigen::RowVectorXd>& directions) {
 
 void Integrate(const VectorX& step, VectorX& q) {
   q.head<3>() += step.head<3>();
-  const Quaternion turned(RotationExp(step.segment<3>(3)) * Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix());
+  const Quaternion turned(RotationExp(step.segment<3>(3)) * BaseRotation(q));
   q.segment<4>(3) = turned.normalized().coeffs();
   q.tail(q.size() - 7) += step.tail(step.size() - 6);
 }
@@ -77,7 +75,7 @@ void WholeBodyIk::ListRows() {
     const Foot& foot = model_->feet[f];
     const int index = static_cast<int>(f);
     add(Kind::kFootLinear, index, 0, along(foot.name + " position"));
-    if (HasRotation(foot))
+    if (foot.has_sole())
       add(Kind::kFootAngular, index, foot.type == FootType::kLine ? 1 : 0, along(foot.name + " rotation"));
   }
   add(Kind::kCentreOfMass, -1, 0, along("centre of mass"));

@@ -9,7 +9,8 @@
 #include <limits>
 #include <numbers>
 
-#include "kinematics/model/build_model.h"
+#include "kinematics/model/body_tree.h"
+#include "kinematics/model/yaml_line.h"
 #include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
@@ -209,10 +210,8 @@ void TakeType(const FootOverride& given, Foot& foot) {
   foot.derived_from += "; its type from robot.yaml";
   if (foot.type == FootType::kPoint) foot.radius = 0.0;
   if (foot.type == FootType::kSphere && foot.radius <= 0.0) {
-    throw InvalidArgument(
-        fmt::format("robot.yaml, line {}: foot '{}' of type sphere needs 'radius_m': no sphere ends it "
-                    "in the URDF",
-                    given.line, given.link));
+    RefuseYamlLine(given.line,
+                   fmt::format("foot '{}' of type sphere needs 'radius_m': no sphere ends it in the URDF", given.link));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/base/options.h"
+#include "kinematics/model/yaml_line.h"
 #include "kinematics/model/yaml_map_internal.h"
 #include "kinematics/spatial/convex_hull.h"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr double kLeastSole = 1e-6;  // [m^2]
 
 FootType ParseFootType(const YAML::Node& node) {
-  const std::vector<std::string> names = {"point", "sphere", "line", "sole"};
+  const std::vector<std::string>& names = FootTypeNames();
   const std::string text = TextOf(node, "'type'");
   const auto at = std::find(names.begin(), names.end(), text);
   if (at == names.end()) {
@@ -215,7 +216,7 @@ RobotYaml ParseRobotYaml(const std::string& text) {
   try {
     return documents.empty() ? RobotYaml{} : Parse(documents.front());
   } catch (const YAML::Exception& error) {
-    throw InvalidArgument(fmt::format("robot.yaml, line {}: a value of the wrong kind", error.mark.line + 1));
+    RefuseYamlLine(error.mark.line + 1, "a value of the wrong kind");
   }
 }
 

@@ -54,8 +54,6 @@ Interval Locate(double start_s, double step_s, int size, double time_s) {
   return {left, left + 1, std::clamp(position - static_cast<double>(left), 0.0, 1.0)};
 }
 
-Matrix3 BaseRotation(const VectorX& q) { return Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix(); }
-
 void BlendBaseRotation(const WholeBodyTrajectory& t, const Interval& at, const HermiteWeights& weights,
                        WholeBodySample& s) {
   const double h = t.step_s;
