@@ -32,7 +32,7 @@ std::shared_ptr<fcl::CollisionGeometryd> Geometry(const Shape& shape) {
 
 /// True when `ancestor` carries `body` directly: through one joint, joints whose axes meet in one point (an ankle, a
 /// hip), or bodies without shapes.
-bool Carries(const RobotModel& model, const std::vector<bool>& has_shapes, int ancestor, int body) {
+bool CarriesDirectly(const RobotModel& model, const std::vector<bool>& has_shapes, int ancestor, int body) {
   constexpr double kMeet = 5e-3;  // [m]
   while (body > 0) {
     const Joint& joint = model.joints[static_cast<std::size_t>(body - 1)];
@@ -53,7 +53,8 @@ double BoundingRadius(const Shape& shape) {
     for (const Vector3& v : shape.vertices) radius = std::max(radius, v.norm());
     return radius;
   }
-  return std::hypot(shape.size.x(), 0.5 * shape.size.y()) + (shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0);
+  if (shape.type == ShapeType::kCapsule) return shape.size.x() + 0.5 * shape.size.y();
+  return std::hypot(shape.size.x(), 0.5 * shape.size.y());
 }
 
 Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape) {
@@ -170,7 +171,7 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
   for (std::size_t i = 0; i < scene_->parts.size(); ++i) {
     for (std::size_t j = i + 1; j < scene_->parts.size(); ++j) {
       const int a = scene_->parts[i].shape->body, b = scene_->parts[j].shape->body;
-      if (a == b || Carries(model, has_shapes, a, b) || Carries(model, has_shapes, b, a)) continue;
+      if (a == b || CarriesDirectly(model, has_shapes, a, b) || CarriesDirectly(model, has_shapes, b, a)) continue;
       if (scene_->Touch({i, j})) {
         scene_->notes.push_back(fmt::format("links '{}' and '{}' touch in the standing posture: not checked",
                                             scene_->parts[i].shape->link, scene_->parts[j].shape->link));
@@ -184,16 +185,6 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
 CollisionChecker::~CollisionChecker() = default;
 CollisionChecker::CollisionChecker(CollisionChecker&&) noexcept = default;
 CollisionChecker& CollisionChecker::operator=(CollisionChecker&&) noexcept = default;
-
-std::optional<std::pair<std::string, std::string>> CollisionChecker::FirstCollision(const DynamicsScratch& scratch) {
-  scene_->Place(scratch);
-  for (const auto& pair : scene_->pairs) {
-    if (scene_->Touch(pair)) {
-      return std::pair(scene_->parts[pair.a].shape->link, scene_->parts[pair.b].shape->link);
-    }
-  }
-  return std::nullopt;
-}
 
 const std::vector<Overlap>& CollisionChecker::Overlaps(const DynamicsScratch& scratch) {
   scene_->Move(scratch);

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "kinematics/dynamics/dynamics.h"
@@ -33,9 +31,6 @@ class CollisionChecker {
   ~CollisionChecker();
   CollisionChecker(CollisionChecker&&) noexcept;
   CollisionChecker& operator=(CollisionChecker&&) noexcept;
-
-  /// The links of the first pair that touches at the scratch's pose, or nothing. Needs ForwardKinematics.
-  std::optional<std::pair<std::string, std::string>> FirstCollision(const DynamicsScratch& scratch);
 
   /// All pairs that touch at the scratch's pose, with their depths. Meant for motions: a pair is looked at again only
   /// once its parts may have moved as far as they were apart, so poses that differ little cost little; the answer does

@@ -22,8 +22,6 @@ Matrix3 AxisRotation(const Vector3& axis, double angle) {
 
 double JointRate(const Joint& joint, const VectorX& v) { return joint.multiplier * v[6 + joint.dof]; }
 
-bool IsPrismatic(const Joint& joint) { return joint.type == JointType::kPrismatic; }
-
 /// Own inertia of a body, about O in world axes.
 DynamicsScratch::Composite BodyInertia(const Body& body, const Matrix3& R_WB, const Vector3& p_OB) {
   const Vector3 p_OC = p_OB + R_WB * body.p_BC;
@@ -60,7 +58,7 @@ DynamicsScratch::DynamicsScratch(const RobotModel& model) {
 
 void ForwardKinematics(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch) {
   scratch.p_WB[0] = q.head<3>();
-  scratch.R_WB[0] = Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix();
+  scratch.R_WB[0] = BaseRotation(q);
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const Joint& joint = model.joints[j];
     const auto parent = static_cast<std::size_t>(joint.parent_body);
@@ -68,7 +66,7 @@ void ForwardKinematics(const RobotModel& model, const VectorX& q, DynamicsScratc
     const Matrix3 R_WJ = scratch.R_WB[parent] * joint.X_PJ.linear();
     scratch.axis_W[j].noalias() = R_WJ * joint.axis_J;
     scratch.p_WB[j + 1] = scratch.p_WB[parent] + scratch.R_WB[parent] * joint.X_PJ.translation();
-    if (IsPrismatic(joint)) {
+    if (joint.is_prismatic()) {
       scratch.R_WB[j + 1] = R_WJ;
       scratch.p_WB[j + 1] += position * scratch.axis_W[j];
     } else {
@@ -94,7 +92,7 @@ void ForwardVelocities(const RobotModel& model, const VectorX& q, const VectorX&
     scratch.v_WB[j + 1] = scratch.v_WB[parent] + w_cross_r;
     scratch.alpha_bias_W[j + 1] = scratch.alpha_bias_W[parent];
     scratch.a_bias_W[j + 1] = scratch.a_bias_W[parent] + scratch.alpha_bias_W[parent].cross(r) + w.cross(w_cross_r);
-    if (IsPrismatic(joint)) {
+    if (joint.is_prismatic()) {
       scratch.v_WB[j + 1] += motion;
       scratch.a_bias_W[j + 1] += 2.0 * w.cross(motion);
     } else {
@@ -124,7 +122,7 @@ void PointJacobian(const RobotModel& model, const DynamicsScratch& scratch, int 
     const auto j = static_cast<std::size_t>(i - 1);
     const Joint& joint = model.joints[j];
     const Vector3 motion = joint.multiplier * scratch.axis_W[j];
-    if (IsPrismatic(joint)) {
+    if (joint.is_prismatic()) {
       J.col(6 + joint.dof).head<3>() += motion;
     } else {
       J.col(6 + joint.dof).head<3>() += motion.cross(p_WQ - scratch.p_WB[j + 1]);
@@ -145,7 +143,7 @@ void PointJacobianRate(const RobotModel& model, const DynamicsScratch& scratch, 
     const Joint& joint = model.joints[j];
     const Vector3 motion = joint.multiplier * scratch.axis_W[j];
     const Vector3 turning = scratch.w_WB[j + 1].cross(motion);
-    if (IsPrismatic(joint)) {
+    if (joint.is_prismatic()) {
       Jdot.col(6 + joint.dof).head<3>() += turning;
     } else {
       Jdot.col(6 + joint.dof).head<3>() +=
@@ -197,7 +195,7 @@ void CentreOfMassJacobian(const RobotModel& model, DynamicsScratch& scratch, Eig
     const Vector3 motion = joint.multiplier * scratch.axis_W[j];
     const Vector3 p_OJ = scratch.p_WB[j + 1] - scratch.p_WB[0];
     J.col(6 + joint.dof) +=
-        IsPrismatic(joint) ? Vector3(child.mass * motion) : motion.cross(child.moment_O - child.mass * p_OJ);
+        joint.is_prismatic() ? Vector3(child.mass * motion) : motion.cross(child.moment_O - child.mass * p_OJ);
   }
   const auto& whole = scratch.composite[0];
   J /= whole.mass;
@@ -246,7 +244,7 @@ void ForwardAccelerations(const RobotModel& model, const VectorX& v, const Vecto
     const Vector3 acceleration = joint.multiplier * a[6 + joint.dof] * scratch.axis_W[j];
     scratch.alpha_W[j + 1] = scratch.alpha_W[parent];
     scratch.a_W[j + 1] = scratch.a_W[parent] + scratch.alpha_W[parent].cross(r) + w.cross(w.cross(r));
-    if (IsPrismatic(joint)) {
+    if (joint.is_prismatic()) {
       scratch.a_W[j + 1] += acceleration + 2.0 * w.cross(rate);
     } else {
       scratch.alpha_W[j + 1] += acceleration + w.cross(rate);
@@ -279,7 +277,7 @@ void InverseDynamics(const RobotModel& model, const VectorX& q, const VectorX& v
   for (std::size_t j = model.joints.size(); j-- > 0;) {
     const Joint& joint = model.joints[j];
     const auto parent = static_cast<std::size_t>(joint.parent_body);
-    const Vector3& load = IsPrismatic(joint) ? scratch.force_W[j + 1] : scratch.moment_W[j + 1];
+    const Vector3& load = joint.is_prismatic() ? scratch.force_W[j + 1] : scratch.moment_W[j + 1];
     tau[6 + joint.dof] += joint.multiplier * scratch.axis_W[j].dot(load);
     scratch.force_W[parent] += scratch.force_W[j + 1];
     scratch.moment_W[parent] +=
@@ -302,7 +300,7 @@ void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scra
     const Joint& joint = model.joints[j];
     const auto& beyond = scratch.composite[j + 1];
     const Vector3 axis = joint.multiplier * scratch.axis_W[j];
-    const bool slides = IsPrismatic(joint);
+    const bool slides = joint.is_prismatic();
     const Vector3 w = slides ? Vector3::Zero() : axis;
     const Vector3 v_O = slides ? axis : Vector3((scratch.p_WB[j + 1] - scratch.p_WB[0]).cross(axis));
     const Vector3 linear = beyond.mass * v_O + w.cross(beyond.moment_O);
@@ -316,7 +314,7 @@ void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scra
       const Joint& ancestor = model.joints[k];
       const Vector3& axis_k = scratch.axis_W[k];
       const double coupling =
-          ancestor.multiplier * (IsPrismatic(ancestor)
+          ancestor.multiplier * (ancestor.is_prismatic()
                                      ? axis_k.dot(linear)
                                      : axis_k.dot(angular_O - (scratch.p_WB[k + 1] - scratch.p_WB[0]).cross(linear)));
       M(6 + ancestor.dof, column) += coupling;

@@ -36,9 +36,8 @@ void AddPointWrench(const RobotModel& model, const DynamicsScratch& scratch, int
     const auto j = static_cast<std::size_t>(i - 1);
     const Joint& joint = model.joints[j];
     const Vector3& axis = scratch.axis_W[j];
-    const double load = joint.type == JointType::kPrismatic
-                            ? axis.dot(force)
-                            : axis.dot(moment + (p_WQ - scratch.p_WB[j + 1]).cross(force));
+    const double load =
+        joint.is_prismatic() ? axis.dot(force) : axis.dot(moment + (p_WQ - scratch.p_WB[j + 1]).cross(force));
     tau[6 + joint.dof] += joint.multiplier * load;
   }
 }

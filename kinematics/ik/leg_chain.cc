@@ -58,7 +58,7 @@ LegChain::LegChain(const RobotModel& model, int leg) {
       break;
     }
   }
-  ChooseRows(foot.type);
+  ChooseRows(foot);
 }
 
 void LegChain::AddLinks(const RobotModel& model, const Leg& leg) {
@@ -67,18 +67,16 @@ void LegChain::AddLinks(const RobotModel& model, const Leg& leg) {
     X_BF_zero = X_BF_zero * joint.X_PJ;
     auto at = std::find(dofs.begin(), dofs.end(), joint.dof);
     if (at == dofs.end()) at = dofs.insert(dofs.end(), joint.dof);
-    links.push_back({joint.name, X_BF_zero.linear() * joint.axis_J, X_BF_zero.translation(),
-                     joint.type != JointType::kPrismatic, static_cast<int>(at - dofs.begin()), joint.multiplier,
-                     joint.offset});
+    links.push_back({joint.name, X_BF_zero.linear() * joint.axis_J, X_BF_zero.translation(), !joint.is_prismatic(),
+                     static_cast<int>(at - dofs.begin()), joint.multiplier, joint.offset});
   }
 }
 
-void LegChain::ChooseRows(FootType type) {
+void LegChain::ChooseRows(const Foot& foot) {
   // A sole keeps level before it keeps its heading, a line has no ankle to roll it.
   const std::array<int, 6> sole = {0, 1, 2, 4, 3, 5}, line = {0, 1, 2, 4, 5, 3};
-  rows = type == FootType::kLine ? line : sole;
-  const bool rotates = type == FootType::kSole || type == FootType::kLine;
-  num_rows = rotates ? std::clamp(num_coordinates(), 3, 6) : 3;
+  rows = foot.type == FootType::kLine ? line : sole;
+  num_rows = foot.has_sole() ? std::clamp(num_coordinates(), 3, 6) : 3;
 }
 
 bool LegChain::IsPlain() const {

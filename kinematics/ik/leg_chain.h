@@ -53,7 +53,7 @@ struct LegChain {
 
  private:
   void AddLinks(const RobotModel& model, const Leg& leg);
-  void ChooseRows(FootType type);
+  void ChooseRows(const Foot& foot);
 };
 
 }  // namespace gaitwright

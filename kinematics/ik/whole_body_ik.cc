@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kinematics/spatial/rotation.h"
@@ -13,9 +14,8 @@ namespace {
 
 constexpr double kConverged = 1e-10;
 constexpr int kMaxIterations = 40;
-constexpr double kDependent = 1e-3;  // of a row's length, left after those above are taken out
-
-bool HasRotation(const Foot& foot) { return foot.type == FootType::kSole || foot.type == FootType::kLine; }
+constexpr double kLongestStep = 0.3;  // [m, rad] of any coordinate in one iteration
+constexpr double kDependent = 1e-3;   // of a row's length, left after those above are taken out
 
 /// r [n]x: added to the linear Jacobian by the angular one, it gives the material point under a sphere.
 Matrix3 RollMatrix(const Foot& foot, const Vector3& normal) { return foot.radius * Skew(normal); }
@@ -42,7 +42,7 @@ std::size_t LeastUsed(const std::vector<Eigen::RowVectorXd>& directions) {
 
 void Integrate(const VectorX& step, VectorX& q) {
   q.head<3>() += step.head<3>();
-  const Quaternion turned(RotationExp(step.segment<3>(3)) * Quaternion(q[6], q[3], q[4], q[5]).toRotationMatrix());
+  const Quaternion turned(RotationExp(step.segment<3>(3)) * BaseRotation(q));
   q.segment<4>(3) = turned.normalized().coeffs();
   q.tail(q.size() - 7) += step.tail(step.size() - 6);
 }
@@ -59,26 +59,27 @@ WholeBodyIk::WholeBodyIk(const RobotModel& model) : model_(&model), scratch_(mod
   rhs_.resize(n);
   solution_.resize(n);
   step_ = VectorX::Zero(model.nv());
-  foot_bias_.resize(model.feet.size());
 }
 
 void WholeBodyIk::ListRows() {
-  const char* axes[] = {"x", "y", "z"};
+  using Kind = Task::Kind;
+  const auto add = [&](Kind kind, int foot, int first, const std::array<std::string, 3>& names) {
+    for (int axis = first; axis < 3; ++axis)
+      rows_.push_back({tasks_.size(), axis, names[static_cast<std::size_t>(axis)]});
+    tasks_.push_back({kind, foot, Matrix3::Identity()});
+  };
+  const auto along = [](const std::string& what) {
+    return std::array<std::string, 3>{what + " x", what + " y", what + " z"};
+  };
   for (std::size_t f = 0; f < model_->feet.size(); ++f) {
     const Foot& foot = model_->feet[f];
     const int index = static_cast<int>(f);
-    for (int axis = 0; axis < 3; ++axis) {
-      rows_.push_back({Row::Kind::kFootLinear, index, axis, fmt::format("{} position {}", foot.name, axes[axis])});
-    }
-    for (int axis = foot.type == FootType::kLine ? 1 : 0; axis < 3 && HasRotation(foot); ++axis) {
-      rows_.push_back({Row::Kind::kFootAngular, index, axis, fmt::format("{} rotation {}", foot.name, axes[axis])});
-    }
+    add(Kind::kFootLinear, index, 0, along(foot.name + " position"));
+    if (foot.has_sole())
+      add(Kind::kFootAngular, index, foot.type == FootType::kLine ? 1 : 0, along(foot.name + " rotation"));
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    rows_.push_back({Row::Kind::kCentreOfMass, -1, axis, fmt::format("centre of mass {}", axes[axis])});
-  }
-  const char* turns[] = {"base roll", "base pitch", "base yaw"};
-  for (int axis = 0; axis < 3; ++axis) rows_.push_back({Row::Kind::kBaseRotation, -1, axis, turns[axis]});
+  add(Kind::kCentreOfMass, -1, 0, along("centre of mass"));
+  add(Kind::kBaseRotation, -1, 0, {"base roll", "base pitch", "base yaw"});
 }
 
 void WholeBodyIk::ChooseRows() {
@@ -95,6 +96,8 @@ void WholeBodyIk::ChooseRows() {
   ForwardKinematics(*model_, StandingConfiguration(*model_), scratch_);
   BodyTarget standing;
   standing.feet.resize(model_->feet.size());
+  for (std::size_t f = 0; f < standing.feet.size(); ++f) standing.feet[f].R_WF = FootPose(static_cast<int>(f)).linear();
+  SetAxes(standing);
   UpdateJacobians(standing);
   std::vector<Eigen::RowVectorXd> basis;
   std::vector<Row> chosen;
@@ -138,38 +141,56 @@ void WholeBodyIk::UpdateJacobians(const BodyTarget& target) {
   CentreOfMassJacobian(*model_, scratch_, com_jacobian_);
 }
 
+void WholeBodyIk::SetAxes(const BodyTarget& target) {
+  const Matrix3 R_WH = YawRotation(YawOf(target.R_WB));
+  for (Task& task : tasks_) {
+    task.axes_W = task.kind == Task::Kind::kFootAngular ? target.feet[static_cast<std::size_t>(task.foot)].R_WF : R_WH;
+  }
+}
+
 Eigen::RowVectorXd WholeBodyIk::RowJacobian(const Row& row) const {
-  switch (row.kind) {
-    case Row::Kind::kFootLinear:
-      return foot_jacobians_[static_cast<std::size_t>(row.foot)].row(row.axis);
-    case Row::Kind::kFootAngular:
-      return foot_jacobians_[static_cast<std::size_t>(row.foot)].row(3 + row.axis);
-    case Row::Kind::kCentreOfMass:
-      return com_jacobian_.row(row.axis);
-    case Row::Kind::kBaseRotation:
+  const Task& task = tasks_[row.task];
+  const Vector3 axis = task.axes_W.col(row.axis);
+  switch (task.kind) {
+    case Task::Kind::kFootLinear:
+      return axis.transpose() * foot_jacobians_[static_cast<std::size_t>(task.foot)].topRows<3>();
+    case Task::Kind::kFootAngular:
+      return axis.transpose() * foot_jacobians_[static_cast<std::size_t>(task.foot)].bottomRows<3>();
+    case Task::Kind::kCentreOfMass:
+      return axis.transpose() * com_jacobian_;
+    case Task::Kind::kBaseRotation:
       break;
   }
-  Eigen::RowVectorXd unit = Eigen::RowVectorXd::Zero(model_->nv());
-  unit[3 + row.axis] = 1.0;
-  return unit;
+  Eigen::RowVectorXd of_base = Eigen::RowVectorXd::Zero(model_->nv());
+  of_base.segment<3>(3) = axis.transpose();
+  return of_base;
 }
 
 void WholeBodyIk::AssembleSystem() {
   MatrixX& system = system_.matrix();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    const Row& row = rows_[r];
+    const Task& task = tasks_[rows_[r].task];
     const auto i = static_cast<Eigen::Index>(r);
-    if (row.kind == Row::Kind::kBaseRotation) {
+    const Vector3 axis = task.axes_W.col(rows_[r].axis);
+    if (task.kind == Task::Kind::kBaseRotation) {
       system.row(i).setZero();
-      system(i, 3 + row.axis) = 1.0;
+      system.row(i).segment<3>(3) = axis.transpose();
       continue;
     }
     const MatrixX& J =
-        row.kind == Row::Kind::kCentreOfMass ? com_jacobian_ : foot_jacobians_[static_cast<std::size_t>(row.foot)];
-    const Eigen::Index from = row.axis + (row.kind == Row::Kind::kFootAngular ? 3 : 0);
-    for (std::size_t c = 0; c < columns_.size(); ++c) system(i, static_cast<Eigen::Index>(c)) = J(from, columns_[c]);
+        task.kind == Task::Kind::kCentreOfMass ? com_jacobian_ : foot_jacobians_[static_cast<std::size_t>(task.foot)];
+    const Eigen::Index from = task.kind == Task::Kind::kFootAngular ? 3 : 0;
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+      system(i, static_cast<Eigen::Index>(c)) = axis.dot(J.col(columns_[c]).segment<3>(from));
   }
   system_.Factor();
+}
+
+void WholeBodyIk::FillRightHandSide() {
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const Task& task = tasks_[rows_[r].task];
+    rhs_[static_cast<Eigen::Index>(r)] = task.axes_W.col(rows_[r].axis).dot(task.value_W);
+  }
 }
 
 Pose WholeBodyIk::FootPose(int foot) const {
@@ -177,30 +198,29 @@ Pose WholeBodyIk::FootPose(int foot) const {
   return FramePose(scratch_, f.body, f.X_BF);
 }
 
-double WholeBodyIk::RowError(const Row& row, const BodyTarget& target) const {
-  if (row.kind == Row::Kind::kCentreOfMass) return (target.p_WC - CentreOfMass(*model_, scratch_))[row.axis];
-  if (row.kind == Row::Kind::kBaseRotation) {
-    return RotationLog(target.R_WB * scratch_.R_WB[0].transpose())[row.axis];
-  }
-  const FootTarget& wanted = target.feet[static_cast<std::size_t>(row.foot)];
-  const Foot& foot = model_->feet[static_cast<std::size_t>(row.foot)];
-  const Pose X_WF = FootPose(row.foot);
-  if (row.kind == Row::Kind::kFootAngular) return RotationLog(wanted.R_WF * X_WF.linear().transpose())[row.axis];
-  return (WantedPosition(foot, wanted, X_WF.linear()) - X_WF.translation())[row.axis];
+Vector3 WholeBodyIk::Error(const Task& task, const BodyTarget& target) const {
+  if (task.kind == Task::Kind::kCentreOfMass) return target.p_WC - CentreOfMass(*model_, scratch_);
+  if (task.kind == Task::Kind::kBaseRotation) return RotationLog(target.R_WB * scratch_.R_WB[0].transpose());
+  const FootTarget& wanted = target.feet[static_cast<std::size_t>(task.foot)];
+  const Pose X_WF = FootPose(task.foot);
+  if (task.kind == Task::Kind::kFootAngular) return RotationLog(wanted.R_WF * X_WF.linear().transpose());
+  const Foot& foot = model_->feet[static_cast<std::size_t>(task.foot)];
+  return WantedPosition(foot, wanted, X_WF.linear()) - X_WF.translation();
 }
 
 Result<int> WholeBodyIk::SolvePosition(const BodyTarget& target, VectorX& q) {
+  SetAxes(target);
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     ForwardKinematics(*model_, q, scratch_);
-    for (std::size_t r = 0; r < rows_.size(); ++r) rhs_[static_cast<Eigen::Index>(r)] = RowError(rows_[r], target);
-    const double error = rhs_.lpNorm<Eigen::Infinity>();
-    if (error < kConverged) return iteration;
-    if (!std::isfinite(error)) break;
+    for (Task& task : tasks_) task.value_W = Error(task, target);
+    FillRightHandSide();
+    if (!rhs_.allFinite()) break;
+    if (rhs_.lpNorm<Eigen::Infinity>() < kConverged) return iteration;
     UpdateJacobians(target);
     AssembleSystem();
     system_.Solve(rhs_, solution_);
     const double largest = solution_.lpNorm<Eigen::Infinity>();
-    if (largest > 0.3) solution_ *= 0.3 / largest;
+    if (largest > kLongestStep) solution_ *= kLongestStep / largest;
     for (std::size_t c = 0; c < columns_.size(); ++c) step_[columns_[c]] = solution_[static_cast<Eigen::Index>(c)];
     Integrate(step_, q);
   }
@@ -228,49 +248,44 @@ Failure WholeBodyIk::OutOfReach(const BodyTarget& target) const {
           {"lower the speed or the step length, or lower the centre of mass"}};
 }
 
+Vector3 WholeBodyIk::Rate(const Task& task, const BodyTarget& target) const {
+  if (task.kind == Task::Kind::kCentreOfMass) return target.v_WC;
+  if (task.kind == Task::Kind::kBaseRotation) return target.w_WB;
+  const FootTarget& foot = target.feet[static_cast<std::size_t>(task.foot)];
+  return task.kind == Task::Kind::kFootLinear ? foot.v_WF : foot.w_WF;
+}
+
+Vector3 WholeBodyIk::AccelerationLessBias(const Task& task, const BodyTarget& target) const {
+  if (task.kind == Task::Kind::kCentreOfMass) return target.a_WC - CentreOfMassBiasAcceleration(*model_, scratch_);
+  if (task.kind == Task::Kind::kBaseRotation) return target.alpha_WB;
+  const Foot& foot = model_->feet[static_cast<std::size_t>(task.foot)];
+  const FootTarget& wanted = target.feet[static_cast<std::size_t>(task.foot)];
+  const Vector6 bias = PointBiasAcceleration(scratch_, foot.body, foot.X_BF.translation());
+  if (task.kind == Task::Kind::kFootLinear) {
+    return wanted.a_WF - bias.head<3>() - RollMatrix(foot, wanted.normal_W) * bias.tail<3>();
+  }
+  // What turns beside the target, about an axis of F that is left free, goes round with F.
+  const Vector3& w_WF = scratch_.w_WB[static_cast<std::size_t>(foot.body)];
+  return wanted.alpha_WF + wanted.w_WF.cross(w_WF - wanted.w_WF) - bias.tail<3>();
+}
+
 void WholeBodyIk::SolveRates(const BodyTarget& target, const VectorX& q, VectorX& v, VectorX& a) {
   v.setZero(model_->nv());
   a.setZero(model_->nv());
   ForwardKinematics(*model_, q, scratch_);
+  SetAxes(target);
   UpdateJacobians(target);
   AssembleSystem();
-  const auto wanted = [&](const Row& row, bool second) -> double {
-    const FootTarget* foot = row.foot >= 0 ? &target.feet[static_cast<std::size_t>(row.foot)] : nullptr;
-    switch (row.kind) {
-      case Row::Kind::kFootLinear:
-        return second ? foot->a_WF[row.axis] : foot->v_WF[row.axis];
-      case Row::Kind::kFootAngular:
-        return second ? foot->alpha_WF[row.axis] : foot->w_WF[row.axis];
-      case Row::Kind::kCentreOfMass:
-        return second ? target.a_WC[row.axis] : target.v_WC[row.axis];
-      case Row::Kind::kBaseRotation:
-        break;
-    }
-    return second ? target.alpha_WB[row.axis] : target.w_WB[row.axis];
-  };
-  const auto scatter = [&](VectorX& out) {
+  const auto solve = [&](VectorX& out) {
+    FillRightHandSide();
     system_.Solve(rhs_, solution_);
     for (std::size_t c = 0; c < columns_.size(); ++c) out[columns_[c]] = solution_[static_cast<Eigen::Index>(c)];
   };
-  for (std::size_t r = 0; r < rows_.size(); ++r) rhs_[static_cast<Eigen::Index>(r)] = wanted(rows_[r], false);
-  scatter(v);
+  for (Task& task : tasks_) task.value_W = Rate(task, target);
+  solve(v);
   ForwardVelocities(*model_, q, v, scratch_);
-  for (std::size_t f = 0; f < foot_bias_.size(); ++f) {
-    const Foot& foot = model_->feet[f];
-    Vector6& bias = foot_bias_[f];
-    bias = PointBiasAcceleration(scratch_, foot.body, foot.X_BF.translation());
-    if (foot.radius > 0.0) bias.head<3>() += RollMatrix(foot, target.feet[f].normal_W) * bias.tail<3>();
-  }
-  const Vector3 com_bias = CentreOfMassBiasAcceleration(*model_, scratch_);
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    const Row& row = rows_[r];
-    double value = wanted(row, true);
-    if (row.kind == Row::Kind::kCentreOfMass) value -= com_bias[row.axis];
-    if (row.kind == Row::Kind::kFootLinear) value -= foot_bias_[static_cast<std::size_t>(row.foot)][row.axis];
-    if (row.kind == Row::Kind::kFootAngular) value -= foot_bias_[static_cast<std::size_t>(row.foot)][3 + row.axis];
-    rhs_[static_cast<Eigen::Index>(r)] = value;
-  }
-  scatter(a);
+  for (Task& task : tasks_) task.value_W = AccelerationLessBias(task, target);
+  solve(a);
 }
 
 }  // namespace gaitwright

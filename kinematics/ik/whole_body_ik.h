@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,11 @@ struct BodyTarget {
 ///
 /// The tasks are rows in a fixed order: feet, centre of mass, base roll and pitch, base yaw. Rows are taken from the
 /// top while they are independent of those above and freedoms are left; the rest yields (NAO has 17 freedoms for 18
-/// rows: its yaw follows from the coupled hip). Freedoms that are still left are held at the standing posture: joints
-/// outside the legs first. So the system is square: positions are solved to 1e-10, velocities and accelerations are its
-/// exact derivatives. Once made it allocates nothing, failures excepted.
+/// rows: its yaw follows from the coupled hip). Rows lie along the axes of the base's heading, those of a foot's
+/// rotation along the axes of its F, so that what yields is the same wherever the robot turns to. Freedoms that are
+/// still left are held at the standing posture: joints outside the legs first. So the system is square: positions are
+/// solved to 1e-10, velocities and accelerations are its exact derivatives. Once made it allocates nothing, failures
+/// excepted.
 ///
 /// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its
 /// target.
@@ -48,7 +51,8 @@ class WholeBodyIk {
  public:
   explicit WholeBodyIk(const RobotModel& model);
 
-  /// Moves q (the first guess; size nq) onto the target. Failure kInfeasible names the foot and the distance left.
+  /// Moves q (the first guess; size nq) onto the target. @return the iterations taken. Failure kInfeasible names the
+  /// foot and the distance left.
   Result<int> SolvePosition(const BodyTarget& target, VectorX& q);
 
   /// v and a at q for the target; SolvePosition first. The sizes are nv.
@@ -62,28 +66,39 @@ class WholeBodyIk {
   const DynamicsScratch& scratch() const { return scratch_; }
 
  private:
-  struct Row {
+  /// Three rows along three axes: a foot's position or rotation, the centre of mass or the base's rotation.
+  struct Task {
     enum class Kind { kFootLinear, kFootAngular, kCentreOfMass, kBaseRotation } kind;
-    int foot, axis;
+    int foot;                           // -1 for the whole body's
+    Matrix3 axes_W;                     // columns, for the present target
+    Vector3 value_W = Vector3::Zero();  // of the present right-hand side
+  };
+  struct Row {
+    std::size_t task;
+    int axis;
     std::string name;
   };
 
   void ListRows();
   void ChooseRows();
+  void SetAxes(const BodyTarget& target);
   void UpdateJacobians(const BodyTarget& target);
   void AssembleSystem();
   Eigen::RowVectorXd RowJacobian(const Row& row) const;
-  double RowError(const Row& row, const BodyTarget& target) const;
+  void FillRightHandSide();  // from the tasks' values
+  Vector3 Error(const Task& task, const BodyTarget& target) const;
+  Vector3 Rate(const Task& task, const BodyTarget& target) const;
+  Vector3 AccelerationLessBias(const Task& task, const BodyTarget& target) const;
   Failure OutOfReach(const BodyTarget& target) const;
 
   const RobotModel* model_;
   DynamicsScratch scratch_;
+  std::vector<Task> tasks_;
   std::vector<Row> rows_;     // chosen
   std::vector<int> columns_;  // free velocity coordinates
   std::vector<MatrixX> foot_jacobians_;
   MatrixX com_jacobian_;
   VectorX rhs_, solution_, step_;
-  std::vector<Vector6> foot_bias_;
   SquareSolver system_;
   std::vector<std::string> notes_;
 };

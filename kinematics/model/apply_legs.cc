@@ -6,13 +6,10 @@
 #include <algorithm>
 
 #include "kinematics/base/options.h"
+#include "kinematics/model/yaml_line.h"
 
 namespace gaitwright {
 namespace {
-
-[[noreturn]] void RefuseLine(int line, const std::string& message) {
-  throw InvalidArgument(fmt::format("robot.yaml, line {}: {}", line, message));
-}
 
 /// Index of the leg of that foot.
 std::size_t LegOf(const RobotModel& model, const std::string& foot, int line) {
@@ -21,7 +18,7 @@ std::size_t LegOf(const RobotModel& model, const std::string& foot, int line) {
     if (model.legs[i].name == foot) return i;
     names.push_back(model.legs[i].name);
   }
-  RefuseLine(line, fmt::format("robot '{}' has no foot '{}'; there are {}", model.name, foot, QuotedList(names)));
+  RefuseYamlLine(line, fmt::format("robot '{}' has no foot '{}'; there are {}", model.name, foot, QuotedList(names)));
 }
 
 std::vector<std::string> JointNames(const RobotModel& model, const Leg& leg) {
@@ -37,28 +34,29 @@ void ApplyLegs(const std::vector<LegOverride>& given, RobotModel& model) {
     Leg& leg = model.legs[LegOf(model, said.foot, said.line)];
     const std::vector<std::string> names = JointNames(model, leg);
     if (!said.joints.empty() && said.joints != names) {
-      RefuseLine(said.line,
-                 fmt::format("the joints of leg '{}' are {}, from the base to the foot; the file says {}; to "
-                             "end the leg elsewhere name another foot",
-                             leg.name, QuotedList(names), QuotedList(said.joints)));
+      RefuseYamlLine(said.line,
+                     fmt::format("the joints of leg '{}' are {}, from the base to the foot; the file says {}; to "
+                                 "end the leg elsewhere name another foot",
+                                 leg.name, QuotedList(names), QuotedList(said.joints)));
     }
     if (!said.knee.empty()) {
       const auto at = std::find(names.begin(), names.end(), said.knee);
       if (at == names.end()) {
-        RefuseLine(said.line, fmt::format("knee '{}' is no joint of leg '{}'; there are {}", said.knee, leg.name,
-                                          QuotedList(names)));
+        RefuseYamlLine(said.line, fmt::format("knee '{}' is no joint of leg '{}'; there are {}", said.knee, leg.name,
+                                              QuotedList(names)));
       }
       leg.knee_joint = leg.joints[static_cast<std::size_t>(at - names.begin())];
       if (leg.knee_sign == 0.0) leg.knee_sign = 1.0;
     }
     if (said.knee_sign == 0.0) continue;
     if (leg.knee_joint < 0) {
-      RefuseLine(said.line, fmt::format("leg '{}' has no knee that could bend to a side; name it: 'knee'", leg.name));
+      RefuseYamlLine(said.line,
+                     fmt::format("leg '{}' has no knee that could bend to a side; name it: 'knee'", leg.name));
     }
     const Joint& knee = model.joints[static_cast<std::size_t>(leg.knee_joint)];
     if (said.knee_sign > 0.0 ? knee.upper <= 0.0 : knee.lower >= 0.0) {
-      RefuseLine(said.line, fmt::format("knee '{}' cannot bend to {}: its limits are {} to {}", knee.name,
-                                        said.knee_sign > 0.0 ? "plus" : "minus", knee.lower, knee.upper));
+      RefuseYamlLine(said.line, fmt::format("knee '{}' cannot bend to {}: its limits are {} to {}", knee.name,
+                                            said.knee_sign > 0.0 ? "plus" : "minus", knee.lower, knee.upper));
     }
     leg.knee_sign = said.knee_sign;
   }
@@ -68,10 +66,10 @@ void ApplyMirrors(const std::vector<MirrorPair>& pairs, RobotModel& model) {
   for (Leg& leg : model.legs) leg.mirror = -1;
   for (const MirrorPair& pair : pairs) {
     const std::size_t a = LegOf(model, pair.first, pair.line), b = LegOf(model, pair.second, pair.line);
-    if (a == b) RefuseLine(pair.line, fmt::format("foot '{}' is paired with itself", pair.first));
+    if (a == b) RefuseYamlLine(pair.line, fmt::format("foot '{}' is paired with itself", pair.first));
     for (const std::size_t i : {a, b}) {
       if (model.legs[i].mirror >= 0) {
-        RefuseLine(pair.line, fmt::format("foot '{}' is in two pairs of 'mirror_pairs'", model.legs[i].name));
+        RefuseYamlLine(pair.line, fmt::format("foot '{}' is in two pairs of 'mirror_pairs'", model.legs[i].name));
       }
     }
     model.legs[a].mirror = static_cast<int>(b);

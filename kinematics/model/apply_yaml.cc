@@ -8,38 +8,37 @@
 #include <limits>
 
 #include "kinematics/base/options.h"
-#include "kinematics/model/build_model.h"
+#include "kinematics/model/body_tree.h"
+#include "kinematics/model/yaml_line.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kLevel = 5e-3;  // [m] how far feet may stand apart in height
 
-[[noreturn]] void RefuseLine(int line, const std::string& message) {
-  throw InvalidArgument(fmt::format("robot.yaml, line {}: {}", line, message));
-}
-
-Joint& JointNamed(RobotModel& model, const std::string& name, int line) {
+/// A joint of a model that may be const.
+template <class Model>
+auto& JointNamed(Model& model, const std::string& name, int line) {
   std::vector<std::string> names;
-  for (Joint& joint : model.joints) {
+  for (auto& joint : model.joints) {
     if (joint.name == name) return joint;
     names.push_back(joint.name);
   }
-  RefuseLine(line, fmt::format("robot '{}' has no moving joint '{}'; the nearest is '{}'", model.name, name,
-                               NearestName(name, names)));
+  RefuseYamlLine(line, fmt::format("robot '{}' has no moving joint '{}'; the nearest is '{}'", model.name, name,
+                                   NearestName(name, names)));
 }
 
 /// The coordinate of a joint that mimics none.
 int DofNamed(const RobotModel& model, const std::string& name, int line) {
-  const Joint& joint = JointNamed(const_cast<RobotModel&>(model), name, line);
+  const Joint& joint = JointNamed(model, name, line);
   if (!joint.is_mimic) return joint.dof;
-  RefuseLine(line, fmt::format("joint '{}' mimics another; give '{}', which leads it", name,
-                               model.dof_names[static_cast<std::size_t>(joint.dof)]));
+  RefuseYamlLine(line, fmt::format("joint '{}' mimics another; give '{}', which leads it", name,
+                                   model.dof_names[static_cast<std::size_t>(joint.dof)]));
 }
 
 void CheckUnits(const Joint& joint, bool sliding, bool any, int line) {
-  if (!any || sliding == (joint.type == JointType::kPrismatic)) return;
-  RefuseLine(
+  if (!any || sliding == joint.is_prismatic()) return;
+  RefuseYamlLine(
       line, sliding ? fmt::format("joint '{}' turns; its keys end in _rad, _rad_s, _nm, _nm_rad, _nm_s_rad", joint.name)
                     : fmt::format("joint '{}' slides; its keys end in _m, _m_s, _n, _n_m, _n_s_m", joint.name));
 }
@@ -61,18 +60,19 @@ void CheckLevel(const RobotYaml& yaml, const RobotModel& model) {
   for (const Foot& foot : model.feet) {
     const double above = height(foot) - height(*lowest);
     if (above <= kLevel || yaml.standing.empty()) continue;
-    RefuseLine(yaml.standing.front().line,
-               fmt::format("in the posture of 'standing' foot '{}' is {:.1f} mm above foot '{}'; at most {} mm is "
-                           "accepted: all feet stand on level ground",
-                           foot.name, 1e3 * above, lowest->name, 1e3 * kLevel));
+    RefuseYamlLine(yaml.standing.front().line,
+                   fmt::format("in the posture of 'standing' foot '{}' is {:.1f} mm above foot '{}'; at most {} mm is "
+                               "accepted: all feet stand on level ground",
+                               foot.name, 1e3 * above, lowest->name, 1e3 * kLevel));
   }
   if (!yaml.standing_base_height_m) return;
   const double stands = -height(*lowest);
   if (std::abs(*yaml.standing_base_height_m - stands) <= kLevel) return;
-  RefuseLine(yaml.height_line,
-             fmt::format("'standing_base_height_m' is {}, but in the standing posture the base is {:.4f} m over the "
-                         "feet, {:.1f} mm off; give 'standing' for the legs so that they fit, or leave the height out",
-                         *yaml.standing_base_height_m, stands, 1e3 * std::abs(*yaml.standing_base_height_m - stands)));
+  RefuseYamlLine(
+      yaml.height_line,
+      fmt::format("'standing_base_height_m' is {}, but in the standing posture the base is {:.4f} m over the "
+                  "feet, {:.1f} mm off; give 'standing' for the legs so that they fit, or leave the height out",
+                  *yaml.standing_base_height_m, stands, 1e3 * std::abs(*yaml.standing_base_height_m - stands)));
 }
 
 }  // namespace
@@ -82,8 +82,8 @@ void ApplyLimits(const RobotYaml& yaml, RobotModel& model) {
     Joint& joint = JointNamed(model, given.joint, given.line);
     CheckUnits(joint, given.sliding, given.lower || given.upper || given.velocity || given.effort, given.line);
     if (joint.type == JointType::kContinuous && given.lower.has_value() != given.upper.has_value()) {
-      RefuseLine(given.line,
-                 fmt::format("joint '{}' is continuous; give both a lower and an upper limit, or none", joint.name));
+      RefuseYamlLine(given.line, fmt::format("joint '{}' is continuous; give both a lower and an upper limit, or none",
+                                             joint.name));
     }
     if (joint.type == JointType::kContinuous && given.lower) joint.type = JointType::kRevolute;
     joint.lower = given.lower.value_or(joint.lower);
@@ -93,8 +93,8 @@ void ApplyLimits(const RobotYaml& yaml, RobotModel& model) {
     if (given.velocity) joint.velocity_limit_is_placeholder = false;
     if (given.effort) joint.effort_limit_is_placeholder = false;
     if (joint.lower > joint.upper) {
-      RefuseLine(given.line, fmt::format("joint '{}': its lower limit {} is over its upper limit {}", joint.name,
-                                         joint.lower, joint.upper));
+      RefuseYamlLine(given.line, fmt::format("joint '{}': its lower limit {} is over its upper limit {}", joint.name,
+                                             joint.lower, joint.upper));
     }
   }
 }
@@ -104,8 +104,8 @@ VectorX GivenPosture(const RobotYaml& yaml, const RobotModel& model) {
   for (const RobotYaml::JointPosition& at : yaml.standing) {
     const int dof = DofNamed(model, at.joint, at.line);
     if (at.position < model.dof_lower(dof) || at.position > model.dof_upper(dof)) {
-      RefuseLine(at.line, fmt::format("standing position {} of joint '{}' is outside its limits {} to {}", at.position,
-                                      at.joint, model.dof_lower(dof), model.dof_upper(dof)));
+      RefuseYamlLine(at.line, fmt::format("standing position {} of joint '{}' is outside its limits {} to {}",
+                                          at.position, at.joint, model.dof_lower(dof), model.dof_upper(dof)));
     }
     given[dof] = at.position;
   }

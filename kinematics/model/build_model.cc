@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 
+#include "kinematics/model/body_tree.h"
 #include "kinematics/model/urdf_pose_internal.h"
 
 namespace gaitwright {
@@ -41,7 +42,7 @@ class Builder {
  public:
   Builder(const urdf::ModelInterface& urdf, const UrdfParts& parts, const std::string& name)
       : collision_(parts.collision), visual_(parts.visual) {
-    model_.name = urdf.getName().empty() ? name : urdf.getName();
+    model_.name = name;
     model_.bodies.emplace_back();
     heaviest_.push_back(-1.0);
     VisitLink(*urdf.getRoot(), 0, Pose::Identity());
@@ -160,15 +161,13 @@ std::optional<Failure> CheckInertiaBeyondJoints(const RobotModel& model) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const Pose X_OJ = X_OB[static_cast<std::size_t>(model.joints[j].parent_body)] * model.joints[j].X_PJ;
     const Vector3 axis = X_OJ.linear() * model.joints[j].axis_J;
-    std::vector<bool> beyond(model.bodies.size(), false);
     double inertia = 0.0;
     for (std::size_t i = j + 1; i < model.bodies.size(); ++i) {
-      beyond[i] = i == j + 1 || beyond[static_cast<std::size_t>(model.joints[i - 1].parent_body)];
-      if (!beyond[i]) continue;
+      if (!Carries(model, static_cast<int>(j) + 1, static_cast<int>(i))) continue;
       const Body& body = model.bodies[i];
       const Vector3 arm = X_OB[i] * body.p_BC - X_OJ.translation();
       const Vector3 axis_B = X_OB[i].linear().transpose() * axis;
-      inertia += model.joints[j].type == JointType::kPrismatic
+      inertia += model.joints[j].is_prismatic()
                      ? body.mass
                      : axis_B.dot(body.I_C * axis_B) + body.mass * axis.cross(arm).squaredNorm();
     }
@@ -219,22 +218,6 @@ urdf::ModelInterfaceSharedPtr ParseTree(const std::string& tree_text, std::strin
 }
 
 }  // namespace
-
-std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints) {
-  std::vector<Pose> X_OB(model.bodies.size(), Pose::Identity());
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    const Joint& joint = model.joints[j];
-    const double position = joint.multiplier * joints[joint.dof] + joint.offset;
-    Pose X_JB = Pose::Identity();
-    if (joint.type == JointType::kPrismatic) {
-      X_JB.translation() = position * joint.axis_J;
-    } else {
-      X_JB.linear() = Eigen::AngleAxisd(position, joint.axis_J).toRotationMatrix();
-    }
-    X_OB[j + 1] = X_OB[static_cast<std::size_t>(joint.parent_body)] * joint.X_PJ * X_JB;
-  }
-  return X_OB;
-}
 
 Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name) {
   std::string reason;

@@ -15,7 +15,4 @@ namespace gaitwright {
 /// inertia about its axis.
 Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name);
 
-/// Poses of all bodies in the base frame at the joint coordinates (size n).
-std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints);
-
 }  // namespace gaitwright

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "kinematics/model/body_tree.h"
+#include "kinematics/model/yaml_line.h"
+
 namespace gaitwright {
 namespace {
 
@@ -10,13 +13,8 @@ Failure Refused(const FootOverride& foot, const std::string& message) {
   return {FailureKind::kBadInput,
           "robot_feet",
           "LoadRobot",
-          fmt::format("robot.yaml, line {}: {}", foot.line, message),
+          AtYamlLine(foot.line, message),
           {"'gaitwright robots show' of the URDF alone lists the feet that it finds"}};
-}
-
-bool IsAncestor(const RobotModel& model, int ancestor, int body) {
-  while (body > ancestor) body = model.joints[static_cast<std::size_t>(body - 1)].parent_body;
-  return body == ancestor;
 }
 
 }  // namespace
@@ -37,8 +35,8 @@ std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector
       if (ends[i] == ends[j]) {
         return Refused(feet[i], fmt::format("feet '{}' and '{}' are on one body; name one of them", other, link));
       }
-      const bool before = IsAncestor(model, ends[i], ends[j]);
-      if (!before && !IsAncestor(model, ends[j], ends[i])) continue;
+      const bool before = Carries(model, ends[i], ends[j]);
+      if (!before && !Carries(model, ends[j], ends[i])) continue;
       return Refused(feet[i],
                      fmt::format("foot '{}' is on the way to foot '{}': one leg cannot have two feet; name the last",
                                  before ? link : other, before ? other : link));

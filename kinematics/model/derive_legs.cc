@@ -9,22 +9,15 @@
 #include <numeric>
 
 #include "kinematics/model/apply_legs.h"
-#include "kinematics/model/build_model.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/model/check_feet.h"
 #include "kinematics/model/find_feet.h"
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/model/standing_posture.h"
+#include "kinematics/model/yaml_line.h"
 
 namespace gaitwright {
 namespace {
-
-/// Joints from the base to a body, base first.
-std::vector<int> ChainTo(const RobotModel& model, int body) {
-  std::vector<int> chain;
-  for (int b = body; b > 0; b = model.joints[static_cast<std::size_t>(b - 1)].parent_body) chain.push_back(b - 1);
-  std::reverse(chain.begin(), chain.end());
-  return chain;
-}
 
 /// How far down the end of a chain can come: its first joint's height less all its length.
 double LowestReach(const RobotModel& model, const std::vector<int>& chain, const std::vector<Pose>& X_OB) {
@@ -61,7 +54,7 @@ int EndOf(const RobotModel& model, const FootOverride& foot) {
   try {
     return model.frames[static_cast<std::size_t>(model.FrameIndex(foot.link))].body;
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(fmt::format("robot.yaml, line {}: {}", foot.line, error.what()));
+    RefuseYamlLine(foot.line, error.what());
   }
 }
 

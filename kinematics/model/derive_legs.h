@@ -45,17 +45,18 @@ struct LegChoices {
 /// part.
 ///
 ///   legs      chains whose end can come nearly as far down as the lowest of all (arms and heads cannot)
-///   feet      a sphere at the far end of the last body: it rolls; the bottom of a box, cylinder or corner spheres
-///   under a
-///             leg of five or more joints: a sole (a line where no joint rolls it); else the farthest point
+///   feet      under a leg of five or more joints the flat bottom of boxes, cylinders, meshes or corner spheres: a sole
+///             (a line where no joint rolls it); else a sphere at the far end of the last body: it rolls; else the
+///             farthest point
 ///   posture   each leg bends in its own upright plane (leg_plane.h). Without a sole: foot under its hip, 0.62 of the
 ///             straight length below it, or where its slides are half out; of a leg that sprawls, as far out of its
 ///             upright axis as below its hip. With a sole: 0.92, sole level. The knee bends to the side that its limits
 ///             allow more of. Other joints: nearest to zero. Then all feet move alike until the centre of mass stands
 ///             over their middle; on soles it may stay half the way from there to their edges.
-/// @param given overrides; where it names feet, their links are the feet and no others are looked for.
-/// @throws InvalidArgument with the line of an override that contradicts the robot.
+/// @param given    overrides; where it names feet, their links are the feet and no others are looked for.
 /// @param standing joint positions that are given, by coordinate; NaN where they are to be derived.
+/// @return the number of legs. Failure kBadInput: `no_legs` when there are fewer than two, `robot_feet` for named feet
+/// that cannot be. @throws InvalidArgument with the line of an override that contradicts the robot.
 Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX& standing);
 
 }  // namespace gaitwright

@@ -11,10 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* FootTypeName(FootType type) {
-  const char* const names[] = {"point", "sphere", "line", "sole"};
-  return names[static_cast<int>(type)];
-}
+const std::string& FootTypeName(FootType type) { return FootTypeNames()[static_cast<std::size_t>(type)]; }
 
 std::string FootText(const Foot& foot) {
   std::string text = fmt::format("{} '{}'", FootTypeName(foot.type), foot.link);
@@ -64,8 +61,7 @@ Json LegJson(const RobotModel& model, const Leg& leg) {
 Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json LimitsJson(const RobotModel& model, int dof) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
-  const bool slides = joint.type == JointType::kPrismatic;
+  const bool slides = model.LeaderOf(dof).is_prismatic();
   return {{slides ? "lower_m" : "lower_rad", Finite(model.dof_lower(dof))},
           {slides ? "upper_m" : "upper_rad", Finite(model.dof_upper(dof))},
           {slides ? "velocity_m_s" : "velocity_rad_s", Finite(model.dof_velocity_limit(dof))},
@@ -73,8 +69,7 @@ Json LimitsJson(const RobotModel& model, int dof) {
 }
 
 Json GainsJson(const RobotModel& model, int dof) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
-  const bool slides = joint.type == JointType::kPrismatic;
+  const bool slides = model.LeaderOf(dof).is_prismatic();
   const auto given = [](double gain) { return gain > 0.0 ? Json(gain) : Json(nullptr); };
   return {{slides ? "stiffness_n_m" : "stiffness_nm_rad", given(model.stiffness[dof])},
           {slides ? "damping_n_s_m" : "damping_nm_s_rad", given(model.damping[dof])}};

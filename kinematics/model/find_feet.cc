@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
-#include "kinematics/model/build_model.h"
+#include "kinematics/model/body_tree.h"
+#include "kinematics/model/yaml_line.h"
 #include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
@@ -113,7 +115,7 @@ std::string NameOf(const std::vector<const Shape*>& shapes) {
 bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, Foot& foot) {
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
   const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
-  double bottom = 1e9;
+  double bottom = std::numeric_limits<double>::infinity();
   for (const Shape* shape : shapes) {
     for (const Vector3& corner : Corners(*shape)) bottom = std::min(bottom, (X_OE * corner).z() - Radius(*shape));
   }
@@ -208,10 +210,8 @@ void TakeType(const FootOverride& given, Foot& foot) {
   foot.derived_from += "; its type from robot.yaml";
   if (foot.type == FootType::kPoint) foot.radius = 0.0;
   if (foot.type == FootType::kSphere && foot.radius <= 0.0) {
-    throw InvalidArgument(
-        fmt::format("robot.yaml, line {}: foot '{}' of type sphere needs 'radius_m': no sphere ends it "
-                    "in the URDF",
-                    given.line, given.link));
+    RefuseYamlLine(given.line,
+                   fmt::format("foot '{}' of type sphere needs 'radius_m': no sphere ends it in the URDF", given.link));
   }
 }
 

@@ -6,8 +6,7 @@
 
 namespace gaitwright {
 
-/// Distance from a body's joint to the farthest point of its collision geometry, or of its frames where it has none
-/// [m].
+/// Distance from a body's joint to the farthest of its collision geometry and its frames [m].
 double FarthestExtent(const RobotModel& model, int body);
 
 /// The foot at the end of a leg; X_BF has the base's axes at joint positions zero (a sphere's are set with the

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kinematics/model/build_model.h"
+#include "kinematics/model/body_tree.h"
 
 namespace gaitwright {
 namespace {
@@ -17,18 +17,13 @@ constexpr double kHeavy = 1e-3;      // of weight times leg length: what a joint
 constexpr double kUpsideDown = 2.0;  // [rad] farther than this, a part stands rather than hangs
 constexpr double kStraight = 0.5;    // the axis's part along x that makes a joint turn a limb aside
 
-/// Whether `body` is carried by the joint of that index.
-bool Carries(const RobotModel& model, int joint, int body) {
-  while (body > joint + 1) body = model.joints[static_cast<std::size_t>(body - 1)].parent_body;
-  return body == joint + 1;
-}
-
 /// Sum of mass times position of all that a joint carries, in the base frame [kg m].
 Vector3 CarriedMoment(const RobotModel& model, int joint, const VectorX& joints) {
   const std::vector<Pose> X_OB = BodyPoses(model, joints);
   Vector3 moment = Vector3::Zero();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    if (Carries(model, joint, static_cast<int>(b))) moment += model.bodies[b].mass * (X_OB[b] * model.bodies[b].p_BC);
+    if (Carries(model, joint + 1, static_cast<int>(b)))
+      moment += model.bodies[b].mass * (X_OB[b] * model.bodies[b].p_BC);
   }
   return moment;
 }
@@ -41,7 +36,7 @@ Vector3 MomentAt(const RobotModel& model, int joint, VectorX joints, double angl
 /// A revolute joint of its own, in no leg and not given.
 bool CanHang(const RobotModel& model, int joint, const VectorX& given) {
   const Joint& j = model.joints[static_cast<std::size_t>(joint)];
-  if (j.type == JointType::kPrismatic || j.is_mimic || std::isfinite(given[j.dof])) return false;
+  if (j.is_prismatic() || j.is_mimic || std::isfinite(given[j.dof])) return false;
   return std::none_of(model.legs.begin(), model.legs.end(),
                       [&](const Leg& leg) { return std::count(leg.joints.begin(), leg.joints.end(), joint) > 0; });
 }
@@ -65,7 +60,7 @@ bool Hang(const RobotModel& model, int joint, VectorX& joints) {
 int TurnAside(const RobotModel& model, int limb, const VectorX& given, VectorX& joints) {
   const double side = CarriedMoment(model, limb, joints).y() > 0.0 ? 1.0 : -1.0;
   for (int j = limb; j < static_cast<int>(model.joints.size()); ++j) {
-    if (!CanHang(model, j, given) || !Carries(model, limb, j + 1)) continue;
+    if (!CanHang(model, j, given) || !Carries(model, limb + 1, j + 1)) continue;
     const Joint& joint = model.joints[static_cast<std::size_t>(j)];
     const double along = (BodyPoses(model, joints)[static_cast<std::size_t>(j) + 1].linear() * joint.axis_J).x();
     const double angle = joints[joint.dof] + side * (along > 0.0 ? kAside : -kAside);
@@ -85,7 +80,8 @@ std::vector<std::string> HangLimbs(const RobotModel& model, const VectorX& given
   std::vector<int> limbs;  // their first joints
   for (int j = 0; j < static_cast<int>(model.joints.size()); ++j) {
     if (!CanHang(model, j, given) || !Hang(model, j, joints)) continue;
-    const bool beyond = std::any_of(limbs.begin(), limbs.end(), [&](int limb) { return Carries(model, limb, j + 1); });
+    const bool beyond =
+        std::any_of(limbs.begin(), limbs.end(), [&](int limb) { return Carries(model, limb + 1, j + 1); });
     if (!beyond) limbs.push_back(j);
   }
   for (const int limb : limbs) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/model/build_model.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
@@ -32,9 +32,7 @@ struct ZeroPose {
 
 Vector3 Level(const Vector3& v) { return {v.x(), v.y(), 0.0}; }
 
-bool Turns(const RobotModel& model, int joint) {
-  return model.joints[static_cast<std::size_t>(joint)].type != JointType::kPrismatic;
-}
+bool Turns(const RobotModel& model, int joint) { return !model.joints[static_cast<std::size_t>(joint)].is_prismatic(); }
 
 /// Places in the leg of the joints that can bend it.
 std::vector<std::size_t> LevelJoints(const RobotModel& model, const Leg& leg, const Foot& foot, const ZeroPose& zero) {
@@ -102,7 +100,7 @@ double StraightLength(const RobotModel& model, const Leg& leg, std::size_t first
     const bool last = i + 1 == leg.joints.size();
     const Vector3 next =
         last ? p_BF : Vector3(model.joints[static_cast<std::size_t>(leg.joints[i + 1])].X_PJ.translation());
-    if (joint.type == JointType::kPrismatic) {
+    if (joint.is_prismatic()) {
       length += std::max((joint.lower * joint.axis_J + next).norm(), (joint.upper * joint.axis_J + next).norm());
     } else {
       length += next.norm();

@@ -14,8 +14,8 @@ namespace gaitwright {
 /// derivation cannot know; "" takes `robot.yaml` beside the URDF where there is one, "none" uses nothing but the URDF.
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 
-/// The same from texts. @param name used where the texts give none. @param meshes the hulls of the URDF's collision
-/// meshes, as RobotModel::meshes has them; one that is missing is a failure that names the file and the link.
+/// The same from texts. @param name used where the robot.yaml gives none. @param meshes the hulls of the URDF's
+/// collision meshes, as RobotModel::meshes has them; one that is missing is a failure that names the file and the link.
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
                                      const std::string& name = "robot", const std::vector<MeshHull>& meshes = {});
 

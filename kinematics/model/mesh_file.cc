@@ -84,7 +84,7 @@ std::vector<fs::path> Candidates(const std::string& name, const fs::path& folder
   const std::string package = rest.substr(0, slash), path = rest.substr(slash + 1);
   std::vector<fs::path> candidates;
   std::error_code error;
-  for (fs::path at = fs::weakly_canonical(folder, error);; at = at.parent_path()) {
+  for (fs::path at = fs::weakly_canonical(folder.empty() ? "." : folder, error);; at = at.parent_path()) {
     if (at.filename() == package || PackageName(at) == package) candidates.push_back(at / path);
     if (fs::is_directory(at / package, error)) candidates.push_back(at / package / path);
     if (at == at.parent_path()) return candidates;
@@ -152,7 +152,8 @@ Result<std::string> FindMeshFile(const std::string& name, const std::string& fol
   return Refused(
       "no_file",
       name.starts_with("package://")
-          ? fmt::format("the mesh '{}' is not found: no folder above '{}' is or holds its package", name, folder)
+          ? fmt::format("the mesh '{}' is not found: no folder above '{}' is or holds its package", name,
+                        folder.empty() ? "." : folder)
           : fmt::format("the mesh '{}' cannot be looked for; a path, 'file://' or 'package://NAME/' can", name));
 }
 

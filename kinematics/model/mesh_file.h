@@ -20,13 +20,14 @@ struct Mesh {
 /// cannot be read (with the reason), one without triangles or with numbers that are not finite.
 Result<Mesh> ReadMesh(const std::string& path);
 
-/// The points that span the convex hull, sorted: each once; of over 512 of them those that are farthest in one of 1024
-/// directions spread over the sphere, which lie within 0.2 % of the mesh's radius of the hull.
+/// Points with the convex hull of those given, sorted: each once; of over 512 of them those that are farthest in one of
+/// 1024 directions spread over the sphere, whose hull is smaller by at most 0.2 % of the mesh's radius.
 std::vector<Vector3> HullPoints(std::vector<Vector3> points);
 
-/// Where the file is that a URDF names: a path relative to `folder` (the URDF's) or absolute, `file://PATH`, or
-/// `package://NAME/PATH`, where the package is a folder NAME or one whose package.xml has that name, looked for in and
-/// beside `folder` and every folder above it. Failure: there is none; the message lists where it was looked for.
+/// Where the file is that a URDF names: a path relative to `folder` (the URDF's; "" the present one) or absolute,
+/// `file://PATH`, or `package://NAME/PATH`, where the package is a folder NAME or one whose package.xml has that name,
+/// looked for in and beside `folder` and every folder above it. Failure: there is none; the message lists where it was
+/// looked for.
 Result<std::string> FindMeshFile(const std::string& name, const std::string& folder);
 
 }  // namespace gaitwright

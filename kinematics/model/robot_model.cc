@@ -31,6 +31,11 @@ double AtLimit(const Joint& joint, bool upper) {
 
 }  // namespace
 
+const std::vector<std::string>& FootTypeNames() {
+  static const std::vector<std::string> names = {"point", "sphere", "line", "sole"};
+  return names;
+}
+
 double RobotModel::dof_lower(int dof) const {
   return -Tightest(*this, dof, [](const Joint& joint) { return -AtLimit(joint, false); });
 }
@@ -47,8 +52,12 @@ double RobotModel::dof_velocity_limit(int dof) const {
 }
 
 double RobotModel::dof_effort_limit(int dof) const {
-  const Joint& leader = joints[static_cast<std::size_t>(dof_joint[static_cast<std::size_t>(dof)])];
+  const Joint& leader = LeaderOf(dof);
   return leader.effort_limit_is_placeholder ? std::numeric_limits<double>::infinity() : leader.effort_limit;
+}
+
+const Joint& RobotModel::LeaderOf(int dof) const {
+  return joints[static_cast<std::size_t>(dof_joint[static_cast<std::size_t>(dof)])];
 }
 
 double RobotModel::leg_length_m() const {

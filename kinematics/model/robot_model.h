@@ -36,6 +36,8 @@ struct Joint {
   double multiplier = 1.0;
   double offset = 0.0;
   bool is_mimic = false;
+
+  bool is_prismatic() const { return type == JointType::kPrismatic; }
 };
 
 /// A rigid body: a URDF link with every link fixed to it. Body 0 is the floating base in the URDF root link's frame.
@@ -76,7 +78,7 @@ struct MeshHull {
   bool operator==(const MeshHull&) const = default;
 };
 
-/// How a foot meets the ground.
+/// How a foot meets the ground; FootTypeNames has their names.
 enum class FootType {
   kPoint,   ///< a point: three constraints
   kSphere,  ///< rolls: the contact point is a radius below the centre
@@ -84,10 +86,14 @@ enum class FootType {
   kSole,    ///< a flat convex polygon: six constraints
 };
 
+/// "point", "sphere", "line", "sole": in the order of FootType, as files have them.
+const std::vector<std::string>& FootTypeNames();
+
+/// The part of a leg that touches the ground.
+///
 /// = Notation =
-///   F  sole frame: origin at the middle of the sole polygon (sole, line), at the sphere's centre (sphere) or the
-///   point;
-///      z is up out of the ground and x ahead in the nominal standing posture
+///   F  sole frame: z is up out of the ground and x ahead in the nominal standing posture; its origin is the middle of
+///      the sole polygon (sole, line), the sphere's centre (sphere) or the point itself
 struct Foot {
   std::string name;  ///< the link's name
   std::string link;
@@ -97,6 +103,8 @@ struct Foot {
   double radius = 0.0;          ///< sphere [m]
   std::vector<Vector2> sole_F;  ///< sole, line: corners in F's xy plane, counter-clockwise [m]
   std::string derived_from;     ///< what its type and size were taken from, for people
+
+  bool has_sole() const { return type == FootType::kSole || type == FootType::kLine; }
 };
 
 /// A chain of joints from the base to a foot.
@@ -149,11 +157,15 @@ struct RobotModel {
   int nv() const { return 6 + num_dofs(); }
   double weight_n() const { return total_mass_kg * kGravity; }
 
-  /// Limits of an independent coordinate, with its mimic followers taken into account.
+  /// Limits of an independent coordinate: of position and speed the tightest of all joints that it moves, of effort
+  /// that of the joint that leads; infinite where they are placeholders.
   double dof_lower(int dof) const;
   double dof_upper(int dof) const;
   double dof_velocity_limit(int dof) const;
   double dof_effort_limit(int dof) const;
+
+  /// The joint that leads an independent coordinate.
+  const Joint& LeaderOf(int dof) const;
 
   /// Longest leg, hip to contact, straight [m]; the length that limits scale with.
   double leg_length_m() const;
@@ -163,6 +175,11 @@ struct RobotModel {
   /// Index of the independent coordinate led by that joint. @throws InvalidArgument naming the nearest.
   int DofIndex(const std::string& joint_name) const;
 };
+
+/// R_WB of a q, whose quaternion need not be exactly unit.
+inline Matrix3 BaseRotation(const VectorX& q) {
+  return Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix();
+}
 
 /// q of the robot standing in its nominal posture, base above the origin of W, facing x.
 VectorX StandingConfiguration(const RobotModel& model);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/base/options.h"
+#include "kinematics/model/yaml_line.h"
 #include "kinematics/model/yaml_map_internal.h"
 #include "kinematics/spatial/convex_hull.h"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr double kLeastSole = 1e-6;  // [m^2]
 
 FootType ParseFootType(const YAML::Node& node) {
-  const std::vector<std::string> names = {"point", "sphere", "line", "sole"};
+  const std::vector<std::string>& names = FootTypeNames();
   const std::string text = TextOf(node, "'type'");
   const auto at = std::find(names.begin(), names.end(), text);
   if (at == names.end()) {
@@ -25,10 +26,8 @@ FootType ParseFootType(const YAML::Node& node) {
   return static_cast<FootType>(at - names.begin());
 }
 
-double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Whether the segments a and b cross inside both.
-bool Cross(const Vector2& a0, const Vector2& a1, const Vector2& b0, const Vector2& b1) {
+bool SegmentsCross(const Vector2& a0, const Vector2& a1, const Vector2& b0, const Vector2& b1) {
   return Cross(a1 - a0, b0 - a0) * Cross(a1 - a0, b1 - a0) < 0.0 &&
          Cross(b1 - b0, a0 - b0) * Cross(b1 - b0, a1 - b0) < 0.0;
 }
@@ -37,13 +36,13 @@ bool CrossesItself(const std::vector<Vector2>& corners) {
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
-      if (Cross(corners[i], corners[i + 1], corners[j], corners[(j + 1) % n])) return true;
+      if (SegmentsCross(corners[i], corners[i + 1], corners[j], corners[(j + 1) % n])) return true;
     }
   }
   return false;
 }
 
-/// The corners counter-clockwise. Refuses what is no convex polygon.
+/// The corners counter-clockwise, each once. Refuses what is no convex polygon.
 std::vector<Vector2> ParseSole(const YAML::Node& node) {
   std::vector<Vector2> corners;
   for (const YAML::Node& corner : ListOf(node, "'sole_m'")) {
@@ -56,15 +55,15 @@ std::vector<Vector2> ParseSole(const YAML::Node& node) {
     RefuseYaml(node, fmt::format("'sole_m' has {} corners; three or more are needed", corners.size()));
   if (CrossesItself(corners))
     RefuseYaml(node, "the outline 'sole_m' crosses itself; give its corners in order around it");
-  const double area = Area(corners), full = Area(ConvexHull(corners));
-  if (full < kLeastSole)
-    RefuseYaml(node, fmt::format("'sole_m' has an area of {:.3g} m^2; {} or more is needed", full, kLeastSole));
-  if (std::abs(area) < full * (1.0 - 1e-9)) {
+  const Polygon hull = ConvexHull(corners);
+  if (Area(hull) < kLeastSole)
+    RefuseYaml(node, fmt::format("'sole_m' has an area of {:.3g} m^2; {} or more is needed", Area(hull), kLeastSole));
+  const double share = std::abs(ShareOfHull(corners));
+  if (std::abs(share - 1.0) > 1e-9) {
     RefuseYaml(node, fmt::format("'sole_m' is not convex: it fills {:.0f} % of its hull; give the corners of the hull",
-                                 100.0 * std::abs(area) / full));
+                                 100.0 * share));
   }
-  if (area < 0.0) std::reverse(corners.begin(), corners.end());
-  return corners;
+  return hull;
 }
 
 FootOverride ParseFoot(const YAML::Node& node) {
@@ -217,7 +216,7 @@ RobotYaml ParseRobotYaml(const std::string& text) {
   try {
     return documents.empty() ? RobotYaml{} : Parse(documents.front());
   } catch (const YAML::Exception& error) {
-    throw InvalidArgument(fmt::format("robot.yaml, line {}: a value of the wrong kind", error.mark.line + 1));
+    RefuseYamlLine(error.mark.line + 1, "a value of the wrong kind");
   }
 }
 

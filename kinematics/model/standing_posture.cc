@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinematics/model/build_model.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/model/hang_limbs.h"
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/spatial/rotation.h"
@@ -108,7 +108,7 @@ VectorX BentGuess(const BentLeg& bent, double share, VectorX joints) {
   const RobotModel& model = bent.model;
   for (const int j : bent.leg.joints) {
     const Joint& joint = model.joints[static_cast<std::size_t>(j)];
-    if (joint.type != JointType::kPrismatic) continue;
+    if (!joint.is_prismatic()) continue;
     joints[joint.dof] = Clamped(model, joint.dof, 0.5 * (model.dof_lower(joint.dof) + model.dof_upper(joint.dof)));
   }
   if (!bent.has_knee()) return joints;
@@ -173,7 +173,7 @@ void BendLeg(const RobotModel& model, const Leg& leg, VectorX& joints) {
   wanted.translation() = bent.p_OF;
   const double straight = leg.length_m - bent.ankle_height;
   const bool slides = std::any_of(leg.joints.begin(), leg.joints.end(), [&](int joint) {
-    return model.joints[static_cast<std::size_t>(joint)].type == JointType::kPrismatic;
+    return model.joints[static_cast<std::size_t>(joint)].is_prismatic();
   });
   if (bent.has_sole() && bent.has_knee()) {
     wanted.translation().z() = bent.p_OH.z() - share * straight - bent.ankle_height;

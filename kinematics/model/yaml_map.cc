@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/base/options.h"
+#include "kinematics/model/yaml_line.h"
 #include "kinematics/model/yaml_map_internal.h"
 
 namespace gaitwright {
@@ -27,9 +28,7 @@ const char* KindOf(const YAML::Node& node) {
 
 int LineOf(const YAML::Node& node) { return node.Mark().line + 1; }
 
-void RefuseYaml(const YAML::Node& node, const std::string& message) {
-  throw InvalidArgument(fmt::format("robot.yaml, line {}: {}", LineOf(node), message));
-}
+void RefuseYaml(const YAML::Node& node, const std::string& message) { RefuseYamlLine(LineOf(node), message); }
 
 std::string TextOf(const YAML::Node& node, const std::string& what) {
   if (!node.IsScalar()) RefuseYaml(node, fmt::format("{} is {}; one word or text is needed", what, KindOf(node)));

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kCollinear = 1e-12;
 
-double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Takes out corners that lie, to rounding, between their neighbours. Done after the chains: popping by a tolerance
 /// there can lose a true corner next to two that are nearly in line with it.
 void DropMiddleCorners(Polygon& hull) {
@@ -54,6 +52,11 @@ double Area(const Polygon& polygon) {
   double twice = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) twice += Cross(polygon[i], polygon[(i + 1) % polygon.size()]);
   return polygon.size() < 3 ? 0.0 : 0.5 * twice;
+}
+
+double ShareOfHull(const std::vector<Vector2>& outline) {
+  const double hull = Area(ConvexHull(outline));
+  return hull > 0.0 ? Area(outline) / hull : 0.0;
 }
 
 }  // namespace gaitwright

@@ -15,7 +15,14 @@ using Polygon = std::vector<Vector2>;
 /// 1979.
 Polygon ConvexHull(std::vector<Vector2> points);
 
-/// Area [m^2]; zero for segments and points.
+/// a x b, the z of it.
+inline double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Area [m^2], negative when the corners run clockwise; zero for segments and points.
 double Area(const Polygon& polygon);
+
+/// Share of its convex hull that an outline fills, with the sign of its area: 1 to rounding when it is convex and runs
+/// counter-clockwise, -1 when it is convex and runs clockwise, something else when it is not convex; 0 without area.
+double ShareOfHull(const std::vector<Vector2>& outline);
 
 }  // namespace gaitwright

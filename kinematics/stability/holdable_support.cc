@@ -18,7 +18,7 @@ Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch,
     const Joint& joint = model.joints[j];
     const Vector3 p_WJ = scratch.p_WB[j + 1], axis = scratch.axis_W[j];
     const double share = (p_WJ.z() - ground) / height;
-    if (joint.type == JointType::kPrismatic || share > kLow || axis.head<2>().norm() < kFlat) continue;
+    if (joint.is_prismatic() || share > kLow || axis.head<2>().norm() < kFlat) continue;
     // tau = N (a_y (x - p_x) - a_x (y - p_y)) at the point (x, y) = Z + (C - Z) share of the force's line.
     const Vector2 across(axis.y(), -axis.x());
     const double most = use * model.dof_effort_limit(joint.dof) / (normal_n * (1.0 - share));

@@ -10,8 +10,6 @@
 namespace gaitwright {
 namespace {
 
-double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 Vector2 NearestOnSegment(const Vector2& a, const Vector2& b, const Vector2& p) {
   const Vector2 ab = b - a;
   const double length2 = ab.squaredNorm();

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "planning/audit/auditor.h"
 
@@ -117,26 +119,56 @@ AuditReport Auditor::Run() {
   return report;
 }
 
+namespace {
+
+/// Why the rows of a plan are not those of a robot, or nothing.
+std::optional<std::string> WhyRowsMisfit(const RobotModel& model, const WholeBodyTrajectory& w) {
+  if (w.size() < 2) return "it has fewer than two samples";
+  const auto columns = [&](const char* name, const std::vector<VectorX>& list, int size) -> std::optional<std::string> {
+    if (list.size() != w.q.size()) return fmt::format("it has {} rows of {}, {} of q", list.size(), name, w.q.size());
+    for (const VectorX& row : list) {
+      if (row.size() != size) return fmt::format("its {} has {} numbers, the robot {}", name, row.size(), size);
+    }
+    return std::nullopt;
+  };
+  if (auto why = columns("q", w.q, model.nq())) return why;
+  if (auto why = columns("v", w.v, model.nv())) return why;
+  if (auto why = columns("a", w.a, model.nv())) return why;
+  if (auto why = columns("tau", w.tau, model.num_dofs())) return why;
+  if (w.wrenches.size() != w.q.size())
+    return fmt::format("it has {} rows of contact wrenches, {} of q", w.wrenches.size(), w.q.size());
+  for (const auto& row : w.wrenches) {
+    if (row.size() != model.feet.size())
+      return fmt::format("it has {} feet, the robot {}", row.size(), model.feet.size());
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> WhyMisfit(const RobotModel& model, const MotionPlan& plan) {
+  constexpr double kLongest = 3600.0;  // [s]
+  if (auto why = WhyRowsMisfit(model, plan.whole_body)) return why;
+  const double step = plan.whole_body.step_s;
+  if (!(step > 0.0)) return fmt::format("its rows are {} s apart; more than 0 is needed", step);
+  if (!(plan.duration_s() <= kLongest))
+    return fmt::format("it lasts {:.6g} s; at most {:.0f} s are audited", plan.duration_s(), kLongest);
+  try {
+    CheckSchedule(plan.schedule, static_cast<int>(model.feet.size()));
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options) {
-  const auto misfit = [&](const std::string& why) {
+  if (const auto why = WhyMisfit(model, plan)) {
     return Failure{FailureKind::kBadInput,
                    "misfit",
                    "Audit",
-                   fmt::format("the plan does not fit robot '{}': {}", model.name, why),
+                   fmt::format("the plan does not fit robot '{}': {}", model.name, *why),
                    {}};
-  };
-  if (plan.whole_body.size() < 2) return misfit("it has fewer than two samples");
-  if (plan.whole_body.q[0].size() != model.nq()) {
-    return misfit(fmt::format("its q has {} numbers, the robot {}", plan.whole_body.q[0].size(), model.nq()));
   }
-  if (plan.whole_body.wrenches[0].size() != model.feet.size()) {
-    return misfit(fmt::format("it has {} feet, the robot {}", plan.whole_body.wrenches[0].size(), model.feet.size()));
-  }
-  constexpr double kLongest = 3600.0;  // [s]
-  const double step = plan.whole_body.step_s;
-  if (!(step > 0.0)) return misfit(fmt::format("its rows are {} s apart; more than 0 is needed", step));
-  if (!(plan.duration_s() <= kLongest))
-    return misfit(fmt::format("it lasts {:.6g} s; at most {:.0f} s are audited", plan.duration_s(), kLongest));
   return Auditor(model, plan, options).Run();
 }
 

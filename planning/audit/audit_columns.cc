@@ -5,20 +5,12 @@
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/tolerances.h"
 
 namespace gaitwright {
+
+using namespace tolerance;
 namespace {
-
-constexpr double kNorm = 1e-6;
-constexpr double kPosition = 1e-3;                       // [m]
-constexpr double kSpeed = 0.01, kRate = 0.02;            // [m/s, rad/s]
-constexpr double kAcceleration = 1.0, kAngular = 100.0;  // [m/s^2, rad/s^2]
-constexpr double kComAcceleration = 0.1;                 // [m/s^2]
-constexpr double kZmp = 2e-3;                            // [m]
-constexpr double kFrequency = 0.02;                      // of sqrt(g / h)
-constexpr double kLeastLoad = 0.05;                      // of m g: below it a zero-moment point means nothing
-
-Matrix3 BaseRotation(const VectorX& q) { return Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix(); }
 
 /// What v and a say that a position does in one step: the corrected trapezium, exact to the fifth order.
 template <class Vector>
@@ -34,7 +26,7 @@ void Auditor::CheckColumns() {
   for (std::size_t k = 0; k < w.q.size(); ++k) {
     const double time_s = w.start_s + static_cast<double>(k) * h;
     const double norm = w.q[k].segment<4>(3).norm();
-    if (!(std::abs(norm - 1.0) <= kNorm)) findings_.Note("consistency", "quaternion norm", time_s, norm, 1.0, "1");
+    if (!(std::abs(norm - 1.0) <= kRelative)) findings_.Note("consistency", "quaternion norm", time_s, norm, 1.0, "1");
     if (k + 1 == w.q.size()) break;
     const VectorX step = StepOf(h, w.v[k], w.v[k + 1], w.a[k], w.a[k + 1]);
     const VectorX change = (w.v[k + 1] - w.v[k]) / h - 0.5 * (w.a[k] + w.a[k + 1]);
@@ -69,7 +61,6 @@ void Auditor::CheckCentroidal() {
   for (std::size_t k = 0; k < c.p_WC.size(); ++k) {
     const double time_s = c.start_s + static_cast<double>(k) * h;
     InverseDynamics(model_, w.q[k], w.v[k], w.a[k], scratch_, needed_);
-    ForwardVelocities(model_, w.q[k], w.v[k], scratch_);
     const Vector3 p_WC = CentreOfMass(model_, scratch_);
     const Vector3 v_WC = CentroidalMomentum(model_, scratch_).head<3>() / model_.total_mass_kg;
     const Vector3 a_WC = needed_.head<3>() / model_.total_mass_kg - kGravity * Vector3::UnitZ();

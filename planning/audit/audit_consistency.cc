@@ -4,16 +4,14 @@
 #include <cmath>
 
 #include "kinematics/spatial/rotation.h"
+#include "kinematics/stability/polygon.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/tolerances.h"
 
 namespace gaitwright {
-namespace {
 
-constexpr double kPosition = 1e-3;     // [m]
-constexpr double kRotation = 1e-3;     // [rad]
-constexpr double kTime = 1e-6;         // [s]
-constexpr double kGoalShare = 0.03;    // of the leg's length: the base may stand that far from where its walk starts
-constexpr double kGoalHeading = 0.02;  // [rad]
+using namespace tolerance;
+namespace {
 
 /// Where a constant twist of the base in the plane leads in a time, from the origin.
 PlanarPose Arc(double forward_m_s, double lateral_m_s, double yaw_rate_rad_s, double duration_s) {
@@ -52,7 +50,7 @@ void Auditor::CheckSchedule() {
 void Auditor::CheckCommand() {
   const WalkCommand& c = plan_.command;
   const VectorX& q = plan_.whole_body.q.front();
-  const PlanarPose start = {q[0], q[1], YawOf(Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix())};
+  const PlanarPose start = {q[0], q[1], YawOf(BaseRotation(q))};
   const double position = kGoalShare * model_.leg_length_m(), start_s = plan_.whole_body.start_s;
   const auto compare = [&](const char* where, const PlanarPose& expected) {
     const PlanarPose goal = Carried(start, expected);
@@ -91,10 +89,11 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
                    static_cast<double>(plan_.terrain.patches.size()) - 1.0, "1");
     return;
   }
-  const Pose& X_WT = plan_.terrain.patches[static_cast<std::size_t>(foothold.patch)].X_WT;
-  const Vector3 normal_W = X_WT.linear().col(2);
-  Expect(foot + " foothold off its patch", foothold.touchdown_s,
-         std::abs(normal_W.dot(foothold.X_WF.translation() - X_WT.translation())), kPosition, "m");
+  const TerrainPatch& patch = plan_.terrain.patches[static_cast<std::size_t>(foothold.patch)];
+  const Pose& X_WT = patch.X_WT;
+  const Vector3 normal_W = X_WT.linear().col(2), p_TF = X_WT.inverse() * foothold.X_WF.translation();
+  const double beyond = patch.outline_T.empty() ? 0.0 : -SignedDistance(patch.outline_T, p_TF.head<2>());
+  Expect(foot + " foothold off its patch", foothold.touchdown_s, std::max(beyond, std::abs(p_TF.z())), kPosition, "m");
   Expect(foot + " foothold tilted from its patch", foothold.touchdown_s,
          normal_W.cross(foothold.X_WF.linear().col(2)).norm(), kRotation, "rad");
 }

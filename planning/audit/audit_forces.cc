@@ -5,18 +5,11 @@
 #include "kinematics/stability/polygon.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/tolerances.h"
 
 namespace gaitwright {
-namespace {
 
-constexpr double kResidualShare = 0.02;  // of m g, and of m g h
-constexpr double kEffortShare = 0.05;    // of a joint's limit
-constexpr double kRelative = 1e-6;
-constexpr double kLineWidth = 2e-3;       // [m] within which a ZMP is on a line
-constexpr double kReferenceSlack = 5e-3;  // [m] for feet that roll on from where they were when it was planned
-constexpr double kLeastLoad = 0.05;       // of m g: below it a centre of pressure means nothing
-
-}  // namespace
+using namespace tolerance;
 
 void Auditor::CheckDynamics(double time_s) {
   VectorX residual = needed_;
@@ -66,7 +59,7 @@ void Auditor::CheckContactForces(double time_s) {
     if (!(normal >= -slack)) findings_.Note("unilateral", FootName(f), time_s, normal, 0.0, "N");
     const double cone = ground.friction * std::max(normal, 0.0);
     if (!(tangential <= cone + slack)) findings_.Note("friction_cone", FootName(f), time_s, tangential, cone, "N");
-    if (normal > 5e-3 * model_.weight_n() && SwingsThroughout(f, time_s)) {
+    if (normal > kSwingLoad * model_.weight_n() && SwingsThroughout(f, time_s)) {
       findings_.Note("consistency", FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
     }
     const Foot& foot = model_.feet[static_cast<std::size_t>(f)];
@@ -74,9 +67,8 @@ void Auditor::CheckContactForces(double time_s) {
     const Vector3 moment_F = X_WF.linear().transpose() * wrench.moment_W;
     const double normal_F = X_WF.linear().col(2).dot(wrench.force_W);
     const double outside = -SignedDistance(foot.sole_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
-    constexpr double kSlack = 1e-4;
-    if (outside > kSlack)
-      findings_.Note("unilateral", FootName(f) + " centre of pressure outside", time_s, outside, kSlack, "m");
+    if (outside > kPressureSlack)
+      findings_.Note("unilateral", FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack, "m");
   }
 }
 
@@ -96,7 +88,7 @@ void Auditor::CheckZmp(double time_s) {
   const double outside = -SignedDistance(support, zmp);
   const bool has_area = Area(support) > 1e-3 * (support[0] - support[support.size() / 2]).norm();
   // At a switch the sample may lie on either side of it.
-  const double limit = has_area && !at_switch_ ? 1e-6 : kLineWidth;
+  const double limit = has_area && !at_switch_ ? 1e-6 : kSupportLine;
   if (!(outside <= limit)) findings_.Note("zmp_support", "zero-moment point", time_s, outside, limit, "m");
   if (plan_.centroidal.size() != plan_.whole_body.size()) return;
   const double reference = -SignedDistance(support, SampleCentroidal(plan_.centroidal, time_s).p_WZ);

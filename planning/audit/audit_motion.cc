@@ -5,15 +5,11 @@
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/tolerances.h"
 
 namespace gaitwright {
-namespace {
 
-constexpr double kPosition = 1e-3;  // [m]
-constexpr double kRotation = 1e-3;  // [rad]
-constexpr double kTouching = 1e-4;  // [m] below which a clearance counts as none
-
-}  // namespace
+using namespace tolerance;
 
 void Auditor::CheckStanceFeet(double time_s) {
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {

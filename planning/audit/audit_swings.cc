@@ -5,15 +5,11 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/tolerances.h"
 
 namespace gaitwright {
-namespace {
 
-constexpr double kPosition = 1e-3;  // [m]
-constexpr double kRotation = 1e-3;  // [rad]
-constexpr double kTime = 1e-6;      // [s]
-
-}  // namespace
+using namespace tolerance;
 
 /// Where a foot goes in q, against the curve from start to end. A sphere rolls in the air as on the ground: its contact
 /// point is on the curve but for what it has rolled since lift-off, and the curve ends short by the whole of that.

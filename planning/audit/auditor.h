@@ -62,10 +62,7 @@ class Auditor {
   void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {
     if (!(off <= limit)) findings_.Note("consistency", where, time_s, off, limit, unit);
   }
-  bool Slides(int dof) const {
-    const auto joint = static_cast<std::size_t>(model_.dof_joint[static_cast<std::size_t>(dof)]);
-    return model_.joints[joint].type == JointType::kPrismatic;
-  }
+  bool Slides(int dof) const { return model_.LeaderOf(dof).is_prismatic(); }
   const std::string& FootName(int foot) const { return model_.feet[static_cast<std::size_t>(foot)].name; }
 
   const RobotModel& model_;

@@ -87,7 +87,7 @@ Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest
         "ScheduleContacts",
         fmt::format("gait '{}' has phases without any foot on the ground; motions with flight are not planned yet",
                     gait.name),
-        {"choose a gait without flight, such as trot or walk"}};
+        {"choose a gait without flight, such as walk", "a larger duty factor (gait.duty_factor)"}};
   }
   if (const auto failure = CheckGrid(gait, request.grid_s)) return *failure;
   // Halves go up, whatever rounding errors they carry, so that what falls together stays together.

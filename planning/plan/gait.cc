@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kinematics/base/result.h"
 
@@ -52,29 +53,32 @@ std::vector<ContactInterval> IntervalsOf(const ContactSchedule& schedule, int fo
 
 ContactSchedule ScheduleFromIntervals(const std::vector<std::vector<ContactInterval>>& by_foot, double start_s,
                                       double end_s) {
-  std::vector<double> times = {start_s, end_s};
-  for (const auto& intervals : by_foot) {
-    for (const ContactInterval& interval : intervals) {
-      times.push_back(interval.start_s);
-      times.push_back(interval.end_s);
-    }
-  }
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  ContactSchedule schedule;
-  for (std::size_t k = 0; k + 1 < times.size(); ++k) {
-    const double middle = 0.5 * (times[k] + times[k + 1]);
-    FootSet stance = 0;
-    for (std::size_t foot = 0; foot < by_foot.size(); ++foot) {
-      for (const ContactInterval& interval : by_foot[foot]) {
-        if (interval.start_s < middle && middle < interval.end_s) stance |= FootBit(static_cast<int>(foot));
+  std::vector<std::pair<double, FootSet>> changes = {{end_s, 0}};  // which feet land or leave when
+  FootSet stance = 0;
+  for (std::size_t foot = 0; foot < by_foot.size(); ++foot) {
+    const FootSet bit = FootBit(static_cast<int>(foot));
+    for (const ContactInterval& interval : by_foot[foot]) {
+      if (!(interval.end_s > interval.start_s)) continue;
+      for (const double time_s : {interval.start_s, interval.end_s}) {
+        if (time_s <= start_s) {
+          stance ^= bit;
+        } else {
+          changes.emplace_back(time_s, bit);
+        }
       }
     }
-    if (!schedule.phases.empty() && schedule.phases.back().stance == stance) {
-      schedule.phases.back().end_s = times[k + 1];
-    } else {
-      schedule.phases.push_back({times[k], times[k + 1], stance});
+  }
+  std::sort(changes.begin(), changes.end());
+  ContactSchedule schedule;
+  double since_s = start_s;
+  for (const auto& [time_s, bit] : changes) {
+    if (time_s > since_s && !schedule.phases.empty() && schedule.phases.back().stance == stance) {
+      schedule.phases.back().end_s = time_s;
+    } else if (time_s > since_s) {
+      schedule.phases.push_back({since_s, time_s, stance});
     }
+    since_s = std::max(since_s, time_s);
+    stance ^= bit;
   }
   return schedule;
 }

@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/plan/motion_plan.h"
 
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
 namespace gaitwright {
+
+void SortFootholds(FootstepPlan& plan) {
+  std::stable_sort(plan.footholds.begin(), plan.footholds.end(), [](const Foothold& a, const Foothold& b) {
+    return std::tie(a.touchdown_s, a.foot) < std::tie(b.touchdown_s, b.foot);
+  });
+}
 
 int FootholdAt(const FootstepPlan& plan, int foot, double time_s) {
   constexpr double kTiny = 1e-9;
-  int found = -1;
-  for (std::size_t i = 0; i < plan.footholds.size(); ++i) {
-    const Foothold& foothold = plan.footholds[i];
-    if (foothold.foot != foot) continue;
-    if (found >= 0 && foothold.touchdown_s > time_s + kTiny) break;
-    found = static_cast<int>(i);
-  }
-  return found;
+  const auto& all = plan.footholds;
+  const auto later = std::upper_bound(all.begin(), all.end(), time_s + kTiny,
+                                      [](double t, const Foothold& foothold) { return t < foothold.touchdown_s; });
+  const auto is_its = [&](const Foothold& foothold) { return foothold.foot == foot; };
+  const auto before = std::find_if(std::make_reverse_iterator(later), all.rend(), is_its);
+  if (before != all.rend()) return static_cast<int>(all.rend() - before) - 1;
+  const auto first = std::find_if(later, all.end(), is_its);
+  return first == all.end() ? -1 : static_cast<int>(first - all.begin());
 }
 
 }  // namespace gaitwright

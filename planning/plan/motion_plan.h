@@ -29,7 +29,7 @@ struct WalkCommand {
   bool operator==(const WalkCommand&) const = default;
 };
 
-/// Base pose of the goal in plan view, in W: x, y, yaw.
+/// A pose in plan view: x, y, yaw.
 struct PlanarPose {
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
 
@@ -59,7 +59,11 @@ struct FootstepPlan {
   std::vector<Foothold> footholds;
 };
 
-/// The foothold of `foot` that holds at `time_s`, or the last before it; -1 when there is none.
+/// Puts footholds in the order of touch-down, then foot.
+void SortFootholds(FootstepPlan& plan);
+
+/// Index of the foothold of `foot` that holds at `time_s`, the last before it, or before all the first; -1 when there
+/// is none.
 int FootholdAt(const FootstepPlan& plan, int foot, double time_s);
 
 /// Centre of mass, its derivatives and the zero-moment point on a uniform grid, columns by sample.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/base/result.h"
+#include "kinematics/spatial/convex_hull.h"
 #include "planning/plan/plan_reading_internal.h"
 
 namespace gaitwright {
@@ -47,6 +48,14 @@ WalkCommand ToCommand(const JsonPart& command) {
   return c;
 }
 
+void CheckOutline(const JsonPart& part, const std::vector<Vector2>& outline) {
+  constexpr double kRounding = 1e-6;
+  const double share = ShareOfHull(outline);
+  if (std::abs(share - 1.0) <= kRounding) return;
+  if (std::abs(share + 1.0) <= kRounding) part.Refuse("runs clockwise; counter-clockwise is needed");
+  part.Refuse(fmt::format("fills {:.4g} of its convex hull; it must be convex", std::abs(share)));
+}
+
 TerrainPatch ToPatch(const JsonPart& part) {
   part.Object({"name", "pose", "outline_m", "friction"});
   TerrainPatch patch{part.At("name").Text(), part.At("pose").ToPose(), {}, part.At("friction").NumberFrom(0.0)};
@@ -59,6 +68,7 @@ TerrainPatch ToPatch(const JsonPart& part) {
     part.At("outline_m")
         .Refuse(fmt::format("has {} corners; none makes a plane without end, three or more an outline", corners));
   }
+  if (corners > 2) CheckOutline(part.At("outline_m"), patch.outline_T);
   return patch;
 }
 
@@ -73,12 +83,13 @@ Terrain ToTerrain(const JsonPart& part) {
 
 Gait ToGait(const JsonPart& part, int feet) {
   part.Object({"name", "description", "cycle_s", "phase", "duty_factor"});
+  const double cycle_s = part.At("cycle_s").Number();
+  if (!(cycle_s > 0.0)) part.At("cycle_s").Refuse(fmt::format("is {}; it must be over 0", cycle_s));
   const auto by_foot = [&](const char* key) {
     const VectorX numbers = part.At(key).Vector(static_cast<std::size_t>(feet));
     return std::vector<double>(numbers.begin(), numbers.end());
   };
-  return {part.At("name").Text(), part.At("description").Text(), part.At("cycle_s").Number(), by_foot("phase"),
-          by_foot("duty_factor")};
+  return {part.At("name").Text(), part.At("description").Text(), cycle_s, by_foot("phase"), by_foot("duty_factor")};
 }
 
 ContactSchedule ToSchedule(const JsonPart& list, int feet) {
@@ -215,6 +226,7 @@ MotionPlan ReadPlan(const JsonPart& whole) {
   plan.schedule = ToSchedule(whole.At("schedule"), feet);
   for (const JsonPart& part : whole.At("footholds").List())
     plan.footsteps.footholds.push_back(ToFoothold(part, feet, patches));
+  SortFootholds(plan.footsteps);
   for (const JsonPart& part : whole.At("swings").List()) plan.swings.push_back(ToSwing(part, feet));
   return plan;
 }

@@ -38,21 +38,21 @@ Value Blend(const double (&w)[6], double h, const Value& p0, const Value& v0, co
   return w[0] * p0 + w[1] * h * v0 + w[2] * h * h * a0 + w[3] * p1 + w[4] * h * v1 + w[5] * h * h * a1;
 }
 
+/// Two neighbouring nodes and the place between them in [0, 1]; outside of the grid the same node twice.
 struct Interval {
   std::size_t left = 0, right = 0;
   double u = 0.0;
 };
 
 Interval Locate(double start_s, double step_s, int size, double time_s) {
-  const double position = (time_s - start_s) / step_s;
-  const double last = static_cast<double>(size - 1);
-  if (position <= 0.0) return {0, 0, 0.0};
-  if (position >= last) return {static_cast<std::size_t>(size - 1), static_cast<std::size_t>(size - 1), 0.0};
-  const auto left = static_cast<std::size_t>(position);
-  return {left, left + 1, position - std::floor(position)};
+  constexpr double kRounding = 1e-9;  // of a step
+  const auto last = static_cast<std::size_t>(size - 1);
+  const double most = static_cast<double>(last), position = (time_s - start_s) / step_s;
+  if (last == 0 || position < -kRounding) return {0, 0, 0.0};
+  if (position > most + kRounding) return {last, last, 0.0};
+  const auto left = std::min(static_cast<std::size_t>(std::max(position, 0.0)), last - 1);
+  return {left, left + 1, std::clamp(position - static_cast<double>(left), 0.0, 1.0)};
 }
-
-Matrix3 BaseRotation(const VectorX& q) { return Quaternion(q[6], q[3], q[4], q[5]).normalized().toRotationMatrix(); }
 
 void BlendBaseRotation(const WholeBodyTrajectory& t, const Interval& at, const HermiteWeights& weights,
                        WholeBodySample& s) {

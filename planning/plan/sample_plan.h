@@ -15,8 +15,8 @@ struct WholeBodySample {
 };
 
 /// The state at a time: joints and base position by the quintic that has q, v, a of both nodes, the base's rotation by
-/// the same quintic of the rotation vector from the left node, torques and wrenches linearly. At the ends before and
-/// after: the end state at rest. No allocation once `sample` has its sizes.
+/// the same quintic of the rotation vector from the left node, torques and wrenches linearly. Before the first node and
+/// after the last one: that node at rest. No allocation once `sample` has its sizes.
 void SampleWholeBody(const WholeBodyTrajectory& trajectory, double time_s, WholeBodySample& sample);
 
 /// A centroidal trajectory between its nodes.
@@ -25,8 +25,8 @@ struct CentroidalSample {
   Vector2 p_WZ = Vector2::Zero();
 };
 
-/// The centroidal trajectory at a time: the quintic that has p, v, a of both nodes; the ZMP linearly. Before and after
-/// its ends the end at rest.
+/// The centroidal trajectory at a time: the quintic that has p, v, a of both nodes; the ZMP linearly. Before
+/// the first node and after the last one: that node at rest.
 CentroidalSample SampleCentroidal(const CentroidalTrajectory& trajectory, double time_s);
 
 /// A swing as a curve that can be evaluated.

@@ -9,10 +9,10 @@
 namespace gaitwright {
 
 /// Kinds of joints and links that the robots of the program do not have.
-inline const char* const kAnyRobots[] = {"a1", "nao", "sliding", "continuous", "hollow", "mimic"};
+inline const char* const kAnyRobots[] = {"a1", "nao", "sliding", "continuous", "hollow", "mimic", "line"};
 
 /// URDF of a made-up biped: a prismatic knee; a continuous hip; links without mass between the joints of the hip; a
-/// thigh of two joints that turn together, with a shin whose length follows the knee.
+/// thigh of two joints that turn together, with a shin whose length follows the knee; ankles that cannot roll.
 inline std::string MadeUrdf(const std::string& kind) {
   std::vector<SyntheticJoint> joints = SixJoints();
   if (kind == "sliding") joints[3] = {"0.01 0.005 -0.3", "0 0 1", "lower='-0.1' upper='0.1'", "", "prismatic"};
@@ -23,6 +23,7 @@ inline std::string MadeUrdf(const std::string& kind) {
     joints.insert(joints.begin() + 3,
                   {"0 0 -0.05", "0 1 0", "lower='-2' upper='2'", "<mimic joint='j_SIDE2' multiplier='-0.2'/>"});
   }
+  if (kind == "line") joints.pop_back();
   std::string urdf = SyntheticUrdf(joints, kBoxFoot);
   if (kind != "hollow") return urdf;
   for (const std::string link : {"l0", "l1", "r0", "r1"}) {

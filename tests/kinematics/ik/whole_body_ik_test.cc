@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/ik/whole_body_ik.h"
 
+#include <numbers>
+
 #include "tests/kinematics/made_robots.h"
 
 namespace gaitwright {
@@ -88,6 +90,45 @@ TEST_P(OfFiniteLegs, OutOfReachNamesAFoot) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, WholeBodyIkTest, testing::ValuesIn(kAnyRobots));
 INSTANTIATE_TEST_SUITE_P(Robots, OfFiniteLegs, testing::Values("a1", "nao", "continuous", "hollow", "mimic"));
+
+/// Everything about the origin's vertical, turned by a yaw.
+BodyTarget Turned(const BodyTarget& target, const Matrix3& R) {
+  BodyTarget turned = target;
+  for (Vector3* v : {&turned.p_WC, &turned.v_WC, &turned.a_WC, &turned.w_WB, &turned.alpha_WB}) *v = R * *v;
+  turned.R_WB = R * target.R_WB;
+  for (FootTarget& foot : turned.feet) {
+    for (Vector3* v : {&foot.p_WF, &foot.v_WF, &foot.w_WF, &foot.a_WF, &foot.alpha_WF}) *v = R * *v;
+    foot.R_WF = R * foot.R_WF;
+    foot.R_anchor = R * foot.R_anchor;
+  }
+  return turned;
+}
+
+class Headings : public WholeBodyIkTest {};
+
+TEST_P(Headings, JointsDoNotDependOnTheHeading) {
+  const RobotModel model = AnyRobot(GetParam());
+  WholeBodyIk ik(model);
+  Sway sway(model);
+  const BodyTarget& target = sway.At(0.2);
+  VectorX q = StandingConfiguration(model), v, a;
+  ASSERT_TRUE(ik.SolvePosition(target, q).ok());
+  ik.SolveRates(target, q, v, a);
+  const Eigen::Index n = model.num_dofs();
+  for (const double yaw : {0.4, 0.5 * std::numbers::pi, -2.5}) {
+    const Matrix3 R = YawRotation(yaw);
+    VectorX turned_q = StandingConfiguration(model), turned_v, turned_a;
+    turned_q.segment<4>(3) = Quaternion(R).coeffs();
+    const Result<int> solved = ik.SolvePosition(Turned(target, R), turned_q);
+    ASSERT_TRUE(solved.ok()) << solved.failure().message;
+    ik.SolveRates(Turned(target, R), turned_q, turned_v, turned_a);
+    EXPECT_LT((turned_q.tail(n) - q.tail(n)).norm(), 1e-8) << yaw;
+    EXPECT_LT((turned_v.tail(n) - v.tail(n)).norm(), 1e-7) << yaw;
+    EXPECT_LT((turned_a.tail(n) - a.tail(n)).norm(), 1e-6) << yaw;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Headings, testing::ValuesIn(kAnyRobots));
 
 TEST(WholeBodyIk, OnlyTheYawOfNaoYields) {
   const RobotModel nao = Robot("nao"), a1 = Robot("a1");

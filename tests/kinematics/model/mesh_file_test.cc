@@ -95,6 +95,11 @@ TEST_F(MeshFile, FindsPathsFilesAndPackages) {
   same("file://" + fs::absolute(file).string(), from, file);
   same("package://my_robot/meshes/foot.stl", from, file);
   same("package://named/meshes/foot.stl", folder_ + "/other/urdf", named);
+  const fs::path here = fs::current_path();
+  fs::current_path(from);  // a URDF that is named without a folder
+  same("../meshes/foot.stl", "", "../meshes/foot.stl");
+  same("package://my_robot/meshes/foot.stl", "", "../meshes/foot.stl");
+  fs::current_path(here);
   ExpectSays(FindMeshFile("meshes/foo.stl", from).failure().message,
              {"'meshes/foo.stl' is not there", "urdf/meshes/foo.stl"});
   ExpectSays(FindMeshFile("package://nowhere/foo.stl", from).failure().message,
@@ -170,8 +175,8 @@ TEST_F(MeshFile, MeshesCollideAsBoxesDo) {
       q[7 + model->DofIndex("C_hip")] = -angle;
       q[7 + model->DofIndex("C_knee")] = 0.0;
       ForwardKinematics(*model, q, scratch);
-      const auto pair = checker.FirstCollision(scratch);
-      found[model == &box] = pair ? pair->first + " " + pair->second : "";
+      for (const Overlap& overlap : checker.Overlaps(scratch))
+        found[model == &box] += overlap.link_a + " " + overlap.link_b + "; ";
     }
     EXPECT_EQ(found[0], found[1]) << angle;
     touching += found[0].empty() ? 0 : 1;

@@ -132,6 +132,13 @@ TEST_P(AuditConsistency, OfFootholds) {
   const auto raised = [](Foothold& f) { f.X_WF.translation().z() += 0.01; };
   EXPECT_NEAR(changed(foot() + " foothold off its patch", raised).value, 0.01, 1e-6);
   EXPECT_NEAR(changed(foot() + " off its foothold", raised).value, 0.01, 1e-3);
+  const auto short_ground = [&](MotionPlan& plan) {  // ends a hand's breadth behind the last foothold
+    const double x = good().footsteps.footholds[index].X_WF.translation().x() - 0.1;
+    plan.terrain.patches[0].outline_T = {{x - 9.0, -9.0}, {x, -9.0}, {x, 9.0}, {x - 9.0, 9.0}};
+  };
+  MotionPlan beyond = good();
+  short_ground(beyond);
+  EXPECT_NEAR(At(ViolationsOf(model(), beyond), foot() + " foothold off its patch").value, 0.1, 1e-6);
   const auto tilted = [](Foothold& f) { f.X_WF.linear() *= RotationExp({0.1, 0.0, 0.0}); };
   EXPECT_NEAR(changed(foot() + " foothold tilted from its patch", tilted).value, 0.1, 1e-3);
   const auto early = [](Foothold& f) { f.touchdown_s -= 0.01; };
@@ -197,6 +204,21 @@ TEST(AuditConsistencyOfCurves, HoldsForArcsAndCrawls) {
   crawl.speed_m_s = 0.1;
   crawl.distance_m = 0.15;
   EXPECT_EQ(ViolationsOf(a1, PlanOf(a1, "walk", crawl)), std::vector<Violation>{});
+}
+
+TEST(AuditedRows, ThatAreNotTheRobotsAreRefused) {
+  const GoodPlan& good = GoodPlanOf("a1");
+  const auto why = [&](const std::function<void(MotionPlan&)>& change) {
+    MotionPlan plan = good.plan;
+    change(plan);
+    const Result<AuditReport> report = Audit(good.model, plan, {});
+    return report.ok() ? std::string() : report.failure().message;
+  };
+  const std::string start = "the plan does not fit robot 'a1': ";
+  EXPECT_EQ(why([](MotionPlan& p) { p.whole_body.v[5].resize(17); }), start + "its v has 17 numbers, the robot 18");
+  EXPECT_EQ(why([](MotionPlan& p) { p.whole_body.tau.resize(3); }).find(start + "it has 3 rows of tau, "), 0U);
+  EXPECT_EQ(why([](MotionPlan& p) { p.whole_body.wrenches[7].pop_back(); }), start + "it has 3 feet, the robot 4");
+  EXPECT_EQ(why([](MotionPlan& p) { p.schedule = {}; }), start + "the contact schedule has no phase");
 }
 
 TEST(AuditedTime, APlanThatLastsForEverIsRefused) {

@@ -150,6 +150,18 @@ TEST(Schedule, IntervalsAbutExactlyOnTheGrid) {
   }
 }
 
+TEST(Schedule, IsThatOfItsIntervals) {
+  const std::vector<std::vector<ContactInterval>> by_foot = {
+      {{0.0, 1.0}, {2.0, 5.0}}, {{0.0, 2.0}, {2.0, 3.0}, {4.0, 5.0}}, {{1.0, 4.5}}, {}};
+  const ContactSchedule schedule = ScheduleFromIntervals(by_foot, 0.0, 5.0);
+  const std::vector<ContactPhase> expected = {{0.0, 1.0, 3}, {1.0, 2.0, 6}, {2.0, 3.0, 7},
+                                              {3.0, 4.0, 5}, {4.0, 4.5, 7}, {4.5, 5.0, 3}};
+  EXPECT_EQ(schedule.phases, expected);
+  EXPECT_EQ(IntervalsOf(schedule, 0), by_foot[0]);
+  EXPECT_EQ(IntervalsOf(schedule, 1), (std::vector<ContactInterval>{{0.0, 3.0}, {4.0, 5.0}}));
+  EXPECT_EQ(IntervalsOf(schedule, 2), by_foot[2]);
+}
+
 TEST(Schedule, FlightIsRefusedAsNotPlannedYet) {
   const Result<RobotModel> a1 = LoadNamedRobot("a1");
   const Result<ContactSchedule> schedule = ScheduleContacts(*FindGait(*a1, "pronk", 1.0, {}), {});

@@ -141,12 +141,35 @@ TEST(PlanJson, ValuesThatCannotBeAreRefused) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {1, 0}};
             }),
             "'terrain.patches[0].outline_m' has 2 corners; none makes a plane without end, three or more an outline");
+  EXPECT_EQ(WhyRefused([](Json& j) {
+              j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {0, 9}, {9, 9}, {9, 0}};
+            }),
+            "'terrain.patches[0].outline_m' runs clockwise; counter-clockwise is needed");
+  EXPECT_EQ(WhyRefused([](Json& j) {
+              j["terrain"]["patches"][0]["outline_m"] = {{-9, -9}, {9, -9}, {0, 0}, {9, 9}, {-9, 9}};
+            }),
+            "'terrain.patches[0].outline_m' fills 0.75 of its convex hull; it must be convex");
+  EXPECT_EQ(WhyRefused([](Json& j) { j["gait"]["cycle_s"] = 0.0; }), "'gait.cycle_s' is 0; it must be over 0");
   EXPECT_EQ(WhyRefused([](Json& j) { j["terrain"]["patches"][0]["pose"] = {0, 0, 0, 1, 0, 0, 0}; }),
             "'terrain.patches[0]' faces down: the z of its normal is -1; it must be over 0");
   EXPECT_EQ(WhyRefused([](Json& j) { j["step_s"] = 0; }), "'step_s' is 0; it must be positive");
   EXPECT_EQ(
       WhyRefused([](Json& j) { j["swings"][0]["end_s"] = j["swings"][0]["start_s"]; }).find("'swings[0]' lasts from "),
       0U);
+}
+
+TEST(PlanJson, FootholdsComeBackInOrder) {
+  Json j = Json::parse(GoodText());
+  Json& footholds = j["footholds"];
+  std::reverse(footholds.begin(), footholds.end());
+  const Result<MotionPlan> back = PlanFromJson(j.dump(), "plan");
+  ASSERT_TRUE(back.ok()) << back.failure().message;
+  const MotionPlan& good = GoodPlanOf("a1").plan;
+  ASSERT_EQ(back->footsteps.footholds.size(), good.footsteps.footholds.size());
+  for (std::size_t i = 0; i < good.footsteps.footholds.size(); ++i) {
+    EXPECT_EQ(back->footsteps.footholds[i].foot, good.footsteps.footholds[i].foot) << i;
+    EXPECT_EQ(back->footsteps.footholds[i].touchdown_s, good.footsteps.footholds[i].touchdown_s) << i;
+  }
 }
 
 TEST(PlanJson, RowsThatDoNotBelongTogetherAreRefused) {

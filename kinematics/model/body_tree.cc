@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/body_tree.h"
+
+#include <algorithm>
+
+namespace gaitwright {
+
+std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints) {
+  std::vector<Pose> X_OB(model.bodies.size(), Pose::Identity());
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    const double position = joint.multiplier * joints[joint.dof] + joint.offset;
+    Pose X_JB = Pose::Identity();
+    if (joint.is_prismatic()) {
+      X_JB.translation() = position * joint.axis_J;
+    } else {
+      X_JB.linear() = Eigen::AngleAxisd(position, joint.axis_J).toRotationMatrix();
+    }
+    X_OB[j + 1] = X_OB[static_cast<std::size_t>(joint.parent_body)] * joint.X_PJ * X_JB;
+  }
+  return X_OB;
+}
+
+std::vector<int> ChainTo(const RobotModel& model, int body) {
+  std::vector<int> chain;
+  for (int b = body; b > 0; b = model.joints[static_cast<std::size_t>(b - 1)].parent_body) chain.push_back(b - 1);
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+bool Carries(const RobotModel& model, int ancestor, int body) {
+  while (body > ancestor) body = model.joints[static_cast<std::size_t>(body - 1)].parent_body;
+  return body == ancestor;
+}
+
+}  // namespace gaitwright

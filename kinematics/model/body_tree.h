@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// Poses of all bodies in the base frame O at the joint coordinates (size n). For making a model; motions take
+/// ForwardKinematics, which allocates nothing.
+std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints);
+
+/// Indices of the joints from the base to a body, base first.
+std::vector<int> ChainTo(const RobotModel& model, int body);
+
+/// Whether moving `ancestor` moves `body`: it is that body or on the way to it.
+bool Carries(const RobotModel& model, int ancestor, int body);
+
+}  // namespace gaitwright
