@@ -2,6 +2,7 @@
 # What the libraries and the program are built on. cmake/gaitwrightConfig.cmake.in lists the same for those who link us.
 find_package(Eigen3 3.4 REQUIRED)
 find_package(fmt REQUIRED)
+find_package(utf8cpp REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -15,16 +15,33 @@
 #include "kinematics/base/result.h"
 #include "kinematics/base/same_file.h"
 #include "optimisation/centroidal/preview_control.h"
+#include "playback/report/plot_grid.h"
+#include "playback/report/plot_style.h"
 
 namespace gaitwright::examples {
 namespace {
 
 constexpr char kHeader[] = "time_s,zmp_x_m,zmp_y_m";
 
+std::string Trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// The words between commas, without the blanks around them.
+std::vector<std::string> WordsOf(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream stream(line + ",");
+  for (std::string word; std::getline(stream, word, ',');) words.push_back(Trimmed(word));
+  return words;
+}
+
 std::vector<double> ParseRow(const std::string& line, int number) {
+  const std::vector<std::string> words = WordsOf(line);
+  if (words.size() != 3)
+    throw InvalidArgument(fmt::format("line {}: {} columns, 3 are needed ({})", number, words.size(), kHeader));
   std::vector<double> values;
-  std::istringstream stream(line);
-  for (std::string word; std::getline(stream, word, ',');) {
+  for (const std::string& word : words) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
@@ -32,9 +49,6 @@ std::vector<double> ParseRow(const std::string& line, int number) {
     }
     values.push_back(value);
   }
-  if (values.size() != 3 || line.ends_with(','))
-    throw InvalidArgument(fmt::format("line {}: {} columns, 3 are needed ({})", number,
-                                      values.size() + (line.ends_with(',') ? 1 : 0), kHeader));
   return values;
 }
 
@@ -62,15 +76,24 @@ Axes Follow(const ZmpTable& reference, double com_height_m, double preview_s) {
           FollowZmp(setup, reference.zmp_y_m, reference.zmp_y_m.front())};
 }
 
-std::string Polyline(const std::vector<double>& time_s, const std::vector<double>& values, double scale,
-                     double middle_px, const char* colour) {
-  std::string points;
-  const double start_s = time_s.front(), span_s = time_s.back() - start_s;
-  for (std::size_t k = 0; k < values.size(); k += 4) {
-    points +=
-        fmt::format("{:.1f},{:.1f} ", 60.0 + 800.0 * (time_s[k] - start_s) / span_s, middle_px - scale * values[k]);
-  }
-  return fmt::format("<polyline fill='none' stroke='{}' stroke-width='1.5' points='{}'/>\n", colour, points);
+SvgPlot PlotOf(const std::vector<double>& time_s, const std::vector<double>& wanted, const PreviewMotion& got,
+               const std::string& axis) {
+  SvgPlot::Options options;
+  options.title = "ZMP and centre of mass, " + axis;
+  options.x_label = "time [s]";
+  options.y_label = axis + " [m]";
+  options.x_lowest = time_s.front();
+  options.x_highest = time_s.back();
+  SvgPlot plot(options);
+  const auto line = [&](const std::vector<double>& values, Ink ink, Stroke stroke, const char* label) {
+    std::vector<Vector2> points;
+    for (std::size_t k = 0; k < values.size(); ++k) points.emplace_back(time_s[k], values[k]);
+    plot.Line(points, ink, stroke, label);
+  };
+  line(wanted, Ink::kZmp, Stroke::kPlanned, "ZMP reference");
+  line(got.zmp_m, Ink::kZmp, Stroke::kMeasured, "ZMP");
+  line(got.com_m, Ink::kCom, Stroke::kMeasured, "centre of mass");
+  return plot;
 }
 
 }  // namespace
@@ -96,13 +119,12 @@ ZmpTable ReadZmp(const std::string& csv_text) {
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
     if (number == 1) {
-      if (line != kHeader)
-        throw InvalidArgument(fmt::format("line 1: the header is '{}'; '{}' is needed", line, kHeader));
+      if (WordsOf(line) != WordsOf(kHeader))
+        throw InvalidArgument(fmt::format("line 1: the header is '{}'; '{}' is needed", Trimmed(line), kHeader));
       continue;
     }
-    if (line.empty()) continue;
+    if (Trimmed(line).empty()) continue;
     const std::vector<double> row = ParseRow(line, number);
     const std::size_t n = table.time_s.size();
     constexpr double kEven = 1e-6;
@@ -131,28 +153,9 @@ std::string PreviewedCsv(const ZmpTable& reference, double com_height_m, double 
 
 std::string PreviewPicture(const ZmpTable& reference, double com_height_m, double preview_s) {
   const Axes motion = Follow(reference, com_height_m, preview_s);
-  const auto span = [](const std::vector<double>& v) {
-    const auto [low, high] = std::minmax_element(v.begin(), v.end());
-    return std::pair(0.5 * (*low + *high), std::max(*high - *low, 1e-3));
-  };
-  std::string svg =
-      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 900 560' font-family='sans-serif' font-size='13'>\n"
-      "<rect width='900' height='560' fill='white'/>\n"
-      "<text x='60' y='24'>ZMP reference (grey), ZMP (orange) and centre of mass (blue) over time</text>\n";
-  const auto axis = [&](const char* name, const std::vector<double>& wanted, const PreviewMotion& got,
-                        double middle_px) {
-    const auto [centre, size] = span(wanted);
-    const double scale = 180.0 / size, zero = middle_px + scale * centre;
-    svg += fmt::format("<text x='8' y='{}'>{} [m]</text>\n", middle_px, name);
-    svg += Polyline(reference.time_s, wanted, scale, zero, "#999999");
-    svg += Polyline(reference.time_s, got.zmp_m, scale, zero, "#d55e00");
-    svg += Polyline(reference.time_s, got.com_m, scale, zero, "#0072b2");
-  };
-  axis("x", reference.zmp_x_m, motion.x, 150.0);
-  axis("y", reference.zmp_y_m, motion.y, 410.0);
-  svg += fmt::format("<text x='740' y='545'>time {:.1f} to {:.1f} s</text>\n</svg>\n", reference.time_s.front(),
-                     reference.time_s.back());
-  return svg;
+  const std::vector<SvgPlot> plots = {PlotOf(reference.time_s, reference.zmp_x_m, motion.x, "x"),
+                                      PlotOf(reference.time_s, reference.zmp_y_m, motion.y, "y")};
+  return StandaloneSvg(GridOfPlots(plots, 1, "Preview control"));
 }
 
 int PreviewControlMain(int argc, const char* const* argv) {

@@ -2,7 +2,9 @@
 #include "kinematics/base/file.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
+#include <utf8cpp/utf8.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -25,6 +27,23 @@ Failure FileFailure(const std::string& code, const std::string& message) {
 Failure Unwritable(const std::string& path, const std::error_code& error) {
   return FileFailure("unwritable_file", fmt::format("cannot write '{}': {}", path, error.message()));
 }
+
+/// Holds back what asks the program to end (Ctrl-C and its kin) until files are whole, in the thread that writes them.
+class EndingsHeldBack {
+ public:
+  EndingsHeldBack() {
+    sigset_t endings;
+    sigemptyset(&endings);
+    for (const int ending : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&endings, ending);
+    pthread_sigmask(SIG_BLOCK, &endings, &former_);
+  }
+  EndingsHeldBack(const EndingsHeldBack&) = delete;
+  EndingsHeldBack& operator=(const EndingsHeldBack&) = delete;
+  ~EndingsHeldBack() { pthread_sigmask(SIG_SETMASK, &former_, nullptr); }
+
+ private:
+  sigset_t former_{};
+};
 
 /// Files that come into being together. What was prepared or put in place is undone unless all of it succeeded.
 class Transaction {
@@ -135,7 +154,14 @@ Result<std::string> ReadFile(const std::string& path) {
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return FileFailure("unreadable_file", fmt::format("cannot read '{}'", path));
-  return std::string(std::istreambuf_iterator<char>(stream), {});
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (const auto bad = utf8::find_invalid(text.begin(), text.end()); bad != text.end()) {
+    return FileFailure("not_text",
+                       fmt::format("'{}' line {} is not text in UTF-8: there is a byte 0x{:02x}", path,
+                                   1 + std::count(text.begin(), bad, '\n'), static_cast<unsigned char>(*bad)));
+  }
+  if (utf8::starts_with_bom(text.begin(), text.end())) text.erase(0, 3);
+  return text;
 }
 
 Result<std::string> WriteFileAtomically(const std::string& path, const std::string& text) {
@@ -145,6 +171,7 @@ Result<std::string> WriteFileAtomically(const std::string& path, const std::stri
 }
 
 Result<std::vector<std::string>> WriteFilesTogether(const std::vector<OutputFile>& files) {
+  const EndingsHeldBack held_back;
   Transaction transaction;
   std::vector<std::string> paths;
   for (const OutputFile& file : files) {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "kinematics/collision/shape_extent.h"
+
 namespace gaitwright {
 namespace {
 
@@ -44,42 +46,6 @@ bool CarriesDirectly(const RobotModel& model, const std::vector<bool>& has_shape
 }
 
 }  // namespace
-
-double BoundingRadius(const Shape& shape) {
-  if (shape.type == ShapeType::kBox) return 0.5 * shape.size.norm();
-  if (shape.type == ShapeType::kSphere) return shape.size.x();
-  if (shape.type == ShapeType::kMesh) {
-    double radius = 0.0;
-    for (const Vector3& v : shape.vertices) radius = std::max(radius, v.norm());
-    return radius;
-  }
-  if (shape.type == ShapeType::kCapsule) return shape.size.x() + 0.5 * shape.size.y();
-  return std::hypot(shape.size.x(), 0.5 * shape.size.y());
-}
-
-Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape) {
-  const Pose X_WS = FramePose(scratch, shape.body, shape.X_BS);
-  const Vector3 down_S = -X_WS.linear().row(2).transpose();
-  Vector3 p_S = Vector3::Zero();
-  if (shape.type == ShapeType::kBox) {
-    p_S = 0.5 * shape.size.cwiseProduct(down_S.cwiseSign());
-  } else if (shape.type == ShapeType::kSphere) {
-    p_S = shape.size.x() * down_S;
-  } else if (shape.type == ShapeType::kMesh) {
-    if (!shape.vertices.empty()) p_S = shape.vertices.front();
-    for (const Vector3& v : shape.vertices) {
-      if (v.dot(down_S) > p_S.dot(down_S)) p_S = v;
-    }
-  } else {
-    p_S.z() = std::copysign(0.5 * shape.size.y(), down_S.z());
-    if (shape.type == ShapeType::kCapsule) {
-      p_S += shape.size.x() * down_S;
-    } else if (down_S.head<2>().norm() > 1e-12) {
-      p_S.head<2>() = shape.size.x() * down_S.head<2>().normalized();
-    }
-  }
-  return X_WS * p_S;
-}
 
 struct CollisionChecker::Scene {
   struct Part {

@@ -10,12 +10,6 @@
 
 namespace gaitwright {
 
-/// The lowest point of a shape at the scratch's pose, in W; of a mesh without vertices its origin.
-Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape);
-
-/// Radius about the origin of S that holds the whole shape [m].
-double BoundingRadius(const Shape& shape);
-
 /// Two links that touch, and how far one would have to move for them to part.
 struct Overlap {
   std::string link_a, link_b;

@@ -131,6 +131,16 @@ void PointJacobian(const RobotModel& model, const DynamicsScratch& scratch, int 
   }
 }
 
+void JointScrews(const RobotModel& model, const DynamicsScratch& scratch, Eigen::Ref<MatrixX> S_W) {
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    const Vector3 motion = joint.multiplier * scratch.axis_W[j];
+    const auto column = static_cast<Eigen::Index>(j);
+    S_W.col(column).head<3>() = joint.is_prismatic() ? motion : scratch.p_WB[j + 1].cross(motion);
+    S_W.col(column).tail<3>() = joint.is_prismatic() ? Vector3::Zero() : motion;
+  }
+}
+
 void PointJacobianRate(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,
                        Eigen::Ref<MatrixX> Jdot) {
   const auto b = static_cast<std::size_t>(body);

@@ -49,6 +49,12 @@ Pose FramePose(const DynamicsScratch& scratch, int body, const Pose& X_BF);
 void PointJacobian(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,
                    Eigen::Ref<MatrixX> J);
 
+/// Screw axes of all joints at once, size 6 x joints: the motion that each joint's independent joint at unit rate
+/// gives, through this joint, to all that stands beyond it: [velocity at the world's origin; angular velocity] in W.
+/// The Jacobian of a point Q is made of the columns of the joints that carry it: [s_v + s_w x p_WQ; s_w], summed where
+/// joints are coupled. Needs ForwardKinematics. Lynch and Park, Modern Robotics, 2017, section 5.1.1.
+void JointScrews(const RobotModel& model, const DynamicsScratch& scratch, Eigen::Ref<MatrixX> S_W);
+
 /// Time derivative of PointJacobian, size 6 x nv; Jdot v alone is had faster by PointBiasAcceleration. Needs
 /// ForwardVelocities.
 void PointJacobianRate(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_BQ,

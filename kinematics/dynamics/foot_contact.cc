@@ -12,11 +12,13 @@ Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, int f
 
 std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, int foot,
                                    const Vector3& normal_W) {
-  const Foot& f = model.feet[static_cast<std::size_t>(foot)];
-  const Pose X_WF = ContactFrame(model, scratch, foot, normal_W);
-  if (f.sole_F.empty()) return {X_WF.translation()};
+  return ContactPoints(model.feet[static_cast<std::size_t>(foot)], ContactFrame(model, scratch, foot, normal_W));
+}
+
+std::vector<Vector3> ContactPoints(const Foot& foot, const Pose& X_WF) {
+  if (foot.sole_F.empty()) return {X_WF.translation()};
   std::vector<Vector3> corners;
-  for (const Vector2& corner : f.sole_F) corners.push_back(X_WF * Vector3(corner.x(), corner.y(), 0.0));
+  for (const Vector2& corner : foot.sole_F) corners.push_back(X_WF * Vector3(corner.x(), corner.y(), 0.0));
   return corners;
 }
 

@@ -17,6 +17,9 @@ Pose ContactFrame(const RobotModel& model, const DynamicsScratch& scratch, int f
 std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratch& scratch, int foot,
                                    const Vector3& normal_W = Vector3::UnitZ());
 
+/// The same where the contact frame is known.
+std::vector<Vector3> ContactPoints(const Foot& foot, const Pose& X_WF);
+
 /// Adds to `tau` (size nv) the generalised forces J^T f of a force at a point fixed in a body at this moment.
 void AddPointForce(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_WQ,
                    const Vector3& force_W, VectorX& tau);

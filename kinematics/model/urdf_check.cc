@@ -8,6 +8,7 @@
 #include <cstring>
 #include <map>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "kinematics/base/options.h"
@@ -81,6 +82,15 @@ void CheckRoots(const Tree& tree) {
   }
 }
 
+void RefuseXacro(const XMLElement& robot) {
+  for (const XMLElement* child = robot.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    if (std::string_view(child->Name()).starts_with("xacro:"))
+      Refuse("xacro", fmt::format("line {} has <{}>: this is a xacro file, from which a URDF is yet to be made, by "
+                                  "'xacro FILE > robot.urdf'",
+                                  child->GetLineNum(), child->Name()));
+  }
+}
+
 void CheckDocument(const std::string& urdf_text) {
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf_text.c_str(), urdf_text.size()) != tinyxml2::XML_SUCCESS) {
@@ -91,6 +101,7 @@ void CheckDocument(const std::string& urdf_text) {
     Refuse("not_urdf",
            fmt::format("the root element is <{}>; a URDF has <robot>", robot == nullptr ? "" : robot->Name()));
   }
+  RefuseXacro(*robot);
   Tree tree;
   for (const XMLElement* link = robot->FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {

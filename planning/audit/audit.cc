@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "kinematics/collision/shape_extent.h"
 #include "planning/audit/auditor.h"
 
 namespace gaitwright {
@@ -61,9 +62,7 @@ Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOpt
   }
   highest_ground_m_ = HighestGround(plan.terrain);
   for (const Shape& shape : model.collision_shapes) {
-    const bool is_foot =
-        std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return foot.link == shape.link; });
-    if (!is_foot) bodies_.emplace_back(&shape, BoundingRadius(shape));
+    if (!IsShapeOfAFoot(model, shape)) bodies_.emplace_back(&shape, BoundingRadius(shape));
   }
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/collision/shape_extent.h"
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/audit/auditor.h"

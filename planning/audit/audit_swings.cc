@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Law `consistency`: swings against the schedule, the footholds and the way that the feet go in q.
+// Laws `foot_clearance` of the swings' own curves, and `consistency`: swings against the schedule, the footholds and
+// the way that the feet go in q.
 #include <algorithm>
 #include <cmath>
 
@@ -37,11 +38,20 @@ void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
   for (int k = 0; k <= pieces; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const Pose X_WF = Evaluate(curve, time(k)).X_WF;
+    CheckSwingClearance(swing.foot, X_WF, time(k));
     Expect(FootName(swing.foot) + " off its swing", time(k),
            (path[i].translation() - rolled_W[i] - X_WF.translation()).norm(), kPosition, "m");
     if (foot.type != FootType::kSole) continue;
     Expect(FootName(swing.foot) + " turned from its swing", time(k),
            RotationLog(path[i].linear() * X_WF.linear().transpose()).norm(), kRotation, "rad");
+  }
+}
+
+void Auditor::CheckSwingClearance(int foot, const Pose& X_WF, double time_s) {
+  for (const Vector3& p : ContactPoints(model_.feet[static_cast<std::size_t>(foot)], X_WF)) {
+    const double height = p.z() - GroundAt(plan_.terrain, p.head<2>()).height_m;
+    if (!(height >= -kTouching))
+      findings_.Note("foot_clearance", FootName(foot) + " on its swing", time_s, height, -kTouching, "m");
   }
 }
 

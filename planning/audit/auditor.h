@@ -57,6 +57,7 @@ class Auditor {
   void CheckSwings();
   void CheckSwing(const SwingTrajectory& swing, const ContactInterval& gap);
   void CheckSwingPath(const SwingTrajectory& swing);
+  void CheckSwingClearance(int foot, const Pose& X_WF, double time_s);
 
   /// Notes a breach of consistency unless `off` is at most `limit`.
   void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
@@ -179,6 +180,18 @@ Pose JsonPart::ToPose() const {
   X.translation() = v.head<3>();
   X.linear() = Quaternion(v[6], v[3], v[4], v[5]).normalized().toRotationMatrix();
   return X;
+}
+
+Json ParseJsonOnce(const std::string& text) {
+  std::vector<std::set<std::string>> open;  // the keys of the objects that are not yet closed
+  const auto see = [&open](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
+      throw InvalidArgument(fmt::format("the key '{}' stands twice in one object", parsed.get<std::string>()));
+    return true;
+  };
+  return Json::parse(text, see);
 }
 
 std::string WhyNoJson(const std::string& text) {

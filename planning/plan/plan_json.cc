@@ -207,9 +207,11 @@ std::string PlanToJson(const MotionPlan& plan) {
 Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& source) {
   Json j;
   try {
-    j = Json::parse(text);
+    j = ParseJsonOnce(text);
   } catch (const Json::exception&) {
     return Refused(source, WhyNoJson(text));
+  } catch (const InvalidArgument& error) {
+    return Refused(source, error.what());
   }
   try {
     if (!j.is_object() || !j.contains("format") || j.at("format") != kFormat)

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "kinematics/collision/shape_extent.h"
 #include "playback/bullet/robot_body_internal.h"
 
 namespace gaitwright::bullet {
@@ -117,9 +118,7 @@ void RobotBody::AddColliders(const RobotModel& model, const BodyOptions& options
   for (std::size_t i = 0; i < model.bodies.size(); ++i) compounds_.push_back(std::make_unique<btCompoundShape>(false));
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) AddFoot(model, foot, options.sole_plates);
   for (const Shape& shape : model.collision_shapes) {
-    const bool of_foot =
-        std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return IsShapeOfFoot(foot, shape); });
-    auto made = of_foot ? nullptr : MakeShape(shape);
+    auto made = IsShapeOfAFoot(model, shape) ? nullptr : MakeShape(shape);
     if (made) AddChild(shape.body, shape.X_BS, std::move(made), {-1, shape.link});
   }
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {

@@ -99,8 +99,4 @@ std::unique_ptr<btCollisionShape> MakeShape(const Shape& shape);
 /// A sole as a convex plate above its polygon.
 std::unique_ptr<btCollisionShape> MakeSolePlate(const std::vector<Vector2>& sole_F);
 
-/// True when the shape is the foot itself, or the link that its sole was derived from: it would touch whenever the foot
-/// does.
-bool IsShapeOfFoot(const Foot& foot, const Shape& shape);
-
 }  // namespace gaitwright::bullet

@@ -86,6 +86,7 @@ inline const std::vector<Owner> kOwners = {
     {"fmt/", kAnywhere},
     {"nlohmann/", kAnywhere},
     {"yaml-cpp/", kAnywhere},
+    {"utf8cpp/", {"kinematics/base"}},
     {"urdf_parser/", {"kinematics/model"}},
     {"urdf_model/", {"kinematics/model"}},
     {"urdf_world/", {"kinematics/model"}},
@@ -107,6 +108,7 @@ inline const std::vector<Owner> kOwners = {
     // Of the operating system: atomic writing and terminals.
     {"unistd.h", kAnywhere},
     {"fcntl.h", kAnywhere},
+    {"signal.h", kAnywhere},
     {"sys/", kAnywhere},
 };
 

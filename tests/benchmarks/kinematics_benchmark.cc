@@ -42,6 +42,18 @@ void FootJacobians(benchmark::State& state) {
   }
 }
 
+/// The columns of all Jacobians, once for each joint, from the configuration on: what other libraries call the joint
+/// Jacobians.
+void JointScrewsFromConfiguration(benchmark::State& state) {
+  Stand s(state);
+  MatrixX S(6, static_cast<Eigen::Index>(s.model.joints.size()));
+  for (auto _ : state) {
+    ForwardKinematics(s.model, s.q, s.scratch);
+    JointScrews(s.model, s.scratch, S);
+    benchmark::DoNotOptimize(S.data());
+  }
+}
+
 void FootJacobianRates(benchmark::State& state) {
   Stand s(state);
   MatrixX rate(6, s.model.nv());
@@ -162,6 +174,7 @@ void WholeBodyIkCall(benchmark::State& state) {
 
 BENCHMARK(ForwardKinematicsCall)->Arg(0)->Arg(1);
 BENCHMARK(FootJacobians)->Arg(0)->Arg(1);
+BENCHMARK(JointScrewsFromConfiguration)->Arg(0)->Arg(1);
 BENCHMARK(FootJacobianRates)->Arg(0)->Arg(1);
 BENCHMARK(AllJacobians)->Arg(0)->Arg(1);
 BENCHMARK(CentreOfMassCall)->Arg(0)->Arg(1);

@@ -46,6 +46,7 @@ TEST(PreviewControlExample, WrongFilesNameTheLine) {
   };
   const std::string header = "time_s,zmp_x_m,zmp_y_m\n";
   EXPECT_EQ(message(header + "0,0,0\n0.005,0,0\n"), "");
+  EXPECT_EQ(message("time_s, zmp_x_m, zmp_y_m\r\n 0, 0, 0\r\n0.005,0 ,0\r\n\r\n"), "");
   EXPECT_NE(message("t,x,y\n").find("line 1"), std::string::npos);
   EXPECT_NE(message(header + "0,0,0\n0.005,abc,0\n").find("line 3: 'abc'"), std::string::npos);
   EXPECT_NE(message(header + "0,0,0\n0.005,0\n").find("line 3: 2 columns"), std::string::npos);

@@ -36,7 +36,7 @@ class NoAllocations : public testing::TestWithParam<const char*> {
 TEST_P(NoAllocations, Dynamics) {
   const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv()), a = random_.Vector(model_.nv());
   const int body = static_cast<int>(model_.bodies.size()) - 1;
-  MatrixX M, J(6, model_.nv()), J_C(3, model_.nv());
+  MatrixX M, J(6, model_.nv()), J_C(3, model_.nv()), S(6, static_cast<Eigen::Index>(model_.joints.size()));
   VectorX tau;
   Vector3 point;
   Vector6 twist;
@@ -44,6 +44,7 @@ TEST_P(NoAllocations, Dynamics) {
   EXPECT_EQ(OfSecond([&] { ForwardKinematics(model_, q, scratch_); }), 0);
   EXPECT_EQ(OfSecond([&] { ForwardVelocities(model_, q, v, scratch_); }), 0);
   EXPECT_EQ(OfSecond([&] { PointJacobian(model_, scratch_, body, p_BQ, J); }), 0);
+  EXPECT_EQ(OfSecond([&] { JointScrews(model_, scratch_, S); }), 0);
   EXPECT_EQ(OfSecond([&] { PointJacobianRate(model_, scratch_, body, p_BQ, J); }), 0);
   EXPECT_EQ(OfSecond([&] { twist = PointVelocity(scratch_, body, p_BQ); }), 0);
   EXPECT_EQ(OfSecond([&] { twist = PointBiasAcceleration(scratch_, body, p_BQ); }), 0);

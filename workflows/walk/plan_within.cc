@@ -18,8 +18,8 @@ namespace {
 constexpr double kSlightExcess = 1e-5;  // which the audit may let pass
 
 /// Whether a plan is sound enough to be given.
-bool Passes(const RobotModel& model, const Result<PlannedWalk>& planned) {
-  return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(model, planned->audit).empty();
+bool Passes(const Result<PlannedWalk>& planned) {
+  return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(planned->audit).empty();
 }
 
 /// True for failures that a slower walk may not have.
@@ -66,7 +66,7 @@ class Search {
     const Result<Cycles> cycles = CyclesFor(command);
     if (!cycles) return cycles.failure();
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
-    if (request_.motion.pipeline.allow_limits || Passes(model_, first)) return first;
+    if (request_.motion.pipeline.allow_limits || Passes(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
     const bool ground = first ? BrokenLimits(first->audit).empty() : first.failure().code == "zmp_support";
     Result<PlannedWalk> other = FirstOf(ground ? std::vector<int>{-1, -2, -3, -4, 1, 2, 3, 4, 5, 6}
@@ -131,7 +131,7 @@ class Search {
     seldom.rate_hz *= 0.5;
     const WalkRequest coarse = Coarse(request_, cycles.fitted.cycle_s);
     const Result<PlannedWalk> planned = PlanAndAudit(coarse, gait, Shortened(model_, command, gait), seldom, true);
-    const double height = Passes(model_, planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
+    const double height = Passes(planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
     brief_[asked] = height;
     return height;
   }
@@ -186,7 +186,7 @@ class Search {
       if (height == 0.0) continue;
       const Gait gait = cycles.At(number);
       Result<PlannedWalk> planned = WholeAt(height, gait, command);
-      if (!Passes(model_, planned)) continue;
+      if (!Passes(planned)) continue;
       if (number != 0) {
         planned->motion.summary += fmt::format("; a cycle of {:.2f} s, since a plan with {:.2f} s would fail its audit",
                                                gait.cycle_s, cycles.fitted.cycle_s);
@@ -251,8 +251,8 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
 }
 
 /// Why a plan is not given: the worst limit of the robot, or else the first of the other laws.
-Failure Broken(const RobotModel& model, const AuditReport& audit) {
-  const std::vector<Violation> forbidding = Forbidding(model, audit);
+Failure Broken(const AuditReport& audit) {
+  const std::vector<Violation> forbidding = Forbidding(audit);
   const std::size_t limits = BrokenLimits(audit).size();
   return {
       FailureKind::kInfeasible,
@@ -267,8 +267,8 @@ Failure Broken(const RobotModel& model, const AuditReport& audit) {
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
   const Search search(model, terrain, request);
   Result<PlannedWalk> planned = search.Plan(request.command);
-  if (request.motion.pipeline.allow_limits || Passes(model, planned)) return planned;
-  if (planned) return Refusal(search, model, request, Broken(model, planned->audit));
+  if (request.motion.pipeline.allow_limits || Passes(planned)) return planned;
+  if (planned) return Refusal(search, model, request, Broken(planned->audit));
   return IsTooMuch(planned.failure()) ? Refusal(search, model, request, planned.failure()) : planned;
 }
 

@@ -30,16 +30,6 @@ bool IsLimit(const Violation& v) {
 
 double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
 
-/// Whether it is the body of a foot itself that comes into the ground: the ground is under it in any case.
-bool IsBesideFoot(const RobotModel& model, const Violation& v) {
-  const auto of_foot = [&](const Shape& shape) {
-    return shape.link == v.where &&
-           std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) { return foot.body == shape.body; });
-  };
-  return v.law == "body_clearance" &&
-         std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(), of_foot);
-}
-
 double OwnPace(const RobotModel& model, const WalkCommand& c) {
   switch (PaceOf(c)) {
     case Pace::kSpeed:
@@ -97,10 +87,10 @@ std::vector<Violation> BrokenLimits(const AuditReport& audit) {
   return broken;
 }
 
-std::vector<Violation> Forbidding(const RobotModel& model, const AuditReport& audit) {
+std::vector<Violation> Forbidding(const AuditReport& audit) {
   std::vector<Violation> forbidding = BrokenLimits(audit);
   std::copy_if(audit.violations.begin(), audit.violations.end(), std::back_inserter(forbidding),
-               [&](const Violation& v) { return !IsLimit(v) && !IsBesideFoot(model, v); });
+               [](const Violation& v) { return !IsLimit(v); });
   return forbidding;
 }
 

@@ -13,9 +13,8 @@ namespace gaitwright {
 /// joints, reach of legs, collisions of the robot with itself. Empty for a plan that keeps them all.
 std::vector<Violation> BrokenLimits(const AuditReport& audit);
 
-/// All that a plan breaks for which it is not given: limits, worst first, and then other laws in the audit's order. Not
-/// among them is a shank that touches the ground beside the foot at its end: that is the robot's build at any pace.
-std::vector<Violation> Forbidding(const RobotModel& model, const AuditReport& audit);
+/// All that a plan breaks for which it is not given: limits, worst first, and then other laws in the audit's order.
+std::vector<Violation> Forbidding(const AuditReport& audit);
 
 /// One sentence without a full stop that names the joint, link or foot of a violation, its value, its limit and by how
 /// much that is passed; of other laws than limits what is lacking.

@@ -2,10 +2,14 @@
 #include "kinematics/base/file.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 namespace gaitwright {
 namespace {
@@ -79,6 +83,36 @@ TEST_F(Files, AFailureWhileRenamingIsUndone) {
   ASSERT_FALSE(written);
   EXPECT_EQ(Found(), std::vector<std::string>{"former"});
   EXPECT_EQ(*ReadFile(In("former")), "old");
+}
+
+TEST_F(Files, OnlyTextIsRead) {
+  ASSERT_TRUE(WriteFileAtomically(In("latin"), "name: one\nname: caf\xe9\n"));
+  const Result<std::string> latin = ReadFile(In("latin"));
+  ASSERT_FALSE(latin);
+  EXPECT_EQ(latin.failure().code, "not_text");
+  EXPECT_NE(latin.failure().message.find("line 2 is not text in UTF-8: there is a byte 0xe9"), std::string::npos);
+  ASSERT_TRUE(WriteFileAtomically(In("marked"), "\xef\xbb\xbfname: caf\xc3\xa9\n"));
+  EXPECT_EQ(*ReadFile(In("marked")), "name: caf\xc3\xa9\n");
+}
+
+/// A program that is asked to end while it writes leaves whole files and nothing else.
+TEST_F(Files, AnEndWhileWritingWaitsForWholeFiles) {
+  const std::string text(20'000'000, 'x');
+  const pid_t writer = fork();
+  ASSERT_GE(writer, 0);
+  if (writer == 0) {
+    while (WriteFilesTogether({{In("a"), text}, {In("b"), text}})) {
+    }
+    _exit(1);
+  }
+  while (!fs::exists(In("b"))) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(writer, SIGTERM);
+  int status = 0;
+  waitpid(writer, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(Found(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(fs::file_size(In("a")), text.size());
 }
 
 TEST_F(Files, DevicesAreLeftAlone) {

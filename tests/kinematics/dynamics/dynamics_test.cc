@@ -57,6 +57,26 @@ TEST_P(Dynamics, BiasAccelerationsAreDerivativesOfVelocities) {
   EXPECT_LT((difference - PointBiasAcceleration(scratch_, body, p_BQ)).norm(), 1e-6);
 }
 
+TEST_P(Dynamics, JacobiansAreMadeOfTheScrewsOfTheJoints) {
+  ForwardKinematics(model_, random_.Configuration(model_), scratch_);
+  MatrixX S(6, static_cast<Eigen::Index>(model_.joints.size())), J(6, model_.nv());
+  JointScrews(model_, scratch_, S);
+  for (int body = 1; body < static_cast<int>(model_.bodies.size()); ++body) {
+    const Vector3 p_BQ = random_.Vector(3);
+    const Vector3 p_WQ =
+        scratch_.p_WB[static_cast<std::size_t>(body)] + scratch_.R_WB[static_cast<std::size_t>(body)] * p_BQ;
+    MatrixX made = MatrixX::Zero(6, model_.num_dofs());
+    for (int i = body; i > 0; i = model_.joints[static_cast<std::size_t>(i - 1)].parent_body) {
+      const Vector3 v = S.col(i - 1).head<3>(), w = S.col(i - 1).tail<3>();
+      const int dof = model_.joints[static_cast<std::size_t>(i - 1)].dof;
+      made.col(dof).head<3>() += v + w.cross(p_WQ);
+      made.col(dof).tail<3>() += w;
+    }
+    PointJacobian(model_, scratch_, body, p_BQ, J);
+    EXPECT_LT((J.rightCols(model_.num_dofs()) - made).cwiseAbs().maxCoeff(), 1e-12) << body;
+  }
+}
+
 TEST_P(Dynamics, CentreOfMassJacobianAndBiasAreDerivatives) {
   MatrixX J(3, model_.nv());
   for (int trial = 0; trial < 10; ++trial) {

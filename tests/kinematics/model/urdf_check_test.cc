@@ -18,6 +18,11 @@ TEST(UrdfCheck, TheSmallRobotItselfIsGood) {
   EXPECT_EQ(model->legs.size(), 4U);
 }
 
+TEST(UrdfCheck, AXacroFileIsToldFromAUrdf) {
+  ExpectSays(MessageOf("<robot name='r'>\n<xacro:macro name='leg'><link name='a'/></xacro:macro></robot>"),
+             {"line 2 has <xacro:macro>", "xacro FILE > robot.urdf"});
+}
+
 TEST(UrdfCheck, RefusesMimicsThatCannotBeAndNamesTheJoint) {
   const auto with = [](const std::string& mimic) { return MessageOf(FourLegsWhere("A", "<mimic " + mimic + "/>")); };
   ExpectSays(with("joint='A_knee'"), {"joint 'A_knee'", "mimics itself"});

@@ -93,6 +93,18 @@ TEST_P(AuditConsistency, OfASwingWithTheWayOfItsFoot) {
   EXPECT_GT(Changed(foot() + " off its swing", detour).value, 0.01);
 }
 
+/// A swing's own curve is held against the ground too, whatever way the foot goes in q.
+TEST_P(AuditConsistency, ASwingsCurveThroughTheGroundIsNamedForThat) {
+  MotionPlan plan = good();
+  SwingTrajectory& swing = plan.swings[SwingOfFoot0(plan)];
+  swing.lift_m = -0.05;
+  const auto found = ViolationsOf(model(), plan);
+  EXPECT_EQ(LawsOf(found), (Laws{"consistency", "foot_clearance"}));
+  const Violation& depth = At(found, foot() + " on its swing");
+  EXPECT_NEAR(depth.value, -0.05, 1e-3);
+  EXPECT_NEAR(depth.at_s, 0.5 * (swing.start_s + swing.end_s), 3e-3);
+}
+
 TEST_P(AuditConsistency, OfASwingWithItsFootholds) {
   const std::size_t i = SwingOfFoot0(good());
   const auto moved = [&](MotionPlan& plan) { plan.swings[i].X_WF_end.translation().x() += 0.01; };

@@ -84,6 +84,13 @@ TEST(PlanJson, TextsThatBreakSayWhere) {
   EXPECT_EQ(WhyRefused(std::string("{\"format\": \"x\"}")), "it is no motion plan");
 }
 
+TEST(PlanJson, AKeyThatStandsTwiceIsRefused) {
+  std::string text = GoodText();
+  const std::string key = "\"step_s\":";
+  text.insert(text.find(key), "\"step_s\":0.005,");
+  EXPECT_EQ(WhyRefused(text), "the key 'step_s' stands twice in one object");
+}
+
 TEST(PlanJson, KeysThatAreUnknownOrMissingAreNamed) {
   EXPECT_EQ(WhyRefused([](Json& j) { j["footholdz"] = 1; }),
             "it has an unknown key 'footholdz'; the nearest that is known is 'footholds'");

@@ -13,8 +13,7 @@ using Case = synthetic::Played;
 /// A walk whose log is off its plan everywhere, a little and deterministically.
 Case Imperfect(int legs) {
   Case c = synthetic::Walked(legs);
-  for (std::size_t k = 0; k < c.log.samples.size(); ++k) {
-    LogSample& sample = c.log.samples[k];
+  for (LogSample& sample : c.log.samples) {
     const double t = sample.time_s;
     sample.q.head<3>() += 0.004 * Vector3(std::sin(3.0 * t), std::sin(5.0 * t), std::sin(7.0 * t));
     sample.v.head<3>() += 0.02 * Vector3(std::cos(3.0 * t), std::cos(5.0 * t), std::cos(7.0 * t));

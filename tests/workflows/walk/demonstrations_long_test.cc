@@ -118,7 +118,7 @@ class Demonstration : public testing::TestWithParam<bool> {
     const MotionPlan plan = PlanOf(model, walk);
     PlayRequest request;
     request.controller = walk.controller;
-    const StabilityReport report = Played(model, plan, request);
+    StabilityReport report = Played(model, plan, request);
     EXPECT_TRUE(report.pass) << walk.name << ": " << report.reason;
     EXPECT_LE(Value(report, "torque_use_max"), 1.0);
     RecordProperty(walk.name + "_score", fmt::format("{:.1f}", report.score));
@@ -221,9 +221,7 @@ TEST(FootRadius, DistanceHolds) {
     const RobotModel model = *LoadRobotFromText(urdf, a1.yaml_text, "a1");
     EXPECT_NEAR(model.feet.front().radius, radius_m, 1e-12);
     const PlannedWalk planned = Planned(model, {"a1_trot", "a1", "trot", "stabilised", Ahead(0.3, 3.0)});
-    // The box of the shank is wider than the smallest ball below it, and comes nearer to the ground than that.
-    for (const Violation& violation : planned.audit.violations)
-      EXPECT_TRUE(radius_m < 0.01 && violation.law == "body_clearance") << AuditText(planned.audit);
+    EXPECT_TRUE(planned.audit.pass()) << AuditText(planned.audit);
     for (const std::string controller : {"stabilised", "joint-pd"}) {
       PlayRequest request;
       request.controller = controller;
