@@ -275,7 +275,7 @@ class Heights {
     for (double share = 1.0 - kStep; share >= kLowest && least > 0.0 && without_gain < kPatience; share -= kStep) {
       // Lowering helps less and less.
       const double steps_left = std::round((share - kLowest) / kStep) + 1.0;
-      if (least - gain * steps_left > hopeless) break;
+      if (least - gain * steps_left > (least > hopeless ? hopeless : 0.0)) break;
       Result<Pass> lower = At(share * standing).Run(passes_, hopeless);
       const double excess = Excess(lower);
       without_gain = excess < least || !lower ? 0 : without_gain + 1;

@@ -136,15 +136,15 @@ class Search {
     return height;
   }
 
-  /// Raises the largest pace so far to that whose brief walk passes with a cycle of that number; true when it is
-  /// larger.
-  bool Raise(int number, double& largest) const {
+  /// Raises the largest pace so far to that whose brief walk passes with a cycle of that number, short of it by less
+  /// than `grain` numbers of two digits; true when it is larger.
+  bool Raise(int number, int grain, double& largest) const {
     const auto can_walk = [&](const WalkCommand& c) {
       const Result<Cycles> cycles = CyclesFor(c);
       return cycles && Brief(*cycles, number, c) > 0.0;
     };
     const double before = largest;
-    largest = before > 0.0 ? LargestPaceAbove(model_, request_.command, before, can_walk)
+    largest = before > 0.0 ? LargestPaceAbove(model_, request_.command, before, grain, can_walk)
                            : LargestPace(model_, request_.command, can_walk);
     return largest > before;
   }
@@ -152,11 +152,11 @@ class Search {
   /// Largest pace whose brief walk passes with any of the cycles, and the number of that: from the middle one of the
   /// quicker ones and from the fitted one on, by neighbours as long as they do better. 0 when none has any.
   double LargestBrief(int& serves) const {
-    constexpr int kMiddle = Cycles::kQuickest / 2;
+    constexpr int kMiddle = Cycles::kQuickest / 2, kCoarse = 4;
     double largest = 0.0;
     const auto climb = [&](int from, int to, int step) {
       for (int i = from; i != to + step; i += step) {
-        if (Raise(i, largest)) {
+        if (Raise(i, kCoarse, largest)) {
           serves = i;
         } else if (largest > 0.0) {
           return;
@@ -167,6 +167,7 @@ class Search {
     if (serves == kMiddle) climb(kMiddle - 1, 1, -1);
     climb(0, kMiddle - 1, 1);
     climb(-1, Cycles::kSlowest, -1);
+    if (largest > 0.0) Raise(serves, 1, largest);
     return largest;
   }
 

@@ -63,18 +63,12 @@ std::vector<double> TwoDigitsBetween(double low, double high) {
   return values;
 }
 
-/// Largest of the numbers of two digits between `known` and `high` that is possible, else `known`: by strides up from
-/// it that double, and bisection from where they lead too far. A first stride as long as the way is bisection alone.
-double LargestBetween(double known, double high, std::size_t stride, const std::function<bool(double)>& possible) {
+/// Largest of the numbers of two digits between `known` and `high` that is possible, else `known`, by bisection.
+double LargestBetween(double known, double high, const std::function<bool(double)>& possible) {
   const std::vector<double> between = TwoDigitsBetween(known, high);
-  std::size_t below = 0, end = between.size();  // those before `below` are possible, those from `end` are not
-  while (below < end) {
-    const std::size_t next = std::min(below + stride - 1, (below + end) / 2);
-    const bool is_possible = possible(between[next]);
-    stride = is_possible ? 2 * stride : between.size();
-    (is_possible ? below : end) = is_possible ? next + 1 : next;
-  }
-  return below == 0 ? known : between[below - 1];
+  const auto first_impossible =
+      std::partition_point(between.begin(), between.end(), [&](double value) { return possible(value); });
+  return first_impossible == between.begin() ? known : *(first_impossible - 1);
 }
 
 }  // namespace
@@ -181,12 +175,22 @@ double LargestPace(const RobotModel& model, const WalkCommand& command, const Ca
     ++halvings;
   }
   if (halvings == most_halvings) return 0.0;
-  return LargestBetween(low, high, 1000, possible);
+  return LargestBetween(low, high, possible);
 }
 
-double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, const CanWalk& can_walk) {
-  return LargestBetween(known, OwnPace(model, command), 1,
-                        [&](double value) { return can_walk(AtPace(model, command, value)); });
+double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, int grain,
+                        const CanWalk& can_walk) {
+  const auto possible = [&](double value) { return can_walk(AtPace(model, command, value)); };
+  const std::vector<double> between = TwoDigitsBetween(known, OwnPace(model, command));
+  const auto least = static_cast<std::size_t>(grain);
+  std::size_t below = 0, end = between.size(), stride = 1;  // possible before `below`, impossible from `end` on
+  while (end - below >= (below == 0 ? 1 : least)) {
+    const std::size_t next = std::min(below + stride - 1, (below + end) / 2);
+    const bool is_possible = possible(between[next]);
+    stride = is_possible ? 2 * stride : between.size();
+    (is_possible ? below : end) = is_possible ? next + 1 : next;
+  }
+  return below == 0 ? known : between[below - 1];
 }
 
 double NextLower(double value) { return TwoDigitsBetween(0.5 * value, value).back(); }

@@ -38,8 +38,11 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, const
 /// at most 20 questions. 0 when there is none, as when it says no to the slowest.
 double LargestPace(const RobotModel& model, const WalkCommand& command, const CanWalk& can_walk);
 
-/// The same from a pace on that is known to be possible; that one when none above it is, as one question tells.
-double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, const CanWalk& can_walk);
+/// The same from a pace on that is known to be possible, short of the largest by less than `grain` numbers of two
+/// digits; that one when none above it is, as one question tells. Strides up from it double, and where they lead too
+/// far they are bisected.
+double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, int grain,
+                        const CanWalk& can_walk);
 
 /// The next lower number of two digits.
 double NextLower(double value);

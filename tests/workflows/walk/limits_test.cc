@@ -137,7 +137,7 @@ TEST(LargestPace, AboveAKnownOneIsFoundWithFewQuestions) {
   const WalkCommand asked = Asked(3.0, 0.0, 0.0).command;
   for (const double limit : {0.5, 0.51, 0.52, 0.56, 0.99, 1.04, 2.71, 3.0}) {
     int questions = 0;
-    const double largest = LargestPaceAbove(a1, asked, 0.5, [&](const WalkCommand& c) {
+    const double largest = LargestPaceAbove(a1, asked, 0.5, 1, [&](const WalkCommand& c) {
       ++questions;
       EXPECT_GT(c.speed_m_s, 0.5);
       EXPECT_LT(c.speed_m_s, 3.0);
