@@ -54,7 +54,7 @@ class JsonPart {
 };
 
 /// The text as JSON. @throws Json::exception for what is none, InvalidArgument for a key that stands twice.
-Json ParseJsonOnce(const std::string& text);
+JsonPart::Json ParseJsonOnce(const std::string& text);
 
 /// Why a text is no JSON: cut short, or broken where, or with a number that is none.
 std::string WhyNoJson(const std::string& text);

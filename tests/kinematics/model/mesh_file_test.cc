@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "kinematics/base/file.h"
+#include "kinematics/collision/collision_checker.h"
 #include "kinematics/collision/shape_extent.h"
 #include "tests/kinematics/model/mesh_boxes.h"
 #include "tests/kinematics/model/small_urdf.h"
