@@ -22,9 +22,10 @@ bool Passes(const Result<PlannedWalk>& planned) {
   return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(planned->audit).empty();
 }
 
-/// True for failures that a slower walk may not have.
+/// True for failures that a slower walk may not have: not what the gait or the robot's build forbids.
 bool IsTooMuch(const Failure& failure) {
-  return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts";
+  const bool of_build = failure.code == "freedoms" || failure.code == "no_support";
+  return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts" && !of_build;
 }
 
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
