@@ -84,6 +84,7 @@ SvgPlot PlotOf(const std::vector<double>& time_s, const std::vector<double>& wan
   options.y_label = axis + " [m]";
   options.x_lowest = time_s.front();
   options.x_highest = time_s.back();
+  options.legend = false;  // the picture has one for both
   SvgPlot plot(options);
   const auto line = [&](const std::vector<double>& values, Ink ink, Stroke stroke, const char* label) {
     std::vector<Vector2> points;

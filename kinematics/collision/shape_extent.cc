@@ -49,8 +49,8 @@ double BoundingRadius(const Shape& shape) {
 
 bool IsShapeOfFoot(const Foot& foot, const Shape& shape) {
   constexpr double kSameSurface = 2e-3;  // [m]
-  if (shape.body != foot.body) return false;
   if (shape.link == foot.link) return true;
+  if (shape.body != foot.body) return false;
   const Pose X_FS = foot.X_BF.inverse() * shape.X_BS;
   const Vector3 down_S = X_FS.linear().transpose() * -Vector3::UnitZ();
   return (X_FS * SupportPoint(shape, down_S)).z() < kSameSurface - foot.radius;

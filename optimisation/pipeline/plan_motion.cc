@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -104,7 +105,7 @@ struct Pass {
 class Passes {
  public:
   Passes(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-         const MotionOptions& options, double com_height_m)
+         const MotionOptions& options, double com_height_m, double zmp_inward)
       : model_(model),
         terrain_(terrain),
         skeleton_(skeleton),
@@ -122,7 +123,7 @@ class Passes {
     problem_.omega_rad_s = std::sqrt(kGravity / com_height_m);
     problem_.start_W = start.head<2>();
     problem_.end_W = end.head<2>();
-    support_ = {problem_.start_W, problem_.end_W, options.pipeline.zmp_inward, problem_.step_s, {}};
+    support_ = {problem_.start_W, problem_.end_W, zmp_inward, problem_.step_s, {}};
     problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
   }
 
@@ -236,13 +237,22 @@ std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyT
   return warnings;
 }
 
-/// Finds the height of the centre of mass: the one asked for, or that of standing and then ever lower while that helps
-/// some foot that cannot reach or joints that are past their limits, as knees are that straighten. Where no height
-/// keeps all limits, the one with the least excess.
-class Heights {
+/// True where the robot stands on one sole alone for a while.
+bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
+  return std::any_of(schedule.phases.begin(), schedule.phases.end(), [&](const ContactPhase& phase) {
+    return std::has_single_bit(phase.stance) &&
+           model.feet[static_cast<std::size_t>(std::countr_zero(phase.stance))].has_sole();
+  });
+}
+
+/// Finds how the body is carried over its feet. The ZMP on one sole runs under its middle, or inward of that where
+/// joints come past their limits otherwise, as ankles and hips do that bend sideways. The centre of mass is at the
+/// height asked for, or that of standing and then ever lower while that helps some foot that cannot reach or joints
+/// that are past their limits, as knees are that straighten. Where nothing keeps all limits, what has the least excess.
+class Carriages {
  public:
-  Heights(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-          const MotionOptions& options, int& passes)
+  Carriages(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
+            const MotionOptions& options, int& passes)
       : model_(model), terrain_(terrain), skeleton_(skeleton), options_(options), passes_(passes) {}
 
   Result<Pass> Run() {
@@ -250,19 +260,31 @@ class Heights {
     constexpr double kHopeless = 0.05, kForever = std::numeric_limits<double>::infinity();
     const double hopeless = options_.pipeline.allow_limits ? kForever : kHopeless;
     const double standing = StandingCentreOfMass(model_, skeleton_.path.pose.front()).z();
-    const double asked = options_.pipeline.com_height_m;
-    Result<Pass> best = At(asked > 0.0 ? asked : standing).Run(passes_, hopeless);
-    if (asked > 0.0 || Excess(best) == 0.0) return best;
+    const double asked = options_.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
+    Result<Pass> best = At(height).Run(passes_, hopeless);
+    if (Excess(best) == 0.0) return best;
     if (!best && best.failure().code != "out_of_reach") return best;
-    Lower(standing, hopeless, best);
+    if (StandsOnOneSole(model_, skeleton_.schedule)) MoveInward(height, hopeless, best);
+    if (asked == 0.0 && Excess(best) > 0.0) Lower(standing, hopeless, best);
     return best;
   }
 
  private:
-  Passes At(double height_m) const { return Passes(model_, terrain_, skeleton_, options_, height_m); }
+  Passes At(double height_m) const { return Passes(model_, terrain_, skeleton_, options_, height_m, zmp_inward_); }
 
   double Excess(const Result<Pass>& pass) const {
     return pass ? pass->excess : std::numeric_limits<double>::infinity();
+  }
+
+  void MoveInward(double height_m, double hopeless, Result<Pass>& best) {
+    zmp_inward_ = options_.pipeline.zmp_inward;
+    if (!best || zmp_inward_ == 0.0) return;  // what is out of reach stays so
+    Result<Pass> inward = At(height_m).Run(passes_, hopeless);
+    if (Excess(inward) < Excess(best)) {
+      best = std::move(inward);
+    } else {
+      zmp_inward_ = 0.0;
+    }
   }
 
   void Lower(double standing, double hopeless, Result<Pass>& best) {
@@ -291,6 +313,7 @@ class Heights {
   const FootstepSkeleton& skeleton_;
   const MotionOptions& options_;
   int& passes_;
+  double zmp_inward_ = 0.0;
 };
 
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
@@ -319,7 +342,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, StandingOptions(options));
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
-  Result<Pass> pass = Heights(model, terrain, *skeleton, options, planned.passes).Run();
+  Result<Pass> pass = Carriages(model, terrain, *skeleton, options, planned.passes).Run();
   if (!pass) return pass.failure();
   if (auto tipped = TippedSole(model, terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;

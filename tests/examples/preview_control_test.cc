@@ -99,23 +99,38 @@ TEST(PreviewControlExample, DoesNotWriteOverItsReference) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(PreviewControlExample, DrawsWhateverTheTimeStartsAt) {
-  ZmpTable walk = WalkOfItsOwn();
-  const double end_s = walk.time_s.back();
-  for (double& t : walk.time_s) t -= end_s;
-  const std::string svg = PreviewPicture(walk, 0.814, 1.6);
-  EXPECT_NE(svg.find("points='60.0,"), std::string::npos);
-  EXPECT_NE(svg.find(" 860.0,"), std::string::npos);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-  EXPECT_EQ(svg.find("inf"), std::string::npos);
+/// How often a text stands in another.
+int Count(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
+  return count;
 }
 
-TEST(PreviewControlExample, DrawsThreeLinesForEachAxis) {
-  const std::string svg = PreviewPicture(WalkOfItsOwn(), 0.814, 1.6);
-  EXPECT_EQ(std::count(svg.begin(), svg.end(), '\n') > 8, true);
-  std::size_t lines = 0;
-  for (std::size_t at = 0; (at = svg.find("<polyline", at)) != std::string::npos; ++at) ++lines;
-  EXPECT_EQ(lines, 6U);
+/// Where the lines of the ZMP and the centre of mass begin and end across the picture [px], with those of the legend.
+std::vector<std::pair<double, double>> Lines(const std::string& svg) {
+  std::vector<std::pair<double, double>> lines;
+  for (std::size_t at = 0; (at = svg.find("<path d=\"", at)) != std::string::npos; ++at) {
+    const std::size_t first = at + 9, last = svg.find('"', first);
+    const std::string ink = svg.substr(last + 9, 3);  // past `" class="`
+    if (ink == "zmp" || ink == "com")
+      lines.emplace_back(std::stod(svg.substr(first + 1)), std::stod(svg.substr(svg.rfind('L', last) + 1)));
+  }
+  return lines;
+}
+
+TEST(PreviewControlExample, DrawsThreeLinesForEachAxisWhateverTheTimeStartsAt) {
+  ZmpTable walk = WalkOfItsOwn();
+  const std::string first = PreviewPicture(walk, 0.814, 1.6);
+  const double end_s = walk.time_s.back();
+  for (double& t : walk.time_s) t -= end_s;
+  const std::string second = PreviewPicture(walk, 0.814, 1.6);
+  EXPECT_EQ(Lines(first), Lines(second));
+  for (const std::string& svg : {first, second}) {
+    for (const std::string label : {"ZMP reference", "centre of mass", "time [s]", "x [m]", "y [m]"})
+      EXPECT_GE(Count(svg, label), 1) << label;
+    EXPECT_EQ(Count(svg, "nan") + Count(svg, "inf"), 0);
+    EXPECT_EQ(Lines(svg).size(), 9U);  // three for each axis and for the legend
+  }
 }
 
 }  // namespace

@@ -216,10 +216,8 @@ TEST_P(AuditLaw, FootClearanceFindsABumpUnderASwing) {
   bump.outline_T = {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
   plan.terrain.patches.push_back(bump);
   const auto found = ViolationsOf(model(), plan);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "foot_clearance");
-  EXPECT_EQ(found[0].where, foot());
-  EXPECT_NEAR(found[0].at_s, row_s(), 0.01);
+  EXPECT_EQ(LawsOf(found), Laws{"foot_clearance"});
+  EXPECT_NEAR(At(found, foot()).at_s, row_s(), 0.01);
   EXPECT_NEAR(found[0].value, -kOver, 5e-4);
 }
 

@@ -63,7 +63,7 @@ TEST_P(LegTargetsTest, WantedAsPlannedAndMeasuredAsPlannedAreThePlansJoints) {
       VectorX q = sample.q, v = sample.v;
       legs_.Solve(leg, MotionOf(model_, leg, sample.q, sample.v), sample.q, q, v);
       EXPECT_LT((q - sample.q).lpNorm<Eigen::Infinity>(), 1e-12) << t;
-      EXPECT_LT((v - sample.v).lpNorm<Eigen::Infinity>(), 1e-3) << t;
+      EXPECT_LT((v - sample.v).lpNorm<Eigen::Infinity>(), 2e-3) << t;
       fastest = std::max(fastest, sample.v.lpNorm<Eigen::Infinity>());
     }
   }
