@@ -245,10 +245,11 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
   });
 }
 
-/// Finds how the body is carried over its feet. The ZMP on one sole runs under its middle, or inward of that where
-/// joints come past their limits otherwise, as ankles and hips do that bend sideways. The centre of mass is at the
-/// height asked for, or that of standing and then ever lower while that helps some foot that cannot reach or joints
-/// that are past their limits, as knees are that straighten. Where nothing keeps all limits, what has the least excess.
+/// Finds how the body is carried over its feet. The ZMP on one sole runs a little inward of its middle, and
+/// twice as far where joints come past their limits otherwise, as ankles and hips do that bend sideways. The centre of
+/// mass is at the height asked for, or that of standing and then ever lower while that helps some foot that cannot
+/// reach or joints that are past their limits, as knees are that straighten. Where nothing keeps all limits, what has
+/// the least excess.
 class Carriages {
  public:
   Carriages(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
@@ -277,13 +278,14 @@ class Carriages {
   }
 
   void MoveInward(double height_m, double hopeless, Result<Pass>& best) {
-    zmp_inward_ = options_.pipeline.zmp_inward;
-    if (!best || zmp_inward_ == 0.0) return;  // what is out of reach stays so
+    const double preferred = zmp_inward_;
+    zmp_inward_ = 2.0 * preferred;
+    if (!best || preferred == 0.0) return;  // what is out of reach stays so
     Result<Pass> inward = At(height_m).Run(passes_, hopeless);
     if (Excess(inward) < Excess(best)) {
       best = std::move(inward);
     } else {
-      zmp_inward_ = 0.0;
+      zmp_inward_ = preferred;
     }
   }
 
@@ -313,7 +315,7 @@ class Carriages {
   const FootstepSkeleton& skeleton_;
   const MotionOptions& options_;
   int& passes_;
-  double zmp_inward_ = 0.0;
+  double zmp_inward_ = options_.pipeline.zmp_inward;
 };
 
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.

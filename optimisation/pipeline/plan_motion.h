@@ -22,7 +22,7 @@ struct PipelineOptions {
   double grid_step_s = 0.005;
   int max_passes = 6;
   double zmp_tolerance_m = 0.001;
-  double zmp_inward = 0.15;
+  double zmp_inward = 0.08;
   double com_height_m = 0.0;
   bool allow_limits = false;
 
@@ -55,8 +55,10 @@ struct PipelineOptions {
          "1",
          0.0,
          0.4,
-         "How far the preferred ZMP under a single sole may be moved from its middle towards the body, as a share of "
-         "the sole's width, where joints would be past their limits otherwise.",
+         "How far the preferred ZMP under a single sole lies towards the body, as a share of the sole's width; twice "
+         "as "
+         "far where joints would be past their limits otherwise. In the middle, at 0, pushes to both sides are held "
+         "alike; inward of it ankles and hips bend and work less.",
          {}},
         {"allow_limits",
          &allow_limits,
