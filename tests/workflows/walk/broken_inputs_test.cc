@@ -167,7 +167,7 @@ TEST(BrokenInputOfABiped, AZmpShiftedOutMakesItFallOnTheSideWhereNothingStands) 
   MotionPlan shifted = nao.plan;
   const int phase = MiddleSwingPhase(shifted);
   const bool on_left_foot = shifted.schedule.phases[static_cast<std::size_t>(phase)].stance == 1;
-  ShiftZmp({0.0, on_left_foot ? -0.05 : 0.05}, phase, phase, shifted);
+  ShiftZmp({0.0, on_left_foot ? -0.06 : 0.06}, phase, phase, shifted);
   shifted = WithWholeBodyAnew(nao.model, shifted);
   for (const char* controller : {"joint-pd", "stabilised"}) {
     const StabilityReport report = Played(nao.model, shifted, controller).report;
