@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <sstream>
 
 #include "kinematics/base/file.h"
@@ -88,7 +89,8 @@ SvgPlot PlotOf(const std::vector<double>& time_s, const std::vector<double>& wan
   SvgPlot plot(options);
   const auto line = [&](const std::vector<double>& values, Ink ink, Stroke stroke, const char* label) {
     std::vector<Vector2> points;
-    for (std::size_t k = 0; k < values.size(); ++k) points.emplace_back(time_s[k], values[k]);
+    std::transform(time_s.begin(), time_s.end(), values.begin(), std::back_inserter(points),
+                   [](double t, double value) { return Vector2(t, value); });
     plot.Line(points, ink, stroke, label);
   };
   line(wanted, Ink::kZmp, Stroke::kPlanned, "ZMP reference");

@@ -55,7 +55,7 @@ std::vector<Vector2> ParseSole(const YAML::Node& node) {
     RefuseYaml(node, fmt::format("'sole_m' has {} corners; three or more are needed", corners.size()));
   if (CrossesItself(corners))
     RefuseYaml(node, "the outline 'sole_m' crosses itself; give its corners in order around it");
-  const Polygon hull = ConvexHull(corners);
+  Polygon hull = ConvexHull(corners);
   if (Area(hull) < kLeastSole)
     RefuseYaml(node, fmt::format("'sole_m' has an area of {:.3g} m^2; {} or more is needed", Area(hull), kLeastSole));
   const double share = std::abs(ShareOfHull(corners));

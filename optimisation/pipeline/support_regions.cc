@@ -147,7 +147,10 @@ void AppendParts(const Scene& scene, const ContactPhase& phase, const ZmpPhase& 
   const int wanted = static_cast<int>(std::ceil(std::sqrt(bend / kStraight)));
   const int count = std::clamp(wanted, 1, std::max(1, steps / kFewestSteps));
   if (count == 1) return parts.push_back(region);
-  const auto boundary = [&](int k) { return phase.start_s + (steps * k / count) * scene.inputs.step_s; };
+  const auto boundary = [&](int k) {
+    const int step = steps * k / count;
+    return phase.start_s + step * scene.inputs.step_s;
+  };
   for (int k = 0; k < count; ++k) {
     const double end_s = k + 1 == count ? phase.end_s : boundary(k + 1);
     ZmpPhase part = MovingHull(scene, {boundary(k), end_s, phase.stance});
