@@ -97,7 +97,7 @@ TEST_F(Files, OnlyTextIsRead) {
 
 /// A program that is asked to end while it writes leaves whole files and nothing else.
 TEST_F(Files, AnEndWhileWritingWaitsForWholeFiles) {
-  const std::string text(20'000'000, 'x');
+  const std::string text(8'000'000, 'x');
   const pid_t writer = fork();
   ASSERT_GE(writer, 0);
   if (writer == 0) {
