@@ -58,9 +58,7 @@ TEST(Measurements, StanceFiguresAreSumsAndExtremesBeforeTheFall) {
 TEST(Measurements, PlannedFrictionIsThatOfThePlansOwnForces) {
   const Case c;
   double largest = 0.0;
-  for (std::size_t k = 0; k < c.plan.whole_body.a.size(); ++k) {
-    largest = std::max(largest, c.plan.whole_body.a[k].head<2>().norm() / kGravity / 0.8);
-  }
+  for (const VectorX& a : c.plan.whole_body.a) largest = std::max(largest, a.head<2>().norm() / kGravity / 0.8);
   EXPECT_NEAR(c.Planned("friction_use_max"), largest, 0.02 * largest)
       << "forces are parallel to gravity plus acceleration";
 }

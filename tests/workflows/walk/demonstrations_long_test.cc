@@ -140,7 +140,7 @@ class Demonstration : public testing::TestWithParam<bool> {
         request.play.push_at_s = from_s + time * cycle_s / kTimes;
         request.play.push_for_s = 0.1;
         const StabilityReport report = Played(model, plan, request);
-        passed.at(time % (kTimes / kQuarters)) += report.pass ? 1 : 0;
+        passed.at(static_cast<std::size_t>(time % (kTimes / kQuarters))) += report.pass ? 1 : 0;
         if (!report.pass) fmt::print("time {} direction {} deg: {}\n", time, 45 * direction, report.reason);
       }
     }
