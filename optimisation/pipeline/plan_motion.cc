@@ -20,7 +20,7 @@
 namespace gaitwright {
 namespace {
 
-/// Centre of mass of the standing posture with the base origin at a planar pose.
+/// Centre of mass of the standing posture over level ground with the base origin at a planar pose.
 Vector3 StandingCentreOfMass(const RobotModel& model, const PlanarPose& at) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
@@ -28,25 +28,6 @@ Vector3 StandingCentreOfMass(const RobotModel& model, const PlanarPose& at) {
   Vector3 p_WC = YawRotation(at.yaw_rad) * p_BC;
   p_WC += Vector3(at.x_m, at.y_m, 0.0);
   return p_WC;
-}
-
-CubicSpline YawSpline(const BasePath& path, double start_s, double end_s) {
-  constexpr double kKnotStep = 0.05;
-  const int intervals = std::max(2, static_cast<int>(std::lround((end_s - start_s) / kKnotStep)));
-  const double step = (end_s - start_s) / intervals;
-  std::vector<double> yaw;
-  std::size_t i = 0;
-  for (int k = 0; k <= intervals; ++k) {
-    const double t = start_s + k * step;
-    while (i + 2 < path.time_s.size() && path.time_s[i + 1] < t) ++i;
-    if (path.time_s.size() < 2) {
-      yaw.push_back(path.pose.front().yaw_rad);
-      continue;
-    }
-    const double u = std::clamp((t - path.time_s[i]) / (path.time_s[i + 1] - path.time_s[i]), 0.0, 1.0);
-    yaw.push_back((1.0 - u) * path.pose[i].yaw_rad + u * path.pose[i + 1].yaw_rad);
-  }
-  return CubicSpline(start_s, step, yaw);
 }
 
 /// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.
@@ -101,16 +82,18 @@ struct Pass {
   }
 };
 
+/// How the body is carried.
+struct Carriage {
+  double com_height_m = 0.0;  ///< over the ground under the body
+  double zmp_inward = 0.0;    ///< see SupportRegions
+};
+
 /// Plans the stages after the footsteps again and again, feeding back what the multibody did.
 class Passes {
  public:
   Passes(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-         const MotionOptions& options, double com_height_m, double zmp_inward)
-      : model_(model),
-        terrain_(terrain),
-        skeleton_(skeleton),
-        options_(options),
-        yaw_(YawSpline(skeleton.path, skeleton.schedule.start_s(), skeleton.schedule.end_s())) {
+         const MotionOptions& options, const BodyPath& body, const Carriage& carriage)
+      : model_(model), terrain_(terrain), skeleton_(skeleton), options_(options), body_(body) {
     footsteps_ = skeleton.footsteps;
     expected_roll_.assign(footsteps_.footholds.size(), Vector3::Zero());
     const Vector3 start = StandingCentreOfMass(model, skeleton.path.pose.front());
@@ -119,11 +102,11 @@ class Passes {
     problem_.step_s = options.pipeline.grid_step_s;
     problem_.samples =
         1 + static_cast<int>(std::lround((skeleton.schedule.end_s() - problem_.start_s) / problem_.step_s));
-    problem_.com_height_m = com_height_m;
-    problem_.omega_rad_s = std::sqrt(kGravity / com_height_m);
+    problem_.com_height_m = carriage.com_height_m;
+    problem_.omega_rad_s = std::sqrt(kGravity / carriage.com_height_m);
     problem_.start_W = start.head<2>();
     problem_.end_W = end.head<2>();
-    support_ = {problem_.start_W, problem_.end_W, zmp_inward, problem_.step_s, {}};
+    support_ = {problem_.start_W, problem_.end_W, carriage.zmp_inward, problem_.step_s, {}};
     problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
   }
 
@@ -166,17 +149,30 @@ class Passes {
     return outside;
   }
 
+  /// Lifts the pendulum onto the ground that the body is carried over. What that changes of the ZMP is made good like
+  /// all that the pendulum leaves out.
+  void FollowGround(CentroidalTrajectory& motion) const {
+    for (int k = 0; k < motion.size(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const Motion1 ground = body_.GroundAt(motion.start_s + k * motion.step_s);
+      motion.p_WC[i].z() += ground.value;
+      motion.v_WC[i].z() = ground.rate;
+      motion.a_WC[i].z() = ground.acceleration;
+    }
+  }
+
   Result<Pass> MakePass() {
     Pass pass;
     pass.footsteps = footsteps_;
     problem_.phases = SupportRegions(model_, skeleton_.schedule, footsteps_, support_);
     Result<CentreOfMassPlan> com = PlanCentreOfMass(problem_, options_.centre_of_mass);
     if (!com) return com.failure();
-    pass.centroidal = com->trajectory;
+    pass.centroidal = std::move(com->trajectory);
+    FollowGround(pass.centroidal);
     Result<std::vector<SwingTrajectory>> swings = PlanSwings(model_, terrain_, footsteps_, options_.swing);
     if (!swings) return swings.failure();
     pass.swings = *swings;
-    const WholeBodyProblem problem{&terrain_, &skeleton_.schedule, &footsteps_, &pass.centroidal, &pass.swings, &yaw_};
+    const WholeBodyProblem problem{&terrain_, &skeleton_.schedule, &footsteps_, &pass.centroidal, &pass.swings, &body_};
     Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, options_.whole_body);
     if (!solution) return solution.failure();
     pass.solution = std::move(*solution);
@@ -214,7 +210,7 @@ class Passes {
   const Terrain& terrain_;
   const FootstepSkeleton& skeleton_;
   const MotionOptions& options_;
-  CubicSpline yaw_;
+  const BodyPath& body_;
   FootstepPlan footsteps_;
   std::vector<Vector3> expected_roll_;
   ZmpProblem problem_;
@@ -253,8 +249,10 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
 class Carriages {
  public:
   Carriages(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-            const MotionOptions& options, int& passes)
-      : model_(model), terrain_(terrain), skeleton_(skeleton), options_(options), passes_(passes) {}
+            const MotionOptions& options, const BodyPath& body)
+      : model_(model), terrain_(terrain), skeleton_(skeleton), options_(options), body_(body) {}
+
+  int passes() const { return passes_; }  ///< of the last carriage tried
 
   Result<Pass> Run() {
     // More than what the passes after the first can mend; such plans are finished only for those who want them.
@@ -271,7 +269,9 @@ class Carriages {
   }
 
  private:
-  Passes At(double height_m) const { return Passes(model_, terrain_, skeleton_, options_, height_m, zmp_inward_); }
+  Passes At(double height_m) const {
+    return Passes(model_, terrain_, skeleton_, options_, body_, {height_m, zmp_inward_});
+  }
 
   double Excess(const Result<Pass>& pass) const {
     return pass ? pass->excess : std::numeric_limits<double>::infinity();
@@ -314,7 +314,8 @@ class Carriages {
   const Terrain& terrain_;
   const FootstepSkeleton& skeleton_;
   const MotionOptions& options_;
-  int& passes_;
+  const BodyPath& body_;
+  int passes_ = 0;
   double zmp_inward_ = options_.pipeline.zmp_inward;
 };
 
@@ -344,7 +345,10 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, StandingOptions(options));
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
-  Result<Pass> pass = Carriages(model, terrain, *skeleton, options, planned.passes).Run();
+  const BodyPath body(model, *skeleton, gait.cycle_s);
+  Carriages carriages(model, terrain, *skeleton, options, body);
+  Result<Pass> pass = carriages.Run();
+  planned.passes = carriages.passes();
   if (!pass) return pass.failure();
   if (auto tipped = TippedSole(model, terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;

@@ -123,6 +123,7 @@ Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& t
     const GroundPoint ground = GroundAt(terrain, foothold.X_WF.translation().head<2>());
     foothold.patch = ground.patch;
     foothold.X_WF.translation().z() = ground.height_m;
+    foothold.X_WF.linear() = Quaternion::FromTwoVectors(Vector3::UnitZ(), ground.normal_W) * foothold.X_WF.linear();
   }
   return skeleton;
 }

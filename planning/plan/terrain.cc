@@ -77,6 +77,12 @@ GroundPoint GroundAt(const Terrain& terrain, const Vector2& p_W) {
   return highest;
 }
 
+double FrictionOf(const Terrain& terrain, int surface) {
+  if (surface < 0 || surface >= terrain.num_surfaces()) return 0.0;
+  const auto i = static_cast<std::size_t>(surface), patches = terrain.patches.size();
+  return i < patches ? terrain.patches[i].friction : terrain.height_fields[i - patches].friction;
+}
+
 std::vector<Vector3> SolidUnder(const TerrainPatch& patch) {
   std::vector<Vector3> corners;
   for (const Vector2& corner_T : patch.outline_T) {

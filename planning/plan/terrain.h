@@ -76,6 +76,9 @@ struct GroundPoint {
 /// The highest ground at (x, y); patch -1 where there is none.
 GroundPoint GroundAt(const Terrain& terrain, const Vector2& p_W);
 
+/// The friction of a surface by its number; 0 of one that is not there.
+double FrictionOf(const Terrain& terrain, int surface);
+
 /// How deep the solid under a bounded surface reaches [m].
 inline constexpr double kSolidDepth = 1.0;
 
