@@ -88,20 +88,32 @@ struct Carriage {
   double zmp_inward = 0.0;    ///< see SupportRegions
 };
 
+/// What all passes share.
+struct Task {
+  const RobotModel& model;
+  const Terrain& terrain;
+  const FootstepSkeleton& skeleton;
+  const MotionOptions& options;
+  const BodyPath& body;
+};
+
 /// Plans the stages after the footsteps again and again, feeding back what the multibody did.
 class Passes {
  public:
-  Passes(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-         const MotionOptions& options, const BodyPath& body, const Carriage& carriage)
-      : model_(model), terrain_(terrain), skeleton_(skeleton), options_(options), body_(body) {
-    footsteps_ = skeleton.footsteps;
+  Passes(const Task& task, const Carriage& carriage)
+      : model_(task.model),
+        terrain_(task.terrain),
+        skeleton_(task.skeleton),
+        options_(task.options),
+        body_(task.body),
+        footsteps_(task.skeleton.footsteps) {
     expected_roll_.assign(footsteps_.footholds.size(), Vector3::Zero());
-    const Vector3 start = StandingCentreOfMass(model, skeleton.path.pose.front());
-    const Vector3 end = StandingCentreOfMass(model, skeleton.path.pose.back());
-    problem_.start_s = skeleton.schedule.start_s();
-    problem_.step_s = options.pipeline.grid_step_s;
+    const Vector3 start = StandingCentreOfMass(model_, skeleton_.path.pose.front());
+    const Vector3 end = StandingCentreOfMass(model_, skeleton_.path.pose.back());
+    problem_.start_s = skeleton_.schedule.start_s();
+    problem_.step_s = options_.pipeline.grid_step_s;
     problem_.samples =
-        1 + static_cast<int>(std::lround((skeleton.schedule.end_s() - problem_.start_s) / problem_.step_s));
+        1 + static_cast<int>(std::lround((skeleton_.schedule.end_s() - problem_.start_s) / problem_.step_s));
     problem_.com_height_m = carriage.com_height_m;
     problem_.omega_rad_s = std::sqrt(kGravity / carriage.com_height_m);
     problem_.start_W = start.head<2>();
@@ -248,30 +260,26 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
 /// the least excess.
 class Carriages {
  public:
-  Carriages(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-            const MotionOptions& options, const BodyPath& body)
-      : model_(model), terrain_(terrain), skeleton_(skeleton), options_(options), body_(body) {}
+  explicit Carriages(const Task& task) : task_(task), zmp_inward_(task.options.pipeline.zmp_inward) {}
 
   int passes() const { return passes_; }  ///< of the last carriage tried
 
   Result<Pass> Run() {
     // More than what the passes after the first can mend; such plans are finished only for those who want them.
     constexpr double kHopeless = 0.05, kForever = std::numeric_limits<double>::infinity();
-    const double hopeless = options_.pipeline.allow_limits ? kForever : kHopeless;
-    const double standing = StandingCentreOfMass(model_, skeleton_.path.pose.front()).z();
-    const double asked = options_.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
+    const double hopeless = task_.options.pipeline.allow_limits ? kForever : kHopeless;
+    const double standing = StandingCentreOfMass(task_.model, task_.skeleton.path.pose.front()).z();
+    const double asked = task_.options.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
     Result<Pass> best = At(height).Run(passes_, hopeless);
     if (Excess(best) == 0.0) return best;
     if (!best && best.failure().code != "out_of_reach") return best;
-    if (StandsOnOneSole(model_, skeleton_.schedule)) MoveInward(height, hopeless, best);
+    if (StandsOnOneSole(task_.model, task_.skeleton.schedule)) MoveInward(height, hopeless, best);
     if (asked == 0.0 && Excess(best) > 0.0) Lower(standing, hopeless, best);
     return best;
   }
 
  private:
-  Passes At(double height_m) const {
-    return Passes(model_, terrain_, skeleton_, options_, body_, {height_m, zmp_inward_});
-  }
+  Passes At(double height_m) const { return {task_, {height_m, zmp_inward_}}; }
 
   double Excess(const Result<Pass>& pass) const {
     return pass ? pass->excess : std::numeric_limits<double>::infinity();
@@ -310,13 +318,9 @@ class Carriages {
     }
   }
 
-  const RobotModel& model_;
-  const Terrain& terrain_;
-  const FootstepSkeleton& skeleton_;
-  const MotionOptions& options_;
-  const BodyPath& body_;
+  const Task& task_;
   int passes_ = 0;
-  double zmp_inward_ = options_.pipeline.zmp_inward;
+  double zmp_inward_;
 };
 
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
@@ -346,7 +350,8 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
   const BodyPath body(model, *skeleton, gait.cycle_s);
-  Carriages carriages(model, terrain, *skeleton, options, body);
+  const Task task{model, terrain, *skeleton, options, body};
+  Carriages carriages(task);
   Result<Pass> pass = carriages.Run();
   planned.passes = carriages.passes();
   if (!pass) return pass.failure();
