@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "kinematics/model/load_robot.h"
+#include "planning/plan/built_in_terrain.h"
 #include "playback/control/joint_pd.h"
 #include "workflows/walk/plan_within.h"
 
@@ -63,7 +64,7 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
   const CpuClock clock;
   WalkRequest checked = request;
   CheckOptions(checked.Fields());
-  const Result<Terrain> terrain = FindTerrain(request.terrain);
+  const Result<Terrain> terrain = MakeTerrain(request.terrain, ScaleOf(model));
   if (!terrain) return terrain.failure();
   Result<PlannedWalk> planned = PlanWithin(model, *terrain, request);
   if (!planned) return planned;
