@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
-
 #include "kinematics/base/options.h"
 #include "planning/plan/terrain_kinds_internal.h"
+#include "planning/plan/terrain_spec.h"
 
 namespace gaitwright {
 namespace {
@@ -61,24 +59,6 @@ Failure Refused(const std::string& code, const std::string& message) {
   return {FailureKind::kBadInput, code, "MakeTerrain", message, {"'gaitwright terrains' lists grounds and parameters"}};
 }
 
-/// The parameters in `key=value,key=value`. @throws InvalidArgument where they are not written so.
-OptionTexts Split(const std::string& text) {
-  OptionTexts texts;
-  std::set<std::string> seen;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    const std::string part = text.substr(at, comma - at);
-    const std::size_t equals = part.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw InvalidArgument(fmt::format("parameter '{}' is not written as 'key=value'", part));
-    const std::string key = part.substr(0, equals);
-    if (!seen.insert(key).second) throw InvalidArgument(fmt::format("parameter '{}' stands there twice", key));
-    texts.emplace_back(key, part.substr(equals + 1));
-    at = comma + 1;
-  }
-  return texts;
-}
-
 Result<Made> MakeFrom(const std::string& spec, const TerrainScale& scale) {
   const std::size_t colon = spec.find(':');
   const std::string name = spec.substr(0, colon);
@@ -87,7 +67,8 @@ Result<Made> MakeFrom(const std::string& spec, const TerrainScale& scale) {
     names.push_back(kind.entry.name);
     if (kind.entry.name != name) continue;
     try {
-      Made made = kind.make(scale, colon == std::string::npos ? OptionTexts{} : Split(spec.substr(colon + 1)));
+      Made made =
+          kind.make(scale, colon == std::string::npos ? OptionTexts{} : ParseParameters(spec.substr(colon + 1)));
       made.terrain.name = spec;
       return made;
     } catch (const InvalidArgument& error) {

@@ -59,7 +59,7 @@ Terrain RampGround::Build() const {
 
 StairsGround::StairsGround(const TerrainScale& scale)
     : Feature(scale),
-      rise_m(Readable(0.1 * scale.leg_length_m)),
+      rise_m(Readable(0.08 * scale.leg_length_m)),
       tread_m(Readable(std::max(1.2 * scale.foot_length_m, 0.6 * scale.leg_length_m))),
       landing_m(Landing(scale)) {}
 
@@ -85,7 +85,7 @@ Terrain StairsGround::Build() const {
 }
 
 BlockGround::BlockGround(const TerrainScale& scale)
-    : Feature(scale), height_m(Readable(0.1 * scale.leg_length_m)), length_m(Landing(scale)) {}
+    : Feature(scale), height_m(Readable(0.08 * scale.leg_length_m)), length_m(Landing(scale)) {}
 
 OptionFields BlockGround::Fields() {
   return With({LengthField("height_m", &height_m, 1.0, "Of its top over the ground."),

@@ -21,7 +21,7 @@ double Start(const TerrainScale& scale) { return Feature(scale).start_m; }
 
 }  // namespace
 
-GapGround::GapGround(const TerrainScale& scale) : start_m(Start(scale)), width_m(Readable(0.15 * scale.leg_length_m)) {}
+GapGround::GapGround(const TerrainScale& scale) : start_m(Start(scale)), width_m(Readable(0.12 * scale.leg_length_m)) {}
 
 OptionFields GapGround::Fields() {
   return {StartField(&start_m), LengthField("width_m", &width_m, 5.0, "Of the trench, along the way."),
