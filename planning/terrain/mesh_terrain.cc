@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -45,6 +46,24 @@ Mesh Placed(const Mesh& mesh, const MeshTerrainOptions& options) {
         i + 1, v.x(), v.y(), v.z(), kFarthest, kHighest));
   }
   return placed;
+}
+
+/// Corners moved straight up or down into the plane that fits them, and those of their hull in plan view alone, so that
+/// rounding leaves neither a dent nor a bow.
+std::vector<Vector3> InOnePlane(const std::vector<Vector3>& corners) {
+  Vector3 middle = Vector3::Zero(), normal = Vector3::Zero();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    middle += corners[i] / static_cast<double>(corners.size());
+    normal += (corners[i] - corners[0]).cross(corners[(i + 1) % corners.size()] - corners[0]);
+  }
+  std::vector<Vector2> plan;
+  for (const Vector3& corner : corners) plan.emplace_back(corner.head<2>());
+  std::vector<Vector3> flat;
+  for (const Vector2& p : ConvexHull(plan)) {
+    const double height = middle.z() - normal.head<2>().dot(p - middle.head<2>()) / normal.z();
+    flat.emplace_back(p.x(), p.y(), height);
+  }
+  return flat;
 }
 
 /// Whether a circle as wide as a foot finds room.
@@ -99,8 +118,9 @@ Terrain Make(const Mesh& mesh, const MeshTerrainOptions& options) {
   std::vector<char> covered(mesh.triangles.size(), 0);
   for (const FlatPiece& piece : FlatPieces(mesh, options.steepest_deg * std::numbers::pi / 180.0)) {
     if (piece.corners.size() < 3) continue;
-    TerrainPatch patch =
-        PatchThrough(fmt::format("face {}", terrain.patches.size() + 1), piece.corners, options.friction);
+    const std::vector<Vector3> corners = InOnePlane(piece.corners);
+    if (corners.size() < 3) continue;
+    TerrainPatch patch = PatchThrough(fmt::format("face {}", terrain.patches.size() + 1), corners, options.friction);
     if (!HasRoom(patch, options.least_m)) continue;
     terrain.patches.push_back(std::move(patch));
     for (const int triangle : piece.triangles) covered[static_cast<std::size_t>(triangle)] = 1;
