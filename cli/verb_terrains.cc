@@ -5,7 +5,7 @@
 
 #include "cli/flags.h"
 #include "cli/program.h"
-#include "planning/plan/terrain.h"
+#include "planning/plan/built_in_terrain.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -56,7 +56,7 @@ void PrintPatch(const TerrainPatch& patch) {
 }
 
 int Show(const Arguments& a) {
-  const Result<Terrain> terrain = FindTerrain(a.terrain);
+  const Result<Terrain> terrain = MakeTerrain(a.terrain, {});
   if (!terrain) return Report(terrain.failure(), a.common);
   std::string description;
   for (const BuiltInTerrain& entry : BuiltInTerrains()) {

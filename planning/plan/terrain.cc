@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
 #include "kinematics/stability/polygon.h"
 
 namespace gaitwright {
@@ -17,19 +18,33 @@ Terrain FlatTerrain(double friction) {
   return {"flat", {ground}, {}, {}};
 }
 
-std::vector<BuiltInTerrain> BuiltInTerrains() { return {{"flat", "level ground without end", FlatTerrain()}}; }
-
-Result<Terrain> FindTerrain(const std::string& name) {
-  std::vector<std::string> names;
-  for (BuiltInTerrain& entry : BuiltInTerrains()) {
-    if (entry.name == name) return std::move(entry.terrain);
-    names.push_back(entry.name);
+TerrainPatch PatchThrough(const std::string& name, const std::vector<Vector3>& corners_W, double friction) {
+  constexpr double kFlat = 1e-3;      // [m]
+  constexpr double kRounding = 1e-6;  // of the share of the hull
+  const auto refuse = [&](const std::string& why) { throw InvalidArgument(fmt::format("patch '{}' {}", name, why)); };
+  if (corners_W.size() < 3) refuse(fmt::format("has {} corners; three or more are needed", corners_W.size()));
+  Vector3 middle = Vector3::Zero(), normal = Vector3::Zero();  // the latter by Newell's sum over edges
+  for (std::size_t i = 0; i < corners_W.size(); ++i) {
+    middle += corners_W[i] / static_cast<double>(corners_W.size());
+    normal += (corners_W[i] - corners_W[0]).cross(corners_W[(i + 1) % corners_W.size()] - corners_W[0]);
   }
-  return Failure{FailureKind::kBadInput,
-                 "unknown_terrain",
-                 "FindTerrain",
-                 fmt::format("there is no terrain '{}'; there is {}", name, QuotedList(names)),
-                 {}};
+  if (!(normal.z() > 1e-9 * normal.norm())) refuse("does not run counter-clockwise around an area in plan view");
+  TerrainPatch patch;
+  patch.name = name;
+  patch.friction = friction;
+  patch.X_WT.translation() = middle;
+  const Vector3 z = normal.normalized(), x = Vector3::UnitY().cross(z).normalized();
+  patch.X_WT.linear() << x, z.cross(x), z;
+  for (const Vector3& corner : corners_W) {
+    const Vector3 p_T = patch.X_WT.inverse() * corner;
+    if (std::abs(p_T.z()) > kFlat)
+      refuse(fmt::format("is not flat: a corner is {:.4g} m off its plane; {} m is accepted", p_T.z(), kFlat));
+    patch.outline_T.emplace_back(p_T.head<2>());
+  }
+  const double share = ShareOfHull(patch.outline_T);
+  if (std::abs(share - 1.0) > kRounding)
+    refuse(fmt::format("fills {:.4g} of its convex hull; it must be convex", std::abs(share)));
+  return patch;
 }
 
 namespace {
@@ -57,7 +72,8 @@ GroundPoint PatchAt(const TerrainPatch& patch, const Vector2& p_W) {
   const double height = origin.z() - normal.head<2>().dot(p_W - origin.head<2>()) / normal.z();
   if (!patch.outline_T.empty()) {
     const Vector3 p_T = patch.X_WT.inverse() * Vector3(p_W.x(), p_W.y(), height);
-    if (SignedDistance(patch.outline_T, p_T.head<2>()) < 0.0) return {};
+    constexpr double kSeam = 1e-9;  // so that rounding leaves no hole between neighbours [m]
+    if (SignedDistance(patch.outline_T, p_T.head<2>()) < -kSeam) return {};
   }
   return {0, height, normal, patch.friction};
 }
@@ -91,6 +107,23 @@ std::vector<Vector3> SolidUnder(const TerrainPatch& patch) {
     corners.emplace_back(top - kSolidDepth * Vector3::UnitZ());
   }
   return corners;
+}
+
+const std::vector<ShapeType>& ObstacleTypes() {
+  static const std::vector<ShapeType> types = {ShapeType::kBox, ShapeType::kCylinder, ShapeType::kMesh};
+  return types;
+}
+
+const std::vector<std::string>& ObstacleTypeNames() {
+  static const std::vector<std::string> names = {"box", "cylinder", "mesh"};
+  return names;
+}
+
+const std::string& ObstacleTypeName(ShapeType type) {
+  for (std::size_t i = 0; i < ObstacleTypes().size(); ++i) {
+    if (ObstacleTypes()[i] == type) return ObstacleTypeNames()[i];
+  }
+  throw InvalidArgument("an obstacle is a sphere or a capsule; it must be a box, a cylinder or a mesh");
 }
 
 Shape ShapeOf(const Obstacle& obstacle) {

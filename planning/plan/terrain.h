@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "kinematics/spatial/pose.h"
 
@@ -52,18 +51,10 @@ struct Terrain {
 /// Level ground without end at z = 0.
 Terrain FlatTerrain(double friction = 0.8);
 
-/// A ground that comes with the program.
-struct BuiltInTerrain {
-  std::string name;
-  std::string description;
-  Terrain terrain;
-};
-
-/// The one list of built-in grounds.
-std::vector<BuiltInTerrain> BuiltInTerrains();
-
-/// The built-in terrain of that name. An unknown name is a failure that lists what exists.
-Result<Terrain> FindTerrain(const std::string& name);
+/// A bounded patch through corners that lie in one plane: T at their mean, x of T along x of W in plan view.
+/// @param corners_W  three or more, convex and counter-clockwise in plan view [m].
+/// @throws InvalidArgument unless they are so, or stand farther than 1 mm off their plane.
+TerrainPatch PatchThrough(const std::string& name, const std::vector<Vector3>& corners_W, double friction);
 
 /// The ground under a point in plan view.
 struct GroundPoint {
@@ -84,6 +75,12 @@ inline constexpr double kSolidDepth = 1.0;
 
 /// The corners of the solid under a bounded patch in W: its outline, and the same kSolidDepth straight down.
 std::vector<Vector3> SolidUnder(const TerrainPatch& patch);
+
+/// What an obstacle may be, and how files call it: "box", "cylinder", "mesh".
+const std::vector<ShapeType>& ObstacleTypes();
+const std::vector<std::string>& ObstacleTypeNames();
+/// The name of one of them. @throws InvalidArgument for any other type.
+const std::string& ObstacleTypeName(ShapeType type);
 
 /// An obstacle as a shape in W.
 Shape ShapeOf(const Obstacle& obstacle);
