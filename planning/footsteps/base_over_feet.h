@@ -22,4 +22,11 @@ struct BaseOverFeet {
 /// @param X_WF      where they are, by foot.
 BaseOverFeet FitBase(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF);
 
+/// The same at a heading that is known. Allocates nothing.
+BaseOverFeet FitBase(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF, double yaw_rad);
+
+/// The heading that the feet have been turned to, on the average, from where they stand: that of a base whose feet are
+/// put down in turn as it goes, where their places alone would turn it to and fro with every step.
+double MeanHeading(const std::vector<Pose>& standing, const std::vector<Pose>& X_WF);
+
 }  // namespace gaitwright

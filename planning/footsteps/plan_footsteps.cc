@@ -10,6 +10,7 @@
 #include "planning/footsteps/can_walk.h"
 #include "planning/footsteps/place_feet.h"
 #include "planning/footsteps/standing_feet.h"
+#include "planning/footsteps/uneven_footsteps.h"
 #include "planning/gait/schedule_contacts.h"
 #include "planning/paths/base_path.h"
 
@@ -90,11 +91,9 @@ Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait,
   return skeleton;
 }
 
-}  // namespace
-
-Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
-                                       const WalkCommand& command, const FootstepOptions& options) {
-  if (const auto failure = CheckCommand(command)) return *failure;
+/// Why the command or the gait is not for this robot.
+std::optional<Failure> CheckRequest(const RobotModel& model, const Gait& gait, const WalkCommand& command) {
+  if (auto failure = CheckCommand(command)) return failure;
   if (gait.num_feet() != static_cast<int>(model.feet.size())) {
     return Failure{FailureKind::kBadInput,
                    "command",
@@ -103,7 +102,35 @@ Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& t
                                model.feet.size()),
                    {}};
   }
-  if (auto cannot = WhyCannotWalk(model)) return *cannot;
+  return WhyCannotWalk(model);
+}
+
+}  // namespace
+
+bool IsLevelGround(const Terrain& terrain) {
+  if (terrain.patches.size() != 1 || !terrain.height_fields.empty() || !terrain.obstacles.empty()) return false;
+  const TerrainPatch& patch = terrain.patches.front();
+  return patch.outline_T.empty() && patch.X_WT.linear().col(2) == Vector3::UnitZ() &&
+         patch.X_WT.translation().z() == 0.0;
+}
+
+Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                            const WalkCommand& command, const std::vector<PlanarPose>& way,
+                                            const FootstepOptions& options) {
+  if (auto failure = CheckRequest(model, gait, command)) return *failure;
+  const PlanarTwist speed = FittingSpeeds(model, gait, command);
+  const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
+  return SearchSkeleton(model, terrain, query, options);
+}
+
+Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                       const WalkCommand& command, const FootstepOptions& options) {
+  if (auto failure = CheckRequest(model, gait, command)) return *failure;
+  if (!IsLevelGround(terrain)) {
+    const Result<FootstepQuery> query = CourseQuery(model, gait, command, options);
+    if (!query) return query.failure();
+    return SearchSkeleton(model, terrain, *query, options);
+  }
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;
   const Reach worst = WorstReach(model, *skeleton, options.reach);
