@@ -1,36 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/collision/collision_checker.h"
 
-#include <fcl/fcl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
 
+#include "kinematics/collision/fcl_shape_internal.h"
 #include "kinematics/collision/shape_extent.h"
 
 namespace gaitwright {
 namespace {
-
-std::shared_ptr<fcl::CollisionGeometryd> Geometry(const Shape& shape) {
-  switch (shape.type) {
-    case ShapeType::kBox:
-      return std::make_shared<fcl::Boxd>(shape.size);
-    case ShapeType::kSphere:
-      return std::make_shared<fcl::Sphered>(shape.size.x());
-    case ShapeType::kCylinder:
-      return std::make_shared<fcl::Cylinderd>(shape.size.x(), shape.size.y());
-    case ShapeType::kCapsule:
-      return std::make_shared<fcl::Capsuled>(shape.size.x(), shape.size.y());
-    case ShapeType::kMesh:
-      break;
-  }
-  if (shape.vertices.empty()) return nullptr;
-  // The points alone do: without faces FCL looks through all of them for the farthest.
-  return std::make_shared<fcl::Convexd>(std::make_shared<std::vector<Vector3>>(shape.vertices), 0,
-                                        std::make_shared<std::vector<int>>());
-}
 
 /// True when `ancestor` carries `body` directly: through one joint, joints whose axes meet in one point (an ankle, a
 /// hip), or bodies without shapes.
@@ -97,17 +78,7 @@ struct CollisionChecker::Scene {
       part->object.setTransform(part->X_BS);
       part->object.computeAABB();
     }
-    fcl::DistanceResultd distance;
-    constexpr double kSolver = 1e-5;  // [m] what the distance may be off by
-    const double apart = fcl::distance(&a.object, &b.object, fcl::DistanceRequestd(), distance) - kSolver;
-    if (apart > 0.0) return apart;
-    constexpr std::size_t kMostContacts = 16;
-    fcl::CollisionResultd result;
-    fcl::collide(&a.object, &b.object, fcl::CollisionRequestd(kMostContacts, true), result);
-    double depth = 0.0;
-    for (std::size_t i = 0; i < result.numContacts(); ++i)
-      depth = std::max(depth, result.getContact(i).penetration_depth);
-    return result.isCollision() ? -depth : 0.0;
+    return SignedGap(a.object, b.object);
   }
 
   bool Touch(const Pair& pair) const {
@@ -124,7 +95,7 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
   scene_->shapes = model.collision_shapes;
   for (const Shape& shape : scene_->shapes) {
     has_shapes[static_cast<std::size_t>(shape.body)] = true;
-    const auto geometry = Geometry(shape);
+    const auto geometry = FclGeometry(shape);
     if (geometry == nullptr) {
       scene_->notes.push_back(fmt::format("link '{}': its mesh takes no part in self-collision", shape.link));
       continue;
