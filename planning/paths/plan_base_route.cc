@@ -176,12 +176,12 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
   statistics.direct = !way.empty();
   if (way.empty()) {
     const PlaneExtent extent = ExtentFor(terrain, check.space(), start, goal);
-    const CoarseWay guide = FindCoarseWay(check, start, goal, extent);
+    const CoarseWay guide = FindCoarseWay(check, {start, goal, extent, weights});
     SampleFocus focus;
-    if (guide.complete) focus.route = guide.poses;
     Best best(check, weights, focus);
-    const RrtStarProblem problem{
-        start, goal, extent, weights, options.iterations, static_cast<std::uint32_t>(options.seed)};
+    RrtStarProblem problem{start, goal, extent, weights, options.iterations, static_cast<std::uint32_t>(options.seed),
+                           {}};
+    if (guide.complete) problem.guide = focus.route = guide.poses;
     const RrtStarReport report =
         SearchRrtStar(check, problem, focus, [&](const auto& found, double cost) { best.Take(found, cost); });
     if (!best.found()) return NoWay(guide, options, report);

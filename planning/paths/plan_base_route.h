@@ -18,7 +18,7 @@ namespace gaitwright {
 ///   walks sideways or backward too much     more lateral, backward
 ///   stops to turn, or cuts corners askew    less or more turn
 struct BaseRouteOptions {
-  int iterations = 2000;
+  int iterations = 1000;
   int seed = 0;
   double lateral = 2.5;
   double backward = 1.5;

@@ -23,6 +23,21 @@ std::string SurfaceName(const Terrain& terrain, int surface) {
   return name.empty() ? fmt::format("surface {}", i) : name;
 }
 
+/// How far it is without ground through a point, along a heading.
+std::string GapAlong(const Terrain& terrain, const Vector2& p_W, double yaw) {
+  constexpr double kStep = 0.005, kFar = 5.0;  // [m]
+  const Vector2 ahead(std::cos(yaw), std::sin(yaw));
+  const auto until_ground = [&](double sign) {
+    double gone = 0.0;
+    while (gone < kFar && GroundAt(terrain, p_W + sign * gone * ahead).patch < 0) gone += kStep;
+    return gone;
+  };
+  const double before = until_ground(-1.0), after = until_ground(1.0);
+  if (before >= kFar || after >= kFar) return "it ends there";
+  const Vector2 edge = p_W - before * ahead;
+  return fmt::format("the gap from ({:.2f}, {:.2f}) on is {:.2f} m wide", edge.x(), edge.y(), before + after);
+}
+
 Terrain ObstaclesOf(const Terrain& terrain) { return {terrain.name, {}, {}, terrain.obstacles}; }
 
 /// A lattice of offsets within an ellipse, the nearest first.
@@ -203,8 +218,8 @@ Hindrance PoseCheck::NoFoothold(const PlanarPose& at, const Footing& footing) {
     hindrance.text = fmt::format("{} finds '{}' more than a step of {:.3f} m above or below the other feet's ground",
                                  place, hindrance.what, space_.step_height_m);
   } else if (ground.patch < 0) {
-    hindrance.text =
-        fmt::format("there is no ground for {}, which reaches {:.2f} m from its place", place, space_.reach_ahead_m);
+    hindrance.text = fmt::format("there is no ground for {}, which reaches {:.2f} m from its place; {}", place,
+                                 space_.reach_ahead_m, GapAlong(terrain_, p_W, at.yaw_rad));
   } else if (map_.At(p_W).kind == FootholdMap::Kind::kTooSteep) {
     hindrance.text = fmt::format(
         "'{}' is too steep for {}: {:.1f} deg; at most {:.1f} deg are walked on, and {:.1f} deg do not slip",

@@ -35,7 +35,8 @@ PlanarPose PoseOf(const ob::State* state) {
 
 void Put(const PlanarPose& pose, ob::State* state) {
   state->as<State>()->setXY(pose.x_m, pose.y_m);
-  state->as<State>()->setYaw(std::remainder(pose.yaw_rad, 2.0 * std::numbers::pi));
+  const double yaw = std::remainder(pose.yaw_rad, 2.0 * std::numbers::pi);
+  state->as<State>()->setYaw(yaw < std::numbers::pi ? yaw : -std::numbers::pi);  // OMPL takes [-pi, pi)
 }
 
 /// b with the yaw nearest to that of a.
@@ -125,6 +126,7 @@ class Sampler : public ob::StateSampler {
   void sampleUniform(ob::State* state) override {
     constexpr double kGoalShare = 0.05, kFocusShare = 0.5;
     constexpr int kAttempts = 100;
+    if (guided_ < problem_.guide.size()) return Put(problem_.guide[guided_++], state);
     const double kind = Share();
     if (focus_.cost <= 0.0 && kind < kGoalShare) return Put(problem_.goal, state);
     PlanarPose pose;
@@ -167,6 +169,7 @@ class Sampler : public ob::StateSampler {
   const RrtStarProblem& problem_;
   const SampleFocus& focus_;
   double spread_m_;
+  std::size_t guided_ = 0;
   std::mt19937_64 random_;
 };
 

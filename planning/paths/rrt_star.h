@@ -18,6 +18,7 @@ struct RrtStarProblem {
   TravelWeights weights;
   int iterations = 3000;
   std::uint32_t seed = 0;
+  std::vector<PlanarPose> guide;  ///< the first samples, in this order; may be empty
 };
 
 /// Where samples are drawn. What finds a better route changes it while the search goes on.
