@@ -7,7 +7,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/swing_curve.h"
 #include "planning/footsteps/base_over_feet.h"
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {

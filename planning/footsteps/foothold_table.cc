@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "kinematics/spatial/rotation.h"
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {

@@ -9,10 +9,10 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "planning/footsteps/can_walk.h"
 #include "planning/footsteps/place_feet.h"
-#include "planning/footsteps/standing_feet.h"
 #include "planning/footsteps/uneven_footsteps.h"
 #include "planning/gait/schedule_contacts.h"
 #include "planning/paths/base_path.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {

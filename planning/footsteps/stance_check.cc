@@ -11,7 +11,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/plan_view.h"
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/base_over_feet.h"
-#include "planning/footsteps/standing_feet.h"
 #include "planning/gait/schedule_contacts.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
