@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "kinematics/base/result.h"
+#include "kinematics/collision/facets_internal.h"
 #include "kinematics/collision/fcl_shape_internal.h"
 #include "kinematics/collision/grid_prisms_internal.h"
 #include "kinematics/collision/shape_extent.h"
@@ -27,9 +27,20 @@ PreparedShape::~PreparedShape() = default;
 PreparedShape::PreparedShape(PreparedShape&&) noexcept = default;
 PreparedShape& PreparedShape::operator=(PreparedShape&&) noexcept = default;
 
+namespace {
+
+/// A shape of the scene; FCL's object points back to it.
+struct Fixed {
+  int number;
+  std::vector<Facet> facets;
+  fcl::CollisionObjectd object;
+};
+
+}  // namespace
+
 struct ShapeScene::Solids {
   std::vector<std::string> names;
-  std::vector<std::unique_ptr<fcl::CollisionObjectd>> shapes;  // their number is their user data
+  std::vector<std::unique_ptr<Fixed>> shapes;
   fcl::DynamicAABBTreeCollisionManagerd tree;
   std::vector<GridPrisms> grids;
   std::vector<HalfSpace> half_spaces;
@@ -41,13 +52,15 @@ ShapeScene::ShapeScene(const std::vector<Shape>& fixed_W, const std::vector<Grid
     : solids_(std::make_unique<Solids>()) {
   std::vector<fcl::CollisionObjectd*> leaves;
   for (const Shape& shape : fixed_W) {
-    const auto number = static_cast<std::intptr_t>(solids_->names.size());
+    const auto number = static_cast<int>(solids_->names.size());
     solids_->names.push_back(shape.link);
     const auto geometry = FclGeometry(shape);
     if (geometry == nullptr) continue;
-    solids_->shapes.push_back(std::make_unique<fcl::CollisionObjectd>(geometry, shape.X_BS));
-    solids_->shapes.back()->setUserData(reinterpret_cast<void*>(number));
-    leaves.push_back(solids_->shapes.back().get());
+    solids_->shapes.push_back(std::make_unique<Fixed>(
+        Fixed{number, FacetsOf(shape, shape.X_BS), fcl::CollisionObjectd(geometry, shape.X_BS)}));
+    fcl::CollisionObjectd& object = solids_->shapes.back()->object;
+    object.setUserData(solids_->shapes.back().get());
+    leaves.push_back(&object);
   }
   solids_->tree.registerObjects(leaves);
   solids_->tree.setup();
@@ -67,24 +80,35 @@ ShapeScene& ShapeScene::operator=(ShapeScene&&) noexcept = default;
 
 namespace {
 
-int NumberOf(const fcl::CollisionObjectd& object) {
-  return static_cast<int>(reinterpret_cast<std::intptr_t>(object.getUserData()));
-}
+/// A question to the tree, and its answer so far.
+struct Query {
+  const Shape& shape;
+  const Pose& X_WS;
+  NearestSolid nearest;
+  bool touched = false;
+};
 
-bool TouchCall(fcl::CollisionObjectd* solid, fcl::CollisionObjectd* moving, void* touched) {
+const Fixed& FixedOf(const fcl::CollisionObjectd& object) { return *static_cast<const Fixed*>(object.getUserData()); }
+
+bool TouchCall(fcl::CollisionObjectd* solid, fcl::CollisionObjectd* moving, void* data) {
+  auto& query = *static_cast<Query*>(data);
+  if (BeyondFacets(FixedOf(*solid).facets, query.shape, query.X_WS) > 0.0) return false;
   fcl::CollisionResultd result;
-  if (fcl::collide(solid, moving, fcl::CollisionRequestd(), result) == 0) return false;
-  *static_cast<bool*>(touched) = true;
-  return true;
+  query.touched = fcl::collide(solid, moving, fcl::CollisionRequestd(), result) > 0;
+  return query.touched;
 }
 
 /// Keeps the nearest. `reach` is what the tree looks within; it stays positive, so that whatever may touch is visited.
 bool NearestCall(fcl::CollisionObjectd* solid, fcl::CollisionObjectd* moving, void* data, double& reach) {
-  auto& nearest = *static_cast<NearestSolid*>(data);
+  auto& [shape, X_WS, nearest, touched] = *static_cast<Query*>(data);
+  const Fixed& fixed = FixedOf(*solid);
   reach = std::max(nearest.distance_m, std::numeric_limits<double>::min());
   if (solid->getAABB().distance(moving->getAABB()) >= reach) return false;
-  const double gap = SignedGap(*solid, *moving);
-  if (gap < nearest.distance_m) nearest = {gap, NumberOf(*solid)};
+  const double beyond = BeyondFacets(fixed.facets, shape, X_WS);
+  if (beyond >= nearest.distance_m) return false;
+  double gap = SignedGap(*solid, *moving);
+  if (gap < 0.0) gap = std::max(gap, std::min(beyond, 0.0));
+  if (gap < nearest.distance_m) nearest = {gap, fixed.number};
   reach = std::max(nearest.distance_m, std::numeric_limits<double>::min());
   return false;
 }
@@ -104,13 +128,13 @@ bool ShapeScene::Touches(const PreparedShape& shape, const Pose& X_WS) const {
   fcl::CollisionObjectd& object = shape.body_->object;
   object.setTransform(X_WS);
   object.computeAABB();
-  bool touched = false;
-  solids_->tree.collide(&object, &touched, TouchCall);
+  Query query{shape.shape(), X_WS, {}};
+  solids_->tree.collide(&object, &query, TouchCall);
   for (const GridPrisms& grid : solids_->grids) {
     constexpr double kTouching = 1e-12;  // [m]
-    if (touched || grid.Distance(object, kTouching, true) <= 0.0) return true;
+    if (query.touched || grid.Distance(object, kTouching, true) <= 0.0) return true;
   }
-  return touched;
+  return query.touched;
 }
 
 NearestSolid ShapeScene::Nearest(const PreparedShape& shape, const Pose& X_WS, double within_m) const {
@@ -124,7 +148,11 @@ NearestSolid ShapeScene::Nearest(const PreparedShape& shape, const Pose& X_WS, d
   fcl::CollisionObjectd& object = shape.body_->object;
   object.setTransform(X_WS);
   object.computeAABB();
-  if (!solids_->shapes.empty()) solids_->tree.distance(&object, &nearest, NearestCall);
+  if (!solids_->shapes.empty()) {
+    Query query{shape.shape(), X_WS, nearest};
+    solids_->tree.distance(&object, &query, NearestCall);
+    nearest = query.nearest;
+  }
   for (std::size_t i = 0; i < solids_->grids.size(); ++i)
     take(solids_->grids[i].Distance(object, nearest.distance_m, false), solids_->first_grid + static_cast<int>(i));
   return nearest;

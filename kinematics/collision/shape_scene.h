@@ -55,7 +55,8 @@ struct NearestSolid {
 
 /// Solids that stand still, asked about by shapes that move. Solids are numbered: shapes, then grids, then half spaces.
 /// Distances are FCL's (Pan, Chitta and Manocha, ICRA 2012), never too large, to 1e-5 m, with a tree of boxes before
-/// them; depths are those in which FCL's portal refinement leaves a solid, right while they are small against it.
+/// them; depths are those of FCL's portal refinement, which may be too large where a shape is deep in a solid, and at
+/// most the shortest way out through a side of a box or of a mesh of up to 32 vertices.
 /// A mesh without vertices touches nothing. Const use from one thread at a time; the same answers whatever was asked
 /// before.
 class ShapeScene {

@@ -18,14 +18,37 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr int kFixed = 3;  // control points at each end
 
+/// Share of the way to the side at a fraction of the swing: what free control points that are all one give.
+double SidewaysShare(int control_points, double u) {
+  const QuinticBasis basis = EvaluateQuinticBasis(control_points, u);
+  double share = 0.0;
+  for (int i = 0; i < 6; ++i) {
+    const int point = basis.first + i;
+    if (point >= kFixed && point < control_points - kFixed) share += basis.value[static_cast<std::size_t>(i)];
+  }
+  return share;
+}
+
+/// The fraction of the swing at which a straight one has gone a share of its way.
+double FractionAt(double share) {
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (SmoothStep(middle).value < share ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 /// The least height of the contact frame at which the underside touches the ground, by progress along the way: a table
 /// with straight pieces.
 class Profile {
  public:
-  Profile(const SwingCurve& swing, const std::vector<Vector3>& underside_F, const GroundHeight& ground) {
+  Profile(const SwingCurve& swing, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+          const RefineChoice& choice) {
     const Vector3 travel = swing.X_WF_end.translation() - swing.X_WF_start.translation();
     length_m_ = travel.head<2>().norm();
     if (length_m_ > kShortest) along_W_ = travel.head<2>() / length_m_;
+    const Vector2 sideways_W = choice.sideways_m * left_W();
     const Vector3 turn = RotationLog(swing.X_WF_end.linear() * swing.X_WF_start.linear().transpose());
     constexpr double kDeep = 1.0;  // where there is no ground
     const double floor_m = std::min(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) - kDeep;
@@ -34,7 +57,8 @@ class Profile {
       const double s = i * kStep - kBeyond;
       const double share = length_m_ > kShortest ? std::clamp(s / length_m_, 0.0, 1.0) : 0.5;
       const Matrix3 R_WF = RotationExp(share * turn) * swing.X_WF_start.linear();
-      const Vector2 p_W = swing.X_WF_start.translation().head<2>() + s * along_W_;
+      const double aside = choice.sideways_m == 0.0 ? 0.0 : SidewaysShare(choice.control_points, FractionAt(share));
+      const Vector2 p_W = swing.X_WF_start.translation().head<2>() + s * along_W_ + aside * sideways_W;
       double height = floor_m;
       for (const Vector3& q_F : underside_F) {
         const Vector3 q_W = R_WF * q_F;
@@ -47,6 +71,7 @@ class Profile {
 
   double length_m() const { return length_m_; }
   const Vector2& along_W() const { return along_W_; }
+  Vector2 left_W() const { return {-along_W_.y(), along_W_.x()}; }
 
   /// The greatest height within `reach` of a progress, and the slope there.
   std::pair<double, double> Highest(double s, double reach) const {
@@ -110,6 +135,7 @@ class Detour {
   Detour(const SwingCurve& swing, const Profile& profile, const RefineChoice& choice)
       : profile_(profile),
         free_(choice.control_points - 2 * kFixed),
+        sideways_W_(choice.sideways_m * profile.left_W()),
         start_z_(swing.X_WF_start.translation().z()),
         rise_m_(swing.X_WF_end.translation().z() - start_z_) {
     fractions_ = Fractions(choice.samples);
@@ -145,7 +171,7 @@ class Detour {
   std::vector<Vector3> ControlPoints(const VectorX& x) const {
     std::vector<Vector3> points;
     for (int i = 0; i < free_; ++i) {
-      const Vector2 along = x[i] * profile_.along_W();
+      const Vector2 along = x[i] * profile_.along_W() + sideways_W_;
       points.emplace_back(along.x(), along.y(), x[free_ + i]);
     }
     return points;
@@ -191,6 +217,7 @@ class Detour {
 
   const Profile& profile_;
   const int free_;
+  const Vector2 sideways_W_;
   const double start_z_, rise_m_;
   std::vector<double> fractions_, wanted_m_, reach_m_;
   MatrixX basis_;
@@ -254,7 +281,7 @@ double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& under
 Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vector3>& underside_F,
                                  const GroundHeight& ground, const RefineChoice& choice) {
   Check(choice);
-  const Profile profile(swing, underside_F, ground);
+  const Profile profile(swing, underside_F, ground, choice);
   const Detour detour(swing, profile, choice);
   ConstrainedOptions options;
   options.tolerance = 1e-5;

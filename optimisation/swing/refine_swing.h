@@ -35,6 +35,7 @@ struct RefineChoice {
   double clearance_m = 0.02;
   int control_points = 12;  ///< 9 to 14, three of which are fixed at each end
   int samples = 30;         ///< 20 to 40, at which the clearance is asked for
+  double sideways_m = 0.0;  ///< how far to the left of the straight way it passes in mid swing
 };
 
 /// A swing with a detour and how it came about.
@@ -44,9 +45,9 @@ struct RefinedSwing {
   std::string brief;
 };
 
-/// The detour, along the way and upwards, that makes the acceleration's integral of squares least while the underside
-/// clears the ground. The ground under the foot, by progress along the way, is looked up once; its steps are taken as
-/// steep slopes, as steep as start and end allow, so that the solver feels them coming.
+/// The detour, along the way and upwards, and to the side by what is chosen, that makes the acceleration's integral of
+/// squares least while the underside clears the ground. The ground under the foot, by progress along the way, is looked
+/// up once; its steps are taken as steep slopes, as steep as start and end allow, so that the solver feels them coming.
 /// Tuning
 ///   the foot rises too steeply near an edge   more control points, or footholds farther from the edge
 ///   the sole cuts a corner between samples    more samples

@@ -18,7 +18,7 @@ void Auditor::CheckDynamics(double time_s) {
     Vector6 w;
     w << -wrench.force_W, -wrench.moment_W;
     AddPointWrench(model_, scratch_, model_.feet[static_cast<std::size_t>(f)].body,
-                   ContactFrame(model_, scratch_, f).translation(), w, residual);
+                   X_WF_[static_cast<std::size_t>(f)].translation(), w, residual);
   }
   residual.tail(model_.num_dofs()) -= sample_.tau;
   const double force_limit = kResidualShare * model_.weight_n();
@@ -52,8 +52,8 @@ void Auditor::CheckContactForces(double time_s) {
   const double slack = kRelative * model_.weight_n();
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     const ContactWrench& wrench = sample_.wrenches[static_cast<std::size_t>(f)];
-    const Pose X_WF = ContactFrame(model_, scratch_, f);
-    const GroundPoint ground = GroundAt(plan_.terrain, X_WF.translation().head<2>());
+    const Pose& X_WF = X_WF_[static_cast<std::size_t>(f)];
+    const Footing& ground = footing_[static_cast<std::size_t>(f)];
     const double normal = wrench.force_W.dot(ground.normal_W);
     const double tangential = (wrench.force_W - normal * ground.normal_W).norm();
     if (!(normal >= -slack)) findings_.Note("unilateral", FootName(f), time_s, normal, 0.0, "N");
@@ -66,24 +66,39 @@ void Auditor::CheckContactForces(double time_s) {
     if (foot.sole_F.empty() || normal < kLeastLoad * model_.weight_n()) continue;
     const Vector3 moment_F = X_WF.linear().transpose() * wrench.moment_W;
     const double normal_F = X_WF.linear().col(2).dot(wrench.force_W);
-    const double outside = -SignedDistance(foot.sole_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
+    const Polygon* support_F = ground.foothold < 0 ? nullptr : &support_F_[static_cast<std::size_t>(ground.foothold)];
+    if (support_F == nullptr || support_F->empty()) support_F = &foot.sole_F;
+    const double outside = -SignedDistance(*support_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
     if (outside > kPressureSlack)
       findings_.Note("unilateral", FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack, "m");
   }
 }
 
+namespace {
+
+/// How far the farthest point of a stance is from a plane, upright [m].
+double FarthestFrom(const GroundPlane& plane, const ContactsByFoot& points, FootSet stance) {
+  double farthest = 0.0;
+  for (std::size_t f = 0; f < points.size(); ++f) {
+    if (!Contains(stance, static_cast<int>(f))) continue;
+    for (const Vector3& p : points[f]) farthest = std::max(farthest, std::abs(p.z() - plane.HeightAt(p.head<2>())));
+  }
+  return farthest;
+}
+
+}  // namespace
+
 void Auditor::CheckZmp(double time_s) {
   std::vector<Vector2> corners;
-  double ground = 0.0;
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     if (!Contains(stance_, f)) continue;
-    for (const Vector3& p : ContactPoints(model_, scratch_, f)) {
-      corners.push_back(p.head<2>());
-      ground = GroundAt(plan_.terrain, p.head<2>()).height_m;
-    }
+    for (const Vector3& p : points_[static_cast<std::size_t>(f)]) corners.push_back(p.head<2>());
   }
   if (corners.empty() || needed_[2] < kLeastLoad * model_.weight_n()) return;
-  const Vector2 zmp = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), ground);
+  // On contacts that are not in one plane there is no ZMP: there the contact forces themselves show that the needed
+  // wrench can be had (dynamics, unilateral, friction_cone).
+  if (FarthestFrom(plane_, points_, stance_) > kCoplanar) return;
+  const Vector2 zmp = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), plane_).head<2>();
   const Polygon support = ConvexHull(corners);
   const double outside = -SignedDistance(support, zmp);
   const bool has_area = Area(support) > 1e-3 * (support[0] - support[support.size() / 2]).norm();
