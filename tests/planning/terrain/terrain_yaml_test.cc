@@ -99,10 +99,10 @@ TEST(TerrainYaml, FieldsAndObstaclesThatCannotBeAreRefused) {
 }
 
 TEST(LoadTerrain, TellsFilesFromBuiltInGrounds) {
-  EXPECT_TRUE(IsTerrainFile("a/b.yaml"));
-  EXPECT_TRUE(IsTerrainFile("b.PNG:resolution_m=0.1"));
-  EXPECT_TRUE(IsTerrainFile("b.txt"));
-  EXPECT_FALSE(IsTerrainFile("stairs:rise_m=0.05"));
+  EXPECT_EQ(TerrainFileOf("a/b.yaml"), "a/b.yaml");
+  EXPECT_EQ(TerrainFileOf("b.PNG:resolution_m=0.1"), "b.PNG");
+  EXPECT_EQ(TerrainFileOf("b.txt"), "b.txt");
+  EXPECT_EQ(TerrainFileOf("stairs:rise_m=0.05"), "");
   EXPECT_TRUE(Says(terrain_files::WhyRefused("b.txt"), "of a kind that is not read; there are '.yaml'"));
   EXPECT_TRUE(Says(terrain_files::WhyRefused("stairz"), "the nearest is 'stairs'"));
   EXPECT_TRUE(Says(terrain_files::WhyRefused(Written("p.yaml", "builtin: flat\n") + ":a=1"), "has no parameters"));
