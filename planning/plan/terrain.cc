@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "kinematics/base/result.h"
-#include "kinematics/stability/polygon.h"
+#include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
 
@@ -65,6 +65,17 @@ GroundPoint FieldAt(const HeightField& field, const Vector2& p_W) {
   return {0, low + u * by_x + v * by_y, normal.normalized(), field.friction};
 }
 
+/// Whether a point is in a convex outline or on its edge, to rounding, so that no hole is left between neighbours.
+bool Holds(const std::vector<Vector2>& outline, const Vector2& p) {
+  constexpr double kSeam = 1e-9;  // [m]
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vector2 edge = outline[(i + 1) % outline.size()] - outline[i];
+    const double side = Cross(edge, p - outline[i]);
+    if (side < 0.0 && side * side > kSeam * kSeam * edge.squaredNorm()) return false;
+  }
+  return true;
+}
+
 /// The height and normal of a patch at a point; patch stays -1 outside of its outline.
 GroundPoint PatchAt(const TerrainPatch& patch, const Vector2& p_W) {
   const Vector3 normal = patch.X_WT.linear().col(2);
@@ -72,8 +83,7 @@ GroundPoint PatchAt(const TerrainPatch& patch, const Vector2& p_W) {
   const double height = origin.z() - normal.head<2>().dot(p_W - origin.head<2>()) / normal.z();
   if (!patch.outline_T.empty()) {
     const Vector3 p_T = patch.X_WT.inverse() * Vector3(p_W.x(), p_W.y(), height);
-    constexpr double kSeam = 1e-9;  // so that rounding leaves no hole between neighbours [m]
-    if (SignedDistance(patch.outline_T, p_T.head<2>()) < -kSeam) return {};
+    if (!Holds(patch.outline_T, p_T.head<2>())) return {};
   }
   return {0, height, normal, patch.friction};
 }

@@ -77,13 +77,14 @@ Result<Terrain> LoadFile(const FileText& file, const TerrainScale& scale) {
 
 }  // namespace
 
-bool IsTerrainFile(const std::string& name_or_file) {
+std::string TerrainFileOf(const std::string& name_or_file) {
+  const FileText file = Part(name_or_file);
   const std::string before = name_or_file.substr(0, name_or_file.find(':'));
-  return !Part(name_or_file).kind.empty() || before.find_first_of("./") != std::string::npos;
+  return !file.kind.empty() || before.find_first_of("./") != std::string::npos ? file.path : "";
 }
 
 Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale& scale) {
-  if (!IsTerrainFile(name_or_file)) return MakeTerrain(name_or_file, scale);
+  if (TerrainFileOf(name_or_file).empty()) return MakeTerrain(name_or_file, scale);
   const FileText file = Part(name_or_file);
   if (file.kind.empty()) {
     return Refused("terrain_kind", fmt::format("'{}' is a terrain of a kind that is not read; there are {}",

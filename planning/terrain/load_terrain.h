@@ -16,7 +16,7 @@ namespace gaitwright {
 /// kind; a parameter that is unknown or wrong.
 Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale& scale);
 
-/// Whether a text names a file, not a built-in ground.
-bool IsTerrainFile(const std::string& name_or_file);
+/// The path of the file that a text names, without parameters; "" for a built-in ground.
+std::string TerrainFileOf(const std::string& name_or_file);
 
 }  // namespace gaitwright

@@ -116,7 +116,8 @@ TerrainPatch ParsePatch(const YAML::Node& node) {
     return plane;
   }
   const std::vector<Vector3> corners = Places(node["corners_m"], "corners_m");
-  return At(node, [&] { return PatchThrough(name, corners, FrictionOf(node)); });
+  const double friction = FrictionOf(node);
+  return At(node, [&] { return PatchThrough(name, corners, friction); });
 }
 
 HeightField ParseHeights(const YAML::Node& node) {
@@ -126,9 +127,9 @@ HeightField ParseHeights(const YAML::Node& node) {
   field.origin_W = Place(node["origin_m"], "origin_m", 2);
   field.resolution_m = Number(node["resolution_m"], "resolution_m", 0.001, 1.0);
   field.friction = FrictionOf(node);
-  std::vector<YAML::Node> rows = List(node["heights_m"], "heights_m");
-  std::reverse(rows.begin(), rows.end());  // as seen from above: the first has the highest y
-  for (const YAML::Node& row : rows) {
+  const std::vector<YAML::Node> rows = List(node["heights_m"], "heights_m");
+  for (std::size_t r = rows.size(); r-- > 0;) {  // as seen from above: the first has the highest y
+    const YAML::Node& row = rows[r];
     const std::vector<YAML::Node> cells = List(row, "a row of heights_m");
     if (field.rows++ == 0) field.columns = static_cast<int>(cells.size());
     if (static_cast<int>(cells.size()) != field.columns)

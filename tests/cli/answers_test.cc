@@ -70,7 +70,7 @@ TEST_F(Answers, WhatThereIsIsListed) {
   EXPECT_GT(gaits.json().at("gaits").size(), 5U);
   const Ran terrains = Run({"terrains", "--json"});
   EXPECT_EQ(terrains.status, 0);
-  ExpectKeys(terrains.json().at("terrains").at(0), {"name", "description"});
+  ExpectKeys(terrains.json().at("terrains").at(0), {"name", "description", "parameters"});
   EXPECT_TRUE(Found().empty());
 }
 

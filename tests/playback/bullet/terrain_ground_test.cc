@@ -131,6 +131,28 @@ TEST(TerrainInBullet, AnObstacleOfAnyKindIsSolid) {
   EXPECT_THROW(RayWorld{terrain}, InvalidArgument);
 }
 
+TEST(TerrainInBullet, ABodyThatTouchesAnObstacleIsSeenToTouch) {
+  const RobotModel model = standing::Load("a1");
+  const TerrainScale scale = ScaleOf(model);
+  for (const double beside : {-0.005, 0.02}) {
+    Terrain terrain = FlatTerrain();
+    Obstacle wall;
+    wall.name = "wall";
+    wall.X_WO.translation() << scale.front_m + beside + 0.05, 0.0, 0.5;
+    wall.size_m << 0.1, 2.0, 1.0;
+    terrain.obstacles = {wall};
+    const MotionPlan plan = standing::Plan(model, 1.0);
+    BulletWorld world(model, terrain, plan.whole_body.q.front(), {});
+    JointPd controller(model, plan);
+    bool touched = false;
+    for (int k = 0; k < 20; ++k) {
+      world.Step(controller.Update({}));
+      touched = touched || !world.body_contacts().empty();
+    }
+    EXPECT_EQ(touched, beside < 0.0);
+  }
+}
+
 /// Where all feet of the standing robot, its base over (x, 0), have ground under all of each at nearly one height, the
 /// first such x from `from` on; and how high it stands there. Its z axis is along `normal`.
 struct Place {
