@@ -38,17 +38,22 @@ class AnytimeSearch {
     }
   }
 
-  /// Improves the way until its bound is as wanted or what may be spent is spent.
+  /// Looks for a way with ever larger weights until one is found, and then improves it with ever smaller ones until
+  /// its bound is as wanted or what may be spent is spent.
   void Run() {
+    constexpr double kHarder = 2.0, kEase = 0.5;  // of the weight; of what it is over 1
     double weight = options_.first_bound;
     stats_.bound = kInfinity;
     while (true) {
       const bool finished = Improve(weight);
-      if (goal_ < 0) return;
+      if (goal_ < 0 && (finished || stats_.expanded >= options_.max_expansions)) return;
+      if (goal_ < 0) {
+        weight *= kHarder;
+        continue;
+      }
       stats_.cost = nodes_[Index(goal_)].cost;
-      stats_.bound = std::max(1.0, std::min(finished ? weight : stats_.bound, nodes_[Index(goal_)].cost / Least()));
+      stats_.bound = std::max(1.0, std::min(finished ? weight : stats_.bound, stats_.cost / Least()));
       if (!finished || stats_.bound <= options_.bound || weight <= 1.0) return;
-      constexpr double kEase = 0.5;  // of what the weight is over 1
       weight = weight < 1.05 ? 1.0 : std::min(stats_.bound, 1.0 + kEase * (weight - 1.0));
     }
   }
@@ -93,6 +98,7 @@ class AnytimeSearch {
   /// One round of weighted A*. @return false when the budget ended it.
   bool Improve(double weight) {
     ++round_;
+    expanded_before_ = stats_.expanded;
     queue_ = {};
     std::vector<int> fringe;
     fringe.swap(open_);
@@ -120,6 +126,7 @@ class AnytimeSearch {
   }
 
   bool Spent() const {
+    if (goal_ < 0 && stats_.expanded - expanded_before_ >= options_.patience) return true;
     if (stats_.expanded >= options_.max_expansions) return true;
     return goal_ >= 0 && stats_.expanded - stats_.expanded_to_first >= options_.improving_expansions;
   }
@@ -171,7 +178,7 @@ class AnytimeSearch {
   std::vector<int> open_;  // fringe of the next round
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
   std::vector<FootstepGraph::Edge> edges_;
-  int round_ = 0, goal_ = -1, farthest_ = -1;
+  int round_ = 0, expanded_before_ = 0, goal_ = -1, farthest_ = -1;
 };
 
 std::vector<Footfalls> StepsOf(const FootstepGraph& graph, const std::vector<int>& way) {
@@ -239,6 +246,7 @@ OptionFields FootstepSearchOptions::Fields() {
        "Farthest of the last footholds from their places, in legs.",
        {}},
       {"first_bound", &first_bound, "1", 1.0, 100.0, "Weight of the first search: larger is sooner and worse.", {}},
+      {"patience", &patience, "1", 1.0, 1e8, "Stances expanded without a way until the weight is doubled.", {}},
       {"bound", &bound, "1", 1.0, 100.0, "Bound on the cost, as a multiple of the least, that is good enough.", {}},
       {"max_expansions", &max_expansions, "1", 1.0, 1e8, "Stances that may be expanded in all.", {}},
       {"improving_expansions", &improving_expansions, "1", 0.0, 1e8, "And after the first way is found.", {}}};
