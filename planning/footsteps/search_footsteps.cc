@@ -21,10 +21,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Failure Infeasible(const std::string& code, const std::string& message, std::vector<std::string> hints) {
-  return {FailureKind::kInfeasible, code, "SearchFootsteps", message, std::move(hints)};
-}
-
 /// Anytime search over the stances of a graph.
 class AnytimeSearch {
  public:
@@ -211,6 +207,72 @@ std::optional<Failure> CheckQuery(const RobotModel& model, const FootstepQuery& 
   return std::nullopt;
 }
 
+FootstepSearchOptions Checked(FootstepSearchOptions options) {
+  CheckOptions(options.Fields());
+  return options;
+}
+
+/// All that a search works with. The members refer to each other, so it stays where it is made.
+struct Problem {
+  Problem(const RobotModel& the_model, const Terrain& terrain, const FootstepQuery& query,
+          const FootholdOptions& footholds, const FootstepSearchOptions& the_options)
+      : model(the_model),
+        options(Checked(the_options)),
+        ground(terrain, kCell * model.leg_length_m()),
+        checker(model, ground, footholds),
+        table(model, checker, query, options),
+        stances(model, ground, query, footholds, options),
+        graph(model, query, table, stances, ground, options),
+        search(graph, options),
+        start(model.feet.size()) {}
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+
+  /// Puts the feet down at the start, or says why they cannot stand there.
+  std::optional<Failure> Start() {
+    for (int foot = 0; foot < static_cast<int>(start.size()); ++foot) {
+      const Placing placing = table.Start(foot, start[static_cast<std::size_t>(foot)]);
+      if (placing.ok()) continue;
+      const PlanarPose at = table.PlaceAt(foot, 0.0);
+      return CannotStart(fmt::format("foot '{}' cannot stand at the start, at x = {:.2f} m, y = {:.2f} m: {}",
+                                     model.feet[static_cast<std::size_t>(foot)].name, at.x_m, at.y_m,
+                                     Describe(placing.fault)));
+    }
+    std::vector<int> starts;
+    for (int group = 0; group < static_cast<int>(graph.groups().size()); ++group)
+      starts.push_back(graph.StanceOf(start, group));
+    const StanceFault fault = graph.FaultOf(starts.front());
+    if (fault != StanceFault::kNone)
+      return CannotStart(fmt::format("robot '{}' cannot stand at the start: {}", model.name, Describe(fault)));
+    search.Start(starts);
+    return std::nullopt;
+  }
+
+  FootstepSequence Found() const {
+    FootstepSequence sequence;
+    for (const int foothold : start) sequence.start.push_back(table[foothold].placed);
+    sequence.steps = StepsOf(graph, search.Way());
+    sequence.stats = search.stats();
+    sequence.stats.stances = graph.checked();
+    return sequence;
+  }
+
+  static Failure CannotStart(const std::string& message) {
+    return {FailureKind::kInfeasible, "no_footholds", "SearchFootsteps", message, {"start elsewhere"}};
+  }
+
+  static constexpr double kCell = 0.5;  // of the ground's index, of the leg length
+  const RobotModel& model;
+  const FootstepSearchOptions options;
+  const GroundIndex ground;
+  const FootholdChecker checker;
+  FootholdTable table;
+  StanceChecker stances;
+  FootstepGraph graph;
+  AnytimeSearch search;
+  std::vector<int> start;  // footholds by foot
+};
+
 }  // namespace
 
 OptionFields FootstepSearchOptions::Fields() {
@@ -273,45 +335,24 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait) {
 
 Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                          const FootholdOptions& footholds, const FootstepSearchOptions& options) {
-  FootstepSearchOptions checked = options;
-  CheckOptions(checked.Fields());
   if (const auto failure = CheckQuery(model, query)) return *failure;
-  constexpr double kCell = 0.5;  // of the leg length
-  const GroundIndex ground(terrain, kCell * model.leg_length_m());
-  const FootholdChecker checker(model, ground, footholds);
-  FootholdTable table(model, checker, query, options);
-  StanceChecker stances(model, ground, query, footholds, options);
-  FootstepGraph graph(model, query, table, stances, ground, options);
-  std::vector<int> start(model.feet.size());
-  for (int foot = 0; foot < static_cast<int>(start.size()); ++foot) {
-    const Placing placing = table.Start(foot, start[static_cast<std::size_t>(foot)]);
-    if (placing.ok()) continue;
-    const PlanarPose at = table.PlaceAt(foot, 0.0);
-    return Infeasible(
-        "no_footholds",
-        fmt::format("foot '{}' cannot stand at the start, at x = {:.2f} m, y = {:.2f} m: {}",
-                    model.feet[static_cast<std::size_t>(foot)].name, at.x_m, at.y_m, Describe(placing.fault)),
-        {"start elsewhere"});
+  Problem problem(model, terrain, query, footholds, options);
+  if (auto failure = problem.Start()) return *failure;
+  problem.search.Run();
+  if (problem.search.goal() < 0) {
+    const Blockage blockage{problem.search.farthest(), problem.search.stats().expanded >= options.max_expansions};
+    return ExplainBlockage({model, problem.ground, query, problem.checker, options}, problem.graph, blockage);
   }
-  std::vector<int> starts;
-  for (int group = 0; group < static_cast<int>(graph.groups().size()); ++group)
-    starts.push_back(graph.StanceOf(start, group));
-  if (!graph.Holds(starts.front())) {
-    return Infeasible(
-        "no_footholds",
-        fmt::format("robot '{}' cannot stand at the start: {}", model.name, Describe(graph.FaultOf(starts.front()))),
-        {"start elsewhere"});
-  }
-  AnytimeSearch search(graph, options);
-  search.Start(starts);
-  search.Run();
-  if (search.goal() < 0) return ExplainBlockage(model, ground, query, graph, search.farthest(), options);
-  FootstepSequence sequence;
-  for (const int foothold : start) sequence.start.push_back(table[foothold].placed);
-  sequence.steps = StepsOf(graph, search.Way());
-  sequence.stats = search.stats();
-  sequence.stats.stances = graph.checked();
-  return sequence;
+  return problem.Found();
+}
+
+bool FootstepsExist(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                    const FootholdOptions& footholds, const FootstepSearchOptions& options) {
+  if (CheckQuery(model, query)) return false;
+  Problem problem(model, terrain, query, footholds, options);
+  if (problem.Start()) return false;
+  problem.search.Run();
+  return problem.search.goal() >= 0;
 }
 
 }  // namespace gaitwright

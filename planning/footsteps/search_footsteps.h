@@ -74,8 +74,8 @@ struct FootstepSequence {
 /// The feet that lift off together, in the gait's order of lifting off.
 std::vector<std::vector<int>> FootGroups(const Gait& gait);
 
-/// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances. Its weight starts
-/// at `first_bound`, is doubled whenever `patience` runs out, and falls again once a way is found.
+/// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances. Its weight
+/// starts at `first_bound`, is doubled whenever `patience` runs out, and falls again once a way is found.
 ///
 /// A state is a foothold of each foot and the group that steps next. For each foot and station of the route there are
 /// few footholds: where the foot stands in the standing posture under the base there, places of a lattice around it,
@@ -91,11 +91,16 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 /// crossed or nearer than their sizes, and the body is clear of ground and obstacles. A swing holds when no ground or
 /// obstacle on the straight way stands higher over either end than the feet may be lifted.
 ///
-/// Failure kInfeasible: `no_footholds` names the place and the reason; `search_budget` when expansions ran out.
-/// kBadInput for a gait with another number of feet. @throws InvalidArgument for options out of range.
+/// Failure kInfeasible: `no_footholds` names the place and the reason, with a hint where it was expansions that ran
+/// out. kBadInput for a gait with another number of feet, or a route or stride without length. @throws InvalidArgument
+/// for options out of range.
 ///
 /// Likhachev, Gordon and Thrun, ARA*: Anytime A* with Provable Bounds on Sub-Optimality, NIPS 2003.
 Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                          const FootholdOptions& footholds, const FootstepSearchOptions& options);
+
+/// Whether SearchFootsteps finds any; says no more, and so is quicker where there are none.
+bool FootstepsExist(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                    const FootholdOptions& footholds, const FootstepSearchOptions& options);
 
 }  // namespace gaitwright
