@@ -175,7 +175,7 @@ double FootstepGraph::CostOf(int stance) const {
     const FootholdChoice& b = (*table_)[chosen_[static_cast<std::size_t>(foot)]];
     const double gain = (b.station_m - a.station_m) / stride;
     cost += std::max(1.0, gain);
-    if (gain > 1.0) cost += options_.length_weight * (gain - 1.0) * (gain - 1.0);
+    cost += options_.length_weight * std::max(0.0, gain - 1.0);
     const double departure = b.departure_m / table_->offset_m();
     cost += options_.departure_weight * departure * departure;
     cost += options_.height_weight * std::abs(HeightOf(b) - HeightOf(a)) / leg_m_;
@@ -188,7 +188,7 @@ double FootstepGraph::CostOf(int stance) const {
   }
   const double wanted = std::min(table_->advance_m(), end - others);
   const double lead = groups_.size() > 1 ? (reached - others - wanted) / stride : 0.0;
-  return own * cost + options_.phase_weight * lead * lead;
+  return own * cost + options_.phase_weight * std::abs(lead);
 }
 
 bool FootstepGraph::SwingHolds(const FootholdChoice& from, const FootholdChoice& to, Refusals& refusals) const {

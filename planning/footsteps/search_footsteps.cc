@@ -21,10 +21,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Failure Infeasible(const std::string& code, const std::string& message, std::vector<std::string> hints) {
-  return {FailureKind::kInfeasible, code, "SearchFootsteps", message, std::move(hints)};
-}
-
 /// Anytime search over the stances of a graph.
 class AnytimeSearch {
  public:
@@ -38,17 +34,22 @@ class AnytimeSearch {
     }
   }
 
-  /// Improves the way until its bound is as wanted or what may be spent is spent.
+  /// Looks for a way with ever larger weights until one is found, and then improves it with ever smaller ones until
+  /// its bound is as wanted or what may be spent is spent.
   void Run() {
+    constexpr double kHarder = 2.0, kEase = 0.5;  // of the weight; of what it is over 1
     double weight = options_.first_bound;
     stats_.bound = kInfinity;
     while (true) {
       const bool finished = Improve(weight);
-      if (goal_ < 0) return;
+      if (goal_ < 0 && (finished || stats_.expanded >= options_.max_expansions)) return;
+      if (goal_ < 0) {
+        weight *= kHarder;
+        continue;
+      }
       stats_.cost = nodes_[Index(goal_)].cost;
-      stats_.bound = std::max(1.0, std::min(finished ? weight : stats_.bound, nodes_[Index(goal_)].cost / Least()));
+      stats_.bound = std::max(1.0, std::min(finished ? weight : stats_.bound, stats_.cost / Least()));
       if (!finished || stats_.bound <= options_.bound || weight <= 1.0) return;
-      constexpr double kEase = 0.5;  // of what the weight is over 1
       weight = weight < 1.05 ? 1.0 : std::min(stats_.bound, 1.0 + kEase * (weight - 1.0));
     }
   }
@@ -93,6 +94,7 @@ class AnytimeSearch {
   /// One round of weighted A*. @return false when the budget ended it.
   bool Improve(double weight) {
     ++round_;
+    expanded_before_ = stats_.expanded;
     queue_ = {};
     std::vector<int> fringe;
     fringe.swap(open_);
@@ -120,6 +122,7 @@ class AnytimeSearch {
   }
 
   bool Spent() const {
+    if (goal_ < 0 && stats_.expanded - expanded_before_ >= options_.patience) return true;
     if (stats_.expanded >= options_.max_expansions) return true;
     return goal_ >= 0 && stats_.expanded - stats_.expanded_to_first >= options_.improving_expansions;
   }
@@ -171,7 +174,7 @@ class AnytimeSearch {
   std::vector<int> open_;  // fringe of the next round
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
   std::vector<FootstepGraph::Edge> edges_;
-  int round_ = 0, goal_ = -1, farthest_ = -1;
+  int round_ = 0, expanded_before_ = 0, goal_ = -1, farthest_ = -1;
 };
 
 std::vector<Footfalls> StepsOf(const FootstepGraph& graph, const std::vector<int>& way) {
@@ -203,6 +206,72 @@ std::optional<Failure> CheckQuery(const RobotModel& model, const FootstepQuery& 
   }
   return std::nullopt;
 }
+
+FootstepSearchOptions Checked(FootstepSearchOptions options) {
+  CheckOptions(options.Fields());
+  return options;
+}
+
+/// All that a search works with. The members refer to each other, so it stays where it is made.
+struct Problem {
+  Problem(const RobotModel& the_model, const Terrain& terrain, const FootstepQuery& query,
+          const FootholdOptions& footholds, const FootstepSearchOptions& the_options)
+      : model(the_model),
+        options(Checked(the_options)),
+        ground(terrain, kCell * model.leg_length_m()),
+        checker(model, ground, footholds),
+        table(model, checker, query, options),
+        stances(model, ground, query, footholds, options),
+        graph(model, query, table, stances, ground, options),
+        search(graph, options),
+        start(model.feet.size()) {}
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+
+  /// Puts the feet down at the start, or says why they cannot stand there.
+  std::optional<Failure> Start() {
+    for (int foot = 0; foot < static_cast<int>(start.size()); ++foot) {
+      const Placing placing = table.Start(foot, start[static_cast<std::size_t>(foot)]);
+      if (placing.ok()) continue;
+      const PlanarPose at = table.PlaceAt(foot, 0.0);
+      return CannotStart(fmt::format("foot '{}' cannot stand at the start, at x = {:.2f} m, y = {:.2f} m: {}",
+                                     model.feet[static_cast<std::size_t>(foot)].name, at.x_m, at.y_m,
+                                     Describe(placing.fault)));
+    }
+    std::vector<int> starts;
+    for (int group = 0; group < static_cast<int>(graph.groups().size()); ++group)
+      starts.push_back(graph.StanceOf(start, group));
+    const StanceFault fault = graph.FaultOf(starts.front());
+    if (fault != StanceFault::kNone)
+      return CannotStart(fmt::format("robot '{}' cannot stand at the start: {}", model.name, Describe(fault)));
+    search.Start(starts);
+    return std::nullopt;
+  }
+
+  FootstepSequence Found() const {
+    FootstepSequence sequence;
+    for (const int foothold : start) sequence.start.push_back(table[foothold].placed);
+    sequence.steps = StepsOf(graph, search.Way());
+    sequence.stats = search.stats();
+    sequence.stats.stances = graph.checked();
+    return sequence;
+  }
+
+  static Failure CannotStart(const std::string& message) {
+    return {FailureKind::kInfeasible, "no_footholds", "SearchFootsteps", message, {"start elsewhere"}};
+  }
+
+  static constexpr double kCell = 0.5;  // of the ground's index, of the leg length
+  const RobotModel& model;
+  const FootstepSearchOptions options;
+  const GroundIndex ground;
+  const FootholdChecker checker;
+  FootholdTable table;
+  StanceChecker stances;
+  FootstepGraph graph;
+  AnytimeSearch search;
+  std::vector<int> start;  // footholds by foot
+};
 
 }  // namespace
 
@@ -239,6 +308,7 @@ OptionFields FootstepSearchOptions::Fields() {
        "Farthest of the last footholds from their places, in legs.",
        {}},
       {"first_bound", &first_bound, "1", 1.0, 100.0, "Weight of the first search: larger is sooner and worse.", {}},
+      {"patience", &patience, "1", 1.0, 1e8, "Stances expanded without a way until the weight is doubled.", {}},
       {"bound", &bound, "1", 1.0, 100.0, "Bound on the cost, as a multiple of the least, that is good enough.", {}},
       {"max_expansions", &max_expansions, "1", 1.0, 1e8, "Stances that may be expanded in all.", {}},
       {"improving_expansions", &improving_expansions, "1", 0.0, 1e8, "And after the first way is found.", {}}};
@@ -265,45 +335,24 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait) {
 
 Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                          const FootholdOptions& footholds, const FootstepSearchOptions& options) {
-  FootstepSearchOptions checked = options;
-  CheckOptions(checked.Fields());
   if (const auto failure = CheckQuery(model, query)) return *failure;
-  constexpr double kCell = 0.5;  // of the leg length
-  const GroundIndex ground(terrain, kCell * model.leg_length_m());
-  const FootholdChecker checker(model, ground, footholds);
-  FootholdTable table(model, checker, query, options);
-  StanceChecker stances(model, ground, query, footholds, options);
-  FootstepGraph graph(model, query, table, stances, ground, options);
-  std::vector<int> start(model.feet.size());
-  for (int foot = 0; foot < static_cast<int>(start.size()); ++foot) {
-    const Placing placing = table.Start(foot, start[static_cast<std::size_t>(foot)]);
-    if (placing.ok()) continue;
-    const PlanarPose at = table.PlaceAt(foot, 0.0);
-    return Infeasible(
-        "no_footholds",
-        fmt::format("foot '{}' cannot stand at the start, at x = {:.2f} m, y = {:.2f} m: {}",
-                    model.feet[static_cast<std::size_t>(foot)].name, at.x_m, at.y_m, Describe(placing.fault)),
-        {"start elsewhere"});
+  Problem problem(model, terrain, query, footholds, options);
+  if (auto failure = problem.Start()) return *failure;
+  problem.search.Run();
+  if (problem.search.goal() < 0) {
+    const Blockage blockage{problem.search.farthest(), problem.search.stats().expanded >= options.max_expansions};
+    return ExplainBlockage({model, problem.ground, query, problem.checker, options}, problem.graph, blockage);
   }
-  std::vector<int> starts;
-  for (int group = 0; group < static_cast<int>(graph.groups().size()); ++group)
-    starts.push_back(graph.StanceOf(start, group));
-  if (!graph.Holds(starts.front())) {
-    return Infeasible(
-        "no_footholds",
-        fmt::format("robot '{}' cannot stand at the start: {}", model.name, Describe(graph.FaultOf(starts.front()))),
-        {"start elsewhere"});
-  }
-  AnytimeSearch search(graph, options);
-  search.Start(starts);
-  search.Run();
-  if (search.goal() < 0) return ExplainBlockage(model, ground, query, graph, search.farthest(), options);
-  FootstepSequence sequence;
-  for (const int foothold : start) sequence.start.push_back(table[foothold].placed);
-  sequence.steps = StepsOf(graph, search.Way());
-  sequence.stats = search.stats();
-  sequence.stats.stances = graph.checked();
-  return sequence;
+  return problem.Found();
+}
+
+bool FootstepsExist(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                    const FootholdOptions& footholds, const FootstepSearchOptions& options) {
+  if (CheckQuery(model, query)) return false;
+  Problem problem(model, terrain, query, footholds, options);
+  if (problem.Start()) return false;
+  problem.search.Run();
+  return problem.search.goal() >= 0;
 }
 
 }  // namespace gaitwright

@@ -27,14 +27,15 @@ struct FootstepSearchOptions {
   double offset = 0.25;
   double body_clearance = 0.05;
   double sway = 0.5;
-  double length_weight = 0.5;
-  double phase_weight = 1.0;
+  double length_weight = 1.5;
+  double phase_weight = 2.0;
   double departure_weight = 0.5;
   double height_weight = 0.5;
   double risk_weight = 0.5;
   double goal_tolerance = 0.15;
-  double first_bound = 3.0;
-  double bound = 1.1;
+  double first_bound = 2.0;
+  double bound = 1.05;
+  int patience = 300;
   int max_expansions = 20000;
   int improving_expansions = 200;
 
@@ -73,13 +74,14 @@ struct FootstepSequence {
 /// The feet that lift off together, in the gait's order of lifting off.
 std::vector<std::vector<int>> FootGroups(const Gait& gait);
 
-/// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances.
+/// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances. Its weight
+/// starts at `first_bound`, is doubled whenever `patience` runs out, and falls again once a way is found.
 ///
 /// A state is a foothold of each foot and the group that steps next. For each foot and station of the route there are
 /// few footholds: where the foot stands in the standing posture under the base there, places of a lattice around it,
 /// and on each surface near the place nearest to it. Each step of a group costs
-///   mean over its feet of max(1, a / L) + length (a / L - 1)^2 [a > L] + departure (d / offset)^2
-///                         + height |dz| / leg + risk r,     plus phase ((lead - wanted) / L)^2,
+///   mean over its feet of max(1, a / L) + length max(0, a / L - 1) + departure (d / offset)^2
+///                         + height |dz| / leg + risk r,     plus phase |lead - wanted| / L,
 /// a the stations gained, L the stride, d the distance from the foot's place on the route, lead how far the group comes
 /// to stand ahead of all others. Never less is left than, summed over groups, the mean over feet of
 /// max((end - station) / L, 1 if not at the goal), which is the heuristic: it is consistent, so `stats.bound` holds for
@@ -89,11 +91,16 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 /// crossed or nearer than their sizes, and the body is clear of ground and obstacles. A swing holds when no ground or
 /// obstacle on the straight way stands higher over either end than the feet may be lifted.
 ///
-/// Failure kInfeasible: `no_footholds` names the place and the reason; `search_budget` when expansions ran out.
-/// kBadInput for a gait with another number of feet. @throws InvalidArgument for options out of range.
+/// Failure kInfeasible: `no_footholds` names the place and the reason, with a hint where it was expansions that ran
+/// out. kBadInput for a gait with another number of feet, or a route or stride without length. @throws InvalidArgument
+/// for options out of range.
 ///
 /// Likhachev, Gordon and Thrun, ARA*: Anytime A* with Provable Bounds on Sub-Optimality, NIPS 2003.
 Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                          const FootholdOptions& footholds, const FootstepSearchOptions& options);
+
+/// Whether SearchFootsteps finds any; says no more, and so is quicker where there are none.
+bool FootstepsExist(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                    const FootholdOptions& footholds, const FootstepSearchOptions& options);
 
 }  // namespace gaitwright
