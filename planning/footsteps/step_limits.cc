@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {
