@@ -35,7 +35,8 @@ struct AuditOptions {
 ///                  at a joint no more than 5 % of its effort limit either
 ///   unilateral     no pulling force; centre of pressure inside the part of the sole that is on its surface
 ///   friction_cone  tangential force at most friction times normal force
-///   zmp_support    multibody ZMP on the plane of the contacts inside the hull of the scheduled soles, as far as they are
+///   zmp_support    multibody ZMP on the plane of the contacts inside the hull of the scheduled soles, as far as they
+///   are
 ///                  on their surfaces, or within 2 mm of it where it is a line; the reference that the plan has for it
 ///                  likewise, to 5 mm. Not where contacts are in no plane: the forces say it there
 ///   foot_clearance the whole foot against all that is solid of the terrain (SolidsOf), 0.1 mm, in stance 1 mm deep at

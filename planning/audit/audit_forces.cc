@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kinematics/stability/polygon.h"
+#include "kinematics/stability/wrench_cone.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/audit/auditor.h"
 #include "planning/audit/tolerances.h"
@@ -24,6 +25,7 @@ void Auditor::CheckDynamics(double time_s) {
   const double force_limit = kResidualShare * model_.weight_n();
   const double moment_limit = force_limit * com_height_m_;
   const double force = residual.head<3>().norm(), moment = residual.segment<3>(3).norm();
+  forces_hold_ = force <= kCertain * model_.weight_n() && moment <= kCertain * model_.weight_n() * com_height_m_;
   if (!(force <= force_limit)) findings_.Note("dynamics", "base force", time_s, force, force_limit, "N");
   if (!(moment <= moment_limit)) findings_.Note("dynamics", "base moment", time_s, moment, moment_limit, "N m");
   for (int d = 0; d < model_.num_dofs(); ++d) {
@@ -58,6 +60,7 @@ void Auditor::CheckContactForces(double time_s) {
     const double tangential = (wrench.force_W - normal * ground.normal_W).norm();
     if (!(normal >= -slack)) findings_.Note("unilateral", FootName(f), time_s, normal, 0.0, "N");
     const double cone = ground.friction * std::max(normal, 0.0);
+    forces_hold_ = forces_hold_ && normal >= -slack && tangential <= cone + slack;
     if (!(tangential <= cone + slack)) findings_.Note("friction_cone", FootName(f), time_s, tangential, cone, "N");
     if (normal > kSwingLoad * model_.weight_n() && SwingsThroughout(f, time_s)) {
       findings_.Note("consistency", FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
@@ -69,6 +72,7 @@ void Auditor::CheckContactForces(double time_s) {
     const Polygon* support_F = ground.foothold < 0 ? nullptr : &support_F_[static_cast<std::size_t>(ground.foothold)];
     if (support_F == nullptr || support_F->empty()) support_F = &foot.sole_F;
     const double outside = -SignedDistance(*support_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
+    forces_hold_ = forces_hold_ && outside <= kPressureSlack;
     if (outside > kPressureSlack)
       findings_.Note("unilateral", FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack, "m");
   }
@@ -88,6 +92,23 @@ double FarthestFrom(const GroundPlane& plane, const ContactsByFoot& points, Foot
 
 }  // namespace
 
+/// On contacts that are not in one plane there is no ZMP. There the plan's own contact forces show that the needed
+/// wrench can be had, or else the margin in the contact wrench cone shows whether any forces could give it.
+void Auditor::CheckWrenchCone(double time_s) {
+  if (forces_hold_) return;
+  std::vector<ContactPoint> contacts;
+  for (std::size_t f = 0; f < points_.size(); ++f) {
+    if (!Contains(stance_, static_cast<int>(f)) || !(footing_[f].friction > 0.0)) continue;
+    for (const Vector3& p : points_[f]) contacts.push_back({p, footing_[f].normal_W, footing_[f].friction, 1.0});
+  }
+  if (contacts.empty()) return;
+  constexpr double kFarthest = 10.0;  // [m] said of a force that no contact can give
+  const PointWrench needed{scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3)};
+  const double outside = std::min(-WrenchConeMargin(contacts, needed), kFarthest);
+  if (!(outside <= kSupportLine))
+    findings_.Note("zmp_support", "contact wrench cone", time_s, outside, kSupportLine, "m");
+}
+
 void Auditor::CheckZmp(double time_s) {
   std::vector<Vector2> corners;
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
@@ -95,9 +116,7 @@ void Auditor::CheckZmp(double time_s) {
     for (const Vector3& p : points_[static_cast<std::size_t>(f)]) corners.push_back(p.head<2>());
   }
   if (corners.empty() || needed_[2] < kLeastLoad * model_.weight_n()) return;
-  // On contacts that are not in one plane there is no ZMP: there the contact forces themselves show that the needed
-  // wrench can be had (dynamics, unilateral, friction_cone).
-  if (FarthestFrom(plane_, points_, stance_) > kCoplanar) return;
+  if (FarthestFrom(plane_, points_, stance_) > kCoplanar) return CheckWrenchCone(time_s);
   const Vector2 zmp = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), plane_).head<2>();
   const Polygon support = ConvexHull(corners);
   const double outside = -SignedDistance(support, zmp);

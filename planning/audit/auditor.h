@@ -53,6 +53,7 @@ class Auditor {
   void CheckDynamics(double time_s);
   void CheckContactForces(double time_s);
   void CheckZmp(double time_s);
+  void CheckWrenchCone(double time_s);
   void CheckJoints(double time_s);
   void CheckStanceFeet(double time_s);
   void CheckFeetHeights(double time_s);
@@ -98,6 +99,7 @@ class Auditor {
   WholeBodySample sample_;
   VectorX needed_;  // generalised forces of the motion
   FootSet stance_ = 0;
+  bool forces_hold_ = false;      // the plan's contact forces give the needed wrench, inside their cones
   bool at_switch_ = false;        // a foot lands or leaves within a sample of now
   GroundPlane plane_;             // through the points of the feet that stand
   double com_height_m_ = 0.0;     // over it

@@ -18,6 +18,7 @@ inline constexpr double kFrequency = 0.02;       ///< of sqrt(g / h)
 inline constexpr double kGoalShare = 0.03;      ///< of the leg's length: the base may stand so far from where it starts
 inline constexpr double kGoalHeading = 0.02;    ///< [rad]
 inline constexpr double kResidualShare = 0.02;  ///< of m g, and of m g h
+inline constexpr double kCertain = 1e-3;        ///< of m g, and of m g h: below it contact forces give a wrench
 inline constexpr double kEffortShare = 0.05;    ///< of a joint's effort limit
 inline constexpr double kSupportLine = 2e-3;    ///< [m] within which a ZMP is on a line
 inline constexpr double kCoplanar = 2e-3;       ///< [m] of contacts from the plane that makes them have a ZMP

@@ -154,5 +154,28 @@ TEST_P(AuditUneven, HeldAgainstItOrNotAnObstacleFarAwayChangesNothing) {
   EXPECT_TRUE(Audit(model(), plan, {})->pass()) << Text(plan);
 }
 
+/// The robot stands as it did, but one foot and its ground are 2 cm lower than the plane of the others: no ZMP any
+/// more.
+TEST(AuditOnContactsInNoPlane, HoldsTheWrenchAgainstTheConeWhereTheForcesDoNotGiveIt) {
+  const GoodPlan& a1 = GoodPlanOf("a1");
+  const MotionPlan still = StandOnSlope(a1.model, a1.plan, Matrix3::Identity());
+  const auto cone_of = [&](const MotionPlan& plan) {
+    const auto found = ViolationsOf(a1.model, plan);
+    const auto at =
+        std::find_if(found.begin(), found.end(), [](const auto& v) { return v.where == "contact wrench cone"; });
+    return at == found.end() ? 0.0 : at->value;
+  };
+  const int dof = a1.model.joints[static_cast<std::size_t>(a1.model.legs[0].knee_joint)].dof;
+  MotionPlan uneven = still;  // a knee bent lifts its foot off the plane of the other three
+  for (VectorX& q : uneven.whole_body.q) q[7 + dof] -= 0.15;
+  EXPECT_EQ(cone_of(uneven), 0.0) << "the wrench is inside, though the forces do not give it";
+  for (VectorX& a : uneven.whole_body.a) a[1] += 7.0;  // needs a push from far aside
+  EXPECT_GT(cone_of(uneven), 0.01);
+  MotionPlan level = still;
+  for (VectorX& a : level.whole_body.a) a[1] += 7.0;
+  EXPECT_EQ(cone_of(level), 0.0) << "there the ZMP tells";
+  EXPECT_GT(At(ViolationsOf(a1.model, level), "zero-moment point").value, 0.0);
+}
+
 }  // namespace
 }  // namespace gaitwright
