@@ -24,7 +24,7 @@ class FootholdMap {
   };
   struct Cell {
     Kind kind = Kind::kUnknown;
-    float height_m = 0.0F;
+    float height_m = 0.0F, by_x = 0.0F, by_y = 0.0F;  ///< of the ground, and its slope
   };
 
   /// @param obstacles  what no foot is put on; it and the terrain must outlive the map.
@@ -59,6 +59,8 @@ class FootholdMap {
   PreparedShape foot_;
   std::vector<Eigen::AlignedBox2d> extents_;  ///< of the patches in plan view; empty for planes without end
   std::unordered_map<std::int64_t, std::unique_ptr<Tile>> tiles_;
+  int last_column_ = 0, last_row_ = 0;  ///< of the tile asked for last
+  Tile* last_ = nullptr;
   std::vector<std::pair<int, int>> disc_;  ///< cells under a foot about its own
 };
 
