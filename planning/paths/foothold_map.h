@@ -15,6 +15,7 @@ namespace gaitwright {
 /// Where feet can stand, on a grid through the origin of W, looked up once for each cell that is asked for.
 class FootholdMap {
  public:
+  /// What a cell is for a foot.
   enum class Kind : std::uint8_t {
     kUnknown,
     kFoothold,
@@ -22,6 +23,7 @@ class FootholdMap {
     kTooSteep,  ///< steeper than `max_slope_rad`, or so steep that a foot slips
     kTooLittle  ///< less than 60 % of the foot's disc lies on one surface, or something stands there
   };
+  /// A place for a foot.
   struct Cell {
     Kind kind = Kind::kUnknown;
     float height_m = 0.0F, by_x = 0.0F, by_y = 0.0F;  ///< of the ground, and its slope

@@ -32,6 +32,7 @@ class PoseCheck {
   PoseCheck(const PoseCheck&) = delete;
   PoseCheck& operator=(const PoseCheck&) = delete;
 
+  /// Whether the robot can be at a pose.
   bool IsFree(const PlanarPose& at);
 
   /// Every pose on the straight way from a, which is known to be free, to b included; so densely that no point of the
