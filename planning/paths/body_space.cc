@@ -36,6 +36,26 @@ void AddShape(const DynamicsScratch& scratch, const Shape& shape, Extent& extent
   }
 }
 
+/// Whether each leg has one on the other side: then both sides are given the same room.
+bool IsMirrored(const RobotModel& model) {
+  return std::all_of(model.legs.begin(), model.legs.end(), [](const Leg& leg) { return leg.mirror >= 0; });
+}
+
+void MakeSymmetric(Extent& extent) {
+  const double half = std::max(-extent.min().y(), extent.max().y());
+  extent.min().y() = -half;
+  extent.max().y() = half;
+}
+
+/// Feet of two sides to the middle of what they and their mirror images are.
+void MakeSymmetric(const RobotModel& model, std::vector<Vector2>& feet) {
+  const std::vector<Vector2> as_they_are = feet;
+  for (std::size_t f = 0; f < feet.size(); ++f) {
+    const Vector2& other = as_they_are[static_cast<std::size_t>(model.legs[f].mirror)];
+    feet[f] = 0.5 * (as_they_are[f] + Vector2(other.x(), -other.y()));
+  }
+}
+
 /// A box around an extent, grown to all sides, that begins no lower than `lowest`; none where nothing is that high.
 void AddBox(Extent extent, const Vector3& grown, double lowest, BodySpace& space) {
   if (extent.isEmpty()) return;
@@ -94,6 +114,12 @@ BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) 
     for (const Vector3& p : ContactPoints(model, scratch, f)) legs.extend(p);
     const Leg& chain = model.legs[static_cast<std::size_t>(f)];
     legs.extend(scratch.p_WB[static_cast<std::size_t>(std::max(chain.hip_joint, chain.joints.front()) + 1)]);
+  }
+  if (IsMirrored(model)) {
+    for (Extent* extent : {&legs, &rest}) {
+      if (!extent->isEmpty()) MakeSymmetric(*extent);
+    }
+    MakeSymmetric(model, space.feet_G);
   }
   const Vector3 margin = Vector3::Constant(space.margin_m);
   AddBox(legs, margin + Vector3(options.step_ahead * leg, options.step_aside * leg, 0.0), space.step_height_m, space);

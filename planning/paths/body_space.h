@@ -22,8 +22,8 @@ struct BodySpaceOptions {
   double foothold_aside = 0.2;
   double step_height = 0.3;
   double margin = 0.06;
-  double max_slope_deg = 25.0;
-  double max_tilt_deg = 30.0;
+  double max_slope_deg = 30.0;
+  double max_tilt_deg = 35.0;
 
   OptionFields Fields() {
     return {

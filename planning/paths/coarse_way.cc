@@ -15,10 +15,18 @@ namespace {
 
 constexpr double kStepOfLeg = 0.25;        // edge of a cell in leg lengths
 constexpr double kFineStepOfLeg = 0.1;     // where a shorter way is looked for
+constexpr int kMostFineStates = 50000;     // that are visited for it
 constexpr double kMostCells = 2e5;         // of the grid; beyond that cells grow
 constexpr double kThroughHindrance = 1e4;  // what a metre through a hindrance costs
 constexpr int kHeadings = 8;
 constexpr double kTurn = 0.25 * std::numbers::pi;  // between them
+
+/// What a search may do.
+struct Limits {
+  bool through = false;                                   // pass hindrances
+  double cost = std::numeric_limits<double>::infinity();  // of a way
+  int states = std::numeric_limits<int>::max();           // to visit
+};
 
 /// A search over cells, in each of which the body faces one of eight ways. A state is cell * kHeadings + heading.
 class Grid {
@@ -38,8 +46,7 @@ class Grid {
   }
 
   /// The poses of the cheapest way; empty when there is none.
-  /// @param most  that a way may cost.  @param through  lets it pass hindrances.
-  std::vector<PlanarPose> Search(double most, bool through);
+  std::vector<PlanarPose> Search(const Limits& limits);
 
  private:
   enum Known : std::uint8_t { kUnknown, kFree, kBlocked };
@@ -79,9 +86,13 @@ class Grid {
   /// Whether the body can turn left from a state to the next heading; both are known to hold.
   bool TurnsLeft(int state) {
     Known& known = turns_[static_cast<std::size_t>(state)];
-    PlanarPose middle = PoseOf(state);
-    middle.yaw_rad += 0.5 * kTurn;
-    if (known == kUnknown) known = check_.IsFree(middle) ? kFree : kBlocked;
+    for (const double share : {0.5, 0.25, 0.75}) {
+      if (known == kFree || known == kBlocked) break;
+      PlanarPose between = PoseOf(state);
+      between.yaw_rad += share * kTurn;
+      if (!check_.IsFree(between)) known = kBlocked;
+    }
+    if (known == kUnknown) known = kFree;
     return known == kFree;
   }
   Move Turned(int state, int side);
@@ -126,12 +137,12 @@ std::vector<PlanarPose> Grid::WayTo(int state, const std::vector<Visit>& visits)
   return way;
 }
 
-std::vector<PlanarPose> Grid::Search(double most, bool through) {
+std::vector<PlanarPose> Grid::Search(const Limits& limits) {
   std::vector<Visit> visits(holds_.size());
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   const auto reach = [&](int state, double cost, int from) {
     Visit& visit = visits[static_cast<std::size_t>(state)];
-    if (visit.done || cost >= visit.cost || cost + ToGoal(state) > most) return;
+    if (visit.done || cost >= visit.cost || cost + ToGoal(state) > limits.cost) return;
     visit.cost = cost;
     visit.parent = from;
     open.push({cost + ToGoal(state), state});
@@ -139,19 +150,20 @@ std::vector<PlanarPose> Grid::Search(double most, bool through) {
   const int first = (before_[1] * columns_ + before_[0]) * kHeadings;
   for (int heading = 0; heading < kHeadings; ++heading) {
     const double turn = std::abs(std::remainder(problem_.start.yaw_rad - kTurn * heading, 2.0 * std::numbers::pi));
-    if (turn < kTurn && (through || Holds(first + heading)))
+    if (turn < kTurn && (limits.through || Holds(first + heading)))
       reach(first + heading, problem_.weights.turn_m_rad * turn, -1);
   }
-  while (!open.empty()) {
+  for (int visited = 0; !open.empty() && visited < limits.states;) {
     const int state = open.top().state;
     open.pop();
     Visit& visit = visits[static_cast<std::size_t>(state)];
     if (visit.done) continue;
     visit.done = true;
+    ++visited;
     if (ToGoal(state) <= 0.75 * step_m_) return WayTo(state, visits);
     for (const Move& move :
          {Moved(state, 0), Moved(state, 2), Moved(state, 4), Moved(state, 6), Turned(state, 1), Turned(state, -1)}) {
-      if (move.state < 0 || (!move.free && !through)) continue;
+      if (move.state < 0 || (!move.free && !limits.through)) continue;
       reach(move.state, visit.cost + move.cost * (move.free ? 1.0 : kThroughHindrance), state);
     }
   }
@@ -179,15 +191,16 @@ CoarseWay FindCoarseWay(PoseCheck& check, const CoarseProblem& problem) {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   Grid grid(check, problem, kStepOfLeg);
   CoarseWay way;
-  way.poses = grid.Search(kAny, false);
+  way.poses = grid.Search({});
   const double straight = std::hypot(problem.goal.x_m - problem.start.x_m, problem.goal.y_m - problem.start.y_m);
   const double cost = way.poses.empty() ? kAny : TravelCost(way.poses, problem.weights);
   if (cost > kMuchLonger * straight) {
-    std::vector<PlanarPose> shorter = Grid(check, problem, kFineStepOfLeg).Search(kNotablyShorter * cost, false);
+    const Limits limits{false, kNotablyShorter * cost, kMostFineStates};
+    std::vector<PlanarPose> shorter = Grid(check, problem, kFineStepOfLeg).Search(limits);
     if (!shorter.empty()) way.poses = std::move(shorter);
   }
   way.complete = !way.poses.empty();
-  if (!way.complete) way.poses = grid.Search(kAny, true);
+  if (!way.complete) way.poses = grid.Search({true});
   if (!way.complete) way.hindrance = FirstHindrance(check, way.poses);
   way.poses.push_back(problem.goal);
   return way;

@@ -50,9 +50,13 @@ FootholdMap::FootholdMap(const Terrain& terrain, const ShapeScene& obstacles, co
 
 FootholdMap::Tile& FootholdMap::TileOf(int column, int row) {
   const int i = TileIndex(column, kTile), j = TileIndex(row, kTile);
+  if (last_ != nullptr && i == last_column_ && j == last_row_) return *last_;
+  last_column_ = i;
+  last_row_ = j;
   std::unique_ptr<Tile>& tile = tiles_[(static_cast<std::int64_t>(i) << 32) ^ static_cast<std::uint32_t>(j)];
-  if (tile != nullptr) return *tile;
+  if (tile != nullptr) return *(last_ = tile.get());
   tile = std::make_unique<Tile>();
+  last_ = tile.get();
   const double edge = kTile * resolution_m_;
   const Vector2 low(i * edge - resolution_m_, j * edge - resolution_m_);
   const Eigen::AlignedBox2d area(low, Vector2(low.array() + edge + 2.0 * resolution_m_));
@@ -85,8 +89,8 @@ const FootholdMap::Ground& FootholdMap::GroundOf(int column, int row) {
 
 FootholdMap::Cell FootholdMap::Judge(int column, int row) {
   const Ground ground = GroundOf(column, row);
-  if (!ground.is_ground) return {Kind::kNoGround, 0.0F};
-  if (!ground.tolerable) return {Kind::kTooSteep, ground.height_m};
+  if (!ground.is_ground) return {Kind::kNoGround};
+  if (!ground.tolerable) return {Kind::kTooSteep, ground.height_m, ground.by_x, ground.by_y};
   const float resolution = static_cast<float>(resolution_m_);
   const float apart = static_cast<float>(kSameSurface / kCellOfLeg * resolution_m_);
   std::size_t on = 0;
@@ -97,10 +101,11 @@ FootholdMap::Cell FootholdMap::Judge(int column, int row) {
     if (other.is_ground && std::abs(other.height_m - here) <= apart) ++on;
   }
   if (static_cast<double>(on) < kShareOfSole * static_cast<double>(disc_.size()))
-    return {Kind::kTooLittle, ground.height_m};
+    return {Kind::kTooLittle, ground.height_m, ground.by_x, ground.by_y};
   Pose X_WS = Pose::Identity();
   X_WS.translation() = Vector3(column * resolution_m_, row * resolution_m_, ground.height_m + foot_radius_m_);
-  return {obstacles_.Touches(foot_, X_WS) ? Kind::kTooLittle : Kind::kFoothold, ground.height_m};
+  const Kind kind = obstacles_.Touches(foot_, X_WS) ? Kind::kTooLittle : Kind::kFoothold;
+  return {kind, ground.height_m, ground.by_x, ground.by_y};
 }
 
 const FootholdMap::Cell& FootholdMap::At(const Vector2& p_W) {

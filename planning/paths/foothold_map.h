@@ -15,6 +15,7 @@ namespace gaitwright {
 /// Where feet can stand, on a grid through the origin of W, looked up once for each cell that is asked for.
 class FootholdMap {
  public:
+  /// What a cell is for a foot.
   enum class Kind : std::uint8_t {
     kUnknown,
     kFoothold,
@@ -22,9 +23,10 @@ class FootholdMap {
     kTooSteep,  ///< steeper than `max_slope_rad`, or so steep that a foot slips
     kTooLittle  ///< less than 60 % of the foot's disc lies on one surface, or something stands there
   };
+  /// A place for a foot.
   struct Cell {
     Kind kind = Kind::kUnknown;
-    float height_m = 0.0F;
+    float height_m = 0.0F, by_x = 0.0F, by_y = 0.0F;  ///< of the ground, and its slope
   };
 
   /// @param obstacles  what no foot is put on; it and the terrain must outlive the map.
@@ -59,6 +61,8 @@ class FootholdMap {
   PreparedShape foot_;
   std::vector<Eigen::AlignedBox2d> extents_;  ///< of the patches in plan view; empty for planes without end
   std::unordered_map<std::int64_t, std::unique_ptr<Tile>> tiles_;
+  int last_column_ = 0, last_row_ = 0;  ///< of the tile asked for last
+  Tile* last_ = nullptr;
   std::vector<std::pair<int, int>> disc_;  ///< cells under a foot about its own
 };
 

@@ -139,6 +139,21 @@ BaseRoute RouteAlong(std::vector<PlanarPose> way, const BaseRouteOptions& option
   return route;
 }
 
+/// A guide of no more than about a third of the iterations: all its corners, and fewer poses between them.
+std::vector<PlanarPose> Thinned(const std::vector<PlanarPose>& guide, int iterations) {
+  const double most = std::max(1.0, iterations / 3.0);
+  if (static_cast<double>(guide.size()) <= most) return guide;
+  const double spacing_m = LengthOf(guide) / most;
+  std::vector<PlanarPose> thin;
+  for (std::size_t i = 0; i < guide.size(); ++i) {
+    const bool corner = i == 0 || i + 1 == guide.size() || guide[i].yaw_rad != guide[i - 1].yaw_rad ||
+                        guide[i].yaw_rad != guide[i + 1].yaw_rad;
+    if (corner || std::hypot(guide[i].x_m - thin.back().x_m, guide[i].y_m - thin.back().y_m) >= spacing_m)
+      thin.push_back(guide[i]);
+  }
+  return thin;
+}
+
 Failure NoWay(const CoarseWay& guide, const BaseRouteOptions& options, const RrtStarReport& report) {
   if (guide.complete) {
     return Blocked("way_not_found",
@@ -181,7 +196,7 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
     Best best(check, weights, focus);
     RrtStarProblem problem{start, goal, extent, weights, options.iterations, static_cast<std::uint32_t>(options.seed),
                            {}};
-    if (guide.complete) problem.guide = focus.route = guide.poses;
+    if (guide.complete) problem.guide = focus.route = Thinned(guide.poses, options.iterations);
     const RrtStarReport report =
         SearchRrtStar(check, problem, focus, [&](const auto& found, double cost) { best.Take(found, cost); });
     if (!best.found()) return NoWay(guide, options, report);

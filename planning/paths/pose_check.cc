@@ -38,6 +38,8 @@ std::string GapAlong(const Terrain& terrain, const Vector2& p_W, double yaw) {
   return fmt::format("the gap from ({:.2f}, {:.2f}) on is {:.2f} m wide", edge.x(), edge.y(), before + after);
 }
 
+Terrain WithoutFields(const Terrain& terrain) { return {terrain.name, terrain.patches, {}, terrain.obstacles}; }
+
 Terrain ObstaclesOf(const Terrain& terrain) { return {terrain.name, {}, {}, terrain.obstacles}; }
 
 /// A lattice of offsets within an ellipse, the nearest first.
@@ -73,7 +75,7 @@ PoseCheck::PoseCheck(const RobotModel& model, const Terrain& terrain, const Body
     : model_(model),
       terrain_(terrain),
       space_(BodySpaceOf(model, options)),
-      scene_(SolidsOf(terrain)),
+      scene_(SolidsOf(WithoutFields(terrain))),
       obstacles_(SolidsOf(ObstaclesOf(terrain))),
       map_(terrain, obstacles_, space_),
       offsets_(OffsetsWithin(space_.reach_ahead_m, space_.reach_aside_m, map_.resolution_m())) {
@@ -81,7 +83,10 @@ PoseCheck::PoseCheck(const RobotModel& model, const Terrain& terrain, const Body
   slope_of_heights_ = SlopeOfHeights(space_.feet_G, middle_G_);
   height_m_.resize(space_.feet_G.size());
   nearest_m_.resize(space_.feet_G.size());
+  local_slope_.resize(space_.feet_G.size(), Vector2::Zero());
+  if (!space_.boxes.empty()) half_legs_ = 0.5 * space_.boxes.front().size.head<2>();
   for (const Shape& box : space_.boxes) boxes_.emplace_back(box);
+  for (const HeightField& field : terrain.height_fields) fields_.emplace_back(field);
   step_m_ = std::max(space_.margin_m, 0.02 * space_.leg_length_m);
 }
 
@@ -95,6 +100,7 @@ bool PoseCheck::NearestFootholds(const PlanarPose& at, Footing& footing) {
       const FootholdMap::Cell& cell = map_.At(Vector2(at.x_m, at.y_m) + R * p_G);
       if (cell.kind != FootholdMap::Kind::kFoothold) continue;
       height_m_[f] = cell.height_m;
+      local_slope_[f] = Vector2(cell.by_x, cell.by_y);
       found = true;
       break;
     }
@@ -115,13 +121,14 @@ bool PoseCheck::FootholdsNear(const PlanarPose& at, double height_m) {
       if (cell.kind != FootholdMap::Kind::kFoothold || std::abs(cell.height_m - height_m) >= best) continue;
       best = std::abs(cell.height_m - height_m);
       height_m_[f] = cell.height_m;
+      local_slope_[f] = Vector2(cell.by_x, cell.by_y);
     }
     if (best > 1e8) return false;
   }
   return true;
 }
 
-void PoseCheck::FitPlane(Footing& footing) const {
+void PoseCheck::FitPlane(const PlanarPose& at, Footing& footing) const {
   double mean = 0.0;
   footing.slope_G.setZero();
   for (std::size_t f = 0; f < height_m_.size(); ++f) {
@@ -139,20 +146,33 @@ void PoseCheck::FitPlane(Footing& footing) const {
     worst = level ? 2.0 * off : off;
     footing.too_high = static_cast<int>(f);
   }
+  footing.rise_m = 0.0;
+  if (!level) return;
+  // Two feet do not tell the slope of their ground; each foot's own ground does.
+  Vector2 slope_W = Vector2::Zero();
+  for (const Vector2& slope : local_slope_) slope_W += slope / static_cast<double>(local_slope_.size());
+  const Vector2 slope_G = Eigen::Rotation2Dd(-at.yaw_rad) * slope_W;
+  footing.rise_m = slope_G.cwiseAbs().dot(half_legs_);
 }
 
 PoseCheck::Footing PoseCheck::FootingAt(const PlanarPose& at) {
-  Footing footing;
-  if (!NearestFootholds(at, footing)) return footing;
-  FitPlane(footing);
-  if (footing.stands()) return footing;
+  Footing nearest;
+  if (!NearestFootholds(at, nearest)) return nearest;
+  FitPlane(at, nearest);
+  nearest.clear = nearest.stands() && IsClear(at, nearest);
+  if (nearest.clear) return nearest;
   nearest_m_ = height_m_;
+  std::sort(nearest_m_.begin(), nearest_m_.end());  // so that the order of the feet does not matter
+  if (nearest_m_.front() == nearest_m_.back()) return nearest;
   for (const double height : nearest_m_) {
     Footing other;
-    if (FootholdsNear(at, height)) FitPlane(other);
-    if (other.stands()) return other;
+    if (!FootholdsNear(at, height)) continue;
+    FitPlane(at, other);
+    other.clear = other.stands() && IsClear(at, other);
+    if (other.clear) return other;
+    if (other.stands() && !nearest.stands()) nearest = other;
   }
-  return footing;
+  return nearest;
 }
 
 Pose PoseCheck::PlaneAt(const PlanarPose& at, const Footing& footing) const {
@@ -166,15 +186,27 @@ Pose PoseCheck::PlaneAt(const PlanarPose& at, const Footing& footing) const {
   return X_WG;
 }
 
-bool PoseCheck::Touches(const Pose& X_WG) const {
-  return std::any_of(boxes_.begin(), boxes_.end(),
-                     [&](const PreparedShape& box) { return scene_.Touches(box, X_WG * box.shape().X_BS); });
+Pose PoseCheck::PoseOfBox(std::size_t box, const Pose& X_WG, double rise_m) const {
+  Pose X_WS = X_WG * boxes_[box].shape().X_BS;
+  if (box == 0) X_WS.translation().z() += rise_m;
+  return X_WS;
+}
+
+bool PoseCheck::IsClear(const PlanarPose& at, const Footing& footing) const {
+  const Pose X_WG = PlaneAt(at, footing);
+  for (std::size_t box = 0; box < boxes_.size(); ++box) {
+    const Pose X_WS = PoseOfBox(box, X_WG, footing.rise_m);
+    for (const FieldRoom& field : fields_) {
+      if (field.Touches(boxes_[box].shape(), X_WS)) return false;
+    }
+    if (scene_.Touches(boxes_[box], X_WS)) return false;
+  }
+  return true;
 }
 
 bool PoseCheck::IsFree(const PlanarPose& at) {
   ++num_checks_;
-  const Footing footing = FootingAt(at);
-  return footing.stands() && !Touches(PlaneAt(at, footing));
+  return FootingAt(at).clear;
 }
 
 bool PoseCheck::IsFreeBetween(const PlanarPose& a, const PlanarPose& b) {
@@ -240,14 +272,20 @@ std::optional<Hindrance> PoseCheck::WhyNot(const PlanarPose& at) {
                      fmt::format("the ground under its feet {} is tilted by {:.1f} deg; {:.1f} deg are accepted", place,
                                  kDegrees * std::atan(footing.slope_G.norm()), kDegrees * space_.max_tilt_rad)};
   }
+  if (footing.clear) return std::nullopt;
   const Pose X_WG = PlaneAt(at, footing);
-  if (!Touches(X_WG)) return std::nullopt;
   NearestSolid deepest{space_.margin_m, -1};
-  for (const PreparedShape& box : boxes_) {
-    const NearestSolid nearest = scene_.Nearest(box, X_WG * box.shape().X_BS, deepest.distance_m);
+  std::string field;
+  for (std::size_t box = 0; box < boxes_.size(); ++box) {
+    const Pose X_WS = PoseOfBox(box, X_WG, footing.rise_m);
+    const NearestSolid nearest = scene_.Nearest(boxes_[box], X_WS, deepest.distance_m);
     if (nearest.solid >= 0) deepest = nearest;
+    for (std::size_t f = 0; f < fields_.size(); ++f) {
+      if (fields_[f].Touches(boxes_[box].shape(), X_WS))
+        field = SurfaceName(terrain_, static_cast<int>(terrain_.patches.size() + f));
+    }
   }
-  const std::string name = deepest.solid < 0 ? "the terrain" : scene_.SolidName(deepest.solid);
+  const std::string name = field.empty() ? scene_.SolidName(std::max(deepest.solid, 0)) : field;
   return Hindrance{name, at, fmt::format("'{}' is in the way of the robot {}", name, place)};
 }
 
