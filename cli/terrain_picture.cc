@@ -177,7 +177,8 @@ std::string Things(const Terrain& terrain, const View& view) {
 std::string Frame(const View& view, double top, double bottom) {
   std::string svg = fmt::format("<rect class=\"a\" x=\"{}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", kLeft,
                                 top, view.right() - kLeft, bottom - top);
-  for (const double x : RoundTicks(view.window.min().x(), view.window.max().x(), 10)) {
+  for (const double x :
+       RoundTicks(view.window.min().x(), view.window.max().x(), static_cast<int>((view.right() - kLeft) / 90.0))) {
     svg += SvgSegment({view.X(x), bottom}, {view.X(x), bottom + 5.0}, "a");
     svg += SvgText(view.X(x), bottom + 18.0, "m", fmt::format("{:.4g}", x + 0.0));
   }

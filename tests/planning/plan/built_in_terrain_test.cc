@@ -73,8 +73,9 @@ TEST(BuiltInTerrain, BeginsOneBodyLengthAheadOfEveryRobot) {
       }
       if (entry.name == "flat") continue;
       bool different = false;
+      const double x = ParameterOf(entry.name, "start_m", scale) + 0.02;
+      EXPECT_NEAR(x, start, 0.02 + 0.05 * start);
       for (double y = -0.5; y <= 0.5; y += 0.02) {
-        const double x = 1.06 * start;
         different = different || Height(terrain, x, y) != 0.0 || Blocked(terrain, {x, y}, 0.02);
       }
       EXPECT_TRUE(different) << "there is something at the start of it";
