@@ -16,6 +16,7 @@
 #include "kinematics/trajectory/cubic_spline.h"
 #include "optimisation/pipeline/support_regions.h"
 #include "optimisation/pipeline/tipped_sole.h"
+#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 namespace {
@@ -118,7 +119,11 @@ class Passes {
     problem_.omega_rad_s = std::sqrt(kGravity / carriage.com_height_m);
     problem_.start_W = start.head<2>();
     problem_.end_W = end.head<2>();
-    support_ = {problem_.start_W, problem_.end_W, carriage.zmp_inward, problem_.step_s, {}};
+    support_ = {problem_.start_W, problem_.end_W, carriage.zmp_inward, problem_.step_s, {}, {}};
+    for (const Foothold& foothold : footsteps_.footholds) {
+      const Foot& foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
+      support_.support_F.push_back(SupportOf(foot, foothold, terrain_));
+    }
     problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
   }
 

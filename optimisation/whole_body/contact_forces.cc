@@ -6,6 +6,7 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/whole_body/solve_whole_body.h"
+#include "planning/plan/sole_support.h"
 #include "planning/plan/support_plane.h"
 
 namespace gaitwright {
@@ -63,6 +64,7 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
   std::vector<LoadShare> loads;
   const int num_feet = static_cast<int>(model.feet.size());
   for (int f = 0; f < num_feet; ++f) loads.emplace_back(*problem.schedule, f, options.load_ramp_s);
+  const std::vector<Polygon> support_F = SupportsOf(model, *problem.terrain, *problem.footsteps);
   ContactsByFoot points(model.feet.size());
   std::vector<Vector3> origin(model.feet.size());
   std::vector<ContactPoint> contacts;
@@ -80,12 +82,13 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
     foot_of.clear();
     for (int f = 0; f < num_feet; ++f) {
       const auto foot = static_cast<std::size_t>(f);
-      const Foothold& foothold =
-          problem.footsteps->footholds[static_cast<std::size_t>(FootholdAt(*problem.footsteps, f, time_s))];
+      const auto index = static_cast<std::size_t>(FootholdAt(*problem.footsteps, f, time_s));
+      const Foothold& foothold = problem.footsteps->footholds[index];
       const Vector3 normal_W = foothold.X_WF.linear().col(2);
       const Pose X_WF = ContactFrame(model, scratch, f, normal_W);
       origin[foot] = X_WF.translation();
-      points[foot] = ContactPoints(model.feet[foot], X_WF);
+      points[foot].clear();
+      for (const Vector2& p_F : support_F[index]) points[foot].push_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));
       solution.contact_W[foot].push_back(origin[foot]);
       const double load = loads[foot].At(time_s);
       if (load <= 0.0) continue;

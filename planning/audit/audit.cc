@@ -10,7 +10,7 @@
 #include <string>
 
 #include "planning/audit/auditor.h"
-#include "planning/plan/foothold_support.h"
+#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 
@@ -50,7 +50,7 @@ Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOpt
   for (const Foothold& foothold : plan.footsteps.footholds) {
     const bool known = foothold.foot >= 0 && foothold.foot < feet;
     support_F_.push_back(
-        known ? SupportedSole(plan.terrain, model.feet[static_cast<std::size_t>(foothold.foot)], foothold, 0.0)
+        known ? SupportOf(model.feet[static_cast<std::size_t>(foothold.foot)], foothold, plan.terrain, 0.0)
               : Polygon{});
   }
 }

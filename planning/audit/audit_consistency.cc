@@ -8,7 +8,7 @@
 #include "kinematics/stability/polygon.h"
 #include "planning/audit/auditor.h"
 #include "planning/audit/tolerances.h"
-#include "planning/plan/foothold_support.h"
+#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 
@@ -95,7 +95,7 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
   }
   const Foot& of_foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
   if (of_foot.type != FootType::kSole) return;
-  const double share = Area(SupportedSole(plan_.terrain, of_foot, foothold, 0.0)) / Area(of_foot.sole_F);
+  const double share = Area(SupportOf(of_foot, foothold, plan_.terrain, 0.0)) / Area(of_foot.sole_F);
   if (!(share >= kOnPatchShare))
     findings_.Note("consistency", foot + " sole's share on its patch", foothold.touchdown_s, share, kOnPatchShare, "1");
 }

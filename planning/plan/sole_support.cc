@@ -19,11 +19,36 @@ Polygon PartOnPatch(const std::vector<Vector2>& sole_F, const Pose& X_WF, const 
   return ConvexHull(part);
 }
 
+namespace {
+
+/// The grid of a height field as a level patch, for its edges.
+TerrainPatch GridOf(const HeightField& field) {
+  TerrainPatch grid;
+  const Vector2 low = field.origin_W;
+  const Vector2 high = low + field.resolution_m * Vector2(field.columns - 1, field.rows - 1);
+  grid.outline_T = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  return grid;
+}
+
+}  // namespace
+
 Polygon SupportOf(const Foot& foot, const Foothold& foothold, const Terrain& terrain, double margin_m) {
-  if (!foot.has_sole()) return {Vector2::Zero()};
-  const auto surface = static_cast<std::size_t>(foothold.patch);
-  if (foothold.patch < 0 || surface >= terrain.patches.size()) return ConvexHull(foot.sole_F);
-  return PartOnPatch(foot.sole_F, foothold.X_WF, terrain.patches[surface], margin_m);
+  if (foothold.patch < 0 || foothold.patch >= terrain.num_surfaces()) return {};
+  const auto surface = static_cast<std::size_t>(foothold.patch), patches = terrain.patches.size();
+  return PartOnPatch(foot.has_sole() ? foot.sole_F : std::vector<Vector2>{Vector2::Zero()}, foothold.X_WF,
+                     surface < patches ? terrain.patches[surface] : GridOf(terrain.height_fields[surface - patches]),
+                     margin_m);
+}
+
+std::vector<Polygon> SupportsOf(const RobotModel& model, const Terrain& terrain, const FootstepPlan& footsteps) {
+  std::vector<Polygon> supports;
+  for (const Foothold& foothold : footsteps.footholds) {
+    const Foot& foot = model.feet[static_cast<std::size_t>(foothold.foot)];
+    Polygon support = foot.has_sole() ? SupportOf(foot, foothold, terrain) : Polygon{Vector2::Zero()};
+    if (support.empty()) support = foot.sole_F;
+    supports.push_back(std::move(support));
+  }
+  return supports;
 }
 
 }  // namespace gaitwright

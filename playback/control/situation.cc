@@ -39,7 +39,7 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
   }
   if (scheduled != 0) ground_m = height / std::popcount(scheduled);
   contacts_.resize(model.feet.size());
-  for (std::size_t f = 0; f < contacts_.size(); ++f) contacts_[f] = ContactPoints(model.feet[f], planned.X_WF[f]);
+  for (std::size_t f = 0; f < contacts_.size(); ++f) PointsAt(static_cast<int>(f), planned, contacts_[f]);
   support = SupportPlaneAt(plan_.schedule, time_s, contacts_);
   const double lowest = kLowest * std::max(model.leg_length_m(), 1e-3);
   omega_rad_s = std::sqrt(kGravity / std::max(planned.p_WC.z() - ground_m, lowest));
@@ -53,19 +53,28 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
   }
 }
 
+void Situation::PointsAt(int foot, const BodyState& body, std::vector<Vector3>& points_W) const {
+  points_W.clear();
+  for (const Vector2& p_F : swings.Under(foot, time_s).support_F)
+    points_W.push_back(body.X_WF[static_cast<std::size_t>(foot)] * Vector3(p_F.x(), p_F.y(), 0.0));
+}
+
 double SwingNow::Progress(double time_s) const {
   return swings ? std::clamp((time_s - liftoff_s) / (touchdown_s - liftoff_s), 0.0, 1.0) : 0.0;
 }
 
-Swings::Swings(const MotionPlan& plan, std::size_t num_feet) : stays_(num_feet), grounds_(num_feet) {
-  for (const Foothold& foothold : plan.footsteps.footholds) {
+Swings::Swings(const RobotModel& model, const MotionPlan& plan) : stays_(model.feet.size()), grounds_(stays_.size()) {
+  const std::vector<Polygon> supports = SupportsOf(model, plan.terrain, plan.footsteps);
+  for (std::size_t i = 0; i < plan.footsteps.footholds.size(); ++i) {
+    const Foothold& foothold = plan.footsteps.footholds[i];
     const auto foot = static_cast<std::size_t>(foothold.foot);
-    if (foot >= num_feet) continue;
+    if (foot >= stays_.size()) continue;
     stays_[foot].push_back({foothold.touchdown_s, foothold.liftoff_s});
-    grounds_[foot].push_back({foothold.X_WF.linear().col(2), FrictionOf(plan.terrain, foothold.patch)});
+    grounds_[foot].push_back({foothold.X_WF.linear().col(2), FrictionOf(plan.terrain, foothold.patch), supports[i]});
   }
-  for (std::vector<GroundUnder>& grounds : grounds_) {
-    if (grounds.empty()) grounds.push_back({Vector3::UnitZ(), FrictionOf(plan.terrain, 0)});
+  for (std::size_t f = 0; f < grounds_.size(); ++f) {
+    const Polygon whole = model.feet[f].has_sole() ? model.feet[f].sole_F : Polygon{Vector2::Zero()};
+    if (grounds_[f].empty()) grounds_[f].push_back({Vector3::UnitZ(), FrictionOf(plan.terrain, 0), whole});
   }
 }
 

@@ -7,6 +7,7 @@
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
 #include "planning/plan/sample_plan.h"
+#include "planning/plan/sole_support.h"
 #include "planning/plan/support_plane.h"
 #include "playback/control/controller.h"
 
@@ -41,13 +42,14 @@ struct SwingNow {
 struct GroundUnder {
   Vector3 normal_W = Vector3::UnitZ();
   double friction = 0.0;
+  Polygon support_F;  ///< what of the foot is on it, see SupportsOf
 };
 
 /// The swings of a plan, kept by foot: at 1 kHz, a walk through all footholds for each question would take ever longer
 /// with the length of the plan.
 class Swings {
  public:
-  Swings(const MotionPlan& plan, std::size_t num_feet);
+  Swings(const RobotModel& model, const MotionPlan& plan);
 
   /// The swing of a foot at a time; `swings` is false while it stands, and in the air before the first or after the
   /// last of its footholds.
@@ -66,11 +68,14 @@ class Swings {
 /// The robot beside its plan at the same time: what feedback works on.
 struct Situation {
   Situation(const RobotModel& model, const MotionPlan& plan)
-      : measured(model), planned(model), swings(plan, model.feet.size()), plan_(plan) {}
+      : measured(model), planned(model), swings(model, plan), plan_(plan) {}
 
   /// Forgets what was seen.
   void Reset();
   void Update(const RobotModel& model, const ControlInput& input);
+
+  /// The points through which a foot can push where it is, or would be on the ground that it stood on last, in W [m].
+  void PointsAt(int foot, const BodyState& body, std::vector<Vector3>& points_W) const;
 
   double time_s = 0.0, step_s = 0.001;
   WholeBodySample sample;  ///< of the plan

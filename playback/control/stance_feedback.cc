@@ -104,12 +104,11 @@ void StanceFeedback::GatherContacts(const Situation& now, double total_normal_n)
     if (!Contains(now.bearing, f)) continue;
     const double share =
         std::max(now.sample.wrenches[static_cast<std::size_t>(f)].force_W.z() / total_normal_n, kLeastShare);
-    const auto foot = static_cast<std::size_t>(f);
-    const auto points = ContactPoints(model_.feet[foot], now.measured.X_WF[foot]);
+    now.PointsAt(f, now.measured, points_);
     const GroundUnder& ground = now.swings.Under(f, now.time_s);
-    for (const Vector3& p_W : points) {
+    for (const Vector3& p_W : points_) {
       contacts_.push_back({p_W, ground.normal_W, std::max(options_.friction_use * ground.friction, 0.05),
-                           static_cast<double>(points.size()) / share});
+                           static_cast<double>(points_.size()) / share});
       contact_foot_.push_back(f);
       corners.push_back(p_W.head<2>());
     }

@@ -55,6 +55,7 @@ class StanceFeedback {
   Polygon usable_;                           // where the ZMP may be moved to; empty where no foot stands
   std::vector<ContactPoint> contacts_;
   std::vector<int> contact_foot_;
+  std::vector<Vector3> points_;  // of one foot
   Polygon support_;
   ContactSplitter splitter_;
   ContactSplit split_;

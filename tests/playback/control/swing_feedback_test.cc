@@ -105,7 +105,7 @@ class SwingFeedbackTest : public ::testing::Test {
     options.support_use = 0.0;
     return options;
   }
-  SwingNow Swing() const { return Swings(plan_, 4).At(0, 0.95); }
+  SwingNow Swing() const { return Swings(model_, plan_).At(0, 0.95); }
 
   const RobotModel model_ = synthetic::Robot(4, FootType::kPoint);
   const MotionPlan plan_ = synthetic::SteppingPlan(model_, Quick());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/plan/foothold_support.h"
+#include "planning/plan/sole_support.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ Terrain Tread(double half_m, const Pose& X_WT) {
   return terrain;
 }
 
-TEST(SupportedSole, IsWhatIsOnThePatch) {
+TEST(SoleSupport, IsWhatIsOnThePatch) {
   Pose X_WT = Pose::Identity();
   X_WT.translation() = Vector3(2.0, -1.0, 0.4);
   X_WT.linear() = RotationExp(Vector3(0.1, 0.2, 0.9));
@@ -37,29 +37,29 @@ TEST(SupportedSole, IsWhatIsOnThePatch) {
       foothold.X_WF = X_WT * X_TF;
       const double width = yaw == 0.0 ? 0.16 : 0.08, other = yaw == 0.0 ? 0.08 : 0.16;
       const double on = std::clamp(width - over_m, 0.0, width);
-      const Polygon part = SupportedSole(Tread(0.2, X_WT), Sole(), foothold, 0.0);
+      const Polygon part = SupportOf(Sole(), foothold, Tread(0.2, X_WT), 0.0);
       EXPECT_NEAR(part.empty() ? 0.0 : Area(part), on * other, 1e-12);
-      const Polygon inner = SupportedSole(Tread(0.2, X_WT), Sole(), foothold, 0.005);
+      const Polygon inner = SupportOf(Sole(), foothold, Tread(0.2, X_WT), 0.005);
       const double kept = std::clamp(width - std::max(over_m + 0.005, 0.0), 0.0, width);
       EXPECT_NEAR(inner.empty() ? 0.0 : Area(inner), kept * other, 1e-12);
     }
   }
 }
 
-TEST(SupportedSole, IsThePointOfAPointFoot) {
+TEST(SoleSupport, IsThePointOfAPointFoot) {
   Foot ball;
   ball.type = FootType::kSphere;
   ball.radius = 0.02;
   Foothold foothold;
   foothold.X_WF.translation().x() = 0.199;
   const Terrain tread = Tread(0.2, Pose::Identity());
-  EXPECT_EQ(SupportedSole(tread, ball, foothold, 0.0).size(), 1U);
-  EXPECT_TRUE(SupportedSole(tread, ball, foothold, 0.005).empty());
+  EXPECT_EQ(SupportOf(ball, foothold, tread, 0.0).size(), 1U);
+  EXPECT_TRUE(SupportOf(ball, foothold, tread, 0.005).empty());
   foothold.patch = 1;
-  EXPECT_TRUE(SupportedSole(tread, ball, foothold, 0.0).empty()) << "there is no such surface";
+  EXPECT_TRUE(SupportOf(ball, foothold, tread, 0.0).empty()) << "there is no such surface";
 }
 
-TEST(SupportedSole, EndsWhereAFieldEnds) {
+TEST(SoleSupport, EndsWhereAFieldEnds) {
   Terrain terrain;
   HeightField field;
   field.columns = field.rows = 11;
@@ -68,7 +68,7 @@ TEST(SupportedSole, EndsWhereAFieldEnds) {
   terrain.height_fields = {field};
   Foothold foothold;
   foothold.X_WF.translation() = Vector3(0.5, 1.0, 0.0);
-  EXPECT_NEAR(Area(SupportedSole(terrain, Sole(), foothold, 0.0)), 0.5 * 0.16 * 0.08, 1e-12);
+  EXPECT_NEAR(Area(SupportOf(Sole(), foothold, terrain, 0.0)), 0.5 * 0.16 * 0.08, 1e-12);
 }
 
 }  // namespace
