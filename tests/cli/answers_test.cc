@@ -75,7 +75,8 @@ TEST_F(Answers, WhatThereIsIsListed) {
 }
 
 TEST_F(Answers, EveryTerrainOfTheListIsShownAndWalked) {
-  for (const Json& entry : Run({"terrains", "--json"}).json().at("terrains")) {
+  const Json listed = Run({"terrains", "--json"}).json();  // the loop must not outlive what it goes through
+  for (const Json& entry : listed.at("terrains")) {
     const std::string name = entry.at("name");
     SCOPED_TRACE(name);
     const Ran shown = Run({"terrains", "show", name, "--json"});

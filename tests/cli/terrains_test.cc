@@ -33,7 +33,9 @@ TEST_F(Terrains, SizesAreThoseOfTheRobotUnlessGiven) {
 }
 
 TEST_F(Terrains, APictureOfEveryGroundIsWritten) {
-  for (const Json& entry : Run({"terrains", "--json"}).json().at("terrains")) {
+  const Json listed = Run({"terrains", "--json"}).json();  // the loop must not outlive what it goes through
+  EXPECT_GE(listed.at("terrains").size(), 13U);
+  for (const Json& entry : listed.at("terrains")) {
     const std::string name = entry.at("name");
     SCOPED_TRACE(name);
     const Ran drawn = Run({"terrains", "show", name, "--picture", "out/" + name + ".svg", "--json"});
@@ -52,7 +54,7 @@ TEST_F(Terrains, APictureOfEveryGroundIsWritten) {
   }
   const std::string again = Read("out/rough.svg");
   Run({"terrains", "show", "rough", "--picture", "again.svg"});
-  EXPECT_EQ(Read("again.svg"), again) << "the same bytes again";
+  EXPECT_TRUE(Read("again.svg") == again) << "not the same bytes again";
 }
 
 TEST_F(Terrains, FilesAreShownAndPlannedOn) {
