@@ -70,6 +70,8 @@ LegWorkspace::LegWorkspace(const RobotModel& model, int leg, double reserve)
   side_ = X_BF_standing_.translation().y() < 0.0 ? -1.0 : 1.0;
   turned_ = foot.has_sole();
   table_.resize(1U << 12U);
+  const std::int64_t middle[6] = {};
+  for (int halved = 0; halved < 6 && !WorkOut(middle); ++halved) reserve_m_ *= halved < 5 ? 0.5 : 0.0;
 }
 
 bool LegWorkspace::Reaches(const Pose& X_BF) {
@@ -98,26 +100,48 @@ bool LegWorkspace::Reaches(const Pose& X_BF) {
   return reached;
 }
 
-bool LegWorkspace::WorkOut(const std::int64_t (&cell)[6]) const {
+Pose LegWorkspace::InCell(const std::int64_t (&cell)[6], double share, unsigned corner) const {
+  const auto at = [&](unsigned axis) {
+    const double to_side = (corner >> axis % 3 & 1U) != 0 ? 0.5 : -0.5;
+    return static_cast<double>(cell[axis]) + share * to_side;
+  };
   Pose X_BF = X_BF_standing_;
-  X_BF.translation() += cell_m_ * Vector3(static_cast<double>(cell[0]), side_ * static_cast<double>(cell[1]),
-                                          static_cast<double>(cell[2]));
-  if (turned_) {
-    const Matrix3 R = YawRotation(side_ * kAngle * static_cast<double>(cell[3])) *
-                      RotationExp(kAngle * static_cast<double>(cell[4]) * Vector3::UnitY()) *
-                      RotationExp(side_ * kAngle * static_cast<double>(cell[5]) * Vector3::UnitX());
-    X_BF.linear() = R * X_BF_standing_.linear();
-  }
-  Pose farther = X_BF;
-  farther.translation() += reserve_m_ * (X_BF.translation() - p_BH_).normalized();
-  return Solves(farther) && Solves(X_BF);
+  X_BF.translation() += cell_m_ * Vector3(at(0), side_ * at(1), at(2));
+  if (!turned_) return X_BF;
+  X_BF.linear() = YawRotation(side_ * kAngle * at(3)) * RotationExp(kAngle * at(4) * Vector3::UnitY()) *
+                  RotationExp(side_ * kAngle * at(5) * Vector3::UnitX()) * X_BF_standing_.linear();
+  return X_BF;
 }
 
-bool LegWorkspace::Solves(const Pose& X_BF) const {
+bool LegWorkspace::WorkOut(const std::int64_t (&cell)[6]) const {
+  const Pose X_BF = InCell(cell, 0.0, 0);
+  const Vector3 from_hip = X_BF.translation() - p_BH_;
+  Pose farther = X_BF;
+  farther.translation() += reserve_m_ * from_hip.normalized();
+  const double spare = std::min(SpareOf(X_BF), SpareOf(farther));
+  if (spare < 0.0) return false;
+  // What the joints may turn by within the cell: the foot's way about the hip, folded legs more, and its own turning.
+  constexpr double kLeverage = 2.0;
+  const double within = kLeverage * (cell_m_ / from_hip.norm() + (turned_ ? kAngle : 0.0));
+  if (spare > within) return true;
+  for (unsigned corner = 0; corner < 8; ++corner)
+    if (!Solves(InCell(cell, 1.0, corner))) return false;
+  return true;
+}
+
+double LegWorkspace::SpareOf(const Pose& X_BF) const {
   constexpr int kStarts = 4;  // of the damped search, whose misses cost far more than its finds
-  if (ik_.method() == LegIk::Method::kDamped)
-    return SearchPose(chain_, X_BF, chain_.lower, chain_.upper, standing_, kStarts).converged;
-  return ik_.Solve(X_BF, standing_).ok();
+  VectorX joints;
+  if (ik_.method() == LegIk::Method::kDamped) {
+    DampedSearch found = SearchPose(chain_, X_BF, chain_.lower, chain_.upper, standing_, kStarts);
+    if (!found.converged) return -1.0;
+    joints = std::move(found.coordinates);
+  } else {
+    Result<LegIk::Solution> solution = ik_.Solve(X_BF, standing_);
+    if (!solution) return -1.0;
+    joints = std::move(solution->joints);
+  }
+  return std::max(0.0, std::min((joints - chain_.lower).minCoeff(), (chain_.upper - joints).minCoeff()));
 }
 
 void LegWorkspace::Grow() {

@@ -14,10 +14,11 @@ namespace gaitwright {
 ///
 /// Answers hold for cells of a grid of poses: positions in cubes of the leg length / kCellsPerLeg, and of soles and
 /// lines their yaw, roll and pitch in steps of kAngle. A cell is reached when inverse kinematics brings the foot to its
-/// middle, and a reserve farther from the hip too, within limits that are the reserve narrower on both sides; never so
-/// much that the standing posture is left out. It is worked out when first asked for and then kept, so later questions
-/// cost a look-up. The standing posture is the middle of a cell, and legs that mirror each other have mirrored grids.
-/// Answers do not depend on the order of questions. Not for several threads at once.
+/// middle, and a reserve farther from the hip too, within limits that are the reserve narrower on both sides, and near
+/// those limits to its corners as well. The reserve is never so much that the standing posture is left out. A cell is
+/// worked out when first asked for and then kept, so later questions cost a look-up. The standing posture is the middle
+/// of a cell, and legs that mirror each other have mirrored grids. Answers do not depend on the order of questions. Not
+/// for several threads at once.
 class LegWorkspace {
  public:
   static constexpr double kCellsPerLeg = 40.0;
@@ -42,7 +43,9 @@ class LegWorkspace {
   };
 
   bool WorkOut(const std::int64_t (&cell)[6]) const;
-  bool Solves(const Pose& X_BF) const;
+  Pose InCell(const std::int64_t (&cell)[6], double share, unsigned corner) const;
+  bool Solves(const Pose& X_BF) const { return SpareOf(X_BF) >= 0.0; }
+  double SpareOf(const Pose& X_BF) const;
   void Grow();
 
   std::shared_ptr<const RobotModel> narrow_;  // with the reserve off its limits

@@ -194,7 +194,7 @@ class Explanation {
     if (rise <= tried_step_m_) return std::nullopt;
     tried_step_m_ = rise;
     const double most = Limits(step.station_m).HighestStep(rise, up);
-    if (most >= rise - 0.02 * leg_m_) return std::nullopt;
+    if (most >= rise - 0.01 * leg_m_) return std::nullopt;
     return fmt::format("{} steps {} {:.2f} m", what, up ? "up" : "down", most);
   }
 

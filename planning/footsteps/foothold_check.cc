@@ -45,11 +45,11 @@ double On(const Vector3& plane, const Vector2& p_W) { return plane.dot(Vector3(p
 Vector3 NormalOf(const Vector3& plane) { return Vector3(-plane.x(), -plane.y(), 1.0).normalized(); }
 
 Pose Standing(const PlanarPose& at, double height_m, const Vector3& normal_W) {
-  const Vector3 ahead(std::cos(at.yaw_rad), std::sin(at.yaw_rad), 0.0);
+  const Vector2 ahead(std::cos(at.yaw_rad), std::sin(at.yaw_rad));
   Pose X_WF = Pose::Identity();
+  X_WF.linear().col(0) = Vector3(ahead.x(), ahead.y(), -normal_W.head<2>().dot(ahead) / normal_W.z()).normalized();
+  X_WF.linear().col(1) = normal_W.cross(X_WF.linear().col(0));
   X_WF.linear().col(2) = normal_W;
-  X_WF.linear().col(1) = normal_W.cross(ahead).normalized();
-  X_WF.linear().col(0) = X_WF.linear().col(1).cross(normal_W);
   X_WF.translation() = Vector3(at.x_m, at.y_m, height_m);
   return X_WF;
 }
@@ -248,16 +248,22 @@ Placing FootholdChecker::PlaceOnField(int foot, const PlanarPose& at, int surfac
   }
   Vector3 plane = corners.colPivHouseholderQr().solve(heights);
   plane.z() -= plane.head<2>().dot(PlaceOf(at));
-  constexpr int kSide = 5;
   double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
   const auto take = [&](const Vector2& q) {
     const double rise = ground_->At(q).height_m - On(plane, q);
     highest = std::max(highest, rise);
     lowest = std::min(lowest, rise);
   };
-  const Vector2 middle = Centroid(outline);
-  for (const Vector2& q : SamplesOf(outline))
-    for (int k = 1; k <= kSide; ++k) take(middle + static_cast<double>(k) / kSide * (q - middle));
+  const auto field = static_cast<std::size_t>(surface) - ground_->terrain().patches.size();
+  const PlanBox box = BoxOf(outline, 0.0);
+  constexpr double kMost = 24.0;  // places along one side
+  const double step = std::max(0.7 * ground_->terrain().height_fields[field].resolution_m,
+                               (box.highest - box.lowest).maxCoeff() / kMost);
+  for (const Vector2& q : SamplesOf(outline)) take(q);
+  for (double x = box.lowest.x(); x <= box.highest.x(); x += step) {
+    for (double y = box.lowest.y(); y <= box.highest.y(); y += step)
+      if (outline.size() >= 3 && SignedDistance(outline, {x, y}) > 0.0) take({x, y});
+  }
   if (highest - lowest > options_.roughness * leg_m_) return {FootholdFault::kRough, {}};
   plane.z() += std::max(highest, 0.0);
   const Vector3 normal = NormalOf(plane);

@@ -54,6 +54,10 @@ FootholdTable::FootholdTable(const RobotModel& model, const FootholdChecker& che
   step_m_ = advance_m_ / parts;
   num_steps_ = static_cast<int>(std::lround(advances * parts));
   cells_.assign(model.feet.size(), std::vector<Cell>(static_cast<std::size_t>(num_steps_) + 1));
+  places_.resize(model.feet.size());
+  for (std::size_t foot = 0; foot < model.feet.size(); ++foot)
+    for (int step = 0; step <= num_steps_; ++step)
+      places_[foot].push_back(PlaceAt(static_cast<int>(foot), step * step_m_));
 }
 
 PlanarPose FootholdTable::PlaceAt(int foot, double station_m) const {
@@ -99,7 +103,7 @@ void FootholdTable::ListPlaces(int foot, const PlanarPose& at, bool safe, std::v
 void FootholdTable::Fill(int foot, int step, Cell& cell) {
   constexpr std::size_t kFew = 4, kMany = 8;
   cell.known = true;
-  const PlanarPose at = PlaceAt(foot, step * step_m_);
+  const PlanarPose at = PlaceAtStep(foot, step);
   const Placing own = checker_->Place(foot, at);
   std::vector<std::pair<double, int>> found;
   const auto take = [&](const Placing& placing, double distance) {

@@ -38,6 +38,10 @@ class FootholdTable {
 
   /// Where the foot belongs at a station: its place in the standing posture under the base there.
   PlanarPose PlaceAt(int foot, double station_m) const;
+  /// The same at a step of the route.
+  const PlanarPose& PlaceAtStep(int foot, int step) const {
+    return places_[static_cast<std::size_t>(foot)][static_cast<std::size_t>(step)];
+  }
   /// Faults met by Near(foot, step); all zero where it was never asked for.
   Faults FaultsAt(int foot, int step) const;
 
@@ -67,7 +71,8 @@ class FootholdTable {
   std::vector<Pose> standing_;
   double leg_m_, offset_m_, stride_m_, advance_m_, step_m_;
   int num_steps_;
-  std::vector<std::vector<Cell>> cells_;  // by foot, by step
+  std::vector<std::vector<Cell>> cells_;         // by foot, by step
+  std::vector<std::vector<PlanarPose>> places_;  // the same
   std::vector<FootholdChoice> choices_;
   std::unordered_map<std::uint64_t, int> index_;  // by foot and place
 };

@@ -121,7 +121,7 @@ void FootstepGraph::Steps(int stance, std::vector<Edge>& edges, Refusals* refusa
   for (int step = first; step <= table_->num_steps(); ++step) {
     bool near = false;
     for (const int foot : group) {
-      const PlanarPose place = table_->PlaceAt(foot, step * table_->step_m());
+      const PlanarPose& place = table_->PlaceAtStep(foot, step);
       const FootholdChoice& from = (*table_)[FootholdsOf(stance)[static_cast<std::size_t>(foot)]];
       near = near || (Vector2(place.x_m, place.y_m) - InPlan(from)).norm() < longest;
     }
@@ -219,17 +219,20 @@ double FootstepGraph::RiseOnWay(const FootholdChoice& from, const FootholdChoice
 bool FootstepGraph::WayIsFree(const FootholdChoice& from, const FootholdChoice& to) const {
   constexpr double kLeg = 0.5;  // of the leg length over the foot
   if (ground_->obstacles().empty()) return true;
+  Vector2 least = from.outline_W.front(), most = least;
+  for (const Polygon* outline : {&from.outline_W, &to.outline_W}) {
+    for (const Vector2& p : *outline) {
+      least = least.cwiseMin(p);
+      most = most.cwiseMax(p);
+    }
+  }
+  std::vector<int> near;
+  ground_->ObstaclesIn(least, most, near);
+  if (near.empty()) return true;
   Polygon swept = from.outline_W;
   swept.insert(swept.end(), to.outline_W.begin(), to.outline_W.end());
   swept = ConvexHull(swept);
   const double low = std::min(HeightOf(from), HeightOf(to)), high = std::max(HeightOf(from), HeightOf(to));
-  Vector2 least = swept.front(), most = swept.front();
-  for (const Vector2& p : swept) {
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
-  }
-  std::vector<int> near;
-  ground_->ObstaclesIn(least, most, near);
   return std::none_of(near.begin(), near.end(), [&](int i) {
     const ObstacleOutline& obstacle = ground_->obstacles()[static_cast<std::size_t>(i)];
     if (obstacle.top_m <= low + options_.step_height * leg_m_ || obstacle.bottom_m >= high + kLeg * leg_m_)
