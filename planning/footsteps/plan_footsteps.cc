@@ -9,9 +9,11 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "planning/footsteps/can_walk.h"
 #include "planning/footsteps/place_feet.h"
+#include "planning/footsteps/route_of.h"
 #include "planning/footsteps/uneven_footsteps.h"
 #include "planning/gait/schedule_contacts.h"
 #include "planning/paths/base_path.h"
+#include "planning/paths/pose_check.h"
 #include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
@@ -105,6 +107,29 @@ std::optional<Failure> CheckRequest(const RobotModel& model, const Gait& gait, c
   return WhyCannotWalk(model);
 }
 
+/// Footsteps over ground that is not level: along the command's own course, or along a route around what is in its
+/// way. Where nothing stands on the ground the search for footholds alone says what can be walked on, and a route is
+/// asked for only where a goal cannot be had straight.
+Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                       const WalkCommand& command, const FootstepOptions& options) {
+  Result<FootstepQuery> query = CourseQuery(model, gait, command, options);
+  if (!query) return query.failure();
+  const Course course = *MakeCourse(model, gait, command, options.ramp_cycles);
+  if (terrain.obstacles.empty()) {
+    Result<FootstepSkeleton> straight = SearchSkeleton(model, terrain, *query, options);
+    if (straight || command.extent != WalkCommand::Extent::kGoal) return straight;
+    const Result<BaseRoute> route = RouteOf(model, terrain, command, course, options.route);
+    if (!route || route->statistics.direct) return straight;
+    return PlanFootstepsAlong(model, terrain, gait, command, route->waypoints, options);
+  }
+  const Result<BaseRoute> route = RouteOf(model, terrain, command, course, options.route);
+  if (!route) return route.failure();
+  if (!route->statistics.direct) return PlanFootstepsAlong(model, terrain, gait, command, route->waypoints, options);
+  PoseCheck check(model, terrain, options.route.space);
+  query->body_free = [&check](const PlanarPose& base, double) { return check.IsFree(base); };
+  return SearchSkeleton(model, terrain, *query, options);
+}
+
 }  // namespace
 
 bool IsLevelGround(const Terrain& terrain) {
@@ -119,18 +144,17 @@ Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terra
                                             const FootstepOptions& options) {
   if (auto failure = CheckRequest(model, gait, command)) return *failure;
   const PlanarTwist speed = FittingSpeeds(model, gait, command);
-  const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
+  FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
+  PoseCheck check(model, terrain, options.route.space);
+  if (!terrain.obstacles.empty())
+    query.body_free = [&check](const PlanarPose& base, double) { return check.IsFree(base); };
   return SearchSkeleton(model, terrain, query, options);
 }
 
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
   if (auto failure = CheckRequest(model, gait, command)) return *failure;
-  if (!IsLevelGround(terrain)) {
-    const Result<FootstepQuery> query = CourseQuery(model, gait, command, options);
-    if (!query) return query.failure();
-    return SearchSkeleton(model, terrain, *query, options);
-  }
+  if (!IsLevelGround(terrain)) return FindFootsteps(model, terrain, gait, command, options);
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;
   const Reach worst = WorstReach(model, *skeleton, options.reach);

@@ -10,6 +10,7 @@
 #include "planning/footsteps/course.h"
 #include "planning/footsteps/foothold_check.h"
 #include "planning/footsteps/search_footsteps.h"
+#include "planning/paths/plan_base_route.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
@@ -23,9 +24,11 @@ struct FootstepOptions {
   double grid_s = 0.005;  ///< step of the plan's grid, on which contacts begin and end; the pipeline sets it
   FootholdOptions foothold;
   FootstepSearchOptions search;
+  BaseRouteOptions route;
 
   OptionFields Fields() {
-    return Joined({OwnFields(), Prefixed("foothold", foothold.Fields()), Prefixed("search", search.Fields())});
+    return Joined({OwnFields(), Prefixed("foothold", foothold.Fields()), Prefixed("search", search.Fields()),
+                   Prefixed("route", route.Fields())});
   }
 
  private:
@@ -57,11 +60,11 @@ struct FootstepSkeleton {
 ///
 /// On level ground without end or obstacles footholds follow the base along its path (PlaceAlongPath), or a command of
 /// counted footfalls (PlaceCounted). On all other ground the command's course in plan view is the route of a search
-/// (SearchFootsteps), whose steps aim at the stride of the gait at the commanded speed: there are as many footfalls as
-/// it takes, also for a command of a duration or of counted ones.
-/// Failures: kBadInput for a command that makes no sense, contradicts itself, goes nowhere or takes over 600 s, and for
-/// a gait too fast for the grid; kInfeasible for gaits with flight, for a foothold out of reach (names foot, time and
-/// distance), and where there are no footholds (names place and reason).
+/// (SearchFootsteps); a goal that cannot be walked to straight is reached around what is in the way (RouteOf). Steps
+/// aim at the stride of the gait at the commanded speed: there are as many footfalls as it takes, also for a command of
+/// a duration or of counted ones. Failures: kBadInput for a command that makes no sense, contradicts itself, goes
+/// nowhere or takes over 600 s, and for a gait too fast for the grid; kInfeasible for gaits with flight, for a foothold
+/// out of reach (names foot, time and distance), and where there are no footholds (names place and reason).
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options);
 
