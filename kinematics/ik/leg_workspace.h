@@ -17,7 +17,7 @@ namespace gaitwright {
 /// middle, and a reserve farther from the hip too, within limits that are the reserve narrower on both sides, and near
 /// those limits to its corners as well. The reserve is never so much that the standing posture is left out. A cell is
 /// worked out when first asked for and then kept, so later questions cost a look-up. The standing posture is the middle
-/// of a cell, and legs that mirror each other have mirrored grids. Answers do not depend on the order of questions. Not
+/// of a cell, and those of left and right are mirrored about it. Answers do not depend on the order of questions. Not
 /// for several threads at once.
 class LegWorkspace {
  public:

@@ -75,7 +75,7 @@ CubicSpline Follow(const RobotModel& model, const FootstepSkeleton& skeleton, do
   for (int k = 0; k < Knots(skeleton.schedule); ++k) {
     const double t = skeleton.schedule.start_s() + k * step;
     for (std::size_t f = 0; f < feet.size(); ++f) feet[f] = PlaceAt(skeleton.footsteps, static_cast<int>(f), t);
-    values.push_back(FitBase(standing, feet).*number);
+    values.push_back(FitBase(standing, feet, MeanHeading(standing, feet)).*number);
   }
   const int half_width = static_cast<int>(std::lround(0.5 * even_s / step));
   return {skeleton.schedule.start_s(), step, Evened(values, half_width)};

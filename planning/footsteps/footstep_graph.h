@@ -46,6 +46,7 @@ class FootstepGraph {
   double Progress(int stance) const;
 
   std::span<const int> FootholdsOf(int stance) const;
+  /// The group that steps next.
   int GroupOf(int stance) const { return group_[static_cast<std::size_t>(stance)]; }
   const std::vector<std::vector<int>>& groups() const { return groups_; }
   const FootholdTable& table() const { return *table_; }

@@ -21,6 +21,7 @@ struct GroundSurface {
   Vector3 normal_W;
   double friction = 0.0;
 
+  /// Height of its plane, inside and outside of its outline [m].
   double HeightAt(const Vector2& p_W) const { return plane.x() * p_W.x() + plane.y() * p_W.y() + plane.z(); }
   /// Least distance inside of its edges [m]; negative outside, infinite without end.
   double Inside(const Vector2& p_W) const;
@@ -39,6 +40,7 @@ class GroundIndex {
   /// @param cell_m  size of the grid's cells, about that of a foot's surroundings.
   GroundIndex(const Terrain& terrain, double cell_m);
 
+  /// The highest ground at a point; patch -1 where there is none.
   GroundPoint At(const Vector2& p_W) const;
 
   /// Indices of the patches, height fields apart, that may touch a box, each once, in rising order.
