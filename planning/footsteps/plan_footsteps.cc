@@ -13,7 +13,6 @@
 #include "planning/footsteps/uneven_footsteps.h"
 #include "planning/gait/schedule_contacts.h"
 #include "planning/paths/base_path.h"
-#include "planning/paths/pose_check.h"
 #include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
@@ -112,7 +111,7 @@ std::optional<Failure> CheckRequest(const RobotModel& model, const Gait& gait, c
 /// asked for only where a goal cannot be had straight.
 Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
-  Result<FootstepQuery> query = CourseQuery(model, gait, command, options);
+  const Result<FootstepQuery> query = CourseQuery(model, gait, command, options);
   if (!query) return query.failure();
   const Course course = *MakeCourse(model, gait, command, options.ramp_cycles);
   if (terrain.obstacles.empty()) {
@@ -125,8 +124,6 @@ Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& t
   const Result<BaseRoute> route = RouteOf(model, terrain, command, course, options.route);
   if (!route) return route.failure();
   if (!route->statistics.direct) return PlanFootstepsAlong(model, terrain, gait, command, route->waypoints, options);
-  PoseCheck check(model, terrain, options.route.space);
-  query->body_free = [&check](const PlanarPose& base, double) { return check.IsFree(base); };
   return SearchSkeleton(model, terrain, *query, options);
 }
 
@@ -144,10 +141,7 @@ Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terra
                                             const FootstepOptions& options) {
   if (auto failure = CheckRequest(model, gait, command)) return *failure;
   const PlanarTwist speed = FittingSpeeds(model, gait, command);
-  FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
-  PoseCheck check(model, terrain, options.route.space);
-  if (!terrain.obstacles.empty())
-    query.body_free = [&check](const PlanarPose& base, double) { return check.IsFree(base); };
+  const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
   return SearchSkeleton(model, terrain, query, options);
 }
 
