@@ -7,9 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <numbers>
 
 #include "kinematics/spatial/convex_hull.h"
+#include "planning/plan/terrain_shapes.h"
 #include "playback/report/svg_tools.h"
 
 namespace gaitwright::cli {
@@ -31,39 +31,12 @@ constexpr char kStyle[] =
     ".g{stroke:#d5b98a;fill:#ead7b4}.l{stroke:#5b4a2a;stroke-width:1.5;fill:none}.a{stroke:#888;stroke-width:1;fill:"
     "none}";
 
-/// The corners of what an obstacle covers, in W.
-std::vector<Vector3> PointsOf(const Obstacle& obstacle) {
-  std::vector<Vector3> points_O = obstacle.vertices_O;
-  if (obstacle.type == ShapeType::kBox) {
-    for (int i = 0; i < 8; ++i) {
-      const Vector3 sign(i % 2 == 0 ? -0.5 : 0.5, i / 2 % 2 == 0 ? -0.5 : 0.5, i / 4 == 0 ? -0.5 : 0.5);
-      points_O.emplace_back(sign.cwiseProduct(obstacle.size_m));
-    }
-  } else if (obstacle.type == ShapeType::kCylinder) {
-    constexpr int kSides = 32;
-    for (int i = 0; i < 2 * kSides; ++i) {
-      const double turn = 2.0 * std::numbers::pi * (i / 2) / kSides, r = obstacle.size_m.x();
-      points_O.emplace_back(r * std::cos(turn), r * std::sin(turn), (i % 2 - 0.5) * obstacle.size_m.y());
-    }
-  }
-  std::vector<Vector3> points;
-  for (const Vector3& p : points_O) points.emplace_back(obstacle.X_WO * p);
-  return points;
-}
-
-std::vector<Vector2> OutlineOf(const TerrainPatch& patch) {
-  std::vector<Vector2> outline;
-  for (const Vector2& corner : patch.outline_T)
-    outline.emplace_back((patch.X_WT * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
-  return outline;
-}
-
 /// What is worth showing: all that is small, the near edges of what is wide, and the robot; with room around.
 Box Window(const Terrain& terrain, const TerrainScale& scale) {
   Box window(Vector2(scale.front_m - scale.body_length_m, -0.5 * scale.body_width_m),
              Vector2(scale.front_m, 0.5 * scale.body_width_m));
   for (const TerrainPatch& patch : terrain.patches) {
-    const std::vector<Vector2> outline = OutlineOf(patch);
+    const std::vector<Vector2> outline = PlanOutline(patch);
     Box box;
     for (const Vector2& corner : outline) box.extend(corner);
     if (!box.isEmpty() && box.sizes().maxCoeff() <= kNear) window.extend(box);
@@ -77,7 +50,7 @@ Box Window(const Terrain& terrain, const TerrainScale& scale) {
     window.extend(Vector2(field.origin_W + field.resolution_m * Vector2(field.columns - 1, field.rows - 1)));
   }
   for (const Obstacle& obstacle : terrain.obstacles) {
-    for (const Vector3& p : PointsOf(obstacle)) window.extend(Vector2(p.head<2>()));
+    for (const Vector3& p : CornersOf(obstacle)) window.extend(Vector2(p.head<2>()));
   }
   const Vector2 room = Vector2::Constant(std::max(0.5 * scale.body_length_m, 0.04 * window.sizes().maxCoeff()));
   return {window.min() - room, window.max() + room};
@@ -156,7 +129,7 @@ std::string Things(const Terrain& terrain, const View& view) {
     svg += Name(view, box.intersection(view.window), name, fill);
   };
   for (const TerrainPatch& patch : terrain.patches) {
-    if (!patch.outline_T.empty()) add(OutlineOf(patch), patch.name, "o", "#222");
+    if (!patch.outline_T.empty()) add(PlanOutline(patch), patch.name, "o", "#222");
   }
   for (const HeightField& field : terrain.height_fields) {
     const Vector2 a = field.origin_W, b = a + field.resolution_m * Vector2(field.columns - 1, field.rows - 1);
@@ -165,7 +138,7 @@ std::string Things(const Terrain& terrain, const View& view) {
   for (const Obstacle& obstacle : terrain.obstacles) {
     std::vector<Vector2> points;
     double clear = 1e9;  // height of the lowest point over the ground
-    for (const Vector3& p : PointsOf(obstacle)) {
+    for (const Vector3& p : CornersOf(obstacle)) {
       points.emplace_back(p.head<2>());
       clear = std::min(clear, p.z() - GroundAt(terrain, p.head<2>()).height_m);
     }
@@ -224,7 +197,7 @@ struct Heights {
 Heights HeightsOf(const Terrain& terrain, const TerrainScale& scale, const View& view) {
   double low = std::min(view.lowest, 0.0), high = std::max(view.highest, 1.1 * scale.body_height_m);
   for (const Obstacle& obstacle : terrain.obstacles) {
-    for (const Vector3& p : PointsOf(obstacle)) high = std::max(high, 1.02 * p.z());
+    for (const Vector3& p : CornersOf(obstacle)) high = std::max(high, 1.02 * p.z());
   }
   low -= 0.1 * (high - low);
   return {low, high, std::min(view.px_per_m, kSection / (high - low))};
@@ -240,7 +213,7 @@ std::string Section(const Terrain& terrain, const TerrainScale& scale, const Vie
   std::string svg;
   for (const Obstacle& obstacle : terrain.obstacles) {
     Eigen::AlignedBox3d box;
-    for (const Vector3& p : PointsOf(obstacle)) box.extend(p);
+    for (const Vector3& p : CornersOf(obstacle)) box.extend(p);
     svg += fmt::format("<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
                        box.min().y() <= 0.0 && box.max().y() >= 0.0 ? "w" : "b", view.X(box.min().x()),
                        z_px(box.max().z()), view.px_per_m * box.sizes().x(), z_px_per_m * box.sizes().z());

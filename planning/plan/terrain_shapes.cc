@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,31 @@ ShapeScene SolidsOf(const Terrain& terrain) {
                      field.rows, field.height_m, kSolidDepth});
   }
   return ShapeScene(shapes, grids, half_spaces);
+}
+
+std::vector<Vector2> PlanOutline(const TerrainPatch& patch) {
+  std::vector<Vector2> outline;
+  for (const Vector2& corner : patch.outline_T)
+    outline.emplace_back((patch.X_WT * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
+  return outline;
+}
+
+std::vector<Vector3> CornersOf(const Obstacle& obstacle) {
+  std::vector<Vector3> corners = obstacle.vertices_O;
+  if (obstacle.type == ShapeType::kBox) {
+    for (int i = 0; i < 8; ++i) {
+      const Vector3 sign(i % 2 == 0 ? -0.5 : 0.5, i / 2 % 2 == 0 ? -0.5 : 0.5, i / 4 == 0 ? -0.5 : 0.5);
+      corners.emplace_back(sign.cwiseProduct(obstacle.size_m));
+    }
+  } else if (obstacle.type == ShapeType::kCylinder) {
+    constexpr int kSides = 32;
+    for (int i = 0; i < 2 * kSides; ++i) {
+      const double turn = 2.0 * std::numbers::pi * (i / 2) / kSides, r = obstacle.size_m.x();
+      corners.emplace_back(r * std::cos(turn), r * std::sin(turn), (i % 2 - 0.5) * obstacle.size_m.y());
+    }
+  }
+  for (Vector3& corner : corners) corner = obstacle.X_WO * corner;
+  return corners;
 }
 
 }  // namespace gaitwright

@@ -12,4 +12,10 @@ namespace gaitwright {
 /// @throws InvalidArgument for a height field without a height for each node.
 ShapeScene SolidsOf(const Terrain& terrain);
 
+/// The corners of a patch in plan view, in W; none of a plane without end.
+std::vector<Vector2> PlanOutline(const TerrainPatch& patch);
+
+/// The corners of an obstacle in W; of a cylinder those of a prism inside it.
+std::vector<Vector3> CornersOf(const Obstacle& obstacle);
+
 }  // namespace gaitwright
