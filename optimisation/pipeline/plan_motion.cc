@@ -14,8 +14,10 @@
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "kinematics/trajectory/cubic_spline.h"
+#include "optimisation/pipeline/carried_base.h"
 #include "optimisation/pipeline/support_regions.h"
 #include "optimisation/pipeline/tipped_sole.h"
+#include "optimisation/swing/swing_ground.h"
 
 namespace gaitwright {
 namespace {
@@ -106,6 +108,7 @@ class Passes {
         skeleton_(task.skeleton),
         options_(task.options),
         body_(task.body),
+        level_(IsLevelAndBare(task.terrain)),
         footsteps_(task.skeleton.footsteps) {
     expected_roll_.assign(footsteps_.footholds.size(), Vector3::Zero());
     const Vector3 start = StandingCentreOfMass(model_, skeleton_.path.pose.front());
@@ -181,13 +184,15 @@ class Passes {
     if (!com) return com.failure();
     pass.centroidal = std::move(com->trajectory);
     FollowGround(pass.centroidal);
-    Result<std::vector<SwingTrajectory>> swings = PlanSwings(model_, terrain_, footsteps_, options_.swing);
+    Result<std::vector<SwingTrajectory>> swings =
+        PlanSwings(model_, terrain_, footsteps_, options_.swing, Former(pass.centroidal));
     if (!swings) return swings.failure();
     pass.swings = *swings;
     const WholeBodyProblem problem{&terrain_, &skeleton_.schedule, &footsteps_, &pass.centroidal, &pass.swings, &body_};
     Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, options_.whole_body);
     if (!solution) return solution.failure();
     pass.solution = std::move(*solution);
+    if (!level_) former_ = MotionOf(model_, pass.solution.trajectory);
     pass.error_m = 0.0;
     for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
       pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
@@ -195,6 +200,12 @@ class Passes {
     pass.outside_m = Outside(pass);
     pass.excess = TotalExcess(model_, pass.solution.trajectory);
     return pass;
+  }
+
+  /// What swings over ground that is not level reckon with: the pass before, or where the base is carried at first.
+  FormerMotion Former(const CentroidalTrajectory& motion) const {
+    if (level_ || former_.base) return former_;
+    return {CarriedBase(model_, body_, motion), {}};
   }
 
   /// True when the rolls are what the swings were aimed by.
@@ -223,6 +234,8 @@ class Passes {
   const FootstepSkeleton& skeleton_;
   const MotionOptions& options_;
   const BodyPath& body_;
+  const bool level_;
+  FormerMotion former_;  // over ground that is not level
   FootstepPlan footsteps_;
   std::vector<Vector3> expected_roll_;
   ZmpProblem problem_;

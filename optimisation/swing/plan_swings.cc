@@ -21,8 +21,8 @@ constexpr double kLiftPerLegLength = 0.12;
 /// Swings of a robot's feet over a terrain.
 class SwingPlanner {
  public:
-  SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options, const BaseMotion& base)
-      : model_(model), terrain_(terrain), guard_(model, terrain, base) {
+  SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options, const FormerMotion& former)
+      : model_(model), terrain_(terrain), guard_(model, terrain, former) {
     lift_m_ = options.height_m > 0.0 ? options.height_m : kLiftPerLegLength * model.leg_length_m();
     choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
     choice_.control_points = options.control_points;
@@ -37,14 +37,14 @@ class SwingPlanner {
     const double below_m = std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + lift_m_;
     ground_ = [this, below_m](const Vector2& p_W) { return HeightToClear(terrain_, p_W, below_m); };
     hit_.reset();
+    choice_.roll = guard_.RollOf(swing);
     const SwingTrajectory straight = swing;
-    const bool plain = (GroundIsPlane(swing) || Clears(swing, 1.0)) && Keeps(swing);
-    bool clear = plain;
-    // Sooner to the side than so high that the leg folds up.
-    for (const double share : {0.5, 1.0}) {
-      highest_m_ = share * model_.leg_length_m();
-      clear = clear || Refine(swing) || Raise(swing) || GoAround(swing);
-    }
+    bool clear = (GroundIsPlane(swing) || Clears(swing, 1.0)) && Keeps(swing);
+    must_follow_ = true;
+    clear = clear || Detour(swing);
+    // What no leg can follow here is over what is in the way: another height of the body may do.
+    must_follow_ = false;
+    clear = clear || GoOver(swing);
     if (!clear && !hit_) MeetsNothing(straight);  // names what is in the way
     if (!clear) return NoClearance(swing);
     swing.clearance_m = MidSwingClearance(swing);
@@ -65,6 +65,17 @@ class SwingPlanner {
             "PlanSwings",
             message,
             {"lower swing.clearance_m or choose other footholds"}};
+  }
+
+  bool GoOver(SwingTrajectory& swing) { return Refine(swing) || Raise(swing); }
+
+  /// Sooner to the side than so high that the leg folds up.
+  bool Detour(SwingTrajectory& swing) {
+    for (const double share : {0.5, 1.0}) {
+      highest_m_ = share * model_.leg_length_m();
+      if (GoOver(swing) || GoAround(swing)) return true;
+    }
+    return false;
   }
 
   const std::vector<Vector3>& Underside(const SwingTrajectory& swing) const {
@@ -92,12 +103,16 @@ class SwingPlanner {
   bool Clears(const SwingTrajectory& swing, double part) const {
     constexpr double kRounding = 1e-6;
     return MidSwingClearance(swing) > choice_.clearance_m - kRounding &&
-           SpareClearance(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m) > -kRounding;
+           SpareClearance(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m, choice_.roll) >
+               -kRounding;
   }
 
   /// Clears, and meets nothing with the whole foot and the leg. On level ground a lift that has the clearance in mid
   /// swing has a third of the ramp's.
   bool Keeps(const SwingTrajectory& swing) { return Clears(swing, kPart) && MeetsNothing(swing); }
+
+  /// Asked of detours alone: whether the plain swing can be followed is for the whole-body stage to tell.
+  bool Followed(const SwingTrajectory& swing) const { return !must_follow_ || guard_.LegFollows(swing); }
 
   bool MeetsNothing(const SwingTrajectory& swing) {
     const std::optional<SwingHit> hit = guard_.Check(swing, kPart * choice_.clearance_m);
@@ -121,7 +136,7 @@ class SwingPlanner {
     if (!found) return false;
     refined.detour_W = found->curve.detour_W;
     refined.lift_m = LiftAtHalfTime(found->curve);
-    if (HighestOf(found->curve) > highest_m_ || !MeetsNothing(refined)) return false;
+    if (HighestOf(found->curve) > highest_m_ || !MeetsNothing(refined) || !Followed(refined)) return false;
     swing = refined;
     return true;
   }
@@ -141,7 +156,7 @@ class SwingPlanner {
   /// By more lift.
   bool Raise(SwingTrajectory& swing) {
     SwingTrajectory raised = swing;
-    while (!Keeps(raised)) {
+    while (!Keeps(raised) || !Followed(raised)) {
       raised.lift_m += 0.1 * lift_m_;
       if (raised.lift_m > highest_m_) return false;
     }
@@ -171,7 +186,8 @@ class SwingPlanner {
     double lowest = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kSamples; ++i) {
       const double u = kFrom + (kTo - kFrom) * i / kSamples;
-      const Pose X_WF = Evaluate(curve, swing.start_s + u * (swing.end_s - swing.start_s)).X_WF;
+      Pose X_WF = Evaluate(curve, swing.start_s + u * (swing.end_s - swing.start_s)).X_WF;
+      X_WF.translation() += choice_.roll.At(u);
       for (const Vector3& q_F : Underside(swing)) {
         const Vector3 q_W = X_WF * q_F;
         lowest = std::min(lowest, q_W.z() - ground_(q_W.head<2>()));
@@ -188,6 +204,7 @@ class SwingPlanner {
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;
   double lift_m_ = 0.0, highest_m_ = 0.0;
+  bool must_follow_ = false;
   RefineChoice choice_;
   std::vector<std::vector<Vector3>> undersides_;  // by foot
 };
@@ -196,8 +213,8 @@ class SwingPlanner {
 
 Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const Terrain& terrain,
                                                 const FootstepPlan& footsteps, const SwingOptions& options,
-                                                const BaseMotion& base) {
-  SwingPlanner planner(model, terrain, options, base);
+                                                const FormerMotion& former) {
+  SwingPlanner planner(model, terrain, options, former);
   std::vector<SwingTrajectory> swings;
   for (std::size_t i = 0; i < footsteps.footholds.size(); ++i) {
     const Foothold& from = footsteps.footholds[i];
