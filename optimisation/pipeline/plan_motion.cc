@@ -192,7 +192,7 @@ class Passes {
     Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, options_.whole_body);
     if (!solution) return solution.failure();
     pass.solution = std::move(*solution);
-    if (!level_) former_ = MotionOf(model_, pass.solution.trajectory);
+    if (!level_) former_ = MotionOf(model_, pass.solution.trajectory, pass.swings);
     pass.error_m = 0.0;
     for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
       pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
@@ -205,7 +205,7 @@ class Passes {
   /// What swings over ground that is not level reckon with: the pass before, or where the base is carried at first.
   FormerMotion Former(const CentroidalTrajectory& motion) const {
     if (level_ || former_.base) return former_;
-    return {CarriedBase(model_, body_, motion), {}};
+    return {CarriedBase(model_, body_, motion), {}, {}};
   }
 
   /// True when the rolls are what the swings were aimed by.

@@ -77,7 +77,8 @@ Vector3 SwingRoll::At(double u) const {
   return off_W_[i] + (place - static_cast<double>(i)) * (off_W_[i + 1] - off_W_[i]);
 }
 
-FormerMotion MotionOf(const RobotModel& model, const WholeBodyTrajectory& trajectory) {
+FormerMotion MotionOf(const RobotModel& model, const WholeBodyTrajectory& trajectory,
+                      const std::vector<SwingTrajectory>& swings) {
   if (trajectory.size() < 2) return {};
   const std::shared_ptr<const Rows> rows = RowsOf(model, trajectory);
   FormerMotion motion;
@@ -89,6 +90,7 @@ FormerMotion MotionOf(const RobotModel& model, const WholeBodyTrajectory& trajec
     return X_WB;
   };
   motion.roll = [rows](const SwingTrajectory& swing) { return RollOf(*rows, swing); };
+  motion.swings = swings;
   return motion;
 }
 

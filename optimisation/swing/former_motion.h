@@ -32,9 +32,11 @@ class SwingRoll {
 struct FormerMotion {
   BaseMotion base;
   std::function<SwingRoll(const SwingTrajectory& swing)> roll;  ///< empty where that is not known
+  std::vector<SwingTrajectory> swings = {};                     ///< whose detours are kept where they do
 };
 
 /// That of a pass: nothing refers to the trajectory afterwards.
-FormerMotion MotionOf(const RobotModel& model, const WholeBodyTrajectory& trajectory);
+FormerMotion MotionOf(const RobotModel& model, const WholeBodyTrajectory& trajectory,
+                      const std::vector<SwingTrajectory>& swings = {});
 
 }  // namespace gaitwright

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -22,7 +23,7 @@ constexpr double kLiftPerLegLength = 0.12;
 class SwingPlanner {
  public:
   SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options, const FormerMotion& former)
-      : model_(model), terrain_(terrain), guard_(model, terrain, former) {
+      : model_(model), terrain_(terrain), former_(former.swings), guard_(model, terrain, former) {
     lift_m_ = options.height_m > 0.0 ? options.height_m : kLiftPerLegLength * model.leg_length_m();
     choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
     choice_.control_points = options.control_points;
@@ -39,12 +40,10 @@ class SwingPlanner {
     hit_.reset();
     choice_.roll = guard_.RollOf(swing);
     const SwingTrajectory straight = swing;
-    bool clear = (GroundIsPlane(swing) || Clears(swing, 1.0)) && Keeps(swing);
-    must_follow_ = true;
-    clear = clear || Detour(swing);
-    // What no leg can follow here is over what is in the way: another height of the body may do.
-    must_follow_ = false;
-    clear = clear || GoOver(swing);
+    bool clear = Find(swing, {true, true});
+    // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that its
+    // footholds leave no room is for the audit to tell.
+    clear = clear || Find(swing, {true, false}) || Find(swing, {false, false});
     if (!clear && !hit_) MeetsNothing(straight);  // names what is in the way
     if (!clear) return NoClearance(swing);
     swing.clearance_m = MidSwingClearance(swing);
@@ -52,6 +51,19 @@ class SwingPlanner {
   }
 
  private:
+  /// What is asked of a swing beyond its foot's clearance, where the base's motion is known.
+  struct LegDemand {
+    bool clear = true;    ///< nothing touches the leg
+    bool follows = true;  ///< and of a detour, that the leg can follow it
+  };
+
+  bool Find(SwingTrajectory& swing, const LegDemand& demand) {
+    demand_ = demand;
+    if (TakeFormer(swing)) return true;
+    if ((GroundIsPlane(swing) || Clears(swing, 1.0)) && Keeps(swing)) return true;
+    return demand.follows ? Detour(swing) : GoOver(swing);
+  }
+
   Failure NoClearance(const SwingTrajectory& swing) const {
     const std::string& foot = model_.feet[static_cast<std::size_t>(swing.foot)].name;
     std::string message = fmt::format("the swing of foot '{}' at {:.2f} s cannot clear the ground by {:.3f} m", foot,
@@ -65,6 +77,21 @@ class SwingPlanner {
             "PlanSwings",
             message,
             {"lower swing.clearance_m or choose other footholds"}};
+  }
+
+  /// The detour that the former pass took, if it still does: passes come to rest only when swings stay.
+  bool TakeFormer(SwingTrajectory& swing) {
+    constexpr double kSame = 1e-9;  // [s]
+    const auto former = std::find_if(former_.begin(), former_.end(), [&](const SwingTrajectory& f) {
+      return f.foot == swing.foot && std::abs(f.start_s - swing.start_s) < kSame;
+    });
+    if (former == former_.end() || former->detour_W.empty()) return false;
+    SwingTrajectory again = swing;
+    again.detour_W = former->detour_W;
+    again.lift_m = former->lift_m;
+    if (!MeetsNothing(again) || !Followed(again)) return false;
+    swing = again;
+    return true;
   }
 
   bool GoOver(SwingTrajectory& swing) { return Refine(swing) || Raise(swing); }
@@ -112,10 +139,10 @@ class SwingPlanner {
   bool Keeps(const SwingTrajectory& swing) { return Clears(swing, kPart) && MeetsNothing(swing); }
 
   /// Asked of detours alone: whether the plain swing can be followed is for the whole-body stage to tell.
-  bool Followed(const SwingTrajectory& swing) const { return !must_follow_ || guard_.LegFollows(swing); }
+  bool Followed(const SwingTrajectory& swing) const { return !demand_.follows || guard_.LegFollows(swing); }
 
   bool MeetsNothing(const SwingTrajectory& swing) {
-    const std::optional<SwingHit> hit = guard_.Check(swing, kPart * choice_.clearance_m);
+    const std::optional<SwingHit> hit = guard_.Check(swing, kPart * choice_.clearance_m, demand_.clear);
     if (hit) hit_ = hit;
     return !hit;
   }
@@ -200,11 +227,12 @@ class SwingPlanner {
 
   const RobotModel& model_;
   const Terrain& terrain_;
+  const std::vector<SwingTrajectory> former_;
   const SwingGuard guard_;
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;
   double lift_m_ = 0.0, highest_m_ = 0.0;
-  bool must_follow_ = false;
+  LegDemand demand_;
   RefineChoice choice_;
   std::vector<std::vector<Vector3>> undersides_;  // by foot
 };

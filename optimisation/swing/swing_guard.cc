@@ -66,7 +66,7 @@ double SwingGuard::AskedAtMost(const SwingTrajectory& swing, double clearance_m)
   return asked;
 }
 
-std::optional<SwingHit> SwingGuard::Check(const SwingTrajectory& swing, double clearance_m) const {
+std::optional<SwingHit> SwingGuard::Check(const SwingTrajectory& swing, double clearance_m, bool with_leg) const {
   constexpr double kShare = 0.5;  // of what the audit lets pass
   const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
   const double asked_at_most = AskedAtMost(swing, clearance_m);
@@ -81,7 +81,7 @@ std::optional<SwingHit> SwingGuard::Check(const SwingTrajectory& swing, double c
     if (nearest.solid >= 0 && nearest.distance_m < asked)
       return SwingHit{TimeOf(swing, k), foot.link, watch_.solids().SolidName(nearest.solid), nearest.distance_m, asked};
   }
-  return former_.base ? CheckLeg(swing) : std::nullopt;
+  return with_leg && former_.base ? CheckLeg(swing) : std::nullopt;
 }
 
 VectorX SwingGuard::StandingLeg(int foot) const {

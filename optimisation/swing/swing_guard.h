@@ -33,7 +33,7 @@ class SwingGuard {
   /// part of the leg touches one. Beside a riser less is asked for: no more than the foot has there when it is lifted
   /// straight up from its footholds by the clearance. Near both ends it may touch the ground as deep as half of what
   /// SwingDepth lets pass, or as it stands there.
-  std::optional<SwingHit> Check(const SwingTrajectory& swing, double clearance_m) const;
+  std::optional<SwingHit> Check(const SwingTrajectory& swing, double clearance_m, bool with_leg = true) const;
 
   /// Whether the leg can follow the swing within its joints' limits of position and speed; true where the base's motion
   /// is not known.

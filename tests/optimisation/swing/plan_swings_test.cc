@@ -222,12 +222,12 @@ TEST(PlanSwings, AShankGoesAroundWhatTheFootPassesUnder) {
   terrain.obstacles = {Box("knob", knob, Vector3::Constant(0.01))};
   const auto blind = PlanSwings(model, terrain, steps, {});
   ASSERT_TRUE(blind.ok()) << blind.failure().message;
-  const SwingGuard guard(model, terrain, {still, {}});
+  const SwingGuard guard(model, terrain, {still, {}, {}});
   const auto hit = guard.Check(blind->front(), 0.0);
   ASSERT_TRUE(hit.has_value());
   EXPECT_EQ(hit->part, shank->link);
   EXPECT_EQ(hit->solid, "knob");
-  const auto seeing = PlanSwings(model, terrain, steps, {}, {still, {}});
+  const auto seeing = PlanSwings(model, terrain, steps, {}, {still, {}, {}});
   ASSERT_TRUE(seeing.ok()) << seeing.failure().message;
   EXPECT_FALSE(guard.Check(seeing->front(), 0.0).has_value());
 }
