@@ -10,12 +10,14 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/model/dof_units.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "kinematics/trajectory/cubic_spline.h"
+#include "optimisation/pipeline/carried_base.h"
+#include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/support_regions.h"
 #include "optimisation/pipeline/tipped_sole.h"
+#include "optimisation/swing/swing_ground.h"
 #include "planning/plan/sole_support.h"
 
 namespace gaitwright {
@@ -29,36 +31,6 @@ Vector3 StandingCentreOfMass(const RobotModel& model, const PlanarPose& at) {
   Vector3 p_WC = YawRotation(at.yaw_rad) * p_BC;
   p_WC += Vector3(at.x_m, at.y_m, 0.0);
   return p_WC;
-}
-
-/// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.
-struct LimitExcess {
-  double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
-};
-
-LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof) {
-  const double lower = model.dof_lower(dof), upper = model.dof_upper(dof);
-  double low = upper, high = lower, speed = 0.0, torque = 0.0;
-  for (std::size_t k = 0; k < motion.q.size(); ++k) {
-    low = std::min(low, motion.q[k][7 + dof]);
-    high = std::max(high, motion.q[k][7 + dof]);
-    speed = std::max(speed, std::abs(motion.v[k][6 + dof]));
-    torque = std::max(torque, std::abs(motion.tau[k][dof]));
-  }
-  return {std::max({0.0, lower - low, high - upper}), std::max(0.0, speed - model.dof_velocity_limit(dof)),
-          std::max(0.0, torque - model.dof_effort_limit(dof))};
-}
-
-/// How far the joints are past their limits, summed in shares of the limits: 0 where all are kept.
-double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion) {
-  double total = 0.0;
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    const LimitExcess over = ExcessOf(model, motion, d);
-    if (over.position > 0.0) total += over.position / std::max(model.dof_upper(d) - model.dof_lower(d), 1e-6);
-    if (over.speed > 0.0) total += over.speed / std::max(model.dof_velocity_limit(d), 1e-6);
-    if (over.torque > 0.0) total += over.torque / std::max(model.dof_effort_limit(d), 1e-6);
-  }
-  return total;
 }
 
 /// One pass: what was tried and how far its ZMP is from its reference.
@@ -107,6 +79,7 @@ class Passes {
         skeleton_(task.skeleton),
         options_(task.options),
         body_(task.body),
+        level_(IsLevelAndBare(task.terrain)),
         footsteps_(task.skeleton.footsteps) {
     expected_roll_.assign(footsteps_.footholds.size(), Vector3::Zero());
     const Vector3 start = StandingCentreOfMass(model_, skeleton_.path.pose.front());
@@ -186,13 +159,15 @@ class Passes {
     if (!com) return com.failure();
     pass.centroidal = std::move(com->trajectory);
     FollowGround(pass.centroidal);
-    Result<std::vector<SwingTrajectory>> swings = PlanSwings(model_, terrain_, footsteps_, options_.swing);
+    Result<std::vector<SwingTrajectory>> swings =
+        PlanSwings(model_, terrain_, footsteps_, options_.swing, Former(pass.centroidal));
     if (!swings) return swings.failure();
     pass.swings = *swings;
     const WholeBodyProblem problem{&terrain_, &skeleton_.schedule, &footsteps_, &pass.centroidal, &pass.swings, &body_};
     Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, options_.whole_body);
     if (!solution) return solution.failure();
     pass.solution = std::move(*solution);
+    if (!level_) former_ = MotionOf(model_, pass.solution.trajectory, pass.swings);
     pass.error_m = 0.0;
     for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
       pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
@@ -200,6 +175,12 @@ class Passes {
     pass.outside_m = Outside(pass);
     pass.excess = TotalExcess(model_, pass.solution.trajectory);
     return pass;
+  }
+
+  /// What swings over ground that is not level reckon with: the pass before, or where the base is carried at first.
+  FormerMotion Former(const CentroidalTrajectory& motion) const {
+    if (level_ || former_.base) return former_;
+    return {CarriedBase(model_, body_, motion), {}, {}};
   }
 
   /// True when the rolls are what the swings were aimed by.
@@ -228,27 +209,13 @@ class Passes {
   const FootstepSkeleton& skeleton_;
   const MotionOptions& options_;
   const BodyPath& body_;
+  const bool level_;
+  FormerMotion former_;  // over ground that is not level
   FootstepPlan footsteps_;
   std::vector<Vector3> expected_roll_;
   ZmpProblem problem_;
   SupportInputs support_;
 };
-
-/// Joint limits that the trajectory does not keep, worst of each joint and kind.
-std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion) {
-  std::vector<std::string> warnings;
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    const LimitExcess over = ExcessOf(model, motion, d);
-    const std::string& name = model.dof_names[static_cast<std::size_t>(d)];
-    const auto warn = [&](double by, int decimals, const char* unit, const char* limit) {
-      if (by > 0.0) warnings.push_back(fmt::format("{} is {:.{}f} {} {} limit", name, by, decimals, unit, limit));
-    };
-    warn(over.position, 3, PositionUnit(model, d), "past its");
-    warn(over.speed, 2, SpeedUnit(model, d), "over its speed");
-    warn(over.torque, 2, EffortUnit(model, d), Slides(model, d) ? "over its force" : "over its torque");
-  }
-  return warnings;
-}
 
 /// True where the robot stands on one sole alone for a while.
 bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -21,8 +22,8 @@ constexpr double kLiftPerLegLength = 0.12;
 /// Swings of a robot's feet over a terrain.
 class SwingPlanner {
  public:
-  SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options, const BaseMotion& base)
-      : model_(model), terrain_(terrain), guard_(model, terrain, base) {
+  SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options, const FormerMotion& former)
+      : model_(model), terrain_(terrain), former_(former.swings), guard_(model, terrain, former) {
     lift_m_ = options.height_m > 0.0 ? options.height_m : kLiftPerLegLength * model.leg_length_m();
     choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
     choice_.control_points = options.control_points;
@@ -37,14 +38,12 @@ class SwingPlanner {
     const double below_m = std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + lift_m_;
     ground_ = [this, below_m](const Vector2& p_W) { return HeightToClear(terrain_, p_W, below_m); };
     hit_.reset();
+    choice_.roll = guard_.RollOf(swing);
     const SwingTrajectory straight = swing;
-    const bool plain = (GroundIsPlane(swing) || Clears(swing, 1.0)) && Keeps(swing);
-    bool clear = plain;
-    // Sooner to the side than so high that the leg folds up.
-    for (const double share : {0.5, 1.0}) {
-      highest_m_ = share * model_.leg_length_m();
-      clear = clear || Refine(swing) || Raise(swing) || GoAround(swing);
-    }
+    bool clear = Find(swing, {true, true});
+    // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that its
+    // footholds leave no room is for the audit to tell.
+    clear = clear || Find(swing, {true, false}) || Find(swing, {false, false});
     if (!clear && !hit_) MeetsNothing(straight);  // names what is in the way
     if (!clear) return NoClearance(swing);
     swing.clearance_m = MidSwingClearance(swing);
@@ -52,6 +51,19 @@ class SwingPlanner {
   }
 
  private:
+  /// What is asked of a swing beyond its foot's clearance, where the base's motion is known.
+  struct LegDemand {
+    bool clear = true;    ///< nothing touches the leg
+    bool follows = true;  ///< and of a detour, that the leg can follow it
+  };
+
+  bool Find(SwingTrajectory& swing, const LegDemand& demand) {
+    demand_ = demand;
+    if (TakeFormer(swing)) return true;
+    if ((GroundIsPlane(swing) || Clears(swing, 1.0)) && Keeps(swing)) return true;
+    return demand.follows ? Detour(swing) : GoOver(swing);
+  }
+
   Failure NoClearance(const SwingTrajectory& swing) const {
     const std::string& foot = model_.feet[static_cast<std::size_t>(swing.foot)].name;
     std::string message = fmt::format("the swing of foot '{}' at {:.2f} s cannot clear the ground by {:.3f} m", foot,
@@ -65,6 +77,32 @@ class SwingPlanner {
             "PlanSwings",
             message,
             {"lower swing.clearance_m or choose other footholds"}};
+  }
+
+  /// The detour that the former pass took, if it still does: passes come to rest only when swings stay.
+  bool TakeFormer(SwingTrajectory& swing) {
+    constexpr double kSame = 1e-9;  // [s]
+    const auto former = std::find_if(former_.begin(), former_.end(), [&](const SwingTrajectory& f) {
+      return f.foot == swing.foot && std::abs(f.start_s - swing.start_s) < kSame;
+    });
+    if (former == former_.end() || former->detour_W.empty()) return false;
+    SwingTrajectory again = swing;
+    again.detour_W = former->detour_W;
+    again.lift_m = former->lift_m;
+    if (!MeetsNothing(again) || !Followed(again)) return false;
+    swing = again;
+    return true;
+  }
+
+  bool GoOver(SwingTrajectory& swing) { return Refine(swing) || Raise(swing); }
+
+  /// Sooner to the side than so high that the leg folds up.
+  bool Detour(SwingTrajectory& swing) {
+    for (const double share : {0.5, 1.0}) {
+      highest_m_ = share * model_.leg_length_m();
+      if (GoOver(swing) || GoAround(swing)) return true;
+    }
+    return false;
   }
 
   const std::vector<Vector3>& Underside(const SwingTrajectory& swing) const {
@@ -92,15 +130,19 @@ class SwingPlanner {
   bool Clears(const SwingTrajectory& swing, double part) const {
     constexpr double kRounding = 1e-6;
     return MidSwingClearance(swing) > choice_.clearance_m - kRounding &&
-           SpareClearance(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m) > -kRounding;
+           SpareClearance(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m, choice_.roll) >
+               -kRounding;
   }
 
   /// Clears, and meets nothing with the whole foot and the leg. On level ground a lift that has the clearance in mid
   /// swing has a third of the ramp's.
   bool Keeps(const SwingTrajectory& swing) { return Clears(swing, kPart) && MeetsNothing(swing); }
 
+  /// Asked of detours alone: whether the plain swing can be followed is for the whole-body stage to tell.
+  bool Followed(const SwingTrajectory& swing) const { return !demand_.follows || guard_.LegFollows(swing); }
+
   bool MeetsNothing(const SwingTrajectory& swing) {
-    const std::optional<SwingHit> hit = guard_.Check(swing, kPart * choice_.clearance_m);
+    const std::optional<SwingHit> hit = guard_.Check(swing, kPart * choice_.clearance_m, demand_.clear);
     if (hit) hit_ = hit;
     return !hit;
   }
@@ -121,7 +163,7 @@ class SwingPlanner {
     if (!found) return false;
     refined.detour_W = found->curve.detour_W;
     refined.lift_m = LiftAtHalfTime(found->curve);
-    if (HighestOf(found->curve) > highest_m_ || !MeetsNothing(refined)) return false;
+    if (HighestOf(found->curve) > highest_m_ || !MeetsNothing(refined) || !Followed(refined)) return false;
     swing = refined;
     return true;
   }
@@ -141,7 +183,7 @@ class SwingPlanner {
   /// By more lift.
   bool Raise(SwingTrajectory& swing) {
     SwingTrajectory raised = swing;
-    while (!Keeps(raised)) {
+    while (!Keeps(raised) || !Followed(raised)) {
       raised.lift_m += 0.1 * lift_m_;
       if (raised.lift_m > highest_m_) return false;
     }
@@ -171,7 +213,8 @@ class SwingPlanner {
     double lowest = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kSamples; ++i) {
       const double u = kFrom + (kTo - kFrom) * i / kSamples;
-      const Pose X_WF = Evaluate(curve, swing.start_s + u * (swing.end_s - swing.start_s)).X_WF;
+      Pose X_WF = Evaluate(curve, swing.start_s + u * (swing.end_s - swing.start_s)).X_WF;
+      X_WF.translation() += choice_.roll.At(u);
       for (const Vector3& q_F : Underside(swing)) {
         const Vector3 q_W = X_WF * q_F;
         lowest = std::min(lowest, q_W.z() - ground_(q_W.head<2>()));
@@ -184,10 +227,12 @@ class SwingPlanner {
 
   const RobotModel& model_;
   const Terrain& terrain_;
+  const std::vector<SwingTrajectory> former_;
   const SwingGuard guard_;
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;
   double lift_m_ = 0.0, highest_m_ = 0.0;
+  LegDemand demand_;
   RefineChoice choice_;
   std::vector<std::vector<Vector3>> undersides_;  // by foot
 };
@@ -196,8 +241,8 @@ class SwingPlanner {
 
 Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const Terrain& terrain,
                                                 const FootstepPlan& footsteps, const SwingOptions& options,
-                                                const BaseMotion& base) {
-  SwingPlanner planner(model, terrain, options, base);
+                                                const FormerMotion& former) {
+  SwingPlanner planner(model, terrain, options, former);
   std::vector<SwingTrajectory> swings;
   for (std::size_t i = 0; i < footsteps.footholds.size(); ++i) {
     const Foothold& from = footsteps.footholds[i];

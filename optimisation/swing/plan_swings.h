@@ -51,13 +51,15 @@ struct SwingOptions {
 /// curve, for the whole foot and, where the base's motion is given, the leg above it. The closed form first; where the
 /// ground is not level, or it comes too near to something (less is asked towards both ends, see ClearanceRamp),
 /// RefineSwing finds a detour, with more clearance if need be; then the lift is raised; then ways to either side are
-/// tried. Sorted by start time, then foot.
-/// @param base  where the base is while the feet swing, as of the last pass over the whole body; empty where that is
-///              not known: legs are then left to the audit.
+/// tried. A detour that the leg can follow within its joints' limits, and that leaves the leg clear, is
+/// preferred; where there is none, one over what is in the way, which another height of the body may follow.
+/// Sorted by start time, then foot.
+/// @param former  where the base is while the feet swing, and what they roll in the air, as of the last pass over the
+///                whole body; empty where that is not known: legs and rolls are then left to the audit.
 /// Failure kInfeasible names the foot, the time, and what is hit when no lift up to the leg's length and no way to the
 /// side clears.
 Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const Terrain& terrain,
                                                 const FootstepPlan& footsteps, const SwingOptions& options,
-                                                const BaseMotion& base = {});
+                                                const FormerMotion& former = {});
 
 }  // namespace gaitwright

@@ -2,10 +2,12 @@
 #include "optimisation/swing/swing_guard.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "kinematics/collision/shape_extent.h"
 #include "optimisation/swing/refine_swing.h"
+#include "planning/audit/swing_depth.h"
 #include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
@@ -20,12 +22,16 @@ Pose FootFrame(const Foot& foot, Pose X_WF) {
   return X_WF;
 }
 
+double TimeOf(const SwingTrajectory& swing, int sample) {
+  return swing.start_s + (swing.end_s - swing.start_s) * sample / kSamples;
+}
+
 }  // namespace
 
-SwingGuard::SwingGuard(const RobotModel& model, const Terrain& terrain, BaseMotion base)
-    : model_(model), watch_(model, terrain), base_(std::move(base)), scratch_(model) {
+SwingGuard::SwingGuard(const RobotModel& model, const Terrain& terrain, FormerMotion former)
+    : model_(model), watch_(model, terrain), former_(std::move(former)), scratch_(model) {
   parts_.resize(model.feet.size());
-  if (!base_) return;
+  if (!former_.base) return;
   for (std::size_t f = 0; f < model.feet.size(); ++f) {
     ik_.emplace_back(model, static_cast<int>(f));
     for (const Shape& shape : model.collision_shapes) {
@@ -34,6 +40,18 @@ SwingGuard::SwingGuard(const RobotModel& model, const Terrain& terrain, BaseMoti
       if (of_leg && !IsShapeOfAFoot(model, shape)) parts_[f].push_back({PreparedShape(shape), shape.body});
     }
   }
+}
+
+std::vector<Pose> SwingGuard::FootPoses(const SwingTrajectory& swing) const {
+  const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
+  const SwingCurve curve = CurveOf(swing);
+  const SwingRoll roll = RollOf(swing);
+  std::vector<Pose> poses;
+  for (int k = 0; k <= kSamples; ++k) {
+    poses.push_back(FootFrame(foot, Evaluate(curve, TimeOf(swing, k)).X_WF));
+    poses.back().translation() += roll.At(static_cast<double>(k) / kSamples);
+  }
+  return poses;
 }
 
 double SwingGuard::AskedAtMost(const SwingTrajectory& swing, double clearance_m) const {
@@ -48,39 +66,65 @@ double SwingGuard::AskedAtMost(const SwingTrajectory& swing, double clearance_m)
   return asked;
 }
 
-std::optional<SwingHit> SwingGuard::Check(const SwingTrajectory& swing, double clearance_m) const {
+std::optional<SwingHit> SwingGuard::Check(const SwingTrajectory& swing, double clearance_m, bool with_leg) const {
+  constexpr double kShare = 0.5;  // of what the audit lets pass
   const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
   const double asked_at_most = AskedAtMost(swing, clearance_m);
-  const SwingCurve curve = CurveOf(swing);
+  const std::vector<Pose> X_WF = FootPoses(swing);
+  const auto depth = [&](const Pose& at) { return -watch_.NearestToFoot(swing.foot, at, kTouching).distance_m; };
+  const double stands_m = std::max(depth(X_WF.front()), depth(X_WF.back()));
   for (int k = 0; k <= kSamples; ++k) {
-    const double u = static_cast<double>(k) / kSamples, time_s = swing.start_s + u * (swing.end_s - swing.start_s);
-    const double asked = asked_at_most * ClearanceRamp(u) - kTouching;
-    const Pose X_WF = FootFrame(foot, Evaluate(curve, time_s).X_WF);
-    const NearestSolid nearest = watch_.NearestToFoot(swing.foot, X_WF, asked + kTouching);
+    const double u = static_cast<double>(k) / kSamples;
+    const double deep = std::max(kShare * SwingDepth(u), (stands_m + kTouching) * SwingEndShare(u));
+    const double asked = asked_at_most * ClearanceRamp(u) - std::max(deep, kTouching);
+    const NearestSolid nearest = watch_.NearestToFoot(swing.foot, X_WF[static_cast<std::size_t>(k)], asked + kTouching);
     if (nearest.solid >= 0 && nearest.distance_m < asked)
-      return SwingHit{time_s, foot.link, watch_.solids().SolidName(nearest.solid), nearest.distance_m, asked};
+      return SwingHit{TimeOf(swing, k), foot.link, watch_.solids().SolidName(nearest.solid), nearest.distance_m, asked};
   }
-  return base_ ? CheckLeg(swing) : std::nullopt;
+  return with_leg && former_.base ? CheckLeg(swing) : std::nullopt;
+}
+
+VectorX SwingGuard::StandingLeg(int foot) const {
+  const std::vector<int>& dofs = ik_[static_cast<std::size_t>(foot)].dofs();
+  const VectorX standing = StandingConfiguration(model_);
+  VectorX leg(static_cast<Eigen::Index>(dofs.size()));
+  for (Eigen::Index i = 0; i < leg.size(); ++i) leg[i] = standing[7 + dofs[static_cast<std::size_t>(i)]];
+  return leg;
+}
+
+bool SwingGuard::LegFollows(const SwingTrajectory& swing) const {
+  if (!former_.base) return true;
+  const LegIk& ik = ik_[static_cast<std::size_t>(swing.foot)];
+  const double step_s = (swing.end_s - swing.start_s) / kSamples;
+  const std::vector<Pose> X_WF = FootPoses(swing);
+  VectorX guess = StandingLeg(swing.foot);
+  for (int k = 0; k <= kSamples; ++k) {
+    const auto leg = ik.Solve(former_.base(TimeOf(swing, k)).inverse() * X_WF[static_cast<std::size_t>(k)], guess);
+    if (!leg) return false;
+    for (Eigen::Index i = 0; k > 0 && i < guess.size(); ++i) {
+      const double limit = model_.dof_velocity_limit(ik.dofs()[static_cast<std::size_t>(i)]);
+      if (std::abs(leg->joints[i] - guess[i]) > limit * step_s) return false;
+    }
+    guess = leg->joints;
+  }
+  return true;
 }
 
 std::optional<SwingHit> SwingGuard::CheckLeg(const SwingTrajectory& swing) const {
-  const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
   const LegIk& ik = ik_[static_cast<std::size_t>(swing.foot)];
-  const SwingCurve curve = CurveOf(swing);
+  const std::vector<Pose> X_WF = FootPoses(swing);
   VectorX q = StandingConfiguration(model_);
-  VectorX guess(static_cast<Eigen::Index>(ik.dofs().size()));
-  for (Eigen::Index i = 0; i < guess.size(); ++i) guess[i] = q[7 + ik.dofs()[static_cast<std::size_t>(i)]];
+  VectorX guess = StandingLeg(swing.foot);
   for (int k = 0; k <= kSamples; ++k) {
-    const double time_s = swing.start_s + (swing.end_s - swing.start_s) * k / kSamples;
-    const Pose X_WB = base_(time_s);
-    const auto leg = ik.Solve(X_WB.inverse() * FootFrame(foot, Evaluate(curve, time_s).X_WF), guess);
-    if (!leg) continue;  // for the whole-body stage to tell
+    const Pose X_WB = former_.base(TimeOf(swing, k));
+    const auto leg = ik.Solve(X_WB.inverse() * X_WF[static_cast<std::size_t>(k)], guess);
+    if (!leg) continue;  // for LegFollows and the whole-body stage to tell
     guess = leg->joints;
     for (Eigen::Index i = 0; i < guess.size(); ++i) q[7 + ik.dofs()[static_cast<std::size_t>(i)]] = guess[i];
     q.head<3>() = X_WB.translation();
     q.segment<4>(3) = Quaternion(X_WB.linear()).coeffs();
     ForwardKinematics(model_, q, scratch_);
-    if (auto hit = CheckLegAt(swing.foot, time_s)) return hit;
+    if (auto hit = CheckLegAt(swing.foot, TimeOf(swing, k))) return hit;
   }
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/swing_depth.h"
 #include "planning/audit/tolerances.h"
 
 namespace gaitwright {
@@ -46,10 +47,22 @@ void Auditor::CheckStanceFeet(double time_s) {
   }
 }
 
+/// What SwingDepth lets pass between the footholds that the foot leaves and comes to.
+double Auditor::DepthLetPass(int foot, double time_s) const {
+  if (Contains(stance_, foot)) return kPosition;
+  const auto& all = plan_.footsteps.footholds;
+  const int from = footing_[static_cast<std::size_t>(foot)].foothold;
+  if (from < 0) return kTouching;
+  const auto next = std::find_if(all.begin() + from + 1, all.end(), [&](const Foothold& f) { return f.foot == foot; });
+  if (next == all.end()) return kTouching;
+  const double start_s = all[static_cast<std::size_t>(from)].liftoff_s, duration = next->touchdown_s - start_s;
+  return duration > 0.0 ? SwingDepth((time_s - start_s) / duration) : kTouching;
+}
+
 void Auditor::CheckFeetHeights(double time_s) {
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     const auto i = static_cast<std::size_t>(f);
-    const double limit = Contains(stance_, f) ? -kPosition : -kTouching;
+    const double limit = -DepthLetPass(f, time_s);
     limits_to_ground_.foot_m[i] = limit;
     for (const Vector3& p : ContactPoints(model_.feet[i], X_WF_[i])) CheckHeight(FootName(f), p, limit, time_s);
   }

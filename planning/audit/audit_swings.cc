@@ -6,6 +6,7 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/swing_depth.h"
 #include "planning/audit/tolerances.h"
 
 namespace gaitwright {
@@ -38,26 +39,28 @@ void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
   curve.X_WF_end.translation() -= rolled_W.back();
   for (int k = 0; k <= pieces; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const Pose X_WF = Evaluate(curve, time(k)).X_WF;
-    CheckSwingClearance(swing.foot, X_WF, time(k));
+    Pose X_WF = Evaluate(curve, time(k)).X_WF;
     const Vector3 p_WF = X_WF.translation() + foot.radius * X_WF.linear().col(2);
     Expect(FootName(swing.foot) + " off its swing", time(k), (path[i].translation() - rolled_W[i] - p_WF).norm(),
            kPosition, "m");
-    if (foot.type != FootType::kSole) continue;
-    Expect(FootName(swing.foot) + " turned from its swing", time(k),
-           RotationLog(path[i].linear() * X_WF.linear().transpose()).norm(), kRotation, "rad");
+    if (foot.type == FootType::kSole) {
+      Expect(FootName(swing.foot) + " turned from its swing", time(k),
+             RotationLog(path[i].linear() * X_WF.linear().transpose()).norm(), kRotation, "rad");
+    }
+    X_WF.translation() += rolled_W[i];
+    CheckSwingClearance(swing.foot, X_WF, time(k), -SwingDepth(static_cast<double>(k) / pieces));
   }
 }
 
-void Auditor::CheckSwingClearance(int foot, const Pose& X_WF, double time_s) {
+void Auditor::CheckSwingClearance(int foot, const Pose& X_WF, double time_s, double limit) {
   const Foot& of_foot = model_.feet[static_cast<std::size_t>(foot)];
   const std::string where = FootName(foot) + " on its swing";
-  for (const Vector3& p : ContactPoints(of_foot, X_WF)) CheckHeight(where, p, -kTouching, time_s);
+  for (const Vector3& p : ContactPoints(of_foot, X_WF)) CheckHeight(where, p, limit, time_s);
   Pose X_WS = X_WF;  // of a sphere: its centre
   X_WS.translation() += of_foot.radius * X_WF.linear().col(2);
   constexpr double kNear = 1e-3;  // [m]
   const double distance = watch_.NearestToFoot(foot, X_WS, kNear).distance_m;
-  if (!(distance >= -kTouching)) findings_.Note("foot_clearance", where, time_s, distance, -kTouching, "m");
+  if (!(distance >= limit)) findings_.Note("foot_clearance", where, time_s, distance, limit, "m");
 }
 
 /// The swings of each foot in order, one for each gap between two of its intervals of contact.

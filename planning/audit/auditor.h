@@ -57,6 +57,7 @@ class Auditor {
   void CheckJoints(double time_s);
   void CheckStanceFeet(double time_s);
   void CheckFeetHeights(double time_s);
+  double DepthLetPass(int foot, double time_s) const;
   void CheckHeight(const std::string& where, const Vector3& p_W, double limit, double time_s);
   void CheckBodies(double time_s);
   void CheckSolids(double time_s);
@@ -75,7 +76,7 @@ class Auditor {
   void CheckSwings();
   void CheckSwing(const SwingTrajectory& swing, const ContactInterval& gap);
   void CheckSwingPath(const SwingTrajectory& swing);
-  void CheckSwingClearance(int foot, const Pose& X_WF, double time_s);
+  void CheckSwingClearance(int foot, const Pose& X_WF, double time_s, double limit);
 
   /// Notes a breach of consistency unless `off` is at most `limit`.
   void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {

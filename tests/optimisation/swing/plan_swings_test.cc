@@ -176,6 +176,25 @@ TEST(PlanSwings, AFootRisesBeforeARiserAndGoesAheadBeforeItComesDown) {
   }
 }
 
+TEST(PlanSwings, WhatASphereRollsOffItsCurveIsReckonedWith) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  const SwingRoll roll({Vector3::Zero(), 0.02 * Vector3::UnitX(), 0.025 * Vector3::UnitX(), Vector3::Zero()});
+  FormerMotion former;
+  former.roll = [&](const SwingTrajectory&) { return roll; };
+  const Terrain terrain = WithBox(0.05, 3.0, 0.1);
+  const auto spare = [&](const SwingTrajectory& swing) {
+    return SpareClearance(
+        CurveOf(swing), UndersideOf(model.feet[0]), [&](const Vector2& p) { return GroundAt(terrain, p).height_m; },
+        0.0, roll);
+  };
+  const auto blind = PlanSwings(model, terrain, OneStep(0.2, 0.1), {});
+  ASSERT_TRUE(blind.ok()) << blind.failure().message;
+  EXPECT_LT(spare(blind->front()), -1e-3);
+  const auto seeing = PlanSwings(model, terrain, OneStep(0.2, 0.1), {}, former);
+  ASSERT_TRUE(seeing.ok()) << seeing.failure().message;
+  EXPECT_GT(spare(seeing->front()), -1e-4);
+}
+
 TEST(PlanSwings, AShankGoesAroundWhatTheFootPassesUnder) {
   const RobotModel model = *LoadNamedRobot("a1");
   DynamicsScratch scratch(model);
@@ -203,12 +222,12 @@ TEST(PlanSwings, AShankGoesAroundWhatTheFootPassesUnder) {
   terrain.obstacles = {Box("knob", knob, Vector3::Constant(0.01))};
   const auto blind = PlanSwings(model, terrain, steps, {});
   ASSERT_TRUE(blind.ok()) << blind.failure().message;
-  const SwingGuard guard(model, terrain, still);
+  const SwingGuard guard(model, terrain, {still, {}, {}});
   const auto hit = guard.Check(blind->front(), 0.0);
   ASSERT_TRUE(hit.has_value());
   EXPECT_EQ(hit->part, shank->link);
   EXPECT_EQ(hit->solid, "knob");
-  const auto seeing = PlanSwings(model, terrain, steps, {}, still);
+  const auto seeing = PlanSwings(model, terrain, steps, {}, {still, {}, {}});
   ASSERT_TRUE(seeing.ok()) << seeing.failure().message;
   EXPECT_FALSE(guard.Check(seeing->front(), 0.0).has_value());
 }
