@@ -26,6 +26,7 @@ struct FootstepSearchOptions {
   double reserve = 0.03;
   double offset = 0.25;
   double body_clearance = 0.05;
+  double leg_clearance = 0.025;
   double sway = 0.5;
   double length_weight = 1.5;
   double phase_weight = 2.0;
@@ -88,8 +89,9 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 /// every sequence of these footholds.
 /// A stance holds when all feet are within the workspace of their legs under the base fitted to them (at the standing
 /// height or up to 15 % lower; with single soles also with the base moved over each of them by `sway`), no two feet are
-/// crossed or nearer than their sizes, and the body is clear of ground and obstacles. A swing holds when no ground or
-/// obstacle on the straight way stands higher over either end than the feet may be lifted.
+/// crossed or nearer than their sizes, and body, thighs and shanks are clear of the ground and the body of obstacles. A
+/// swing holds when no ground or obstacle on the straight way stands higher over either end than the feet may be
+/// lifted.
 ///
 /// Failure kInfeasible: `no_footholds` names the place and the reason, with a hint where it was expansions that ran
 /// out. kBadInput for a gait with another number of feet, or a route or stride without length. @throws InvalidArgument
