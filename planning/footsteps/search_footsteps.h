@@ -32,11 +32,11 @@ struct FootstepSearchOptions {
   double phase_weight = 2.0;
   double departure_weight = 0.5;
   double height_weight = 0.5;
-  double risk_weight = 0.5;
+  double risk_weight = 0.3;
   double goal_tolerance = 0.15;
-  double first_bound = 2.0;
+  double first_bound = 3.0;
   double bound = 1.05;
-  int patience = 300;
+  int patience = 1000;
   int max_expansions = 20000;
   int improving_expansions = 200;
 
