@@ -50,10 +50,15 @@ std::uint64_t Mixed(std::uint64_t x) {
   return x ^ (x >> 33);
 }
 
+constexpr std::int64_t kCellsToASide = 512;  // along each direction
+
 }  // namespace
 
 LegWorkspace::LegWorkspace(const RobotModel& model, int leg, double reserve)
-    : narrow_(WithReserve(model, CheckedReserve(reserve))), ik_(*narrow_, leg), chain_(*narrow_, leg) {
+    : narrow_(WithReserve(model, CheckedReserve(reserve))),
+      ik_(*narrow_, leg),
+      chain_(*narrow_, leg),
+      balls_(model, leg) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   const Leg& described = model.legs[static_cast<std::size_t>(leg)];
@@ -70,37 +75,71 @@ LegWorkspace::LegWorkspace(const RobotModel& model, int leg, double reserve)
   side_ = X_BF_standing_.translation().y() < 0.0 ? -1.0 : 1.0;
   turned_ = foot.has_sole();
   table_.resize(1U << 12U);
-  const std::int64_t middle[6] = {};
+  const Cell middle = {};
   for (int halved = 0; halved < 6 && !WorkOut(middle); ++halved) reserve_m_ *= halved < 5 ? 0.5 : 0.0;
 }
 
-bool LegWorkspace::Reaches(const Pose& X_BF) {
-  constexpr std::int64_t kHalf = 512;  // cells along each direction, to both sides
+bool LegWorkspace::CellOf(const Pose& X_BF, Cell& cell) const {
   const Vector3 away = (X_BF.translation() - X_BF_standing_.translation()) / cell_m_;
-  std::int64_t cell[6] = {std::lround(away.x()), std::lround(side_ * away.y()), std::lround(away.z()), 0, 0, 0};
+  cell[0] = std::lround(away.x());
+  cell[1] = std::lround(side_ * away.y());
+  cell[2] = std::lround(away.z());
+  cell[3] = cell[4] = cell[5] = 0;
   if (turned_) {
     const Matrix3 R = X_BF.linear() * X_BF_standing_.linear().transpose();
     cell[3] = std::lround(side_ * std::atan2(R(1, 0), R(0, 0)) / kAngle);
     cell[4] = std::lround(-std::asin(std::clamp(R(2, 0), -1.0, 1.0)) / kAngle);
     cell[5] = std::lround(side_ * std::atan2(R(2, 1), R(2, 2)) / kAngle);
   }
-  std::uint64_t key = 1;
-  for (const std::int64_t c : cell) {
-    if (std::abs(c) >= kHalf) return false;
-    key = (key << 10U) | static_cast<std::uint64_t>(c + kHalf);
-  }
-  key <<= 1U;  // 62 bits; the lowest holds the answer
-  const std::size_t mask = table_.size() - 1;
-  std::size_t at = Mixed(key) & mask;
-  while (table_[at].key != 0 && (table_[at].key & ~std::uint64_t{1}) != key) at = (at + 1) & mask;
-  if (table_[at].key != 0) return (table_[at].key & 1U) != 0;
-  const bool reached = WorkOut(cell);
-  table_[at].key = key | (reached ? 1U : 0U);
-  if (2 * static_cast<std::size_t>(++known_) > table_.size()) Grow();
-  return reached;
+  return std::all_of(std::begin(cell), std::end(cell), [](std::int64_t c) { return std::abs(c) < kCellsToASide; });
 }
 
-Pose LegWorkspace::InCell(const std::int64_t (&cell)[6], double share, unsigned corner) const {
+std::size_t LegWorkspace::Find(const Cell& cell) {
+  std::uint64_t key = 1;
+  for (const std::int64_t c : cell) key = (key << 10U) | static_cast<std::uint64_t>(c + kCellsToASide);
+  key <<= 1U;  // 62 bits; the lowest holds the answer
+  const auto place = [&] {
+    const std::size_t mask = table_.size() - 1;
+    std::size_t at = Mixed(key) & mask;
+    while (table_[at].key != 0 && (table_[at].key & ~std::uint64_t{1}) != key) at = (at + 1) & mask;
+    return at;
+  };
+  const std::size_t at = place();
+  if (table_[at].key != 0) return at;
+  table_[at].key = key | (WorkOut(cell) ? 1U : 0U);
+  if (2 * static_cast<std::size_t>(++known_) <= table_.size()) return at;
+  Grow();
+  return place();
+}
+
+bool LegWorkspace::Reaches(const Pose& X_BF) {
+  Cell cell;
+  return CellOf(X_BF, cell) && (table_[Find(cell)].key & 1U) != 0;
+}
+
+bool LegWorkspace::BallsAt(const Pose& X_BF, std::vector<Ball>& balls) {
+  balls.clear();
+  Cell cell;
+  if (!CellOf(X_BF, cell)) return false;
+  Entry& entry = table_[Find(cell)];
+  if ((entry.key & 1U) == 0) return false;
+  const Vector3 middle = InCell(cell, 0.0, 0).translation();
+  if (entry.posture < 0) {
+    entry.posture = static_cast<int>(centres_.size() / std::max<std::size_t>(balls_.size(), 1));
+    balls_.CentresAt(JointsAt(InCell(cell, 0.0, 0)).value(), centres_);
+  }
+  // What the foot is away from the middle of the cell moves the leg the more the nearer to the foot.
+  const Vector3 off = X_BF.translation() - middle, along = middle - p_BH_;
+  const std::size_t first = static_cast<std::size_t>(entry.posture) * balls_.size();
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const Vector3& p = centres_[first + i];
+    const double share = std::clamp((p - p_BH_).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    balls.push_back({p + share * off, balls_.radius_m(i)});
+  }
+  return true;
+}
+
+Pose LegWorkspace::InCell(const Cell& cell, double share, unsigned corner) const {
   const auto at = [&](unsigned axis) {
     const double to_side = (corner >> axis % 3 & 1U) != 0 ? 0.5 : -0.5;
     return static_cast<double>(cell[axis]) + share * to_side;
@@ -113,7 +152,7 @@ Pose LegWorkspace::InCell(const std::int64_t (&cell)[6], double share, unsigned 
   return X_BF;
 }
 
-bool LegWorkspace::WorkOut(const std::int64_t (&cell)[6]) const {
+bool LegWorkspace::WorkOut(const Cell& cell) const {
   const Pose X_BF = InCell(cell, 0.0, 0);
   const Vector3 from_hip = X_BF.translation() - p_BH_;
   Pose farther = X_BF;
@@ -129,19 +168,22 @@ bool LegWorkspace::WorkOut(const std::int64_t (&cell)[6]) const {
   return true;
 }
 
-double LegWorkspace::SpareOf(const Pose& X_BF) const {
+std::optional<VectorX> LegWorkspace::JointsAt(const Pose& X_BF) const {
   constexpr int kStarts = 4;  // of the damped search, whose misses cost far more than its finds
-  VectorX joints;
   if (ik_.method() == LegIk::Method::kDamped) {
     DampedSearch found = SearchPose(chain_, X_BF, chain_.lower, chain_.upper, standing_, kStarts);
-    if (!found.converged) return -1.0;
-    joints = std::move(found.coordinates);
-  } else {
-    Result<LegIk::Solution> solution = ik_.Solve(X_BF, standing_);
-    if (!solution) return -1.0;
-    joints = std::move(solution->joints);
+    if (!found.converged) return std::nullopt;
+    return std::move(found.coordinates);
   }
-  return std::max(0.0, std::min((joints - chain_.lower).minCoeff(), (chain_.upper - joints).minCoeff()));
+  Result<LegIk::Solution> solution = ik_.Solve(X_BF, standing_);
+  if (!solution) return std::nullopt;
+  return std::move(solution->joints);
+}
+
+double LegWorkspace::SpareOf(const Pose& X_BF) const {
+  const std::optional<VectorX> joints = JointsAt(X_BF);
+  if (!joints) return -1.0;
+  return std::max(0.0, std::min((*joints - chain_.lower).minCoeff(), (chain_.upper - *joints).minCoeff()));
 }
 
 void LegWorkspace::Grow() {

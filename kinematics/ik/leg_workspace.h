@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "kinematics/ik/leg_balls.h"
 #include "kinematics/ik/leg_ik.h"
 #include "kinematics/model/robot_model.h"
 
@@ -32,6 +34,11 @@ class LegWorkspace {
   /// @param X_BF  pose in the base [m]; of a point or sphere only the position counts.
   bool Reaches(const Pose& X_BF);
 
+  /// The balls of the leg's shapes (LegBalls) when its foot is there, to the change of posture within a cell. They are
+  /// worked out when first asked for and then kept.
+  /// @param balls  replaced; empty for a leg without shapes.  @return false where the foot cannot be.
+  bool BallsAt(const Pose& X_BF, std::vector<Ball>& balls);
+
   /// How many cells have been worked out.
   int size() const { return known_; }
   /// The foot's controlled frame in the base in the standing posture.
@@ -40,12 +47,17 @@ class LegWorkspace {
  private:
   struct Entry {
     std::uint64_t key = 0;  // 0 for none; the answer is its lowest bit
+    int posture = -1;       // of the leg, in centres_; -1 while not asked for
   };
+  using Cell = std::int64_t[6];
 
-  bool WorkOut(const std::int64_t (&cell)[6]) const;
-  Pose InCell(const std::int64_t (&cell)[6], double share, unsigned corner) const;
+  bool CellOf(const Pose& X_BF, Cell& cell) const;
+  std::size_t Find(const Cell& cell);
+  bool WorkOut(const Cell& cell) const;
+  Pose InCell(const Cell& cell, double share, unsigned corner) const;
   bool Solves(const Pose& X_BF) const { return SpareOf(X_BF) >= 0.0; }
   double SpareOf(const Pose& X_BF) const;
+  std::optional<VectorX> JointsAt(const Pose& X_BF) const;
   void Grow();
 
   std::shared_ptr<const RobotModel> narrow_;  // with the reserve off its limits
@@ -57,6 +69,8 @@ class LegWorkspace {
   double cell_m_ = 0.0, side_ = 1.0, reserve_m_ = 0.0;
   bool turned_ = false;  // rotations count
   std::vector<Entry> table_;
+  LegBalls balls_;
+  std::vector<Vector3> centres_;  // in the middle of cells, by posture, by ball
   int known_ = 0;
 };
 

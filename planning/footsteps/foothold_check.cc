@@ -275,6 +275,16 @@ Placing FootholdChecker::PlaceOnField(int foot, const PlanarPose& at, int surfac
   return {FootholdFault::kNone, placed};
 }
 
+double FootholdChecker::LeastInside(const Polygon& outline_F, const Vector2& inward) const {
+  constexpr int kHalvings = 9;
+  double low = -ReachOf(outline_F, inward), high = ReachOf(outline_F, -inward);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (ShareOf(Clipped(outline_F, inward, -middle), outline_F) < options_.least_on ? low : high) = middle;
+  }
+  return high + options_.margin_m;
+}
+
 Polygon FootholdChecker::Eroded(const GroundSurface& surface, const Polygon& outline_F, double inside) const {
   Polygon left = surface.outline_W;
   for (std::size_t i = 0; i < surface.inward.size() && !left.empty(); ++i) {
@@ -283,7 +293,9 @@ Polygon FootholdChecker::Eroded(const GroundSurface& surface, const Polygon& out
     const double share = surface.beyond[i] == GroundSurface::Beyond::kHigher  ? std::max(1.0, inside)
                          : surface.beyond[i] == GroundSurface::Beyond::kLower ? inside
                                                                               : 0.0;
-    left = Clipped(left, n, n.dot(surface.outline_W[i]) + share * reach + 1e-9);
+    const bool least = inside == 0.0 && surface.beyond[i] == GroundSurface::Beyond::kLower;
+    const double keep = least ? LeastInside(outline_F, n) : share * reach;
+    left = Clipped(left, n, n.dot(surface.outline_W[i]) + keep + 1e-9);
   }
   return left;
 }
@@ -300,8 +312,8 @@ void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std:
   for (const int i : near) {
     const GroundSurface& surface = ground_->surfaces()[static_cast<std::size_t>(i)];
     if (surface.outline_W.empty()) continue;
-    // Shares of the foot's own size that are kept inside of an edge; a sole may overhang.
-    for (const double inside : sole ? std::array<double, 3>{1.0, 0.6, 0.25} : std::array<double, 3>{2.0, 1.4, 1.0}) {
+    // Shares of the foot's own size that are kept inside of an edge; a sole may overhang as far as is allowed.
+    for (const double inside : sole ? std::array<double, 3>{1.0, 0.6, 0.0} : std::array<double, 3>{2.0, 1.4, 1.0}) {
       const Polygon left = Eroded(surface, outline_F, inside);
       if (!left.empty()) offer(NearestPoint(ConvexHull(left), p));
     }

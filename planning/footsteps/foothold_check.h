@@ -75,7 +75,8 @@ class FootholdChecker {
   Placing Place(int foot, const PlanarPose& at) const;
 
   /// Places on each surface around, nearest to `at`, at which the foot is likely to stand: well inside and just inside
-  /// of its edges, and in its middle. Turned like `at`, at most `radius_m` away. Appends.
+  /// of its edges, a sole also out over them as far as it may be, and in its middle. Turned like `at`, at most
+  /// `radius_m` away. Appends.
   void Near(int foot, const PlanarPose& at, double radius_m, std::vector<PlanarPose>& places) const;
 
   /// Corners of what a foot covers in plan view, about its contact frame's origin, at a yaw: a sole, or the octagon
@@ -95,6 +96,7 @@ class FootholdChecker {
   bool AnythingAbove(const Polygon& outline_W, int patch, const Vector3& plane) const;
   bool TooSteep(const Vector3& normal_W, double friction) const;
   bool HitsObstacle(int foot, const PlanarPose& at, double height_m) const;
+  double LeastInside(const Polygon& outline_F, const Vector2& inward) const;
   Polygon Eroded(const GroundSurface& surface, const Polygon& outline_F, double inside) const;
   double SlopeRisk(const Vector3& normal_W) const;
 

@@ -26,16 +26,17 @@ struct FootstepSearchOptions {
   double reserve = 0.03;
   double offset = 0.25;
   double body_clearance = 0.05;
+  double leg_clearance = 0.025;
   double sway = 0.5;
   double length_weight = 1.5;
   double phase_weight = 2.0;
   double departure_weight = 0.5;
   double height_weight = 0.5;
-  double risk_weight = 0.5;
+  double risk_weight = 0.3;
   double goal_tolerance = 0.15;
-  double first_bound = 2.0;
+  double first_bound = 3.0;
   double bound = 1.05;
-  int patience = 300;
+  int patience = 1000;
   int max_expansions = 20000;
   int improving_expansions = 200;
 
@@ -88,8 +89,9 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 /// every sequence of these footholds.
 /// A stance holds when all feet are within the workspace of their legs under the base fitted to them (at the standing
 /// height or up to 15 % lower; with single soles also with the base moved over each of them by `sway`), no two feet are
-/// crossed or nearer than their sizes, and the body is clear of ground and obstacles. A swing holds when no ground or
-/// obstacle on the straight way stands higher over either end than the feet may be lifted.
+/// crossed or nearer than their sizes, and body, thighs and shanks are clear of the ground and the body of obstacles. A
+/// swing holds when no ground or obstacle on the straight way stands higher over either end than the feet may be
+/// lifted.
 ///
 /// Failure kInfeasible: `no_footholds` names the place and the reason, with a hint where it was expansions that ran
 /// out. kBadInput for a gait with another number of feet, or a route or stride without length. @throws InvalidArgument

@@ -16,6 +16,9 @@
 namespace gaitwright {
 namespace {
 
+// What the base of a plan is off the one over its feet while they stand, of the leg length: it moves on, and its height
+// is evened out. Lower is worse for all legs.
+constexpr double kDrift = 0.03;
 constexpr double kUncrossed = 0.25;                                 // of the feet's distance in the standing posture
 constexpr std::array<double, 4> kHeights = {1.0, 0.95, 0.9, 0.85};  // of the base, as shares of the standing one
 
@@ -57,11 +60,12 @@ std::array<Vector3, 8> CornersOf(const Pose& X_WB, const Vector3& low, const Vec
 }  // namespace
 
 std::string Describe(StanceFault fault) {
-  static const std::array<std::string, 6> kWords = {"none",
+  static const std::array<std::string, 7> kWords = {"none",
                                                     "feet crossed or nearer to each other than their sizes",
                                                     "out of reach of a leg",
                                                     "the body too steep",
                                                     "body too near to the ground",
+                                                    "a thigh or shank too near to the ground",
                                                     "body too near to an obstacle"};
   return kWords[static_cast<std::size_t>(fault)];
 }
@@ -75,6 +79,7 @@ StanceChecker::StanceChecker(const RobotModel& model, const GroundIndex& ground,
       margin_m_(footholds.margin_m),
       standing_(StandingFeet(model)),
       lone_(LoneSoles(model, query.gait)),
+      leg_room_(model, ground, options.leg_clearance * model.leg_length_m()),
       leg_m_(model.leg_length_m()) {
   for (int leg = 0; leg < static_cast<int>(model.legs.size()); ++leg) legs_.emplace_back(model, leg, options.reserve);
   MeasureBody(model);
@@ -118,9 +123,13 @@ StanceFault StanceChecker::Check(const std::vector<Pose>& X_WF, const std::vecto
   if (!FeetApart(X_WF, outlines, base.plan.yaw_rad)) return StanceFault::kFeetClose;
   constexpr double kSteepest = 40.0 * std::numbers::pi / 180.0;
   if (std::max(std::abs(base.pitch_rad), std::abs(base.roll_rad)) > kSteepest) return StanceFault::kTilt;
-  if (!ReachSomehow(X_WF, base)) return StanceFault::kReach;
+  const auto height = std::find_if(kHeights.begin(), kHeights.end(), [&](double share) {
+    return ReachFrom(X_WF, PoseOver(base, share * model_->standing_base_height_m));
+  });
+  if (height == kHeights.end()) return StanceFault::kReach;
   const StanceFault fault = BodyRoom(base, PoseOver(base, model_->standing_base_height_m));
   if (fault != StanceFault::kNone) return fault;
+  if (!LegsClear(X_WF, PoseOver(base, *height * model_->standing_base_height_m))) return StanceFault::kLegLow;
   if (query_->body_free && !query_->body_free(base.plan, base.ground_m)) return StanceFault::kBodyObstacle;
   return StanceFault::kNone;
 }
@@ -151,19 +160,27 @@ bool StanceChecker::AllReach(const std::vector<Pose>& X_WF, const Pose& X_WB) {
   return true;
 }
 
-bool StanceChecker::ReachSomehow(const std::vector<Pose>& X_WF, const BaseOverFeet& base) {
-  const Vector2 left(-std::sin(base.plan.yaw_rad), std::cos(base.plan.yaw_rad));
-  const auto reaches = [&](double height) {
-    const Pose X_WB = PoseOver(base, height * model_->standing_base_height_m);
-    if (!AllReach(X_WF, X_WB)) return false;
-    return std::all_of(lone_.begin(), lone_.end(), [&](int f) {
+bool StanceChecker::ReachFrom(const std::vector<Pose>& X_WF, const Pose& X_WB) {
+  if (!AllReach(X_WF, X_WB)) return false;
+  return std::all_of(lone_.begin(), lone_.end(), [&](int f) {
+    Pose moved = X_WB;
+    const Vector3 to = X_WF[static_cast<std::size_t>(f)].translation() - X_WB.translation();
+    moved.translation().head<2>() += options_.sway * to.head<2>();
+    return AllReach(X_WF, moved);
+  });
+}
+
+bool StanceChecker::LegsClear(const std::vector<Pose>& X_WF, const Pose& X_WB) {
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    const auto f = static_cast<std::size_t>(model_->legs[i].foot);
+    if (!leg_room_.MayMeet(X_WF[f])) continue;
+    for (const double ahead : {-kDrift, kDrift}) {
       Pose moved = X_WB;
-      const Vector2 to = (X_WF[static_cast<std::size_t>(f)].translation() - X_WB.translation()).head<2>();
-      moved.translation().head<2>() += options_.sway * to.dot(left) * left;
-      return AllReach(X_WF, moved);
-    });
-  };
-  return std::any_of(kHeights.begin(), kHeights.end(), reaches);
+      moved.translation() += leg_m_ * (ahead * X_WB.linear().col(0) - kDrift * Vector3::UnitZ());
+      if (!leg_room_.IsClear(legs_[i], model_->feet[f], X_WF[f], moved)) return false;
+    }
+  }
+  return true;
 }
 
 StanceFault StanceChecker::BodyRoom(const BaseOverFeet& base, const Pose& X_WB) const {

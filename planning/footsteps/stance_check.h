@@ -9,12 +9,13 @@
 #include "planning/footsteps/base_over_feet.h"
 #include "planning/footsteps/foothold_check.h"
 #include "planning/footsteps/ground_index.h"
+#include "planning/footsteps/leg_room.h"
 #include "planning/footsteps/search_footsteps.h"
 
 namespace gaitwright {
 
 /// Why a robot cannot stand with its feet where they are.
-enum class StanceFault { kNone, kFeetClose, kReach, kTilt, kBodyLow, kBodyObstacle };
+enum class StanceFault { kNone, kFeetClose, kReach, kTilt, kBodyLow, kLegLow, kBodyObstacle };
 
 /// The fault in words, such as "out of reach of a leg".
 std::string Describe(StanceFault fault);
@@ -38,7 +39,8 @@ class StanceChecker {
  private:
   bool FeetApart(const std::vector<Pose>& X_WF, const std::vector<const Polygon*>& outlines, double yaw_rad) const;
   bool AllReach(const std::vector<Pose>& X_WF, const Pose& X_WB);
-  bool ReachSomehow(const std::vector<Pose>& X_WF, const BaseOverFeet& base);
+  bool ReachFrom(const std::vector<Pose>& X_WF, const Pose& X_WB);
+  bool LegsClear(const std::vector<Pose>& X_WF, const Pose& X_WB);
   StanceFault BodyRoom(const BaseOverFeet& base, const Pose& X_WB) const;
   void MeasureBody(const RobotModel& model);
 
@@ -50,6 +52,7 @@ class StanceChecker {
   std::vector<Pose> standing_;
   std::vector<LegWorkspace> legs_;  // by foot
   std::vector<int> lone_;           // feet with soles that stand alone at times
+  LegRoom leg_room_;
   double leg_m_;
   Vector3 trunk_low_, trunk_high_, whole_low_, whole_high_;  // boxes in B
   bool has_trunk_ = false;
