@@ -16,6 +16,7 @@ struct GroundPlane {
   double height_m = 0.0;  ///< at the origin of W [m]
   Vector2 slope = Vector2::Zero();
 
+  /// Height over a point in plan view [m].
   double HeightAt(const Vector2& p_W) const { return height_m + slope.dot(p_W); }
 };
 

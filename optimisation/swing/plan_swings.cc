@@ -40,10 +40,10 @@ class SwingPlanner {
     hit_.reset();
     choice_.roll = guard_.RollOf(swing);
     const SwingTrajectory straight = swing;
-    bool clear = Find(swing, {true, true});
-    // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that its
-    // footholds leave no room is for the audit to tell.
-    clear = clear || Find(swing, {true, false}) || Find(swing, {false, false});
+    // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that has no
+    // room is for the audit to tell.
+    const bool room = guard_.LegHasRoom(swing);
+    const bool clear = Find(swing, {room, true}) || Find(swing, {room, false}) || (room && Find(swing, {false, false}));
     if (!clear && !hit_) MeetsNothing(straight);  // names what is in the way
     if (!clear) return NoClearance(swing);
     swing.clearance_m = MidSwingClearance(swing);

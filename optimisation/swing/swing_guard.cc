@@ -14,16 +14,11 @@ namespace gaitwright {
 namespace {
 
 constexpr double kTouching = 1e-4;  // [m] that solver and rounding may be off by
-constexpr int kSamples = 60;
 
 /// The foot's frame F (of a sphere: its centre) where its contact frame is.
 Pose FootFrame(const Foot& foot, Pose X_WF) {
   X_WF.translation() += foot.radius * X_WF.linear().col(2);
   return X_WF;
-}
-
-double TimeOf(const SwingTrajectory& swing, int sample) {
-  return swing.start_s + (swing.end_s - swing.start_s) * sample / kSamples;
 }
 
 }  // namespace
@@ -81,7 +76,7 @@ std::optional<SwingHit> SwingGuard::Check(const SwingTrajectory& swing, double c
     if (nearest.solid >= 0 && nearest.distance_m < asked)
       return SwingHit{TimeOf(swing, k), foot.link, watch_.solids().SolidName(nearest.solid), nearest.distance_m, asked};
   }
-  return with_leg && former_.base ? CheckLeg(swing) : std::nullopt;
+  return with_leg && former_.base ? CheckLeg(swing, 1) : std::nullopt;
 }
 
 VectorX SwingGuard::StandingLeg(int foot) const {
@@ -110,12 +105,12 @@ bool SwingGuard::LegFollows(const SwingTrajectory& swing) const {
   return true;
 }
 
-std::optional<SwingHit> SwingGuard::CheckLeg(const SwingTrajectory& swing) const {
+std::optional<SwingHit> SwingGuard::CheckLeg(const SwingTrajectory& swing, int stride) const {
   const LegIk& ik = ik_[static_cast<std::size_t>(swing.foot)];
   const std::vector<Pose> X_WF = FootPoses(swing);
   VectorX q = StandingConfiguration(model_);
   VectorX guess = StandingLeg(swing.foot);
-  for (int k = 0; k <= kSamples; ++k) {
+  for (int k = 0; k <= kSamples; k += stride) {
     const Pose X_WB = former_.base(TimeOf(swing, k));
     const auto leg = ik.Solve(X_WB.inverse() * X_WF[static_cast<std::size_t>(k)], guess);
     if (!leg) continue;  // for LegFollows and the whole-body stage to tell

@@ -39,18 +39,26 @@ class SwingGuard {
   /// is not known.
   bool LegFollows(const SwingTrajectory& swing) const;
 
+  /// Whether nothing touches the leg where the swing starts and ends; if not, no way between them helps.
+  bool LegHasRoom(const SwingTrajectory& swing) const { return !former_.base || !CheckLeg(swing, kSamples); }
+
   /// What a sphere rolls off the swing's curve.
   SwingRoll RollOf(const SwingTrajectory& swing) const { return former_.roll ? former_.roll(swing) : SwingRoll(); }
 
  private:
+  static constexpr int kSamples = 60;
+
   struct LegPart {
     PreparedShape shape;
     int body;
   };
+  static double TimeOf(const SwingTrajectory& swing, int sample) {
+    return swing.start_s + (swing.end_s - swing.start_s) * sample / kSamples;
+  }
   std::vector<Pose> FootPoses(const SwingTrajectory& swing) const;
   double AskedAtMost(const SwingTrajectory& swing, double clearance_m) const;
   VectorX StandingLeg(int foot) const;
-  std::optional<SwingHit> CheckLeg(const SwingTrajectory& swing) const;
+  std::optional<SwingHit> CheckLeg(const SwingTrajectory& swing, int stride) const;
   std::optional<SwingHit> CheckLegAt(int foot, double time_s) const;
 
   const RobotModel& model_;

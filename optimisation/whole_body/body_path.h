@@ -23,6 +23,7 @@ class BodyPath {
   /// @param even_s  time over which height and tilt are evened out [s]; a cycle of the gait.
   BodyPath(const RobotModel& model, const FootstepSkeleton& skeleton, double even_s);
 
+  /// Attitude, and its first two derivatives in W.
   BaseTurning TurningAt(double time_s) const;
   /// Height of the ground under the base [m], and its derivatives.
   Motion1 GroundAt(double time_s) const { return ground_.At(time_s); }

@@ -178,7 +178,7 @@ TEST(PlanSwings, AFootRisesBeforeARiserAndGoesAheadBeforeItComesDown) {
 
 TEST(PlanSwings, WhatASphereRollsOffItsCurveIsReckonedWith) {
   const RobotModel model = *LoadNamedRobot("a1");
-  const SwingRoll roll({Vector3::Zero(), 0.02 * Vector3::UnitX(), 0.025 * Vector3::UnitX(), Vector3::Zero()});
+  const SwingRoll roll({Vector3::Zero(), 0.03 * Vector3::UnitX(), 0.035 * Vector3::UnitX(), Vector3::Zero()});
   FormerMotion former;
   former.roll = [&](const SwingTrajectory&) { return roll; };
   const Terrain terrain = WithBox(0.05, 3.0, 0.1);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/plan/sole_support.h"
-
 #include <gtest/gtest.h>
 
 #include "kinematics/stability/polygon.h"
+#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 namespace {
