@@ -9,6 +9,7 @@
 #include "kinematics/base/result.h"
 #include "kinematics/base/same_file.h"
 #include "planning/gait/find_gait.h"
+#include "planning/terrain/load_terrain.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -60,6 +61,11 @@ void Paths::AddRobotAndGait(const std::string& urdf, const std::string& gait) {
     read.push_back({"the robot.yaml beside --urdf", (fs::path(urdf).parent_path() / "robot.yaml").string()});
   }
   read.push_back({"--gait", GaitFileOf(gait)});
+}
+
+void Paths::AddTerrain(const std::string& terrain) {
+  const std::string file = TerrainFileOf(terrain);
+  if (!file.empty()) read.push_back({"the terrain", file});
 }
 
 void CheckPaths(const Paths& paths) {

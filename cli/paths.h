@@ -18,6 +18,8 @@ struct Paths {
 
   /// Adds a URDF and the robot.yaml beside it, and the file of `gait` when it names one.
   void AddRobotAndGait(const std::string& urdf, const std::string& gait);
+  /// Adds the file of `terrain` when it names one.
+  void AddTerrain(const std::string& terrain);
 };
 
 /// Sees to it that nothing is written over what is read, nor twice to one file, and that folders are folders; by `./`

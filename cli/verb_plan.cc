@@ -49,6 +49,7 @@ int Run(Arguments& a) {
   const std::string path = a.folder.empty() ? a.out : (std::filesystem::path(a.folder) / "plan.json").string();
   Paths paths{{}, {{"the plan", path}}, ""};
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
+  paths.AddTerrain(a.walk.request.terrain);
   CheckPaths(paths);
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);

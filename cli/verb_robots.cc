@@ -39,6 +39,21 @@ int List(const Common& common) {
   return kPass;
 }
 
+nlohmann::ordered_json SelfCollisionJson(const CollisionChecker& collision) {
+  nlohmann::ordered_json left_out = nlohmann::ordered_json::array();
+  for (const LeftOutPair& pair : collision.left_out())
+    left_out.push_back({{"links", {pair.link_a, pair.link_b}}, {"reason", pair.reason}});
+  return {{"pairs", collision.num_pairs()}, {"left_out", left_out}};
+}
+
+std::string SelfCollisionText(const CollisionChecker& collision) {
+  std::string text =
+      fmt::format("self-collision: {} pairs of shapes are checked; not checked are\n", collision.num_pairs());
+  for (const LeftOutPair& pair : collision.left_out())
+    text += fmt::format("  {} and {}: {}\n", pair.link_a, pair.link_b, pair.reason);
+  return text;
+}
+
 int Show(const Arguments& a) {
   const bool is_file =
       a.robot.ends_with(".urdf") || a.robot.ends_with(".xml") || a.robot.find('/') != std::string::npos;
@@ -51,7 +66,13 @@ int Show(const Arguments& a) {
   const Gains gains = DeriveGains(*model);  // those of robot.yaml where it has some
   model->stiffness = gains.stiffness;
   model->damping = gains.damping;
-  fmt::print("{}\n", a.common.json ? RobotJson(*model) : DescribeRobot(*model));
+  if (a.common.json) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(RobotJson(*model));
+    json["self_collision"] = SelfCollisionJson(collision);
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}\n{}", DescribeRobot(*model), SelfCollisionText(collision));
+  }
   return kPass;
 }
 

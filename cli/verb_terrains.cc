@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/paths.h"
 #include "cli/program.h"
-#include "planning/plan/terrain.h"
+#include "cli/terrain_picture.h"
+#include "kinematics/base/file.h"
+#include "planning/plan/built_in_terrain.h"
+#include "planning/terrain/load_terrain.h"
+#include "workflows/walk/walk.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -14,15 +20,47 @@ using Json = nlohmann::ordered_json;
 
 struct Arguments {
   Common common;
-  std::string terrain;
+  std::string terrain, robot = "a1", urdf, picture;
 };
+
+Json ParametersJson(const std::vector<TerrainParameter>& parameters) {
+  Json list = Json::array();
+  for (const TerrainParameter& p : parameters) {
+    list.push_back({{"key", p.key},
+                    {"value", p.value},
+                    {"unit", p.unit},
+                    {"lowest", p.lowest},
+                    {"highest", p.highest},
+                    {"meaning", p.meaning}});
+  }
+  return list;
+}
+
+void PrintParameters(const std::vector<TerrainParameter>& parameters) {
+  for (const TerrainParameter& p : parameters) {
+    const std::string unit = p.unit == "1" ? "" : " " + p.unit;
+    fmt::print("  {:<16} {:<10} {} ({} to {})\n", p.key, p.value + unit, p.meaning, p.lowest, p.highest);
+  }
+}
 
 int List(const Common& common) {
   Json list = Json::array();
   for (const BuiltInTerrain& entry : BuiltInTerrains()) {
-    list.push_back({{"name", entry.name}, {"description", entry.description}});
+    std::string keys;
+    const Result<std::vector<TerrainParameter>> parameters = TerrainParameters(entry.name, {});
+    if (!parameters) return Report(parameters.failure(), common);
+    Json names = Json::array();
+    for (const TerrainParameter& parameter : *parameters) {
+      keys += (keys.empty() ? "" : ", ") + parameter.key;
+      names.push_back(parameter.key);
+    }
+    list.push_back({{"name", entry.name}, {"description", entry.description}, {"parameters", names}});
     if (common.json) continue;
-    common.quiet ? fmt::print("{}\n", entry.name) : fmt::print("{:<14} {}\n", entry.name, entry.description);
+    if (common.quiet) {
+      fmt::print("{}\n", entry.name);
+    } else {
+      fmt::print("{:<16} {}\n{:<16}   {}\n", entry.name, entry.description, "", keys);
+    }
   }
   if (common.json) fmt::print("{}\n", Json{{"terrains", list}}.dump(2));
   return kPass;
@@ -47,31 +85,128 @@ Json PatchJson(const TerrainPatch& patch) {
           {"friction", patch.friction}};
 }
 
-void PrintPatch(const TerrainPatch& patch) {
-  const Vector3 origin = patch.X_WT.translation(), normal = patch.X_WT.linear().col(2);
-  fmt::print("  {}: through ({:.3f}, {:.3f}, {:.3f}) m, normal ({:.3f}, {:.3f}, {:.3f}), {}, friction {}\n", patch.name,
-             origin.x(), origin.y(), origin.z(), normal.x(), normal.y(), normal.z(),
-             patch.outline_T.empty() ? "without end" : fmt::format("{} corners", patch.outline_T.size()),
-             patch.friction);
+/// Lowest and highest of a field.
+std::pair<double, double> HeightsOf(const HeightField& field) {
+  const auto [low, high] = std::minmax_element(field.height_m.begin(), field.height_m.end());
+  return {*low, *high};
+}
+
+Json FieldJson(const HeightField& field) {
+  const auto [low, high] = HeightsOf(field);
+  return {{"name", field.name},
+          {"origin_m", {field.origin_W.x(), field.origin_W.y()}},
+          {"resolution_m", field.resolution_m},
+          {"columns", field.columns},
+          {"rows", field.rows},
+          {"lowest_m", low},
+          {"highest_m", high},
+          {"friction", field.friction}};
+}
+
+Json ObstacleJson(const Obstacle& obstacle) {
+  const Vector3 p = obstacle.X_WO.translation();
+  Json json = {
+      {"name", obstacle.name}, {"type", ObstacleTypeName(obstacle.type)}, {"position_m", {p.x(), p.y(), p.z()}}};
+  if (obstacle.type == ShapeType::kMesh) {
+    json["vertices"] = obstacle.vertices_O.size();
+  } else {
+    json["size_m"] = {obstacle.size_m.x(), obstacle.size_m.y()};
+    if (obstacle.type == ShapeType::kBox) json["size_m"].push_back(obstacle.size_m.z());
+  }
+  return json;
+}
+
+void PrintParts(const Terrain& terrain) {
+  fmt::print("surfaces, where they overlap the highest holds\n");
+  for (const TerrainPatch& patch : terrain.patches) {
+    const Vector3 origin = patch.X_WT.translation(), normal = patch.X_WT.linear().col(2);
+    fmt::print("  {}: through ({:.3f}, {:.3f}, {:.3f}) m, normal ({:.3f}, {:.3f}, {:.3f}), {}, friction {}\n",
+               patch.name, origin.x(), origin.y(), origin.z(), normal.x(), normal.y(), normal.z(),
+               patch.outline_T.empty() ? "without end" : fmt::format("{} corners", patch.outline_T.size()),
+               patch.friction);
+  }
+  for (const HeightField& field : terrain.height_fields) {
+    const auto [low, high] = HeightsOf(field);
+    fmt::print("  {}: {} by {} points {} m apart from ({:.3f}, {:.3f}) m, {:.3f} to {:.3f} m high, friction {}\n",
+               field.name, field.columns, field.rows, field.resolution_m, field.origin_W.x(), field.origin_W.y(), low,
+               high, field.friction);
+  }
+  if (!terrain.obstacles.empty()) fmt::print("obstacles\n");
+  for (const Obstacle& obstacle : terrain.obstacles) {
+    const Vector3 p = obstacle.X_WO.translation();
+    const std::string size =
+        obstacle.type == ShapeType::kMesh ? fmt::format("of {} points", obstacle.vertices_O.size())
+        : obstacle.type == ShapeType::kBox
+            ? fmt::format("{:.3f} by {:.3f} by {:.3f} m", obstacle.size_m.x(), obstacle.size_m.y(), obstacle.size_m.z())
+            : fmt::format("radius {:.3f} m, {:.3f} m long", obstacle.size_m.x(), obstacle.size_m.y());
+    fmt::print("  {}: {} {} at ({:.3f}, {:.3f}, {:.3f}) m\n", obstacle.name, ObstacleTypeName(obstacle.type), size,
+               p.x(), p.y(), p.z());
+  }
+}
+
+/// A ground as it is for a robot.
+struct Shown {
+  std::string description;
+  std::vector<TerrainParameter> parameters;
+  Terrain terrain;
+};
+
+Json ToJson(const Shown& shown, const std::string& robot, const std::string& picture) {
+  Json patches = Json::array(), fields = Json::array(), obstacles = Json::array(), files = Json::object();
+  for (const TerrainPatch& patch : shown.terrain.patches) patches.push_back(PatchJson(patch));
+  for (const HeightField& field : shown.terrain.height_fields) fields.push_back(FieldJson(field));
+  for (const Obstacle& obstacle : shown.terrain.obstacles) obstacles.push_back(ObstacleJson(obstacle));
+  if (!picture.empty()) files["picture"] = picture;
+  return {{"name", shown.terrain.name},
+          {"description", shown.description},
+          {"robot", robot},
+          {"parameters", ParametersJson(shown.parameters)},
+          {"patches", patches},
+          {"height_fields", fields},
+          {"obstacles", obstacles},
+          {"files", files}};
+}
+
+Result<Shown> Look(const std::string& text, const TerrainScale& scale) {
+  Result<Terrain> terrain = LoadTerrain(text, scale);
+  if (!terrain) return terrain.failure();
+  Shown shown{"ground of a file", {}, std::move(*terrain)};
+  if (!TerrainFileOf(text).empty()) return shown;
+  const std::string name = text.substr(0, text.find(':'));
+  for (const BuiltInTerrain& entry : BuiltInTerrains()) {
+    if (entry.name == name) shown.description = entry.description;
+  }
+  Result<std::vector<TerrainParameter>> parameters = TerrainParameters(text, scale);
+  if (!parameters) return parameters.failure();
+  shown.parameters = std::move(*parameters);
+  return shown;
 }
 
 int Show(const Arguments& a) {
-  const Result<Terrain> terrain = FindTerrain(a.terrain);
-  if (!terrain) return Report(terrain.failure(), a.common);
-  std::string description;
-  for (const BuiltInTerrain& entry : BuiltInTerrains()) {
-    if (entry.name == a.terrain) description = entry.description;
+  Paths paths;
+  paths.AddRobotAndGait(a.urdf, "");
+  paths.AddTerrain(a.terrain);
+  paths.written = {{"--picture", a.picture}};
+  CheckPaths(paths);
+  const Result<RobotModel> model = ChooseRobot(a.robot, a.urdf);
+  if (!model) return Report(model.failure(), a.common);
+  const TerrainScale scale = ScaleOf(*model);
+  const Result<Shown> shown = Look(a.terrain, scale);
+  if (!shown) return Report(shown.failure(), a.common);
+  if (!a.picture.empty()) {
+    const Result<std::string> written = WriteFileAtomically(a.picture, TerrainPicture(shown->terrain, scale));
+    if (!written) return Report(written.failure(), a.common);
   }
   if (a.common.json) {
-    Json patches = Json::array();
-    for (const TerrainPatch& patch : terrain->patches) patches.push_back(PatchJson(patch));
-    const Json json = {{"name", terrain->name}, {"description", description}, {"patches", patches}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", ToJson(*shown, model->name, a.picture).dump(2));
   } else if (a.common.quiet) {
-    fmt::print("{}\n", terrain->name);
+    fmt::print("{}\n", shown->terrain.name);
   } else {
-    fmt::print("{}: {}\npatches, where they overlap the highest holds\n", terrain->name, description);
-    for (const TerrainPatch& patch : terrain->patches) PrintPatch(patch);
+    fmt::print("{}: {}\n", shown->terrain.name, shown->description);
+    if (!shown->parameters.empty()) fmt::print("parameters, with the sizes for {}\n", model->name);
+    PrintParameters(shown->parameters);
+    PrintParts(shown->terrain);
+    if (!a.picture.empty()) fmt::print("wrote {}\n", a.picture);
   }
   return kPass;
 }
@@ -81,10 +216,17 @@ int Show(const Arguments& a) {
 void AddTerrains(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("terrains", "List the grounds; 'terrains show X' describes one");
-  CLI::App& show = *verb.add_subcommand("show", "Describe one ground: its patches and their friction");
-  AddText(show, "TERRAIN", "NAME", a->terrain, "A name of the list.")->required();
-  AddCommon(verb, a->common, {"terrains", "terrains show flat"});
-  AddCommon(show, a->common, {"terrains show flat"});
+  CLI::App& show = *verb.add_subcommand("show", "Describe one ground: its sizes, surfaces and obstacles");
+  AddText(show, "TERRAIN", "NAME", a->terrain,
+          "As of --terrain: a name of the list, with parameters or without, or a file; see docs/terrain-format.md.")
+      ->required();
+  CLI::Option* named =
+      AddText(show, "--robot", "NAME", a->robot, "The robot whose sizes are taken where none are given; default a1.");
+  AddText(show, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
+  AddText(show, "--picture", "FILE", a->picture, "Draw it into this SVG file, from above and from the side.");
+  AddCommon(verb, a->common, {"terrains", "terrains show stairs"});
+  AddCommon(show, a->common,
+            {"terrains show stairs --robot nao", "terrains show rough:amplitude_m=0.03,seed=2 --picture rough.svg"});
   verb.require_subcommand(0, 1);
   verb.callback([a, &status] {
     status = Guarded(a->common, [&] {

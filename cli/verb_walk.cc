@@ -20,6 +20,7 @@ void CheckPathsOf(const Arguments& a) {
       {{"the plan", out.PathOf(out.plan)}, {"the log", out.PathOf(out.log)}, {"the report", out.PathOf(out.report)}},
       out.plot_folder};
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
+  paths.AddTerrain(a.walk.request.terrain);
   CheckPaths(paths);
 }
 

@@ -7,7 +7,9 @@ void WalkArguments::AddTo(CLI::App& verb) {
   verb.option_defaults()->group("Robot and ground");
   CLI::Option* named = AddText(verb, "--robot", "NAME", robot, "Robot by name, see 'gaitwright robots'; default a1.");
   AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
-  AddText(verb, "--terrain", "NAME", request.terrain, "Ground by name, see 'gaitwright terrains'; default flat.");
+  AddText(verb, "--terrain", "NAME", request.terrain,
+          "Ground by name, with parameters or without, as stairs:rise_m=0.05,count=2, see 'gaitwright terrains'; or a "
+          "file of one (YAML, CSV, PNG, OBJ, STL); default flat.");
   verb.option_defaults()->group("How fast (any mix of these)");
   WalkCommand& c = request.command;
   AddText(verb, "--gait", "NAME", request.gait,

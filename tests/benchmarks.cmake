@@ -3,6 +3,7 @@
 find_package(benchmark QUIET)
 file(GLOB_RECURSE benchmark_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/benchmarks/*.cc)
 if(benchmark_FOUND AND benchmark_sources)
+  list(APPEND benchmark_sources ${CMAKE_CURRENT_SOURCE_DIR}/planning/footsteps/grounds.cc)
   add_executable(gaitwright_benchmarks ${benchmark_sources})
   target_link_libraries(gaitwright_benchmarks PRIVATE gaitwright::workflows benchmark::benchmark_main fmt::fmt)
   target_compile_options(gaitwright_benchmarks PRIVATE ${GAITWRIGHT_WARNINGS})

@@ -1,48 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/collision/collision_checker.h"
 
-#include <fcl/fcl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <random>
 
+#include "kinematics/collision/fcl_shape_internal.h"
 #include "kinematics/collision/shape_extent.h"
 
 namespace gaitwright {
 namespace {
 
-std::shared_ptr<fcl::CollisionGeometryd> Geometry(const Shape& shape) {
-  switch (shape.type) {
-    case ShapeType::kBox:
-      return std::make_shared<fcl::Boxd>(shape.size);
-    case ShapeType::kSphere:
-      return std::make_shared<fcl::Sphered>(shape.size.x());
-    case ShapeType::kCylinder:
-      return std::make_shared<fcl::Cylinderd>(shape.size.x(), shape.size.y());
-    case ShapeType::kCapsule:
-      return std::make_shared<fcl::Capsuled>(shape.size.x(), shape.size.y());
-    case ShapeType::kMesh:
-      break;
-  }
-  if (shape.vertices.empty()) return nullptr;
-  // The points alone do: without faces FCL looks through all of them for the farthest.
-  return std::make_shared<fcl::Convexd>(std::make_shared<std::vector<Vector3>>(shape.vertices), 0,
-                                        std::make_shared<std::vector<int>>());
-}
-
-/// True when `ancestor` carries `body` directly: through one joint, joints whose axes meet in one point (an ankle, a
-/// hip), or bodies without shapes.
-bool CarriesDirectly(const RobotModel& model, const std::vector<bool>& has_shapes, int ancestor, int body) {
+/// The joint, or the first of several, through which `ancestor` carries `body` directly: one joint, joints whose axes
+/// meet in one point (an ankle, a hip), or bodies without shapes. Nothing where it does not.
+const Joint* CarryingJoint(const RobotModel& model, const std::vector<bool>& has_shapes, int ancestor, int body) {
   constexpr double kMeet = 5e-3;  // [m]
   while (body > 0) {
     const Joint& joint = model.joints[static_cast<std::size_t>(body - 1)];
     body = joint.parent_body;
-    if (body == ancestor) return true;
-    if (has_shapes[static_cast<std::size_t>(body)] && joint.X_PJ.translation().norm() > kMeet) return false;
+    if (body == ancestor) return &joint;
+    if (has_shapes[static_cast<std::size_t>(body)] && joint.X_PJ.translation().norm() > kMeet) return nullptr;
   }
-  return false;
+  return nullptr;
+}
+
+/// Places of all joints within their limits, the same ones each time; a full turn where there are none.
+std::vector<VectorX> PosturesOverRanges(const RobotModel& model, int count) {
+  std::mt19937 engine(1);
+  std::vector<VectorX> postures(static_cast<std::size_t>(count), StandingConfiguration(model));
+  for (VectorX& q : postures) {
+    for (int d = 0; d < model.num_dofs(); ++d) {
+      const double low = std::max(model.dof_lower(d), -std::numbers::pi);
+      const double high = std::min(model.dof_upper(d), std::numbers::pi);
+      q[7 + d] = low + (high - low) * (static_cast<double>(engine()) / 4294967296.0);
+    }
+  }
+  return postures;
 }
 
 }  // namespace
@@ -63,6 +59,7 @@ struct CollisionChecker::Scene {
   std::vector<Part> parts;
   std::vector<Pair> pairs;
   std::vector<std::string> notes;
+  std::vector<LeftOutPair> left_out;
   std::vector<Overlap> overlaps;
 
   void Place(const DynamicsScratch& scratch) {
@@ -97,17 +94,7 @@ struct CollisionChecker::Scene {
       part->object.setTransform(part->X_BS);
       part->object.computeAABB();
     }
-    fcl::DistanceResultd distance;
-    constexpr double kSolver = 1e-5;  // [m] what the distance may be off by
-    const double apart = fcl::distance(&a.object, &b.object, fcl::DistanceRequestd(), distance) - kSolver;
-    if (apart > 0.0) return apart;
-    constexpr std::size_t kMostContacts = 16;
-    fcl::CollisionResultd result;
-    fcl::collide(&a.object, &b.object, fcl::CollisionRequestd(kMostContacts, true), result);
-    double depth = 0.0;
-    for (std::size_t i = 0; i < result.numContacts(); ++i)
-      depth = std::max(depth, result.getContact(i).penetration_depth);
-    return result.isCollision() ? -depth : 0.0;
+    return SignedGap(a.object, b.object);
   }
 
   bool Touch(const Pair& pair) const {
@@ -117,6 +104,34 @@ struct CollisionChecker::Scene {
     fcl::CollisionResultd result;
     return fcl::collide(&a.object, &b.object, request, result) > 0;
   }
+
+  /// Once for two links, whatever their shapes.
+  void LeaveOut(const Pair& pair, const std::string& reason) {
+    const LeftOutPair entry{parts[pair.a].shape->link, parts[pair.b].shape->link, reason};
+    const bool known = std::any_of(left_out.begin(), left_out.end(), [&](const LeftOutPair& other) {
+      return other.link_a == entry.link_a && other.link_b == entry.link_b;
+    });
+    if (!known) left_out.push_back(entry);
+  }
+
+  /// Pairs that touch in the standing posture, told apart by postures over all joint ranges.
+  void LeaveOutTouching(const RobotModel& model, const std::vector<Pair>& touching, DynamicsScratch& scratch) {
+    constexpr int kPostures = 200;
+    if (touching.empty()) return;
+    std::vector<int> touched(touching.size(), 0);
+    for (const VectorX& q : PosturesOverRanges(model, kPostures)) {
+      ForwardKinematics(model, q, scratch);
+      Place(scratch);
+      for (std::size_t k = 0; k < touching.size(); ++k) touched[k] += Touch(touching[k]) ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < touching.size(); ++k) {
+      LeaveOut(touching[k],
+               touched[k] == kPostures
+                   ? fmt::format("always touching: in all of {} postures over the joints' ranges", kPostures)
+                   : fmt::format("touching in the standing posture: and in {} of {} others over the joints' ranges",
+                                 touched[k], kPostures));
+    }
+  }
 };
 
 CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_unique<Scene>()) {
@@ -124,7 +139,7 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
   scene_->shapes = model.collision_shapes;
   for (const Shape& shape : scene_->shapes) {
     has_shapes[static_cast<std::size_t>(shape.body)] = true;
-    const auto geometry = Geometry(shape);
+    const auto geometry = FclGeometry(shape);
     if (geometry == nullptr) {
       scene_->notes.push_back(fmt::format("link '{}': its mesh takes no part in self-collision", shape.link));
       continue;
@@ -134,18 +149,23 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   scene_->Place(scratch);
+  std::vector<Scene::Pair> touching;
   for (std::size_t i = 0; i < scene_->parts.size(); ++i) {
     for (std::size_t j = i + 1; j < scene_->parts.size(); ++j) {
       const int a = scene_->parts[i].shape->body, b = scene_->parts[j].shape->body;
-      if (a == b || CarriesDirectly(model, has_shapes, a, b) || CarriesDirectly(model, has_shapes, b, a)) continue;
-      if (scene_->Touch({i, j})) {
-        scene_->notes.push_back(fmt::format("links '{}' and '{}' touch in the standing posture: not checked",
-                                            scene_->parts[i].shape->link, scene_->parts[j].shape->link));
-        continue;
+      if (a == b) continue;
+      const Joint* joint = CarryingJoint(model, has_shapes, a, b);
+      if (joint == nullptr) joint = CarryingJoint(model, has_shapes, b, a);
+      if (joint != nullptr) {
+        scene_->LeaveOut({i, j}, fmt::format("adjacent: joint '{}' joins them", joint->name));
+      } else if (scene_->Touch({i, j})) {
+        touching.push_back({i, j});
+      } else {
+        scene_->pairs.push_back({i, j});
       }
-      scene_->pairs.push_back({i, j});
     }
   }
+  scene_->LeaveOutTouching(model, touching, scratch);
 }
 
 CollisionChecker::~CollisionChecker() = default;
@@ -167,6 +187,7 @@ const std::vector<Overlap>& CollisionChecker::Overlaps(const DynamicsScratch& sc
 }
 
 const std::vector<std::string>& CollisionChecker::notes() const { return scene_->notes; }
+const std::vector<LeftOutPair>& CollisionChecker::left_out() const { return scene_->left_out; }
 int CollisionChecker::num_pairs() const { return static_cast<int>(scene_->pairs.size()); }
 
 }  // namespace gaitwright

@@ -16,9 +16,17 @@ struct Overlap {
   double depth_m = 0.0;
 };
 
+/// Two links that are not held against each other, and why.
+struct LeftOutPair {
+  std::string link_a, link_b;
+  std::string reason;  ///< "adjacent: ...", "always touching: ..." or "touching in the standing posture: ..."
+
+  bool operator==(const LeftOutPair&) const = default;
+};
+
 /// Finds parts of a robot that touch each other. Pairs that say nothing are left out: shapes of one body, of bodies
 /// that a joint joins (or joints whose axes meet in one point, or bodies without shapes between them), and pairs that
-/// already touch in the standing posture.
+/// already touch in the standing posture, whether or not they do so wherever the joints may be.
 class CollisionChecker {
  public:
   explicit CollisionChecker(const RobotModel& model);
@@ -32,8 +40,10 @@ class CollisionChecker {
   /// Conservative advancement: Mirtich, Impulse-based Dynamic Simulation, 1996, section 2.3.
   const std::vector<Overlap>& Overlaps(const DynamicsScratch& scratch);
 
-  /// Pairs left out because they touch in the standing posture, and meshes without vertices; for people.
+  /// Meshes without vertices; for people.
   const std::vector<std::string>& notes() const;
+  /// Pairs of links left out, by the order of the model's shapes; links of one body are not listed.
+  const std::vector<LeftOutPair>& left_out() const;
   int num_pairs() const;
 
  private:

@@ -10,17 +10,20 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/model/dof_units.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "kinematics/trajectory/cubic_spline.h"
+#include "optimisation/pipeline/carried_base.h"
+#include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/support_regions.h"
 #include "optimisation/pipeline/tipped_sole.h"
+#include "optimisation/swing/swing_ground.h"
+#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 namespace {
 
-/// Centre of mass of the standing posture with the base origin at a planar pose.
+/// Centre of mass of the standing posture over level ground with the base origin at a planar pose.
 Vector3 StandingCentreOfMass(const RobotModel& model, const PlanarPose& at) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
@@ -28,55 +31,6 @@ Vector3 StandingCentreOfMass(const RobotModel& model, const PlanarPose& at) {
   Vector3 p_WC = YawRotation(at.yaw_rad) * p_BC;
   p_WC += Vector3(at.x_m, at.y_m, 0.0);
   return p_WC;
-}
-
-CubicSpline YawSpline(const BasePath& path, double start_s, double end_s) {
-  constexpr double kKnotStep = 0.05;
-  const int intervals = std::max(2, static_cast<int>(std::lround((end_s - start_s) / kKnotStep)));
-  const double step = (end_s - start_s) / intervals;
-  std::vector<double> yaw;
-  std::size_t i = 0;
-  for (int k = 0; k <= intervals; ++k) {
-    const double t = start_s + k * step;
-    while (i + 2 < path.time_s.size() && path.time_s[i + 1] < t) ++i;
-    if (path.time_s.size() < 2) {
-      yaw.push_back(path.pose.front().yaw_rad);
-      continue;
-    }
-    const double u = std::clamp((t - path.time_s[i]) / (path.time_s[i + 1] - path.time_s[i]), 0.0, 1.0);
-    yaw.push_back((1.0 - u) * path.pose[i].yaw_rad + u * path.pose[i + 1].yaw_rad);
-  }
-  return CubicSpline(start_s, step, yaw);
-}
-
-/// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.
-struct LimitExcess {
-  double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
-};
-
-LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof) {
-  const double lower = model.dof_lower(dof), upper = model.dof_upper(dof);
-  double low = upper, high = lower, speed = 0.0, torque = 0.0;
-  for (std::size_t k = 0; k < motion.q.size(); ++k) {
-    low = std::min(low, motion.q[k][7 + dof]);
-    high = std::max(high, motion.q[k][7 + dof]);
-    speed = std::max(speed, std::abs(motion.v[k][6 + dof]));
-    torque = std::max(torque, std::abs(motion.tau[k][dof]));
-  }
-  return {std::max({0.0, lower - low, high - upper}), std::max(0.0, speed - model.dof_velocity_limit(dof)),
-          std::max(0.0, torque - model.dof_effort_limit(dof))};
-}
-
-/// How far the joints are past their limits, summed in shares of the limits: 0 where all are kept.
-double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion) {
-  double total = 0.0;
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    const LimitExcess over = ExcessOf(model, motion, d);
-    if (over.position > 0.0) total += over.position / std::max(model.dof_upper(d) - model.dof_lower(d), 1e-6);
-    if (over.speed > 0.0) total += over.speed / std::max(model.dof_velocity_limit(d), 1e-6);
-    if (over.torque > 0.0) total += over.torque / std::max(model.dof_effort_limit(d), 1e-6);
-  }
-  return total;
 }
 
 /// One pass: what was tried and how far its ZMP is from its reference.
@@ -101,29 +55,48 @@ struct Pass {
   }
 };
 
+/// How the body is carried.
+struct Carriage {
+  double com_height_m = 0.0;  ///< over the ground under the body
+  double zmp_inward = 0.0;    ///< see SupportRegions
+};
+
+/// What all passes share.
+struct Task {
+  const RobotModel& model;
+  const Terrain& terrain;
+  const FootstepSkeleton& skeleton;
+  const MotionOptions& options;
+  const BodyPath& body;
+};
+
 /// Plans the stages after the footsteps again and again, feeding back what the multibody did.
 class Passes {
  public:
-  Passes(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-         const MotionOptions& options, double com_height_m, double zmp_inward)
-      : model_(model),
-        terrain_(terrain),
-        skeleton_(skeleton),
-        options_(options),
-        yaw_(YawSpline(skeleton.path, skeleton.schedule.start_s(), skeleton.schedule.end_s())) {
-    footsteps_ = skeleton.footsteps;
+  Passes(const Task& task, const Carriage& carriage)
+      : model_(task.model),
+        terrain_(task.terrain),
+        skeleton_(task.skeleton),
+        options_(task.options),
+        body_(task.body),
+        level_(IsLevelAndBare(task.terrain)),
+        footsteps_(task.skeleton.footsteps) {
     expected_roll_.assign(footsteps_.footholds.size(), Vector3::Zero());
-    const Vector3 start = StandingCentreOfMass(model, skeleton.path.pose.front());
-    const Vector3 end = StandingCentreOfMass(model, skeleton.path.pose.back());
-    problem_.start_s = skeleton.schedule.start_s();
-    problem_.step_s = options.pipeline.grid_step_s;
+    const Vector3 start = StandingCentreOfMass(model_, skeleton_.path.pose.front());
+    const Vector3 end = StandingCentreOfMass(model_, skeleton_.path.pose.back());
+    problem_.start_s = skeleton_.schedule.start_s();
+    problem_.step_s = options_.pipeline.grid_step_s;
     problem_.samples =
-        1 + static_cast<int>(std::lround((skeleton.schedule.end_s() - problem_.start_s) / problem_.step_s));
-    problem_.com_height_m = com_height_m;
-    problem_.omega_rad_s = std::sqrt(kGravity / com_height_m);
+        1 + static_cast<int>(std::lround((skeleton_.schedule.end_s() - problem_.start_s) / problem_.step_s));
+    problem_.com_height_m = carriage.com_height_m;
+    problem_.omega_rad_s = std::sqrt(kGravity / carriage.com_height_m);
     problem_.start_W = start.head<2>();
     problem_.end_W = end.head<2>();
-    support_ = {problem_.start_W, problem_.end_W, zmp_inward, problem_.step_s, {}};
+    support_ = {problem_.start_W, problem_.end_W, carriage.zmp_inward, problem_.step_s, {}, {}};
+    for (const Foothold& foothold : footsteps_.footholds) {
+      const Foot& foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
+      support_.support_F.push_back(SupportOf(foot, foothold, terrain_));
+    }
     problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
   }
 
@@ -166,20 +139,35 @@ class Passes {
     return outside;
   }
 
+  /// Lifts the pendulum onto the ground that the body is carried over. What that changes of the ZMP is made good like
+  /// all that the pendulum leaves out.
+  void FollowGround(CentroidalTrajectory& motion) const {
+    for (int k = 0; k < motion.size(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const Motion1 ground = body_.GroundAt(motion.start_s + k * motion.step_s);
+      motion.p_WC[i].z() += ground.value;
+      motion.v_WC[i].z() = ground.rate;
+      motion.a_WC[i].z() = ground.acceleration;
+    }
+  }
+
   Result<Pass> MakePass() {
     Pass pass;
     pass.footsteps = footsteps_;
     problem_.phases = SupportRegions(model_, skeleton_.schedule, footsteps_, support_);
     Result<CentreOfMassPlan> com = PlanCentreOfMass(problem_, options_.centre_of_mass);
     if (!com) return com.failure();
-    pass.centroidal = com->trajectory;
-    Result<std::vector<SwingTrajectory>> swings = PlanSwings(model_, terrain_, footsteps_, options_.swing);
+    pass.centroidal = std::move(com->trajectory);
+    FollowGround(pass.centroidal);
+    Result<std::vector<SwingTrajectory>> swings =
+        PlanSwings(model_, terrain_, footsteps_, options_.swing, Former(pass.centroidal));
     if (!swings) return swings.failure();
     pass.swings = *swings;
-    const WholeBodyProblem problem{&terrain_, &skeleton_.schedule, &footsteps_, &pass.centroidal, &pass.swings, &yaw_};
+    const WholeBodyProblem problem{&terrain_, &skeleton_.schedule, &footsteps_, &pass.centroidal, &pass.swings, &body_};
     Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, options_.whole_body);
     if (!solution) return solution.failure();
     pass.solution = std::move(*solution);
+    if (!level_) former_ = MotionOf(model_, pass.solution.trajectory, pass.swings);
     pass.error_m = 0.0;
     for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
       pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
@@ -187,6 +175,12 @@ class Passes {
     pass.outside_m = Outside(pass);
     pass.excess = TotalExcess(model_, pass.solution.trajectory);
     return pass;
+  }
+
+  /// What swings over ground that is not level reckon with: the pass before, or where the base is carried at first.
+  FormerMotion Former(const CentroidalTrajectory& motion) const {
+    if (level_ || former_.base) return former_;
+    return {CarriedBase(model_, body_, motion), {}, {}};
   }
 
   /// True when the rolls are what the swings were aimed by.
@@ -214,28 +208,14 @@ class Passes {
   const Terrain& terrain_;
   const FootstepSkeleton& skeleton_;
   const MotionOptions& options_;
-  CubicSpline yaw_;
+  const BodyPath& body_;
+  const bool level_;
+  FormerMotion former_;  // over ground that is not level
   FootstepPlan footsteps_;
   std::vector<Vector3> expected_roll_;
   ZmpProblem problem_;
   SupportInputs support_;
 };
-
-/// Joint limits that the trajectory does not keep, worst of each joint and kind.
-std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion) {
-  std::vector<std::string> warnings;
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    const LimitExcess over = ExcessOf(model, motion, d);
-    const std::string& name = model.dof_names[static_cast<std::size_t>(d)];
-    const auto warn = [&](double by, int decimals, const char* unit, const char* limit) {
-      if (by > 0.0) warnings.push_back(fmt::format("{} is {:.{}f} {} {} limit", name, by, decimals, unit, limit));
-    };
-    warn(over.position, 3, PositionUnit(model, d), "past its");
-    warn(over.speed, 2, SpeedUnit(model, d), "over its speed");
-    warn(over.torque, 2, EffortUnit(model, d), Slides(model, d) ? "over its force" : "over its torque");
-  }
-  return warnings;
-}
 
 /// True where the robot stands on one sole alone for a while.
 bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
@@ -252,26 +232,26 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
 /// the least excess.
 class Carriages {
  public:
-  Carriages(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
-            const MotionOptions& options, int& passes)
-      : model_(model), terrain_(terrain), skeleton_(skeleton), options_(options), passes_(passes) {}
+  explicit Carriages(const Task& task) : task_(task), zmp_inward_(task.options.pipeline.zmp_inward) {}
+
+  int passes() const { return passes_; }  ///< of the last carriage tried
 
   Result<Pass> Run() {
     // More than what the passes after the first can mend; such plans are finished only for those who want them.
     constexpr double kHopeless = 0.05, kForever = std::numeric_limits<double>::infinity();
-    const double hopeless = options_.pipeline.allow_limits ? kForever : kHopeless;
-    const double standing = StandingCentreOfMass(model_, skeleton_.path.pose.front()).z();
-    const double asked = options_.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
+    const double hopeless = task_.options.pipeline.allow_limits ? kForever : kHopeless;
+    const double standing = StandingCentreOfMass(task_.model, task_.skeleton.path.pose.front()).z();
+    const double asked = task_.options.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
     Result<Pass> best = At(height).Run(passes_, hopeless);
     if (Excess(best) == 0.0) return best;
     if (!best && best.failure().code != "out_of_reach") return best;
-    if (StandsOnOneSole(model_, skeleton_.schedule)) MoveInward(height, hopeless, best);
+    if (StandsOnOneSole(task_.model, task_.skeleton.schedule)) MoveInward(height, hopeless, best);
     if (asked == 0.0 && Excess(best) > 0.0) Lower(standing, hopeless, best);
     return best;
   }
 
  private:
-  Passes At(double height_m) const { return Passes(model_, terrain_, skeleton_, options_, height_m, zmp_inward_); }
+  Passes At(double height_m) const { return {task_, {height_m, zmp_inward_}}; }
 
   double Excess(const Result<Pass>& pass) const {
     return pass ? pass->excess : std::numeric_limits<double>::infinity();
@@ -310,12 +290,9 @@ class Carriages {
     }
   }
 
-  const RobotModel& model_;
-  const Terrain& terrain_;
-  const FootstepSkeleton& skeleton_;
-  const MotionOptions& options_;
-  int& passes_;
-  double zmp_inward_ = options_.pipeline.zmp_inward;
+  const Task& task_;
+  int passes_ = 0;
+  double zmp_inward_;
 };
 
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
@@ -344,7 +321,11 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, StandingOptions(options));
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
-  Result<Pass> pass = Carriages(model, terrain, *skeleton, options, planned.passes).Run();
+  const BodyPath body(model, *skeleton, gait.cycle_s);
+  const Task task{model, terrain, *skeleton, options, body};
+  Carriages carriages(task);
+  Result<Pass> pass = carriages.Run();
+  planned.passes = carriages.passes();
   if (!pass) return pass.failure();
   if (auto tipped = TippedSole(model, terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;

@@ -16,16 +16,15 @@ namespace {
 
 /// Corners of a foot's contact with the ground at a time since the start of the grid, in plan view.
 std::vector<Vector2> CornersAt(const Foot& foot, const Foothold& foothold, double since_start_s,
-                               const SupportInputs& inputs) {
+                               const SupportInputs& inputs, const Polygon& support_F) {
   const auto index = static_cast<std::size_t>(foothold.foot);
   if (foot.sole_F.empty()) {
     if (inputs.contact_W.empty()) return {foothold.X_WF.translation().head<2>()};
     return {inputs.contact_W[index][static_cast<std::size_t>(std::lround(since_start_s / inputs.step_s))].head<2>()};
   }
   std::vector<Vector2> corners;
-  for (const Vector2& corner : foot.sole_F) {
+  for (const Vector2& corner : support_F)
     corners.push_back((foothold.X_WF * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
-  }
   return corners;
 }
 
@@ -35,6 +34,13 @@ struct Scene {
   const FootstepPlan& footsteps;
   const SupportInputs& inputs;
   double start_s;
+
+  /// What carries a foot at its foothold, in F.
+  const Polygon& SupportAt(int foothold) const {
+    const auto i = static_cast<std::size_t>(foothold);
+    if (!inputs.support_F.empty()) return inputs.support_F[i];
+    return model.feet[static_cast<std::size_t>(footsteps.footholds[i].foot)].sole_F;
+  }
 };
 
 std::vector<Vector2> StanceCorners(const Scene& scene, const ContactPhase& phase, double time_s) {
@@ -43,8 +49,8 @@ std::vector<Vector2> StanceCorners(const Scene& scene, const ContactPhase& phase
     if (!Contains(phase.stance, f)) continue;
     const int index = FootholdAt(scene.footsteps, f, 0.5 * (phase.start_s + phase.end_s));
     const Foothold& foothold = scene.footsteps.footholds[static_cast<std::size_t>(index)];
-    const auto own =
-        CornersAt(scene.model.feet[static_cast<std::size_t>(f)], foothold, time_s - scene.start_s, scene.inputs);
+    const auto own = CornersAt(scene.model.feet[static_cast<std::size_t>(f)], foothold, time_s - scene.start_s,
+                               scene.inputs, scene.SupportAt(index));
     corners.insert(corners.end(), own.begin(), own.end());
   }
   return corners;
@@ -94,6 +100,7 @@ std::vector<Vector2> HomePoints(const RobotModel& model) {
 
 /// From the middle of a single sole to its home point, and on towards where the other feet are or stood last.
 Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vector<Vector2>& homes) {
+  constexpr double kWhole = 0.999;
   if (std::popcount(phase.stance) != 1) return Vector2::Zero();
   const int foot = std::countr_zero(phase.stance);
   const Foot& sole = scene.model.feet[static_cast<std::size_t>(foot)];
@@ -106,7 +113,9 @@ Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vect
   for (int f = 0; f < static_cast<int>(scene.model.feet.size()); ++f) {
     if (f != foot) side += (place(foot).inverse() * place(f).translation()).y();
   }
-  const Vector2& home = homes[static_cast<std::size_t>(foot)];
+  // Where a sole is only partly carried, its ankle's middle is no guide.
+  const bool whole = Area(scene.SupportAt(FootholdAt(scene.footsteps, foot, time_s))) > kWhole * Area(sole.sole_F);
+  const Vector2 home = whole ? homes[static_cast<std::size_t>(foot)] : Vector2::Zero();
   const double inward = (side > 0.0 ? 1.0 : -1.0) * scene.inputs.inward * SoleWidth(sole);
   return (place(foot).linear() * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }

@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "optimisation/swing/refine_swing.h"
+#include "optimisation/swing/swing_ground.h"
 #include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
@@ -18,11 +22,8 @@ constexpr double kLiftPerLegLength = 0.12;
 /// Swings of a robot's feet over a terrain.
 class SwingPlanner {
  public:
-  SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options)
-      : model_(model), ground_([&terrain](const Vector2& p_W) {
-          const GroundPoint ground = GroundAt(terrain, p_W);
-          return ground.patch < 0 ? -std::numeric_limits<double>::infinity() : ground.height_m;
-        }) {
+  SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options, const FormerMotion& former)
+      : model_(model), terrain_(terrain), former_(former.swings), guard_(model, terrain, former) {
     lift_m_ = options.height_m > 0.0 ? options.height_m : kLiftPerLegLength * model.leg_length_m();
     choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
     choice_.control_points = options.control_points;
@@ -30,51 +31,178 @@ class SwingPlanner {
     for (const Foot& foot : model.feet) undersides_.push_back(UndersideOf(foot));
   }
 
-  Result<SwingTrajectory> Plan(const Foothold& from, const Foothold& to) const {
+  Result<SwingTrajectory> Plan(const Foothold& from, const Foothold& to) {
     SwingTrajectory swing{from.foot, from.liftoff_s, to.touchdown_s, from.X_WF, to.X_WF, lift_m_, 0.0};
     swing.X_WF_start.translation() += from.roll_W;
-    if (!Clears(swing) && !Refine(swing) && !Raise(swing)) {
-      return Failure{
-          FailureKind::kInfeasible,
-          "no_clearance",
-          "PlanSwings",
-          fmt::format("the swing of foot '{}' at {:.2f} s cannot clear the ground by {:.3f} m",
-                      model_.feet[static_cast<std::size_t>(swing.foot)].name, swing.start_s, choice_.clearance_m),
-          {"lower swing.clearance_m or choose other footholds"}};
-    }
+    // What begins lower than where the feet go is lifted over.
+    const double below_m = std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + lift_m_;
+    ground_ = [this, below_m](const Vector2& p_W) { return HeightToClear(terrain_, p_W, below_m); };
+    hit_.reset();
+    choice_.roll = guard_.RollOf(swing);
+    const SwingTrajectory straight = swing;
+    // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that has no
+    // room is for the audit to tell.
+    const bool room = guard_.LegHasRoom(swing);
+    const bool clear = Find(swing, {room, true}) || Find(swing, {room, false}) || (room && Find(swing, {false, false}));
+    if (!clear && !hit_) MeetsNothing(straight);  // names what is in the way
+    if (!clear) return NoClearance(swing);
     swing.clearance_m = MidSwingClearance(swing);
     return swing;
   }
 
  private:
+  /// What is asked of a swing beyond its foot's clearance, where the base's motion is known.
+  struct LegDemand {
+    bool clear = true;    ///< nothing touches the leg
+    bool follows = true;  ///< and of a detour, that the leg can follow it
+  };
+
+  bool Find(SwingTrajectory& swing, const LegDemand& demand) {
+    demand_ = demand;
+    if (TakeFormer(swing)) return true;
+    if ((GroundIsPlane(swing) || Clears(swing, 1.0)) && Keeps(swing)) return true;
+    return demand.follows ? Detour(swing) : GoOver(swing);
+  }
+
+  Failure NoClearance(const SwingTrajectory& swing) const {
+    const std::string& foot = model_.feet[static_cast<std::size_t>(swing.foot)].name;
+    std::string message = fmt::format("the swing of foot '{}' at {:.2f} s cannot clear the ground by {:.3f} m", foot,
+                                      swing.start_s, choice_.clearance_m);
+    if (hit_) {
+      message += fmt::format(": at {:.2f} s '{}' is {:.3f} m from '{}'; asked are {:.3f} m", hit_->at_s, hit_->part,
+                             hit_->distance_m, hit_->solid, std::max(hit_->asked_m, 0.0));
+    }
+    return {FailureKind::kInfeasible,
+            "no_clearance",
+            "PlanSwings",
+            message,
+            {"lower swing.clearance_m or choose other footholds"}};
+  }
+
+  /// The detour that the former pass took, if it still does: passes come to rest only when swings stay.
+  bool TakeFormer(SwingTrajectory& swing) {
+    constexpr double kSame = 1e-9;  // [s]
+    const auto former = std::find_if(former_.begin(), former_.end(), [&](const SwingTrajectory& f) {
+      return f.foot == swing.foot && std::abs(f.start_s - swing.start_s) < kSame;
+    });
+    if (former == former_.end() || former->detour_W.empty()) return false;
+    SwingTrajectory again = swing;
+    again.detour_W = former->detour_W;
+    again.lift_m = former->lift_m;
+    if (!MeetsNothing(again) || !Followed(again)) return false;
+    swing = again;
+    return true;
+  }
+
+  bool GoOver(SwingTrajectory& swing) { return Refine(swing) || Raise(swing); }
+
+  /// Sooner to the side than so high that the leg folds up.
+  bool Detour(SwingTrajectory& swing) {
+    for (const double share : {0.5, 1.0}) {
+      highest_m_ = share * model_.leg_length_m();
+      if (GoOver(swing) || GoAround(swing)) return true;
+    }
+    return false;
+  }
+
   const std::vector<Vector3>& Underside(const SwingTrajectory& swing) const {
     return undersides_[static_cast<std::size_t>(swing.foot)];
   }
 
-  /// The whole clearance in mid swing, and a third of what the ramp asks for on the way there and back; on level ground
-  /// a lift that has the one has the other.
-  bool Clears(const SwingTrajectory& swing) const {
-    constexpr double kRounding = 1e-6, kPart = 0.35;
-    return MidSwingClearance(swing) > choice_.clearance_m - kRounding &&
-           SpareClearance(CurveOf(swing), Underside(swing), ground_, kPart * choice_.clearance_m) > -kRounding;
-  }
-
-  /// By a detour.
-  bool Refine(SwingTrajectory& swing) const {
-    const Result<RefinedSwing> refined = RefineSwing(CurveOf(swing), Underside(swing), ground_, choice_);
-    if (!refined) return false;
-    swing.detour_W = refined->curve.detour_W;
-    swing.lift_m = LiftAtHalfTime(refined->curve);
-    return true;
-  }
-
-  /// By more lift, up to the leg's length.
-  bool Raise(SwingTrajectory& swing) const {
-    while (!Clears(swing)) {
-      swing.lift_m += 0.1 * lift_m_;
-      if (swing.lift_m > model_.leg_length_m()) return false;
+  /// Whether all that is under the way lies in the plane through both footholds, or below.
+  bool GroundIsPlane(const SwingTrajectory& swing) const {
+    constexpr double kLevel = 1e-3;  // [m]
+    constexpr int kSamples = 40;
+    SwingCurve flat = CurveOf(swing);
+    flat.lift_m = 0.0;
+    for (int k = 0; k <= kSamples; ++k) {
+      const double time_s = swing.start_s + (swing.end_s - swing.start_s) * k / kSamples;
+      const Pose X_WF = Evaluate(flat, time_s).X_WF;
+      for (const Vector3& q_F : Underside(swing)) {
+        const Vector3 q_W = X_WF * Vector3(q_F.x(), q_F.y(), 0.0);
+        if (ground_(q_W.head<2>()) > q_W.z() + kLevel) return false;
+      }
     }
     return true;
+  }
+
+  /// The whole clearance in mid swing, and a part of what the ramp asks for on the way there and back.
+  bool Clears(const SwingTrajectory& swing, double part) const {
+    constexpr double kRounding = 1e-6;
+    return MidSwingClearance(swing) > choice_.clearance_m - kRounding &&
+           SpareClearance(CurveOf(swing), Underside(swing), ground_, part * choice_.clearance_m, choice_.roll) >
+               -kRounding;
+  }
+
+  /// Clears, and meets nothing with the whole foot and the leg. On level ground a lift that has the clearance in mid
+  /// swing has a third of the ramp's.
+  bool Keeps(const SwingTrajectory& swing) { return Clears(swing, kPart) && MeetsNothing(swing); }
+
+  /// Asked of detours alone: whether the plain swing can be followed is for the whole-body stage to tell.
+  bool Followed(const SwingTrajectory& swing) const { return !demand_.follows || guard_.LegFollows(swing); }
+
+  bool MeetsNothing(const SwingTrajectory& swing) {
+    const std::optional<SwingHit> hit = guard_.Check(swing, kPart * choice_.clearance_m, demand_.clear);
+    if (hit) hit_ = hit;
+    return !hit;
+  }
+
+  /// By a detour, with more clearance where the one asked for does not do.
+  bool Refine(SwingTrajectory& swing) {
+    RefineChoice choice = choice_;
+    for (const double more : {1.0, 1.5, 2.0}) {
+      choice.clearance_m = more * choice_.clearance_m;
+      if (Refine(swing, choice)) return true;
+    }
+    return false;
+  }
+
+  bool Refine(SwingTrajectory& swing, const RefineChoice& choice) {
+    SwingTrajectory refined = swing;
+    const Result<RefinedSwing> found = RefineSwing(CurveOf(swing), Underside(swing), ground_, choice);
+    if (!found) return false;
+    refined.detour_W = found->curve.detour_W;
+    refined.lift_m = LiftAtHalfTime(found->curve);
+    if (HighestOf(found->curve) > highest_m_ || !MeetsNothing(refined) || !Followed(refined)) return false;
+    swing = refined;
+    return true;
+  }
+
+  /// Of the curve over the higher of its ends.
+  static double HighestOf(const SwingCurve& curve) {
+    constexpr int kSamples = 40;
+    const double ends = std::max(curve.X_WF_start.translation().z(), curve.X_WF_end.translation().z());
+    double highest = 0.0;
+    for (int k = 1; k < kSamples; ++k) {
+      const double time_s = curve.start_s + (curve.end_s - curve.start_s) * k / kSamples;
+      highest = std::max(highest, Evaluate(curve, time_s).X_WF.translation().z() - ends);
+    }
+    return highest;
+  }
+
+  /// By more lift.
+  bool Raise(SwingTrajectory& swing) {
+    SwingTrajectory raised = swing;
+    while (!Keeps(raised) || !Followed(raised)) {
+      raised.lift_m += 0.1 * lift_m_;
+      if (raised.lift_m > highest_m_) return false;
+    }
+    swing = raised;
+    return true;
+  }
+
+  /// By a way to either side, up to a third of the leg's length.
+  bool GoAround(SwingTrajectory& swing) {
+    constexpr double kFarthest = 0.33;
+    constexpr int kTries = 6;
+    RefineChoice choice = choice_;
+    for (int i = 1; i <= kTries; ++i) {
+      for (const double side : {1.0, -1.0}) {
+        choice.sideways_m = side * kFarthest * model_.leg_length_m() * i / kTries;
+        if (Refine(swing, choice)) return true;
+      }
+    }
+    return false;
   }
 
   /// Lowest height of the underside where the whole clearance is asked for.
@@ -85,7 +213,8 @@ class SwingPlanner {
     double lowest = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kSamples; ++i) {
       const double u = kFrom + (kTo - kFrom) * i / kSamples;
-      const Pose X_WF = Evaluate(curve, swing.start_s + u * (swing.end_s - swing.start_s)).X_WF;
+      Pose X_WF = Evaluate(curve, swing.start_s + u * (swing.end_s - swing.start_s)).X_WF;
+      X_WF.translation() += choice_.roll.At(u);
       for (const Vector3& q_F : Underside(swing)) {
         const Vector3 q_W = X_WF * q_F;
         lowest = std::min(lowest, q_W.z() - ground_(q_W.head<2>()));
@@ -94,9 +223,16 @@ class SwingPlanner {
     return lowest;
   }
 
+  static constexpr double kPart = 0.35;
+
   const RobotModel& model_;
-  const GroundHeight ground_;
-  double lift_m_ = 0.0;
+  const Terrain& terrain_;
+  const std::vector<SwingTrajectory> former_;
+  const SwingGuard guard_;
+  GroundHeight ground_;  // for the present swing
+  std::optional<SwingHit> hit_;
+  double lift_m_ = 0.0, highest_m_ = 0.0;
+  LegDemand demand_;
   RefineChoice choice_;
   std::vector<std::vector<Vector3>> undersides_;  // by foot
 };
@@ -104,8 +240,9 @@ class SwingPlanner {
 }  // namespace
 
 Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const Terrain& terrain,
-                                                const FootstepPlan& footsteps, const SwingOptions& options) {
-  const SwingPlanner planner(model, terrain, options);
+                                                const FootstepPlan& footsteps, const SwingOptions& options,
+                                                const FormerMotion& former) {
+  SwingPlanner planner(model, terrain, options, former);
   std::vector<SwingTrajectory> swings;
   for (std::size_t i = 0; i < footsteps.footholds.size(); ++i) {
     const Foothold& from = footsteps.footholds[i];

@@ -7,25 +7,55 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/quintic_bspline.h"
 #include "optimisation/numerics/constrained_problem.h"
+#include "planning/audit/swing_depth.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kLead = 0.35;
 constexpr int kFixed = 3;  // control points at each end
+/// [m] How deep the underside may be at both ends, half of what the audit lets pass: it is on its foothold's plane, not
+/// on what is tilted or curved beside it.
+constexpr double kSpareDepth = 0.5 * tolerance::kPosition;
+
+/// Share of the way to the side at a fraction of the swing: what free control points that are all one give.
+double SidewaysShare(int control_points, double u) {
+  const QuinticBasis basis = EvaluateQuinticBasis(control_points, u);
+  double share = 0.0;
+  for (int i = 0; i < 6; ++i) {
+    const int point = basis.first + i;
+    if (point >= kFixed && point < control_points - kFixed) share += basis.value[static_cast<std::size_t>(i)];
+  }
+  return share;
+}
+
+/// The fraction of the swing at which a straight one has gone a share of its way.
+double FractionAt(double share) {
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (SmoothStep(middle).value < share ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
 
 /// The least height of the contact frame at which the underside touches the ground, by progress along the way: a table
 /// with straight pieces.
 class Profile {
  public:
-  Profile(const SwingCurve& swing, const std::vector<Vector3>& underside_F, const GroundHeight& ground) {
+  Profile(const SwingCurve& swing, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
+          const RefineChoice& choice) {
     const Vector3 travel = swing.X_WF_end.translation() - swing.X_WF_start.translation();
     length_m_ = travel.head<2>().norm();
     if (length_m_ > kShortest) along_W_ = travel.head<2>() / length_m_;
+    sideways_W_ = choice.sideways_m * left_W();
     const Vector3 turn = RotationLog(swing.X_WF_end.linear() * swing.X_WF_start.linear().transpose());
     constexpr double kDeep = 1.0;  // where there is no ground
     const double floor_m = std::min(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) - kDeep;
@@ -34,7 +64,9 @@ class Profile {
       const double s = i * kStep - kBeyond;
       const double share = length_m_ > kShortest ? std::clamp(s / length_m_, 0.0, 1.0) : 0.5;
       const Matrix3 R_WF = RotationExp(share * turn) * swing.X_WF_start.linear();
-      const Vector2 p_W = swing.X_WF_start.translation().head<2>() + s * along_W_;
+      const double aside = choice.sideways_m == 0.0 ? 0.0 : SidewaysShare(choice.control_points, FractionAt(share));
+      const Vector2 off_W = aside * sideways_W_ + left_W().dot(RollAt(choice, share)) * left_W();
+      const Vector2 p_W = swing.X_WF_start.translation().head<2>() + s * along_W_ + off_W;
       double height = floor_m;
       for (const Vector3& q_F : underside_F) {
         const Vector3 q_W = R_WF * q_F;
@@ -47,6 +79,7 @@ class Profile {
 
   double length_m() const { return length_m_; }
   const Vector2& along_W() const { return along_W_; }
+  Vector2 left_W() const { return {-along_W_.y(), along_W_.x()}; }
 
   /// The greatest height within `reach` of a progress, and the slope there.
   std::pair<double, double> Highest(double s, double reach) const {
@@ -54,6 +87,10 @@ class Profile {
   }
 
  private:
+  static Vector2 RollAt(const RefineChoice& choice, double share) {
+    return choice.roll.At(FractionAt(share)).head<2>();
+  }
+
   static constexpr double kStep = 0.004, kBeyond = 0.1, kShortest = 1e-3;  // [m]
 
   std::pair<double, double> At(double s) const {
@@ -80,7 +117,7 @@ class Profile {
 
   std::vector<double> height_m_;
   double length_m_ = 0.0;
-  Vector2 along_W_ = Vector2::Zero();
+  Vector2 along_W_ = Vector2::Zero(), sideways_W_ = Vector2::Zero();
 };
 
 /// Values or accelerations of the free control points' basis at fractions of the swing.
@@ -110,13 +147,17 @@ class Detour {
   Detour(const SwingCurve& swing, const Profile& profile, const RefineChoice& choice)
       : profile_(profile),
         free_(choice.control_points - 2 * kFixed),
+        sideways_W_(choice.sideways_m * profile.left_W()),
         start_z_(swing.X_WF_start.translation().z()),
         rise_m_(swing.X_WF_end.translation().z() - start_z_) {
     fractions_ = Fractions(choice.samples);
     basis_ = BasisAt(fractions_, free_, false);
     const double step = 1.0 / (choice.samples + 1);
     for (const double u : fractions_) {
-      wanted_m_.push_back(choice.clearance_m * ClearanceRamp(u));
+      wanted_m_.push_back(choice.clearance_m * ClearanceRamp(u) - kDepth * SwingEndShare(u));
+      const Vector3 roll_W = choice.roll.At(u);
+      straight_s_.push_back(SmoothStep(u).value * profile.length_m() + profile.along_W().dot(roll_W.head<2>()));
+      straight_z_.push_back(start_z_ + SmoothStep(u).value * rise_m_ + roll_W.z());
       // To the neighbours on both sides, so that two samples over the ground are over all that is between them.
       const double at = SmoothStep(u).value;
       const double reach = std::max(SmoothStep(u + step).value - at, at - SmoothStep(u - step).value);
@@ -124,17 +165,20 @@ class Detour {
     }
   }
 
-  ConstrainedProblem Problem() const {
+  /// @param lead  share of the way by which the first guess is ahead in mid swing, or behind.
+  ConstrainedProblem Problem(double lead) const {
     ConstrainedProblem problem;
     problem.start = VectorX::Zero(2 * free_);
+    problem.start.head(free_).setConstant(lead * profile_.length_m());
+    const VectorX ahead_m = basis_ * problem.start.head(free_);
     double lift = 0.0;
     for (std::size_t k = 0; k < fractions_.size(); ++k) {
-      const double step = SmoothStep(fractions_[k]).value;
-      lift = std::max(lift, profile_.Highest(step * profile_.length_m(), reach_m_[k]).first + wanted_m_[k] - start_z_ -
-                                step * rise_m_);
+      lift =
+          std::max(lift, profile_.Highest(straight_s_[k] + ahead_m[static_cast<Eigen::Index>(k)], reach_m_[k]).first +
+                             wanted_m_[k] - straight_z_[k]);
     }
     problem.start.tail(free_).setConstant(lift);
-    AddAcceleration(problem);
+    AddJerk(problem);
     const auto rows = static_cast<Eigen::Index>(fractions_.size());
     problem.constraints.push_back({"the clearance",
                                    [this](const VectorX& x, VectorX& value, MatrixX* J) { Clearance(x, value, J); },
@@ -145,21 +189,29 @@ class Detour {
   std::vector<Vector3> ControlPoints(const VectorX& x) const {
     std::vector<Vector3> points;
     for (int i = 0; i < free_; ++i) {
-      const Vector2 along = x[i] * profile_.along_W();
+      const Vector2 along = x[i] * profile_.along_W() + sideways_W_;
       points.emplace_back(along.x(), along.y(), x[free_ + i]);
     }
     return points;
   }
 
  private:
-  /// Along the way and upwards, by the fraction of the swing; times in units of its duration.
-  void AddAcceleration(ConstrainedProblem& problem) const {
+  /// Along the way and upwards, by the fraction of the swing: the mean jerk from each sample to the next, from the
+  /// acceleration of none at both ends.
+  void AddJerk(ConstrainedProblem& problem) const {
     constexpr int kSamples = 40;
+    const double scale = std::sqrt(kSamples + 1.0);
     const std::vector<double> fractions = Fractions(kSamples);
-    const double root = std::sqrt(1.0 / (kSamples + 1));
-    const MatrixX basis = root * BasisAt(fractions, free_, true);
-    VectorX step(kSamples);
-    for (int k = 0; k < kSamples; ++k) step[k] = root * SmoothStep(fractions[static_cast<std::size_t>(k)]).acceleration;
+    const MatrixX accelerations = BasisAt(fractions, free_, true);
+    MatrixX basis = MatrixX::Zero(kSamples + 1, free_);
+    basis.topRows(kSamples) += scale * accelerations;
+    basis.bottomRows(kSamples) -= scale * accelerations;
+    VectorX step = VectorX::Zero(kSamples + 1);
+    for (int k = 0; k < kSamples; ++k) {
+      const double acceleration = scale * SmoothStep(fractions[static_cast<std::size_t>(k)]).acceleration;
+      step[k] += acceleration;
+      step[k + 1] -= acceleration;
+    }
     const auto add = [&](int first, double travel_m) {
       std::vector<int> variables;
       for (int i = 0; i < free_; ++i) variables.push_back(first + i);
@@ -178,21 +230,25 @@ class Detour {
   void Clearance(const VectorX& x, VectorX& value, MatrixX* J) const {
     value.resize(basis_.rows());
     for (Eigen::Index k = 0; k < basis_.rows(); ++k) {
-      const double step = SmoothStep(fractions_[static_cast<std::size_t>(k)]).value;
-      const double s = step * profile_.length_m() + basis_.row(k).dot(x.head(free_));
-      const auto [height, slope] = profile_.Highest(s, reach_m_[static_cast<std::size_t>(k)]);
-      const double z = start_z_ + step * rise_m_ + basis_.row(k).dot(x.tail(free_));
-      value[k] = z - height - wanted_m_[static_cast<std::size_t>(k)];
+      const auto at = static_cast<std::size_t>(k);
+      const double s = straight_s_[at] + basis_.row(k).dot(x.head(free_));
+      const auto [height, slope] = profile_.Highest(s, reach_m_[at]);
+      const double z = straight_z_[at] + basis_.row(k).dot(x.tail(free_));
+      value[k] = z - height - wanted_m_[at];
       if (J == nullptr) continue;
       J->row(k).head(free_) = -slope * basis_.row(k);
       J->row(k).tail(free_) = basis_.row(k);
     }
   }
 
+  static constexpr double kDepth = 0.8 * kSpareDepth;
+
   const Profile& profile_;
   const int free_;
+  const Vector2 sideways_W_;
   const double start_z_, rise_m_;
   std::vector<double> fractions_, wanted_m_, reach_m_;
+  std::vector<double> straight_s_, straight_z_;  // progress and height without a detour, by sample
   MatrixX basis_;
 };
 
@@ -237,15 +293,17 @@ double ClearanceRamp(double u) {
 }
 
 double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
-                      double clearance_m) {
+                      double clearance_m, const SwingRoll& roll) {
   constexpr int kSamples = 60;
   double least = kInf;
   for (int k = 1; k < kSamples; ++k) {
     const double u = static_cast<double>(k) / kSamples;
-    const Pose X_WF = Evaluate(curve, curve.start_s + u * (curve.end_s - curve.start_s)).X_WF;
+    Pose X_WF = Evaluate(curve, curve.start_s + u * (curve.end_s - curve.start_s)).X_WF;
+    X_WF.translation() += roll.At(u);
+    const double asked = clearance_m * ClearanceRamp(u) - kSpareDepth * SwingEndShare(u);
     for (const Vector3& q_F : underside_F) {
       const Vector3 q_W = X_WF * q_F;
-      least = std::min(least, q_W.z() - ground(q_W.head<2>()) - clearance_m * ClearanceRamp(u));
+      least = std::min(least, q_W.z() - ground(q_W.head<2>()) - asked);
     }
   }
   return least;
@@ -254,7 +312,7 @@ double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& under
 Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vector3>& underside_F,
                                  const GroundHeight& ground, const RefineChoice& choice) {
   Check(choice);
-  const Profile profile(swing, underside_F, ground);
+  const Profile profile(swing, underside_F, ground, choice);
   const Detour detour(swing, profile, choice);
   ConstrainedOptions options;
   options.tolerance = 1e-5;
@@ -267,15 +325,26 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
                    fmt::format("no swing keeps the clearance; it is missed by {:.1f} mm", 1e3 * by_m),
                    {"ask for less clearance, or place the footholds farther from edges"}};
   };
-  ConstrainedSolution last;
-  const Result<ConstrainedSolution> solution = Solve(detour.Problem(), options, &last);
-  if (!solution) return unmet(last.violation);
-  RefinedSwing refined{swing, 0.0, solution->brief};
-  refined.curve.detour_W = detour.ControlPoints(solution->x);
-  refined.spare_m = SpareClearance(refined.curve, underside_F, ground, choice.clearance_m);
+  // A riser is felt only where the foot is at it: a foot that goes straight up to one, or is behind and rises first, or
+  // ahead and comes down last. What takes the least jerk of these.
   const double rounding_m = 1e-4 + 0.05 * choice.clearance_m;
-  if (refined.spare_m < -rounding_m) return unmet(-refined.spare_m);
-  return refined;
+  std::optional<RefinedSwing> best;
+  double least_cost = kInf, least_missed_m = kInf;
+  for (const double lead : {0.0, -kLead, kLead}) {
+    ConstrainedSolution last;
+    const Result<ConstrainedSolution> solution = Solve(detour.Problem(lead), options, &last);
+    if (!solution) least_missed_m = std::min(least_missed_m, last.violation);
+    if (!solution || solution->cost >= least_cost) continue;
+    RefinedSwing refined{swing, 0.0, solution->brief};
+    refined.curve.detour_W = detour.ControlPoints(solution->x);
+    refined.spare_m = SpareClearance(refined.curve, underside_F, ground, choice.clearance_m, choice.roll);
+    least_missed_m = std::min(least_missed_m, -refined.spare_m);
+    if (refined.spare_m < -rounding_m) continue;
+    least_cost = solution->cost;
+    best = std::move(refined);
+  }
+  if (!best) return unmet(least_missed_m);
+  return *best;
 }
 
 }  // namespace gaitwright

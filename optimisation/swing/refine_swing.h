@@ -8,6 +8,7 @@
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/swing/former_motion.h"
 
 namespace gaitwright {
 
@@ -26,15 +27,18 @@ inline constexpr double kClearanceEnds = 0.35;
 double ClearanceRamp(double u);
 
 /// Least height of the underside over the ground, less `clearance_m` times the ramp, over the whole swing: not negative
-/// where the swing clears the ground.
+/// where the swing clears the ground. At both ends half a millimetre less (SwingDepth).
+/// @param roll  what the foot rolls off the curve.
 double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
-                      double clearance_m);
+                      double clearance_m, const SwingRoll& roll = {});
 
 /// What a detour has to keep, and how finely it is sought.
 struct RefineChoice {
   double clearance_m = 0.02;
   int control_points = 12;  ///< 9 to 14, three of which are fixed at each end
   int samples = 30;         ///< 20 to 40, at which the clearance is asked for
+  double sideways_m = 0.0;  ///< how far to the left of the straight way it passes in mid swing
+  SwingRoll roll = {};      ///< what the foot rolls off its curve
 };
 
 /// A swing with a detour and how it came about.
@@ -44,9 +48,10 @@ struct RefinedSwing {
   std::string brief;
 };
 
-/// The detour, along the way and upwards, that makes the acceleration's integral of squares least while the underside
-/// clears the ground. The ground under the foot, by progress along the way, is looked up once; its steps are taken as
-/// steep slopes, as steep as start and end allow, so that the solver feels them coming.
+/// The detour, along the way and upwards, and to the side by what is chosen, that makes the jerk's integral of squares
+/// least while the underside clears the ground: the foot sets out and arrives without a blow, and its acceleration's
+/// peak is near the least there can be. The ground under the foot, by progress along the way, is looked
+/// up once; its steps are taken as steep slopes, as steep as start and end allow, so that the solver feels them coming.
 /// Tuning
 ///   the foot rises too steeply near an edge   more control points, or footholds farther from the edge
 ///   the sole cuts a corner between samples    more samples

@@ -4,9 +4,10 @@
 
 #include "kinematics/dynamics/contact_split.h"
 #include "kinematics/dynamics/foot_contact.h"
-#include "kinematics/stability/zero_moment_point.h"
 #include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/whole_body/solve_whole_body.h"
+#include "planning/plan/sole_support.h"
+#include "planning/plan/support_plane.h"
 
 namespace gaitwright {
 namespace {
@@ -63,6 +64,9 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
   std::vector<LoadShare> loads;
   const int num_feet = static_cast<int>(model.feet.size());
   for (int f = 0; f < num_feet; ++f) loads.emplace_back(*problem.schedule, f, options.load_ramp_s);
+  const std::vector<Polygon> support_F = SupportsOf(model, *problem.terrain, *problem.footsteps);
+  ContactsByFoot points(model.feet.size());
+  std::vector<Vector3> origin(model.feet.size());
   std::vector<ContactPoint> contacts;
   std::vector<int> foot_of;
   VectorX tau;
@@ -76,31 +80,34 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
     InverseDynamics(model, out.q[i], out.v[i], out.a[i], scratch, tau);
     contacts.clear();
     foot_of.clear();
-    double ground = 0.0;
     for (int f = 0; f < num_feet; ++f) {
-      solution.contact_W[static_cast<std::size_t>(f)].push_back(ContactFrame(model, scratch, f).translation());
-      const double load = loads[static_cast<std::size_t>(f)].At(time_s);
+      const auto foot = static_cast<std::size_t>(f);
+      const auto index = static_cast<std::size_t>(FootholdAt(*problem.footsteps, f, time_s));
+      const Foothold& foothold = problem.footsteps->footholds[index];
+      const Vector3 normal_W = foothold.X_WF.linear().col(2);
+      const Pose X_WF = ContactFrame(model, scratch, f, normal_W);
+      origin[foot] = X_WF.translation();
+      points[foot].clear();
+      for (const Vector2& p_F : support_F[index]) points[foot].push_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));
+      solution.contact_W[foot].push_back(origin[foot]);
+      const double load = loads[foot].At(time_s);
       if (load <= 0.0) continue;
-      const auto points = ContactPoints(model, scratch, f);
-      for (const Vector3& p_W : points) {
-        const GroundPoint at = GroundAt(*problem.terrain, p_W.head<2>());
-        contacts.push_back(
-            {p_W, at.normal_W, options.friction_use * at.friction, static_cast<double>(points.size()) / load});
+      const double friction = options.friction_use * FrictionOf(*problem.terrain, foothold.patch);
+      for (const Vector3& p_W : points[foot]) {
+        contacts.push_back({p_W, normal_W, friction, static_cast<double>(points[foot].size()) / load});
         foot_of.push_back(f);
-        ground = at.height_m;
       }
     }
-    solution.zmp_W.push_back(ZeroMomentPoint(scratch.p_WB[0], tau.head<3>(), tau.segment<3>(3), ground));
-    splitter.Solve(contacts, {scratch.p_WB[0], tau.head<3>(), tau.segment<3>(3)}, split);
+    const GroundPlane plane = SupportPlaneAt(*problem.schedule, time_s, points);
+    const PointWrench needed{scratch.p_WB[0], tau.head<3>(), tau.segment<3>(3)};
+    solution.zmp_W.emplace_back(ZeroMomentPoint(needed.p_W, needed.force_W, needed.moment_W, plane).head<2>());
+    splitter.Solve(contacts, needed, split);
     std::vector<ContactWrench> wrenches(static_cast<std::size_t>(num_feet));
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const int f = foot_of[c];
-      const Foot& foot = model.feet[static_cast<std::size_t>(f)];
-      ContactWrench& wrench = wrenches[static_cast<std::size_t>(f)];
-      const Vector3 origin = ContactFrame(model, scratch, f).translation();
-      wrench.force_W += split.force_W[c];
-      wrench.moment_W += (contacts[c].p_W - origin).cross(split.force_W[c]);
-      AddPointForce(model, scratch, foot.body, contacts[c].p_W, -split.force_W[c], tau);
+      const auto f = static_cast<std::size_t>(foot_of[c]);
+      wrenches[f].force_W += split.force_W[c];
+      wrenches[f].moment_W += (contacts[c].p_W - origin[f]).cross(split.force_W[c]);
+      AddPointForce(model, scratch, model.feet[f].body, contacts[c].p_W, -split.force_W[c], tau);
     }
     out.tau.push_back(tau.tail(model.num_dofs()));
     out.wrenches.push_back(std::move(wrenches));

@@ -44,12 +44,14 @@ class FootPath {
     FrameMotion motion;
     motion.X_WF = path_;
     if (in_swing_) motion = Evaluate(curve_, time_s);
-    target.p_WF = motion.X_WF.translation() + foot_->radius * target.normal_W + roll_;
+    // The curve's own z goes over from the one ground's normal to the other's.
+    const Vector3 centre = foot_->radius * motion.X_WF.linear().col(2), moves = motion.w_WF.cross(centre);
+    target.p_WF = motion.X_WF.translation() + centre + roll_;
     target.R_WF = motion.X_WF.linear();
     target.R_anchor = R_last_;
-    target.v_WF = motion.v_WF;
+    target.v_WF = motion.v_WF + moves;
     target.w_WF = motion.w_WF;
-    target.a_WF = motion.a_WF;
+    target.a_WF = motion.a_WF + motion.alpha_WF.cross(centre) + motion.w_WF.cross(moves);
     target.alpha_WF = motion.alpha_WF;
     normal_ = target.normal_W;
     return target;
@@ -107,11 +109,10 @@ void SetBodyTarget(const RobotModel& model, const WholeBodyProblem& problem, int
   target.v_WC = c.v_WC[k];
   target.a_WC = c.a_WC[k];
   const VectorX standing = StandingConfiguration(model);
-  const Motion1 yaw = problem.yaw->At(c.start_s + sample * c.step_s);
-  target.R_WB =
-      YawRotation(yaw.value) * Quaternion(standing[6], standing[3], standing[4], standing[5]).toRotationMatrix();
-  target.w_WB = Vector3(0.0, 0.0, yaw.rate);
-  target.alpha_WB = Vector3(0.0, 0.0, yaw.acceleration);
+  const BaseTurning turning = problem.body->TurningAt(c.start_s + sample * c.step_s);
+  target.R_WB = turning.R_WB * BaseRotation(standing);
+  target.w_WB = turning.w_WB;
+  target.alpha_WB = turning.alpha_WB;
 }
 
 /// The next first guess: the last solution moved on by its velocity.

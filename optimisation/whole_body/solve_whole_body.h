@@ -7,7 +7,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
-#include "kinematics/trajectory/cubic_spline.h"
+#include "optimisation/whole_body/body_path.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
@@ -42,7 +42,7 @@ struct WholeBodyProblem {
   const FootstepPlan* footsteps = nullptr;
   const CentroidalTrajectory* centroidal = nullptr;
   const std::vector<SwingTrajectory>* swings = nullptr;
-  const CubicSpline* yaw = nullptr;  ///< of the base over time
+  const BodyPath* body = nullptr;
 };
 
 /// Joint motion and what it tells back to the stages before it.

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "kinematics/collision/shape_extent.h"
 #include "planning/audit/auditor.h"
+#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 
@@ -35,34 +35,51 @@ std::vector<Violation> Findings::Sorted() const {
   return sorted;
 }
 
-namespace {
-
-/// Height above which there is no ground [m].
-double HighestGround(const Terrain& terrain) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const TerrainPatch& patch : terrain.patches) {
-    const bool level = patch.X_WT.linear()(2, 2) > 1.0 - 1e-12;
-    if (patch.outline_T.empty()) {
-      highest = level ? std::max(highest, patch.X_WT.translation().z()) : std::numeric_limits<double>::infinity();
-    }
-    for (const Vector2& corner : patch.outline_T)
-      highest = std::max(highest, (patch.X_WT * Vector3(corner.x(), corner.y(), 0.0)).z());
-  }
-  return highest;
-}
-
-}  // namespace
-
 Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options)
-    : model_(model), plan_(plan), options_(options), scratch_(model), collision_(model) {
+    : model_(model), plan_(plan), options_(options), scratch_(model), collision_(model), watch_(model, plan.terrain) {
   slip_W_.assign(model.feet.size(), Vector3::Zero());
   foothold_.assign(model.feet.size(), -1);
   for (int d = 0; d < model.num_dofs(); ++d) {
     limits_.push_back({model.dof_lower(d), model.dof_upper(d), model.dof_velocity_limit(d), model.dof_effort_limit(d)});
   }
-  highest_ground_m_ = HighestGround(plan.terrain);
-  for (const Shape& shape : model.collision_shapes) {
-    if (!IsShapeOfAFoot(model, shape)) bodies_.emplace_back(&shape, BoundingRadius(shape));
+  footing_.resize(model.feet.size());
+  X_WF_.assign(model.feet.size(), Pose::Identity());
+  points_.resize(model.feet.size());
+  limits_to_ground_.foot_m.resize(model.feet.size());
+  const int feet = static_cast<int>(model.feet.size());
+  for (const Foothold& foothold : plan.footsteps.footholds) {
+    const bool known = foothold.foot >= 0 && foothold.foot < feet;
+    support_F_.push_back(
+        known ? SupportOf(model.feet[static_cast<std::size_t>(foothold.foot)], foothold, plan.terrain, 0.0)
+              : Polygon{});
+  }
+}
+
+void Auditor::FindFooting(double time_s) {
+  for (std::size_t f = 0; f < model_.feet.size(); ++f) {
+    const Foot& foot = model_.feet[f];
+    Footing& footing = footing_[f];
+    footing.foothold = FootholdAt(plan_.footsteps, static_cast<int>(f), time_s);
+    const auto* foothold =
+        footing.foothold < 0 ? nullptr : &plan_.footsteps.footholds[static_cast<std::size_t>(footing.foothold)];
+    if (foothold != nullptr && HoldsSurface(foothold->patch)) {
+      footing.normal_W = foothold->X_WF.linear().col(2);
+      footing.friction = FrictionUnder(plan_.terrain, plan_.footsteps, static_cast<int>(f), time_s);
+    } else {
+      const Vector3 p_WF = ContactFrame(model_, scratch_, static_cast<int>(f)).translation();
+      const GroundPoint ground = GroundAt(plan_.terrain, p_WF.head<2>());
+      footing.normal_W = ground.normal_W;
+      footing.friction = ground.friction;
+    }
+    X_WF_[f] = ContactFrame(model_, scratch_, static_cast<int>(f), footing.normal_W);
+    points_[f].clear();
+    const Polygon& support_F =
+        foothold != nullptr ? support_F_[static_cast<std::size_t>(footing.foothold)] : foot.sole_F;
+    if (!foot.has_sole() || support_F.empty()) {
+      points_[f] = ContactPoints(foot, X_WF_[f]);
+    } else {
+      for (const Vector2& corner : support_F) points_[f].push_back(X_WF_[f] * Vector3(corner.x(), corner.y(), 0.0));
+    }
   }
 }
 
@@ -91,15 +108,21 @@ AuditReport Auditor::Run() {
     stance_ = phase(time_s);
     at_switch_ = phase(time_s - 1.5 * step) != stance_ || phase(time_s + 1.5 * step) != stance_;
     InverseDynamics(model_, sample_.q, sample_.v, sample_.a, scratch_, needed_);
-    com_height_m_ = CentreOfMass(model_, scratch_).z();
+    FindFooting(time_s);
+    const Vector3 p_WC = CentreOfMass(model_, scratch_);
+    plane_ = PlaneThrough(points_, stance_);
+    const double ground_m =
+        stance_ != 0 ? plane_.HeightAt(p_WC.head<2>()) : GroundAt(plan_.terrain, p_WC.head<2>()).height_m;
+    com_height_m_ = p_WC.z() - ground_m;
     CheckDynamics(time_s);
     CheckContactForces(time_s);
     CheckZmp(time_s);
     CheckJoints(time_s);
     CheckStanceFeet(time_s);
-    CheckSwingFeet(time_s);
+    CheckFeetHeights(time_s);
     CheckReach(time_s);
     CheckBodies(time_s);
+    CheckSolids(time_s);
   }
   CheckColumns();
   CheckCentroidal();

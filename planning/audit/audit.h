@@ -33,10 +33,14 @@ struct AuditOptions {
 ///
 ///   dynamics       what the motion needs less what contacts and torques give: 0.02 m g of force, 0.02 m g h of moment;
 ///                  at a joint no more than 5 % of its effort limit either
-///   unilateral     no pulling force; centre of pressure inside the sole
+///   unilateral     no pulling force; centre of pressure inside the part of the sole that is on its surface
 ///   friction_cone  tangential force at most friction times normal force
-///   zmp_support    multibody ZMP inside the hull of the scheduled soles, or within 2 mm of it where it is a line; the
-///                  reference that the plan has for it likewise, to 5 mm
+///   zmp_support    multibody ZMP on the plane of the contacts inside the hull of the scheduled soles, as far as they
+///   are
+///                  on their surfaces, or within 2 mm of it where it is a line; the reference that the plan has for it
+///                  likewise, to 5 mm. Not where contacts are in no plane: the forces say it there
+///   foot_clearance the whole foot against all that is solid of the terrain (SolidsOf), 0.1 mm, in stance 1 mm deep at
+///                  most, and near both ends of a swing between the two (SwingDepth);  body_clearance  all other shapes
 ///   consistency    all columns tell one story:
 ///                  q against v, v against a: 0.01 m/s and 0.02 rad/s, 1 m/s^2 and 100 rad/s^2, mean over a step;
 ///                  centre of mass against the joints: 1 mm, 0.01 m/s, 0.1 m/s^2, and its own derivatives likewise;

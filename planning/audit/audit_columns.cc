@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Law `consistency`: columns of the same grid against each other, row by row.
+#include <algorithm>
 #include <cmath>
 
 #include "kinematics/spatial/rotation.h"
@@ -69,8 +70,9 @@ void Auditor::CheckCentroidal() {
     Expect("acceleration of the centre of mass against joints", time_s, (a_WC - c.a_WC[k]).norm(), kComAcceleration,
            "m/s^2");
     if (needed_[2] > kLeastLoad * model_.weight_n()) {
-      const double ground = GroundAt(plan_.terrain, c.p_WZ[k]).height_m;
-      const Vector2 p_WZ = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), ground);
+      FindFooting(time_s);
+      const GroundPlane plane = SupportPlaneAt(plan_.schedule, time_s, points_);
+      const Vector2 p_WZ = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), plane).head<2>();
       Expect("reference of the zero-moment point against joints", time_s, (p_WZ - c.p_WZ[k]).norm(), kZmp, "m");
     }
     if (k + 1 == c.p_WC.size()) break;
@@ -81,11 +83,34 @@ void Auditor::CheckCentroidal() {
   }
 }
 
+/// The plane through the feet's footholds, those in the air taken evenly between the one left and the one to come.
+GroundPlane Auditor::CarryingPlane(double time_s) const {
+  const auto& all = plan_.footsteps.footholds;
+  ContactsByFoot places(model_.feet.size());
+  for (std::size_t f = 0; f < places.size(); ++f) {
+    const int index = FootholdAt(plan_.footsteps, static_cast<int>(f), time_s);
+    if (index < 0) continue;
+    const Foothold& last = all[static_cast<std::size_t>(index)];
+    Vector3 place = last.X_WF.translation();
+    const auto next =
+        std::find_if(all.begin() + index + 1, all.end(), [&](const auto& h) { return h.foot == last.foot; });
+    if (time_s > last.liftoff_s && next != all.end() && next->touchdown_s > last.liftoff_s) {
+      const double u = std::min((time_s - last.liftoff_s) / (next->touchdown_s - last.liftoff_s), 1.0);
+      place += u * (next->X_WF.translation() - place);
+    }
+    places[f].push_back(place);
+  }
+  return PlaneThrough(places, AllFeet(static_cast<int>(places.size())));
+}
+
 void Auditor::CheckPendulum() {
   const CentroidalTrajectory& c = plan_.centroidal;
   if (c.p_WC.empty()) return;
   double height = 0.0;
-  for (const Vector3& p_WC : c.p_WC) height += p_WC.z() - GroundAt(plan_.terrain, p_WC.head<2>()).height_m;
+  for (std::size_t k = 0; k < c.p_WC.size(); ++k) {
+    const GroundPlane plane = CarryingPlane(c.start_s + static_cast<double>(k) * c.step_s);
+    height += c.p_WC[k].z() - plane.HeightAt(c.p_WC[k].head<2>());
+  }
   height /= static_cast<double>(c.p_WC.size());
   const double frequency = std::sqrt(kGravity / height);
   if (!(std::abs(c.omega_rad_s - frequency) <= kFrequency * frequency))

@@ -2,11 +2,13 @@
 // Law `consistency`: what stands beside the grid, against it and each other: schedule, gait, command, footholds.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/polygon.h"
 #include "planning/audit/auditor.h"
 #include "planning/audit/tolerances.h"
+#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 
@@ -26,10 +28,6 @@ PlanarPose Arc(double forward_m_s, double lateral_m_s, double yaw_rate_rad_s, do
 PlanarPose Carried(const PlanarPose& origin, const PlanarPose& p) {
   const double c = std::cos(origin.yaw_rad), s = std::sin(origin.yaw_rad);
   return {origin.x_m + c * p.x_m - s * p.y_m, origin.y_m + s * p.x_m + c * p.y_m, origin.yaw_rad + p.yaw_rad};
-}
-
-bool HoldsPatch(const Terrain& terrain, int patch) {
-  return patch >= 0 && patch < static_cast<int>(terrain.patches.size());
 }
 
 }  // namespace
@@ -84,18 +82,64 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
   };
   time("touch-down", foothold.touchdown_s, interval.start_s);
   time("lift-off", foothold.liftoff_s, interval.end_s);
-  if (!HoldsPatch(plan_.terrain, foothold.patch)) {
+  if (!HoldsSurface(foothold.patch)) {
     findings_.Note("consistency", foot + " foothold's patch", foothold.touchdown_s, foothold.patch,
-                   static_cast<double>(plan_.terrain.patches.size()) - 1.0, "1");
+                   plan_.terrain.num_surfaces() - 1.0, "1");
     return;
   }
-  const TerrainPatch& patch = plan_.terrain.patches[static_cast<std::size_t>(foothold.patch)];
+  const auto surface = static_cast<std::size_t>(foothold.patch);
+  if (surface < plan_.terrain.patches.size()) {
+    CheckOnPatch(foothold, plan_.terrain.patches[surface]);
+  } else {
+    CheckOnField(foothold);
+  }
+  const Foot& of_foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
+  if (of_foot.type != FootType::kSole) return;
+  const double share = Area(SupportOf(of_foot, foothold, plan_.terrain, 0.0)) / Area(of_foot.sole_F);
+  if (!(share >= kOnPatchShare))
+    findings_.Note("consistency", foot + " sole's share on its patch", foothold.touchdown_s, share, kOnPatchShare, "1");
+}
+
+void Auditor::CheckOnPatch(const Foothold& foothold, const TerrainPatch& patch) {
+  const std::string& foot = FootName(foothold.foot);
   const Pose& X_WT = patch.X_WT;
   const Vector3 normal_W = X_WT.linear().col(2), p_TF = X_WT.inverse() * foothold.X_WF.translation();
   const double beyond = patch.outline_T.empty() ? 0.0 : -SignedDistance(patch.outline_T, p_TF.head<2>());
   Expect(foot + " foothold off its patch", foothold.touchdown_s, std::max(beyond, std::abs(p_TF.z())), kPosition, "m");
   Expect(foot + " foothold tilted from its patch", foothold.touchdown_s,
          normal_W.cross(foothold.X_WF.linear().col(2)).norm(), kRotation, "rad");
+}
+
+/// A point or a sphere is on the field itself; a sole lies on the highest that is under it, nowhere through the ground.
+/// Either is tilted like the field on the whole.
+void Auditor::CheckOnField(const Foothold& foothold) {
+  const std::string& foot = FootName(foothold.foot);
+  const Foot& of_foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
+  const Pose& X_WF = foothold.X_WF;
+  constexpr int kAcross = 5;
+  Vector2 low = Vector2::Constant(-of_foot.radius), high = -low;
+  for (const Vector2& corner : of_foot.sole_F) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+  double least = std::numeric_limits<double>::infinity();
+  Vector3 normal_W = Vector3::Zero();
+  for (int i = 0; i < kAcross; ++i) {
+    for (int j = 0; j < kAcross; ++j) {
+      const Vector2 share(i / (kAcross - 1.0), j / (kAcross - 1.0)), at_F = low + share.cwiseProduct(high - low);
+      const Vector3 p_W = X_WF * Vector3(at_F.x(), at_F.y(), 0.0);
+      const GroundPoint ground = GroundAt(plan_.terrain, p_W.head<2>());
+      if (ground.patch != foothold.patch) continue;
+      normal_W += ground.normal_W;
+      least = std::min(least, p_W.z() - ground.height_m);
+    }
+  }
+  if (of_foot.sole_F.empty()) {
+    const Vector3& p_WF = X_WF.translation();
+    const GroundPoint ground = GroundAt(plan_.terrain, p_WF.head<2>());
+    least = ground.patch == foothold.patch ? p_WF.z() - ground.height_m : std::numeric_limits<double>::infinity();
+  }
+  const double limit = of_foot.sole_F.empty() ? kPosition : kOnField;
+  Expect(foot + " foothold off its patch", foothold.touchdown_s, std::abs(least), limit, "m");
+  Expect(foot + " foothold tilted from its patch", foothold.touchdown_s,
+         normal_W.normalized().cross(X_WF.linear().col(2)).norm(), kFieldTilt, "rad");
 }
 
 void Auditor::CheckFootholds() {

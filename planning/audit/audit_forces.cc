@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kinematics/stability/polygon.h"
+#include "kinematics/stability/wrench_cone.h"
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/audit/auditor.h"
 #include "planning/audit/tolerances.h"
@@ -18,12 +19,13 @@ void Auditor::CheckDynamics(double time_s) {
     Vector6 w;
     w << -wrench.force_W, -wrench.moment_W;
     AddPointWrench(model_, scratch_, model_.feet[static_cast<std::size_t>(f)].body,
-                   ContactFrame(model_, scratch_, f).translation(), w, residual);
+                   X_WF_[static_cast<std::size_t>(f)].translation(), w, residual);
   }
   residual.tail(model_.num_dofs()) -= sample_.tau;
   const double force_limit = kResidualShare * model_.weight_n();
   const double moment_limit = force_limit * com_height_m_;
   const double force = residual.head<3>().norm(), moment = residual.segment<3>(3).norm();
+  forces_hold_ = force <= kCertain * model_.weight_n() && moment <= kCertain * model_.weight_n() * com_height_m_;
   if (!(force <= force_limit)) findings_.Note("dynamics", "base force", time_s, force, force_limit, "N");
   if (!(moment <= moment_limit)) findings_.Note("dynamics", "base moment", time_s, moment, moment_limit, "N m");
   for (int d = 0; d < model_.num_dofs(); ++d) {
@@ -52,12 +54,13 @@ void Auditor::CheckContactForces(double time_s) {
   const double slack = kRelative * model_.weight_n();
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     const ContactWrench& wrench = sample_.wrenches[static_cast<std::size_t>(f)];
-    const Pose X_WF = ContactFrame(model_, scratch_, f);
-    const GroundPoint ground = GroundAt(plan_.terrain, X_WF.translation().head<2>());
+    const Pose& X_WF = X_WF_[static_cast<std::size_t>(f)];
+    const Footing& ground = footing_[static_cast<std::size_t>(f)];
     const double normal = wrench.force_W.dot(ground.normal_W);
     const double tangential = (wrench.force_W - normal * ground.normal_W).norm();
     if (!(normal >= -slack)) findings_.Note("unilateral", FootName(f), time_s, normal, 0.0, "N");
     const double cone = ground.friction * std::max(normal, 0.0);
+    forces_hold_ = forces_hold_ && normal >= -slack && tangential <= cone + slack;
     if (!(tangential <= cone + slack)) findings_.Note("friction_cone", FootName(f), time_s, tangential, cone, "N");
     if (normal > kSwingLoad * model_.weight_n() && SwingsThroughout(f, time_s)) {
       findings_.Note("consistency", FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
@@ -66,24 +69,55 @@ void Auditor::CheckContactForces(double time_s) {
     if (foot.sole_F.empty() || normal < kLeastLoad * model_.weight_n()) continue;
     const Vector3 moment_F = X_WF.linear().transpose() * wrench.moment_W;
     const double normal_F = X_WF.linear().col(2).dot(wrench.force_W);
-    const double outside = -SignedDistance(foot.sole_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
+    const Polygon* support_F = ground.foothold < 0 ? nullptr : &support_F_[static_cast<std::size_t>(ground.foothold)];
+    if (support_F == nullptr || support_F->empty()) support_F = &foot.sole_F;
+    const double outside = -SignedDistance(*support_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
+    forces_hold_ = forces_hold_ && outside <= kPressureSlack;
     if (outside > kPressureSlack)
       findings_.Note("unilateral", FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack, "m");
   }
 }
 
+namespace {
+
+/// How far the farthest point of a stance is from a plane, upright [m].
+double FarthestFrom(const GroundPlane& plane, const ContactsByFoot& points, FootSet stance) {
+  double farthest = 0.0;
+  for (std::size_t f = 0; f < points.size(); ++f) {
+    if (!Contains(stance, static_cast<int>(f))) continue;
+    for (const Vector3& p : points[f]) farthest = std::max(farthest, std::abs(p.z() - plane.HeightAt(p.head<2>())));
+  }
+  return farthest;
+}
+
+}  // namespace
+
+/// On contacts that are not in one plane there is no ZMP. There the plan's own contact forces show that the needed
+/// wrench can be had, or else the margin in the contact wrench cone shows whether any forces could give it.
+void Auditor::CheckWrenchCone(double time_s) {
+  if (forces_hold_) return;
+  std::vector<ContactPoint> contacts;
+  for (std::size_t f = 0; f < points_.size(); ++f) {
+    if (!Contains(stance_, static_cast<int>(f)) || !(footing_[f].friction > 0.0)) continue;
+    for (const Vector3& p : points_[f]) contacts.push_back({p, footing_[f].normal_W, footing_[f].friction, 1.0});
+  }
+  if (contacts.empty()) return;
+  constexpr double kFarthest = 10.0;  // [m] said of a force that no contact can give
+  const PointWrench needed{scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3)};
+  const double outside = std::min(-WrenchConeMargin(contacts, needed), kFarthest);
+  if (!(outside <= kSupportLine))
+    findings_.Note("zmp_support", "contact wrench cone", time_s, outside, kSupportLine, "m");
+}
+
 void Auditor::CheckZmp(double time_s) {
   std::vector<Vector2> corners;
-  double ground = 0.0;
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     if (!Contains(stance_, f)) continue;
-    for (const Vector3& p : ContactPoints(model_, scratch_, f)) {
-      corners.push_back(p.head<2>());
-      ground = GroundAt(plan_.terrain, p.head<2>()).height_m;
-    }
+    for (const Vector3& p : points_[static_cast<std::size_t>(f)]) corners.push_back(p.head<2>());
   }
   if (corners.empty() || needed_[2] < kLeastLoad * model_.weight_n()) return;
-  const Vector2 zmp = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), ground);
+  if (FarthestFrom(plane_, points_, stance_) > kCoplanar) return CheckWrenchCone(time_s);
+  const Vector2 zmp = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), plane_).head<2>();
   const Polygon support = ConvexHull(corners);
   const double outside = -SignedDistance(support, zmp);
   const bool has_area = Area(support) > 1e-3 * (support[0] - support[support.size() / 2]).norm();

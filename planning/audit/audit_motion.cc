@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/collision/shape_extent.h"
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/swing_depth.h"
 #include "planning/audit/tolerances.h"
 
 namespace gaitwright {
@@ -16,11 +16,11 @@ void Auditor::CheckStanceFeet(double time_s) {
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     const auto i = static_cast<std::size_t>(f);
     if (!Contains(stance_, f)) continue;
-    const int index = FootholdAt(plan_.footsteps, f, time_s);
+    const int index = footing_[i].foothold;
     if (index < 0) continue;
     const Foothold& foothold = plan_.footsteps.footholds[static_cast<std::size_t>(index)];
     const Foot& foot = model_.feet[i];
-    const Pose X_WF = ContactFrame(model_, scratch_, f);
+    const Pose& X_WF = X_WF_[i];
     if (foot.radius > 0.0) {
       // The material point under a sphere must stand still; the contact point moves on as the sphere rolls.
       const Vector3 p_BQ = scratch_.R_WB[static_cast<std::size_t>(foot.body)].transpose() *
@@ -47,27 +47,52 @@ void Auditor::CheckStanceFeet(double time_s) {
   }
 }
 
-void Auditor::CheckSwingFeet(double time_s) {
+/// What SwingDepth lets pass between the footholds that the foot leaves and comes to.
+double Auditor::DepthLetPass(int foot, double time_s) const {
+  if (Contains(stance_, foot)) return kPosition;
+  const auto& all = plan_.footsteps.footholds;
+  const int from = footing_[static_cast<std::size_t>(foot)].foothold;
+  if (from < 0) return kTouching;
+  const auto next = std::find_if(all.begin() + from + 1, all.end(), [&](const Foothold& f) { return f.foot == foot; });
+  if (next == all.end()) return kTouching;
+  const double start_s = all[static_cast<std::size_t>(from)].liftoff_s, duration = next->touchdown_s - start_s;
+  return duration > 0.0 ? SwingDepth((time_s - start_s) / duration) : kTouching;
+}
+
+void Auditor::CheckFeetHeights(double time_s) {
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
-    const double limit = Contains(stance_, f) ? -kPosition : -kTouching;
-    for (const Vector3& p : ContactPoints(model_, scratch_, f)) {
-      const double height = p.z() - GroundAt(plan_.terrain, p.head<2>()).height_m;
-      if (!(height >= limit)) findings_.Note("foot_clearance", FootName(f), time_s, height, limit, "m");
-    }
+    const auto i = static_cast<std::size_t>(f);
+    const double limit = -DepthLetPass(f, time_s);
+    limits_to_ground_.foot_m[i] = limit;
+    for (const Vector3& p : ContactPoints(model_.feet[i], X_WF_[i])) CheckHeight(FootName(f), p, limit, time_s);
   }
+}
+
+/// A point is under the ground when it is lower than the surface above it, and no way out to the side is shorter than
+/// what is let pass: the edge of a sole may stand at the foot of a riser.
+void Auditor::CheckHeight(const std::string& where, const Vector3& p_W, double limit, double time_s) {
+  const GroundPoint ground = GroundAt(plan_.terrain, p_W.head<2>());
+  const double height = p_W.z() - ground.height_m;
+  if (ground.patch < 0 || height >= limit) return;
+  if (height > -kSolidDepth && watch_.PointDistance(p_W) >= limit) return;
+  findings_.Note("foot_clearance", where, time_s, height, limit, "m");
 }
 
 void Auditor::CheckBodies(double time_s) {
   for (const Overlap& overlap : collision_.Overlaps(scratch_)) {
     findings_.Note("self_collision", overlap.link_a + " and " + overlap.link_b, time_s, overlap.depth_m, 0.0, "m");
   }
-  for (const auto& [shape, radius] : bodies_) {
-    const auto body = static_cast<std::size_t>(shape->body);
-    const double middle = (scratch_.p_WB[body] + scratch_.R_WB[body] * shape->X_BS.translation()).z();
-    if (middle - radius > highest_ground_m_) continue;
-    const Vector3 lowest = LowestPoint(scratch_, *shape);
-    const double height = lowest.z() - GroundAt(plan_.terrain, lowest.head<2>()).height_m;
-    if (!(height >= 0.0)) findings_.Note("body_clearance", shape->link, time_s, height, 0.0, "m");
+}
+
+/// After CheckFeetHeights, which says how near the feet may be.
+void Auditor::CheckSolids(double time_s) {
+  for (const GroundHit& hit : watch_.Look(scratch_, limits_to_ground_)) {
+    if (hit.foot < 0) {
+      findings_.Note("body_clearance", *hit.link, time_s, hit.distance_m, limits_to_ground_.body_m, "m");
+    } else {
+      const double limit = limits_to_ground_.foot_m[static_cast<std::size_t>(hit.foot)];
+      findings_.Note("foot_clearance", FootName(hit.foot), time_s, hit.distance_m, limit, "m");
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/audit/auditor.h"
+#include "planning/audit/swing_depth.h"
 #include "planning/audit/tolerances.h"
 
 namespace gaitwright {
@@ -16,7 +17,7 @@ using namespace tolerance;
 /// point is on the curve but for what it has rolled since lift-off, and the curve ends short by the whole of that.
 void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
   const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
-  const Vector3 normal_W = swing.X_WF_start.linear().col(2);
+  const Vector3 normal_W = swing.X_WF_start.linear().col(2);  // of the ground that it rolls on until it lands
   const double duration = swing.end_s - swing.start_s;
   const int pieces = std::max(2, static_cast<int>(std::ceil(duration / plan_.whole_body.step_s)));
   const auto time = [&](int k) { return swing.start_s + k * duration / pieces; };
@@ -25,7 +26,8 @@ void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
   for (int k = 0; k <= pieces; ++k) {
     SampleWholeBody(plan_.whole_body, time(k), sample_);
     ForwardKinematics(model_, sample_.q, scratch_);
-    path.push_back(ContactFrame(model_, scratch_, swing.foot, normal_W));
+    // The foot's own frame: the curve's z goes over from the one ground's normal to the other's.
+    path.push_back(FramePose(scratch_, foot.body, foot.X_BF));
     Vector3 roll_W = Vector3::Zero();
     if (k > 0) {
       const Vector3 turn = RotationLog(path[path.size() - 1].linear() * path[path.size() - 2].linear().transpose());
@@ -37,22 +39,28 @@ void Auditor::CheckSwingPath(const SwingTrajectory& swing) {
   curve.X_WF_end.translation() -= rolled_W.back();
   for (int k = 0; k <= pieces; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const Pose X_WF = Evaluate(curve, time(k)).X_WF;
-    CheckSwingClearance(swing.foot, X_WF, time(k));
-    Expect(FootName(swing.foot) + " off its swing", time(k),
-           (path[i].translation() - rolled_W[i] - X_WF.translation()).norm(), kPosition, "m");
-    if (foot.type != FootType::kSole) continue;
-    Expect(FootName(swing.foot) + " turned from its swing", time(k),
-           RotationLog(path[i].linear() * X_WF.linear().transpose()).norm(), kRotation, "rad");
+    Pose X_WF = Evaluate(curve, time(k)).X_WF;
+    const Vector3 p_WF = X_WF.translation() + foot.radius * X_WF.linear().col(2);
+    Expect(FootName(swing.foot) + " off its swing", time(k), (path[i].translation() - rolled_W[i] - p_WF).norm(),
+           kPosition, "m");
+    if (foot.type == FootType::kSole) {
+      Expect(FootName(swing.foot) + " turned from its swing", time(k),
+             RotationLog(path[i].linear() * X_WF.linear().transpose()).norm(), kRotation, "rad");
+    }
+    X_WF.translation() += rolled_W[i];
+    CheckSwingClearance(swing.foot, X_WF, time(k), -SwingDepth(static_cast<double>(k) / pieces));
   }
 }
 
-void Auditor::CheckSwingClearance(int foot, const Pose& X_WF, double time_s) {
-  for (const Vector3& p : ContactPoints(model_.feet[static_cast<std::size_t>(foot)], X_WF)) {
-    const double height = p.z() - GroundAt(plan_.terrain, p.head<2>()).height_m;
-    if (!(height >= -kTouching))
-      findings_.Note("foot_clearance", FootName(foot) + " on its swing", time_s, height, -kTouching, "m");
-  }
+void Auditor::CheckSwingClearance(int foot, const Pose& X_WF, double time_s, double limit) {
+  const Foot& of_foot = model_.feet[static_cast<std::size_t>(foot)];
+  const std::string where = FootName(foot) + " on its swing";
+  for (const Vector3& p : ContactPoints(of_foot, X_WF)) CheckHeight(where, p, limit, time_s);
+  Pose X_WS = X_WF;  // of a sphere: its centre
+  X_WS.translation() += of_foot.radius * X_WF.linear().col(2);
+  constexpr double kNear = 1e-3;  // [m]
+  const double distance = watch_.NearestToFoot(foot, X_WS, kNear).distance_m;
+  if (!(distance >= limit)) findings_.Note("foot_clearance", where, time_s, distance, limit, "m");
 }
 
 /// The swings of each foot in order, one for each gap between two of its intervals of contact.

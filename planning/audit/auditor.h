@@ -9,8 +9,11 @@
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/convex_hull.h"
 #include "planning/audit/audit.h"
+#include "planning/audit/ground_watch.h"
 #include "planning/plan/sample_plan.h"
+#include "planning/plan/support_plane.h"
 
 namespace gaitwright {
 
@@ -37,27 +40,43 @@ class Auditor {
   bool AllFinite() const;  // the present sample
   bool SwingsThroughout(int foot, double time_s) const;
 
+  /// What a foot stands on, or stood on last: its foothold's surface; the highest ground where that names none.
+  struct Footing {
+    int foothold = -1;
+    Vector3 normal_W = Vector3::UnitZ();
+    double friction = 0.0;
+  };
+  void FindFooting(double time_s);  // footing_, X_WF_ and points_ of the scratch's pose
+  bool HoldsSurface(int surface) const { return surface >= 0 && surface < plan_.terrain.num_surfaces(); }
+
   // At one sample (audit_forces.cc, audit_motion.cc)
   void CheckDynamics(double time_s);
   void CheckContactForces(double time_s);
   void CheckZmp(double time_s);
+  void CheckWrenchCone(double time_s);
   void CheckJoints(double time_s);
   void CheckStanceFeet(double time_s);
-  void CheckSwingFeet(double time_s);
+  void CheckFeetHeights(double time_s);
+  double DepthLetPass(int foot, double time_s) const;
+  void CheckHeight(const std::string& where, const Vector3& p_W, double limit, double time_s);
   void CheckBodies(double time_s);
+  void CheckSolids(double time_s);
   void CheckReach(double time_s);
   // Over the plan as a whole (audit_columns.cc, audit_consistency.cc, audit_swings.cc)
   void CheckColumns();
   void CheckCentroidal();
   void CheckPendulum();
+  GroundPlane CarryingPlane(double time_s) const;
   void CheckSchedule();
   void CheckCommand();
   void CheckFootholds();
   void CheckFoothold(const Foothold& foothold, const ContactInterval& interval);
+  void CheckOnPatch(const Foothold& foothold, const TerrainPatch& patch);
+  void CheckOnField(const Foothold& foothold);
   void CheckSwings();
   void CheckSwing(const SwingTrajectory& swing, const ContactInterval& gap);
   void CheckSwingPath(const SwingTrajectory& swing);
-  void CheckSwingClearance(int foot, const Pose& X_WF, double time_s);
+  void CheckSwingClearance(int foot, const Pose& X_WF, double time_s, double limit);
 
   /// Notes a breach of consistency unless `off` is at most `limit`.
   void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {
@@ -73,17 +92,23 @@ class Auditor {
   struct JointLimits {
     double lower, upper, speed, effort;
   };
-  std::vector<JointLimits> limits_;                      // by dof, before derating
-  std::vector<std::pair<const Shape*, double>> bodies_;  // shapes that are no feet, with their bounding radii
+  std::vector<JointLimits> limits_;  // by dof, before derating
   CollisionChecker collision_;
+  GroundWatch watch_;
+  GroundLimits limits_to_ground_;
+  std::vector<Polygon> support_F_;  // by foothold: the part of the sole that is on its surface
   WholeBodySample sample_;
   VectorX needed_;  // generalised forces of the motion
   FootSet stance_ = 0;
-  bool at_switch_ = false;  // a foot lands or leaves within a sample of now
-  double com_height_m_ = 0.0;
-  double highest_ground_m_ = 0.0;  // of all patches; infinite where one is tilted and without end
-  std::vector<Vector3> slip_W_;    // by foot: travel of the material contact point in this stance
-  std::vector<int> foothold_;      // by foot: the one last stood on
+  bool forces_hold_ = false;      // the plan's contact forces give the needed wrench, inside their cones
+  bool at_switch_ = false;        // a foot lands or leaves within a sample of now
+  GroundPlane plane_;             // through the points of the feet that stand
+  double com_height_m_ = 0.0;     // over it
+  std::vector<Footing> footing_;  // by foot
+  std::vector<Pose> X_WF_;        // by foot: contact frames
+  ContactsByFoot points_;         // by foot: through which it can push
+  std::vector<Vector3> slip_W_;   // by foot: travel of the material contact point in this stance
+  std::vector<int> foothold_;     // by foot: the one last stood on
   Findings findings_;
 };
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {
@@ -41,12 +41,11 @@ double OwnTurnRate(const RobotModel& model, const Gait& gait, double speed) {
 
 /// The course to a pose, with its time at full speed in duration_s.
 Course ToGoal(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
-  const double speed = CommandedSpeed(model, c);
   const PlanarTwist twist = TwistTo({c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
-  const double turn_rate = c.yaw_rate_rad_s != 0.0 ? std::abs(c.yaw_rate_rad_s) : OwnTurnRate(model, gait, speed);
-  const double lateral = c.lateral_speed_m_s != 0.0 ? std::abs(c.lateral_speed_m_s) : 0.35 * speed;
+  const PlanarTwist speed = FittingSpeeds(model, gait, c);
   return {twist,
-          std::max({std::abs(twist.x_m) / speed, std::abs(twist.y_m) / lateral, std::abs(twist.yaw_rad) / turn_rate}),
+          std::max({std::abs(twist.x_m) / speed.x_m, std::abs(twist.y_m) / speed.y_m,
+                    std::abs(twist.yaw_rad) / speed.yaw_rad}),
           0.0};
 }
 
@@ -104,6 +103,12 @@ std::optional<Failure> CheckCommand(const WalkCommand& c) {
 
 double CommandedSpeed(const RobotModel& model, const WalkCommand& command) {
   return command.speed_m_s > 0.0 ? command.speed_m_s : model.nominal_speed_m_s;
+}
+
+PlanarTwist FittingSpeeds(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
+  const double speed = CommandedSpeed(model, c);
+  return {speed, c.lateral_speed_m_s != 0.0 ? std::abs(c.lateral_speed_m_s) : 0.35 * speed,
+          c.yaw_rate_rad_s != 0.0 ? std::abs(c.yaw_rate_rad_s) : OwnTurnRate(model, gait, speed)};
 }
 
 PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& c) {

@@ -36,4 +36,8 @@ PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& comman
 /// Failure kBadInput when it goes nowhere or lasts over 600 s.
 Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, double ramp_cycles);
 
+/// Speeds sideways and turning that go with a speed ahead where the command gives none [m/s, rad/s]: those at which
+/// feet keep apart.
+PlanarTwist FittingSpeeds(const RobotModel& model, const Gait& gait, const WalkCommand& command);
+
 }  // namespace gaitwright

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {

@@ -9,9 +9,11 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "planning/footsteps/can_walk.h"
 #include "planning/footsteps/place_feet.h"
-#include "planning/footsteps/standing_feet.h"
+#include "planning/footsteps/route_of.h"
+#include "planning/footsteps/uneven_footsteps.h"
 #include "planning/gait/schedule_contacts.h"
 #include "planning/paths/base_path.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {
@@ -90,11 +92,9 @@ Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait,
   return skeleton;
 }
 
-}  // namespace
-
-Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
-                                       const WalkCommand& command, const FootstepOptions& options) {
-  if (const auto failure = CheckCommand(command)) return *failure;
+/// Why the command or the gait is not for this robot.
+std::optional<Failure> CheckRequest(const RobotModel& model, const Gait& gait, const WalkCommand& command) {
+  if (auto failure = CheckCommand(command)) return failure;
   if (gait.num_feet() != static_cast<int>(model.feet.size())) {
     return Failure{FailureKind::kBadInput,
                    "command",
@@ -103,7 +103,52 @@ Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& t
                                model.feet.size()),
                    {}};
   }
-  if (auto cannot = WhyCannotWalk(model)) return *cannot;
+  return WhyCannotWalk(model);
+}
+
+/// Footsteps over ground that is not level: along the command's own course, or along a route around what is in its
+/// way. Where nothing stands on the ground the search for footholds alone says what can be walked on, and a route is
+/// asked for only where a goal cannot be had straight.
+Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                       const WalkCommand& command, const FootstepOptions& options) {
+  const Result<FootstepQuery> query = CourseQuery(model, gait, command, options);
+  if (!query) return query.failure();
+  const Course course = *MakeCourse(model, gait, command, options.ramp_cycles);
+  if (terrain.obstacles.empty()) {
+    Result<FootstepSkeleton> straight = SearchSkeleton(model, terrain, *query, options);
+    if (straight || command.extent != WalkCommand::Extent::kGoal) return straight;
+    const Result<BaseRoute> route = RouteOf(model, terrain, command, course, options.route);
+    if (!route || route->statistics.direct) return straight;
+    return PlanFootstepsAlong(model, terrain, gait, command, route->waypoints, options);
+  }
+  const Result<BaseRoute> route = RouteOf(model, terrain, command, course, options.route);
+  if (!route) return route.failure();
+  if (!route->statistics.direct) return PlanFootstepsAlong(model, terrain, gait, command, route->waypoints, options);
+  return SearchSkeleton(model, terrain, *query, options);
+}
+
+}  // namespace
+
+bool IsLevelGround(const Terrain& terrain) {
+  if (terrain.patches.size() != 1 || !terrain.height_fields.empty() || !terrain.obstacles.empty()) return false;
+  const TerrainPatch& patch = terrain.patches.front();
+  return patch.outline_T.empty() && patch.X_WT.linear().col(2) == Vector3::UnitZ() &&
+         patch.X_WT.translation().z() == 0.0;
+}
+
+Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                            const WalkCommand& command, const std::vector<PlanarPose>& way,
+                                            const FootstepOptions& options) {
+  if (auto failure = CheckRequest(model, gait, command)) return *failure;
+  const PlanarTwist speed = FittingSpeeds(model, gait, command);
+  const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
+  return SearchSkeleton(model, terrain, query, options);
+}
+
+Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                       const WalkCommand& command, const FootstepOptions& options) {
+  if (auto failure = CheckRequest(model, gait, command)) return *failure;
+  if (!IsLevelGround(terrain)) return FindFootsteps(model, terrain, gait, command, options);
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;
   const Reach worst = WorstReach(model, *skeleton, options.reach);
@@ -123,6 +168,7 @@ Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& t
     const GroundPoint ground = GroundAt(terrain, foothold.X_WF.translation().head<2>());
     foothold.patch = ground.patch;
     foothold.X_WF.translation().z() = ground.height_m;
+    foothold.X_WF.linear() = Quaternion::FromTwoVectors(Vector3::UnitZ(), ground.normal_W) * foothold.X_WF.linear();
   }
   return skeleton;
 }

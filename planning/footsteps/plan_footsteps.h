@@ -8,19 +8,31 @@
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "planning/footsteps/course.h"
+#include "planning/footsteps/foothold_check.h"
+#include "planning/footsteps/search_footsteps.h"
+#include "planning/paths/plan_base_route.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
 
-/// How a walk begins and ends, and how far a foot may go.
+/// How a walk begins and ends, how far a foot may go, and on uneven ground where it may stand and how that is sought.
 struct FootstepOptions {
   double initial_stand_s = 0.8;
   double final_stand_s = 0.8;
   double ramp_cycles = 1.0;
   double reach = 0.97;
   double grid_s = 0.005;  ///< step of the plan's grid, on which contacts begin and end; the pipeline sets it
+  FootholdOptions foothold;
+  FootstepSearchOptions search;
+  BaseRouteOptions route;
 
   OptionFields Fields() {
+    return Joined({OwnFields(), Prefixed("foothold", foothold.Fields()), Prefixed("search", search.Fields()),
+                   Prefixed("route", route.Fields())});
+  }
+
+ private:
+  OptionFields OwnFields() {
     return {{"initial_stand_s", &initial_stand_s, "s", 0.1, 10.0, "Time on all feet before the first step.", {}},
             {"final_stand_s", &final_stand_s, "s", 0.1, 10.0, "Time on all feet after the last step.", {}},
             {"ramp_cycles", &ramp_cycles, "1", 0.0, 10.0, "Cycles in which the base gains its speed and loses it.", {}},
@@ -41,15 +53,28 @@ struct FootstepSkeleton {
   FootstepPlan footsteps;
   PlanarPose goal;
   std::vector<std::string> warnings;
+  FootstepSearchStats search;  ///< all zero on level ground, where nothing is searched
 };
 
-/// Base path, contact schedule and footholds on level ground for a command.
+/// Base path, contact schedule and footholds for a command.
 ///
-/// Footholds follow the base along its path (PlaceAlongPath), or a command of counted footfalls (PlaceCounted).
-/// Failures: kBadInput for a command that makes no sense, contradicts itself, goes nowhere or takes over 600 s, and for
-/// a gait too fast for the grid; kInfeasible for gaits with flight and for a foothold out of reach (names foot, time
-/// and distance).
+/// On level ground without end or obstacles footholds follow the base along its path (PlaceAlongPath), or a command of
+/// counted footfalls (PlaceCounted). On all other ground the command's course in plan view is the route of a search
+/// (SearchFootsteps); a goal that cannot be walked to straight is reached around what is in the way (RouteOf). Steps
+/// aim at the stride of the gait at the commanded speed: there are as many footfalls as it takes, also for a command of
+/// a duration or of counted ones. Failures: kBadInput for a command that makes no sense, contradicts itself, goes
+/// nowhere or takes over 600 s, and for a gait too fast for the grid; kInfeasible for gaits with flight, for a foothold
+/// out of reach (names foot, time and distance), and where there are no footholds (names place and reason).
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options);
+
+/// The same along a way of the base that is known, such as one around obstacles: the command gives the speeds alone.
+/// @param way  poses in plan view from (0, 0, 0) on, dense enough to be joined by straight lines.
+Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
+                                            const WalkCommand& command, const std::vector<PlanarPose>& way,
+                                            const FootstepOptions& options);
+
+/// True for ground that is one level plane without end at height zero, with nothing on it.
+bool IsLevelGround(const Terrain& terrain);
 
 }  // namespace gaitwright

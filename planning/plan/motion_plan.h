@@ -50,7 +50,7 @@ struct Foothold {
   int foot = 0;
   Pose X_WF = Pose::Identity();
   Vector3 roll_W = Vector3::Zero();  ///< [m]
-  int patch = 0;                     ///< index into Terrain::patches
+  int patch = 0;                     ///< number of the surface: patches first, then height fields
   double touchdown_s = 0.0, liftoff_s = 0.0;
 };
 
@@ -120,7 +120,7 @@ struct Provenance {
 
 /// Everything that a robot needs to do a motion, and that a judge needs to check it.
 struct MotionPlan {
-  static constexpr int kSchema = 2;
+  static constexpr int kSchema = 3;
 
   std::string robot;                 ///< name
   std::string robot_hash;            ///< RobotModel::hash

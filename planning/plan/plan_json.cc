@@ -53,15 +53,38 @@ Json CommandJson(const WalkCommand& c) {
           {"step_length_m", c.step_length_m}};
 }
 
+Json HeightFieldJson(const HeightField& field) {
+  return {{"name", field.name},
+          {"origin_m", ToJson(field.origin_W)},
+          {"resolution_m", field.resolution_m},
+          {"columns", field.columns},
+          {"rows", field.rows},
+          {"heights_m", field.height_m},
+          {"friction", field.friction}};
+}
+
+Json ObstacleJson(const Obstacle& obstacle) {
+  Json json = {{"name", obstacle.name}, {"type", ObstacleTypeName(obstacle.type)}, {"pose", ToJson(obstacle.X_WO)}};
+  if (obstacle.type == ShapeType::kMesh) {
+    json["vertices_m"] = ToJson(obstacle.vertices_O);
+  } else {
+    const Eigen::Index sizes = obstacle.type == ShapeType::kBox ? 3 : 2;
+    json["size_m"] = ToJson(VectorX(obstacle.size_m.head(sizes)));
+  }
+  return json;
+}
+
 Json TerrainJson(const Terrain& terrain) {
-  Json patches = Json::array();
+  Json patches = Json::array(), fields = Json::array(), obstacles = Json::array();
   for (const TerrainPatch& patch : terrain.patches) {
     patches.push_back({{"name", patch.name},
                        {"pose", ToJson(patch.X_WT)},
                        {"outline_m", ToJson(patch.outline_T)},
                        {"friction", patch.friction}});
   }
-  return {{"name", terrain.name}, {"patches", patches}};
+  for (const HeightField& field : terrain.height_fields) fields.push_back(HeightFieldJson(field));
+  for (const Obstacle& obstacle : terrain.obstacles) obstacles.push_back(ObstacleJson(obstacle));
+  return {{"name", terrain.name}, {"patches", patches}, {"height_fields", fields}, {"obstacles", obstacles}};
 }
 
 Json ScheduleJson(const ContactSchedule& schedule) {

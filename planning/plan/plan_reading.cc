@@ -72,12 +72,57 @@ TerrainPatch ToPatch(const JsonPart& part) {
   return patch;
 }
 
+HeightField ToHeightField(const JsonPart& part) {
+  constexpr int kMostNodes = 100000;  // along one side
+  part.Object({"name", "origin_m", "resolution_m", "columns", "rows", "heights_m", "friction"});
+  HeightField field{part.At("name").Text(),
+                    part.At("origin_m").Vector(2),
+                    part.At("resolution_m").NumberFrom(0.0),
+                    part.At("columns").Whole(2, kMostNodes),
+                    part.At("rows").Whole(2, kMostNodes),
+                    part.At("heights_m").Numbers(),
+                    part.At("friction").NumberFrom(0.0)};
+  if (field.resolution_m == 0.0) part.At("resolution_m").Refuse("is 0; it must be over 0");
+  const std::size_t nodes = static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
+  if (field.height_m.size() != nodes) {
+    part.At("heights_m")
+        .Refuse(fmt::format("has {} numbers; {} columns by {} rows need {}", field.height_m.size(), field.columns,
+                            field.rows, nodes));
+  }
+  return field;
+}
+
+Obstacle ToObstacle(const JsonPart& part) {
+  part.Object({"name", "type", "pose"}, {"size_m", "vertices_m"});
+  Obstacle obstacle;
+  obstacle.name = part.At("name").Text();
+  obstacle.type = ObstacleTypes()[static_cast<std::size_t>(part.At("type").Choice(ObstacleTypeNames()))];
+  obstacle.X_WO = part.At("pose").ToPose();
+  const bool mesh = obstacle.type == ShapeType::kMesh;
+  const std::string needed = mesh ? "vertices_m" : "size_m";
+  part.Object({"name", "type", "pose", needed});
+  if (mesh) {
+    obstacle.vertices_O = ToPoints(part.At(needed));
+    if (obstacle.vertices_O.size() < 4)
+      part.At(needed).Refuse(fmt::format("has {} points; four or more are needed", obstacle.vertices_O.size()));
+    return obstacle;
+  }
+  const VectorX size = part.At(needed).Vector(obstacle.type == ShapeType::kBox ? 3 : 2);
+  if (!(size.minCoeff() > 0.0))
+    part.At(needed).Refuse(fmt::format("has a size of {}; it must be over 0", size.minCoeff()));
+  obstacle.size_m.head(size.size()) = size;
+  return obstacle;
+}
+
 Terrain ToTerrain(const JsonPart& part) {
-  part.Object({"name", "patches"});
+  part.Object({"name", "patches", "height_fields", "obstacles"});
   Terrain terrain;
   terrain.name = part.At("name").Text();
   for (const JsonPart& patch : part.At("patches").List()) terrain.patches.push_back(ToPatch(patch));
-  if (terrain.patches.empty()) part.At("patches").Refuse("is empty; a plan needs ground to stand on");
+  for (const JsonPart& field : part.At("height_fields").List()) terrain.height_fields.push_back(ToHeightField(field));
+  for (const JsonPart& obstacle : part.At("obstacles").List()) terrain.obstacles.push_back(ToObstacle(obstacle));
+  if (terrain.num_surfaces() == 0)
+    part.Refuse("has neither patches nor height fields; a plan needs ground to stand on");
   return terrain;
 }
 
@@ -103,10 +148,10 @@ ContactSchedule ToSchedule(const JsonPart& list, int feet) {
   return schedule;
 }
 
-Foothold ToFoothold(const JsonPart& part, int feet, int patches) {
+Foothold ToFoothold(const JsonPart& part, int feet, int surfaces) {
   part.Object({"foot", "pose", "roll_m", "patch", "touchdown_s", "liftoff_s"});
-  return {part.At("foot").Whole(0, feet - 1),     part.At("pose").ToPose(),        part.At("roll_m").Vector(3),
-          part.At("patch").Whole(0, patches - 1), part.At("touchdown_s").Number(), part.At("liftoff_s").Number()};
+  return {part.At("foot").Whole(0, feet - 1),      part.At("pose").ToPose(),        part.At("roll_m").Vector(3),
+          part.At("patch").Whole(0, surfaces - 1), part.At("touchdown_s").Number(), part.At("liftoff_s").Number()};
 }
 
 SwingTrajectory ToSwing(const JsonPart& part, int feet) {
@@ -221,11 +266,11 @@ MotionPlan ReadPlan(const JsonPart& whole) {
   ReadWholeBody(whole, plan.whole_body);
   ReadCentroidal(whole, plan.whole_body, plan.centroidal);
   const int feet = static_cast<int>(plan.whole_body.wrenches.front().size());
-  const int patches = static_cast<int>(plan.terrain.patches.size());
+  const int surfaces = plan.terrain.num_surfaces();
   plan.gait = ToGait(whole.At("gait"), feet);
   plan.schedule = ToSchedule(whole.At("schedule"), feet);
   for (const JsonPart& part : whole.At("footholds").List())
-    plan.footsteps.footholds.push_back(ToFoothold(part, feet, patches));
+    plan.footsteps.footholds.push_back(ToFoothold(part, feet, surfaces));
   SortFootholds(plan.footsteps);
   for (const JsonPart& part : whole.At("swings").List()) plan.swings.push_back(ToSwing(part, feet));
   return plan;

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
 
-/// A convex piece of walkable plane. T: origin in the plane, z its outward normal.
+/// A convex piece of walkable plane, solid below. T: origin in the plane, z its outward normal.
 struct TerrainPatch {
   std::string name;
   Pose X_WT = Pose::Identity();
@@ -17,32 +17,48 @@ struct TerrainPatch {
   double friction = 0.8;
 };
 
-/// The ground, as one value for planner, optimiser, audit, Bullet and viewer.
-/// Where patches overlap in plan view the highest one holds.
+/// Ground by heights at the nodes of a grid along x and y of W, solid below. Each cell is two triangles, parted by the
+/// diagonal from its lowest x and y to its highest. Outside of the grid it is no ground.
+struct HeightField {
+  std::string name;
+  Vector2 origin_W = Vector2::Zero();  ///< of the first node [m]
+  double resolution_m = 0.02;          ///< between nodes
+  int columns = 0, rows = 0;           ///< nodes along x and along y, at least 2 each
+  std::vector<double> height_m;        ///< of node (column, row) at [row * columns + column]
+  double friction = 0.8;
+};
+
+/// Something that must not be touched, and that no foot is put on: a wall, a post, a lintel.
+struct Obstacle {
+  std::string name;
+  ShapeType type = ShapeType::kBox;  ///< box, cylinder along z, or kMesh: the convex hull of `vertices_O`
+  Pose X_WO = Pose::Identity();
+  Vector3 size_m = Vector3::Zero();  ///< as of Shape: box: edge lengths; cylinder: (radius, length, 0)
+  std::vector<Vector3> vertices_O;   ///< kMesh
+};
+
+/// The ground and what stands on it, as one value for planner, optimiser, audit, Bullet and viewer.
+/// Where surfaces overlap in plan view the highest one holds. Surfaces are numbered: patches first, then height fields.
 struct Terrain {
   std::string name;
   std::vector<TerrainPatch> patches;
+  std::vector<HeightField> height_fields;
+  std::vector<Obstacle> obstacles;
+
+  int num_surfaces() const { return static_cast<int>(patches.size() + height_fields.size()); }
 };
 
 /// Level ground without end at z = 0.
 Terrain FlatTerrain(double friction = 0.8);
 
-/// A ground that comes with the program.
-struct BuiltInTerrain {
-  std::string name;
-  std::string description;
-  Terrain terrain;
-};
-
-/// The one list of built-in grounds.
-std::vector<BuiltInTerrain> BuiltInTerrains();
-
-/// The built-in terrain of that name. An unknown name is a failure that lists what exists.
-Result<Terrain> FindTerrain(const std::string& name);
+/// A bounded patch through corners that lie in one plane: T at their mean, x of T along x of W in plan view.
+/// @param corners_W  three or more, convex and counter-clockwise in plan view [m].
+/// @throws InvalidArgument unless they are so, or stand farther than 1 mm off their plane.
+TerrainPatch PatchThrough(const std::string& name, const std::vector<Vector3>& corners_W, double friction);
 
 /// The ground under a point in plan view.
 struct GroundPoint {
-  int patch = -1;  ///< index into patches; -1 where there is no ground
+  int patch = -1;  ///< number of the surface; -1 where there is no ground
   double height_m = 0.0;
   Vector3 normal_W = Vector3::UnitZ();
   double friction = 0.0;
@@ -50,5 +66,23 @@ struct GroundPoint {
 
 /// The highest ground at (x, y); patch -1 where there is none.
 GroundPoint GroundAt(const Terrain& terrain, const Vector2& p_W);
+
+/// The friction of a surface by its number; 0 of one that is not there.
+double FrictionOf(const Terrain& terrain, int surface);
+
+/// How deep the solid under a bounded surface reaches [m].
+inline constexpr double kSolidDepth = 1.0;
+
+/// The corners of the solid under a bounded patch in W: its outline, and the same kSolidDepth straight down.
+std::vector<Vector3> SolidUnder(const TerrainPatch& patch);
+
+/// What an obstacle may be, and how files call it: "box", "cylinder", "mesh".
+const std::vector<ShapeType>& ObstacleTypes();
+const std::vector<std::string>& ObstacleTypeNames();
+/// The name of one of them. @throws InvalidArgument for any other type.
+const std::string& ObstacleTypeName(ShapeType type);
+
+/// An obstacle as a shape in W.
+Shape ShapeOf(const Obstacle& obstacle);
 
 }  // namespace gaitwright

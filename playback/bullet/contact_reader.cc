@@ -12,8 +12,11 @@ void ContactReader::Read(btDispatcher& dispatcher, double step_s, const Dynamics
   body_contacts_.clear();
   for (int i = 0; i < static_cast<int>(feet_.size()); ++i) {
     FootContact& foot = feet_[static_cast<std::size_t>(i)];
-    foot.p_W = ContactFrame(model_, before, i).translation();
-    foot.speed_m_s = (ContactFrame(model_, after, i).translation() - foot.p_W).norm() / step_s;
+    const Foot& shape = model_.feet[static_cast<std::size_t>(i)];
+    const Vector3 middle_W = FramePose(before, shape.body, shape.X_BF).translation();
+    const Vector3 normal_W = GroundAt(terrain_, middle_W.head<2>()).normal_W;
+    foot.p_W = ContactFrame(model_, before, i, normal_W).translation();
+    foot.speed_m_s = (ContactFrame(model_, after, i, normal_W).translation() - foot.p_W).norm() / step_s;
   }
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     ReadManifold(*dispatcher.getManifoldByIndexInternal(i), step_s, before, after);

@@ -4,6 +4,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/dynamics/dynamics.h"
@@ -15,7 +16,8 @@ namespace gaitwright::bullet {
 /// Reads contact forces out of Bullet's manifolds after a step. Their points belong to the step's start.
 class ContactReader {
  public:
-  ContactReader(const RobotModel& model, const RobotBody& robot) : model_(model), robot_(robot) {}
+  ContactReader(const RobotModel& model, const RobotBody& robot, Terrain terrain)
+      : model_(model), robot_(robot), terrain_(std::move(terrain)) {}
 
   /// @param before, after  kinematics at the step's start and end.
   void Read(btDispatcher& dispatcher, double step_s, const DynamicsScratch& before, const DynamicsScratch& after);
@@ -34,6 +36,7 @@ class ContactReader {
 
   const RobotModel& model_;
   const RobotBody& robot_;
+  const Terrain terrain_;
   std::vector<FootContact> feet_;
   std::vector<std::string> body_contacts_;
 };

@@ -3,6 +3,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -11,9 +12,8 @@
 
 namespace gaitwright::bullet {
 
-/// Bumps: value noise on a square grid of half a wavelength, blended by 6u^5 - 15u^4 + 10u^3, uniform in
-/// [-amplitude, amplitude], times a rise from zero at `free_radius` from `start` to one half a wavelength further.
-/// Perlin, ACM SIGGRAPH 2002, doi:10.1145/566654.566636, for the blend.
+/// Bumps: ValueNoise about `start` within [-amplitude, amplitude], times a rise from zero at `free_radius` from there
+/// to one half a wavelength further.
 struct Bumps {
   Vector2 start = Vector2::Zero();
   double amplitude = 0.0, wavelength = 0.4, free_radius = 0.0;
@@ -22,8 +22,8 @@ struct Bumps {
   double HeightAt(const Vector2& p_W) const;
 };
 
-/// The terrain as static bodies: planes without end, convex blocks under bounded patches, or a height field of it all
-/// when there are bumps.
+/// The terrain as static bodies: planes without end, convex blocks under bounded patches, height fields, obstacles; or
+/// obstacles and one height field of all ground when there are bumps.
 class Ground {
  public:
   /// @param start  where the slope turns and where bumps are zero.
@@ -36,11 +36,13 @@ class Ground {
  private:
   void AddObject(std::unique_ptr<btCollisionShape> shape, const Pose& X_WS, double friction);
   void AddPatch(const TerrainPatch& patch, double friction);
-  void AddHeightField(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps);
+  void AddHeightField(HeightField field, double friction);
+  void AddObstacle(const Obstacle& obstacle, double friction);
+  void AddBumps(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps);
 
   Pose X_tilt_;
   bool has_edges_ = false;
-  std::vector<double> heights_;
+  std::deque<std::vector<double>> heights_;  ///< by field; they stay where they are
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> objects_;
 };

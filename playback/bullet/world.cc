@@ -79,7 +79,7 @@ struct BulletWorld::Impl {
         body(robot, BodyOptionsOf(options, q0, ground.has_edges())),
         dispatcher(&configuration),
         world(&dispatcher, &broadphase, &solver, &configuration),
-        reader(robot, body),
+        reader(robot, body, terrain),
         before(robot),
         after(robot) {
     SetUpSolver();

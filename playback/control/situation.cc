@@ -19,7 +19,7 @@ void Situation::Observe(const RobotModel& model, const VectorX& q, const VectorX
   body.v_WC = CentroidalMomentum(model, body.scratch).head<3>() / model.total_mass_kg;
   body.X_WF.clear();
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f)
-    body.X_WF.push_back(ContactFrame(model, body.scratch, f));
+    body.X_WF.push_back(ContactFrame(model, body.scratch, f, swings.Under(f, time_s).normal_W));
 }
 
 void Situation::Update(const RobotModel& model, const ControlInput& input) {
@@ -38,6 +38,9 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
     if (Contains(scheduled, f)) height += planned.X_WF[static_cast<std::size_t>(f)].translation().z();
   }
   if (scheduled != 0) ground_m = height / std::popcount(scheduled);
+  contacts_.resize(model.feet.size());
+  for (std::size_t f = 0; f < contacts_.size(); ++f) PointsAt(static_cast<int>(f), planned, contacts_[f]);
+  support = SupportPlaneAt(plan_.schedule, time_s, contacts_);
   const double lowest = kLowest * std::max(model.leg_length_m(), 1e-3);
   omega_rad_s = std::sqrt(kGravity / std::max(planned.p_WC.z() - ground_m, lowest));
   if (touched_s_.empty()) touched_s_.assign(model.feet.size(), time_s);
@@ -50,15 +53,39 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
   }
 }
 
+void Situation::PointsAt(int foot, const BodyState& body, std::vector<Vector3>& points_W) const {
+  points_W.clear();
+  for (const Vector2& p_F : swings.Under(foot, time_s).support_F)
+    points_W.push_back(body.X_WF[static_cast<std::size_t>(foot)] * Vector3(p_F.x(), p_F.y(), 0.0));
+}
+
 double SwingNow::Progress(double time_s) const {
   return swings ? std::clamp((time_s - liftoff_s) / (touchdown_s - liftoff_s), 0.0, 1.0) : 0.0;
 }
 
-Swings::Swings(const FootstepPlan& footsteps, std::size_t num_feet) : stays_(num_feet) {
-  for (const Foothold& foothold : footsteps.footholds) {
+Swings::Swings(const RobotModel& model, const MotionPlan& plan) : stays_(model.feet.size()), grounds_(stays_.size()) {
+  const std::vector<Polygon> supports = SupportsOf(model, plan.terrain, plan.footsteps);
+  for (std::size_t i = 0; i < plan.footsteps.footholds.size(); ++i) {
+    const Foothold& foothold = plan.footsteps.footholds[i];
     const auto foot = static_cast<std::size_t>(foothold.foot);
-    if (foot < num_feet) stays_[foot].push_back({foothold.touchdown_s, foothold.liftoff_s});
+    if (foot >= stays_.size()) continue;
+    stays_[foot].push_back({foothold.touchdown_s, foothold.liftoff_s});
+    grounds_[foot].push_back({foothold.X_WF.linear().col(2), FrictionOf(plan.terrain, foothold.patch), supports[i]});
   }
+  for (std::size_t f = 0; f < grounds_.size(); ++f) {
+    const Polygon whole = model.feet[f].has_sole() ? model.feet[f].sole_F : Polygon{Vector2::Zero()};
+    if (grounds_[f].empty()) grounds_[f].push_back({Vector3::UnitZ(), FrictionOf(plan.terrain, 0), whole});
+  }
+}
+
+/// Index of the stay that holds, the last before it, or before all the first.
+std::size_t Swings::StayAt(std::size_t foot, double time_s) const {
+  constexpr double kTiny = 1e-9;  // [s]
+  const std::vector<ContactInterval>& stays = stays_[foot];
+  if (stays.empty()) return 0;
+  const auto next = std::partition_point(stays.begin() + 1, stays.end(),
+                                         [&](const ContactInterval& stay) { return stay.start_s <= time_s + kTiny; });
+  return static_cast<std::size_t>(next - stays.begin()) - 1;
 }
 
 SwingNow Swings::At(int foot, double time_s) const {
@@ -66,14 +93,18 @@ SwingNow Swings::At(int foot, double time_s) const {
   SwingNow swing;
   const std::vector<ContactInterval>& stays = stays_.at(static_cast<std::size_t>(foot));
   if (stays.empty()) return swing;
-  const auto next = std::partition_point(stays.begin() + 1, stays.end(),
-                                         [&](const ContactInterval& stay) { return stay.start_s <= time_s + kTiny; });
-  swing.liftoff_s = (next - 1)->end_s;
-  if (next == stays.end() || next->start_s <= swing.liftoff_s) return swing;
-  swing.touchdown_s = next->start_s;
-  swing.next_liftoff_s = next->end_s;
+  const std::size_t next = StayAt(static_cast<std::size_t>(foot), time_s) + 1;
+  swing.liftoff_s = stays[next - 1].end_s;
+  if (next == stays.size() || stays[next].start_s <= swing.liftoff_s) return swing;
+  swing.touchdown_s = stays[next].start_s;
+  swing.next_liftoff_s = stays[next].end_s;
   swing.swings = time_s > swing.liftoff_s - kTiny && time_s < swing.touchdown_s - kTiny;
   return swing;
+}
+
+const GroundUnder& Swings::Under(int foot, double time_s) const {
+  const auto f = static_cast<std::size_t>(foot);
+  return grounds_.at(f)[StayAt(f, time_s)];
 }
 
 }  // namespace gaitwright

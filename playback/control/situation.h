@@ -7,6 +7,8 @@
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
 #include "planning/plan/sample_plan.h"
+#include "planning/plan/sole_support.h"
+#include "planning/plan/support_plane.h"
 #include "playback/control/controller.h"
 
 namespace gaitwright {
@@ -36,28 +38,44 @@ struct SwingNow {
   double Progress(double time_s) const;
 };
 
+/// The ground that a foot was put on.
+struct GroundUnder {
+  Vector3 normal_W = Vector3::UnitZ();
+  double friction = 0.0;
+  Polygon support_F;  ///< what of the foot is on it, see SupportsOf
+};
+
 /// The swings of a plan, kept by foot: at 1 kHz, a walk through all footholds for each question would take ever longer
 /// with the length of the plan.
 class Swings {
  public:
-  Swings(const FootstepPlan& footsteps, std::size_t num_feet);
+  Swings(const RobotModel& model, const MotionPlan& plan);
 
   /// The swing of a foot at a time; `swings` is false while it stands, and in the air before the first or after the
   /// last of its footholds.
   SwingNow At(int foot, double time_s) const;
 
+  /// The ground that a foot stands on, or stood on last.
+  const GroundUnder& Under(int foot, double time_s) const;
+
  private:
+  std::size_t StayAt(std::size_t foot, double time_s) const;
+
   std::vector<std::vector<ContactInterval>> stays_;  // by foot, in the order of the plan
+  std::vector<std::vector<GroundUnder>> grounds_;    // by foot; level where a plan has no footholds for it
 };
 
 /// The robot beside its plan at the same time: what feedback works on.
 struct Situation {
   Situation(const RobotModel& model, const MotionPlan& plan)
-      : measured(model), planned(model), swings(plan.footsteps, model.feet.size()), plan_(plan) {}
+      : measured(model), planned(model), swings(model, plan), plan_(plan) {}
 
   /// Forgets what was seen.
   void Reset();
   void Update(const RobotModel& model, const ControlInput& input);
+
+  /// The points through which a foot can push where it is, or would be on the ground that it stood on last, in W [m].
+  void PointsAt(int foot, const BodyState& body, std::vector<Vector3>& points_W) const;
 
   double time_s = 0.0, step_s = 0.001;
   WholeBodySample sample;  ///< of the plan
@@ -66,6 +84,7 @@ struct Situation {
   std::vector<ContactWrench> wrenches;  ///< measured, by foot
   FootSet scheduled = 0;                ///< feet that shall stand
   FootSet bearing = 0;                  ///< feet that stand: scheduled or at the end of their swing, and in contact
+  GroundPlane support;                  ///< in which the planned ZMP is reckoned
   double ground_m = 0.0;     ///< mean height of the planned contact of the feet that shall stand, or last did
   double omega_rad_s = 1.0;  ///< of the planned pendulum
 
@@ -73,6 +92,7 @@ struct Situation {
   void Observe(const RobotModel& model, const VectorX& q, const VectorX& v, BodyState& body) const;
   const MotionPlan& plan_;
   std::vector<double> touched_s_;  // last contact, by foot
+  ContactsByFoot contacts_;        // planned
 };
 
 }  // namespace gaitwright

@@ -28,7 +28,7 @@ class Stabilised final : public Controller {
         options_(Checked(model, plan, options)),
         replay_(model, plan, gains),
         now_(model, plan),
-        stance_(model, plan, options_),
+        stance_(model, options_),
         swing_(model, plan, options_) {}
 
   void Reset() override {

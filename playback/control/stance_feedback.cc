@@ -12,8 +12,8 @@
 
 namespace gaitwright {
 
-StanceFeedback::StanceFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options)
-    : model_(model), plan_(plan), options_(options) {
+StanceFeedback::StanceFeedback(const RobotModel& model, const StabilisedOptions& options)
+    : model_(model), options_(options) {
   DynamicsScratch scratch(model);
   MatrixX M;
   const VectorX standing = StandingConfiguration(model);
@@ -34,7 +34,7 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
   const PointWrench planned = PlannedWrench(now);
   if (now.bearing != 0 && planned.force_W.z() > kLeastPlanned * model_.weight_n()) {
     GatherContacts(now, planned.force_W.z());
-    planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, now.ground_m);
+    planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, now.support).head<2>();
     FindUsable(now, footing);
     Split(now, WantedWrench(now, footing, planned));
   }
@@ -59,10 +59,12 @@ PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& fo
   const double rate = now.planned.v_WC.z() - now.measured.v_WC.z();
   const double lift = planned.force_W.z() + model_.total_mass_kg * kz * (kz * rise + 2.0 * rate);
   const double normal = std::clamp(lift, kLeast * weight, kMost * weight);
-  double ground = 0.0;
-  for (const ContactPoint& point : contacts_) ground += point.p_W.z() / static_cast<double>(contacts_.size());
+  const Vector2 zmp = ZmpFor(dcm_error_W_), arm = p_WC.head<2>() - zmp;
+  double ground = 0.0;  // under the ZMP: as the contacts tell, along the plan's plane
+  for (const ContactPoint& point : contacts_)
+    ground +=
+        (point.p_W.z() + now.support.slope.dot(zmp - point.p_W.head<2>())) / static_cast<double>(contacts_.size());
   const double height = std::max(p_WC.z() - ground, kLow * (now.planned.p_WC.z() - now.ground_m));
-  const Vector2 arm = p_WC.head<2>() - ZmpFor(dcm_error_W_);
   return {p_WC, {(arm.x() * normal - moment.y()) / height, (arm.y() * normal + moment.x()) / height, normal}, moment};
 }
 
@@ -102,11 +104,11 @@ void StanceFeedback::GatherContacts(const Situation& now, double total_normal_n)
     if (!Contains(now.bearing, f)) continue;
     const double share =
         std::max(now.sample.wrenches[static_cast<std::size_t>(f)].force_W.z() / total_normal_n, kLeastShare);
-    const auto points = ContactPoints(model_, now.measured.scratch, f);
-    for (const Vector3& p_W : points) {
-      const GroundPoint ground = GroundAt(plan_.terrain, p_W.head<2>());
+    now.PointsAt(f, now.measured, points_);
+    const GroundUnder& ground = now.swings.Under(f, now.time_s);
+    for (const Vector3& p_W : points_) {
       contacts_.push_back({p_W, ground.normal_W, std::max(options_.friction_use * ground.friction, 0.05),
-                           static_cast<double>(points.size()) / share});
+                           static_cast<double>(points_.size()) / share});
       contact_foot_.push_back(f);
       corners.push_back(p_W.head<2>());
     }

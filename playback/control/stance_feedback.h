@@ -21,7 +21,7 @@ struct Footing {
 /// The part of `stabilised` that works through the feet on the ground: base attitude, height and DCM.
 class StanceFeedback {
  public:
-  StanceFeedback(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options);
+  StanceFeedback(const RobotModel& model, const StabilisedOptions& options);
 
   /// Adds to tau (size n) the torques that turn the planned contact forces into the wanted ones.
   void Update(const Situation& now, const Footing& footing, VectorX& tau);
@@ -47,7 +47,6 @@ class StanceFeedback {
   void AddTorques(const Situation& now, VectorX& tau) const;
 
   const RobotModel& model_;
-  const MotionPlan& plan_;
   const StabilisedOptions& options_;
   Vector3 inertia_B_ = Vector3::Ones();  // of the standing robot, about its centre of mass
   // Of the last Update.
@@ -56,6 +55,7 @@ class StanceFeedback {
   Polygon usable_;                           // where the ZMP may be moved to; empty where no foot stands
   std::vector<ContactPoint> contacts_;
   std::vector<int> contact_foot_;
+  std::vector<Vector3> points_;  // of one foot
   Polygon support_;
   ContactSplitter splitter_;
   ContactSplit split_;

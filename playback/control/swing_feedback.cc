@@ -153,7 +153,7 @@ FootMotion SwingFeedback::WantedMotion(int foot) const {
 /// Contact forces carry the balance; the motors only keep the foot from sliding.
 void SwingFeedback::CommandStance(const Situation& now, int leg, JointCommand& command) {
   v_ = now.measured.v;
-  legs_.Hold(leg, now.measured.q, v_);
+  legs_.Hold(leg, now.swings.Under(leg, now.time_s).normal_W, now.measured.q, v_);
   for (const int dof : legs_.dofs(leg)) {
     command.q[dof] = now.measured.q[7 + dof];
     command.v[dof] = v_[6 + dof];

@@ -38,6 +38,7 @@ std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, con
     data.series.plan.resize(count);
   }
   std::vector<Plot> plots = {TopView(data)};
+  if (IsUneven(plan.terrain)) plots.push_back(SideView(data));
   Append(BalancePlots(data), plots);
   Append(ContactPlots(data), plots);
   Append(JointPlots(data), plots);

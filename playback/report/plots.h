@@ -16,9 +16,9 @@ struct Plot {
   std::string svg;      ///< without style; StandaloneSvg makes a file of it
 };
 
-/// All plots of a playback: top_view, zmp_com_x, zmp_com_y, margins, errors, base_attitude, base_height, gait,
-/// foot_heights, foot_forces, torque_use (where a joint has a limit), joint_torques, joint_positions. Planned is broad
-/// and pale, measured thin and dark on top. They end shortly after a fall.
+/// All plots of a playback: top_view, side_view (on uneven ground), zmp_com_x, zmp_com_y, margins, errors,
+/// base_attitude, base_height, gait, foot_heights, foot_forces, torque_use (where a joint has a limit), joint_torques,
+/// joint_positions. Planned is broad and pale, measured thin and dark on top. They end shortly after a fall.
 /// @throws InvalidArgument as Score does.
 std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                             const StabilityReport& report);
@@ -37,11 +37,16 @@ struct PlotData {
 
 /// The plots by kind; MakePlots puts them together.
 Plot TopView(const PlotData& data);
+Plot SideView(const PlotData& data);
 std::vector<Plot> BalancePlots(const PlotData& data);
 std::vector<Plot> ContactPlots(const PlotData& data);
 std::vector<Plot> JointPlots(const PlotData& data);
 
 class SvgPlot;
+/// Edges of the ground and what stands on it, in plan view about the walk.
+void DrawGround(const PlotData& data, SvgPlot& plot);
+/// True unless the ground is one level plane with nothing on it.
+bool IsUneven(const Terrain& terrain);
 /// A line at the time of the fall, if there was one.
 void MarkFall(const PlotData& data, SvgPlot& plot, bool in_words = true);
 

@@ -99,6 +99,7 @@ Plot TopView(const PlotData& data) {
   options.equal_axes = true;
   options.most_points = 2000;
   SvgPlot plot(options);
+  DrawGround(data, plot);
   DrawSupports(data, plot);
   DrawFootholds(data, plot);
   DrawLandings(data, plot);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 namespace {
@@ -23,6 +24,19 @@ Vector3 NormalUnder(const RobotModel& model, const DynamicsScratch& scratch, con
 Vector2 OnGrid(const Vector3& p) {
   constexpr double kGrid = 1e-9;  // [m]
   return {kGrid * std::round(p.x() / kGrid), kGrid * std::round(p.y() / kGrid)};
+}
+
+/// What of a foot can carry where it is: all its points, or those of the part of a sole that is on the patch under its
+/// middle.
+std::vector<Vector3> CarryingPoints(const Foot& foot, const Pose& X_WF, const Terrain& terrain) {
+  constexpr double kInside = 1e-4;  // [m] so that the ground below them is that patch's
+  const int surface = GroundAt(terrain, X_WF.translation().head<2>()).patch;
+  const auto index = static_cast<std::size_t>(surface);
+  if (!foot.has_sole() || surface < 0 || index >= terrain.patches.size()) return ContactPoints(foot, X_WF);
+  std::vector<Vector3> points;
+  for (const Vector2& p_F : PartOnPatch(foot.sole_F, X_WF, terrain.patches[index], kInside))
+    points.push_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));
+  return points;
 }
 
 bool Coplanar(const std::vector<Vector3>& points, const Vector3& normal) {
@@ -48,9 +62,13 @@ Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const
   Vector3 normal = Vector3::Zero();
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
     if (!Contains(stance, foot)) continue;
-    for (const Vector3& p : ContactPoints(model, scratch, terrain, foot)) {
+    const Pose X_WF = ContactFrame(model, scratch, terrain, foot);
+    const Foot& shape = model.feet[static_cast<std::size_t>(foot)];
+    for (const Vector3& p : ContactPoints(shape, X_WF)) {
       support.points_W.push_back(p);
       support.reference_W += p;
+    }
+    for (const Vector3& p : CarryingPoints(shape, X_WF, terrain)) {
       flat.push_back(OnGrid(p));
       const GroundPoint below = GroundAt(terrain, p.head<2>());
       if (below.patch < 0) continue;

@@ -17,10 +17,9 @@ std::vector<Vector3> ContactPoints(const RobotModel& model, const DynamicsScratc
                                    int foot);
 
 /// What carries the robot: the soles of a set of feet at the poses where they are, whether or not they touch.
-/// Invariant: points_W, polygon are empty together.
 struct Support {
   std::vector<Vector3> points_W;          ///< contact points, in the order of the feet
-  Polygon polygon;                        ///< their hull in plan view
+  Polygon polygon;                        ///< hull in plan view of what is on the ground of their patches
   Vector3 reference_W = Vector3::Zero();  ///< their mean
   Vector3 normal_W = Vector3::UnitZ();    ///< mean normal of the ground below them
   double base_yaw_rad = 0.0;              ///< heading where the points alone give none

@@ -70,13 +70,13 @@ TEST_F(Answers, WhatThereIsIsListed) {
   EXPECT_GT(gaits.json().at("gaits").size(), 5U);
   const Ran terrains = Run({"terrains", "--json"});
   EXPECT_EQ(terrains.status, 0);
-  ExpectKeys(terrains.json().at("terrains").at(0), {"name", "description"});
+  ExpectKeys(terrains.json().at("terrains").at(0), {"name", "description", "parameters"});
   EXPECT_TRUE(Found().empty());
 }
 
 TEST_F(Answers, EveryTerrainOfTheListIsShownAndWalked) {
-  const Json list = Run({"terrains", "--json"}).json();
-  for (const Json& entry : list.at("terrains")) {
+  const Json listed = Run({"terrains", "--json"}).json();  // the loop must not outlive what it goes through
+  for (const Json& entry : listed.at("terrains")) {
     const std::string name = entry.at("name");
     SCOPED_TRACE(name);
     const Ran shown = Run({"terrains", "show", name, "--json"});

@@ -20,7 +20,7 @@ struct Reaction {
 class StanceCase {
  public:
   explicit StanceCase(const RobotModel& model, MotionPlan plan, const StabilisedOptions& options = {})
-      : model_(model), plan_(std::move(plan)), options_(options), now(model_, plan_), stance(model_, plan_, options_) {
+      : model_(model), plan_(std::move(plan)), options_(options), now(model_, plan_), stance(model_, options_) {
     footing.offset_W.assign(model.feet.size(), Vector3::Zero());
   }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,10 +23,13 @@ bool Passes(const Result<PlannedWalk>& planned) {
   return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(planned->audit).empty();
 }
 
-/// True for failures that a slower walk may not have: not what the gait or the robot's build forbids.
+/// True for failures that a slower walk may not have: not what the gait, the robot's build or the ground forbids.
 bool IsTooMuch(const Failure& failure) {
-  const bool of_build = failure.code == "freedoms" || failure.code == "no_support";
-  return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts" && !of_build;
+  static const std::set<std::string> kWhateverThePace = {"freedoms",      "no_support",    "no_footholds",
+                                                         "search_budget", "start_blocked", "goal_blocked",
+                                                         "way_blocked",   "way_not_found"};
+  return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts" &&
+         !kWhateverThePace.contains(failure.code);
 }
 
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "kinematics/model/load_robot.h"
+#include "planning/terrain/load_terrain.h"
 #include "playback/control/joint_pd.h"
 #include "workflows/walk/plan_within.h"
 
@@ -26,7 +27,9 @@ class CpuClock {
 /// All that shapes a plan beside its command and seed: what was asked for by name (of a file its name alone, since a
 /// plan holds no path; the gait itself is in it), and the options.
 OptionFields AsAsked(WalkRequest& request) {
-  if (!request.gait.empty()) request.gait = std::filesystem::path(request.gait).filename().string();
+  const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+  if (!request.gait.empty()) request.gait = file_name(request.gait);
+  request.terrain = file_name(request.terrain);
   return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best.", {}},
                   {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for.", {}}},
                  request.Fields()});
@@ -63,7 +66,7 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
   const CpuClock clock;
   WalkRequest checked = request;
   CheckOptions(checked.Fields());
-  const Result<Terrain> terrain = FindTerrain(request.terrain);
+  const Result<Terrain> terrain = LoadTerrain(request.terrain, ScaleOf(model));
   if (!terrain) return terrain.failure();
   Result<PlannedWalk> planned = PlanWithin(model, *terrain, request);
   if (!planned) return planned;

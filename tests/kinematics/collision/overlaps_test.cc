@@ -2,6 +2,7 @@
 // Overlaps along a motion: known depths, and the same answer as a checker that has seen nothing before.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -92,6 +93,52 @@ TEST(Overlaps, DoNotDependOnWhatWasSeenBefore) {
       }
     }
     EXPECT_GT(touched, 20) << "the motions must bring links together";
+  }
+}
+
+const LeftOutPair* PairOf(const CollisionChecker& checker, const std::string& a, const std::string& b) {
+  for (const LeftOutPair& pair : checker.left_out()) {
+    if ((pair.link_a == a && pair.link_b == b) || (pair.link_a == b && pair.link_b == a)) return &pair;
+  }
+  return nullptr;
+}
+
+TEST(LeftOutPairs, AreNamedOnceWithTheirReason) {
+  for (const char* name : {"a1", "nao"}) {
+    const RobotModel model = LoadNamedRobot(name).value();
+    const CollisionChecker checker(model);
+    ASSERT_FALSE(checker.left_out().empty());
+    for (const LeftOutPair& pair : checker.left_out()) {
+      EXPECT_NE(pair.reason.find(": "), std::string::npos) << pair.reason;
+      EXPECT_EQ(std::count_if(checker.left_out().begin(), checker.left_out().end(),
+                              [&](const LeftOutPair& other) {
+                                return other.link_a == pair.link_a && other.link_b == pair.link_b;
+                              }),
+                1);
+    }
+  }
+  const RobotModel a1 = LoadNamedRobot("a1").value();
+  const CollisionChecker checker(a1);
+  const LeftOutPair* knee = PairOf(checker, "FL_thigh", "FL_calf");
+  ASSERT_NE(knee, nullptr);
+  EXPECT_EQ(knee->reason, "adjacent: joint 'FL_calf_joint' joins them");
+  EXPECT_EQ(PairOf(checker, "FL_calf", "FR_calf"), nullptr) << "these are checked";
+}
+
+/// Two balls on slides along x that carry each other only over the base: whether they always touch depends on ranges.
+TEST(LeftOutPairs, AlwaysTouchingIsToldFromTouchingInTheStandingPosture) {
+  for (const bool always : {true, false}) {
+    RobotModel model = TwoOnSlides(ShapeType::kSphere, {0.1, 0.0, 0.0});
+    model.standing_joints = Eigen::Vector2d(0.0, 0.1);
+    for (std::size_t j = 0; j < 2; ++j) {
+      model.joints[j].lower = 0.0;
+      model.joints[j].upper = always ? 0.15 : 1.0;
+    }
+    const CollisionChecker checker(model);
+    EXPECT_EQ(checker.num_pairs(), 0);
+    ASSERT_EQ(checker.left_out().size(), 1U);
+    const std::string& reason = checker.left_out()[0].reason;
+    EXPECT_EQ(reason.substr(0, reason.find(':')), always ? "always touching" : "touching in the standing posture");
   }
 }
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "kinematics/model/load_robot.h"
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 namespace gaitwright {
 namespace {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "kinematics/model/load_robot.h"
 #include "optimisation/swing/refine_swing.h"
@@ -95,6 +97,139 @@ TEST(PlanSwings, AWallHigherThanTheLegIsNamed) {
   EXPECT_EQ(swings.failure().kind, FailureKind::kInfeasible);
   EXPECT_NE(swings.failure().message.find("at 0.80 s cannot clear the ground"), std::string::npos)
       << swings.failure().message;
+}
+
+Obstacle Box(const char* name, const Vector3& middle_W, const Vector3& size_m) {
+  Obstacle box;
+  box.name = name;
+  box.X_WO.translation() = middle_W;
+  box.size_m = size_m;
+  return box;
+}
+
+/// How far a sphere foot stays from an upright box along its whole swing, by the closed form.
+double LeastGap(const SwingTrajectory& swing, double radius_m, const Vector3& middle_W, const Vector3& size_m) {
+  double least = 1e9;
+  for (int k = 0; k <= 200; ++k) {
+    const Pose X_WF = Evaluate(CurveOf(swing), swing.start_s + (swing.end_s - swing.start_s) * k / 200.0).X_WF;
+    const Vector3 centre = X_WF.translation() + radius_m * X_WF.linear().col(2) - middle_W;
+    least = std::min(least, (centre.cwiseAbs() - 0.5 * size_m).cwiseMax(0.0).norm() - radius_m);
+  }
+  return least;
+}
+
+TEST(PlanSwings, ALowObstacleIsSteppedOver) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  const Vector3 middle(0.1, 0.0, 0.03), size(0.03, 1.0, 0.06);
+  Terrain terrain = FlatTerrain();
+  terrain.obstacles = {Box("beam", middle, size)};
+  const auto swings = PlanSwings(model, terrain, OneStep(0.2, 0.0), {});
+  ASSERT_TRUE(swings.ok()) << swings.failure().message;
+  EXPECT_FALSE(swings->front().detour_W.empty());
+  EXPECT_GT(swings->front().lift_m, 0.06);
+  EXPECT_GT(LeastGap(swings->front(), 0.02, middle, size), 0.004);
+  EXPECT_NEAR(Evaluate(CurveOf(swings->front()), 1.05).X_WF.translation().y(), 0.0, 1e-9);
+}
+
+TEST(PlanSwings, APostIsPassedBeside) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  const Vector3 middle(0.1, 0.0, 0.5), size(0.02, 0.02, 1.0);
+  Terrain terrain = FlatTerrain();
+  terrain.obstacles = {Box("post", middle, size)};
+  const auto swings = PlanSwings(model, terrain, OneStep(0.2, 0.0), {});
+  ASSERT_TRUE(swings.ok()) << swings.failure().message;
+  EXPECT_GT(std::abs(Evaluate(CurveOf(swings->front()), 1.05).X_WF.translation().y()), 0.03);
+  EXPECT_GT(LeastGap(swings->front(), 0.02, middle, size), 0.003);
+}
+
+TEST(PlanSwings, WhatCannotBePassedIsNamed) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  Terrain terrain = FlatTerrain();
+  terrain.obstacles = {Box("gate", Vector3(0.1, 0.0, 0.5), Vector3(0.02, 2.0, 1.0))};
+  const auto swings = PlanSwings(model, terrain, OneStep(0.2, 0.0), {});
+  ASSERT_FALSE(swings.ok());
+  const std::string& message = swings.failure().message;
+  EXPECT_NE(message.find("the swing of foot '" + model.feet[0].name + "' at 0.80 s"), std::string::npos) << message;
+  EXPECT_NE(message.find("'gate'"), std::string::npos) << message;
+}
+
+TEST(PlanSwings, AFootRisesBeforeARiserAndGoesAheadBeforeItComesDown) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  for (const double rise : {0.1, -0.1}) {
+    // The upper tread's edge is 45 mm from the lower foothold's middle, 25 mm from the ball.
+    Terrain terrain = rise > 0.0 ? WithBox(0.045, 1.0, rise) : WithBox(-1.0, 0.2 - 0.045, 0.0);
+    if (rise < 0.0) terrain.patches[0].X_WT.translation().z() = rise;
+    const auto swings = PlanSwings(model, terrain, OneStep(0.2, rise), {});
+    ASSERT_TRUE(swings.ok()) << swings.failure().message;
+    const SwingTrajectory& swing = swings->front();
+    const Vector3 size(2.0, 2.0, 1.0), middle(rise > 0.0 ? 1.045 : 0.155 - 1.0, 0.0, std::max(rise, 0.0) - 0.5);
+    const double upper_s = rise > 0.0 ? swing.end_s : swing.start_s;
+    double least_beside = 1e9;  // gap to the upper tread while the foot is not over it
+    for (int k = 1; k < 200; ++k) {
+      const double t = swing.start_s + (swing.end_s - swing.start_s) * k / 200.0;
+      const Vector3 p = Evaluate(CurveOf(swing), t).X_WF.translation();
+      if (std::abs(t - upper_s) < 0.2) continue;
+      const Vector3 centre = p + Vector3(0.0, 0.0, 0.02) - middle;
+      least_beside = std::min(least_beside, (centre.cwiseAbs() - 0.5 * size).cwiseMax(0.0).norm() - 0.02);
+    }
+    EXPECT_GT(least_beside, 0.005) << "rise " << rise;
+  }
+}
+
+TEST(PlanSwings, WhatASphereRollsOffItsCurveIsReckonedWith) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  const SwingRoll roll({Vector3::Zero(), 0.03 * Vector3::UnitX(), 0.035 * Vector3::UnitX(), Vector3::Zero()});
+  FormerMotion former;
+  former.roll = [&](const SwingTrajectory&) { return roll; };
+  const Terrain terrain = WithBox(0.05, 3.0, 0.1);
+  const auto spare = [&](const SwingTrajectory& swing) {
+    return SpareClearance(
+        CurveOf(swing), UndersideOf(model.feet[0]), [&](const Vector2& p) { return GroundAt(terrain, p).height_m; },
+        0.0, roll);
+  };
+  const auto blind = PlanSwings(model, terrain, OneStep(0.2, 0.1), {});
+  ASSERT_TRUE(blind.ok()) << blind.failure().message;
+  EXPECT_LT(spare(blind->front()), -1e-3);
+  const auto seeing = PlanSwings(model, terrain, OneStep(0.2, 0.1), {}, former);
+  ASSERT_TRUE(seeing.ok()) << seeing.failure().message;
+  EXPECT_GT(spare(seeing->front()), -1e-4);
+}
+
+TEST(PlanSwings, AShankGoesAroundWhatTheFootPassesUnder) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  const Foot& foot = model.feet[0];
+  const Vector3 p_WF = FramePose(scratch, foot.body, foot.X_BF).translation();
+  FootstepPlan steps = OneStep(0.2, 0.0);
+  for (Foothold& foothold : steps.footholds) foothold.X_WF.translation() += Vector3(p_WF.x() - 0.1, p_WF.y(), 0.0);
+  const Pose X_WB = FramePose(scratch, 0, Pose::Identity());
+  const BaseMotion still = [X_WB](double) { return X_WB; };
+  // A knob beside the shank, below its middle, in mid swing, half of it inside.
+  const auto shank = std::find_if(model.collision_shapes.begin(), model.collision_shapes.end(),
+                                  [&](const Shape& shape) { return shape.body == model.legs[0].knee_joint + 1; });
+  ASSERT_NE(shank, model.collision_shapes.end());
+  const SwingTrajectory free = PlanSwings(model, FlatTerrain(), steps, {})->front();
+  Pose X_WF = Evaluate(CurveOf(free), 0.5 * (free.start_s + free.end_s)).X_WF;
+  X_WF.translation().z() += foot.radius;
+  const LegIk ik(model, 0);
+  const VectorX joints = ik.Solve(X_WB.inverse() * X_WF)->joints;
+  VectorX q = StandingConfiguration(model);
+  for (Eigen::Index i = 0; i < joints.size(); ++i) q[7 + ik.dofs()[static_cast<std::size_t>(i)]] = joints[i];
+  ForwardKinematics(model, q, scratch);
+  const Vector3 knob = FramePose(scratch, shank->body, shank->X_BS) * Vector3(0.05, 0.008, 0.0);
+  Terrain terrain = FlatTerrain();
+  terrain.obstacles = {Box("knob", knob, Vector3::Constant(0.01))};
+  const auto blind = PlanSwings(model, terrain, steps, {});
+  ASSERT_TRUE(blind.ok()) << blind.failure().message;
+  const SwingGuard guard(model, terrain, {still, {}, {}});
+  const auto hit = guard.Check(blind->front(), 0.0);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_EQ(hit->part, shank->link);
+  EXPECT_EQ(hit->solid, "knob");
+  const auto seeing = PlanSwings(model, terrain, steps, {}, {still, {}, {}});
+  ASSERT_TRUE(seeing.ok()) << seeing.failure().message;
+  EXPECT_FALSE(guard.Check(seeing->front(), 0.0).has_value());
 }
 
 }  // namespace

@@ -216,13 +216,17 @@ TEST_P(AuditLaw, FootClearanceFindsABumpUnderASwing) {
   bump.outline_T = {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
   plan.terrain.patches.push_back(bump);
   const auto found = ViolationsOf(model(), plan);
-  EXPECT_EQ(LawsOf(found), Laws{"foot_clearance"});
-  EXPECT_NEAR(At(found, foot()).at_s, row_s(), 0.01);
-  EXPECT_NEAR(found[0].value, -kOver, 5e-4);
+  // Whatever else comes along there, such as a shank, may hit it too.
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].law, "foot_clearance");
+  for (const Violation& violation : found) EXPECT_TRUE(violation.law.ends_with("_clearance")) << violation.law;
+  const Violation& hit = At(found, foot());
+  EXPECT_NEAR(hit.at_s, row_s(), 0.01);
+  EXPECT_NEAR(hit.value, -kOver, 5e-4);
 }
 
 TEST_P(AuditLaw, BodyClearanceFindsAPostThatTheTrunkPassesInFourMilliseconds) {
-  constexpr double kRadius = 0.02, kOver = 2e-3, kHalf_s = 2e-3;
+  constexpr double kRadius = 0.02, kOver = 2e-3, kHalf_s = 2e-3, kSample_s = 1e-3;
   RobotModel ball = model();
   ball.collision_shapes = {Ball(0, "ball", Vector3::Zero(), kRadius)};
   const double middle_s = good().whole_body.start_s + 0.5 * good().duration_s();
@@ -238,7 +242,7 @@ TEST_P(AuditLaw, BodyClearanceFindsAPostThatTheTrunkPassesInFourMilliseconds) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].law, "body_clearance");
   EXPECT_EQ(found[0].where, "ball");
-  EXPECT_NEAR(found[0].at_s, middle_s, 2.0 * kHalf_s);
+  EXPECT_NEAR(found[0].at_s, middle_s, 2.0 * kHalf_s + kSample_s);
   EXPECT_NEAR(found[0].value, -kOver, 2e-4);
   EXPECT_EQ(found[0].unit, "m");
 }

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "planning/footsteps/plan_footsteps.h"
-#include "planning/footsteps/standing_feet.h"
 #include "planning/gait/find_gait.h"
+#include "planning/paths/standing_feet.h"
 #include "tests/planning/footsteps/synthetic_walker.h"
 
 namespace gaitwright {

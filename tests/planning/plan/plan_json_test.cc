@@ -143,7 +143,7 @@ TEST(PlanJson, ValuesThatCannotBeAreRefused) {
   EXPECT_EQ(WhyRefused([](Json& j) { j["terrain"]["patches"][0]["friction"] = -1.0; }),
             "'terrain.patches[0].friction' is -1; it must be at least 0");
   EXPECT_EQ(WhyRefused([](Json& j) { j["terrain"]["patches"] = Json::array(); }),
-            "'terrain.patches' is empty; a plan needs ground to stand on");
+            "'terrain' has neither patches nor height fields; a plan needs ground to stand on");
   EXPECT_EQ(WhyRefused([](Json& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {1, 0}};
             }),

@@ -152,7 +152,7 @@ TEST_P(LegTargetsTest, HeldFeetStandStillUnderAMovingBase) {
     for (int leg = 0; leg < static_cast<int>(model_.legs.size()); ++leg) {
       VectorX v = start;
       EXPECT_GT(ContactVelocity(model_, leg, standing_, v).head<3>().norm(), 1e-3);
-      legs_.Hold(leg, standing_, v);
+      legs_.Hold(leg, Vector3::UnitZ(), standing_, v);
       const Vector6 held = ContactVelocity(model_, leg, standing_, v);
       EXPECT_LT(held.head<3>().norm(), 2e-3 * start.norm());
       if (!quadruped()) {

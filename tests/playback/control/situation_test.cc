@@ -102,7 +102,7 @@ TEST_F(SituationTest, WhatWasSeenIsForgotten) {
 }
 
 TEST_F(SituationTest, SwingsAreThoseBetweenFootholds) {
-  const Swings swings(plan_.footsteps, 4);
+  const Swings swings(model_, plan_);
   const SwingNow swing = swings.At(0, 1.0);
   EXPECT_TRUE(swing.swings);
   EXPECT_NEAR(swing.liftoff_s, 0.9, 1e-12);
@@ -122,7 +122,9 @@ TEST_F(SituationTest, SwingsAreThoseBetweenFootholds) {
 }
 
 TEST_F(SituationTest, AFootWithoutFootholdsDoesNotSwing) {
-  const Swings none(FootstepPlan{}, 4);
+  MotionPlan plan = plan_;
+  plan.footsteps = {};
+  const Swings none(model_, plan);
   EXPECT_FALSE(none.At(0, 0.5).swings);
   EXPECT_EQ(none.At(0, 0.5).Progress(0.5), 0.0);
 }

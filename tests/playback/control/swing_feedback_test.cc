@@ -30,7 +30,7 @@ class Walk {
         options_(options),
         replay_(model_, plan_),
         now(model_, plan_),
-        stance_(model_, plan_, options_),
+        stance_(model_, options_),
         swing_(model_, plan_, options_) {}
 
   JointCommand Step(const ControlInput& input) {
@@ -105,7 +105,7 @@ class SwingFeedbackTest : public ::testing::Test {
     options.support_use = 0.0;
     return options;
   }
-  SwingNow Swing() const { return Swings(plan_.footsteps, 4).At(0, 0.95); }
+  SwingNow Swing() const { return Swings(model_, plan_).At(0, 0.95); }
 
   const RobotModel model_ = synthetic::Robot(4, FootType::kPoint);
   const MotionPlan plan_ = synthetic::SteppingPlan(model_, Quick());

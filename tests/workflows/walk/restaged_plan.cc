@@ -4,18 +4,24 @@
 #include <cmath>
 
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/trajectory/cubic_spline.h"
 #include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/centroidal/centre_of_mass.h"
 #include "optimisation/pipeline/support_regions.h"
+#include "optimisation/whole_body/body_path.h"
 #include "optimisation/whole_body/solve_whole_body.h"
 
 namespace gaitwright {
 namespace {
 
-/// Straight walks only: the base does not turn.
-CubicSpline StraightAhead(const MotionPlan& plan) {
-  return CubicSpline(plan.schedule.start_s(), 0.5 * plan.duration_s(), {0.0, 0.0, 0.0});
+/// Straight walks on level ground only: the base neither turns nor tilts.
+BodyPath StraightAhead(const RobotModel& maker, const MotionPlan& plan) {
+  constexpr double kEven = 0.1;  // [s]; level ground is even
+  FootstepSkeleton skeleton;
+  skeleton.path.time_s = {plan.schedule.start_s(), plan.schedule.end_s()};
+  skeleton.path.pose.resize(2);
+  skeleton.schedule = plan.schedule;
+  skeleton.footsteps = plan.footsteps;
+  return {maker, skeleton, kEven};
 }
 
 void PutSwingsOnFootholds(MotionPlan& plan) {
@@ -33,14 +39,14 @@ void PutSwingsOnFootholds(MotionPlan& plan) {
 
 WholeBodySolution SolveAnew(const RobotModel& maker, MotionPlan& plan) {
   constexpr int kPasses = 6;  // until the rolls of spheres have settled
-  const CubicSpline yaw = StraightAhead(plan);
+  const BodyPath body = StraightAhead(maker, plan);
   std::vector<Foothold>& footholds = plan.footsteps.footholds;
   std::vector<Vector3> expected_roll(footholds.size(), Vector3::Zero());
   WholeBodySolution solution;
   for (int pass = 0; pass < kPasses; ++pass) {
     PutSwingsOnFootholds(plan);
     const WholeBodyProblem problem{&plan.terrain,    &plan.schedule, &plan.footsteps,
-                                   &plan.centroidal, &plan.swings,   &yaw};
+                                   &plan.centroidal, &plan.swings,   &body};
     solution = SolveWholeBody(maker, problem, expected_roll, WholeBodyOptions{}).value();
     double change = 0.0;
     for (std::size_t i = 0; i < footholds.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/footsteps/standing_feet.h"
+#include "planning/paths/standing_feet.h"
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
@@ -13,6 +13,7 @@ std::vector<Pose> StandingFeet(const RobotModel& model) {
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
     Pose X_BF = ContactFrame(model, scratch, f);
     X_BF.translation().z() = 0.0;
+    X_BF.linear() = YawRotation(YawOf(X_BF.linear()));  // upright without what is rounded
     feet.push_back(X_BF);
   }
   return feet;

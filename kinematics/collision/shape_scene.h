@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// The solid under heights at the nodes of a grid along x and y of W. Each cell is two triangles, parted by the
+/// diagonal from its lowest x and y to its highest, and what is straight below them.
+struct GridSolid {
+  std::string name;
+  Vector2 origin_W = Vector2::Zero();  ///< of the first node [m]
+  double resolution_m = 0.02;          ///< between nodes
+  int columns = 0, rows = 0;           ///< nodes along x and along y, at least 2 each
+  std::vector<double> height_m;        ///< of node (column, row) at [row * columns + column]
+  double depth_m = 1.0;                ///< of the solid
+};
+
+/// Everything on one side of a plane: normal_W . p <= offset_m.
+struct HalfSpace {
+  std::string name;
+  Vector3 normal_W = Vector3::UnitZ();  ///< unit, out of the solid
+  double offset_m = 0.0;
+};
+
+/// A shape made ready to be held against a scene again and again. Not for two threads at once.
+class PreparedShape {
+ public:
+  explicit PreparedShape(const Shape& shape);
+  ~PreparedShape();
+  PreparedShape(PreparedShape&&) noexcept;
+  PreparedShape& operator=(PreparedShape&&) noexcept;
+
+  const Shape& shape() const { return shape_; }
+  /// Radius about the origin of S that holds the whole shape [m].
+  double radius_m() const { return radius_m_; }
+
+ private:
+  friend class ShapeScene;
+  struct Body;
+  Shape shape_;
+  double radius_m_ = 0.0;
+  std::unique_ptr<Body> body_;
+};
+
+/// The solid of a scene that is nearest to a shape.
+struct NearestSolid {
+  double distance_m = 0.0;  ///< negative by the depth, or 0, when they touch; at most what was asked within
+  int solid = -1;           ///< its number; -1 when there is none within
+};
+
+/// Solids that stand still, asked about by shapes that move. Solids are numbered: shapes, then grids, then half spaces.
+/// Distances are FCL's (Pan, Chitta and Manocha, ICRA 2012), never too large, to 1e-5 m, with a tree of boxes before
+/// them; depths are those of FCL's portal refinement, which may be too large where a shape is deep in a solid, and at
+/// most the shortest way out through a side of a box or of a mesh of up to 32 vertices.
+/// A mesh without vertices touches nothing. Const use from one thread at a time; the same answers whatever was asked
+/// before.
+class ShapeScene {
+ public:
+  /// @param fixed_W  shapes with X_BS read as X_WS; `link` is the solid's name.
+  explicit ShapeScene(const std::vector<Shape>& fixed_W, const std::vector<GridSolid>& grids = {},
+                      const std::vector<HalfSpace>& half_spaces = {});
+  ~ShapeScene();
+  ShapeScene(ShapeScene&&) noexcept;
+  ShapeScene& operator=(ShapeScene&&) noexcept;
+
+  /// Whether a shape at a pose touches any solid. Poses are X_WS; X_BS of the shape is not looked at.
+  bool Touches(const PreparedShape& shape, const Pose& X_WS) const;
+  bool Touches(const Shape& shape, const Pose& X_WS) const;
+
+  /// The nearest solid within a distance; where several are touched, the one touched most deeply.
+  NearestSolid Nearest(const PreparedShape& shape, const Pose& X_WS, double within_m) const;
+  /// Its distance alone: negative or 0 when touching, at most within_m.
+  double Distance(const PreparedShape& shape, const Pose& X_WS, double within_m) const;
+  double Distance(const Shape& shape, const Pose& X_WS, double within_m) const;
+
+  int num_solids() const;
+  /// @throws InvalidArgument for a number that no solid has.
+  const std::string& SolidName(int solid) const;
+
+ private:
+  struct Solids;
+  std::unique_ptr<Solids> solids_;
+};
+
+}  // namespace gaitwright

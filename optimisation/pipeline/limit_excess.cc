@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/limit_excess.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/model/dof_units.h"
+
+namespace gaitwright {
+namespace {
+
+/// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.
+struct LimitExcess {
+  double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
+};
+
+LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof) {
+  const double lower = model.dof_lower(dof), upper = model.dof_upper(dof);
+  double low = upper, high = lower, speed = 0.0, torque = 0.0;
+  for (std::size_t k = 0; k < motion.q.size(); ++k) {
+    low = std::min(low, motion.q[k][7 + dof]);
+    high = std::max(high, motion.q[k][7 + dof]);
+    speed = std::max(speed, std::abs(motion.v[k][6 + dof]));
+    torque = std::max(torque, std::abs(motion.tau[k][dof]));
+  }
+  return {std::max({0.0, lower - low, high - upper}), std::max(0.0, speed - model.dof_velocity_limit(dof)),
+          std::max(0.0, torque - model.dof_effort_limit(dof))};
+}
+
+}  // namespace
+
+double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion) {
+  double total = 0.0;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const LimitExcess over = ExcessOf(model, motion, d);
+    if (over.position > 0.0) total += over.position / std::max(model.dof_upper(d) - model.dof_lower(d), 1e-6);
+    if (over.speed > 0.0) total += over.speed / std::max(model.dof_velocity_limit(d), 1e-6);
+    if (over.torque > 0.0) total += over.torque / std::max(model.dof_effort_limit(d), 1e-6);
+  }
+  return total;
+}
+
+std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion) {
+  std::vector<std::string> warnings;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const LimitExcess over = ExcessOf(model, motion, d);
+    const std::string& name = model.dof_names[static_cast<std::size_t>(d)];
+    const auto warn = [&](double by, int decimals, const char* unit, const char* limit) {
+      if (by > 0.0) warnings.push_back(fmt::format("{} is {:.{}f} {} {} limit", name, by, decimals, unit, limit));
+    };
+    warn(over.position, 3, PositionUnit(model, d), "past its");
+    warn(over.speed, 2, SpeedUnit(model, d), "over its speed");
+    warn(over.torque, 2, EffortUnit(model, d), Slides(model, d) ? "over its force" : "over its torque");
+  }
+  return warnings;
+}
+
+}  // namespace gaitwright

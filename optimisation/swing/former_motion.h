@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// Where the base is at a time, X_WB; a function that is empty where that is not known.
+using BaseMotion = std::function<Pose(double time_s)>;
+
+/// How far a sphere's contact point is off its swing's curve by what the sphere rolls in the air:
+///   off(u) = rolled(u) - SmoothStep(u) rolled(1),
+/// since the way is the curve and what has rolled since lift-off, and the curve ends short by the whole of that.
+class SwingRoll {
+ public:
+  SwingRoll() = default;  ///< of a foot that does not roll, or of which that is not known: none
+  /// @param off_W  at even fractions of the swing from 0 to 1 [m]; two or more, or none.
+  explicit SwingRoll(std::vector<Vector3> off_W) : off_W_(std::move(off_W)) {}
+
+  /// At a fraction of the swing, which is taken into [0, 1]; linear between samples.
+  Vector3 At(double u) const;
+
+ private:
+  std::vector<Vector3> off_W_;
+};
+
+/// What is known of the whole body's motion before swings are planned, as of a former pass over it.
+struct FormerMotion {
+  BaseMotion base;
+  std::function<SwingRoll(const SwingTrajectory& swing)> roll;  ///< empty where that is not known
+  std::vector<SwingTrajectory> swings = {};                     ///< whose detours are kept where they do
+};
+
+/// That of a pass: nothing refers to the trajectory afterwards.
+FormerMotion MotionOf(const RobotModel& model, const WholeBodyTrajectory& trajectory,
+                      const std::vector<SwingTrajectory>& swings = {});
+
+}  // namespace gaitwright

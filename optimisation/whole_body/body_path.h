@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/trajectory/cubic_spline.h"
+#include "planning/footsteps/plan_footsteps.h"
+
+namespace gaitwright {
+
+/// How the base is turned at a time, with its exact derivatives.
+struct BaseTurning {
+  Matrix3 R_WB = Matrix3::Identity();  ///< from the attitude of standing on level ground
+  Vector3 w_WB = Vector3::Zero(), alpha_WB = Vector3::Zero();
+};
+
+/// The base's turning, and the height of the ground that it is carried over, through a walk: it follows the plane
+/// through the feet (FitBase), those in the air taken between their footholds, evened out over a while.
+/// R = Rz(yaw) Ry(pitch) Rx(roll).
+class BodyPath {
+ public:
+  /// @param even_s  time over which height and tilt are evened out [s]; a cycle of the gait.
+  BodyPath(const RobotModel& model, const FootstepSkeleton& skeleton, double even_s);
+
+  /// Attitude, and its first two derivatives in W.
+  BaseTurning TurningAt(double time_s) const;
+  /// Height of the ground under the base [m], and its derivatives.
+  Motion1 GroundAt(double time_s) const { return ground_.At(time_s); }
+  double YawAt(double time_s) const { return yaw_.At(time_s).value; }
+
+ private:
+  CubicSpline yaw_, pitch_, roll_, ground_;
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/collision/shape_scene.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "planning/plan/terrain.h"
+
+namespace gaitwright {
+
+/// A part of the robot that is nearer to a solid of the ground than it may be.
+struct GroundHit {
+  const std::string* link = nullptr;
+  int foot = -1;  ///< the foot that it is a shape of, or -1
+  double distance_m = 0.0;
+};
+
+/// How near a robot's parts may come to what is solid [m]; negative lets them sink in.
+struct GroundLimits {
+  std::vector<double> foot_m;  ///< by foot
+  double body_m = 0.0;         ///< of all other parts
+};
+
+/// Holds a robot's shapes against all solids of a terrain along a motion. A sphere foot is its ball; other shapes of a
+/// foot that reach beyond the foot's own surface, as a sole's box may by its roundings, are given what they reach.
+/// Meant for motions: a part is looked at again only once it may have moved as far as it was clear, so poses that
+/// differ little cost little; the answer does not depend on it. Conservative advancement: Mirtich, Impulse-based
+/// Dynamic Simulation, 1996, section 2.3.
+class GroundWatch {
+ public:
+  /// @throws InvalidArgument for a terrain that is none (SolidsOf).
+  GroundWatch(const RobotModel& model, const Terrain& terrain);
+
+  /// The parts nearer than their limits at the scratch's pose, in the order of the model's shapes. Needs
+  /// ForwardKinematics.
+  const std::vector<GroundHit>& Look(const DynamicsScratch& scratch, const GroundLimits& limits);
+
+  /// How near one foot's parts come to a solid with its frame F (of a sphere: its centre) at X_WF, what they may reach
+  /// beyond the foot's surface added; at most within_m.
+  NearestSolid NearestToFoot(int foot, const Pose& X_WF, double within_m) const;
+
+  const ShapeScene& solids() const { return solids_; }
+
+  /// How far a point is outside of all solids, negative by its depth inside; at most a tenth of a metre.
+  double PointDistance(const Vector3& p_W) const;
+
+ private:
+  struct Part {
+    PreparedShape shape;
+    int foot = -1;
+    double reaches_m = 0.0;  // beyond its foot's surface
+    Pose X_FS = Pose::Identity();
+    Pose X_WS = Pose::Identity();  // where it was looked at last, and how far it was away at least
+    double known_m = -1e300;
+  };
+  void AddFeet(const RobotModel& model);
+  void AddShape(const RobotModel& model, const Shape& shape);
+
+  ShapeScene solids_;
+  double highest_m_;  // of all solids
+  std::vector<Part> parts_;
+  PreparedShape grain_;
+  std::vector<GroundHit> hits_;
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/foothold_check.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/stability/polygon.h"
+#include "planning/footsteps/plan_view.h"
+#include "planning/plan/sole_support.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kFlush = 1e-3;         // [m] that ground may stick out of a sole's plane
+constexpr double kSafe = 0.06;          // distance from edges beyond which there is no risk, of the leg length
+constexpr double kUnderFoot = 0.5;      // height over a foothold in which obstacles matter, of the leg length
+constexpr double kFrictionShare = 0.8;  // of the friction that a slope may use
+constexpr int kAround = 8;
+
+Vector2 Around(int i) {
+  const double angle = 2.0 * std::numbers::pi * i / kAround;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+Vector2 PlaceOf(const PlanarPose& at) { return {at.x_m, at.y_m}; }
+
+double ReachOf(const Polygon& outline, const Vector2& direction) {
+  double reach = 0.0;
+  for (const Vector2& corner : outline) reach = std::max(reach, corner.dot(direction));
+  return reach;
+}
+
+Vector3 PlaneOf(const GroundPoint& ground, const Vector2& p_W) {
+  const Vector3 n = ground.normal_W / ground.normal_W.z();
+  return {-n.x(), -n.y(), ground.height_m + n.x() * p_W.x() + n.y() * p_W.y()};
+}
+
+double On(const Vector3& plane, const Vector2& p_W) { return plane.dot(Vector3(p_W.x(), p_W.y(), 1.0)); }
+
+Vector3 NormalOf(const Vector3& plane) { return Vector3(-plane.x(), -plane.y(), 1.0).normalized(); }
+
+Pose Standing(const PlanarPose& at, double height_m, const Vector3& normal_W) {
+  const Vector2 ahead(std::cos(at.yaw_rad), std::sin(at.yaw_rad));
+  Pose X_WF = Pose::Identity();
+  X_WF.linear().col(0) = Vector3(ahead.x(), ahead.y(), -normal_W.head<2>().dot(ahead) / normal_W.z()).normalized();
+  X_WF.linear().col(1) = normal_W.cross(X_WF.linear().col(0));
+  X_WF.linear().col(2) = normal_W;
+  X_WF.translation() = Vector3(at.x_m, at.y_m, height_m);
+  return X_WF;
+}
+
+/// Corners, middles of the edges and the middle of a sole in plan view.
+std::vector<Vector2> SamplesOf(const Polygon& outline_W) {
+  std::vector<Vector2> samples = {Centroid(outline_W)};
+  for (std::size_t i = 0; i < outline_W.size(); ++i) {
+    samples.push_back(outline_W[i]);
+    samples.emplace_back(0.5 * (outline_W[i] + outline_W[(i + 1) % outline_W.size()]));
+  }
+  return samples;
+}
+
+}  // namespace
+
+std::string Describe(FootholdFault fault) {
+  static const std::array<std::string, 7> kWords = {"none",      "no ground",        "too near an edge", "too steep",
+                                                    "too rough", "too near a riser", "an obstacle there"};
+  return kWords[static_cast<std::size_t>(fault)];
+}
+
+FootholdChecker::FootholdChecker(const RobotModel& model, const GroundIndex& ground, const FootholdOptions& options)
+    : model_(&model), ground_(&ground), options_(options), leg_m_(model.leg_length_m()) {
+  CheckOptions(options_.Fields());
+  tan_slope_ = std::tan(options.slope_deg * std::numbers::pi / 180.0);
+}
+
+bool FootholdChecker::TooSteep(const Vector3& normal_W, double friction) const {
+  const double slope = normal_W.head<2>().norm() / std::max(normal_W.z(), 1e-9);
+  return slope > std::min(tan_slope_, kFrictionShare * friction) + 1e-9;
+}
+
+double FootholdChecker::SlopeRisk(const Vector3& normal_W) const {
+  const double slope = normal_W.head<2>().norm() / std::max(normal_W.z(), 1e-9);
+  return tan_slope_ > 0.0 ? slope * slope / (tan_slope_ * tan_slope_) : 0.0;
+}
+
+Placing FootholdChecker::Place(int foot, const PlanarPose& at) const {
+  return model_->feet[static_cast<std::size_t>(foot)].has_sole() ? PlaceSole(foot, at) : PlacePoint(foot, at);
+}
+
+Polygon FootholdChecker::OutlineAt(int foot, const PlanarPose& at) const {
+  const Foot& described = model_->feet[static_cast<std::size_t>(foot)];
+  Polygon outline;
+  if (described.has_sole()) {
+    const double c = std::cos(at.yaw_rad), s = std::sin(at.yaw_rad);
+    for (const Vector2& p : described.sole_F)
+      outline.emplace_back(at.x_m + c * p.x() - s * p.y(), at.y_m + s * p.x() + c * p.y());
+    return outline;
+  }
+  if (described.radius == 0.0) return {PlaceOf(at)};
+  const double around = described.radius / std::cos(std::numbers::pi / kAround);
+  for (int i = 0; i < kAround; ++i) outline.emplace_back(PlaceOf(at) + around * Around(i));
+  return outline;
+}
+
+bool FootholdChecker::HitsObstacle(int foot, const PlanarPose& at, double height_m) const {
+  if (ground_->obstacles().empty()) return false;
+  const Polygon outline = OutlineAt(foot, at);
+  const PlanBox box = BoxOf(outline, options_.margin_m);
+  std::vector<int> near;
+  ground_->ObstaclesIn(box.lowest, box.highest, near);
+  return std::any_of(near.begin(), near.end(), [&](int i) {
+    const ObstacleOutline& obstacle = ground_->obstacles()[static_cast<std::size_t>(i)];
+    if (obstacle.top_m <= height_m || obstacle.bottom_m >= height_m + kUnderFoot * leg_m_) return false;
+    return !ApartBy(outline, obstacle.outline_W, options_.margin_m);
+  });
+}
+
+FootholdFault FootholdChecker::PointSurroundings(const Vector2& p_W, double clear_m, const GroundPoint& ground) const {
+  const Vector3 plane = PlaneOf(ground, p_W);
+  const Vector2 box = Vector2::Constant(clear_m);
+  std::vector<int> near;
+  ground_->PatchesIn(p_W - box, p_W + box, near);
+  for (const int i : near) {
+    const GroundSurface& other = ground_->surfaces()[static_cast<std::size_t>(i)];
+    if (i == ground.patch || other.outline_W.empty()) continue;
+    const Vector2 q = NearestPoint(other.outline_W, p_W);
+    const double distance = (q - p_W).norm();
+    if (distance < clear_m && other.HeightAt(q) - On(plane, q) > kFlush + kGoesOn * distance)
+      return FootholdFault::kRiser;
+  }
+  const bool patch = ground.patch < static_cast<int>(ground_->surfaces().size());
+  if (patch && ground_->surfaces()[static_cast<std::size_t>(ground.patch)].Inside(p_W) >= clear_m &&
+      ground_->terrain().height_fields.empty())
+    return FootholdFault::kNone;
+  for (const double distance : {0.5 * clear_m, clear_m}) {
+    for (int i = 0; i < kAround; ++i) {
+      const Vector2 q = p_W + distance * Around(i);
+      const GroundPoint there = ground_->At(q);
+      if (there.patch < 0) return FootholdFault::kEdge;
+      const double rise = there.height_m - On(plane, q), most = kFlush + kGoesOn * distance;
+      if (rise < -most) return FootholdFault::kEdge;
+      if (rise > most) return patch ? FootholdFault::kRiser : FootholdFault::kRough;
+    }
+  }
+  return FootholdFault::kNone;
+}
+
+double FootholdChecker::PointRisk(const Vector2& p_W, double clear_m, const GroundPoint& ground) const {
+  const Vector3 plane = PlaneOf(ground, p_W);
+  const double distance = clear_m + kSafe * leg_m_;
+  int bad = 0;
+  for (int i = 0; i < kAround; ++i) {
+    const Vector2 q = p_W + distance * Around(i);
+    const GroundPoint there = ground_->At(q);
+    if (there.patch < 0 || std::abs(there.height_m - On(plane, q)) > kGoesOn * distance) ++bad;
+  }
+  return std::min(1.0, static_cast<double>(bad) / kAround + SlopeRisk(ground.normal_W));
+}
+
+Placing FootholdChecker::PlacePoint(int foot, const PlanarPose& at) const {
+  const Vector2 p = PlaceOf(at);
+  const GroundPoint ground = ground_->At(p);
+  if (ground.patch < 0) return {FootholdFault::kNoGround, {}};
+  if (TooSteep(ground.normal_W, ground.friction)) return {FootholdFault::kSlope, {}};
+  const double clear = options_.margin_m + model_->feet[static_cast<std::size_t>(foot)].radius;
+  if (const FootholdFault fault = PointSurroundings(p, clear, ground); fault != FootholdFault::kNone)
+    return {fault, {}};
+  if (HitsObstacle(foot, at, ground.height_m)) return {FootholdFault::kObstacle, {}};
+  const PlacedFoot placed{foot, Standing(at, ground.height_m, ground.normal_W), ground.patch,
+                          PointRisk(p, clear, ground)};
+  return {FootholdFault::kNone, placed};
+}
+
+Placing FootholdChecker::PlaceSole(int foot, const PlanarPose& at) const {
+  std::vector<int> tried;
+  Placing best;
+  double on = -1.0;
+  for (const Vector2& q : SamplesOf(OutlineAt(foot, at))) {
+    const int surface = ground_->At(q).patch;
+    if (surface < 0 || std::find(tried.begin(), tried.end(), surface) != tried.end()) continue;
+    tried.push_back(surface);
+    const bool patch = surface < static_cast<int>(ground_->surfaces().size());
+    const Placing placing = patch ? PlaceOnPatch(foot, at, surface) : PlaceOnField(foot, at, surface);
+    // Of the faults the one that came nearest to standing is told: an edge rather than a riser of the lower surface.
+    const double rank = placing.ok() ? 2.0 - placing.placed.risk : placing.fault == FootholdFault::kEdge ? 0.5 : 0.0;
+    if (rank <= on) continue;
+    on = rank;
+    best = placing;
+  }
+  if (best.ok() && HitsObstacle(foot, at, best.placed.X_WF.translation().z())) return {FootholdFault::kObstacle, {}};
+  return best;
+}
+
+bool FootholdChecker::AnythingAbove(const Polygon& outline_W, int patch, const Vector3& plane) const {
+  const Polygon wide = Widened(outline_W, options_.margin_m);
+  const PlanBox box = BoxOf(wide, 0.0);
+  std::vector<int> near;
+  ground_->PatchesIn(box.lowest, box.highest, near);
+  for (const int i : near) {
+    if (i == patch) continue;
+    const GroundSurface& other = ground_->surfaces()[static_cast<std::size_t>(i)];
+    Polygon part = wide;
+    for (std::size_t k = 0; k < other.inward.size() && !part.empty(); ++k)
+      part = Clipped(part, other.inward[k], other.inward[k].dot(other.outline_W[k]));
+    for (const Vector2& q : part)
+      if (other.HeightAt(q) - On(plane, q) > kFlush) return true;
+  }
+  if (ground_->terrain().height_fields.empty()) return false;
+  const std::vector<Vector2> samples = SamplesOf(wide);
+  return std::any_of(samples.begin(), samples.end(), [&](const Vector2& q) {
+    const GroundPoint there = ground_->At(q);
+    return there.patch >= 0 && there.height_m - On(plane, q) > kFlush;
+  });
+}
+
+Placing FootholdChecker::PlaceOnPatch(int foot, const PlanarPose& at, int patch) const {
+  const GroundSurface& surface = ground_->surfaces()[static_cast<std::size_t>(patch)];
+  if (TooSteep(surface.normal_W, surface.friction)) return {FootholdFault::kSlope, {}};
+  if (AnythingAbove(OutlineAt(foot, at), patch, surface.plane)) return {FootholdFault::kRiser, {}};
+  const Foot& described = model_->feet[static_cast<std::size_t>(foot)];
+  PlacedFoot placed{foot, Standing(at, surface.HeightAt(PlaceOf(at)), surface.normal_W), patch, 0.0};
+  double overhang = 0.0;
+  if (!surface.outline_W.empty()) {
+    const TerrainPatch& whole = ground_->terrain().patches[static_cast<std::size_t>(patch)];
+    const double on = ShareOf(PartOnPatch(described.sole_F, placed.X_WF, whole, options_.margin_m), described.sole_F);
+    if (on < options_.least_on) return {FootholdFault::kEdge, {}};
+    overhang = (1.0 - on) / std::max(1.0 - options_.least_on, 1e-6);
+  }
+  placed.risk = std::min(1.0, overhang + SlopeRisk(surface.normal_W));
+  return {FootholdFault::kNone, placed};
+}
+
+Placing FootholdChecker::PlaceOnField(int foot, const PlanarPose& at, int surface) const {
+  const Polygon outline = OutlineAt(foot, at);
+  Eigen::MatrixX3d corners(static_cast<Eigen::Index>(outline.size()), 3);
+  VectorX heights(static_cast<Eigen::Index>(outline.size()));
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const GroundPoint ground = ground_->At(outline[i]);
+    if (ground.patch < 0) return {FootholdFault::kEdge, {}};
+    corners.row(row) << (outline[i] - PlaceOf(at)).transpose(), 1.0;
+    heights[row] = ground.height_m;
+  }
+  Vector3 plane = corners.colPivHouseholderQr().solve(heights);
+  plane.z() -= plane.head<2>().dot(PlaceOf(at));
+  double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
+  const auto take = [&](const Vector2& q) {
+    const double rise = ground_->At(q).height_m - On(plane, q);
+    highest = std::max(highest, rise);
+    lowest = std::min(lowest, rise);
+  };
+  const auto field = static_cast<std::size_t>(surface) - ground_->terrain().patches.size();
+  const PlanBox box = BoxOf(outline, 0.0);
+  constexpr double kMost = 24.0;  // places along one side
+  const double step = std::max(0.7 * ground_->terrain().height_fields[field].resolution_m,
+                               (box.highest - box.lowest).maxCoeff() / kMost);
+  for (const Vector2& q : SamplesOf(outline)) take(q);
+  for (double x = box.lowest.x(); x <= box.highest.x(); x += step) {
+    for (double y = box.lowest.y(); y <= box.highest.y(); y += step)
+      if (outline.size() >= 3 && SignedDistance(outline, {x, y}) > 0.0) take({x, y});
+  }
+  if (highest - lowest > options_.roughness * leg_m_) return {FootholdFault::kRough, {}};
+  plane.z() += std::max(highest, 0.0);
+  const Vector3 normal = NormalOf(plane);
+  const double friction = ground_->At(PlaceOf(at)).friction;
+  if (TooSteep(normal, friction)) return {FootholdFault::kSlope, {}};
+  PlacedFoot placed{foot, Standing(at, On(plane, PlaceOf(at)), normal), surface, 0.0};
+  const double rough = options_.roughness > 0.0 ? (highest - lowest) / (options_.roughness * leg_m_) : 0.0;
+  placed.risk = std::min(1.0, 0.5 * rough + SlopeRisk(normal));
+  return {FootholdFault::kNone, placed};
+}
+
+double FootholdChecker::LeastInside(const Polygon& outline_F, const Vector2& inward) const {
+  constexpr int kHalvings = 9;
+  double low = -ReachOf(outline_F, inward), high = ReachOf(outline_F, -inward);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (ShareOf(Clipped(outline_F, inward, -middle), outline_F) < options_.least_on ? low : high) = middle;
+  }
+  return high + options_.margin_m;
+}
+
+Polygon FootholdChecker::Eroded(const GroundSurface& surface, const Polygon& outline_F, double inside) const {
+  Polygon left = surface.outline_W;
+  for (std::size_t i = 0; i < surface.inward.size() && !left.empty(); ++i) {
+    const Vector2& n = surface.inward[i];
+    const double reach = ReachOf(outline_F, -n) + options_.margin_m;
+    const double share = surface.beyond[i] == GroundSurface::Beyond::kHigher  ? std::max(1.0, inside)
+                         : surface.beyond[i] == GroundSurface::Beyond::kLower ? inside
+                                                                              : 0.0;
+    const bool least = inside == 0.0 && surface.beyond[i] == GroundSurface::Beyond::kLower;
+    const double keep = least ? LeastInside(outline_F, n) : share * reach;
+    left = Clipped(left, n, n.dot(surface.outline_W[i]) + keep + 1e-9);
+  }
+  return left;
+}
+
+void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std::vector<PlanarPose>& places) const {
+  const Vector2 p = PlaceOf(at), box = Vector2::Constant(radius_m);
+  const bool sole = model_->feet[static_cast<std::size_t>(foot)].has_sole();
+  const Polygon outline_F = OutlineAt(foot, {0.0, 0.0, at.yaw_rad});
+  std::vector<int> near;
+  ground_->PatchesIn(p - box, p + box, near);
+  const auto offer = [&](const Vector2& q) {
+    if ((q - p).norm() <= radius_m) places.push_back({q.x(), q.y(), at.yaw_rad});
+  };
+  for (const int i : near) {
+    const GroundSurface& surface = ground_->surfaces()[static_cast<std::size_t>(i)];
+    if (surface.outline_W.empty()) continue;
+    // Shares of the foot's own size that are kept inside of an edge; a sole may overhang as far as is allowed.
+    for (const double inside : sole ? std::array<double, 3>{1.0, 0.6, 0.0} : std::array<double, 3>{2.0, 1.4, 1.0}) {
+      const Polygon left = Eroded(surface, outline_F, inside);
+      if (!left.empty()) offer(NearestPoint(ConvexHull(left), p));
+    }
+    offer(Centroid(surface.outline_W));
+  }
+}
+
+}  // namespace gaitwright

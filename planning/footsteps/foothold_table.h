@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "planning/footsteps/foothold_check.h"
+#include "planning/footsteps/search_footsteps.h"
+
+namespace gaitwright {
+
+/// A place where a foot may stand, as the search knows it.
+struct FootholdChoice {
+  PlacedFoot placed;
+  Polygon outline_W;         ///< what the foot covers in plan view
+  double station_m = 0.0;    ///< of the route, at which the foot's place in the standing posture is nearest
+  double departure_m = 0.0;  ///< from that place
+  bool goal = false;         ///< the foot stands there as at the end of the route
+};
+
+/// The footholds of a route: for each foot and step along the route a few, found when first asked for. A place that is
+/// found from several steps is one foothold.
+class FootholdTable {
+ public:
+  /// How often each fault was met while footholds of a foot and step were looked for.
+  using Faults = std::array<int, 7>;
+
+  /// All must outlive it.
+  FootholdTable(const RobotModel& model, const FootholdChecker& checker, const FootstepQuery& query,
+                const FootstepSearchOptions& options);
+
+  /// Indices of the footholds near a foot's place at step `step` of the route, best first.
+  const std::vector<int>& Near(int foot, int step);
+  /// The foot standing at the start of the route, or why it cannot; no foothold is made where it cannot.
+  Placing Start(int foot, int& index);
+
+  /// Where the foot belongs at a station: its place in the standing posture under the base there.
+  PlanarPose PlaceAt(int foot, double station_m) const;
+  /// The same at a step of the route.
+  const PlanarPose& PlaceAtStep(int foot, int step) const {
+    return places_[static_cast<std::size_t>(foot)][static_cast<std::size_t>(step)];
+  }
+  /// Faults met by Near(foot, step); all zero where it was never asked for.
+  Faults FaultsAt(int foot, int step) const;
+
+  const FootholdChoice& operator[](int index) const { return choices_[static_cast<std::size_t>(index)]; }
+  int num_steps() const { return num_steps_; }     ///< the route's end is this step
+  double step_m() const { return step_m_; }        ///< stations between steps
+  double stride_m() const { return stride_m_; }    ///< stations in a cycle, so that the route is whole advances
+  double advance_m() const { return advance_m_; }  ///< stations in the time of a group: stride / groups
+  double offset_m() const { return offset_m_; }    ///< farthest from the foot's place
+
+ private:
+  struct Cell {
+    bool known = false;
+    std::vector<int> choices;
+    Faults faults{};
+  };
+
+  void Fill(int foot, int step, Cell& cell);
+  void ListPlaces(int foot, const PlanarPose& at, bool safe, std::vector<PlanarPose>& places) const;
+  int Intern(const PlacedFoot& placed, int step);
+  void Locate(FootholdChoice& choice, int step) const;
+
+  const RobotModel* model_;
+  const FootholdChecker* checker_;
+  const FootstepQuery* query_;
+  FootstepSearchOptions options_;
+  std::vector<Pose> standing_;
+  double leg_m_, offset_m_, stride_m_, advance_m_, step_m_;
+  int num_steps_;
+  std::vector<std::vector<Cell>> cells_;         // by foot, by step
+  std::vector<std::vector<PlanarPose>> places_;  // the same
+  std::vector<FootholdChoice> choices_;
+  std::unordered_map<std::uint64_t, int> index_;  // by foot and place
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/ik/leg_workspace.h"
+#include "planning/footsteps/ground_index.h"
+
+namespace gaitwright {
+
+/// Whether thighs and shanks are clear of the ground in a stance, such as of the edge of a stair that a shank leans
+/// back over. The ground is solid below its surfaces. Scratch is kept; not for several threads at once.
+class LegRoom {
+ public:
+  /// @param margin_m  that legs keep from the ground [m]; near the foot, half of what they have over its own plane.
+  LegRoom(const RobotModel& model, const GroundIndex& ground, double margin_m);
+
+  /// @param workspace  of the leg.
+  /// @param X_WF       contact frame of its foot.
+  /// @return true also where the leg does not reach, which is another matter.
+  bool IsClear(LegWorkspace& workspace, const Foot& foot, const Pose& X_WF, const Pose& X_WB);
+
+  /// Whether any ground about the foot is higher than where it stands, so that the leg may meet it.
+  bool MayMeet(const Pose& X_WF) const;
+
+ private:
+  bool Meets(const Vector3& p_W, double radius_m) const;
+  bool MeetsSurface(const GroundSurface& surface, const Vector3& p_W, double radius_m) const;
+  bool MeetsField(const Vector3& p_W, double radius_m) const;
+
+  const GroundIndex* ground_;
+  double margin_m_, around_m_;
+  std::vector<Ball> balls_;
+  std::vector<int> near_;
+};
+
+}  // namespace gaitwright

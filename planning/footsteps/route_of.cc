@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/route_of.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planning/paths/pose_check.h"
+#include "planning/paths/travel_cost.h"
+
+namespace gaitwright {
+namespace {
+
+/// Poses along the whole of a course, no farther apart than the options say.
+std::vector<PlanarPose> PosesAlong(const WalkCommand& command, const Course& course, double spacing_m) {
+  constexpr double kTurn = 0.1;  // [rad] between poses
+  const double count = command.extent == WalkCommand::Extent::kSteps ? command.steps : 1.0;
+  const PlanarTwist& twist = course.twist;
+  const double length = count * std::hypot(twist.x_m, twist.y_m), turn = count * std::abs(twist.yaw_rad);
+  const int n = std::max(1, static_cast<int>(std::ceil(std::max(length / spacing_m, turn / kTurn))));
+  std::vector<PlanarPose> poses;
+  for (int k = 0; k <= n; ++k) poses.push_back(PoseAlong(twist, count * k / n));
+  return poses;
+}
+
+/// The first pose along a way that is not free, as the place among all poses that are looked at; way.size() for none.
+struct FirstBlocked {
+  std::size_t before = 0;  ///< the waypoint that it comes before
+  Hindrance hindrance;
+};
+
+std::optional<FirstBlocked> FindBlocked(PoseCheck& check, const std::vector<PlanarPose>& way) {
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (auto why = check.WhyNot(way[i])) return FirstBlocked{i, *why};
+    if (i + 1 == way.size() || check.IsFreeBetween(way[i], way[i + 1])) continue;
+    constexpr int kBetween = 16;
+    for (int k = 1; k <= kBetween; ++k) {
+      if (auto why = check.WhyNot(Between(way[i], way[i + 1], static_cast<double>(k) / kBetween)))
+        return FirstBlocked{i + 1, *why};
+    }
+  }
+  return std::nullopt;
+}
+
+Failure Refused(const std::vector<PlanarPose>& way, const FirstBlocked& blocked) {
+  if (blocked.before == 0)
+    return {FailureKind::kInfeasible,
+            "start_blocked",
+            "RouteOf",
+            "the robot cannot stand at the start: " + blocked.hindrance.text,
+            {"start elsewhere"}};
+  const std::vector<PlanarPose> free(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(blocked.before));
+  return {FailureKind::kInfeasible,
+          "way_blocked",
+          "RouteOf",
+          fmt::format("the way is blocked after {:.2f} of {:.2f} m: {}", LengthOf(free), LengthOf(way),
+                      blocked.hindrance.text),
+          {"give a goal, which is reached around what is in the way", "go less far"}};
+}
+
+BaseRoute AlongCourse(const RobotModel& model, std::vector<PlanarPose> way, const BaseRouteOptions& options) {
+  BaseRoute route;
+  route.length_m = LengthOf(way);
+  route.cost_m = TravelCost(way, {options.lateral, options.backward, options.turn * model.leg_length_m()});
+  route.statistics.direct = true;
+  route.summary = fmt::format("direct way of {:.2f} m", route.length_m);
+  route.waypoints = std::move(way);
+  return route;
+}
+
+}  // namespace
+
+Result<BaseRoute> RouteOf(const RobotModel& model, const Terrain& terrain, const WalkCommand& command,
+                          const Course& course, const BaseRouteOptions& options) {
+  PoseCheck check(model, terrain, options.space);
+  std::vector<PlanarPose> way = PosesAlong(command, course, options.spacing_m);
+  const auto blocked = FindBlocked(check, way);
+  if (!blocked) return AlongCourse(model, std::move(way), options);
+  if (command.extent != WalkCommand::Extent::kGoal) return Refused(way, *blocked);
+  return PlanBaseRoute(model, terrain, {}, {command.goal_x_m, command.goal_y_m, command.goal_yaw_rad}, options);
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/footsteps/foothold_check.h"
+#include "planning/footsteps/footstep_route.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// What the search allows, prefers and may spend.
+///
+/// Tuning
+///   finds nothing where there must be a way   more `max_expansions`, a larger `offset`, a smaller `reserve`
+///   the feet stand too near to edges          more `risk_weight`
+///   the gait is uneven on easy ground         more `phase_weight` and `departure_weight`
+///   takes too long                            a larger `bound`, fewer `improving_expansions`
+struct FootstepSearchOptions {
+  double step_length = 0.8;
+  double step_height = 0.3;
+  double reserve = 0.03;
+  double offset = 0.25;
+  double body_clearance = 0.05;
+  double leg_clearance = 0.025;
+  double sway = 0.5;
+  double length_weight = 1.5;
+  double phase_weight = 2.0;
+  double departure_weight = 0.5;
+  double height_weight = 0.5;
+  double risk_weight = 0.3;
+  double goal_tolerance = 0.15;
+  double first_bound = 3.0;
+  double bound = 1.05;
+  int patience = 1000;
+  int max_expansions = 20000;
+  int improving_expansions = 200;
+
+  OptionFields Fields();
+};
+
+/// What is searched for: footfalls of a gait from standing at the start of a route to standing at its end.
+struct FootstepQuery {
+  Gait gait;
+  FootstepRoute route;
+  double stride_m = 0.0;  ///< stations that the base passes in a cycle of the gait at full speed
+  /// Whether the body may be at a pose of the base, over ground of a height; any where there is none.
+  std::function<bool(const PlanarPose& base, double ground_m)> body_free = {};
+};
+
+/// Feet that step together.
+using Footfalls = std::vector<PlacedFoot>;
+
+/// What a search spent and found.
+struct FootstepSearchStats {
+  int expanded = 0, generated = 0;
+  int expanded_to_first = 0;  ///< until the first solution
+  int stances = 0;            ///< that were looked at for reach and room
+  double first_cost = 0.0;
+  double cost = 0.0;   ///< of what is returned, about the number of group steps; see SearchFootsteps
+  double bound = 0.0;  ///< no sequence of this graph costs less than cost / bound
+};
+
+/// Footfalls from standing to standing.
+struct FootstepSequence {
+  std::vector<PlacedFoot> start;  ///< by foot
+  std::vector<Footfalls> steps;   ///< in the gait's order
+  FootstepSearchStats stats;
+};
+
+/// The feet that lift off together, in the gait's order of lifting off.
+std::vector<std::vector<int>> FootGroups(const Gait& gait);
+
+/// Finds footfalls over uneven ground, for any number of feet, by an anytime search (ARA*) over stances. Its weight
+/// starts at `first_bound`, is doubled whenever `patience` runs out, and falls again once a way is found.
+///
+/// A state is a foothold of each foot and the group that steps next. For each foot and station of the route there are
+/// few footholds: where the foot stands in the standing posture under the base there, places of a lattice around it,
+/// and on each surface near the place nearest to it. Each step of a group costs
+///   mean over its feet of max(1, a / L) + length max(0, a / L - 1) + departure (d / offset)^2
+///                         + height |dz| / leg + risk r,     plus phase |lead - wanted| / L,
+/// a the stations gained, L the stride, d the distance from the foot's place on the route, lead how far the group comes
+/// to stand ahead of all others. Never less is left than, summed over groups, the mean over feet of
+/// max((end - station) / L, 1 if not at the goal), which is the heuristic: it is consistent, so `stats.bound` holds for
+/// every sequence of these footholds.
+/// A stance holds when all feet are within the workspace of their legs under the base fitted to them (at the standing
+/// height or up to 15 % lower; with single soles also with the base moved over each of them by `sway`), no two feet are
+/// crossed or nearer than their sizes, and body, thighs and shanks are clear of the ground and the body of obstacles. A
+/// swing holds when no ground or obstacle on the straight way stands higher over either end than the feet may be
+/// lifted.
+///
+/// Failure kInfeasible: `no_footholds` names the place and the reason, with a hint where it was expansions that ran
+/// out. kBadInput for a gait with another number of feet, or a route or stride without length. @throws InvalidArgument
+/// for options out of range.
+///
+/// Likhachev, Gordon and Thrun, ARA*: Anytime A* with Provable Bounds on Sub-Optimality, NIPS 2003.
+Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                                         const FootholdOptions& footholds, const FootstepSearchOptions& options);
+
+/// Whether SearchFootsteps finds any; says no more, and so is quicker where there are none.
+bool FootstepsExist(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                    const FootholdOptions& footholds, const FootstepSearchOptions& options);
+
+}  // namespace gaitwright

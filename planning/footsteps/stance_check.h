@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kinematics/ik/leg_workspace.h"
+#include "planning/footsteps/base_over_feet.h"
+#include "planning/footsteps/foothold_check.h"
+#include "planning/footsteps/ground_index.h"
+#include "planning/footsteps/leg_room.h"
+#include "planning/footsteps/search_footsteps.h"
+
+namespace gaitwright {
+
+/// Why a robot cannot stand with its feet where they are.
+enum class StanceFault { kNone, kFeetClose, kReach, kTilt, kBodyLow, kLegLow, kBodyObstacle };
+
+/// The fault in words, such as "out of reach of a leg".
+std::string Describe(StanceFault fault);
+
+/// Says whether a robot can stand with its feet somewhere. Keeps the workspaces of the legs, so that later questions
+/// are cheap; not for several threads at once. Model and ground must outlive it.
+class StanceChecker {
+ public:
+  StanceChecker(const RobotModel& model, const GroundIndex& ground, const FootstepQuery& query,
+                const FootholdOptions& footholds, const FootstepSearchOptions& options);
+
+  /// @param X_WF      contact frames by foot.
+  /// @param outlines  what the feet cover in plan view, by foot.
+  StanceFault Check(const std::vector<Pose>& X_WF, const std::vector<const Polygon*>& outlines);
+
+  /// The base over feet as the walk has it: heading by the feet's own.
+  BaseOverFeet BaseOf(const std::vector<Pose>& X_WF) const;
+
+  const std::vector<Pose>& standing() const { return standing_; }
+
+ private:
+  bool FeetApart(const std::vector<Pose>& X_WF, const std::vector<const Polygon*>& outlines, double yaw_rad) const;
+  bool AllReach(const std::vector<Pose>& X_WF, const Pose& X_WB);
+  bool ReachFrom(const std::vector<Pose>& X_WF, const Pose& X_WB);
+  bool LegsClear(const std::vector<Pose>& X_WF, const Pose& X_WB);
+  StanceFault BodyRoom(const BaseOverFeet& base, const Pose& X_WB) const;
+  void MeasureBody(const RobotModel& model);
+
+  const RobotModel* model_;
+  const GroundIndex* ground_;
+  const FootstepQuery* query_;
+  FootstepSearchOptions options_;
+  double margin_m_;
+  std::vector<Pose> standing_;
+  std::vector<LegWorkspace> legs_;  // by foot
+  std::vector<int> lone_;           // feet with soles that stand alone at times
+  LegRoom leg_room_;
+  double leg_m_;
+  Vector3 trunk_low_, trunk_high_, whole_low_, whole_high_;  // boxes in B
+  bool has_trunk_ = false;
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "planning/footsteps/search_footsteps.h"
+
+namespace gaitwright {
+
+/// What a robot can do at a gait, a stride and options, by trial on made ground: what a refusal is measured against.
+/// To a hundredth of the leg length.
+class StepLimits {
+ public:
+  /// @param heading_rad  of the way, against the body's own.
+  StepLimits(const RobotModel& model, const FootstepQuery& query, const FootholdOptions& footholds,
+             const FootstepSearchOptions& options, double heading_rad);
+
+  /// The widest gap across the way that is crossed, at most `most_m` [m].
+  double WidestGap(double most_m) const;
+  /// The highest step up, or down, across the way that is taken, at most `most_m` [m].
+  double HighestStep(double most_m, bool up) const;
+
+ private:
+  bool Passes(double gap_m, double rise_m) const;
+  template <class Test>
+  double Largest(double most_m, const Test& passes) const;
+
+  const RobotModel* model_;
+  FootstepQuery query_;
+  FootholdOptions footholds_;
+  FootstepSearchOptions options_;
+  double heading_rad_;
+  double spread_m_ = 0.0;  // of the feet about the base, and half a leg
+};
+
+}  // namespace gaitwright

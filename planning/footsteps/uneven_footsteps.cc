@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/uneven_footsteps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/spatial/rotation.h"
+#include "planning/footsteps/base_over_feet.h"
+#include "planning/gait/schedule_contacts.h"
+#include "planning/paths/standing_feet.h"
+
+namespace gaitwright {
+namespace {
+
+/// Mean distance of the standing feet from under the base: what they move by when it turns.
+double TurnRadius(const RobotModel& model) {
+  double sum = 0.0;
+  const std::vector<Pose> standing = StandingFeet(model);
+  for (const Pose& X_BF : standing) sum += X_BF.translation().head<2>().norm();
+  return sum / static_cast<double>(standing.size());
+}
+
+/// Steps of the base that counted footfalls make on level ground, the last ones closing the stance.
+int StepsAhead(const Gait& gait, int footfalls) {
+  const std::vector<std::vector<int>> groups = FootGroups(gait);
+  int counted = 0, last = 0;
+  for (std::size_t k = 0; counted < footfalls; ++k) {
+    last = static_cast<int>(groups[k % groups.size()].size());
+    counted += last;
+  }
+  return footfalls - gait.num_feet() + last;
+}
+
+/// Heights, or any other quantity, through knots in time: at rest at both ends, and never beyond neighbouring knots.
+/// Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5(2), 1984.
+class SmoothWay {
+ public:
+  SmoothWay(std::vector<double> time_s, std::vector<double> value)
+      : time_s_(std::move(time_s)), value_(std::move(value)), slope_(value_.size(), 0.0) {
+    for (std::size_t k = 1; k + 1 < value_.size(); ++k) {
+      const double before = Slope(k - 1), after = Slope(k);
+      if (before * after <= 0.0) continue;
+      const double h0 = time_s_[k] - time_s_[k - 1], h1 = time_s_[k + 1] - time_s_[k];
+      slope_[k] = 3.0 * (h0 + h1) / ((2.0 * h1 + h0) / before + (h1 + 2.0 * h0) / after);
+    }
+  }
+
+  double At(double t) const {
+    if (t <= time_s_.front()) return value_.front();
+    if (t >= time_s_.back()) return value_.back();
+    const auto k = static_cast<std::size_t>(std::upper_bound(time_s_.begin(), time_s_.end(), t) - time_s_.begin()) - 1;
+    const double h = time_s_[k + 1] - time_s_[k], u = (t - time_s_[k]) / h, w = 1.0 - u;
+    return w * w * (1.0 + 2.0 * u) * value_[k] + u * u * (1.0 + 2.0 * w) * value_[k + 1] +
+           h * u * w * (w * slope_[k] - u * slope_[k + 1]);
+  }
+
+ private:
+  double Slope(std::size_t k) const { return (value_[k + 1] - value_[k]) / (time_s_[k + 1] - time_s_[k]); }
+
+  std::vector<double> time_s_, value_, slope_;
+};
+
+/// Swings of a schedule, as the groups of a sequence take them.
+struct GroupTimes {
+  std::vector<double> liftoff_s, touchdown_s;
+};
+
+/// Footholds of the sequence in the intervals of the schedule, and when each group swings.
+GroupTimes PutFootholds(const FootstepSequence& sequence, const ContactSchedule& schedule, FootstepPlan& plan) {
+  std::vector<std::vector<ContactInterval>> intervals;
+  std::vector<std::size_t> next(sequence.start.size(), 1);
+  const auto put = [&](const PlacedFoot& placed, const ContactInterval& stance) {
+    plan.footholds.push_back({placed.foot, placed.X_WF, Vector3::Zero(), placed.surface, stance.start_s, stance.end_s});
+  };
+  for (const PlacedFoot& placed : sequence.start) {
+    intervals.push_back(IntervalsOf(schedule, placed.foot));
+    put(placed, intervals.back().front());
+  }
+  GroupTimes times;
+  for (const Footfalls& step : sequence.steps) {
+    double liftoff = schedule.end_s(), touchdown = schedule.start_s();
+    for (const PlacedFoot& placed : step) {
+      const auto foot = static_cast<std::size_t>(placed.foot);
+      const std::size_t k = next[foot]++;
+      put(placed, intervals[foot][k]);
+      liftoff = std::min(liftoff, intervals[foot][k - 1].end_s);
+      touchdown = std::max(touchdown, intervals[foot][k].start_s);
+    }
+    times.liftoff_s.push_back(liftoff);
+    times.touchdown_s.push_back(touchdown);
+  }
+  SortFootholds(plan);
+  return times;
+}
+
+BasePath PathOver(const RobotModel& model, const FootstepSequence& sequence, const GroupTimes& times, double end_s) {
+  const std::vector<Pose> standing = StandingFeet(model);
+  std::vector<Pose> feet;
+  for (const PlacedFoot& placed : sequence.start) feet.push_back(placed.X_WF);
+  std::vector<double> time, x, y, yaw;
+  const auto knot = [&](double t) {
+    const PlanarPose base = FitBase(standing, feet, MeanHeading(standing, feet)).plan;
+    time.push_back(t);
+    x.push_back(base.x_m);
+    y.push_back(base.y_m);
+    yaw.push_back(yaw.empty() ? base.yaw_rad : yaw.back() + WrapAngle(base.yaw_rad - yaw.back()));
+  };
+  knot(times.liftoff_s.front());
+  for (std::size_t k = 0; k < sequence.steps.size(); ++k) {
+    for (const PlacedFoot& placed : sequence.steps[k]) feet[static_cast<std::size_t>(placed.foot)] = placed.X_WF;
+    const bool last = k + 1 == sequence.steps.size();
+    knot(last ? times.touchdown_s[k] : 0.5 * (times.touchdown_s[k] + times.liftoff_s[k + 1]));
+  }
+  const SmoothWay way_x(time, x), way_y(time, y), way_yaw(time, yaw);
+  constexpr double kStep = 0.01;
+  const int samples = 1 + static_cast<int>(std::ceil(end_s / kStep - 1e-9));
+  BasePath path;
+  for (int k = 0; k < samples; ++k) {
+    const double t = std::min(k * kStep, end_s);
+    path.time_s.push_back(t);
+    path.pose.push_back({way_x.At(t), way_y.At(t), way_yaw.At(t)});
+  }
+  return path;
+}
+
+}  // namespace
+
+Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,
+                                  const FootstepOptions& options) {
+  const Result<Course> course = MakeCourse(model, gait, command, options.ramp_cycles);
+  if (!course) return course.failure();
+  PlanarTwist twist = course->twist;
+  double cycles = (course->duration_s - course->ramp_s) / gait.cycle_s;
+  if (command.extent == WalkCommand::Extent::kSteps) {
+    const int ahead = StepsAhead(gait, command.steps);
+    if (ahead < 1) {
+      return Failure{FailureKind::kBadInput,
+                     "command",
+                     "PlanFootsteps",
+                     fmt::format("{} footfalls only close the stance of {} feet; {} or more go ahead", command.steps,
+                                 gait.num_feet(), gait.num_feet()),
+                     {}};
+    }
+    twist = {ahead * twist.x_m, ahead * twist.y_m, ahead * twist.yaw_rad};
+    cycles = static_cast<double>(ahead) / gait.num_feet();
+  }
+  FootstepQuery query{gait, RouteAlong(twist, TurnRadius(model)), 0.0};
+  query.stride_m = query.route.length_m() / cycles;
+  return query;
+}
+
+Result<FootstepSkeleton> SearchSkeleton(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                                        const FootstepOptions& options) {
+  const Result<FootstepSequence> sequence = SearchFootsteps(model, terrain, query, options.foothold, options.search);
+  if (!sequence) return sequence.failure();
+  ScheduleRequest request;
+  request.initial_stand_s = options.initial_stand_s;
+  request.final_stand_s = options.final_stand_s;
+  request.grid_s = options.grid_s;
+  for (const Footfalls& step : sequence->steps) request.footfalls += static_cast<int>(step.size());
+  request.first_foot = sequence->steps.front().front().foot;
+  Result<ContactSchedule> schedule = ScheduleContacts(query.gait, request);
+  if (!schedule) return schedule.failure();
+  FootstepSkeleton skeleton;
+  skeleton.schedule = std::move(*schedule);
+  const GroupTimes times = PutFootholds(*sequence, skeleton.schedule, skeleton.footsteps);
+  skeleton.path = PathOver(model, *sequence, times, skeleton.schedule.end_s());
+  skeleton.goal = query.route.pose.back();
+  skeleton.search = sequence->stats;
+  return skeleton;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "planning/footsteps/plan_footsteps.h"
+
+namespace gaitwright {
+
+/// What to search for a command: its course in plan view, at the stride of the gait at the commanded speed. Failures as
+/// of MakeCourse; kBadInput also for fewer counted footfalls than go ahead.
+Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,
+                                  const FootstepOptions& options);
+
+/// Schedule, footholds and base path of the footfalls that a search finds. The base is over its feet (FitBase, at their
+/// mean heading) half way between a touch-down and the next lift-off, and moves smoothly between.
+/// Failures as of SearchFootsteps and ScheduleContacts.
+Result<FootstepSkeleton> SearchSkeleton(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                                        const FootstepOptions& options);
+
+}  // namespace gaitwright

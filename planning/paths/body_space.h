@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// How much room a walking robot is given, and what ground it may use; lengths in leg lengths, so that they fit any
+/// robot.
+///
+/// Tuning
+///   refused at a doorway that it fits through    less margin, less step_ahead and step_aside
+///   swings or arms graze walls along the route   more margin
+///   the route climbs what no footsteps climb     less step_height
+struct BodySpaceOptions {
+  double step_ahead = 0.2;
+  double step_aside = 0.06;
+  double foothold_ahead = 0.35;
+  double foothold_aside = 0.2;
+  double step_height = 0.3;
+  double margin = 0.06;
+  double max_slope_deg = 30.0;
+  double max_tilt_deg = 35.0;
+
+  OptionFields Fields() {
+    return {
+        {"step_ahead",
+         &step_ahead,
+         "leg lengths",
+         0.0,
+         1.0,
+         "Half a usual step: room that legs need ahead and behind.",
+         {}},
+        {"step_aside", &step_aside, "leg lengths", 0.0, 1.0, "The same to their sides.", {}},
+        {"foothold_ahead",
+         &foothold_ahead,
+         "leg lengths",
+         0.0,
+         1.0,
+         "How far ahead of its standing place and behind a foot may have to be put.",
+         {}},
+        {"foothold_aside", &foothold_aside, "leg lengths", 0.0, 1.0, "The same to its sides.", {}},
+        {"step_height", &step_height, "leg lengths", 0.0, 1.0, "Highest step; what is higher is walked around.", {}},
+        {"margin", &margin, "leg lengths", 0.0, 1.0, "Room kept to everything.", {}},
+        {"max_slope_deg",
+         &max_slope_deg,
+         "deg",
+         0.0,
+         60.0,
+         "Steepest ground that feet are put on, if it does not slip sooner.",
+         {}},
+        {"max_tilt_deg", &max_tilt_deg, "deg", 0.0, 60.0, "Steepest that the plane through the feet may lie.", {}}};
+  }
+};
+
+/// The room that a robot needs where it walks.
+///
+/// = Notation =
+///   G  the base's frame put down on the plane through its feet: x ahead, z along the plane's normal
+struct BodySpace {
+  std::vector<Shape> boxes;     ///< X_BS is X_GS: one around the legs and their steps, one around all the rest
+  std::vector<Vector2> feet_G;  ///< contact points of the standing posture
+  double foot_radius_m = 0.0;   ///< of the ground that a foot needs
+  double reach_ahead_m = 0.0;   ///< from a foot's standing place to where it may be put, ahead and behind, and
+  double reach_aside_m = 0.0;   ///< to its sides
+  double step_height_m = 0.0;
+  double margin_m = 0.0;
+  double max_slope_rad = 0.0, max_tilt_rad = 0.0;
+  double radius_m = 0.0;  ///< about the base, of all boxes in plan view
+  double leg_length_m = 0.0;
+};
+
+/// From the robot's own shapes and feet in the standing posture, half a step of its feet and a margin. The boxes begin
+/// at the height of a step: what is lower is stepped over or onto.
+/// @throws InvalidArgument when an option is out of its range.
+BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options);
+
+}  // namespace gaitwright

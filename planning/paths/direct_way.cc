@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/paths/direct_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "kinematics/spatial/rotation.h"
+#include "planning/paths/base_path.h"
+
+namespace gaitwright {
+namespace {
+
+PlanarPose After(const PlanarPose& a, const PlanarPose& step) {
+  const double c = std::cos(a.yaw_rad), s = std::sin(a.yaw_rad);
+  return {a.x_m + c * step.x_m - s * step.y_m, a.y_m + s * step.x_m + c * step.y_m, a.yaw_rad + step.yaw_rad};
+}
+
+/// b as seen from a.
+PlanarPose SeenFrom(const PlanarPose& a, const PlanarPose& b) {
+  const double c = std::cos(a.yaw_rad), s = std::sin(a.yaw_rad), dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
+  return {c * dx + s * dy, c * dy - s * dx, b.yaw_rad - a.yaw_rad};
+}
+
+std::vector<PlanarPose> Arc(const PlanarPose& a, const PlanarPose& b, const Spacing& spacing) {
+  const PlanarTwist twist = TwistTo(SeenFrom(a, b));
+  const double parts =
+      std::max(std::hypot(twist.x_m, twist.y_m) / spacing.way_m, std::abs(twist.yaw_rad) / spacing.turn_rad);
+  const int n = std::max(1, static_cast<int>(std::ceil(parts - 1e-9)));
+  std::vector<PlanarPose> way = {a};
+  for (int k = 1; k < n; ++k) way.push_back(After(a, PoseAlong(twist, static_cast<double>(k) / n)));
+  way.push_back(b);
+  return way;
+}
+
+/// Corners of a direct way that goes straight.
+std::vector<PlanarPose> CornersOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b) {
+  PlanarPose end = b;
+  end.yaw_rad = UnwrappedNear(b.yaw_rad, a.yaw_rad);
+  if (kind == DirectWay::kStraight) return {a, end};
+  double heading = std::atan2(b.y_m - a.y_m, b.x_m - a.x_m);
+  if (kind == DirectWay::kBackward) heading += std::numbers::pi;
+  heading = UnwrappedNear(heading, a.yaw_rad);
+  end.yaw_rad = UnwrappedNear(b.yaw_rad, heading);
+  return {a, {a.x_m, a.y_m, heading}, {b.x_m, b.y_m, heading}, end};
+}
+
+}  // namespace
+
+std::vector<PlanarPose> Densified(const std::vector<PlanarPose>& way, const Spacing& spacing) {
+  std::vector<PlanarPose> dense;
+  if (!way.empty()) dense.push_back(way.front());
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const PlanarPose &a = way[i - 1], &b = way[i];
+    const double length = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m), turn = std::abs(b.yaw_rad - a.yaw_rad);
+    const int n = static_cast<int>(std::ceil(std::max(length / spacing.way_m, turn / spacing.turn_rad) - 1e-9));
+    for (int k = 1; k < n; ++k) dense.push_back(Between(a, b, static_cast<double>(k) / n));
+    if (n > 0) dense.push_back(b);
+  }
+  return dense;
+}
+
+std::vector<PlanarPose> WaypointsOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const Spacing& spacing) {
+  if (kind != DirectWay::kTwist) return Densified(CornersOf(kind, a, b), spacing);
+  return Arc(a, {b.x_m, b.y_m, UnwrappedNear(b.yaw_rad, a.yaw_rad)}, spacing);
+}
+
+double CostOf(DirectWay kind, const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights) {
+  if (kind != DirectWay::kTwist) {
+    const std::vector<PlanarPose> corners = CornersOf(kind, a, b);
+    return TravelCost(corners, weights);
+  }
+  const PlanarTwist twist = TwistTo(SeenFrom(a, {b.x_m, b.y_m, UnwrappedNear(b.yaw_rad, a.yaw_rad)}));
+  const double along = twist.x_m < 0.0 ? weights.backward * twist.x_m : twist.x_m;
+  return std::hypot(along, weights.lateral * twist.y_m, weights.turn_m_rad * twist.yaw_rad);
+}
+
+std::vector<std::pair<double, DirectWay>> ByCost(const PlanarPose& a, const PlanarPose& b,
+                                                 const TravelWeights& weights) {
+  std::vector<std::pair<double, DirectWay>> ways;
+  for (const DirectWay kind : kDirectWays) ways.emplace_back(CostOf(kind, a, b, weights), kind);
+  std::sort(ways.begin(), ways.end());
+  return ways;
+}
+
+}  // namespace gaitwright

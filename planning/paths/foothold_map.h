@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "kinematics/collision/shape_scene.h"
+#include "planning/paths/body_space.h"
+#include "planning/plan/terrain.h"
+
+namespace gaitwright {
+
+/// Where feet can stand, on a grid through the origin of W, looked up once for each cell that is asked for.
+class FootholdMap {
+ public:
+  /// What a cell is for a foot.
+  enum class Kind : std::uint8_t {
+    kUnknown,
+    kFoothold,
+    kNoGround,
+    kTooSteep,  ///< steeper than `max_slope_rad`, or so steep that a foot slips
+    kTooLittle  ///< less than 60 % of the foot's disc lies on one surface, or something stands there
+  };
+  /// A place for a foot.
+  struct Cell {
+    Kind kind = Kind::kUnknown;
+    float height_m = 0.0F, by_x = 0.0F, by_y = 0.0F;  ///< of the ground, and its slope
+  };
+
+  /// @param obstacles  what no foot is put on; it and the terrain must outlive the map.
+  FootholdMap(const Terrain& terrain, const ShapeScene& obstacles, const BodySpace& space);
+
+  /// The cell that holds a point.
+  const Cell& At(const Vector2& p_W);
+
+  double resolution_m() const { return resolution_m_; }
+
+ private:
+  /// Ground at a cell's middle.
+  struct Ground {
+    bool known = false, is_ground = false, tolerable = false;
+    float height_m = 0.0F, by_x = 0.0F, by_y = 0.0F;  ///< and its slope
+  };
+  static constexpr int kTile = 32;  ///< cells along a tile's edge
+  struct Tile {
+    Terrain ground;  ///< the patches that reach it
+    std::vector<Cell> cells = std::vector<Cell>(kTile * kTile);
+    std::vector<Ground> grounds = std::vector<Ground>(kTile * kTile);
+  };
+
+  Tile& TileOf(int column, int row);
+  const Ground& GroundOf(int column, int row);
+  Cell Judge(int column, int row);
+
+  const Terrain& terrain_;
+  const ShapeScene& obstacles_;
+  Terrain fields_;  ///< the height fields alone
+  double resolution_m_, foot_radius_m_, max_slope_rad_;
+  PreparedShape foot_;
+  std::vector<Eigen::AlignedBox2d> extents_;  ///< of the patches in plan view; empty for planes without end
+  std::unordered_map<std::int64_t, std::unique_ptr<Tile>> tiles_;
+  int last_column_ = 0, last_row_ = 0;  ///< of the tile asked for last
+  Tile* last_ = nullptr;
+  std::vector<std::pair<int, int>> disc_;  ///< cells under a foot about its own
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// What a metre costs in each direction of the body; ahead it costs 1.
+struct TravelWeights {
+  double lateral = 2.5;
+  double backward = 1.5;
+  double turn_m_rad = 0.25;  ///< metres ahead that a radian of turning costs
+};
+
+/// Cost of going straight from a to b while turning evenly, in metres ahead:
+///   integral of sqrt((w v_x)^2 + (lateral v_y)^2 + (turn_m_rad yaw')^2), v in the body's frame,
+/// w being 1 ahead and `backward` behind. Simpson's rule over at most half a radian. No less than the distance.
+/// Yaws are taken as they are, without wrapping.
+double TravelCost(const PlanarPose& a, const PlanarPose& b, const TravelWeights& weights);
+
+/// The same summed along waypoints.
+double TravelCost(const std::vector<PlanarPose>& way, const TravelWeights& weights);
+
+/// Length of a way in plan view [m].
+double LengthOf(const std::vector<PlanarPose>& way);
+
+/// The pose at a share u of the straight way from a to b, turning evenly; yaws without wrapping.
+inline PlanarPose Between(const PlanarPose& a, const PlanarPose& b, double u) {
+  return {a.x_m + u * (b.x_m - a.x_m), a.y_m + u * (b.y_m - a.y_m), a.yaw_rad + u * (b.yaw_rad - a.yaw_rad)};
+}
+
+/// `angle_rad` plus the multiple of 2 pi that brings it nearest to `near_rad`.
+double UnwrappedNear(double angle_rad, double near_rad);
+
+}  // namespace gaitwright

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/terrain/height_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "kinematics/base/file.h"
+#include "planning/terrain/read_png.h"
+#include "planning/terrain/sense.h"
+
+namespace gaitwright {
+namespace {
+
+Failure Refused(const std::string& path, const std::string& why) {
+  return {FailureKind::kBadInput, "terrain_file", "ReadHeightMap", fmt::format("'{}' {}", path, why), {}};
+}
+
+/// Numbers by row from the top, and the line of each row in its file.
+struct Table {
+  std::vector<std::vector<double>> rows;
+  std::vector<int> lines;
+};
+
+std::string Trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// The numbers of a line. @throws InvalidArgument naming the cell that is none.
+std::vector<double> ParseRow(const std::string& line, int number) {
+  std::vector<double> row;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t comma = std::min(line.find(',', at), line.size());
+    const std::string cell = Trimmed(line.substr(at, comma - at));
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) {
+      throw InvalidArgument(fmt::format("line {}, cell {}: '{}' is not a finite number", number, row.size() + 1, cell));
+    }
+    row.push_back(value);
+    at = comma + 1;
+  }
+  return row;
+}
+
+/// @throws InvalidArgument where the text is no table of numbers.
+Table ParseCsv(const std::string& text) {
+  Table table;
+  std::istringstream stream(text);
+  std::string line;
+  std::size_t cells = 0;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    line = Trimmed(line);
+    if (line.empty() || line[0] == '#') continue;
+    table.rows.push_back(ParseRow(line, number));
+    table.lines.push_back(number);
+    if (table.rows.back().size() != table.rows.front().size()) {
+      throw InvalidArgument(fmt::format("line {} has {} cells; the first row, line {}, has {}", number,
+                                        table.rows.back().size(), table.lines.front(), table.rows.front().size()));
+    }
+    cells += table.rows.back().size();
+    if (cells > static_cast<std::size_t>(kMostNodes))
+      throw InvalidArgument(fmt::format("line {}: more than {} cells", number, kMostNodes));
+  }
+  return table;
+}
+
+Table ToTable(const GreyImage& image) {
+  Table table;
+  for (int row = 0; row < image.rows; ++row) {
+    const auto first = image.values.begin() + static_cast<std::ptrdiff_t>(row) * image.columns;
+    table.rows.emplace_back(first, first + image.columns);
+    for (double& value : table.rows.back()) value /= image.full;
+    table.lines.push_back(row + 1);
+  }
+  return table;
+}
+
+/// @throws InvalidArgument naming the first cell whose height makes no sense.
+void CheckHeights(const Table& table, double scale_m, const char* line) {
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const std::vector<double>& row = table.rows[r];
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const double height = scale_m * row[c];
+      const auto refuse = [&](const std::string& why) {
+        throw InvalidArgument(
+            fmt::format("{} {}, cell {}: the height is {:.6g} m, {}; heights are in metres times scale_m", line,
+                        table.lines[r], c + 1, height, why));
+      };
+      if (std::abs(height) > kHighest) refuse(fmt::format("accepted: {} to {} m", -kHighest, kHighest));
+      const double before = c > 0 ? row[c - 1] : row[c], above = r > 0 ? table.rows[r - 1][c] : row[c];
+      const double step = std::abs(scale_m) * std::max(std::abs(row[c] - before), std::abs(row[c] - above));
+      if (step > kSteepestStep)
+        refuse(fmt::format("a step of {:.6g} m from the cell before; at most {} m is accepted", step, kSteepestStep));
+    }
+  }
+}
+
+HeightField ToField(const Table& table, const HeightMapOptions& options) {
+  HeightField field;
+  field.resolution_m = options.resolution_m;
+  field.columns = static_cast<int>(table.rows[0].size());
+  field.rows = static_cast<int>(table.rows.size());
+  field.friction = options.friction;
+  field.origin_W =
+      Vector2(options.x_m, options.y_m) - 0.5 * options.resolution_m * Vector2(field.columns - 1, field.rows - 1);
+  for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row) {
+    for (const double value : *row) field.height_m.push_back(options.z_m + options.scale_m * value);
+  }
+  return field;
+}
+
+/// @throws InvalidArgument naming what is missing.
+void CheckGiven(const HeightMapOptions& options, const std::string& name) {
+  if (options.resolution_m == 0.0) {
+    throw InvalidArgument(
+        fmt::format("needs resolution_m, the distance between its points; write '{}:resolution_m=0.02,...'", name));
+  }
+  if (options.scale_m == 0.0) {
+    throw InvalidArgument(
+        fmt::format("needs scale_m, the height of full white; write '{}:resolution_m=...,scale_m=0.3'", name));
+  }
+}
+
+}  // namespace
+
+OptionFields HeightMapOptions::Fields() {
+  return {
+      {"resolution_m", &resolution_m, "m", 0.001, 1.0, "Between neighbouring points; must be given.", {}},
+      {"scale_m", &scale_m, "m", -kHighest, kHighest, "Height of a CSV's unit, usually 1; of a PNG's full white.", {}},
+      {"x_m", &x_m, "m", -kFarthest, kFarthest, "Of its middle.", {}},
+      {"y_m", &y_m, "m", -kFarthest, kFarthest, "Of its middle.", {}},
+      {"z_m", &z_m, "m", -kHighest, kHighest, "Added to all heights.", {}},
+      {"friction", &friction, "1", 0.01, 5.0, "Coefficient of friction.", {}}};
+}
+
+Result<HeightField> ReadHeightMap(const std::string& path, const HeightMapOptions& options) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  const bool csv = path.size() > 4 && (path.ends_with(".csv") || path.ends_with(".CSV"));
+  HeightMapOptions given = options;
+  if (csv && given.scale_m == 0.0) given.scale_m = 1.0;
+  try {
+    CheckGiven(given, name);
+    CheckOptions(given.Fields());
+    Table table;
+    if (csv) {
+      const Result<std::string> text = ReadFile(path);
+      if (!text) return text.failure();
+      table = ParseCsv(*text);
+    } else {
+      const Result<GreyImage> image = ReadGreyPng(path);
+      if (!image) return image.failure();
+      table = ToTable(*image);
+    }
+    if (table.rows.size() < 2 || table.rows[0].size() < 2) {
+      return Refused(path, fmt::format("has {} rows of {} cells; two by two is the least", table.rows.size(),
+                                       table.rows.empty() ? 0 : table.rows[0].size()));
+    }
+    CheckHeights(table, given.scale_m, csv ? "line" : "row");
+    HeightField field = ToField(table, given);
+    field.name = name;
+    return field;
+  } catch (const InvalidArgument& error) {
+    return Refused(path, error.what());
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/terrain/load_terrain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "kinematics/base/options.h"
+#include "kinematics/model/mesh_file.h"
+#include "planning/plan/built_in_terrain.h"
+#include "planning/plan/terrain_spec.h"
+#include "planning/terrain/height_map.h"
+#include "planning/terrain/mesh_terrain.h"
+#include "planning/terrain/terrain_yaml.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kKinds = {".yaml", ".yml", ".csv", ".png", ".obj", ".stl", ".dae"};
+
+/// A file with the parameters after it.
+struct FileText {
+  std::string path, kind, parameters;
+  bool has_parameters = false;
+};
+
+std::string Lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+  return text;
+}
+
+/// Parted after the ending of a kind that is read; the kind is "" where there is none.
+FileText Part(const std::string& text) {
+  const std::string lower = Lower(text);
+  for (const std::string& kind : kKinds) {
+    if (lower.ends_with(kind)) return {text, kind, "", false};
+    const std::size_t at = lower.rfind(kind + ":");
+    if (at == std::string::npos) continue;
+    const std::size_t end = at + kind.size();
+    return {text.substr(0, end), kind, text.substr(end + 1), true};
+  }
+  return {text, "", "", false};
+}
+
+Failure Refused(const std::string& code, const std::string& message) {
+  return {FailureKind::kBadInput, code, "LoadTerrain", message, {}};
+}
+
+/// A ground of a file whose options are those of a text. @throws InvalidArgument for a wrong parameter.
+Result<Terrain> LoadFile(const FileText& file, const TerrainScale& scale) {
+  const OptionTexts texts = file.has_parameters ? ParseParameters(file.parameters) : OptionTexts{};
+  const auto set = [&](OptionFields fields) {
+    for (const auto& [key, text] : texts) SetOption(fields, key, text);
+  };
+  if (file.kind == ".yaml" || file.kind == ".yml") {
+    if (!texts.empty()) throw InvalidArgument("a YAML file has no parameters; they stand in the file");
+    return ReadTerrainYaml(file.path, scale);
+  }
+  if (file.kind == ".csv" || file.kind == ".png") {
+    HeightMapOptions options;
+    set(options.Fields());
+    Result<HeightField> field = ReadHeightMap(file.path, options);
+    if (!field) return field.failure();
+    return Terrain{"", {}, {std::move(*field)}, {}};
+  }
+  MeshTerrainOptions options;
+  options.least_m = std::min(scale.foot_length_m, scale.foot_width_m);
+  set(options.Fields());
+  const Result<Mesh> mesh = ReadMesh(file.path);
+  if (!mesh) return mesh.failure();
+  return TerrainFromMesh(*mesh, options, file.path);
+}
+
+}  // namespace
+
+std::string TerrainFileOf(const std::string& name_or_file) {
+  const FileText file = Part(name_or_file);
+  const std::string before = name_or_file.substr(0, name_or_file.find(':'));
+  return !file.kind.empty() || before.find_first_of("./") != std::string::npos ? file.path : "";
+}
+
+Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale& scale) {
+  if (TerrainFileOf(name_or_file).empty()) return MakeTerrain(name_or_file, scale);
+  const FileText file = Part(name_or_file);
+  if (file.kind.empty()) {
+    return Refused("terrain_kind", fmt::format("'{}' is a terrain of a kind that is not read; there are {}",
+                                               name_or_file, QuotedList(kKinds)));
+  }
+  std::error_code error;
+  if (!fs::is_regular_file(file.path, error))
+    return Refused("no_file", fmt::format("there is no terrain file '{}'", file.path));
+  try {
+    Result<Terrain> terrain = LoadFile(file, scale);
+    if (!terrain) return terrain;
+    terrain->name = fs::path(file.path).filename().string();
+    if (file.has_parameters) terrain->name += ":" + file.parameters;
+    return terrain;
+  } catch (const InvalidArgument& wrong) {
+    return Refused("terrain_parameter", fmt::format("terrain '{}': {}", file.path, wrong.what()));
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/terrain/read_png.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+
+#include "planning/terrain/sense.h"
+
+namespace gaitwright {
+namespace {
+
+Failure Refused(const std::string& path, const std::string& why) {
+  return {FailureKind::kBadInput, "terrain_file", "ReadGreyPng", fmt::format("'{}' {}", path, why), {}};
+}
+
+void KeepMessage(png_structp png, png_const_charp message) {
+  *static_cast<std::string*>(png_get_error_ptr(png)) = message;
+  png_longjmp(png, 1);
+}
+
+void Ignore(png_structp, png_const_charp) {}
+
+/// libpng's structures, and what the reading of a file leaves behind. libpng leaves its functions by longjmp when a
+/// file is broken, so whatever has a destructor lives here, outside of them.
+struct Reading {
+  Reading()
+      : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &error, KeepMessage, Ignore)),
+        info(png_create_info_struct(png)) {}
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+  ~Reading() { png_destroy_read_struct(&png, &info, nullptr); }
+
+  std::string error;
+  png_structp png;
+  png_infop info;
+  std::vector<png_byte> bytes;
+  std::vector<png_bytep> rows;
+};
+
+bool ReadHead(Reading& reading, std::FILE* file) {
+  if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
+  png_init_io(reading.png, file);
+  png_read_info(reading.png, reading.info);
+  return true;
+}
+
+bool ReadRows(Reading& reading) {
+  if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
+  png_read_image(reading.png, reading.rows.data());
+  png_read_end(reading.png, nullptr);
+  return true;
+}
+
+/// Why a picture of this kind is not read; "" when it is.
+std::string WhyNot(const Reading& reading) {
+  const int depth = png_get_bit_depth(reading.png, reading.info);
+  const int colour = png_get_color_type(reading.png, reading.info);
+  if (colour != PNG_COLOR_TYPE_GRAY)
+    return colour == PNG_COLOR_TYPE_GRAY_ALPHA ? "has transparency; plain grey is needed"
+                                               : "is in colour; a grey picture is needed";
+  if (depth != 8 && depth != 16) return fmt::format("has {} bits a point; 8 or 16 are needed", depth);
+  const double columns = png_get_image_width(reading.png, reading.info);
+  const double rows = png_get_image_height(reading.png, reading.info);
+  if (columns * rows > kMostNodes)
+    return fmt::format("has {:.0f} by {:.0f} points; at most {} in all are read", columns, rows, kMostNodes);
+  return "";
+}
+
+}  // namespace
+
+Result<GreyImage> ReadGreyPng(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) return Refused(path, "cannot be read: there is no such file");
+  Reading reading;
+  if (!ReadHead(reading, file.get()))
+    return Refused(path, fmt::format("is no PNG that can be read: {}", reading.error));
+  const std::string why = WhyNot(reading);
+  if (!why.empty()) return Refused(path, why);
+  GreyImage image;
+  image.columns = static_cast<int>(png_get_image_width(reading.png, reading.info));
+  image.rows = static_cast<int>(png_get_image_height(reading.png, reading.info));
+  const bool wide = png_get_bit_depth(reading.png, reading.info) == 16;
+  image.full = wide ? 65535 : 255;
+  png_set_interlace_handling(reading.png);
+  const std::size_t length = static_cast<std::size_t>(image.columns) * (wide ? 2 : 1);
+  reading.bytes.resize(length * static_cast<std::size_t>(image.rows));
+  for (int row = 0; row < image.rows; ++row)
+    reading.rows.push_back(&reading.bytes[length * static_cast<std::size_t>(row)]);
+  if (!ReadRows(reading)) return Refused(path, fmt::format("is broken: {}", reading.error));
+  for (std::size_t i = 0; i < reading.bytes.size(); i += wide ? 2 : 1) {
+    const int value = wide ? 256 * reading.bytes[i] + reading.bytes[i + 1] : reading.bytes[i];
+    image.values.push_back(static_cast<std::uint16_t>(value));
+  }
+  return image;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/terrain/terrain_yaml.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <set>
+
+#include "kinematics/base/file.h"
+#include "kinematics/base/options.h"
+#include "planning/plan/built_in_terrain.h"
+#include "planning/terrain/load_terrain.h"
+#include "planning/terrain/sense.h"
+
+namespace gaitwright {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+/// Thrown within this file: what is wrong and where.
+[[noreturn]] void Refuse(const YAML::Node& node, const std::string& what) {
+  throw InvalidArgument(fmt::format("line {}: {}", node.Mark().line + 1, what));
+}
+
+const char* KindOf(const YAML::Node& node) {
+  return node.IsMap() ? "a map" : node.IsSequence() ? "a list" : node.IsScalar() ? "a single value" : "nothing";
+}
+
+double Number(const YAML::Node& node, const std::string& what, double low, double high) {
+  if (!node.IsScalar()) Refuse(node, fmt::format("{} is {}; a number is needed", what, KindOf(node)));
+  double value = 0.0;
+  if (!YAML::convert<double>::decode(node, value))
+    Refuse(node, fmt::format("{} is '{}'; a number is needed", what, node.Scalar()));
+  if (!std::isfinite(value) || value < low || value > high)
+    Refuse(node, fmt::format("{} is {}; accepted: {} to {}", what, value, low, high));
+  return value;
+}
+
+std::string Text(const YAML::Node& node, const std::string& what) {
+  if (!node.IsScalar()) Refuse(node, fmt::format("{} is {}; a text is needed", what, KindOf(node)));
+  return node.Scalar();
+}
+
+std::vector<YAML::Node> List(const YAML::Node& node, const std::string& what) {
+  if (!node.IsSequence()) Refuse(node, fmt::format("{} is {}; a list is needed", what, KindOf(node)));
+  return {node.begin(), node.end()};
+}
+
+/// Refuses a map that lacks one of `needed`, has a key twice, or one that is in neither list.
+void CheckKeys(const YAML::Node& node, const std::string& what, const Keys& needed, const Keys& optional) {
+  if (!node.IsMap()) Refuse(node, fmt::format("{} is {}; a map of keys is needed", what, KindOf(node)));
+  Keys known = needed;
+  known.insert(known.end(), optional.begin(), optional.end());
+  std::set<std::string> seen;
+  for (const auto& entry : node) {
+    const std::string key = Text(entry.first, "a key of " + what);
+    if (!seen.insert(key).second) Refuse(entry.first, fmt::format("{} has the key '{}' twice", what, key));
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      Refuse(entry.first,
+             fmt::format("{} has the unknown key '{}'; the nearest is '{}'", what, key, NearestName(key, known)));
+    }
+  }
+  for (const std::string& key : needed) {
+    if (!seen.contains(key)) Refuse(node, fmt::format("{} lacks the key '{}'", what, key));
+  }
+}
+
+/// `count` numbers, each of a coordinate: x and y, and z where there are three.
+VectorX Place(const YAML::Node& node, const std::string& what, int count) {
+  const std::vector<YAML::Node> parts = List(node, what);
+  if (static_cast<int>(parts.size()) != count)
+    Refuse(node, fmt::format("{} has {} numbers; {} are needed", what, parts.size(), count));
+  VectorX place(count);
+  for (int i = 0; i < count; ++i) {
+    const double far = i < 2 ? kFarthest : kHighest;
+    place[i] = Number(parts[static_cast<std::size_t>(i)], what, -far, far);
+  }
+  return place;
+}
+
+std::vector<Vector3> Places(const YAML::Node& node, const std::string& what) {
+  std::vector<Vector3> places;
+  for (const YAML::Node& part : List(node, what)) places.emplace_back(Place(part, what, 3));
+  return places;
+}
+
+double FrictionOf(const YAML::Node& node) {
+  return node["friction"] ? Number(node["friction"], "friction", 0.01, 5.0) : 0.8;
+}
+
+/// Runs what throws without a line, and adds the one of `node`.
+template <class Make>
+auto At(const YAML::Node& node, Make make) {
+  try {
+    return make();
+  } catch (const InvalidArgument& error) {
+    Refuse(node, error.what());
+  }
+}
+
+TerrainPatch ParsePatch(const YAML::Node& node) {
+  CheckKeys(node, "a patch", {"name"}, {"corners_m", "height_m", "friction"});
+  const std::string name = Text(node["name"], "name");
+  if (static_cast<bool>(node["corners_m"]) == static_cast<bool>(node["height_m"])) {
+    Refuse(node, fmt::format("patch '{}' needs either 'corners_m' or, without end, 'height_m'", name));
+  }
+  if (node["height_m"]) {
+    TerrainPatch plane;
+    plane.name = name;
+    plane.friction = FrictionOf(node);
+    plane.X_WT.translation().z() = Number(node["height_m"], "height_m", -kHighest, kHighest);
+    return plane;
+  }
+  const std::vector<Vector3> corners = Places(node["corners_m"], "corners_m");
+  const double friction = FrictionOf(node);
+  return At(node, [&] { return PatchThrough(name, corners, friction); });
+}
+
+HeightField ParseHeights(const YAML::Node& node) {
+  CheckKeys(node, "a height field", {"name", "origin_m", "resolution_m", "heights_m"}, {"friction"});
+  HeightField field;
+  field.name = Text(node["name"], "name");
+  field.origin_W = Place(node["origin_m"], "origin_m", 2);
+  field.resolution_m = Number(node["resolution_m"], "resolution_m", 0.001, 1.0);
+  field.friction = FrictionOf(node);
+  const std::vector<YAML::Node> rows = List(node["heights_m"], "heights_m");
+  for (std::size_t r = rows.size(); r-- > 0;) {  // as seen from above: the first has the highest y
+    const YAML::Node& row = rows[r];
+    const std::vector<YAML::Node> cells = List(row, "a row of heights_m");
+    if (field.rows++ == 0) field.columns = static_cast<int>(cells.size());
+    if (static_cast<int>(cells.size()) != field.columns)
+      Refuse(row, fmt::format("a row of heights_m has {} numbers, another {}", cells.size(), field.columns));
+    for (const YAML::Node& cell : cells) field.height_m.push_back(Number(cell, "heights_m", -kHighest, kHighest));
+  }
+  if (field.rows < 2 || field.columns < 2) {
+    Refuse(node["heights_m"],
+           fmt::format("heights_m has {} rows of {} numbers; two by two is the least", field.rows, field.columns));
+  }
+  return field;
+}
+
+Pose ParsePose(const YAML::Node& node) {
+  Pose pose = Pose::Identity();
+  if (node["position_m"]) pose.translation() = Place(node["position_m"], "position_m", 3);
+  const auto turn = [&](const char* key, const Vector3& axis) {
+    if (!node[key]) return;
+    const double angle = Number(node[key], key, -360.0, 360.0) * std::numbers::pi / 180.0;
+    pose.rotate(Eigen::AngleAxisd(angle, axis));
+  };
+  turn("yaw_deg", Vector3::UnitZ());
+  turn("pitch_deg", Vector3::UnitY());
+  turn("roll_deg", Vector3::UnitX());
+  return pose;
+}
+
+Obstacle ParseObstacle(const YAML::Node& node) {
+  CheckKeys(node, "an obstacle", {"name", "type"},
+            {"size_m", "vertices_m", "position_m", "yaw_deg", "pitch_deg", "roll_deg"});
+  Obstacle obstacle;
+  obstacle.name = Text(node["name"], "name");
+  const std::string type = Text(node["type"], "type");
+  const Keys& types = ObstacleTypeNames();
+  const auto at = std::find(types.begin(), types.end(), type);
+  if (at == types.end()) Refuse(node["type"], fmt::format("type is '{}'; accepted: {}", type, QuotedList(types)));
+  obstacle.type = ObstacleTypes()[static_cast<std::size_t>(at - types.begin())];
+  obstacle.X_WO = ParsePose(node);
+  const bool mesh = obstacle.type == ShapeType::kMesh;
+  const char* needed = mesh ? "vertices_m" : "size_m";
+  if (!node[needed] || node[mesh ? "size_m" : "vertices_m"])
+    Refuse(node, fmt::format("obstacle '{}' is a {}, which has '{}' and not the other", obstacle.name, type, needed));
+  if (mesh) {
+    obstacle.vertices_O = Places(node[needed], needed);
+    if (obstacle.vertices_O.size() < 4)
+      Refuse(node[needed],
+             fmt::format("vertices_m has {} points; four or more are needed", obstacle.vertices_O.size()));
+    return obstacle;
+  }
+  const std::vector<YAML::Node> sizes = List(node[needed], needed);
+  const std::size_t count = obstacle.type == ShapeType::kBox ? 3 : 2;
+  if (sizes.size() != count) {
+    Refuse(node[needed], fmt::format("size_m has {} numbers; a {} has {}", sizes.size(), type,
+                                     count == 3 ? "three edges" : "a radius and a length"));
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    obstacle.size_m[static_cast<Eigen::Index>(i)] = Number(sizes[i], "size_m", 0.001, kFarthest);
+  return obstacle;
+}
+
+/// Adds another ground's parts.
+void Append(const Terrain& from, Terrain& to) {
+  to.patches.insert(to.patches.end(), from.patches.begin(), from.patches.end());
+  to.height_fields.insert(to.height_fields.end(), from.height_fields.begin(), from.height_fields.end());
+  to.obstacles.insert(to.obstacles.end(), from.obstacles.begin(), from.obstacles.end());
+}
+
+/// A ground named at a node. A file that names another of its own kind could go round and round, so it may not.
+Terrain Named(const YAML::Node& node, const std::string& folder, const TerrainScale& scale, bool file) {
+  std::string text = Text(node, file ? "a file" : "builtin");
+  if (file && (text.find(".yaml") != std::string::npos || text.find(".yml") != std::string::npos))
+    Refuse(node, fmt::format("'{}' is YAML too; a height map or a mesh is needed", text));
+  if (file) text = (std::filesystem::path(folder) / text).string();
+  const Result<Terrain> terrain = file ? LoadTerrain(text, scale) : MakeTerrain(text, scale);
+  if (!terrain) Refuse(node, terrain.failure().message);
+  return *terrain;
+}
+
+Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainScale& scale) {
+  CheckKeys(root, "the file", {}, {"builtin", "files", "patches", "height_fields", "obstacles"});
+  Terrain terrain;
+  const auto each = [&](const char* key, auto add) {
+    if (!root[key]) return;
+    for (const YAML::Node& node : List(root[key], key)) add(node);
+  };
+  if (root["builtin"]) Append(Named(root["builtin"], folder, scale, false), terrain);
+  each("files", [&](const YAML::Node& node) { Append(Named(node, folder, scale, true), terrain); });
+  each("patches", [&](const YAML::Node& node) { terrain.patches.push_back(ParsePatch(node)); });
+  each("height_fields", [&](const YAML::Node& node) { terrain.height_fields.push_back(ParseHeights(node)); });
+  each("obstacles", [&](const YAML::Node& node) { terrain.obstacles.push_back(ParseObstacle(node)); });
+  if (terrain.num_surfaces() == 0)
+    Refuse(root, "there is no ground: 'builtin', 'files', 'patches' or 'height_fields' is needed");
+  return terrain;
+}
+
+}  // namespace
+
+Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& scale) {
+  const auto bad = [&](const std::string& message) {
+    return Failure{
+        FailureKind::kBadInput, "terrain_file", "ReadTerrainYaml", fmt::format("'{}', {}", path, message), {}};
+  };
+  const Result<std::string> text = ReadFile(path);
+  if (!text) return text.failure();
+  try {
+    return Parse(YAML::Load(*text), std::filesystem::path(path).parent_path().string(), scale);
+  } catch (const YAML::Exception& error) {
+    return bad(fmt::format("line {}: is no YAML from here on; see docs/terrain-format.md", error.mark.line + 1));
+  } catch (const InvalidArgument& error) {
+    return bad(error.what());
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/spatial/convex_hull.h"
+#include "planning/plan/terrain_shapes.h"
+#include "playback/report/plots.h"
+#include "playback/report/svg_plot.h"
+
+namespace gaitwright {
+namespace {
+
+/// What is worth showing of the ground: about the footholds, the way of the body and the goal.
+Eigen::AlignedBox2d Window(const PlotData& data) {
+  Eigen::AlignedBox2d window(Vector2(data.plan.goal.x_m, data.plan.goal.y_m));
+  for (const Foothold& foothold : data.plan.footsteps.footholds)
+    window.extend(Vector2(foothold.X_WF.translation().head<2>()));
+  for (const MotionSample& sample : data.series.planned) window.extend(Vector2(sample.p_WC.head<2>()));
+  const Vector2 room = Vector2::Constant(data.model.leg_length_m());
+  return {window.min() - room, window.max() + room};
+}
+
+Polygon Within(const Eigen::AlignedBox2d& window, Polygon polygon) {
+  const std::array<Vector2, 4> normals{Vector2::UnitX(), -Vector2::UnitX(), Vector2::UnitY(), -Vector2::UnitY()};
+  const std::array<double, 4> least{window.min().x(), -window.max().x(), window.min().y(), -window.max().y()};
+  for (std::size_t i = 0; i < normals.size(); ++i) polygon = Clipped(polygon, normals[i], least[i]);
+  return polygon;
+}
+
+std::vector<Vector2> AlongX(const std::vector<MotionSample>& samples, std::size_t foot) {
+  std::vector<Vector2> line;
+  for (const MotionSample& s : samples) line.emplace_back(s.feet[foot].p_WF.x(), s.feet[foot].p_WF.z());
+  return line;
+}
+
+/// The ground below a path in plan view; NaN where there is none.
+std::vector<Vector2> GroundBelow(const Terrain& terrain, const std::vector<Vector2>& path) {
+  std::vector<Vector2> profile;
+  for (const Vector2& p : path) {
+    const GroundPoint ground = GroundAt(terrain, p);
+    profile.emplace_back(p.x(), ground.patch < 0 ? std::numeric_limits<double>::quiet_NaN() : ground.height_m);
+  }
+  return profile;
+}
+
+/// A straight line ahead through the middle of the way, a centimetre a point.
+std::vector<Vector2> LineAhead(const Eigen::AlignedBox2d& window) {
+  constexpr double kStep = 0.01;
+  std::vector<Vector2> line;
+  for (double x = window.min().x(); x <= window.max().x(); x += kStep) line.emplace_back(x, window.center().y());
+  return line;
+}
+
+}  // namespace
+
+bool IsUneven(const Terrain& terrain) {
+  return terrain.num_surfaces() > 1 || !terrain.obstacles.empty() || terrain.patches.size() != 1 ||
+         terrain.patches.front().X_WT.linear().col(2).z() < 1.0;
+}
+
+void DrawGround(const PlotData& data, SvgPlot& plot) {
+  const Eigen::AlignedBox2d window = Window(data);
+  for (const TerrainPatch& patch : data.plan.terrain.patches) {
+    const Polygon outline = Within(window, PlanOutline(patch));
+    if (outline.size() >= 3) plot.Area(outline, Ink::kMuted, false, "edges of the ground");
+  }
+  for (const Obstacle& obstacle : data.plan.terrain.obstacles) {
+    std::vector<Vector2> corners;
+    for (const Vector3& corner : CornersOf(obstacle)) corners.emplace_back(corner.head<2>());
+    const Polygon outline = Within(window, ConvexHull(std::move(corners)));
+    if (outline.size() >= 3) plot.Area(outline, Ink::kLimit, true, "obstacles");
+  }
+}
+
+Plot SideView(const PlotData& data) {
+  SvgPlot::Options options;
+  options.title = "From the side";
+  options.x_label = "x [m]";
+  options.y_label = "z [m]";
+  options.equal_axes = true;
+  options.most_points = 2000;
+  SvgPlot plot(options);
+  plot.Line(GroundBelow(data.plan.terrain, LineAhead(Window(data))), Ink::kLimit, Stroke::kMeasured, "ground");
+  for (std::size_t f = 0; f < data.model.feet.size(); ++f) {
+    plot.Line(AlongX(data.series.planned, f), Ink::kFoot, Stroke::kPlanned, "feet planned");
+    plot.Line(AlongX(data.series.measured, f), Ink::kFoot, Stroke::kMeasured, "feet measured");
+  }
+  std::vector<Vector2> planned, measured;
+  for (const MotionSample& s : data.series.planned) planned.emplace_back(s.p_WC.x(), s.p_WC.z());
+  for (const MotionSample& s : data.series.measured) measured.emplace_back(s.p_WC.x(), s.p_WC.z());
+  plot.Line(planned, Ink::kCom, Stroke::kPlanned, "CoM planned");
+  plot.Line(measured, Ink::kCom, Stroke::kMeasured, "CoM measured");
+  return {"side_view",
+          "The same from the side, in metres and to scale: contact points of the feet and the centre of mass over the "
+          "ground ahead along the middle of the way.",
+          plot.Svg()};
+}
+
+}  // namespace gaitwright
