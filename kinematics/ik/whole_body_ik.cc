@@ -22,7 +22,7 @@ Matrix3 RollMatrix(const Foot& foot, const Vector3& normal) { return foot.radius
 
 Vector3 WantedPosition(const Foot& foot, const FootTarget& target, const Matrix3& R_WF) {
   if (foot.radius == 0.0) return target.p_WF;
-  return target.p_WF + foot.radius * RotationLog(R_WF * target.R_anchor.transpose()).cross(target.normal_W);
+  return target.p_WF + foot.radius * RotationLog(R_WF * target.R_anchor.transpose()).cross(target.normal_anchor_W);
 }
 
 /// The column, beyond the base's six, whose unit vector has most left once directions (orthonormal) are taken out.
@@ -262,7 +262,8 @@ Vector3 WholeBodyIk::AccelerationLessBias(const Task& task, const BodyTarget& ta
   const FootTarget& wanted = target.feet[static_cast<std::size_t>(task.foot)];
   const Vector6 bias = PointBiasAcceleration(scratch_, foot.body, foot.X_BF.translation());
   if (task.kind == Task::Kind::kFootLinear) {
-    return wanted.a_WF - bias.head<3>() - RollMatrix(foot, wanted.normal_W) * bias.tail<3>();
+    return wanted.a_WF - bias.head<3>() - RollMatrix(foot, wanted.normal_W) * bias.tail<3>() -
+           RollMatrix(foot, wanted.normal_rate_W) * scratch_.w_WB[static_cast<std::size_t>(foot.body)];
   }
   // What turns beside the target, about an axis of F that is left free, goes round with F.
   const Vector3& w_WF = scratch_.w_WB[static_cast<std::size_t>(foot.body)];

@@ -17,12 +17,14 @@ namespace gaitwright {
 ///
 /// A sphere rolls on its radius r: with normal n its centre moves by r w x n more than the material point under it, so
 /// v_WF and a_WF are those of the material contact point (zero in stance, the swing's otherwise), and the position
-/// wanted is p_WF + r log(R R_anchor^T) x n, R being the foot's rotation and R_anchor that at which p_WF was reckoned.
+/// wanted is p_WF + r log(R R_anchor^T) x n_anchor, R being the foot's rotation, R_anchor that at which p_WF was
+/// reckoned, and n_anchor the mean normal since. Between grounds that slope differently the normal turns over.
 struct FootTarget {
   Vector3 p_WF = Vector3::Zero();
   Matrix3 R_WF = Matrix3::Identity();      ///< sole, line
   Matrix3 R_anchor = Matrix3::Identity();  ///< sphere
-  Vector3 normal_W = Vector3::UnitZ();
+  Vector3 normal_anchor_W = Vector3::UnitZ();  ///< sphere
+  Vector3 normal_W = Vector3::UnitZ(), normal_rate_W = Vector3::Zero();
   Vector3 v_WF = Vector3::Zero(), w_WF = Vector3::Zero();
   Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
 };

@@ -8,6 +8,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/swing_curve.h"
+#include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
 namespace {
@@ -48,18 +49,23 @@ std::shared_ptr<const Rows> RowsOf(const RobotModel& model, const WholeBodyTraje
 SwingRoll RollOf(const Rows& rows, const SwingTrajectory& swing) {
   const auto foot = static_cast<std::size_t>(swing.foot);
   if (rows.radius_m[foot] <= 0.0) return {};
-  const Vector3 normal_W = swing.X_WF_start.linear().col(2);  // of the ground that it rolls on until it lands
   const double duration = swing.end_s - swing.start_s;
   const int pieces = std::max(2, static_cast<int>(std::lround(duration / rows.step_s)));
   const auto rotation = [&](int k) {
     const auto [row, share] = rows.At(swing.start_s + k * duration / pieces);
     return rows.R_WF[foot][row].slerp(share, rows.R_WF[foot][row + 1]).toRotationMatrix();
   };
+  const SwingCurve curve = CurveOf(swing);
+  // The curve's own z goes over from the one ground's normal to the other's.
+  const auto normal_W = [&](double piece) {
+    return Vector3(Evaluate(curve, swing.start_s + piece * duration / pieces).X_WF.linear().col(2));
+  };
   std::vector<Vector3> off_W = {Vector3::Zero()};
   Matrix3 last_W = rotation(0);
   for (int k = 1; k <= pieces; ++k) {
     const Matrix3 now_W = rotation(k);
-    off_W.push_back(off_W.back() + rows.radius_m[foot] * RotationLog(now_W * last_W.transpose()).cross(normal_W));
+    off_W.push_back(off_W.back() +
+                    rows.radius_m[foot] * RotationLog(now_W * last_W.transpose()).cross(normal_W(k - 0.5)));
     last_W = now_W;
   }
   const Vector3 whole_W = off_W.back();

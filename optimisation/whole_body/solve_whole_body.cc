@@ -40,12 +40,14 @@ class FootPath {
   FootTarget At(double time_s) {
     Advance(time_s);
     FootTarget target;
-    target.normal_W = footholds_[std::min(stance_, footholds_.size() - 1)]->X_WF.linear().col(2);
     FrameMotion motion;
     motion.X_WF = path_;
     if (in_swing_) motion = Evaluate(curve_, time_s);
     // The curve's own z goes over from the one ground's normal to the other's.
-    const Vector3 centre = foot_->radius * motion.X_WF.linear().col(2), moves = motion.w_WF.cross(centre);
+    target.normal_W = motion.X_WF.linear().col(2);
+    target.normal_rate_W = motion.w_WF.cross(target.normal_W);
+    target.normal_anchor_W = started_ ? Vector3(0.5 * (normal_last_ + target.normal_W)) : target.normal_W;
+    const Vector3 centre = foot_->radius * target.normal_W, moves = foot_->radius * target.normal_rate_W;
     target.p_WF = motion.X_WF.translation() + centre + roll_;
     target.R_WF = motion.X_WF.linear();
     target.R_anchor = R_last_;
@@ -54,13 +56,15 @@ class FootPath {
     target.a_WF = motion.a_WF + motion.alpha_WF.cross(centre) + motion.w_WF.cross(moves);
     target.alpha_WF = motion.alpha_WF;
     normal_ = target.normal_W;
+    normal_anchor_ = target.normal_anchor_W;
     return target;
   }
 
   /// Takes note of the foot's rotation once the sample is solved.
   void Settle(const Matrix3& R_WF) {
-    if (started_) roll_ += foot_->radius * RotationLog(R_WF * R_last_.transpose()).cross(normal_);
+    if (started_) roll_ += foot_->radius * RotationLog(R_WF * R_last_.transpose()).cross(normal_anchor_);
     started_ = true;
+    normal_last_ = normal_;
     R_last_ = R_WF;
   }
   void Start(const Matrix3& R_WF) { R_last_ = R_WF; }
@@ -98,6 +102,7 @@ class FootPath {
   Pose path_ = Pose::Identity();
   SwingCurve curve_;
   Vector3 roll_ = Vector3::Zero(), normal_ = Vector3::UnitZ();
+  Vector3 normal_anchor_ = Vector3::UnitZ(), normal_last_ = Vector3::UnitZ();
   Matrix3 R_last_ = Matrix3::Identity();
 };
 

@@ -8,10 +8,13 @@
 namespace gaitwright {
 namespace {
 
-/// Stands with the feet where they are and sways the centre of mass on all three axes.
+/// Stands with the feet where they are and sways the centre of mass on all three axes, while the ground under spheres
+/// turns about their contact points.
 class Sway {
  public:
-  explicit Sway(const RobotModel& model) : scratch_(model) {
+  static constexpr double kStep = 0.001;
+
+  explicit Sway(const RobotModel& model) : model_(model), scratch_(model) {
     ForwardKinematics(model, StandingConfiguration(model), scratch_);
     home_ = CentreOfMass(model, scratch_);
     for (const Foot& foot : model.feet) {
@@ -20,21 +23,52 @@ class Sway {
       target.p_WF = X_WF.translation();
       target.R_WF = target.R_anchor = X_WF.linear();
       target_.feet.push_back(target);
+      contacts_W_.push_back(target.p_WF - foot.radius * NormalAt(0.0).col(0));
     }
   }
   const BodyTarget& At(double time_s) {
     constexpr double kSwing = 0.015, kRate = 4.0;
+    const Matrix3 normal = NormalAt(time_s);
+    for (std::size_t f = 0; f < target_.feet.size(); ++f) {
+      FootTarget& foot = target_.feet[f];
+      const double radius = model_.feet[f].radius;
+      foot.normal_anchor_W = 0.5 * (NormalAt(time_s - kStep).col(0) + normal.col(0));
+      foot.normal_W = normal.col(0);
+      foot.normal_rate_W = normal.col(1);
+      foot.p_WF = contacts_W_[f] + radius * normal.col(0);
+      foot.v_WF = radius * normal.col(1);
+      foot.a_WF = radius * normal.col(2);
+    }
     const Vector3 along = Vector3(1.0, 1.0, 1.0) * kSwing;
     target_.p_WC = home_ + along * (std::cos(kRate * time_s) - 1.0);
     target_.v_WC = -along * kRate * std::sin(kRate * time_s);
     target_.a_WC = -along * kRate * kRate * std::cos(kRate * time_s);
     return target_;
   }
-  BodyTarget& target() { return target_; }
+  /// Takes note of how far spheres have rolled.
+  void RollOn(const WholeBodyIk& ik) {
+    for (std::size_t f = 0; f < target_.feet.size(); ++f) {
+      const Matrix3 R = ik.FootPose(static_cast<int>(f)).linear();
+      FootTarget& foot = target_.feet[f];
+      contacts_W_[f] += model_.feet[f].radius * RotationLog(R * foot.R_anchor.transpose()).cross(foot.normal_anchor_W);
+      foot.R_anchor = R;
+    }
+  }
 
  private:
+  /// The normal and its two derivatives.
+  static Matrix3 NormalAt(double time_s) {
+    constexpr double kTurns = 0.8;  // [rad/s]
+    const double c = std::cos(kTurns * time_s), s = std::sin(kTurns * time_s);
+    Matrix3 normal;
+    normal << s, kTurns * c, -kTurns * kTurns * s, 0.0, 0.0, 0.0, c, -kTurns * s, -kTurns * kTurns * c;
+    return normal;
+  }
+
+  const RobotModel& model_;
   DynamicsScratch scratch_;
   Vector3 home_;
+  std::vector<Vector3> contacts_W_;  // by foot, under its frame
   BodyTarget target_;
 };
 
@@ -46,7 +80,7 @@ TEST_P(WholeBodyIkTest, RatesAreDerivativesOfPositions) {
   Sway sway(model);
   VectorX q = StandingConfiguration(model), v, a;
   std::vector<VectorX> positions, velocities, accelerations;
-  constexpr double kStep = 0.001;
+  constexpr double kStep = Sway::kStep;
   for (int k = 0; k < 300; ++k) {
     const BodyTarget& target = sway.At(k * kStep);
     const Result<int> solved = ik.SolvePosition(target, q);
@@ -55,12 +89,7 @@ TEST_P(WholeBodyIkTest, RatesAreDerivativesOfPositions) {
     positions.push_back(q);
     velocities.push_back(v);
     accelerations.push_back(a);
-    for (std::size_t f = 0; f < model.feet.size(); ++f) {  // spheres roll on
-      const Matrix3 R = ik.FootPose(static_cast<int>(f)).linear();
-      FootTarget& foot = sway.target().feet[f];
-      foot.p_WF += model.feet[f].radius * RotationLog(R * foot.R_anchor.transpose()).cross(Vector3::UnitZ());
-      foot.R_anchor = R;
-    }
+    sway.RollOn(ik);
   }
   const Eigen::Index n = model.num_dofs();
   const auto derivative = [&](const std::vector<VectorX>& f, std::size_t k) -> VectorX {  // to the fourth order
@@ -97,7 +126,9 @@ BodyTarget Turned(const BodyTarget& target, const Matrix3& R) {
   for (Vector3* v : {&turned.p_WC, &turned.v_WC, &turned.a_WC, &turned.w_WB, &turned.alpha_WB}) *v = R * *v;
   turned.R_WB = R * target.R_WB;
   for (FootTarget& foot : turned.feet) {
-    for (Vector3* v : {&foot.p_WF, &foot.v_WF, &foot.w_WF, &foot.a_WF, &foot.alpha_WF}) *v = R * *v;
+    for (Vector3* v : {&foot.p_WF, &foot.v_WF, &foot.w_WF, &foot.a_WF, &foot.alpha_WF, &foot.normal_anchor_W,
+                       &foot.normal_W, &foot.normal_rate_W})
+      *v = R * *v;
     foot.R_WF = R * foot.R_WF;
     foot.R_anchor = R * foot.R_anchor;
   }

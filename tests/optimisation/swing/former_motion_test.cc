@@ -47,7 +47,7 @@ TEST(MotionOf, AnEvenTurnRollsASphereOffItsCurveAndBack) {
 TEST(MotionOf, ASphereOnASlopeRollsAlongIt) {
   const RobotModel model = *LoadNamedRobot("a1");
   SwingTrajectory swing = Swing();
-  swing.X_WF_start.linear() = RotationExp(0.3 * Vector3::UnitY());
+  swing.X_WF_start.linear() = swing.X_WF_end.linear() = RotationExp(0.3 * Vector3::UnitY());
   const Vector3 normal_W = swing.X_WF_start.linear().col(2);
   const SwingRoll roll = MotionOf(model, Pitching(model, 1.5, 0.0)).roll(swing);
   EXPECT_GT(roll.At(0.2).norm(), 5e-4);
