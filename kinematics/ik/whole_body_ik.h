@@ -21,8 +21,8 @@ namespace gaitwright {
 /// reckoned, and n_anchor the mean normal since. Between grounds that slope differently the normal turns over.
 struct FootTarget {
   Vector3 p_WF = Vector3::Zero();
-  Matrix3 R_WF = Matrix3::Identity();      ///< sole, line
-  Matrix3 R_anchor = Matrix3::Identity();  ///< sphere
+  Matrix3 R_WF = Matrix3::Identity();          ///< sole, line
+  Matrix3 R_anchor = Matrix3::Identity();      ///< sphere
   Vector3 normal_anchor_W = Vector3::UnitZ();  ///< sphere
   Vector3 normal_W = Vector3::UnitZ(), normal_rate_W = Vector3::Zero();
   Vector3 v_WF = Vector3::Zero(), w_WF = Vector3::Zero();

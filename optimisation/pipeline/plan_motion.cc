@@ -10,212 +10,20 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/spatial/rotation.h"
-#include "kinematics/stability/zero_moment_point.h"
-#include "kinematics/trajectory/cubic_spline.h"
-#include "optimisation/pipeline/carried_base.h"
 #include "optimisation/pipeline/limit_excess.h"
-#include "optimisation/pipeline/support_regions.h"
+#include "optimisation/pipeline/motion_passes.h"
 #include "optimisation/pipeline/tipped_sole.h"
 #include "optimisation/swing/swing_ground.h"
-#include "planning/plan/sole_support.h"
 
 namespace gaitwright {
 namespace {
 
-/// Centre of mass of the standing posture over level ground with the base origin at a planar pose.
-Vector3 StandingCentreOfMass(const RobotModel& model, const PlanarPose& at) {
+/// Height of the centre of mass of the standing posture over level ground.
+double StandingHeight(const RobotModel& model) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
-  const Vector3 p_BC = CentreOfMass(model, scratch);
-  Vector3 p_WC = YawRotation(at.yaw_rad) * p_BC;
-  p_WC += Vector3(at.x_m, at.y_m, 0.0);
-  return p_WC;
+  return CentreOfMass(model, scratch).z();
 }
-
-/// One pass: what was tried and how far its ZMP is from its reference.
-///
-/// A pass is settled when the feet rolled as the pass itself had taken them to. One that is not has footholds and
-/// swings aimed with rolls that are not its own, so that its motion does not end where it should, whatever its ZMP
-/// does: any settled pass is better. Among unsettled ones the newest is, being aimed with the freshest rolls; among
-/// settled ones that whose ZMP is nearest to its reference.
-struct Pass {
-  CentroidalTrajectory centroidal;
-  std::vector<SwingTrajectory> swings;
-  FootstepPlan footsteps;
-  WholeBodySolution solution;
-  double error_m = std::numeric_limits<double>::infinity();
-  double excess = 0.0;     ///< past limits of joints, summed in shares of the limits
-  double outside_m = 0.0;  ///< of supports with area, by the multibody ZMP; on a line its error is all there is
-  bool settled = false;
-
-  bool BetterThan(const Pass& former) const {
-    if (settled != former.settled) return settled;
-    return !settled || error_m < former.error_m;
-  }
-};
-
-/// How the body is carried.
-struct Carriage {
-  double com_height_m = 0.0;  ///< over the ground under the body
-  double zmp_inward = 0.0;    ///< see SupportRegions
-};
-
-/// What all passes share.
-struct Task {
-  const RobotModel& model;
-  const Terrain& terrain;
-  const FootstepSkeleton& skeleton;
-  const MotionOptions& options;
-  const BodyPath& body;
-};
-
-/// Plans the stages after the footsteps again and again, feeding back what the multibody did.
-class Passes {
- public:
-  Passes(const Task& task, const Carriage& carriage)
-      : model_(task.model),
-        terrain_(task.terrain),
-        skeleton_(task.skeleton),
-        options_(task.options),
-        body_(task.body),
-        level_(IsLevelAndBare(task.terrain)),
-        footsteps_(task.skeleton.footsteps) {
-    expected_roll_.assign(footsteps_.footholds.size(), Vector3::Zero());
-    const Vector3 start = StandingCentreOfMass(model_, skeleton_.path.pose.front());
-    const Vector3 end = StandingCentreOfMass(model_, skeleton_.path.pose.back());
-    problem_.start_s = skeleton_.schedule.start_s();
-    problem_.step_s = options_.pipeline.grid_step_s;
-    problem_.samples =
-        1 + static_cast<int>(std::lround((skeleton_.schedule.end_s() - problem_.start_s) / problem_.step_s));
-    problem_.com_height_m = carriage.com_height_m;
-    problem_.omega_rad_s = std::sqrt(kGravity / carriage.com_height_m);
-    problem_.start_W = start.head<2>();
-    problem_.end_W = end.head<2>();
-    support_ = {problem_.start_W, problem_.end_W, carriage.zmp_inward, problem_.step_s, {}, {}};
-    for (const Foothold& foothold : footsteps_.footholds) {
-      const Foot& foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
-      support_.support_F.push_back(SupportOf(foot, foothold, terrain_));
-    }
-    problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
-  }
-
-  /// One pass without corrections, enough to see which limits are kept.
-  Result<Pass> RunOnce() { return MakePass(); }
-
-  /// Passes until the ZMP is on its reference; a first one farther past limits than `hopeless` stays the only one.
-  Result<Pass> Run(int& passes, double hopeless) {
-    Pass best;
-    double gain = 1.0;
-    for (passes = 0; passes < options_.pipeline.max_passes; ++passes) {
-      Result<Pass> made = MakePass();
-      if (!made) return made;
-      made->settled = UpdateRolls(made->solution);
-      if (made->BetterThan(best)) {
-        best = *made;
-      } else {
-        gain *= 0.5;
-        if (gain < 0.1) break;
-      }
-      if (passes == 0 && best.excess > hopeless) break;
-      const bool near = best.error_m < options_.pipeline.zmp_tolerance_m && best.outside_m < kOutside;
-      if (best.settled && near) break;
-      UpdateOffset(*made, gain);
-    }
-    return best;
-  }
-
- private:
-  /// [m] Out of a support. A reference that hands over from a line starts on the edge, so that every error shows there.
-  static constexpr double kOutside = 5e-7;
-
-  double Outside(const Pass& pass) const {
-    double outside = 0.0;
-    for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
-      const double t = problem_.start_s + static_cast<double>(k) * problem_.step_s;
-      const Polygon region = RegionAt(problem_.phases[ZmpPhaseAt(problem_, t)], t);
-      if (region.size() >= 3) outside = std::max(outside, -SignedDistance(region, pass.solution.zmp_W[k]));
-    }
-    return outside;
-  }
-
-  /// Lifts the pendulum onto the ground that the body is carried over. What that changes of the ZMP is made good like
-  /// all that the pendulum leaves out.
-  void FollowGround(CentroidalTrajectory& motion) const {
-    for (int k = 0; k < motion.size(); ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const Motion1 ground = body_.GroundAt(motion.start_s + k * motion.step_s);
-      motion.p_WC[i].z() += ground.value;
-      motion.v_WC[i].z() = ground.rate;
-      motion.a_WC[i].z() = ground.acceleration;
-    }
-  }
-
-  Result<Pass> MakePass() {
-    Pass pass;
-    pass.footsteps = footsteps_;
-    problem_.phases = SupportRegions(model_, skeleton_.schedule, footsteps_, support_);
-    Result<CentreOfMassPlan> com = PlanCentreOfMass(problem_, options_.centre_of_mass);
-    if (!com) return com.failure();
-    pass.centroidal = std::move(com->trajectory);
-    FollowGround(pass.centroidal);
-    Result<std::vector<SwingTrajectory>> swings =
-        PlanSwings(model_, terrain_, footsteps_, options_.swing, Former(pass.centroidal));
-    if (!swings) return swings.failure();
-    pass.swings = *swings;
-    const WholeBodyProblem problem{&terrain_, &skeleton_.schedule, &footsteps_, &pass.centroidal, &pass.swings, &body_};
-    Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, options_.whole_body);
-    if (!solution) return solution.failure();
-    pass.solution = std::move(*solution);
-    if (!level_) former_ = MotionOf(model_, pass.solution.trajectory, pass.swings);
-    pass.error_m = 0.0;
-    for (std::size_t k = 0; k < pass.solution.zmp_W.size(); ++k) {
-      pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
-    }
-    pass.outside_m = Outside(pass);
-    pass.excess = TotalExcess(model_, pass.solution.trajectory);
-    return pass;
-  }
-
-  /// What swings over ground that is not level reckon with: the pass before, or where the base is carried at first.
-  FormerMotion Former(const CentroidalTrajectory& motion) const {
-    if (level_ || former_.base) return former_;
-    return {CarriedBase(model_, body_, motion), {}, {}};
-  }
-
-  /// True when the rolls are what the swings were aimed by.
-  bool UpdateRolls(const WholeBodySolution& solution) {
-    support_.contact_W = solution.contact_W;
-    constexpr double kSettled = 2e-4;
-    double change = 0.0;
-    for (std::size_t i = 0; i < footsteps_.footholds.size(); ++i) {
-      const Vector3 roll = solution.roll_at_liftoff_W[i] - solution.roll_at_touchdown_W[i];
-      change = std::max(change, (solution.roll_at_touchdown_W[i] - expected_roll_[i]).norm());
-      change = std::max(change, (roll - footsteps_.footholds[i].roll_W).norm());
-      expected_roll_[i] = solution.roll_at_touchdown_W[i];
-      footsteps_.footholds[i].roll_W = roll;
-    }
-    return change < kSettled;
-  }
-
-  void UpdateOffset(const Pass& pass, double gain) {
-    for (std::size_t k = 0; k < problem_.zmp_offset.size(); ++k) {
-      problem_.zmp_offset[k] += gain * (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]);
-    }
-  }
-
-  const RobotModel& model_;
-  const Terrain& terrain_;
-  const FootstepSkeleton& skeleton_;
-  const MotionOptions& options_;
-  const BodyPath& body_;
-  const bool level_;
-  FormerMotion former_;  // over ground that is not level
-  FootstepPlan footsteps_;
-  std::vector<Vector3> expected_roll_;
-  ZmpProblem problem_;
-  SupportInputs support_;
-};
 
 /// True where the robot stands on one sole alone for a while.
 bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
@@ -227,49 +35,66 @@ bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {
 
 /// Finds how the body is carried over its feet. The ZMP on one sole runs a little inward of its middle, and
 /// twice as far where joints come past their limits otherwise, as ankles and hips do that bend sideways. The centre of
-/// mass is at the height asked for, or that of standing and then ever lower while that helps some foot that cannot
-/// reach or joints that are past their limits, as knees are that straighten. Where nothing keeps all limits, what has
-/// the least excess.
+/// mass is at the height asked for, or that of standing. Over ground that is not level it is higher or lower for a
+/// while where legs do not reach otherwise, and a body on single soles leans forward where that is not enough, which
+/// bends a hip less that is behind. Last, it is ever lower while that helps some foot that cannot reach or joints that
+/// are past their limits, as knees are that straighten. Where nothing keeps all limits, what has the least excess.
 class Carriages {
  public:
-  explicit Carriages(const Task& task) : task_(task), zmp_inward_(task.options.pipeline.zmp_inward) {}
+  explicit Carriages(const MotionTask& task) : task_(task), zmp_inward_(task.options.pipeline.zmp_inward) {}
 
   int passes() const { return passes_; }  ///< of the last carriage tried
 
-  Result<Pass> Run() {
+  Result<MotionPass> Run() {
     // More than what the passes after the first can mend; such plans are finished only for those who want them.
     constexpr double kHopeless = 0.05, kForever = std::numeric_limits<double>::infinity();
     const double hopeless = task_.options.pipeline.allow_limits ? kForever : kHopeless;
-    const double standing = StandingCentreOfMass(task_.model, task_.skeleton.path.pose.front()).z();
+    const double standing = StandingHeight(task_.model);
     const double asked = task_.options.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
-    Result<Pass> best = At(height).Run(passes_, hopeless);
+    Result<MotionPass> best = At(height).Run(passes_, hopeless);
     if (Excess(best) == 0.0) return best;
     if (!best && best.failure().code != "out_of_reach") return best;
-    if (StandsOnOneSole(task_.model, task_.skeleton.schedule)) MoveInward(height, hopeless, best);
+    if (!IsLevelAndBare(task_.terrain)) KeepInReach(height, hopeless, best);
+    if (Excess(best) > 0.0 && StandsOnOneSole(task_.model, task_.skeleton.schedule)) MoveInward(height, hopeless, best);
     if (asked == 0.0 && Excess(best) > 0.0) Lower(standing, hopeless, best);
     return best;
   }
 
  private:
-  Passes At(double height_m) const { return {task_, {height_m, zmp_inward_}}; }
+  static constexpr double kLean = 0.1;  // [rad]
 
-  double Excess(const Result<Pass>& pass) const {
+  MotionPasses At(double height_m) const { return {task_, {height_m, zmp_inward_, in_reach_, lean_rad_}}; }
+
+  double Excess(const Result<MotionPass>& pass) const {
     return pass ? pass->excess : std::numeric_limits<double>::infinity();
   }
 
-  void MoveInward(double height_m, double hopeless, Result<Pass>& best) {
+  void KeepInReach(double height_m, double hopeless, Result<MotionPass>& best) {
+    in_reach_ = true;
+    const bool helps = Take(At(height_m).Run(passes_, hopeless), best);
+    if (Excess(best) > 0.0 && StandsOnOneSole(task_.model, task_.skeleton.schedule)) {
+      lean_rad_ = kLean;
+      if (Take(At(height_m).Run(passes_, hopeless), best)) return;
+      lean_rad_ = 0.0;
+    }
+    in_reach_ = helps;
+  }
+
+  /// Takes what has less excess.
+  bool Take(Result<MotionPass> other, Result<MotionPass>& best) const {
+    if (Excess(other) >= Excess(best)) return false;
+    best = std::move(other);
+    return true;
+  }
+
+  void MoveInward(double height_m, double hopeless, Result<MotionPass>& best) {
     const double preferred = zmp_inward_;
     zmp_inward_ = 2.0 * preferred;
     if (!best || preferred == 0.0) return;  // what is out of reach stays so
-    Result<Pass> inward = At(height_m).Run(passes_, hopeless);
-    if (Excess(inward) < Excess(best)) {
-      best = std::move(inward);
-    } else {
-      zmp_inward_ = preferred;
-    }
+    if (!Take(At(height_m).Run(passes_, hopeless), best)) zmp_inward_ = preferred;
   }
 
-  void Lower(double standing, double hopeless, Result<Pass>& best) {
+  void Lower(double standing, double hopeless, Result<MotionPass>& best) {
     constexpr double kStep = 0.02, kLowest = 0.8;  // of the standing height
     constexpr int kPatience = 2;                   // heights without gain
     // What is out of reach at the lowest is so at all heights.
@@ -280,7 +105,7 @@ class Carriages {
       // Lowering helps less and less.
       const double steps_left = std::round((share - kLowest) / kStep) + 1.0;
       if (least - gain * steps_left > (least > hopeless ? hopeless : 0.0)) break;
-      Result<Pass> lower = At(share * standing).Run(passes_, hopeless);
+      Result<MotionPass> lower = At(share * standing).Run(passes_, hopeless);
       const double excess = Excess(lower);
       without_gain = excess < least || !lower ? 0 : without_gain + 1;
       gain = !lower ? gain : std::max(0.0, least - excess);
@@ -290,9 +115,11 @@ class Carriages {
     }
   }
 
-  const Task& task_;
+  const MotionTask& task_;
   int passes_ = 0;
   double zmp_inward_;
+  bool in_reach_ = false;
+  double lean_rad_ = 0.0;
 };
 
 /// With preview control the plan stands one preview longer at both ends, so that it starts and ends at rest.
@@ -322,9 +149,9 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
   const BodyPath body(model, *skeleton, gait.cycle_s);
-  const Task task{model, terrain, *skeleton, options, body};
+  const MotionTask task{model, terrain, *skeleton, options, body, gait.cycle_s};
   Carriages carriages(task);
-  Result<Pass> pass = carriages.Run();
+  Result<MotionPass> pass = carriages.Run();
   planned.passes = carriages.passes();
   if (!pass) return pass.failure();
   if (auto tipped = TippedSole(model, terrain, pass->solution.trajectory)) return *tipped;

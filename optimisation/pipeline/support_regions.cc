@@ -72,39 +72,42 @@ ZmpPhase MovingHull(const Scene& scene, const ContactPhase& phase) {
   return region;
 }
 
-/// By foot: where in F the ZMP is best while the foot stands alone: in the middle of the part of its sole in which its
-/// ankle holds the robot.
-std::vector<Vector2> HomePoints(const RobotModel& model) {
-  constexpr double kUse = 1.0;
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  const double height = CentreOfMass(model, scratch).z();
-  std::vector<Vector2> homes;
-  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
-    const Foot& foot = model.feet[static_cast<std::size_t>(f)];
-    if (foot.sole_F.size() < 3) {
-      homes.emplace_back(Vector2::Zero());
-      continue;
-    }
-    const Pose X_WF = FramePose(scratch, foot.body, foot.X_BF);
-    std::vector<Vector2> corners;
-    for (const Vector2& corner : foot.sole_F)
-      corners.push_back((X_WF * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
-    const Vector3 above(X_WF.translation().x(), X_WF.translation().y(), height);
-    const Vector2 middle =
-        Centroid(HoldableSupport(model, scratch, f, ConvexHull(corners), above, model.weight_n(), kUse));
-    homes.emplace_back((X_WF.inverse() * Vector3(middle.x(), middle.y(), X_WF.translation().z())).head<2>());
+/// Where the ZMP is best while a foot stands alone.
+class Homes {
+ public:
+  explicit Homes(const RobotModel& model) : model_(model), scratch_(model) {
+    ForwardKinematics(model, StandingConfiguration(model), scratch_);
+    height_m_ = CentreOfMass(model, scratch_).z();
   }
-  return homes;
-}
 
-/// From the middle of a single sole to its home point, and on towards where the other feet are or stood last.
-Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vector<Vector2>& homes) {
-  constexpr double kWhole = 0.999;
-  if (std::popcount(phase.stance) != 1) return Vector2::Zero();
+  /// The middle, in F, of that part of what carries a sole in which its ankle holds the robot.
+  Vector2 Of(int foot, const Polygon& support_F) const {
+    constexpr double kUse = 1.0;
+    const Foot& sole = model_.feet[static_cast<std::size_t>(foot)];
+    if (support_F.size() < 3) return Vector2::Zero();
+    const Pose X_WF = FramePose(scratch_, sole.body, sole.X_BF);
+    std::vector<Vector2> corners;
+    for (const Vector2& corner : support_F) corners.push_back((X_WF * Vector3(corner.x(), corner.y(), 0.0)).head<2>());
+    const Vector3 above(X_WF.translation().x(), X_WF.translation().y(), height_m_);
+    const Vector2 middle =
+        Centroid(HoldableSupport(model_, scratch_, foot, ConvexHull(corners), above, model_.weight_n(), kUse));
+    return (X_WF.inverse() * Vector3(middle.x(), middle.y(), X_WF.translation().z())).head<2>();
+  }
+
+ private:
+  const RobotModel& model_;
+  DynamicsScratch scratch_;
+  double height_m_ = 0.0;
+};
+
+/// Where the ZMP is wanted at an end of a phase: the middle of its region; under a single sole its home, moved towards
+/// where the other feet are or stood last.
+Vector2 Preferred(const Scene& scene, const ContactPhase& phase, const std::vector<Vector2>& region,
+                  const Homes& homes) {
+  if (std::popcount(phase.stance) != 1) return Centroid(region);
   const int foot = std::countr_zero(phase.stance);
   const Foot& sole = scene.model.feet[static_cast<std::size_t>(foot)];
-  if (sole.sole_F.empty()) return Vector2::Zero();
+  if (sole.sole_F.empty()) return Centroid(region);
   const double time_s = 0.5 * (phase.start_s + phase.end_s);
   const auto place = [&](int f) -> const Pose& {
     return scene.footsteps.footholds[static_cast<std::size_t>(FootholdAt(scene.footsteps, f, time_s))].X_WF;
@@ -113,11 +116,9 @@ Vector2 HomeShift(const Scene& scene, const ContactPhase& phase, const std::vect
   for (int f = 0; f < static_cast<int>(scene.model.feet.size()); ++f) {
     if (f != foot) side += (place(foot).inverse() * place(f).translation()).y();
   }
-  // Where a sole is only partly carried, its ankle's middle is no guide.
-  const bool whole = Area(scene.SupportAt(FootholdAt(scene.footsteps, foot, time_s))) > kWhole * Area(sole.sole_F);
-  const Vector2 home = whole ? homes[static_cast<std::size_t>(foot)] : Vector2::Zero();
+  const Vector2 home = homes.Of(foot, scene.SupportAt(FootholdAt(scene.footsteps, foot, time_s)));
   const double inward = (side > 0.0 ? 1.0 : -1.0) * scene.inputs.inward * SoleWidth(sole);
-  return (place(foot).linear() * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
+  return (place(foot) * Vector3(home.x(), home.y() + inward, 0.0)).head<2>();
 }
 
 /// Where one stance goes over into a larger or smaller one, both want the point of the smaller.
@@ -175,13 +176,12 @@ std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSched
                                      const FootstepPlan& footsteps, const SupportInputs& inputs) {
   const auto& phases = schedule.phases;
   const Scene scene{model, footsteps, inputs, schedule.start_s()};
-  const std::vector<Vector2> homes = HomePoints(model);
+  const Homes homes(model);
   std::vector<ZmpPhase> regions;
   for (const ContactPhase& phase : phases) {
     ZmpPhase region = MovingHull(scene, phase);
-    const Vector2 shift = HomeShift(scene, phase, homes);
-    region.preferred_start = Centroid(region.region_start) + shift;
-    region.preferred_end = Centroid(region.region_end) + shift;
+    region.preferred_start = Preferred(scene, phase, region.region_start, homes);
+    region.preferred_end = Preferred(scene, phase, region.region_end, homes);
     regions.push_back(region);
   }
   JoinPreferred(phases, regions);

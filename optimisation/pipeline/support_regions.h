@@ -21,9 +21,10 @@ struct SupportInputs {
 /// For each phase of the schedule, where the ZMP may be and where it is wanted; a phase on a line whose feet roll to
 /// and fro is given in several parts. The region is the hull of what carries the soles in contact; the contact point of
 /// a foot that rolls is taken from `contact_W`, an earlier solution's contact points by foot and sample of the grid, or
-/// stands still when that is empty. Wanted: the middle of the region, moved by `inward` of the sole's width towards the
-/// body under a single sole; where a stance goes over into one that holds it, the point of the smaller counts for both;
-/// at the ends it is the centre of mass at rest.
+/// stands still when that is empty. Wanted: the middle of the region; under a single sole
+/// that of the part in which its ankle holds the robot, moved by `inward` of the sole's width towards the body; where a
+/// stance goes over into one that holds it, the point of the smaller counts for both; at the ends it is the centre of
+/// mass at rest.
 std::vector<ZmpPhase> SupportRegions(const RobotModel& model, const ContactSchedule& schedule,
                                      const FootstepPlan& footsteps, const SupportInputs& inputs);
 

@@ -38,6 +38,7 @@ class SwingPlanner {
     const double below_m = std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + lift_m_;
     ground_ = [this, below_m](const Vector2& p_W) { return HeightToClear(terrain_, p_W, below_m); };
     hit_.reset();
+    unfollowed_.reset();
     choice_.roll = guard_.RollOf(swing);
     const SwingTrajectory straight = swing;
     // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that has no
@@ -61,7 +62,12 @@ class SwingPlanner {
     demand_ = demand;
     if (TakeFormer(swing)) return true;
     if ((GroundIsPlane(swing) || Clears(swing, 1.0)) && Keeps(swing)) return true;
-    return demand.follows ? Detour(swing) : GoOver(swing);
+    if (demand.follows) return Detour(swing);
+    if (unfollowed_ && (demand.clear || MeetsNothing(*unfollowed_))) {
+      swing = *unfollowed_;
+      return true;
+    }
+    return GoOver(swing);
   }
 
   Failure NoClearance(const SwingTrajectory& swing) const {
@@ -96,11 +102,14 @@ class SwingPlanner {
 
   bool GoOver(SwingTrajectory& swing) { return Refine(swing) || Raise(swing); }
 
-  /// Sooner to the side than so high that the leg folds up.
+  /// Sooner to the side than so high that the leg folds up. What is clear but more than the leg can follow is kept for
+  /// those who do not ask for that.
   bool Detour(SwingTrajectory& swing) {
     for (const double share : {0.5, 1.0}) {
       highest_m_ = share * model_.leg_length_m();
-      if (GoOver(swing) || GoAround(swing)) return true;
+      if (GoOver(swing)) return true;
+      if (unfollowed_) return false;
+      if (GoAround(swing)) return true;
     }
     return false;
   }
@@ -153,6 +162,7 @@ class SwingPlanner {
     for (const double more : {1.0, 1.5, 2.0}) {
       choice.clearance_m = more * choice_.clearance_m;
       if (Refine(swing, choice)) return true;
+      if (unfollowed_ && demand_.follows) return false;  // less so with more clearance
     }
     return false;
   }
@@ -163,7 +173,11 @@ class SwingPlanner {
     if (!found) return false;
     refined.detour_W = found->curve.detour_W;
     refined.lift_m = LiftAtHalfTime(found->curve);
-    if (HighestOf(found->curve) > highest_m_ || !MeetsNothing(refined) || !Followed(refined)) return false;
+    if (HighestOf(found->curve) > highest_m_ || !MeetsNothing(refined)) return false;
+    if (!Followed(refined)) {
+      if (!unfollowed_) unfollowed_ = refined;
+      return false;
+    }
     swing = refined;
     return true;
   }
@@ -231,6 +245,7 @@ class SwingPlanner {
   const SwingGuard guard_;
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;
+  std::optional<SwingTrajectory> unfollowed_;  // clear, but more than the leg can follow
   double lift_m_ = 0.0, highest_m_ = 0.0;
   LegDemand demand_;
   RefineChoice choice_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -19,7 +20,9 @@ namespace gaitwright {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kLead = 0.35;
+/// First guesses for a way down, as shares of the way that the foot is ahead and of the swing that it is there sooner.
+constexpr std::array<std::pair<double, double>, 6> kGuesses = {
+    {{0.0, 0.0}, {0.15, 0.0}, {0.35, 0.0}, {-0.35, 0.0}, {0.0, 0.2}, {0.0, 0.3}}};
 constexpr int kFixed = 3;  // control points at each end
 /// [m] How deep the underside may be at both ends, half of what the audit lets pass: it is on its foothold's plane, not
 /// on what is tilted or curved beside it.
@@ -74,6 +77,7 @@ class Profile {
       }
       height_m_.push_back(height);
     }
+    Widen();
     LimitSlope(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z());
   }
 
@@ -91,13 +95,28 @@ class Profile {
     return choice.roll.At(FractionAt(share)).head<2>();
   }
 
-  static constexpr double kStep = 0.004, kBeyond = 0.1, kShortest = 1e-3;  // [m]
+  static constexpr double kStep = 0.002, kBeyond = 0.1, kShortest = 1e-3;  // [m]
 
   std::pair<double, double> At(double s) const {
     const double place = std::clamp((s + kBeyond) / kStep, 0.0, static_cast<double>(height_m_.size()) - 1.001);
     const auto i = static_cast<std::size_t>(place);
     const double slope = (height_m_[i + 1] - height_m_[i]) / kStep;
     return {height_m_[i] + (place - static_cast<double>(i)) * kStep * slope, slope};
+  }
+
+  /// Whether a row is nearest to the start or the end of the way.
+  bool IsEnd(std::size_t row) const {
+    const double s = static_cast<double>(row) * kStep - kBeyond;
+    return std::min(std::abs(s), std::abs(s - length_m_)) < 0.5 * kStep;
+  }
+
+  /// An edge between two rows is taken to be at the farther one, so that nothing is lower in the table than it is.
+  void Widen() {
+    const std::vector<double> own = height_m_;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (i > 0 && !IsEnd(i)) height_m_[i] = std::max(height_m_[i], own[i - 1]);
+      if (i + 1 < own.size() && !IsEnd(i)) height_m_[i] = std::max(height_m_[i], own[i + 1]);
+    }
   }
 
   /// Raises the table where it climbs or falls faster than a slope that leaves start and end as they are.
@@ -166,10 +185,11 @@ class Detour {
   }
 
   /// @param lead  share of the way by which the first guess is ahead in mid swing, or behind.
-  ConstrainedProblem Problem(double lead) const {
+  /// @param wait  share of the swing that it waits before it goes ahead, or is there before the end where negative.
+  ConstrainedProblem Problem(double lead, double wait) const {
     ConstrainedProblem problem;
     problem.start = VectorX::Zero(2 * free_);
-    problem.start.head(free_).setConstant(lead * profile_.length_m());
+    problem.start.head(free_) = Waiting(wait).array() + lead * profile_.length_m();
     const VectorX ahead_m = basis_ * problem.start.head(free_);
     double lift = 0.0;
     for (std::size_t k = 0; k < fractions_.size(); ++k) {
@@ -196,6 +216,17 @@ class Detour {
   }
 
  private:
+  /// Control points along the way of a foot that waits.
+  VectorX Waiting(double wait) const {
+    VectorX ahead_m(basis_.rows());
+    for (Eigen::Index k = 0; k < ahead_m.size(); ++k) {
+      const double u = fractions_[static_cast<std::size_t>(k)];
+      const double gone = SmoothStep((u - std::max(wait, 0.0)) / (1.0 - std::abs(wait))).value;
+      ahead_m[k] = (gone - SmoothStep(u).value) * profile_.length_m();
+    }
+    return basis_.colPivHouseholderQr().solve(ahead_m);
+  }
+
   /// Along the way and upwards, by the fraction of the swing: the mean jerk from each sample to the next, from the
   /// acceleration of none at both ends.
   void AddJerk(ConstrainedProblem& problem) const {
@@ -326,13 +357,16 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
                    {"ask for less clearance, or place the footholds farther from edges"}};
   };
   // A riser is felt only where the foot is at it: a foot that goes straight up to one, or is behind and rises first, or
-  // ahead and comes down last. What takes the least jerk of these.
+  // ahead and comes down last, and more or less so, the likelier ones for a way up or down first. What takes the least
+  // jerk of these.
+  const double rise_m = swing.X_WF_end.translation().z() - swing.X_WF_start.translation().z();
+  const double side = rise_m > 0.0 ? -1.0 : 1.0;
   const double rounding_m = 1e-4 + 0.05 * choice.clearance_m;
   std::optional<RefinedSwing> best;
   double least_cost = kInf, least_missed_m = kInf;
-  for (const double lead : {0.0, -kLead, kLead}) {
+  for (const auto& [lead, wait] : kGuesses) {
     ConstrainedSolution last;
-    const Result<ConstrainedSolution> solution = Solve(detour.Problem(lead), options, &last);
+    const Result<ConstrainedSolution> solution = Solve(detour.Problem(side * lead, -side * wait), options, &last);
     if (!solution) least_missed_m = std::min(least_missed_m, last.violation);
     if (!solution || solution->cost >= least_cost) continue;
     RefinedSwing refined{swing, 0.0, solution->brief};

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kKnotStep = 0.05;  // [s]
+constexpr double kKnotStep = 0.025;  // [s]
 
 int Knots(const ContactSchedule& schedule) {
   return 1 + std::max(2, static_cast<int>(std::lround((schedule.end_s() - schedule.start_s()) / kKnotStep)));
@@ -66,8 +66,8 @@ std::vector<double> Yaws(const FootstepSkeleton& skeleton) {
 }
 
 /// One number of the base over its feet, at the knots of a spline.
-CubicSpline Follow(const RobotModel& model, const FootstepSkeleton& skeleton, double even_s,
-                   double BaseOverFeet::*number) {
+std::vector<double> Follow(const RobotModel& model, const FootstepSkeleton& skeleton, double even_s,
+                           double BaseOverFeet::*number) {
   const std::vector<Pose> standing = StandingFeet(model);
   const double step = StepOf(skeleton.schedule);
   std::vector<double> values;
@@ -78,16 +78,38 @@ CubicSpline Follow(const RobotModel& model, const FootstepSkeleton& skeleton, do
     values.push_back(FitBase(standing, feet, MeanHeading(standing, feet)).*number);
   }
   const int half_width = static_cast<int>(std::lround(0.5 * even_s / step));
-  return {skeleton.schedule.start_s(), step, Evened(values, half_width)};
+  return Evened(values, half_width);
 }
 
 }  // namespace
 
 BodyPath::BodyPath(const RobotModel& model, const FootstepSkeleton& skeleton, double even_s)
-    : yaw_(skeleton.schedule.start_s(), StepOf(skeleton.schedule), Yaws(skeleton)),
-      pitch_(Follow(model, skeleton, even_s, &BaseOverFeet::pitch_rad)),
-      roll_(Follow(model, skeleton, even_s, &BaseOverFeet::roll_rad)),
-      ground_(Follow(model, skeleton, even_s, &BaseOverFeet::ground_m)) {}
+    : start_s_(skeleton.schedule.start_s()),
+      step_s_(StepOf(skeleton.schedule)),
+      pitch_rad_(Follow(model, skeleton, even_s, &BaseOverFeet::pitch_rad)),
+      over_feet_m_(Follow(model, skeleton, even_s, &BaseOverFeet::ground_m)),
+      ground_m_(over_feet_m_),
+      yaw_(start_s_, step_s_, Yaws(skeleton)),
+      pitch_(start_s_, step_s_, pitch_rad_),
+      roll_(start_s_, step_s_, Follow(model, skeleton, even_s, &BaseOverFeet::roll_rad)),
+      ground_(start_s_, step_s_, ground_m_) {}
+
+void BodyPath::Lean(double angle_rad, double bend_s) {
+  const double end_s = KnotTime(knots() - 1);
+  for (int k = 0; k < knots(); ++k) {
+    const double in = SmoothStep((KnotTime(k) - start_s_) / bend_s).value,
+                 out = SmoothStep((end_s - KnotTime(k)) / bend_s).value;
+    pitch_rad_[static_cast<std::size_t>(k)] += angle_rad * std::min(in, out);
+  }
+  pitch_ = CubicSpline(start_s_, step_s_, pitch_rad_);
+}
+
+void BodyPath::KeepWithin(const std::vector<Bounds>& ground_m, double bend_s) {
+  constexpr double kFirm = 4.0;  // of what a single knot's bound takes to be kept
+  const double stiff = bend_s / step_s_;
+  ground_m_ = SmoothWithin(over_feet_m_, ground_m, stiff, kFirm * stiff * stiff);
+  ground_ = CubicSpline(start_s_, step_s_, ground_m_);
+}
 
 BaseTurning BodyPath::TurningAt(double time_s) const {
   const Motion1 yaw = yaw_.At(time_s), pitch = pitch_.At(time_s), roll = roll_.At(time_s);

@@ -174,7 +174,8 @@ void NoteRolls(const std::vector<FootPath>& paths, double time_s, const Footstep
 }  // namespace
 
 Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBodyProblem& problem,
-                                         const std::vector<Vector3>& expected_roll_W, const WholeBodyOptions& options) {
+                                         const std::vector<Vector3>& expected_roll_W, const WholeBodyOptions& options,
+                                         double* unreached_s) {
   const CentroidalTrajectory& centroidal = *problem.centroidal;
   WholeBodyIk ik(model);
   DynamicsScratch scratch(model);
@@ -206,6 +207,7 @@ Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBod
     if (!solved) {
       Failure failure = solved.failure();
       failure.stage = "SolveWholeBody";
+      if (unreached_s != nullptr) *unreached_s = time_s;
       failure.message = fmt::format("at {:.3f} s: {}", time_s, failure.message);
       return failure;
     }

@@ -58,8 +58,10 @@ struct WholeBodySolution {
 /// derivatives; then torques and contact forces by inverse dynamics and the split over the contacts.
 /// @param expected_roll_W  by foothold, the roll at touch-down that the swings aim off by (from an earlier solution;
 ///        zero at first). A sphere's swing ends on its foothold once this agrees with `roll_at_touchdown_W`.
+/// @param unreached_s  set to the time at which a foot cannot reach, where that is why it fails; may be null.
 Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBodyProblem& problem,
-                                         const std::vector<Vector3>& expected_roll_W, const WholeBodyOptions& options);
+                                         const std::vector<Vector3>& expected_roll_W, const WholeBodyOptions& options,
+                                         double* unreached_s = nullptr);
 
 /// Adds torques and contact wrenches to a trajectory that has q, v, a; and the multibody ZMP by sample.
 void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options,

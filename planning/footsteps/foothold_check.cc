@@ -304,6 +304,7 @@ void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std:
   const Vector2 p = PlaceOf(at), box = Vector2::Constant(radius_m);
   const bool sole = model_->feet[static_cast<std::size_t>(foot)].has_sole();
   const Polygon outline_F = OutlineAt(foot, {0.0, 0.0, at.yaw_rad});
+  constexpr double kBeside = 1e-4;  // [m] more than the margin
   std::vector<int> near;
   ground_->PatchesIn(p - box, p + box, near);
   const auto offer = [&](const Vector2& q) {
@@ -318,6 +319,11 @@ void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std:
       if (!left.empty()) offer(NearestPoint(ConvexHull(left), p));
     }
     offer(Centroid(surface.outline_W));
+    for (std::size_t k = 0; k < surface.inward.size(); ++k) {  // beside it: in front of a riser, as near as may be
+      const Vector2& n = surface.inward[k];
+      const double inside = n.dot(p - surface.outline_W[k]) + ReachOf(outline_F, n) + options_.margin_m;
+      offer(p - (inside + kBeside) * n);
+    }
   }
 }
 

@@ -75,8 +75,8 @@ class FootholdChecker {
   Placing Place(int foot, const PlanarPose& at) const;
 
   /// Places on each surface around, nearest to `at`, at which the foot is likely to stand: well inside and just inside
-  /// of its edges, a sole also out over them as far as it may be, and in its middle. Turned like `at`, at most
-  /// `radius_m` away. Appends.
+  /// of its edges, a sole also out over them as far as it may be, in its middle, and just beside each of its edges.
+  /// Turned like `at`, at most `radius_m` away. Appends.
   void Near(int foot, const PlanarPose& at, double radius_m, std::vector<PlanarPose>& places) const;
 
   /// Corners of what a foot covers in plan view, about its contact frame's origin, at a yaw: a sole, or the octagon

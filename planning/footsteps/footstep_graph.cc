@@ -188,7 +188,7 @@ double FootstepGraph::CostOf(int stance) const {
   }
   const double wanted = std::min(table_->advance_m(), end - others);
   const double lead = groups_.size() > 1 ? (reached - others - wanted) / stride : 0.0;
-  return own * cost + options_.phase_weight * std::abs(lead);
+  return own * cost + options_.phase_weight * (std::abs(lead) + lead * lead);
 }
 
 bool FootstepGraph::SwingHolds(const FootholdChoice& from, const FootholdChoice& to, Refusals& refusals) const {

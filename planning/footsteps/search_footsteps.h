@@ -82,7 +82,7 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 /// few footholds: where the foot stands in the standing posture under the base there, places of a lattice around it,
 /// and on each surface near the place nearest to it. Each step of a group costs
 ///   mean over its feet of max(1, a / L) + length max(0, a / L - 1) + departure (d / offset)^2
-///                         + height |dz| / leg + risk r,     plus phase |lead - wanted| / L,
+///                         + height |dz| / leg + risk r,     plus phase (e + e^2), e = |lead - wanted| / L,
 /// a the stations gained, L the stride, d the distance from the foot's place on the route, lead how far the group comes
 /// to stand ahead of all others. Never less is left than, summed over groups, the mean over feet of
 /// max((end - station) / L, 1 if not at the goal), which is the heuristic: it is consistent, so `stats.bound` holds for

@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "planning/footsteps/plan_footsteps.h"
 #include "workflows/walk/refuse_walk.h"
 
 namespace gaitwright {
@@ -73,6 +76,10 @@ class Search {
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
     if (request_.motion.pipeline.allow_limits || Passes(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
+    if (!IsLevelGround(terrain_)) {
+      Result<PlannedWalk> eased = IsOwnPace(command) ? Eased(command, kOwnEases) : Eased(command, kEases);
+      return eased ? eased : first;
+    }
     const bool ground = first ? BrokenLimits(first->audit).empty() : first.failure().code == "zmp_support";
     Result<PlannedWalk> other = FirstOf(ground ? std::vector<int>{-1, -2, -3, -4, 1, 2, 3, 4, 5, 6}
                                                : std::vector<int>{1, 2, 3, 4, 5, 6, -1, -2, -3, -4},
@@ -80,8 +87,14 @@ class Search {
     return other ? other : first;
   }
 
-  /// Largest pace of the request's command that has a plan; 0 when there is none.
+  /// Largest pace of the request's command that has a plan; 0 when there is none. Over ground that is not level only
+  /// some are tried, and none where Plan chose the pace already.
   double LargestThatPasses() const {
+    if (!IsLevelGround(terrain_)) {
+      if (IsOwnPace(request_.command)) return 0.0;
+      const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases);
+      return slower ? PaceValue(model_, slower->motion.plan.command) : 0.0;
+    }
     constexpr int kDigits = 2, kLowered = 5;
     constexpr double kShare = 0.75;
     int serves = 0;
@@ -96,6 +109,38 @@ class Search {
   }
 
  private:
+  /// A share of the pace, and the number of a cycle.
+  struct Ease {
+    double pace;
+    int cycle;
+  };
+  static constexpr std::array<Ease, 4> kEases = {{{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}}};
+  static constexpr std::array<Ease, 6> kOwnEases = {{{1.0, -1}, {0.7, 0}, {0.7, -1}, {0.7, -2}, {0.5, -1}, {0.35, -2}}};
+
+  static bool IsOwnPace(const WalkCommand& c) {
+    return c.extent != WalkCommand::Extent::kSteps && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 &&
+           c.yaw_rate_rad_s == 0.0;
+  }
+
+  /// The first of some easier walks that passes. Over ground that is not level it is the ground that says how long
+  /// steps are, so that quicker ones do not help.
+  Result<PlannedWalk> Eased(const WalkCommand& command, std::span<const Ease> eases) const {
+    for (const Ease& ease : eases) {
+      WalkCommand slower = command;
+      if (ease.pace < 1.0) slower = AtPace(model_, command, ease.pace * PaceValue(model_, command));
+      const Result<Cycles> cycles = CyclesFor(slower);
+      if (!cycles) return cycles.failure();
+      const Gait gait = cycles->At(ease.cycle);
+      Result<PlannedWalk> planned = Whole(gait, slower, true);
+      if (!planned && !IsTooMuch(planned.failure())) return planned;
+      if (!Passes(planned)) continue;
+      planned->motion.summary += fmt::format("; {} with a cycle of {:.2f} s, since faster plans would fail their audit",
+                                             PaceFlags(slower), gait.cycle_s);
+      return planned;
+    }
+    return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no easier walk serves", {}};
+  }
+
   Result<Cycles> CyclesFor(const WalkCommand& command) const {
     const double speed = CommandedSpeed(model_, command);
     const Result<Gait> gait = FindGait(model_, request_.gait, speed, request_.gait_options);

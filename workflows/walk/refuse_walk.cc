@@ -30,20 +30,6 @@ bool IsLimit(const Violation& v) {
 
 double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
 
-double OwnPace(const RobotModel& model, const WalkCommand& c) {
-  switch (PaceOf(c)) {
-    case Pace::kSpeed:
-      return CommandedSpeed(model, c);
-    case Pace::kLateralSpeed:
-      return std::abs(c.lateral_speed_m_s);
-    case Pace::kYawRate:
-      return std::abs(c.yaw_rate_rad_s);
-    case Pace::kStepLength:
-      return std::abs(c.step_length_m);
-  }
-  return 0.0;
-}
-
 /// A pace beyond that of any leg: that of a pendulum of the leg's length, three times.
 double Beyond(const RobotModel& model, Pace pace) {
   const double leg = model.leg_length_m(), speed = 3.0 * std::sqrt(kGravity * leg);
@@ -124,9 +110,23 @@ Pace PaceOf(const WalkCommand& c) {
   return c.yaw_rate_rad_s != 0.0 && on_the_spot ? Pace::kYawRate : Pace::kSpeed;
 }
 
+double PaceValue(const RobotModel& model, const WalkCommand& c) {
+  switch (PaceOf(c)) {
+    case Pace::kSpeed:
+      return CommandedSpeed(model, c);
+    case Pace::kLateralSpeed:
+      return std::abs(c.lateral_speed_m_s);
+    case Pace::kYawRate:
+      return std::abs(c.yaw_rate_rad_s);
+    case Pace::kStepLength:
+      return std::abs(c.step_length_m);
+  }
+  return 0.0;
+}
+
 WalkCommand AtPace(const RobotModel& model, const WalkCommand& command, double value) {
   const Pace pace = PaceOf(command);
-  const double factor = value / OwnPace(model, command);
+  const double factor = value / PaceValue(model, command);
   WalkCommand c = command;
   c.speed_m_s = pace == Pace::kSpeed ? value : Digits(factor * command.speed_m_s, 4);
   c.lateral_speed_m_s = Digits(factor * command.lateral_speed_m_s, 4);
@@ -164,7 +164,7 @@ double LargestPace(const RobotModel& model, const WalkCommand& command, const Ca
   // A goal is not walked to ever slower, since one plan does not last so long.
   const int most_halvings = command.extent == Extent::kGoal ? 5 : 9;
   const auto possible = [&](double value) { return can_walk(AtPace(model, command, value)); };
-  double high = OwnPace(model, command);
+  double high = PaceValue(model, command);
   const double beyond = Beyond(model, PaceOf(command));
   double low = Digits(std::min(0.5 * high, beyond), 2);
   if (!possible(Digits(std::ldexp(low, -most_halvings), 2))) return 0.0;
@@ -181,7 +181,7 @@ double LargestPace(const RobotModel& model, const WalkCommand& command, const Ca
 double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, double known, int grain,
                         const CanWalk& can_walk) {
   const auto possible = [&](double value) { return can_walk(AtPace(model, command, value)); };
-  const std::vector<double> between = TwoDigitsBetween(known, OwnPace(model, command));
+  const std::vector<double> between = TwoDigitsBetween(known, PaceValue(model, command));
   const auto least = static_cast<std::size_t>(grain);
   std::size_t below = 0, end = between.size(), stride = 1;  // possible before `below`, impossible from `end` on
   while (end - below >= (below == 0 ? 1 : least)) {

@@ -26,6 +26,8 @@ using CanWalk = std::function<bool(const WalkCommand& command)>;
 /// The quantity of a command that says how fast it is, or with counted steps of a given length how far a step goes.
 enum class Pace { kSpeed, kLateralSpeed, kYawRate, kStepLength };
 Pace PaceOf(const WalkCommand& command);
+/// Its value, not negative; the robot's own speed where the command gives none.
+double PaceValue(const RobotModel& model, const WalkCommand& command);
 
 /// The same walk with its pace at `value`, positive, and every other speed in proportion, to four digits. The robot's
 /// own speed counts where the command gives none.

@@ -77,6 +77,13 @@ double SquaredJerk(const SwingCurve& curve) {
   return sum;
 }
 
+double HighestOf(const SwingCurve& curve) {
+  double highest = 0.0;
+  for (double t = curve.start_s; t <= curve.end_s; t += 0.01)
+    highest = std::max(highest, Evaluate(curve, t).X_WF.translation().z());
+  return highest;
+}
+
 TEST(RefineSwing, ClearsEveryScene) {
   const auto underside = UndersideOf(Sole());
   for (const Scene& scene : Scenes()) {
@@ -108,7 +115,7 @@ TEST(RefineSwing, NeedsLessJerkThanALiftThatClears) {
     const Result<RefinedSwing> refined = RefineSwing(scene.swing, underside, ground, choice);
     ASSERT_TRUE(refined.ok()) << scene.name << ": " << refined.failure().message;
     // The sides of a wall are taken as slopes, which asks for a little more than a lift needs.
-    const double most = std::string(scene.name).find("wall") == std::string::npos ? 1.0 : 1.1;
+    const double most = std::string(scene.name).find("wall") == std::string::npos ? 1.0 : 1.25;
     EXPECT_LT(SquaredJerk(refined->curve), most * SquaredJerk(raised)) << scene.name;
     RecordProperty(std::string("refined ") + scene.name, std::to_string(SquaredJerk(refined->curve)));
     RecordProperty(std::string("raised ") + scene.name, std::to_string(SquaredJerk(raised)));
@@ -129,6 +136,15 @@ TEST(RefineSwing, GoesStraightWhereThereIsNoGround) {
   // Minimum jerk is not minimum acceleration: there is something to gain, but not much.
   EXPECT_LT(SquaredAcceleration(refined->curve), SquaredAcceleration(flat));
   EXPECT_GT(SquaredAcceleration(refined->curve), 0.7 * SquaredAcceleration(flat));
+}
+
+TEST(RefineSwing, RisesInFrontOfARiserHoweverNearTheToeStands) {
+  for (double gap_m = 0.003; gap_m < 0.05; gap_m += 0.0025) {
+    const Result<RefinedSwing> refined =
+        RefineSwing(Straight(0.15, 0.02), UndersideOf(Sole()), Ground({{0.08 + gap_m, 9.0, 0.02}}), {0.0075, 12, 30});
+    ASSERT_TRUE(refined.ok()) << gap_m << ": " << refined.failure().message;
+    EXPECT_LT(HighestOf(refined->curve), 0.06) << gap_m;
+  }
 }
 
 TEST(RefineSwing, IsTheSameInAnyDirection) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/whole_body/reach_height.h"
+
+#include <algorithm>
+
+namespace gaitwright {
+
+ReachHeight::ReachHeight(const RobotModel& model) : model_(model), leg_m_(model.leg_length_m()) {
+  for (int leg = 0; leg < static_cast<int>(model.legs.size()); ++leg) legs_.emplace_back(model, leg);
+}
+
+bool ReachHeight::AllReach(Pose X_WB, double change_m, const std::vector<Pose>& X_WF) const {
+  X_WB.translation().z() += change_m;
+  const Pose X_BW = X_WB.inverse();
+  for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
+    if (!legs_[leg].Solve(X_BW * X_WF[static_cast<std::size_t>(model_.legs[leg].foot)])) return false;
+  }
+  return true;
+}
+
+std::optional<Bounds> ReachHeight::Changes(const Pose& X_WB, const std::vector<Pose>& X_WF, double spare) const {
+  constexpr double kStep = 0.02;  // of the leg's length
+  constexpr int kMost = 12, kHalvings = 4;
+  const double step_m = kStep * leg_m_;
+  const auto reached = [&](double change_m) { return AllReach(X_WB, change_m, X_WF); };
+  std::optional<double> least;
+  for (int i = 0; i <= 2 * kMost && !least; ++i) {
+    const double change_m = (i % 2 == 0 ? 1.0 : -1.0) * ((i + 1) / 2) * step_m;
+    if (reached(change_m)) least = change_m;
+  }
+  if (!least) return std::nullopt;
+  const auto farthest = [&](double side) {
+    double in = *least, out = in + side * step_m;
+    while (reached(out) && side * out < kMost * step_m) {
+      in = out;
+      out += side * step_m;
+    }
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (in + out);
+      (reached(middle) ? in : out) = middle;
+    }
+    return in;
+  };
+  const Bounds all{farthest(-1.0), farthest(1.0)};
+  const double kept = std::min(spare * leg_m_, 0.5 * (all.high - all.low));
+  return Bounds{all.low + kept, all.high - kept};
+}
+
+}  // namespace gaitwright
