@@ -107,9 +107,8 @@ class SwingPlanner {
   bool Detour(SwingTrajectory& swing) {
     for (const double share : {0.5, 1.0}) {
       highest_m_ = share * model_.leg_length_m();
-      if (GoOver(swing)) return true;
-      if (unfollowed_) return false;
-      if (GoAround(swing)) return true;
+      if (GoOver(swing) || GoAround(swing)) return true;
+      if (unfollowed_) return false;  // higher ways are no easier to follow
     }
     return false;
   }

@@ -88,7 +88,9 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
     return;
   }
   const auto surface = static_cast<std::size_t>(foothold.patch);
-  if (surface < plan_.terrain.patches.size()) {
+  if (surface < plan_.terrain.patches.size() && RestsAcross(foothold)) {
+    CheckAcross(foothold);
+  } else if (surface < plan_.terrain.patches.size()) {
     CheckOnPatch(foothold, plan_.terrain.patches[surface]);
   } else {
     CheckOnField(foothold);
@@ -98,6 +100,36 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
   const double share = Area(SupportOf(of_foot, foothold, plan_.terrain, 0.0)) / Area(of_foot.sole_F);
   if (!(share >= kOnPatchShare))
     findings_.Note("consistency", foot + " sole's share on its patch", foothold.touchdown_s, share, kOnPatchShare, "1");
+}
+
+/// True for a sole that is tilted from the surface under its middle, and over another one too.
+bool Auditor::RestsAcross(const Foothold& foothold) const {
+  const Foot& foot = model_.feet[static_cast<std::size_t>(foothold.foot)];
+  if (LiesOn(plan_.terrain.patches[static_cast<std::size_t>(foothold.patch)], foothold.X_WF)) return false;
+  return std::any_of(foot.sole_F.begin(), foot.sole_F.end(), [&](const Vector2& corner) {
+    const Vector3 p_W = foothold.X_WF * Vector3(corner.x(), corner.y(), 0.0);
+    return GroundAt(plan_.terrain, p_W.head<2>()).patch != foothold.patch;
+  });
+}
+
+/// A sole that rests across surfaces has its corners on the ground and lies nowhere through it.
+void Auditor::CheckAcross(const Foothold& foothold) {
+  constexpr int kAcross = 9;
+  const std::string& foot = FootName(foothold.foot);
+  const std::vector<Vector2>& sole_F = model_.feet[static_cast<std::size_t>(foothold.foot)].sole_F;
+  const auto gap = [&](const Vector2& at_F) {
+    const Vector3 p_W = foothold.X_WF * Vector3(at_F.x(), at_F.y(), 0.0);
+    const GroundPoint ground = GroundAt(plan_.terrain, p_W.head<2>());
+    return ground.patch < 0 ? std::numeric_limits<double>::infinity() : p_W.z() - ground.height_m;
+  };
+  double widest = 0.0, deepest = 0.0;
+  for (const Vector2& a : sole_F) {
+    widest = std::max(widest, std::abs(gap(a)));
+    for (const Vector2& b : sole_F) {
+      for (int i = 1; i < kAcross; ++i) deepest = std::max(deepest, -gap(a + (b - a) * i / kAcross));
+    }
+  }
+  Expect(foot + " foothold off its patch", foothold.touchdown_s, std::max(widest, deepest), kPosition, "m");
 }
 
 void Auditor::CheckOnPatch(const Foothold& foothold, const TerrainPatch& patch) {

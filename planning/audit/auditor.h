@@ -71,6 +71,8 @@ class Auditor {
   void CheckCommand();
   void CheckFootholds();
   void CheckFoothold(const Foothold& foothold, const ContactInterval& interval);
+  bool RestsAcross(const Foothold& foothold) const;
+  void CheckAcross(const Foothold& foothold);
   void CheckOnPatch(const Foothold& foothold, const TerrainPatch& patch);
   void CheckOnField(const Foothold& foothold);
   void CheckSwings();

@@ -11,6 +11,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/polygon.h"
 #include "planning/footsteps/plan_view.h"
+#include "planning/plan/resting_plane.h"
 #include "planning/plan/sole_support.h"
 
 namespace gaitwright {
@@ -52,6 +53,21 @@ Pose Standing(const PlanarPose& at, double height_m, const Vector3& normal_W) {
   X_WF.linear().col(2) = normal_W;
   X_WF.translation() = Vector3(at.x_m, at.y_m, height_m);
   return X_WF;
+}
+
+/// The plane fitted to points of the ground, lifted onto the highest of them.
+Vector3 PlaneOver(const std::vector<Vector3>& points_W, const PlanarPose& at) {
+  Eigen::MatrixX3d places(static_cast<Eigen::Index>(points_W.size()), 3);
+  VectorX heights(static_cast<Eigen::Index>(points_W.size()));
+  for (std::size_t i = 0; i < points_W.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    places.row(row) << (points_W[i].head<2>() - PlaceOf(at)).transpose(), 1.0;
+    heights[row] = points_W[i].z();
+  }
+  Vector3 plane = places.completeOrthogonalDecomposition().solve(heights);
+  plane.z() += (heights - places * plane).maxCoeff();
+  plane.z() -= plane.head<2>().dot(PlaceOf(at));
+  return plane;
 }
 
 /// Corners, middles of the edges and the middle of a sole in plan view.
@@ -192,6 +208,10 @@ Placing FootholdChecker::PlaceSole(int foot, const PlanarPose& at) const {
     on = rank;
     best = placing;
   }
+  if (!best.ok() && tried.size() > 1) {
+    const Placing across = PlaceAcross(foot, at);
+    if (across.ok()) best = across;
+  }
   if (best.ok() && HitsObstacle(foot, at, best.placed.X_WF.translation().z())) return {FootholdFault::kObstacle, {}};
   return best;
 }
@@ -235,43 +255,68 @@ Placing FootholdChecker::PlaceOnPatch(int foot, const PlanarPose& at, int patch)
   return {FootholdFault::kNone, placed};
 }
 
-Placing FootholdChecker::PlaceOnField(int foot, const PlanarPose& at, int surface) const {
+bool FootholdChecker::GoesOn(const std::vector<Vector3>& corners_W) const {
+  constexpr int kParts = 24;
+  for (std::size_t i = 0; i < corners_W.size(); ++i) {
+    const Vector3 &a = corners_W[i], &b = corners_W[(i + 1) % corners_W.size()];
+    double before = a.z();
+    for (int part = 1; part <= kParts; ++part) {
+      const Vector2 p = a.head<2>() + (b - a).head<2>() * part / kParts;
+      const double height = ground_->At(p).height_m;
+      if (!(std::abs(height - before) <= kFlush + kGoesOn * (b - a).head<2>().norm() / kParts)) return false;
+      before = height;
+    }
+  }
+  return true;
+}
+
+Placing FootholdChecker::PlaceAcross(int foot, const PlanarPose& at) const {
+  constexpr double kRisk = 0.5;
   const Polygon outline = OutlineAt(foot, at);
-  Eigen::MatrixX3d corners(static_cast<Eigen::Index>(outline.size()), 3);
-  VectorX heights(static_cast<Eigen::Index>(outline.size()));
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const GroundPoint ground = ground_->At(outline[i]);
+  const GroundPoint middle = ground_->At(PlaceOf(at));
+  std::vector<Vector3> corners;
+  for (const Vector2& corner : outline) {
+    const GroundPoint ground = ground_->At(corner);
     if (ground.patch < 0) return {FootholdFault::kEdge, {}};
-    corners.row(row) << (outline[i] - PlaceOf(at)).transpose(), 1.0;
-    heights[row] = ground.height_m;
+    corners.emplace_back(corner.x(), corner.y(), ground.height_m);
   }
-  Vector3 plane = corners.colPivHouseholderQr().solve(heights);
-  plane.z() -= plane.head<2>().dot(PlaceOf(at));
-  double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
-  const auto take = [&](const Vector2& q) {
-    const double rise = ground_->At(q).height_m - On(plane, q);
-    highest = std::max(highest, rise);
-    lowest = std::min(lowest, rise);
-  };
-  const auto field = static_cast<std::size_t>(surface) - ground_->terrain().patches.size();
-  const PlanBox box = BoxOf(outline, 0.0);
-  constexpr double kMost = 24.0;  // places along one side
-  const double step = std::max(0.7 * ground_->terrain().height_fields[field].resolution_m,
-                               (box.highest - box.lowest).maxCoeff() / kMost);
-  for (const Vector2& q : SamplesOf(outline)) take(q);
-  for (double x = box.lowest.x(); x <= box.highest.x(); x += step) {
-    for (double y = box.lowest.y(); y <= box.highest.y(); y += step)
-      if (outline.size() >= 3 && SignedDistance(outline, {x, y}) > 0.0) take({x, y});
-  }
-  if (highest - lowest > options_.roughness * leg_m_) return {FootholdFault::kRough, {}};
-  plane.z() += std::max(highest, 0.0);
+  const Vector3 plane = PlaneOver(corners, at);
+  const bool patch = middle.patch >= 0 && middle.patch < static_cast<int>(ground_->surfaces().size());
+  const bool touching = std::all_of(corners.begin(), corners.end(), [&](const Vector3& corner) {
+    return std::abs(corner.z() - On(plane, corner.head<2>())) <= kFlush;
+  });
+  if (!patch || !touching) return {FootholdFault::kEdge, {}};
+  if (AnythingAbove(outline, -1, plane) || !GoesOn(corners)) return {FootholdFault::kRiser, {}};
   const Vector3 normal = NormalOf(plane);
-  const double friction = ground_->At(PlaceOf(at)).friction;
-  if (TooSteep(normal, friction)) return {FootholdFault::kSlope, {}};
+  if (TooSteep(normal, middle.friction)) return {FootholdFault::kSlope, {}};
+  PlacedFoot placed{foot, Standing(at, On(plane, PlaceOf(at)), normal), middle.patch, 0.0};
+  placed.risk = std::min(1.0, kRisk + SlopeRisk(normal));
+  return {FootholdFault::kNone, placed};
+}
+
+Placing FootholdChecker::PlaceOnField(int foot, const PlanarPose& at, int surface) const {
+  const Foot& described = model_->feet[static_cast<std::size_t>(foot)];
+  const Terrain& terrain = ground_->terrain();
+  const HeightField& field = terrain.height_fields[static_cast<std::size_t>(surface) - terrain.patches.size()];
+  const double c = std::cos(at.yaw_rad), s = std::sin(at.yaw_rad);
+  std::vector<Vector3> under;
+  for (const Vector2& p : SoleSamples(described.sole_F, kSoleSampling * field.resolution_m)) {
+    const Vector2 p_W(at.x_m + c * p.x() - s * p.y(), at.y_m + s * p.x() + c * p.y());
+    const GroundPoint ground = ground_->At(p_W);
+    if (ground.patch < 0) return {FootholdFault::kEdge, {}};
+    under.emplace_back(p_W.x(), p_W.y(), ground.height_m);
+  }
+  const Vector3 plane =
+      described.sole_F.size() < 3 ? PlaneOver(under, at) : RestingPlane(under, Centroid(OutlineAt(foot, at)));
+  double deepest = 0.0;
+  for (const Vector3& p_W : under) deepest = std::max(deepest, On(plane, p_W.head<2>()) - p_W.z());
+  if (deepest > options_.roughness * leg_m_) return {FootholdFault::kRough, {}};
+  const Vector3 normal = NormalOf(plane);
+  if (TooSteep(normal, ground_->At(PlaceOf(at)).friction)) return {FootholdFault::kSlope, {}};
   PlacedFoot placed{foot, Standing(at, On(plane, PlaceOf(at)), normal), surface, 0.0};
-  const double rough = options_.roughness > 0.0 ? (highest - lowest) / (options_.roughness * leg_m_) : 0.0;
-  placed.risk = std::min(1.0, 0.5 * rough + SlopeRisk(normal));
+  const double on = ShareOf(TouchingPart(described.sole_F, placed.X_WF, terrain, field.resolution_m), described.sole_F);
+  if (on < options_.least_on) return {FootholdFault::kRough, {}};
+  placed.risk = std::min(1.0, (1.0 - on) / std::max(1.0 - options_.least_on, 1e-6) + SlopeRisk(normal));
   return {FootholdFault::kNone, placed};
 }
 
@@ -319,7 +364,8 @@ void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std:
       if (!left.empty()) offer(NearestPoint(ConvexHull(left), p));
     }
     offer(Centroid(surface.outline_W));
-    for (std::size_t k = 0; k < surface.inward.size(); ++k) {  // beside it: in front of a riser, as near as may be
+    // Beside it: in front of a riser, as near as may be. Spheres roll towards it as long as they stand.
+    for (std::size_t k = 0; sole && k < surface.inward.size(); ++k) {
       const Vector2& n = surface.inward[k];
       const double inside = n.dot(p - surface.outline_W[k]) + ReachOf(outline_F, n) + options_.margin_m;
       offer(p - (inside + kBeside) * n);

@@ -59,8 +59,9 @@ struct Placing {
 ///
 ///   point, sphere  on the highest ground; edges and risers keep away by the margin, and by a sphere's radius more
 ///   sole, line     in the plane of a surface that nothing under the sole rises above; the part on the surface by the
-///                  margin is `least_on` of it or more; on a height field in the plane through the ground under its
-///                  corners, lifted to rest on top of all that is under it
+///                  margin is `least_on` of it or more; on a height field in the plane in which it rests when
+///                  loaded in its middle, touching with `least_on` of it or more; or across surfaces, as in the corner
+///                  where a slope begins, with all corners on the ground and nothing between them above
 /// Obstacles keep away by the margin, up to half a leg over the foothold. All distances are those in plan view, which
 /// are never more than those on the slope. Ground that goes on beyond an edge at a slope below kGoesOn is no edge.
 class FootholdChecker {
@@ -75,8 +76,8 @@ class FootholdChecker {
   Placing Place(int foot, const PlanarPose& at) const;
 
   /// Places on each surface around, nearest to `at`, at which the foot is likely to stand: well inside and just inside
-  /// of its edges, a sole also out over them as far as it may be, in its middle, and just beside each of its edges.
-  /// Turned like `at`, at most `radius_m` away. Appends.
+  /// of its edges, a sole also out over them as far as it may be, in its middle; and a sole just beside each of its
+  /// edges. Turned like `at`, at most `radius_m` away. Appends.
   void Near(int foot, const PlanarPose& at, double radius_m, std::vector<PlanarPose>& places) const;
 
   /// Corners of what a foot covers in plan view, about its contact frame's origin, at a yaw: a sole, or the octagon
@@ -90,6 +91,9 @@ class FootholdChecker {
   Placing PlacePoint(int foot, const PlanarPose& at) const;
   Placing PlaceSole(int foot, const PlanarPose& at) const;
   Placing PlaceOnPatch(int foot, const PlanarPose& at, int patch) const;
+  /// Whether the ground goes on without steps between places on it, from each to the next.
+  bool GoesOn(const std::vector<Vector3>& corners_W) const;
+  Placing PlaceAcross(int foot, const PlanarPose& at) const;
   Placing PlaceOnField(int foot, const PlanarPose& at, int surface) const;
   FootholdFault PointSurroundings(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;
   double PointRisk(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/plan/sole_support.h"
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
 #include "kinematics/stability/polygon.h"
 
 namespace gaitwright {
@@ -21,6 +25,61 @@ Polygon PartOnPatch(const std::vector<Vector2>& sole_F, const Pose& X_WF, const 
 
 namespace {
 
+/// From the ground up to a point of a sole; infinity where there is none.
+double GapAt(const Vector2& p_F, const Pose& X_WF, const Terrain& terrain) {
+  const Vector3 p_W = X_WF * Vector3(p_F.x(), p_F.y(), 0.0);
+  const GroundPoint ground = GroundAt(terrain, p_W.head<2>());
+  return ground.patch < 0 ? std::numeric_limits<double>::infinity() : p_W.z() - ground.height_m;
+}
+
+}  // namespace
+
+bool LiesOn(const TerrainPatch& patch, const Pose& X_WF, double most_tilt_rad) {
+  return patch.X_WT.linear().col(2).cross(X_WF.linear().col(2)).norm() <= most_tilt_rad;
+}
+
+Polygon TouchingCorners(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain) {
+  constexpr double kTouching = 2e-3;  // [m]
+  Polygon touching;
+  for (const Vector2& corner : sole_F) {
+    if (std::abs(GapAt(corner, X_WF, terrain)) <= kTouching) touching.push_back(corner);
+  }
+  return touching;
+}
+
+std::vector<Vector2> SoleSamples(const std::vector<Vector2>& sole_F, double spacing_m) {
+  constexpr double kMost = 24.0;  // along one side
+  std::vector<Vector2> samples = sole_F;
+  const Eigen::AlignedBox2d box = [&] {
+    Eigen::AlignedBox2d around;
+    for (const Vector2& corner : sole_F) around.extend(corner);
+    return around;
+  }();
+  const double step = std::max(spacing_m, box.sizes().maxCoeff() / kMost);
+  const int columns = static_cast<int>(std::ceil(box.sizes().x() / step)),
+            rows = static_cast<int>(std::ceil(box.sizes().y() / step));
+  for (int i = 0; i <= columns; ++i) {
+    for (int j = 0; j <= rows; ++j) {
+      const Vector2 share(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
+      const Vector2 p = box.min() + share.cwiseProduct(box.sizes());
+      if (SignedDistance(sole_F, p) > -1e-12) samples.push_back(p);
+    }
+  }
+  return samples;
+}
+
+Polygon TouchingPart(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain,
+                     double resolution_m) {
+  constexpr double kTouching = 5e-4;  // [m]
+  std::vector<Vector2> touching;
+  for (const Vector2& p_F : SoleSamples(sole_F, kSoleSampling * resolution_m)) {
+    if (std::abs(GapAt(p_F, X_WF, terrain)) <= kTouching) touching.push_back(p_F);
+  }
+  return ConvexHull(std::move(touching));
+}
+
+namespace {
+
 /// The grid of a height field as a level patch, for its edges.
 TerrainPatch GridOf(const HeightField& field) {
   TerrainPatch grid;
@@ -35,6 +94,10 @@ TerrainPatch GridOf(const HeightField& field) {
 Polygon SupportOf(const Foot& foot, const Foothold& foothold, const Terrain& terrain, double margin_m) {
   if (foothold.patch < 0 || foothold.patch >= terrain.num_surfaces()) return {};
   const auto surface = static_cast<std::size_t>(foothold.patch), patches = terrain.patches.size();
+  if (foot.has_sole() && surface < patches && !LiesOn(terrain.patches[surface], foothold.X_WF))
+    return TouchingCorners(foot.sole_F, foothold.X_WF, terrain);
+  if (foot.type == FootType::kSole && surface >= patches)
+    return TouchingPart(foot.sole_F, foothold.X_WF, terrain, terrain.height_fields[surface - patches].resolution_m);
   return PartOnPatch(foot.has_sole() ? foot.sole_F : std::vector<Vector2>{Vector2::Zero()}, foothold.X_WF,
                      surface < patches ? terrain.patches[surface] : GridOf(terrain.height_fields[surface - patches]),
                      margin_m);

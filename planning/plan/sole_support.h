@@ -15,9 +15,26 @@ inline constexpr double kEdgeMargin = 0.005;
 /// @return in F [m]; the whole sole on a plane without end, empty when nothing is left.
 Polygon PartOnPatch(const std::vector<Vector2>& sole_F, const Pose& X_WF, const TerrainPatch& patch, double margin_m);
 
-/// Where the ground can push a foot at its foothold: of a sole the part on its surface, of a line the same, up to a
-/// segment; of a point or sphere the contact point. In the contact frame's xy plane [m], counter-clockwise: corners in
-/// W are X_WF * (x, y, 0). Empty where nothing is on, or when the terrain has no such surface.
+/// Whether a sole lies in the plane of the patch under its middle rather than across several surfaces, such as in the
+/// corner where a slope begins.
+bool LiesOn(const TerrainPatch& patch, const Pose& X_WF, double most_tilt_rad = 1e-3);
+
+/// The corners of a sole that the ground touches, to two millimetres: what carries a sole that rests across surfaces.
+Polygon TouchingCorners(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain);
+
+/// Share of a height field's resolution at which soles are held against it.
+inline constexpr double kSoleSampling = 0.7;
+
+/// A sole's corners, and a lattice over it that is at most so wide, up to 25 by 25.
+std::vector<Vector2> SoleSamples(const std::vector<Vector2>& sole_F, double spacing_m);
+
+/// The hull of what of a sole touches a height field, to half a millimetre.
+Polygon TouchingPart(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain, double resolution_m);
+
+/// Where the ground can push a foot at its foothold: of a sole the part on its surface, or TouchingCorners where it
+/// rests across several; of a line the same, up to a segment; of a point or sphere the contact point. In the contact
+/// frame's xy plane [m], counter-clockwise: corners in W are X_WF * (x, y, 0). Empty where nothing is on, or when the
+/// terrain has no such surface.
 Polygon SupportOf(const Foot& foot, const Foothold& foothold, const Terrain& terrain, double margin_m = kEdgeMargin);
 
 /// The same of all footholds of a plan, in their order, by kEdgeMargin; of a foot without a sole, or where nothing is

@@ -30,9 +30,11 @@ Vector2 OnGrid(const Vector3& p) {
 /// middle.
 std::vector<Vector3> CarryingPoints(const Foot& foot, const Pose& X_WF, const Terrain& terrain) {
   constexpr double kInside = 1e-4;  // [m] so that the ground below them is that patch's
+  constexpr double kAcross = 0.02;  // [rad] by which a sole is not on one surface any more
   const int surface = GroundAt(terrain, X_WF.translation().head<2>()).patch;
   const auto index = static_cast<std::size_t>(surface);
   if (!foot.has_sole() || surface < 0 || index >= terrain.patches.size()) return ContactPoints(foot, X_WF);
+  if (!LiesOn(terrain.patches[index], X_WF, kAcross)) return ContactPoints(foot, X_WF);
   std::vector<Vector3> points;
   for (const Vector2& p_F : PartOnPatch(foot.sole_F, X_WF, terrain.patches[index], kInside))
     points.push_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));

@@ -8,6 +8,7 @@
 
 #include "grounds.h"
 #include "kinematics/model/load_robot.h"
+#include "kinematics/stability/polygon.h"
 #include "planning/plan/sole_support.h"
 
 namespace gaitwright {
@@ -131,8 +132,51 @@ TEST(FootholdCheck, OnAHeightFieldASoleRestsOnTopOfAllThatIsUnderIt) {
     }
     EXPECT_GT(least, -5e-4) << x;  // between the places that were looked at
     EXPECT_LT(least, 1e-3) << x;
+    Foothold foothold;
+    foothold.X_WF = placing.placed.X_WF;
+    foothold.patch = placing.placed.surface;
+    EXPECT_GE(Area(SupportOf(foot, foothold, ground.terrain)), 0.6 * Area(foot.sole_F)) << x;
   }
-  EXPECT_GT(stood, 30);
+  EXPECT_GT(stood, 12);
+}
+
+TEST(FootholdCheck, ASoleRestsInTheCornerWhereASlopeBegins) {
+  constexpr double kSlope = 0.1, kEdge = 0.5;
+  const Ground ground("nao", Ramp(kEdge, 2.0, kSlope));
+  const Foot& foot = ground.model.feet[0];
+  int across = 0;
+  for (double x = kEdge - 0.2; x < kEdge + 0.2; x += 0.005) {
+    const Placing placing = ground.checker.Place(0, {x, 0.1, 0.0});
+    ASSERT_TRUE(placing.ok()) << x;
+    const double tilt = std::asin(-placing.placed.X_WF.linear()(0, 2));
+    EXPECT_GT(tilt, -1e-9);
+    EXPECT_LT(tilt, kSlope + 1e-9);
+    Foothold foothold;
+    foothold.X_WF = placing.placed.X_WF;
+    foothold.patch = placing.placed.surface;
+    EXPECT_GT(Area(SupportOf(foot, foothold, ground.terrain)), 0.85 * Area(foot.sole_F)) << x;
+    across += tilt > 1e-3 && tilt < kSlope - 1e-3 ? 1 : 0;
+    for (const Vector2& corner : foot.sole_F) {
+      const Vector3 p_W = placing.placed.X_WF * Vector3(corner.x(), corner.y(), 0.0);
+      EXPECT_NEAR(p_W.z(), GroundAt(ground.terrain, p_W.head<2>()).height_m, 1.1e-3) << x;
+    }
+  }
+  EXPECT_GT(across, 10);
+}
+
+TEST(FootholdCheck, ASoleDoesNotRestAcrossAStepOrAnEdgeThatFalls) {
+  const Ground step("nao", StepUp(0.5, 0.02));
+  for (double x = 0.4; x < 0.6; x += 0.0005) {
+    const Placing placing = step.checker.Place(0, {x, 0.1, 0.0});
+    EXPECT_TRUE(!placing.ok() || placing.placed.X_WF.linear()(2, 2) == 1.0) << x;
+  }
+  const Ground ridge("nao", Ramp(-1.0, 1.5, 0.1));  // level from 0.5 on
+  for (double x = 0.4; x < 0.6; x += 0.005) {
+    const Placing placing = ridge.checker.Place(0, {x, 0.1, 0.0});
+    if (!placing.ok()) continue;
+    const double tilt = std::asin(-placing.placed.X_WF.linear()(0, 2));
+    EXPECT_LT(std::min(std::abs(tilt), std::abs(tilt - 0.1)), 1e-6) << "on one or the other, at " << x;
+  }
 }
 
 TEST(FootholdCheck, ObstaclesKeepFeetAwayUpToHalfALeg) {
