@@ -107,8 +107,9 @@ class SwingPlanner {
   bool Detour(SwingTrajectory& swing) {
     for (const double share : {0.5, 1.0}) {
       highest_m_ = share * model_.leg_length_m();
-      if (GoOver(swing) || GoAround(swing)) return true;
-      if (unfollowed_) return false;  // higher ways are no easier to follow
+      if (GoOver(swing)) return true;
+      if (unfollowed_) return false;  // ways around and higher ones are no easier to follow
+      if (GoAround(swing)) return true;
     }
     return false;
   }

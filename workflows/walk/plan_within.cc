@@ -60,6 +60,34 @@ struct Cycles {
   }
 };
 
+const char* NameOf(Pace pace) {
+  switch (pace) {
+    case Pace::kSpeed:
+      return "speed";
+    case Pace::kLateralSpeed:
+      return "lateral speed";
+    case Pace::kYawRate:
+      return "turning rate";
+    case Pace::kStepLength:
+      return "step length";
+  }
+  return "";
+}
+
+std::string ValueText(const WalkCommand& c) {
+  switch (PaceOf(c)) {
+    case Pace::kSpeed:
+      return fmt::format("{:.2g} m/s", c.speed_m_s);
+    case Pace::kLateralSpeed:
+      return fmt::format("{:.2g} m/s", std::abs(c.lateral_speed_m_s));
+    case Pace::kYawRate:
+      return fmt::format("{:.2g} rad/s", std::abs(c.yaw_rate_rad_s));
+    case Pace::kStepLength:
+      return fmt::format("{:.2g} m", std::abs(c.step_length_m));
+  }
+  return "";
+}
+
 /// Looks for plans that pass their audit, at a gait's fitted time or another, and for the largest pace that has one.
 /// What is possible is found on brief walks, the start of the whole one on a coarse grid; a whole walk is then planned
 /// only where its brief one passes.
@@ -134,8 +162,9 @@ class Search {
       Result<PlannedWalk> planned = Whole(gait, slower, true);
       if (!planned && !IsTooMuch(planned.failure())) return planned;
       if (!Passes(planned)) continue;
-      planned->motion.summary += fmt::format("; {} with a cycle of {:.2f} s, since faster plans would fail their audit",
-                                             PaceFlags(slower), gait.cycle_s);
+      const std::string at_pace = ease.pace < 1.0 ? fmt::format("{} and ", ValueText(slower)) : "";
+      planned->motion.summary +=
+          fmt::format("; {}a cycle of {:.2f} s, since faster plans would fail their audit", at_pace, gait.cycle_s);
       return planned;
     }
     return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no easier walk serves", {}};
@@ -252,34 +281,6 @@ class Search {
   const WalkRequest& request_;
   mutable std::map<std::pair<std::string, double>, double> brief_;  // by flags of the pace and cycle: answers so far
 };
-
-const char* NameOf(Pace pace) {
-  switch (pace) {
-    case Pace::kSpeed:
-      return "speed";
-    case Pace::kLateralSpeed:
-      return "lateral speed";
-    case Pace::kYawRate:
-      return "turning rate";
-    case Pace::kStepLength:
-      return "step length";
-  }
-  return "";
-}
-
-std::string ValueText(const WalkCommand& c) {
-  switch (PaceOf(c)) {
-    case Pace::kSpeed:
-      return fmt::format("{:.2g} m/s", c.speed_m_s);
-    case Pace::kLateralSpeed:
-      return fmt::format("{:.2g} m/s", std::abs(c.lateral_speed_m_s));
-    case Pace::kYawRate:
-      return fmt::format("{:.2g} rad/s", std::abs(c.yaw_rate_rad_s));
-    case Pace::kStepLength:
-      return fmt::format("{:.2g} m", std::abs(c.step_length_m));
-  }
-  return "";
-}
 
 /// The failure with what it would take instead.
 Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest& request, Failure failure) {
