@@ -17,6 +17,7 @@
 namespace gaitwright {
 namespace {
 
+constexpr double kRolls = 0.5;          // [rad] by which a sphere may roll towards a riser while it stands
 constexpr double kFlush = 1e-3;         // [m] that ground may stick out of a sole's plane
 constexpr double kSafe = 0.06;          // distance from edges beyond which there is no risk, of the leg length
 constexpr double kUnderFoot = 0.5;      // height over a foothold in which obstacles matter, of the leg length
@@ -138,7 +139,8 @@ bool FootholdChecker::HitsObstacle(int foot, const PlanarPose& at, double height
 
 FootholdFault FootholdChecker::PointSurroundings(const Vector2& p_W, double clear_m, const GroundPoint& ground) const {
   const Vector3 plane = PlaneOf(ground, p_W);
-  const Vector2 box = Vector2::Constant(clear_m);
+  const double unrolled_m = clear_m + kRolls * (clear_m - options_.margin_m);
+  const Vector2 box = Vector2::Constant(unrolled_m);
   std::vector<int> near;
   ground_->PatchesIn(p_W - box, p_W + box, near);
   for (const int i : near) {
@@ -146,7 +148,7 @@ FootholdFault FootholdChecker::PointSurroundings(const Vector2& p_W, double clea
     if (i == ground.patch || other.outline_W.empty()) continue;
     const Vector2 q = NearestPoint(other.outline_W, p_W);
     const double distance = (q - p_W).norm();
-    if (distance < clear_m && other.HeightAt(q) - On(plane, q) > kFlush + kGoesOn * distance)
+    if (distance < unrolled_m && other.HeightAt(q) - On(plane, q) > kFlush + kGoesOn * distance)
       return FootholdFault::kRiser;
   }
   const bool patch = ground.patch < static_cast<int>(ground_->surfaces().size());

@@ -57,7 +57,8 @@ struct Placing {
 
 /// Puts feet down on the ground and says whether they may stand there.
 ///
-///   point, sphere  on the highest ground; edges and risers keep away by the margin, and by a sphere's radius more
+///   point, sphere  on the highest ground; edges and risers keep away by the margin, and by a sphere's radius more;
+///                  risers also by what it rolls towards them while it stands
 ///   sole, line     in the plane of a surface that nothing under the sole rises above; the part on the surface by the
 ///                  margin is `least_on` of it or more; on a height field in the plane in which it rests when
 ///                  loaded in its middle, touching with `least_on` of it or more; or across surfaces, as in the corner

@@ -61,11 +61,11 @@ TEST(FootholdCheck, ASphereKeepsItsRadiusAndTheMarginFromAnEdge) {
   EXPECT_EQ(ground.At(1.5 + clear + 1e-6), FootholdFault::kNone);
 }
 
-TEST(FootholdCheck, ASphereKeepsTheSameFromARiserBelowAndAbove) {
+TEST(FootholdCheck, ASphereKeepsWhatItRollsFromARiserBelowAndItsRadiusFromTheEdgeAbove) {
   const Ground ground("a1", StepUp(1.0, 0.1));
-  const double clear = ground.model.feet[0].radius + 0.005;
-  EXPECT_EQ(ground.At(1.0 - clear - 1e-6), FootholdFault::kNone);
-  EXPECT_EQ(ground.At(1.0 - clear + 1e-6), FootholdFault::kRiser);
+  const double clear = ground.model.feet[0].radius + 0.005, rolls = 0.5 * ground.model.feet[0].radius;
+  EXPECT_EQ(ground.At(1.0 - clear - rolls - 1e-6), FootholdFault::kNone);
+  EXPECT_EQ(ground.At(1.0 - clear - rolls + 1e-6), FootholdFault::kRiser);
   EXPECT_EQ(ground.At(1.0 + clear + 1e-6), FootholdFault::kNone);
   EXPECT_EQ(ground.At(1.0 + 0.5 * clear), FootholdFault::kEdge);
 }
