@@ -75,13 +75,7 @@ void DrawGround(const PlotData& data, SvgPlot& plot) {
 }
 
 Plot SideView(const PlotData& data) {
-  SvgPlot::Options options;
-  options.title = "From the side";
-  options.x_label = "x [m]";
-  options.y_label = "z [m]";
-  options.equal_axes = true;
-  options.most_points = 2000;
-  SvgPlot plot(options);
+  SvgPlot plot(SvgPlot::ToScale("From the side", "x [m]", "z [m]"));
   plot.Line(GroundBelow(data.plan.terrain, LineAhead(Window(data))), Ink::kLimit, Stroke::kMeasured, "ground");
   for (std::size_t f = 0; f < data.model.feet.size(); ++f) {
     plot.Line(AlongX(data.series.planned, f), Ink::kFoot, Stroke::kPlanned, "feet planned");

@@ -60,6 +60,16 @@ Vector2 SvgPlot::Frame::Pixel(const Vector2& p) const {
   return {left + s.x() * (right - left), bottom - s.y() * (bottom - top)};
 }
 
+SvgPlot::Options SvgPlot::ToScale(const std::string& title, const std::string& x_label, const std::string& y_label) {
+  Options options;
+  options.title = title;
+  options.x_label = x_label;
+  options.y_label = y_label;
+  options.equal_axes = true;
+  options.most_points = 2000;
+  return options;
+}
+
 SvgPlot::SvgPlot(Options options)
     : options_(std::move(options)),
       lowest_(Vector2::Constant(std::numeric_limits<double>::infinity())),

@@ -28,6 +28,9 @@ class SvgPlot {
     std::size_t most_points = 900;  ///< of a line
   };
 
+  /// Those of a picture to scale of what stands about, one metre as long on x as on y.
+  static Options ToScale(const std::string& title, const std::string& x_label, const std::string& y_label);
+
   explicit SvgPlot(Options options);
 
   /// A line; a point that is not finite breaks it. The label, when there is one, goes to the legend once.

@@ -92,13 +92,7 @@ void DrawGoal(const PlotData& data, SvgPlot& plot) {
 }  // namespace
 
 Plot TopView(const PlotData& data) {
-  SvgPlot::Options options;
-  options.title = "From above";
-  options.x_label = "x [m]";
-  options.y_label = "y [m]";
-  options.equal_axes = true;
-  options.most_points = 2000;
-  SvgPlot plot(options);
+  SvgPlot plot(SvgPlot::ToScale("From above", "x [m]", "y [m]"));
   DrawGround(data, plot);
   DrawSupports(data, plot);
   DrawFootholds(data, plot);

@@ -19,6 +19,10 @@ const Metric& Find(const StabilityReport& report, const std::string& key) {
 
 }  // namespace
 
+void PrintTo(const UnevenWalk& walk, std::ostream* out) {
+  *out << walk.robot << ' ' << walk.gait << ' ' << walk.terrain;
+}
+
 void ExpectToWalk(const UnevenWalk& walk) {
   const RobotModel model = LoadNamedRobot(walk.robot).value();
   WalkRequest request;

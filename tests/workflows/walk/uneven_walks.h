@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ostream>
 #include <string>
 
 #include "workflows/walk/walk.h"
@@ -14,6 +15,8 @@ struct UnevenWalk {
   double goal_x_m = 0.0, goal_y_m = 0.0;  ///< a goal, where it is not given
   std::string gait = {};
 };
+
+void PrintTo(const UnevenWalk& walk, std::ostream* out);
 
 /// Plans the walk, plays it with the controller that there is by default, and expects it to pass every gate, without a
 /// scuff, in the ground by a millimetre at most, and its feet over it as high as planned to 5 mm, or 2 mm for robots
