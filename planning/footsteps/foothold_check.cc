@@ -19,6 +19,8 @@ namespace {
 
 constexpr double kRolls = 0.5;          // [rad] by which a sphere may roll towards a riser while it stands
 constexpr double kFlush = 1e-3;         // [m] that ground may stick out of a sole's plane
+constexpr double kFlushOfField = 3e-4;  // [m] the same of a height field, which a sole can rest on too
+constexpr double kSteady = 0.05;        // of half a sole's width, by which its middle is in what holds it
 constexpr double kSafe = 0.06;          // distance from edges beyond which there is no risk, of the leg length
 constexpr double kUnderFoot = 0.5;      // height over a foothold in which obstacles matter, of the leg length
 constexpr double kFrictionShare = 0.8;  // of the friction that a slope may use
@@ -107,6 +109,10 @@ double FootholdChecker::SlopeRisk(const Vector3& normal_W) const {
 
 Placing FootholdChecker::Place(int foot, const PlanarPose& at) const {
   return model_->feet[static_cast<std::size_t>(foot)].has_sole() ? PlaceSole(foot, at) : PlacePoint(foot, at);
+}
+
+bool FootholdChecker::MayRock(int foot) const {
+  return !ground_->terrain().height_fields.empty() && model_->feet[static_cast<std::size_t>(foot)].sole_F.size() > 2;
 }
 
 Polygon FootholdChecker::OutlineAt(int foot, const PlanarPose& at) const {
@@ -236,7 +242,7 @@ bool FootholdChecker::AnythingAbove(const Polygon& outline_W, int patch, const V
   const std::vector<Vector2> samples = SamplesOf(wide);
   return std::any_of(samples.begin(), samples.end(), [&](const Vector2& q) {
     const GroundPoint there = ground_->At(q);
-    return there.patch >= 0 && there.height_m - On(plane, q) > kFlush;
+    return there.patch >= 0 && there.height_m - On(plane, q) > kFlushOfField;
   });
 }
 
@@ -296,6 +302,13 @@ Placing FootholdChecker::PlaceAcross(int foot, const PlanarPose& at) const {
   return {FootholdFault::kNone, placed};
 }
 
+bool FootholdChecker::HoldsSteady(const Polygon& sole_F, const Pose& X_WF, const HeightField& field) const {
+  if (sole_F.size() < 3) return true;
+  const Polygon steady = SteadyPart(sole_F, X_WF, ground_->terrain(), field.resolution_m);
+  const Vector2 middle = Centroid(sole_F);
+  return !steady.empty() && SignedDistance(steady, middle) >= kSteady * SignedDistance(sole_F, middle);
+}
+
 Placing FootholdChecker::PlaceOnField(int foot, const PlanarPose& at, int surface) const {
   const Foot& described = model_->feet[static_cast<std::size_t>(foot)];
   const Terrain& terrain = ground_->terrain();
@@ -317,7 +330,7 @@ Placing FootholdChecker::PlaceOnField(int foot, const PlanarPose& at, int surfac
   if (TooSteep(normal, ground_->At(PlaceOf(at)).friction)) return {FootholdFault::kSlope, {}};
   PlacedFoot placed{foot, Standing(at, On(plane, PlaceOf(at)), normal), surface, 0.0};
   const double on = ShareOf(TouchingPart(described.sole_F, placed.X_WF, terrain, field.resolution_m), described.sole_F);
-  if (on < options_.least_on) return {FootholdFault::kRough, {}};
+  if (on < options_.least_on || !HoldsSteady(described.sole_F, placed.X_WF, field)) return {FootholdFault::kRough, {}};
   placed.risk = std::min(1.0, (1.0 - on) / std::max(1.0 - options_.least_on, 1e-6) + SlopeRisk(normal));
   return {FootholdFault::kNone, placed};
 }

@@ -61,8 +61,9 @@ struct Placing {
 ///                  risers also by what it rolls towards them while it stands
 ///   sole, line     in the plane of a surface that nothing under the sole rises above; the part on the surface by the
 ///                  margin is `least_on` of it or more; on a height field in the plane in which it rests when
-///                  loaded in its middle, touching with `least_on` of it or more; or across surfaces, as in the corner
-///                  where a slope begins, with all corners on the ground and nothing between them above
+///                  loaded in its middle, touching with `least_on` of it or more and not rocking there; or across
+///                  surfaces, as in the corner where a slope begins, with all corners on the ground and nothing between
+///                  them above
 /// Obstacles keep away by the margin, up to half a leg over the foothold. All distances are those in plan view, which
 /// are never more than those on the slope. Ground that goes on beyond an edge at a slope below kGoesOn is no edge.
 class FootholdChecker {
@@ -72,6 +73,9 @@ class FootholdChecker {
 
   /// Model and ground must outlive it. @throws InvalidArgument for options out of range.
   FootholdChecker(const RobotModel& model, const GroundIndex& ground, const FootholdOptions& options);
+
+  /// Whether there is ground on which the foot rocks in many places: soles on height fields.
+  bool MayRock(int foot) const;
 
   /// Puts a foot's contact frame down at a place in plan view; yaw is that of its x axis.
   Placing Place(int foot, const PlanarPose& at) const;
@@ -95,6 +99,7 @@ class FootholdChecker {
   /// Whether the ground goes on without steps between places on it, from each to the next.
   bool GoesOn(const std::vector<Vector3>& corners_W) const;
   Placing PlaceAcross(int foot, const PlanarPose& at) const;
+  bool HoldsSteady(const Polygon& sole_F, const Pose& X_WF, const HeightField& field) const;
   Placing PlaceOnField(int foot, const PlanarPose& at, int surface) const;
   FootholdFault PointSurroundings(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;
   double PointRisk(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;

@@ -85,23 +85,27 @@ Placing FootholdTable::Start(int foot, int& index) {
   return placing;
 }
 
-void FootholdTable::ListPlaces(int foot, const PlanarPose& at, bool safe, std::vector<PlanarPose>& places) const {
+FootholdTable::Offer FootholdTable::OfferAround(int foot, const Placing& own) const {
+  if (own.ok() && own.placed.risk < kSafeRisk) return {4, 0};
+  return checker_->MayRock(foot) ? Offer{16, 2} : Offer{8, 1};
+}
+
+void FootholdTable::ListPlaces(int foot, const PlanarPose& at, int parts, std::vector<PlanarPose>& places) const {
   const double unit = kLattice * leg_m_;
   const auto offer = [&](double ahead, double left) {
     if (std::hypot(ahead, left) <= offset_m_) places.push_back(Shifted(at, ahead, left));
   };
-  if (safe) {
+  if (parts == 0) {
     for (const double left : {unit, -unit, 2.0 * unit, -2.0 * unit}) offer(0.0, left);
     return;
   }
   checker_->Near(foot, at, offset_m_, places);
-  for (int i = -1; i <= 1; ++i)
-    for (int k = -3; k <= 3; ++k)
-      if (i != 0 || k != 0) offer(i * unit, k * unit);
+  for (int i = -parts; i <= parts; ++i)
+    for (int k = -3 * parts; k <= 3 * parts; ++k)
+      if (i != 0 || k != 0) offer(i * unit / parts, k * unit / parts);
 }
 
 void FootholdTable::Fill(int foot, int step, Cell& cell) {
-  constexpr std::size_t kFew = 4, kMany = 8;
   cell.known = true;
   const PlanarPose at = PlaceAtStep(foot, step);
   const Placing own = checker_->Place(foot, at);
@@ -114,13 +118,13 @@ void FootholdTable::Fill(int foot, int step, Cell& cell) {
     found.emplace_back(cost, Intern(placing.placed, step));
   };
   take(own, 0.0);
-  const bool safe = own.ok() && own.placed.risk < kSafeRisk;
+  const Offer offer = OfferAround(foot, own);
   std::vector<PlanarPose> places;
-  ListPlaces(foot, at, safe, places);
+  ListPlaces(foot, at, offer.parts, places);
   for (const PlanarPose& place : places) take(checker_->Place(foot, place), Distance(place, at));
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [cost, index] : found) {
-    if (cell.choices.size() >= (safe ? kFew : kMany)) break;
+    if (cell.choices.size() >= offer.most) break;
     if (std::find(cell.choices.begin(), cell.choices.end(), index) == cell.choices.end()) cell.choices.push_back(index);
   }
 }
@@ -149,8 +153,10 @@ void FootholdTable::Locate(FootholdChoice& choice, int step) const {
     choice.station_m = station;
   }
   if (step + around < num_steps_) return;
-  const double to_goal = Distance(PlaceAt(foot, query_->route.length_m()), own);
-  if (to_goal > tolerance) return;
+  constexpr double kTurned = 0.03;  // [rad]
+  const PlanarPose goal = PlaceAt(foot, query_->route.length_m());
+  const double to_goal = Distance(goal, own);
+  if (to_goal > tolerance || std::abs(WrapAngle(own.yaw_rad - goal.yaw_rad)) > kTurned) return;
   choice.goal = true;
   choice.station_m = query_->route.length_m();
   choice.departure_m = to_goal;

@@ -60,7 +60,13 @@ class FootholdTable {
   };
 
   void Fill(int foot, int step, Cell& cell);
-  void ListPlaces(int foot, const PlanarPose& at, bool safe, std::vector<PlanarPose>& places) const;
+  /// What is offered around a foot's own place.
+  struct Offer {
+    std::size_t most = 0;  ///< footholds
+    int parts = 0;         ///< of the lattice's unit; 0 for a few places beside it only
+  };
+  Offer OfferAround(int foot, const Placing& own) const;
+  void ListPlaces(int foot, const PlanarPose& at, int parts, std::vector<PlanarPose>& places) const;
   int Intern(const PlacedFoot& placed, int step);
   void Locate(FootholdChoice& choice, int step) const;
 

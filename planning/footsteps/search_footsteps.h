@@ -28,6 +28,7 @@ struct FootstepSearchOptions {
   double body_clearance = 0.05;
   double leg_clearance = 0.025;
   double sway = 0.5;
+  double easy_sway = 0.75;
   double length_weight = 1.5;
   double phase_weight = 2.0;
   double departure_weight = 0.5;

@@ -34,19 +34,6 @@ Pose PoseOver(const BaseOverFeet& base, double height_m) {
   return X_WB;
 }
 
-/// Feet with soles that stand alone while some group is in the air.
-std::vector<int> LoneSoles(const RobotModel& model, const Gait& gait) {
-  std::vector<int> lone;
-  for (const std::vector<int>& group : FootGroups(gait)) {
-    if (group.size() + 1 != model.feet.size()) continue;
-    for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
-      if (std::find(group.begin(), group.end(), f) == group.end() && model.feet[static_cast<std::size_t>(f)].has_sole())
-        lone.push_back(f);
-    }
-  }
-  return lone;
-}
-
 /// Corners of a box in B, carried to W.
 std::array<Vector3, 8> CornersOf(const Pose& X_WB, const Vector3& low, const Vector3& high) {
   std::array<Vector3, 8> corners;
@@ -68,6 +55,18 @@ std::string Describe(StanceFault fault) {
                                                     "a thigh or shank too near to the ground",
                                                     "body too near to an obstacle"};
   return kWords[static_cast<std::size_t>(fault)];
+}
+
+std::vector<int> LoneSoles(const RobotModel& model, const Gait& gait) {
+  std::vector<int> lone;
+  for (const std::vector<int>& group : FootGroups(gait)) {
+    if (group.size() + 1 != model.feet.size()) continue;
+    for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
+      if (std::find(group.begin(), group.end(), f) == group.end() && model.feet[static_cast<std::size_t>(f)].has_sole())
+        lone.push_back(f);
+    }
+  }
+  return lone;
 }
 
 StanceChecker::StanceChecker(const RobotModel& model, const GroundIndex& ground, const FootstepQuery& query,

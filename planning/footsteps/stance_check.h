@@ -20,6 +20,9 @@ enum class StanceFault { kNone, kFeetClose, kReach, kTilt, kBodyLow, kLegLow, kB
 /// The fault in words, such as "out of reach of a leg".
 std::string Describe(StanceFault fault);
 
+/// The feet with soles that stand alone at times in a gait.
+std::vector<int> LoneSoles(const RobotModel& model, const Gait& gait);
+
 /// Says whether a robot can stand with its feet somewhere. Keeps the workspaces of the legs, so that later questions
 /// are cheap; not for several threads at once. Model and ground must outlive it.
 class StanceChecker {
@@ -51,7 +54,7 @@ class StanceChecker {
   double margin_m_;
   std::vector<Pose> standing_;
   std::vector<LegWorkspace> legs_;  // by foot
-  std::vector<int> lone_;           // feet with soles that stand alone at times
+  std::vector<int> lone_;           // see LoneSoles
   LegRoom leg_room_;
   double leg_m_;
   Vector3 trunk_low_, trunk_high_, whole_low_, whole_high_;  // boxes in B

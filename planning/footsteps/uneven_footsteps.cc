@@ -8,6 +8,7 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/base_over_feet.h"
+#include "planning/footsteps/stance_check.h"
 #include "planning/gait/schedule_contacts.h"
 #include "planning/paths/standing_feet.h"
 
@@ -151,9 +152,25 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
   return query;
 }
 
+namespace {
+
+/// With the base well over soles that stand alone, or else as far as it has to be.
+Result<FootstepSequence> SearchAtEase(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
+                                      const FootstepOptions& options) {
+  FootstepSearchOptions easy = options.search;
+  easy.sway = std::max(options.search.sway, options.search.easy_sway);
+  if (easy.sway > options.search.sway && !LoneSoles(model, query.gait).empty()) {
+    Result<FootstepSequence> sequence = SearchFootsteps(model, terrain, query, options.foothold, easy);
+    if (sequence) return sequence;
+  }
+  return SearchFootsteps(model, terrain, query, options.foothold, options.search);
+}
+
+}  // namespace
+
 Result<FootstepSkeleton> SearchSkeleton(const RobotModel& model, const Terrain& terrain, const FootstepQuery& query,
                                         const FootstepOptions& options) {
-  const Result<FootstepSequence> sequence = SearchFootsteps(model, terrain, query, options.foothold, options.search);
+  const Result<FootstepSequence> sequence = SearchAtEase(model, terrain, query, options);
   if (!sequence) return sequence.failure();
   ScheduleRequest request;
   request.initial_stand_s = options.initial_stand_s;

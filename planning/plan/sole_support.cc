@@ -2,6 +2,7 @@
 #include "planning/plan/sole_support.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -48,7 +49,8 @@ Polygon TouchingCorners(const std::vector<Vector2>& sole_F, const Pose& X_WF, co
 }
 
 std::vector<Vector2> SoleSamples(const std::vector<Vector2>& sole_F, double spacing_m) {
-  constexpr double kMost = 24.0;  // along one side
+  constexpr double kMost = 24.0;   // along one side
+  constexpr double kTiny = 1e-12;  // [m]
   std::vector<Vector2> samples = sole_F;
   const Eigen::AlignedBox2d box = [&] {
     Eigen::AlignedBox2d around;
@@ -62,7 +64,8 @@ std::vector<Vector2> SoleSamples(const std::vector<Vector2>& sole_F, double spac
     for (int j = 0; j <= rows; ++j) {
       const Vector2 share(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
       const Vector2 p = box.min() + share.cwiseProduct(box.sizes());
-      if (SignedDistance(sole_F, p) > -1e-12) samples.push_back(p);
+      const bool corner = std::ranges::any_of(sole_F, [&](const Vector2& c) { return (c - p).norm() < kTiny; });
+      if (!corner && SignedDistance(sole_F, p) > -kTiny) samples.push_back(p);
     }
   }
   return samples;
@@ -76,6 +79,24 @@ Polygon TouchingPart(const std::vector<Vector2>& sole_F, const Pose& X_WF, const
     if (std::abs(GapAt(p_F, X_WF, terrain)) <= kTouching) touching.push_back(p_F);
   }
   return ConvexHull(std::move(touching));
+}
+
+Polygon SteadyPart(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain, double resolution_m) {
+  constexpr double kExactly = 2e-5;  // [m]
+  constexpr double kRocks = 5e-3;    // [rad]
+  std::vector<std::pair<double, Vector2>> gaps;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector2& p_F : SoleSamples(sole_F, kSoleSampling * resolution_m)) {
+    gaps.emplace_back(GapAt(p_F, X_WF, terrain), p_F);
+    least = std::min(least, gaps.back().first);
+  }
+  Polygon part;
+  for (const auto& [gap, p_F] : gaps)
+    if (gap - least <= kExactly) part.push_back(p_F);
+  const Polygon touching = ConvexHull(part);
+  for (const auto& [gap, p_F] : gaps)
+    if (!touching.empty() && gap - least <= -kRocks * SignedDistance(touching, p_F)) part.push_back(p_F);
+  return ConvexHull(std::move(part));
 }
 
 namespace {

@@ -31,6 +31,11 @@ std::vector<Vector2> SoleSamples(const std::vector<Vector2>& sole_F, double spac
 /// The hull of what of a sole touches a height field, to half a millimetre.
 Polygon TouchingPart(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain, double resolution_m);
 
+/// What of a sole holds its middle without rocking: the hull of what touches a height field exactly, and of what would
+/// if the sole rocked by 0.005 rad. Where a sole lies on two opposite corners it is a narrow strip between them,
+/// although TouchingPart is wide: the load has to be inside of it.
+Polygon SteadyPart(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain, double resolution_m);
+
 /// Where the ground can push a foot at its foothold: of a sole the part on its surface, or TouchingCorners where it
 /// rests across several; of a line the same, up to a segment; of a point or sphere the contact point. In the contact
 /// frame's xy plane [m], counter-clockwise: corners in W are X_WF * (x, y, 0). Empty where nothing is on, or when the

@@ -16,6 +16,15 @@ btMultiBody* BodyOf(const btMultiBodySolverConstraint& row) {
 
 }  // namespace
 
+btScalar CondensedSolver::solveGroupCacheFriendlySetup(btCollisionObject** bodies, int num_bodies,
+                                                       btPersistentManifold** manifolds, int num_manifolds,
+                                                       btTypedConstraint** constraints, int num_constraints,
+                                                       const btContactSolverInfo& info, btIDebugDraw* debug) {
+  thinning_.Thin(manifolds, num_manifolds, info.m_timeStep);
+  return btMultiBodyConstraintSolver::solveGroupCacheFriendlySetup(bodies, num_bodies, manifolds, num_manifolds,
+                                                                   constraints, num_constraints, info, debug);
+}
+
 btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int num_bodies,
                                                             btPersistentManifold** manifolds, int num_manifolds,
                                                             btTypedConstraint** constraints, int num_constraints,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics/spatial/pose.h"
+#include "playback/bullet/contact_thinning_internal.h"
 
 namespace gaitwright::bullet {
 
@@ -20,9 +21,12 @@ namespace gaitwright::bullet {
 /// beyond its limit moves to I, and the step is solved again. Stiff motors cost no iterations, which projected
 /// Gauss-Seidel on all rows needs hundreds of. Friction is a cone: the two rows of a contact are projected together.
 /// Iterations start from the contact's impulses of the last step and end at `solver_iterations` or a relative change
-/// of 1e-9.
+/// of 1e-9. Points that cannot matter get no rows, see ContactThinning.
 class CondensedSolver : public btMultiBodyConstraintSolver {
  protected:
+  btScalar solveGroupCacheFriendlySetup(btCollisionObject** bodies, int num_bodies, btPersistentManifold** manifolds,
+                                        int num_manifolds, btTypedConstraint** constraints, int num_constraints,
+                                        const btContactSolverInfo& info, btIDebugDraw* debug) override;
   btScalar solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int num_bodies,
                                              btPersistentManifold** manifolds, int num_manifolds,
                                              btTypedConstraint** constraints, int num_constraints,
@@ -47,6 +51,7 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   void ChangeImpulse(Eigen::Index k, double change);
   bool MoveSaturated();
 
+  ContactThinning thinning_;
   std::vector<Line> lines_;
   std::vector<Eigen::Index> direct_, iterated_;  ///< lines
   std::vector<Eigen::Index> position_;           ///< by line: place in iterated_

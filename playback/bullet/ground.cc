@@ -69,6 +69,7 @@ void Ground::AddPatch(const TerrainPatch& patch, double friction) {
 }
 
 void Ground::AddHeightField(HeightField field, double friction) {
+  finest_m_ = finest_m_ > 0.0 ? std::min(finest_m_, field.resolution_m) : field.resolution_m;
   heights_.push_back(std::move(field.height_m));  // Bullet keeps the address, not the numbers
   const std::vector<double>& heights = heights_.back();
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());

@@ -32,6 +32,8 @@ class Ground {
   void AddTo(btCollisionWorld& world);
   /// True when contact happens on edges too, so that soles must be plates too.
   bool has_edges() const { return has_edges_; }
+  /// Between the points of the finest height field; zero where there is none [m].
+  double finest_m() const { return finest_m_; }
 
  private:
   void AddObject(std::unique_ptr<btCollisionShape> shape, const Pose& X_WS, double friction);
@@ -42,6 +44,7 @@ class Ground {
 
   Pose X_tilt_;
   bool has_edges_ = false;
+  double finest_m_ = 0.0;
   std::deque<std::vector<double>> heights_;  ///< by field; they stay where they are
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> objects_;

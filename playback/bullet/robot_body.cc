@@ -6,14 +6,16 @@
 #include <algorithm>
 
 #include "kinematics/collision/shape_extent.h"
+#include "planning/plan/sole_support.h"
+#include "playback/bullet/contact_thinning_internal.h"
 #include "playback/bullet/robot_body_internal.h"
 
 namespace gaitwright::bullet {
 namespace {
 
-constexpr double kPointFootRadius = 0.005;     // of a point foot's sphere [m]
-constexpr double kCornerSphereRadius = 0.002;  // [m]
-constexpr double kPlateLift = 0.0002;          // of the plate over the corners: it touches where they do not [m]
+constexpr double kPointFootRadius = 0.005;   // of a point foot's sphere [m]
+constexpr double kSoleSphereRadius = 0.002;  // [m]
+constexpr double kPlateLift = 0.0002;        // of the plate over the corners: it touches where they do not [m]
 
 btQuaternion ToQuaternion(const Matrix3& R) {
   const Quaternion q(R);
@@ -116,7 +118,7 @@ void RobotBody::SetupJoint(const RobotModel& model, int i, double mass_scale) {
 void RobotBody::AddColliders(const RobotModel& model, const BodyOptions& options) {
   parts_.resize(model.bodies.size());
   for (std::size_t i = 0; i < model.bodies.size(); ++i) compounds_.push_back(std::make_unique<btCompoundShape>(false));
-  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) AddFoot(model, foot, options.sole_plates);
+  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) AddFoot(model, foot, options);
   for (const Shape& shape : model.collision_shapes) {
     auto made = IsShapeOfAFoot(model, shape) ? nullptr : MakeShape(shape);
     if (made) AddChild(shape.body, shape.X_BS, std::move(made), {-1, shape.link});
@@ -133,7 +135,7 @@ void RobotBody::AddColliders(const RobotModel& model, const BodyOptions& options
   }
 }
 
-void RobotBody::AddFoot(const RobotModel& model, int index, bool with_plate) {
+void RobotBody::AddFoot(const RobotModel& model, int index, const BodyOptions& options) {
   const Foot& foot = model.feet[static_cast<std::size_t>(index)];
   const ColliderPart part{index, foot.link};
   const auto sphere = [&](const Vector3& p_F, double radius) {
@@ -142,8 +144,14 @@ void RobotBody::AddFoot(const RobotModel& model, int index, bool with_plate) {
   };
   if (foot.type == FootType::kSphere) return sphere(Vector3::Zero(), foot.radius);
   if (foot.type == FootType::kPoint) return sphere({0.0, 0.0, kPointFootRadius}, kPointFootRadius);
-  for (const Vector2& c : foot.sole_F) sphere({c.x(), c.y(), kCornerSphereRadius}, kCornerSphereRadius);
-  if (!with_plate || foot.sole_F.size() < 3) return;
+  const bool all_over = foot.type == FootType::kSole && options.sole_spacing_m > 0.0;
+  const std::vector<Vector2> places = all_over ? SoleSamples(foot.sole_F, options.sole_spacing_m) : foot.sole_F;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    sphere({places[k].x(), places[k].y(), kSoleSphereRadius}, kSoleSphereRadius);
+    const bool corner = k < foot.sole_F.size();
+    if (all_over) shapes_.back()->setUserIndex(corner ? ContactThinning::kCorner : ContactThinning::kInner);
+  }
+  if (!options.sole_plates || foot.sole_F.size() < 3) return;
   const Pose X_FS(Eigen::Translation3d(0.0, 0.0, kPlateLift));
   AddChild(foot.body, foot.X_BF * X_FS, MakeSolePlate(foot.sole_F), part);
 }

@@ -28,6 +28,7 @@ struct ColliderPart {
 struct BodyOptions {
   double mass_scale = 1.0;
   bool sole_plates = false;      ///< soles as convex plates too, beside the spheres at their corners
+  double sole_spacing_m = 0.0;   ///< of spheres all over a sole; 0 for none but at the corners
   std::vector<int> locked_dofs;  ///< held at their position in q0, without a motor
   VectorX q0;                    ///< size nq
 };
@@ -72,7 +73,7 @@ class RobotBody {
  private:
   void SetupJoint(const RobotModel& model, int joint, double mass_scale);
   void AddColliders(const RobotModel& model, const BodyOptions& options);
-  void AddFoot(const RobotModel& model, int foot, bool with_plate);
+  void AddFoot(const RobotModel& model, int foot, const BodyOptions& options);
   void AddChild(int body, const Pose& X_BS, std::unique_ptr<btCollisionShape> shape, const ColliderPart& part);
   /// Projects accelerations in Bullet's order onto those that the gears allow.
   void HoldGears(VectorX& a);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "planning/plan/sole_support.h"
 #include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/contact_reader_internal.h"
 #include "playback/bullet/ground_internal.h"
@@ -46,9 +47,12 @@ WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions opt
   return options;
 }
 
-bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q, bool has_edges) {
-  const bool plates = options.sole_contact == "plate" || (options.sole_contact == "auto" && has_edges);
-  return {options.mass_scale, plates, options.locked_dofs, q};
+bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q, const bullet::Ground& ground) {
+  const bool by_ground = options.sole_contact == "auto";
+  bullet::BodyOptions body{.mass_scale = options.mass_scale, .locked_dofs = options.locked_dofs, .q0 = q};
+  body.sole_plates = options.sole_contact == "plate" || (by_ground && ground.has_edges());
+  if (by_ground) body.sole_spacing_m = kSoleSampling * ground.finest_m();
+  return body;
 }
 
 void CheckSize(const VectorX& values, const char* what, int n) {
@@ -76,7 +80,7 @@ struct BulletWorld::Impl {
       : model(robot),
         options(Checked(robot, q0, wanted)),
         ground(terrain, options, q0.head<2>()),
-        body(robot, BodyOptionsOf(options, q0, ground.has_edges())),
+        body(robot, BodyOptionsOf(options, q0, ground)),
         dispatcher(&configuration),
         world(&dispatcher, &broadphase, &solver, &configuration),
         reader(robot, body, terrain),

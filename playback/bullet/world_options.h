@@ -60,7 +60,7 @@ struct WorldOptions {
          0.0,
          "What of a sole touches: spheres of 2 mm at its corners, or its whole plate too, for edges under it; auto: "
          "the "
-         "plate where the ground has edges.",
+         "plate where the ground has edges, and spheres all over it on height fields.",
          {"auto", "corners", "plate"}},
         {"friction", &friction, "1", 0.0, 10.0, "Coefficient everywhere; 0 for the terrain's own.", {}},
         {"mass_scale", &mass_scale, "1", 0.1, 10.0, "Factor on all masses and inertias, unknown to the plan.", {}},

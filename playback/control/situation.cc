@@ -70,11 +70,13 @@ Swings::Swings(const RobotModel& model, const MotionPlan& plan) : stays_(model.f
     const auto foot = static_cast<std::size_t>(foothold.foot);
     if (foot >= stays_.size()) continue;
     stays_[foot].push_back({foothold.touchdown_s, foothold.liftoff_s});
-    grounds_[foot].push_back({foothold.X_WF.linear().col(2), FrictionOf(plan.terrain, foothold.patch), supports[i]});
+    const bool is_plane = foothold.patch < static_cast<int>(plan.terrain.patches.size());
+    grounds_[foot].push_back(
+        {foothold.X_WF.linear().col(2), FrictionOf(plan.terrain, foothold.patch), is_plane, supports[i]});
   }
   for (std::size_t f = 0; f < grounds_.size(); ++f) {
     const Polygon whole = model.feet[f].has_sole() ? model.feet[f].sole_F : Polygon{Vector2::Zero()};
-    if (grounds_[f].empty()) grounds_[f].push_back({Vector3::UnitZ(), FrictionOf(plan.terrain, 0), whole});
+    if (grounds_[f].empty()) grounds_[f].push_back({Vector3::UnitZ(), FrictionOf(plan.terrain, 0), true, whole});
   }
 }
 

@@ -42,7 +42,8 @@ struct SwingNow {
 struct GroundUnder {
   Vector3 normal_W = Vector3::UnitZ();
   double friction = 0.0;
-  Polygon support_F;  ///< what of the foot is on it, see SupportsOf
+  bool is_plane = true;  ///< not a height field, on which a sole rocks with its load
+  Polygon support_F;     ///< what of the foot is on it, see SupportsOf
 };
 
 /// The swings of a plan, kept by foot: at 1 kHz, a walk through all footholds for each question would take ever longer

@@ -42,8 +42,10 @@ const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
     footing_.mean_offset_W += footing_.offset_W[f];
     middle += now.planned.X_WF[f].translation();
     ++standing;
-    // Soles that bear load lie flat on the ground: their tilt against the plan is the ground's.
-    if (model_.feet[f].sole_F.empty() || now.wrenches[f].force_W.z() < kBearing * model_.weight_n()) continue;
+    // Soles that bear load lie flat on a plane: their tilt against the plan is the ground's.
+    if (model_.feet[f].sole_F.empty() || !now.swings.Under(foot, now.time_s).is_plane ||
+        now.wrenches[f].force_W.z() < kBearing * model_.weight_n())
+      continue;
     tilt += RotationLog(now.measured.X_WF[f].linear() * now.planned.X_WF[f].linear().transpose());
     ++flat;
   }

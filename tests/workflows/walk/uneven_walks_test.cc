@@ -19,7 +19,9 @@ INSTANTIATE_TEST_SUITE_P(A1, UnevenWalks,
                                          UnevenWalk{"a1", "stepping-stones", 4.0},
                                          UnevenWalk{"a1", "rough:amplitude_m=0.03", 4.0}));
 
-INSTANTIATE_TEST_SUITE_P(Nao, UnevenWalks, testing::Values(UnevenWalk{"nao", "slope:angle_deg=5", 1.5}));
+INSTANTIATE_TEST_SUITE_P(Nao, UnevenWalks,
+                         testing::Values(UnevenWalk{"nao", "slope:angle_deg=5", 1.5},
+                                         UnevenWalk{"nao", "rough:amplitude_m=0.005", 1.0}));
 
 }  // namespace
 }  // namespace gaitwright
