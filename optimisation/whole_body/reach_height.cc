@@ -25,7 +25,8 @@ std::optional<Bounds> ReachHeight::Changes(const Pose& X_WB, const std::vector<P
   const auto reached = [&](double change_m) { return AllReach(X_WB, change_m, X_WF); };
   std::optional<double> least;
   for (int i = 0; i <= 2 * kMost && !least; ++i) {
-    const double change_m = (i % 2 == 0 ? 1.0 : -1.0) * ((i + 1) / 2) * step_m;
+    const int steps = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2);
+    const double change_m = steps * step_m;
     if (reached(change_m)) least = change_m;
   }
   if (!least) return std::nullopt;

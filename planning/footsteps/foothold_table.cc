@@ -38,8 +38,7 @@ std::uint64_t KeyOf(const PlacedFoot& placed) {
 
 FootholdTable::FootholdTable(const RobotModel& model, const FootholdChecker& checker, const FootstepQuery& query,
                              const FootstepSearchOptions& options)
-    : model_(&model),
-      checker_(&checker),
+    : checker_(&checker),
       query_(&query),
       options_(options),
       standing_(StandingFeet(model)),
@@ -75,7 +74,7 @@ FootholdTable::Faults FootholdTable::FaultsAt(int foot, int step) const {
 }
 
 Placing FootholdTable::Start(int foot, int& index) {
-  const Placing placing = checker_->Place(foot, PlaceAt(foot, 0.0));
+  Placing placing = checker_->Place(foot, PlaceAt(foot, 0.0));
   if (!placing.ok()) return placing;
   FootholdChoice choice;
   choice.placed = placing.placed;

@@ -70,7 +70,6 @@ class FootholdTable {
   int Intern(const PlacedFoot& placed, int step);
   void Locate(FootholdChoice& choice, int step) const;
 
-  const RobotModel* model_;
   const FootholdChecker* checker_;
   const FootstepQuery* query_;
   FootstepSearchOptions options_;

@@ -17,8 +17,7 @@ double HeightOf(const FootholdChoice& choice) { return choice.placed.X_WF.transl
 
 FootstepGraph::FootstepGraph(const RobotModel& model, const FootstepQuery& query, FootholdTable& table,
                              StanceChecker& stances, const GroundIndex& ground, const FootstepSearchOptions& options)
-    : model_(&model),
-      query_(&query),
+    : query_(&query),
       table_(&table),
       stances_(&stances),
       ground_(&ground),

@@ -65,7 +65,6 @@ class FootstepGraph {
   std::size_t Hash(std::span<const int> footholds, int group) const;
   void Grow();
 
-  const RobotModel* model_;
   const FootstepQuery* query_;
   FootholdTable* table_;
   StanceChecker* stances_;

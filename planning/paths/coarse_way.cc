@@ -70,9 +70,9 @@ class Grid {
   };
 
   PlanarPose PoseOf(int state) const {
-    const int cell = state / kHeadings;
+    const int cell = state / kHeadings, row = cell / columns_;
     return {problem_.start.x_m + step_m_ * (cell % columns_ - before_[0]),
-            problem_.start.y_m + step_m_ * (cell / columns_ - before_[1]), kTurn * (state % kHeadings)};
+            problem_.start.y_m + step_m_ * (row - before_[1]), kTurn * (state % kHeadings)};
   }
   double ToGoal(int state) const {
     const PlanarPose at = PoseOf(state);

@@ -207,8 +207,8 @@ std::shared_ptr<ob::SE2StateSpace> SpaceOf(const RrtStarProblem& problem) {
 /// The way that OMPL hands out from the goal back, without its ends.
 std::vector<PlanarPose> WayOf(const std::vector<const ob::State*>& states, const RrtStarProblem& problem) {
   std::vector<PlanarPose> way = {problem.start};
-  for (auto state = states.rbegin(); state != states.rend(); ++state)
-    way.push_back(Following(way.back(), PoseOf(*state)));
+  const std::vector<const ob::State*> ahead(states.rbegin(), states.rend());
+  for (const ob::State* state : ahead) way.push_back(Following(way.back(), PoseOf(state)));
   way.push_back(Following(way.back(), problem.goal));
   return way;
 }

@@ -89,9 +89,10 @@ class Shortcuts {
   std::vector<PlanarPose> WayBack() const {
     std::vector<std::size_t> order;
     for (std::size_t i = nodes_.size() - 1; i > 0; i = nodes_[i].from) order.push_back(i);
+    std::reverse(order.begin(), order.end());
     std::vector<PlanarPose> way = {nodes_.front().pose};
-    for (auto i = order.rbegin(); i != order.rend(); ++i) {
-      const std::vector<PlanarPose> part = WaypointsOf(nodes_[*i].kind, way.back(), nodes_[*i].pose, spacing_);
+    for (const std::size_t i : order) {
+      const std::vector<PlanarPose> part = WaypointsOf(nodes_[i].kind, way.back(), nodes_[i].pose, spacing_);
       way.insert(way.end(), part.begin() + 1, part.end());
     }
     return way;

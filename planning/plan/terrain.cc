@@ -92,7 +92,7 @@ GroundPoint PatchAt(const TerrainPatch& patch, const Vector2& p_W) {
 
 GroundPoint GroundAt(const Terrain& terrain, const Vector2& p_W) {
   GroundPoint highest;
-  const auto take = [&](GroundPoint point, std::size_t surface) {
+  const auto take = [&](const GroundPoint& point, std::size_t surface) {
     if (point.patch < 0 || (highest.patch >= 0 && point.height_m <= highest.height_m)) return;
     highest = point;
     highest.patch = static_cast<int>(surface);

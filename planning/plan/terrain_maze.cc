@@ -96,7 +96,8 @@ Terrain MazeGround::Build() const {
   const Maze maze(columns, rows, static_cast<std::uint64_t>(seed));
   const double pitch = passage_m + thickness_m, half = 0.5 * thickness_m;
   const auto x = [&](int column) { return start_m + half + column * pitch; };
-  const auto y = [&](int row) { return (row - rows / 2 - 0.5) * pitch; };
+  const int middle = rows / 2;
+  const auto y = [&](int row) { return (row - middle - 0.5) * pitch; };
   Terrain terrain = FlatTerrain(friction);
   const auto add = [&](double x0, double x1, double y0, double y1) {
     terrain.obstacles.push_back(BoxOver(fmt::format("wall {}", terrain.obstacles.size() + 1),

@@ -71,7 +71,8 @@ std::vector<Vector3> CornersOf(const Obstacle& obstacle) {
   } else if (obstacle.type == ShapeType::kCylinder) {
     constexpr int kSides = 32;
     for (int i = 0; i < 2 * kSides; ++i) {
-      const double turn = 2.0 * std::numbers::pi * (i / 2) / kSides, r = obstacle.size_m.x();
+      const int side = i / 2;
+      const double turn = 2.0 * std::numbers::pi * side / kSides, r = obstacle.size_m.x();
       corners.emplace_back(r * std::cos(turn), r * std::sin(turn), (i % 2 - 0.5) * obstacle.size_m.y());
     }
   }

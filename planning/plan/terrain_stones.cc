@@ -119,7 +119,7 @@ Terrain CinderGround::Build() const {
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < rows; ++j) {
       const int block = i * rows + j;
-      const Vector2 tilt = tilts[static_cast<std::size_t>(choice(block, 0, 5))];
+      const Vector2& tilt = tilts[static_cast<std::size_t>(choice(block, 0, 5))];
       const Vector2 middle(start_m + (i + 0.5) * block_m, (j - 0.5 * (rows - 1)) * block_m);
       const double height = (1 + choice(block, 1, 2)) * height_m + 0.5 * slope * block_m;
       std::vector<Vector3> corners;

@@ -109,8 +109,8 @@ HeightField ToField(const Table& table, const HeightMapOptions& options) {
   field.friction = options.friction;
   field.origin_W =
       Vector2(options.x_m, options.y_m) - 0.5 * options.resolution_m * Vector2(field.columns - 1, field.rows - 1);
-  for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row) {
-    for (const double value : *row) field.height_m.push_back(options.z_m + options.scale_m * value);
+  for (std::size_t row = table.rows.size(); row-- > 0;) {  // the first is the farthest to the left
+    for (const double value : table.rows[row]) field.height_m.push_back(options.z_m + options.scale_m * value);
   }
   return field;
 }

@@ -226,7 +226,7 @@ TEST(BuiltInTerrain, ADoorwayIsOpenAsWideAndHighAsSaid) {
 /// Cells of a grid from which a point gets from the start to the goal of a maze with `beside` to every wall.
 bool HasWay(const Terrain& terrain, double end_x, double beside) {
   constexpr double kStep = 0.1;
-  const int columns = static_cast<int>(end_x / kStep) + 10, rows = 260;
+  const int columns = static_cast<int>(end_x / kStep) + 10, rows = 260, middle = rows / 2;
   std::vector<char> seen(static_cast<std::size_t>(columns * rows), 0);
   std::vector<int> open = {rows / 2};
   seen[static_cast<std::size_t>(open[0])] = 1;
@@ -240,7 +240,7 @@ bool HasWay(const Terrain& terrain, double end_x, double beside) {
       if (x < 0 || y < 0 || x >= columns || y >= rows) continue;
       // Not around it: the field of the search ends where the maze does.
       const std::size_t next = static_cast<std::size_t>(x * rows + y);
-      const Vector2 p(x * kStep, (y - rows / 2) * kStep);
+      const Vector2 p(x * kStep, (y - middle) * kStep);
       if (seen[next] || Blocked(terrain, p, beside)) continue;
       seen[next] = 1;
       open.push_back(x * rows + y);

@@ -35,7 +35,7 @@ TEST(SupportPlane, HoldsTheLineOfTwoFeetAndIsLevelAcrossIt) {
 TEST(SupportPlane, GoesThroughThreeFeetAndIsLevelUnderOne) {
   const ContactsByFoot feet = FourFeet();
   const GroundPlane three = PlaneThrough(feet, 0b0111);
-  for (const std::size_t f : {0, 1, 2}) EXPECT_NEAR(three.HeightAt(feet[f][0].head<2>()), feet[f][0].z(), 1e-12);
+  for (const std::size_t f : {0U, 1U, 2U}) EXPECT_NEAR(three.HeightAt(feet[f][0].head<2>()), feet[f][0].z(), 1e-12);
   const GroundPlane one = PlaneThrough(feet, 0b0100);
   EXPECT_EQ(one.slope.norm(), 0.0);
   EXPECT_NEAR(one.height_m, 0.05, 1e-12);

@@ -31,7 +31,7 @@ inline std::string Folder() {
 
 /// Writes a file into that folder. @return its path.
 inline std::string Written(const std::string& name, const std::string& bytes) {
-  const std::string path = Folder() + name;
+  std::string path = Folder() + name;
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
 }
