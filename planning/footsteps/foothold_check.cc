@@ -17,11 +17,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRolls = 0.5;          // [rad] by which a sphere may roll towards a riser while it stands
-constexpr double kFlush = 1e-3;         // [m] that ground may stick out of a sole's plane
-constexpr double kFlushOfField = 3e-4;  // [m] the same of a height field, which a sole can rest on too
-constexpr double kSteady = 0.05;        // of half a sole's width, by which its middle is in what holds it
-constexpr double kSafe = 0.06;          // distance from edges beyond which there is no risk, of the leg length
+constexpr double kRolls = 0.5;    // [rad] by which a sphere may roll towards a riser while it stands
+constexpr double kFlush = 3e-4;   // [m] that ground may stick out of a sole's plane: swings let half a millimetre pass
+constexpr double kSteady = 0.05;  // of half a sole's width, by which its middle is in what holds it
+constexpr double kSafe = 0.06;    // distance from edges beyond which there is no risk, of the leg length
 constexpr double kUnderFoot = 0.5;      // height over a foothold in which obstacles matter, of the leg length
 constexpr double kFrictionShare = 0.8;  // of the friction that a slope may use
 constexpr int kAround = 8;
@@ -225,24 +224,28 @@ Placing FootholdChecker::PlaceSole(int foot, const PlanarPose& at) const {
 }
 
 bool FootholdChecker::AnythingAbove(const Polygon& outline_W, int patch, const Vector3& plane) const {
-  const Polygon wide = Widened(outline_W, options_.margin_m);
-  const PlanBox box = BoxOf(wide, 0.0);
+  return SticksOut(outline_W, patch, plane, kFlush) ||
+         SticksOut(Widened(outline_W, options_.margin_m), patch, plane, kFlush + kGoesOn * options_.margin_m);
+}
+
+bool FootholdChecker::SticksOut(const Polygon& outline_W, int patch, const Vector3& plane, double most_m) const {
+  const PlanBox box = BoxOf(outline_W, 0.0);
   std::vector<int> near;
   ground_->PatchesIn(box.lowest, box.highest, near);
   for (const int i : near) {
     if (i == patch) continue;
     const GroundSurface& other = ground_->surfaces()[static_cast<std::size_t>(i)];
-    Polygon part = wide;
+    Polygon part = outline_W;
     for (std::size_t k = 0; k < other.inward.size() && !part.empty(); ++k)
       part = Clipped(part, other.inward[k], other.inward[k].dot(other.outline_W[k]));
     for (const Vector2& q : part)
-      if (other.HeightAt(q) - On(plane, q) > kFlush) return true;
+      if (other.HeightAt(q) - On(plane, q) > most_m) return true;
   }
   if (ground_->terrain().height_fields.empty()) return false;
-  const std::vector<Vector2> samples = SamplesOf(wide);
+  const std::vector<Vector2> samples = SamplesOf(outline_W);
   return std::any_of(samples.begin(), samples.end(), [&](const Vector2& q) {
     const GroundPoint there = ground_->At(q);
-    return there.patch >= 0 && there.height_m - On(plane, q) > kFlushOfField;
+    return there.patch >= 0 && there.height_m - On(plane, q) > most_m;
   });
 }
 

@@ -103,7 +103,9 @@ class FootholdChecker {
   Placing PlaceOnField(int foot, const PlanarPose& at, int surface) const;
   FootholdFault PointSurroundings(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;
   double PointRisk(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;
+  /// Whether ground sticks out of a sole's plane under it, or more than it may go on within the margin around it.
   bool AnythingAbove(const Polygon& outline_W, int patch, const Vector3& plane) const;
+  bool SticksOut(const Polygon& outline_W, int patch, const Vector3& plane, double most_m) const;
   bool TooSteep(const Vector3& normal_W, double friction) const;
   bool HitsObstacle(int foot, const PlanarPose& at, double height_m) const;
   double LeastInside(const Polygon& outline_F, const Vector2& inward) const;
