@@ -111,6 +111,11 @@ void StanceChecker::MeasureBody(const RobotModel& model) {
     trunk_low_ = trunk_low_.cwiseMin(low);
     trunk_high_ = trunk_high_.cwiseMax(high);
   }
+  if (lone_.empty()) return;
+  for (const Pose& X_BF : standing_) {  // the body sways over them
+    const double aside = options_.easy_sway * X_BF.translation().y();
+    (aside < 0.0 ? whole_low_ : whole_high_).y() += aside;
+  }
 }
 
 BaseOverFeet StanceChecker::BaseOf(const std::vector<Pose>& X_WF) const {

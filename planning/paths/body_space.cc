@@ -87,6 +87,12 @@ double FootRadius(const RobotModel& model) {
   return radius;
 }
 
+/// Half the way from one to the other of two soles; nothing for other robots, whose bodies stay between their feet.
+double HalfStance(const RobotModel& model, const std::vector<Vector2>& feet) {
+  const bool biped = feet.size() == 2 && model.feet[0].has_sole() && model.feet[1].has_sole();
+  return biped ? 0.5 * std::abs(feet[1].y() - feet[0].y()) : 0.0;
+}
+
 }  // namespace
 
 BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) {
@@ -123,7 +129,7 @@ BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) 
   }
   const Vector3 margin = Vector3::Constant(space.margin_m);
   AddBox(legs, margin + Vector3(options.step_ahead * leg, options.step_aside * leg, 0.0), space.step_height_m, space);
-  AddBox(rest, margin, space.step_height_m, space);
+  AddBox(rest, margin + options.sway * HalfStance(model, space.feet_G) * Vector3::UnitY(), space.step_height_m, space);
   return space;
 }
 

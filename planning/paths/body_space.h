@@ -22,6 +22,7 @@ struct BodySpaceOptions {
   double foothold_aside = 0.2;
   double step_height = 0.3;
   double margin = 0.06;
+  double sway = 0.8;
   double max_slope_deg = 30.0;
   double max_tilt_deg = 35.0;
 
@@ -45,6 +46,13 @@ struct BodySpaceOptions {
         {"foothold_aside", &foothold_aside, "leg lengths", 0.0, 1.0, "The same to its sides.", {}},
         {"step_height", &step_height, "leg lengths", 0.0, 1.0, "Highest step; what is higher is walked around.", {}},
         {"margin", &margin, "leg lengths", 0.0, 1.0, "Room kept to everything.", {}},
+        {"sway",
+         &sway,
+         "1",
+         0.0,
+         2.0,
+         "How far the body of a biped sways to each side, as a share of half the way between its soles.",
+         {}},
         {"max_slope_deg",
          &max_slope_deg,
          "deg",
@@ -73,7 +81,8 @@ struct BodySpace {
   double leg_length_m = 0.0;
 };
 
-/// From the robot's own shapes and feet in the standing posture, half a step of its feet and a margin. The boxes begin
+/// From the robot's own shapes and feet in the standing posture, half a step of its feet, the sway of a body over two
+/// soles, and a margin. The boxes begin
 /// at the height of a step: what is lower is stepped over or onto.
 /// @throws InvalidArgument when an option is out of its range.
 BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options);

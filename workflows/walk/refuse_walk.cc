@@ -87,7 +87,7 @@ std::string LimitText(const Violation& v) {
                        v.where, 1e3 * v.value, v.at_s, 1e3 * v.limit);
   }
   if (v.law == "body_clearance")
-    return fmt::format("'{}' is {:.1f} mm in the ground at {:.2f} s", v.where, -1e3 * v.value, v.at_s);
+    return fmt::format("'{}' is {:.1f} mm in the ground or an obstacle at {:.2f} s", v.where, -1e3 * v.value, v.at_s);
   if (!IsLimit(v)) {
     return fmt::format("the plan breaks the law '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", v.law, v.where,
                        v.value, v.unit, v.at_s, v.limit);

@@ -157,7 +157,7 @@ TEST(Limits, ComeBeforeOtherLaws) {
   const std::vector<Violation> forbidding = Forbidding(audit);
   ASSERT_EQ(forbidding.size(), 2u);
   EXPECT_EQ(forbidding[0].law, "joint_velocity");
-  EXPECT_EQ(LimitText(forbidding[1]), "'trunk' is 2.0 mm in the ground at 1.00 s");
+  EXPECT_EQ(LimitText(forbidding[1]), "'trunk' is 2.0 mm in the ground or an obstacle at 1.00 s");
 }
 
 TEST(LargestPace, KeepsTheProportionsOfSpeeds) {
