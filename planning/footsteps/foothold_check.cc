@@ -32,12 +32,6 @@ Vector2 Around(int i) {
 
 Vector2 PlaceOf(const PlanarPose& at) { return {at.x_m, at.y_m}; }
 
-double ReachOf(const Polygon& outline, const Vector2& direction) {
-  double reach = 0.0;
-  for (const Vector2& corner : outline) reach = std::max(reach, corner.dot(direction));
-  return reach;
-}
-
 Vector3 PlaneOf(const GroundPoint& ground, const Vector2& p_W) {
   const Vector3 n = ground.normal_W / ground.normal_W.z();
   return {-n.x(), -n.y(), ground.height_m + n.x() * p_W.x() + n.y() * p_W.y()};
@@ -233,13 +227,13 @@ bool FootholdChecker::SticksOut(const Polygon& outline_W, int patch, const Vecto
   std::vector<int> near;
   ground_->PatchesIn(box.lowest, box.highest, near);
   for (const int i : near) {
-    if (i == patch) continue;
     const GroundSurface& other = ground_->surfaces()[static_cast<std::size_t>(i)];
+    const auto above = [&](const Vector2& q) { return other.HeightAt(q) - On(plane, q) > most_m; };
+    if (i == patch || std::none_of(outline_W.begin(), outline_W.end(), above)) continue;  // nor anywhere between them
     Polygon part = outline_W;
     for (std::size_t k = 0; k < other.inward.size() && !part.empty(); ++k)
       part = Clipped(part, other.inward[k], other.inward[k].dot(other.outline_W[k]));
-    for (const Vector2& q : part)
-      if (other.HeightAt(q) - On(plane, q) > most_m) return true;
+    if (std::any_of(part.begin(), part.end(), above)) return true;
   }
   if (ground_->terrain().height_fields.empty()) return false;
   const std::vector<Vector2> samples = SamplesOf(outline_W);
@@ -338,17 +332,15 @@ Placing FootholdChecker::PlaceOnField(int foot, const PlanarPose& at, int surfac
   return {FootholdFault::kNone, placed};
 }
 
-double FootholdChecker::LeastInside(const Polygon& outline_F, const Vector2& inward) const {
-  constexpr int kHalvings = 9;
-  double low = -ReachOf(outline_F, inward), high = ReachOf(outline_F, -inward);
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    (ShareOf(Clipped(outline_F, inward, -middle), outline_F) < options_.least_on ? low : high) = middle;
-  }
-  return high + options_.margin_m;
+double FootholdChecker::LeastInside(const Polygon& outline_F, const Vector2& inward, Depths& known) const {
+  const auto same = [&](const auto& depth) { return depth.first == inward; };
+  const auto found = std::find_if(known.begin(), known.end(), same);
+  if (found != known.end()) return found->second;
+  return known.emplace_back(inward, DepthOfShare(outline_F, inward, options_.least_on) + options_.margin_m).second;
 }
 
-Polygon FootholdChecker::Eroded(const GroundSurface& surface, const Polygon& outline_F, double inside) const {
+Polygon FootholdChecker::Eroded(const GroundSurface& surface, const Polygon& outline_F, double inside,
+                                Depths& known) const {
   Polygon left = surface.outline_W;
   for (std::size_t i = 0; i < surface.inward.size() && !left.empty(); ++i) {
     const Vector2& n = surface.inward[i];
@@ -357,7 +349,7 @@ Polygon FootholdChecker::Eroded(const GroundSurface& surface, const Polygon& out
                          : surface.beyond[i] == GroundSurface::Beyond::kLower ? inside
                                                                               : 0.0;
     const bool least = inside == 0.0 && surface.beyond[i] == GroundSurface::Beyond::kLower;
-    const double keep = least ? LeastInside(outline_F, n) : share * reach;
+    const double keep = least ? LeastInside(outline_F, n, known) : share * reach;
     left = Clipped(left, n, n.dot(surface.outline_W[i]) + keep + 1e-9);
   }
   return left;
@@ -369,6 +361,7 @@ void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std:
   const Polygon outline_F = OutlineAt(foot, {0.0, 0.0, at.yaw_rad});
   constexpr double kBeside = 1e-4;  // [m] more than the margin
   std::vector<int> near;
+  Depths known;
   ground_->PatchesIn(p - box, p + box, near);
   const auto offer = [&](const Vector2& q) {
     if ((q - p).norm() <= radius_m) places.push_back({q.x(), q.y(), at.yaw_rad});
@@ -378,7 +371,7 @@ void FootholdChecker::Near(int foot, const PlanarPose& at, double radius_m, std:
     if (surface.outline_W.empty()) continue;
     // Shares of the foot's own size that are kept inside of an edge; a sole may overhang as far as is allowed.
     for (const double inside : sole ? std::array<double, 3>{1.0, 0.6, 0.0} : std::array<double, 3>{2.0, 1.4, 1.0}) {
-      const Polygon left = Eroded(surface, outline_F, inside);
+      const Polygon left = Eroded(surface, outline_F, inside, known);
       if (!left.empty()) offer(NearestPoint(ConvexHull(left), p));
     }
     offer(Centroid(surface.outline_W));

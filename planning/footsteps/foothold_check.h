@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/base/options.h"
@@ -108,8 +109,10 @@ class FootholdChecker {
   bool SticksOut(const Polygon& outline_W, int patch, const Vector3& plane, double most_m) const;
   bool TooSteep(const Vector3& normal_W, double friction) const;
   bool HitsObstacle(int foot, const PlanarPose& at, double height_m) const;
-  double LeastInside(const Polygon& outline_F, const Vector2& inward) const;
-  Polygon Eroded(const GroundSurface& surface, const Polygon& outline_F, double inside) const;
+  /// Least depths of a sole inside of edges, by their inward normals; for one outline.
+  using Depths = std::vector<std::pair<Vector2, double>>;
+  double LeastInside(const Polygon& outline_F, const Vector2& inward, Depths& known) const;
+  Polygon Eroded(const GroundSurface& surface, const Polygon& outline_F, double inside, Depths& known) const;
   double SlopeRisk(const Vector3& normal_W) const;
 
   const RobotModel* model_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "kinematics/stability/polygon.h"
+
 namespace gaitwright {
 namespace {
 
@@ -72,6 +74,22 @@ double ShareOf(const Polygon& part, const Polygon& outline) {
   const double area = Area(outline);
   if (area > 0.0) return Area(part) / area;
   return Length(outline) > 0.0 ? Length(part) / Length(outline) : 1.0;
+}
+
+double ReachOf(const Polygon& outline, const Vector2& direction) {
+  double reach = 0.0;
+  for (const Vector2& corner : outline) reach = std::max(reach, corner.dot(direction));
+  return reach;
+}
+
+double DepthOfShare(const Polygon& outline, const Vector2& inward, double share) {
+  constexpr int kHalvings = 9;
+  double low = -ReachOf(outline, inward), high = ReachOf(outline, -inward);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (ShareOf(Clipped(outline, inward, -middle), outline) < share ? low : high) = middle;
+  }
+  return high;
 }
 
 }  // namespace gaitwright

@@ -25,4 +25,12 @@ Polygon Widened(const Polygon& outline, double margin_m);
 /// Share of the outline that a part of it holds: of the area, or of the length where it has none.
 double ShareOf(const Polygon& part, const Polygon& outline);
 
+/// How far an outline about the origin goes in a direction, at least zero [m].
+double ReachOf(const Polygon& outline, const Vector2& direction);
+
+/// How far the origin has to be inside of an edge for a share of the outline about it to be inside [m]; negative where
+/// it may be outside.
+/// @param inward  unit normal of the edge.
+double DepthOfShare(const Polygon& outline, const Vector2& inward, double share);
+
 }  // namespace gaitwright
