@@ -128,6 +128,22 @@ TEST_F(Answers, TheLogIsAsDenseAsAsked) {
   EXPECT_TRUE(Read("dense.json") == Read("out/log.json")) << "a plan's log is the same from walk and from play";
 }
 
+TEST_F(Answers, RobotsShowListsThePairsThatAreNotHeldApartAndWhy) {
+  for (const char* robot : {"a1", "nao"}) {
+    const Json shown = Run({"robots", "show", robot, "--json"}).json().at("self_collision");
+    EXPECT_GT(shown.at("pairs"), 50) << robot;
+    EXPECT_GT(shown.at("left_out").size(), 5U);
+    const std::string words = Run({"robots", "show", robot}).out;
+    for (const Json& pair : shown.at("left_out")) {
+      EXPECT_EQ(pair.at("links").size(), 2U);
+      const std::string reason = pair.at("reason");
+      EXPECT_TRUE(reason.starts_with("adjacent: ") || reason.find("touching") != std::string::npos) << reason;
+      const std::string first = pair.at("links")[0], second = pair.at("links")[1];
+      EXPECT_NE(words.find(first + " and " + second + ": " + reason), std::string::npos) << first << ' ' << second;
+    }
+  }
+}
+
 TEST_F(Answers, NegativeNumbersAreNoFlags) {
   const Ran back = Run({"walk", "--goal", "-0.2,0,0", "--json", "--push", "-5,-5,0", "--push-at", "1"});
   EXPECT_EQ(back.status, 0) << back.err;

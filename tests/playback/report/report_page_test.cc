@@ -48,6 +48,26 @@ TEST(ReportPage, IsWholeWellFormedAndHoldsEveryPlotAndFigure) {
   }
 }
 
+TEST(ReportPage, ShowsUnevenGroundFromAboveAndFromTheSide) {
+  Case c = MakeCase(4, 6, false);
+  const auto side = [&] {
+    const std::vector<Plot> plots = MakePlots(c.model, c.plan, c.log, c.report);
+    const auto found = std::find_if(plots.begin(), plots.end(), [](const Plot& p) { return p.name == "side_view"; });
+    return found == plots.end() ? std::string() : found->svg;
+  };
+  EXPECT_EQ(side(), "");
+  Obstacle post;
+  post.name = "post";
+  post.size_m = Vector3(0.1, 0.1, 0.5);
+  post.X_WO.translation() = Vector3(0.2, 0.6, 0.25);
+  const std::string bare = MakePlots(c.model, c.plan, c.log, c.report).front().svg;
+  c.plan.terrain.obstacles.push_back(post);
+  EXPECT_EQ(XmlFault(side()), "");
+  EXPECT_TRUE(synthetic::Says(side(), "From the side"));
+  EXPECT_TRUE(synthetic::Says(side(), "ground"));
+  EXPECT_NE(MakePlots(c.model, c.plan, c.log, c.report).front().svg, bare) << "the post is drawn from above";
+}
+
 TEST(ReportPage, TellsTheOptionsThatAreNotUsual) {
   const Case c = MakeCase(2, 2, false);
   const std::string page = ReportPage(c.model, c.plan, c.log, c.report, {{}, {{"a.gain", "<2>", "1.5"}}, ""});
