@@ -87,6 +87,12 @@ double FootRadius(const RobotModel& model) {
   return radius;
 }
 
+/// How far the body moves to its sides to stand over one of two feet.
+Vector3 SwayOf(const RobotModel& model, const std::vector<Vector2>& feet_G) {
+  if (model.feet.size() != 2) return Vector3::Zero();
+  return {0.0, 0.5 * std::abs(feet_G[0].y() - feet_G[1].y()), 0.0};
+}
+
 }  // namespace
 
 BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) {
@@ -123,7 +129,7 @@ BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) 
   }
   const Vector3 margin = Vector3::Constant(space.margin_m);
   AddBox(legs, margin + Vector3(options.step_ahead * leg, options.step_aside * leg, 0.0), space.step_height_m, space);
-  AddBox(rest, margin, space.step_height_m, space);
+  AddBox(rest, margin + SwayOf(model, space.feet_G), space.step_height_m, space);
   return space;
 }
 
