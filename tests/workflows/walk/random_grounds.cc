@@ -17,14 +17,17 @@
 namespace gaitwright {
 namespace {
 
-/// Draws that are the same with every standard library, to a tenth of a millimetre so that they can be written down.
+/// As it is written down: to four digits after the point.
+double Written(double value) { return std::round(1e4 * value) / 1e4; }
+
+/// Draws that are the same with every standard library.
 class Draws {
  public:
   Draws(GroundKind kind, std::uint64_t seed) : engine_(3 * seed + static_cast<std::uint64_t>(kind)) {}
 
   double Between(double low, double high) {
     const double share = static_cast<double>(engine_() >> 11U) * 0x1p-53;
-    return std::round(1e4 * (low + share * (high - low))) * 1e-4;
+    return Written(low + share * (high - low));
   }
   /// One of low to high, both among them.
   int Number(int low, int high) {
@@ -123,9 +126,9 @@ RandomGround Walls(Draws& draws, std::uint64_t seed, const TerrainScale& scale, 
   RandomGround ground;
   WalkCommand& command = ground.command;
   command.extent = WalkCommand::Extent::kGoal;
-  command.goal_x_m = leg * draws.Between(4.0, 6.0);
-  command.goal_y_m = leg * draws.Between(-1.0, 1.0);
-  command.goal_yaw_rad = 0.25 * std::numbers::pi * draws.Number(-2, 2);
+  command.goal_x_m = Written(leg * draws.Between(4.0, 6.0));
+  command.goal_y_m = Written(leg * draws.Between(-1.0, 1.0));
+  command.goal_yaw_rad = Written(0.25 * std::numbers::pi * draws.Number(-2, 2));
   const std::vector<Wall> walls = seed % kClosed == 0
                                       ? WallsAround(draws, command.goal_x_m, command.goal_y_m, radius)
                                       : WallsBetween(draws, {command.goal_x_m, command.goal_y_m}, radius);
@@ -134,7 +137,7 @@ RandomGround Walls(Draws& draws, std::uint64_t seed, const TerrainScale& scale, 
   std::ofstream file(ground.terrain);
   file << YamlOf(walls, scale);
   if (!file.good()) throw InvalidArgument("cannot write " + ground.terrain);
-  ground.flags = fmt::format("--terrain {} --goal {:.17g},{:.17g},{:.17g}", ground.terrain, command.goal_x_m,
+  ground.flags = fmt::format("--terrain {} --goal={:.4f},{:.4f},{:.4f}", ground.terrain, command.goal_x_m,
                              command.goal_y_m, command.goal_yaw_rad);
   return ground;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grounds made by chance: plans hold or are refused with their reason, and most of those that can be walked are.
+// Grounds made by chance: plans hold or are refused with their reason, and most
+// of those that can be walked are.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -65,10 +66,10 @@ class RandomGrounds : public testing::TestWithParam<std::tuple<std::string, Grou
     } else {
       ExpectReason(planned.failure());
     }
-    Count(seed, planned, SearchCoarsely(model_, LoadTerrain(ground.terrain, scale).value(), request).found);
+    Count(seed, ground, planned, SearchCoarsely(model_, LoadTerrain(ground.terrain, scale).value(), request).found);
   }
 
-  void Count(int seed, const Result<PlannedWalk>& planned, bool walkable) {
+  void Count(int seed, const RandomGround& ground, const Result<PlannedWalk>& planned, bool walkable) {
     tally_.walkable += walkable ? 1 : 0;
     if (planned) {
       ++tally_.solved;
@@ -77,14 +78,16 @@ class RandomGrounds : public testing::TestWithParam<std::tuple<std::string, Grou
       tally_.refused[planned.failure().code + (walkable ? ", walkable" : "")].push_back(seed);
     }
     const std::string end = planned ? planned->motion.summary : planned.failure().message;
-    fmt::print("seed {}, {}: {}\n", seed, walkable ? "walkable" : "not walkable", end);
+    fmt::print("seed {}, {}: {} ({})\n", seed, walkable ? "walkable" : "not walkable", end, ground.flags);
     std::fflush(stdout);
   }
 
   void Report() const {
-    fmt::print("{} {}: {} solved of {}; {} walkable by a coarse search, {} of them solved ({:.0f} %)\n", model_.name,
-               NameOf(std::get<1>(GetParam())), tally_.solved, kSeeds, tally_.walkable, tally_.walkable_solved,
-               100.0 * tally_.share());
+    fmt::print(
+        "{} {}: {} solved of {}; {} walkable by a coarse search, {} of "
+        "them solved ({:.0f} %)\n",
+        model_.name, NameOf(std::get<1>(GetParam())), tally_.solved, kSeeds, tally_.walkable, tally_.walkable_solved,
+        100.0 * tally_.share());
     for (const auto& [code, seeds] : tally_.refused)
       fmt::print("  {} {}: seeds {}\n", seeds.size(), code, fmt::join(seeds, " "));
     RecordProperty("solved", tally_.solved);
