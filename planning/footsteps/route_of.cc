@@ -78,7 +78,10 @@ Result<BaseRoute> RouteOf(const RobotModel& model, const Terrain& terrain, const
   const auto blocked = FindBlocked(check, way);
   if (!blocked) return AlongCourse(model, std::move(way), options);
   if (command.extent != WalkCommand::Extent::kGoal) return Refused(way, *blocked);
-  return PlanBaseRoute(model, terrain, {}, {command.goal_x_m, command.goal_y_m, command.goal_yaw_rad}, options);
+  Result<BaseRoute> route =
+      PlanBaseRoute(model, terrain, {}, {command.goal_x_m, command.goal_y_m, command.goal_yaw_rad}, options);
+  if (route) route->statistics.direct = false;  // though it may be a direct way of another kind
+  return route;
 }
 
 }  // namespace gaitwright

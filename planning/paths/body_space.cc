@@ -87,10 +87,9 @@ double FootRadius(const RobotModel& model) {
   return radius;
 }
 
-/// Half the way from one to the other of two soles; nothing for other robots, whose bodies stay between their feet.
-double HalfStance(const RobotModel& model, const std::vector<Vector2>& feet) {
-  const bool biped = feet.size() == 2 && model.feet[0].has_sole() && model.feet[1].has_sole();
-  return biped ? 0.5 * std::abs(feet[1].y() - feet[0].y()) : 0.0;
+/// Half the way from one to the other of two feet; nothing for other robots, whose bodies stay between their feet.
+double HalfStance(const std::vector<Vector2>& feet_G) {
+  return feet_G.size() == 2 ? 0.5 * std::abs(feet_G[1].y() - feet_G[0].y()) : 0.0;
 }
 
 }  // namespace
@@ -129,7 +128,7 @@ BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) 
   }
   const Vector3 margin = Vector3::Constant(space.margin_m);
   AddBox(legs, margin + Vector3(options.step_ahead * leg, options.step_aside * leg, 0.0), space.step_height_m, space);
-  AddBox(rest, margin + options.sway * HalfStance(model, space.feet_G) * Vector3::UnitY(), space.step_height_m, space);
+  AddBox(rest, margin + options.sway * HalfStance(space.feet_G) * Vector3::UnitY(), space.step_height_m, space);
   return space;
 }
 

@@ -51,7 +51,7 @@ struct BodySpaceOptions {
          "1",
          0.0,
          2.0,
-         "How far the body of a biped sways to each side, as a share of half the way between its soles.",
+         "How far the body of a biped sways to each side, as a share of half the way between its feet.",
          {}},
         {"max_slope_deg",
          &max_slope_deg,
@@ -82,7 +82,7 @@ struct BodySpace {
 };
 
 /// From the robot's own shapes and feet in the standing posture, half a step of its feet, the sway of a body over two
-/// soles, and a margin. The boxes begin
+/// feet, and a margin. The boxes begin
 /// at the height of a step: what is lower is stepped over or onto.
 /// @throws InvalidArgument when an option is out of its range.
 BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options);

@@ -51,6 +51,18 @@ TEST(RouteOf, AGoalBehindAWallIsReachedAroundIt) {
   EXPECT_NEAR(route->waypoints.back().x_m, 3.0, 1e-9);
 }
 
+TEST(RouteOf, ADirectWayBesideABlockedCourseIsAWayOfItsOwn) {
+  // The arc to a goal that faces right bulges to the left, where the wall is; straight on nothing is in the way.
+  const PlanarPose goal{3.0, 0.0, -1.57};
+  const Terrain beside = Walled({Wall("garden wall", {1.5, 0.6}, {1.5, 2.0})});
+  const PlanarPose middle = PoseAlong(TwistTo(goal), 0.5);
+  ASSERT_GT(middle.y_m, 0.6);
+  const auto route = RouteFor(GoalAt(goal.x_m, goal.y_m, goal.yaw_rad), beside);
+  ASSERT_TRUE(route.ok()) << route.failure().message;
+  EXPECT_FALSE(route->statistics.direct);
+  for (const PlanarPose& pose : route->waypoints) EXPECT_LT(std::abs(pose.y_m), 0.1);
+}
+
 TEST(RouteOf, OtherCommandsAreRefusedWithWhatIsInTheWay) {
   WalkCommand distance, duration, steps;
   distance.distance_m = 3.0;

@@ -9,6 +9,7 @@
 
 #include "kinematics/base/result.h"
 #include "kinematics/model/load_robot.h"
+#include "planning/plan/terrain_scale.h"
 #include "tests/planning/paths/walled_grounds.h"
 
 namespace gaitwright {
@@ -40,6 +41,16 @@ TEST(BodySpace, HoldsTheStandingFeetAndIsAsWideToBothSides) {
     for (const Shape& box : space.boxes)
       EXPECT_GE(box.X_BS.translation().z() - 0.5 * box.size.z(), space.step_height_m - 1e-12) << name;
   }
+}
+
+TEST(BodySpace, ABodyThatSwaysOverOneOfTwoFeetIsGivenRoomForIt) {
+  const RobotModel& nao = Named("nao");
+  const BodySpaceOptions options;
+  const BodySpace space = BodySpaceOf(nao, options);
+  const double over_a_foot = 0.5 * (space.feet_G[0] - space.feet_G[1]).norm();
+  ASSERT_GT(over_a_foot, 0.04);
+  const double standing = 0.5 * ScaleOf(nao).body_width_m;
+  EXPECT_NEAR(PlanOf(space).max().y(), standing + space.margin_m + options.sway * over_a_foot, 2e-3);
 }
 
 TEST(BodySpace, RefusesOptionsOutOfRange) {
