@@ -127,8 +127,10 @@ TEST(SearchFootsteps, ItsBoundHoldsAgainstAnExhaustiveSearch) {
 
 TEST(SearchFootsteps, TheHeuristicIsConsistent) {
   const RobotModel model = LoadNamedRobot("a1").value();
+  const Terrain stones = Stones(0.4, 1.6, 0.12, 0.16, 0.01, 1.0, 0.02, 4);
   for (const char* gait : {"trot", "crawl"}) {
-    Graph g(model, Stones(0.4, 1.6, 0.12, 0.16, 0.01, 1.0, 0.02, 4), Ahead(model, gait, 1.2, 0.3), {});
+    const FootstepQuery query = Ahead(model, gait, 1.2, 0.3);
+    Graph g(model, stones, query, {});
     std::vector<int> fringe = {g.graph.StanceOf(g.start, 0)};
     std::vector<FootstepGraph::Edge> edges;
     int looked = 0;
