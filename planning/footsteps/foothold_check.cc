@@ -17,10 +17,12 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRolls = 0.5;    // [rad] by which a sphere may roll towards a riser while it stands
-constexpr double kFlush = 3e-4;   // [m] that ground may stick out of a sole's plane: swings let half a millimetre pass
-constexpr double kSteady = 0.05;  // of half a sole's width, by which its middle is in what holds it
-constexpr double kSafe = 0.06;    // distance from edges beyond which there is no risk, of the leg length
+constexpr double kRolls = 0.5;   // [rad] by which a sphere may roll towards a riser while it stands
+constexpr double kFlush = 3e-4;  // [m] that ground may stick out of a sole's plane: swings let half a millimetre pass
+constexpr double kMissed =
+    0.5;  // of the margin, by which a sole may miss its place: ground beside it sticks out as well
+constexpr double kSteady = 0.05;        // of half a sole's width, by which its middle is in what holds it
+constexpr double kSafe = 0.06;          // distance from edges beyond which there is no risk, of the leg length
 constexpr double kUnderFoot = 0.5;      // height over a foothold in which obstacles matter, of the leg length
 constexpr double kFrictionShare = 0.8;  // of the friction that a slope may use
 constexpr int kAround = 8;
@@ -218,7 +220,7 @@ Placing FootholdChecker::PlaceSole(int foot, const PlanarPose& at) const {
 }
 
 bool FootholdChecker::AnythingAbove(const Polygon& outline_W, int patch, const Vector3& plane) const {
-  return SticksOut(outline_W, patch, plane, kFlush) ||
+  return SticksOut(Widened(outline_W, kMissed * options_.margin_m), patch, plane, kFlush) ||
          SticksOut(Widened(outline_W, options_.margin_m), patch, plane, kFlush + kGoesOn * options_.margin_m);
 }
 
@@ -260,16 +262,23 @@ Placing FootholdChecker::PlaceOnPatch(int foot, const PlanarPose& at, int patch)
   return {FootholdFault::kNone, placed};
 }
 
-bool FootholdChecker::GoesOn(const std::vector<Vector3>& corners_W) const {
-  constexpr int kParts = 24;
-  for (std::size_t i = 0; i < corners_W.size(); ++i) {
-    const Vector3 &a = corners_W[i], &b = corners_W[(i + 1) % corners_W.size()];
-    double before = a.z();
-    for (int part = 1; part <= kParts; ++part) {
-      const Vector2 p = a.head<2>() + (b - a).head<2>() * part / kParts;
-      const double height = ground_->At(p).height_m;
-      if (!(std::abs(height - before) <= kFlush + kGoesOn * (b - a).head<2>().norm() / kParts)) return false;
-      before = height;
+bool FootholdChecker::GoesOn(const Vector2& from_W, const Vector2& to_W) const {
+  constexpr double kNear = 1e-5;  // [m]
+  const GroundPoint from = ground_->At(from_W), to = ground_->At(to_W);
+  if (from.patch < 0 || to.patch < 0) return false;
+  const double length = (to_W - from_W).norm();
+  if (std::abs(to.height_m - from.height_m) > kFlush + kGoesOn * length) return false;
+  if (from.patch == to.patch || length < kNear) return true;
+  const Vector2 middle_W = 0.5 * (from_W + to_W);  // nearer to where one ends and another begins
+  return GoesOn(from_W, middle_W) && GoesOn(middle_W, to_W);
+}
+
+bool FootholdChecker::GoesOn(const Polygon& outline_W) const {
+  constexpr int kParts = 24;  // of an edge
+  for (std::size_t i = 0; i < outline_W.size(); ++i) {
+    const Vector2 &a = outline_W[i], edge = outline_W[(i + 1) % outline_W.size()] - a;
+    for (int part = 0; part < kParts; ++part) {
+      if (!GoesOn(a + edge * part / kParts, a + edge * (part + 1) / kParts)) return false;
     }
   }
   return true;
@@ -291,7 +300,7 @@ Placing FootholdChecker::PlaceAcross(int foot, const PlanarPose& at) const {
     return std::abs(corner.z() - On(plane, corner.head<2>())) <= kFlush;
   });
   if (!patch || !touching) return {FootholdFault::kEdge, {}};
-  if (AnythingAbove(outline, -1, plane) || !GoesOn(corners)) return {FootholdFault::kRiser, {}};
+  if (AnythingAbove(outline, -1, plane) || !GoesOn(outline)) return {FootholdFault::kRiser, {}};
   const Vector3 normal = NormalOf(plane);
   if (TooSteep(normal, middle.friction)) return {FootholdFault::kSlope, {}};
   PlacedFoot placed{foot, Standing(at, On(plane, PlaceOf(at)), normal), middle.patch, 0.0};

@@ -97,14 +97,16 @@ class FootholdChecker {
   Placing PlacePoint(int foot, const PlanarPose& at) const;
   Placing PlaceSole(int foot, const PlanarPose& at) const;
   Placing PlaceOnPatch(int foot, const PlanarPose& at, int patch) const;
-  /// Whether the ground goes on without steps between places on it, from each to the next.
-  bool GoesOn(const std::vector<Vector3>& corners_W) const;
+  /// Whether there is ground without steps all along a line in plan view, or around an outline.
+  bool GoesOn(const Vector2& from_W, const Vector2& to_W) const;
+  bool GoesOn(const Polygon& outline_W) const;
   Placing PlaceAcross(int foot, const PlanarPose& at) const;
   bool HoldsSteady(const Polygon& sole_F, const Pose& X_WF, const HeightField& field) const;
   Placing PlaceOnField(int foot, const PlanarPose& at, int surface) const;
   FootholdFault PointSurroundings(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;
   double PointRisk(const Vector2& p_W, double clear_m, const GroundPoint& ground) const;
-  /// Whether ground sticks out of a sole's plane under it, or more than it may go on within the margin around it.
+  /// Whether ground sticks out of a sole's plane under it or just beside it, or more than it may go on within the
+  /// margin around it.
   bool AnythingAbove(const Polygon& outline_W, int patch, const Vector3& plane) const;
   bool SticksOut(const Polygon& outline_W, int patch, const Vector3& plane, double most_m) const;
   bool TooSteep(const Vector3& normal_W, double friction) const;

@@ -179,6 +179,27 @@ TEST(FootholdCheck, ASoleDoesNotRestAcrossAStepOrAnEdgeThatFalls) {
   }
 }
 
+TEST(FootholdCheck, ASoleLiesNeitherAcrossAGapNorAgainstAStepThatItMayMiss) {
+  constexpr double kStep = 0.001, kEdge = 0.53;
+  Terrain terrain = Gap(0.5, kEdge - 0.5);
+  terrain.patches[1].X_WT.translation().z() += kStep;
+  const Ground ground("nao", terrain);
+  const Polygon& sole_F = ground.model.feet[0].sole_F;
+  double toe = 0.0;
+  for (const Vector2& corner : sole_F) toe = std::max(toe, corner.x());
+  int below = 0, above = 0;
+  for (double x = 0.3; x < 0.7; x += 0.0005) {
+    const Placing placing = ground.checker.Place(0, {x, 0.1, 0.0});
+    if (!placing.ok()) continue;
+    EXPECT_EQ(placing.placed.X_WF.linear()(2, 2), 1.0) << x;
+    const bool on_step = placing.placed.X_WF.translation().z() > 0.5 * kStep;
+    EXPECT_TRUE(on_step || x + toe < kEdge - 0.0025) << x << ": its toe might come down on the step";
+    ++(on_step ? above : below);
+  }
+  EXPECT_GT(below, 20);
+  EXPECT_GT(above, 20);
+}
+
 TEST(FootholdCheck, ObstaclesKeepFeetAwayUpToHalfALeg) {
   Terrain terrain = WallWithOpening(1.0, 0.2, 1.0);
   const Ground walls("a1", terrain);
