@@ -16,8 +16,11 @@ struct LimitExcess {
   double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
 };
 
-LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof) {
-  const double lower = model.dof_lower(dof), upper = model.dof_upper(dof);
+LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof, double spare) {
+  const double first = model.dof_lower(dof), last = model.dof_upper(dof), standing = model.standing_joints[dof];
+  const double kept = std::isfinite(last - first) ? spare * (last - first) : 0.0;
+  const double lower = std::min(first + kept, std::max(first, standing));
+  const double upper = std::max(last - kept, std::min(last, standing));
   double low = upper, high = lower, speed = 0.0, torque = 0.0;
   for (std::size_t k = 0; k < motion.q.size(); ++k) {
     low = std::min(low, motion.q[k][7 + dof]);
@@ -31,10 +34,10 @@ LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion,
 
 }  // namespace
 
-double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion) {
+double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion, double spare) {
   double total = 0.0;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    const LimitExcess over = ExcessOf(model, motion, d);
+    const LimitExcess over = ExcessOf(model, motion, d, spare);
     if (over.position > 0.0) total += over.position / std::max(model.dof_upper(d) - model.dof_lower(d), 1e-6);
     if (over.speed > 0.0) total += over.speed / std::max(model.dof_velocity_limit(d), 1e-6);
     if (over.torque > 0.0) total += over.torque / std::max(model.dof_effort_limit(d), 1e-6);
@@ -45,7 +48,7 @@ double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion) {
 std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion) {
   std::vector<std::string> warnings;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    const LimitExcess over = ExcessOf(model, motion, d);
+    const LimitExcess over = ExcessOf(model, motion, d, 0.0);
     const std::string& name = model.dof_names[static_cast<std::size_t>(d)];
     const auto warn = [&](double by, int decimals, const char* unit, const char* limit) {
       if (by > 0.0) warnings.push_back(fmt::format("{} is {:.{}f} {} {} limit", name, by, decimals, unit, limit));

@@ -10,7 +10,8 @@
 namespace gaitwright {
 
 /// How far the joints are past their limits, summed in shares of the limits: 0 where all are kept.
-double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion);
+/// @param spare  share of a joint's range, nearer than which to either end counts as past it, other than to stand.
+double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion, double spare);
 
 /// Joint limits that the trajectory does not keep, worst of each joint and kind.
 std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion);

@@ -21,6 +21,7 @@ namespace {
 /// [m] Out of a support. A reference that hands over from a line starts on the edge, so that every error shows there.
 constexpr double kOutside = 5e-7;
 constexpr int kAdapting = 2;                         // passes in which the body's height is sought
+constexpr double kOffStops = 0.01;                   // of a joint's range, kept to its ends where that is possible
 constexpr double kBend = 0.12;                       // of a cycle, over which its bends are spread
 constexpr double kFirstSpare = 0.03, kSpare = 0.02;  // of the leg, kept of its reach: by guess, and with a pass made
 
@@ -179,7 +180,7 @@ Result<MotionPass> MotionPasses::MakePass() {
     pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
   }
   pass.outside_m = Outside(pass);
-  pass.excess = TotalExcess(model_, pass.solution.trajectory);
+  pass.excess = TotalExcess(model_, pass.solution.trajectory, kOffStops);
   return pass;
 }
 

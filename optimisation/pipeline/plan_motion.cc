@@ -172,7 +172,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   plan.swings = std::move(pass->swings);
   plan.whole_body = std::move(pass->solution.trajectory);
   plan.warnings = skeleton->warnings;
-  planned.limit_excess = pass->excess;
+  planned.limit_excess = TotalExcess(model, plan.whole_body, 0.0);
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
   planned.zmp_error_max_m = pass->error_m;
