@@ -27,36 +27,36 @@ Vector2 OnGrid(const Vector3& p) {
   return {kGrid * std::round(p.x() / kGrid), kGrid * std::round(p.y() / kGrid)};
 }
 
-/// The patches under a sole's corners, the middles of its edges and its own; -1 for a height field or none at all.
-std::vector<int> PatchesUnder(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain) {
-  std::vector<int> patches;
+/// The surfaces under a sole's corners, the middles of its edges and its own.
+std::vector<int> SurfacesUnder(const std::vector<Vector2>& sole_F, const Pose& X_WF, const Terrain& terrain) {
+  std::vector<int> surfaces;
   const auto look = [&](const Vector2& p_F) {
     const int surface = GroundAt(terrain, (X_WF * Vector3(p_F.x(), p_F.y(), 0.0)).head<2>()).patch;
-    const int patch = surface < static_cast<int>(terrain.patches.size()) ? surface : -1;
-    if (std::find(patches.begin(), patches.end(), patch) == patches.end()) patches.push_back(patch);
+    if (surface >= 0 && std::find(surfaces.begin(), surfaces.end(), surface) == surfaces.end())
+      surfaces.push_back(surface);
   };
   look(Centroid(sole_F));
   for (std::size_t i = 0; i < sole_F.size(); ++i) {
     look(sole_F[i]);
     look(0.5 * (sole_F[i] + sole_F[(i + 1) % sole_F.size()]));
   }
-  return patches;
+  return surfaces;
 }
 
 /// What of a foot can carry where it is: of a sole the parts that are on patches near under it, or of another foot, and
-/// where no patch is near, all its points.
+/// where no patch is near or a height field is under it, all its points.
 std::vector<Vector3> CarryingPoints(const Foot& foot, const Pose& X_WF, const Terrain& terrain) {
   constexpr double kInside = 1e-4;  // [m] so that the ground below them is that patch's
   constexpr double kNear = 0.004;   // [m]
   if (!foot.has_sole()) return ContactPoints(foot, X_WF);
   std::vector<Vector3> points;
-  for (const int patch : PatchesUnder(foot.sole_F, X_WF, terrain)) {
-    if (patch < 0) continue;
-    const TerrainPatch& surface = terrain.patches[static_cast<std::size_t>(patch)];
-    const Vector3 normal_W = surface.X_WT.linear().col(2);
-    for (const Vector2& p_F : PartOnPatch(foot.sole_F, X_WF, surface, kInside)) {
+  for (const int surface : SurfacesUnder(foot.sole_F, X_WF, terrain)) {
+    if (surface >= static_cast<int>(terrain.patches.size())) return ContactPoints(foot, X_WF);
+    const TerrainPatch& patch = terrain.patches[static_cast<std::size_t>(surface)];
+    const Vector3 normal_W = patch.X_WT.linear().col(2);
+    for (const Vector2& p_F : PartOnPatch(foot.sole_F, X_WF, patch, kInside)) {
       const Vector3 p_W = X_WF * Vector3(p_F.x(), p_F.y(), 0.0);
-      if (std::abs(normal_W.dot(p_W - surface.X_WT.translation())) <= kNear) points.push_back(p_W);
+      if (std::abs(normal_W.dot(p_W - patch.X_WT.translation())) <= kNear) points.push_back(p_W);
     }
   }
   return points.empty() ? ContactPoints(foot, X_WF) : points;

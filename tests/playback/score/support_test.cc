@@ -76,6 +76,22 @@ TEST(Support, GroundOfTwoHeightsHasNoZmp) {
   EXPECT_TRUE(SupportOf(model, scratch, step, 1).coplanar);
 }
 
+TEST(Support, ASolePartlyOnAHeightFieldCarriesWithAllOfIt) {
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, synthetic::StandingPlan(model, 0.1).whole_body.q[0], scratch);
+  Terrain terrain = FlatTerrain();
+  terrain.patches[0].outline_T = {{-1.0, -1.0}, {-0.06, -1.0}, {-0.06, 1.0}, {-1.0, 1.0}};
+  HeightField field;
+  field.origin_W = Vector2(-0.06, -1.0);
+  field.resolution_m = 0.02;
+  field.columns = 60;
+  field.rows = 101;
+  field.height_m.assign(static_cast<std::size_t>(field.columns * field.rows), 0.0);
+  terrain.height_fields.push_back(field);
+  EXPECT_NEAR(Area(SupportOf(model, scratch, terrain, 1).polygon), 0.16 * 0.08, 1e-9);
+}
+
 TEST(Support, ToesInOneLineToRoundingLoseNoCorner) {
   const RobotModel model = synthetic::Robot(2, FootType::kSole);
   VectorX q = synthetic::StandingPlan(model, 0.1).whole_body.q[0];
