@@ -52,6 +52,8 @@ void LegTargets::Solve(int leg, const FootMotion& wanted, const VectorX& q_plann
   constexpr double kMargin = 0.03;  // to a joint's limit [rad]
   const Foot& foot = model_.feet[static_cast<std::size_t>(leg)];
   const std::vector<int>& dofs = dofs_[static_cast<std::size_t>(leg)];
+  const auto lowest = [&](int dof) { return std::min(model_.dof_lower(dof) + kMargin, q_planned[7 + dof]); };
+  const auto highest = [&](int dof) { return std::max(model_.dof_upper(dof) - kMargin, q_planned[7 + dof]); };
   Vector6 error;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     ForwardKinematics(model_, q, scratch_);
@@ -63,11 +65,14 @@ void LegTargets::Solve(int leg, const FootMotion& wanted, const VectorX& q_plann
     for (std::size_t c = 0; c < dofs.size(); ++c) {
       const int dof = dofs[c];
       const double wanted_q = q[7 + dof] + std::clamp(step[static_cast<Eigen::Index>(c)], -kLargest, kLargest);
-      q[7 + dof] = std::clamp(wanted_q, std::min(model_.dof_lower(dof) + kMargin, q_planned[7 + dof]),
-                              std::max(model_.dof_upper(dof) - kMargin, q_planned[7 + dof]));
+      q[7 + dof] = std::clamp(wanted_q, lowest(dof), highest(dof));
     }
   }
   SetRates(leg, wanted.v_WF, v);
+  for (const int dof : dofs) {  // nor on towards a limit
+    if (q[7 + dof] <= lowest(dof)) v[6 + dof] = std::max(v[6 + dof], 0.0);
+    if (q[7 + dof] >= highest(dof)) v[6 + dof] = std::min(v[6 + dof], 0.0);
+  }
 }
 
 void LegTargets::SetRates(int leg, const Vector6& wanted, VectorX& v) const {

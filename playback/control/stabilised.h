@@ -30,6 +30,7 @@ struct StabilisedOptions {
   double swing_acceleration_m_s2 = 60.0;
   double stance_damping = 1.0;
   double settle_s = 0.03;
+  double hover = 0.004;
   double search_m_s = 0.6;
   double lean_s = 0.2;
 
@@ -100,7 +101,21 @@ struct StabilisedOptions {
          "Factor on the damping of a leg that stands, which keeps its foot from sliding.",
          {}},
         {"torque_use", &torque_use, "1", 0.1, 1.0, "Share of an ankle's effort limit that moving the ZMP may use.", {}},
-        {"settle_s", &settle_s, "s", 0.001, 0.2, "Last part of a swing in which its foothold is no longer moved.", {}},
+        {"settle_s",
+         &settle_s,
+         "s",
+         0.001,
+         0.2,
+         "Last part of a swing in which its foothold is no longer moved, and it comes down onto it.",
+         {}},
+        {"hover",
+         &hover,
+         "1",
+         0.0,
+         0.1,
+         "How far above its plan a swing stays until it settles, as a share of the leg length, so that it does not "
+         "touch the ground before its time.",
+         {}},
         {"search_m_s",
          &search_m_s,
          "m/s",

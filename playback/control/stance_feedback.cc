@@ -28,6 +28,7 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
   contacts_.clear();
   contact_foot_.clear();
   usable_.clear();
+  lifted_m_s2_ = 0.0;
   const Vector2 lean = Lean(now, footing);
   dcm_error_W_ = DivergentComponent(now.measured.p_WC, now.measured.v_WC, now.omega_rad_s) -
                  DivergentComponent(now.planned.p_WC, now.planned.v_WC, now.omega_rad_s) - lean;
@@ -36,7 +37,9 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
     GatherContacts(now, planned.force_W.z());
     planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, now.support).head<2>();
     FindUsable(now, footing);
-    Split(now, WantedWrench(now, footing, planned));
+    const PointWrench wanted = WantedWrench(now, footing, planned);
+    lifted_m_s2_ = (wanted.force_W.z() - planned.force_W.z()) / model_.total_mass_kg;
+    Split(now, wanted);
   }
   AddTorques(now, tau);
 }

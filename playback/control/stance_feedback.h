@@ -26,6 +26,9 @@ class StanceFeedback {
   /// Adds to tau (size n) the torques that turn the planned contact forces into the wanted ones.
   void Update(const Situation& now, const Footing& footing, VectorX& tau);
 
+  /// Vertical acceleration of the centre of mass that is asked for beyond the plan's [m/s^2]. Update first.
+  double lifted_m_s2() const { return lifted_m_s2_; }
+
   /// Where the robot will be against its plan some time ahead, if the feet that stand now go on standing and the ZMP
   /// goes on being moved within them.
   struct Drift {
@@ -50,6 +53,7 @@ class StanceFeedback {
   const StabilisedOptions& options_;
   Vector3 inertia_B_ = Vector3::Ones();  // of the standing robot, about its centre of mass
   // Of the last Update.
+  double lifted_m_s2_ = 0.0;
   Vector2 dcm_error_W_ = Vector2::Zero();
   Vector2 planned_zmp_W_ = Vector2::Zero();  // only where usable_ has points
   Polygon usable_;                           // where the ZMP may be moved to; empty where no foot stands

@@ -71,11 +71,13 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
     if (Contains(now.bearing, f)) {
       offset = {};
       offset.value = offset.wanted = footing_.offset_W[static_cast<std::size_t>(f)];
-      CommandStance(now, f, command);
+      CommandStance(now, f, stance, command);
       continue;
     }
     const SwingNow swing = now.swings.At(f, now.time_s);
+    Motion1 hover;
     if (swing.swings) {
+      hover = Hover(now, swing);
       if (swing.touchdown_s - now.time_s > options_.settle_s) offset.wanted = WantedOffset(now, f, swing, stance);
       MoveOffset(now, swing, offset);
     } else if (Contains(now.scheduled, f)) {
@@ -84,7 +86,7 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
       offset.rate.setZero();
       offset.acceleration.setZero();
     }
-    CommandSwing(now, f, command);
+    CommandSwing(now, f, hover, command);
   }
 }
 
@@ -139,21 +141,33 @@ void SwingFeedback::SearchGround(const Situation& now, const SwingNow& next, Off
   offset.value += now.step_s * offset.rate;
 }
 
-FootMotion SwingFeedback::WantedMotion(int foot) const {
+/// How far above its plan a swing is to be: planned swings come to rest on the ground so gently that an error of half a
+/// millimetre has them touch it long before their time.
+Motion1 SwingFeedback::Hover(const Situation& now, const SwingNow& swing) const {
+  const double t = now.time_s + now.step_s, half_s = 0.5 * (swing.touchdown_s - swing.liftoff_s);
+  const bool lands = swing.touchdown_s - t < options_.settle_s;
+  const double from_s = swing.touchdown_s - (lands ? 0.0 : half_s);
+  const double per_s = 1.0 / (lands ? -options_.settle_s : half_s - options_.settle_s);
+  const Motion1 share = SmoothStep(per_s * (t - from_s));
+  const double high = options_.hover * model_.leg_length_m();
+  return {high * share.value, high * per_s * share.rate, high * per_s * per_s * share.acceleration};
+}
+
+FootMotion SwingFeedback::WantedMotion(int foot, const Motion1& hover) const {
   const Foot& f = model_.feet[static_cast<std::size_t>(foot)];
   const Offset& offset = offsets_[static_cast<std::size_t>(foot)];
   FootMotion wanted;
   wanted.X_WF = FramePose(next_scratch_, f.body, f.X_BF);
-  wanted.X_WF.translation() += offset.value;
+  wanted.X_WF.translation() += offset.value + hover.value * Vector3::UnitZ();
   wanted.X_WF.linear() = RotationExp(footing_.ground_tilt_W) * wanted.X_WF.linear();
   wanted.v_WF = PointVelocity(next_scratch_, f.body, f.X_BF.translation());
-  wanted.v_WF.head<3>() += offset.rate;
-  wanted.a_extra_WF = offset.acceleration;
+  wanted.v_WF.head<3>() += offset.rate + hover.rate * Vector3::UnitZ();
+  wanted.a_extra_WF = offset.acceleration + hover.acceleration * Vector3::UnitZ();
   return wanted;
 }
 
 /// Contact forces carry the balance; the motors only keep the foot from sliding.
-void SwingFeedback::CommandStance(const Situation& now, int leg, JointCommand& command) {
+void SwingFeedback::CommandStance(const Situation& now, int leg, const StanceFeedback& stance, JointCommand& command) {
   v_ = now.measured.v;
   legs_.Hold(leg, now.swings.Under(leg, now.time_s).normal_W, now.measured.q, v_);
   for (const int dof : legs_.dofs(leg)) {
@@ -162,10 +176,15 @@ void SwingFeedback::CommandStance(const Situation& now, int leg, JointCommand& c
     command.stiffness[dof] = 0.0;
     command.damping[dof] *= options_.stance_damping;
   }
+  FootMotion wanted;
+  wanted.a_extra_WF.z() = -stance.lifted_m_s2();
+  const VectorX extra = legs_.ExtraTorque(leg, wanted, mass_);
+  const std::vector<int>& dofs = legs_.dofs(leg);
+  for (std::size_t i = 0; i < dofs.size(); ++i) command.tau_ff[dofs[i]] += extra[static_cast<Eigen::Index>(i)];
 }
 
-void SwingFeedback::CommandSwing(const Situation& now, int leg, JointCommand& command) {
-  const FootMotion wanted = WantedMotion(leg);
+void SwingFeedback::CommandSwing(const Situation& now, int leg, const Motion1& hover, JointCommand& command) {
+  const FootMotion wanted = WantedMotion(leg, hover);
   q_ = now.measured.q;
   v_ = now.measured.v;
   q_.head<3>() += now.step_s * v_.head<3>();

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "kinematics/trajectory/swing_curve.h"
 #include "playback/control/leg_targets.h"
 #include "playback/control/situation.h"
 #include "playback/control/stabilised.h"
@@ -34,9 +35,10 @@ class SwingFeedback {
   Vector3 WantedOffset(const Situation& now, int foot, const SwingNow& swing, const StanceFeedback& stance) const;
   void MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const;
   void SearchGround(const Situation& now, const SwingNow& next, Offset& offset) const;
-  FootMotion WantedMotion(int foot) const;
-  void CommandStance(const Situation& now, int leg, JointCommand& command);
-  void CommandSwing(const Situation& now, int leg, JointCommand& command);
+  Motion1 Hover(const Situation& now, const SwingNow& swing) const;
+  FootMotion WantedMotion(int foot, const Motion1& hover) const;
+  void CommandStance(const Situation& now, int leg, const StanceFeedback& stance, JointCommand& command);
+  void CommandSwing(const Situation& now, int leg, const Motion1& hover, JointCommand& command);
 
   const RobotModel& model_;
   const MotionPlan& plan_;

@@ -226,6 +226,9 @@ TEST(LegTargets, AKneeUnreachedStretchesToItsMargin) {
   EXPECT_NEAR(q[7 + knee], a1.dof_upper(knee) - kMargin, 1e-9);
   const Vector3 p_WF = MotionOf(a1, 0, q, v).X_WF.translation();
   EXPECT_LT(p_WF.z(), MotionOf(a1, 0, standing, rest).X_WF.translation().z() - 0.02) << "on towards the target";
+  wanted.v_WF.z() = -1.0;
+  legs.Solve(0, wanted, standing, q, v);
+  EXPECT_EQ(v[6 + knee], 0.0) << "nor is it driven on";
 
   VectorX planned = standing;
   planned[7 + knee] = a1.dof_upper(knee) - 0.01;

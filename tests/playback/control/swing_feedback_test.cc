@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
 #include "playback/control/joint_pd.h"
 #include "tests/playback/displaced.h"
@@ -113,7 +114,9 @@ class SwingFeedbackTest : public ::testing::Test {
 };
 
 TEST_F(SwingFeedbackTest, WithoutErrorSwingsAsPlanned) {
-  Walk walk(model_, plan_);
+  StabilisedOptions options;
+  options.hover = 0.0;
+  Walk walk(model_, plan_, options);
   int swings = 0;
   for (double t = 0.7; t < plan_.whole_body.end_s() - 0.1; t += kStep) {
     walk.Step(OnPlan(plan_, t));
@@ -126,6 +129,29 @@ TEST_F(SwingFeedbackTest, WithoutErrorSwingsAsPlanned) {
     }
   }
   EXPECT_GT(swings, 2000);
+}
+
+TEST_F(SwingFeedbackTest, SwingsHoverOverTheirPlanUntilTheySettle) {
+  StabilisedOptions options;
+  options.hover = 0.02;
+  const double high = options.hover * model_.leg_length_m();
+  const SwingNow swing = Swing();
+  const double half_s = 0.5 * (swing.liftoff_s + swing.touchdown_s), settle_s = swing.touchdown_s - options.settle_s;
+  Walk walk(model_, plan_, options);
+  walk.Run(0.7, swing.liftoff_s, OffBy(Vector2::Zero()));
+  double before = 0.0, highest = 0.0;
+  for (double t = swing.liftoff_s; t < swing.touchdown_s - 0.5 * kStep; t += kStep) {
+    walk.Step(OnPlan(plan_, t));
+    const double above = walk.Offset(0).z(), then = t + kStep;
+    EXPECT_TRUE(then > half_s || std::abs(above) < 1e-4) << t;
+    EXPECT_TRUE(then < half_s || then > settle_s || above > before - 1e-4) << t;
+    EXPECT_TRUE(then < settle_s + kStep || above < before + 1e-4) << t;
+    EXPECT_LT(Vector2(walk.Offset(0).head<2>()).norm(), 1e-4) << t;
+    highest = std::max(highest, above);
+    before = above;
+  }
+  EXPECT_NEAR(highest, high, 0.05 * high);
+  EXPECT_NEAR(before, 0.0, 1e-4) << "down in time";
 }
 
 TEST_F(SwingFeedbackTest, AfterTheStepToComeTheDcmHasDecayedAsWanted) {
@@ -312,6 +338,36 @@ TEST_F(SwingOfASole, LoadedSolesTellTheGroundsTiltAndTheSwingFollowsIt) {
   const int standing = 1 - lifted_;
   const Vector3 arm = walk.Planned(lifted_).translation() - walk.Planned(standing).translation();
   EXPECT_NEAR(walk.Offset(lifted_).z() - walk.Offset(standing).z(), turn.cross(arm).z(), 0.002);
+}
+
+TEST(SwingFeedback, GivesStandingLegsWhatTheirOwnInertiaTakesToLiftTheBase) {
+  const RobotModel a1 = standing::Load("a1");
+  const MotionPlan plan = standing::Plan(a1, 1.0);
+  StabilisedOptions options;
+  options.attitude_rad_s = 0.0;
+  const double low_m = 0.01, lifted = options.height_rad_s * options.height_rad_s * low_m;
+  ControlInput input = OnPlan(plan, 0.5);
+  input.q = BaseMoved(a1, input.q, {0.0, 0.0, -low_m}, Vector3::Zero());
+  Walk walk(a1, plan, options);
+  walk.Step(input);
+  JointCommand alone = JointPd(a1, plan).Update(input);
+  StanceFeedback stance(a1, options);
+  stance.Update(walk.now, walk.footing, alone.tau_ff);
+  EXPECT_NEAR(stance.lifted_m_s2(), lifted, 0.1 * lifted);
+
+  DynamicsScratch scratch(a1);
+  MatrixX M, J(6, a1.nv());
+  MassMatrix(a1, input.q, scratch, M);
+  for (int leg = 0; leg < 4; ++leg) {
+    const auto body = static_cast<std::size_t>(a1.feet[static_cast<std::size_t>(leg)].body);
+    const Vector3 p_WQ = ContactFrame(a1, scratch, leg, Vector3::UnitZ()).translation();
+    PointJacobian(a1, scratch, static_cast<int>(body), scratch.R_WB[body].transpose() * (p_WQ - scratch.p_WB[body]), J);
+    // Seen from the base, feet that stand go down as it goes up.
+    const Vector3 joints = J.block<3, 3>(0, 6 + 3 * leg).lu().solve(Vector3(0.0, 0.0, -stance.lifted_m_s2()));
+    const Vector3 torque = M.block<3, 3>(6 + 3 * leg, 6 + 3 * leg) * joints;
+    EXPECT_GT(torque.norm(), 0.01);
+    EXPECT_LT(((walk.command.tau_ff - alone.tau_ff).segment<3>(3 * leg) - torque).norm(), 0.02 * torque.norm()) << leg;
+  }
 }
 
 }  // namespace
