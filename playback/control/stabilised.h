@@ -16,6 +16,7 @@ namespace gaitwright {
 ///   turns away from its heading    raise attitude_rad_s
 ///   falls sideways after a push    raise step_gain; the feet land too near to the fall
 ///   steps about without a push     lower step_gain
+///   feet touch down early          raise hover
 struct StabilisedOptions {
   double attitude_rad_s = 10.0;
   double height_rad_s = 10.0;
@@ -156,7 +157,9 @@ struct StabilisedOptions {
 ///   lean:              soles that stand tell the ground's tilt; the base leans with it, so that swings meet the ground
 ///   split:             planned wrench plus feedback over the feet in stance, inside their cones;
 ///                      tau -= J^T (f - f_planned)
-///   foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a foothold
+///   standing legs:     tau += M J^+ a, what their own inertia takes for the vertical acceleration asked for beyond the
+///   plan foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a
+///   foothold
 ///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come.
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.
