@@ -180,7 +180,7 @@ TEST(PlanSwings, WhatASphereRollsOffItsCurveIsReckonedWith) {
   const RobotModel model = *LoadNamedRobot("a1");
   const SwingRoll roll({Vector3::Zero(), 0.03 * Vector3::UnitX(), 0.035 * Vector3::UnitX(), Vector3::Zero()});
   FormerMotion former;
-  former.roll = [&](const SwingTrajectory&) -> SwingRoll { return roll; };
+  former.roll = [&](const SwingTrajectory&) { return SwingRoll(roll); };
   const Terrain terrain = WithBox(0.05, 3.0, 0.1);
   const auto spare = [&](const SwingTrajectory& swing) {
     return SpareClearance(
@@ -204,7 +204,7 @@ TEST(PlanSwings, AShankGoesAroundWhatTheFootPassesUnder) {
   FootstepPlan steps = OneStep(0.2, 0.0);
   for (Foothold& foothold : steps.footholds) foothold.X_WF.translation() += Vector3(p_WF.x() - 0.1, p_WF.y(), 0.0);
   const Pose X_WB = FramePose(scratch, 0, Pose::Identity());
-  const BaseMotion still = [X_WB](double) -> Pose { return X_WB; };
+  const BaseMotion still = [X_WB](double) { return Pose(X_WB); };
   // A knob beside the shank, below its middle, in mid swing, half of it inside.
   const auto shank = std::find_if(model.collision_shapes.begin(), model.collision_shapes.end(),
                                   [&](const Shape& shape) { return shape.body == model.legs[0].knee_joint + 1; });
