@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/stability/polygon.h"
@@ -43,23 +45,30 @@ std::vector<int> SurfacesUnder(const std::vector<Vector2>& sole_F, const Pose& X
   return surfaces;
 }
 
-/// What of a foot can carry where it is: of a sole the parts that are on patches near under it, or of another foot, and
-/// where no patch is near or a height field is under it, all its points.
+/// What of a foot can carry where it is: of a sole the parts that are on patches under it, but for those that lie lower
+/// than others; of another foot, and where there is no patch or a height field under it, all its points. The ground may
+/// be elsewhere than the patches say, so that only where they are against each other tells.
 std::vector<Vector3> CarryingPoints(const Foot& foot, const Pose& X_WF, const Terrain& terrain) {
   constexpr double kInside = 1e-4;  // [m] so that the ground below them is that patch's
-  constexpr double kNear = 0.004;   // [m]
+  constexpr double kLower = 0.004;  // [m]
   if (!foot.has_sole()) return ContactPoints(foot, X_WF);
-  std::vector<Vector3> points;
+  std::vector<std::pair<double, std::vector<Vector3>>> parts;  // least height over the patch, corners
+  double least = std::numeric_limits<double>::infinity();
   for (const int surface : SurfacesUnder(foot.sole_F, X_WF, terrain)) {
     if (surface >= static_cast<int>(terrain.patches.size())) return ContactPoints(foot, X_WF);
     const TerrainPatch& patch = terrain.patches[static_cast<std::size_t>(surface)];
-    const Vector3 normal_W = patch.X_WT.linear().col(2);
+    auto& [height, points] = parts.emplace_back(std::numeric_limits<double>::infinity(), std::vector<Vector3>());
     for (const Vector2& p_F : PartOnPatch(foot.sole_F, X_WF, patch, kInside)) {
-      const Vector3 p_W = X_WF * Vector3(p_F.x(), p_F.y(), 0.0);
-      if (std::abs(normal_W.dot(p_W - patch.X_WT.translation())) <= kNear) points.push_back(p_W);
+      points.emplace_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));
+      height = std::min(height, patch.X_WT.linear().col(2).dot(points.back() - patch.X_WT.translation()));
     }
+    least = std::min(least, height);
   }
-  return points.empty() ? ContactPoints(foot, X_WF) : points;
+  std::vector<Vector3> carrying;
+  for (const auto& [height, points] : parts) {
+    if (height <= least + kLower) carrying.insert(carrying.end(), points.begin(), points.end());
+  }
+  return carrying.empty() ? ContactPoints(foot, X_WF) : carrying;
 }
 
 bool Coplanar(const std::vector<Vector3>& points, const Vector3& normal) {

@@ -92,6 +92,17 @@ TEST(Support, ASolePartlyOnAHeightFieldCarriesWithAllOfIt) {
   EXPECT_NEAR(Area(SupportOf(model, scratch, terrain, 1).polygon), 0.16 * 0.08, 1e-9);
 }
 
+TEST(Support, OnGroundThatIsNotWhereThePlanHasItASoleCarriesWithAllOfIt) {
+  const RobotModel model = synthetic::Robot(2, FootType::kSole);
+  DynamicsScratch scratch(model);
+  VectorX q = synthetic::StandingPlan(model, 0.1).whole_body.q[0];
+  q[2] += 0.003;
+  q.segment<4>(3) << 0.0, std::sin(0.5 * 0.05), 0.0, std::cos(0.5 * 0.05);
+  ForwardKinematics(model, q, scratch);
+  EXPECT_NEAR(Area(SupportOf(model, scratch, FlatTerrain(), 1).polygon), 0.16 * 0.08, 1e-4);
+  EXPECT_NEAR(Area(SupportOf(model, scratch, FlatTerrain(), 3).polygon), 0.16 * 0.28, 1e-3);
+}
+
 TEST(Support, ToesInOneLineToRoundingLoseNoCorner) {
   const RobotModel model = synthetic::Robot(2, FootType::kSole);
   VectorX q = synthetic::StandingPlan(model, 0.1).whole_body.q[0];
