@@ -10,7 +10,7 @@ function(gaitwright_test_program name room label)
   target_compile_options(${name} PRIVATE ${GAITWRIGHT_WARNINGS})
   target_compile_definitions(${name} PRIVATE GAITWRIGHT_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              GAITWRIGHT_BINARY_DIR="${CMAKE_BINARY_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_PREFIX ${room}. PROPERTIES LABELS ${label})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_PREFIX ${room}. PROPERTIES LABELS ${label} TIMEOUT 3600)
 endfunction()
 
 # gaitwright_test(ROOM LINKS...): one test program a room, ROOM_tests, of every *_test.cc below tests/ROOM with the
