@@ -17,12 +17,11 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRolls = 0.5;   // [rad] by which a sphere may roll towards a riser while it stands
-constexpr double kFlush = 3e-4;  // [m] that ground may stick out of a sole's plane: swings let half a millimetre pass
-constexpr double kMissed =
-    0.5;  // of the margin, by which a sole may miss its place: ground beside it sticks out as well
-constexpr double kSteady = 0.05;        // of half a sole's width, by which its middle is in what holds it
-constexpr double kSafe = 0.06;          // distance from edges beyond which there is no risk, of the leg length
+constexpr double kRolls = 0.5;    // [rad] by which a sphere may roll towards a riser while it stands
+constexpr double kFlush = 3e-4;   // [m] that ground may stick out of a sole's plane: swings let half a millimetre pass
+constexpr double kMissed = 0.5;   // of the margin, by which a sole may miss its place
+constexpr double kSteady = 0.05;  // of half a sole's width, by which its middle is in what holds it
+constexpr double kSafe = 0.06;    // distance from edges beyond which there is no risk, of the leg length
 constexpr double kUnderFoot = 0.5;      // height over a foothold in which obstacles matter, of the leg length
 constexpr double kFrictionShare = 0.8;  // of the friction that a slope may use
 constexpr int kAround = 8;

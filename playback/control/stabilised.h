@@ -157,9 +157,9 @@ struct StabilisedOptions {
 ///   lean:              soles that stand tell the ground's tilt; the base leans with it, so that swings meet the ground
 ///   split:             planned wrench plus feedback over the feet in stance, inside their cones;
 ///                      tau -= J^T (f - f_planned)
-///   standing legs:     tau += M J^+ a, what their own inertia takes for the vertical acceleration asked for beyond the
-///   plan foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a
-///   foothold
+///   standing legs:     tau += M J^+ a, what their inertia takes for the vertical acceleration asked for beyond the
+///                      plan's
+///   foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a foothold
 ///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come.
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.

@@ -145,9 +145,10 @@ void SwingFeedback::SearchGround(const Situation& now, const SwingNow& next, Off
 /// millimetre has them touch it long before their time.
 Motion1 SwingFeedback::Hover(const Situation& now, const SwingNow& swing) const {
   const double t = now.time_s + now.step_s, half_s = 0.5 * (swing.touchdown_s - swing.liftoff_s);
-  const bool lands = swing.touchdown_s - t < options_.settle_s;
+  const double landing_s = std::min(options_.settle_s, 0.5 * half_s);
+  const bool lands = swing.touchdown_s - t < landing_s;
   const double from_s = swing.touchdown_s - (lands ? 0.0 : half_s);
-  const double per_s = 1.0 / (lands ? -options_.settle_s : half_s - options_.settle_s);
+  const double per_s = 1.0 / (lands ? -landing_s : half_s - landing_s);
   const Motion1 share = SmoothStep(per_s * (t - from_s));
   const double high = options_.hover * model_.leg_length_m();
   return {high * share.value, high * per_s * share.rate, high * per_s * per_s * share.acceleration};

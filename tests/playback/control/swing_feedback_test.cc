@@ -131,6 +131,20 @@ TEST_F(SwingFeedbackTest, WithoutErrorSwingsAsPlanned) {
   EXPECT_GT(swings, 2000);
 }
 
+TEST_F(SwingFeedbackTest, AShortSwingHoversNoHigherThoughItSettlesLong) {
+  StabilisedOptions options;
+  options.hover = 0.02;
+  options.settle_s = 0.15;  // more than half of the swing
+  const SwingNow swing = Swing();
+  Walk walk(model_, plan_, options);
+  walk.Run(0.7, swing.liftoff_s, OffBy(Vector2::Zero()));
+  for (double t = swing.liftoff_s; t < swing.touchdown_s - 0.5 * kStep; t += kStep) {
+    walk.Step(OnPlan(plan_, t));
+    EXPECT_LT(walk.Offset(0).z(), 1.05 * options.hover * model_.leg_length_m()) << t;
+    EXPECT_TRUE(t + kStep > 0.5 * (swing.liftoff_s + swing.touchdown_s) || walk.Offset(0).z() < 1e-4) << t;
+  }
+}
+
 TEST_F(SwingFeedbackTest, SwingsHoverOverTheirPlanUntilTheySettle) {
   StabilisedOptions options;
   options.hover = 0.02;
