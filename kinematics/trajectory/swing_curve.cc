@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "kinematics/spatial/rotation.h"
-#include "kinematics/trajectory/quintic_bspline.h"
+#include "kinematics/trajectory/bspline.h"
 
 namespace gaitwright {
 

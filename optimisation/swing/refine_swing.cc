@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "kinematics/spatial/rotation.h"
-#include "kinematics/trajectory/quintic_bspline.h"
+#include "kinematics/trajectory/bspline.h"
 #include "optimisation/numerics/constrained_problem.h"
 #include "planning/audit/swing_depth.h"
 
