@@ -169,7 +169,7 @@ class Solver {
 
   Result<ConstrainedSolution> Run() {
     double last_violation = std::numeric_limits<double>::infinity(), last_cost = last_violation;
-    double tolerance = 1e-6;
+    double tolerance = options_.inner_tolerance;
     int stalled = 0, stagnant = 0;
     for (solution_.outer = 1; solution_.outer <= options_.max_outer; ++solution_.outer) {
       const auto [moved, converged] = Minimise(tolerance);
@@ -184,7 +184,7 @@ class Solver {
       if (solution_.violation <= options_.tolerance && settled && converged) return Finished();
       last_cost = solution_.cost;
       UpdateMultipliers();
-      const bool capped = GrowPenalty(last_violation);
+      const bool capped = (converged || options_.patience == 0) && GrowPenalty(last_violation);
       stagnant = capped && solution_.violation > 0.9 * last_violation ? stagnant + 1 : 0;
       if (stagnant >= 3 && solution_.violation > options_.tolerance) break;
       last_violation = solution_.violation;
@@ -288,6 +288,8 @@ class Solver {
     options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
     options.num_threads = 1;
     options.initial_trust_region_radius = options_.trust_radius;
+    options.use_nonmonotonic_steps = options_.patience > 0;
+    if (options_.patience > 0) options.max_consecutive_nonmonotonic_steps = options_.patience;
     options.max_num_iterations = options_.max_inner;
     options.function_tolerance = tolerance;
     options.gradient_tolerance = 1e-15;

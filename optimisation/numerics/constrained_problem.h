@@ -42,11 +42,14 @@ struct ConstrainedProblem {
 ///   hundreds of iterations, steps rejected at every change of the active set   lower stiffness
 ///   the violation goes down slowly                                             raise stiffness
 ///   many steps although residuals are linear or nearly so                      raise trust_radius
+///   many steps rejected where many bounds are active                           give it patience, inner_tolerance 1e-4
 struct ConstrainedOptions {
   double tolerance = 1e-8;
   double stiffness = 10.0;
   double cost_tolerance = 1e-10;
   double trust_radius = 1e4;
+  double inner_tolerance = 1e-6;
+  int patience = 0;
   int max_outer = 80;
   int max_inner = 200;
 
@@ -68,6 +71,20 @@ struct ConstrainedOptions {
          "Change of the cost between two updates, relative to 1 + cost, that counts as none.",
          {}},
         {"trust_radius", &trust_radius, "1", 1e-3, 1e12, "First trust region, in units of the scaled variables.", {}},
+        {"inner_tolerance",
+         &inner_tolerance,
+         "1",
+         1e-12,
+         0.1,
+         "Relative change of the penalised cost at which the first update is due; later ones are finer.",
+         {}},
+        {"patience",
+         &patience,
+         "1",
+         0,
+         100,
+         "Steps in a row that may raise the penalised cost; with any, penalties grow only where steps have settled.",
+         {}},
         {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
         {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}}};
   }

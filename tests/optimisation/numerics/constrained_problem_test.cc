@@ -219,8 +219,7 @@ Known Hs100() {
       "HS100", {Vec({1, 2, 0, 4, 0, 1, 1}), {Of(residual)}, {NotNegative(constraint, 4)}, {}, {}}, 680.6300573, h_min};
 }
 
-void ExpectKnown(const Known& known) {
-  ConstrainedOptions options;
+void ExpectKnown(const Known& known, ConstrainedOptions options = {}) {
   options.tolerance = 1e-9;
   const Result<ConstrainedSolution> solution = Solve(known.problem, options);
   ASSERT_TRUE(solution.ok()) << known.name << ": " << solution.failure().message;
@@ -231,6 +230,10 @@ void ExpectKnown(const Known& known) {
 
 TEST(ConstrainedProblem, SmallKnownAnswers) {
   for (const Known& known : Small()) ExpectKnown(known);
+}
+
+TEST(ConstrainedProblem, PatienceFindsTheSame) {
+  for (const Known& known : Small()) ExpectKnown(known, {.inner_tolerance = 1e-4, .patience = 5});
 }
 
 TEST(ConstrainedProblem, LargerKnownAnswers) {

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/plan_rigid_body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/spatial/rotation.h"
+#include "optimisation/centroidal/rigid_body_terms.h"
+#include "optimisation/centroidal/rigid_body_unknowns.h"
+#include "optimisation/numerics/constrained_problem.h"
+
+namespace gaitwright {
+namespace {
+
+/// The times at which a stance's foot must be within reach: at breaks, half way between them, and as long before
+/// touch-down and after lift-off as it is as good as there.
+std::vector<double> ReachTimes(const RigidStance& stance, const std::vector<double>& breaks, double lead_s) {
+  constexpr double kSame = 1e-4;
+  std::vector<double> times;
+  for (std::size_t k = 0; k < breaks.size(); ++k) {
+    if (breaks[k] < stance.start_s - kSame || breaks[k] > stance.end_s + kSame) continue;
+    times.push_back(breaks[k]);
+    if (k + 1 < breaks.size() && breaks[k + 1] < stance.end_s + kSame)
+      times.push_back(0.5 * (breaks[k] + breaks[k + 1]));
+  }
+  if (stance.start_s - lead_s > 0.0) times.push_back(stance.start_s - lead_s);
+  if (stance.end_s + lead_s < breaks.back()) times.push_back(stance.end_s + lead_s);
+  return times;
+}
+
+/// The problem as rows over its unknowns.
+ConstrainedProblem Rows(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
+                        const RigidBodyOptions& options) {
+  const RigidBodyTerms terms(problem, unknowns);
+  ConstrainedProblem rows;
+  // What depends on no unknown is given, and nothing to be solved for.
+  const auto add = [&](Constraint constraint) {
+    if (!constraint.variables.empty()) rows.constraints.push_back(std::move(constraint));
+  };
+  for (std::size_t i = 0; i < unknowns.intervals(); ++i) add(terms.Turning(i));
+  for (const std::size_t k : unknowns.FreeBreaks()) add(terms.Free(k));
+  for (const BoundForce& force : unknowns.BoundForces())
+    add(terms.Friction(force, options.friction_sides, options.force_margin));
+  for (std::size_t s = 0; s < problem.stances.size(); ++s) {
+    for (const double t : ReachTimes(problem.stances[s], unknowns.breaks_s(), options.swing_lead_s))
+      add(terms.Reach(s, t, options.reach_margin_m));
+  }
+  for (std::size_t s = 0; s < problem.stances.size(); ++s) {
+    if (!problem.stances[s].held && !problem.stances[s].region_F.empty()) add(terms.Region(s));
+  }
+  rows.residuals = RigidBodyCost(problem, unknowns, options.weights);
+  return rows;
+}
+
+/// Where the body would be with the feet where they like to stand below it: the mean over the feet on the ground.
+Vector3 GuessCentreOfMass(const RigidBodyProblem& problem, double time_s) {
+  Vector3 sum = Vector3::Zero();
+  double weights = 0.0;
+  const Matrix3 heading = YawRotation(WantedAngles(problem, time_s).z());
+  for (std::size_t f = 0; f < problem.feet.size(); ++f) {
+    const RigidStance *before = nullptr, *after = nullptr;
+    for (const RigidStance& stance : problem.stances) {
+      if (stance.foot != static_cast<int>(f)) continue;
+      if (stance.start_s <= time_s) before = &stance;
+      if (after == nullptr && stance.end_s >= time_s) after = &stance;
+    }
+    if (before == nullptr) before = after;
+    if (after == nullptr) after = before;
+    if (before == nullptr) continue;
+    const double span = after->start_s - before->end_s;
+    const double u = before == after || span <= 0.0 ? 0.0 : std::clamp((time_s - before->end_s) / span, 0.0, 1.0);
+    const Vector3 p = (1.0 - u) * before->X_WF.translation() + u * after->X_WF.translation();
+    sum += p - heading * problem.feet[f].p_CF_nominal_B;
+    weights += 1.0;
+  }
+  return sum / weights;
+}
+
+VectorX Guess(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
+  VectorX x = VectorX::Zero(unknowns.size());
+  const std::vector<double>& t = unknowns.breaks_s();
+  // A control point belongs to the mean of the three knots that it stands over: Greville's abscissa.
+  const auto knot = [&](std::size_t j) { return t[std::clamp<std::size_t>(j, 3, t.size() + 2) - 3]; };
+  for (std::size_t i = 2; i < t.size(); ++i)
+    x.segment<3>(unknowns.ControlPoint(i)) =
+        GuessCentreOfMass(problem, (knot(i + 1) + knot(i + 2) + knot(i + 3)) / 3.0);
+  for (std::size_t k = 1; k + 1 < t.size(); ++k)
+    x.segment<3>(unknowns.Angles(k).parts.front().start) = WantedAngles(problem, t[k]);
+  std::vector<int> sharing(t.size(), 0);
+  for (const BoundForce& force : unknowns.BoundForces()) ++sharing[force.at_break];
+  for (const BoundForce& force : unknowns.BoundForces()) {
+    const std::vector<AffineVector::Part>& parts = force.force.parts;
+    if (parts.size() == 1 && parts.front().coefficient == 1.0)
+      x[parts.front().start + 2] = 1.0 / sharing[force.at_break];
+  }
+  return x;
+}
+
+Failure Unmet(const RigidBodySummary& summary) {
+  return {FailureKind::kInfeasible,
+          "unmet_law",
+          "PlanRigidBody",
+          fmt::format("no motion was found that keeps all laws: {} stays unmet by {:.3g} after {} updates and {} "
+                      "iterations",
+                      summary.worst, summary.violation, summary.outer, summary.iterations),
+          {"give it more time or a nearer goal, or footholds elsewhere"}};
+}
+
+}  // namespace
+
+OptionFields RigidBodyOptions::Fields() {
+  return {
+      {"spacing_s", &spacing_s, "s", 0.005, 1.0, "Most between two breaks of forces.", {}},
+      {"least_intervals", &least_intervals, "1", 2, 100, "Least intervals between breaks in a stance.", {}},
+      {"friction_sides", &friction_sides, "1", 4, 64, "Sides of the pyramid inside a cone of friction.", {}},
+      {"force_margin", &force_margin, "m g", 0.0, 0.1, "By which forces are kept from their bounds.", {}},
+      {"reach_margin_m", &reach_margin_m, "m", 0.0, 0.1, "By which feet are kept inside their workspace.", {}},
+      {"swing_lead_s", &swing_lead_s, "s", 0.0, 1.0, "How long beyond a stance its foothold must be within reach.", {}},
+      {"tolerance", &tolerance, "1", 1e-10, 1e-2, "Largest violation of a law, in m, rad, rad/s and m g.", {}},
+      {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0, "Relative change of the cost that counts as none.", {}},
+      {"stiffness", &stiffness, "1", 1e-3, 1e6, "First penalty over the curvature of the cost.", {}},
+      {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
+      {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}},
+      {"force_rate", &weights.force_rate, "s", 0.0, 1e3, "Weight of the rate of forces.", {}},
+      {"momentum", &weights.momentum, "s", 0.0, 1e3, "Weight of the angular momentum.", {}},
+      {"tilt", &weights.tilt, "1/(rad^2 s)", 0.0, 1e3, "Weight of the base's angles.", {}},
+      {"stance", &weights.stance, "1/(m^2 s)", 0.0, 1e3, "Weight of the feet's places.", {}},
+  };
+}
+
+Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options,
+                                    RigidBodyPlan* last) {
+  CheckRigidBodyProblem(problem);
+  RigidBodyOptions checked = options;
+  CheckOptions(checked.Fields());
+  const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals);
+  ConstrainedProblem rows = Rows(problem, unknowns, options);
+  rows.start = Guess(problem, unknowns);
+  ConstrainedOptions solving;
+  solving.tolerance = options.tolerance;
+  solving.cost_tolerance = options.cost_tolerance;
+  solving.stiffness = options.stiffness;
+  solving.trust_radius = 1e7;
+  solving.inner_tolerance = 1e-4;
+  solving.patience = 5;
+  solving.max_outer = options.max_outer;
+  solving.max_inner = options.max_inner;
+  ConstrainedSolution at;
+  const bool settled = Solve(rows, solving, &at).ok();
+  RigidBodyPlan plan{
+      MotionOf(problem, unknowns, at.x),
+      {unknowns.size(), 0, at.outer, at.iterations, at.cost, settled, at.violation, at.worst_constraint}};
+  for (const Constraint& c : rows.constraints) plan.summary.constraints += static_cast<int>(c.lower.size());
+  if (last != nullptr) *last = plan;
+  if (at.violation > options.tolerance) return Unmet(plan.summary);
+  return plan;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "optimisation/centroidal/rigid_body_cost.h"
+#include "optimisation/centroidal/rigid_body_motion.h"
+#include "optimisation/centroidal/rigid_body_problem.h"
+
+namespace gaitwright {
+
+/// Tuning
+///   faults between breaks                     lower spacing_s, raise reach_margin_m
+///   friction that only just suffices          raise friction_sides
+///   many iterations                           lower or raise stiffness by tens
+struct RigidBodyOptions {
+  double spacing_s = 0.05;
+  int least_intervals = 3;
+  int friction_sides = 8;
+  double force_margin = 1e-5;
+  double reach_margin_m = 1e-3;
+  double swing_lead_s = 0.0125;
+  double tolerance = 1e-6;
+  double cost_tolerance = 1e-3;
+  double stiffness = 300.0;
+  int max_outer = 25;
+  int max_inner = 40;
+  RigidBodyWeights weights = {};
+
+  OptionFields Fields();
+};
+
+/// How a motion was found.
+struct RigidBodySummary {
+  int variables = 0, constraints = 0, outer = 0, iterations = 0;
+  double cost = 0.0;
+  bool settled = true;     ///< else the motion is one that keeps all laws, but not the least costly one
+  double violation = 0.0;  ///< largest, in m, rad, rad/s and m g
+  std::string worst;       ///< the law with that violation, where and when
+};
+
+/// A motion of a rigid body and how it was found.
+struct RigidBodyPlan {
+  RigidBodyMotion motion;
+  RigidBodySummary summary;
+};
+
+/// The motion of least cost (rigid_body_cost.h) that keeps the laws of the problem: balance of forces exactly and that
+/// of torques by the stated tolerance, friction, footholds in their regions and within reach; these a little before and
+/// after their stances too, since a foot at rest on the ground cannot leave it at once: swing_lead_s = v / (2 a) for a
+/// body of speed v and feet of acceleration a. Failure kInfeasible names what stays unmet, where
+/// and by how much; `last` then holds where it stood. @throws InvalidArgument as CheckRigidBodyProblem.
+Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
+                                    RigidBodyPlan* last = nullptr);
+
+}  // namespace gaitwright

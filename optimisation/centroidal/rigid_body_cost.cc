@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/rigid_body_cost.h"
+
+#include <cmath>
+
+#include "kinematics/spatial/rotation.h"
+
+namespace gaitwright {
+namespace {
+
+void AddRows(const AffineVector& vector, double weight, const Vector3& wanted, std::vector<Residual>& cost) {
+  if (vector.parts.empty()) return;
+  SeenUnknowns seen;
+  const double root = std::sqrt(weight);
+  VectorFunction rows = AffineRows(vector, root * Matrix3::Identity(), root * wanted, seen);
+  cost.emplace_back(std::move(rows), seen.variables());
+}
+
+/// A foot on the ground from the centre of mass, less where it likes to stand.
+void AddStance(const FootPlace& place, const AffineVector& com, double weight, const Vector3& wanted,
+               std::vector<Residual>& cost) {
+  SeenUnknowns seen;
+  FootPlace own = place;
+  for (FootPlace::Part& part : own.parts) part.start = seen.See(part.start, 2);
+  const AffineVector own_com = seen.See(com);
+  const double root = std::sqrt(weight);
+  const auto rows = [own, own_com, wanted, root](const VectorX& x, VectorX& value, MatrixX* J) {
+    value = root * (own.At(x) - own_com.At(x) - wanted);
+    if (J == nullptr) return;
+    for (const FootPlace::Part& part : own.parts) J->block<3, 2>(0, part.start) += root * part.axes;
+    own_com.AddTo(Matrix3(-root * Matrix3::Identity()), *J, 0);
+  };
+  if (!seen.variables().empty()) cost.emplace_back(rows, seen.variables());
+}
+
+}  // namespace
+
+Vector3 WantedAngles(const RigidBodyProblem& problem, double time_s) {
+  const double u = time_s / problem.duration_s;
+  return {0.0, 0.0, (1.0 - u) * problem.start.angles_rad.z() + u * problem.goal.angles_rad.z()};
+}
+
+std::vector<Residual> RigidBodyCost(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
+                                    const RigidBodyWeights& weights) {
+  const std::vector<double>& t = unknowns.breaks_s();
+  std::vector<Residual> cost;
+  for (std::size_t i = 0; i < unknowns.intervals(); ++i) {
+    const double h = t[i + 1] - t[i];
+    for (const ContactForce& force : unknowns.Forces(i)) {
+      AffineVector change = force.to;
+      AddRows(change.Add(-1.0, force.from), weights.force_rate / h, Vector3::Zero(), cost);
+    }
+    for (const std::size_t k : {i, i + 1}) {
+      AddRows(unknowns.Momentum(k), 0.5 * h * weights.momentum, Vector3::Zero(), cost);
+      AddRows(unknowns.Angles(k), 0.5 * h * weights.tilt, WantedAngles(problem, t[k]), cost);
+      const Matrix3 heading = YawRotation(WantedAngles(problem, t[k]).z());
+      for (const ContactForce& force : unknowns.Forces(i)) {
+        if (force.point != 0) continue;
+        const auto foot = static_cast<std::size_t>(problem.stances[force.stance].foot);
+        AddStance(unknowns.Foothold(force.stance), unknowns.CentreOfMass(t[k]), 0.5 * h * weights.stance,
+                  heading * problem.feet[foot].p_CF_nominal_B, cost);
+      }
+    }
+  }
+  return cost;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "optimisation/centroidal/rigid_body_unknowns.h"
+#include "optimisation/numerics/constrained_problem.h"
+
+namespace gaitwright {
+
+/// What makes one motion of a rigid body better than another: the integral over time of
+///   force_rate |f_i'|^2 + momentum |l|^2 + tilt |angles - wanted|^2 + stance |foot - nominal place|^2,
+/// forces in m g, l the angular momentum over the mean inertia, feet on the ground from the centre of mass in the
+/// wanted heading.
+///
+/// Tuning
+///   forces change fast, feet land hard          raise force_rate
+///   the base rolls and pitches                  raise momentum, tilt
+///   feet stand far from where they like to      raise stance
+struct RigidBodyWeights {
+  double force_rate = 1e-3;  ///< [s]
+  double momentum = 1e-2;    ///< [s]
+  double tilt = 1.0;         ///< [1/(rad^2 s)]
+  double stance = 1.0;       ///< [1/(m^2 s)]
+};
+
+/// The angles that are wanted at a time: level, the heading on an even way from start to goal.
+Vector3 WantedAngles(const RigidBodyProblem& problem, double time_s);
+
+/// The rows of this cost, by the trapezoid rule over the breaks.
+std::vector<Residual> RigidBodyCost(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
+                                    const RigidBodyWeights& weights);
+
+}  // namespace gaitwright

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/rigid_body_motion.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/trajectory/bspline.h"
+#include "optimisation/centroidal/rigid_body_terms.h"
+
+namespace gaitwright {
+namespace {
+
+/// Longest step of the integration of angles [s].
+constexpr double kStep = 4e-3;
+
+Vector3 PowersAt(const std::array<Vector3, 4>& c, double t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
+
+/// Integral of sum (p_i - p) x f_i from the start of the interval, by Gauss's rule of three places: exact.
+Vector3 ImpulseUpTo(const RigidBodyInterval& in, double t) {
+  constexpr double kPlace = 0.7745966692414834;  // sqrt(3 / 5)
+  Vector3 impulse = Vector3::Zero();
+  for (const auto& [place, weight] : {std::pair{-kPlace, 5.0 / 18}, {0.0, 8.0 / 18}, {kPlace, 5.0 / 18}}) {
+    const double at = 0.5 * t * (1.0 + place), u = at / (in.end_s - in.start_s);
+    const Vector3 p = PowersAt(in.com, at);
+    for (const RigidBodyInterval::Force& f : in.forces)
+      impulse += weight * t * (f.p_W - p).cross((1.0 - u) * f.from_W + u * f.to_W);
+  }
+  return impulse;
+}
+
+Vector3 MomentumAt(const RigidBodyInterval& in, double t) { return in.momentum_W + ImpulseUpTo(in, t); }
+
+/// The angles at time t of the interval, from its start.
+Vector3 AnglesAt(const RigidBodyInterval& in, const Matrix3& inertia_B, double t) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(t / kStep - 1e-9)));
+  const double h = t / steps;
+  Vector3 angles = in.angles_rad;
+  if (h <= 0.0) return angles;
+  const auto rate = [&](double at, const Vector3& now) {
+    return TurningRateOf(inertia_B, now, MomentumAt(in, at)).rate;
+  };
+  for (int i = 0; i < steps; ++i) {
+    const double at = i * h;
+    const Vector3 k1 = rate(at, angles), k2 = rate(at + 0.5 * h, angles + 0.5 * h * k1);
+    const Vector3 k3 = rate(at + 0.5 * h, angles + 0.5 * h * k2), k4 = rate(at + h, angles + h * k3);
+    angles += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+  }
+  return angles;
+}
+
+std::array<Vector3, 4> PowersOf(const RigidBodyUnknowns& unknowns, const VectorX& x, std::size_t i) {
+  const double h = unknowns.breaks_s()[i + 1] - unknowns.breaks_s()[i];
+  const Vector3 a_from = kGravity * (unknowns.WholeForce(i).At(x) - Vector3::UnitZ());
+  const Vector3 a_to = kGravity * (unknowns.WholeForce(i + 1).At(x) - Vector3::UnitZ());
+  const Vector3 from = unknowns.CentreOfMass(unknowns.breaks_s()[i]).At(x);
+  const Vector3 to = unknowns.CentreOfMass(unknowns.breaks_s()[i + 1]).At(x);
+  return {from, (to - from) / h - h * (2.0 * a_from + a_to) / 6.0, 0.5 * a_from, (a_to - a_from) / (6.0 * h)};
+}
+
+RigidBodySample At(const RigidBodyMotion& motion, std::size_t interval, double time_s) {
+  const RigidBodyInterval& in = motion.intervals[interval];
+  const double t = time_s - in.start_s, u = t / (in.end_s - in.start_s);
+  RigidBodySample s;
+  s.time_s = time_s;
+  s.interval = interval;
+  s.p_WC = PowersAt(in.com, t);
+  s.v_WC = in.com[1] + t * (2.0 * in.com[2] + 3.0 * t * in.com[3]);
+  s.a_WC = 2.0 * in.com[2] + 6.0 * t * in.com[3];
+  s.angles_rad = AnglesAt(in, motion.inertia_B, t);
+  s.momentum_W = MomentumAt(in, t);
+  s.w_WB_B = motion.inertia_B.inverse() * RotationOf(s.angles_rad).transpose() * s.momentum_W;
+  s.torque_W = Vector3::Zero();
+  for (const RigidBodyInterval::Force& f : in.forces) {
+    s.force_W.push_back((1.0 - u) * f.from_W + u * f.to_W);
+    s.torque_W += (f.p_W - s.p_WC).cross(s.force_W.back());
+  }
+  return s;
+}
+
+/// How far a point is outside of a polygon in its plane; 0 where the polygon has no end.
+double OutOf(const std::vector<Vector2>& region, const Vector2& p) {
+  double out = 0.0;
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Vector2 along = region[(i + 1) % region.size()] - region[i];
+    out = std::max(out, Vector2(along.y(), -along.x()).normalized().dot(p - region[i]));
+  }
+  return out;
+}
+
+/// Compares the momentum of the turning that every other sample shows with that of the forces, step by step.
+double TorqueBalance(const RigidBodyMotion& motion, const std::vector<RigidBodySample>& samples) {
+  const double h = samples[2].time_s - samples[0].time_s;
+  double worst = 0.0;
+  Vector3 last = Vector3::Zero();
+  for (std::size_t k = 1; k + 1 < samples.size(); k += 2) {
+    const Matrix3 R_WB = RotationOf(samples[k - 1].angles_rad);
+    const Vector3 turn_B = RotationLog(R_WB.transpose() * RotationOf(samples[k + 1].angles_rad));
+    const Vector3 momentum_W = R_WB * RotationExp(0.5 * turn_B) * motion.inertia_B * turn_B / h;
+    const Vector3 off = momentum_W - samples[k].momentum_W;
+    if (k > 1) worst = std::max(worst, (off - last).norm() / h);
+    last = off;
+  }
+  return worst / (motion.mass_kg * kGravity);
+}
+
+void AddForceFaults(const RigidBodyProblem& problem, const RigidBodyMotion& motion, const RigidBodySample& sample,
+                    RigidBodyFaults& faults) {
+  const double weight = motion.mass_kg * kGravity;
+  Vector3 rest = motion.mass_kg * (sample.a_WC + kGravity * Vector3::UnitZ());
+  const std::vector<RigidBodyInterval::Force>& forces = motion.intervals[sample.interval].forces;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const RigidStance& stance = problem.stances[forces[i].stance];
+    const Vector3 f_F = stance.X_WF.linear().transpose() * sample.force_W[i];
+    const double most = problem.feet[static_cast<std::size_t>(stance.foot)].force_max_n;
+    faults.friction = std::max(faults.friction, (f_F.head<2>().norm() - stance.friction * f_F.z()) / weight);
+    faults.unilateral = std::max({faults.unilateral, -f_F.z() / weight, (f_F.z() - most) / weight});
+    rest -= sample.force_W[i];
+  }
+  faults.force_balance = std::max(faults.force_balance, rest.norm() / weight);
+}
+
+}  // namespace
+
+double RigidBodyFaults::Largest() const {
+  return std::max({force_balance, torque_balance, friction, unilateral, reach_m, foothold_m, goal});
+}
+
+RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, const VectorX& x) {
+  RigidBodyMotion motion{problem.mass_kg, problem.inertia_B, {}, {}};
+  const double weight = problem.mass_kg * kGravity;
+  for (std::size_t s = 0; s < problem.stances.size(); ++s) {
+    motion.X_WF.push_back(problem.stances[s].X_WF);
+    motion.X_WF.back().translation() = unknowns.Foothold(s).At(x);
+  }
+  Vector3 angles = problem.start.angles_rad;
+  Vector3 momentum = RotationOf(angles) * problem.inertia_B * problem.start.w_WB_B;
+  for (std::size_t i = 0; i < unknowns.intervals(); ++i) {
+    RigidBodyInterval in{
+        unknowns.breaks_s()[i], unknowns.breaks_s()[i + 1], PowersOf(unknowns, x, i), angles, momentum, {}};
+    for (const ContactForce& f : unknowns.Forces(i)) {
+      in.forces.push_back(
+          {f.stance, unknowns.ContactPoint(f.stance, f.point).At(x), weight * f.from.At(x), weight * f.to.At(x)});
+    }
+    angles = AnglesAt(in, problem.inertia_B, in.end_s - in.start_s);
+    momentum = MomentumAt(in, in.end_s - in.start_s);
+    motion.intervals.push_back(std::move(in));
+  }
+  return motion;
+}
+
+std::vector<RigidBodySample> Sample(const RigidBodyMotion& motion, double step_s) {
+  const int steps = std::max(1, static_cast<int>(std::lround(motion.duration_s() / step_s)));
+  std::vector<RigidBodySample> samples;
+  std::size_t interval = 0;
+  for (int k = 0; k <= steps; ++k) {
+    const double t = motion.duration_s() * k / steps;
+    while (interval + 1 < motion.intervals.size() && t >= motion.intervals[interval].end_s) ++interval;
+    samples.push_back(At(motion, interval, t));
+  }
+  return samples;
+}
+
+RigidBodyFaults FaultsOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion, double step_s) {
+  RigidBodyFaults faults;
+  const std::vector<RigidBodySample> samples = Sample(motion, step_s);
+  for (const RigidBodySample& sample : samples) {
+    AddForceFaults(problem, motion, sample, faults);
+    const Matrix3 R_BW = RotationOf(sample.angles_rad).transpose();
+    for (const RigidBodyInterval::Force& f : motion.intervals[sample.interval].forces) {
+      const RigidFoot& foot = problem.feet[static_cast<std::size_t>(problem.stances[f.stance].foot)];
+      const Vector3 p_B = R_BW * (motion.X_WF[f.stance].translation() - sample.p_WC);
+      for (const HalfSpace& side : foot.workspace_B)
+        faults.reach_m = std::max(faults.reach_m, side.normal.dot(p_B) - side.offset);
+    }
+  }
+  faults.torque_balance = TorqueBalance(motion, Sample(motion, 0.5 * step_s));
+  for (std::size_t s = 0; s < problem.stances.size(); ++s) {
+    const Pose X_FF = problem.stances[s].X_WF.inverse() * motion.X_WF[s];
+    faults.foothold_m = std::max(faults.foothold_m, OutOf(problem.stances[s].region_F, X_FF.translation().head<2>()));
+  }
+  const RigidBodySample& end = samples.back();
+  faults.goal = std::max({(end.p_WC - problem.goal.p_WC).norm(), (end.angles_rad - problem.goal.angles_rad).norm(),
+                          (end.v_WC - problem.goal.v_WC).norm(), (end.w_WB_B - problem.goal.w_WB_B).norm()});
+  return faults;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "optimisation/centroidal/rigid_body_problem.h"
+#include "optimisation/centroidal/rigid_body_unknowns.h"
+
+namespace gaitwright {
+
+/// A motion of a rigid body over one interval between breaks, in which everything is a polynomial but the angles.
+struct RigidBodyInterval {
+  /// On a point of contact of a stance, linear over the interval.
+  struct Force {
+    std::size_t stance = 0;
+    Vector3 p_W = Vector3::Zero();                             ///< point of contact [m]
+    Vector3 from_W = Vector3::Zero(), to_W = Vector3::Zero();  ///< [N]
+  };
+
+  double start_s = 0.0, end_s = 0.0;
+  std::array<Vector3, 4> com;      ///< cubic in the time since start_s, by rising power
+  Vector3 angles_rad, momentum_W;  ///< at its start; momentum about the centre of mass [N m s]
+  std::vector<Force> forces;
+};
+
+/// A planned motion of a rigid body: what follows from its start and its forces, the centre of mass and the momentum
+/// exactly, the angles by the classical rule of Runge and Kutta.
+struct RigidBodyMotion {
+  double mass_kg = 1.0;
+  Matrix3 inertia_B = Matrix3::Identity();
+  std::vector<RigidBodyInterval> intervals;
+  std::vector<Pose> X_WF;  ///< foothold of each stance
+
+  double duration_s() const { return intervals.empty() ? 0.0 : intervals.back().end_s; }
+};
+
+/// The motion at a time.
+struct RigidBodySample {
+  double time_s = 0.0;
+  std::size_t interval = 0;
+  Vector3 p_WC, v_WC, a_WC, angles_rad, w_WB_B, momentum_W, torque_W;
+  std::vector<Vector3> force_W;  ///< on each of the interval's points of contact [N]
+};
+
+/// The motion that a vector of unknowns describes. Its end differs from the goal by what the constraints on turning are
+/// violated.
+RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, const VectorX& x);
+
+/// Samples at even times, `step_s` apart, the last at the end.
+std::vector<RigidBodySample> Sample(const RigidBodyMotion& motion, double step_s);
+
+/// How far a motion is from what it should be, over samples of it.
+struct RigidBodyFaults {
+  double force_balance = 0.0;   ///< largest |m a - sum f - m g| / (m g)
+  double torque_balance = 0.0;  ///< largest |d(I w)/dt - sum (p_i - p) x f_i| / (m g), of the turning sampled [m]
+  double friction = 0.0;        ///< largest tangential force beyond friction, over m g
+  double unilateral = 0.0;      ///< largest pull, or push beyond the greatest force, over m g
+  double reach_m = 0.0;         ///< farthest that a foot on the ground is out of its workspace
+  double foothold_m = 0.0;      ///< farthest that a foothold is out of its region
+  double goal = 0.0;            ///< farthest from the goal at the end [m], [rad]
+
+  double Largest() const;
+};
+
+/// Faults at samples `step_s` apart; those of forces and feet against the problem.
+RigidBodyFaults FaultsOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion, double step_s);
+
+}  // namespace gaitwright

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "optimisation/centroidal/rigid_body_unknowns.h"
+#include "optimisation/numerics/constrained_problem.h"
+
+namespace gaitwright {
+
+/// Rate of the angles with an angular momentum l (over the mean inertia), and its derivatives.
+struct TurningRate {
+  Vector3 rate;
+  Matrix3 by_angles, by_momentum;
+};
+
+/// d(angles)/dt of a body of inertia `inertia_B` over its mean: E^-1 I^-1 R^T l.
+TurningRate TurningRateOf(const Matrix3& relative_inertia_B, const Vector3& angles_rad, const Vector3& momentum);
+
+/// The rows of a rigid body's problem over its unknowns. Constraints keep references to nothing but what they hold.
+class RigidBodyTerms {
+ public:
+  RigidBodyTerms(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns)
+      : problem_(problem), unknowns_(unknowns) {}
+
+  /// Over the interval after a break, six rows that are zero: the change of angular momentum less the impulse of the
+  /// torques, which is exact (a polynomial of degree four, in five places); the change of angles by the Lobatto IIIA
+  /// rule of order four (Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, section IV.5).
+  Constraint Turning(std::size_t interval) const;
+
+  /// Where nothing carries, the force on the whole is zero.
+  Constraint Free(std::size_t at_break) const;
+
+  /// A force within the regular pyramid of `sides` sides that its cone of friction holds, of which one edge points
+  /// along x of the foothold; and no greater than it may be along its normal. `margin` [m g] keeps it inside.
+  Constraint Friction(const BoundForce& force, int sides, double margin) const;
+
+  /// The foothold of a stance in its foot's workspace at a time, by `margin_m`; between breaks the angles are those of
+  /// Hermite's cubic.
+  Constraint Reach(std::size_t stance, double time_s, double margin_m) const;
+
+  /// A foothold in its region. Only for one that is neither held nor without end.
+  Constraint Region(std::size_t stance) const;
+
+ private:
+  const RigidBodyProblem& problem_;
+  const RigidBodyUnknowns& unknowns_;
+};
+
+}  // namespace gaitwright

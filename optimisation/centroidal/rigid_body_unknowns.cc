@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/rigid_body_unknowns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "kinematics/trajectory/bspline.h"
+
+namespace gaitwright {
+namespace {
+
+/// Switches nearer to each other than this are one [s].
+constexpr double kSameTime = 1e-4;
+
+/// Times in order, those that are nearly the same taken together; the ends as they are.
+std::vector<double> Merged(std::vector<double> times, double end) {
+  std::sort(times.begin(), times.end());
+  std::vector<double> merged = {0.0};
+  for (const double t : times) {
+    if (t > merged.back() + kSameTime && t < end - kSameTime) merged.push_back(t);
+  }
+  merged.push_back(end);
+  return merged;
+}
+
+std::size_t Nearest(const std::vector<double>& times, double t) {
+  const auto after = std::lower_bound(times.begin(), times.end(), t - kSameTime);
+  return static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
+}
+
+}  // namespace
+
+Vector3 FootPlace::At(const VectorX& x) const {
+  Vector3 p = constant;
+  for (const Part& part : parts) p += part.axes * x.segment<2>(part.start);
+  return p;
+}
+
+FootPlace& FootPlace::Add(double factor, const FootPlace& other) {
+  constant += factor * other.constant;
+  for (const Part& part : other.parts) parts.push_back({part.start, factor * part.axes});
+  return *this;
+}
+
+RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals)
+    : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0) {
+  PlaceBreaks(spacing_s, least_intervals);
+  AddCentreOfMass();
+  AddTurning();
+  AddForces();
+  AddFootholds();
+}
+
+void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals) {
+  std::vector<double> switches;
+  for (const RigidStance& stance : problem_.stances) {
+    switches.push_back(stance.start_s);
+    switches.push_back(stance.end_s);
+  }
+  switches = Merged(switches, problem_.duration_s);
+  std::vector<int> parts(switches.size() - 1, 1);
+  for (const RigidStance& stance : problem_.stances) {
+    const std::size_t from = Nearest(switches, stance.start_s), to = Nearest(switches, stance.end_s);
+    const double spacing = std::min(spacing_s, (stance.end_s - stance.start_s) / least_intervals);
+    for (std::size_t i = from; i < to; ++i) {
+      const double length = switches[i + 1] - switches[i];
+      parts[i] = std::max(parts[i], static_cast<int>(std::ceil(length / spacing - 1e-6)));
+    }
+  }
+  breaks_s_ = {0.0};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (int part = 1; part <= parts[i]; ++part)
+      breaks_s_.push_back(switches[i] + (switches[i + 1] - switches[i]) * part / parts[i]);
+  }
+}
+
+AffineVector RigidBodyUnknowns::Next() {
+  size_ += 3;
+  return AffineVector::Unknown(size_ - 3);
+}
+
+void RigidBodyUnknowns::AddCentreOfMass() {
+  const std::size_t n = breaks_s_.size() + 2;
+  control_.resize(n);
+  const double first = (breaks_s_[1] - breaks_s_[0]) / 3.0, last = (breaks_s_[n - 3] - breaks_s_[n - 4]) / 3.0;
+  control_[0].constant = problem_.start.p_WC;
+  control_[1].constant = problem_.start.p_WC + first * problem_.start.v_WC;
+  for (std::size_t i = 2; i + 2 < n; ++i) control_[i] = Next();
+  control_[n - 2].constant = problem_.goal.p_WC - last * problem_.goal.v_WC;
+  control_[n - 1].constant = problem_.goal.p_WC;
+}
+
+void RigidBodyUnknowns::AddTurning() {
+  const auto momentum = [&](const RigidBodyState& state) -> Vector3 {
+    return RotationOf(state.angles_rad) * problem_.inertia_B * state.w_WB_B / mean_inertia_;
+  };
+  const std::size_t n = breaks_s_.size();
+  angles_.resize(n);
+  momentum_.resize(n);
+  angles_[0].constant = problem_.start.angles_rad;
+  momentum_[0].constant = momentum(problem_.start);
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    angles_[k] = Next();
+    momentum_[k] = Next();
+  }
+  angles_[n - 1].constant = problem_.goal.angles_rad;
+  momentum_[n - 1].constant = momentum(problem_.goal);
+}
+
+void RigidBodyUnknowns::AddFootholds() {
+  for (const RigidStance& stance : problem_.stances) {
+    FootPlace place{stance.X_WF.translation()};
+    if (!stance.held) {
+      place.parts.push_back({size_, stance.X_WF.linear().leftCols<2>()});
+      size_ += 2;
+    }
+    footholds_.push_back(place);
+  }
+}
+
+FootPlace RigidBodyUnknowns::ContactPoint(std::size_t stance, std::size_t point) const {
+  FootPlace place = footholds_[stance];
+  const RigidStance& of = problem_.stances[stance];
+  place.constant += of.X_WF.linear() * problem_.feet[static_cast<std::size_t>(of.foot)].contacts_F[point];
+  return place;
+}
+
+AffineVector RigidBodyUnknowns::CentreOfMass(double time_s) const {
+  const CubicBasis basis = EvaluateCubicBasis(breaks_s_, time_s);
+  AffineVector p;
+  for (std::size_t i = 0; i < 4; ++i) p.Add(basis.value[i], control_[static_cast<std::size_t>(basis.first) + i]);
+  return p;
+}
+
+AffineVector RigidBodyUnknowns::WholeForce(std::size_t at_break) const {
+  const CubicBasis basis = EvaluateCubicBasis(breaks_s_, breaks_s_[at_break]);
+  AffineVector force{Vector3::UnitZ()};
+  const bool last = at_break + 1 == breaks_s_.size();
+  for (std::size_t i = last ? 1 : 0; i < (last ? 4 : 3); ++i)
+    force.Add(basis.acceleration[i] / kGravity, control_[static_cast<std::size_t>(basis.first) + i]);
+  return force;
+}
+
+std::vector<BoundForce> RigidBodyUnknowns::Carry(const std::vector<std::size_t>& stances, std::size_t at_break) {
+  std::vector<BoundForce> carried;
+  AffineVector rest = WholeForce(at_break);
+  for (const std::size_t s : stances) {
+    const auto foot = static_cast<std::size_t>(problem_.stances[s].foot);
+    for (std::size_t point = 0; point < problem_.feet[foot].contacts_F.size(); ++point) {
+      const bool last = s == stances.back() && point + 1 == problem_.feet[foot].contacts_F.size();
+      carried.push_back({s, point, at_break, last ? rest : Next()});
+      rest.Add(-1.0, carried.back().force);
+    }
+  }
+  return carried;
+}
+
+void RigidBodyUnknowns::AddForces() {
+  const std::size_t n = breaks_s_.size();
+  std::vector<std::size_t> from, to;
+  for (const RigidStance& stance : problem_.stances) {
+    from.push_back(Nearest(breaks_s_, stance.start_s));
+    to.push_back(Nearest(breaks_s_, stance.end_s));
+  }
+  std::map<std::array<std::size_t, 3>, AffineVector> at;  // by stance, point and break
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<std::size_t> through, ending, starting;
+    for (std::size_t s = 0; s < from.size(); ++s) {
+      const bool before = from[s] < k || k == 0, after = to[s] > k || k + 1 == n;
+      if (from[s] <= k && to[s] >= k) (before && after ? through : before ? ending : starting).push_back(s);
+    }
+    if (through.empty() && (ending.empty() || starting.empty())) {
+      free_breaks_.push_back(k);
+      continue;
+    }
+    std::vector<BoundForce> carried = Carry(through.empty() ? ending : through, k);
+    if (through.empty()) {
+      const std::vector<BoundForce> others = Carry(starting, k);
+      carried.insert(carried.end(), others.begin(), others.end());
+    }
+    for (const BoundForce& force : carried) at[{force.stance, force.point, k}] = force.force;
+    bound_forces_.insert(bound_forces_.end(), carried.begin(), carried.end());
+  }
+  forces_.resize(n - 1);
+  for (std::size_t s = 0; s < from.size(); ++s) {
+    const auto foot = static_cast<std::size_t>(problem_.stances[s].foot);
+    for (std::size_t k = from[s]; k < to[s]; ++k) {
+      for (std::size_t point = 0; point < problem_.feet[foot].contacts_F.size(); ++point)
+        forces_[k].push_back({s, point, at[{s, point, k}], at[{s, point, k + 1}]});
+    }
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/plan_rigid_body.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kinematics/base/result.h"
+#include "tests/optimisation/centroidal/rigid_bodies.h"
+
+namespace gaitwright {
+namespace {
+
+/// A motion that keeps its laws at 1 kHz, between breaks too.
+RigidBodyPlan Planned(const RigidBodyProblem& problem, const RigidBodyOptions& options = {}) {
+  const Result<RigidBodyPlan> plan = PlanRigidBody(problem, options);
+  EXPECT_TRUE(plan.ok()) << plan.failure().message;
+  if (!plan.ok()) return {};
+  const RigidBodyFaults faults = FaultsOf(problem, plan->motion, 1e-3);
+  EXPECT_LT(faults.Largest(), 1e-3) << faults.torque_balance << " " << faults.reach_m << " " << faults.goal;
+  EXPECT_LT(faults.force_balance, 1e-6);
+  EXPECT_LE(faults.friction, 0.0);
+  EXPECT_LE(faults.unilateral, 0.0);
+  return *plan;
+}
+
+TEST(PlanRigidBody, KeepsTheLawsForOneTwoAndFourFeet) {
+  Planned(rigid_bodies::Hopper());
+  Planned(rigid_bodies::Walker());
+  Planned(rigid_bodies::Trotter());
+  Planned(rigid_bodies::SoledWalker());
+}
+
+TEST(PlanRigidBody, StandingStillIsTheCheapestWayToStayWhereOneIs) {
+  RigidBodyProblem problem = rigid_bodies::Trotter(0.0);
+  std::erase_if(problem.stances, [](const RigidStance& s) { return s.start_s > 0.0; });
+  for (RigidStance& stance : problem.stances) stance.end_s = problem.duration_s;
+  const RigidBodyPlan plan = Planned(problem);
+  EXPECT_LT(plan.summary.cost, 1e-9);
+  for (const RigidBodySample& s : Sample(plan.motion, 0.1)) {
+    EXPECT_LT((s.p_WC - problem.start.p_WC).norm(), 1e-4);
+    for (const Vector3& f : s.force_W) EXPECT_LT((f - 0.25 * 12.0 * kGravity * Vector3::UnitZ()).norm(), 0.02);
+  }
+}
+
+TEST(PlanRigidBody, FlightIsAParabola) {
+  const RigidBodyPlan plan = Planned(rigid_bodies::Hopper());
+  int flying = 0;
+  Vector3 v_off = Vector3::Zero();
+  for (const RigidBodySample& s : Sample(plan.motion, 1e-3)) {
+    if (s.time_s < 0.5 || s.time_s > 0.75 - 1e-9) continue;
+    if (flying++ == 0) v_off = s.v_WC;
+    const double t = s.time_s - 0.5;
+    EXPECT_LT((s.v_WC - v_off + kGravity * t * Vector3::UnitZ()).norm(), 1e-4) << s.time_s;
+  }
+  EXPECT_GE(flying, 249);
+  EXPECT_GT(v_off.z(), 0.8);  // up for half of 0.25 s, had it to land as high as it left
+}
+
+TEST(PlanRigidBody, LeftAndRightAreAlike) {
+  const RigidBodyProblem problem = rigid_bodies::Walker();
+  RigidBodyProblem mirrored = problem;
+  for (RigidFoot& foot : mirrored.feet) {
+    foot.p_CF_nominal_B.y() *= -1.0;
+    for (HalfSpace& side : foot.workspace_B) side.normal.y() *= -1.0;
+  }
+  for (RigidStance& stance : mirrored.stances) stance.X_WF.translation().y() *= -1.0;
+  const RigidBodyPlan left = Planned(problem), right = Planned(mirrored);
+  EXPECT_NEAR(left.summary.cost, right.summary.cost, 1e-3 * left.summary.cost);
+  const std::vector<RigidBodySample> a = Sample(left.motion, 0.01), b = Sample(right.motion, 0.01);
+  double sway = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sway = std::max(sway, std::abs(a[k].p_WC.y()));
+    EXPECT_NEAR(a[k].p_WC.y(), -b[k].p_WC.y(), 5e-3);
+    EXPECT_NEAR(a[k].p_WC.x(), b[k].p_WC.x(), 5e-3);
+  }
+  EXPECT_GT(sway, 0.02);
+}
+
+TEST(PlanRigidBody, TheSameProblemHasTheSameMotion) {
+  const RigidBodyPlan a = Planned(rigid_bodies::Trotter()), b = Planned(rigid_bodies::Trotter());
+  for (std::size_t i = 0; i < a.motion.intervals.size(); ++i) {
+    EXPECT_EQ(a.motion.intervals[i].com, b.motion.intervals[i].com);
+    EXPECT_EQ(a.motion.intervals[i].momentum_W, b.motion.intervals[i].momentum_W);
+  }
+}
+
+TEST(PlanRigidBody, FootholdsStayInTheirRegions) {
+  RigidBodyProblem problem = rigid_bodies::Walker();
+  // The first step is to be short and wide, on a tile that is not where it likes to step.
+  problem.stances[1].region_F = {{-0.2, 0.06}, {-0.14, 0.06}, {-0.14, 0.1}, {-0.2, 0.1}};
+  const RigidBodyPlan plan = Planned(problem);
+  const Vector3 moved = plan.motion.X_WF[1].translation() - problem.stances[1].X_WF.translation();
+  EXPECT_NEAR(moved.x(), -0.14, 5e-3);
+  EXPECT_NEAR(moved.y(), 0.06, 5e-3);
+}
+
+TEST(PlanRigidBody, LittleFrictionIsKeptToAndCostsMore) {
+  RigidBodyProblem problem = rigid_bodies::Trotter();
+  const double cost = Planned(problem).summary.cost;
+  for (RigidStance& stance : problem.stances) stance.friction = 0.2;
+  EXPECT_GT(Planned(problem).summary.cost, cost);
+}
+
+TEST(PlanRigidBody, SaysWhichLawStaysUnmetAndWhere) {
+  RigidBodyProblem far = rigid_bodies::Hopper(2.5);
+  RigidBodyPlan last;
+  const Result<RigidBodyPlan> plan = PlanRigidBody(far, {}, &last);
+  ASSERT_FALSE(plan.ok());
+  EXPECT_EQ(plan.failure().code, "unmet_law");
+  EXPECT_NE(plan.failure().message.find(" at "), std::string::npos) << plan.failure().message;
+  EXPECT_NE(plan.failure().message.find("stays unmet by"), std::string::npos);
+  EXPECT_GT(last.summary.violation, 1e-3);
+  EXPECT_FALSE(last.motion.intervals.empty());
+}
+
+TEST(PlanRigidBody, FinerBreaksLeaveSmallerFaults) {
+  RigidBodyProblem problem = rigid_bodies::Trotter();
+  const auto torque = [&](double spacing_s) {
+    const Result<RigidBodyPlan> plan =
+        PlanRigidBody(problem, {.spacing_s = spacing_s, .least_intervals = 2, .tolerance = 1e-8});
+    EXPECT_TRUE(plan.ok());
+    return plan.ok() ? FaultsOf(problem, plan->motion, 1e-3).goal : 0.0;
+  };
+  const double coarse = torque(0.12), fine = torque(0.03);
+  EXPECT_GT(coarse, 1e-9);
+  EXPECT_LT(fine, 0.1 * coarse);
+}
+
+TEST(PlanRigidBody, RefusesOptionsThatAreNone) {
+  EXPECT_THROW(PlanRigidBody(rigid_bodies::Hopper(), {.spacing_s = -1.0}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "optimisation/centroidal/rigid_body_problem.h"
+#include "optimisation/centroidal/rigid_body_unknowns.h"
+
+/// Single rigid bodies to try things on.
+namespace gaitwright::rigid_bodies {
+
+/// An interval of contact of a foot, at a share of the way.
+struct Step {
+  int foot;
+  double start_s, end_s, share;
+};
+
+inline RigidFoot PointFoot(const Vector3& nominal_B, const Vector3& half_box) {
+  RigidFoot foot;
+  foot.p_CF_nominal_B = nominal_B;
+  foot.workspace_B = BoxAbout(nominal_B, half_box);
+  return foot;
+}
+
+/// A body over its feet that goes `way_m` ahead on level ground, from rest to rest, by steps; those at the start are
+/// where they are, the others anywhere.
+inline RigidBodyProblem Going(double mass_kg, const Vector3& inertia, const std::vector<RigidFoot>& feet, double way_m,
+                              double duration_s, const std::vector<Step>& steps) {
+  RigidBodyProblem problem;
+  problem.mass_kg = mass_kg;
+  problem.inertia_B = inertia.asDiagonal();
+  problem.feet = feet;
+  const Vector3 up = -feet.front().p_CF_nominal_B.z() * Vector3::UnitZ();
+  problem.start.p_WC = up;
+  problem.goal.p_WC = up + way_m * Vector3::UnitX();
+  problem.duration_s = duration_s;
+  for (const Step& step : steps) {
+    RigidStance stance;
+    stance.foot = step.foot;
+    stance.start_s = step.start_s;
+    stance.end_s = step.end_s;
+    stance.held = step.start_s == 0.0;
+    stance.friction = 0.6;
+    stance.X_WF.translation() =
+        up + step.share * way_m * Vector3::UnitX() + feet[static_cast<std::size_t>(step.foot)].p_CF_nominal_B;
+    problem.stances.push_back(stance);
+  }
+  return problem;
+}
+
+/// One leg that stands, hops once for 0.25 s, and stands.
+inline RigidBodyProblem Hopper(double way_m = 0.3) {
+  return Going(20.0, {1.2, 5.5, 6.0}, {PointFoot({0.0, 0.0, -0.58}, {0.25, 0.15, 0.2})}, way_m, 1.25,
+               {{0, 0.0, 0.5, 0.0}, {0, 0.75, 1.25, 1.0}});
+}
+
+/// Two feet that step in turn, with both on the ground between.
+inline RigidBodyProblem Walker(double way_m = 0.6) {
+  const Vector3 box(0.25, 0.15, 0.15);
+  return Going(20.0, {1.2, 5.5, 6.0}, {PointFoot({0.0, 0.2, -0.65}, box), PointFoot({0.0, -0.2, -0.65}, box)}, way_m,
+               1.9,
+               {{0, 0.0, 0.3, 0.0}, {0, 0.55, 1.2, 0.5}, {0, 1.45, 1.9, 1.0}, {1, 0.0, 0.7, 0.0}, {1, 1.0, 1.9, 1.0}});
+}
+
+/// Four feet, diagonals in turn without any time between.
+inline RigidBodyProblem Trotter(double way_m = 0.5) {
+  const Vector3 box(0.15, 0.10, 0.08);
+  std::vector<RigidFoot> feet;
+  for (const double x : {0.18, -0.18}) {
+    for (const double y : {0.13, -0.13}) feet.push_back(PointFoot({x, y, -0.28}, box));
+  }
+  std::vector<Step> steps;
+  for (int foot = 0; foot < 4; ++foot) {
+    if (foot == 0 || foot == 3) {
+      steps.insert(steps.end(), {{foot, 0.0, 0.2, 0.0}, {foot, 0.45, 0.7, 0.5}, {foot, 0.95, 1.4, 1.0}});
+    } else {
+      steps.insert(steps.end(), {{foot, 0.0, 0.45, 0.0}, {foot, 0.7, 0.95, 0.75}, {foot, 1.2, 1.4, 1.0}});
+    }
+  }
+  return Going(12.0, {0.14, 0.36, 0.39}, feet, way_m, 1.4, steps);
+}
+
+/// The walker on soles of four corners.
+inline RigidBodyProblem SoledWalker(double way_m = 0.6) {
+  RigidBodyProblem problem = Walker(way_m);
+  for (RigidFoot& foot : problem.feet)
+    foot.contacts_F = {{0.1, 0.04, 0.0}, {0.1, -0.04, 0.0}, {-0.06, -0.04, 0.0}, {-0.06, 0.04, 0.0}};
+  return problem;
+}
+
+/// The trotter on all its feet, which may be anywhere.
+inline RigidBodyProblem Stander() {
+  RigidBodyProblem problem = Trotter(0.0);
+  std::erase_if(problem.stances, [](const RigidStance& s) { return s.start_s > 0.0; });
+  problem.duration_s = 0.4;
+  for (RigidStance& stance : problem.stances) {
+    stance.end_s = problem.duration_s;
+    stance.held = false;
+  }
+  return problem;
+}
+
+/// Unknowns of a stander that stays where it is while its feet's forces waver, the same over time whatever the breaks.
+inline VectorX Wavering(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
+  VectorX x = VectorX::Zero(unknowns.size());
+  for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i)
+    x.segment<3>(unknowns.ControlPoint(i)) = problem.start.p_WC;
+  for (const BoundForce& force : unknowns.BoundForces()) {
+    if (force.force.parts.size() != 1) continue;
+    const double t = unknowns.breaks_s()[force.at_break], phase = static_cast<double>(force.stance);
+    x.segment<3>(force.force.parts[0].start) =
+        Vector3(0.02 * std::sin(7.0 * t), 0.03 * std::cos(9.0 * t + phase), 0.25 + 0.02 * std::sin(11.0 * t + phase));
+  }
+  return x;
+}
+
+}  // namespace gaitwright::rigid_bodies

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/rigid_body_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kinematics/spatial/rotation.h"
+#include "tests/optimisation/centroidal/rigid_bodies.h"
+
+namespace gaitwright {
+namespace {
+
+/// A body in free flight.
+RigidBodyMotion Thrown(const Vector3& inertia, const Vector3& momentum, double duration_s) {
+  RigidBodyMotion motion;
+  motion.mass_kg = 2.0;
+  motion.inertia_B = inertia.asDiagonal();
+  RigidBodyInterval in;
+  in.start_s = 0.0;
+  in.end_s = duration_s;
+  in.com = {Vector3(0.0, 0.0, 1.0), Vector3(0.5, 0.0, 2.0), Vector3(0.0, 0.0, -0.5 * kGravity), Vector3::Zero()};
+  in.angles_rad = Vector3(0.2, 0.1, -0.3);
+  in.momentum_W = momentum;
+  motion.intervals = {in};
+  return motion;
+}
+
+TEST(RigidBodyMotion, AThrownBodyKeepsItsMomentumAndItsEnergyOfTurning) {
+  const RigidBodyMotion motion = Thrown({0.1, 0.2, 0.28}, {0.3, -0.2, 0.5}, 0.5);
+  const auto energy = [&](const RigidBodySample& s) { return 0.5 * s.w_WB_B.dot(motion.inertia_B * s.w_WB_B); };
+  const std::vector<RigidBodySample> samples = Sample(motion, 0.01);
+  ASSERT_EQ(samples.size(), 51U);
+  EXPECT_GT((samples.back().w_WB_B - samples.front().w_WB_B).norm(), 0.1);
+  for (const RigidBodySample& s : samples) {
+    EXPECT_NEAR(energy(s), energy(samples.front()), 1e-9);
+    EXPECT_LT((s.momentum_W - samples.front().momentum_W).norm(), 1e-12);
+    EXPECT_LT((s.a_WC + kGravity * Vector3::UnitZ()).norm(), 1e-12);
+  }
+  EXPECT_NEAR(samples.back().p_WC.z(), 1.0 + 2.0 * 0.5 - 0.5 * kGravity * 0.25, 1e-12);
+}
+
+TEST(RigidBodyMotion, TheTurningIsThatOfASymmetricTop) {
+  // About its axis of symmetry it turns evenly in the body, with (I1 - I3) / I1 of its spin.
+  const Vector3 inertia(0.2, 0.2, 0.3), momentum(0.2, 0.1, 0.6);
+  const RigidBodyMotion motion = Thrown(inertia, momentum, 0.4);
+  const std::vector<RigidBodySample> samples = Sample(motion, 0.4);
+  const Vector3 w = samples.front().w_WB_B;
+  const double turned = 0.4 * w.z() * (inertia.x() - inertia.z()) / inertia.x();
+  const Vector3 expected = Eigen::AngleAxisd(-turned, Vector3::UnitZ()) * w;
+  EXPECT_GT((expected - w).norm(), 0.05);
+  EXPECT_LT((samples.back().w_WB_B - expected).norm(), 1e-7);
+}
+
+/// A stander with wavering forces.
+struct Some {
+  RigidBodyProblem problem = rigid_bodies::Stander();
+  RigidBodyUnknowns unknowns{problem, 0.05, 3};
+  VectorX x = rigid_bodies::Wavering(problem, unknowns);
+  RigidBodyMotion motion = MotionOf(problem, unknowns, x);
+};
+
+TEST(RigidBodyMotion, IsTheUnknownsCentreOfMassAndForces) {
+  const Some some;
+  for (const RigidBodySample& s : Sample(some.motion, 0.013)) {
+    EXPECT_LT((s.p_WC - some.unknowns.CentreOfMass(s.time_s).At(some.x)).norm(), 1e-9);
+    Vector3 sum = Vector3::Zero();
+    for (const Vector3& f : s.force_W) sum += f;
+    EXPECT_LT((sum - 12.0 * (s.a_WC + kGravity * Vector3::UnitZ())).norm(), 1e-9 * sum.norm());
+  }
+}
+
+TEST(RigidBodyMotion, VelocitiesAndMomentumAreContinuousAndIntegralsOfForces) {
+  const Some some;
+  const std::vector<RigidBodySample> samples = Sample(some.motion, 1e-3);
+  for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
+    const Vector3 v = (samples[k + 1].p_WC - samples[k - 1].p_WC) / 2e-3;
+    EXPECT_LT((v - samples[k].v_WC).norm(), 1e-5);
+    const Vector3 gained = samples[k + 1].momentum_W - samples[k].momentum_W;
+    EXPECT_LT((gained / 1e-3 - 0.5 * (samples[k].torque_W + samples[k + 1].torque_W)).norm(), 1e-2);
+  }
+  EXPECT_GT(samples[300].torque_W.norm(), 0.5);
+}
+
+TEST(RigidBodyMotion, BalancesForcesAndTorquesWhateverItsUnknowns) {
+  const Some some;
+  const RigidBodyFaults faults = FaultsOf(some.problem, some.motion, 1e-3);
+  EXPECT_LT(faults.force_balance, 1e-12);
+  EXPECT_LT(faults.torque_balance, 1e-4);
+  EXPECT_GT(faults.goal, 0.01);  // these forces turn it
+}
+
+TEST(RigidBodyMotion, FaultsAreFound) {
+  Some some;
+  RigidBodyMotion broken = some.motion;
+  broken.intervals[6].forces[0].from_W.x() += 11.772;  // a tenth of the weight
+  EXPECT_NEAR(FaultsOf(some.problem, broken, 1e-3).force_balance, 0.1, 5e-3);
+  broken.intervals[6].forces[0].from_W.x() += 35.316;
+  EXPECT_NEAR(FaultsOf(some.problem, broken, 1e-3).friction, 0.4 - 0.6 * 0.25, 0.03);
+  broken.intervals[6].forces[0].from_W.z() -= 47.088;
+  EXPECT_NEAR(FaultsOf(some.problem, broken, 1e-3).unilateral, 0.4 - 0.25, 0.03);
+  broken = some.motion;
+  broken.intervals[6].momentum_W.y() += 0.1;  // at once: in 1 ms of 100 N m over 117.72 N, and turned by the next
+  EXPECT_GT(FaultsOf(some.problem, broken, 1e-3).torque_balance, 100.0 / 117.72);
+  const double reach = FaultsOf(some.problem, some.motion, 1e-3).reach_m;
+  broken = some.motion;
+  for (Pose& X_WF : broken.X_WF) X_WF.translation().z() -= 1.0;
+  EXPECT_NEAR(FaultsOf(some.problem, broken, 1e-3).reach_m, reach + 1.0, 0.2);
+  some.problem.stances[1].region_F = {{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0.01}, {-0.01, 0.01}};
+  broken = some.motion;
+  broken.X_WF[1] = some.problem.stances[1].X_WF;
+  broken.X_WF[1].translation().x() += 0.05;
+  EXPECT_NEAR(FaultsOf(some.problem, broken, 1e-3).foothold_m, 0.04, 1e-12);
+}
+
+}  // namespace
+}  // namespace gaitwright
