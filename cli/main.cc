@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   AddRobots(app, status);
   AddGaits(app, status);
   AddTerrains(app, status);
+  AddBench(app, status);
   LayOutHelp(app);
   try {
     app.parse(argc, argv);

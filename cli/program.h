@@ -48,5 +48,6 @@ void AddPlay(CLI::App& app, int& status);
 void AddRobots(CLI::App& app, int& status);
 void AddGaits(CLI::App& app, int& status);
 void AddTerrains(CLI::App& app, int& status);
+void AddBench(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

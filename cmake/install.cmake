@@ -20,6 +20,7 @@ endif()
 if(EXISTS ${CMAKE_SOURCE_DIR}/planning/gait/gaits.yaml)
   install(FILES planning/gait/gaits.yaml DESTINATION ${CMAKE_INSTALL_DATADIR}/gaitwright)
 endif()
+install(FILES tests/benchmarks/centroidal_problems.json DESTINATION ${CMAKE_INSTALL_DATADIR}/gaitwright/benchmarks)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(cmake/gaitwrightConfig.cmake.in ${CMAKE_BINARY_DIR}/gaitwrightConfig.cmake

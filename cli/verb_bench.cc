@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/flags.h"
+#include "cli/program.h"
+#include "workflows/study/centroidal_bench.h"
+
+namespace gaitwright::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  Common common;
+  std::string problems, filter;
+  std::optional<double> distance_m, duration_s, friction;
+  bool as_asked = false;
+  RigidBodyOptions options;
+};
+
+Json ToJson(const CentroidalOutcome& o) {
+  return {{"robot", o.robot},
+          {"schedule", o.schedule},
+          {"ground", o.ground},
+          {"solved", o.solved && !o.eased},
+          {"reason", o.reason},
+          {"solved_when_eased", o.eased},
+          {"duration_s", o.task.duration_s},
+          {"friction", o.task.friction},
+          {"variables", o.variables},
+          {"constraints", o.constraints},
+          {"iterations", o.iterations},
+          {"cpu_ms", o.cpu_ms},
+          {"cost", o.cost},
+          {"node_violation", o.node_violation},
+          {"at_1_khz",
+           {{"force_balance_mg", o.between.force_balance},
+            {"torque_balance_mg_m", o.between.torque_balance},
+            {"friction_mg", o.between.friction},
+            {"unilateral_mg", o.between.unilateral},
+            {"reach_m", o.between.reach_m},
+            {"foothold_m", o.between.foothold_m},
+            {"goal", o.between.goal}}},
+          {"peak_memory_mb", o.peak_memory_mb}};
+}
+
+int Run(Arguments& a) {
+  ApplySets("--set", a.common.sets, a.options.Fields());
+  const std::string path = a.problems.empty() ? CentroidalProblemsPath() : a.problems;
+  const Result<CentroidalProblemSet> set = LoadCentroidalProblems(path);
+  if (!set) return Report(set.failure(), a.common);
+  const CentroidalTask task{a.distance_m.value_or(set->distance_m), a.duration_s.value_or(set->duration_s),
+                            a.friction.value_or(set->friction)};
+  const std::vector<CentroidalCase> cases = CasesOf(*set, a.filter);
+  if (cases.empty()) {
+    return Report({FailureKind::kBadInput,
+                   "no_such_case",
+                   "bench",
+                   fmt::format("no case holds '{}'", a.filter),
+                   {"a case is ROBOT-NUMBER-GROUND, such as hyq-1-gap"}},
+                  a.common);
+  }
+  std::vector<CentroidalOutcome> outcomes;
+  for (const CentroidalCase& one : cases) outcomes.push_back(RunCase(*set, one, task, a.options, !a.as_asked));
+  if (a.common.json) {
+    Json list = Json::array();
+    for (const CentroidalOutcome& outcome : outcomes) list.push_back(ToJson(outcome));
+    fmt::print("{}\n", Json{{"bench", "centroidal"}, {"cases", list}, {"files", {{"problems", path}}}}.dump(2));
+  } else {
+    fmt::print("{}", CentroidalTable(outcomes));
+  }
+  return kPass;
+}
+
+}  // namespace
+
+void AddBench(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("bench", "Run a set of problems and print a table");
+  CLI::App& centroidal =
+      *verb.add_subcommand("centroidal", "Single rigid bodies over given schedules on uneven ground");
+  AddText(centroidal, "--problems", "FILE", a->problems, "A set of your own; default the one that comes with this.");
+  AddText(centroidal, "--only", "TEXT", a->filter,
+          "Only cases whose ROBOT-NUMBER-GROUND, such as hyq-1-gap, holds this.");
+  AddNumber(centroidal, "--distance", "M", a->distance_m, "How far; default as the set says.");
+  AddNumber(centroidal, "--duration", "S", a->duration_s, "In what time; default as the set says.");
+  AddNumber(centroidal, "--friction", "MU", a->friction, "Of all ground; default as the set says.");
+  centroidal.add_flag("--as-asked", a->as_asked, "Do not ease cases that have no motion.");
+  AddOptionList(centroidal, a->options.Fields(), a->common.json);
+  AddCommon(centroidal, a->common,
+            {"bench centroidal --only hyq-1-gap", "bench centroidal --only biped-0-flat --duration 3.6 --json"});
+  AddCommon(verb, a->common, {"bench centroidal --only hyq-1-gap"});
+  verb.require_subcommand(1);
+  centroidal.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/choose_footholds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/stability/polygon.h"
+#include "optimisation/centroidal/body_way.h"
+
+namespace gaitwright {
+namespace {
+
+/// How far a patch without end is looked at.
+constexpr double kFar = 100.0;
+
+Polygon OutlineOf(const TerrainPatch& patch) {
+  if (!patch.outline_T.empty()) return patch.outline_T;
+  return {{-kFar, -kFar}, {kFar, -kFar}, {kFar, kFar}, {-kFar, kFar}};
+}
+
+/// The part of a patch around the place nearest to p where no other patch lies above it: cut off, patch by patch, along
+/// the side of it that the place is farthest outside of.
+Polygon FreePart(const Terrain& terrain, std::size_t patch, const Vector3& p_W, double margin_m) {
+  const TerrainPatch& own = terrain.patches[patch];
+  Polygon part = Shrunk(OutlineOf(own), margin_m);
+  for (std::size_t other = 0; other < terrain.patches.size() && part.size() >= 3; ++other) {
+    const TerrainPatch& above = terrain.patches[other];
+    if (other == patch || above.outline_T.empty()) continue;
+    const Pose X_own = own.X_WT.inverse() * above.X_WT;
+    Polygon outline;
+    double height = 0.0;
+    for (const Vector2& corner : above.outline_T) {
+      const Vector3 q = X_own * Vector3(corner.x(), corner.y(), 0.0);
+      outline.emplace_back(q.head<2>());
+      height += q.z() / static_cast<double>(above.outline_T.size());
+    }
+    if (height <= 1e-6) continue;
+    const Vector2 at = NearestPoint(part, (own.X_WT.inverse() * p_W).head<2>());
+    double farthest = -std::numeric_limits<double>::infinity();
+    Vector2 normal = Vector2::UnitX();
+    double least = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vector2 along = outline[(i + 1) % outline.size()] - outline[i];
+      const Vector2 outward = Vector2(along.y(), -along.x()).normalized();
+      if (const double out = outward.dot(at - outline[i]); out > farthest) {
+        farthest = out;
+        normal = outward;
+        least = outward.dot(outline[i]) + margin_m;
+      }
+    }
+    part = Clipped(part, normal, least);
+  }
+  return part;
+}
+
+class Chooser {
+ public:
+  Chooser(const Terrain& terrain, const RigidBodyProblem& problem, const FootholdChoiceOptions& options)
+      : terrain_(terrain), options_(options), patches_(problem.stances.size(), -1) {
+    result_.problem = problem;
+  }
+
+  Result<FootholdChoice> Run() {
+    if (const std::optional<Failure> failure = GoalOutOfReach()) return *failure;
+    way_ = StraightWay(terrain_, result_.problem, options_.spacing_s);
+    // Ways and patches are fitted to each other in turn until the patches stay.
+    constexpr int kRounds = 5;
+    for (int round = 0; round < kRounds; ++round) {
+      if (!TakeBestPatches()) break;
+      Fit();
+    }
+    TryOthers();
+    const BodyWayMisfit misfit = OutOfReach(result_.problem, way_);
+    if (misfit.largest_m > options_.hopeless_m) return Hopeless(misfit);
+    result_.misfit_m = misfit.largest_m;
+    return result_;
+  }
+
+ private:
+  std::vector<RigidStance>& stances() { return result_.problem.stances; }
+
+  Failure Hopeless(const BodyWayMisfit& misfit) const {
+    const RigidStance& stance = result_.problem.stances[static_cast<std::size_t>(misfit.stance)];
+    Vector3 first = way_.p_WC.back(), last = way_.p_WC.back();
+    for (std::size_t k = way_.time_s.size(); k-- > 0;) {
+      if (way_.time_s[k] >= stance.start_s) first = way_.p_WC[k];
+      if (way_.time_s[k] >= stance.end_s) last = way_.p_WC[k];
+    }
+    return {FailureKind::kInfeasible,
+            "out_of_reach",
+            "ChooseFootholds",
+            fmt::format(
+                "foot {}, on the ground from {:.2f} to {:.2f} s while the body goes {:.2f} m, stays {:.3f} m out of "
+                "its workspace at {:.2f} s on the best way found, whatever the forces",
+                stance.foot, stance.start_s, stance.end_s, (last - first).norm(), misfit.largest_m, misfit.at_s),
+            {"give it more time, a shorter way or shorter stances"}};
+  }
+
+  /// The feet that stand at the end reach some patch from where the body is asked to be then.
+  std::optional<Failure> GoalOutOfReach() {
+    for (std::size_t s = 0; s < stances().size(); ++s) {
+      if (stances()[s].end_s < result_.problem.duration_s || stances()[s].held) continue;
+      const RigidStance before = stances()[s];
+      const RigidBodyState& goal = result_.problem.goal;
+      const Vector3 wanted = goal.p_WC + RotationOf(goal.angles_rad) * FootOf(result_.problem, s).p_CF_nominal_B;
+      double least = std::numeric_limits<double>::infinity();
+      for (int patch = 0; patch < static_cast<int>(terrain_.patches.size()); ++patch) {
+        if (Put(s, patch, wanted)) least = std::min(least, LeastOutOfReach(result_.problem, s, goal));
+      }
+      stances()[s] = before;
+      patches_[s] = -1;
+      if (least <= options_.misfit_m) continue;
+      return Failure{FailureKind::kInfeasible,
+                     "goal_out_of_reach",
+                     "ChooseFootholds",
+                     fmt::format("at the goal foot {} is {:.3f} m out of its workspace wherever it stands",
+                                 stances()[s].foot, least),
+                     {"another height or tilt of the body there"}};
+    }
+    return std::nullopt;
+  }
+
+  void Fit() {
+    FitBodyWay(result_.problem, way_);
+    ++result_.trials;
+  }
+
+  /// Puts a stance on a patch, as near as it can be to p. @return false where there is no room.
+  bool Put(std::size_t s, int patch, const Vector3& p_W) {
+    const TerrainPatch& on = terrain_.patches[static_cast<std::size_t>(patch)];
+    Polygon part = FreePart(terrain_, static_cast<std::size_t>(patch), p_W, options_.edge_margin_m);
+    if (part.size() < 3) return false;
+    const Vector2 at = NearestPoint(part, (on.X_WT.inverse() * p_W).head<2>());
+    RigidStance& stance = stances()[s];
+    stance.X_WF = on.X_WT * Eigen::Translation3d(at.x(), at.y(), 0.0);
+    stance.friction = on.friction;
+    stance.region_F.clear();
+    for (const Vector2& corner : part) stance.region_F.emplace_back(corner - at);
+    patches_[s] = patch;
+    return true;
+  }
+
+  /// The patches by how well they suit a stance on the present way, best first.
+  std::vector<int> Ranked(std::size_t s) {
+    const RigidStance before = stances()[s];
+    const int patch_before = patches_[s];
+    std::vector<std::pair<double, int>> ranked;
+    for (int patch = 0; patch < static_cast<int>(terrain_.patches.size()); ++patch) {
+      if (Put(s, patch, WantedFoothold(result_.problem, way_, s)))
+        ranked.emplace_back(StanceMisfit(result_.problem, way_, s), patch);
+    }
+    stances()[s] = before;
+    patches_[s] = patch_before;
+    std::sort(ranked.begin(), ranked.end());
+    std::vector<int> patches;
+    for (const auto& [misfit, patch] : ranked) patches.push_back(patch);
+    return patches;
+  }
+
+  /// @return true where any stance has changed its patch.
+  bool TakeBestPatches() {
+    bool changed = false;
+    for (std::size_t s = 0; s < stances().size(); ++s) {
+      if (stances()[s].held) continue;
+      const std::vector<int> ranked = Ranked(s);
+      if (ranked.empty() || ranked.front() == patches_[s]) continue;
+      Put(s, ranked.front(), WantedFoothold(result_.problem, way_, s));
+      changed = true;
+    }
+    return changed;
+  }
+
+  /// The stances that are not held, those that are farthest out of reach first.
+  std::vector<std::size_t> Troubled() {
+    std::vector<double> trouble(stances().size(), 0.0);
+    for (std::size_t s = 0; s < stances().size(); ++s) trouble[s] = OutOfReach(result_.problem, way_, s).largest_m;
+    std::vector<std::size_t> order;
+    for (std::size_t s = 0; s < stances().size(); ++s) {
+      if (!stances()[s].held) order.push_back(s);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return trouble[a] > trouble[b]; });
+    return order;
+  }
+
+  /// Moves one stance to another patch where that lets all feet be reached better, until it does not help.
+  void TryOthers() {
+    bool better = true;
+    while (better && result_.trials < options_.max_trials &&
+           OutOfReach(result_.problem, way_).largest_m > options_.misfit_m) {
+      better = false;
+      for (const std::size_t s : Troubled()) {
+        const std::vector<int> ranked = Ranked(s);
+        for (std::size_t i = 0; i < std::min<std::size_t>(3, ranked.size()) && !better; ++i) {
+          if (ranked[i] != patches_[s] && result_.trials < options_.max_trials) better = Improves(s, ranked[i]);
+        }
+        if (better || result_.trials >= options_.max_trials) break;
+      }
+    }
+  }
+
+  bool Improves(std::size_t s, int patch) {
+    const double before = OutOfReach(result_.problem, way_).sum;
+    const BodyWay way = way_;
+    const std::vector<RigidStance> kept = stances();
+    const std::vector<int> patches = patches_;
+    Put(s, patch, WantedFoothold(result_.problem, way_, s));
+    Fit();
+    if (OutOfReach(result_.problem, way_).sum < 0.95 * before) return true;
+    way_ = way;
+    stances() = kept;
+    patches_ = patches;
+    return false;
+  }
+
+  const Terrain& terrain_;
+  const FootholdChoiceOptions& options_;
+  FootholdChoice result_;
+  std::vector<int> patches_;  // by stance
+  BodyWay way_;
+};
+
+}  // namespace
+
+OptionFields FootholdChoiceOptions::Fields() {
+  return {{"edge_margin_m", &edge_margin_m, "m", 0.0, 1.0, "Least distance of a foothold to an edge.", {}},
+          {"spacing_s", &spacing_s, "s", 0.01, 1.0, "Between the places of the body that are looked at.", {}},
+          {"misfit_m", &misfit_m, "m", 0.0, 1.0, "How far out of reach a foothold may be with nothing else tried.", {}},
+          {"hopeless_m", &hopeless_m, "m", 0.0, 10.0, "How far out of reach a foothold may stay at most.", {}},
+          {"max_trials", &max_trials, "1", 1, 1000, "Most ways that are fitted.", {}}};
+}
+
+Result<FootholdChoice> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
+                                       const FootholdChoiceOptions& options) {
+  CheckRigidBodyProblem(problem);
+  FootholdChoiceOptions checked = options;
+  CheckOptions(checked.Fields());
+  if (terrain.patches.empty()) {
+    return Failure{FailureKind::kInfeasible,
+                   "no_patches",
+                   "ChooseFootholds",
+                   fmt::format("ground '{}' has no patches to stand on", terrain.name),
+                   {"give it patches"}};
+  }
+  return Chooser(terrain, problem, options).Run();
+}
+
+}  // namespace gaitwright

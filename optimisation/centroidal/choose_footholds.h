@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "optimisation/centroidal/rigid_body_problem.h"
+#include "planning/plan/terrain.h"
+
+namespace gaitwright {
+
+/// Tuning
+///   feet stand too near to edges                       raise edge_margin_m
+///   the way is refused although there is one           raise max_trials, lower spacing_s
+struct FootholdChoiceOptions {
+  double edge_margin_m = 0.01;
+  double spacing_s = 0.1;
+  double misfit_m = 0.005;
+  double hopeless_m = 0.05;
+  int max_trials = 24;
+
+  OptionFields Fields();
+};
+
+/// Footholds for the stances of a rigid body and how well it could reach them.
+struct FootholdChoice {
+  RigidBodyProblem problem;  ///< as given, with a frame, a region and a friction for each stance
+  double misfit_m = 0.0;     ///< farthest that a foot is out of its workspace on the best way found; 0 if none
+  int trials = 0;
+};
+
+/// Chooses for each stance that is not held the patch that it stands on and a place there to start from. A way of the
+/// body (body_way.h) and the footholds are fitted to each other, the workspaces by least squares, and each stance takes
+/// the patch that suits it best; where feet stay out of reach, other patches are tried for them, one at a time. Failure
+/// kInfeasible `no_patches` where there is nothing to stand on. The ground is taken by its patches alone.
+Result<FootholdChoice> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
+                                       const FootholdChoiceOptions& options = {});
+
+}  // namespace gaitwright

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `gaitwright bench` says.
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+using Bench = Stranger;
+
+TEST_F(Bench, ACaseIsSolvedAndItsFaultsAreTold) {
+  const Ran ran = Run({"bench", "centroidal", "--only", "hyq-1-gap", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  const Json told = ran.json();
+  ASSERT_EQ(told.at("cases").size(), 1U);
+  const Json& one = told.at("cases")[0];
+  EXPECT_EQ(one.at("robot"), "hyq");
+  EXPECT_EQ(one.at("schedule"), "1 flying trot");
+  EXPECT_EQ(one.at("solved"), true) << one.at("reason");
+  EXPECT_LT(one.at("at_1_khz").at("torque_balance_mg_m").get<double>(), 1e-3);
+  EXPECT_LE(one.at("at_1_khz").at("friction_mg").get<double>(), 0.0);
+  EXPECT_GT(one.at("iterations").get<int>(), 3);
+}
+
+TEST_F(Bench, ATableHasALineForEachCaseAndASum) {
+  const Ran ran = Run({"bench", "centroidal", "--only", "monoped-3-flat", "--duration", "3.0", "--as-asked"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("monoped  3 hop"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("1 of 1 cases solved as asked for"), std::string::npos) << ran.out;
+}
+
+TEST_F(Bench, RefusesWhatThereIsNot) {
+  ExpectRefused(Run({"bench", "centroidal", "--only", "horse"}), 1, {"no case holds 'horse'", "hyq-1-gap"});
+  ExpectRefused(Run({"bench", "centroidal", "--problems", "none.json"}), 1, {"none.json"});
+  ExpectRefused(Run({"bench", "centroidal", "--set", "spacing=1"}), 1, {"spacing_s"});
+  ExpectRefused(Run({"bench", "centroidal", "--only", "hyq-1-flat", "--duration", "-1"}), 1, {"a duration of -1 s"});
+  ExpectRefused(Run({"bench"}), 1, {});
+}
+
+}  // namespace
+}  // namespace gaitwright::cli

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/centroidal_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace gaitwright {
+namespace {
+
+CentroidalProblemSet Set() {
+  const Result<CentroidalProblemSet> set = LoadCentroidalProblems(CentroidalProblemsPath());
+  EXPECT_TRUE(set.ok()) << set.failure().message;
+  return set.ok() ? *set : CentroidalProblemSet{};
+}
+
+CentroidalTask Asked(const CentroidalProblemSet& set) { return {set.distance_m, set.duration_s, set.friction}; }
+
+TEST(CentroidalProblems, AreFourRobotsByFiveSchedulesOnSevenGrounds) {
+  const CentroidalProblemSet set = Set();
+  ASSERT_EQ(set.robots.size(), 4U);
+  EXPECT_EQ(set.grounds.size(), 7U);
+  EXPECT_EQ(CasesOf(set).size(), 140U);
+  EXPECT_EQ(CasesOf(set, "hyq-1").size(), 7U);
+  EXPECT_EQ(CasesOf(set, "hyq-1-gap").size(), 1U);
+  EXPECT_EQ(CasesOf(set, "no-such").size(), 0U);
+  EXPECT_EQ(set.robots[2].first, "hyq");
+  EXPECT_EQ(set.robots[2].second.mass_kg, 83.0);
+  EXPECT_EQ(set.robots[2].second.schedules[1].name, "flying trot");
+}
+
+TEST(CentroidalProblems, EveryOneIsAProblemThatCanBeAsked) {
+  const CentroidalProblemSet set = Set();
+  for (const CentroidalCase& one : CasesOf(set)) {
+    const CentroidalRobot& robot = set.robots[one.robot].second;
+    const RigidBodyProblem problem =
+        CentroidalProblem(robot, robot.schedules[one.schedule], set.grounds[one.ground], {2.1, 3.6, 0.5});
+    EXPECT_NO_THROW(CheckRigidBodyProblem(problem));
+    EXPECT_EQ(problem.duration_s, 3.6);
+    double last = 0.0;
+    for (const RigidStance& stance : problem.stances) last = std::max(last, stance.end_s);
+    EXPECT_EQ(last, 3.6);
+  }
+}
+
+TEST(CentroidalBench, SolvesAFlyingTrotOnFlatGroundAndOverAGap) {
+  const CentroidalProblemSet set = Set();
+  for (const char* filter : {"hyq-1-flat", "hyq-1-gap"}) {
+    const CentroidalOutcome outcome = RunCase(set, CasesOf(set, filter)[0], Asked(set), {}, false);
+    EXPECT_TRUE(outcome.solved) << outcome.reason;
+    EXPECT_EQ(outcome.reason, "");
+    EXPECT_LT(outcome.between.Largest(), 1e-3);
+    EXPECT_LE(outcome.between.friction, 0.0);
+    EXPECT_LE(outcome.between.unilateral, 0.0);
+    EXPECT_GT(outcome.variables, 100);
+    EXPECT_GT(outcome.peak_memory_mb, 1.0);
+  }
+}
+
+TEST(CentroidalBench, EasesWhatHasNoMotionAsAskedAndSaysWhy) {
+  const CentroidalProblemSet set = Set();
+  const CentroidalTask hasty{2.1, 1.2, 0.5};
+  const CentroidalCase one = CasesOf(set, "biped-0-flat")[0];
+  const CentroidalOutcome asked = RunCase(set, one, hasty, {}, false), eased = RunCase(set, one, hasty, {}, true);
+  EXPECT_FALSE(asked.solved);
+  EXPECT_NE(asked.reason.find("stays unmet by"), std::string::npos) << asked.reason;
+  EXPECT_TRUE(eased.solved && eased.eased) << eased.reason;
+  EXPECT_EQ(eased.reason, asked.reason);
+  EXPECT_GT(eased.task.duration_s, 1.2);
+  const std::string table = CentroidalTable({asked, eased});
+  EXPECT_NE(table.find("no motion"), std::string::npos) << table;
+  EXPECT_NE(table.find("0 of 2 cases solved as asked for, 1 more when eased"), std::string::npos) << table;
+}
+
+TEST(CentroidalProblems, AFileThatIsNoneIsRefusedByName) {
+  const auto refusal = [](const std::string& text) -> std::string {
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gaitwright_no_problems.json";
+    std::ofstream(path) << text;
+    const Result<CentroidalProblemSet> set = LoadCentroidalProblems(path.string());
+    std::filesystem::remove(path);
+    return set.ok() ? "none" : set.failure().message;
+  };
+  EXPECT_NE(refusal("{").find("gaitwright_no_problems.json' is no set of problems: "), std::string::npos);
+  EXPECT_NE(refusal("{}").find("friction"), std::string::npos);
+  EXPECT_FALSE(LoadCentroidalProblems("/no/such/file.json").ok());
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/centroidal_bench.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "optimisation/centroidal/choose_footholds.h"
+
+namespace gaitwright {
+namespace {
+
+double CpuMs() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+double PeakMemoryMb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+std::string NameOf(const CentroidalProblemSet& set, const CentroidalCase& one) {
+  return fmt::format("{}-{}-{}", set.robots[one.robot].first, one.schedule, set.grounds[one.ground].name);
+}
+
+/// One attempt at a case.
+void Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
+             const RigidBodyOptions& options, CentroidalOutcome& outcome) {
+  const CentroidalRobot& robot = set.robots[one.robot].second;
+  const Terrain ground = WithFriction(set.grounds[one.ground], task.friction);
+  const double start = CpuMs();
+  const Result<FootholdChoice> choice =
+      ChooseFootholds(ground, CentroidalProblem(robot, robot.schedules[one.schedule], ground, task));
+  if (!choice) {
+    outcome.reason = choice.failure().message;
+    return;
+  }
+  RigidBodyPlan last;
+  const Result<RigidBodyPlan> plan = PlanRigidBody(choice->problem, options, &last);
+  outcome.cpu_ms = CpuMs() - start;
+  outcome.solved = plan.ok();
+  outcome.reason = plan ? "" : plan.failure().message;
+  outcome.task = task;
+  outcome.variables = last.summary.variables;
+  outcome.constraints = last.summary.constraints;
+  outcome.iterations = last.summary.iterations;
+  outcome.cost = last.summary.cost;
+  outcome.node_violation = last.summary.violation;
+  outcome.between = FaultsOf(choice->problem, last.motion, 1e-3);
+}
+
+/// What a case is eased to, the least first.
+std::vector<CentroidalTask> Eased(const CentroidalTask& task) {
+  std::vector<CentroidalTask> eased;
+  for (const double friction : {task.friction, 0.8, 1.0}) {
+    for (const double stretch : {1.0, 1.5, 2.0}) {
+      if (friction >= task.friction && (friction > task.friction || stretch > 1.0))
+        eased.push_back({task.distance_m, stretch * task.duration_s, friction});
+    }
+  }
+  return eased;
+}
+
+}  // namespace
+
+std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::string& filter) {
+  std::vector<CentroidalCase> cases;
+  for (std::size_t ground = 0; ground < set.grounds.size(); ++ground) {
+    for (std::size_t robot = 0; robot < set.robots.size(); ++robot) {
+      for (std::size_t schedule = 0; schedule < set.robots[robot].second.schedules.size(); ++schedule) {
+        const CentroidalCase one{robot, schedule, ground};
+        if (NameOf(set, one).find(filter) != std::string::npos) cases.push_back(one);
+      }
+    }
+  }
+  return cases;
+}
+
+CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
+                          const RigidBodyOptions& options, bool ease) {
+  CentroidalOutcome outcome;
+  outcome.robot = set.robots[one.robot].first;
+  outcome.schedule = fmt::format("{} {}", one.schedule, set.robots[one.robot].second.schedules[one.schedule].name);
+  outcome.ground = set.grounds[one.ground].name;
+  outcome.task = task;
+  Attempt(set, one, task, options, outcome);
+  if (!outcome.solved && ease) {
+    const CentroidalOutcome asked = outcome;
+    for (const CentroidalTask& eased : Eased(task)) {
+      Attempt(set, one, eased, options, outcome);
+      if (outcome.solved) break;
+    }
+    outcome.reason = asked.reason;
+    outcome.cpu_ms = asked.cpu_ms;
+    outcome.eased = outcome.solved;
+    if (!outcome.solved) outcome = asked;
+  }
+  outcome.peak_memory_mb = PeakMemoryMb();
+  return outcome;
+}
+
+std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes) {
+  std::string table =
+      fmt::format("{:<8} {:<18} {:<10} {:<16} {:>5} {:>5} {:>7} {:>8} {:>8} {:>8} {:>8} {:>6}\n", "robot", "schedule",
+                  "ground", "", "vars", "iter", "CPU ms", "nodes", "1 kHz", "forces", "feet", "MB");
+  std::vector<double> cpu_ms;
+  int solved = 0, eased = 0;
+  for (const CentroidalOutcome& o : outcomes) {
+    const std::string how = !o.solved ? "no motion"
+                            : o.eased ? fmt::format("in {:.1f} s, mu {:.1f}", o.task.duration_s, o.task.friction)
+                                      : "solved";
+    table +=
+        fmt::format("{:<8} {:<18} {:<10} {:<16} {:>5} {:>5} {:>7.1f} {:>8.1e} {:>8.1e} {:>8.1e} {:>8.1e} {:>6.0f}\n",
+                    o.robot, o.schedule, o.ground, how, o.variables, o.iterations, o.cpu_ms, o.node_violation,
+                    o.between.Largest(), std::max({0.0, o.between.friction, o.between.unilateral}),
+                    std::max({0.0, o.between.reach_m, o.between.foothold_m}), o.peak_memory_mb);
+    if (!o.reason.empty()) table += fmt::format("         as asked for: {}\n", o.reason);
+    solved += o.solved && !o.eased ? 1 : 0;
+    eased += o.eased ? 1 : 0;
+    if (o.solved && !o.eased) cpu_ms.push_back(o.cpu_ms);
+  }
+  std::sort(cpu_ms.begin(), cpu_ms.end());
+  table += fmt::format("{} of {} cases solved as asked for, {} more when eased; median CPU of those solved {:.1f} ms\n",
+                       solved, outcomes.size(), eased, cpu_ms.empty() ? 0.0 : cpu_ms[cpu_ms.size() / 2]);
+  return table;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "optimisation/centroidal/plan_rigid_body.h"
+#include "workflows/study/centroidal_problems.h"
+
+namespace gaitwright {
+
+/// A robot's schedule on a ground, by their numbers in a set.
+struct CentroidalCase {
+  std::size_t robot = 0, schedule = 0, ground = 0;
+};
+
+/// How a case went.
+struct CentroidalOutcome {
+  std::string robot, schedule, ground;
+  CentroidalTask task;  ///< what was asked for, or what it was eased to
+  bool solved = false, eased = false;
+  std::string reason;  ///< why it was not solved as it was asked for; empty where it was
+  int variables = 0, constraints = 0, iterations = 0;
+  double cpu_ms = 0.0;  ///< of choosing footholds and planning, as asked for
+  double cost = 0.0;
+  double node_violation = 0.0;  ///< largest of a constraint, in m, rad, rad/s and m g
+  RigidBodyFaults between;      ///< at 1 kHz
+  double peak_memory_mb = 0.0;  ///< of the process so far
+};
+
+/// All cases of a set whose name, "robot-schedule-ground" such as "hyq-1-gap", holds `filter`.
+std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::string& filter = "");
+
+/// Chooses footholds and plans. A case that has no motion as it is asked for is eased, half as long again, twice as
+/// long and with a friction of 0.8 and 1.0, until it has one where `ease` is set.
+CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
+                          const RigidBodyOptions& options, bool ease);
+
+/// The outcomes as a table for people, and what they come to.
+std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes);
+
+}  // namespace gaitwright
