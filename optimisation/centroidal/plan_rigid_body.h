@@ -16,7 +16,7 @@ namespace gaitwright {
 ///   friction that only just suffices          raise friction_sides
 ///   many iterations                           lower or raise stiffness by tens
 struct RigidBodyOptions {
-  double spacing_s = 0.05;
+  double spacing_s = 0.08;
   int least_intervals = 3;
   int friction_sides = 8;
   double force_margin = 1e-5;

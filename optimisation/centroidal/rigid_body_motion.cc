@@ -38,9 +38,8 @@ Vector3 AnglesAt(const RigidBodyInterval& in, const Matrix3& inertia_B, double t
   const double h = t / steps;
   Vector3 angles = in.angles_rad;
   if (h <= 0.0) return angles;
-  const auto rate = [&](double at, const Vector3& now) {
-    return TurningRateOf(inertia_B, now, MomentumAt(in, at)).rate;
-  };
+  const Matrix3 inverse_B = inertia_B.inverse();
+  const auto rate = [&](double at, const Vector3& now) { return AngleRates(inverse_B, now, MomentumAt(in, at)); };
   for (int i = 0; i < steps; ++i) {
     const double at = i * h;
     const Vector3 k1 = rate(at, angles), k2 = rate(at + 0.5 * h, angles + 0.5 * h * k1);

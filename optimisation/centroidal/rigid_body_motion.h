@@ -59,6 +59,7 @@ struct RigidBodyFaults {
   double foothold_m = 0.0;      ///< farthest that a foothold is out of its region
   double goal = 0.0;            ///< farthest from the goal at the end [m], [rad]
 
+  /// The largest of all.
   double Largest() const;
 };
 

@@ -19,8 +19,8 @@ namespace {
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 template <typename T>
-Eigen::Matrix<T, 3, 1> AngleRates(const Matrix3& inverse_inertia_B, const Eigen::Matrix<T, 3, 1>& angles,
-                                  const Eigen::Matrix<T, 3, 1>& momentum) {
+Eigen::Matrix<T, 3, 1> RatesOf(const Matrix3& inverse_B, const Eigen::Matrix<T, 3, 1>& angles,
+                               const Eigen::Matrix<T, 3, 1>& momentum) {
   using std::cos, std::sin;
   const T sr = sin(angles.x()), cr = cos(angles.x()), sp = sin(angles.y()), cp = cos(angles.y());
   const T sy = sin(angles.z()), cy = cos(angles.z());
@@ -28,7 +28,7 @@ Eigen::Matrix<T, 3, 1> AngleRates(const Matrix3& inverse_inertia_B, const Eigen:
   const T ahead = cy * momentum.x() + sy * momentum.y(), left = cy * momentum.y() - sy * momentum.x();
   const T down = sp * ahead + cp * momentum.z();
   const Eigen::Matrix<T, 3, 1> in_body(cp * ahead - sp * momentum.z(), cr * left + sr * down, cr * down - sr * left);
-  const Eigen::Matrix<T, 3, 1> w = inverse_inertia_B.cast<T>() * in_body;
+  const Eigen::Matrix<T, 3, 1> w = inverse_B.cast<T>() * in_body;
   const T yaw_rate = (sr * w.y() + cr * w.z()) / cp;
   return {w.x() + sp * yaw_rate, cr * w.y() - sr * w.z(), yaw_rate};
 }
@@ -47,9 +47,9 @@ void AddPlace(const FootPlace& place, const Eigen::MatrixBase<Derived>& by, Matr
 
 /// Angles at a share u of an interval of length h by Hermite's cubic, with derivatives.
 struct AnglesBetween {
-  AnglesBetween(const Matrix3& inertia_B, double h, double u, const Vector3& from, const Vector3& l_from,
+  AnglesBetween(const Matrix3& inverse_B, double h, double u, const Vector3& from, const Vector3& l_from,
                 const Vector3& to, const Vector3& l_to)
-      : rate_from(TurningRateOf(inertia_B, from, l_from)), rate_to(TurningRateOf(inertia_B, to, l_to)) {
+      : rate_from(TurningRateOf(inverse_B, from, l_from)), rate_to(TurningRateOf(inverse_B, to, l_to)) {
     const double v = 1.0 - u, of_from = v * v * (1.0 + 2.0 * u), of_to = u * u * (1.0 + 2.0 * v);
     const double of_rate_from = h * u * v * v, of_rate_to = -h * v * u * u;
     value = of_from * from + of_to * to + of_rate_from * rate_from.rate + of_rate_to * rate_to.rate;
@@ -77,7 +77,7 @@ struct TurningTerm {
     AffineVector from, to;
   };
 
-  Matrix3 inertia_B;    // over its mean
+  Matrix3 inverse_B;    // of the inertia over its mean
   double h, per_force;  // per_force: m g over the mean inertia
   AffineVector angles_from, angles_to, momentum_from, momentum_to;
   std::array<AffineVector, kPlaces> com;
@@ -126,8 +126,8 @@ struct TurningTerm {
     }
     AddImpulse(x, kWhole, 0.5, 0.5, gained, J != nullptr ? &by_gained : nullptr);
     AddImpulse(x, kHalf, 0.375, 0.125, l_mid, J != nullptr ? &by_mid : nullptr);
-    const AnglesBetween middle(inertia_B, h, 0.5, from, l_from, to, l_to);
-    const TurningRate rate = TurningRateOf(inertia_B, middle.value, l_mid);
+    const AnglesBetween middle(inverse_B, h, 0.5, from, l_from, to, l_to);
+    const TurningRate rate = TurningRateOf(inverse_B, middle.value, l_mid);
     value.resize(6);
     value.head<3>() = l_to - l_from - gained;
     value.tail<3>() = to - from - h / 6.0 * (middle.rate_from.rate + 4.0 * rate.rate + middle.rate_to.rate);
@@ -151,7 +151,7 @@ struct ReachTerm {
   MatrixX normals;
   FootPlace place;
   AffineVector com;
-  Matrix3 inertia_B;
+  Matrix3 inverse_B;
   double h, share;
   AffineVector angles_from, angles_to, momentum_from, momentum_to;
 
@@ -161,7 +161,7 @@ struct ReachTerm {
       if (J != nullptr) angles_from.AddTo(by_angles, *J, 0);
       return;
     }
-    const AnglesBetween between(inertia_B, h, share, angles_from.At(x), momentum_from.At(x), angles_to.At(x),
+    const AnglesBetween between(inverse_B, h, share, angles_from.At(x), momentum_from.At(x), angles_to.At(x),
                                 momentum_to.At(x));
     const MatrixX by_angles = Rows(x, between.value, value, J);
     if (J == nullptr) return;
@@ -200,14 +200,18 @@ Constraint WorkspaceOf(const RigidFoot& foot, double margin_m, MatrixX& normals)
 
 }  // namespace
 
-TurningRate TurningRateOf(const Matrix3& relative_inertia_B, const Vector3& angles_rad, const Vector3& momentum) {
+Vector3 AngleRates(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum) {
+  return RatesOf<double>(inverse_B, angles_rad, momentum);
+}
+
+TurningRate TurningRateOf(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum) {
   using Jet = ceres::Jet<double, 6>;
   Eigen::Matrix<Jet, 3, 1> angles, l;
   for (int i = 0; i < 3; ++i) {
     angles[i] = Jet(angles_rad[i], i);
     l[i] = Jet(momentum[i], 3 + i);
   }
-  const Eigen::Matrix<Jet, 3, 1> rates = AngleRates<Jet>(relative_inertia_B.inverse(), angles, l);
+  const Eigen::Matrix<Jet, 3, 1> rates = RatesOf<Jet>(inverse_B, angles, l);
   TurningRate turning;
   for (int i = 0; i < 3; ++i) {
     turning.rate[i] = rates[i].a;
@@ -221,7 +225,7 @@ Constraint RigidBodyTerms::Turning(std::size_t interval) const {
   const std::vector<double>& breaks = unknowns_.breaks_s();
   SeenUnknowns seen;
   TurningTerm term;
-  term.inertia_B = problem_.inertia_B / unknowns_.mean_inertia();
+  term.inverse_B = unknowns_.mean_inertia() * problem_.inertia_B.inverse();
   term.h = breaks[interval + 1] - breaks[interval];
   term.per_force = problem_.mass_kg * kGravity / unknowns_.mean_inertia();
   term.angles_from = seen.See(unknowns_.Angles(interval));
@@ -285,7 +289,7 @@ Constraint RigidBodyTerms::Reach(std::size_t stance, double time_s, double margi
   term.angles_from = seen.See(unknowns_.Angles(k));
   term.h = term.share = 0.0;
   if (time_s > breaks[k] + kAtBreak) {
-    term.inertia_B = problem_.inertia_B / unknowns_.mean_inertia();
+    term.inverse_B = unknowns_.mean_inertia() * problem_.inertia_B.inverse();
     term.h = breaks[k + 1] - breaks[k];
     term.share = (time_s - breaks[k]) / term.h;
     term.momentum_from = seen.See(unknowns_.Momentum(k));

@@ -6,16 +6,20 @@
 
 namespace gaitwright {
 
-/// Rate of the angles with an angular momentum l (over the mean inertia), and its derivatives.
+/// d(angles)/dt of a body with angular momentum l: E^-1 I^-1 R^T l.
+/// @param inverse_B  of the inertia in B; over the mean inertia where l is.
+Vector3 AngleRates(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum);
+
+/// The same with its derivatives.
 struct TurningRate {
   Vector3 rate;
   Matrix3 by_angles, by_momentum;
 };
 
-/// d(angles)/dt of a body of inertia `inertia_B` over its mean: E^-1 I^-1 R^T l.
-TurningRate TurningRateOf(const Matrix3& relative_inertia_B, const Vector3& angles_rad, const Vector3& momentum);
+/// Rate of the angles and its derivatives.
+TurningRate TurningRateOf(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum);
 
-/// The rows of a rigid body's problem over its unknowns. Constraints keep references to nothing but what they hold.
+/// The rows of a rigid body's problem over its unknowns. Keeps references to both; what it gives keeps none.
 class RigidBodyTerms {
  public:
   RigidBodyTerms(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns)

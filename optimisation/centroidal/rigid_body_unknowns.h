@@ -11,6 +11,7 @@ namespace gaitwright {
 /// Where a foot is on the ground, or on its way between two footholds:
 ///   constant + sum_i axes_i * (x[start_i], x[start_i + 1]).
 struct FootPlace {
+  /// Two unknowns by the first of them, and where they move it.
   struct Part {
     int start;
     Eigen::Matrix<double, 3, 2> axes;
@@ -19,7 +20,9 @@ struct FootPlace {
   Vector3 constant = Vector3::Zero();
   std::vector<Part> parts = {};
 
+  /// Where it is.
   Vector3 At(const VectorX& x) const;
+  /// Adds factor * other.
   FootPlace& Add(double factor, const FootPlace& other);
 };
 
@@ -35,16 +38,13 @@ struct BoundForce {
   AffineVector force;  ///< [m g]
 };
 
-/// What a motion of a rigid body is described by, as numbers of one vector:
-///   the centre of mass as a cubic B-spline over breaks, all switches of contact among them, so that the force on the
-///     whole is linear between breaks and continuous; its ends and their rates are given;
-///   at each break the forces on points of contact, zero where a stance begins or ends in between, and linear from
-///   break
-///     to break; one at each break is not unknown, but what is left of the force on the whole. Where all feet on the
-///     ground are exchanged at once, either lot carries the whole;
-///   at each break the angles of the base and the angular momentum, the ends given;
-///   the footholds on their planes.
-/// Units: m, rad, forces in m g, angular momentum over the mean inertia [rad/s].
+/// What a motion of a rigid body is described by, as numbers of one vector. The centre of mass is a cubic B-spline over
+/// breaks, all switches of contact among them, with its ends and their rates given, so that the force on the whole is
+/// continuous and linear between breaks. So are the forces on points of contact, zero where a stance begins or ends in
+/// between; one at each break is not unknown, but what the others leave of the force on the whole. Where all feet on
+/// the ground are exchanged at once, either lot carries the whole. Then there are the angles of the base and the
+/// angular momentum at breaks, their ends given, and the footholds on their planes. Units: m, rad, forces in m g,
+/// angular momentum over the mean inertia [rad/s]. Keeps a reference to the problem.
 class RigidBodyUnknowns {
  public:
   /// @param spacing_s  most between two breaks; each stance has `least_intervals` or more.
@@ -55,6 +55,7 @@ class RigidBodyUnknowns {
   std::size_t intervals() const { return breaks_s_.size() - 1; }
   double mean_inertia() const { return mean_inertia_; }
 
+  /// Its place at a time.
   AffineVector CentreOfMass(double time_s) const;
   /// The force on the whole that this centre of mass needs, p'' - g [m g].
   AffineVector WholeForce(std::size_t at_break) const;

@@ -11,6 +11,7 @@ namespace gaitwright {
 /// A vector in space that depends on unknown vectors alone, each by one number:
 ///   constant + sum_i coefficient_i * (x[start_i], x[start_i + 1], x[start_i + 2]).
 struct AffineVector {
+  /// An unknown vector by the first of its three numbers, and what it counts.
   struct Part {
     int start;
     double coefficient;
@@ -22,6 +23,7 @@ struct AffineVector {
   /// The unknown vector itself.
   static AffineVector Unknown(int start) { return {Vector3::Zero(), {{start, 1.0}}}; }
 
+  /// Its value.
   Vector3 At(const VectorX& x) const;
   AffineVector& operator+=(const AffineVector& other) { return Add(1.0, other); }
   /// Adds factor * other.

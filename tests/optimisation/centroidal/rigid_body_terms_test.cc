@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <random>
 
@@ -45,7 +46,7 @@ TEST(TurningRate, HasItsDerivatives) {
   Matrix3 inertia;
   inertia << 1.0, 0.1, -0.2, 0.1, 2.0, 0.05, -0.2, 0.05, 2.5;
   const VectorFunction rate = [&](const VectorX& x, VectorX& value, MatrixX* J) {
-    const TurningRate turning = TurningRateOf(inertia, x.head<3>(), x.tail<3>());
+    const TurningRate turning = TurningRateOf(inertia.inverse(), x.head<3>(), x.tail<3>());
     value = turning.rate;
     if (J != nullptr) *J << turning.by_angles, turning.by_momentum;
   };
@@ -57,7 +58,9 @@ TEST(TurningRate, HasItsDerivatives) {
 TEST(TurningRate, IsWhatTheInertiaMakesOfTheMomentum) {
   const Matrix3 inertia = Vector3(1.0, 2.0, 2.5).asDiagonal();
   const Vector3 angles(0.3, -0.4, 1.1), momentum(0.5, -0.7, 0.9);
-  const Vector3 w_B = BodyRatesByAngleRates(angles) * TurningRateOf(inertia, angles, momentum).rate;
+  const Vector3 rates = AngleRates(inertia.inverse(), angles, momentum);
+  const Vector3 w_B = BodyRatesByAngleRates(angles) * rates;
+  EXPECT_LT((rates - TurningRateOf(inertia.inverse(), angles, momentum).rate).norm(), 1e-12);
   EXPECT_LT((RotationOf(angles) * inertia * w_B - momentum).norm(), 1e-12);
 }
 
