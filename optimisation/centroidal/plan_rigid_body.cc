@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/rigid_body_terms.h"
@@ -98,14 +99,77 @@ VectorX Guess(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns
   return x;
 }
 
-Failure Unmet(const RigidBodySummary& summary) {
+/// Where all feet at the goal are on ground that slopes the same way, too steep for them to hold still there; else
+/// nothing. Between walls that slope against each other a body can hold still.
+std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
+  double friction = 0.0, slope = std::numbers::pi;
+  Vector2 downhill = Vector2::Zero();
+  for (const RigidStance& stance : problem.stances) {
+    if (stance.end_s < problem.duration_s) continue;
+    const double inclined = std::acos(std::clamp(stance.X_WF.linear()(2, 2), -1.0, 1.0));
+    const Vector2 own = stance.X_WF.linear().col(2).head<2>();
+    if (std::tan(inclined) <= stance.friction || own.dot(downhill) < 0.0) return "";
+    downhill = own;
+    if (inclined >= slope) continue;
+    slope = inclined;
+    friction = stance.friction;
+  }
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  return fmt::format(
+      "; at the goal all feet are on ground steeper than a friction of {:.2f} holds ({:.1f} degrees, held to "
+      "{:.1f})",
+      friction, slope * kDegrees, std::atan(friction) * kDegrees);
+}
+
+Failure Unmet(const RigidBodyProblem& problem, const RigidBodySummary& summary) {
   return {FailureKind::kInfeasible,
           "unmet_law",
           "PlanRigidBody",
           fmt::format("no motion was found that keeps all laws: {} stays unmet by {:.3g} after {} updates and {} "
-                      "iterations",
-                      summary.worst, summary.violation, summary.outer, summary.iterations),
+                      "iterations{}",
+                      summary.worst, summary.violation, summary.outer, summary.iterations, TooSteepAtGoal(problem)),
           {"give it more time or a nearer goal, or footholds elsewhere"}};
+}
+
+Failure FaultsBetween(const RigidBodySummary& summary) {
+  return {FailureKind::kInfeasible,
+          "faults_between",
+          "PlanRigidBody",
+          fmt::format("between breaks a law is broken by {:.3g} though they were put half as far apart {} times",
+                      summary.faults.Largest(), summary.refinements),
+          {"raise max_refinements or reach_margin_m"}};
+}
+
+/// Solves once, with what was spent before in the summary.
+RigidBodyPlan SolveOnce(const RigidBodyProblem& problem, const RigidBodyOptions& options,
+                        const RigidBodySummary& before) {
+  const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals);
+  ConstrainedProblem rows = Rows(problem, unknowns, options);
+  rows.start = Guess(problem, unknowns);
+  ConstrainedOptions solving;
+  solving.tolerance = options.tolerance;
+  solving.cost_tolerance = options.cost_tolerance;
+  solving.stiffness = options.stiffness;
+  solving.trust_radius = 1e7;
+  solving.inner_tolerance = 1e-4;
+  solving.patience = 5;
+  solving.max_outer = options.max_outer;
+  solving.max_inner = options.max_inner;
+  ConstrainedSolution at;
+  const bool settled = Solve(rows, solving, &at).ok();
+  RigidBodyPlan plan{MotionOf(problem, unknowns, at.x), before};
+  RigidBodySummary& summary = plan.summary;
+  summary.variables = unknowns.size();
+  summary.constraints = 0;
+  for (const Constraint& c : rows.constraints) summary.constraints += static_cast<int>(c.lower.size());
+  summary.outer += at.outer;
+  summary.iterations += at.iterations;
+  summary.cost = at.cost;
+  summary.settled = settled;
+  summary.violation = at.violation;
+  summary.worst = at.worst_constraint;
+  summary.faults = FaultsOf(problem, plan.motion, 1e-3);
+  return plan;
 }
 
 }  // namespace
@@ -119,6 +183,8 @@ OptionFields RigidBodyOptions::Fields() {
       {"reach_margin_m", &reach_margin_m, "m", 0.0, 0.1, "By which feet are kept inside their workspace.", {}},
       {"swing_lead_s", &swing_lead_s, "s", 0.0, 1.0, "How long beyond a stance its foothold must be within reach.", {}},
       {"tolerance", &tolerance, "1", 1e-10, 1e-2, "Largest violation of a law, in m, rad, rad/s and m g.", {}},
+      {"fault_tolerance", &fault_tolerance, "1", 1e-6, 1.0, "Largest fault at 1 kHz, in m and m g, not refined.", {}},
+      {"max_refinements", &max_refinements, "1", 0, 10, "Most times that breaks are put half as far apart.", {}},
       {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0, "Relative change of the cost that counts as none.", {}},
       {"stiffness", &stiffness, "1", 1e-3, 1e6, "First penalty over the curvature of the cost.", {}},
       {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
@@ -135,27 +201,17 @@ Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const Rigid
   CheckRigidBodyProblem(problem);
   RigidBodyOptions checked = options;
   CheckOptions(checked.Fields());
-  const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals);
-  ConstrainedProblem rows = Rows(problem, unknowns, options);
-  rows.start = Guess(problem, unknowns);
-  ConstrainedOptions solving;
-  solving.tolerance = options.tolerance;
-  solving.cost_tolerance = options.cost_tolerance;
-  solving.stiffness = options.stiffness;
-  solving.trust_radius = 1e7;
-  solving.inner_tolerance = 1e-4;
-  solving.patience = 5;
-  solving.max_outer = options.max_outer;
-  solving.max_inner = options.max_inner;
-  ConstrainedSolution at;
-  const bool settled = Solve(rows, solving, &at).ok();
-  RigidBodyPlan plan{
-      MotionOf(problem, unknowns, at.x),
-      {unknowns.size(), 0, at.outer, at.iterations, at.cost, settled, at.violation, at.worst_constraint}};
-  for (const Constraint& c : rows.constraints) plan.summary.constraints += static_cast<int>(c.lower.size());
-  if (last != nullptr) *last = plan;
-  if (at.violation > options.tolerance) return Unmet(plan.summary);
-  return plan;
+  RigidBodyPlan plan;
+  while (true) {
+    plan = SolveOnce(problem, checked, plan.summary);
+    if (last != nullptr) *last = plan;
+    if (plan.summary.violation > options.tolerance) return Unmet(problem, plan.summary);
+    if (plan.summary.faults.Largest() <= options.fault_tolerance) return plan;
+    if (plan.summary.refinements == options.max_refinements) return FaultsBetween(plan.summary);
+    ++plan.summary.refinements;
+    checked.spacing_s *= 0.5;
+    checked.least_intervals *= 2;
+  }
 }
 
 }  // namespace gaitwright

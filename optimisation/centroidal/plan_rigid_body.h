@@ -12,7 +12,7 @@
 namespace gaitwright {
 
 /// Tuning
-///   faults between breaks                     lower spacing_s, raise reach_margin_m
+///   plans are refined often                   lower spacing_s, raise reach_margin_m
 ///   friction that only just suffices          raise friction_sides
 ///   many iterations                           lower or raise stiffness by tens
 struct RigidBodyOptions {
@@ -23,6 +23,8 @@ struct RigidBodyOptions {
   double reach_margin_m = 1e-3;
   double swing_lead_s = 0.0125;
   double tolerance = 1e-6;
+  double fault_tolerance = 1e-3;
+  int max_refinements = 3;
   double cost_tolerance = 1e-3;
   double stiffness = 300.0;
   int max_outer = 25;
@@ -34,11 +36,13 @@ struct RigidBodyOptions {
 
 /// How a motion was found.
 struct RigidBodySummary {
-  int variables = 0, constraints = 0, outer = 0, iterations = 0;
+  int variables = 0, constraints = 0;              ///< of the last solve
+  int outer = 0, iterations = 0, refinements = 0;  ///< of all
   double cost = 0.0;
   bool settled = true;     ///< else the motion is one that keeps all laws, but not the least costly one
   double violation = 0.0;  ///< largest, in m, rad, rad/s and m g
   std::string worst;       ///< the law with that violation, where and when
+  RigidBodyFaults faults;  ///< at 1 kHz
 };
 
 /// A motion of a rigid body and how it was found.
@@ -50,8 +54,10 @@ struct RigidBodyPlan {
 /// The motion of least cost (rigid_body_cost.h) that keeps the laws of the problem: balance of forces exactly and that
 /// of torques by the stated tolerance, friction, footholds in their regions and within reach; these a little before and
 /// after their stances too, since a foot at rest on the ground cannot leave it at once: swing_lead_s = v / (2 a) for a
-/// body of speed v and feet of acceleration a. Failure kInfeasible names what stays unmet, where
-/// and by how much; `last` then holds where it stood. @throws InvalidArgument as CheckRigidBodyProblem.
+/// body of speed v and feet of acceleration a. Where its faults at 1 kHz, between breaks too, are over fault_tolerance,
+/// it is planned anew with breaks half as far apart. Failure kInfeasible `unmet_law` names what stays unmet, where and
+/// by how much, `faults_between` what breaks cannot be near enough for; `last` then holds where it stood.
+/// @throws InvalidArgument as CheckRigidBodyProblem.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
 

@@ -32,16 +32,14 @@ Vector3 ImpulseUpTo(const RigidBodyInterval& in, double t) {
 
 Vector3 MomentumAt(const RigidBodyInterval& in, double t) { return in.momentum_W + ImpulseUpTo(in, t); }
 
-/// The angles at time t of the interval, from its start.
-Vector3 AnglesAt(const RigidBodyInterval& in, const Matrix3& inertia_B, double t) {
-  const int steps = std::max(1, static_cast<int>(std::ceil(t / kStep - 1e-9)));
-  const double h = t / steps;
-  Vector3 angles = in.angles_rad;
+/// The angles at time `to` of an interval from those at time `from`.
+Vector3 Turned(const RigidBodyInterval& in, const Matrix3& inverse_B, double from, double to, Vector3 angles) {
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / kStep - 1e-9)));
+  const double h = (to - from) / steps;
   if (h <= 0.0) return angles;
-  const Matrix3 inverse_B = inertia_B.inverse();
   const auto rate = [&](double at, const Vector3& now) { return AngleRates(inverse_B, now, MomentumAt(in, at)); };
   for (int i = 0; i < steps; ++i) {
-    const double at = i * h;
+    const double at = from + i * h;
     const Vector3 k1 = rate(at, angles), k2 = rate(at + 0.5 * h, angles + 0.5 * h * k1);
     const Vector3 k3 = rate(at + 0.5 * h, angles + 0.5 * h * k2), k4 = rate(at + h, angles + h * k3);
     angles += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
@@ -58,6 +56,7 @@ std::array<Vector3, 4> PowersOf(const RigidBodyUnknowns& unknowns, const VectorX
   return {from, (to - from) / h - h * (2.0 * a_from + a_to) / 6.0, 0.5 * a_from, (a_to - a_from) / (6.0 * h)};
 }
 
+/// All of a sample but its angles and what follows from them.
 RigidBodySample At(const RigidBodyMotion& motion, std::size_t interval, double time_s) {
   const RigidBodyInterval& in = motion.intervals[interval];
   const double t = time_s - in.start_s, u = t / (in.end_s - in.start_s);
@@ -67,9 +66,7 @@ RigidBodySample At(const RigidBodyMotion& motion, std::size_t interval, double t
   s.p_WC = PowersAt(in.com, t);
   s.v_WC = in.com[1] + t * (2.0 * in.com[2] + 3.0 * t * in.com[3]);
   s.a_WC = 2.0 * in.com[2] + 6.0 * t * in.com[3];
-  s.angles_rad = AnglesAt(in, motion.inertia_B, t);
   s.momentum_W = MomentumAt(in, t);
-  s.w_WB_B = motion.inertia_B.inverse() * RotationOf(s.angles_rad).transpose() * s.momentum_W;
   s.torque_W = Vector3::Zero();
   for (const RigidBodyInterval::Force& f : in.forces) {
     s.force_W.push_back((1.0 - u) * f.from_W + u * f.to_W);
@@ -133,6 +130,7 @@ RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknown
     motion.X_WF.push_back(problem.stances[s].X_WF);
     motion.X_WF.back().translation() = unknowns.Foothold(s).At(x);
   }
+  const Matrix3 inverse_B = problem.inertia_B.inverse();
   Vector3 angles = problem.start.angles_rad;
   Vector3 momentum = RotationOf(angles) * problem.inertia_B * problem.start.w_WB_B;
   for (std::size_t i = 0; i < unknowns.intervals(); ++i) {
@@ -142,7 +140,7 @@ RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknown
       in.forces.push_back(
           {f.stance, unknowns.ContactPoint(f.stance, f.point).At(x), weight * f.from.At(x), weight * f.to.At(x)});
     }
-    angles = AnglesAt(in, problem.inertia_B, in.end_s - in.start_s);
+    angles = Turned(in, inverse_B, 0.0, in.end_s - in.start_s, angles);
     momentum = MomentumAt(in, in.end_s - in.start_s);
     motion.intervals.push_back(std::move(in));
   }
@@ -151,12 +149,21 @@ RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknown
 
 std::vector<RigidBodySample> Sample(const RigidBodyMotion& motion, double step_s) {
   const int steps = std::max(1, static_cast<int>(std::lround(motion.duration_s() / step_s)));
+  const Matrix3 inverse_B = motion.inertia_B.inverse();
   std::vector<RigidBodySample> samples;
-  std::size_t interval = 0;
+  samples.reserve(static_cast<std::size_t>(steps) + 1);
   for (int k = 0; k <= steps; ++k) {
     const double t = motion.duration_s() * k / steps;
+    std::size_t interval = k > 0 ? samples.back().interval : 0;
     while (interval + 1 < motion.intervals.size() && t >= motion.intervals[interval].end_s) ++interval;
-    samples.push_back(At(motion, interval, t));
+    const RigidBodyInterval& in = motion.intervals[interval];
+    RigidBodySample s = At(motion, interval, t);
+    const bool goes_on = k > 0 && samples.back().interval == interval;
+    s.angles_rad =
+        goes_on ? Turned(in, inverse_B, samples.back().time_s - in.start_s, t - in.start_s, samples.back().angles_rad)
+                : Turned(in, inverse_B, 0.0, t - in.start_s, in.angles_rad);
+    s.w_WB_B = inverse_B * RotationOf(s.angles_rad).transpose() * s.momentum_W;
+    samples.push_back(std::move(s));
   }
   return samples;
 }

@@ -47,7 +47,7 @@ void Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const C
   outcome.iterations = last.summary.iterations;
   outcome.cost = last.summary.cost;
   outcome.node_violation = last.summary.violation;
-  outcome.between = FaultsOf(choice->problem, last.motion, 1e-3);
+  outcome.between = last.summary.faults;
 }
 
 /// What a case is eased to, the least first.

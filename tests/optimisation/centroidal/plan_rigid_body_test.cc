@@ -116,15 +116,46 @@ TEST(PlanRigidBody, SaysWhichLawStaysUnmetAndWhere) {
   EXPECT_FALSE(last.motion.intervals.empty());
 }
 
-TEST(PlanRigidBody, FinerBreaksLeaveSmallerFaults) {
-  RigidBodyProblem problem = rigid_bodies::Trotter();
-  const auto torque = [&](double spacing_s) {
+TEST(PlanRigidBody, SaysWhereFrictionHoldsNoBodyAtRest) {
+  RigidBodyProblem problem = rigid_bodies::Hopper();
+  for (RigidStance& stance : problem.stances) stance.friction = 0.5;
+  problem.stances[1].X_WF.linear() = Eigen::AngleAxisd(-0.6, Vector3::UnitY()).toRotationMatrix();
+  const Result<RigidBodyPlan> plan = PlanRigidBody(problem);
+  ASSERT_FALSE(plan.ok());
+  EXPECT_NE(plan.failure().message.find("at the goal all feet are on ground steeper than a friction of 0.50 holds "
+                                        "(34.4 degrees, held to 26.6)"),
+            std::string::npos)
+      << plan.failure().message;
+}
+
+TEST(PlanRigidBody, BreaksTooFarApartAreToldAndRefined) {
+  const RigidBodyProblem problem = rigid_bodies::Walker(1.1);
+  RigidBodyOptions coarse;
+  coarse.spacing_s = 4.0 * coarse.spacing_s;
+  coarse.least_intervals = 2;
+  coarse.reach_margin_m = 0.0;
+  coarse.max_refinements = 0;
+  RigidBodyPlan last;
+  const Result<RigidBodyPlan> plan = PlanRigidBody(problem, coarse, &last);
+  ASSERT_FALSE(plan.ok());
+  EXPECT_EQ(plan.failure().code, "faults_between");
+  EXPECT_LE(last.summary.violation, coarse.tolerance);
+  EXPECT_GT(last.summary.faults.Largest(), 1e-3);
+  coarse.max_refinements = 4;
+  const RigidBodyPlan refined = Planned(problem, coarse);
+  EXPECT_GE(refined.summary.refinements, 1);
+  EXPECT_GT(refined.summary.variables, last.summary.variables);
+}
+
+TEST(PlanRigidBody, FinerBreaksMissTheGoalByLess) {
+  const RigidBodyProblem problem = rigid_bodies::Trotter();
+  const auto missed = [&](double spacing_s) {
     const Result<RigidBodyPlan> plan =
         PlanRigidBody(problem, {.spacing_s = spacing_s, .least_intervals = 2, .tolerance = 1e-8});
     EXPECT_TRUE(plan.ok());
-    return plan.ok() ? FaultsOf(problem, plan->motion, 1e-3).goal : 0.0;
+    return plan.ok() ? plan->summary.faults.goal : 0.0;
   };
-  const double coarse = torque(0.12), fine = torque(0.03);
+  const double coarse = missed(0.12), fine = missed(0.03);
   EXPECT_GT(coarse, 1e-9);
   EXPECT_LT(fine, 0.1 * coarse);
 }
