@@ -8,12 +8,6 @@
 
 namespace gaitwright {
 
-/// Where a body is at even times, from start to goal, whatever forces that takes.
-struct BodyWay {
-  std::vector<double> time_s;
-  std::vector<Vector3> p_WC, angles_rad;
-};
-
 /// From start to goal on a straight line in plan view, evenly from the first lift-off to the last touch-down, as high
 /// over the ground below the feet as they like to stand; level.
 BodyWay StraightWay(const Terrain& terrain, const RigidBodyProblem& problem, double spacing_s);

@@ -78,6 +78,7 @@ class Chooser {
     const BodyWayMisfit misfit = OutOfReach(result_.problem, way_);
     if (misfit.largest_m > options_.hopeless_m) return Hopeless(misfit);
     result_.misfit_m = misfit.largest_m;
+    result_.problem.way = way_;
     return result_;
   }
 

@@ -25,7 +25,7 @@ struct FootholdChoiceOptions {
 
 /// Footholds for the stances of a rigid body and how well it could reach them.
 struct FootholdChoice {
-  RigidBodyProblem problem;  ///< as given, with a frame, a region and a friction for each stance
+  RigidBodyProblem problem;  ///< as given, with a way, and a frame, a region and a friction for each stance
   double misfit_m = 0.0;     ///< farthest that a foot is out of its workspace on the best way found; 0 if none
   int trials = 0;
 };

@@ -79,16 +79,33 @@ Vector3 GuessCentreOfMass(const RigidBodyProblem& problem, double time_s) {
   return sum / weights;
 }
 
+/// A place on the first guess of the way, between its times evenly.
+Vector3 Between(const std::vector<double>& time_s, const std::vector<Vector3>& at, double t) {
+  const auto after = std::upper_bound(time_s.begin() + 1, time_s.end() - 1, t);
+  const auto k = static_cast<std::size_t>(after - time_s.begin());
+  const double u = (t - time_s[k - 1]) / (time_s[k] - time_s[k - 1]);
+  return (1.0 - u) * at[k - 1] + u * at[k];
+}
+
+Vector3 GuessPlace(const RigidBodyProblem& problem, double t) {
+  const BodyWay& way = problem.way;
+  return way.time_s.empty() ? GuessCentreOfMass(problem, t) : Between(way.time_s, way.p_WC, t);
+}
+
+Vector3 GuessAngles(const RigidBodyProblem& problem, double t) {
+  const BodyWay& way = problem.way;
+  return way.time_s.empty() ? WantedAngles(problem, t) : Between(way.time_s, way.angles_rad, t);
+}
+
 VectorX Guess(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
   VectorX x = VectorX::Zero(unknowns.size());
   const std::vector<double>& t = unknowns.breaks_s();
   // A control point belongs to the mean of the three knots that it stands over: Greville's abscissa.
   const auto knot = [&](std::size_t j) { return t[std::clamp<std::size_t>(j, 3, t.size() + 2) - 3]; };
   for (std::size_t i = 2; i < t.size(); ++i)
-    x.segment<3>(unknowns.ControlPoint(i)) =
-        GuessCentreOfMass(problem, (knot(i + 1) + knot(i + 2) + knot(i + 3)) / 3.0);
+    x.segment<3>(unknowns.ControlPoint(i)) = GuessPlace(problem, (knot(i + 1) + knot(i + 2) + knot(i + 3)) / 3.0);
   for (std::size_t k = 1; k + 1 < t.size(); ++k)
-    x.segment<3>(unknowns.Angles(k).parts.front().start) = WantedAngles(problem, t[k]);
+    x.segment<3>(unknowns.Angles(k).parts.front().start) = GuessAngles(problem, t[k]);
   std::vector<int> sharing(t.size(), 0);
   for (const BoundForce& force : unknowns.BoundForces()) ++sharing[force.at_break];
   for (const BoundForce& force : unknowns.BoundForces()) {

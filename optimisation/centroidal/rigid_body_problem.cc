@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "kinematics/base/result.h"
 
@@ -40,6 +41,15 @@ void CheckRegion(const RigidStance& stance, std::size_t number) {
     if (!(edge.x() * next.y() - edge.y() * next.x() >= -1e-12))
       throw InvalidArgument(fmt::format("rigid body: the region of stance {} is not convex", number));
   }
+}
+
+void CheckWay(const BodyWay& way) {
+  const auto n = way.time_s.size();
+  if (n == 0) return;
+  if (n < 2 || way.p_WC.size() != n || way.angles_rad.size() != n ||
+      std::adjacent_find(way.time_s.begin(), way.time_s.end(), std::greater_equal<>()) != way.time_s.end())
+    throw InvalidArgument(
+        "rigid body: the first guess of its way needs a place and angles for each of its times in turn");
 }
 
 void CheckStances(const RigidBodyProblem& problem) {
@@ -102,6 +112,7 @@ void CheckRigidBodyProblem(const RigidBodyProblem& problem) {
       throw InvalidArgument(fmt::format("rigid body: foot {} can carry nothing", f));
   }
   CheckStances(problem);
+  CheckWay(problem.way);
 }
 
 }  // namespace gaitwright

@@ -38,6 +38,12 @@ struct RigidBodyState {
   Vector3 v_WC = Vector3::Zero(), w_WB_B = Vector3::Zero();  ///< [m/s], [rad/s]
 };
 
+/// Where a body is at even times, from start to goal, whatever forces that takes.
+struct BodyWay {
+  std::vector<double> time_s;
+  std::vector<Vector3> p_WC, angles_rad;
+};
+
 /// A box of one inertia and mass is to go from one state to another, held by forces at its feet alone:
 ///   m p'' = sum f_i + m g,   (I w)' = sum (p_i - p) x f_i,
 /// forces in the friction cones of their footholds, feet in their workspaces.
@@ -48,6 +54,7 @@ struct RigidBodyProblem {
   std::vector<RigidStance> stances;  ///< of one foot: disjoint, in order
   RigidBodyState start, goal;
   double duration_s = 1.0;  ///< from time 0
+  BodyWay way;              ///< first guess; empty for one over the footholds
 };
 
 /// R_WB of roll, pitch and yaw.

@@ -71,6 +71,10 @@ TEST(RigidBodyProblem, RefusesWhatCannotBe) {
               p.stances[4].region_F = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}};
             }),
             "rigid body: the region of stance 4 is not convex");
+  EXPECT_EQ(refusal([](auto& p) {
+              p.way.time_s = {0.0, 1.0};
+            }),
+            "rigid body: the first guess of its way needs a place and angles for each of its times in turn");
   EXPECT_EQ(refusal([](auto& p) { p.feet[1].force_max_n = 0.0; }), "rigid body: foot 1 can carry nothing");
   EXPECT_EQ(refusal([](auto& p) { p.stances[2].end_s = p.stances[4].end_s = 1.8; }),
             "rigid body: no foot holds it at the end");
