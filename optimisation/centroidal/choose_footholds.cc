@@ -74,6 +74,9 @@ class Chooser {
       if (!TakeBestPatches()) break;
       Fit();
     }
+    for (std::size_t s = 0; s < stances().size(); ++s) {
+      if (!stances()[s].held && patches_[s] < 0) return NoRoom(stances()[s]);
+    }
     TryOthers();
     const BodyWayMisfit misfit = OutOfReach(result_.problem, way_);
     if (misfit.largest_m > options_.hopeless_m) return Hopeless(misfit);
@@ -100,6 +103,16 @@ class Chooser {
                 "its workspace at {:.2f} s on the best way found, whatever the forces",
                 stance.foot, stance.start_s, stance.end_s, (last - first).norm(), misfit.largest_m, misfit.at_s),
             {"give it more time, a shorter way or shorter stances"}};
+  }
+
+  /// All patches there are covered by others.
+  static Failure NoRoom(const RigidStance& stance) {
+    return {
+        FailureKind::kInfeasible,
+        "no_patches",
+        "ChooseFootholds",
+        fmt::format("no patch has room for foot {} from {:.2f} to {:.2f} s", stance.foot, stance.start_s, stance.end_s),
+        {"give the ground larger patches, or lower edge_margin_m"}};
   }
 
   /// The feet that stand at the end reach some patch from where the body is asked to be then.
@@ -240,12 +253,15 @@ Result<FootholdChoice> ChooseFootholds(const Terrain& terrain, const RigidBodyPr
   CheckRigidBodyProblem(problem);
   FootholdChoiceOptions checked = options;
   CheckOptions(checked.Fields());
-  if (terrain.patches.empty()) {
-    return Failure{FailureKind::kInfeasible,
-                   "no_patches",
-                   "ChooseFootholds",
-                   fmt::format("ground '{}' has no patches to stand on", terrain.name),
-                   {"give it patches"}};
+  const double margin = options.edge_margin_m;
+  if (std::none_of(terrain.patches.begin(), terrain.patches.end(),
+                   [&](const TerrainPatch& patch) { return Shrunk(OutlineOf(patch), margin).size() >= 3; })) {
+    return Failure{
+        FailureKind::kInfeasible,
+        "no_patches",
+        "ChooseFootholds",
+        fmt::format("ground '{}' has no patch with room for a foot {:.3f} m from its edges", terrain.name, margin),
+        {"give it patches, or lower edge_margin_m"}};
   }
   return Chooser(terrain, problem, options).Run();
 }

@@ -33,7 +33,7 @@ struct FootholdChoice {
 /// Chooses for each stance that is not held the patch that it stands on and a place there to start from. A way of the
 /// body (body_way.h) and the footholds are fitted to each other, the workspaces by least squares, and each stance takes
 /// the patch that suits it best; where feet stay out of reach, other patches are tried for them, one at a time. Failure
-/// kInfeasible `no_patches` where there is nothing to stand on. The ground is taken by its patches alone.
+/// kInfeasible `no_patches` where there is no room to stand on. The ground is taken by its patches alone.
 Result<FootholdChoice> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
                                        const FootholdChoiceOptions& options = {});
 

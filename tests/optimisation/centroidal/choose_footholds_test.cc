@@ -109,7 +109,10 @@ TEST(ChooseFootholds, RefusesAGoalAtWhichAFootReachesNoGround) {
 TEST(ChooseFootholds, RefusesGroundWithoutPatches) {
   const Result<FootholdChoice> choice = ChooseFootholds(Terrain{"nothing", {}, {}, {}}, rigid_bodies::Walker());
   ASSERT_FALSE(choice.ok());
-  EXPECT_EQ(choice.failure().message, "ground 'nothing' has no patches to stand on");
+  EXPECT_EQ(choice.failure().message, "ground 'nothing' has no patch with room for a foot 0.010 m from its edges");
+  const Result<FootholdChoice> narrow = ChooseFootholds(Strips({{-0.01, 0.008, 0.0}}), rigid_bodies::Walker());
+  ASSERT_FALSE(narrow.ok());
+  EXPECT_EQ(narrow.failure().code, "no_patches");
 }
 
 }  // namespace
