@@ -31,9 +31,13 @@ struct FootholdChoice {
 };
 
 /// Chooses for each stance that is not held the patch that it stands on and a place there to start from. A way of the
-/// body (body_way.h) and the footholds are fitted to each other, the workspaces by least squares, and each stance takes
-/// the patch that suits it best; where feet stay out of reach, other patches are tried for them, one at a time. Failure
-/// kInfeasible `no_patches` where there is no room to stand on. The ground is taken by its patches alone.
+/// body (body_way.h) and the footholds are fitted to each other, and each stance takes the patch that suits it best;
+/// where feet stay out of reach, other patches are tried for them, one at a time. Failure kInfeasible:
+///   `no_patches`         where there is no room to stand; the ground is taken by its patches alone
+///   `goal_out_of_reach`  names a foot that reaches no patch from where the body is to end
+///   `out_of_reach`       names the foot that stays out of its workspace by more than hopeless_m, whatever the forces,
+///                        when, and how far the body goes while it stands
+/// @throws InvalidArgument as CheckRigidBodyProblem.
 Result<FootholdChoice> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
                                        const FootholdChoiceOptions& options = {});
 
