@@ -161,7 +161,7 @@ TEST(PlanRigidBody, FinerBreaksMissTheGoalByLess) {
 }
 
 TEST(PlanRigidBody, RefusesOptionsThatAreNone) {
-  EXPECT_THROW(PlanRigidBody(rigid_bodies::Hopper(), {.spacing_s = -1.0}), InvalidArgument);
+  EXPECT_THROW((void)PlanRigidBody(rigid_bodies::Hopper(), {.spacing_s = -1.0}), InvalidArgument);
 }
 
 }  // namespace
