@@ -34,7 +34,9 @@ std::vector<std::size_t> TimesOf(const RigidStance& stance, const BodyWay& way) 
 }
 
 /// How far a place from the centre of mass is beyond a side of a workspace; 0 where it is not.
-double Beyond(const HalfSpace& side, const Vector3& p_B) { return std::max(0.0, side.normal.dot(p_B) - side.offset); }
+double Beyond(const WorkspaceSide& side, const Vector3& p_B) {
+  return std::max(0.0, side.normal.dot(p_B) - side.offset);
+}
 
 /// A stance's foothold from the centre of mass, in the body's frame.
 Vector3 FromBody(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance, std::size_t k) {
@@ -45,7 +47,7 @@ Vector3 FromBody(const RigidBodyProblem& problem, const BodyWay& way, std::size_
 BodyWayMisfit At(const RigidBodyProblem& problem, const BodyWay& way, std::size_t stance, std::size_t k) {
   BodyWayMisfit misfit;
   const Vector3 p_B = FromBody(problem, way, stance, k);
-  for (const HalfSpace& side : FootOf(problem, stance).workspace_B) {
+  for (const WorkspaceSide& side : FootOf(problem, stance).workspace_B) {
     const double out = Beyond(side, p_B);
     misfit.sum += out * out;
     misfit.largest_m = std::max(misfit.largest_m, out);
@@ -83,7 +85,7 @@ struct StandingRows {
     MatrixX by_place = MatrixX::Zero(3 + sides, 3);
     by_place.topRows(3).setIdentity();
     for (Eigen::Index i = 0; i < sides; ++i) {
-      const HalfSpace& side = foot.workspace_B[static_cast<std::size_t>(i)];
+      const WorkspaceSide& side = foot.workspace_B[static_cast<std::size_t>(i)];
       value[3 + i] = kReach * Beyond(side, p_B);
       if (value[3 + i] > 0.0) by_place.row(3 + i) = kReach * side.normal;
     }
@@ -273,7 +275,8 @@ double StanceMisfit(const RigidBodyProblem& problem, const BodyWay& way, std::si
   for (const std::size_t k : TimesOf(problem.stances[stance], way)) {
     const Vector3 p_B = FromBody(problem, way, stance, k);
     sum += (p_B - FootOf(problem, stance).p_CF_nominal_B).squaredNorm();
-    for (const HalfSpace& side : FootOf(problem, stance).workspace_B) sum += std::pow(kReach * Beyond(side, p_B), 2);
+    for (const WorkspaceSide& side : FootOf(problem, stance).workspace_B)
+      sum += std::pow(kReach * Beyond(side, p_B), 2);
   }
   return sum;
 }

@@ -177,7 +177,7 @@ RigidBodyFaults FaultsOf(const RigidBodyProblem& problem, const RigidBodyMotion&
     for (const RigidBodyInterval::Force& f : motion.intervals[sample.interval].forces) {
       const RigidFoot& foot = problem.feet[static_cast<std::size_t>(problem.stances[f.stance].foot)];
       const Vector3 p_B = R_BW * (motion.X_WF[f.stance].translation() - sample.p_WC);
-      for (const HalfSpace& side : foot.workspace_B)
+      for (const WorkspaceSide& side : foot.workspace_B)
         faults.reach_m = std::max(faults.reach_m, side.normal.dot(p_B) - side.offset);
     }
   }

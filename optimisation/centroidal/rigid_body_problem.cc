@@ -96,8 +96,8 @@ Matrix3 BodyRatesByAngleRates(const Vector3& angles_rad) {
   return E;
 }
 
-std::vector<HalfSpace> BoxAbout(const Vector3& centre_B, const Vector3& half_size) {
-  std::vector<HalfSpace> box;
+std::vector<WorkspaceSide> BoxAbout(const Vector3& centre_B, const Vector3& half_size) {
+  std::vector<WorkspaceSide> box;
   for (int axis = 0; axis < 3; ++axis) {
     box.push_back({Vector3::Unit(axis), centre_B[axis] + half_size[axis]});
     box.push_back({-Vector3::Unit(axis), half_size[axis] - centre_B[axis]});

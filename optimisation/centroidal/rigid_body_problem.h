@@ -8,7 +8,7 @@
 namespace gaitwright {
 
 /// The points p with normal . p <= offset.
-struct HalfSpace {
+struct WorkspaceSide {
   Vector3 normal = Vector3::UnitX();
   double offset = 0.0;
 };
@@ -16,7 +16,7 @@ struct HalfSpace {
 /// A foot of a single rigid body: where a leg that has no mass can put it.
 struct RigidFoot {
   Vector3 p_CF_nominal_B = Vector3::Zero();             ///< from the centre of mass, in B, where it likes to stand [m]
-  std::vector<HalfSpace> workspace_B;                   ///< of its place from the centre of mass, in B [m]
+  std::vector<WorkspaceSide> workspace_B;               ///< of its place from the centre of mass, in B [m]
   std::vector<Vector3> contacts_F = {Vector3::Zero()};  ///< points of the sole that carry, in the foothold's frame [m]
   double force_max_n = 1e4;                             ///< along the ground's normal, of each of these points
 };
@@ -64,7 +64,7 @@ Matrix3 RotationOf(const Vector3& angles_rad);
 Matrix3 BodyRatesByAngleRates(const Vector3& angles_rad);
 
 /// The half-spaces of a box about a point, with its edges along B.
-std::vector<HalfSpace> BoxAbout(const Vector3& centre_B, const Vector3& half_size);
+std::vector<WorkspaceSide> BoxAbout(const Vector3& centre_B, const Vector3& half_size);
 
 /// @throws InvalidArgument for a mass, inertia, duration or friction that is not positive, a foot that there is not, a
 /// stance outside of the duration or that overlaps another of its foot, a region that is not convex, or a value that is

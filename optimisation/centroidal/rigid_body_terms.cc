@@ -191,7 +191,7 @@ Constraint WorkspaceOf(const RigidFoot& foot, double margin_m, MatrixX& normals)
   Constraint rows{"", {}, VectorX::Constant(n, -kNoEnd), VectorX(n)};
   normals.resize(n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const HalfSpace& side = foot.workspace_B[static_cast<std::size_t>(i)];
+    const WorkspaceSide& side = foot.workspace_B[static_cast<std::size_t>(i)];
     normals.row(i) = side.normal;
     rows.upper[i] = side.offset - margin_m;
   }

@@ -62,7 +62,7 @@ TEST(PlanRigidBody, LeftAndRightAreAlike) {
   RigidBodyProblem mirrored = problem;
   for (RigidFoot& foot : mirrored.feet) {
     foot.p_CF_nominal_B.y() *= -1.0;
-    for (HalfSpace& side : foot.workspace_B) side.normal.y() *= -1.0;
+    for (WorkspaceSide& side : foot.workspace_B) side.normal.y() *= -1.0;
   }
   for (RigidStance& stance : mirrored.stances) stance.X_WF.translation().y() *= -1.0;
   const RigidBodyPlan left = Planned(problem), right = Planned(mirrored);

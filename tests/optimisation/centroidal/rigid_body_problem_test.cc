@@ -32,9 +32,9 @@ TEST(RigidBodyProblem, BodyRatesFollowFromAngleRates) {
 }
 
 TEST(RigidBodyProblem, ABoxHoldsWhatIsNoFartherThanItsHalfSize) {
-  const std::vector<HalfSpace> box = BoxAbout({0.1, 0.2, -0.5}, {0.2, 0.1, 0.05});
+  const std::vector<WorkspaceSide> box = BoxAbout({0.1, 0.2, -0.5}, {0.2, 0.1, 0.05});
   const auto holds = [&](const Vector3& p) {
-    return std::all_of(box.begin(), box.end(), [&](const HalfSpace& s) { return s.normal.dot(p) <= s.offset; });
+    return std::all_of(box.begin(), box.end(), [&](const WorkspaceSide& s) { return s.normal.dot(p) <= s.offset; });
   };
   EXPECT_TRUE(holds({0.29, 0.11, -0.46}));
   EXPECT_FALSE(holds({0.31, 0.2, -0.5}));
