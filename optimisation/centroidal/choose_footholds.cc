@@ -60,12 +60,12 @@ Polygon FreePart(const Terrain& terrain, std::size_t patch, const Vector3& p_W, 
 
 class Chooser {
  public:
-  Chooser(const Terrain& terrain, const RigidBodyProblem& problem, const FootholdChoiceOptions& options)
+  Chooser(const Terrain& terrain, const RigidBodyProblem& problem, const ChooseFootholdsOptions& options)
       : terrain_(terrain), options_(options), patches_(problem.stances.size(), -1) {
     result_.problem = problem;
   }
 
-  Result<FootholdChoice> Run() {
+  Result<ChosenFootholds> Run() {
     if (const std::optional<Failure> failure = GoalOutOfReach()) return *failure;
     way_ = StraightWay(terrain_, result_.problem, options_.spacing_s);
     // Ways and patches are fitted to each other in turn until the patches stay.
@@ -232,15 +232,15 @@ class Chooser {
   }
 
   const Terrain& terrain_;
-  const FootholdChoiceOptions& options_;
-  FootholdChoice result_;
+  const ChooseFootholdsOptions& options_;
+  ChosenFootholds result_;
   std::vector<int> patches_;  // by stance
   BodyWay way_;
 };
 
 }  // namespace
 
-OptionFields FootholdChoiceOptions::Fields() {
+OptionFields ChooseFootholdsOptions::Fields() {
   return {{"edge_margin_m", &edge_margin_m, "m", 0.0, 1.0, "Least distance of a foothold to an edge.", {}},
           {"spacing_s", &spacing_s, "s", 0.01, 1.0, "Between the places of the body that are looked at.", {}},
           {"misfit_m", &misfit_m, "m", 0.0, 1.0, "How far out of reach a foothold may be with nothing else tried.", {}},
@@ -248,10 +248,10 @@ OptionFields FootholdChoiceOptions::Fields() {
           {"max_trials", &max_trials, "1", 1, 1000, "Most ways that are fitted.", {}}};
 }
 
-Result<FootholdChoice> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
-                                       const FootholdChoiceOptions& options) {
+Result<ChosenFootholds> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
+                                        const ChooseFootholdsOptions& options) {
   CheckRigidBodyProblem(problem);
-  FootholdChoiceOptions checked = options;
+  ChooseFootholdsOptions checked = options;
   CheckOptions(checked.Fields());
   const double margin = options.edge_margin_m;
   if (std::none_of(terrain.patches.begin(), terrain.patches.end(),

@@ -13,7 +13,7 @@ namespace gaitwright {
 /// Tuning
 ///   feet stand too near to edges                       raise edge_margin_m
 ///   the way is refused although there is one           raise max_trials, lower spacing_s
-struct FootholdChoiceOptions {
+struct ChooseFootholdsOptions {
   double edge_margin_m = 0.01;
   double spacing_s = 0.1;
   double misfit_m = 0.005;
@@ -24,7 +24,7 @@ struct FootholdChoiceOptions {
 };
 
 /// Footholds for the stances of a rigid body and how well it could reach them.
-struct FootholdChoice {
+struct ChosenFootholds {
   RigidBodyProblem problem;  ///< as given, with a way, and a frame, a region and a friction for each stance
   double misfit_m = 0.0;     ///< farthest that a foot is out of its workspace on the best way found; 0 if none
   int trials = 0;
@@ -38,7 +38,7 @@ struct FootholdChoice {
 ///   `out_of_reach`       names the foot that stays out of its workspace by more than hopeless_m, whatever the forces,
 ///                        when, and how far the body goes while it stands
 /// @throws InvalidArgument as CheckRigidBodyProblem.
-Result<FootholdChoice> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
-                                       const FootholdChoiceOptions& options = {});
+Result<ChosenFootholds> ChooseFootholds(const Terrain& terrain, const RigidBodyProblem& problem,
+                                        const ChooseFootholdsOptions& options = {});
 
 }  // namespace gaitwright

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 #include "tests/architecture/include_rules.h"
 #include "tests/architecture/source_tree.h"
@@ -71,6 +73,31 @@ TEST(Architecture, NamesOfFilesAreSnakeCase) {
     const std::string ending = file.path.substr(file.path.rfind('.'));
     EXPECT_TRUE(ending == ".h" || ending == ".cc") << file.path;
   }
+}
+
+/// The name of the type that a line of a header begins to define at the left margin; empty for any other line.
+std::string DefinedType(const std::string& line) {
+  for (const std::string start : {"struct ", "class ", "enum class "}) {
+    if (!line.starts_with(start) || line.find('{') == std::string::npos) continue;
+    return line.substr(start.size(), line.find_first_of(" :{", start.size()) - start.size());
+  }
+  return "";
+}
+
+// Two types of one name are one to the linker, without a word, where both are in a program.
+TEST(Architecture, NamesOfTypesStandForOneThing) {
+  std::map<std::string, std::string> defined_in;
+  for (const SourceFile& file : RoomFiles()) {
+    if (!file.path.ends_with(".h")) continue;
+    std::istringstream text(file.text);
+    for (std::string line; std::getline(text, line);) {
+      const std::string type = DefinedType(line);
+      if (type.empty()) continue;
+      const auto [first, is_new] = defined_in.emplace(type, file.path);
+      EXPECT_TRUE(is_new) << type << " is defined in " << first->second << " and in " << file.path;
+    }
+  }
+  EXPECT_GT(defined_in.size(), 100U);
 }
 
 TEST(Architecture, AllowedLongFilesExist) {

@@ -30,7 +30,7 @@ void Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const C
   const CentroidalRobot& robot = set.robots[one.robot].second;
   const Terrain ground = WithFriction(set.grounds[one.ground], task.friction);
   const double start = CpuMs();
-  const Result<FootholdChoice> choice =
+  const Result<ChosenFootholds> choice =
       ChooseFootholds(ground, CentroidalProblem(robot, robot.schedules[one.schedule], ground, task));
   if (!choice) {
     outcome.reason = choice.failure().message;

@@ -43,7 +43,7 @@ void ExpectOnGround(const Terrain& ground, const RigidBodyProblem& problem, doub
 
 TEST(ChooseFootholds, OnLevelGroundFeetStandWhereTheyLikeTo) {
   const RigidBodyProblem problem = rigid_bodies::Trotter(0.4);
-  const Result<FootholdChoice> choice = ChooseFootholds(FlatTerrain(0.6), problem);
+  const Result<ChosenFootholds> choice = ChooseFootholds(FlatTerrain(0.6), problem);
   ASSERT_TRUE(choice.ok());
   ExpectOnGround(FlatTerrain(0.6), choice->problem, 0.01);
   EXPECT_LT(choice->misfit_m, 1e-3);
@@ -59,7 +59,7 @@ TEST(ChooseFootholds, OnLevelGroundFeetStandWhereTheyLikeTo) {
 TEST(ChooseFootholds, FeetKeepOutOfAGapAndOffEdges) {
   const RigidBodyProblem problem = rigid_bodies::Walker(0.8);
   const Terrain ground = Strips({{-2.0, 0.3, 0.0}, {0.5, 3.0, 0.0}});
-  const Result<FootholdChoice> choice = ChooseFootholds(ground, problem, {.edge_margin_m = 0.02});
+  const Result<ChosenFootholds> choice = ChooseFootholds(ground, problem, {.edge_margin_m = 0.02});
   ASSERT_TRUE(choice.ok());
   ExpectOnGround(ground, choice->problem, 0.02);
   EXPECT_LT(choice->misfit_m, 0.02);
@@ -69,7 +69,7 @@ TEST(ChooseFootholds, TheBodyAndItsFeetGoUpASill) {
   RigidBodyProblem problem = rigid_bodies::Walker(0.7);
   problem.goal.p_WC.z() += 0.12;
   const Terrain ground = Strips({{-2.0, 0.35, 0.0}, {0.35, 3.0, 0.12}});
-  const Result<FootholdChoice> choice = ChooseFootholds(ground, problem);
+  const Result<ChosenFootholds> choice = ChooseFootholds(ground, problem);
   ASSERT_TRUE(choice.ok());
   ExpectOnGround(ground, choice->problem, 0.01);
   EXPECT_NEAR(choice->problem.stances[2].X_WF.translation().z(), 0.12, 1e-9);
@@ -83,14 +83,14 @@ TEST(ChooseFootholds, WhatLiesBelowAnotherPatchIsNotStoodOn) {
   Terrain ground = FlatTerrain(0.6);
   ground.patches.push_back(
       PatchThrough("plate", {{0.2, -2.0, 0.05}, {0.9, -2.0, 0.05}, {0.9, 2.0, 0.05}, {0.2, 2.0, 0.05}}, 0.5));
-  const Result<FootholdChoice> choice = ChooseFootholds(ground, rigid_bodies::Walker(0.6));
+  const Result<ChosenFootholds> choice = ChooseFootholds(ground, rigid_bodies::Walker(0.6));
   ASSERT_TRUE(choice.ok());
   ExpectOnGround(ground, choice->problem, 0.01);
 }
 
 TEST(ChooseFootholds, RefusesWhatNoWayReachesAndSaysWhichFootAndWhen) {
   const Terrain ground = Strips({{-2.0, 0.2, 0.0}, {1.6, 3.0, 0.0}});
-  const Result<FootholdChoice> choice = ChooseFootholds(ground, rigid_bodies::Walker(2.0));
+  const Result<ChosenFootholds> choice = ChooseFootholds(ground, rigid_bodies::Walker(2.0));
   ASSERT_FALSE(choice.ok());
   EXPECT_EQ(choice.failure().code, "out_of_reach");
   for (const char* part : {"foot ", "on the ground from ", " out of its workspace at "})
@@ -101,16 +101,16 @@ TEST(ChooseFootholds, RefusesWhatNoWayReachesAndSaysWhichFootAndWhen) {
 TEST(ChooseFootholds, RefusesAGoalAtWhichAFootReachesNoGround) {
   RigidBodyProblem problem = rigid_bodies::Walker(0.6);
   problem.goal.p_WC.z() += 0.17;  // of 0.15 m that its workspaces are high
-  const Result<FootholdChoice> choice = ChooseFootholds(FlatTerrain(), problem);
+  const Result<ChosenFootholds> choice = ChooseFootholds(FlatTerrain(), problem);
   ASSERT_FALSE(choice.ok());
   EXPECT_EQ(choice.failure().message, "at the goal foot 0 is 0.020 m out of its workspace wherever it stands");
 }
 
 TEST(ChooseFootholds, RefusesGroundWithoutPatches) {
-  const Result<FootholdChoice> choice = ChooseFootholds(Terrain{"nothing", {}, {}, {}}, rigid_bodies::Walker());
+  const Result<ChosenFootholds> choice = ChooseFootholds(Terrain{"nothing", {}, {}, {}}, rigid_bodies::Walker());
   ASSERT_FALSE(choice.ok());
   EXPECT_EQ(choice.failure().message, "ground 'nothing' has no patch with room for a foot 0.010 m from its edges");
-  const Result<FootholdChoice> narrow = ChooseFootholds(Strips({{-0.01, 0.008, 0.0}}), rigid_bodies::Walker());
+  const Result<ChosenFootholds> narrow = ChooseFootholds(Strips({{-0.01, 0.008, 0.0}}), rigid_bodies::Walker());
   ASSERT_FALSE(narrow.ok());
   EXPECT_EQ(narrow.failure().code, "no_patches");
 }
