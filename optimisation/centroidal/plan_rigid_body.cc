@@ -10,7 +10,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/rigid_body_terms.h"
 #include "optimisation/centroidal/rigid_body_unknowns.h"
-#include "optimisation/numerics/constrained_problem.h"
+#include "optimisation/numerics/elastic_interior.h"
 
 namespace gaitwright {
 namespace {
@@ -142,9 +142,8 @@ Failure Unmet(const RigidBodyProblem& problem, const RigidBodySummary& summary) 
   return {FailureKind::kInfeasible,
           "unmet_law",
           "PlanRigidBody",
-          fmt::format("no motion was found that keeps all laws: {} stays unmet by {:.3g} after {} updates and {} "
-                      "iterations{}",
-                      summary.worst, summary.violation, summary.outer, summary.iterations, TooSteepAtGoal(problem)),
+          fmt::format("no motion was found that keeps all laws: {} stays unmet by {:.3g} after {} iterations{}",
+                      summary.worst, summary.violation, summary.iterations, TooSteepAtGoal(problem)),
           {"give it more time or a nearer goal, or footholds elsewhere"}};
 }
 
@@ -163,23 +162,19 @@ RigidBodyPlan SolveOnce(const RigidBodyProblem& problem, const RigidBodyOptions&
   const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals);
   ConstrainedProblem rows = Rows(problem, unknowns, options);
   rows.start = Guess(problem, unknowns);
-  ConstrainedOptions solving;
+  ElasticOptions solving;
   solving.tolerance = options.tolerance;
   solving.cost_tolerance = options.cost_tolerance;
-  solving.stiffness = options.stiffness;
-  solving.trust_radius = 1e7;
-  solving.inner_tolerance = 1e-4;
-  solving.patience = 5;
-  solving.max_outer = options.max_outer;
-  solving.max_inner = options.max_inner;
+  solving.price = options.price;
+  solving.most_price = options.most_price;
+  solving.max_iterations = options.max_iterations;
   ConstrainedSolution at;
-  const bool settled = Solve(rows, solving, &at).ok();
+  const bool settled = SolveElastic(rows, solving, &at).ok();
   RigidBodyPlan plan{MotionOf(problem, unknowns, at.x), before};
   RigidBodySummary& summary = plan.summary;
   summary.variables = unknowns.size();
   summary.constraints = 0;
   for (const Constraint& c : rows.constraints) summary.constraints += static_cast<int>(c.lower.size());
-  summary.outer += at.outer;
   summary.iterations += at.iterations;
   summary.cost = at.cost;
   summary.settled = settled;
@@ -203,9 +198,9 @@ OptionFields RigidBodyOptions::Fields() {
       {"fault_tolerance", &fault_tolerance, "1", 1e-6, 1.0, "Largest fault at 1 kHz, in m and m g, not refined.", {}},
       {"max_refinements", &max_refinements, "1", 0, 10, "Most times that breaks are put half as far apart.", {}},
       {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0, "Relative change of the cost that counts as none.", {}},
-      {"stiffness", &stiffness, "1", 1e-3, 1e6, "First penalty over the curvature of the cost.", {}},
-      {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
-      {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}},
+      {"price", &price, "1", 1e-3, 1e6, "First price of a law's violation, in half the cost.", {}},
+      {"most_price", &most_price, "1", 1e-3, 1e6, "Greatest price of a law's violation.", {}},
+      {"max_iterations", &max_iterations, "1", 1, 10000, "Most steps of a solve.", {}},
       {"force_rate", &weights.force_rate, "s", 0.0, 1e3, "Weight of the rate of forces.", {}},
       {"momentum", &weights.momentum, "s", 0.0, 1e3, "Weight of the angular momentum.", {}},
       {"tilt", &weights.tilt, "1/(rad^2 s)", 0.0, 1e3, "Weight of the base's angles.", {}},

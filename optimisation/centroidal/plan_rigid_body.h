@@ -14,7 +14,7 @@ namespace gaitwright {
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m
 ///   friction that only just suffices          raise friction_sides
-///   many iterations                           lower or raise stiffness by tens
+///   a motion that all but keeps its laws      raise most_price
 struct RigidBodyOptions {
   double spacing_s = 0.08;
   int least_intervals = 3;
@@ -26,9 +26,9 @@ struct RigidBodyOptions {
   double fault_tolerance = 1e-3;
   int max_refinements = 3;
   double cost_tolerance = 1e-3;
-  double stiffness = 300.0;
-  int max_outer = 25;
-  int max_inner = 40;
+  double price = 10.0;
+  double most_price = 100.0;
+  int max_iterations = 100;
   RigidBodyWeights weights = {};
 
   OptionFields Fields();
@@ -36,8 +36,8 @@ struct RigidBodyOptions {
 
 /// How a motion was found.
 struct RigidBodySummary {
-  int variables = 0, constraints = 0;              ///< of the last solve
-  int outer = 0, iterations = 0, refinements = 0;  ///< of all
+  int variables = 0, constraints = 0;   ///< of the last solve
+  int iterations = 0, refinements = 0;  ///< of all
   double cost = 0.0;
   bool settled = true;     ///< else the motion is one that keeps all laws, but not the least costly one
   double violation = 0.0;  ///< largest, in m, rad, rad/s and m g

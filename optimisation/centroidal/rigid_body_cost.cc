@@ -14,6 +14,7 @@ void AddRows(const AffineVector& vector, double weight, const Vector3& wanted, s
   const double root = std::sqrt(weight);
   VectorFunction rows = AffineRows(vector, root * Matrix3::Identity(), root * wanted, seen);
   cost.emplace_back(std::move(rows), seen.variables());
+  cost.back().affine = true;
 }
 
 /// A foot on the ground from the centre of mass, less where it likes to stand.
@@ -30,7 +31,9 @@ void AddStance(const FootPlace& place, const AffineVector& com, double weight, c
     for (const FootPlace::Part& part : own.parts) J->block<3, 2>(0, part.start) += root * part.axes;
     own_com.AddTo(Matrix3(-root * Matrix3::Identity()), *J, 0);
   };
-  if (!seen.variables().empty()) cost.emplace_back(rows, seen.variables());
+  if (seen.variables().empty()) return;
+  cost.emplace_back(rows, seen.variables());
+  cost.back().affine = true;
 }
 
 }  // namespace

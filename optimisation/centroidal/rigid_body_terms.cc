@@ -251,8 +251,12 @@ Constraint RigidBodyTerms::Turning(std::size_t interval) const {
 Constraint RigidBodyTerms::Free(std::size_t at_break) const {
   SeenUnknowns seen;
   VectorFunction rows = AffineRows(unknowns_.WholeForce(at_break), Matrix3::Identity(), Vector3::Zero(), seen);
-  return {fmt::format("free flight at {:.3f} s", unknowns_.breaks_s()[at_break]), rows, Vector3::Zero(),
-          Vector3::Zero(), seen.variables()};
+  return {fmt::format("free flight at {:.3f} s", unknowns_.breaks_s()[at_break]),
+          rows,
+          Vector3::Zero(),
+          Vector3::Zero(),
+          seen.variables(),
+          true};
 }
 
 Constraint RigidBodyTerms::Friction(const BoundForce& force, int sides, double margin) const {
@@ -271,8 +275,12 @@ Constraint RigidBodyTerms::Friction(const BoundForce& force, int sides, double m
   SeenUnknowns seen;
   VectorFunction rows =
       AffineRows(force.force, directions * stance.X_WF.linear().transpose(), VectorX::Zero(sides + 1), seen);
-  return {fmt::format("friction of foot {} at {:.3f} s", stance.foot, unknowns_.breaks_s()[force.at_break]), rows,
-          VectorX::Constant(sides + 1, -kNoEnd), upper, seen.variables()};
+  return {fmt::format("friction of foot {} at {:.3f} s", stance.foot, unknowns_.breaks_s()[force.at_break]),
+          rows,
+          VectorX::Constant(sides + 1, -kNoEnd),
+          upper,
+          seen.variables(),
+          true};
 }
 
 Constraint RigidBodyTerms::Reach(std::size_t stance, double time_s, double margin_m) const {
@@ -324,7 +332,8 @@ Constraint RigidBodyTerms::Region(std::size_t stance) const {
           rows,
           VectorX::Constant(n, -kNoEnd),
           upper,
-          {start, start + 1}};
+          {start, start + 1},
+          true};
 }
 
 }  // namespace gaitwright

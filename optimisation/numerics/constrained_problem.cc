@@ -374,16 +374,23 @@ class Solver {
 
 }  // namespace
 
-Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options,
-                                  ConstrainedSolution* last) {
-  ConstrainedOptions checked = options;
-  CheckOptions(checked.Fields());
+void CheckConstrainedProblem(const ConstrainedProblem& problem) {
   if (problem.start.size() == 0 || !problem.start.allFinite())
     throw InvalidArgument("Solve: the start must be finite and not empty");
   if (problem.lower.size() + problem.upper.size() > 0)
     CheckInterval("the bounds", problem.lower, problem.upper, problem.start.size());
+  const auto n = static_cast<int>(problem.start.size());
   for (const Constraint& c : problem.constraints)
     CheckInterval(fmt::format("constraint '{}'", c.name), c.lower, c.upper, c.lower.size());
+  for (const Residual& r : problem.residuals) (void)Checked(r.variables, n);
+  for (const Constraint& c : problem.constraints) (void)Checked(c.variables, n);
+}
+
+Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options,
+                                  ConstrainedSolution* last) {
+  ConstrainedOptions checked = options;
+  CheckOptions(checked.Fields());
+  CheckConstrainedProblem(problem);
   Solver solver(problem, options);
   Result<ConstrainedSolution> solution = solver.Run();
   if (last != nullptr) *last = solver.last();

@@ -20,6 +20,7 @@ struct Residual {
 
   VectorFunction function;
   std::vector<int> variables;  ///< empty for all
+  bool affine = false;         ///< its Jacobian is the same everywhere
 };
 
 /// lower <= c(x) <= upper by rows; an equality where both are the same, one-sided with an infinite end.
@@ -28,6 +29,7 @@ struct Constraint {
   VectorFunction function;
   VectorX lower, upper;
   std::vector<int> variables = {};  ///< that `function` sees, as in Residual; empty for all
+  bool affine = false;              ///< its Jacobian is the same everywhere
 };
 
 /// min |r(x)|^2 subject to constraints and bounds. Solved by dense factorisation up to 60 variables, by sparse beyond.
@@ -37,6 +39,10 @@ struct ConstrainedProblem {
   std::vector<Constraint> constraints;
   VectorX lower, upper;  ///< bounds; empty for none
 };
+
+/// @throws InvalidArgument for a start that is empty or not finite, for intervals of the wrong size or with their ends
+/// swapped, and for a list of variables that names one twice or one that there is not.
+void CheckConstrainedProblem(const ConstrainedProblem& problem);
 
 /// Tuning
 ///   hundreds of iterations, steps rejected at every change of the active set   lower stiffness
@@ -105,10 +111,8 @@ struct ConstrainedSolution {
 /// The first rho matches the curvature of the constraints to that of the cost, which makes the path the same whatever
 /// the cost's scale; rho grows where the violation does not fall. A solve that stops without having moved is repeated
 /// with a finer tolerance before anything is updated. Failure kInfeasible names the constraint that stays unmet and by
-/// how much, or says that the cost does not settle. @throws InvalidArgument for a start that is empty or not finite or
-/// where a function is not finite, for intervals of the wrong size or with their ends swapped, and for a list of
-/// variables that names one twice or one that there is not. Nocedal and Wright, Numerical Optimization, 2006,
-/// section 17.4.
+/// how much, or says that the cost does not settle. @throws InvalidArgument as CheckConstrainedProblem, and where a
+/// function is not finite at the start. Nocedal and Wright, Numerical Optimization, 2006, section 17.4.
 /// @param last  if given: where it stood at the end, whether that is a solution or not.
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options = {},
                                   ConstrainedSolution* last = nullptr);

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/numerics/elastic_interior.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "optimisation/numerics/sparse_rows.h"
+
+namespace gaitwright {
+namespace {
+
+using Eigen::Index;
+
+/// An end of a row that is not to be passed: sign * (value - bound) <= 0.
+struct Side {
+  Index row;
+  double sign, bound;
+};
+
+/// A row that is to have one value.
+struct Fixed {
+  Index row;
+  double bound;
+};
+
+/// The longest share of a step, up to 1, that leaves all of v above (1 - keep) of what it is.
+double Longest(const VectorX& v, const VectorX& step, double keep) {
+  double longest = 1.0;
+  for (Index i = 0; i < v.size(); ++i) {
+    if (step[i] < 0.0) longest = std::min(longest, -keep * v[i] / step[i]);
+  }
+  return longest;
+}
+
+/// A place, or a step from one to another.
+struct Move {
+  VectorX x, s, t, y, z;
+};
+
+/// = Notation =
+///   s, t   how far a side is kept from, and by how much it is passed: value + s - t = bound
+///   z, w   their multipliers, z + w = price
+///   y      multipliers of rows that are to have one value
+class ElasticSolver {
+ public:
+  ElasticSolver(const ConstrainedProblem& problem, const ElasticOptions& options)
+      : options_(options), rows_(problem), price_(options.price) {
+    Index row = rows_.residuals();
+    for (const Constraint& c : problem.constraints) {
+      for (Index i = 0; i < c.lower.size(); ++i, ++row) {
+        if (c.lower[i] == c.upper[i]) {
+          fixed_.push_back({row, c.lower[i]});
+          continue;
+        }
+        if (std::isfinite(c.upper[i])) sides_.push_back({row, 1.0, c.upper[i]});
+        if (std::isfinite(c.lower[i])) sides_.push_back({row, -1.0, c.lower[i]});
+      }
+    }
+    const auto n = static_cast<Index>(sides_.size()), m = static_cast<Index>(fixed_.size());
+    at_ = step_ = {problem.start, VectorX::Zero(n), VectorX::Zero(n), VectorX::Zero(m), VectorX::Zero(n)};
+    c_ = VectorX::Zero(m);
+    h_ = wanted_s_ = wanted_t_ = VectorX::Zero(n);
+  }
+
+  Result<ConstrainedSolution> Run();
+  const ConstrainedSolution& solution() const { return solution_; }
+
+ private:
+  void Evaluate(const VectorX& x, bool wants_jacobian);
+  void Start();
+  void Measure();
+  bool Settled();
+  void Factor();
+  void Solve();
+  void FindStep();
+  bool Falls(const Move& from, double share, double most);
+  double Bend(const Move& from, double share);
+  void TakeStep();
+
+  /// By how much a side's row moves for a change of its multiplier.
+  double Give(Index i) const { return at_.s[i] / at_.z[i] + at_.t[i] / (price_ - at_.z[i]); }
+  double PrimalShare(double keep) const {
+    return std::min(Longest(at_.s, step_.s, keep), Longest(at_.t, step_.t, keep));
+  }
+  double DualShare(double keep) const {
+    return std::min(Longest(at_.z, step_.z, keep),
+                    Longest(VectorX::Constant(at_.z.size(), price_) - at_.z, -step_.z, keep));
+  }
+  /// The sum of all products of s, t and their multipliers after shares of a step.
+  double Gap(double primal, double dual) const {
+    const VectorX z = at_.z + dual * step_.z;
+    return (at_.s + primal * step_.s).dot(z) + (at_.t + primal * step_.t).dot((price_ - z.array()).matrix());
+  }
+  /// The mean of those products.
+  double Mean(double gap) const { return gap / std::max(1.0, 2.0 * static_cast<double>(sides_.size())); }
+  double Unbalanced() const { return c_.lpNorm<1>() + (h_ + at_.s - at_.t).lpNorm<1>(); }
+  double Merit() const {
+    return half_cost_ + price_ * at_.t.sum() - mean_ * (at_.s.array().log().sum() + at_.t.array().log().sum()) +
+           weight_ * Unbalanced();
+  }
+
+  const ElasticOptions options_;
+  SparseRows rows_;
+  std::vector<Side> sides_;
+  std::vector<Fixed> fixed_;
+  Move at_, step_;
+  VectorX gradient_, c_, h_, wanted_s_, wanted_t_, moved_;  // wanted: products of s and z, t and w
+  double half_cost_ = 0.0, last_total_ = std::numeric_limits<double>::infinity();
+  double price_, mean_ = 0.0;                // mean_: the product that is aimed at
+  double weight_ = 1.0, damping_ = kLittle;  // weight_: of what is unbalanced, in the merit
+  static constexpr double kLittle = 1e-8, kKeep = 0.99;
+  ConstrainedSolution solution_;
+};
+
+void ElasticSolver::Evaluate(const VectorX& x, bool wants_jacobian) {
+  rows_.Evaluate(x, wants_jacobian);
+  const VectorX& value = rows_.value();
+  half_cost_ = 0.5 * value.head(rows_.residuals()).squaredNorm();
+  for (std::size_t i = 0; i < fixed_.size(); ++i) c_[static_cast<Index>(i)] = value[fixed_[i].row] - fixed_[i].bound;
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    h_[static_cast<Index>(i)] = sides_[i].sign * (value[sides_[i].row] - sides_[i].bound);
+}
+
+/// @throws InvalidArgument where a function is not finite.
+void ElasticSolver::Start() {
+  constexpr double kRoom = 1e-2;
+  Evaluate(at_.x, true);
+  for (Index row = 0; row < rows_.count(); ++row) {
+    if (std::isfinite(rows_.value()[row])) continue;
+    const Constraint* of = rows_.ConstraintOf(row);
+    throw InvalidArgument(of == nullptr
+                              ? "SolveElastic: a residual is not finite at the start"
+                              : fmt::format("SolveElastic: constraint '{}' is not finite at the start", of->name));
+  }
+  for (Index i = 0; i < h_.size(); ++i) {
+    at_.t[i] = std::max(h_[i], 0.0) + kRoom;
+    at_.s[i] = at_.t[i] - h_[i];
+    at_.z[i] = std::min(options_.first_gap / at_.s[i], 0.5 * price_);
+  }
+}
+
+void ElasticSolver::Measure() {
+  solution_.violation = 0.0;
+  solution_.cost = 2.0 * half_cost_;
+  solution_.x = at_.x;
+  const auto look = [&](Index row, double by) {
+    if (by <= solution_.violation) return;
+    solution_.violation = by;
+    solution_.worst_constraint = rows_.ConstraintOf(row)->name;
+  };
+  for (std::size_t i = 0; i < fixed_.size(); ++i) look(fixed_[i].row, std::abs(c_[static_cast<Index>(i)]));
+  for (std::size_t i = 0; i < sides_.size(); ++i) look(sides_[i].row, h_[static_cast<Index>(i)]);
+}
+
+/// Whether cost and violations no longer change and multipliers belong to them.
+bool ElasticSolver::Settled() {
+  const double total = half_cost_ + price_ * at_.t.sum(), change = std::abs(total - last_total_);
+  const double little = options_.cost_tolerance * (1e-3 + total);
+  last_total_ = total;
+  return change <= little && Gap(0.0, 0.0) <= little &&
+         (c_.size() == 0 || c_.lpNorm<Eigen::Infinity>() <= options_.tolerance);
+}
+
+void ElasticSolver::Factor() {
+  VectorX weights = VectorX::Zero(rows_.count()), cost = weights;
+  for (const Fixed& f : fixed_) weights[f.row] += 1.0 / options_.give;
+  for (std::size_t i = 0; i < sides_.size(); ++i) weights[sides_[i].row] += 1.0 / Give(static_cast<Index>(i));
+  while (!rows_.Factor(weights, damping_)) damping_ *= 10.0;
+  cost.head(rows_.residuals()) = rows_.value().head(rows_.residuals());
+  gradient_ = rows_.Gradient(cost);
+}
+
+/// Newton's step to the products that are wanted, with the present factors.
+void ElasticSolver::Solve() {
+  VectorX pull = VectorX::Zero(rows_.count()), off(h_.size());
+  for (std::size_t k = 0; k < fixed_.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    pull[fixed_[k].row] += at_.y[i] + c_[i] / options_.give;
+  }
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    off[i] = h_[i] + wanted_s_[i] / at_.z[i] - wanted_t_[i] / (price_ - at_.z[i]);
+    pull[sides_[k].row] += sides_[k].sign * (at_.z[i] + off[i] / Give(i));
+  }
+  step_.x = rows_.Solved(-gradient_ - rows_.Gradient(pull));
+  moved_ = rows_.Moved(step_.x);
+  for (std::size_t k = 0; k < fixed_.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    step_.y[i] = (c_[i] + moved_[fixed_[k].row]) / options_.give;
+  }
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    step_.z[i] = (sides_[k].sign * moved_[sides_[k].row] + off[i]) / Give(i);
+    step_.s[i] = (wanted_s_[i] - at_.s[i] * step_.z[i]) / at_.z[i] - at_.s[i];
+    step_.t[i] = (wanted_t_[i] + at_.t[i] * step_.z[i]) / (price_ - at_.z[i]) - at_.t[i];
+  }
+}
+
+/// Mehrotra's: a step to no products at all tells how much of them is worth keeping, and its second order.
+void ElasticSolver::FindStep() {
+  Factor();
+  wanted_s_.setZero();
+  wanted_t_.setZero();
+  Solve();
+  if (sides_.empty()) return;
+  const double primal = PrimalShare(1.0), dual = DualShare(1.0);
+  const double mean = Mean(Gap(0.0, 0.0)), after = Mean(Gap(primal, dual));
+  constexpr double kLeast = 0.02, kSecond = 10.0;
+  mean_ = mean * std::clamp(std::pow(after / mean, 3.0), kLeast, 1.0);
+  mean_ = std::max(mean_, Mean(1e-3 * options_.cost_tolerance * (1e-3 + half_cost_)));
+  const double most = kSecond * mean_;
+  const VectorX of_s = (primal * dual * step_.s.cwiseProduct(step_.z)).cwiseMax(-most).cwiseMin(most);
+  const VectorX of_t = (primal * dual * step_.t.cwiseProduct(step_.z)).cwiseMax(-most).cwiseMin(most);
+  wanted_s_ = VectorX::Constant(h_.size(), mean_) - of_s;
+  wanted_t_ = VectorX::Constant(h_.size(), mean_) + of_t;
+  Solve();
+}
+
+/// Goes a share of the step. @return whether the merit is not over `most` then.
+bool ElasticSolver::Falls(const Move& from, double share, double most) {
+  at_.x = from.x + share * step_.x;
+  at_.t = from.t + share * step_.t;
+  Evaluate(at_.x, false);
+  at_.s = (from.s + share * step_.s).cwiseMax(at_.t - h_);
+  return Merit() <= most;
+}
+
+/// Bends a step that has been tried by how far rows were then from what it took them for. @return its longest share.
+double ElasticSolver::Bend(const Move& from, double share) {
+  for (std::size_t i = 0; i < fixed_.size(); ++i) c_[static_cast<Index>(i)] -= share * moved_[fixed_[i].row];
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    h_[static_cast<Index>(i)] -= share * sides_[i].sign * moved_[sides_[i].row];
+  at_ = from;
+  Solve();
+  return PrimalShare(kKeep);
+}
+
+/// As far as s, t and multipliers allow and the merit falls.
+void ElasticSolver::TakeStep() {
+  constexpr double kEnough = 1e-4, kRound = 1e-10;
+  constexpr int kMostHalvings = 8;
+  const double unbalanced = Unbalanced();
+  const double slope = gradient_.dot(step_.x) + price_ * step_.t.sum() -
+                       mean_ * (step_.s.cwiseQuotient(at_.s).sum() + step_.t.cwiseQuotient(at_.t).sum());
+  if (unbalanced > 1e-9) {
+    const double needed = slope / (0.9 * unbalanced);
+    if (weight_ < needed) weight_ = 1.5 * needed;
+  }
+  const double descent = slope - weight_ * unbalanced, before = Merit();
+  const auto most = [&](double share) { return before + kEnough * share * descent + kRound * std::abs(before); };
+  const Move from = at_, straight = step_;
+  double share = PrimalShare(kKeep);
+  int halvings = 0;
+  if (!Falls(from, share, most(share))) {
+    const double bent = Bend(from, share);
+    if (Falls(from, bent, most(bent))) {
+      share = bent;
+    } else {
+      step_ = straight;
+      do {
+        share *= 0.5;
+        ++halvings;
+      } while (!Falls(from, share, most(share)) && halvings < kMostHalvings);
+    }
+  }
+  at_.z = from.z;
+  const double dual = DualShare(kKeep);
+  Evaluate(at_.x, true);
+  at_.y = from.y + share * step_.y;
+  at_.z += dual * step_.z;
+  if (halvings >= 3) damping_ = std::clamp(4.0 * damping_, 100.0 * kLittle, 100.0);
+  if (halvings == 0) damping_ = std::max(0.25 * damping_, kLittle);
+}
+
+Result<ConstrainedSolution> ElasticSolver::Run() {
+  Start();
+  solution_.outer = 1;
+  for (;; ++solution_.iterations) {
+    Measure();
+    if (Settled()) {
+      if (solution_.violation <= options_.tolerance) {
+        solution_.brief = fmt::format("cost {:.9g}, violation {:.1e}, {} iterations", solution_.cost,
+                                      solution_.violation, solution_.iterations);
+        return solution_;
+      }
+      if (price_ >= options_.most_price) break;
+      price_ = std::min(10.0 * price_, options_.most_price);
+      ++solution_.outer;
+      last_total_ = std::numeric_limits<double>::infinity();
+    }
+    if (solution_.iterations == options_.max_iterations) break;
+    FindStep();
+    TakeStep();
+  }
+  if (solution_.violation > options_.tolerance) {
+    return Failure{FailureKind::kInfeasible,
+                   "unmet_constraint",
+                   "SolveElastic",
+                   fmt::format("constraint '{}' stays unmet by {:.3g} after {} iterations", solution_.worst_constraint,
+                               solution_.violation, solution_.iterations),
+                   {"relax that constraint, or start elsewhere"}};
+  }
+  return Failure{FailureKind::kInfeasible,
+                 "unsettled_cost",
+                 "SolveElastic",
+                 fmt::format("all constraints are met, but the cost, {:.6g}, has not settled after {} iterations",
+                             solution_.cost, solution_.iterations),
+                 {"raise max_iterations, or start elsewhere"}};
+}
+
+}  // namespace
+
+OptionFields ElasticOptions::Fields() {
+  return {{"tolerance", &tolerance, "1", 1e-14, 1.0, "Largest violation of a constraint that counts as none.", {}},
+          {"cost_tolerance", &cost_tolerance, "1", 1e-14, 1.0, "Relative change of the cost that counts as none.", {}},
+          {"price", &price, "1", 1e-6, 1e9, "First price of a violation, in units of half the cost.", {}},
+          {"most_price", &most_price, "1", 1e-6, 1e9, "Greatest price of a violation.", {}},
+          {"first_gap", &first_gap, "1", 1e-12, 1e3, "First product of a distance to a bound and its multiplier.", {}},
+          {"give", &give, "1", 1e-14, 1.0, "By which an equality gives way to a multiplier of one, within a step.", {}},
+          {"max_iterations", &max_iterations, "1", 1, 10000, "Most steps.", {}}};
+}
+
+Result<ConstrainedSolution> SolveElastic(const ConstrainedProblem& problem, const ElasticOptions& options,
+                                         ConstrainedSolution* last) {
+  ElasticOptions checked = options;
+  CheckOptions(checked.Fields());
+  CheckConstrainedProblem(problem);
+  if (problem.lower.size() + problem.upper.size() > 0)
+    throw InvalidArgument("SolveElastic: bounds are to be given as constraints");
+  ElasticSolver solver(problem, checked);
+  Result<ConstrainedSolution> solution = solver.Run();
+  if (last != nullptr) *last = solver.solution();
+  return solution;
+}
+
+}  // namespace gaitwright

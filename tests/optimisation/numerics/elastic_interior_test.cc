@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Known answers: Hock and Schittkowski, Test Examples for Nonlinear Programming Codes, Springer 1981; others in closed
+// form, and those of Solve.
+#include "optimisation/numerics/elastic_interior.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/optimisation/numerics/by_values.h"
+
+namespace gaitwright {
+namespace {
+
+using by_values::Of;
+using by_values::Values;
+using by_values::Vec;
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// Nearest to a point: |x - wanted|^2.
+Residual To(const Values& wanted) {
+  return Of([wanted](const VectorX& x) {
+    Values off;
+    for (std::size_t i = 0; i < wanted.size(); ++i) off.push_back(x[static_cast<Eigen::Index>(i)] - wanted[i]);
+    return off;
+  });
+}
+
+ConstrainedSolution Solved(const ConstrainedProblem& problem, const ElasticOptions& options = {}) {
+  const Result<ConstrainedSolution> solution = SolveElastic(problem, options);
+  EXPECT_TRUE(solution.ok()) << solution.failure().message;
+  return solution.ok() ? *solution : ConstrainedSolution{};
+}
+
+TEST(SolveElastic, ThePointOfASquareNearestToOneOutside) {
+  ConstrainedProblem problem{Vec({0.0, 0.0}), {To({2.0, 0.3})}, {}, {}, {}};
+  problem.constraints.push_back({"square", Of([](const VectorX& x) {
+                                   return Values{x[0], x[1]};
+                                 }),
+                                 Vec({-1.0, -1.0}), Vec({1.0, 1.0})});
+  const ConstrainedSolution at = Solved(problem);
+  EXPECT_NEAR(at.x[0], 1.0, 1e-5);
+  EXPECT_NEAR(at.x[1], 0.3, 1e-3);
+  EXPECT_NEAR(at.cost, 1.0, 1e-4);
+  EXPECT_LE(at.violation, 1e-8);
+}
+
+TEST(SolveElastic, KnownAnswersOfProblemsThatAreNotConvex) {
+  ConstrainedProblem hs14{Vec({2.0, 2.0}), {To({2.0, 1.0})}, {}, {}, {}};
+  hs14.constraints.push_back(
+      {"line", Of([](const VectorX& x) { return Values{x[0] - 2.0 * x[1] + 1.0}; }), Vec({0.0}), Vec({0.0})});
+  hs14.constraints.push_back({"ellipse", Of([](const VectorX& x) { return Values{0.25 * x[0] * x[0] + x[1] * x[1]}; }),
+                              Vec({-kInf}), Vec({1.0})});
+  EXPECT_NEAR(Solved(hs14).cost, 9.0 - 2.875 * std::sqrt(7.0), 1e-4);
+  ConstrainedProblem hs6{Vec({-1.2, 1.0}), {Of([](const VectorX& x) { return Values{1.0 - x[0]}; })}, {}, {}, {}};
+  hs6.constraints.push_back(
+      {"parabola", Of([](const VectorX& x) { return Values{10.0 * (x[1] - x[0] * x[0])}; }), Vec({0.0}), Vec({0.0})});
+  EXPECT_NEAR(Solved(hs6).x[0], 1.0, 1e-3);
+}
+
+TEST(SolveElastic, IsWhereSolveIs) {
+  // A chain from (0, 0) to (1, 0) whose links pull, held off a bump.
+  constexpr int kLinks = 40;
+  ConstrainedProblem problem;
+  problem.start = VectorX::Constant(kLinks - 1, 0.6);
+  for (int i = 0; i < kLinks; ++i) {
+    std::vector<int> seen;
+    if (i > 0) seen.push_back(i - 1);
+    if (i + 1 < kLinks) seen.push_back(i);
+    const bool inside = seen.size() == 2;
+    problem.residuals.emplace_back(Of([inside](const VectorX& x) { return Values{inside ? x[1] - x[0] : x[0]}; }),
+                                   seen);
+    problem.residuals.back().affine = true;
+    if (!inside) continue;
+    const double u = static_cast<double>(i) / kLinks, least = 0.5 - 4.0 * (u - 0.4) * (u - 0.4);
+    problem.constraints.push_back(
+        {"bump", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({least}), Vec({kInf}), {i - 1}, true});
+  }
+  const ConstrainedSolution at = Solved(problem, {.cost_tolerance = 1e-8});
+  const Result<ConstrainedSolution> other = Solve(problem, {.tolerance = 1e-7});
+  ASSERT_TRUE(other.ok());
+  EXPECT_GT(other->cost, 0.01);
+  EXPECT_NEAR(at.cost, other->cost, 1e-5 * other->cost);
+  EXPECT_LT((at.x - other->x).lpNorm<Eigen::Infinity>(), 1e-3);
+  EXPECT_LT(at.iterations, 20);
+}
+
+TEST(SolveElastic, PaysWhatAConstraintIsWorth) {
+  // The multiplier at x = 0 is 1000, over the first price.
+  ConstrainedProblem problem{
+      Vec({0.5}), {Of([](const VectorX& x) { return Values{30.0 * (x[0] - 1.0)}; })}, {}, {}, {}};
+  problem.constraints.push_back(
+      {"at most", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInf}), Vec({0.0})});
+  const ConstrainedSolution at = Solved(problem, {.price = 1.0, .most_price = 1e4});
+  EXPECT_NEAR(at.x[0], 0.0, 1e-6);
+  EXPECT_GT(at.outer, 1);
+  ConstrainedSolution last;
+  const Result<ConstrainedSolution> poor = SolveElastic(problem, {.price = 1.0, .most_price = 90.0}, &last);
+  ASSERT_FALSE(poor.ok());
+  EXPECT_NEAR(last.x[0], 0.9, 1e-3);  // 900 (1 - x) = 90
+}
+
+TEST(SolveElastic, WhereThereIsNoSolutionViolationsAreLeast) {
+  // 0.1 (x - 5)^2 with x <= 0, y <= 0 and x + y = 3: it is missed by 3 in all, however it is shared.
+  ConstrainedProblem problem{
+      Vec({1.0, 1.0}), {Of([](const VectorX& x) { return Values{0.3 * (x[0] - 5.0)}; })}, {}, {}, {}};
+  problem.constraints.push_back(
+      {"sum", Of([](const VectorX& x) { return Values{x[0] + x[1]}; }), Vec({3.0}), Vec({3.0})});
+  problem.constraints.push_back({"x", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInf}), Vec({0.0})});
+  problem.constraints.push_back({"y", Of([](const VectorX& x) { return Values{x[1]}; }), Vec({-kInf}), Vec({0.0})});
+  ConstrainedSolution last;
+  const Result<ConstrainedSolution> solution = SolveElastic(problem, {}, &last);
+  ASSERT_FALSE(solution.ok());
+  EXPECT_EQ(solution.failure().code, "unmet_constraint");
+  EXPECT_NE(solution.failure().message.find("constraint 'x' stays unmet by"), std::string::npos)
+      << solution.failure().message;
+  EXPECT_NEAR(std::max(last.x[0], 0.0) + std::max(last.x[1], 0.0), 3.0, 1e-4);
+  EXPECT_NEAR(last.x[0] + last.x[1], 3.0, 1e-6);
+}
+
+TEST(SolveElastic, SaysWhatIsNotFiniteAndRefusesBounds) {
+  ConstrainedProblem problem{
+      Vec({0.0}), {Of([](const VectorX& x) { return Values{std::log(x[0] - 1.0)}; })}, {}, {}, {}};
+  EXPECT_THROW((void)SolveElastic(problem), InvalidArgument);
+  problem.residuals = {To({1.0})};
+  EXPECT_NO_THROW((void)SolveElastic(problem));
+  problem.lower = problem.upper = Vec({0.0});
+  EXPECT_THROW((void)SolveElastic(problem), InvalidArgument);
+  EXPECT_THROW((void)SolveElastic(problem, {.price = -1.0}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace gaitwright
