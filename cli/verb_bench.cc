@@ -34,6 +34,7 @@ Json ToJson(const CentroidalOutcome& o) {
           {"variables", o.variables},
           {"constraints", o.constraints},
           {"iterations", o.iterations},
+          {"patch_choices", o.choices},
           {"cpu_ms", o.cpu_ms},
           {"cost", o.cost},
           {"node_violation", o.node_violation},

@@ -82,6 +82,7 @@ class Chooser {
     if (misfit.largest_m > options_.hopeless_m) return Hopeless(misfit);
     result_.misfit_m = misfit.largest_m;
     result_.problem.way = way_;
+    result_.patches = patches_;
     return result_;
   }
 
@@ -144,17 +145,9 @@ class Chooser {
     ++result_.trials;
   }
 
-  /// Puts a stance on a patch, as near as it can be to p. @return false where there is no room.
+  /// As PutOnPatch, and remembers it.
   bool Put(std::size_t s, int patch, const Vector3& p_W) {
-    const TerrainPatch& on = terrain_.patches[static_cast<std::size_t>(patch)];
-    Polygon part = FreePart(terrain_, static_cast<std::size_t>(patch), p_W, options_.edge_margin_m);
-    if (part.size() < 3) return false;
-    const Vector2 at = NearestPoint(part, (on.X_WT.inverse() * p_W).head<2>());
-    RigidStance& stance = stances()[s];
-    stance.X_WF = on.X_WT * Eigen::Translation3d(at.x(), at.y(), 0.0);
-    stance.friction = on.friction;
-    stance.region_F.clear();
-    for (const Vector2& corner : part) stance.region_F.emplace_back(corner - at);
+    if (!PutOnPatch(terrain_, patch, p_W, options_.edge_margin_m, stances()[s])) return false;
     patches_[s] = patch;
     return true;
   }
@@ -239,6 +232,18 @@ class Chooser {
 };
 
 }  // namespace
+
+bool PutOnPatch(const Terrain& terrain, int patch, const Vector3& p_W, double edge_margin_m, RigidStance& stance) {
+  const TerrainPatch& on = terrain.patches[static_cast<std::size_t>(patch)];
+  const Polygon part = FreePart(terrain, static_cast<std::size_t>(patch), p_W, edge_margin_m);
+  if (part.size() < 3) return false;
+  const Vector2 at = NearestPoint(part, (on.X_WT.inverse() * p_W).head<2>());
+  stance.X_WF = on.X_WT * Eigen::Translation3d(at.x(), at.y(), 0.0);
+  stance.friction = on.friction;
+  stance.region_F.clear();
+  for (const Vector2& corner : part) stance.region_F.emplace_back(corner - at);
+  return true;
+}
 
 OptionFields ChooseFootholdsOptions::Fields() {
   return {{"edge_margin_m", &edge_margin_m, "m", 0.0, 1.0, "Least distance of a foothold to an edge.", {}},

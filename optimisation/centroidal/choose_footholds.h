@@ -26,9 +26,14 @@ struct ChooseFootholdsOptions {
 /// Footholds for the stances of a rigid body and how well it could reach them.
 struct ChosenFootholds {
   RigidBodyProblem problem;  ///< as given, with a way, and a frame, a region and a friction for each stance
+  std::vector<int> patches;  ///< of each stance; -1 where it is held
   double misfit_m = 0.0;     ///< farthest that a foot is out of its workspace on the best way found; 0 if none
   int trials = 0;
 };
+
+/// Puts a stance on a patch, as near as it can be to a place, `edge_margin_m` from the edges of the patch and of those
+/// above it. @return false where there is no room, with nothing changed.
+bool PutOnPatch(const Terrain& terrain, int patch, const Vector3& p_W, double edge_margin_m, RigidStance& stance);
 
 /// Chooses for each stance that is not held the patch that it stands on and a place there to start from. A way of the
 /// body (body_way.h) and the footholds are fitted to each other, and each stance takes the patch that suits it best;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/rigid_body_terms.h"
@@ -31,9 +32,39 @@ std::vector<double> ReachTimes(const RigidStance& stance, const std::vector<doub
   return times;
 }
 
+/// A stance and a time at which its foot is out of reach between those at which it was looked at.
+struct MissedReach {
+  std::size_t stance;
+  double time_s;
+};
+
+/// Where feet are farthest out of reach by more than `tolerance_m` at 1 kHz, each stance's worst.
+std::vector<MissedReach> MissedReaches(const RigidBodyProblem& problem, const RigidBodyMotion& motion,
+                                       double tolerance_m) {
+  std::vector<double> worst(problem.stances.size(), tolerance_m), at(worst.size(), -1.0);
+  for (const RigidBodySample& sample : Sample(motion, 1e-3)) {
+    const Matrix3 R_BW = RotationOf(sample.angles_rad).transpose();
+    for (const RigidBodyInterval::Force& f : motion.intervals[sample.interval].forces) {
+      const RigidFoot& foot = problem.feet[static_cast<std::size_t>(problem.stances[f.stance].foot)];
+      const Vector3 p_B = R_BW * (motion.X_WF[f.stance].translation() - sample.p_WC);
+      for (const WorkspaceSide& side : foot.workspace_B) {
+        const double out = side.normal.dot(p_B) - side.offset;
+        if (out <= worst[f.stance]) continue;
+        worst[f.stance] = out;
+        at[f.stance] = sample.time_s;
+      }
+    }
+  }
+  std::vector<MissedReach> missed;
+  for (std::size_t s = 0; s < at.size(); ++s) {
+    if (at[s] >= 0.0) missed.push_back({s, at[s]});
+  }
+  return missed;
+}
+
 /// The problem as rows over its unknowns.
 ConstrainedProblem Rows(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
-                        const RigidBodyOptions& options) {
+                        const RigidBodyOptions& options, const std::vector<MissedReach>& missed) {
   const RigidBodyTerms terms(problem, unknowns);
   ConstrainedProblem rows;
   // What depends on no unknown is given, and nothing to be solved for.
@@ -48,6 +79,7 @@ ConstrainedProblem Rows(const RigidBodyProblem& problem, const RigidBodyUnknowns
     for (const double t : ReachTimes(problem.stances[s], unknowns.breaks_s(), options.swing_lead_s))
       add(terms.Reach(s, t, options.reach_margin_m));
   }
+  for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     if (!problem.stances[s].held && !problem.stances[s].region_F.empty()) add(terms.Region(s));
   }
@@ -156,33 +188,87 @@ Failure FaultsBetween(const RigidBodySummary& summary) {
           {"raise max_refinements or reach_margin_m"}};
 }
 
-/// Solves once, with what was spent before in the summary.
-RigidBodyPlan SolveOnce(const RigidBodyProblem& problem, const RigidBodyOptions& options,
-                        const RigidBodySummary& before) {
-  const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals);
-  ConstrainedProblem rows = Rows(problem, unknowns, options);
-  rows.start = Guess(problem, unknowns);
-  ElasticOptions solving;
-  solving.tolerance = options.tolerance;
-  solving.cost_tolerance = options.cost_tolerance;
-  solving.price = options.price;
-  solving.most_price = options.most_price;
-  solving.max_iterations = options.max_iterations;
-  ConstrainedSolution at;
-  const bool settled = SolveElastic(rows, solving, &at).ok();
-  RigidBodyPlan plan{MotionOf(problem, unknowns, at.x), before};
-  RigidBodySummary& summary = plan.summary;
-  summary.variables = unknowns.size();
-  summary.constraints = 0;
-  for (const Constraint& c : rows.constraints) summary.constraints += static_cast<int>(c.lower.size());
-  summary.iterations += at.iterations;
-  summary.cost = at.cost;
-  summary.settled = settled;
-  summary.violation = at.violation;
-  summary.worst = at.worst_constraint;
-  summary.faults = FaultsOf(problem, plan.motion, 1e-3);
-  return plan;
-}
+/// Plans over breaks that are put nearer to each other, and feet looked at more often, where that is needed.
+class RigidBodyPlanner {
+ public:
+  RigidBodyPlanner(const RigidBodyProblem& problem, const RigidBodyOptions& options)
+      : problem_(problem), options_(options) {}
+
+  Result<RigidBodyPlan> Run() {
+    SetBreaks();
+    while (true) {
+      SolveOnce();
+      RigidBodySummary& summary = plan_.summary;
+      if (summary.violation > options_.tolerance) return Unmet(problem_, summary);
+      if (summary.faults.Largest() <= options_.fault_tolerance) return plan_;
+      if (summary.refinements == options_.max_refinements) return FaultsBetween(summary);
+      ++summary.refinements;
+      if (!LookCloser()) {
+        options_.spacing_s *= 0.5;
+        options_.least_intervals *= 2;
+        SetBreaks();
+      }
+    }
+  }
+
+  const RigidBodyPlan& plan() const { return plan_; }
+
+ private:
+  void SetBreaks() {
+    unknowns_.emplace(problem_, options_.spacing_s, options_.least_intervals);
+    missed_.clear();
+    start_ = Guess(problem_, *unknowns_);
+    first_gap_ = kFirstGap;
+  }
+
+  /// Where reach alone is missed, at what times. @return false where other laws are.
+  bool LookCloser() {
+    RigidBodyFaults others = plan_.summary.faults;
+    others.reach_m = 0.0;
+    if (others.Largest() > options_.fault_tolerance) return false;
+    const std::vector<MissedReach> more = MissedReaches(problem_, plan_.motion, 0.5 * options_.fault_tolerance);
+    missed_.insert(missed_.end(), more.begin(), more.end());
+    first_gap_ = kNextGap;
+    return true;
+  }
+
+  void SolveOnce() {
+    ConstrainedProblem rows = Rows(problem_, *unknowns_, options_, missed_);
+    rows.start = start_;
+    ElasticOptions solving;
+    solving.tolerance = options_.tolerance;
+    solving.cost_tolerance = options_.cost_tolerance;
+    solving.price = options_.price;
+    solving.most_price = options_.most_price;
+    solving.first_gap = first_gap_;
+    solving.screening = options_.screening;
+    solving.hopeless = options_.hopeless;
+    solving.max_iterations = options_.max_iterations;
+    ConstrainedSolution at;
+    RigidBodySummary& summary = plan_.summary;
+    summary.settled = SolveElastic(rows, solving, &at).ok();
+    start_ = at.x;
+    plan_.motion = MotionOf(problem_, *unknowns_, at.x);
+    summary.variables = unknowns_->size();
+    summary.constraints = 0;
+    for (const Constraint& c : rows.constraints) summary.constraints += static_cast<int>(c.lower.size());
+    summary.iterations += at.iterations;
+    summary.cost = at.cost;
+    summary.violation = at.violation;
+    summary.violations = at.violations;
+    summary.worst = at.worst_constraint;
+    summary.faults = FaultsOf(problem_, plan_.motion, 1e-3);
+  }
+
+  static constexpr double kFirstGap = 1e-2, kNextGap = 1e-4;
+  const RigidBodyProblem& problem_;
+  RigidBodyOptions options_;
+  RigidBodyPlan plan_;
+  std::optional<RigidBodyUnknowns> unknowns_;
+  std::vector<MissedReach> missed_;
+  VectorX start_;
+  double first_gap_ = kFirstGap;
+};
 
 }  // namespace
 
@@ -200,6 +286,8 @@ OptionFields RigidBodyOptions::Fields() {
       {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0, "Relative change of the cost that counts as none.", {}},
       {"price", &price, "1", 1e-3, 1e6, "First price of a law's violation, in half the cost.", {}},
       {"most_price", &most_price, "1", 1e-3, 1e6, "Greatest price of a law's violation.", {}},
+      {"screening", &screening, "1", 1, 10000, "Steps after which a hopeless solve is given up.", {}},
+      {"hopeless", &hopeless, "1", 0.0, 1e6, "Sum of violations that is hopeless after so many steps.", {}},
       {"max_iterations", &max_iterations, "1", 1, 10000, "Most steps of a solve.", {}},
       {"force_rate", &weights.force_rate, "s", 0.0, 1e3, "Weight of the rate of forces.", {}},
       {"momentum", &weights.momentum, "s", 0.0, 1e3, "Weight of the angular momentum.", {}},
@@ -213,17 +301,10 @@ Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const Rigid
   CheckRigidBodyProblem(problem);
   RigidBodyOptions checked = options;
   CheckOptions(checked.Fields());
-  RigidBodyPlan plan;
-  while (true) {
-    plan = SolveOnce(problem, checked, plan.summary);
-    if (last != nullptr) *last = plan;
-    if (plan.summary.violation > options.tolerance) return Unmet(problem, plan.summary);
-    if (plan.summary.faults.Largest() <= options.fault_tolerance) return plan;
-    if (plan.summary.refinements == options.max_refinements) return FaultsBetween(plan.summary);
-    ++plan.summary.refinements;
-    checked.spacing_s *= 0.5;
-    checked.least_intervals *= 2;
-  }
+  RigidBodyPlanner planner(problem, checked);
+  Result<RigidBodyPlan> plan = planner.Run();
+  if (last != nullptr) *last = planner.plan();
+  return plan;
 }
 
 }  // namespace gaitwright

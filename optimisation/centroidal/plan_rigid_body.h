@@ -14,6 +14,7 @@ namespace gaitwright {
 /// Tuning
 ///   plans are refined often                   lower spacing_s, raise reach_margin_m
 ///   friction that only just suffices          raise friction_sides
+///   much is spent on what has no motion        lower screening, hopeless
 ///   a motion that all but keeps its laws      raise most_price
 struct RigidBodyOptions {
   double spacing_s = 0.08;
@@ -24,10 +25,12 @@ struct RigidBodyOptions {
   double swing_lead_s = 0.0125;
   double tolerance = 1e-6;
   double fault_tolerance = 1e-3;
-  int max_refinements = 3;
+  int max_refinements = 4;
   double cost_tolerance = 1e-3;
   double price = 10.0;
   double most_price = 100.0;
+  int screening = 40;
+  double hopeless = 0.05;
   int max_iterations = 100;
   RigidBodyWeights weights = {};
 
@@ -39,10 +42,11 @@ struct RigidBodySummary {
   int variables = 0, constraints = 0;   ///< of the last solve
   int iterations = 0, refinements = 0;  ///< of all
   double cost = 0.0;
-  bool settled = true;     ///< else the motion is one that keeps all laws, but not the least costly one
-  double violation = 0.0;  ///< largest, in m, rad, rad/s and m g
-  std::string worst;       ///< the law with that violation, where and when
-  RigidBodyFaults faults;  ///< at 1 kHz
+  bool settled = true;      ///< else the motion is one that keeps all laws, but not the least costly one
+  double violation = 0.0;   ///< largest, in m, rad, rad/s and m g
+  double violations = 0.0;  ///< sum of all
+  std::string worst;        ///< the law with that violation, where and when
+  RigidBodyFaults faults;   ///< at 1 kHz
 };
 
 /// A motion of a rigid body and how it was found.
@@ -55,7 +59,8 @@ struct RigidBodyPlan {
 /// of torques by the stated tolerance, friction, footholds in their regions and within reach; these a little before and
 /// after their stances too, since a foot at rest on the ground cannot leave it at once: swing_lead_s = v / (2 a) for a
 /// body of speed v and feet of acceleration a. Where its faults at 1 kHz, between breaks too, are over fault_tolerance,
-/// it is planned anew with breaks half as far apart. Failure kInfeasible `unmet_law` names what stays unmet, where and
+/// it is planned anew: where feet alone are out of reach, from there on with those times looked at too, else with
+/// breaks half as far apart. Failure kInfeasible `unmet_law` names what stays unmet, where and
 /// by how much, `faults_between` what breaks cannot be near enough for; `last` then holds where it stood.
 /// @throws InvalidArgument as CheckRigidBodyProblem.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},

@@ -181,7 +181,7 @@ RigidBodyFaults FaultsOf(const RigidBodyProblem& problem, const RigidBodyMotion&
         faults.reach_m = std::max(faults.reach_m, side.normal.dot(p_B) - side.offset);
     }
   }
-  faults.torque_balance = TorqueBalance(motion, Sample(motion, 0.5 * step_s));
+  faults.torque_balance = TorqueBalance(motion, Sample(motion, 0.25 * step_s));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     const Pose X_FF = problem.stances[s].X_WF.inverse() * motion.X_WF[s];
     faults.foothold_m = std::max(faults.foothold_m, OutOf(problem.stances[s].region_F, X_FF.translation().head<2>()));

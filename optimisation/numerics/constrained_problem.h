@@ -101,6 +101,7 @@ struct ConstrainedSolution {
   VectorX x;
   double cost = 0.0;             ///< |r|^2
   double violation = 0.0;        ///< largest
+  double violations = 0.0;       ///< sum of all; of SolveElastic
   std::string worst_constraint;  ///< name of the constraint with that violation
   int outer = 0, iterations = 0;
   std::string brief;  ///< one line

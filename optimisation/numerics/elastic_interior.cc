@@ -144,6 +144,7 @@ void ElasticSolver::Start() {
 
 void ElasticSolver::Measure() {
   solution_.violation = 0.0;
+  solution_.violations = c_.lpNorm<1>() + h_.cwiseMax(0.0).sum();
   solution_.cost = 2.0 * half_cost_;
   solution_.x = at_.x;
   const auto look = [&](Index row, double by) {
@@ -292,6 +293,7 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
       last_total_ = std::numeric_limits<double>::infinity();
     }
     if (solution_.iterations == options_.max_iterations) break;
+    if (solution_.iterations >= options_.screening && solution_.violations > options_.hopeless) break;
     FindStep();
     TakeStep();
   }
@@ -320,6 +322,8 @@ OptionFields ElasticOptions::Fields() {
           {"most_price", &most_price, "1", 1e-6, 1e9, "Greatest price of a violation.", {}},
           {"first_gap", &first_gap, "1", 1e-12, 1e3, "First product of a distance to a bound and its multiplier.", {}},
           {"give", &give, "1", 1e-14, 1.0, "By which an equality gives way to a multiplier of one, within a step.", {}},
+          {"screening", &screening, "1", 1, 10000, "Steps after which it is given up where it is hopeless.", {}},
+          {"hopeless", &hopeless, "1", 0.0, 1e12, "Sum of violations that is hopeless after so many steps.", {}},
           {"max_iterations", &max_iterations, "1", 1, 10000, "Most steps.", {}}};
 }
 

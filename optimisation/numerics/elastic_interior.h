@@ -7,7 +7,7 @@ namespace gaitwright {
 
 /// Tuning
 ///   problems that have a solution end with a small violation   raise most_price
-///   problems without one take many iterations                  lower most_price
+///   problems without one take many iterations                  lower screening, hopeless
 ///   short steps from the start                                 raise first_gap
 struct ElasticOptions {
   double tolerance = 1e-8;
@@ -16,6 +16,8 @@ struct ElasticOptions {
   double most_price = 1e3;
   double first_gap = 1e-2;
   double give = 1e-8;
+  int screening = 60;
+  double hopeless = 1e12;
   int max_iterations = 100;
 
   OptionFields Fields();

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "optimisation/centroidal/choose_footholds.h"
+#include "optimisation/centroidal/plan_over_terrain.h"
 
 namespace gaitwright {
 namespace {
@@ -30,24 +30,20 @@ void Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const C
   const CentroidalRobot& robot = set.robots[one.robot].second;
   const Terrain ground = WithFriction(set.grounds[one.ground], task.friction);
   const double start = CpuMs();
-  const Result<ChosenFootholds> choice =
-      ChooseFootholds(ground, CentroidalProblem(robot, robot.schedules[one.schedule], ground, task));
-  if (!choice) {
-    outcome.reason = choice.failure().message;
-    return;
-  }
-  RigidBodyPlan last;
-  const Result<RigidBodyPlan> plan = PlanRigidBody(choice->problem, options, &last);
+  PlanOverPatches last;
+  const Result<PlanOverPatches> plan = PlanOverTerrain(
+      ground, CentroidalProblem(robot, robot.schedules[one.schedule], ground, task), {}, options, {}, &last);
   outcome.cpu_ms = CpuMs() - start;
   outcome.solved = plan.ok();
   outcome.reason = plan ? "" : plan.failure().message;
   outcome.task = task;
-  outcome.variables = last.summary.variables;
-  outcome.constraints = last.summary.constraints;
-  outcome.iterations = last.summary.iterations;
-  outcome.cost = last.summary.cost;
-  outcome.node_violation = last.summary.violation;
-  outcome.between = last.summary.faults;
+  outcome.variables = last.plan.summary.variables;
+  outcome.constraints = last.plan.summary.constraints;
+  outcome.iterations = last.plan.summary.iterations;
+  outcome.choices = last.choices;
+  outcome.cost = last.plan.summary.cost;
+  outcome.node_violation = last.plan.summary.violation;
+  outcome.between = last.plan.summary.faults;
 }
 
 /// What a case is eased to, the least first.

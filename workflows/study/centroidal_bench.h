@@ -21,7 +21,9 @@ struct CentroidalOutcome {
   CentroidalTask task;  ///< what was asked for, or what it was eased to
   bool solved = false, eased = false;
   std::string reason;  ///< why it was not solved as it was asked for; empty where it was
-  int variables = 0, constraints = 0, iterations = 0;
+  int variables = 0, constraints = 0;
+  int iterations = 0;   ///< over all choices of patches
+  int choices = 0;      ///< of patches that were planned for
   double cpu_ms = 0.0;  ///< of choosing footholds and planning, as asked for
   double cost = 0.0;
   double node_violation = 0.0;  ///< largest of a constraint, in m, rad, rad/s and m g

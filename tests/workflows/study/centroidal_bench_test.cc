@@ -58,6 +58,16 @@ TEST(CentroidalBench, SolvesAFlyingTrotOnFlatGroundAndOverAGap) {
   }
 }
 
+TEST(CentroidalBench, OtherPatchesAreFoundWhereTheFirstOnesHaveNoMotion) {
+  const CentroidalProblemSet set = Set();
+  for (const char* filter : {"biped-4-block", "anymal-3-block"}) {
+    const CentroidalOutcome outcome = RunCase(set, CasesOf(set, filter)[0], Asked(set), {}, false);
+    EXPECT_TRUE(outcome.solved) << outcome.reason;
+    EXPECT_GT(outcome.choices, 1);
+    EXPECT_LT(outcome.between.Largest(), 1e-3);
+  }
+}
+
 TEST(CentroidalBench, EasesWhatHasNoMotionAsAskedAndSaysWhy) {
   const CentroidalProblemSet set = Set();
   const CentroidalTask hasty{2.1, 1.2, 0.5};

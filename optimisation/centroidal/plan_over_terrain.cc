@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/plan_over_terrain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/stability/polygon.h"
+#include "optimisation/centroidal/body_way.h"
+
+namespace gaitwright {
+namespace {
+
+/// How far stances are from what they must keep: out of region and reach [m], and beyond friction [0.1 m g], by stance.
+std::vector<double> TroubleOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion) {
+  std::vector<double> trouble(problem.stances.size(), 0.0);
+  for (const RigidBodySample& sample : Sample(motion, 0.01)) {
+    const std::vector<RigidBodyInterval::Force>& forces = motion.intervals[sample.interval].forces;
+    const Matrix3 R_BW = RotationOf(sample.angles_rad).transpose();
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const std::size_t s = forces[i].stance;
+      const RigidStance& stance = problem.stances[s];
+      const Vector3 p_B = R_BW * (motion.X_WF[s].translation() - sample.p_WC);
+      for (const WorkspaceSide& side : FootOf(problem, s).workspace_B)
+        trouble[s] = std::max(trouble[s], side.normal.dot(p_B) - side.offset);
+      const Vector3 f_F = stance.X_WF.linear().transpose() * sample.force_W[i] / (motion.mass_kg * kGravity);
+      trouble[s] = std::max(trouble[s], 0.1 * (f_F.head<2>().norm() - stance.friction * f_F.z()));
+    }
+  }
+  for (std::size_t s = 0; s < trouble.size(); ++s) {
+    const RigidStance& stance = problem.stances[s];
+    if (stance.held || stance.region_F.empty()) continue;
+    const Vector3 moved = (stance.X_WF.inverse() * motion.X_WF[s]).translation();
+    trouble[s] += std::max(0.0, -SignedDistance(stance.region_F, moved.head<2>()));
+  }
+  return trouble;
+}
+
+/// Stances that take another patch together.
+struct Other {
+  double rank;  // the least first
+  std::vector<std::size_t> stances;
+  int patch;
+};
+
+class PatchSearch {
+ public:
+  PatchSearch(const Terrain& terrain, const ChooseFootholdsOptions& choosing, const RigidBodyOptions& planning,
+              const PatchSearchOptions& search)
+      : terrain_(terrain), choosing_(choosing), planning_(planning), search_(search) {}
+
+  Result<PlanOverPatches> Run(const RigidBodyProblem& problem) {
+    const Result<ChosenFootholds> choice = ChooseFootholds(terrain_, problem, choosing_);
+    if (!choice) return choice.failure();
+    best_.choice = *choice;
+    Result<RigidBodyPlan> plan = Try(best_);
+    planning_.screening = search_.screening_steps;
+    while (!plan && steps_ < search_.most_steps) {
+      if (!TryOthers(plan)) break;
+    }
+    best_.choices = choices_;
+    best_.plan.summary.iterations = steps_;
+    if (!plan) return plan.failure();
+    return best_;
+  }
+
+  const PlanOverPatches& best() const { return best_; }
+
+ private:
+  Result<RigidBodyPlan> Try(PlanOverPatches& tried) {
+    ++choices_;
+    Result<RigidBodyPlan> plan = PlanRigidBody(tried.choice.problem, planning_, &tried.plan);
+    steps_ += tried.plan.summary.iterations;
+    return plan;
+  }
+
+  /// Tries others until one is better, which is the best then, with its plan. @return false where none is.
+  bool TryOthers(Result<RigidBodyPlan>& plan) {
+    for (const Other& one : Others(TroubleOf(best_.choice.problem, best_.plan.motion))) {
+      if (steps_ >= search_.most_steps) return false;
+      PlanOverPatches other = Moved(one);
+      Result<RigidBodyPlan> planned = Try(other);
+      if (!planned && other.plan.summary.violations >= search_.better * best_.plan.summary.violations) continue;
+      best_ = std::move(other);
+      plan = std::move(planned);
+      return true;
+    }
+    return false;
+  }
+
+  PlanOverPatches Moved(const Other& other) {
+    PlanOverPatches moved = best_;
+    RigidBodyProblem& problem = moved.choice.problem;
+    for (const std::size_t s : other.stances) {
+      PutOnPatch(terrain_, other.patch, best_.plan.motion.X_WF[s].translation(), choosing_.edge_margin_m,
+                 problem.stances[s]);
+      moved.choice.patches[s] = other.patch;
+    }
+    FitBodyWay(problem, problem.way);
+    return moved;
+  }
+
+  /// How far a stance's foot is in plan view from where it could stand on a patch.
+  double Far(std::size_t s, int patch) const {
+    const Vector3 p_W = best_.plan.motion.X_WF[s].translation();
+    RigidStance on = best_.choice.problem.stances[s];
+    if (!PutOnPatch(terrain_, patch, p_W, choosing_.edge_margin_m, on)) return std::numeric_limits<double>::infinity();
+    return (on.X_WF.translation() - p_W).head<2>().norm();
+  }
+
+  /// A stance and those that last as long as it on the same patch.
+  std::vector<std::size_t> Together(std::size_t s) const {
+    const std::vector<RigidStance>& stances = best_.choice.problem.stances;
+    std::vector<std::size_t> together;
+    for (std::size_t other = 0; other < stances.size(); ++other) {
+      if (!stances[other].held && best_.choice.patches[other] == best_.choice.patches[s] &&
+          std::abs(stances[other].start_s - stances[s].start_s) < 1e-4 &&
+          std::abs(stances[other].end_s - stances[s].end_s) < 1e-4)
+        together.push_back(other);
+    }
+    return together;
+  }
+
+  /// What to try, those in most trouble and the nearest first.
+  std::vector<Other> Others(const std::vector<double>& trouble) const {
+    constexpr double kNone = 1e-4;
+    std::vector<Other> others;
+    for (std::size_t s = 0; s < trouble.size(); ++s) {
+      if (best_.choice.problem.stances[s].held || trouble[s] < kNone) continue;
+      for (int patch = 0; patch < static_cast<int>(terrain_.patches.size()); ++patch) {
+        if (patch == best_.choice.patches[s]) continue;
+        const double far = Far(s, patch);
+        if (far > search_.near_m) continue;
+        others.push_back({far / trouble[s], {s}, patch});
+        const std::vector<std::size_t> together = Together(s);
+        if (together.size() > 1 && together.front() == s) others.push_back({0.99 * far / trouble[s], together, patch});
+      }
+    }
+    std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) { return a.rank < b.rank; });
+    return others;
+  }
+
+  const Terrain& terrain_;
+  const ChooseFootholdsOptions& choosing_;
+  RigidBodyOptions planning_;
+  const PatchSearchOptions& search_;
+  PlanOverPatches best_;
+  int steps_ = 0, choices_ = 0;
+};
+
+}  // namespace
+
+OptionFields PatchSearchOptions::Fields() {
+  return {{"near_m", &near_m, "m", 0.0, 10.0, "How far away a patch is tried for a foot.", {}},
+          {"better", &better, "1", 0.0, 1.0, "Share of the violations that is better.", {}},
+          {"screening_steps", &screening_steps, "1", 1, 10000, "Most steps of a solve that compares patches.", {}},
+          {"most_steps", &most_steps, "1", 1, 100000, "Steps after which no other patches are tried.", {}}};
+}
+
+Result<PlanOverPatches> PlanOverTerrain(const Terrain& terrain, const RigidBodyProblem& problem,
+                                        const ChooseFootholdsOptions& choosing, const RigidBodyOptions& planning,
+                                        const PatchSearchOptions& search, PlanOverPatches* last) {
+  ChooseFootholdsOptions choosing_checked = choosing;
+  RigidBodyOptions planning_checked = planning;
+  PatchSearchOptions search_checked = search;
+  CheckOptions(Joined({choosing_checked.Fields(), planning_checked.Fields(), search_checked.Fields()}));
+  PatchSearch patches(terrain, choosing, planning, search);
+  Result<PlanOverPatches> plan = patches.Run(problem);
+  if (last != nullptr) *last = patches.best();
+  return plan;
+}
+
+}  // namespace gaitwright
