@@ -29,6 +29,8 @@ Json ToJson(const CentroidalOutcome& o) {
           {"solved", o.solved && !o.eased},
           {"reason", o.reason},
           {"solved_when_eased", o.eased},
+          {"distance_m", o.task.distance_m},
+          {"goal_higher_m", o.task.higher_m},
           {"duration_s", o.task.duration_s},
           {"friction", o.task.friction},
           {"variables", o.variables},

@@ -11,6 +11,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/polygon.h"
 #include "optimisation/centroidal/body_way.h"
+#include "optimisation/centroidal/hold_goal.h"
 
 namespace gaitwright {
 namespace {
@@ -66,7 +67,7 @@ class Chooser {
   }
 
   Result<ChosenFootholds> Run() {
-    if (const std::optional<Failure> failure = GoalOutOfReach()) return *failure;
+    if (const std::optional<Failure> failure = GoalNotHeld()) return *failure;
     way_ = StraightWay(terrain_, result_.problem, options_.spacing_s);
     // Ways and patches are fitted to each other in turn until the patches stay.
     constexpr int kRounds = 5;
@@ -77,6 +78,7 @@ class Chooser {
     for (std::size_t s = 0; s < stances().size(); ++s) {
       if (!stances()[s].held && patches_[s] < 0) return NoRoom(stances()[s]);
     }
+    HoldAtGoal();
     TryOthers();
     const BodyWayMisfit misfit = OutOfReach(result_.problem, way_);
     if (misfit.largest_m > options_.hopeless_m) return Hopeless(misfit);
@@ -116,28 +118,62 @@ class Chooser {
         {"give the ground larger patches, or lower edge_margin_m"}};
   }
 
-  /// The feet that stand at the end reach some patch from where the body is asked to be then.
-  std::optional<Failure> GoalOutOfReach() {
-    for (std::size_t s = 0; s < stances().size(); ++s) {
-      if (stances()[s].end_s < result_.problem.duration_s || stances()[s].held) continue;
-      const RigidStance before = stances()[s];
-      const RigidBodyState& goal = result_.problem.goal;
-      const Vector3 wanted = goal.p_WC + RotationOf(goal.angles_rad) * FootOf(result_.problem, s).p_CF_nominal_B;
-      double least = std::numeric_limits<double>::infinity();
-      for (int patch = 0; patch < static_cast<int>(terrain_.patches.size()); ++patch) {
-        if (Put(s, patch, wanted)) least = std::min(least, LeastOutOfReach(result_.problem, s, goal));
-      }
-      stances()[s] = before;
-      patches_[s] = -1;
-      if (least <= options_.misfit_m) continue;
+  /// The feet that stand at the end reach ground from where the body is asked to be then, and it holds the body.
+  std::optional<Failure> GoalNotHeld() const {
+    const GoalGround ground = LookAtGoal(terrain_, result_.problem, options_.edge_margin_m, options_.misfit_m);
+    if (ground.foot >= 0) {
       return Failure{FailureKind::kInfeasible,
                      "goal_out_of_reach",
                      "ChooseFootholds",
-                     fmt::format("at the goal foot {} is {:.3f} m out of its workspace wherever it stands",
-                                 stances()[s].foot, least),
+                     fmt::format("at the goal foot {} is {:.3f} m out of its workspace wherever it stands", ground.foot,
+                                 ground.out_of_reach_m),
                      {"another height or tilt of the body there"}};
     }
-    return std::nullopt;
+    if (ground.needed_friction <= ground.friction) return std::nullopt;
+    return Failure{FailureKind::kInfeasible,
+                   "goal_not_held",
+                   "ChooseFootholds",
+                   fmt::format("no forces hold the body at rest at the goal: the ground that its feet reach from there "
+                               "is too steep for a friction of {:.2f}; {:.2f} is needed",
+                               ground.friction, ground.needed_friction),
+                   {"a goal on ground less steep, or more friction"}};
+  }
+
+  /// Whether friction holds a body at rest on the ground that feet stand on at the end.
+  bool IsHeld() const {
+    std::vector<Vector3> normals;
+    double friction = 0.0;
+    for (const RigidStance& stance : result_.problem.stances) {
+      if (stance.end_s < result_.problem.duration_s) continue;
+      normals.emplace_back(stance.X_WF.linear().col(2));
+      friction = std::max(friction, stance.friction);
+    }
+    return LeastHoldingFriction(normals) <= friction;
+  }
+
+  /// Where a body that is to be at rest is not held at the end, moves the foot there whose other patch suits it best.
+  void HoldAtGoal() {
+    const RigidBodyState& goal = result_.problem.goal;
+    if (!goal.v_WC.isZero() || !goal.w_WB_B.isZero() || IsHeld()) return;
+    double least = std::numeric_limits<double>::infinity();
+    std::pair<std::size_t, int> best{0, -1};
+    for (std::size_t s = 0; s < stances().size(); ++s) {
+      if (stances()[s].held || stances()[s].end_s < result_.problem.duration_s) continue;
+      const RigidStance before = stances()[s];
+      const int patch_before = patches_[s];
+      for (int patch = 0; patch < static_cast<int>(terrain_.patches.size()); ++patch) {
+        if (!Put(s, patch, WantedFoothold(result_.problem, way_, s)) || !IsHeld()) continue;
+        const double misfit = StanceMisfit(result_.problem, way_, s);
+        if (misfit >= least) continue;
+        least = misfit;
+        best = {s, patch};
+      }
+      stances()[s] = before;
+      patches_[s] = patch_before;
+    }
+    if (best.second < 0) return;
+    Put(best.first, best.second, WantedFoothold(result_.problem, way_, best.first));
+    Fit();
   }
 
   void Fit() {

@@ -40,6 +40,8 @@ bool PutOnPatch(const Terrain& terrain, int patch, const Vector3& p_W, double ed
 /// where feet stay out of reach, other patches are tried for them, one at a time. Failure kInfeasible:
 ///   `no_patches`         where there is no room to stand; the ground is taken by its patches alone
 ///   `goal_out_of_reach`  names a foot that reaches no patch from where the body is to end
+///   `goal_not_held`      says how much friction would hold a body that is to be at rest at the goal, where forces at
+///                        all places that its feet reach from there add up to no upright one with what there is
 ///   `out_of_reach`       names the foot that stays out of its workspace by more than hopeless_m, whatever the forces,
 ///                        when, and how far the body goes while it stands
 /// @throws InvalidArgument as CheckRigidBodyProblem.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/centroidal/plan_over_terrain.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,7 +62,11 @@ class PatchSearch {
     }
     best_.choices = choices_;
     best_.plan.summary.iterations = steps_;
-    if (!plan) return plan.failure();
+    if (!plan) {
+      Failure failure = plan.failure();
+      if (choices_ > 1) failure.message += fmt::format("; this is the best of {} choices of patches", choices_);
+      return failure;
+    }
     return best_;
   }
 

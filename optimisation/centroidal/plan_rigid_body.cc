@@ -170,12 +170,21 @@ std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
       friction, slope * kDegrees, std::atan(friction) * kDegrees);
 }
 
+/// The worst three that are violated, and all of it.
+std::string UnmetOf(const ConstrainedSolution& at) {
+  std::string unmet;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, at.unmet.size()); ++i)
+    unmet += fmt::format("{}{}{} by {:.3g}", i == 0 ? "" : ", ", at.unmet[i].first, i == 0 ? " stays unmet" : "",
+                         at.unmet[i].second);
+  return fmt::format("{}{} after {} iterations; {:.3g} in all{}", unmet, at.unmet.size() > 3 ? " and more" : "",
+                     at.iterations, at.violations, at.least ? ", which small changes of the motion do not lower" : "");
+}
+
 Failure Unmet(const RigidBodyProblem& problem, const RigidBodySummary& summary) {
   return {FailureKind::kInfeasible,
           "unmet_law",
           "PlanRigidBody",
-          fmt::format("no motion was found that keeps all laws: {} stays unmet by {:.3g} after {} iterations{}",
-                      summary.worst, summary.violation, summary.iterations, TooSteepAtGoal(problem)),
+          "no motion was found that keeps all laws: " + summary.unmet + TooSteepAtGoal(problem),
           {"give it more time or a nearer goal, or footholds elsewhere"}};
 }
 
@@ -256,7 +265,9 @@ class RigidBodyPlanner {
     summary.cost = at.cost;
     summary.violation = at.violation;
     summary.violations = at.violations;
+    summary.least = at.least;
     summary.worst = at.worst_constraint;
+    summary.unmet = UnmetOf(at);
     summary.faults = FaultsOf(problem_, plan_.motion, 1e-3);
   }
 

@@ -45,7 +45,9 @@ struct RigidBodySummary {
   bool settled = true;      ///< else the motion is one that keeps all laws, but not the least costly one
   double violation = 0.0;   ///< largest, in m, rad, rad/s and m g
   double violations = 0.0;  ///< sum of all
+  bool least = false;       ///< that sum does not get less by small changes of the motion
   std::string worst;        ///< the law with that violation, where and when
+  std::string unmet;        ///< what a refusal says of all that is violated
   RigidBodyFaults faults;   ///< at 1 kHz
 };
 

@@ -17,31 +17,53 @@ constexpr double kStep = 4e-3;
 
 Vector3 PowersAt(const std::array<Vector3, 4>& c, double t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
 
-/// Integral of sum (p_i - p) x f_i from the start of the interval, by Gauss's rule of three places: exact.
-Vector3 ImpulseUpTo(const RigidBodyInterval& in, double t) {
-  constexpr double kPlace = 0.7745966692414834;  // sqrt(3 / 5)
-  Vector3 impulse = Vector3::Zero();
-  for (const auto& [place, weight] : {std::pair{-kPlace, 5.0 / 18}, {0.0, 8.0 / 18}, {kPlace, 5.0 / 18}}) {
-    const double at = 0.5 * t * (1.0 + place), u = at / (in.end_s - in.start_s);
-    const Vector3 p = PowersAt(in.com, at);
-    for (const RigidBodyInterval::Force& f : in.forces)
-      impulse += weight * t * (f.p_W - p).cross((1.0 - u) * f.from_W + u * f.to_W);
+/// The angular momentum over an interval: its start and the integral of sum (p_i - p) x f_i, a polynomial of degree
+/// five, since p is cubic and forces are linear.
+class MomentumOver {
+ public:
+  explicit MomentumOver(const RigidBodyInterval& in) {
+    const double h = in.end_s - in.start_s;
+    Vector3 from = Vector3::Zero(), rate = Vector3::Zero();  // of the sum of the forces
+    std::array<Vector3, 5> torque;
+    torque.fill(Vector3::Zero());
+    for (const RigidBodyInterval::Force& f : in.forces) {
+      const Vector3 change = (f.to_W - f.from_W) / h;
+      torque[0] += f.p_W.cross(f.from_W);
+      torque[1] += f.p_W.cross(change);
+      from += f.from_W;
+      rate += change;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      torque[i] -= in.com[i].cross(from);
+      torque[i + 1] -= in.com[i].cross(rate);
+    }
+    powers_[0] = in.momentum_W;
+    for (std::size_t i = 0; i < 5; ++i) powers_[i + 1] = torque[i] / static_cast<double>(i + 1);
   }
-  return impulse;
-}
 
-Vector3 MomentumAt(const RigidBodyInterval& in, double t) { return in.momentum_W + ImpulseUpTo(in, t); }
+  /// At a time from the start of the interval.
+  Vector3 At(double t) const {
+    Vector3 l = powers_[5];
+    for (std::size_t i = 5; i-- > 0;) l = powers_[i] + t * l;
+    return l;
+  }
+
+ private:
+  std::array<Vector3, 6> powers_;
+};
 
 /// The angles at time `to` of an interval from those at time `from`.
-Vector3 Turned(const RigidBodyInterval& in, const Matrix3& inverse_B, double from, double to, Vector3 angles) {
+Vector3 Turned(const MomentumOver& momentum, const Matrix3& inverse_B, double from, double to, Vector3 angles) {
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / kStep - 1e-9)));
   const double h = (to - from) / steps;
   if (h <= 0.0) return angles;
-  const auto rate = [&](double at, const Vector3& now) { return AngleRates(inverse_B, now, MomentumAt(in, at)); };
   for (int i = 0; i < steps; ++i) {
     const double at = from + i * h;
-    const Vector3 k1 = rate(at, angles), k2 = rate(at + 0.5 * h, angles + 0.5 * h * k1);
-    const Vector3 k3 = rate(at + 0.5 * h, angles + 0.5 * h * k2), k4 = rate(at + h, angles + h * k3);
+    const Vector3 l_mid = momentum.At(at + 0.5 * h);
+    const Vector3 k1 = AngleRates(inverse_B, angles, momentum.At(at));
+    const Vector3 k2 = AngleRates(inverse_B, angles + 0.5 * h * k1, l_mid);
+    const Vector3 k3 = AngleRates(inverse_B, angles + 0.5 * h * k2, l_mid);
+    const Vector3 k4 = AngleRates(inverse_B, angles + h * k3, momentum.At(at + h));
     angles += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
   }
   return angles;
@@ -57,7 +79,7 @@ std::array<Vector3, 4> PowersOf(const RigidBodyUnknowns& unknowns, const VectorX
 }
 
 /// All of a sample but its angles and what follows from them.
-RigidBodySample At(const RigidBodyMotion& motion, std::size_t interval, double time_s) {
+RigidBodySample At(const RigidBodyMotion& motion, const MomentumOver& momentum, std::size_t interval, double time_s) {
   const RigidBodyInterval& in = motion.intervals[interval];
   const double t = time_s - in.start_s, u = t / (in.end_s - in.start_s);
   RigidBodySample s;
@@ -66,7 +88,7 @@ RigidBodySample At(const RigidBodyMotion& motion, std::size_t interval, double t
   s.p_WC = PowersAt(in.com, t);
   s.v_WC = in.com[1] + t * (2.0 * in.com[2] + 3.0 * t * in.com[3]);
   s.a_WC = 2.0 * in.com[2] + 6.0 * t * in.com[3];
-  s.momentum_W = MomentumAt(in, t);
+  s.momentum_W = momentum.At(t);
   s.torque_W = Vector3::Zero();
   for (const RigidBodyInterval::Force& f : in.forces) {
     s.force_W.push_back((1.0 - u) * f.from_W + u * f.to_W);
@@ -140,8 +162,9 @@ RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknown
       in.forces.push_back(
           {f.stance, unknowns.ContactPoint(f.stance, f.point).At(x), weight * f.from.At(x), weight * f.to.At(x)});
     }
-    angles = Turned(in, inverse_B, 0.0, in.end_s - in.start_s, angles);
-    momentum = MomentumAt(in, in.end_s - in.start_s);
+    const MomentumOver turning(in);
+    angles = Turned(turning, inverse_B, 0.0, in.end_s - in.start_s, angles);
+    momentum = turning.At(in.end_s - in.start_s);
     motion.intervals.push_back(std::move(in));
   }
   return motion;
@@ -152,16 +175,18 @@ std::vector<RigidBodySample> Sample(const RigidBodyMotion& motion, double step_s
   const Matrix3 inverse_B = motion.inertia_B.inverse();
   std::vector<RigidBodySample> samples;
   samples.reserve(static_cast<std::size_t>(steps) + 1);
+  MomentumOver momentum(motion.intervals.front());
   for (int k = 0; k <= steps; ++k) {
     const double t = motion.duration_s() * k / steps;
     std::size_t interval = k > 0 ? samples.back().interval : 0;
     while (interval + 1 < motion.intervals.size() && t >= motion.intervals[interval].end_s) ++interval;
     const RigidBodyInterval& in = motion.intervals[interval];
-    RigidBodySample s = At(motion, interval, t);
     const bool goes_on = k > 0 && samples.back().interval == interval;
-    s.angles_rad =
-        goes_on ? Turned(in, inverse_B, samples.back().time_s - in.start_s, t - in.start_s, samples.back().angles_rad)
-                : Turned(in, inverse_B, 0.0, t - in.start_s, in.angles_rad);
+    if (!goes_on) momentum = MomentumOver(in);
+    RigidBodySample s = At(motion, momentum, interval, t);
+    s.angles_rad = goes_on ? Turned(momentum, inverse_B, samples.back().time_s - in.start_s, t - in.start_s,
+                                    samples.back().angles_rad)
+                           : Turned(momentum, inverse_B, 0.0, t - in.start_s, in.angles_rad);
     s.w_WB_B = inverse_B * RotationOf(s.angles_rad).transpose() * s.momentum_W;
     samples.push_back(std::move(s));
   }

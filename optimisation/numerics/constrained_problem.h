@@ -99,10 +99,12 @@ struct ConstrainedOptions {
 /// What a solution is and how it came about.
 struct ConstrainedSolution {
   VectorX x;
-  double cost = 0.0;             ///< |r|^2
-  double violation = 0.0;        ///< largest
-  double violations = 0.0;       ///< sum of all; of SolveElastic
-  std::string worst_constraint;  ///< name of the constraint with that violation
+  double cost = 0.0;                                       ///< |r|^2
+  double violation = 0.0;                                  ///< largest
+  double violations = 0.0;                                 ///< sum of all; as the next two of SolveElastic alone
+  bool least = false;                                      ///< it does not get less by small changes
+  std::vector<std::pair<std::string, double>> unmet = {};  ///< constraints by their violation, worst first
+  std::string worst_constraint;                            ///< name of the constraint with that violation
   int outer = 0, iterations = 0;
   std::string brief;  ///< one line
 };

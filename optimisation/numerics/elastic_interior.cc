@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "optimisation/numerics/sparse_rows.h"
 
@@ -69,9 +70,10 @@ class ElasticSolver {
   const ConstrainedSolution& solution() const { return solution_; }
 
  private:
-  void Evaluate(const VectorX& x, bool wants_jacobian);
+  void Evaluate(const VectorX& x);
   void Start();
   void Measure();
+  void NameUnmet();
   bool Settled();
   void Factor();
   void Solve();
@@ -115,8 +117,8 @@ class ElasticSolver {
   ConstrainedSolution solution_;
 };
 
-void ElasticSolver::Evaluate(const VectorX& x, bool wants_jacobian) {
-  rows_.Evaluate(x, wants_jacobian);
+void ElasticSolver::Evaluate(const VectorX& x) {
+  rows_.Evaluate(x);
   const VectorX& value = rows_.value();
   half_cost_ = 0.5 * value.head(rows_.residuals()).squaredNorm();
   for (std::size_t i = 0; i < fixed_.size(); ++i) c_[static_cast<Index>(i)] = value[fixed_[i].row] - fixed_[i].bound;
@@ -127,7 +129,7 @@ void ElasticSolver::Evaluate(const VectorX& x, bool wants_jacobian) {
 /// @throws InvalidArgument where a function is not finite.
 void ElasticSolver::Start() {
   constexpr double kRoom = 1e-2;
-  Evaluate(at_.x, true);
+  Evaluate(at_.x);
   for (Index row = 0; row < rows_.count(); ++row) {
     if (std::isfinite(rows_.value()[row])) continue;
     const Constraint* of = rows_.ConstraintOf(row);
@@ -143,17 +145,27 @@ void ElasticSolver::Start() {
 }
 
 void ElasticSolver::Measure() {
-  solution_.violation = 0.0;
   solution_.violations = c_.lpNorm<1>() + h_.cwiseMax(0.0).sum();
+  solution_.violation =
+      std::max(c_.size() > 0 ? c_.lpNorm<Eigen::Infinity>() : 0.0, h_.size() > 0 ? std::max(0.0, h_.maxCoeff()) : 0.0);
   solution_.cost = 2.0 * half_cost_;
   solution_.x = at_.x;
-  const auto look = [&](Index row, double by) {
-    if (by <= solution_.violation) return;
-    solution_.violation = by;
-    solution_.worst_constraint = rows_.ConstraintOf(row)->name;
+}
+
+/// Names what is unmet.
+void ElasticSolver::NameUnmet() {
+  std::map<std::string, double> by;
+  const auto look = [&](Index row, double violation) {
+    if (violation <= options_.tolerance) return;
+    double& worst = by[rows_.ConstraintOf(row)->name];
+    worst = std::max(worst, violation);
   };
   for (std::size_t i = 0; i < fixed_.size(); ++i) look(fixed_[i].row, std::abs(c_[static_cast<Index>(i)]));
   for (std::size_t i = 0; i < sides_.size(); ++i) look(sides_[i].row, h_[static_cast<Index>(i)]);
+  solution_.unmet.assign(by.begin(), by.end());
+  std::stable_sort(solution_.unmet.begin(), solution_.unmet.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (!solution_.unmet.empty()) solution_.worst_constraint = solution_.unmet.front().first;
 }
 
 /// Whether cost and violations no longer change and multipliers belong to them.
@@ -224,7 +236,7 @@ void ElasticSolver::FindStep() {
 bool ElasticSolver::Falls(const Move& from, double share, double most) {
   at_.x = from.x + share * step_.x;
   at_.t = from.t + share * step_.t;
-  Evaluate(at_.x, false);
+  Evaluate(at_.x);
   at_.s = (from.s + share * step_.s).cwiseMax(at_.t - h_);
   return Merit() <= most;
 }
@@ -269,7 +281,7 @@ void ElasticSolver::TakeStep() {
   }
   at_.z = from.z;
   const double dual = DualShare(kKeep);
-  Evaluate(at_.x, true);
+  rows_.Differentiate();
   at_.y = from.y + share * step_.y;
   at_.z += dual * step_.z;
   if (halvings >= 3) damping_ = std::clamp(4.0 * damping_, 100.0 * kLittle, 100.0);
@@ -287,7 +299,8 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
                                       solution_.violation, solution_.iterations);
         return solution_;
       }
-      if (price_ >= options_.most_price) break;
+      solution_.least = price_ >= options_.most_price;
+      if (solution_.least) break;
       price_ = std::min(10.0 * price_, options_.most_price);
       ++solution_.outer;
       last_total_ = std::numeric_limits<double>::infinity();
@@ -297,6 +310,7 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
     FindStep();
     TakeStep();
   }
+  NameUnmet();
   if (solution_.violation > options_.tolerance) {
     return Failure{FailureKind::kInfeasible,
                    "unmet_constraint",

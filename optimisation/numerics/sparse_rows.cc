@@ -64,22 +64,34 @@ void SparseRows::FindPattern() {
   }
 }
 
-void SparseRows::AddSquare(Term& term, VectorX& values) {
-  term.square.noalias() = term.weighted.transpose() * term.weighted;
-  const Eigen::Index count = term.square.cols();
+void SparseRows::AddSquare(const Term& term, VectorX& values) {
+  // Of few rows, so column by column rather than by blocks.
+  const Eigen::Index count = term.weighted.cols(), rows = term.weighted.rows();
   const Eigen::Index* slot = term.slots.data();
+  const double* all = term.weighted.data();
   for (Eigen::Index b = 0; b < count; ++b) {
-    for (Eigen::Index a = b; a < count; ++a) values[*slot++] += term.square(a, b);
+    const double* right = all + b * rows;
+    for (const double* left = right; left != all + count * rows; left += rows) {
+      double sum = 0.0;
+      for (Eigen::Index row = 0; row < rows; ++row) sum += left[row] * right[row];
+      values[*slot++] += sum;
+    }
   }
 }
 
-void SparseRows::Evaluate(const VectorX& x, bool wants_jacobian) {
+void SparseRows::Evaluate(const VectorX& x) {
   for (Term& term : terms_) {
     for (std::size_t i = 0; i < term.variables.size(); ++i) term.x[static_cast<Eigen::Index>(i)] = x[term.variables[i]];
-    const bool renew = wants_jacobian && !term.affine;
-    if (renew) term.J.setZero();
-    (*term.function)(term.x, term.value, renew ? &term.J : nullptr);
+    (*term.function)(term.x, term.value, nullptr);
     value_.segment(term.row, term.value.size()) = term.value;
+  }
+}
+
+void SparseRows::Differentiate() {
+  for (Term& term : terms_) {
+    if (term.affine) continue;
+    term.J.setZero();
+    (*term.function)(term.x, term.value, &term.J);
   }
 }
 

@@ -24,8 +24,10 @@ class SparseRows {
   /// The constraint that a row belongs to; null for a residual.
   const Constraint* ConstraintOf(Eigen::Index row) const { return owner_[static_cast<std::size_t>(row)]; }
 
-  /// Finds the rows' values, and where asked for their Jacobian.
-  void Evaluate(const VectorX& x, bool wants_jacobian);
+  /// Finds the rows' values. The Jacobian stays that of the place where it was found last, at first the start.
+  void Evaluate(const VectorX& x);
+  /// Finds the Jacobian where Evaluate has found the values last.
+  void Differentiate();
   /// J^T * by.
   VectorX Gradient(const VectorX& by) const;
   /// J * by.
@@ -43,14 +45,14 @@ class SparseRows {
     Eigen::Index row = 0;                  // its first
     std::vector<Eigen::Index> slots = {};  // of the lower triangle, column by column
     VectorX x = {}, value = {};
-    MatrixX J = {}, weighted = {}, square = {};
+    MatrixX J = {}, weighted = {};
   };
 
   void Add(const VectorFunction& function, const std::vector<int>& variables, bool affine, const VectorX& start,
            const Constraint* owner);
   void FindPattern();
   Eigen::Index Slot(int row, int column) const;
-  static void AddSquare(Term& term, VectorX& values);
+  static void AddSquare(const Term& term, VectorX& values);
 
   std::vector<Term> terms_;
   std::vector<const Constraint*> owner_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "optimisation/centroidal/hold_goal.h"
 #include "optimisation/centroidal/plan_over_terrain.h"
 
 namespace gaitwright {
@@ -46,16 +47,62 @@ void Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const C
   outcome.between = last.plan.summary.faults;
 }
 
+/// What feet find at the goal of a task.
+GoalGround GoalOf(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task) {
+  const CentroidalRobot& robot = set.robots[one.robot].second;
+  const Terrain ground = WithFriction(set.grounds[one.ground], task.friction);
+  const ChooseFootholdsOptions choosing;
+  return LookAtGoal(ground, CentroidalProblem(robot, robot.schedules[one.schedule], ground, task),
+                    choosing.edge_margin_m, choosing.misfit_m);
+}
+
+/// The goals to ease a task to, the nearest first: itself where all feet reach ground there, else higher or lower; then
+/// one less far away where the ground holds a body at rest, a step before the first such.
+std::vector<CentroidalTask> Goals(const CentroidalProblemSet& set, const CentroidalCase& one,
+                                  const CentroidalTask& task) {
+  std::vector<CentroidalTask> goals;
+  CentroidalTask goal = task;
+  for (const double higher : {0.0, -0.05, 0.05, -0.1, 0.1}) {
+    goal.higher_m = task.higher_m + higher;
+    if (goals.empty() && GoalOf(set, one, goal).foot < 0) goals.push_back(goal);
+  }
+  goal = task;
+  constexpr double kStep = 0.1;
+  while (goal.distance_m > 2.0 * kStep) {
+    goal.distance_m -= kStep;
+    const GoalGround ground = GoalOf(set, one, goal);
+    if (ground.foot >= 0 || ground.needed_friction > ground.friction) continue;
+    goal.distance_m -= kStep;
+    goals.push_back(goal);
+    break;
+  }
+  return goals;
+}
+
 /// What a case is eased to, the least first.
-std::vector<CentroidalTask> Eased(const CentroidalTask& task) {
+std::vector<CentroidalTask> Eased(const CentroidalProblemSet& set, const CentroidalCase& one,
+                                  const CentroidalTask& task) {
   std::vector<CentroidalTask> eased;
-  for (const double friction : {task.friction, 0.8, 1.0}) {
-    for (const double stretch : {1.0, 1.5, 2.0}) {
-      if (friction >= task.friction && (friction > task.friction || stretch > 1.0))
-        eased.push_back({task.distance_m, stretch * task.duration_s, friction});
+  for (const CentroidalTask& goal : Goals(set, one, task)) {
+    const double needed = GoalOf(set, one, goal).needed_friction;
+    std::vector<double> frictions = {task.friction, 0.8, 1.0};
+    // What just holds a body at rest leaves nothing to stop it with.
+    if (needed > task.friction) frictions.insert(frictions.end(), {1.2 * needed, 2.0 * needed});
+    for (const double friction : frictions) {
+      if (friction < std::max(task.friction, needed)) continue;
+      for (const double stretch : {1.0, 1.5, 2.0, 3.0})
+        eased.push_back({goal.distance_m, stretch * task.duration_s, friction, goal.higher_m});
     }
   }
+  if (!eased.empty() && eased.front() == task) eased.erase(eased.begin());
   return eased;
+}
+
+/// What a case was eased to, for people.
+std::string HowEased(const CentroidalTask& task) {
+  return fmt::format("{:.1f} m{} in {:.1f} s, mu {:.1f}", task.distance_m,
+                     task.higher_m == 0.0 ? "" : fmt::format(" {:+.2f}", task.higher_m), task.duration_s,
+                     task.friction);
 }
 
 }  // namespace
@@ -83,7 +130,7 @@ CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase&
   Attempt(set, one, task, options, outcome);
   if (!outcome.solved && ease) {
     const CentroidalOutcome asked = outcome;
-    for (const CentroidalTask& eased : Eased(task)) {
+    for (const CentroidalTask& eased : Eased(set, one, task)) {
       Attempt(set, one, eased, options, outcome);
       if (outcome.solved) break;
     }
@@ -98,14 +145,12 @@ CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase&
 
 std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes) {
   std::string table =
-      fmt::format("{:<8} {:<18} {:<10} {:<16} {:>5} {:>5} {:>7} {:>8} {:>8} {:>8} {:>8} {:>6}\n", "robot", "schedule",
+      fmt::format("{:<8} {:<18} {:<10} {:<28} {:>5} {:>5} {:>7} {:>8} {:>8} {:>8} {:>8} {:>6}\n", "robot", "schedule",
                   "ground", "", "vars", "iter", "CPU ms", "nodes", "1 kHz", "forces", "feet", "MB");
   std::vector<double> cpu_ms;
   int solved = 0, eased = 0;
   for (const CentroidalOutcome& o : outcomes) {
-    const std::string how = !o.solved ? "no motion"
-                            : o.eased ? fmt::format("in {:.1f} s, mu {:.1f}", o.task.duration_s, o.task.friction)
-                                      : "solved";
+    const std::string how = !o.solved ? "no motion" : o.eased ? HowEased(o.task) : "solved";
     table +=
         fmt::format("{:<8} {:<18} {:<10} {:<16} {:>5} {:>5} {:>7.1f} {:>8.1e} {:>8.1e} {:>8.1e} {:>8.1e} {:>6.0f}\n",
                     o.robot, o.schedule, o.ground, how, o.variables, o.iterations, o.cpu_ms, o.node_violation,

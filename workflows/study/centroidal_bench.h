@@ -34,8 +34,10 @@ struct CentroidalOutcome {
 /// All cases of a set whose name, "robot-schedule-ground" such as "hyq-1-gap", holds `filter`.
 std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::string& filter = "");
 
-/// Chooses footholds and plans. A case that has no motion as it is asked for is eased, half as long again, twice as
-/// long and with a friction of 0.8 and 1.0, until it has one where `ease` is set.
+/// Plans over the ground. A case that has no motion as it is asked for is eased where `ease` is set, until it has one:
+/// to a goal up to 0.1 m higher or lower where feet reach no ground from the one asked for; then half as long again,
+/// twice and three times as long; with a friction of 0.8, of 1.0, and of 1.2 times and twice what holds a body at rest
+/// at the goal; at last to a goal less far away.
 CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
                           const RigidBodyOptions& options, bool ease);
 

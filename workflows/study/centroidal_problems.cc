@@ -103,7 +103,7 @@ RigidBodyProblem CentroidalProblem(const CentroidalRobot& robot, const Centroida
     return {x_m, 0.0, GroundAt(ground, {x_m, 0.0}).height_m - robot.feet.front().p_CF_nominal_B.z()};
   };
   problem.start.p_WC = over(0.0);
-  problem.goal.p_WC = over(task.distance_m);
+  problem.goal.p_WC = over(task.distance_m) + task.higher_m * Vector3::UnitZ();
   for (std::size_t foot = 0; foot < robot.feet.size(); ++foot) {
     const std::vector<double>& durations = schedule.phase_durations_s[foot];
     const double stretch = task.duration_s / std::accumulate(durations.begin(), durations.end(), 0.0);

@@ -35,6 +35,9 @@ struct CentroidalProblemSet {
 /// How far, how fast and how rough: what is asked of every case.
 struct CentroidalTask {
   double distance_m = 1.0, duration_s = 1.0, friction = 0.5;
+  double higher_m = 0.0;  ///< the goal, than where it is as high over the ground as the start
+
+  bool operator==(const CentroidalTask&) const = default;
 };
 
 /// Reads a set from a JSON file. Failure kBadInput names the file and what is wrong with it.
@@ -43,8 +46,8 @@ Result<CentroidalProblemSet> LoadCentroidalProblems(const std::string& path);
 /// Where the set is that comes with the program.
 std::string CentroidalProblemsPath();
 
-/// A robot at rest over its feet that is to be at rest `distance_m` ahead, as high over the ground there as it was; its
-/// schedule is stretched to the duration. Feet are held at the start and not placed afterwards.
+/// A robot at rest over its feet that is to be at rest `distance_m` ahead, as high over the ground there as it was, and
+/// higher_m more; its schedule is stretched to the duration. Feet are held at the start and not placed afterwards.
 RigidBodyProblem CentroidalProblem(const CentroidalRobot& robot, const CentroidalSchedule& schedule,
                                    const Terrain& ground, const CentroidalTask& task);
 

@@ -116,8 +116,27 @@ TEST(SolveElastic, WhereThereIsNoSolutionViolationsAreLeast) {
   EXPECT_EQ(solution.failure().code, "unmet_constraint");
   EXPECT_NE(solution.failure().message.find("constraint 'x' stays unmet by"), std::string::npos)
       << solution.failure().message;
+  EXPECT_TRUE(last.least);
+  EXPECT_NEAR(last.violations, 3.0, 1e-4);
+  ASSERT_FALSE(last.unmet.empty());
+  EXPECT_EQ(last.unmet.front().first, last.worst_constraint);
+  EXPECT_EQ(last.unmet.front().second, last.violation);
   EXPECT_NEAR(std::max(last.x[0], 0.0) + std::max(last.x[1], 0.0), 3.0, 1e-4);
   EXPECT_NEAR(last.x[0] + last.x[1], 3.0, 1e-6);
+}
+
+TEST(SolveElastic, GivesUpEarlyWhereItIsHopeless) {
+  // Nothing is near to both ends of a long bow; the way to where they are violated least takes some steps.
+  ConstrainedProblem problem{Vec({3.0}), {To({0.0})}, {}, {}, {}};
+  problem.constraints.push_back({"bow", Of([](const VectorX& x) {
+                                   return Values{std::exp(x[0]), -x[0] * x[0] * x[0]};
+                                 }),
+                                 Vec({-kInf, -kInf}), Vec({0.5, -9.0})});
+  ConstrainedSolution whole, short_one;
+  EXPECT_FALSE(SolveElastic(problem, {}, &whole).ok());
+  EXPECT_FALSE(SolveElastic(problem, {.screening = 3, .hopeless = 0.1}, &short_one).ok());
+  EXPECT_EQ(short_one.iterations, 3);
+  EXPECT_GT(whole.iterations, 3);
 }
 
 TEST(SolveElastic, SaysWhatIsNotFiniteAndRefusesBounds) {

@@ -59,7 +59,8 @@ TEST(SparseRows, AreThoseOfTheProblemInTurn) {
   EXPECT_EQ(rows.ConstraintOf(2), nullptr);
   EXPECT_EQ(rows.ConstraintOf(3), &problem.constraints[0]);
   const VectorX x = Vec({-0.4, 0.6, 0.2, 0.9, 1.1});
-  rows.Evaluate(x, true);
+  rows.Evaluate(x);
+  rows.Differentiate();
   EXPECT_LT((rows.value() - Vec({1.2, 0.6, -0.44, std::sin(1.1) + 0.2, -0.08})).norm(), 1e-12);
   const MatrixX J = Dense(problem, x);
   const VectorX right = Vec({1.0, -2.0, 3.0, -4.0, 5.0});
@@ -71,7 +72,8 @@ TEST(SparseRows, TheirWeighedSquaresAreFactored) {
   const ConstrainedProblem problem = Mixed();
   SparseRows rows(problem);
   const VectorX x = Vec({-0.4, 0.6, 0.2, 0.9, 1.1}), weights = Vec({9.0, 9.0, 9.0, 2.0, 3.0});
-  rows.Evaluate(x, true);
+  rows.Evaluate(x);
+  rows.Differentiate();
   ASSERT_TRUE(rows.Factor(weights, 0.1));
   const MatrixX J = Dense(problem, x);
   const VectorX own = Vec({1.0, 1.0, 1.0, 2.0, 3.0});  // residuals weigh 1

@@ -83,6 +83,31 @@ TEST(CentroidalBench, EasesWhatHasNoMotionAsAskedAndSaysWhy) {
   EXPECT_NE(table.find("0 of 2 cases solved as asked for, 1 more when eased"), std::string::npos) << table;
 }
 
+TEST(CentroidalBench, AGoalThatIsNotHeldOrNotReachedIsRefusedForThatAndMoved) {
+  const CentroidalProblemSet set = Set();
+  const CentroidalOutcome steep = RunCase(set, CasesOf(set, "monoped-1-slope")[0], Asked(set), {}, true);
+  EXPECT_NE(steep.reason.find("too steep for a friction of 0.50; 0.70 is needed"), std::string::npos) << steep.reason;
+  EXPECT_TRUE(steep.eased);
+  EXPECT_EQ(steep.task.friction, 0.8);
+  EXPECT_EQ(steep.task.distance_m, 2.1);
+  const CentroidalOutcome astride = RunCase(set, CasesOf(set, "anymal-1-slope")[0], Asked(set), {}, true);
+  EXPECT_NE(astride.reason.find("out of its workspace wherever it stands"), std::string::npos) << astride.reason;
+  EXPECT_TRUE(astride.eased);
+  EXPECT_EQ(astride.task.higher_m, -0.05);
+  const CentroidalOutcome wall = RunCase(set, CasesOf(set, "hyq-1-chimney")[0], Asked(set), {}, true);
+  EXPECT_TRUE(wall.eased);
+  EXPECT_LT(wall.task.distance_m, 1.0);
+  for (const CentroidalOutcome& outcome : {steep, astride, wall}) EXPECT_LT(outcome.between.Largest(), 1e-3);
+  EXPECT_NE(CentroidalTable({astride}).find("2.1 m -0.05 in 2.4 s, mu 0.5"), std::string::npos);
+}
+
+TEST(CentroidalBench, ABipedStandsAstrideARidgeThatHoldsNoFootAlone) {
+  const CentroidalProblemSet set = Set();
+  const CentroidalOutcome outcome = RunCase(set, CasesOf(set, "biped-4-slope")[0], Asked(set), {}, false);
+  EXPECT_TRUE(outcome.solved) << outcome.reason;
+  EXPECT_LT(outcome.between.Largest(), 1e-3);
+}
+
 TEST(CentroidalProblems, AFileThatIsNoneIsRefusedByName) {
   const auto refusal = [](const std::string& text) -> std::string {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gaitwright_no_problems.json";
