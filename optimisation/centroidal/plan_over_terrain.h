@@ -13,7 +13,7 @@ struct PatchSearchOptions {
   double near_m = 0.6;
   double better = 0.95;
   int screening_steps = 30;
-  int most_steps = 200;
+  int most_steps = 150;
 
   OptionFields Fields();
 };

@@ -30,7 +30,7 @@ struct RigidBodyOptions {
   double price = 10.0;
   double most_price = 100.0;
   int screening = 40;
-  double hopeless = 0.05;
+  double hopeless = 0.1;
   int max_iterations = 100;
   RigidBodyWeights weights = {};
 
