@@ -104,7 +104,10 @@ struct ConstrainedSolution {
   double violations = 0.0;                                 ///< sum of all; as the next two of SolveElastic alone
   bool least = false;                                      ///< it does not get less by small changes
   std::vector<std::pair<std::string, double>> unmet = {};  ///< constraints by their violation, worst first
-  std::string worst_constraint;                            ///< name of the constraint with that violation
+  /// By row of the constraints: minus the derivative of the cost by the end that the row is held at, so that it is
+  /// positive at an upper end, negative at a lower one, and zero where neither is.
+  VectorX multipliers = {};
+  std::string worst_constraint;  ///< name of the constraint with that violation
   int outer = 0, iterations = 0;
   std::string brief;  ///< one line
 };

@@ -73,7 +73,7 @@ class ElasticSolver {
   void Evaluate(const VectorX& x);
   void Start();
   void Measure();
-  void NameUnmet();
+  void Finish();
   bool Settled();
   void Factor();
   void Solve();
@@ -152,8 +152,14 @@ void ElasticSolver::Measure() {
   solution_.x = at_.x;
 }
 
-/// Names what is unmet.
-void ElasticSolver::NameUnmet() {
+/// Names what is unmet, and writes the multipliers down: those of |r|^2, twice those of its half.
+void ElasticSolver::Finish() {
+  const Index first = rows_.residuals();
+  solution_.multipliers = VectorX::Zero(rows_.count() - first);
+  for (std::size_t i = 0; i < fixed_.size(); ++i)
+    solution_.multipliers[fixed_[i].row - first] = 2.0 * at_.y[static_cast<Index>(i)];
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    solution_.multipliers[sides_[i].row - first] += 2.0 * sides_[i].sign * at_.z[static_cast<Index>(i)];
   std::map<std::string, double> by;
   const auto look = [&](Index row, double violation) {
     if (violation <= options_.tolerance) return;
@@ -297,6 +303,7 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
       if (solution_.violation <= options_.tolerance) {
         solution_.brief = fmt::format("cost {:.9g}, violation {:.1e}, {} iterations", solution_.cost,
                                       solution_.violation, solution_.iterations);
+        Finish();
         return solution_;
       }
       solution_.least = price_ >= options_.most_price;
@@ -310,7 +317,7 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
     FindStep();
     TakeStep();
   }
-  NameUnmet();
+  Finish();
   if (solution_.violation > options_.tolerance) {
     return Failure{FailureKind::kInfeasible,
                    "unmet_constraint",

@@ -87,6 +87,33 @@ TEST(SolveElastic, IsWhereSolveIs) {
   EXPECT_LT(at.iterations, 20);
 }
 
+TEST(SolveElastic, MultipliersAreWhatTheCostFallsByAsEndsAreMoved) {
+  // Nearest to (2, 3, -1) on a plane, below an upper end and above a lower one; one row counts for nothing.
+  const auto solved = [](double plane, double upper, double lower) {
+    ConstrainedProblem problem{Vec({0.0, 0.0, 0.0}), {To({2.0, 3.0, -1.0})}, {}, {}, {}};
+    problem.constraints.push_back(
+        {"plane", Of([](const VectorX& x) { return Values{x[0] + x[1] * x[2]}; }), Vec({plane}), Vec({plane})});
+    problem.constraints.push_back({"ends", Of([](const VectorX& x) {
+                                     return Values{x[1], x[2], x[0]};
+                                   }),
+                                   Vec({-kInf, lower, -kInf}), Vec({upper, kInf, 50.0})});
+    return Solved(problem, {.cost_tolerance = 1e-10});
+  };
+  const ConstrainedSolution at = solved(0.5, 2.0, -0.5);
+  ASSERT_EQ(at.multipliers.size(), 4);
+  constexpr double kStep = 1e-3;
+  const double by_plane = solved(0.5 + kStep, 2.0, -0.5).cost - solved(0.5 - kStep, 2.0, -0.5).cost;
+  const double by_upper = solved(0.5, 2.0 + kStep, -0.5).cost - solved(0.5, 2.0 - kStep, -0.5).cost;
+  const double by_lower = solved(0.5, 2.0, -0.5 + kStep).cost - solved(0.5, 2.0, -0.5 - kStep).cost;
+  EXPECT_GT(std::abs(by_plane), 1e-4);
+  EXPECT_LT(by_upper, -1e-4);
+  EXPECT_GT(by_lower, 1e-4);
+  EXPECT_NEAR(at.multipliers[0], -by_plane / (2.0 * kStep), 1e-3);
+  EXPECT_NEAR(at.multipliers[1], -by_upper / (2.0 * kStep), 1e-3);
+  EXPECT_NEAR(at.multipliers[2], -by_lower / (2.0 * kStep), 1e-3);
+  EXPECT_NEAR(at.multipliers[3], 0.0, 1e-6);
+}
+
 TEST(SolveElastic, PaysWhatAConstraintIsWorth) {
   // The multiplier at x = 0 is 1000, over the first price.
   ConstrainedProblem problem{
