@@ -74,6 +74,9 @@ Swings::Swings(const RobotModel& model, const MotionPlan& plan) : stays_(model.f
     grounds_[foot].push_back(
         {foothold.X_WF.linear().col(2), FrictionOf(plan.terrain, foothold.patch), is_plane, supports[i]});
   }
+  for (const ContactPhase& phase : plan.schedule.phases) {
+    if (phase.stance == 0) flights_.push_back(phase);
+  }
   for (std::size_t f = 0; f < grounds_.size(); ++f) {
     const Polygon whole = model.feet[f].has_sole() ? model.feet[f].sole_F : Polygon{Vector2::Zero()};
     if (grounds_[f].empty()) grounds_[f].push_back({Vector3::UnitZ(), FrictionOf(plan.terrain, 0), true, whole});
@@ -99,7 +102,11 @@ SwingNow Swings::At(int foot, double time_s) const {
   swing.liftoff_s = stays[next - 1].end_s;
   if (next == stays.size() || stays[next].start_s <= swing.liftoff_s) return swing;
   swing.touchdown_s = stays[next].start_s;
-  swing.next_liftoff_s = stays[next].end_s;
+  swing.next_liftoff_s = swing.next_support_s = stays[next].end_s;
+  const auto flight = std::partition_point(flights_.begin(), flights_.end(), [&](const ContactPhase& phase) {
+    return phase.start_s < swing.next_liftoff_s - kTiny;
+  });
+  if (flight != flights_.end() && flight->start_s < swing.next_liftoff_s + kTiny) swing.next_support_s = flight->end_s;
   swing.swings = time_s > swing.liftoff_s - kTiny && time_s < swing.touchdown_s - kTiny;
   return swing;
 }

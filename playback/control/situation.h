@@ -32,6 +32,7 @@ struct SwingNow {
   double liftoff_s = 0.0;  ///< or the end of the foot's last stance
   double touchdown_s = 0.0;
   double next_liftoff_s = 0.0;  ///< of the foothold that it goes to
+  double next_support_s = 0.0;  ///< the same, or where the robot flies after it the end of that flight
   bool swings = false;
 
   /// Share of the swing that has passed, from 0 to 1.
@@ -63,6 +64,7 @@ class Swings {
   std::size_t StayAt(std::size_t foot, double time_s) const;
 
   std::vector<std::vector<ContactInterval>> stays_;  // by foot, in the order of the plan
+  std::vector<ContactPhase> flights_;                // in order
   std::vector<std::vector<GroundUnder>> grounds_;    // by foot; level where a plan has no footholds for it
 };
 

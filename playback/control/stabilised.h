@@ -160,7 +160,8 @@ struct StabilisedOptions {
 ///   standing legs:     tau += M J^+ a, what their inertia takes for the vertical acceleration asked for beyond the
 ///                      plan's
 ///   foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a foothold
-///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come.
+///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come with the flight after
+///                      it.
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.
 /// @param gains  of the joints, as for JointPd.

@@ -15,12 +15,8 @@ namespace gaitwright {
 StanceFeedback::StanceFeedback(const RobotModel& model, const StabilisedOptions& options)
     : model_(model), options_(options) {
   DynamicsScratch scratch(model);
-  MatrixX M;
-  const VectorX standing = StandingConfiguration(model);
-  MassMatrix(model, standing, scratch, M);
-  const Vector3 p_OC = CentreOfMass(model, scratch) - standing.head<3>();
-  for (int i = 0; i < 3; ++i)
-    inertia_B_[i] = M(3 + i, 3 + i) - model.total_mass_kg * (p_OC.squaredNorm() - p_OC[i] * p_OC[i]);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  inertia_B_ = LockedInertia(model, scratch).diagonal();
 }
 
 void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau) {
@@ -53,15 +49,18 @@ Vector2 StanceFeedback::Lean(const Situation& now, const Footing& footing) {
 /// the ZMP where it is wanted.
 PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& footing,
                                          const PointWrench& planned) const {
-  constexpr double kLeast = 0.3, kMost = 2.0;  // of the weight, of the normal force asked for
-  constexpr double kLow = 0.3;                 // of the planned height: lower is a fall
+  constexpr double kLeast = 0.3, kMost = 2.0;                // of the weight, of the normal force asked for,
+  constexpr double kLeastPlanned = 0.5, kMostPlanned = 1.5;  // or of the planned one where that is farther
+  constexpr double kLow = 0.3;                               // of the planned height: lower is a fall
   const double weight = model_.weight_n(), kz = options_.height_rad_s;
   const Vector3& p_WC = now.measured.p_WC;
   const Vector3 moment = WantedMoment(now, footing, planned.moment_W);
   const double rise = now.planned.p_WC.z() + footing.mean_offset_W.z() - p_WC.z();
   const double rate = now.planned.v_WC.z() - now.measured.v_WC.z();
   const double lift = planned.force_W.z() + model_.total_mass_kg * kz * (kz * rise + 2.0 * rate);
-  const double normal = std::clamp(lift, kLeast * weight, kMost * weight);
+  const double load = planned.force_W.z();
+  const double normal =
+      std::clamp(lift, std::min(kLeast * weight, kLeastPlanned * load), std::max(kMost * weight, kMostPlanned * load));
   const Vector2 zmp = ZmpFor(dcm_error_W_), arm = p_WC.head<2>() - zmp;
   double ground = 0.0;  // under the ZMP: as the contacts tell, along the plan's plane
   for (const ContactPoint& point : contacts_)

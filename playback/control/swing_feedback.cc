@@ -91,13 +91,13 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
 }
 
 /// The DCM's error at touch-down is met by a foothold moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T being the
-/// stance to come; within reach of where the base will be.
+/// stance to come and the flight after it, if any; within reach of where the base will be.
 Vector3 SwingFeedback::WantedOffset(const Situation& now, int foot, const SwingNow& swing,
                                     const StanceFeedback& stance) const {
   constexpr double kLongest = 0.5;  // [s]
   const double left = std::clamp(swing.touchdown_s - now.time_s, 0.0, kLongest);
   const StanceFeedback::Drift drift = stance.DriftAhead(now, left);
-  const double ahead = std::exp(now.omega_rad_s * std::min(swing.next_liftoff_s - swing.touchdown_s, kLongest));
+  const double ahead = std::exp(now.omega_rad_s * std::min(swing.next_support_s - swing.touchdown_s, kLongest));
   const Vector2 caught = options_.step_gain * (ahead - options_.step_decay) / (ahead - 1.0) * drift.dcm_W;
   const double reach = options_.step_reach * model_.leg_length_m();
   const Vector2 away = caught - drift.com_W;
