@@ -27,7 +27,6 @@ int Run(const Arguments& a) {
   }
   for (const GaitEntry& entry : *gaits) {
     Gait gait = entry.gait;
-    const bool flight = HasFlight(gait);
     list.push_back({{"name", gait.name},
                     {"feet", gait.num_feet()},
                     {"description", gait.description},
@@ -35,14 +34,14 @@ int Run(const Arguments& a) {
                     {"cycle_per_leg_time", entry.cycle_per_leg_time},
                     {"phase", gait.phase},
                     {"duty_factor", gait.duty_factor},
-                    {"flight", flight}});
+                    {"flight", HasFlight(gait)}});
     if (a.common.json) continue;
     if (a.common.quiet) {
       fmt::print("{}\n", gait.name);
       continue;
     }
-    fmt::print("{:<8} {:>4}  {:>4.2f}  {:<31}  {}{}\n", gait.name, gait.num_feet(), gait.duty_factor.front(),
-               fmt::format("{:.2f}", fmt::join(gait.phase, " ")), gait.description, flight ? "; not planned yet" : "");
+    fmt::print("{:<8} {:>4}  {:>4.2f}  {:<31}  {}\n", gait.name, gait.num_feet(), gait.duty_factor.front(),
+               fmt::format("{:.2f}", fmt::join(gait.phase, " ")), gait.description);
   }
   if (a.common.json) fmt::print("{}\n", nlohmann::ordered_json{{"gaits", list}}.dump(2));
   return kPass;

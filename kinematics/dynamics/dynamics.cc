@@ -334,6 +334,18 @@ void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scra
   M.bottomLeftCorner(model.num_dofs(), 6) = M.topRightCorner(6, model.num_dofs()).transpose();
 }
 
+Matrix3 LockedInertia(const RobotModel& model, const DynamicsScratch& scratch) {
+  const Vector3 p_WC = CentreOfMass(model, scratch);
+  Matrix3 inertia = Matrix3::Zero();
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    const Matrix3& R = scratch.R_WB[i];
+    const Matrix3 arm = Skew(scratch.p_WB[i] + R * body.p_BC - p_WC);
+    inertia += R * body.I_C * R.transpose() - body.mass * arm * arm;
+  }
+  return inertia;
+}
+
 double MechanicalEnergy(const RobotModel& model, const DynamicsScratch& scratch) {
   double energy = 0.0;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {

@@ -88,6 +88,10 @@ void InverseDynamics(const RobotModel& model, const VectorX& q, const VectorX& v
 /// itself.
 void MassMatrix(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch, MatrixX& M);
 
+/// Inertia about the centre of mass in W of the robot as one stiff body in its present posture [kg m^2]. Needs
+/// ForwardKinematics.
+Matrix3 LockedInertia(const RobotModel& model, const DynamicsScratch& scratch);
+
 /// Kinetic plus potential energy [J], zero height at z = 0. Needs ForwardVelocities.
 double MechanicalEnergy(const RobotModel& model, const DynamicsScratch& scratch);
 

@@ -26,8 +26,10 @@ struct CentreOfMassOptions {
          "",
          0.0,
          0.0,
-         "How the ZMP is found: by optimisation over its supports, in closed form or by preview control.",
-         {"optimised", "closed-form", "preview"}},
+         "How the ZMP is found: by optimisation over its supports, in closed form or by preview control; or, with "
+         "momentum "
+         "and contact forces, the motion of a rigid body, as gaits that leave the ground are planned in any case.",
+         {"optimised", "closed-form", "preview", "rigid-body"}},
         {"zmp_margin_m",
          &zmp_margin_m,
          "m",

@@ -73,11 +73,22 @@ ConstrainedProblem Rows(const RigidBodyProblem& problem, const RigidBodyUnknowns
   };
   for (std::size_t i = 0; i < unknowns.intervals(); ++i) add(terms.Turning(i));
   for (const std::size_t k : unknowns.FreeBreaks()) add(terms.Free(k));
-  for (const BoundForce& force : unknowns.BoundForces())
-    add(terms.Friction(force, options.friction_sides, options.force_margin));
+  const std::vector<BoundForce>& forces = unknowns.BoundForces();
+  for (const BoundForce& force : forces) add(terms.Friction(force, options.friction_sides, options.force_margin));
+  for (auto from = forces.begin(); from != forces.end();) {
+    const auto to = std::find_if(from, forces.end(), [&](const BoundForce& f) {
+      return f.stance != from->stance || f.at_break != from->at_break;
+    });
+    if (problem.stances[from->stance].MotorsAt(0.0) != nullptr) add(terms.Motors({from, to}));
+    from = to;
+  }
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     for (const double t : ReachTimes(problem.stances[s], unknowns.breaks_s(), options.swing_lead_s))
       add(terms.Reach(s, t, options.reach_margin_m));
+  }
+  for (const RigidSwing& swing : problem.swings) {
+    for (const double share : {0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9})
+      add(terms.SwingReach(swing, share, options.reach_margin_m));
   }
   for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
@@ -111,22 +122,12 @@ Vector3 GuessCentreOfMass(const RigidBodyProblem& problem, double time_s) {
   return sum / weights;
 }
 
-/// A place on the first guess of the way, between its times evenly.
-Vector3 Between(const std::vector<double>& time_s, const std::vector<Vector3>& at, double t) {
-  const auto after = std::upper_bound(time_s.begin() + 1, time_s.end() - 1, t);
-  const auto k = static_cast<std::size_t>(after - time_s.begin());
-  const double u = (t - time_s[k - 1]) / (time_s[k] - time_s[k - 1]);
-  return (1.0 - u) * at[k - 1] + u * at[k];
-}
-
 Vector3 GuessPlace(const RigidBodyProblem& problem, double t) {
-  const BodyWay& way = problem.way;
-  return way.time_s.empty() ? GuessCentreOfMass(problem, t) : Between(way.time_s, way.p_WC, t);
+  return problem.way.time_s.empty() ? GuessCentreOfMass(problem, t) : problem.way.PlaceAt(t);
 }
 
 Vector3 GuessAngles(const RigidBodyProblem& problem, double t) {
-  const BodyWay& way = problem.way;
-  return way.time_s.empty() ? WantedAngles(problem, t) : Between(way.time_s, way.angles_rad, t);
+  return problem.way.time_s.empty() ? WantedAngles(problem, t) : problem.way.AnglesAt(t);
 }
 
 VectorX Guess(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
@@ -224,7 +225,7 @@ class RigidBodyPlanner {
 
  private:
   void SetBreaks() {
-    unknowns_.emplace(problem_, options_.spacing_s, options_.least_intervals);
+    unknowns_.emplace(problem_, options_.spacing_s, options_.least_intervals, options_.grid_s);
     missed_.clear();
     start_ = Guess(problem_, *unknowns_);
     first_gap_ = kFirstGap;
@@ -241,9 +242,7 @@ class RigidBodyPlanner {
     return true;
   }
 
-  void SolveOnce() {
-    ConstrainedProblem rows = Rows(problem_, *unknowns_, options_, missed_);
-    rows.start = start_;
+  bool SolveByInteriorPoint(const ConstrainedProblem& rows, ConstrainedSolution& at) const {
     ElasticOptions solving;
     solving.tolerance = options_.tolerance;
     solving.cost_tolerance = options_.cost_tolerance;
@@ -253,9 +252,28 @@ class RigidBodyPlanner {
     solving.screening = options_.screening;
     solving.hopeless = options_.hopeless;
     solving.max_iterations = options_.max_iterations;
+    return SolveElastic(rows, solving, &at).ok();
+  }
+
+  bool SolveByCeres(const ConstrainedProblem& rows, ConstrainedSolution& at) const {
+    ConstrainedOptions solving;
+    solving.tolerance = options_.tolerance;
+    solving.cost_tolerance = options_.cost_tolerance;
+    solving.stiffness = 300.0;
+    solving.trust_radius = 1e7;
+    solving.inner_tolerance = 1e-4;
+    solving.patience = 5;
+    solving.max_outer = 25;
+    solving.max_inner = 40;
+    return Solve(rows, solving, &at).ok();
+  }
+
+  void SolveOnce() {
+    ConstrainedProblem rows = Rows(problem_, *unknowns_, options_, missed_);
+    rows.start = start_;
     ConstrainedSolution at;
     RigidBodySummary& summary = plan_.summary;
-    summary.settled = SolveElastic(rows, solving, &at).ok();
+    summary.settled = options_.method == "ceres" ? SolveByCeres(rows, at) : SolveByInteriorPoint(rows, at);
     start_ = at.x;
     plan_.motion = MotionOf(problem_, *unknowns_, at.x);
     summary.variables = unknowns_->size();
@@ -285,8 +303,17 @@ class RigidBodyPlanner {
 
 OptionFields RigidBodyOptions::Fields() {
   return {
+      {"method",
+       &method,
+       "",
+       0.0,
+       0.0,
+       "How constraints are kept: by an interior-point method, or by an augmented Lagrangian over Ceres, which takes "
+       "some three times as long.",
+       {"interior-point", "ceres"}},
       {"spacing_s", &spacing_s, "s", 0.005, 1.0, "Most between two breaks of forces.", {}},
       {"least_intervals", &least_intervals, "1", 2, 100, "Least intervals between breaks in a stance.", {}},
+      {"grid_s", &grid_s, "s", 0.0, 0.1, "Breaks between switches of contact are at multiples of it; 0: anywhere.", {}},
       {"friction_sides", &friction_sides, "1", 4, 64, "Sides of the pyramid inside a cone of friction.", {}},
       {"force_margin", &force_margin, "m g", 0.0, 0.1, "By which forces are kept from their bounds.", {}},
       {"reach_margin_m", &reach_margin_m, "m", 0.0, 0.1, "By which feet are kept inside their workspace.", {}},

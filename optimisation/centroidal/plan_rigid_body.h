@@ -17,8 +17,10 @@ namespace gaitwright {
 ///   much is spent on what has no motion        lower screening, hopeless
 ///   a motion that all but keeps its laws      raise most_price
 struct RigidBodyOptions {
+  std::string method = "interior-point";
   double spacing_s = 0.08;
   int least_intervals = 3;
+  double grid_s = 0.0;
   int friction_sides = 8;
   double force_margin = 1e-5;
   double reach_margin_m = 1e-3;

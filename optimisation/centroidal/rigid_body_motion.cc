@@ -17,11 +17,15 @@ constexpr double kStep = 4e-3;
 
 Vector3 PowersAt(const std::array<Vector3, 4>& c, double t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
 
-/// The angular momentum over an interval: its start and the integral of sum (p_i - p) x f_i, a polynomial of degree
-/// five, since p is cubic and forces are linear.
+/// Where a force acts, at a share of its interval.
+Vector3 PointAt(const RigidBodyInterval::Force& force, double u) { return force.p_W + u * force.moves_W; }
+
+/// The angular momentum of the box over an interval: its start and the integral of sum (p_i - p) x f_i, a polynomial of
+/// degree five, since p is cubic and forces are linear; less what goes to what moves inside.
 class MomentumOver {
  public:
-  explicit MomentumOver(const RigidBodyInterval& in) {
+  MomentumOver(const RigidBodyInterval& in, const InnerMomentum& inner)
+      : inner_(&inner), start_s_(in.start_s), inner_W_(inner.At(in.start_s)) {
     const double h = in.end_s - in.start_s;
     Vector3 from = Vector3::Zero(), rate = Vector3::Zero();  // of the sum of the forces
     std::array<Vector3, 5> torque;
@@ -29,7 +33,8 @@ class MomentumOver {
     for (const RigidBodyInterval::Force& f : in.forces) {
       const Vector3 change = (f.to_W - f.from_W) / h;
       torque[0] += f.p_W.cross(f.from_W);
-      torque[1] += f.p_W.cross(change);
+      torque[1] += f.p_W.cross(change) + f.moves_W.cross(f.from_W) / h;
+      torque[2] += f.moves_W.cross(change) / h;
       from += f.from_W;
       rate += change;
     }
@@ -45,10 +50,13 @@ class MomentumOver {
   Vector3 At(double t) const {
     Vector3 l = powers_[5];
     for (std::size_t i = 5; i-- > 0;) l = powers_[i] + t * l;
-    return l;
+    return l - (inner_->At(start_s_ + t) - inner_W_);
   }
 
  private:
+  const InnerMomentum* inner_;
+  double start_s_;
+  Vector3 inner_W_;  // at the start
   std::array<Vector3, 6> powers_;
 };
 
@@ -89,10 +97,10 @@ RigidBodySample At(const RigidBodyMotion& motion, const MomentumOver& momentum, 
   s.v_WC = in.com[1] + t * (2.0 * in.com[2] + 3.0 * t * in.com[3]);
   s.a_WC = 2.0 * in.com[2] + 6.0 * t * in.com[3];
   s.momentum_W = momentum.At(t);
-  s.torque_W = Vector3::Zero();
+  s.torque_W = -motion.inner.RateAt(time_s);
   for (const RigidBodyInterval::Force& f : in.forces) {
     s.force_W.push_back((1.0 - u) * f.from_W + u * f.to_W);
-    s.torque_W += (f.p_W - s.p_WC).cross(s.force_W.back());
+    s.torque_W += (PointAt(f, u) - s.p_WC).cross(s.force_W.back());
   }
   return s;
 }
@@ -116,7 +124,8 @@ double TorqueBalance(const RigidBodyMotion& motion, const std::vector<RigidBodyS
     const Matrix3 R_WB = RotationOf(samples[k - 1].angles_rad);
     const Vector3 turn_B = RotationLog(R_WB.transpose() * RotationOf(samples[k + 1].angles_rad));
     const Vector3 momentum_W = R_WB * RotationExp(0.5 * turn_B) * motion.inertia_B * turn_B / h;
-    const Vector3 off = momentum_W - samples[k].momentum_W;
+    const Vector3 mean_W = (samples[k - 1].momentum_W + 4.0 * samples[k].momentum_W + samples[k + 1].momentum_W) / 6.0;
+    const Vector3 off = momentum_W - mean_W;
     if (k > 1) worst = std::max(worst, (off - last).norm() / h);
     last = off;
   }
@@ -146,7 +155,7 @@ double RigidBodyFaults::Largest() const {
 }
 
 RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, const VectorX& x) {
-  RigidBodyMotion motion{problem.mass_kg, problem.inertia_B, {}, {}};
+  RigidBodyMotion motion{problem.mass_kg, problem.inertia_B, InnerMomentum(problem), {}, {}};
   const double weight = problem.mass_kg * kGravity;
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     motion.X_WF.push_back(problem.stances[s].X_WF);
@@ -159,10 +168,12 @@ RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknown
     RigidBodyInterval in{
         unknowns.breaks_s()[i], unknowns.breaks_s()[i + 1], PowersOf(unknowns, x, i), angles, momentum, {}};
     for (const ContactForce& f : unknowns.Forces(i)) {
-      in.forces.push_back(
-          {f.stance, unknowns.ContactPoint(f.stance, f.point).At(x), weight * f.from.At(x), weight * f.to.At(x)});
+      const RigidStance& stance = problem.stances[f.stance];
+      const Vector3 moved = stance.MovedAt(in.start_s);
+      in.forces.push_back({f.stance, unknowns.ContactPoint(f.stance, f.point).At(x) + moved,
+                           stance.MovedAt(in.end_s) - moved, weight * f.from.At(x), weight * f.to.At(x)});
     }
-    const MomentumOver turning(in);
+    const MomentumOver turning(in, motion.inner);
     angles = Turned(turning, inverse_B, 0.0, in.end_s - in.start_s, angles);
     momentum = turning.At(in.end_s - in.start_s);
     motion.intervals.push_back(std::move(in));
@@ -175,14 +186,14 @@ std::vector<RigidBodySample> Sample(const RigidBodyMotion& motion, double step_s
   const Matrix3 inverse_B = motion.inertia_B.inverse();
   std::vector<RigidBodySample> samples;
   samples.reserve(static_cast<std::size_t>(steps) + 1);
-  MomentumOver momentum(motion.intervals.front());
+  MomentumOver momentum(motion.intervals.front(), motion.inner);
   for (int k = 0; k <= steps; ++k) {
     const double t = motion.duration_s() * k / steps;
     std::size_t interval = k > 0 ? samples.back().interval : 0;
     while (interval + 1 < motion.intervals.size() && t >= motion.intervals[interval].end_s) ++interval;
     const RigidBodyInterval& in = motion.intervals[interval];
     const bool goes_on = k > 0 && samples.back().interval == interval;
-    if (!goes_on) momentum = MomentumOver(in);
+    if (!goes_on) momentum = MomentumOver(in, motion.inner);
     RigidBodySample s = At(motion, momentum, interval, t);
     s.angles_rad = goes_on ? Turned(momentum, inverse_B, samples.back().time_s - in.start_s, t - in.start_s,
                                     samples.back().angles_rad)

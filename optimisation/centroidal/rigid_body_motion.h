@@ -13,13 +13,14 @@ struct RigidBodyInterval {
   /// On a point of contact of a stance, linear over the interval.
   struct Force {
     std::size_t stance = 0;
-    Vector3 p_W = Vector3::Zero();                             ///< point of contact [m]
+    Vector3 p_W = Vector3::Zero();                             ///< point of contact at the start [m]
+    Vector3 moves_W = Vector3::Zero();                         ///< from there to the end, evenly [m]
     Vector3 from_W = Vector3::Zero(), to_W = Vector3::Zero();  ///< [N]
   };
 
   double start_s = 0.0, end_s = 0.0;
   std::array<Vector3, 4> com;      ///< cubic in the time since start_s, by rising power
-  Vector3 angles_rad, momentum_W;  ///< at its start; momentum about the centre of mass [N m s]
+  Vector3 angles_rad, momentum_W;  ///< at its start; momentum of the box about the centre of mass [N m s]
   std::vector<Force> forces;
 };
 
@@ -28,6 +29,7 @@ struct RigidBodyInterval {
 struct RigidBodyMotion {
   double mass_kg = 1.0;
   Matrix3 inertia_B = Matrix3::Identity();
+  InnerMomentum inner;
   std::vector<RigidBodyInterval> intervals;
   std::vector<Pose> X_WF;  ///< foothold of each stance
 
@@ -38,7 +40,8 @@ struct RigidBodyMotion {
 struct RigidBodySample {
   double time_s = 0.0;
   std::size_t interval = 0;
-  Vector3 p_WC, v_WC, a_WC, angles_rad, w_WB_B, momentum_W, torque_W;
+  Vector3 p_WC, v_WC, a_WC, angles_rad, w_WB_B;
+  Vector3 momentum_W, torque_W;  ///< of the box, and what changes it: of the forces less what moves inside
   std::vector<Vector3> force_W;  ///< on each of the interval's points of contact [N]
 };
 

@@ -7,11 +7,36 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "kinematics/base/result.h"
 
 namespace gaitwright {
 namespace {
+
+Vector3 Between(const std::vector<double>& time_s, const std::vector<Vector3>& values, double at_s) {
+  const auto after = std::upper_bound(time_s.begin() + 1, time_s.end() - 1, at_s);
+  const auto k = static_cast<std::size_t>(after - time_s.begin());
+  const double u = std::clamp((at_s - time_s[k - 1]) / (time_s[k] - time_s[k - 1]), 0.0, 1.0);
+  return (1.0 - u) * values[k - 1] + u * values[k];
+}
+
+void CheckMotors(const RigidStance& stance, std::size_t points, std::size_t number) {
+  for (const MotorLimits& limits : stance.motors) {
+    const Eigen::Index rows = limits.by_force.rows();
+    if (limits.by_force.cols() != static_cast<Eigen::Index>(3 * points) || limits.lower.size() != rows ||
+        limits.upper.size() != rows || !limits.by_force.allFinite() ||
+        !(limits.lower.array() <= limits.upper.array()).all())
+      throw InvalidArgument(fmt::format("rigid body: the motors of stance {} have limits that are none", number));
+  }
+}
+
+/// Of so many even places: the one before a place, and how far it is to the next one from there.
+std::pair<std::size_t, double> PartOf(double place, std::size_t count) {
+  const double last = static_cast<double>(count) - 1.0, at = std::clamp(place, 0.0, last);
+  const double before = std::min(std::floor(at), last - 1.0);
+  return {static_cast<std::size_t>(before), at - before};
+}
 
 void CheckFinite(const RigidBodyState& state, const char* which) {
   if (!state.p_WC.allFinite() || !state.angles_rad.allFinite() || !state.v_WC.allFinite() || !state.w_WB_B.allFinite())
@@ -52,6 +77,19 @@ void CheckWay(const BodyWay& way) {
         "rigid body: the first guess of its way needs a place and angles for each of its times in turn");
 }
 
+void CheckInnerMotion(const RigidBodyProblem& problem) {
+  const auto finite = [](const Vector3& v) { return v.allFinite(); };
+  const std::vector<Vector3>& momentum = problem.inner_momentum_W;
+  const std::vector<Vector3>& torque = problem.inner_torque_W;
+  if (momentum.size() == 1 || torque.size() != momentum.size() ||
+      !std::all_of(momentum.begin(), momentum.end(), finite) || !std::all_of(torque.begin(), torque.end(), finite))
+    throw InvalidArgument("rigid body: its inner momentum takes two finite values or more with their rates, or none");
+  for (const RigidStance& stance : problem.stances) {
+    if (stance.moved_W.size() == 1 || !std::all_of(stance.moved_W.begin(), stance.moved_W.end(), finite))
+      throw InvalidArgument("rigid body: contacts that move take two finite places or more, or none");
+  }
+}
+
 void CheckStances(const RigidBodyProblem& problem) {
   std::vector<double> free_from(problem.feet.size(), 0.0);
   bool starts = false, ends = false;
@@ -71,6 +109,7 @@ void CheckStances(const RigidBodyProblem& problem) {
     if (!stance.X_WF.matrix().allFinite())
       throw InvalidArgument(fmt::format("rigid body: the foothold of stance {} is not finite", s));
     CheckRegion(stance, s);
+    CheckMotors(stance, problem.feet[static_cast<std::size_t>(stance.foot)].contacts_F.size(), s);
     starts = starts || stance.start_s <= 0.0;
     ends = ends || stance.end_s >= problem.duration_s;
   }
@@ -78,7 +117,55 @@ void CheckStances(const RigidBodyProblem& problem) {
     throw InvalidArgument(fmt::format("rigid body: no foot holds it at the {}", starts ? "end" : "start"));
 }
 
+void CheckSwings(const RigidBodyProblem& problem) {
+  for (const RigidSwing& swing : problem.swings) {
+    const std::size_t n = problem.stances.size();
+    if (swing.from >= n || swing.to >= n || problem.stances[swing.from].foot != problem.stances[swing.to].foot ||
+        !(problem.stances[swing.to].start_s > problem.stances[swing.from].end_s) || !std::isfinite(swing.lift_m))
+      throw InvalidArgument(fmt::format("rigid body: no foot swings from stance {} to {}", swing.from, swing.to));
+  }
+}
+
 }  // namespace
+
+Vector3 RigidStance::MovedAt(double time_s) const {
+  if (moved_W.empty()) return Vector3::Zero();
+  const auto steps = static_cast<double>(moved_W.size() - 1);
+  const auto [k, u] = PartOf((time_s - start_s) / (end_s - start_s) * steps, moved_W.size());
+  return (1.0 - u) * moved_W[k] + u * moved_W[k + 1];
+}
+
+const MotorLimits* RigidStance::MotorsAt(double time_s) const {
+  if (motors.empty()) return nullptr;
+  const double last = static_cast<double>(motors.size()) - 1.0;
+  const double at = std::clamp((time_s - start_s) / (end_s - start_s), 0.0, 1.0) * last;
+  return &motors[static_cast<std::size_t>(std::lround(at))];
+}
+
+Vector3 BodyWay::PlaceAt(double at_s) const { return Between(time_s, p_WC, at_s); }
+
+Vector3 BodyWay::AnglesAt(double at_s) const { return Between(time_s, angles_rad, at_s); }
+
+InnerMomentum::InnerMomentum(const RigidBodyProblem& problem)
+    : step_s_(problem.duration_s / std::max(1.0, static_cast<double>(problem.inner_momentum_W.size()) - 1.0)),
+      momentum_W_(problem.inner_momentum_W),
+      torque_W_(problem.inner_torque_W) {}
+
+Vector3 InnerMomentum::At(double time_s) const {
+  if (momentum_W_.empty()) return Vector3::Zero();
+  const auto [k, u] = PartOf(time_s / step_s_, momentum_W_.size());
+  const double v = 1.0 - u;
+  return v * v * (1.0 + 2.0 * u) * momentum_W_[k] + u * u * (1.0 + 2.0 * v) * momentum_W_[k + 1] +
+         step_s_ * u * v * (v * torque_W_[k] - u * torque_W_[k + 1]);
+}
+
+Vector3 InnerMomentum::RateAt(double time_s) const {
+  if (momentum_W_.empty()) return Vector3::Zero();
+  const auto [k, u] = PartOf(time_s / step_s_, momentum_W_.size());
+  const double v = 1.0 - u;
+  return 6.0 * u * v / step_s_ * (momentum_W_[k + 1] - momentum_W_[k]) + v * (1.0 - 3.0 * u) * torque_W_[k] +
+         u * (3.0 * u - 2.0) * torque_W_[k + 1];
+}
 
 Matrix3 RotationOf(const Vector3& angles_rad) {
   return (Eigen::AngleAxisd(angles_rad.z(), Vector3::UnitZ()) * Eigen::AngleAxisd(angles_rad.y(), Vector3::UnitY()) *
@@ -112,6 +199,8 @@ void CheckRigidBodyProblem(const RigidBodyProblem& problem) {
       throw InvalidArgument(fmt::format("rigid body: foot {} can carry nothing", f));
   }
   CheckStances(problem);
+  CheckSwings(problem);
+  CheckInnerMotion(problem);
   CheckWay(problem.way);
 }
 

@@ -3,15 +3,10 @@
 
 #include <vector>
 
+#include "kinematics/ik/leg_polytope.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
-
-/// The points p with normal . p <= offset.
-struct WorkspaceSide {
-  Vector3 normal = Vector3::UnitX();
-  double offset = 0.0;
-};
 
 /// A foot of a single rigid body: where a leg that has no mass can put it.
 struct RigidFoot {
@@ -19,6 +14,12 @@ struct RigidFoot {
   std::vector<WorkspaceSide> workspace_B;               ///< of its place from the centre of mass, in B [m]
   std::vector<Vector3> contacts_F = {Vector3::Zero()};  ///< points of the sole that carry, in the foothold's frame [m]
   double force_max_n = 1e4;                             ///< along the ground's normal, of each of these points
+};
+
+/// What a leg's motors hold: lower <= by_force (f_1; f_2; ..) <= upper for the forces on the foot's points [N], in W.
+struct MotorLimits {
+  MatrixX by_force;  ///< a row for each motor, three columns for each point
+  VectorX lower, upper;
 };
 
 /// An interval of contact of a foot and where it may be.
@@ -30,6 +31,24 @@ struct RigidStance {
   std::vector<Vector2>
       region_F;  ///< else where it may be in the plane: convex, counter-clockwise; empty for no end [m]
   double friction = 0.8;
+  /// How far its points of contact have moved along the ground at even times from start to end, as spheres that roll
+  /// do; empty for not at all [m].
+  std::vector<Vector3> moved_W = {};
+
+  /// What motors hold at even times from start to end; empty for anything.
+  std::vector<MotorLimits> motors = {};
+
+  /// How far contacts have moved at a time, linear in between.
+  Vector3 MovedAt(double time_s) const;
+  /// The limits of motors at the nearest of their times; null for none.
+  const MotorLimits* MotorsAt(double time_s) const;
+};
+
+/// The way of a foot through the air from one of its stances to the next: a straight minimum-jerk move with a bump
+/// upwards (SwingCurve), that is to stay within reach.
+struct RigidSwing {
+  std::size_t from = 0, to = 0;  ///< stances
+  double lift_m = 0.0;           ///< of the bump at half time
 };
 
 /// A state of a single rigid body. Angles are roll, pitch and yaw: R_WB = Rz(yaw) Ry(pitch) Rx(roll).
@@ -42,19 +61,44 @@ struct RigidBodyState {
 struct BodyWay {
   std::vector<double> time_s;
   std::vector<Vector3> p_WC, angles_rad;
+
+  /// Evenly between its times, and at the ends as there. Not of an empty one.
+  Vector3 PlaceAt(double at_s) const;
+  Vector3 AnglesAt(double at_s) const;
 };
 
 /// A box of one inertia and mass is to go from one state to another, held by forces at its feet alone:
-///   m p'' = sum f_i + m g,   (I w)' = sum (p_i - p) x f_i,
-/// forces in the friction cones of their footholds, feet in their workspaces.
+///   m p'' = sum f_i + m g,   (I w)' + l' = sum (p_i - p) x f_i,
+/// forces in the friction cones of their footholds, feet in their workspaces. l is the momentum of what moves against
+/// the box, such as legs.
 struct RigidBodyProblem {
   double mass_kg = 1.0;
   Matrix3 inertia_B = Matrix3::Identity();  ///< about the centre of mass [kg m^2]
   std::vector<RigidFoot> feet;
   std::vector<RigidStance> stances;  ///< of one foot: disjoint, in order
+  std::vector<RigidSwing> swings;    ///< those whose reach counts
   RigidBodyState start, goal;
   double duration_s = 1.0;  ///< from time 0
-  BodyWay way;              ///< first guess; empty for one over the footholds
+  /// Angular momentum about the centre of mass of all that moves against the box, and its rate, at even times from 0 to
+  /// the end, two or more; empty for none [N m s], [N m].
+  std::vector<Vector3> inner_momentum_W = {}, inner_torque_W = {};
+  BodyWay way;  ///< first guess, whose yaw is the one wanted; empty for one over the footholds
+};
+
+/// The inner momentum of a problem as a function of time: Hermite's cubics between what is given.
+class InnerMomentum {
+ public:
+  InnerMomentum() = default;  ///< none
+  explicit InnerMomentum(const RigidBodyProblem& problem);
+
+  /// [N m s]
+  Vector3 At(double time_s) const;
+  /// [N m]
+  Vector3 RateAt(double time_s) const;
+
+ private:
+  double step_s_ = 1.0;
+  std::vector<Vector3> momentum_W_, torque_W_;
 };
 
 /// R_WB of roll, pitch and yaw.

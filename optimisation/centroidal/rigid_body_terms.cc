@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "kinematics/spatial/rotation.h"
+#include "kinematics/trajectory/swing_curve.h"
 
 namespace gaitwright {
 namespace {
@@ -75,6 +76,7 @@ struct TurningTerm {
   struct Carried {
     FootPlace place;
     AffineVector from, to;
+    Vector3 moves;  // from the start of the interval to its end, evenly
   };
 
   Matrix3 inverse_B;    // of the inertia over its mean
@@ -83,21 +85,29 @@ struct TurningTerm {
   std::array<AffineVector, kPlaces> com;
   AffineVector whole_from, whole_to;
   std::vector<Carried> carried;
+  Vector3 lost_by_half, lost;     // momentum to what moves inside, by the middle and the end
+  std::array<Vector3, 3> unseen;  // what stands at start, middle and end for all that it does in between
 
-  /// The change of momentum up to the middle or the end, by `weights`, added to `value` with its derivatives; the
-  /// contacts' forces have impulses from_share * from + to_share * to.
-  void AddImpulse(const VectorX& x, const std::array<double, kPlaces>& weights, double from_share, double to_share,
-                  Vector3& value, MatrixX* J) const {
+  /// Integrals over the first part of an interval of a force that goes linearly from `from` to `to`, over its length,
+  ///   from * from_share + to * to_share,
+  /// and of the same times the share of the interval that has passed.
+  struct Shares {
+    double from, to, from_moved, to_moved;
+  };
+
+  /// The impulse up to the middle or the end, by `weights`, added to `value` with its derivatives.
+  void AddImpulse(const VectorX& x, const std::array<double, kPlaces>& weights, const Shares& share, Vector3& value,
+                  MatrixX* J) const {
     const double unit = h * per_force;
     if (carried.empty()) return;
     for (const Carried& c : carried) {
-      const Vector3 p = c.place.At(x), f = from_share * c.from.At(x) + to_share * c.to.At(x);
-      value += unit * p.cross(f);
+      const Vector3 p = c.place.At(x), from = c.from.At(x), to = c.to.At(x);
+      const Vector3 f = share.from * from + share.to * to;
+      value += unit * (p.cross(f) + c.moves.cross(share.from_moved * from + share.to_moved * to));
       if (J == nullptr) continue;
-      const Matrix3 by_force = unit * Skew(p), by_place = -unit * Skew(f);
-      c.from.AddTo(Matrix3(from_share * by_force), *J, 0);
-      c.to.AddTo(Matrix3(to_share * by_force), *J, 0);
-      AddPlace(c.place, by_place, *J, 0);
+      c.from.AddTo(Matrix3(unit * Skew(share.from * p + share.from_moved * c.moves)), *J, 0);
+      c.to.AddTo(Matrix3(unit * Skew(share.to * p + share.to_moved * c.moves)), *J, 0);
+      AddPlace(c.place, Matrix3(-unit * Skew(f)), *J, 0);
     }
     const Vector3 F_from = whole_from.At(x), F_to = whole_to.At(x);
     Matrix3 by_from = Matrix3::Zero(), by_to = Matrix3::Zero();
@@ -115,19 +125,22 @@ struct TurningTerm {
     whole_to.AddTo(by_to, *J, 0);
   }
 
+  static constexpr Shares kWholeShares = {1.0 / 2, 1.0 / 2, 1.0 / 6, 1.0 / 3};
+  static constexpr Shares kHalfShares = {3.0 / 8, 1.0 / 8, 1.0 / 12, 1.0 / 24};
+
   void operator()(const VectorX& x, VectorX& value, MatrixX* J) const {
     const Vector3 from = angles_from.At(x), to = angles_to.At(x), l_from = momentum_from.At(x),
                   l_to = momentum_to.At(x);
-    Vector3 gained = Vector3::Zero(), l_mid = l_from;
+    Vector3 gained = -lost, l_mid = l_from - lost_by_half;
     MatrixX by_gained, by_mid;
     if (J != nullptr) {
       by_gained = by_mid = MatrixX::Zero(3, J->cols());
       momentum_from.AddTo(Matrix3::Identity(), by_mid, 0);
     }
-    AddImpulse(x, kWhole, 0.5, 0.5, gained, J != nullptr ? &by_gained : nullptr);
-    AddImpulse(x, kHalf, 0.375, 0.125, l_mid, J != nullptr ? &by_mid : nullptr);
-    const AnglesBetween middle(inverse_B, h, 0.5, from, l_from, to, l_to);
-    const TurningRate rate = TurningRateOf(inverse_B, middle.value, l_mid);
+    AddImpulse(x, kWhole, kWholeShares, gained, J != nullptr ? &by_gained : nullptr);
+    AddImpulse(x, kHalf, kHalfShares, l_mid, J != nullptr ? &by_mid : nullptr);
+    const AnglesBetween middle(inverse_B, h, 0.5, from, l_from + unseen[0], to, l_to + unseen[2]);
+    const TurningRate rate = TurningRateOf(inverse_B, middle.value, l_mid + unseen[1]);
     value.resize(6);
     value.head<3>() = l_to - l_from - gained;
     value.tail<3>() = to - from - h / 6.0 * (middle.rate_from.rate + 4.0 * rate.rate + middle.rate_to.rate);
@@ -198,6 +211,25 @@ Constraint WorkspaceOf(const RigidFoot& foot, double margin_m, MatrixX& normals)
   return rows;
 }
 
+/// Inner momentum goes up and down within an interval faster than a rule with three places sees. Rates of angles are
+/// linear in momentum, so that with the angles' part quadratic over the interval, that of inner momentum l is exact
+/// where the places see, for its values there, its integrals with Lagrange's polynomials over their weights. What is to
+/// be added to the momentum of the box, l less than the whole, there:
+std::array<Vector3, 3> UnseenOf(const InnerMomentum& inner, double start_s, double h) {
+  constexpr int kSteps = 16;
+  constexpr std::array<double, 3> kWeights = {1.0 / 6, 4.0 / 6, 1.0 / 6};
+  std::array<Vector3, 3> means = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
+  for (int k = 0; k <= kSteps; ++k) {
+    const double u = static_cast<double>(k) / kSteps;
+    const double simpson = (k == 0 || k == kSteps ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) / (3.0 * kSteps);
+    const std::array<double, 3> basis = {(1.0 - u) * (1.0 - 2.0 * u), 4.0 * u * (1.0 - u), u * (2.0 * u - 1.0)};
+    const Vector3 l = inner.At(start_s + u * h);
+    for (std::size_t i = 0; i < 3; ++i) means[i] += simpson * basis[i] / kWeights[i] * l;
+  }
+  for (std::size_t i = 0; i < 3; ++i) means[i] = inner.At(start_s + 0.5 * static_cast<double>(i) * h) - means[i];
+  return means;
+}
+
 }  // namespace
 
 Vector3 AngleRates(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum) {
@@ -241,9 +273,18 @@ Constraint RigidBodyTerms::Turning(std::size_t interval) const {
     term.whole_to = seen.See(unknowns_.WholeForce(interval + 1));
   }
   for (const ContactForce& force : unknowns_.Forces(interval)) {
-    term.carried.push_back(
-        {SeenPlace(unknowns_.ContactPoint(force.stance, force.point), seen), seen.See(force.from), seen.See(force.to)});
+    const RigidStance& stance = problem_.stances[force.stance];
+    FootPlace place = unknowns_.ContactPoint(force.stance, force.point);
+    const Vector3 moved = stance.MovedAt(breaks[interval]);
+    place.constant += moved;
+    term.carried.push_back({SeenPlace(place, seen), seen.See(force.from), seen.See(force.to),
+                            stance.MovedAt(breaks[interval + 1]) - moved});
   }
+  const Vector3 at_start = inner_.At(breaks[interval]);
+  term.lost_by_half = (inner_.At(breaks[interval] + 0.5 * term.h) - at_start) / unknowns_.mean_inertia();
+  term.lost = (inner_.At(breaks[interval + 1]) - at_start) / unknowns_.mean_inertia();
+  term.unseen = UnseenOf(inner_, breaks[interval], term.h);
+  for (Vector3& l : term.unseen) l /= unknowns_.mean_inertia();
   return {fmt::format("turning from {:.3f} s on", breaks[interval]), term, VectorX::Zero(6), VectorX::Zero(6),
           seen.variables()};
 }
@@ -283,16 +324,55 @@ Constraint RigidBodyTerms::Friction(const BoundForce& force, int sides, double m
           true};
 }
 
+Constraint RigidBodyTerms::Motors(const std::vector<BoundForce>& forces) const {
+  const BoundForce& first = forces.front();
+  const RigidStance& stance = problem_.stances[first.stance];
+  const double time_s = unknowns_.breaks_s()[first.at_break], weight = problem_.mass_kg * kGravity;
+  const MotorLimits& limits = *stance.MotorsAt(time_s);
+  SeenUnknowns seen;
+  std::vector<AffineVector> own;
+  for (const BoundForce& force : forces) own.push_back(seen.See(force.force));
+  // In shares of what they hold, so that all rows are alike.
+  const VectorX unit = (0.5 * (limits.upper - limits.lower)).cwiseMax(1e-6);
+  const MatrixX by_force = weight * unit.cwiseInverse().asDiagonal() * limits.by_force;
+  const auto rows = [own, by_force](const VectorX& x, VectorX& value, MatrixX* J) {
+    value = VectorX::Zero(by_force.rows());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const MatrixX by_own = by_force.middleCols<3>(static_cast<Eigen::Index>(3 * i));
+      value += by_own * own[i].At(x);
+      if (J != nullptr) own[i].AddTo(by_own, *J, 0);
+    }
+  };
+  return {fmt::format("motors of foot {} at {:.3f} s", stance.foot, time_s),
+          rows,
+          limits.lower.cwiseQuotient(unit),
+          limits.upper.cwiseQuotient(unit),
+          seen.variables(),
+          true};
+}
+
 Constraint RigidBodyTerms::Reach(std::size_t stance, double time_s, double margin_m) const {
+  return ReachOf(problem_.stances[stance].foot, unknowns_.Foothold(stance), time_s, margin_m);
+}
+
+Constraint RigidBodyTerms::SwingReach(const RigidSwing& swing, double share, double margin_m) const {
+  const RigidStance &from = problem_.stances[swing.from], &to = problem_.stances[swing.to];
+  const double step = SmoothStep(share).value;
+  FootPlace place;
+  place.Add(1.0 - step, unknowns_.Foothold(swing.from)).Add(step, unknowns_.Foothold(swing.to));
+  place.constant.z() += SmoothBump(share).value * swing.lift_m;
+  return ReachOf(from.foot, place, from.end_s + share * (to.start_s - from.end_s), margin_m);
+}
+
+Constraint RigidBodyTerms::ReachOf(int foot, const FootPlace& place, double time_s, double margin_m) const {
   constexpr double kAtBreak = 1e-9;
   const std::vector<double>& breaks = unknowns_.breaks_s();
   const auto after = std::upper_bound(breaks.begin(), breaks.end(), time_s + kAtBreak);
   const auto k = static_cast<std::size_t>(after - breaks.begin()) - 1;
   SeenUnknowns seen;
   ReachTerm term;
-  Constraint rows =
-      WorkspaceOf(problem_.feet[static_cast<std::size_t>(problem_.stances[stance].foot)], margin_m, term.normals);
-  term.place = SeenPlace(unknowns_.Foothold(stance), seen);
+  Constraint rows = WorkspaceOf(problem_.feet[static_cast<std::size_t>(foot)], margin_m, term.normals);
+  term.place = SeenPlace(place, seen);
   term.com = seen.See(unknowns_.CentreOfMass(time_s));
   term.angles_from = seen.See(unknowns_.Angles(k));
   term.h = term.share = 0.0;
@@ -304,7 +384,7 @@ Constraint RigidBodyTerms::Reach(std::size_t stance, double time_s, double margi
     term.angles_to = seen.See(unknowns_.Angles(k + 1));
     term.momentum_to = seen.See(unknowns_.Momentum(k + 1));
   }
-  rows.name = fmt::format("reach of foot {} at {:.3f} s", problem_.stances[stance].foot, time_s);
+  rows.name = fmt::format("reach of foot {} at {:.3f} s", foot, time_s);
   rows.function = term;
   rows.variables = seen.variables();
   return rows;

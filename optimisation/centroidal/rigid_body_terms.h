@@ -23,11 +23,12 @@ TurningRate TurningRateOf(const Matrix3& inverse_B, const Vector3& angles_rad, c
 class RigidBodyTerms {
  public:
   RigidBodyTerms(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns)
-      : problem_(problem), unknowns_(unknowns) {}
+      : problem_(problem), unknowns_(unknowns), inner_(problem) {}
 
-  /// Over the interval after a break, six rows that are zero: the change of angular momentum less the impulse of the
-  /// torques, which is exact (a polynomial of degree four, in five places); the change of angles by the Lobatto IIIA
-  /// rule of order four (Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, section IV.5).
+  /// Over the interval after a break, six rows that are zero: the change of the box's angular momentum, and of what
+  /// moves against it, less the impulse of the torques, which is exact (a polynomial of degree four, in five places);
+  /// the change of angles by the Lobatto IIIA rule of order four (Hairer and Wanner, Solving Ordinary Differential
+  /// Equations II, 1996, section IV.5).
   Constraint Turning(std::size_t interval) const;
 
   /// Where nothing carries, the force on the whole is zero.
@@ -37,16 +38,25 @@ class RigidBodyTerms {
   /// along x of the foothold; and no greater than it may be along its normal. `margin` [m g] keeps it inside.
   Constraint Friction(const BoundForce& force, int sides, double margin) const;
 
+  /// The forces on all points of a stance at a break within what its motors hold there. Only where they have limits.
+  Constraint Motors(const std::vector<BoundForce>& forces) const;
+
   /// The foothold of a stance in its foot's workspace at a time, by `margin_m`; between breaks the angles are those of
   /// Hermite's cubic.
   Constraint Reach(std::size_t stance, double time_s, double margin_m) const;
+
+  /// The same of a foot on its way between two stances, at a share of its swing.
+  Constraint SwingReach(const RigidSwing& swing, double share, double margin_m) const;
 
   /// A foothold in its region. Only for one that is neither held nor without end.
   Constraint Region(std::size_t stance) const;
 
  private:
+  Constraint ReachOf(int foot, const FootPlace& place, double time_s, double margin_m) const;
+
   const RigidBodyProblem& problem_;
   const RigidBodyUnknowns& unknowns_;
+  const InnerMomentum inner_;
 };
 
 }  // namespace gaitwright

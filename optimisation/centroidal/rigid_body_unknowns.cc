@@ -44,16 +44,17 @@ FootPlace& FootPlace::Add(double factor, const FootPlace& other) {
   return *this;
 }
 
-RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals)
+RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals,
+                                     double grid_s)
     : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0) {
-  PlaceBreaks(spacing_s, least_intervals);
+  PlaceBreaks(spacing_s, least_intervals, grid_s);
   AddCentreOfMass();
   AddTurning();
   AddForces();
   AddFootholds();
 }
 
-void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals) {
+void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals, double grid_s) {
   std::vector<double> switches;
   for (const RigidStance& stance : problem_.stances) {
     switches.push_back(stance.start_s);
@@ -71,8 +72,13 @@ void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals) {
   }
   breaks_s_ = {0.0};
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (int part = 1; part <= parts[i]; ++part)
-      breaks_s_.push_back(switches[i] + (switches[i + 1] - switches[i]) * part / parts[i]);
+    const double from = switches[i], to = switches[i + 1];
+    for (int part = 1; part < parts[i]; ++part) {
+      const double even = from + (to - from) * part / parts[i];
+      const double at = grid_s > 0.0 ? grid_s * std::round(even / grid_s) : even;
+      if (at > breaks_s_.back() + kSameTime && at < to - kSameTime) breaks_s_.push_back(at);
+    }
+    breaks_s_.push_back(to);
   }
 }
 

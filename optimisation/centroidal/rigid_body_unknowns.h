@@ -48,7 +48,8 @@ struct BoundForce {
 class RigidBodyUnknowns {
  public:
   /// @param spacing_s  most between two breaks; each stance has `least_intervals` or more.
-  RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals);
+  /// @param grid_s     breaks between switches are at multiples of it where they come to differ; 0 for anywhere.
+  RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals, double grid_s = 0.0);
 
   int size() const { return size_; }
   const std::vector<double>& breaks_s() const { return breaks_s_; }
@@ -74,7 +75,7 @@ class RigidBodyUnknowns {
   int ControlPoint(std::size_t i) const { return control_[i].parts.empty() ? -1 : control_[i].parts.front().start; }
 
  private:
-  void PlaceBreaks(double spacing_s, int least_intervals);
+  void PlaceBreaks(double spacing_s, int least_intervals, double grid_s);
   void AddCentreOfMass();
   void AddTurning();
   void AddFootholds();

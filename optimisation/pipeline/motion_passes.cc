@@ -140,8 +140,9 @@ void MotionPasses::KeepInReach(MotionPass& pass) {
 Result<WholeBodySolution> MotionPasses::SolveBody(MotionPass& pass) {
   constexpr int kTries = 12;
   constexpr double kLower = 0.01;  // of the leg
-  const WholeBodyProblem problem{&task_.terrain, &task_.skeleton.schedule, &footsteps_, &pass.centroidal, &pass.swings,
-                                 &body_};
+  const WholeBodyProblem problem{&task_.terrain, &task_.skeleton.schedule,
+                                 &footsteps_,    &pass.centroidal,
+                                 &pass.swings,   [this](double time_s) { return body_.TurningAt(time_s); }};
   for (int attempt = 0;; ++attempt) {
     double unreached_s = 0.0;
     auto solution = SolveWholeBody(model_, problem, expected_roll_, task_.options.whole_body, &unreached_s);

@@ -12,6 +12,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/motion_passes.h"
+#include "optimisation/pipeline/rigid_body_passes.h"
 #include "optimisation/pipeline/tipped_sole.h"
 #include "optimisation/swing/swing_ground.h"
 
@@ -133,6 +134,16 @@ FootstepOptions StandingOptions(const MotionOptions& options) {
   return footsteps;
 }
 
+/// Whether a motion is one that a pendulum on its feet cannot do: asked for, or with a time at which none of the feet
+/// that carry goes on to.
+bool IsDynamic(const ContactSchedule& schedule, const MotionOptions& options) {
+  if (options.centre_of_mass.method == "rigid-body") return true;
+  for (std::size_t i = 1; i < schedule.phases.size(); ++i) {
+    if ((schedule.phases[i - 1].stance & schedule.phases[i].stance) == 0) return true;
+  }
+  return false;
+}
+
 Provenance MakeProvenance(MotionOptions options) {
   Provenance provenance{Version(), "PlanMotion", {}, 0};
   for (const OptionField& field : options.Fields()) provenance.options.emplace_back(field.key, OptionText(field));
@@ -150,9 +161,14 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   PlannedMotion planned;
   const BodyPath body(model, *skeleton, gait.cycle_s);
   const MotionTask task{model, terrain, *skeleton, options, body, gait.cycle_s};
-  Carriages carriages(task);
-  Result<MotionPass> pass = carriages.Run();
-  planned.passes = carriages.passes();
+  Result<MotionPass> pass = MotionPass{};
+  if (IsDynamic(skeleton->schedule, options)) {
+    pass = RigidBodyPasses(task).Run(planned.passes);
+  } else {
+    Carriages carriages(task);
+    pass = carriages.Run();
+    planned.passes = carriages.passes();
+  }
   if (!pass) return pass.failure();
   if (auto tipped = TippedSole(model, terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;

@@ -8,6 +8,7 @@
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "optimisation/centroidal/centre_of_mass.h"
+#include "optimisation/centroidal/plan_rigid_body.h"
 #include "optimisation/swing/plan_swings.h"
 #include "optimisation/whole_body/solve_whole_body.h"
 #include "planning/footsteps/plan_footsteps.h"
@@ -21,7 +22,9 @@ namespace gaitwright {
 struct PipelineOptions {
   double grid_step_s = 0.005;
   int max_passes = 6;
+  int max_body_passes = 12;
   double zmp_tolerance_m = 0.001;
+  double residual = 3e-4;
   double zmp_inward = 0.08;
   double com_height_m = 0.0;
   bool allow_limits = false;
@@ -36,12 +39,21 @@ struct PipelineOptions {
          20.0,
          "Most passes in which the multibody ZMP is brought onto its reference.",
          {}},
+        {"max_body_passes", &max_body_passes, "1", 1.0, 50.0, "Most passes over a rigid body and its legs.", {}},
         {"zmp_tolerance_m",
          &zmp_tolerance_m,
          "m",
          1e-6,
          0.1,
          "The passes end when the multibody ZMP is this near to its reference everywhere.",
+         {}},
+        {"residual",
+         &residual,
+         "1",
+         1e-6,
+         0.02,
+         "The passes over a rigid body end when contacts give all but this much of the force, and of the moment in "
+         "metres, over the weight.",
          {}},
         {"com_height_m",
          &com_height_m,
@@ -74,14 +86,15 @@ struct PipelineOptions {
 struct MotionOptions {
   FootstepOptions footsteps;
   CentreOfMassOptions centre_of_mass;
+  RigidBodyOptions rigid_body = {.method = "ceres", .force_margin = 0.01, .tolerance = 1e-5};
   SwingOptions swing;
   WholeBodyOptions whole_body;
   PipelineOptions pipeline;
 
   OptionFields Fields() {
     return Joined({Prefixed("footsteps", footsteps.Fields()), Prefixed("centre_of_mass", centre_of_mass.Fields()),
-                   Prefixed("swing", swing.Fields()), Prefixed("whole_body", whole_body.Fields()),
-                   Prefixed("pipeline", pipeline.Fields())});
+                   Prefixed("rigid_body", rigid_body.Fields()), Prefixed("swing", swing.Fields()),
+                   Prefixed("whole_body", whole_body.Fields()), Prefixed("pipeline", pipeline.Fields())});
   }
 };
 

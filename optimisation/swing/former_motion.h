@@ -31,8 +31,9 @@ class SwingRoll {
 /// What is known of the whole body's motion before swings are planned, as of a former pass over it.
 struct FormerMotion {
   BaseMotion base;
-  std::function<SwingRoll(const SwingTrajectory& swing)> roll;  ///< empty where that is not known
-  std::vector<SwingTrajectory> swings = {};                     ///< whose detours are kept where they do
+  std::function<SwingRoll(const SwingTrajectory& swing)> roll;      ///< empty where that is not known
+  std::vector<SwingTrajectory> swings = {};                         ///< whose detours are kept where they do
+  std::function<double(const SwingTrajectory& swing)> lift_m = {};  ///< least of a swing; empty for the usual one
 };
 
 /// That of a pass: nothing refers to the trajectory afterwards.

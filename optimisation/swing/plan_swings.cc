@@ -23,8 +23,12 @@ constexpr double kLiftPerLegLength = 0.12;
 class SwingPlanner {
  public:
   SwingPlanner(const RobotModel& model, const Terrain& terrain, const SwingOptions& options, const FormerMotion& former)
-      : model_(model), terrain_(terrain), former_(former.swings), guard_(model, terrain, former) {
-    lift_m_ = options.height_m > 0.0 ? options.height_m : kLiftPerLegLength * model.leg_length_m();
+      : model_(model),
+        terrain_(terrain),
+        former_(former.swings),
+        least_lift_m_(former.lift_m),
+        guard_(model, terrain, former) {
+    lift_m_ = SwingLift(model, options);
     choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
     choice_.control_points = options.control_points;
     choice_.samples = options.samples;
@@ -34,8 +38,10 @@ class SwingPlanner {
   Result<SwingTrajectory> Plan(const Foothold& from, const Foothold& to) {
     SwingTrajectory swing{from.foot, from.liftoff_s, to.touchdown_s, from.X_WF, to.X_WF, lift_m_, 0.0};
     swing.X_WF_start.translation() += from.roll_W;
+    if (least_lift_m_) swing.lift_m = std::max(swing.lift_m, least_lift_m_(swing));
     // What begins lower than where the feet go is lifted over.
-    const double below_m = std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + lift_m_;
+    const double below_m =
+        std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + swing.lift_m;
     ground_ = [this, below_m](const Vector2& p_W) { return HeightToClear(terrain_, p_W, below_m); };
     hit_.reset();
     unfollowed_.reset();
@@ -242,6 +248,7 @@ class SwingPlanner {
   const RobotModel& model_;
   const Terrain& terrain_;
   const std::vector<SwingTrajectory> former_;
+  const std::function<double(const SwingTrajectory&)> least_lift_m_;
   const SwingGuard guard_;
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;
@@ -253,6 +260,10 @@ class SwingPlanner {
 };
 
 }  // namespace
+
+double SwingLift(const RobotModel& model, const SwingOptions& options) {
+  return options.height_m > 0.0 ? options.height_m : kLiftPerLegLength * model.leg_length_m();
+}
 
 Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const Terrain& terrain,
                                                 const FootstepPlan& footsteps, const SwingOptions& options,

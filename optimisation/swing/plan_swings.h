@@ -47,6 +47,9 @@ struct SwingOptions {
   }
 };
 
+/// The lift of a swing where nothing asks for more [m].
+double SwingLift(const RobotModel& model, const SwingOptions& options);
+
 /// One swing between each two successive footholds of a foot, clear of the ground and of obstacles along the whole
 /// curve, for the whole foot and, where the base's motion is given, the leg above it. The closed form first; where the
 /// ground is not level, or it comes too near to something (less is asked towards both ends, see ClearanceRamp),

@@ -53,6 +53,22 @@ class LoadShare {
   std::vector<Ramp> ramps_;
 };
 
+/// The split over the contacts; over none, nothing is given.
+void Split(const std::vector<ContactPoint>& contacts, const PointWrench& needed, ContactSplitter& splitter,
+           ContactSplit& split) {
+  if (!contacts.empty()) return splitter.Solve(contacts, needed, split);
+  split.force_W.clear();
+  split.residual_force_W = needed.force_W;
+  split.residual_moment_W = needed.moment_W;
+}
+
+/// On a plane, of a wrench that presses on it; else a given point.
+Vector2 ZmpOf(const RobotModel& model, const PointWrench& wrench, const GroundPlane& plane, const Vector2& otherwise) {
+  constexpr double kPresses = 0.01;  // of the weight
+  if (wrench.force_W.z() < kPresses * model.weight_n()) return otherwise;
+  return ZeroMomentPoint(wrench.p_W, wrench.force_W, wrench.moment_W, plane).head<2>();
+}
+
 }  // namespace
 
 void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options,
@@ -73,6 +89,8 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
   out.tau.clear();
   out.wrenches.clear();
   solution.zmp_W.clear();
+  solution.pressure_W.clear();
+  solution.residual_W.clear();
   solution.contact_W.assign(model.feet.size(), {});
   for (int k = 0; k < out.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -90,8 +108,9 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
       points[foot].clear();
       for (const Vector2& p_F : support_F[index]) points[foot].push_back(X_WF * Vector3(p_F.x(), p_F.y(), 0.0));
       solution.contact_W[foot].push_back(origin[foot]);
-      const double load = loads[foot].At(time_s);
+      double load = loads[foot].At(time_s);
       if (load <= 0.0) continue;
+      if (problem.load) load = std::max(kLeastLoad, problem.load(f, time_s));
       const double friction = options.friction_use * FrictionOf(*problem.terrain, foothold.patch);
       for (const Vector3& p_W : points[foot]) {
         contacts.push_back({p_W, normal_W, friction, static_cast<double>(points[foot].size()) / load});
@@ -100,8 +119,13 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
     }
     const GroundPlane plane = SupportPlaneAt(*problem.schedule, time_s, points);
     const PointWrench needed{scratch.p_WB[0], tau.head<3>(), tau.segment<3>(3)};
-    solution.zmp_W.emplace_back(ZeroMomentPoint(needed.p_W, needed.force_W, needed.moment_W, plane).head<2>());
-    splitter.Solve(contacts, needed, split);
+    Split(contacts, needed, splitter, split);
+    const PointWrench lacking{needed.p_W, split.residual_force_W, split.residual_moment_W};
+    const PointWrench given{needed.p_W, needed.force_W - lacking.force_W, needed.moment_W - lacking.moment_W};
+    const Vector2 below = CentreOfMass(model, scratch).head<2>();
+    solution.zmp_W.push_back(ZmpOf(model, needed, plane, below));
+    solution.pressure_W.push_back(ZmpOf(model, given, plane, below));
+    solution.residual_W.push_back(lacking);
     std::vector<ContactWrench> wrenches(static_cast<std::size_t>(num_feet));
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const auto f = static_cast<std::size_t>(foot_of[c]);

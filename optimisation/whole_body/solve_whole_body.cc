@@ -114,7 +114,7 @@ void SetBodyTarget(const RobotModel& model, const WholeBodyProblem& problem, int
   target.v_WC = c.v_WC[k];
   target.a_WC = c.a_WC[k];
   const VectorX standing = StandingConfiguration(model);
-  const BaseTurning turning = problem.body->TurningAt(c.start_s + sample * c.step_s);
+  const BaseTurning turning = problem.turning(c.start_s + sample * c.step_s);
   target.R_WB = turning.R_WB * BaseRotation(standing);
   target.w_WB = turning.w_WB;
   target.alpha_WB = turning.alpha_WB;

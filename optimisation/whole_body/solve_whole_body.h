@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
+#include "kinematics/dynamics/contact_split.h"
 #include "kinematics/model/robot_model.h"
 #include "optimisation/whole_body/body_path.h"
 #include "planning/plan/motion_plan.h"
@@ -42,7 +44,10 @@ struct WholeBodyProblem {
   const FootstepPlan* footsteps = nullptr;
   const CentroidalTrajectory* centroidal = nullptr;
   const std::vector<SwingTrajectory>* swings = nullptr;
-  const BodyPath* body = nullptr;
+  std::function<BaseTurning(double time_s)> turning;
+  /// What of the robot's weight a foot on the ground is to carry, above 0; empty for even shares that rise after
+  /// touch-down and fall before lift-off, by load_ramp_s.
+  std::function<double(int foot, double time_s)> load = {};
 };
 
 /// Joint motion and what it tells back to the stages before it.
@@ -51,7 +56,9 @@ struct WholeBodySolution {
   std::vector<Vector3> roll_at_touchdown_W;     ///< by foothold: how far the foot has rolled since the start [m]
   std::vector<Vector3> roll_at_liftoff_W;       ///< by foothold
   std::vector<std::vector<Vector3>> contact_W;  ///< by foot, by sample: origin of the contact frame [m]
-  std::vector<Vector2> zmp_W;                   ///< by sample: of the multibody, from its inverse dynamics [m]
+  std::vector<Vector2> zmp_W;       ///< by sample: of the multibody, from its inverse dynamics; in flight below C [m]
+  std::vector<Vector2> pressure_W;  ///< by sample: the same of the contact forces alone [m]
+  std::vector<PointWrench> residual_W;  ///< by sample: what the motion needs and contact forces do not give
 };
 
 /// Joint positions that put the centre of mass, base orientation and feet where the plan has them, with their exact

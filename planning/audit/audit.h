@@ -36,9 +36,9 @@ struct AuditOptions {
 ///   unilateral     no pulling force; centre of pressure inside the part of the sole that is on its surface
 ///   friction_cone  tangential force at most friction times normal force
 ///   zmp_support    multibody ZMP on the plane of the contacts inside the hull of the scheduled soles, as far as they
-///   are
-///                  on their surfaces, or within 2 mm of it where it is a line; the reference that the plan has for it
-///                  likewise, to 5 mm. Not where contacts are in no plane: the forces say it there
+///                  are on their surfaces, or within 2 mm of it where it is a line (under an eighth of the weight,
+///                  1e-3 m g h of moment); the reference that the plan has for it likewise, to 5 mm. Not where contacts
+///                  are in no plane: the forces say it there
 ///   foot_clearance the whole foot against all that is solid of the terrain (SolidsOf), 0.1 mm, in stance 1 mm deep at
 ///                  most, and near both ends of a swing between the two (SwingDepth);  body_clearance  all other shapes
 ///   consistency    all columns tell one story:

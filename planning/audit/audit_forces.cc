@@ -122,7 +122,9 @@ void Auditor::CheckZmp(double time_s) {
   const double outside = -SignedDistance(support, zmp);
   const bool has_area = Area(support) > 1e-3 * (support[0] - support[support.size() / 2]).norm();
   // At a switch the sample may lie on either side of it.
-  const double limit = has_area && !at_switch_ ? 1e-6 : kSupportLine;
+  // Where little presses, a moment that is none otherwise moves the ZMP far.
+  const double slight = kCertain * com_height_m_ * model_.weight_n() / needed_[2];
+  const double limit = has_area && !at_switch_ ? 1e-6 : std::max(kSupportLine, slight);
   if (!(outside <= limit)) findings_.Note("zmp_support", "zero-moment point", time_s, outside, limit, "m");
   if (plan_.centroidal.size() != plan_.whole_body.size()) return;
   const double reference = -SignedDistance(support, SampleCentroidal(plan_.centroidal, time_s).p_WZ);

@@ -63,7 +63,7 @@ struct FootstepSkeleton {
 /// (SearchFootsteps); a goal that cannot be walked to straight is reached around what is in the way (RouteOf). Steps
 /// aim at the stride of the gait at the commanded speed: there are as many footfalls as it takes, also for a command of
 /// a duration or of counted ones. Failures: kBadInput for a command that makes no sense, contradicts itself, goes
-/// nowhere or takes over 600 s, and for a gait too fast for the grid; kInfeasible for gaits with flight, for a foothold
+/// nowhere or takes over 600 s, and for a gait too fast for the grid; kInfeasible for a foothold
 /// out of reach (names foot, time and distance), and where there are no footholds (names place and reason).
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options);

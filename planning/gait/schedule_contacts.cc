@@ -62,33 +62,9 @@ std::optional<Failure> CheckGrid(const Gait& gait, double grid_s) {
   return std::nullopt;
 }
 
-/// Why the weight cannot pass from some phase to the next.
-std::optional<Failure> CheckHandovers(const Gait& gait, const ContactSchedule& schedule) {
-  for (std::size_t i = 1; i < schedule.phases.size(); ++i) {
-    if ((schedule.phases[i - 1].stance & schedule.phases[i].stance) != 0) continue;
-    return Failure{FailureKind::kInfeasible,
-                   "gait_without_handover",
-                   "ScheduleContacts",
-                   fmt::format("in gait '{}' all feet that stand until {:.3f} s lift as others land: there is no time "
-                               "in which the weight can pass from these to those",
-                               gait.name, schedule.phases[i].start_s),
-                   {"a larger duty factor (gait.duty_factor)"}};
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest& request) {
-  if (HasFlight(gait)) {
-    return Failure{
-        FailureKind::kInfeasible,
-        "gait_with_flight",
-        "ScheduleContacts",
-        fmt::format("gait '{}' has phases without any foot on the ground; motions with flight are not planned yet",
-                    gait.name),
-        {"choose a gait without flight, such as walk", "a larger duty factor (gait.duty_factor)"}};
-  }
   if (const auto failure = CheckGrid(gait, request.grid_s)) return *failure;
   // Halves go up, whatever rounding errors they carry, so that what falls together stays together.
   const auto on_grid = [&](double t) { return std::floor(t / request.grid_s + 0.5 + 1e-6) * request.grid_s; };
@@ -103,9 +79,7 @@ Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest
   }
   const double end = on_grid(last + request.final_stand_s);
   for (std::size_t i = 0; i < by_foot.size(); ++i) by_foot[i].push_back({down[i], end});
-  ContactSchedule schedule = ScheduleFromIntervals(by_foot, 0.0, end);
-  if (const auto failure = CheckHandovers(gait, schedule)) return *failure;
-  return schedule;
+  return ScheduleFromIntervals(by_foot, 0.0, end);
 }
 
 }  // namespace gaitwright

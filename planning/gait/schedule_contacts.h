@@ -17,9 +17,8 @@ struct ScheduleRequest {
 };
 
 /// The schedule of a gait that starts and ends standing on all feet. Each foot's last swing brings it beside the
-/// others. Times are rounded to the grid, those that fall together alike. Failure kInfeasible when the gait has flight:
-/// walking with one is not planned yet, or when feet lift just as others land; kBadInput when a swing or stance would
-/// be shorter than two steps of the grid.
+/// others. Times are rounded to the grid, those that fall together alike. Phases may be flights, and feet may lift just
+/// as others land. Failure kBadInput when a swing or stance would be shorter than two steps of the grid.
 Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest& request);
 
 }  // namespace gaitwright

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/rigid_body_passes.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/rotation.h"
+#include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/swing/plan_swings.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kOffStops = 0.01;  // of a joint's range, kept to its ends where that is possible
+constexpr double kReserve = 0.03;   // of the legs' workspaces
+constexpr double kMotorUse = 0.97;  // of what the motors give at most
+
+/// How a motion turns the base at a row.
+BaseTurning TurningOf(const RigidBodySample& sample, const Matrix3& inertia_B) {
+  const Matrix3 R = RotationOf(sample.angles_rad);
+  const Vector3& w = sample.w_WB_B;
+  const Vector3 alpha = inertia_B.inverse() * (R.transpose() * sample.torque_W - w.cross(inertia_B * w));
+  return {R, R * w, R * alpha};
+}
+
+/// By row and foot: the share of the weight that a motion lets it carry.
+std::vector<std::vector<double>> LoadsOf(const RigidBodyProblem& problem, const RigidBodyMotion& motion,
+                                         const std::vector<RigidBodySample>& samples) {
+  std::vector<std::vector<double>> loads(samples.size(), std::vector<double>(problem.feet.size(), 0.0));
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const auto& forces = motion.intervals[samples[k].interval].forces;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const RigidStance& stance = problem.stances[forces[i].stance];
+      loads[k][static_cast<std::size_t>(stance.foot)] +=
+          samples[k].force_W[i].dot(stance.X_WF.linear().col(2)) / (problem.mass_kg * kGravity);
+    }
+  }
+  return loads;
+}
+
+/// The centres of pressure, where hardly anything presses those of the nearest row at which something does.
+std::vector<Vector2> PressureOf(const std::vector<Vector2>& pressure_W, const std::vector<std::vector<double>>& loads) {
+  constexpr double kPresses = 0.02;  // of the weight
+  std::vector<std::size_t> pressing;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    if (std::accumulate(loads[k].begin(), loads[k].end(), 0.0) > kPresses) pressing.push_back(k);
+  }
+  std::vector<Vector2> nearest = pressure_W;
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < nearest.size() && !pressing.empty(); ++k) {
+    while (i + 1 < pressing.size() && pressing[i + 1] + pressing[i] <= 2 * k) ++i;
+    nearest[k] = pressure_W[pressing[i]];
+  }
+  return nearest;
+}
+
+/// How far a body rises in its flights within a swing, at most: g T^2 / 8.
+double RiseIn(const ContactSchedule& schedule, double start_s, double end_s) {
+  double longest = 0.0;
+  for (const ContactPhase& phase : schedule.phases) {
+    if (phase.stance == 0 && phase.start_s > start_s - 1e-9 && phase.end_s < end_s + 1e-9)
+      longest = std::max(longest, phase.end_s - phase.start_s);
+  }
+  return kGravity * longest * longest / 8.0;
+}
+
+/// The swings between a walk's stances, lifted by what the body rises in them too.
+std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, const ContactSchedule& schedule, double lift_m) {
+  std::vector<RigidSwing> swings;
+  for (std::size_t from = 0; from < problem.stances.size(); ++from) {
+    for (std::size_t to = from + 1; to < problem.stances.size(); ++to) {
+      const RigidStance &a = problem.stances[from], &b = problem.stances[to];
+      if (a.foot != b.foot) continue;
+      const double start_s = schedule.start_s();
+      swings.push_back({from, to, lift_m + RiseIn(schedule, start_s + a.end_s, start_s + b.start_s)});
+      break;
+    }
+  }
+  return swings;
+}
+
+double Largest(const std::vector<PointWrench>& residuals, double weight_n) {
+  double largest = 0.0;
+  for (const PointWrench& w : residuals)
+    largest = std::max({largest, w.force_W.norm() / weight_n, w.moment_W.norm() / weight_n});
+  return largest;
+}
+
+}  // namespace
+
+RigidBodyPasses::RigidBodyPasses(const MotionTask& task)
+    : task_(task),
+      model_(task.model),
+      body_(BodyOf(task.model, kReserve)),
+      problem_(ProblemOf(task.model, body_, task.terrain, task.skeleton, task.body)) {
+  for (RigidStance& stance : problem_.stances) stance.friction *= task.options.whole_body.friction_use;
+  lift_m_ = SwingLift(model_, task.options.swing);
+  problem_.swings = SwingsOf(problem_, task.skeleton.schedule, lift_m_);
+  expected_roll_.assign(problem_.stances.size(), Vector3::Zero());
+  roll_ = expected_roll_;
+}
+
+Result<MotionPass> RigidBodyPasses::Run(int& passes) {
+  constexpr double kGain = 0.9;
+  constexpr int kFreePasses = 2;  // after which footholds stay, so that postures do
+  constexpr int kIdle = 3;        // passes without gain
+  int idle = 0;
+  MotionPass best;
+  const double tolerance = task_.options.pipeline.residual;
+  for (passes = 0; passes < task_.options.pipeline.max_body_passes;) {
+    Result<MotionPass> made = MakePass();
+    if (!made) return made;
+    ++passes;
+    Learn(*made);
+    if (passes == kFreePasses) HoldFootholds(made->footsteps);
+    idle = made->error_m < kGain * best.error_m ? 0 : idle + 1;
+    if (made->error_m < best.error_m) best = std::move(*made);
+    if (best.error_m < tolerance || idle == kIdle) break;
+  }
+  return best;
+}
+
+void RigidBodyPasses::HoldFootholds(const FootstepPlan& footsteps) {
+  for (std::size_t i = 0; i < problem_.stances.size(); ++i) {
+    problem_.stances[i].X_WF = footsteps.footholds[i].X_WF;
+    problem_.stances[i].held = true;
+  }
+}
+
+FootstepPlan RigidBodyPasses::FootstepsOf(const RigidBodyMotion& motion) const {
+  FootstepPlan footsteps = task_.skeleton.footsteps;
+  for (std::size_t i = 0; i < footsteps.footholds.size(); ++i) {
+    footsteps.footholds[i].X_WF = motion.X_WF[i];
+    footsteps.footholds[i].roll_W = roll_[i];
+  }
+  return footsteps;
+}
+
+void RigidBodyPasses::SetCentroidal(const std::vector<RigidBodySample>& samples, MotionPass& pass) const {
+  CentroidalTrajectory& c = pass.centroidal;
+  c.start_s = task_.skeleton.schedule.start_s();
+  c.step_s = task_.options.pipeline.grid_step_s;
+  double height = 0.0;
+  for (const RigidBodySample& sample : samples) {
+    c.p_WC.push_back(sample.p_WC);
+    c.v_WC.push_back(sample.v_WC);
+    c.a_WC.push_back(sample.a_WC);
+    height += sample.p_WC.z() - task_.body.GroundAt(c.start_s + sample.time_s).value;
+  }
+  c.omega_rad_s = std::sqrt(kGravity * static_cast<double>(samples.size()) / height);
+}
+
+Result<MotionPass> RigidBodyPasses::MakePass() {
+  RigidBodyOptions options = task_.options.rigid_body;
+  options.grid_s = task_.options.pipeline.grid_step_s;
+  Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options);
+  if (!plan) return plan.failure();
+  samples_ = Sample(plan->motion, task_.options.pipeline.grid_step_s);
+  MotionPass pass;
+  pass.footsteps = FootstepsOf(plan->motion);
+  SetCentroidal(samples_, pass);
+  Result<std::vector<SwingTrajectory>> swings =
+      PlanSwings(model_, task_.terrain, pass.footsteps, task_.options.swing,
+                 {{}, {}, {}, [&](const SwingTrajectory& swing) {
+                    return RiseIn(task_.skeleton.schedule, swing.start_s, swing.end_s) + lift_m_;
+                  }});
+  if (!swings) return swings.failure();
+  pass.swings = std::move(*swings);
+  const auto loads = LoadsOf(problem_, plan->motion, samples_);
+  const auto row = [&](double time_s) {
+    const double at = (time_s - pass.centroidal.start_s) / pass.centroidal.step_s;
+    return static_cast<std::size_t>(std::clamp<long>(std::lround(at), 0, static_cast<long>(samples_.size()) - 1));
+  };
+  const WholeBodyProblem problem{
+      &task_.terrain,
+      &task_.skeleton.schedule,
+      &pass.footsteps,
+      &pass.centroidal,
+      &pass.swings,
+      [&](double time_s) { return TurningOf(samples_[row(time_s)], problem_.inertia_B); },
+      [&](int foot, double time_s) { return loads[row(time_s)][static_cast<std::size_t>(foot)]; }};
+  Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, task_.options.whole_body);
+  if (!solution) return solution.failure();
+  pass.solution = std::move(*solution);
+  pass.centroidal.p_WZ = PressureOf(pass.solution.pressure_W, loads);
+  pass.error_m = Largest(pass.solution.residual_W, model_.weight_n());
+  pass.excess = TotalExcess(model_, pass.solution.trajectory, kOffStops);
+  pass.settled = true;
+  return pass;
+}
+
+/// What the motors of a leg hold of forces on its foot in the posture of a row: all but what they need for the motion.
+MotorLimits RigidBodyPasses::MotorsOf(const MotionPass& pass, int foot, std::size_t row,
+                                      DynamicsScratch& scratch) const {
+  const WholeBodyTrajectory& rows = pass.solution.trajectory;
+  const Foot& described = model_.feet[static_cast<std::size_t>(foot)];
+  ForwardKinematics(model_, rows.q[row], scratch);
+  const Pose X_WF = ContactFrame(model_, scratch, foot);
+  const std::vector<Vector3> points = ContactPoints(described, X_WF);
+  const Pose X_WB = FramePose(scratch, described.body, Pose::Identity());
+  MatrixX by_force(model_.num_dofs(), static_cast<Eigen::Index>(3 * points.size()));
+  MatrixX J(6, model_.nv());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointJacobian(model_, scratch, described.body, X_WB.inverse() * points[i], J);
+    by_force.middleCols<3>(static_cast<Eigen::Index>(3 * i)) = J.topRightCorner(3, model_.num_dofs()).transpose();
+  }
+  VectorX given = VectorX::Zero(model_.nv());
+  const ContactWrench& wrench = rows.wrenches[row][static_cast<std::size_t>(foot)];
+  Vector6 w;
+  w << wrench.force_W, wrench.moment_W;
+  AddPointWrench(model_, scratch, described.body, X_WF.translation(), w, given);
+  std::vector<int> own;
+  for (int d = 0; d < model_.num_dofs(); ++d) {
+    if (by_force.row(d).norm() > 1e-9 && std::isfinite(model_.dof_effort_limit(d))) own.push_back(d);
+  }
+  const auto n = static_cast<Eigen::Index>(own.size());
+  MotorLimits limits{MatrixX(n, by_force.cols()), VectorX(n), VectorX(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int d = own[static_cast<std::size_t>(i)];
+    // tau = tau without contacts - J^T f
+    const double alone = rows.tau[row][d] + given[6 + d], most = kMotorUse * model_.dof_effort_limit(d);
+    limits.by_force.row(i) = by_force.row(d);
+    limits.lower[i] = alone - most;
+    limits.upper[i] = limits.lower[i] + 2.0 * most;
+  }
+  return limits;
+}
+
+/// Takes note of the momentum that the legs had against the box. What comes back of a pass differs from what went in by
+/// ever less; how far to go on is found from the last two differences (Irons and Tuck, Int. J. Numerical Methods in
+/// Engineering 1, 1969).
+void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch) {
+  constexpr double kLeast = 0.6, kMost = 2.0;
+  VectorX needed;
+  const std::size_t n = samples_.size();
+  problem_.inner_momentum_W.resize(n, Vector3::Zero());
+  problem_.inner_torque_W.resize(n, Vector3::Zero());
+  std::vector<Vector3> off(n), torque_off(n);
+  double along = 0.0, change = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    InverseDynamics(model_, rows.q[k], rows.v[k], rows.a[k], scratch, needed);
+    const Vector3 arm = scratch.p_WB[0] - CentreOfMass(model_, scratch);
+    const Vector3 of_box = RotationOf(samples_[k].angles_rad) * problem_.inertia_B * samples_[k].w_WB_B;
+    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - problem_.inner_momentum_W[k];
+    torque_off[k] =
+        needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - problem_.inner_torque_W[k];
+    if (off_.empty()) continue;
+    along += off_[k].dot(off[k] - off_[k]);
+    change += (off[k] - off_[k]).squaredNorm();
+  }
+  if (change > 0.0) step_ = std::clamp(-step_ * along / change, kLeast, kMost);
+  for (std::size_t k = 0; k < n; ++k) {
+    problem_.inner_momentum_W[k] += step_ * off[k];
+    problem_.inner_torque_W[k] += step_ * torque_off[k];
+  }
+  off_ = std::move(off);
+}
+
+/// Takes note of how the legs moved and the feet rolled.
+void RigidBodyPasses::Learn(const MotionPass& pass) {
+  const WholeBodySolution& solution = pass.solution;
+  DynamicsScratch scratch(model_);
+  LearnInnerMotion(solution.trajectory, scratch);
+  const double step_s = pass.centroidal.step_s;
+  for (std::size_t i = 0; i < problem_.stances.size(); ++i) {
+    RigidStance& stance = problem_.stances[i];
+    expected_roll_[i] = solution.roll_at_touchdown_W[i];
+    roll_[i] = solution.roll_at_liftoff_W[i] - solution.roll_at_touchdown_W[i];
+    const std::vector<Vector3>& contact = solution.contact_W[static_cast<std::size_t>(stance.foot)];
+    const auto first = static_cast<std::size_t>(std::lround(stance.start_s / step_s));
+    const auto last = static_cast<std::size_t>(std::lround(stance.end_s / step_s));
+    stance.moved_W.clear();
+    stance.motors.clear();
+    for (std::size_t k = first; k <= last; ++k) {
+      stance.moved_W.push_back(contact[k] - contact[first]);
+      stance.motors.push_back(MotorsOf(pass, stance.foot, k, scratch));
+    }
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "optimisation/centroidal/plan_rigid_body.h"
+#include "optimisation/pipeline/motion_passes.h"
+#include "optimisation/pipeline/robot_body.h"
+
+namespace gaitwright {
+
+/// Plans the stages after the footsteps as the motion of a single rigid body, for gaits that leave the ground and
+/// speeds at which a pendulum is none. The first pass takes the robot for one stiff body; each one after that reckons
+/// with the momentum that the legs had against it, and with how the feet rolled, in the pass before, until the motors
+/// and contacts of the whole robot give the motion.
+class RigidBodyPasses {
+ public:
+  explicit RigidBodyPasses(const MotionTask& task);
+
+  /// Passes until what the whole body needs and its contacts do not give is small. `error_m` of the pass is that, the
+  /// greater of force over m g [1] and moment over m g [m].
+  Result<MotionPass> Run(int& passes);
+
+ private:
+  Result<MotionPass> MakePass();
+  /// The footholds of a motion.
+  FootstepPlan FootstepsOf(const RigidBodyMotion& motion) const;
+  void SetCentroidal(const std::vector<RigidBodySample>& samples, MotionPass& pass) const;
+  void HoldFootholds(const FootstepPlan& footsteps);
+  void Learn(const MotionPass& pass);
+  void LearnInnerMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch);
+  MotorLimits MotorsOf(const MotionPass& pass, int foot, std::size_t row, DynamicsScratch& scratch) const;
+
+  const MotionTask task_;
+  const RobotModel& model_;
+  const RobotBody body_;
+  RigidBodyProblem problem_;
+  double lift_m_ = 0.0;                   // of swings without flight
+  std::vector<RigidBodySample> samples_;  // of the last motion, by row of the grid
+  std::vector<Vector3> off_;              // inner momentum that came back, less what went in, of the last pass
+  double step_ = 1.0;                     // of that, how much was taken
+  std::vector<Vector3> expected_roll_;    // by foothold
+  std::vector<Vector3> roll_;             // by foothold, over its stance
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/robot_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/ik/leg_polytope.h"
+#include "kinematics/spatial/rotation.h"
+#include "planning/paths/base_path.h"
+#include "planning/plan/support_plane.h"
+
+namespace gaitwright {
+namespace {
+
+/// The greatest upright force on a foot at the scratch's pose that the leg's motors hold [N].
+double MostUpright(const RobotModel& model, const DynamicsScratch& scratch, int foot) {
+  constexpr double kMost = 20.0;  // of the weight, where no motor says so
+  const Foot& f = model.feet[static_cast<std::size_t>(foot)];
+  MatrixX J = MatrixX::Zero(6, model.nv());
+  PointJacobian(model, scratch, f.body, f.X_BF.translation(), J);
+  double most = kMost * model.weight_n();
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double arm = std::abs(J(2, 6 + d));
+    if (arm > 1e-6) most = std::min(most, model.dof_effort_limit(d) / arm);
+  }
+  return most;
+}
+
+RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, const RobotBody& body, int foot,
+                      double reserve) {
+  constexpr double kFarthest = 0.6;  // of the leg
+  const Foot& described = model.feet[static_cast<std::size_t>(foot)];
+  RigidFoot rigid;
+  const Vector3 p_WC = CentreOfMass(model, scratch);
+  rigid.p_CF_nominal_B = ContactFrame(model, scratch, foot).translation() - p_WC;
+  if (described.has_sole()) {
+    rigid.contacts_F.clear();
+    for (const Vector2& corner : described.sole_F) rigid.contacts_F.emplace_back(corner.x(), corner.y(), 0.0);
+  }
+  rigid.force_max_n = MostUpright(model, scratch, foot);
+  LegWorkspace workspace(model, foot, reserve);
+  const double farthest = kFarthest * model.legs[static_cast<std::size_t>(foot)].length_m;
+  // From the controlled frame seen from the base to the contact frame seen from the centre of mass.
+  const Vector3 shift = body.p_HC + described.radius * Vector3::UnitZ();
+  for (const WorkspaceSide& side : LegPolytope(workspace, farthest, body.R_HB.transpose() * Vector3::UnitZ())) {
+    const Vector3 normal_H = body.R_HB * side.normal;
+    rigid.workspace_B.push_back({normal_H, side.offset - normal_H.dot(shift)});
+  }
+  return rigid;
+}
+
+/// Feet keep to their sides of the middle between where they stand, so that they do not meet.
+void KeepApart(const RobotModel& model, std::vector<RigidFoot>& feet) {
+  constexpr double kApart = 0.05;  // of the leg
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    for (std::size_t j = 0; j < feet.size(); ++j) {
+      if (i == j) continue;
+      const Vector3 a = feet[i].p_CF_nominal_B, b = feet[j].p_CF_nominal_B;
+      Vector3 across(b.x() - a.x(), b.y() - a.y(), 0.0);
+      const double margin = kApart * model.leg_length_m();
+      if (across.norm() < 2.0 * margin) continue;
+      across.normalize();
+      feet[i].workspace_B.push_back({across, across.dot(0.5 * (a + b)) - margin});
+    }
+  }
+}
+
+RigidBodyState Standing(const RobotBody& body, const PlanarPose& at, double base_m) {
+  RigidBodyState state;
+  state.angles_rad.z() = at.yaw_rad;
+  state.p_WC = Vector3(at.x_m, at.y_m, base_m) + YawRotation(at.yaw_rad) * body.p_HC;
+  return state;
+}
+
+}  // namespace
+
+RobotBody BodyOf(const RobotModel& model, double reserve) {
+  const VectorX standing = StandingConfiguration(model);
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, standing, scratch);
+  RobotBody body;
+  body.R_HB = BaseRotation(standing);
+  body.p_HC = CentreOfMass(model, scratch) - standing.head<3>();
+  body.inertia_H = LockedInertia(model, scratch);
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f)
+    body.feet.push_back(RigidFootOf(model, scratch, body, f, reserve));
+  KeepApart(model, body.feet);
+  return body;
+}
+
+RigidBodyProblem ProblemOf(const RobotModel& model, const RobotBody& body, const Terrain& terrain,
+                           const FootstepSkeleton& skeleton, const BodyPath& path) {
+  constexpr double kWayStep = 0.05;  // [s]
+  RigidBodyProblem problem;
+  problem.mass_kg = model.total_mass_kg;
+  problem.inertia_B = body.inertia_H;
+  problem.feet = body.feet;
+  const double start_s = skeleton.schedule.start_s();
+  problem.duration_s = skeleton.schedule.end_s() - start_s;
+  const auto at = [&](double time_s) {
+    return Standing(body, PoseAt(skeleton.path, start_s + time_s),
+                    model.standing_base_height_m + path.GroundAt(start_s + time_s).value);
+  };
+  problem.start = at(0.0);
+  problem.goal = at(problem.duration_s);
+  const int steps = std::max(1, static_cast<int>(std::ceil(problem.duration_s / kWayStep)));
+  for (int k = 0; k <= steps; ++k) {
+    const double time_s = problem.duration_s * k / steps;
+    problem.way.time_s.push_back(time_s);
+    problem.way.p_WC.push_back(at(time_s).p_WC);
+    problem.way.angles_rad.push_back(at(time_s).angles_rad);
+  }
+  const bool level = IsLevelGround(terrain);
+  for (const Foothold& foothold : skeleton.footsteps.footholds) {
+    RigidStance stance;
+    stance.foot = foothold.foot;
+    stance.start_s = foothold.touchdown_s - start_s;
+    stance.end_s = foothold.liftoff_s - start_s;
+    stance.X_WF = foothold.X_WF;
+    stance.friction = FrictionOf(terrain, foothold.patch);
+    stance.held = !level || stance.start_s <= 0.0 || stance.end_s >= problem.duration_s;
+    problem.stances.push_back(stance);
+  }
+  return problem;
+}
+
+}  // namespace gaitwright
