@@ -273,7 +273,13 @@ class RigidBodyPlanner {
     rows.start = start_;
     ConstrainedSolution at;
     RigidBodySummary& summary = plan_.summary;
-    summary.settled = options_.method == "ceres" ? SolveByCeres(rows, at) : SolveByInteriorPoint(rows, at);
+    summary.settled = options_.method == "ceres" && SolveByCeres(rows, at);
+    if (options_.method == "ceres" && at.violation > options_.tolerance) {
+      summary.iterations += at.iterations;
+      rows.start = at.x;
+    }
+    if (options_.method != "ceres" || at.violation > options_.tolerance)
+      summary.settled = SolveByInteriorPoint(rows, at);
     start_ = at.x;
     plan_.motion = MotionOf(problem_, *unknowns_, at.x);
     summary.variables = unknowns_->size();
@@ -308,8 +314,8 @@ OptionFields RigidBodyOptions::Fields() {
        "",
        0.0,
        0.0,
-       "How constraints are kept: by an interior-point method, or by an augmented Lagrangian over Ceres, which takes "
-       "some three times as long.",
+       "How constraints are kept: by an interior-point method, or by an augmented Lagrangian over Ceres, after which "
+       "the former is tried where some are not.",
        {"interior-point", "ceres"}},
       {"spacing_s", &spacing_s, "s", 0.005, 1.0, "Most between two breaks of forces.", {}},
       {"least_intervals", &least_intervals, "1", 2, 100, "Least intervals between breaks in a stance.", {}},

@@ -16,7 +16,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kOffStops = 0.01;  // of a joint's range, kept to its ends where that is possible
-constexpr double kReserve = 0.03;   // of the legs' workspaces
+constexpr double kReserve = 0.05;   // of the legs' workspaces
 constexpr double kMotorUse = 0.97;  // of what the motors give at most
 
 /// How a motion turns the base at a row.

@@ -10,6 +10,10 @@ namespace gaitwright {
 namespace {
 
 constexpr double kShortest = 0.5, kLongest = 2.0;  // of a gait's own cycle, where that scales with the leg
+// Where its cycle would be shorter than kQuick of that, feet are on the ground for less of a cycle of kRunning instead.
+constexpr double kQuick = 0.57, kRunning = 0.6;
+constexpr double kLeastDuty = 0.3;
+constexpr int kRunningFeet = 4;  // with fewer of them that is another gait
 
 Failure BadGait(const std::string& message) { return {FailureKind::kBadInput, "gait", "FindGait", message, {}}; }
 
@@ -90,7 +94,13 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
     const double own = OwnCycle(entry, model);
     const double duty = *std::max_element(gait.duty_factor.begin(), gait.duty_factor.end());
     const double travel = options.stance_travel * model.leg_length_m();
-    gait.cycle_s = std::clamp(travel / std::max(speed_m_s * duty, 1e-9), kShortest * own, own);
+    const double wanted = travel / std::max(speed_m_s * duty, 1e-9);
+    gait.cycle_s = std::clamp(wanted, kShortest * own, own);
+    if (options.duty_factor == 0.0 && gait.num_feet() >= kRunningFeet && wanted < kQuick * own) {
+      gait.cycle_s = kRunning * own;
+      for (double& share : gait.duty_factor)
+        share = std::max(share * wanted / gait.cycle_s, std::min(share, kLeastDuty));
+    }
   }
   if (options.cycle_s > 0.0) gait.cycle_s = options.cycle_s;
   return gait;
@@ -106,14 +116,14 @@ Result<double> ScaledCycle(const RobotModel& model, const std::string& name, con
 
 /// Why the options fit no gait.
 std::optional<Failure> CheckGaitOptions(const GaitOptions& options) {
-  constexpr double kLeastCycle = 0.05, kLeastDuty = 0.05;  // as in files
+  constexpr double kLeastCycle = 0.05, kLeast = 0.05;  // as in files
   if (options.cycle_s != 0.0 && options.cycle_s < kLeastCycle) {
     return BadGait(fmt::format("option 'gait.cycle_s' is {} s; accepted: {} to 20, or 0 for the gait's own",
                                options.cycle_s, kLeastCycle));
   }
-  if (options.duty_factor != 0.0 && options.duty_factor < kLeastDuty) {
+  if (options.duty_factor != 0.0 && options.duty_factor < kLeast) {
     return BadGait(fmt::format("option 'gait.duty_factor' is {}; accepted: {} to 0.99, or 0 for the gait's own",
-                               options.duty_factor, kLeastDuty));
+                               options.duty_factor, kLeast));
   }
   return std::nullopt;
 }

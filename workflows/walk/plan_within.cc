@@ -104,6 +104,7 @@ class Search {
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
     if (request_.motion.pipeline.allow_limits || Passes(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
+    if (Leaps(cycles->fitted)) return first;
     if (!IsLevelGround(terrain_)) {
       Result<PlannedWalk> eased = IsOwnPace(command) ? Eased(command, kOwnEases) : Eased(command, kEases);
       return eased ? eased : first;
@@ -115,9 +116,11 @@ class Search {
     return other ? other : first;
   }
 
-  /// Largest pace of the request's command that has a plan; 0 when there is none. Over ground that is not level only
-  /// some are tried, and none where Plan chose the pace already.
+  /// Largest pace of the request's command that has a plan; 0 when there is none. Over ground that is not level, and
+  /// with gaits that leap, only some are tried, and none where Plan chose the pace already.
   double LargestThatPasses() const {
+    if (const Result<Cycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted))
+      return LargestLeaping();
     if (!IsLevelGround(terrain_)) {
       if (IsOwnPace(request_.command)) return 0.0;
       const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases);
@@ -137,6 +140,22 @@ class Search {
   }
 
  private:
+  /// Whether a gait is planned as the motion of a rigid body, which takes much longer.
+  bool Leaps(const Gait& gait) const {
+    return HasFlight(gait) || request_.motion.centre_of_mass.method == "rigid-body";
+  }
+
+  /// The first of some slower paces whose brief walk passes; 0 for none.
+  double LargestLeaping() const {
+    for (const double share : {0.8, 0.6, 0.4}) {
+      const double pace = NextLower(share * PaceValue(model_, request_.command));
+      const WalkCommand slower = AtPace(model_, request_.command, pace);
+      const Result<Cycles> cycles = CyclesFor(slower);
+      if (cycles && Brief(*cycles, 0, slower) > 0.0) return pace;
+    }
+    return 0.0;
+  }
+
   /// A share of the pace, and the number of a cycle.
   struct Ease {
     double pace;

@@ -45,8 +45,9 @@ WholeBodySolution SolveAnew(const RobotModel& maker, MotionPlan& plan) {
   WholeBodySolution solution;
   for (int pass = 0; pass < kPasses; ++pass) {
     PutSwingsOnFootholds(plan);
-    const WholeBodyProblem problem{&plan.terrain,    &plan.schedule, &plan.footsteps,
-                                   &plan.centroidal, &plan.swings,   &body};
+    const WholeBodyProblem problem{&plan.terrain,   &plan.schedule,
+                                   &plan.footsteps, &plan.centroidal,
+                                   &plan.swings,    [&body](double time_s) { return body.TurningAt(time_s); }};
     solution = SolveWholeBody(maker, problem, expected_roll, WholeBodyOptions{}).value();
     double change = 0.0;
     for (std::size_t i = 0; i < footholds.size(); ++i) {

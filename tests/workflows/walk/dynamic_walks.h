@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+
+/// A walk of the A1 on level ground with a gait that leaves it.
+struct DynamicWalk {
+  std::string gait;
+  double speed_m_s = 0.0, distance_m = 0.0;
+  double duty_factor = 0.0;  ///< 0 for the gait's own
+};
+
+void PrintTo(const DynamicWalk& walk, std::ostream* out);
+
+/// Plans the walk and plays it with the controller that there is by default; expects flights, a plan that passes its
+/// audit, and every gate to hold.
+void ExpectToFly(const DynamicWalk& walk);
+
+/// The same of any command.
+void ExpectToFly(const WalkRequest& request);
+
+}  // namespace gaitwright

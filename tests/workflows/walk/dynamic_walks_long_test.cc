@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "tests/workflows/walk/dynamic_walks.h"
+
+namespace gaitwright {
+namespace {
+
+class DynamicWalksLong : public testing::TestWithParam<DynamicWalk> {};
+
+TEST_P(DynamicWalksLong, PassOverFiveMetres) { ExpectToFly(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(A1, DynamicWalksLong,
+                         testing::Values(DynamicWalk{"trot", 1.5, 5.0}, DynamicWalk{"trot", 1.0, 5.0, 0.4},
+                                         DynamicWalk{"bound", 0.8, 5.0}, DynamicWalk{"pronk", 0.5, 5.0}));
+
+}  // namespace
+}  // namespace gaitwright
