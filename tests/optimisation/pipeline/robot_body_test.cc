@@ -50,7 +50,7 @@ class RobotBodyTest : public testing::TestWithParam<const char*> {
   }
 
   const RobotModel model_ = *LoadNamedRobot(GetParam());
-  const RobotBody body_ = BodyOf(model_, kReserve);
+  const StandingBody body_ = BodyOf(model_, kReserve);
   DynamicsScratch scratch_{model_};
 };
 
