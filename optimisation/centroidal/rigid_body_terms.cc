@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/centroidal/rigid_body_terms.h"
 
-#include <ceres/jet.h>
 #include <fmt/format.h>
 
 #include <Eigen/LU>
@@ -18,21 +17,6 @@ namespace gaitwright {
 namespace {
 
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
-
-template <typename T>
-Eigen::Matrix<T, 3, 1> RatesOf(const Matrix3& inverse_B, const Eigen::Matrix<T, 3, 1>& angles,
-                               const Eigen::Matrix<T, 3, 1>& momentum) {
-  using std::cos, std::sin;
-  const T sr = sin(angles.x()), cr = cos(angles.x()), sp = sin(angles.y()), cp = cos(angles.y());
-  const T sy = sin(angles.z()), cy = cos(angles.z());
-  // R^T l, one turn after the other.
-  const T ahead = cy * momentum.x() + sy * momentum.y(), left = cy * momentum.y() - sy * momentum.x();
-  const T down = sp * ahead + cp * momentum.z();
-  const Eigen::Matrix<T, 3, 1> in_body(cp * ahead - sp * momentum.z(), cr * left + sr * down, cr * down - sr * left);
-  const Eigen::Matrix<T, 3, 1> w = inverse_B.cast<T>() * in_body;
-  const T yaw_rate = (sr * w.y() + cr * w.z()) / cp;
-  return {w.x() + sp * yaw_rate, cr * w.y() - sr * w.z(), yaw_rate};
-}
 
 /// What a term sees of a FootPlace.
 FootPlace SeenPlace(const FootPlace& place, SeenUnknowns& seen) {
@@ -231,27 +215,6 @@ std::array<Vector3, 3> UnseenOf(const InnerMomentum& inner, double start_s, doub
 }
 
 }  // namespace
-
-Vector3 AngleRates(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum) {
-  return RatesOf<double>(inverse_B, angles_rad, momentum);
-}
-
-TurningRate TurningRateOf(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum) {
-  using Jet = ceres::Jet<double, 6>;
-  Eigen::Matrix<Jet, 3, 1> angles, l;
-  for (int i = 0; i < 3; ++i) {
-    angles[i] = Jet(angles_rad[i], i);
-    l[i] = Jet(momentum[i], 3 + i);
-  }
-  const Eigen::Matrix<Jet, 3, 1> rates = RatesOf<Jet>(inverse_B, angles, l);
-  TurningRate turning;
-  for (int i = 0; i < 3; ++i) {
-    turning.rate[i] = rates[i].a;
-    turning.by_angles.row(i) = rates[i].v.head<3>();
-    turning.by_momentum.row(i) = rates[i].v.tail<3>();
-  }
-  return turning;
-}
 
 Constraint RigidBodyTerms::Turning(std::size_t interval) const {
   const std::vector<double>& breaks = unknowns_.breaks_s();

@@ -2,22 +2,10 @@
 #pragma once
 
 #include "optimisation/centroidal/rigid_body_unknowns.h"
+#include "optimisation/centroidal/turning_rate.h"
 #include "optimisation/numerics/constrained_problem.h"
 
 namespace gaitwright {
-
-/// d(angles)/dt of a body with angular momentum l: E^-1 I^-1 R^T l.
-/// @param inverse_B  of the inertia in B; over the mean inertia where l is.
-Vector3 AngleRates(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum);
-
-/// The same with its derivatives.
-struct TurningRate {
-  Vector3 rate;
-  Matrix3 by_angles, by_momentum;
-};
-
-/// Rate of the angles and its derivatives.
-TurningRate TurningRateOf(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum);
 
 /// The rows of a rigid body's problem over its unknowns. Keeps references to both; what it gives keeps none.
 class RigidBodyTerms {

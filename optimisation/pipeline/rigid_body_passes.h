@@ -33,7 +33,7 @@ class RigidBodyPasses {
 
   const MotionTask task_;
   const RobotModel& model_;
-  const RobotBody body_;
+  const StandingBody body_;
   RigidBodyProblem problem_;
   double lift_m_ = 0.0;                   // of swings without flight
   std::vector<RigidBodySample> samples_;  // of the last motion, by row of the grid

@@ -28,7 +28,7 @@ double MostUpright(const RobotModel& model, const DynamicsScratch& scratch, int 
   return most;
 }
 
-RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, const RobotBody& body, int foot,
+RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, const StandingBody& body, int foot,
                       double reserve) {
   constexpr double kFarthest = 0.6;  // of the leg
   const Foot& described = model.feet[static_cast<std::size_t>(foot)];
@@ -67,7 +67,7 @@ void KeepApart(const RobotModel& model, std::vector<RigidFoot>& feet) {
   }
 }
 
-RigidBodyState Standing(const RobotBody& body, const PlanarPose& at, double base_m) {
+RigidBodyState Standing(const StandingBody& body, const PlanarPose& at, double base_m) {
   RigidBodyState state;
   state.angles_rad.z() = at.yaw_rad;
   state.p_WC = Vector3(at.x_m, at.y_m, base_m) + YawRotation(at.yaw_rad) * body.p_HC;
@@ -76,11 +76,11 @@ RigidBodyState Standing(const RobotBody& body, const PlanarPose& at, double base
 
 }  // namespace
 
-RobotBody BodyOf(const RobotModel& model, double reserve) {
+StandingBody BodyOf(const RobotModel& model, double reserve) {
   const VectorX standing = StandingConfiguration(model);
   DynamicsScratch scratch(model);
   ForwardKinematics(model, standing, scratch);
-  RobotBody body;
+  StandingBody body;
   body.R_HB = BaseRotation(standing);
   body.p_HC = CentreOfMass(model, scratch) - standing.head<3>();
   body.inertia_H = LockedInertia(model, scratch);
@@ -90,7 +90,7 @@ RobotBody BodyOf(const RobotModel& model, double reserve) {
   return body;
 }
 
-RigidBodyProblem ProblemOf(const RobotModel& model, const RobotBody& body, const Terrain& terrain,
+RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, const Terrain& terrain,
                            const FootstepSkeleton& skeleton, const BodyPath& path) {
   constexpr double kWayStep = 0.05;  // [s]
   RigidBodyProblem problem;

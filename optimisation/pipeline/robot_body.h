@@ -14,7 +14,7 @@ namespace gaitwright {
 ///
 /// = Notation =
 ///   H  the base turned as it is in standing on level ground, so that z is up and x ahead: the frame of the rigid body
-struct RobotBody {
+struct StandingBody {
   Matrix3 R_HB = Matrix3::Identity();       ///< of the base
   Vector3 p_HC = Vector3::Zero();           ///< centre of mass from the base's origin [m]
   Matrix3 inertia_H = Matrix3::Identity();  ///< about the centre of mass [kg m^2]
@@ -24,12 +24,12 @@ struct RobotBody {
 /// Mass, inertia and feet of the standing posture; the workspaces of the legs with a reserve (LegPolytope), and the
 /// greatest upright force that the motors hold in that posture.
 /// @param reserve  share of each joint's range, and of the leg, that is kept free: in [0, 0.2].
-RobotBody BodyOf(const RobotModel& model, double reserve);
+StandingBody BodyOf(const RobotModel& model, double reserve);
 
 /// A walk as a problem for a single rigid body: from standing at the start of the path to standing at its end, the
 /// stances those of the skeleton's footholds, in their order. On level ground those in between may be anywhere; on
 /// other ground, and in standing, feet are held to theirs.
-RigidBodyProblem ProblemOf(const RobotModel& model, const RobotBody& body, const Terrain& terrain,
+RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, const Terrain& terrain,
                            const FootstepSkeleton& skeleton, const BodyPath& path);
 
 }  // namespace gaitwright

@@ -187,6 +187,34 @@ TEST_P(Dynamics, MassMatrixAgreesWithInverseDynamics) {
   }
 }
 
+/// The mass matrix has it about the base's origin; to the centre of mass it is less by m |p|^2 1 - m p p^T (Steiner).
+TEST_P(Dynamics, LockedInertiaIsTheMassMatrixsShiftedToTheCentreOfMass) {
+  MatrixX M;
+  for (int trial = 0; trial < 20; ++trial) {
+    MassMatrix(model_, random_.Configuration(model_), scratch_, M);
+    const Vector3 p_OC = CentreOfMass(model_, scratch_) - scratch_.p_WB[0];
+    const Matrix3 shift = model_.total_mass_kg * (p_OC.squaredNorm() * Matrix3::Identity() - p_OC * p_OC.transpose());
+    ASSERT_GT(shift.norm(), 1e-4);
+    const Matrix3 inertia = LockedInertia(model_, scratch_);
+    EXPECT_LT((inertia - (M.block<3, 3>(3, 3) - shift)).norm(), 1e-10 * inertia.norm());
+    EXPECT_LT((inertia - inertia.transpose()).norm(), 1e-12);
+    const Vector3 main = Eigen::SelfAdjointEigenSolver<Matrix3>(inertia).eigenvalues();
+    EXPECT_GT(main[0], 0.0);
+    EXPECT_LE(main[2], main[0] + main[1] + 1e-12) << "no body has that";
+  }
+}
+
+/// Stiff, it has the angular momentum of its inertia whatever it turns about.
+TEST_P(Dynamics, LockedInertiaIsWhatTheMomentumOfAStiffRobotIs) {
+  const VectorX q = random_.Configuration(model_);
+  VectorX v = VectorX::Zero(model_.nv());
+  v.head<6>() = random_.Vector(6);
+  ForwardVelocities(model_, q, v, scratch_);
+  const Vector3 momentum = CentroidalMomentum(model_, scratch_).tail<3>();
+  ASSERT_GT(momentum.norm(), 1e-3);
+  EXPECT_LT((LockedInertia(model_, scratch_) * v.segment<3>(3) - momentum).norm(), 1e-10 * (1.0 + momentum.norm()));
+}
+
 TEST_P(Dynamics, PowerIsTheRateOfEnergy) {
   const VectorX q = random_.Configuration(model_), v = random_.Vector(model_.nv()), a = random_.Vector(model_.nv());
   VectorX tau;

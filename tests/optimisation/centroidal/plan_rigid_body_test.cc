@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "kinematics/base/result.h"
+#include "kinematics/trajectory/swing_curve.h"
 #include "tests/optimisation/centroidal/rigid_bodies.h"
 
 namespace gaitwright {
@@ -158,6 +161,97 @@ TEST(PlanRigidBody, FinerBreaksMissTheGoalByLess) {
   const double coarse = missed(0.12), fine = missed(0.03);
   EXPECT_GT(coarse, 1e-9);
   EXPECT_LT(fine, 0.1 * coarse);
+}
+
+/// Two solvers of different kinds.
+TEST(PlanRigidBody, BothMethodsComeToTheSameCost) {
+  for (const RigidBodyProblem& problem : {rigid_bodies::Hopper(), rigid_bodies::Walker(), rigid_bodies::Trotter()}) {
+    RigidBodyOptions options;
+    options.tolerance = 1e-5;
+    options.cost_tolerance = 1e-4;
+    const RigidBodyPlan interior = Planned(problem, options);
+    options.method = "ceres";
+    const RigidBodyPlan augmented = Planned(problem, options);
+    EXPECT_NE(interior.summary.cost, augmented.summary.cost) << "they are two roads";
+    EXPECT_NEAR(interior.summary.cost, augmented.summary.cost, 1e-3 * interior.summary.cost);
+  }
+}
+
+/// Farthest that a swinging foot is out of its workspace at 1 kHz [m].
+double OutOfReachInTheAir(const RigidBodyProblem& problem, const RigidBodyMotion& motion,
+                          const std::vector<RigidSwing>& swings) {
+  double farthest = -1.0;
+  for (const RigidSwing& swing : swings) {
+    const RigidStance &from = problem.stances[swing.from], &to = problem.stances[swing.to];
+    const SwingCurve curve{from.end_s, to.start_s, motion.X_WF[swing.from], motion.X_WF[swing.to], swing.lift_m};
+    for (const RigidBodySample& s : Sample(motion, 1e-3)) {
+      if (s.time_s < curve.start_s || s.time_s > curve.end_s) continue;
+      const Vector3 p_CF = Evaluate(curve, s.time_s).X_WF.translation() - s.p_WC;
+      for (const WorkspaceSide& side : problem.feet[static_cast<std::size_t>(from.foot)].workspace_B)
+        farthest = std::max(farthest, side.normal.dot(RotationOf(s.angles_rad).transpose() * p_CF) - side.offset);
+    }
+  }
+  return farthest;
+}
+
+TEST(PlanRigidBody, FeetStayInReachOnTheirWayThroughTheAir) {
+  RigidBodyProblem problem = rigid_bodies::Walker();
+  const std::vector<RigidSwing> swings = {{0, 1, 0.22}, {1, 2, 0.22}, {3, 4, 0.22}};
+  const RigidBodyPlan heedless = Planned(problem);
+  EXPECT_GT(OutOfReachInTheAir(problem, heedless.motion, swings), 0.03);
+  problem.swings = swings;
+  for (const char* method : {"interior-point", "ceres"}) {
+    const RigidBodyPlan plan = Planned(problem, {.method = method});
+    EXPECT_LT(OutOfReachInTheAir(problem, plan.motion, swings), 0.0) << method << ", for the margin";
+    EXPECT_GT(plan.summary.cost, heedless.summary.cost);
+  }
+}
+
+/// The most that forces at breaks use of what motors hold, 1 for all of it.
+double MotorUse(const RigidBodyProblem& problem, const RigidBodyMotion& motion) {
+  double most = 0.0;
+  for (const RigidBodyInterval& in : motion.intervals) {
+    for (const bool at_end : {false, true}) {
+      std::map<std::size_t, VectorX> forces;  // by stance
+      for (const RigidBodyInterval::Force& f : in.forces) {
+        VectorX& all = forces[f.stance];
+        all.conservativeResize(all.size() + 3);
+        all.tail<3>() = at_end ? f.to_W : f.from_W;
+      }
+      for (const auto& [stance, all] : forces) {
+        const MotorLimits& limits = *problem.stances[stance].MotorsAt(at_end ? in.end_s : in.start_s);
+        const VectorX held = limits.by_force * all;
+        most =
+            std::max({most, held.cwiseQuotient(limits.upper).maxCoeff(), held.cwiseQuotient(limits.lower).maxCoeff()});
+      }
+    }
+  }
+  return most;
+}
+
+TEST(PlanRigidBody, MotorsHoldTheForcesAtBreaks) {
+  for (RigidBodyProblem problem : {rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
+    const double share = problem.stances.size() > 5 ? 0.9 : 0.6;  // of the weight
+    RigidBodyProblem held = problem;
+    rigid_bodies::AddMotors(held, share * problem.mass_kg * kGravity);
+    const RigidBodyPlan free = Planned(problem);
+    EXPECT_GT(MotorUse(held, free.motion), 1.02);
+    for (const char* method : {"interior-point", "ceres"}) {
+      const RigidBodyPlan plan = Planned(held, {.method = method});
+      EXPECT_LT(MotorUse(held, plan.motion), 1.0 + 1e-4) << method;
+    }
+  }
+}
+
+TEST(PlanRigidBody, KeepsTheLawsWithWhatMovesInsideAndContactsThatRoll) {
+  for (const char* method : {"interior-point", "ceres"}) {
+    RigidBodyProblem problem = rigid_bodies::Trotter();
+    const double still = Planned(problem, {.method = method}).summary.cost;
+    rigid_bodies::AddInnerMotion(problem, 141);
+    rigid_bodies::AddRolling(problem);
+    const RigidBodyPlan plan = Planned(problem, {.method = method});
+    EXPECT_NE(plan.summary.cost, still);
+  }
 }
 
 TEST(PlanRigidBody, RefusesOptionsThatAreNone) {

@@ -115,4 +115,41 @@ inline VectorX Wavering(const RigidBodyProblem& problem, const RigidBodyUnknowns
   return x;
 }
 
+/// Limbs that swing inside of a body: a smooth momentum with its rate at so many even times.
+inline void AddInnerMotion(RigidBodyProblem& problem, int count) {
+  for (int k = 0; k < count; ++k) {
+    const double t = problem.duration_s * k / (count - 1);
+    problem.inner_momentum_W.emplace_back(0.05 * std::sin(9.0 * t), 0.08 * (1.0 - std::cos(7.0 * t)),
+                                          -0.03 * std::sin(5.0 * t));
+    problem.inner_torque_W.emplace_back(0.45 * std::cos(9.0 * t), 0.56 * std::sin(7.0 * t), -0.15 * std::cos(5.0 * t));
+  }
+}
+
+/// Contacts that move as the stance goes on, each otherwise, and not evenly.
+inline void AddRolling(RigidBodyProblem& problem) {
+  double way = 0.004;
+  for (RigidStance& stance : problem.stances) {
+    stance.moved_W = {Vector3::Zero(), {way, 0.002, 0.0}, {2.5 * way, -0.001, 0.0}, {3.0 * way, 0.003, 0.0}};
+    way += 0.001;
+  }
+}
+
+/// Motors at the start, in the middle and at the end of each stance, each of which holds less than the one before: of
+/// two rows for each point, one upright and one aslant.
+inline void AddMotors(RigidBodyProblem& problem, double most_n) {
+  for (RigidStance& stance : problem.stances) {
+    const std::size_t points = problem.feet[static_cast<std::size_t>(stance.foot)].contacts_F.size();
+    for (const double share : {1.0, 0.8, 0.6}) {
+      const auto n = static_cast<Eigen::Index>(points);
+      MotorLimits limits{MatrixX::Zero(2 * n, 3 * n), VectorX::Constant(2 * n, -0.5 * share * most_n),
+                         VectorX::Constant(2 * n, share * most_n)};
+      for (Eigen::Index i = 0; i < n; ++i) {
+        limits.by_force.block<1, 3>(2 * i, 3 * i) << 0.0, 0.0, 1.0;
+        limits.by_force.block<1, 3>(2 * i + 1, 3 * i) << 1.0, -0.4 - 0.1 * static_cast<double>(i), 0.2;
+      }
+      stance.motors.push_back(limits);
+    }
+  }
+}
+
 }  // namespace gaitwright::rigid_bodies

@@ -82,6 +82,42 @@ TEST(RigidBodyMotion, VelocitiesAndMomentumAreContinuousAndIntegralsOfForces) {
   EXPECT_GT(samples[300].torque_W.norm(), 0.5);
 }
 
+/// Momentum of the box and of what moves inside it, gained since the start, is the integral of the torques of contacts
+/// where these are, by Simpson's rule over fine steps.
+TEST(RigidBodyMotion, BoxAndWhatMovesInsideGainTheImpulseOfTorquesAtContactsThatMove) {
+  Some some;
+  rigid_bodies::AddInnerMotion(some.problem, 41);
+  rigid_bodies::AddRolling(some.problem);
+  const RigidBodyUnknowns unknowns(some.problem, 0.05, 3);
+  const RigidBodyMotion motion = MotionOf(some.problem, unknowns, rigid_bodies::Wavering(some.problem, unknowns));
+  const InnerMomentum inner(some.problem);
+  const std::vector<RigidBodySample> samples = Sample(motion, 2.5e-4);
+  const auto torque = [&](const RigidBodySample& s) -> Vector3 {
+    const RigidBodyInterval& in = motion.intervals[s.interval];
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t i = 0; i < in.forces.size(); ++i) {
+      const RigidStance& stance = some.problem.stances[in.forces[i].stance];
+      // Between breaks contacts go evenly.
+      const double u = (s.time_s - in.start_s) / (in.end_s - in.start_s);
+      const Vector3 moved = (1.0 - u) * stance.MovedAt(in.start_s) + u * stance.MovedAt(in.end_s);
+      sum += (stance.X_WF.translation() + moved - s.p_WC).cross(s.force_W[i]);
+    }
+    return sum;
+  };
+  Vector3 impulse = Vector3::Zero(), without = Vector3::Zero();
+  for (std::size_t k = 2; k < samples.size(); k += 2) {
+    const double h = samples[k].time_s - samples[k - 2].time_s;
+    impulse += h / 6.0 * (torque(samples[k - 2]) + 4.0 * torque(samples[k - 1]) + torque(samples[k]));
+    const Vector3 gained = samples[k].momentum_W - samples[0].momentum_W;
+    const Vector3 within = inner.At(samples[k].time_s) - inner.At(0.0);
+    ASSERT_LT((gained + within - impulse).norm(), 1e-6) << samples[k].time_s;
+    EXPECT_LT((samples[k].torque_W - torque(samples[k]) + inner.RateAt(samples[k].time_s)).norm(), 1e-9);
+    without = gained - impulse;
+  }
+  EXPECT_GT(without.norm(), 0.02) << "what moves inside counts";
+  EXPECT_GT(impulse.norm(), 0.02);
+}
+
 TEST(RigidBodyMotion, BalancesForcesAndTorquesWhateverItsUnknowns) {
   const Some some;
   const RigidBodyFaults faults = FaultsOf(some.problem, some.motion, 1e-3);

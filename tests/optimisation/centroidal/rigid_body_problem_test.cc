@@ -6,6 +6,8 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "kinematics/base/result.h"
 #include "kinematics/spatial/rotation.h"
@@ -48,35 +50,150 @@ TEST(RigidBodyProblem, TheBodiesOfTheTestsAreInOrder) {
     EXPECT_NO_THROW(CheckRigidBodyProblem(problem));
 }
 
-TEST(RigidBodyProblem, RefusesWhatCannotBe) {
-  const auto refusal = [](const std::function<void(RigidBodyProblem&)>& spoil) -> std::string {
-    RigidBodyProblem problem = rigid_bodies::Walker();
-    spoil(problem);
-    try {
-      CheckRigidBodyProblem(problem);
-    } catch (const InvalidArgument& e) {
-      return e.what();
-    }
-    return "none";
+/// What is said to a walker's problem that is spoilt.
+std::string RefusalOf(const std::function<void(RigidBodyProblem&)>& spoil) {
+  RigidBodyProblem problem = rigid_bodies::Walker();
+  spoil(problem);
+  try {
+    CheckRigidBodyProblem(problem);
+  } catch (const InvalidArgument& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(RigidBodyProblem, RefusesInnerMotionThatIsNone) {
+  EXPECT_EQ(RefusalOf([](auto& p) { rigid_bodies::AddInnerMotion(p, 2); }), "none");
+  const std::string momentum =
+      "rigid body: its inner momentum takes two finite values or more with their rates, or none";
+  EXPECT_EQ(RefusalOf([](auto& p) { p.inner_momentum_W = p.inner_torque_W = {Vector3::Zero()}; }), momentum);
+  const auto spoilt = [&](const std::function<void(RigidBodyProblem&)>& spoil) {
+    return RefusalOf([&](auto& p) {
+      rigid_bodies::AddInnerMotion(p, 5);
+      spoil(p);
+    });
   };
-  EXPECT_EQ(refusal([](auto& p) { p.mass_kg = 0.0; }), "rigid body: a mass of 0 kg");
-  EXPECT_EQ(refusal([](auto& p) { p.inertia_B(0, 0) = 30.0; }), "rigid body: the inertia is none that a body can have");
-  EXPECT_EQ(refusal([](auto& p) { p.duration_s = -1.0; }), "rigid body: a duration of -1 s");
-  EXPECT_EQ(refusal([](auto& p) { p.goal.p_WC.x() = NAN; }), "rigid body: the goal state is not finite");
-  EXPECT_EQ(refusal([](auto& p) { p.stances[1].foot = 2; }), "rigid body: stance 1 names foot 2 of 2");
-  EXPECT_EQ(refusal([](auto& p) { p.stances[1].start_s = 0.2; }),
+  EXPECT_EQ(spoilt([](auto& p) { p.inner_torque_W.pop_back(); }), momentum);
+  EXPECT_EQ(spoilt([](auto& p) { p.inner_momentum_W.clear(); }), momentum);
+  EXPECT_EQ(spoilt([](auto& p) { p.inner_momentum_W[3].y() = NAN; }), momentum);
+  EXPECT_EQ(spoilt([](auto& p) { p.inner_torque_W[4].z() = INFINITY; }), momentum);
+}
+
+TEST(RigidBodyProblem, RefusesContactsThatMoveNowhere) {
+  EXPECT_EQ(RefusalOf([](auto& p) { rigid_bodies::AddRolling(p); }), "none");
+  const std::string moved = "rigid body: contacts that move take two finite places or more, or none";
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[2].moved_W = {Vector3::Zero()}; }), moved);
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[2].moved_W = {Vector3::Zero(), {NAN, 0.0, 0.0}}; }), moved);
+}
+
+TEST(RigidBodyProblem, RefusesMotorsThatAreNone) {
+  EXPECT_EQ(RefusalOf([](auto& p) { rigid_bodies::AddMotors(p, 100.0); }), "none");
+  const auto spoilt = [](const std::function<void(MotorLimits&)>& spoil) {
+    return RefusalOf([&](auto& p) {
+      rigid_bodies::AddMotors(p, 100.0);
+      spoil(p.stances[3].motors[1]);
+    });
+  };
+  const std::string none = "rigid body: the motors of stance 3 have limits that are none";
+  EXPECT_EQ(spoilt([](auto& m) { m.by_force = MatrixX::Ones(2, 6); }), none);
+  EXPECT_EQ(spoilt([](auto& m) { m.lower = VectorX::Zero(3); }), none);
+  EXPECT_EQ(spoilt([](auto& m) { m.upper = VectorX::Ones(1); }), none);
+  EXPECT_EQ(spoilt([](auto& m) { m.by_force(0, 1) = NAN; }), none);
+  EXPECT_EQ(spoilt([](auto& m) { m.upper[1] = m.lower[1] - 1.0; }), none);
+  EXPECT_EQ(spoilt([](auto& m) { m.upper[1] = NAN; }), none);
+}
+
+TEST(RigidBodyProblem, RefusesSwingsThatNoFootMakes) {
+  const auto swings = [](std::size_t from, std::size_t to, double lift_m = 0.1) {
+    return RefusalOf([&](auto& p) { p.swings = {{0, 1, 0.1}, {from, to, lift_m}}; });
+  };
+  EXPECT_EQ(swings(3, 4), "none");
+  EXPECT_EQ(swings(1, 4), "rigid body: no foot swings from stance 1 to 4") << "another foot's";
+  EXPECT_EQ(swings(2, 1), "rigid body: no foot swings from stance 2 to 1") << "backwards";
+  EXPECT_EQ(swings(1, 1), "rigid body: no foot swings from stance 1 to 1");
+  EXPECT_EQ(swings(4, 5), "rigid body: no foot swings from stance 4 to 5") << "there are five";
+  EXPECT_EQ(swings(3, 4, NAN), "rigid body: no foot swings from stance 3 to 4");
+}
+
+TEST(RigidBodyProblem, InnerMomentumIsHermitesCubic) {
+  RigidBodyProblem problem = rigid_bodies::Walker();
+  EXPECT_EQ(InnerMomentum().At(0.3).norm() + InnerMomentum(problem).RateAt(0.3).norm(), 0.0);
+  const Vector3 a(0.3, -0.2, 0.1), b(-0.4, 0.5, 0.2), c(0.7, 0.1, -0.6), d(-0.2, 0.3, 0.4);
+  const auto value = [&](double t) -> Vector3 { return a + t * (b + t * (c + t * d)); };
+  const auto rate = [&](double t) -> Vector3 { return b + t * (2.0 * c + 3.0 * t * d); };
+  for (int k = 0; k < 5; ++k) {
+    problem.inner_momentum_W.push_back(value(problem.duration_s * k / 4));
+    problem.inner_torque_W.push_back(rate(problem.duration_s * k / 4));
+  }
+  const InnerMomentum cubic(problem);
+  for (double t = 0.0; t < problem.duration_s; t += 0.0371) {
+    EXPECT_LT((cubic.At(t) - value(t)).norm(), 1e-12) << t;
+    EXPECT_LT((cubic.RateAt(t) - rate(t)).norm(), 1e-11) << t;
+  }
+  problem = rigid_bodies::Walker();
+  rigid_bodies::AddInnerMotion(problem, 6);
+  const InnerMomentum any(problem);
+  constexpr double kStep = 1e-6;
+  for (int k = 0; k < 6; ++k) {
+    const double t = problem.duration_s * k / 5;
+    EXPECT_LT((any.At(t) - problem.inner_momentum_W[static_cast<std::size_t>(k)]).norm(), 1e-12);
+    EXPECT_LT((any.RateAt(t) - problem.inner_torque_W[static_cast<std::size_t>(k)]).norm(), 1e-12);
+  }
+  for (const double t : {0.1, 0.5, 1.3})
+    EXPECT_LT(((any.At(t + kStep) - any.At(t - kStep)) / (2.0 * kStep) - any.RateAt(t)).norm(), 1e-8);
+}
+
+TEST(RigidBodyProblem, AStanceKnowsHowFarItsContactsHaveMovedAndItsMotors) {
+  RigidStance stance;
+  stance.start_s = 1.0;
+  stance.end_s = 3.0;
+  EXPECT_EQ(stance.MovedAt(2.0).norm(), 0.0);
+  EXPECT_EQ(stance.MotorsAt(2.0), nullptr);
+  stance.moved_W = {{0.0, 0.0, 0.0}, {0.01, 0.0, 0.0}, {0.01, 0.04, 0.0}};
+  EXPECT_EQ(stance.MovedAt(1.0), stance.moved_W[0]);
+  EXPECT_EQ(stance.MovedAt(3.0), stance.moved_W[2]);
+  EXPECT_EQ(stance.MovedAt(9.0), stance.moved_W[2]);
+  EXPECT_LT((stance.MovedAt(1.25) - Vector3(0.0025, 0.0, 0.0)).norm(), 1e-15);
+  EXPECT_LT((stance.MovedAt(2.75) - Vector3(0.01, 0.03, 0.0)).norm(), 1e-15);
+  stance.motors.resize(3);
+  const std::vector<std::pair<double, std::size_t>> nearest = {{0.0, 0}, {1.0, 0}, {1.49, 0}, {1.51, 1},
+                                                               {2.4, 1}, {2.6, 2}, {3.0, 2},  {4.0, 2}};
+  for (const auto& [time_s, at] : nearest) EXPECT_EQ(stance.MotorsAt(time_s), &stance.motors[at]) << time_s;
+}
+
+TEST(RigidBodyProblem, AWayGoesEvenlyBetweenItsTimes) {
+  const BodyWay way{{0.0, 1.0, 3.0},
+                    {{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 4.0, 1.0}},
+                    {{0.0, 0.0, 0.0}, {0.0, 0.2, 0.0}, {0.0, 0.2, 0.8}}};
+  EXPECT_LT((way.PlaceAt(0.25) - Vector3(0.25, 0.0, 1.0)).norm(), 1e-15);
+  EXPECT_LT((way.PlaceAt(1.0) - Vector3(1.0, 0.0, 1.0)).norm(), 1e-15);
+  EXPECT_LT((way.PlaceAt(2.5) - Vector3(1.0, 3.0, 1.0)).norm(), 1e-15);
+  EXPECT_LT((way.AnglesAt(2.0) - Vector3(0.0, 0.2, 0.4)).norm(), 1e-15);
+  EXPECT_EQ(way.PlaceAt(-1.0), way.p_WC.front());
+  EXPECT_EQ(way.PlaceAt(5.0), way.p_WC.back());
+  EXPECT_EQ(way.AnglesAt(5.0), way.angles_rad.back());
+}
+
+TEST(RigidBodyProblem, RefusesWhatCannotBe) {
+  EXPECT_EQ(RefusalOf([](auto& p) { p.mass_kg = 0.0; }), "rigid body: a mass of 0 kg");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.inertia_B(0, 0) = 30.0; }),
+            "rigid body: the inertia is none that a body can have");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.duration_s = -1.0; }), "rigid body: a duration of -1 s");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.goal.p_WC.x() = NAN; }), "rigid body: the goal state is not finite");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].foot = 2; }), "rigid body: stance 1 names foot 2 of 2");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[1].start_s = 0.2; }),
             "rigid body: stance 1 lasts from 0.2 to 1.2 s; foot 0 is free from 0.3 to 1.9 s");
-  EXPECT_EQ(refusal([](auto& p) { p.stances[4].friction = 0.0; }), "rigid body: stance 4 has no friction");
-  EXPECT_EQ(refusal([](auto& p) {
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[4].friction = 0.0; }), "rigid body: stance 4 has no friction");
+  EXPECT_EQ(RefusalOf([](auto& p) {
               p.stances[4].region_F = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}};
             }),
             "rigid body: the region of stance 4 is not convex");
-  EXPECT_EQ(refusal([](auto& p) {
+  EXPECT_EQ(RefusalOf([](auto& p) {
               p.way.time_s = {0.0, 1.0};
             }),
             "rigid body: the first guess of its way needs a place and angles for each of its times in turn");
-  EXPECT_EQ(refusal([](auto& p) { p.feet[1].force_max_n = 0.0; }), "rigid body: foot 1 can carry nothing");
-  EXPECT_EQ(refusal([](auto& p) { p.stances[2].end_s = p.stances[4].end_s = 1.8; }),
+  EXPECT_EQ(RefusalOf([](auto& p) { p.feet[1].force_max_n = 0.0; }), "rigid body: foot 1 can carry nothing");
+  EXPECT_EQ(RefusalOf([](auto& p) { p.stances[2].end_s = p.stances[4].end_s = 1.8; }),
             "rigid body: no foot holds it at the end");
 }
 

@@ -6,7 +6,10 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
 
+#include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/centroidal/rigid_body_cost.h"
 #include "optimisation/centroidal/rigid_body_motion.h"
 #include "tests/optimisation/centroidal/rigid_bodies.h"
@@ -87,28 +90,184 @@ TEST(RigidBodyTerms, HaveTheirDerivatives) {
   }
 }
 
+TEST(RigidBodyTerms, OfABodyThatMovesInsideAndRollsHaveTheirDerivatives) {
+  for (RigidBodyProblem problem : {rigid_bodies::Hopper(), rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
+    rigid_bodies::AddInnerMotion(problem, 30);
+    rigid_bodies::AddRolling(problem);
+    const RigidBodyUnknowns unknowns(problem, 0.08, 3);
+    const RigidBodyTerms terms(problem, unknowns);
+    const VectorX x = Random(unknowns, 6);
+    for (std::size_t i = 0; i < unknowns.intervals(); ++i) {
+      const Constraint turning = terms.Turning(i);
+      SCOPED_TRACE(turning.name);
+      ExpectDerivative(turning.function, Own(turning.variables, x));
+    }
+  }
+}
+
+/// Largest rows of turning of momentum and of angles, over a motion that follows from wavering forces on a stander.
+std::pair<double, double> TurningOff(const RigidBodyProblem& problem, double spacing_s) {
+  const RigidBodyUnknowns unknowns(problem, spacing_s, 2);
+  VectorX x = rigid_bodies::Wavering(problem, unknowns);
+  const RigidBodyMotion motion = MotionOf(problem, unknowns, x);
+  for (std::size_t k = 1; k + 1 < unknowns.breaks_s().size(); ++k) {
+    x.segment<3>(unknowns.Angles(k).parts[0].start) = motion.intervals[k].angles_rad;
+    x.segment<3>(unknowns.Momentum(k).parts[0].start) = motion.intervals[k].momentum_W / unknowns.mean_inertia();
+  }
+  double momentum = 0.0, angles = 0.0;
+  for (std::size_t i = 0; i + 1 < unknowns.intervals(); ++i) {
+    const VectorX off = ValueOf(RigidBodyTerms(problem, unknowns).Turning(i), x);
+    momentum = std::max(momentum, off.head<3>().norm());
+    angles = std::max(angles, off.tail<3>().norm());
+  }
+  return {momentum, angles};
+}
+
 TEST(RigidBodyTerms, TurningIsZeroForAMotionThatFollowsFromItsForces) {
-  const RigidBodyProblem problem = rigid_bodies::Stander();
-  // Of order four: over intervals of half the length the angles are off by a 32nd.
-  double last = 0.0;
-  for (const double spacing : {0.08, 0.04}) {
-    const RigidBodyUnknowns unknowns(problem, spacing, 2);
-    VectorX x = rigid_bodies::Wavering(problem, unknowns);
-    const RigidBodyMotion motion = MotionOf(problem, unknowns, x);
-    for (std::size_t k = 1; k + 1 < unknowns.breaks_s().size(); ++k) {
-      x.segment<3>(unknowns.Angles(k).parts[0].start) = motion.intervals[k].angles_rad;
-      x.segment<3>(unknowns.Momentum(k).parts[0].start) = motion.intervals[k].momentum_W / unknowns.mean_inertia();
+  RigidBodyProblem moving = rigid_bodies::Stander(), rolling = rigid_bodies::Stander();
+  rigid_bodies::AddInnerMotion(moving, 81);
+  rigid_bodies::AddRolling(rolling);
+  for (const RigidBodyProblem& problem : {rigid_bodies::Stander(), moving, rolling}) {
+    // Of order four: over intervals of half the length the angles are off by a 32nd.
+    const auto [momentum, angles] = TurningOff(problem, 0.08);
+    const auto [momentum_finer, angles_finer] = TurningOff(problem, 0.04);
+    EXPECT_LT(std::max(momentum, momentum_finer), 1e-12);
+    EXPECT_GT(angles_finer, 1e-12);
+    EXPECT_LT(angles_finer, angles / 16.0);
+  }
+}
+
+/// Rows of a problem at the unknowns of a motion that is another one's.
+TEST(RigidBodyTerms, TurningSeesWhatMovesInsideAndWhereContactsWent) {
+  const RigidBodyProblem still = rigid_bodies::Stander();
+  RigidBodyProblem moving = still, rolling = still;
+  rigid_bodies::AddInnerMotion(moving, 41);
+  rigid_bodies::AddRolling(rolling);
+  const RigidBodyUnknowns unknowns(still, 0.08, 2);
+  const VectorX x = rigid_bodies::Wavering(still, unknowns);
+  const InnerMomentum inner(moving);
+  const double mean = unknowns.mean_inertia(), from = unknowns.breaks_s()[1], to = unknowns.breaks_s()[2];
+  const VectorX alone = ValueOf(RigidBodyTerms(still, unknowns).Turning(1), x);
+  const VectorX within = ValueOf(RigidBodyTerms(moving, unknowns).Turning(1), x);
+  EXPECT_GT((within - alone).head<3>().norm(), 1e-3);
+  EXPECT_LT(((within - alone).head<3>() - (inner.At(to) - inner.At(from)) / mean).norm(), 1e-12);
+  const VectorX rolled = ValueOf(RigidBodyTerms(rolling, unknowns).Turning(1), x);
+  EXPECT_GT((rolled - alone).head<3>().norm(), 1e-4);
+}
+
+/// Forces that stand alone: unknown 3 i is that of point i.
+std::vector<BoundForce> ForcesOn(std::size_t points, std::size_t at_break) {
+  std::vector<BoundForce> forces;
+  for (std::size_t i = 0; i < points; ++i)
+    forces.push_back({0, i, at_break, AffineVector::Unknown(static_cast<int>(3 * i))});
+  return forces;
+}
+
+TEST(RigidBodyTerms, MotorsHoldWhatIsWithinTheirLimitsAtTheNearestOfTheirTimes) {
+  RigidBodyProblem problem = rigid_bodies::Hopper();
+  constexpr double kMost = 300.0;
+  rigid_bodies::AddMotors(problem, kMost);
+  const RigidBodyUnknowns unknowns(problem, 0.1, 3);
+  const double weight = problem.mass_kg * kGravity;
+  for (std::size_t k = 0; unknowns.breaks_s()[k] < problem.stances[0].end_s; ++k) {
+    const double at = unknowns.breaks_s()[k] / problem.stances[0].end_s;
+    const double share = at < 0.25 ? 1.0 : at < 0.75 ? 0.8 : 0.6;
+    const Constraint rows = RigidBodyTerms(problem, unknowns).Motors(ForcesOn(1, k));
+    EXPECT_TRUE(Met(rows, Vector3(0.0, 0.0, (share * kMost - 0.01) / weight))) << at;
+    EXPECT_FALSE(Met(rows, Vector3(0.0, 0.0, (share * kMost + 0.01) / weight))) << at;
+    EXPECT_TRUE(Met(rows, Vector3(0.0, 0.0, (-0.5 * share * kMost + 0.01) / weight))) << at;
+    EXPECT_FALSE(Met(rows, Vector3(0.0, 0.0, (-0.5 * share * kMost - 0.01) / weight))) << at;
+    EXPECT_TRUE(Met(rows, Vector3((share * kMost - 0.01) / weight, 0.0, 0.0))) << at;
+    EXPECT_FALSE(Met(rows, Vector3((share * kMost + 0.01) / weight, 0.0, 0.0))) << at;
+  }
+}
+
+TEST(RigidBodyTerms, MotorsSeeAllPointsOfASole) {
+  RigidBodyProblem problem = rigid_bodies::SoledWalker();
+  // One motor that turns the sole over its heel: forces on the toes by their lever.
+  RigidStance& stance = problem.stances[0];
+  MotorLimits limits{MatrixX::Zero(1, 12), VectorX::Constant(1, -5.0), VectorX::Constant(1, 5.0)};
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    const Vector3& corner = problem.feet[0].contacts_F[static_cast<std::size_t>(i)];
+    limits.by_force(0, 3 * i + 2) = corner.x() + 0.06;
+  }
+  stance.motors = {limits};
+  const RigidBodyUnknowns unknowns(problem, 0.1, 3);
+  const Constraint rows = RigidBodyTerms(problem, unknowns).Motors(ForcesOn(4, 1));
+  ASSERT_EQ(rows.variables.size(), 12U);
+  const double toe = 5.0 / (0.16 * problem.mass_kg * kGravity);  // [m g] on one of them
+  VectorX f = VectorX::Zero(12);
+  f[8] = f[11] = 10.0;  // on the heel
+  f[2] = 0.999 * toe;
+  EXPECT_TRUE(Met(rows, f));
+  f[5] = 0.002 * toe;
+  EXPECT_FALSE(Met(rows, f)) << "together with the other toe";
+  f[2] = -1.001 * toe - f[5];
+  EXPECT_FALSE(Met(rows, f));
+}
+
+TEST(RigidBodyTerms, MotorsHaveTheirDerivativesAndForcesOfABreakComeInTheOrderOfTheirPoints) {
+  for (RigidBodyProblem problem : {rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
+    rigid_bodies::AddMotors(problem, 60.0);
+    const RigidBodyUnknowns unknowns(problem, 0.1, 3);
+    const std::vector<BoundForce>& forces = unknowns.BoundForces();
+    const VectorX x = Random(unknowns, 9);
+    std::set<std::pair<std::size_t, std::size_t>> seen;
+    for (std::size_t i = 0; i < forces.size();) {
+      const std::size_t points =
+          problem.feet[static_cast<std::size_t>(problem.stances[forces[i].stance].foot)].contacts_F.size();
+      ASSERT_LE(i + points, forces.size());
+      EXPECT_TRUE(seen.insert({forces[i].stance, forces[i].at_break}).second) << "they stand together";
+      for (std::size_t p = 0; p < points; ++p) {
+        EXPECT_EQ(forces[i + p].point, p);
+        EXPECT_EQ(forces[i + p].stance, forces[i].stance);
+        EXPECT_EQ(forces[i + p].at_break, forces[i].at_break);
+      }
+      const auto first = forces.begin() + static_cast<std::ptrdiff_t>(i);
+      const Constraint motors =
+          RigidBodyTerms(problem, unknowns).Motors({first, first + static_cast<std::ptrdiff_t>(points)});
+      SCOPED_TRACE(motors.name);
+      if (!motors.variables.empty()) ExpectDerivative(motors.function, Own(motors.variables, x));
+      i += points;
     }
-    double momentum = 0.0, angles = 0.0;
-    for (std::size_t i = 0; i + 1 < unknowns.intervals(); ++i) {
-      const VectorX off = ValueOf(RigidBodyTerms(problem, unknowns).Turning(i), x);
-      momentum = std::max(momentum, off.head<3>().norm());
-      angles = std::max(angles, off.tail<3>().norm());
+    EXPECT_GT(seen.size(), 10U);
+  }
+}
+
+TEST(RigidBodyTerms, SwingReachHasItsDerivatives) {
+  for (RigidBodyProblem problem : {rigid_bodies::Hopper(), rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
+    const RigidBodyUnknowns unknowns(problem, 0.08, 3);
+    const RigidBodyTerms terms(problem, unknowns);
+    const VectorX x = Random(unknowns, 7);
+    for (const double share : {0.1, 0.35, 0.5, 0.9}) {
+      const Constraint reach = terms.SwingReach({0, 1, 0.1}, share, 0.0);
+      SCOPED_TRACE(reach.name);
+      ExpectDerivative(reach.function, Own(reach.variables, x));
     }
-    EXPECT_LT(momentum, 1e-12);
-    EXPECT_GT(angles, 1e-12);
-    EXPECT_TRUE(last == 0.0 || angles < last / 16.0) << angles << " after " << last;
-    last = angles;
+  }
+}
+
+TEST(RigidBodyTerms, SwingReachIsThatOfTheSwingsCurve) {
+  const RigidBodyProblem problem = rigid_bodies::Walker();
+  const RigidBodyUnknowns unknowns(problem, 0.08, 3);
+  VectorX x = VectorX::Zero(unknowns.size());  // upright all the time
+  for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i)
+    x.segment<3>(unknowns.ControlPoint(i)) = Vector3(0.1 * static_cast<double>(i), 0.02, 0.6);
+  x.segment<2>(unknowns.Foothold(1).parts[0].start) = Vector2(0.07, -0.03);
+  const RigidStance &from = problem.stances[0], &to = problem.stances[1];
+  SwingCurve curve{from.end_s, to.start_s, from.X_WF, to.X_WF, 0.12};
+  curve.X_WF_end.translation() = unknowns.Foothold(1).At(x);
+  for (const double share : {0.1, 0.3, 0.5, 0.8}) {
+    const double time_s = from.end_s + share * (to.start_s - from.end_s);
+    const Constraint rows = RigidBodyTerms(problem, unknowns).SwingReach({0, 1, 0.12}, share, 0.01);
+    const VectorX value = ValueOf(rows, x);
+    const Vector3 p_CF = Evaluate(curve, time_s).X_WF.translation() - unknowns.CentreOfMass(time_s).At(x);
+    ASSERT_EQ(value.size(), static_cast<Eigen::Index>(problem.feet[0].workspace_B.size()));
+    for (std::size_t i = 0; i < problem.feet[0].workspace_B.size(); ++i) {
+      const WorkspaceSide& side = problem.feet[0].workspace_B[i];
+      EXPECT_NEAR(value[static_cast<Eigen::Index>(i)], side.normal.dot(p_CF), 1e-12) << share;
+      EXPECT_NEAR(rows.upper[static_cast<Eigen::Index>(i)], side.offset - 0.01, 1e-12);
+    }
   }
 }
 

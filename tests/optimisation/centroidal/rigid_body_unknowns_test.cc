@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "tests/optimisation/centroidal/rigid_bodies.h"
 
@@ -37,6 +39,39 @@ TEST(RigidBodyUnknowns, SwitchesThatAreNearlyTheSameAreOneBreak) {
   const std::size_t before = RigidBodyUnknowns(problem, 0.1, 3).breaks_s().size();
   problem.stances[1].start_s += 3e-5;
   EXPECT_EQ(RigidBodyUnknowns(problem, 0.1, 3).breaks_s().size(), before);
+}
+
+bool Holds(const std::vector<double>& breaks, double t) {
+  return std::any_of(breaks.begin(), breaks.end(), [t](double b) { return std::abs(b - t) < 1e-12; });
+}
+
+TEST(RigidBodyUnknowns, BreaksBetweenSwitchesAreOnAGrid) {
+  RigidBodyProblem problem = rigid_bodies::Walker();
+  problem.stances[1].start_s += 3e-3;  // a switch that is on no grid
+  std::vector<double> switches;
+  for (const RigidStance& stance : problem.stances) switches.insert(switches.end(), {stance.start_s, stance.end_s});
+  const std::vector<double> even = RigidBodyUnknowns(problem, 0.07, 3).breaks_s();
+  int off = 0;
+  for (const double grid_s : {0.001, 0.005, 0.02}) {
+    const std::vector<double> breaks = RigidBodyUnknowns(problem, 0.07, 3, grid_s).breaks_s();
+    EXPECT_TRUE(std::is_sorted(breaks.begin(), breaks.end()));
+    for (const double t : switches) EXPECT_TRUE(Holds(breaks, t)) << t;
+    for (const double t : breaks)
+      EXPECT_TRUE(Holds(switches, t) || std::abs(std::remainder(t, grid_s)) < 1e-12) << t << " on " << grid_s;
+    EXPECT_EQ(breaks.size(), even.size()) << grid_s;
+    for (std::size_t k = 0; k < std::min(breaks.size(), even.size()); ++k)
+      EXPECT_LE(std::abs(breaks[k] - even[k]), 0.5 * grid_s + 1e-12);
+    for (const double t : even) off += std::abs(std::remainder(t, grid_s)) > 1e-6 ? 1 : 0;
+  }
+  EXPECT_GT(off, 10) << "without a grid they are anywhere";
+}
+
+TEST(RigidBodyUnknowns, BreaksThatMeetOnACoarseGridAreOne) {
+  const RigidBodyProblem problem = rigid_bodies::Walker();
+  const std::vector<double> even = RigidBodyUnknowns(problem, 0.02, 3).breaks_s();
+  const std::vector<double> breaks = RigidBodyUnknowns(problem, 0.02, 3, 0.05).breaks_s();
+  EXPECT_LT(breaks.size(), even.size());
+  for (std::size_t k = 1; k < breaks.size(); ++k) EXPECT_GT(breaks[k] - breaks[k - 1], 0.04);
 }
 
 TEST(RigidBodyUnknowns, FlightIsOneInterval) {

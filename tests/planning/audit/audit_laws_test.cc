@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/stability/zero_moment_point.h"
 #include "tests/planning/audit/good_plan.h"
 
 namespace gaitwright {
@@ -245,6 +246,61 @@ TEST_P(AuditLaw, BodyClearanceFindsAPostThatTheTrunkPassesInFourMilliseconds) {
   EXPECT_NEAR(found[0].at_s, middle_s, 2.0 * kHalf_s + kSample_s);
   EXPECT_NEAR(found[0].value, -kOver, 2e-4);
   EXPECT_EQ(found[0].unit, "m");
+}
+
+/// A1's plan with a row in the middle of a swing, on two feet, in which the whole robot falls so that only a share of
+/// its weight presses, with a moment about the line of its feet, in m g h.
+MotionPlan Falling(const GoodPlan& good, double share, double moment) {
+  MotionPlan plan = good.plan;
+  const std::size_t row = MidSwingRow(plan);
+  const Moment at(good.model, plan, TimeOf(plan, row));
+  std::vector<Vector2> feet;
+  for (const int foot : {0, 1, 2, 3}) {
+    const Foothold& on =
+        plan.footsteps.footholds[static_cast<std::size_t>(FootholdAt(plan.footsteps, foot, TimeOf(plan, row)))];
+    if (on.liftoff_s > TimeOf(plan, row))
+      feet.emplace_back(ContactFrame(good.model, at.scratch, foot).translation().head<2>());
+  }
+  EXPECT_EQ(feet.size(), 2U);
+  const Vector2 along = (feet[1] - feet[0]).normalized(), across(-along.y(), along.x());
+  DynamicsScratch scratch(good.model);
+  VectorX needed;
+  const auto off = [&]() {
+    InverseDynamics(good.model, plan.whole_body.q[row], plan.whole_body.v[row], plan.whole_body.a[row], scratch,
+                    needed);
+    return across.dot(ZeroMomentPoint(scratch.p_WB[0], needed.head<3>(), needed.segment<3>(3), 0.0) - feet[0]);
+  };
+  (void)off();
+  plan.whole_body.a[row][2] += share * kGravity - needed[2] / good.model.total_mass_kg;
+  const double wanted = moment * good.plan.centroidal.p_WC[0].z() / share, before = off();
+  plan.whole_body.a[row].head<2>() += 0.01 * across;
+  const double by_push = (off() - before) / 0.01;
+  plan.whole_body.a[row].head<2>() += ((wanted - before) / by_push - 0.01) * across;
+  EXPECT_NEAR(off(), wanted, 1e-9);
+  EXPECT_NEAR(needed[2], share * good.model.weight_n(), 1e-6);
+  return plan;
+}
+
+TEST(AuditOfLines, WhereLittlePressesAThousandthOfTheWeightTimesItsHeightIsNoMoment) {
+  const GoodPlan& a1 = GoodPlanOf("a1");
+  const double height = a1.plan.centroidal.p_WC[0].z();
+  const auto found = [&](double share, double moment) {
+    const auto all = ViolationsOf(a1.model, Falling(a1, share, moment));
+    return std::count_if(all.begin(), all.end(), [](const Violation& v) { return v.where == "zero-moment point"; });
+  };
+  for (const double share : {0.06, 0.08, 0.1}) {
+    const double usual = 2e-3 * share / height;  // 2 mm, as such a moment
+    ASSERT_LT(usual, 0.9e-3);
+    for (const double side : {-1.0, 1.0}) {
+      EXPECT_EQ(found(share, side * 0.9e-3), 0) << share;
+      EXPECT_EQ(found(share, side * 1.1e-3), 1) << share;
+    }
+  }
+  // More of the weight than an eighth, and what counts is the distance.
+  for (const double share : {0.3, 0.9}) {
+    EXPECT_EQ(found(share, 1.8e-3 * share / height), 0) << share;
+    EXPECT_EQ(found(share, 2.2e-3 * share / height), 1) << share;
+  }
 }
 
 TEST(AuditOfSlides, GivesLengthsAndForces) {

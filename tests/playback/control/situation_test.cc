@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/playback/displaced.h"
 #include "tests/playback/synthetic.h"
 
@@ -119,6 +122,27 @@ TEST_F(SituationTest, SwingsAreThoseBetweenFootholds) {
           << foot << " at " << t;
     }
   }
+}
+
+TEST_F(SituationTest, TheNextSupportIsAtTheEndOfTheFlightAfterAStance) {
+  EXPECT_EQ(Swings(model_, plan_).At(0, 1.0).next_support_s, Swings(model_, plan_).At(0, 1.0).next_liftoff_s);
+  // Where feet 0 and 3 lift at 1.9 s, all others do too, for 0.07 s.
+  MotionPlan flying = plan_;
+  const auto phase = std::find_if(flying.schedule.phases.begin(), flying.schedule.phases.end(),
+                                  [](const ContactPhase& p) { return std::abs(p.start_s - 1.9) < 1e-9; });
+  ASSERT_NE(phase, flying.schedule.phases.end());
+  ASSERT_GT(phase->end_s, 1.97);
+  const auto later = flying.schedule.phases.insert(phase + 1, *phase);
+  (later - 1)->end_s = later->start_s = 1.97;
+  (later - 1)->stance = 0;
+  const Swings swings(model_, flying);
+  for (const double t : {1.0, 1.25}) {
+    const SwingNow swing = swings.At(0, t);
+    EXPECT_NEAR(swing.next_liftoff_s, 1.9, 1e-12);
+    EXPECT_NEAR(swing.next_support_s, 1.97, 1e-12);
+  }
+  const SwingNow other = swings.At(1, 1.5);
+  EXPECT_EQ(other.next_support_s, other.next_liftoff_s) << "no flight follows that stance";
 }
 
 TEST_F(SituationTest, AFootWithoutFootholdsDoesNotSwing) {

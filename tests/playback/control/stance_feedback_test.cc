@@ -259,6 +259,40 @@ TEST_P(Mirrored, AMirroredErrorIsMetByMirroredTorques) {
 
 INSTANTIATE_TEST_SUITE_P(Feet, Mirrored, ::testing::Values(2, 4));
 
+/// A point mass on its legs, thrown up by contact forces of a multiple of its weight.
+MotionPlan Thrust(const RobotModel& model, double load) {
+  MotionPlan plan = synthetic::StandingPlan(model, 1.0);
+  for (std::size_t k = 0; k < plan.whole_body.q.size(); ++k) {
+    plan.whole_body.a[k][2] = (load - 1.0) * kGravity;
+    plan.whole_body.tau[k] *= load;
+    for (ContactWrench& wrench : plan.whole_body.wrenches[k]) {
+      wrench.force_W *= load;
+      wrench.moment_W *= load;
+    }
+  }
+  for (Vector3& a_WC : plan.centroidal.a_WC) a_WC.z() = (load - 1.0) * kGravity;
+  return plan;
+}
+
+TEST(StanceFeedback, AsksForAsMuchAsAPlanDoesAndHalfAsMuchMore) {
+  const RobotModel model = synthetic::Robot(4, FootType::kPoint);
+  const double weight = model.weight_n();
+  for (const double load : {1.0, 2.5, 3.5}) {
+    StanceCase thrown(model, Thrust(model, load));
+    ControlInput input = OnPlan(thrown.plan(), 0.5);
+    EXPECT_NEAR(thrown.Ask(input).force_W.z(), load * weight, 0.01 * weight) << load;
+    input.v[2] -= 100.0;  // falls
+    EXPECT_NEAR(thrown.Ask(input).force_W.z(), std::max(2.0, 1.5 * load) * weight, 0.02 * weight) << load;
+    input.v[2] += 200.0;  // rises
+    EXPECT_NEAR(thrown.Ask(input).force_W.z(), 0.3 * weight, 0.02 * load * weight) << load;
+  }
+  // What is planned to press less than that may be asked for half of it.
+  StanceCase light(model, Thrust(model, 0.2));
+  ControlInput input = OnPlan(light.plan(), 0.5);
+  input.v[2] += 100.0;
+  EXPECT_NEAR(light.Ask(input).force_W.z(), 0.1 * weight, 0.02 * weight);
+}
+
 TEST(StanceFeedback, OnAWalkWithoutErrorNothingIsAdded) {
   const RobotModel model = synthetic::Robot(4, FootType::kPoint);
   StanceCase walking(model, synthetic::SteppingPlan(model));

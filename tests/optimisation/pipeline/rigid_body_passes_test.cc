@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/rigid_body_passes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/load_robot.h"
+#include "kinematics/spatial/rotation.h"
+#include "planning/gait/find_gait.h"
+
+namespace gaitwright {
+namespace {
+
+WalkCommand Ahead(double speed_m_s, double distance_m) {
+  WalkCommand command;
+  command.speed_m_s = speed_m_s;
+  command.distance_m = distance_m;
+  return command;
+}
+
+/// A bound of two cycles and what its passes came to, to a coarser tolerance than the program's; made once.
+struct Bounded {
+  RobotModel model = *LoadNamedRobot("a1");
+  WalkCommand command = Ahead(0.5, 0.2);
+  Gait gait = *FindGait(model, "bound", CommandedSpeed(model, command), {});
+  MotionOptions options;
+  FootstepSkeleton skeleton = *PlanFootsteps(model, FlatTerrain(), gait, command, options.footsteps);
+  int passes = 0;
+  MotionPass pass;
+
+  Bounded() {
+    options.pipeline.residual = 2e-3;
+    const Terrain ground = FlatTerrain();
+    const BodyPath body(model, skeleton, gait.cycle_s);
+    Result<MotionPass> made =
+        RigidBodyPasses(MotionTask{model, ground, skeleton, options, body, gait.cycle_s}).Run(passes);
+    EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.failure().message);
+    if (made.ok()) pass = std::move(*made);
+  }
+
+  const WholeBodyTrajectory& rows() const { return pass.solution.trajectory; }
+  double TimeOf(std::size_t row) const { return rows().start_s + static_cast<double>(row) * rows().step_s; }
+  /// The rows of phases in which no foot is on the ground, without their ends.
+  std::vector<std::size_t> FlightRows() const {
+    std::vector<std::size_t> flying;
+    for (std::size_t k = 0; k < rows().q.size(); ++k) {
+      for (const ContactPhase& phase : skeleton.schedule.phases) {
+        if (phase.stance == 0 && TimeOf(k) > phase.start_s + 1e-6 && TimeOf(k) < phase.end_s - 1e-6)
+          flying.push_back(k);
+      }
+    }
+    return flying;
+  }
+};
+
+const Bounded& Bound() {
+  static const Bounded bound;
+  return bound;
+}
+
+/// Force over weight and moment over weight, in metres, that base and contacts leave unbalanced at a row.
+double UnbalancedAt(const Bounded& bound, std::size_t row, DynamicsScratch& scratch) {
+  const WholeBodyTrajectory& rows = bound.rows();
+  VectorX tau;
+  InverseDynamics(bound.model, rows.q[row], rows.v[row], rows.a[row], scratch, tau);
+  for (int f = 0; f < static_cast<int>(bound.model.feet.size()); ++f) {
+    const ContactWrench& given = rows.wrenches[row][static_cast<std::size_t>(f)];
+    Vector6 wrench;
+    wrench << given.force_W, given.moment_W;
+    AddPointWrench(bound.model, scratch, bound.model.feet[static_cast<std::size_t>(f)].body,
+                   ContactFrame(bound.model, scratch, f).translation(), -wrench, tau);
+  }
+  return std::max(tau.head<3>().norm(), tau.segment<3>(3).norm()) / bound.model.weight_n();
+}
+
+TEST(RigidBodyPasses, GoOnUntilContactsGiveWhatTheWholeBodyNeeds) {
+  const Bounded& bound = Bound();
+  EXPECT_LT(bound.pass.error_m, bound.options.pipeline.residual);
+  EXPECT_GT(bound.passes, 1) << "legs without mass are none";
+  EXPECT_LT(bound.passes, bound.options.pipeline.max_body_passes);
+  DynamicsScratch scratch(bound.model);
+  double worst = 0.0;
+  for (std::size_t k = 0; k < bound.rows().q.size(); ++k) worst = std::max(worst, UnbalancedAt(bound, k, scratch));
+  EXPECT_NEAR(worst, bound.pass.error_m, 1e-6);
+}
+
+TEST(RigidBodyPasses, FeetAreOnTheirFootholdsAndRollAsSaid) {
+  const Bounded& bound = Bound();
+  DynamicsScratch scratch(bound.model);
+  double rolled = 0.0;
+  int looked = 0;
+  for (const Foothold& foothold : bound.pass.footsteps.footholds) {
+    for (std::size_t k = 0; k < bound.rows().q.size(); ++k) {
+      const double t = bound.TimeOf(k);
+      const bool first = std::abs(t - foothold.touchdown_s) < 1e-6, last = std::abs(t - foothold.liftoff_s) < 1e-6;
+      if (!first && !last) continue;
+      ForwardKinematics(bound.model, bound.rows().q[k], scratch);
+      const Vector3 p_WF = ContactFrame(bound.model, scratch, foothold.foot).translation();
+      const Vector3 expected = foothold.X_WF.translation() + (last ? foothold.roll_W : Vector3::Zero());
+      EXPECT_LT((p_WF - expected).norm(), 1e-3) << "foot " << foothold.foot << " at " << t << " s";
+      EXPECT_NEAR(p_WF.z(), 0.0, 1e-6);
+      rolled = std::max(rolled, foothold.roll_W.norm());
+      ++looked;
+    }
+  }
+  EXPECT_EQ(looked, static_cast<int>(2 * bound.pass.footsteps.footholds.size()));
+  EXPECT_GT(rolled, 1e-3) << "spheres roll";
+}
+
+TEST(RigidBodyPasses, NothingPushesInFlightAndTheCentreOfMassFallsFreely) {
+  const Bounded& bound = Bound();
+  const std::vector<std::size_t> flying = bound.FlightRows();
+  ASSERT_GT(flying.size(), 10U);
+  const CentroidalTrajectory& c = bound.pass.centroidal;
+  DynamicsScratch scratch(bound.model);
+  VectorX tau;
+  for (const std::size_t k : flying) {
+    for (const ContactWrench& wrench : bound.rows().wrenches[k]) {
+      EXPECT_EQ(wrench.force_W.norm(), 0.0);
+      EXPECT_EQ(wrench.moment_W.norm(), 0.0);
+    }
+    EXPECT_LT((c.a_WC[k] + kGravity * Vector3::UnitZ()).norm(), 1e-6 * kGravity) << bound.TimeOf(k);
+    InverseDynamics(bound.model, bound.rows().q[k], bound.rows().v[k], bound.rows().a[k], scratch, tau);
+    EXPECT_LT(tau.head<3>().norm(), 1e-6 * bound.model.weight_n()) << "the whole body's too, at " << bound.TimeOf(k);
+    EXPECT_LT((CentreOfMass(bound.model, scratch) - c.p_WC[k]).norm(), 1e-6);
+  }
+}
+
+TEST(RigidBodyPasses, WhatStandsCarriesAndTheMotionBeginsAndEndsAtRest) {
+  const Bounded& bound = Bound();
+  double most = 0.0;
+  for (std::size_t k = 0; k < bound.rows().q.size(); ++k) {
+    double carried = 0.0;
+    for (const ContactWrench& wrench : bound.rows().wrenches[k]) {
+      EXPECT_GE(wrench.force_W.z(), -1e-6);
+      carried += wrench.force_W.z();
+    }
+    most = std::max(most, carried / bound.model.weight_n());
+  }
+  EXPECT_GT(most, 1.3) << "what flies is pushed off by more than its weight";
+  for (const VectorX& v : {bound.rows().v.front(), bound.rows().v.back()}) EXPECT_LT(v.norm(), 1e-6);
+}
+
+MotionPlan PlannedBy(const RobotModel& model, const std::string& name, const WalkCommand& command,
+                     const MotionOptions& options, const GaitOptions& gaits = {}) {
+  const Result<Gait> gait = FindGait(model, name, CommandedSpeed(model, command), gaits);
+  const Result<PlannedMotion> motion = PlanMotion(model, FlatTerrain(), *gait, command, options);
+  EXPECT_TRUE(motion.ok()) << (motion.ok() ? "" : motion.failure().message);
+  return motion.ok() ? motion->plan : MotionPlan{};
+}
+
+TEST(RigidBodyPasses, APronkKeepsTheProgramsOwnTolerance) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  const WalkCommand command = Ahead(0.5, 0.2);
+  const Gait gait = *FindGait(model, "pronk", CommandedSpeed(model, command), {});
+  MotionOptions options, once;
+  once.pipeline.max_body_passes = 1;
+  const Result<PlannedMotion> motion = PlanMotion(model, FlatTerrain(), gait, command, options);
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  EXPECT_LT(motion->zmp_error_max_m, options.pipeline.residual);
+  EXPECT_LT(motion->passes, options.pipeline.max_body_passes);
+  const Result<PlannedMotion> stiff = PlanMotion(model, FlatTerrain(), gait, command, once);
+  ASSERT_TRUE(stiff.ok()) << stiff.failure().message;
+  EXPECT_GT(stiff->zmp_error_max_m, 10.0 * options.pipeline.residual) << "legs without mass are none";
+  EXPECT_EQ(stiff->passes, 1);
+}
+
+/// How much a plan's centre of mass goes up and down [m]: that of a pendulum on level ground does not.
+double Heave(const MotionPlan& plan) {
+  const auto [least, most] = std::minmax_element(plan.centroidal.p_WC.begin(), plan.centroidal.p_WC.end(),
+                                                 [](const Vector3& a, const Vector3& b) { return a.z() < b.z(); });
+  return most->z() - least->z();
+}
+
+TEST(RigidBodyPasses, ATrotAskedForAsARigidBodysEndsAtItsGoal) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  MotionOptions options;
+  options.centre_of_mass.method = "rigid-body";
+  WalkCommand command = Ahead(0.4, 0.2);
+  const MotionPlan plan = PlannedBy(model, "trot", command, options);
+  ASSERT_FALSE(plan.whole_body.q.empty());
+  const VectorX& end = plan.whole_body.q.back();
+  EXPECT_NEAR(plan.goal.x_m, 0.2, 1e-6);
+  EXPECT_LT((end.head<2>() - Vector2(plan.goal.x_m, plan.goal.y_m)).norm(), 2e-3);
+  EXPECT_NEAR(YawOf(BaseRotation(end)), plan.goal.yaw_rad, 2e-3);
+  EXPECT_GT(Heave(plan), 1e-4);
+}
+
+TEST(RigidBodyPasses, AreForGaitsInWhichNoFootCarriesOnAndForNoOthers) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  MotionOptions once;
+  once.pipeline.max_body_passes = 1;
+  GaitOptions half;
+  half.duty_factor = 0.5;
+  const WalkCommand command = Ahead(0.4, 0.15);
+  EXPECT_GT(Heave(PlannedBy(model, "bound", command, once)), 1e-3) << "it flies";
+  EXPECT_GT(Heave(PlannedBy(model, "trot", command, once, half)), 1e-4) << "pairs are exchanged at once";
+  EXPECT_LT(Heave(PlannedBy(model, "trot", command, once)), 1e-9) << "a pendulum does";
+  EXPECT_LT(Heave(PlannedBy(model, "crawl", Ahead(0.1, 0.05), once)), 1e-9);
+}
+
+}  // namespace
+}  // namespace gaitwright
