@@ -162,7 +162,8 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   const BodyPath body(model, *skeleton, gait.cycle_s);
   const MotionTask task{model, terrain, *skeleton, options, body, gait.cycle_s};
   Result<MotionPass> pass = MotionPass{};
-  if (IsDynamic(skeleton->schedule, options)) {
+  const bool dynamic = IsDynamic(skeleton->schedule, options);
+  if (dynamic) {
     pass = RigidBodyPasses(task).Run(planned.passes);
   } else {
     Carriages carriages(task);
@@ -191,10 +192,12 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   planned.limit_excess = TotalExcess(model, plan.whole_body, 0.0);
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
-  planned.zmp_error_max_m = pass->error_m;
-  planned.summary =
-      fmt::format("{:.2f} s, {} footholds, {} passes, multibody ZMP within {:.1f} mm of its reference",
-                  plan.duration_s(), plan.footsteps.footholds.size(), planned.passes, 1e3 * pass->error_m);
+  const std::string left = dynamic
+                               ? fmt::format("contacts give all of the motion but {:.1e} m g", pass->error_m)
+                               : fmt::format("multibody ZMP within {:.1f} mm of its reference", 1e3 * pass->error_m);
+  (dynamic ? planned.residual : planned.zmp_error_max_m) = pass->error_m;
+  planned.summary = fmt::format("{:.2f} s, {} footholds, {} passes, {}", plan.duration_s(),
+                                plan.footsteps.footholds.size(), planned.passes, left);
   return planned;
 }
 

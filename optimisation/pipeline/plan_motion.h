@@ -102,7 +102,8 @@ struct MotionOptions {
 struct PlannedMotion {
   MotionPlan plan;
   int passes = 0;                ///< of the ZMP correction
-  double zmp_error_max_m = 0.0;  ///< multibody ZMP against its reference, worst
+  double zmp_error_max_m = 0.0;  ///< multibody ZMP against its reference, worst; of a pendulum's motion
+  double residual = 0.0;         ///< what contacts do not give over m g [1], [m]; of a rigid body's motion
   double limit_excess = 0.0;     ///< past limits of joints, summed in shares of the limits
   std::string summary;           ///< one line
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr double kShortest = 0.5, kLongest = 2.0;  // of a gait's own cycle, where that scales with the leg
 // Where its cycle would be shorter than kQuick of that, feet are on the ground for less of a cycle of kRunning instead.
 constexpr double kQuick = 0.57, kRunning = 0.6;
-constexpr double kLeastDuty = 0.3;
+constexpr double kLeastDuty = 0.3, kRunningDuty = 0.62;
 constexpr int kRunningFeet = 4;  // with fewer of them that is another gait
 
 Failure BadGait(const std::string& message) { return {FailureKind::kBadInput, "gait", "FindGait", message, {}}; }
@@ -96,7 +96,8 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
     const double travel = options.stance_travel * model.leg_length_m();
     const double wanted = travel / std::max(speed_m_s * duty, 1e-9);
     gait.cycle_s = std::clamp(wanted, kShortest * own, own);
-    if (options.duty_factor == 0.0 && gait.num_feet() >= kRunningFeet && wanted < kQuick * own) {
+    const bool may_run = options.duty_factor == 0.0 && gait.num_feet() >= kRunningFeet && duty <= kRunningDuty;
+    if (may_run && wanted < kQuick * own) {
       gait.cycle_s = kRunning * own;
       for (double& share : gait.duty_factor)
         share = std::max(share * wanted / gait.cycle_s, std::min(share, kLeastDuty));

@@ -119,8 +119,10 @@ class Search {
   /// Largest pace of the request's command that has a plan; 0 when there is none. Over ground that is not level, and
   /// with gaits that leap, only some are tried, and none where Plan chose the pace already.
   double LargestThatPasses() const {
-    if (const Result<Cycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted))
-      return LargestLeaping();
+    if (const Result<Cycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted)) {
+      const double largest = LargestLeaping();
+      return largest > 0.0 ? largest : LargestOnTheGround();
+    }
     if (!IsLevelGround(terrain_)) {
       if (IsOwnPace(request_.command)) return 0.0;
       const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases);
@@ -147,11 +149,29 @@ class Search {
 
   /// The first of some slower paces whose brief walk passes; 0 for none.
   double LargestLeaping() const {
-    for (const double share : {0.8, 0.6, 0.4}) {
+    for (const double share : {0.8, 0.65, 0.5, 0.4}) {
       const double pace = NextLower(share * PaceValue(model_, request_.command));
       const WalkCommand slower = AtPace(model_, request_.command, pace);
       const Result<Cycles> cycles = CyclesFor(slower);
       if (cycles && Brief(*cycles, 0, slower) > 0.0) return pace;
+    }
+    return 0.0;
+  }
+
+  /// The largest pace at which a gait that flies only when it is fast stays on the ground; 0 for none.
+  double LargestOnTheGround() const {
+    const Result<Gait> slow = FindGait(model_, request_.gait, 0.0, request_.gait_options);
+    if (!slow || Leaps(*slow)) return 0.0;
+    WalkRequest grounded = request_;
+    grounded.gait_options.duty_factor = *std::max_element(slow->duty_factor.begin(), slow->duty_factor.end());
+    double pace = Search(model_, terrain_, grounded).LargestThatPasses();
+    constexpr int kTries = 10;
+    constexpr double kLower = 0.95;
+    for (int i = 0; i < kTries && pace > 0.0; ++i) {
+      const WalkCommand slower = AtPace(model_, request_.command, pace);
+      const Result<Cycles> cycles = CyclesFor(slower);
+      if (cycles && !Leaps(cycles->fitted)) return pace;
+      pace = NextLower(kLower * pace);
     }
     return 0.0;
   }
