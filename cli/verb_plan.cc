@@ -25,6 +25,7 @@ void Print(const PlannedWalk& planned, const std::string& path, const Common& co
                                          {"duration_s", planned.motion.plan.duration_s()},
                                          {"footholds", planned.motion.plan.footsteps.footholds.size()},
                                          {"zmp_error_max_m", planned.motion.zmp_error_max_m},
+                                         {"residual", planned.motion.residual},
                                          {"planning_cpu_s", planned.planning_cpu_s},
                                          {"warnings", planned.motion.plan.warnings},
                                          {"audit", nlohmann::ordered_json::parse(AuditJson(planned.audit))},

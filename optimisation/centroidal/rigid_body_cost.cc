@@ -39,7 +39,7 @@ void AddStance(const FootPlace& place, const AffineVector& com, double weight, c
 }  // namespace
 
 Vector3 WantedAngles(const RigidBodyProblem& problem, double time_s) {
-  if (!problem.way.time_s.empty()) return {0.0, 0.0, problem.way.AnglesAt(time_s).z()};
+  if (problem.follows_yaw && !problem.way.time_s.empty()) return {0.0, 0.0, problem.way.AnglesAt(time_s).z()};
   const double u = time_s / problem.duration_s;
   return {0.0, 0.0, (1.0 - u) * problem.start.angles_rad.z() + u * problem.goal.angles_rad.z()};
 }

@@ -82,7 +82,8 @@ struct RigidBodyProblem {
   /// Angular momentum about the centre of mass of all that moves against the box, and its rate, at even times from 0 to
   /// the end, two or more; empty for none [N m s], [N m].
   std::vector<Vector3> inner_momentum_W = {}, inner_torque_W = {};
-  BodyWay way;  ///< first guess, whose yaw is the one wanted; empty for one over the footholds
+  BodyWay way;               ///< first guess; empty for one over the footholds
+  bool follows_yaw = false;  ///< the yaw wanted is that of the way; else it goes evenly from start to goal
 };
 
 /// The inner momentum of a problem as a function of time: Hermite's cubics between what is given.

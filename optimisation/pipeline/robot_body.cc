@@ -112,6 +112,7 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
     problem.way.p_WC.push_back(at(time_s).p_WC);
     problem.way.angles_rad.push_back(at(time_s).angles_rad);
   }
+  problem.follows_yaw = true;
   const bool level = IsLevelGround(terrain);
   for (const Foothold& foothold : skeleton.footsteps.footholds) {
     RigidStance stance;
