@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "kinematics/spatial/rotation.h"
+#include "optimisation/centroidal/hold_goal.h"
 #include "optimisation/centroidal/rigid_body_terms.h"
 #include "optimisation/centroidal/rigid_body_unknowns.h"
 #include "optimisation/numerics/elastic_interior.h"
@@ -149,26 +149,20 @@ VectorX Guess(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns
   return x;
 }
 
-/// Where all feet at the goal are on ground that slopes the same way, too steep for them to hold still there; else
-/// nothing. Between walls that slope against each other a body can hold still.
+/// Where no forces on the footholds at the goal can hold a body there; else nothing.
 std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
-  double friction = 0.0, slope = std::numbers::pi;
-  Vector2 downhill = Vector2::Zero();
+  std::vector<Vector3> normals_W;
+  double friction = 0.0;
   for (const RigidStance& stance : problem.stances) {
     if (stance.end_s < problem.duration_s) continue;
-    const double inclined = std::acos(std::clamp(stance.X_WF.linear()(2, 2), -1.0, 1.0));
-    const Vector2 own = stance.X_WF.linear().col(2).head<2>();
-    if (std::tan(inclined) <= stance.friction || own.dot(downhill) < 0.0) return "";
-    downhill = own;
-    if (inclined >= slope) continue;
-    slope = inclined;
-    friction = stance.friction;
+    normals_W.push_back(stance.X_WF.linear().col(2));
+    friction = std::max(friction, stance.friction);
   }
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const double needed = LeastHoldingFriction(normals_W);
+  if (needed <= friction) return "";
   return fmt::format(
-      "; at the goal all feet are on ground steeper than a friction of {:.2f} holds ({:.1f} degrees, held to "
-      "{:.1f})",
-      friction, slope * kDegrees, std::atan(friction) * kDegrees);
+      "; at the goal all feet are on ground that takes a friction of {:.2f} to hold still on, and has {:.2f}", needed,
+      friction);
 }
 
 /// The worst three that are violated, and all of it.
