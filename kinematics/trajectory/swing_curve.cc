@@ -2,15 +2,32 @@
 #include "kinematics/trajectory/swing_curve.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/bspline.h"
 
 namespace gaitwright {
+namespace {
 
-Motion1 SmoothStep(double u) {
+/// The step within (0, 1) that cruises: its ends are halves of the plain one, taken in `ends` of the time and as far as
+/// makes the rates meet.
+Motion1 CruisingStep(double u, double cruise) {
+  constexpr double kFastest = 1.875;  // rate of the plain one at half time
+  const double ends = 1.0 - cruise, rate = 1.0 / (cruise + ends / kFastest), scale = rate / kFastest;
+  if (std::abs(u - 0.5) <= 0.5 * cruise) return {0.5 + rate * (u - 0.5), rate, 0.0};
+  const bool late = u > 0.5;
+  const Motion1 half = SmoothStep((late ? 1.0 - u : u) / ends);
+  const double gone = scale * ends * half.value, acceleration = scale / ends * half.acceleration;
+  return {late ? 1.0 - gone : gone, scale * half.rate, late ? -acceleration : acceleration};
+}
+
+}  // namespace
+
+Motion1 SmoothStep(double u, double cruise) {
   if (u <= 0.0) return {0.0, 0.0, 0.0};
   if (u >= 1.0) return {1.0, 0.0, 0.0};
+  if (cruise > 0.0) return CruisingStep(u, cruise);
   const double w = 1.0 - u;
   return {u * u * u * (10.0 + u * (6.0 * u - 15.0)), 30.0 * u * u * w * w, 60.0 * u * w * (w - u)};
 }
@@ -23,6 +40,13 @@ Motion1 SmoothBump(double u) {
 
 namespace {
 
+/// A parabola over the way of a step, 1 at its middle.
+Motion1 Arc(const Motion1& step) {
+  const double slope = 4.0 * (1.0 - 2.0 * step.value);
+  return {4.0 * step.value * (1.0 - step.value), slope * step.rate,
+          slope * step.acceleration - 8.0 * step.rate * step.rate};
+}
+
 /// What is added to the straight move, and its derivatives by the fraction of the swing.
 struct Offset {
   Vector3 value = Vector3::Zero(), rate = Vector3::Zero(), acceleration = Vector3::Zero();
@@ -31,7 +55,7 @@ struct Offset {
 Offset OffsetAt(const SwingCurve& curve, double u) {
   Offset offset;
   if (curve.detour_W.empty()) {
-    const Motion1 bump = SmoothBump(u);
+    const Motion1 bump = curve.cruise > 0.0 ? Arc(SmoothStep(u, curve.cruise)) : SmoothBump(u);
     offset.value.z() = bump.value * curve.lift_m;
     offset.rate.z() = bump.rate * curve.lift_m;
     offset.acceleration.z() = bump.acceleration * curve.lift_m;
@@ -58,7 +82,7 @@ Offset OffsetAt(const SwingCurve& curve, double u) {
 FrameMotion Evaluate(const SwingCurve& curve, double time_s) {
   const double duration = curve.end_s - curve.start_s;
   const double u = (time_s - curve.start_s) / duration;
-  const Motion1 step = SmoothStep(u);
+  const Motion1 step = SmoothStep(u, curve.cruise);
   const Offset offset = OffsetAt(curve, u);
   const Vector3 travel = curve.X_WF_end.translation() - curve.X_WF_start.translation();
   const Vector3 turn = RotationLog(curve.X_WF_end.linear() * curve.X_WF_start.linear().transpose());

@@ -14,7 +14,9 @@ struct Motion1 {
 
 /// Minimum-jerk step from 0 to 1 over u in [0, 1] and its derivatives by u: 10 u^3 - 15 u^4 + 6 u^5; constant outside.
 /// Flash and Hogan, J. Neuroscience 5(7), 1985.
-Motion1 SmoothStep(double u);
+/// Of a `cruise` over 0, up to 1, that share of the time in the middle goes by at constant rate; before and after, the
+/// two halves of the minimum-jerk step.
+Motion1 SmoothStep(double u, double cruise = 0.0);
 
 /// Bump 64 u^3 (1 - u)^3 from 0 to 1 at u = 1/2 and back, with zero rate and acceleration at both ends; 0 outside.
 Motion1 SmoothBump(double u);
@@ -26,7 +28,8 @@ struct FrameMotion {
   Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
 };
 
-/// A swing: a minimum-jerk move from start to end with a bump of `lift_m` along z, at rest (zero velocity and
+/// A swing: a minimum-jerk move, or one that cruises, from start to end (SmoothStep) with a bump of `lift_m` along z,
+/// which for one that cruises is a parabola over the way, as of a body in flight; at rest (zero velocity and
 /// acceleration) at both ends. The rotation is the shortest one, about a fixed axis. Where `detour_W` has control
 /// points, a quintic B-spline takes the bump's place: three points of zero, these, three points of zero.
 struct SwingCurve {
@@ -34,6 +37,7 @@ struct SwingCurve {
   Pose X_WF_start = Pose::Identity(), X_WF_end = Pose::Identity();
   double lift_m = 0.0;
   std::vector<Vector3> detour_W = {};  ///< [m]
+  double cruise = 0.0;                 ///< share of the time at constant speed, below 1
 };
 
 /// The frame's motion at a time; at rest on the ends outside [start_s, end_s].

@@ -17,8 +17,10 @@ namespace gaitwright {
 namespace {
 
 /// The times at which a stance's foot must be within reach: at breaks, half way between them, and as long before
-/// touch-down and after lift-off as it is as good as there.
-std::vector<double> ReachTimes(const RigidStance& stance, const std::vector<double>& breaks, double lead_s) {
+/// touch-down and after lift-off as it is as good as there; where its swings are known, these tell.
+std::vector<double> ReachTimes(const RigidBodyProblem& problem, std::size_t number, const std::vector<double>& breaks,
+                               double lead_s) {
+  const RigidStance& stance = problem.stances[number];
   constexpr double kSame = 1e-4;
   std::vector<double> times;
   for (std::size_t k = 0; k < breaks.size(); ++k) {
@@ -27,8 +29,12 @@ std::vector<double> ReachTimes(const RigidStance& stance, const std::vector<doub
     if (k + 1 < breaks.size() && breaks[k + 1] < stance.end_s + kSame)
       times.push_back(0.5 * (breaks[k] + breaks[k + 1]));
   }
-  if (stance.start_s - lead_s > 0.0) times.push_back(stance.start_s - lead_s);
-  if (stance.end_s + lead_s < breaks.back()) times.push_back(stance.end_s + lead_s);
+  const auto swings = [&](auto end) {
+    return std::any_of(problem.swings.begin(), problem.swings.end(),
+                       [&](const RigidSwing& swing) { return swing.*end == number; });
+  };
+  if (stance.start_s - lead_s > 0.0 && !swings(&RigidSwing::to)) times.push_back(stance.start_s - lead_s);
+  if (stance.end_s + lead_s < breaks.back() && !swings(&RigidSwing::from)) times.push_back(stance.end_s + lead_s);
   return times;
 }
 
@@ -83,11 +89,11 @@ ConstrainedProblem Rows(const RigidBodyProblem& problem, const RigidBodyUnknowns
     from = to;
   }
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
-    for (const double t : ReachTimes(problem.stances[s], unknowns.breaks_s(), options.swing_lead_s))
+    for (const double t : ReachTimes(problem, s, unknowns.breaks_s(), options.swing_lead_s))
       add(terms.Reach(s, t, options.reach_margin_m));
   }
   for (const RigidSwing& swing : problem.swings) {
-    for (const double share : {0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9})
+    for (const double share : {0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95})
       add(terms.SwingReach(swing, share, options.reach_margin_m));
   }
   for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
@@ -187,8 +193,8 @@ Failure FaultsBetween(const RigidBodySummary& summary) {
   return {FailureKind::kInfeasible,
           "faults_between",
           "PlanRigidBody",
-          fmt::format("between breaks a law is broken by {:.3g} though they were put half as far apart {} times",
-                      summary.faults.Largest(), summary.refinements),
+          fmt::format("between breaks {} is missed by {:.3g} though they were put half as far apart {} times",
+                      summary.faults.Worst(), summary.faults.Largest(), summary.refinements),
           {"raise max_refinements or reach_margin_m"}};
 }
 

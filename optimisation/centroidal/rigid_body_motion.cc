@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/bspline.h"
@@ -12,8 +14,8 @@
 namespace gaitwright {
 namespace {
 
-/// Longest step of the integration of angles [s].
-constexpr double kStep = 4e-3;
+/// Longest steps of the integration of angles [s]; with inner momentum, whose third derivative has jumps, shorter.
+constexpr double kStep = 4e-3, kStepWithInner = 1e-3;
 
 Vector3 PowersAt(const std::array<Vector3, 4>& c, double t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
 
@@ -46,6 +48,8 @@ class MomentumOver {
     for (std::size_t i = 0; i < 5; ++i) powers_[i + 1] = torque[i] / static_cast<double>(i + 1);
   }
 
+  double step_s() const { return inner_->empty() ? kStep : kStepWithInner; }
+
   /// At a time from the start of the interval.
   Vector3 At(double t) const {
     Vector3 l = powers_[5];
@@ -62,7 +66,7 @@ class MomentumOver {
 
 /// The angles at time `to` of an interval from those at time `from`.
 Vector3 Turned(const MomentumOver& momentum, const Matrix3& inverse_B, double from, double to, Vector3 angles) {
-  const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / kStep - 1e-9)));
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / momentum.step_s() - 1e-9)));
   const double h = (to - from) / steps;
   if (h <= 0.0) return angles;
   for (int i = 0; i < steps; ++i) {
@@ -154,6 +158,17 @@ double RigidBodyFaults::Largest() const {
   return std::max({force_balance, torque_balance, friction, unilateral, reach_m, foothold_m, goal});
 }
 
+std::string RigidBodyFaults::Worst() const {
+  const std::initializer_list<std::pair<double, const char*>> all = {{force_balance, "the balance of forces"},
+                                                                     {torque_balance, "the balance of torques"},
+                                                                     {friction, "friction"},
+                                                                     {unilateral, "the force of a contact"},
+                                                                     {reach_m, "the reach of a foot"},
+                                                                     {foothold_m, "a foothold"},
+                                                                     {goal, "the goal"}};
+  return std::max(all, [](const auto& a, const auto& b) { return a.first < b.first; }).second;
+}
+
 RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns, const VectorX& x) {
   RigidBodyMotion motion{problem.mass_kg, problem.inertia_B, InnerMomentum(problem), {}, {}};
   const double weight = problem.mass_kg * kGravity;
@@ -217,7 +232,7 @@ RigidBodyFaults FaultsOf(const RigidBodyProblem& problem, const RigidBodyMotion&
         faults.reach_m = std::max(faults.reach_m, side.normal.dot(p_B) - side.offset);
     }
   }
-  faults.torque_balance = TorqueBalance(motion, Sample(motion, 0.25 * step_s));
+  faults.torque_balance = TorqueBalance(motion, Sample(motion, 0.5 * step_s));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     const Pose X_FF = problem.stances[s].X_WF.inverse() * motion.X_WF[s];
     faults.foothold_m = std::max(faults.foothold_m, OutOf(problem.stances[s].region_F, X_FF.translation().head<2>()));

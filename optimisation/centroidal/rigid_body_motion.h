@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "optimisation/centroidal/rigid_body_problem.h"
@@ -64,6 +65,8 @@ struct RigidBodyFaults {
 
   /// The largest of all.
   double Largest() const;
+  /// What that is of, in words.
+  std::string Worst() const;
 };
 
 /// Faults at samples `step_s` apart; those of forces and feet against the problem.

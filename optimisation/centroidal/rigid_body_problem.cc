@@ -121,7 +121,8 @@ void CheckSwings(const RigidBodyProblem& problem) {
   for (const RigidSwing& swing : problem.swings) {
     const std::size_t n = problem.stances.size();
     if (swing.from >= n || swing.to >= n || problem.stances[swing.from].foot != problem.stances[swing.to].foot ||
-        !(problem.stances[swing.to].start_s > problem.stances[swing.from].end_s) || !std::isfinite(swing.lift_m))
+        !(problem.stances[swing.to].start_s > problem.stances[swing.from].end_s) || !std::isfinite(swing.lift_m) ||
+        !(swing.cruise >= 0.0 && swing.cruise < 1.0))
       throw InvalidArgument(fmt::format("rigid body: no foot swings from stance {} to {}", swing.from, swing.to));
   }
 }

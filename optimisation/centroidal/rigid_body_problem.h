@@ -14,6 +14,7 @@ struct RigidFoot {
   std::vector<WorkspaceSide> workspace_B;               ///< of its place from the centre of mass, in B [m]
   std::vector<Vector3> contacts_F = {Vector3::Zero()};  ///< points of the sole that carry, in the foothold's frame [m]
   double force_max_n = 1e4;                             ///< along the ground's normal, of each of these points
+  std::vector<WorkspaceSide> workspace_in_air_B = {};   ///< as the other, while it swings; empty for the same
 };
 
 /// What a leg's motors hold: lower <= by_force (f_1; f_2; ..) <= upper for the forces on the foot's points [N], in W.
@@ -44,11 +45,13 @@ struct RigidStance {
   const MotorLimits* MotorsAt(double time_s) const;
 };
 
-/// The way of a foot through the air from one of its stances to the next: a straight minimum-jerk move with a bump
-/// upwards (SwingCurve), that is to stay within reach.
+/// The way of a foot through the air from one of its stances to the next, a SwingCurve that is to stay within reach.
 struct RigidSwing {
   std::size_t from = 0, to = 0;  ///< stances
   double lift_m = 0.0;           ///< of the bump at half time
+  double cruise = 0.0;           ///< share of the time at constant speed, below 1
+  /// Control points of the spline that takes the bump's place; empty for none [m].
+  std::vector<Vector3> detour_W = {};
 };
 
 /// A state of a single rigid body. Angles are roll, pitch and yaw: R_WB = Rz(yaw) Ry(pitch) Rx(roll).
@@ -92,6 +95,7 @@ class InnerMomentum {
   InnerMomentum() = default;  ///< none
   explicit InnerMomentum(const RigidBodyProblem& problem);
 
+  bool empty() const { return momentum_W_.empty(); }
   /// [N m s]
   Vector3 At(double time_s) const;
   /// [N m]

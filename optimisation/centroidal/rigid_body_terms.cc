@@ -183,12 +183,12 @@ struct ReachTerm {
 };
 
 /// Ends of a workspace's rows, with its normals.
-Constraint WorkspaceOf(const RigidFoot& foot, double margin_m, MatrixX& normals) {
-  const auto n = static_cast<Eigen::Index>(foot.workspace_B.size());
+Constraint WorkspaceOf(const std::vector<WorkspaceSide>& sides, double margin_m, MatrixX& normals) {
+  const auto n = static_cast<Eigen::Index>(sides.size());
   Constraint rows{"", {}, VectorX::Constant(n, -kNoEnd), VectorX(n)};
   normals.resize(n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const WorkspaceSide& side = foot.workspace_B[static_cast<std::size_t>(i)];
+    const WorkspaceSide& side = sides[static_cast<std::size_t>(i)];
     normals.row(i) = side.normal;
     rows.upper[i] = side.offset - margin_m;
   }
@@ -200,12 +200,13 @@ Constraint WorkspaceOf(const RigidFoot& foot, double margin_m, MatrixX& normals)
 /// where the places see, for its values there, its integrals with Lagrange's polynomials over their weights. What is to
 /// be added to the momentum of the box, l less than the whole, there:
 std::array<Vector3, 3> UnseenOf(const InnerMomentum& inner, double start_s, double h) {
-  constexpr int kSteps = 16;
+  constexpr double kStep = 2.5e-3;  // [s]
   constexpr std::array<double, 3> kWeights = {1.0 / 6, 4.0 / 6, 1.0 / 6};
   std::array<Vector3, 3> means = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
-  for (int k = 0; k <= kSteps; ++k) {
-    const double u = static_cast<double>(k) / kSteps;
-    const double simpson = (k == 0 || k == kSteps ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) / (3.0 * kSteps);
+  const int steps = inner.empty() ? 0 : 2 * std::max(1, static_cast<int>(std::ceil(0.5 * h / kStep - 1e-9)));
+  for (int k = 0; k <= steps && steps > 0; ++k) {
+    const double u = static_cast<double>(k) / steps;
+    const double simpson = (k == 0 || k == steps ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) / (3.0 * steps);
     const std::array<double, 3> basis = {(1.0 - u) * (1.0 - 2.0 * u), 4.0 * u * (1.0 - u), u * (2.0 * u - 1.0)};
     const Vector3 l = inner.At(start_s + u * h);
     for (std::size_t i = 0; i < 3; ++i) means[i] += simpson * basis[i] / kWeights[i] * l;
@@ -315,26 +316,32 @@ Constraint RigidBodyTerms::Motors(const std::vector<BoundForce>& forces) const {
 }
 
 Constraint RigidBodyTerms::Reach(std::size_t stance, double time_s, double margin_m) const {
-  return ReachOf(problem_.stances[stance].foot, unknowns_.Foothold(stance), time_s, margin_m);
+  const int foot = problem_.stances[stance].foot;
+  return ReachOf(foot, problem_.feet[static_cast<std::size_t>(foot)].workspace_B, unknowns_.Foothold(stance), time_s,
+                 margin_m);
 }
 
 Constraint RigidBodyTerms::SwingReach(const RigidSwing& swing, double share, double margin_m) const {
   const RigidStance &from = problem_.stances[swing.from], &to = problem_.stances[swing.to];
-  const double step = SmoothStep(share).value;
+  const double step = SmoothStep(share, swing.cruise).value;
+  const SwingCurve off{0.0, 1.0, Pose::Identity(), Pose::Identity(), swing.lift_m, swing.detour_W, swing.cruise};
   FootPlace place;
   place.Add(1.0 - step, unknowns_.Foothold(swing.from)).Add(step, unknowns_.Foothold(swing.to));
-  place.constant.z() += SmoothBump(share).value * swing.lift_m;
-  return ReachOf(from.foot, place, from.end_s + share * (to.start_s - from.end_s), margin_m);
+  place.constant += Evaluate(off, share).X_WF.translation();
+  const RigidFoot& foot = problem_.feet[static_cast<std::size_t>(from.foot)];
+  return ReachOf(from.foot, foot.workspace_in_air_B.empty() ? foot.workspace_B : foot.workspace_in_air_B, place,
+                 from.end_s + share * (to.start_s - from.end_s), margin_m);
 }
 
-Constraint RigidBodyTerms::ReachOf(int foot, const FootPlace& place, double time_s, double margin_m) const {
+Constraint RigidBodyTerms::ReachOf(int foot, const std::vector<WorkspaceSide>& workspace_B, const FootPlace& place,
+                                   double time_s, double margin_m) const {
   constexpr double kAtBreak = 1e-9;
   const std::vector<double>& breaks = unknowns_.breaks_s();
   const auto after = std::upper_bound(breaks.begin(), breaks.end(), time_s + kAtBreak);
   const auto k = static_cast<std::size_t>(after - breaks.begin()) - 1;
   SeenUnknowns seen;
   ReachTerm term;
-  Constraint rows = WorkspaceOf(problem_.feet[static_cast<std::size_t>(foot)], margin_m, term.normals);
+  Constraint rows = WorkspaceOf(workspace_B, margin_m, term.normals);
   term.place = SeenPlace(place, seen);
   term.com = seen.See(unknowns_.CentreOfMass(time_s));
   term.angles_from = seen.See(unknowns_.Angles(k));

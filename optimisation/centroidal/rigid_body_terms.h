@@ -40,7 +40,8 @@ class RigidBodyTerms {
   Constraint Region(std::size_t stance) const;
 
  private:
-  Constraint ReachOf(int foot, const FootPlace& place, double time_s, double margin_m) const;
+  Constraint ReachOf(int foot, const std::vector<WorkspaceSide>& workspace_B, const FootPlace& place, double time_s,
+                     double margin_m) const;
 
   const RigidBodyProblem& problem_;
   const RigidBodyUnknowns& unknowns_;

@@ -16,8 +16,8 @@ namespace gaitwright {
 namespace {
 
 constexpr double kOffStops = 0.01;  // of a joint's range, kept to its ends where that is possible
-constexpr double kReserve = 0.05;   // of the legs' workspaces
-constexpr double kMotorUse = 0.97;  // of what the motors give at most
+constexpr double kReserve = 0.03;   // of the legs' workspaces
+constexpr double kMotorUse = 0.95;  // of what the motors give at most
 
 /// How a motion turns the base at a row.
 BaseTurning TurningOf(const RigidBodySample& sample, const Matrix3& inertia_B) {
@@ -58,14 +58,28 @@ std::vector<Vector2> PressureOf(const std::vector<Vector2>& pressure_W, const st
   return nearest;
 }
 
-/// How far a body rises in its flights within a swing, at most: g T^2 / 8.
-double RiseIn(const ContactSchedule& schedule, double start_s, double end_s) {
-  double longest = 0.0;
+/// The flights within a swing.
+struct Flights {
+  double longest_s = 0.0, whole_s = 0.0;
+
+  /// How far a body rises in the longest, at most: g T^2 / 8.
+  double Rise() const { return kGravity * longest_s * longest_s / 8.0; }
+};
+
+Flights FlightsIn(const ContactSchedule& schedule, double start_s, double end_s) {
+  Flights flights;
   for (const ContactPhase& phase : schedule.phases) {
-    if (phase.stance == 0 && phase.start_s > start_s - 1e-9 && phase.end_s < end_s + 1e-9)
-      longest = std::max(longest, phase.end_s - phase.start_s);
+    if (phase.stance != 0 || phase.start_s < start_s - 1e-9 || phase.end_s > end_s + 1e-9) continue;
+    flights.longest_s = std::max(flights.longest_s, phase.end_s - phase.start_s);
+    flights.whole_s += phase.end_s - phase.start_s;
   }
-  return kGravity * longest * longest / 8.0;
+  return flights;
+}
+
+/// While the body flies at constant speed its feet do best to go along.
+double CruiseIn(const ContactSchedule& schedule, double start_s, double end_s) {
+  constexpr double kMost = 0.6;
+  return kMost * FlightsIn(schedule, start_s, end_s).whole_s / (end_s - start_s);
 }
 
 /// The swings between a walk's stances, lifted by what the body rises in them too.
@@ -75,8 +89,9 @@ std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, const ContactS
     for (std::size_t to = from + 1; to < problem.stances.size(); ++to) {
       const RigidStance &a = problem.stances[from], &b = problem.stances[to];
       if (a.foot != b.foot) continue;
-      const double start_s = schedule.start_s();
-      swings.push_back({from, to, lift_m + RiseIn(schedule, start_s + a.end_s, start_s + b.start_s)});
+      const double start_s = schedule.start_s() + a.end_s, end_s = schedule.start_s() + b.start_s;
+      swings.push_back(
+          {from, to, lift_m + FlightsIn(schedule, start_s, end_s).Rise(), CruiseIn(schedule, start_s, end_s)});
       break;
     }
   }
@@ -163,11 +178,15 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   MotionPass pass;
   pass.footsteps = FootstepsOf(plan->motion);
   SetCentroidal(samples_, pass);
-  Result<std::vector<SwingTrajectory>> swings =
-      PlanSwings(model_, task_.terrain, pass.footsteps, task_.options.swing,
-                 {{}, {}, {}, [&](const SwingTrajectory& swing) {
-                    return RiseIn(task_.skeleton.schedule, swing.start_s, swing.end_s) + lift_m_;
-                  }});
+  Result<std::vector<SwingTrajectory>> swings = PlanSwings(
+      model_, task_.terrain, pass.footsteps, task_.options.swing,
+      {{},
+       {},
+       {},
+       [&](const SwingTrajectory& swing) {
+         return FlightsIn(task_.skeleton.schedule, swing.start_s, swing.end_s).Rise() + lift_m_;
+       },
+       [&](const SwingTrajectory& swing) { return CruiseIn(task_.skeleton.schedule, swing.start_s, swing.end_s); }});
   if (!swings) return swings.failure();
   pass.swings = std::move(*swings);
   const auto loads = LoadsOf(problem_, plan->motion, samples_);
@@ -260,11 +279,27 @@ void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, Dynamics
   off_ = std::move(off);
 }
 
+/// Takes note of how feet were lifted over the ground, which may be by more than the bump or by a detour.
+void RigidBodyPasses::LearnSwings(const std::vector<SwingTrajectory>& swings) {
+  constexpr double kSame = 1e-9;  // [s]
+  const double start_s = task_.skeleton.schedule.start_s();
+  for (RigidSwing& rigid : problem_.swings) {
+    const RigidStance& from = problem_.stances[rigid.from];
+    const auto made = std::find_if(swings.begin(), swings.end(), [&](const SwingTrajectory& swing) {
+      return swing.foot == from.foot && std::abs(swing.start_s - start_s - from.end_s) < kSame;
+    });
+    if (made == swings.end()) continue;
+    rigid.lift_m = made->lift_m;
+    rigid.detour_W = made->detour_W;
+  }
+}
+
 /// Takes note of how the legs moved and the feet rolled.
 void RigidBodyPasses::Learn(const MotionPass& pass) {
   const WholeBodySolution& solution = pass.solution;
   DynamicsScratch scratch(model_);
   LearnInnerMotion(solution.trajectory, scratch);
+  LearnSwings(pass.swings);
   const double step_s = pass.centroidal.step_s;
   for (std::size_t i = 0; i < problem_.stances.size(); ++i) {
     RigidStance& stance = problem_.stances[i];

@@ -29,6 +29,7 @@ class RigidBodyPasses {
   void HoldFootholds(const FootstepPlan& footsteps);
   void Learn(const MotionPass& pass);
   void LearnInnerMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch);
+  void LearnSwings(const std::vector<SwingTrajectory>& swings);
   MotorLimits MotorsOf(const MotionPass& pass, int foot, std::size_t row, DynamicsScratch& scratch) const;
 
   const MotionTask task_;

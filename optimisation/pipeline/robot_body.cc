@@ -30,7 +30,8 @@ double MostUpright(const RobotModel& model, const DynamicsScratch& scratch, int 
 
 RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, const StandingBody& body, int foot,
                       double reserve) {
-  constexpr double kFarthest = 0.6;  // of the leg
+  constexpr double kFarthest = 0.6;       // of the leg
+  constexpr double kReserveInAir = 0.01;  // nothing pushes a foot there
   const Foot& described = model.feet[static_cast<std::size_t>(foot)];
   RigidFoot rigid;
   const Vector3 p_WC = CentreOfMass(model, scratch);
@@ -40,14 +41,20 @@ RigidFoot RigidFootOf(const RobotModel& model, const DynamicsScratch& scratch, c
     for (const Vector2& corner : described.sole_F) rigid.contacts_F.emplace_back(corner.x(), corner.y(), 0.0);
   }
   rigid.force_max_n = MostUpright(model, scratch, foot);
-  LegWorkspace workspace(model, foot, reserve);
   const double farthest = kFarthest * model.legs[static_cast<std::size_t>(foot)].length_m;
   // From the controlled frame seen from the base to the contact frame seen from the centre of mass.
   const Vector3 shift = body.p_HC + described.radius * Vector3::UnitZ();
-  for (const WorkspaceSide& side : LegPolytope(workspace, farthest, body.R_HB.transpose() * Vector3::UnitZ())) {
-    const Vector3 normal_H = body.R_HB * side.normal;
-    rigid.workspace_B.push_back({normal_H, side.offset - normal_H.dot(shift)});
-  }
+  const auto reach = [&](double kept, const Vector3& up_B) {
+    LegWorkspace workspace(model, foot, kept);
+    std::vector<WorkspaceSide> sides = LegPolytope(workspace, farthest, up_B);
+    for (WorkspaceSide& side : sides) {
+      side.normal = body.R_HB * side.normal;
+      side.offset -= side.normal.dot(shift);
+    }
+    return sides;
+  };
+  rigid.workspace_B = reach(reserve, body.R_HB.transpose() * Vector3::UnitZ());
+  rigid.workspace_in_air_B = reach(kReserveInAir, Vector3::Zero());
   return rigid;
 }
 
@@ -62,7 +69,9 @@ void KeepApart(const RobotModel& model, std::vector<RigidFoot>& feet) {
       const double margin = kApart * model.leg_length_m();
       if (across.norm() < 2.0 * margin) continue;
       across.normalize();
-      feet[i].workspace_B.push_back({across, across.dot(0.5 * (a + b)) - margin});
+      const WorkspaceSide side{across, across.dot(0.5 * (a + b)) - margin};
+      feet[i].workspace_B.push_back(side);
+      feet[i].workspace_in_air_B.push_back(side);
     }
   }
 }

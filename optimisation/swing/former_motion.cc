@@ -70,7 +70,7 @@ SwingRoll RollOf(const Rows& rows, const SwingTrajectory& swing) {
   }
   const Vector3 whole_W = off_W.back();
   for (int k = 0; k <= pieces; ++k)
-    off_W[static_cast<std::size_t>(k)] -= SmoothStep(static_cast<double>(k) / pieces).value * whole_W;
+    off_W[static_cast<std::size_t>(k)] -= SmoothStep(static_cast<double>(k) / pieces, swing.cruise).value * whole_W;
   return SwingRoll(std::move(off_W));
 }
 

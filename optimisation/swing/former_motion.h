@@ -13,7 +13,7 @@ namespace gaitwright {
 using BaseMotion = std::function<Pose(double time_s)>;
 
 /// How far a sphere's contact point is off its swing's curve by what the sphere rolls in the air:
-///   off(u) = rolled(u) - SmoothStep(u) rolled(1),
+///   off(u) = rolled(u) - SmoothStep(u, cruise) rolled(1),
 /// since the way is the curve and what has rolled since lift-off, and the curve ends short by the whole of that.
 class SwingRoll {
  public:
@@ -34,6 +34,7 @@ struct FormerMotion {
   std::function<SwingRoll(const SwingTrajectory& swing)> roll;      ///< empty where that is not known
   std::vector<SwingTrajectory> swings = {};                         ///< whose detours are kept where they do
   std::function<double(const SwingTrajectory& swing)> lift_m = {};  ///< least of a swing; empty for the usual one
+  std::function<double(const SwingTrajectory& swing)> cruise = {};  ///< of a swing; empty for none
 };
 
 /// That of a pass: nothing refers to the trajectory afterwards.

@@ -27,6 +27,7 @@ class SwingPlanner {
         terrain_(terrain),
         former_(former.swings),
         least_lift_m_(former.lift_m),
+        cruise_(former.cruise),
         guard_(model, terrain, former) {
     lift_m_ = SwingLift(model, options);
     choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
@@ -38,6 +39,7 @@ class SwingPlanner {
   Result<SwingTrajectory> Plan(const Foothold& from, const Foothold& to) {
     SwingTrajectory swing{from.foot, from.liftoff_s, to.touchdown_s, from.X_WF, to.X_WF, lift_m_, 0.0};
     swing.X_WF_start.translation() += from.roll_W;
+    if (cruise_) swing.cruise = cruise_(swing);
     if (least_lift_m_) swing.lift_m = std::max(swing.lift_m, least_lift_m_(swing));
     // What begins lower than where the feet go is lifted over.
     const double below_m =
@@ -106,7 +108,10 @@ class SwingPlanner {
     return true;
   }
 
-  bool GoOver(SwingTrajectory& swing) { return Refine(swing) || Raise(swing); }
+  /// What cruises keeps its arc if it can, along with the body.
+  bool GoOver(SwingTrajectory& swing) {
+    return swing.cruise > 0.0 ? Raise(swing) || Refine(swing) : Refine(swing) || Raise(swing);
+  }
 
   /// Sooner to the side than so high that the leg folds up. What is clear but more than the leg can follow is kept for
   /// those who do not ask for that.
@@ -248,7 +253,7 @@ class SwingPlanner {
   const RobotModel& model_;
   const Terrain& terrain_;
   const std::vector<SwingTrajectory> former_;
-  const std::function<double(const SwingTrajectory&)> least_lift_m_;
+  const std::function<double(const SwingTrajectory&)> least_lift_m_, cruise_;
   const SwingGuard guard_;
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;

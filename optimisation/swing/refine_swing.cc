@@ -40,11 +40,11 @@ double SidewaysShare(int control_points, double u) {
 }
 
 /// The fraction of the swing at which a straight one has gone a share of its way.
-double FractionAt(double share) {
+double FractionAt(double share, double cruise) {
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
-    (SmoothStep(middle).value < share ? low : high) = middle;
+    (SmoothStep(middle, cruise).value < share ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
@@ -67,8 +67,9 @@ class Profile {
       const double s = i * kStep - kBeyond;
       const double share = length_m_ > kShortest ? std::clamp(s / length_m_, 0.0, 1.0) : 0.5;
       const Matrix3 R_WF = RotationExp(share * turn) * swing.X_WF_start.linear();
-      const double aside = choice.sideways_m == 0.0 ? 0.0 : SidewaysShare(choice.control_points, FractionAt(share));
-      const Vector2 off_W = aside * sideways_W_ + left_W().dot(RollAt(choice, share)) * left_W();
+      const double aside =
+          choice.sideways_m == 0.0 ? 0.0 : SidewaysShare(choice.control_points, FractionAt(share, swing.cruise));
+      const Vector2 off_W = aside * sideways_W_ + left_W().dot(RollAt(choice, share, swing.cruise)) * left_W();
       const Vector2 p_W = swing.X_WF_start.translation().head<2>() + s * along_W_ + off_W;
       double height = floor_m;
       for (const Vector3& q_F : underside_F) {
@@ -91,8 +92,8 @@ class Profile {
   }
 
  private:
-  static Vector2 RollAt(const RefineChoice& choice, double share) {
-    return choice.roll.At(FractionAt(share)).head<2>();
+  static Vector2 RollAt(const RefineChoice& choice, double share, double cruise) {
+    return choice.roll.At(FractionAt(share, cruise)).head<2>();
   }
 
   static constexpr double kStep = 0.002, kBeyond = 0.1, kShortest = 1e-3;  // [m]
@@ -168,18 +169,18 @@ class Detour {
         free_(choice.control_points - 2 * kFixed),
         sideways_W_(choice.sideways_m * profile.left_W()),
         start_z_(swing.X_WF_start.translation().z()),
-        rise_m_(swing.X_WF_end.translation().z() - start_z_) {
+        rise_m_(swing.X_WF_end.translation().z() - start_z_),
+        cruise_(swing.cruise) {
     fractions_ = Fractions(choice.samples);
     basis_ = BasisAt(fractions_, free_, false);
     const double step = 1.0 / (choice.samples + 1);
     for (const double u : fractions_) {
       wanted_m_.push_back(choice.clearance_m * ClearanceRamp(u) - kDepth * SwingEndShare(u));
       const Vector3 roll_W = choice.roll.At(u);
-      straight_s_.push_back(SmoothStep(u).value * profile.length_m() + profile.along_W().dot(roll_W.head<2>()));
-      straight_z_.push_back(start_z_ + SmoothStep(u).value * rise_m_ + roll_W.z());
+      straight_s_.push_back(Gone(u) * profile.length_m() + profile.along_W().dot(roll_W.head<2>()));
+      straight_z_.push_back(start_z_ + Gone(u) * rise_m_ + roll_W.z());
       // To the neighbours on both sides, so that two samples over the ground are over all that is between them.
-      const double at = SmoothStep(u).value;
-      const double reach = std::max(SmoothStep(u + step).value - at, at - SmoothStep(u - step).value);
+      const double reach = std::max(Gone(u + step) - Gone(u), Gone(u) - Gone(u - step));
       reach_m_.push_back(reach * profile.length_m());
     }
   }
@@ -216,13 +217,16 @@ class Detour {
   }
 
  private:
+  /// Share of the straight way at a fraction of the swing.
+  double Gone(double u) const { return SmoothStep(u, cruise_).value; }
+
   /// Control points along the way of a foot that waits.
   VectorX Waiting(double wait) const {
     VectorX ahead_m(basis_.rows());
     for (Eigen::Index k = 0; k < ahead_m.size(); ++k) {
       const double u = fractions_[static_cast<std::size_t>(k)];
-      const double gone = SmoothStep((u - std::max(wait, 0.0)) / (1.0 - std::abs(wait))).value;
-      ahead_m[k] = (gone - SmoothStep(u).value) * profile_.length_m();
+      const double gone = Gone((u - std::max(wait, 0.0)) / (1.0 - std::abs(wait)));
+      ahead_m[k] = (gone - Gone(u)) * profile_.length_m();
     }
     return basis_.colPivHouseholderQr().solve(ahead_m);
   }
@@ -239,7 +243,7 @@ class Detour {
     basis.bottomRows(kSamples) -= scale * accelerations;
     VectorX step = VectorX::Zero(kSamples + 1);
     for (int k = 0; k < kSamples; ++k) {
-      const double acceleration = scale * SmoothStep(fractions[static_cast<std::size_t>(k)]).acceleration;
+      const double acceleration = scale * SmoothStep(fractions[static_cast<std::size_t>(k)], cruise_).acceleration;
       step[k] += acceleration;
       step[k + 1] -= acceleration;
     }
@@ -277,7 +281,7 @@ class Detour {
   const Profile& profile_;
   const int free_;
   const Vector2 sideways_W_;
-  const double start_z_, rise_m_;
+  const double start_z_, rise_m_, cruise_;
   std::vector<double> fractions_, wanted_m_, reach_m_;
   std::vector<double> straight_s_, straight_z_;  // progress and height without a detour, by sample
   MatrixX basis_;

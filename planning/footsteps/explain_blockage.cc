@@ -188,7 +188,8 @@ class Explanation {
     const std::string what = fmt::format("step {} of {:.2f} m at {}; {}", up ? "up" : "down", rise,
                                          PlaceText(step.place_W), scene_.model.name);
     if (rise > lift + 1e-9) {
-      hints_.emplace_back("a larger footsteps.search.step_height");
+      hints_.push_back(
+          fmt::format("a larger footsteps.search.{}", HasFlight(scene_.query.gait) ? "leap_height" : "step_height"));
       return fmt::format("{} lifts its feet {:.2f} m", what, lift);
     }
     if (rise <= tried_step_m_) return std::nullopt;

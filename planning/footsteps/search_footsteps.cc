@@ -207,8 +207,12 @@ std::optional<Failure> CheckQuery(const RobotModel& model, const FootstepQuery& 
   return std::nullopt;
 }
 
-FootstepSearchOptions Checked(FootstepSearchOptions options) {
+/// The options as they hold for a gait: while no foot is on the ground, the body takes the feet along.
+FootstepSearchOptions OptionsFor(const Gait& gait, FootstepSearchOptions options) {
   CheckOptions(options.Fields());
+  if (!HasFlight(gait)) return options;
+  options.step_length = std::max(options.step_length, options.leap_length);
+  options.step_height = std::max(options.step_height, options.leap_height);
   return options;
 }
 
@@ -217,7 +221,7 @@ struct Problem {
   Problem(const RobotModel& the_model, const Terrain& terrain, const FootstepQuery& query,
           const FootholdOptions& footholds, const FootstepSearchOptions& the_options)
       : model(the_model),
-        options(Checked(the_options)),
+        options(OptionsFor(query.gait, the_options)),
         ground(terrain, kCell * model.leg_length_m()),
         checker(model, ground, footholds),
         table(model, checker, query, options),
@@ -279,6 +283,20 @@ OptionFields FootstepSearchOptions::Fields() {
   return {
       {"step_length", &step_length, "1", 0.05, 2.0, "Longest way of a foot, as a share of the leg length.", {}},
       {"step_height", &step_height, "1", 0.01, 1.0, "Highest step up or down, as a share of the leg length.", {}},
+      {"leap_length",
+       &leap_length,
+       "1",
+       0.05,
+       4.0,
+       "Longest way of a foot in a gait with flight, as a share of the leg length.",
+       {}},
+      {"leap_height",
+       &leap_height,
+       "1",
+       0.01,
+       2.0,
+       "Highest leap up or down in such a gait, as a share of the leg length.",
+       {}},
       {"reserve", &reserve, "1", 0.0, 0.2, "Share of joint ranges and leg length that footholds leave free.", {}},
       {"offset", &offset, "1", 0.02, 1.0, "Farthest of a foothold from its place, as a share of the leg length.", {}},
       {"body_clearance",
@@ -355,7 +373,7 @@ Result<FootstepSequence> SearchFootsteps(const RobotModel& model, const Terrain&
   problem.search.Run();
   if (problem.search.goal() < 0) {
     const Blockage blockage{problem.search.farthest(), problem.search.stats().expanded >= options.max_expansions};
-    return ExplainBlockage({model, problem.ground, query, problem.checker, options}, problem.graph, blockage);
+    return ExplainBlockage({model, problem.ground, query, problem.checker, problem.options}, problem.graph, blockage);
   }
   return problem.Found();
 }

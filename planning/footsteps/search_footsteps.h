@@ -23,6 +23,8 @@ namespace gaitwright {
 struct FootstepSearchOptions {
   double step_length = 0.8;
   double step_height = 0.3;
+  double leap_length = 1.6;
+  double leap_height = 0.6;
   double reserve = 0.03;
   double offset = 0.25;
   double body_clearance = 0.05;

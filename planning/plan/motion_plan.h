@@ -85,6 +85,7 @@ struct SwingTrajectory {
   double lift_m = 0.0;                 ///< of the bump above the straight line between the ends, at half time
   double clearance_m = 0.0;            ///< lowest height of the whole sole over the ground in mid swing, achieved
   std::vector<Vector3> detour_W = {};  ///< control points of the spline that replaces the lift; empty for none [m]
+  double cruise = 0.0;                 ///< share of the time at constant speed along the straight line
 };
 
 /// Force that the ground puts on a foot, and its moment about the foothold's contact frame origin, in W.

@@ -116,7 +116,8 @@ Json SwingsJson(const std::vector<SwingTrajectory>& swings) {
                     {"end_pose", ToJson(s.X_WF_end)},
                     {"lift_m", s.lift_m},
                     {"clearance_m", s.clearance_m},
-                    {"detour_m", ToJson(s.detour_W)}});
+                    {"detour_m", ToJson(s.detour_W)},
+                    {"cruise", s.cruise}});
   }
   return list;
 }

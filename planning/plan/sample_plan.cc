@@ -132,7 +132,7 @@ CentroidalSample SampleCentroidal(const CentroidalTrajectory& t, double time_s) 
 }
 
 SwingCurve CurveOf(const SwingTrajectory& swing) {
-  return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.lift_m, swing.detour_W};
+  return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.lift_m, swing.detour_W, swing.cruise};
 }
 
 }  // namespace gaitwright

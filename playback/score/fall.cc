@@ -15,10 +15,9 @@ Vector3 UpInBase(const MotionSample& sample) { return sample.X_WB.linear().trans
 
 double Tilt(const MotionSample& sample) { return AngleBetween(UpInBase(sample), Vector3::UnitZ()); }
 
-/// Over the feet that are scheduled to stand, where they are: so on ground that the plan does not know, too.
-double HeightOverSupport(const MotionSample& sample) {
-  const double ground = sample.p_WC.z() - kGravity / (sample.omega_rad_s * sample.omega_rad_s);
-  return sample.X_WB.translation().z() - ground;
+/// The ground under the feet that are scheduled to stand, where they are: so ground that the plan does not know, too.
+double GroundUnder(const MotionSample& sample) {
+  return sample.p_WC.z() - kGravity / (sample.omega_rad_s * sample.omega_rad_s);
 }
 
 /// Why this sample is out of bounds, or nothing.
@@ -26,7 +25,11 @@ std::string OutOfBounds(const MotionSample& planned, const MotionSample& measure
   if (AngleBetween(UpInBase(planned), UpInBase(measured)) > options.fall_tilt_rad) {
     return fmt::format("the base tilted {:.2f} rad where the plan has {:.2f} rad", Tilt(measured), Tilt(planned));
   }
-  const double height = HeightOverSupport(measured), planned_height = HeightOverSupport(planned);
+  // In flight both are over the same ground: at an edge, hardly apart, they may be over grounds far apart.
+  const double planned_ground = GroundUnder(planned);
+  const double ground = measured.support.empty() ? planned_ground : GroundUnder(measured);
+  const double height = measured.X_WB.translation().z() - ground;
+  const double planned_height = planned.X_WB.translation().z() - planned_ground;
   if (height < options.fall_height_lowest * planned_height || height > options.fall_height_highest * planned_height) {
     return fmt::format("the base was {:.3f} m high where the plan has {:.3f} m", height, planned_height);
   }

@@ -76,6 +76,17 @@ double LeastCost(Graph& g) {
   return std::numeric_limits<double>::infinity();
 }
 
+TEST(SearchFootsteps, GaitsWithFlightStepFarther) {
+  const RobotModel model = LoadNamedRobot("a1").value();
+  const Terrain gap = Gap(0.4, 0.3);
+  const auto found = SearchFootsteps(model, gap, Ahead(model, "bound", 1.4, 0.8), {}, {});
+  ASSERT_TRUE(found.ok()) << found.failure().message;
+  EXPECT_FALSE(SearchFootsteps(model, gap, Ahead(model, "trot", 1.4, 0.8), {}, {}).ok());
+  FootstepSearchOptions short_leaps;
+  short_leaps.leap_length = short_leaps.step_length;
+  EXPECT_FALSE(SearchFootsteps(model, gap, Ahead(model, "bound", 1.4, 0.8), {}, short_leaps).ok());
+}
+
 TEST(FootGroups, AreTheFeetThatLiftTogetherInTheirOrder) {
   const RobotModel a1 = LoadNamedRobot("a1").value(), nao = LoadNamedRobot("nao").value();
   using Groups = std::vector<std::vector<int>>;

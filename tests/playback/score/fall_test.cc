@@ -64,6 +64,21 @@ TEST(Fall, HeightIsOverTheFeetWhereTheyStand) {
   EXPECT_TRUE(thrown.Find().fell) << "0.8 m over its feet where the plan has 0.5";
 }
 
+TEST(Fall, InFlightAtAnEdgeTheGroundIsThatOfThePlan) {
+  Case c;
+  c.plan.schedule.phases = {{0.0, 0.4, 3}, {0.4, 0.6, 0}, {0.6, 1.0, 3}};
+  const VectorX& standing = c.plan.whole_body.q.front();
+  TerrainPatch block;
+  block.name = "block";
+  block.X_WT.translation() = Vector3(1.0 + standing[0] + 0.01, 0.0, 0.8 * standing[2]);
+  block.outline_T = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
+  c.plan.terrain.patches.push_back(block);
+  for (LogSample& sample : c.log.samples) sample.q[0] += 0.02;
+  EXPECT_EQ(GroundAt(c.plan.terrain, Vector2(standing[0] + 0.02, 0.0)).height_m, block.X_WT.translation().z());
+  const Fall fall = c.Find();
+  EXPECT_TRUE(!fall.fell || fall.time_s < 0.4 || fall.time_s > 0.6) << fall.what;
+}
+
 TEST(Fall, BoundsAreOptions) {
   Case c;
   Turn(c.log.samples[50].q, 0.5, Vector3::UnitX());

@@ -137,6 +137,16 @@ TEST_F(BrokenPlan, DetoursComeBackAndFilesWithoutThemAreRead) {
   EXPECT_TRUE(older->swings[1].detour_W.empty());
 }
 
+TEST_F(BrokenPlan, CruisesComeBackAndThoseThatAreNoShareAreRefused) {
+  MotionPlan plan = *plan_;
+  plan.swings[1].cruise = 0.25;
+  EXPECT_EQ(PlanFromJson(PlanToJson(plan), "test")->swings[1].cruise, 0.25);
+  plan.swings[1].cruise = 1.0;
+  const Result<MotionPlan> refused = PlanFromJson(PlanToJson(plan), "test");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.failure().message.find("cruises"), std::string::npos) << refused.failure().message;
+}
+
 TEST(Walk, A1LiftsItsFeetByDetours) {
   // More clearance over the whole of mid swing than the closed form has at its edges.
   const RobotModel a1 = *LoadNamedRobot("a1");

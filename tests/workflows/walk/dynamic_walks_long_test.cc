@@ -10,6 +10,15 @@ class DynamicWalksLong : public testing::TestWithParam<DynamicWalk> {};
 
 TEST_P(DynamicWalksLong, PassOverFiveMetres) { ExpectToFly(GetParam()); }
 
+TEST(DynamicWalksLong, BoundsOverAGapOf30Centimetres) {
+  WalkRequest request;
+  request.gait = "bound";
+  request.terrain = "gap:width_m=0.3";
+  request.command.speed_m_s = 0.8;
+  request.command.distance_m = 3.0;
+  ExpectToFly(request);
+}
+
 INSTANTIATE_TEST_SUITE_P(A1, DynamicWalksLong,
                          testing::Values(DynamicWalk{"trot", 1.5, 5.0}, DynamicWalk{"trot", 1.0, 5.0, 0.4},
                                          DynamicWalk{"bound", 0.8, 5.0}, DynamicWalk{"pronk", 0.5, 5.0}));

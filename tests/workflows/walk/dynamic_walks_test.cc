@@ -17,5 +17,16 @@ TEST(DynamicWalks, A1LeapsOverFourTenthsOfAMetre) {
   ExpectToFly(request);
 }
 
+TEST(DynamicWalks, A1JumpsOntoABlockOf15Centimetres) {
+  WalkRequest request;
+  request.gait = "jump";
+  request.terrain = "block:height_m=0.15,start_m=0.31,length_m=2";
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = 4;
+  request.command.step_length_m = 0.13;
+  request.motion.footsteps.initial_stand_s = 1.2;
+  ExpectToFly(request);
+}
+
 }  // namespace
 }  // namespace gaitwright
