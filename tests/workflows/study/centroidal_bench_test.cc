@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -65,6 +66,22 @@ TEST(CentroidalBench, OtherPatchesAreFoundWhereTheFirstOnesHaveNoMotion) {
     EXPECT_TRUE(outcome.solved) << outcome.reason;
     EXPECT_GT(outcome.choices, 1);
     EXPECT_LT(outcome.between.Largest(), 1e-3);
+  }
+}
+
+TEST(CentroidalBench, TimesAsVariablesCostLessOnEachGround) {
+  const CentroidalProblemSet set = Set();
+  for (const char* name : {"monoped-3-stairs", "biped-0-gap", "hyq-1-block", "hyq-1-slope"}) {
+    const std::vector<CentroidalCase> cases = CasesOf(set, name);
+    ASSERT_EQ(cases.size(), 1U) << name;
+    const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, false, TimingOptions{});
+    ASSERT_TRUE(outcome.timing.has_value()) << name << " " << outcome.reason;
+    EXPECT_TRUE(outcome.timing->keeps) << name;
+    EXPECT_EQ(outcome.timing->cost_before, outcome.cost);
+    EXPECT_EQ(outcome.timing->duration_s, outcome.task.duration_s);
+    EXPECT_GE(outcome.timing->Fall(), 0.05) << name;
+    EXPECT_LE(std::max(outcome.timing->between.friction, outcome.timing->between.unilateral), 0.0) << name;
+    EXPECT_FALSE(RunCase(set, cases[0], Asked(set), {}, false).timing.has_value());
   }
 }
 
