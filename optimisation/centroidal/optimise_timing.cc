@@ -22,13 +22,32 @@ VectorX DurationsOf(const std::vector<double>& switches) {
   return durations;
 }
 
-Failure NoTiming(Eigen::Index phases, const char* which, double each_s, const char* than, double total_s) {
+/// The shortest that phases may be: by themselves, and as parts of the swings between stances of a foot.
+VectorX ShortestOf(const RigidBodyProblem& problem, const std::vector<double>& switches, const TimingOptions& options) {
+  const VectorX durations = DurationsOf(switches);
+  VectorX shortest = VectorX::Constant(durations.size(), options.shortest_s);
+  for (std::size_t from = 0; from < problem.stances.size(); ++from) {
+    for (std::size_t to = from + 1; to < problem.stances.size(); ++to) {
+      if (problem.stances[to].foot != problem.stances[from].foot) continue;
+      const double start = problem.stances[from].end_s, end = problem.stances[to].start_s;
+      const double share = std::min(1.0, options.shortest_swing_s / (end - start));
+      for (Eigen::Index i = 0; i < durations.size(); ++i) {
+        const double middle = switches[static_cast<std::size_t>(i)] + 0.5 * durations[i];
+        if (middle > start && middle < end) shortest[i] = std::max(shortest[i], share * durations[i]);
+      }
+      break;
+    }
+  }
+  return shortest;
+}
+
+Failure NoTiming(const VectorX& durations, const char* which, const char* than, double total_s) {
   return {FailureKind::kInfeasible,
           "no_timing",
           "OptimiseTiming",
-          fmt::format("{} phases of {} {:g} s take {:g} s together, and {} {:g} s", phases, which, each_s,
-                      static_cast<double>(phases) * each_s, than, total_s),
-          {"change shortest_s, longest_s, least_total or most_total"}};
+          fmt::format("{} phases take {:g} s together at their {}, and {} {:g} s", durations.size(), durations.sum(),
+                      which, than, total_s),
+          {"change shortest_s, shortest_swing_s, longest_s, least_total or most_total"}};
 }
 
 class TimingSearch {
@@ -38,7 +57,7 @@ class TimingSearch {
     best_.problem = problem;
     switches_ = SwitchTimes(problem);
     const auto phases = static_cast<Eigen::Index>(switches_.size()) - 1;
-    bounds_ = {VectorX::Constant(phases, options.shortest_s), VectorX::Constant(phases, options.longest_s),
+    bounds_ = {ShortestOf(problem, switches_, options), VectorX::Constant(phases, options.longest_s),
                options.least_total * problem.duration_s, options.most_total * problem.duration_s};
   }
 
@@ -57,19 +76,19 @@ class TimingSearch {
 
  private:
   std::optional<Failure> Refusal() const {
-    const Eigen::Index phases = bounds_.lower.size();
-    if (options_.shortest_s > options_.longest_s) {
-      return Failure{
-          FailureKind::kBadInput,
-          "no_duration",
-          "OptimiseTiming",
-          fmt::format("no phase lasts at least {:g} s and at most {:g} s", options_.shortest_s, options_.longest_s),
-          {"lower shortest_s or raise longest_s"}};
+    if (bounds_.lower.maxCoeff() > options_.longest_s) {
+      return Failure{FailureKind::kBadInput,
+                     "no_duration",
+                     "OptimiseTiming",
+                     fmt::format("a phase cannot last at least {:g} s and at most {:g} s", bounds_.lower.maxCoeff(),
+                                 options_.longest_s),
+                     {"lower shortest_s or shortest_swing_s, or raise longest_s"}};
     }
-    if (bounds_.lower.sum() > bounds_.most_total_s)
-      return NoTiming(phases, "at least", options_.shortest_s, "there are", bounds_.most_total_s);
-    if (bounds_.upper.sum() < bounds_.least_total_s)
-      return NoTiming(phases, "at most", options_.longest_s, "are to take", bounds_.least_total_s);
+    constexpr double kDigits = 1e-9;
+    if (bounds_.lower.sum() > (1.0 + kDigits) * bounds_.most_total_s)
+      return NoTiming(bounds_.lower, "shortest", "there are", bounds_.most_total_s);
+    if (bounds_.upper.sum() < (1.0 - kDigits) * bounds_.least_total_s)
+      return NoTiming(bounds_.upper, "longest", "are to take", bounds_.least_total_s);
     if (IsRetimable(best_.problem)) return std::nullopt;
     return Failure{FailureKind::kBadInput,
                    "tied_to_time",
@@ -180,6 +199,13 @@ OptionFields TimingOptions::Fields() {
   return {
       {"shortest_s", &shortest_s, "s", 1e-3, 100.0, "Shortest duration of a phase.", {}},
       {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase.", {}},
+      {"shortest_swing_s",
+       &shortest_swing_s,
+       "s",
+       0.0,
+       100.0,
+       "Shortest that a foot's swing becomes; one that is given shorter becomes no shorter.",
+       {}},
       {"least_total", &least_total, "1", 0.01, 1.0, "Least total time, of the one that is given.", {}},
       {"most_total", &most_total, "1", 1.0, 100.0, "Greatest total time, of the one that is given.", {}},
       {"first_change", &first_change, "1", 0.01, 0.9, "Most share of a duration that the first step changes.", {}},

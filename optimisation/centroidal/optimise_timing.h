@@ -7,12 +7,14 @@ namespace gaitwright {
 
 /// Tuning
 ///   phases of the gait become a hurry or a wait     raise shortest_s, lower longest_s
+///   legs cannot swing as fast as that               raise shortest_swing_s
 ///   there is no haste, or time to gain              raise most_total, lower least_total
 ///   cost could fall further                         lower least_gain, raise max_solves
 ///   motions from one step to the next are refused   lower first_change, most_change
 struct TimingOptions {
   double shortest_s = 0.03;
   double longest_s = 5.0;
+  double shortest_swing_s = 0.15;
   double least_total = 1.0;
   double most_total = 1.0;
   double first_change = 0.2;
@@ -38,6 +40,8 @@ struct TimedPlan {
 /// a curvature learnt from former steps (damped BFGS; Nocedal and Wright, 2006, procedure 18.2), no farther than a
 /// share of each duration that follows how well former steps did, and is planned from the last motion; it is taken only
 /// if the motion keeps all laws, at 1 kHz too, and costs less, so that what has a motion keeps one and costs no more.
+/// Legs have no mass here, so that nothing else keeps swings from being hurried: none becomes shorter than
+/// shortest_swing_s, or than it is given where that is less; each phase of it keeps its share of that at least.
 /// At the end, where the times that were found ask for more breaks, these are placed anew if the motion over them costs
 /// no more.
 ///
@@ -46,7 +50,7 @@ struct TimedPlan {
 ///
 /// Failures: those of PlanRigidBody; kInfeasible `no_timing` where the shortest phases together are longer than the
 /// greatest total, or the longest shorter than the least; kBadInput
-/// `no_duration` where the shortest is longer than the longest, `tied_to_time` for inner momentum or limits of
+/// `no_duration` where a shortest duration is longer than the longest, `tied_to_time` for inner momentum or limits of
 /// motors, which belong to given times and are to be found anew for others.
 /// @throws InvalidArgument as CheckRigidBodyProblem, and for options that are none.
 /// @param first  if given: the motion at the times that are given, of the same options. It is planned anew where some

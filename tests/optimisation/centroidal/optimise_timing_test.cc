@@ -61,7 +61,8 @@ TEST(OptimiseTiming, ByTheOtherMethodToo) {
 /// Straight up and down again on one foot: of all flights within the same time, none costs less than the one found.
 TEST(OptimiseTiming, TheFlightOfAHopOnTheSpotIsTheBestOfAScan) {
   const RigidBodyProblem problem = rigid_bodies::Hopper(0.0);
-  const TimedPlan timed = Timed(problem, {.shortest_s = 0.1, .least_gain = 1e-4, .max_solves = 30});
+  const TimedPlan timed =
+      Timed(problem, {.shortest_s = 0.1, .shortest_swing_s = 0.0, .least_gain = 1e-4, .max_solves = 30});
   const VectorX found = DurationsOf(timed.problem);
   EXPECT_NEAR(found[0], found[2], 0.01) << "what is the same backwards stays so";
   const std::vector<double> from = SwitchTimes(problem);
@@ -89,7 +90,7 @@ TEST(OptimiseTiming, WhatIsAtItsBestStays) {
 
 TEST(OptimiseTiming, DurationsStayWithinBoundsAndInOrder) {
   const RigidBodyProblem problem = rigid_bodies::Walker();
-  const TimingOptions options{.shortest_s = 0.14, .longest_s = 0.46};
+  const TimingOptions options{.shortest_s = 0.14, .longest_s = 0.46, .shortest_swing_s = 0.0};
   const TimedPlan timed = Timed(problem, options);
   const VectorX durations = DurationsOf(timed.problem);
   ASSERT_EQ(durations.size(), DurationsOf(problem).size());
@@ -106,6 +107,27 @@ TEST(OptimiseTiming, DurationsStayWithinBoundsAndInOrder) {
     EXPECT_EQ(index(before, problem.stances[s].start_s), index(after, timed.problem.stances[s].start_s));
     EXPECT_EQ(index(before, problem.stances[s].end_s), index(after, timed.problem.stances[s].end_s));
   }
+}
+
+/// The shortest time that a foot has between two of its stances.
+double ShortestSwing(const RigidBodyProblem& problem) {
+  double shortest = 1e9;
+  for (std::size_t s = 1; s < problem.stances.size(); ++s) {
+    if (problem.stances[s].foot == problem.stances[s - 1].foot)
+      shortest = std::min(shortest, problem.stances[s].start_s - problem.stances[s - 1].end_s);
+  }
+  return shortest;
+}
+
+TEST(OptimiseTiming, SwingsAreNotHurried) {
+  for (const RigidBodyProblem& problem : {rigid_bodies::Hopper(), rigid_bodies::Walker(), rigid_bodies::Trotter()}) {
+    const double heedless = ShortestSwing(Timed(problem, {.shortest_swing_s = 0.0}).problem), least = heedless + 0.02;
+    ASSERT_LT(least, ShortestSwing(problem));
+    EXPECT_GE(ShortestSwing(Timed(problem, {.shortest_swing_s = least}).problem), least - 1e-9);
+  }
+  // One that is given shorter becomes no shorter.
+  const RigidBodyProblem hopper = rigid_bodies::Hopper();
+  EXPECT_GE(ShortestSwing(Timed(hopper, {.shortest_swing_s = 0.6}).problem), ShortestSwing(hopper) - 1e-9);
 }
 
 TEST(OptimiseTiming, FeetThatChangeTogetherStillDo) {
@@ -163,11 +185,11 @@ void ExpectRefused(const RigidBodyProblem& problem, const TimingOptions& options
 TEST(OptimiseTiming, RefusesWhatCannotBe) {
   RigidBodyProblem problem = rigid_bodies::Hopper();
   ExpectRefused(problem, {.shortest_s = 0.5}, FailureKind::kInfeasible, "no_timing",
-                "3 phases of at least 0.5 s take 1.5 s together, and there are 1.25 s");
+                "3 phases take 1.5 s together at their shortest, and there are 1.25 s");
   ExpectRefused(problem, {.longest_s = 0.4}, FailureKind::kInfeasible, "no_timing",
-                "3 phases of at most 0.4 s take 1.2 s together, and are to take 1.25 s");
+                "3 phases take 1.2 s together at their longest, and are to take 1.25 s");
   ExpectRefused(problem, {.shortest_s = 0.4, .longest_s = 0.3, .least_total = 0.5}, FailureKind::kBadInput,
-                "no_duration", "at least 0.4 s and at most 0.3 s");
+                "no_duration", "a phase cannot last at least 0.4 s and at most 0.3 s");
   ExpectRefused(rigid_bodies::Hopper(2.5), {}, FailureKind::kInfeasible, "unmet_law", "no motion was found");
   rigid_bodies::AddInnerMotion(problem, 20);
   ExpectRefused(problem, {}, FailureKind::kBadInput, "tied_to_time", "inner momentum");
