@@ -42,6 +42,7 @@ Json ToJson(const RigidBodyFaults& faults) {
 Json ToJson(const TimingOutcome& t) {
   return {{"refusal", t.refusal},
           {"keeps_all_laws", t.keeps},
+          {"mended", t.mended},
           {"cost_before", t.cost_before},
           {"cost", t.cost},
           {"fall", t.Fall()},

@@ -64,8 +64,9 @@ class TimingSearch {
   Result<TimedPlan> Run(const RigidBodyPlan* given) {
     if (const std::optional<Failure> refusal = Refusal()) return *refusal;
     const bool moved = BringWithinBounds();
-    const Result<RigidBodyPlan> first =
+    Result<RigidBodyPlan> first =
         given != nullptr && !moved ? Result<RigidBodyPlan>(*given) : PlanRigidBody(best_.problem, planning_);
+    if (!first) first = Mended(first.failure());
     if (!first) return first.failure();
     best_.plan = *first;
     best_.first_cost = first->summary.cost;
@@ -115,11 +116,54 @@ class TimingSearch {
     return true;
   }
 
+  /// What is paid for a motion that breaks laws.
+  double Paid(const RigidBodySummary& summary) const {
+    return summary.cost + 2.0 * planning_.most_price * summary.violations;
+  }
+
+  /// A motion at times at which there is one.
+  Result<RigidBodyPlan> Mended(Failure failure) {
+    // Slopes are right where a solve has come to rest.
+    RigidBodyOptions patient = planning_;
+    patient.screening = patient.max_iterations = std::max(kPatience, planning_.max_iterations);
+    RigidBodyPlan at;
+    Result<RigidBodyPlan> plan = PlanRigidBody(best_.problem, patient, &at);
+    change_ = options_.first_change;
+    best_.mended = true;
+    while (!plan && best_.solves < options_.max_solves && change_ > kLeastChange) {
+      ++best_.solves;
+      if (at.summary.violation <= planning_.tolerance) {
+        // All that is left is between breaks that stayed where they were.
+        plan = PlanRigidBody(best_.problem, planning_);
+        break;
+      }
+      const VectorX durations = DurationsOf(switches_);
+      const VectorX slope = CostByDurations(best_.problem, planning_, at.numbers);
+      const MatrixX straight = MatrixX::Zero(slope.size(), slope.size());
+      const std::vector<double> to =
+          SwitchesOf(BestDurations(durations, slope, straight, change_ * durations, bounds_));
+      const TimeMap map(switches_, to);
+      RigidBodyProblem problem = Retimed(best_.problem, map);
+      RigidBodyPlan other;
+      plan = PlanRigidBodyFrom(problem, patient, Retimed(at.numbers, map), &other);
+      if (!plan && Paid(other.summary) >= Paid(at.summary)) {
+        change_ *= kLess;
+        continue;
+      }
+      best_.problem = std::move(problem);
+      at = std::move(other);
+      switches_ = to;
+    }
+    if (plan) return plan;
+    failure.message += fmt::format("; at other times of contacts {:.3g} stays unmet", at.summary.violations);
+    return failure;
+  }
+
   void Search() {
-    constexpr double kLeastChange = 0.01;
     slope_ = CostByDurations(best_.problem, planning_, best_.plan.numbers);
     change_ = options_.first_change;
-    while (best_.solves < options_.max_solves && change_ > kLeastChange) {
+    const int most = best_.solves + options_.max_solves;
+    while (best_.solves < most && change_ > kLeastChange) {
       if (!Step()) return;
     }
   }
@@ -182,6 +226,8 @@ class TimingSearch {
     if (plan && plan->summary.cost <= best_.plan.summary.cost) best_.plan = *plan;
   }
 
+  static constexpr int kPatience = 200;
+  static constexpr double kLeastChange = 0.01;
   static constexpr double kPoor = 0.25, kGood = 0.7, kLess = 0.4, kMore = 1.7;
   const RigidBodyOptions planning_;
   const TimingOptions options_;
@@ -211,7 +257,13 @@ OptionFields TimingOptions::Fields() {
       {"first_change", &first_change, "1", 0.01, 0.9, "Most share of a duration that the first step changes.", {}},
       {"most_change", &most_change, "1", 0.01, 0.9, "Most share of a duration that any step changes.", {}},
       {"least_gain", &least_gain, "1", 1e-6, 1.0, "Share of the cost that a step must gain for another one.", {}},
-      {"max_solves", &max_solves, "1", 0, 1000, "Most motions that are planned on the way.", {}},
+      {"max_solves",
+       &max_solves,
+       "1",
+       0,
+       1000,
+       "Most motions that are planned on the way, and as many before where there is none yet.",
+       {}},
   };
 }
 

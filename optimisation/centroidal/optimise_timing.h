@@ -29,7 +29,8 @@ struct TimingOptions {
 struct TimedPlan {
   RigidBodyProblem problem;  ///< with its stances at these times
   RigidBodyPlan plan;
-  double first_cost = 0.0;  ///< of the first motion
+  double first_cost = 0.0;  ///< of the first motion, at the times that were given or those that mended it
+  bool mended = false;      ///< there was no motion at the times that were given
   int steps = 0;            ///< from one set of durations to a better one
   int solves = 0;           ///< that this took, refused ones too, without that of the first motion
 };
@@ -40,6 +41,8 @@ struct TimedPlan {
 /// a curvature learnt from former steps (damped BFGS; Nocedal and Wright, 2006, procedure 18.2), no farther than a
 /// share of each duration that follows how well former steps did, and is planned from the last motion; it is taken only
 /// if the motion keeps all laws, at 1 kHz too, and costs less, so that what has a motion keeps one and costs no more.
+/// Where there is no motion at the times that are given, steps go along the slope of what is paid for the violation of
+/// laws, until there is one.
 /// Legs have no mass here, so that nothing else keeps swings from being hurried: none becomes shorter than
 /// shortest_swing_s, or than it is given where that is less; each phase of it keeps its share of that at least.
 /// At the end, where the times that were found ask for more breaks, these are placed anew if the motion over them costs
@@ -48,10 +51,10 @@ struct TimedPlan {
 /// The cost is an integral over time: with the total time free, less of it may mean less of what is weighed by time,
 /// and more of it weaker forces; costs of different totals are of motions that take as long as they do.
 ///
-/// Failures: those of PlanRigidBody; kInfeasible `no_timing` where the shortest phases together are longer than the
-/// greatest total, or the longest shorter than the least; kBadInput
-/// `no_duration` where a shortest duration is longer than the longest, `tied_to_time` for inner momentum or limits of
-/// motors, which belong to given times and are to be found anew for others.
+/// Failures: those of PlanRigidBody, where other times do not mend them; kInfeasible `no_timing` where the shortest
+/// phases together are longer than the greatest total, or the longest shorter than the least; kBadInput `no_duration`
+/// where a shortest duration is longer than the longest, `tied_to_time` for inner momentum or limits of motors, which
+/// belong to given times and are to be found anew for others.
 /// @throws InvalidArgument as CheckRigidBodyProblem, and for options that are none.
 /// @param first  if given: the motion at the times that are given, of the same options. It is planned anew where some
 ///               of these times are out of bounds and brought to the nearest ones that are not.

@@ -32,15 +32,17 @@ double Median(std::vector<double> values) {
 }
 
 /// Times that suit a motion better.
-TimingOutcome Timed(const PlanOverPatches& plan, RigidBodyOptions options, const TimingOptions& timing) {
+TimingOutcome Timed(const PlanOverPatches& plan, bool solved, const RigidBodyOptions& options,
+                    const TimingOptions& timing) {
   const double start = CpuMs();
-  const Result<TimedPlan> timed = OptimiseTiming(plan.choice.problem, options, timing, &plan.plan);
+  const Result<TimedPlan> timed = OptimiseTiming(plan.choice.problem, options, timing, solved ? &plan.plan : nullptr);
   TimingOutcome outcome;
   outcome.cpu_ms = CpuMs() - start;
   if (!timed) {
     outcome.refusal = timed.failure().message;
     return outcome;
   }
+  outcome.mended = timed->mended;
   outcome.cost_before = timed->first_cost;
   outcome.cost = timed->plan.summary.cost;
   outcome.duration_s = timed->problem.duration_s;
@@ -143,11 +145,11 @@ std::string TimingTable(const std::vector<CentroidalOutcome>& outcomes) {
       fmt::format("\n{:<8} {:<18} {:<10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>7} {:>8} {:>8} {:>8}\n", "robot", "schedule",
                   "ground", "cost", "timed", "fall %", "s", "solves", "CPU ms", "1 kHz", "forces", "feet");
   std::vector<double> falls, cpu_ms;
-  int tried = 0, kept = 0, much = 0;
+  int tried = 0, kept = 0, much = 0, mended = 0, without = 0;
   for (const CentroidalOutcome& o : outcomes) {
     if (!o.timing) continue;
     const TimingOutcome& t = *o.timing;
-    ++tried;
+    (o.solved ? tried : without) += 1;
     table += fmt::format("{:<8} {:<18} {:<10} ", o.robot, o.schedule, o.ground);
     if (!t.refusal.empty()) {
       table += t.refusal + "\n";
@@ -156,12 +158,19 @@ std::string TimingTable(const std::vector<CentroidalOutcome>& outcomes) {
     table += fmt::format("{:>9.4f} {:>9.4f} {:>6.1f} {:>6.3f} {:>6} {:>7.1f} {:>8.1e} {:>8.1e} {:>8.1e}\n",
                          t.cost_before, t.cost, 100.0 * t.Fall(), t.duration_s, t.solves, t.cpu_ms, t.between.Largest(),
                          ForceFaults(t.between), FootFaults(t.between));
+    if (!o.solved) {
+      mended += t.keeps ? 1 : 0;
+      continue;
+    }
     falls.push_back(t.Fall());
     cpu_ms.push_back(t.cpu_ms);
     kept += t.keeps ? 1 : 0;
     much += t.Fall() >= kMuch ? 1 : 0;
   }
-  if (tried == 0) return "";
+  if (without > 0)
+    table +=
+        fmt::format("{} of {} cases without a motion at the times asked for have one at others\n", mended, without);
+  if (tried == 0) return without > 0 ? table : "";
   return table +
          fmt::format(
              "{} of {} timed motions keep all laws; the cost falls by {:.1f} % in the median and by {:.0f} % or "
@@ -192,7 +201,9 @@ CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase&
   outcome.ground = set.grounds[one.ground].name;
   outcome.task = task;
   PlanOverPatches last = Attempt(set, one, task, options, outcome);
-  if (!outcome.solved && ease) {
+  if (!outcome.solved && timing && last.choices > 0) outcome.timing = Timed(last, false, options, *timing);
+  const bool mended = outcome.timing && outcome.timing->keeps;
+  if (!outcome.solved && ease && !mended) {
     const CentroidalOutcome asked = outcome;
     for (const CentroidalTask& eased : Eased(set, one, task)) {
       last = Attempt(set, one, eased, options, outcome);
@@ -203,7 +214,7 @@ CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase&
     outcome.eased = outcome.solved;
     if (!outcome.solved) outcome = asked;
   }
-  if (outcome.solved && timing) outcome.timing = Timed(last, options, *timing);
+  if (outcome.solved && timing) outcome.timing = Timed(last, true, options, *timing);
   outcome.peak_memory_mb = PeakMemoryMb();
   return outcome;
 }

@@ -20,6 +20,7 @@ struct CentroidalCase {
 struct TimingOutcome {
   std::string refusal;  ///< why there was nothing to be done; empty where there was
   bool keeps = false;   ///< all laws, at 1 kHz too
+  bool mended = false;  ///< what has no motion at the times that are asked for
   double cost_before = 0.0, cost = 0.0;
   double duration_s = 0.0;
   int steps = 0, solves = 0;
@@ -55,7 +56,7 @@ std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::
 /// to a goal up to 0.1 m higher or lower where feet reach no ground from the one asked for; then half as long again,
 /// twice and three times as long; with a friction of 0.8, of 1.0, and of 1.2 times and twice what holds a body at rest
 /// at the goal; at last to a goal less far away. A motion that is found is then given times that suit it better, if
-/// `timing` is given.
+/// `timing` is given; where laws stay unmet as asked for, other times are tried before it is eased.
 CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
                           const RigidBodyOptions& options, bool ease,
                           const std::optional<TimingOptions>& timing = std::nullopt);

@@ -173,6 +173,25 @@ TEST(OptimiseTiming, TheSameProblemHasTheSameTimes) {
   EXPECT_EQ(SwitchTimes(a.problem), SwitchTimes(c->problem));
 }
 
+TEST(OptimiseTiming, MendsTimesAtWhichThereIsNoMotion) {
+  struct Hop {
+    double way_m, flight_s;
+  };
+  // A flight that is too long for a leg that reaches so far, and one too short for such a way.
+  for (const Hop& hop : {Hop{0.5, 0.8}, Hop{0.8, 0.1}}) {
+    const RigidBodyProblem hopper = rigid_bodies::Hopper(hop.way_m);
+    const double stand_s = 0.5 * (hopper.duration_s - hop.flight_s);
+    const TimeMap map(SwitchTimes(hopper), {0.0, stand_s, stand_s + hop.flight_s, hopper.duration_s});
+    const RigidBodyProblem problem = Retimed(hopper, map);
+    ASSERT_FALSE(PlanRigidBody(problem).ok());
+    const TimedPlan timed = Timed(problem);
+    EXPECT_TRUE(timed.mended);
+    EXPECT_EQ(timed.problem.duration_s, problem.duration_s);
+    EXPECT_GT(std::abs(DurationsOf(timed.problem)[1] - hop.flight_s), 0.05);
+  }
+  EXPECT_FALSE(Timed(rigid_bodies::Hopper()).mended);
+}
+
 void ExpectRefused(const RigidBodyProblem& problem, const TimingOptions& options, FailureKind kind, const char* code,
                    const char* said) {
   const Result<TimedPlan> timed = OptimiseTiming(problem, {}, options);
@@ -190,7 +209,7 @@ TEST(OptimiseTiming, RefusesWhatCannotBe) {
                 "3 phases take 1.2 s together at their longest, and are to take 1.25 s");
   ExpectRefused(problem, {.shortest_s = 0.4, .longest_s = 0.3, .least_total = 0.5}, FailureKind::kBadInput,
                 "no_duration", "a phase cannot last at least 0.4 s and at most 0.3 s");
-  ExpectRefused(rigid_bodies::Hopper(2.5), {}, FailureKind::kInfeasible, "unmet_law", "no motion was found");
+  ExpectRefused(rigid_bodies::Hopper(8.0), {}, FailureKind::kInfeasible, "unmet_law", "; at other times of contacts ");
   rigid_bodies::AddInnerMotion(problem, 20);
   ExpectRefused(problem, {}, FailureKind::kBadInput, "tied_to_time", "inner momentum");
   EXPECT_THROW((void)OptimiseTiming(rigid_bodies::Hopper(), {}, {.least_total = 1.2}), InvalidArgument);

@@ -85,6 +85,20 @@ TEST(CentroidalBench, TimesAsVariablesCostLessOnEachGround) {
   }
 }
 
+TEST(CentroidalBench, OtherTimesMendWhatHasNoMotionAsAsked) {
+  const CentroidalProblemSet set = Set();
+  const std::vector<CentroidalCase> cases = CasesOf(set, "hyq-3-block");
+  ASSERT_EQ(cases.size(), 1U);
+  const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, true, TimingOptions{});
+  EXPECT_FALSE(outcome.solved);
+  EXPECT_FALSE(outcome.eased);
+  ASSERT_TRUE(outcome.timing.has_value());
+  EXPECT_TRUE(outcome.timing->mended);
+  EXPECT_TRUE(outcome.timing->keeps) << outcome.timing->refusal;
+  EXPECT_NE(CentroidalTable({outcome}).find("1 of 1 cases without a motion at the times asked for have one at others"),
+            std::string::npos);
+}
+
 TEST(CentroidalBench, EasesWhatHasNoMotionAsAskedAndSaysWhy) {
   const CentroidalProblemSet set = Set();
   const CentroidalTask hasty{2.1, 1.2, 0.5};
