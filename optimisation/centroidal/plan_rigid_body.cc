@@ -7,153 +7,13 @@
 #include <cmath>
 #include <optional>
 
-#include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/hold_goal.h"
-#include "optimisation/centroidal/rigid_body_terms.h"
+#include "optimisation/centroidal/rigid_body_rows.h"
 #include "optimisation/centroidal/rigid_body_unknowns.h"
 #include "optimisation/numerics/elastic_interior.h"
 
 namespace gaitwright {
 namespace {
-
-/// The times at which a stance's foot must be within reach: at breaks, half way between them, and as long before
-/// touch-down and after lift-off as it is as good as there; where its swings are known, these tell.
-std::vector<double> ReachTimes(const RigidBodyProblem& problem, std::size_t number, const std::vector<double>& breaks,
-                               double lead_s) {
-  const RigidStance& stance = problem.stances[number];
-  constexpr double kSame = 1e-4;
-  std::vector<double> times;
-  for (std::size_t k = 0; k < breaks.size(); ++k) {
-    if (breaks[k] < stance.start_s - kSame || breaks[k] > stance.end_s + kSame) continue;
-    times.push_back(breaks[k]);
-    if (k + 1 < breaks.size() && breaks[k + 1] < stance.end_s + kSame)
-      times.push_back(0.5 * (breaks[k] + breaks[k + 1]));
-  }
-  const auto swings = [&](auto end) {
-    return std::any_of(problem.swings.begin(), problem.swings.end(),
-                       [&](const RigidSwing& swing) { return swing.*end == number; });
-  };
-  if (stance.start_s - lead_s > 0.0 && !swings(&RigidSwing::to)) times.push_back(stance.start_s - lead_s);
-  if (stance.end_s + lead_s < breaks.back() && !swings(&RigidSwing::from)) times.push_back(stance.end_s + lead_s);
-  return times;
-}
-
-/// A stance and a time at which its foot is out of reach between those at which it was looked at.
-struct MissedReach {
-  std::size_t stance;
-  double time_s;
-};
-
-/// Where feet are farthest out of reach by more than `tolerance_m` at 1 kHz, each stance's worst.
-std::vector<MissedReach> MissedReaches(const RigidBodyProblem& problem, const RigidBodyMotion& motion,
-                                       double tolerance_m) {
-  std::vector<double> worst(problem.stances.size(), tolerance_m), at(worst.size(), -1.0);
-  for (const RigidBodySample& sample : Sample(motion, 1e-3)) {
-    const Matrix3 R_BW = RotationOf(sample.angles_rad).transpose();
-    for (const RigidBodyInterval::Force& f : motion.intervals[sample.interval].forces) {
-      const RigidFoot& foot = problem.feet[static_cast<std::size_t>(problem.stances[f.stance].foot)];
-      const Vector3 p_B = R_BW * (motion.X_WF[f.stance].translation() - sample.p_WC);
-      for (const WorkspaceSide& side : foot.workspace_B) {
-        const double out = side.normal.dot(p_B) - side.offset;
-        if (out <= worst[f.stance]) continue;
-        worst[f.stance] = out;
-        at[f.stance] = sample.time_s;
-      }
-    }
-  }
-  std::vector<MissedReach> missed;
-  for (std::size_t s = 0; s < at.size(); ++s) {
-    if (at[s] >= 0.0) missed.push_back({s, at[s]});
-  }
-  return missed;
-}
-
-/// The problem as rows over its unknowns.
-ConstrainedProblem Rows(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
-                        const RigidBodyOptions& options, const std::vector<MissedReach>& missed) {
-  const RigidBodyTerms terms(problem, unknowns);
-  ConstrainedProblem rows;
-  // What depends on no unknown is given, and nothing to be solved for.
-  const auto add = [&](Constraint constraint) {
-    if (!constraint.variables.empty()) rows.constraints.push_back(std::move(constraint));
-  };
-  for (std::size_t i = 0; i < unknowns.intervals(); ++i) add(terms.Turning(i));
-  for (const std::size_t k : unknowns.FreeBreaks()) add(terms.Free(k));
-  const std::vector<BoundForce>& forces = unknowns.BoundForces();
-  for (const BoundForce& force : forces) add(terms.Friction(force, options.friction_sides, options.force_margin));
-  for (auto from = forces.begin(); from != forces.end();) {
-    const auto to = std::find_if(from, forces.end(), [&](const BoundForce& f) {
-      return f.stance != from->stance || f.at_break != from->at_break;
-    });
-    if (problem.stances[from->stance].MotorsAt(0.0) != nullptr) add(terms.Motors({from, to}));
-    from = to;
-  }
-  for (std::size_t s = 0; s < problem.stances.size(); ++s) {
-    for (const double t : ReachTimes(problem, s, unknowns.breaks_s(), options.swing_lead_s))
-      add(terms.Reach(s, t, options.reach_margin_m));
-  }
-  for (const RigidSwing& swing : problem.swings) {
-    for (const double share : {0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95})
-      add(terms.SwingReach(swing, share, options.reach_margin_m));
-  }
-  for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
-  for (std::size_t s = 0; s < problem.stances.size(); ++s) {
-    if (!problem.stances[s].held && !problem.stances[s].region_F.empty()) add(terms.Region(s));
-  }
-  rows.residuals = RigidBodyCost(problem, unknowns, options.weights);
-  return rows;
-}
-
-/// Where the body would be with the feet where they like to stand below it: the mean over the feet on the ground.
-Vector3 GuessCentreOfMass(const RigidBodyProblem& problem, double time_s) {
-  Vector3 sum = Vector3::Zero();
-  double weights = 0.0;
-  const Matrix3 heading = YawRotation(WantedAngles(problem, time_s).z());
-  for (std::size_t f = 0; f < problem.feet.size(); ++f) {
-    const RigidStance *before = nullptr, *after = nullptr;
-    for (const RigidStance& stance : problem.stances) {
-      if (stance.foot != static_cast<int>(f)) continue;
-      if (stance.start_s <= time_s) before = &stance;
-      if (after == nullptr && stance.end_s >= time_s) after = &stance;
-    }
-    if (before == nullptr) before = after;
-    if (after == nullptr) after = before;
-    if (before == nullptr) continue;
-    const double span = after->start_s - before->end_s;
-    const double u = before == after || span <= 0.0 ? 0.0 : std::clamp((time_s - before->end_s) / span, 0.0, 1.0);
-    const Vector3 p = (1.0 - u) * before->X_WF.translation() + u * after->X_WF.translation();
-    sum += p - heading * problem.feet[f].p_CF_nominal_B;
-    weights += 1.0;
-  }
-  return sum / weights;
-}
-
-Vector3 GuessPlace(const RigidBodyProblem& problem, double t) {
-  return problem.way.time_s.empty() ? GuessCentreOfMass(problem, t) : problem.way.PlaceAt(t);
-}
-
-Vector3 GuessAngles(const RigidBodyProblem& problem, double t) {
-  return problem.way.time_s.empty() ? WantedAngles(problem, t) : problem.way.AnglesAt(t);
-}
-
-VectorX Guess(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns) {
-  VectorX x = VectorX::Zero(unknowns.size());
-  const std::vector<double>& t = unknowns.breaks_s();
-  // A control point belongs to the mean of the three knots that it stands over: Greville's abscissa.
-  const auto knot = [&](std::size_t j) { return t[std::clamp<std::size_t>(j, 3, t.size() + 2) - 3]; };
-  for (std::size_t i = 2; i < t.size(); ++i)
-    x.segment<3>(unknowns.ControlPoint(i)) = GuessPlace(problem, (knot(i + 1) + knot(i + 2) + knot(i + 3)) / 3.0);
-  for (std::size_t k = 1; k + 1 < t.size(); ++k)
-    x.segment<3>(unknowns.Angles(k).parts.front().start) = GuessAngles(problem, t[k]);
-  std::vector<int> sharing(t.size(), 0);
-  for (const BoundForce& force : unknowns.BoundForces()) ++sharing[force.at_break];
-  for (const BoundForce& force : unknowns.BoundForces()) {
-    const std::vector<AffineVector::Part>& parts = force.force.parts;
-    if (parts.size() == 1 && parts.front().coefficient == 1.0)
-      x[parts.front().start + 2] = 1.0 / sharing[force.at_break];
-  }
-  return x;
-}
 
 /// Where no forces on the footholds at the goal can hold a body there; else nothing.
 std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
@@ -206,6 +66,27 @@ class RigidBodyPlanner {
 
   Result<RigidBodyPlan> Run() {
     SetBreaks();
+    return Refined();
+  }
+
+  /// From numbers over breaks that stay.
+  Result<RigidBodyPlan> RunFrom(const RigidBodyNumbers& from) {
+    unknowns_.emplace(problem_, from.breaks_s);
+    missed_ = from.missed;
+    start_ = from.x;
+    first_gap_ = kNextGap;
+    breaks_stay_ = true;
+    if (from.x.size() != unknowns_->size())
+      throw InvalidArgument(
+          fmt::format("PlanRigidBodyFrom: {} numbers for {} unknowns", from.x.size(), unknowns_->size()));
+    return Refined();
+  }
+
+  const RigidBodyPlan& plan() const { return plan_; }
+
+ private:
+  /// Solves, and again with breaks nearer to each other or feet looked at more often, as that is needed.
+  Result<RigidBodyPlan> Refined() {
     while (true) {
       SolveOnce();
       RigidBodySummary& summary = plan_.summary;
@@ -214,6 +95,7 @@ class RigidBodyPlanner {
       if (summary.refinements == options_.max_refinements) return FaultsBetween(summary);
       ++summary.refinements;
       if (!LookCloser()) {
+        if (breaks_stay_) return FaultsBetween(summary);
         options_.spacing_s *= 0.5;
         options_.least_intervals *= 2;
         SetBreaks();
@@ -221,13 +103,10 @@ class RigidBodyPlanner {
     }
   }
 
-  const RigidBodyPlan& plan() const { return plan_; }
-
- private:
   void SetBreaks() {
     unknowns_.emplace(problem_, options_.spacing_s, options_.least_intervals, options_.grid_s);
     missed_.clear();
-    start_ = Guess(problem_, *unknowns_);
+    start_ = GuessRigidBody(problem_, *unknowns_);
     first_gap_ = kFirstGap;
   }
 
@@ -269,7 +148,7 @@ class RigidBodyPlanner {
   }
 
   void SolveOnce() {
-    ConstrainedProblem rows = Rows(problem_, *unknowns_, options_, missed_);
+    ConstrainedProblem rows = RigidBodyRows(problem_, *unknowns_, options_, missed_);
     rows.start = start_;
     ConstrainedSolution at;
     RigidBodySummary& summary = plan_.summary;
@@ -282,6 +161,7 @@ class RigidBodyPlanner {
       summary.settled = SolveByInteriorPoint(rows, at);
     start_ = at.x;
     plan_.motion = MotionOf(problem_, *unknowns_, at.x);
+    plan_.numbers = {unknowns_->breaks_s(), missed_, at.x, at.multipliers};
     summary.variables = unknowns_->size();
     summary.constraints = 0;
     for (const Constraint& c : rows.constraints) summary.constraints += static_cast<int>(c.lower.size());
@@ -303,6 +183,7 @@ class RigidBodyPlanner {
   std::vector<MissedReach> missed_;
   VectorX start_;
   double first_gap_ = kFirstGap;
+  bool breaks_stay_ = false;
 };
 
 }  // namespace
@@ -347,6 +228,17 @@ Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const Rigid
   CheckOptions(checked.Fields());
   RigidBodyPlanner planner(problem, checked);
   Result<RigidBodyPlan> plan = planner.Run();
+  if (last != nullptr) *last = planner.plan();
+  return plan;
+}
+
+Result<RigidBodyPlan> PlanRigidBodyFrom(const RigidBodyProblem& problem, const RigidBodyOptions& options,
+                                        const RigidBodyNumbers& from, RigidBodyPlan* last) {
+  CheckRigidBodyProblem(problem);
+  RigidBodyOptions checked = options;
+  CheckOptions(checked.Fields());
+  RigidBodyPlanner planner(problem, checked);
+  Result<RigidBodyPlan> plan = planner.RunFrom(from);
   if (last != nullptr) *last = planner.plan();
   return plan;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
@@ -53,10 +54,25 @@ struct RigidBodySummary {
   RigidBodyFaults faults;   ///< at 1 kHz
 };
 
+/// A stance and a time at which its foot was out of reach between those at which it was looked at.
+struct MissedReach {
+  std::size_t stance;
+  double time_s;
+};
+
+/// The numbers that a motion was found as, from which one like it can be found.
+struct RigidBodyNumbers {
+  std::vector<double> breaks_s;
+  std::vector<MissedReach> missed;
+  VectorX x;            ///< RigidBodyUnknowns over these breaks
+  VectorX multipliers;  ///< of the rows over them (ConstrainedSolution)
+};
+
 /// A motion of a rigid body and how it was found.
 struct RigidBodyPlan {
   RigidBodyMotion motion;
   RigidBodySummary summary;
+  RigidBodyNumbers numbers;
 };
 
 /// The motion of least cost (rigid_body_cost.h) that keeps the laws of the problem: balance of forces exactly and that
@@ -69,5 +85,11 @@ struct RigidBodyPlan {
 /// @throws InvalidArgument as CheckRigidBodyProblem.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
+
+/// The same from the numbers of a motion of a problem like this one: the same stances at times of their own, and breaks
+/// at those times. Breaks stay where they are, so that faults between them other than of reach are refused.
+/// @throws InvalidArgument also for breaks that are not those of this problem's times, or another count of numbers.
+Result<RigidBodyPlan> PlanRigidBodyFrom(const RigidBodyProblem& problem, const RigidBodyOptions& options,
+                                        const RigidBodyNumbers& from, RigidBodyPlan* last = nullptr);
 
 }  // namespace gaitwright

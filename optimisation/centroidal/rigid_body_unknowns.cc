@@ -1,32 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/centroidal/rigid_body_unknowns.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <utility>
 
+#include "kinematics/base/result.h"
 #include "kinematics/trajectory/bspline.h"
+#include "optimisation/centroidal/gait_phases.h"
 
 namespace gaitwright {
 namespace {
 
-/// Switches nearer to each other than this are one [s].
-constexpr double kSameTime = 1e-4;
-
-/// Times in order, those that are nearly the same taken together; the ends as they are.
-std::vector<double> Merged(std::vector<double> times, double end) {
-  std::sort(times.begin(), times.end());
-  std::vector<double> merged = {0.0};
-  for (const double t : times) {
-    if (t > merged.back() + kSameTime && t < end - kSameTime) merged.push_back(t);
-  }
-  merged.push_back(end);
-  return merged;
-}
-
 std::size_t Nearest(const std::vector<double>& times, double t) {
-  const auto after = std::lower_bound(times.begin(), times.end(), t - kSameTime);
+  const auto after = std::lower_bound(times.begin(), times.end(), t - kSameSwitch_s);
   return static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
 }
 
@@ -48,6 +40,23 @@ RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, double spa
                                      double grid_s)
     : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0) {
   PlaceBreaks(spacing_s, least_intervals, grid_s);
+  AddAll();
+}
+
+RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, std::vector<double> breaks_s)
+    : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0), breaks_s_(std::move(breaks_s)) {
+  if (breaks_s_.size() < 2 ||
+      std::adjacent_find(breaks_s_.begin(), breaks_s_.end(), std::greater_equal<>()) != breaks_s_.end())
+    throw InvalidArgument("rigid body: its breaks must rise from its start to its end");
+  for (const double t : SwitchTimes(problem)) {
+    const double nearest = breaks_s_[Nearest(breaks_s_, t)];
+    if (std::abs(nearest - t) > kSameSwitch_s)
+      throw InvalidArgument(fmt::format("rigid body: contacts change at {} s, where there is no break", t));
+  }
+  AddAll();
+}
+
+void RigidBodyUnknowns::AddAll() {
   AddCentreOfMass();
   AddTurning();
   AddForces();
@@ -55,12 +64,7 @@ RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, double spa
 }
 
 void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals, double grid_s) {
-  std::vector<double> switches;
-  for (const RigidStance& stance : problem_.stances) {
-    switches.push_back(stance.start_s);
-    switches.push_back(stance.end_s);
-  }
-  switches = Merged(switches, problem_.duration_s);
+  const std::vector<double> switches = SwitchTimes(problem_);
   std::vector<int> parts(switches.size() - 1, 1);
   for (const RigidStance& stance : problem_.stances) {
     const std::size_t from = Nearest(switches, stance.start_s), to = Nearest(switches, stance.end_s);
@@ -76,7 +80,7 @@ void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals, doubl
     for (int part = 1; part < parts[i]; ++part) {
       const double even = from + (to - from) * part / parts[i];
       const double at = grid_s > 0.0 ? grid_s * std::round(even / grid_s) : even;
-      if (at > breaks_s_.back() + kSameTime && at < to - kSameTime) breaks_s_.push_back(at);
+      if (at > breaks_s_.back() + kSameSwitch_s && at < to - kSameSwitch_s) breaks_s_.push_back(at);
     }
     breaks_s_.push_back(to);
   }

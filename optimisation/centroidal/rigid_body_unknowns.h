@@ -51,6 +51,10 @@ class RigidBodyUnknowns {
   /// @param grid_s     breaks between switches are at multiples of it where they come to differ; 0 for anywhere.
   RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals, double grid_s = 0.0);
 
+  /// Over given breaks. @throws InvalidArgument unless they rise from 0 to the end with all switches of contact among
+  /// them.
+  RigidBodyUnknowns(const RigidBodyProblem& problem, std::vector<double> breaks_s);
+
   int size() const { return size_; }
   const std::vector<double>& breaks_s() const { return breaks_s_; }
   std::size_t intervals() const { return breaks_s_.size() - 1; }
@@ -76,6 +80,7 @@ class RigidBodyUnknowns {
 
  private:
   void PlaceBreaks(double spacing_s, int least_intervals, double grid_s);
+  void AddAll();
   void AddCentreOfMass();
   void AddTurning();
   void AddFootholds();

@@ -10,6 +10,8 @@
 #include <limits>
 #include <numeric>
 
+#include "optimisation/numerics/check_problem.h"
+
 namespace gaitwright {
 namespace {
 
@@ -105,34 +107,6 @@ void Identity(const VectorX& x, VectorX& value, MatrixX* J) {
   if (J != nullptr) J->setIdentity();
 }
 
-/// The list of variables as given, or all. @throws InvalidArgument for one named twice or that there is not.
-std::vector<int> Checked(const std::vector<int>& variables, int count) {
-  std::vector<int> all(static_cast<std::size_t>(count));
-  std::iota(all.begin(), all.end(), 0);
-  if (variables.empty()) return all;
-  std::vector<int> sorted = variables;
-  std::sort(sorted.begin(), sorted.end());
-  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    throw InvalidArgument(fmt::format("Solve: a list of variables names {} twice", *twice));
-  for (const int v : {sorted.front(), sorted.back()}) {
-    if (v < 0 || v >= count)
-      throw InvalidArgument(fmt::format("Solve: a list of variables names {}; there are 0 to {}", v, count - 1));
-  }
-  return variables;
-}
-
-/// @throws InvalidArgument unless there are `size` of both ends, one or more, and no lower one is above its upper one.
-void CheckInterval(const std::string& what, const VectorX& lower, const VectorX& upper, Eigen::Index size) {
-  if (size == 0 || lower.size() != size || upper.size() != size) {
-    throw InvalidArgument(fmt::format("Solve: {}: {} lower and {} upper ends; as many, one or more, are needed", what,
-                                      lower.size(), upper.size()));
-  }
-  for (Eigen::Index i = 0; i < size; ++i) {
-    if (!(lower[i] <= upper[i]))
-      throw InvalidArgument(fmt::format("Solve: {}: end {} is {} below and {} above", what, i, lower[i], upper[i]));
-  }
-}
-
 /// The coarsest blocks of neighbours such that each term sees all of a block or nothing of it.
 std::vector<Block> BlocksOf(const std::vector<Term>& terms, int count) {
   std::vector<std::vector<std::size_t>> seen_by(static_cast<std::size_t>(count));
@@ -158,8 +132,9 @@ class Solver {
   Solver(const ConstrainedProblem& problem, const ConstrainedOptions& options)
       : problem_(problem), options_(options), x_(problem.start) {
     const int n = static_cast<int>(x_.size());
-    for (const Residual& r : problem.residuals) terms_.push_back({&r.function, Checked(r.variables, n)});
-    for (const Constraint& c : problem.constraints) terms_.push_back({&c.function, Checked(c.variables, n), &c});
+    for (const Residual& r : problem.residuals) terms_.push_back({&r.function, CheckedVariables(r.variables, n)});
+    for (const Constraint& c : problem.constraints)
+      terms_.push_back({&c.function, CheckedVariables(c.variables, n), &c});
     blocks_ = BlocksOf(terms_, n);
     AddBounds();
     for (Term& term : terms_) MakeRoom(term);
@@ -197,6 +172,7 @@ class Solver {
   ConstrainedSolution last() const {
     ConstrainedSolution last = solution_;
     last.x = x_;
+    last.multipliers = Multipliers();
     return last;
   }
 
@@ -324,6 +300,17 @@ class Solver {
     }
   }
 
+  /// Those of |r|^2; Ceres takes half of all squares.
+  VectorX Multipliers() const {
+    VectorX multipliers(0);
+    const std::size_t first = problem_.residuals.size();
+    for (std::size_t t = first; t < first + problem_.constraints.size(); ++t) {
+      multipliers.conservativeResize(multipliers.size() + terms_[t].lambda.size());
+      multipliers.tail(terms_[t].lambda.size()) = 2.0 * terms_[t].lambda;
+    }
+    return multipliers;
+  }
+
   /// @return true when the penalty is at its cap.
   bool GrowPenalty(double last_violation) {
     constexpr double kGrowth = 10.0, kCap = 1e5, kEnough = 0.25;
@@ -335,6 +322,8 @@ class Solver {
   }
 
   Result<ConstrainedSolution> Finished() {
+    UpdateMultipliers();
+    solution_.multipliers = Multipliers();
     solution_.x = problem_.lower.size() > 0 ? VectorX(x_.cwiseMax(problem_.lower).cwiseMin(problem_.upper)) : x_;
     solution_.brief = fmt::format("cost {:.9g}, violation {:.1e}, {} updates, {} iterations", solution_.cost,
                                   solution_.violation, solution_.outer, solution_.iterations);
@@ -373,18 +362,6 @@ class Solver {
 };
 
 }  // namespace
-
-void CheckConstrainedProblem(const ConstrainedProblem& problem) {
-  if (problem.start.size() == 0 || !problem.start.allFinite())
-    throw InvalidArgument("Solve: the start must be finite and not empty");
-  if (problem.lower.size() + problem.upper.size() > 0)
-    CheckInterval("the bounds", problem.lower, problem.upper, problem.start.size());
-  const auto n = static_cast<int>(problem.start.size());
-  for (const Constraint& c : problem.constraints)
-    CheckInterval(fmt::format("constraint '{}'", c.name), c.lower, c.upper, c.lower.size());
-  for (const Residual& r : problem.residuals) (void)Checked(r.variables, n);
-  for (const Constraint& c : problem.constraints) (void)Checked(c.variables, n);
-}
 
 Result<ConstrainedSolution> Solve(const ConstrainedProblem& problem, const ConstrainedOptions& options,
                                   ConstrainedSolution* last) {

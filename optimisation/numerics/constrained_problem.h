@@ -40,10 +40,6 @@ struct ConstrainedProblem {
   VectorX lower, upper;  ///< bounds; empty for none
 };
 
-/// @throws InvalidArgument for a start that is empty or not finite, for intervals of the wrong size or with their ends
-/// swapped, and for a list of variables that names one twice or one that there is not.
-void CheckConstrainedProblem(const ConstrainedProblem& problem);
-
 /// Tuning
 ///   hundreds of iterations, steps rejected at every change of the active set   lower stiffness
 ///   the violation goes down slowly                                             raise stiffness

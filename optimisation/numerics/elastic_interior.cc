@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "optimisation/numerics/check_problem.h"
 #include "optimisation/numerics/sparse_rows.h"
 
 namespace gaitwright {

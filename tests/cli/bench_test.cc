@@ -28,7 +28,35 @@ TEST_F(Bench, ATableHasALineForEachCaseAndASum) {
   EXPECT_NE(ran.out.find("1 of 1 cases solved as asked for"), std::string::npos) << ran.out;
 }
 
+TEST_F(Bench, BetterTimesOfContactsAreToldForWhatIsSolved) {
+  const Ran ran = Run({"bench", "centroidal", "--only", "monoped-3-flat", "--timing", "fixed", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  const Json one = ran.json().at("cases")[0], timing = one.at("timing");
+  EXPECT_EQ(timing.at("refusal"), "");
+  EXPECT_EQ(timing.at("keeps_all_laws"), true);
+  EXPECT_EQ(timing.at("cost_before"), one.at("cost"));
+  EXPECT_LT(timing.at("cost").get<double>(), 0.95 * timing.at("cost_before").get<double>());
+  EXPECT_EQ(timing.at("duration_s"), one.at("duration_s"));
+  EXPECT_LT(timing.at("at_1_khz").at("torque_balance_mg_m").get<double>(), 1e-3);
+  const Ran freely = Run({"bench", "centroidal", "--only", "monoped-3-flat", "--timing", "free", "--json"});
+  EXPECT_NE(freely.json().at("cases")[0].at("timing").at("duration_s"), one.at("duration_s"));
+  const Ran without = Run({"bench", "centroidal", "--only", "monoped-3-flat", "--json"});
+  EXPECT_TRUE(without.json().at("cases")[0].at("timing").is_null());
+}
+
+TEST_F(Bench, ATableOfTimesSaysWhatIsGainedOrRefused) {
+  const Ran ran = Run({"bench", "centroidal", "--only", "monoped-3-flat", "--timing", "fixed"});
+  EXPECT_NE(ran.out.find("1 of 1 timed motions keep all laws; the cost falls by"), std::string::npos) << ran.out;
+  const Ran refused =
+      Run({"bench", "centroidal", "--only", "monoped-3-flat", "--timing", "fixed", "--set", "timing.shortest_s=0.5"});
+  EXPECT_NE(refused.out.find("7 phases take 3.5 s together at their shortest, and there are 2.4 s"), std::string::npos)
+      << refused.out;
+  EXPECT_NE(refused.out.find("0 of 1 timed motions keep all laws"), std::string::npos) << refused.out;
+}
+
 TEST_F(Bench, RefusesWhatThereIsNot) {
+  ExpectRefused(Run({"bench", "centroidal", "--only", "hyq-1-gap", "--timing", "loose"}), 1, {"loose", "fixed"});
+
   ExpectRefused(Run({"bench", "centroidal", "--only", "horse"}), 1, {"no case holds 'horse'", "hyq-1-gap"});
   ExpectRefused(Run({"bench", "centroidal", "--problems", "none.json"}), 1, {"none.json"});
   ExpectRefused(Run({"bench", "centroidal", "--set", "spacing=1"}), 1, {"spacing_s"});

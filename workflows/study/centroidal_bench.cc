@@ -25,9 +25,38 @@ std::string NameOf(const CentroidalProblemSet& set, const CentroidalCase& one) {
   return fmt::format("{}-{}-{}", set.robots[one.robot].first, one.schedule, set.grounds[one.ground].name);
 }
 
-/// One attempt at a case.
-void Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
-             const RigidBodyOptions& options, CentroidalOutcome& outcome) {
+/// The median, 0 of none.
+double Median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[values.size() / 2];
+}
+
+/// Times that suit a motion better.
+TimingOutcome Timed(const PlanOverPatches& plan, bool solved, const RigidBodyOptions& options,
+                    const TimingOptions& timing) {
+  const double start = CpuMs();
+  const Result<TimedPlan> timed = OptimiseTiming(plan.choice.problem, options, timing, solved ? &plan.plan : nullptr);
+  TimingOutcome outcome;
+  outcome.cpu_ms = CpuMs() - start;
+  if (!timed) {
+    outcome.refusal = timed.failure().message;
+    return outcome;
+  }
+  outcome.mended = timed->mended;
+  outcome.cost_before = timed->first_cost;
+  outcome.cost = timed->plan.summary.cost;
+  outcome.duration_s = timed->problem.duration_s;
+  outcome.steps = timed->steps;
+  outcome.solves = timed->solves;
+  outcome.node_violation = timed->plan.summary.violation;
+  outcome.between = FaultsOf(timed->problem, timed->plan.motion, 1e-3);
+  outcome.keeps = outcome.node_violation <= options.tolerance && outcome.between.Largest() <= options.fault_tolerance;
+  return outcome;
+}
+
+/// One attempt at a case. @return where it ended.
+PlanOverPatches Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
+                        const RigidBodyOptions& options, CentroidalOutcome& outcome) {
   const CentroidalRobot& robot = set.robots[one.robot].second;
   const Terrain ground = WithFriction(set.grounds[one.ground], task.friction);
   const double start = CpuMs();
@@ -45,6 +74,7 @@ void Attempt(const CentroidalProblemSet& set, const CentroidalCase& one, const C
   outcome.cost = last.plan.summary.cost;
   outcome.node_violation = last.plan.summary.violation;
   outcome.between = last.plan.summary.faults;
+  return last;
 }
 
 /// What feet find at the goal of a task.
@@ -98,11 +128,54 @@ std::vector<CentroidalTask> Eased(const CentroidalProblemSet& set, const Centroi
   return eased;
 }
 
+double ForceFaults(const RigidBodyFaults& faults) { return std::max({0.0, faults.friction, faults.unilateral}); }
+double FootFaults(const RigidBodyFaults& faults) { return std::max({0.0, faults.reach_m, faults.foothold_m}); }
+
 /// What a case was eased to, for people.
 std::string HowEased(const CentroidalTask& task) {
   return fmt::format("{:.1f} m{} in {:.1f} s, mu {:.1f}", task.distance_m,
                      task.higher_m == 0.0 ? "" : fmt::format(" {:+.2f}", task.higher_m), task.duration_s,
                      task.friction);
+}
+
+/// What became of the costs of cases where times were variables; nothing where they were not.
+std::string TimingTable(const std::vector<CentroidalOutcome>& outcomes) {
+  constexpr double kMuch = 0.05;
+  std::string table =
+      fmt::format("\n{:<8} {:<18} {:<10} {:>9} {:>9} {:>6} {:>6} {:>6} {:>7} {:>8} {:>8} {:>8}\n", "robot", "schedule",
+                  "ground", "cost", "timed", "fall %", "s", "solves", "CPU ms", "1 kHz", "forces", "feet");
+  std::vector<double> falls, cpu_ms;
+  int tried = 0, kept = 0, much = 0, mended = 0, without = 0;
+  for (const CentroidalOutcome& o : outcomes) {
+    if (!o.timing) continue;
+    const TimingOutcome& t = *o.timing;
+    (o.solved ? tried : without) += 1;
+    table += fmt::format("{:<8} {:<18} {:<10} ", o.robot, o.schedule, o.ground);
+    if (!t.refusal.empty()) {
+      table += t.refusal + "\n";
+      continue;
+    }
+    table += fmt::format("{:>9.4f} {:>9.4f} {:>6.1f} {:>6.3f} {:>6} {:>7.1f} {:>8.1e} {:>8.1e} {:>8.1e}\n",
+                         t.cost_before, t.cost, 100.0 * t.Fall(), t.duration_s, t.solves, t.cpu_ms, t.between.Largest(),
+                         ForceFaults(t.between), FootFaults(t.between));
+    if (!o.solved) {
+      mended += t.keeps ? 1 : 0;
+      continue;
+    }
+    falls.push_back(t.Fall());
+    cpu_ms.push_back(t.cpu_ms);
+    kept += t.keeps ? 1 : 0;
+    much += t.Fall() >= kMuch ? 1 : 0;
+  }
+  if (without > 0)
+    table +=
+        fmt::format("{} of {} cases without a motion at the times asked for have one at others\n", mended, without);
+  if (tried == 0) return without > 0 ? table : "";
+  return table +
+         fmt::format(
+             "{} of {} timed motions keep all laws; the cost falls by {:.1f} % in the median and by {:.0f} % or "
+             "more in {}; median CPU {:.1f} ms\n",
+             kept, tried, 100.0 * Median(falls), 100.0 * kMuch, much, Median(cpu_ms));
 }
 
 }  // namespace
@@ -121,17 +194,19 @@ std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::
 }
 
 CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
-                          const RigidBodyOptions& options, bool ease) {
+                          const RigidBodyOptions& options, bool ease, const std::optional<TimingOptions>& timing) {
   CentroidalOutcome outcome;
   outcome.robot = set.robots[one.robot].first;
   outcome.schedule = fmt::format("{} {}", one.schedule, set.robots[one.robot].second.schedules[one.schedule].name);
   outcome.ground = set.grounds[one.ground].name;
   outcome.task = task;
-  Attempt(set, one, task, options, outcome);
-  if (!outcome.solved && ease) {
+  PlanOverPatches last = Attempt(set, one, task, options, outcome);
+  if (!outcome.solved && timing && last.choices > 0) outcome.timing = Timed(last, false, options, *timing);
+  const bool mended = outcome.timing && outcome.timing->keeps;
+  if (!outcome.solved && ease && !mended) {
     const CentroidalOutcome asked = outcome;
     for (const CentroidalTask& eased : Eased(set, one, task)) {
-      Attempt(set, one, eased, options, outcome);
+      last = Attempt(set, one, eased, options, outcome);
       if (outcome.solved) break;
     }
     outcome.reason = asked.reason;
@@ -139,6 +214,7 @@ CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase&
     outcome.eased = outcome.solved;
     if (!outcome.solved) outcome = asked;
   }
+  if (outcome.solved && timing) outcome.timing = Timed(last, true, options, *timing);
   outcome.peak_memory_mb = PeakMemoryMb();
   return outcome;
 }
@@ -154,17 +230,15 @@ std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes) {
     table +=
         fmt::format("{:<8} {:<18} {:<10} {:<16} {:>5} {:>5} {:>7.1f} {:>8.1e} {:>8.1e} {:>8.1e} {:>8.1e} {:>6.0f}\n",
                     o.robot, o.schedule, o.ground, how, o.variables, o.iterations, o.cpu_ms, o.node_violation,
-                    o.between.Largest(), std::max({0.0, o.between.friction, o.between.unilateral}),
-                    std::max({0.0, o.between.reach_m, o.between.foothold_m}), o.peak_memory_mb);
+                    o.between.Largest(), ForceFaults(o.between), FootFaults(o.between), o.peak_memory_mb);
     if (!o.reason.empty()) table += fmt::format("         as asked for: {}\n", o.reason);
     solved += o.solved && !o.eased ? 1 : 0;
     eased += o.eased ? 1 : 0;
     if (o.solved && !o.eased) cpu_ms.push_back(o.cpu_ms);
   }
-  std::sort(cpu_ms.begin(), cpu_ms.end());
   table += fmt::format("{} of {} cases solved as asked for, {} more when eased; median CPU of those solved {:.1f} ms\n",
-                       solved, outcomes.size(), eased, cpu_ms.empty() ? 0.0 : cpu_ms[cpu_ms.size() / 2]);
-  return table;
+                       solved, outcomes.size(), eased, Median(cpu_ms));
+  return table + TimingTable(outcomes);
 }
 
 }  // namespace gaitwright

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "optimisation/centroidal/optimise_timing.h"
 #include "optimisation/centroidal/plan_rigid_body.h"
 #include "workflows/study/centroidal_problems.h"
 
@@ -13,6 +14,22 @@ namespace gaitwright {
 /// A robot's schedule on a ground, by their numbers in a set.
 struct CentroidalCase {
   std::size_t robot = 0, schedule = 0, ground = 0;
+};
+
+/// How the times of contacts were made better.
+struct TimingOutcome {
+  std::string refusal;  ///< why there was nothing to be done; empty where there was
+  bool keeps = false;   ///< all laws, at 1 kHz too
+  bool mended = false;  ///< what has no motion at the times that are asked for
+  double cost_before = 0.0, cost = 0.0;
+  double duration_s = 0.0;
+  int steps = 0, solves = 0;
+  double cpu_ms = 0.0;          ///< beyond that of the first motion
+  double node_violation = 0.0;  ///< as in CentroidalOutcome
+  RigidBodyFaults between;
+
+  /// By how much of what it was the cost fell.
+  double Fall() const { return cost_before > 0.0 ? 1.0 - cost / cost_before : 0.0; }
 };
 
 /// How a case went.
@@ -26,9 +43,10 @@ struct CentroidalOutcome {
   int choices = 0;      ///< of patches that were planned for
   double cpu_ms = 0.0;  ///< of choosing footholds and planning, as asked for
   double cost = 0.0;
-  double node_violation = 0.0;  ///< largest of a constraint, in m, rad, rad/s and m g
-  RigidBodyFaults between;      ///< at 1 kHz
-  double peak_memory_mb = 0.0;  ///< of the process so far
+  double node_violation = 0.0;          ///< largest of a constraint, in m, rad, rad/s and m g
+  RigidBodyFaults between;              ///< at 1 kHz
+  double peak_memory_mb = 0.0;          ///< of the process so far
+  std::optional<TimingOutcome> timing;  ///< where it was asked for and there is a motion
 };
 
 /// All cases of a set whose name, "robot-schedule-ground" such as "hyq-1-gap", holds `filter`.
@@ -37,11 +55,13 @@ std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::
 /// Plans over the ground. A case that has no motion as it is asked for is eased where `ease` is set, until it has one:
 /// to a goal up to 0.1 m higher or lower where feet reach no ground from the one asked for; then half as long again,
 /// twice and three times as long; with a friction of 0.8, of 1.0, and of 1.2 times and twice what holds a body at rest
-/// at the goal; at last to a goal less far away.
+/// at the goal; at last to a goal less far away. A motion that is found is then given times that suit it better, if
+/// `timing` is given; where laws stay unmet as asked for, other times are tried before it is eased.
 CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
-                          const RigidBodyOptions& options, bool ease);
+                          const RigidBodyOptions& options, bool ease,
+                          const std::optional<TimingOptions>& timing = std::nullopt);
 
-/// The outcomes as a table for people, and what they come to.
+/// The outcomes as a table for people, and what they come to; with a second one where times were variables.
 std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes);
 
 }  // namespace gaitwright

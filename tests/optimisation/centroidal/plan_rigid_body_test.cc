@@ -254,6 +254,27 @@ TEST(PlanRigidBody, KeepsTheLawsWithWhatMovesInsideAndContactsThatRoll) {
   }
 }
 
+TEST(PlanRigidBodyFrom, AMotionIsFoundAgain) {
+  const RigidBodyProblem problem = rigid_bodies::Trotter();
+  for (const char* method : {"interior-point", "ceres"}) {
+    const RigidBodyOptions options{.method = method};
+    const RigidBodyPlan plan = Planned(problem, options);
+    const Result<RigidBodyPlan> again = PlanRigidBodyFrom(problem, options, plan.numbers);
+    ASSERT_TRUE(again.ok()) << again.failure().message;
+    EXPECT_NEAR(again->summary.cost, plan.summary.cost, 2e-3 * plan.summary.cost);
+    EXPECT_TRUE(options.method == "ceres" || again->summary.iterations < plan.summary.iterations);
+    EXPECT_EQ(again->numbers.breaks_s, plan.numbers.breaks_s);
+  }
+}
+
+TEST(PlanRigidBodyFrom, RefusesNumbersOfAnotherProblem) {
+  const RigidBodyPlan plan = Planned(rigid_bodies::Hopper());
+  EXPECT_THROW((void)PlanRigidBodyFrom(rigid_bodies::Walker(), {}, plan.numbers), InvalidArgument);
+  RigidBodyNumbers fewer = plan.numbers;
+  fewer.x.conservativeResize(fewer.x.size() - 1);
+  EXPECT_THROW((void)PlanRigidBodyFrom(rigid_bodies::Hopper(), {}, fewer), InvalidArgument);
+}
+
 TEST(PlanRigidBody, RefusesOptionsThatAreNone) {
   EXPECT_THROW((void)PlanRigidBody(rigid_bodies::Hopper(), {.spacing_s = -1.0}), InvalidArgument);
 }

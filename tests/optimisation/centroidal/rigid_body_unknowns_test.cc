@@ -161,5 +161,20 @@ TEST(RigidBodyUnknowns, PointsOfASoleMoveWithItsFoothold) {
   }
 }
 
+TEST(RigidBodyUnknowns, GivenBreaksAreAsThoseThatItPlaces) {
+  const RigidBodyProblem problem = rigid_bodies::Walker();
+  const RigidBodyUnknowns placed(problem, 0.08, 3), given(problem, placed.breaks_s());
+  EXPECT_EQ(given.breaks_s(), placed.breaks_s());
+  EXPECT_EQ(given.size(), placed.size());
+  EXPECT_EQ(given.BoundForces().size(), placed.BoundForces().size());
+}
+
+TEST(RigidBodyUnknowns, RefusesBreaksThatAreNotAtItsSwitches) {
+  const RigidBodyProblem problem = rigid_bodies::Hopper();
+  EXPECT_THROW(RigidBodyUnknowns(problem, {0.0, 0.2, 0.4, 0.75, 1.0, 1.25}), InvalidArgument);
+  EXPECT_THROW(RigidBodyUnknowns(problem, {0.0, 0.5, 0.75, 0.75, 1.25}), InvalidArgument);
+  EXPECT_THROW(RigidBodyUnknowns(problem, {0.0}), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace gaitwright

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "tests/optimisation/numerics/by_values.h"
@@ -87,9 +88,10 @@ TEST(SolveElastic, IsWhereSolveIs) {
   EXPECT_LT(at.iterations, 20);
 }
 
-TEST(SolveElastic, MultipliersAreWhatTheCostFallsByAsEndsAreMoved) {
+/// Moves ends, solved either way.
+void ExpectMultipliersByMovedEnds(const std::function<ConstrainedSolution(const ConstrainedProblem&)>& solve) {
   // Nearest to (2, 3, -1) on a plane, below an upper end and above a lower one; one row counts for nothing.
-  const auto solved = [](double plane, double upper, double lower) {
+  const auto solved = [&](double plane, double upper, double lower) {
     ConstrainedProblem problem{Vec({0.0, 0.0, 0.0}), {To({2.0, 3.0, -1.0})}, {}, {}, {}};
     problem.constraints.push_back(
         {"plane", Of([](const VectorX& x) { return Values{x[0] + x[1] * x[2]}; }), Vec({plane}), Vec({plane})});
@@ -97,7 +99,7 @@ TEST(SolveElastic, MultipliersAreWhatTheCostFallsByAsEndsAreMoved) {
                                      return Values{x[1], x[2], x[0]};
                                    }),
                                    Vec({-kInf, lower, -kInf}), Vec({upper, kInf, 50.0})});
-    return Solved(problem, {.cost_tolerance = 1e-10});
+    return solve(problem);
   };
   const ConstrainedSolution at = solved(0.5, 2.0, -0.5);
   ASSERT_EQ(at.multipliers.size(), 4);
@@ -112,6 +114,19 @@ TEST(SolveElastic, MultipliersAreWhatTheCostFallsByAsEndsAreMoved) {
   EXPECT_NEAR(at.multipliers[1], -by_upper / (2.0 * kStep), 1e-3);
   EXPECT_NEAR(at.multipliers[2], -by_lower / (2.0 * kStep), 1e-3);
   EXPECT_NEAR(at.multipliers[3], 0.0, 1e-6);
+}
+
+TEST(SolveElastic, MultipliersAreWhatTheCostFallsByAsEndsAreMoved) {
+  ExpectMultipliersByMovedEnds(
+      [](const ConstrainedProblem& problem) { return Solved(problem, {.cost_tolerance = 1e-10}); });
+}
+
+TEST(Solve, MultipliersAreWhatTheCostFallsByAsEndsAreMoved) {
+  ExpectMultipliersByMovedEnds([](const ConstrainedProblem& problem) {
+    const Result<ConstrainedSolution> solution = Solve(problem);
+    EXPECT_TRUE(solution.ok()) << solution.failure().message;
+    return solution.ok() ? *solution : ConstrainedSolution{};
+  });
 }
 
 TEST(SolveElastic, PaysWhatAConstraintIsWorth) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -66,6 +67,36 @@ TEST(CentroidalBench, OtherPatchesAreFoundWhereTheFirstOnesHaveNoMotion) {
     EXPECT_GT(outcome.choices, 1);
     EXPECT_LT(outcome.between.Largest(), 1e-3);
   }
+}
+
+TEST(CentroidalBench, TimesAsVariablesCostLessOnEachGround) {
+  const CentroidalProblemSet set = Set();
+  for (const char* name : {"monoped-3-stairs", "biped-0-gap", "hyq-1-block", "hyq-1-slope"}) {
+    const std::vector<CentroidalCase> cases = CasesOf(set, name);
+    ASSERT_EQ(cases.size(), 1U) << name;
+    const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, false, TimingOptions{});
+    ASSERT_TRUE(outcome.timing.has_value()) << name << " " << outcome.reason;
+    EXPECT_TRUE(outcome.timing->keeps) << name;
+    EXPECT_EQ(outcome.timing->cost_before, outcome.cost);
+    EXPECT_EQ(outcome.timing->duration_s, outcome.task.duration_s);
+    EXPECT_GE(outcome.timing->Fall(), 0.05) << name;
+    EXPECT_LE(std::max(outcome.timing->between.friction, outcome.timing->between.unilateral), 0.0) << name;
+    EXPECT_FALSE(RunCase(set, cases[0], Asked(set), {}, false).timing.has_value());
+  }
+}
+
+TEST(CentroidalBench, OtherTimesMendWhatHasNoMotionAsAsked) {
+  const CentroidalProblemSet set = Set();
+  const std::vector<CentroidalCase> cases = CasesOf(set, "hyq-3-block");
+  ASSERT_EQ(cases.size(), 1U);
+  const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, true, TimingOptions{});
+  EXPECT_FALSE(outcome.solved);
+  EXPECT_FALSE(outcome.eased);
+  ASSERT_TRUE(outcome.timing.has_value());
+  EXPECT_TRUE(outcome.timing->mended);
+  EXPECT_TRUE(outcome.timing->keeps) << outcome.timing->refusal;
+  EXPECT_NE(CentroidalTable({outcome}).find("1 of 1 cases without a motion at the times asked for have one at others"),
+            std::string::npos);
 }
 
 TEST(CentroidalBench, EasesWhatHasNoMotionAsAskedAndSaysWhy) {

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/centroidal/optimise_timing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "optimisation/centroidal/cost_by_durations.h"
+#include "optimisation/centroidal/phase_durations.h"
+#include "optimisation/centroidal/rigid_body_unknowns.h"
+
+namespace gaitwright {
+namespace {
+
+VectorX DurationsOf(const std::vector<double>& switches) {
+  VectorX durations(static_cast<Eigen::Index>(switches.size()) - 1);
+  for (Eigen::Index i = 0; i < durations.size(); ++i)
+    durations[i] = switches[static_cast<std::size_t>(i) + 1] - switches[static_cast<std::size_t>(i)];
+  return durations;
+}
+
+/// The shortest that phases may be: by themselves, and as parts of the swings between stances of a foot.
+VectorX ShortestOf(const RigidBodyProblem& problem, const std::vector<double>& switches, const TimingOptions& options) {
+  const VectorX durations = DurationsOf(switches);
+  VectorX shortest = VectorX::Constant(durations.size(), options.shortest_s);
+  for (std::size_t from = 0; from < problem.stances.size(); ++from) {
+    for (std::size_t to = from + 1; to < problem.stances.size(); ++to) {
+      if (problem.stances[to].foot != problem.stances[from].foot) continue;
+      const double start = problem.stances[from].end_s, end = problem.stances[to].start_s;
+      const double share = std::min(1.0, options.shortest_swing_s / (end - start));
+      for (Eigen::Index i = 0; i < durations.size(); ++i) {
+        const double middle = switches[static_cast<std::size_t>(i)] + 0.5 * durations[i];
+        if (middle > start && middle < end) shortest[i] = std::max(shortest[i], share * durations[i]);
+      }
+      break;
+    }
+  }
+  return shortest;
+}
+
+Failure NoTiming(const VectorX& durations, const char* which, const char* than, double total_s) {
+  return {FailureKind::kInfeasible,
+          "no_timing",
+          "OptimiseTiming",
+          fmt::format("{} phases take {:g} s together at their {}, and {} {:g} s", durations.size(), durations.sum(),
+                      which, than, total_s),
+          {"change shortest_s, shortest_swing_s, longest_s, least_total or most_total"}};
+}
+
+class TimingSearch {
+ public:
+  TimingSearch(const RigidBodyProblem& problem, const RigidBodyOptions& planning, const TimingOptions& options)
+      : planning_(planning), options_(options) {
+    best_.problem = problem;
+    switches_ = SwitchTimes(problem);
+    const auto phases = static_cast<Eigen::Index>(switches_.size()) - 1;
+    bounds_ = {ShortestOf(problem, switches_, options), VectorX::Constant(phases, options.longest_s),
+               options.least_total * problem.duration_s, options.most_total * problem.duration_s};
+  }
+
+  Result<TimedPlan> Run(const RigidBodyPlan* given) {
+    if (const std::optional<Failure> refusal = Refusal()) return *refusal;
+    const bool moved = BringWithinBounds();
+    Result<RigidBodyPlan> first =
+        given != nullptr && !moved ? Result<RigidBodyPlan>(*given) : PlanRigidBody(best_.problem, planning_);
+    if (!first) first = Mended(first.failure());
+    if (!first) return first.failure();
+    best_.plan = *first;
+    best_.first_cost = first->summary.cost;
+    Search();
+    PlaceBreaksAnew();
+    return best_;
+  }
+
+ private:
+  std::optional<Failure> Refusal() const {
+    if (bounds_.lower.maxCoeff() > options_.longest_s) {
+      return Failure{FailureKind::kBadInput,
+                     "no_duration",
+                     "OptimiseTiming",
+                     fmt::format("a phase cannot last at least {:g} s and at most {:g} s", bounds_.lower.maxCoeff(),
+                                 options_.longest_s),
+                     {"lower shortest_s or shortest_swing_s, or raise longest_s"}};
+    }
+    constexpr double kDigits = 1e-9;
+    if (bounds_.lower.sum() > (1.0 + kDigits) * bounds_.most_total_s)
+      return NoTiming(bounds_.lower, "shortest", "there are", bounds_.most_total_s);
+    if (bounds_.upper.sum() < (1.0 - kDigits) * bounds_.least_total_s)
+      return NoTiming(bounds_.upper, "longest", "are to take", bounds_.least_total_s);
+    if (IsRetimable(best_.problem)) return std::nullopt;
+    return Failure{FailureKind::kBadInput,
+                   "tied_to_time",
+                   "OptimiseTiming",
+                   "inner momentum and limits of motors belong to given times, so that these cannot be variables",
+                   {"leave them out, and find them anew at the times that are found"}};
+  }
+
+  /// The switches of phases of such durations; the end is in bounds to the last digit.
+  std::vector<double> SwitchesOf(const VectorX& durations) const {
+    std::vector<double> switches = {0.0};
+    for (const double d : durations) switches.push_back(switches.back() + d);
+    switches.back() = std::clamp(switches.back(), bounds_.least_total_s, bounds_.most_total_s);
+    return switches;
+  }
+
+  /// @return whether durations were out of bounds.
+  bool BringWithinBounds() {
+    const VectorX durations = DurationsOf(switches_), nearest = NearestDurations(durations, bounds_);
+    if (nearest == durations) return false;
+    const std::vector<double> to = SwitchesOf(nearest);
+    best_.problem = Retimed(best_.problem, TimeMap(switches_, to));
+    switches_ = to;
+    return true;
+  }
+
+  /// What is paid for a motion that breaks laws.
+  double Paid(const RigidBodySummary& summary) const {
+    return summary.cost + 2.0 * planning_.most_price * summary.violations;
+  }
+
+  /// A motion at times at which there is one.
+  Result<RigidBodyPlan> Mended(Failure failure) {
+    // Slopes are right where a solve has come to rest.
+    RigidBodyOptions patient = planning_;
+    patient.screening = patient.max_iterations = std::max(kPatience, planning_.max_iterations);
+    RigidBodyPlan at;
+    Result<RigidBodyPlan> plan = PlanRigidBody(best_.problem, patient, &at);
+    change_ = options_.first_change;
+    best_.mended = true;
+    while (!plan && best_.solves < options_.max_solves && change_ > kLeastChange) {
+      ++best_.solves;
+      if (at.summary.violation <= planning_.tolerance) {
+        // All that is left is between breaks that stayed where they were.
+        plan = PlanRigidBody(best_.problem, planning_);
+        break;
+      }
+      const VectorX durations = DurationsOf(switches_);
+      const VectorX slope = CostByDurations(best_.problem, planning_, at.numbers);
+      const MatrixX straight = MatrixX::Zero(slope.size(), slope.size());
+      const std::vector<double> to =
+          SwitchesOf(BestDurations(durations, slope, straight, change_ * durations, bounds_));
+      const TimeMap map(switches_, to);
+      RigidBodyProblem problem = Retimed(best_.problem, map);
+      RigidBodyPlan other;
+      plan = PlanRigidBodyFrom(problem, patient, Retimed(at.numbers, map), &other);
+      if (!plan && Paid(other.summary) >= Paid(at.summary)) {
+        change_ *= kLess;
+        continue;
+      }
+      best_.problem = std::move(problem);
+      at = std::move(other);
+      switches_ = to;
+    }
+    if (plan) return plan;
+    failure.message += fmt::format("; at other times of contacts {:.3g} stays unmet", at.summary.violations);
+    return failure;
+  }
+
+  void Search() {
+    slope_ = CostByDurations(best_.problem, planning_, best_.plan.numbers);
+    change_ = options_.first_change;
+    const int most = best_.solves + options_.max_solves;
+    while (best_.solves < most && change_ > kLeastChange) {
+      if (!Step()) return;
+    }
+  }
+
+  /// @return false where no more is to be gained.
+  bool Step() {
+    const VectorX durations = DurationsOf(switches_);
+    if (curvature_.size() == 0) curvature_ = MatrixX::Zero(durations.size(), durations.size());
+    const VectorX wanted = BestDurations(durations, slope_, curvature_, change_ * durations, bounds_);
+    const VectorX step = wanted - durations;
+    const double promised = -slope_.dot(step) - 0.5 * step.dot(curvature_ * step);
+    const double little = options_.least_gain * best_.plan.summary.cost;
+    if (promised < little) return false;
+    const std::vector<double> to = SwitchesOf(wanted);
+    const TimeMap map(switches_, to);
+    RigidBodyProblem problem = Retimed(best_.problem, map);
+    ++best_.solves;
+    const Result<RigidBodyPlan> plan = PlanRigidBodyFrom(problem, planning_, Retimed(best_.plan.numbers, map));
+    if (!plan) {
+      change_ *= kLess;
+      return true;
+    }
+    const double gained = best_.plan.summary.cost - plan->summary.cost;
+    const VectorX slope = CostByDurations(problem, planning_, plan->numbers);
+    Learn(durations, step, slope - slope_);
+    if (gained < kPoor * promised) change_ *= kLess;
+    if (gained > kGood * promised) change_ = std::min(options_.most_change, kMore * change_);
+    if (!(gained > 0.0)) return true;
+    best_.problem = std::move(problem);
+    best_.plan = *plan;
+    ++best_.steps;
+    switches_ = to;
+    slope_ = slope;
+    return gained >= little;
+  }
+
+  /// What a step showed of the curvature, which stays positive; the first one shows how great it is, taken to be the
+  /// same for shares of durations.
+  void Learn(const VectorX& durations, const VectorX& step, VectorX change) {
+    constexpr double kLeastBend = 0.2;
+    if (curvature_.isZero()) {
+      const VectorX weight = durations.cwiseAbs2().cwiseInverse();
+      curvature_ = (std::abs(step.dot(change)) / step.dot(weight.cwiseProduct(step)) * weight).asDiagonal();
+    }
+    const VectorX moved = curvature_ * step;
+    const double bend = step.dot(moved), seen = step.dot(change);
+    if (!(bend > 0.0)) return;
+    if (seen < kLeastBend * bend) {
+      const double share = (1.0 - kLeastBend) * bend / (bend - seen);
+      change = share * change + (1.0 - share) * moved;
+    }
+    curvature_ += change * change.transpose() / step.dot(change) - moved * moved.transpose() / bend;
+  }
+
+  void PlaceBreaksAnew() {
+    const RigidBodyUnknowns asked(best_.problem, planning_.spacing_s, planning_.least_intervals, planning_.grid_s);
+    if (asked.breaks_s().size() <= best_.plan.numbers.breaks_s.size()) return;
+    ++best_.solves;
+    const Result<RigidBodyPlan> plan = PlanRigidBody(best_.problem, planning_);
+    if (plan && plan->summary.cost <= best_.plan.summary.cost) best_.plan = *plan;
+  }
+
+  static constexpr int kPatience = 200;
+  static constexpr double kLeastChange = 0.01;
+  static constexpr double kPoor = 0.25, kGood = 0.7, kLess = 0.4, kMore = 1.7;
+  const RigidBodyOptions planning_;
+  const TimingOptions options_;
+  TimedPlan best_;
+  std::vector<double> switches_;
+  DurationBounds bounds_;
+  VectorX slope_;
+  MatrixX curvature_;
+  double change_ = 0.0;  // most share of a duration that it changes by in a step
+};
+
+}  // namespace
+
+OptionFields TimingOptions::Fields() {
+  return {
+      {"shortest_s", &shortest_s, "s", 1e-3, 100.0, "Shortest duration of a phase.", {}},
+      {"longest_s", &longest_s, "s", 1e-3, 1e4, "Longest duration of a phase.", {}},
+      {"shortest_swing_s",
+       &shortest_swing_s,
+       "s",
+       0.0,
+       100.0,
+       "Shortest that a foot's swing becomes; one that is given shorter becomes no shorter.",
+       {}},
+      {"least_total", &least_total, "1", 0.01, 1.0, "Least total time, of the one that is given.", {}},
+      {"most_total", &most_total, "1", 1.0, 100.0, "Greatest total time, of the one that is given.", {}},
+      {"first_change", &first_change, "1", 0.01, 0.9, "Most share of a duration that the first step changes.", {}},
+      {"most_change", &most_change, "1", 0.01, 0.9, "Most share of a duration that any step changes.", {}},
+      {"least_gain", &least_gain, "1", 1e-6, 1.0, "Share of the cost that a step must gain for another one.", {}},
+      {"max_solves",
+       &max_solves,
+       "1",
+       0,
+       1000,
+       "Most motions that are planned on the way, and as many before where there is none yet.",
+       {}},
+  };
+}
+
+Result<TimedPlan> OptimiseTiming(const RigidBodyProblem& problem, const RigidBodyOptions& planning,
+                                 const TimingOptions& options, const RigidBodyPlan* first) {
+  CheckRigidBodyProblem(problem);
+  TimingOptions checked = options;
+  CheckOptions(checked.Fields());
+  return TimingSearch(problem, planning, options).Run(first);
+}
+
+}  // namespace gaitwright
