@@ -74,6 +74,13 @@ RigidBodyState Standing(const StandingBody& body, const PlanarPose& at, double b
   return state;
 }
 
+/// Whether a foot stands still there with all others.
+bool StandsIn(const FootstepSkeleton& skeleton, const Foothold& foothold) {
+  return std::any_of(skeleton.parts.begin(), skeleton.parts.end(), [&](const MotionPart& part) {
+    return StandsStill(part.gait) && foothold.touchdown_s < part.end_s && foothold.liftoff_s > part.start_s;
+  });
+}
+
 }  // namespace
 
 StandingBody BodyOf(const RobotModel& model, double reserve) {
@@ -121,7 +128,7 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
     stance.end_s = foothold.liftoff_s - start_s;
     stance.X_WF = foothold.X_WF;
     stance.friction = FrictionOf(terrain, foothold.patch);
-    stance.held = !level || stance.start_s <= 0.0 || stance.end_s >= problem.duration_s;
+    stance.held = !level || stance.start_s <= 0.0 || stance.end_s >= problem.duration_s || StandsIn(skeleton, foothold);
     problem.stances.push_back(stance);
   }
   return problem;

@@ -53,6 +53,7 @@ MotionPlan CarriedPlan(const Pose& X, MotionPlan plan) {
   for (Vector2& p : c.p_WZ) p = CarriedPoint(X, p);
   const Vector2 goal = CarriedPoint(X, {plan.goal.x_m, plan.goal.y_m});
   plan.goal = {goal.x(), goal.y(), plan.goal.yaw_rad + YawOf(R)};
+  plan.parts.back().goal = plan.goal;
   for (TerrainPatch& patch : plan.terrain.patches) patch.X_WT = X * patch.X_WT;
   return plan;
 }

@@ -21,7 +21,7 @@ struct Case : synthetic::Played {
 
 Case MakeCase(int legs, int steps, bool falls) {
   Case c{synthetic::Walked(legs, {.count = steps}), {}};
-  c.plan.gait.name = "walk & run";
+  c.plan.parts.front().gait.name = "walk & run";
   c.plan.provenance.options = {{"speed_m_s", "<0.3>"}};
   if (falls) synthetic::Sink(c.log, 400, 0.1);
   c.report = Score(c.model, c.plan, c.log);

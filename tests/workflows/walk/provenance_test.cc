@@ -84,7 +84,7 @@ TEST(PlanProvenance, AGaitFileIsNamedWithoutItsFolder) {
   request.gait = path;
   const MotionPlan plan = Planned(request);
   std::filesystem::remove_all(folder);
-  EXPECT_EQ(plan.gait.name, "mine");
+  EXPECT_EQ(plan.parts.front().gait.name, "mine");
   EXPECT_EQ(At(plan.provenance.options, "gait"), "mine.yaml");
   EXPECT_EQ(PlanToJson(plan).find(folder.string()), std::string::npos);
 }
