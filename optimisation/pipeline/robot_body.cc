@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
@@ -81,6 +82,16 @@ bool StandsIn(const FootstepSkeleton& skeleton, const Foothold& foothold) {
   });
 }
 
+/// When the body rests in a part on the way that stands still: all of it but what it takes to come to rest after the
+/// feet have, and to make ready for those to move again.
+std::optional<ContactInterval> RestOf(const FootstepSkeleton& skeleton, const MotionPart& part) {
+  constexpr double kLongest = 0.4, kShare = 0.4;  // [s], and of the time that it stands
+  const bool at_end = part.start_s <= skeleton.schedule.start_s() || part.end_s >= skeleton.schedule.end_s();
+  if (at_end || !StandsStill(part.gait)) return std::nullopt;
+  const double settling = std::min(kLongest, kShare * (part.end_s - part.start_s));
+  return ContactInterval{part.start_s + settling, part.end_s - settling};
+}
+
 }  // namespace
 
 StandingBody BodyOf(const RobotModel& model, double reserve) {
@@ -120,6 +131,12 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
     problem.way.angles_rad.push_back(at(time_s).angles_rad);
   }
   problem.follows_yaw = true;
+  for (const MotionPart& part : skeleton.parts) {
+    if (const auto rest = RestOf(skeleton, part)) {
+      const RigidBodyState still = at(0.5 * (rest->start_s + rest->end_s) - start_s);
+      problem.rests.push_back({rest->start_s - start_s, rest->end_s - start_s, still.p_WC, still.angles_rad});
+    }
+  }
   const bool level = IsLevelGround(terrain);
   for (const Foothold& foothold : skeleton.footsteps.footholds) {
     RigidStance stance;

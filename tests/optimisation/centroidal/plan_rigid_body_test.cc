@@ -80,6 +80,32 @@ TEST(PlanRigidBody, LeftAndRightAreAlike) {
   EXPECT_GT(sway, 0.02);
 }
 
+TEST(PlanRigidBody, RestsWhereItIsTo) {
+  RigidBodyProblem problem = rigid_bodies::Walker();
+  RigidRest rest;
+  // Both feet stand, half a step apart.
+  rest.start_s = 1.08;
+  rest.end_s = 1.12;
+  rest.p_WC = 0.25 * problem.start.p_WC + 0.75 * problem.goal.p_WC;
+  double moving = 0.0;
+  for (const RigidBodySample& sample : Sample(Planned(problem).motion, 0.01)) {
+    if (sample.time_s > rest.start_s && sample.time_s < rest.end_s) moving = sample.v_WC.norm();
+  }
+  EXPECT_GT(moving, 0.1) << "it would not rest there of itself";
+  problem.rests = {rest};
+  int still = 0;
+  for (const RigidBodySample& sample : Sample(Planned(problem).motion, 0.01)) {
+    if (sample.time_s < rest.start_s - 1e-9 || sample.time_s > rest.end_s + 1e-9) continue;
+    EXPECT_LT((sample.p_WC - rest.p_WC).norm(), 1e-9);
+    EXPECT_LT(sample.v_WC.norm(), 1e-9);
+    EXPECT_LT(sample.angles_rad.norm(), 1e-9);
+    ++still;
+  }
+  EXPECT_GE(still, 4);
+  problem.rests.front().end_s = problem.duration_s;
+  EXPECT_THROW(PlanRigidBody(problem), InvalidArgument);
+}
+
 TEST(PlanRigidBody, TheSameProblemHasTheSameMotion) {
   const RigidBodyPlan a = Planned(rigid_bodies::Trotter()), b = Planned(rigid_bodies::Trotter());
   for (std::size_t i = 0; i < a.motion.intervals.size(); ++i) {

@@ -174,6 +174,19 @@ TEST_P(AuditConsistency, OfTheGaitAndTheSchedule) {
   EXPECT_NEAR(Changed("end of the schedule", late).value, 0.5, 0.01);
 }
 
+TEST_P(AuditConsistency, OfThePartsWithTheGridAndEachOther) {
+  const double end = good().parts.front().end_s;
+  EXPECT_NEAR(Changed("start of a part", [](MotionPlan& plan) { plan.parts.front().start_s += 0.3; }).value, 0.3, 1e-9);
+  EXPECT_EQ(Changed("end of the last part", [](MotionPlan& plan) { plan.parts.front().end_s -= 0.3; }).value,
+            end - 0.3);
+  EXPECT_NEAR(Changed("goal against the last part's", [](MotionPlan& plan) { plan.goal.x_m += 0.1; }).value, 0.1, 1e-9);
+  const auto standing = [](MotionPlan& plan) {
+    plan.parts.front().gait = StandingGait(plan.parts.front().gait.num_feet());
+  };
+  EXPECT_LT(Changed("feet on the ground while it stands", standing).value, static_cast<double>(model().feet.size()));
+  EXPECT_NEAR(Changed("goal of standing still", standing).value, good().goal.x_m, 5e-3);
+}
+
 TEST_P(AuditConsistency, OfTheGoalWithACommandOfDistance) {
   const auto farther = [](MotionPlan& plan) { plan.parts.front().command.distance_m = 9.0; };
   EXPECT_NEAR(Changed("goal against the command's distance", farther).value,

@@ -69,8 +69,8 @@ TEST_P(JoinedGaits, GoOnWithAllFeetDownForAMomentOnly) {
   const double change = joined.start_s[1];
   double longest_stance = 0.0;
   for (std::size_t i = 0; i < first.phase.size(); ++i) {
-    longest_stance =
-        std::max(longest_stance, std::min(first.duty_factor[i] * first.cycle_s, second.duty_factor[i] * second.cycle_s));
+    longest_stance = std::max(longest_stance,
+                              std::min(first.duty_factor[i] * first.cycle_s, second.duty_factor[i] * second.cycle_s));
   }
   double all_down = 0.0;
   for (const ContactPhase& phase : schedule.phases) {

@@ -83,7 +83,8 @@ TEST(ReadSequence, WhatIsWrongIsNamed) {
       {"trot:step-length=0.1", "'step-length' goes with 'steps'"},
       {"stand", "how long it stands is missing"},
       {"stand:speed=1", "'speed' is nothing that standing still has"}};
-  for (const auto& [text, part] : wrong) EXPECT_NE(Why(text).find(part), std::string::npos) << text << ": " << Why(text);
+  for (const auto& [text, part] : wrong)
+    EXPECT_NE(Why(text).find(part), std::string::npos) << text << ": " << Why(text);
   const std::vector<std::pair<std::string, std::string>> wrong_files = {
       {"{gait: trot}", "holds no sequence"},
       {"- trot", "line 1: a part is no map"},

@@ -63,6 +63,36 @@ TEST(PlanJson, AGoodPlanComesBack) {
   EXPECT_TRUE(back.footsteps.footholds.back().X_WF.isApprox(good.footsteps.footholds.back().X_WF, 1e-12));
 }
 
+TEST(PlanJson, PartsComeBackInTheirOrder) {
+  MotionPlan plan = GoodPlanOf("a1").plan;
+  MotionPart stand{StandingGait(4), {}, plan.goal, plan.parts.front().end_s, plan.parts.front().end_s + 1.0};
+  stand.command.extent = WalkCommand::Extent::kDuration;
+  stand.command.duration_s = 1.0;
+  plan.parts.push_back(stand);
+  const MotionPlan back = PlanFromJson(PlanToJson(plan), "x.json").value();
+  ASSERT_EQ(back.parts.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(back.parts[k].gait, plan.parts[k].gait);
+    EXPECT_EQ(back.parts[k].command, plan.parts[k].command);
+    EXPECT_EQ(back.parts[k].goal, plan.parts[k].goal);
+    EXPECT_EQ(back.parts[k].start_s, plan.parts[k].start_s);
+    EXPECT_EQ(back.parts[k].end_s, plan.parts[k].end_s);
+  }
+  EXPECT_TRUE(StandsStill(back.parts[1].gait));
+  EXPECT_EQ(GaitNames(back.parts), plan.parts[0].gait.name + ", stand");
+  EXPECT_EQ(PartAt(back.parts, stand.start_s), &back.parts[1]) << "the later of two that meet";
+  EXPECT_EQ(PartAt(back.parts, -1.0), &back.parts[0]);
+  EXPECT_EQ(PartAt(back.parts, 1e3), &back.parts[1]);
+  EXPECT_EQ(PartAt({}, 0.0), nullptr);
+}
+
+TEST(PlanJson, PartsThatCannotBeAreRefused) {
+  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"] = Json::array(); }), "'parts' is empty; a plan has one part or more");
+  EXPECT_NE(WhyRefused([](Json& j) { j["parts"][0]["end_s"] = -1.0; }).find("it must end after its start"),
+            std::string::npos);
+  EXPECT_NE(WhyRefused([](Json& j) { j["parts"][0]["speed"] = 1.0; }).find("'speed'"), std::string::npos);
+}
+
 TEST(PlanJson, NumbersThatAreNoneAreSaid) {
   for (const char* word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "1e999"}) {
     for (const char* key : {"speed_m_s", "centroidal", "q", "contact_wrenches"}) {
@@ -134,7 +164,7 @@ TEST(PlanJson, IndicesAndChoicesThatAreNotThereAreRefused) {
   EXPECT_EQ(WhyRefused([](Json& j) { j["parts"][0]["command"]["extent"] = "foo"; }),
             "'parts[0].command.extent' is 'foo'; accepted: 'distance', 'goal', 'steps', 'duration'");
   EXPECT_EQ(WhyRefused([](Json& j) { j["parts"][0]["gait"]["phase"] = Json::array({0}); }),
-            "'gait.phase' has 1 numbers; 4 are needed");
+            "'parts[0].gait.phase' has 1 numbers; 4 are needed");
 }
 
 TEST(PlanJson, ValuesThatCannotBeAreRefused) {

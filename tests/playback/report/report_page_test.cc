@@ -100,6 +100,16 @@ TEST(ReportPage, PlotsHaveNamesFitForFilesAndAreFilesOfTheirOwn) {
                                              "joint_torques", "joint_positions"}));
 }
 
+TEST(ReportPage, SaysWherePartsBegin) {
+  Case c = MakeCase(2, 6, false);
+  EXPECT_FALSE(synthetic::Says(ReportPage(c.model, c.plan, c.log, c.report), "from 0.00 s"));
+  c.plan.parts = {{StandingGait(2), {}, {}, 0.0, 1.5}, c.plan.parts.front()};
+  c.plan.parts[1].start_s = 1.5;
+  const std::string page = ReportPage(c.model, c.plan, c.log, c.report);
+  EXPECT_TRUE(synthetic::Says(page, "stand from 0.00 s, walk &amp; run from 1.50 s"));
+  EXPECT_TRUE(synthetic::Says(page, ">walk &amp; run</text>")) << "beside a line of a plot";
+}
+
 TEST(ReportPage, EveryLimitOfATorqueIsDrawn) {
   Case c = MakeCase(2, 6, false);
   for (LogSample& sample : c.log.samples) sample.tau_peak[0] = 0.5 * c.model.dof_effort_limit(0);
