@@ -57,7 +57,7 @@ void AddWalk(CLI::App& app, int& status) {
   a->outputs.AddTo(verb);
   AddCommon(verb, a->common,
             {"walk --robot a1 --speed 0.3 --distance 1", "walk --robot nao --steps 4 --step-length 0.04 --out-dir nao",
-             "walk --sequence 'trot: speed=0.5; stand: duration=1; bound: speed=0.8' --out-dir parts",
+             "walk --sequence 'trot: speed=0.5; stand: duration=1; walk: speed=0.1' --out-dir parts",
              "walk --robot a1 --distance 1 --push 0,30,0 --push-at 2 --quiet"});
   AddOptionList(verb, Joined({a->walk.request.Fields(), a->play.request.Fields()}), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });

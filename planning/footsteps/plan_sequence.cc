@@ -121,7 +121,9 @@ BasePath PathOf(const std::vector<PartCourse>& courses, const JoinedSchedule& jo
     } else if (course.counted()) {
       const double down_s = k + 1 < courses.size() ? joined.start_s[k + 1] : schedule.phases.back().start_s;
       way.duration_s = down_s - way.start_s;
-      way.stop_ramp_s = std::clamp(2.0 * (way.duration_s - course.full_s) - way.start_ramp_s, 0.0, way.stop_ramp_s);
+      const double ramps = 2.0 * std::max(0.0, way.duration_s - course.full_s);  // that keep the speed as it is
+      if (!course.follows) way.start_ramp_s = 0.5 * ramps;
+      way.stop_ramp_s = std::max(0.0, ramps - way.start_ramp_s);
     }
     path.push_back(way);
   }

@@ -175,10 +175,9 @@ TEST_P(AuditConsistency, OfTheGaitAndTheSchedule) {
 }
 
 TEST_P(AuditConsistency, OfThePartsWithTheGridAndEachOther) {
-  const double end = good().parts.front().end_s;
   EXPECT_NEAR(Changed("start of a part", [](MotionPlan& plan) { plan.parts.front().start_s += 0.3; }).value, 0.3, 1e-9);
-  EXPECT_EQ(Changed("end of the last part", [](MotionPlan& plan) { plan.parts.front().end_s -= 0.3; }).value,
-            end - 0.3);
+  const auto early = [](MotionPlan& plan) { plan.parts.front().end_s -= 0.3; };
+  EXPECT_NEAR(Changed("end of the last part", early).value, 0.3, 1e-9);
   EXPECT_NEAR(Changed("goal against the last part's", [](MotionPlan& plan) { plan.goal.x_m += 0.1; }).value, 0.1, 1e-9);
   const auto standing = [](MotionPlan& plan) {
     plan.parts.front().gait = StandingGait(plan.parts.front().gait.num_feet());
