@@ -87,6 +87,17 @@ void Couple(std::vector<PartCourse>& courses) {
   }
 }
 
+/// Most of the cycle that passes from one lift-off to the next.
+double LongestPause(const Gait& gait) {
+  std::vector<double> liftoff;
+  for (std::size_t i = 0; i < gait.phase.size(); ++i)
+    liftoff.push_back(std::fmod(gait.phase[i] + gait.duty_factor[i] + 1e-12, 1.0));
+  std::sort(liftoff.begin(), liftoff.end());
+  double longest = liftoff.front() + 1.0 - liftoff.back();
+  for (std::size_t i = 1; i < liftoff.size(); ++i) longest = std::max(longest, liftoff[i] - liftoff[i - 1]);
+  return longest;
+}
+
 GaitStint StintOf(const RobotModel& model, const PartCourse& course) {
   const Gait& gait = course.part.gait;
   if (course.stands) return {gait, course.full_s};
@@ -100,13 +111,16 @@ GaitStint StintOf(const RobotModel& model, const PartCourse& course) {
     stint.time_s = std::ceil(feet_s / gait.cycle_s - 1e-6) * gait.cycle_s;
     return stint;
   }
-  const double duty = *std::min_element(gait.duty_factor.begin(), gait.duty_factor.end());
-  stint.time_s = std::max(feet_s - course.outlasts_s - (1.0 - duty) * gait.cycle_s, gait.cycle_s);
+  // The last feet come down when the base is to be handed over, or up to one footfall later: it has not to be faster
+  // than asked.
+  const double duty = *std::max_element(gait.duty_factor.begin(), gait.duty_factor.end());
+  const double last_s = feet_s - course.outlasts_s + (LongestPause(gait) - (1.0 - duty)) * gait.cycle_s;
+  stint.time_s = std::max(last_s, gait.cycle_s);
   return stint;
 }
 
-/// The base's way over a schedule. Times of the feet are kept, so that where gaits follow each other the base takes a
-/// little more or less time than at the speed asked for.
+/// The base's way over a schedule. Times of the feet are kept, so that a part that goes over into the next one takes
+/// up to a footfall longer than at the speed asked for.
 BasePath PathOf(const std::vector<PartCourse>& courses, const JoinedSchedule& joined, double first_s) {
   const ContactSchedule& schedule = joined.schedule;
   const auto lifts = [&](std::size_t k) { return k == 0 ? first_s : joined.start_s[k]; };

@@ -118,7 +118,7 @@ TEST(PlanSequence, GoesOverFromOneGaitToAnotherWithoutStopping) {
       EXPECT_LT(std::abs(SpeedAt(skeleton, t + 0.01) - SpeedAt(skeleton, t)), 0.05) << t;
     }
     EXPECT_GT(least, 0.15);
-    EXPECT_LT(most, 0.85);
+    EXPECT_LT(most, 0.7 + 1e-3) << "no faster than asked";
     EXPECT_NEAR(skeleton.parts[0].goal.x_m, faster ? 0.6 : 1.4, kSame);
     EXPECT_NEAR(skeleton.path.pose.back().x_m, 2.0, kSame);
     // It is the faster one that changes the speed.
