@@ -20,7 +20,7 @@ void ExpectToWalk(const std::string& sequence, std::size_t parts) {
   for (const MotionPart& part : plan.parts) {
     const CentroidalSample middle = SampleCentroidal(plan.centroidal, 0.5 * (part.start_s + part.end_s));
     const bool at_end = &part == &plan.parts.front() || &part == &plan.parts.back();
-    if (StandsStill(part.gait) && !at_end) {
+    if (StandsStill(part.gait) && !at_end && planned->motion.residual > 0.0) {
       EXPECT_LT(middle.v_WC.norm(), 5e-3) << part.start_s;
     }
   }
