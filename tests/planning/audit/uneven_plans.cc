@@ -129,8 +129,10 @@ MotionPlan StandOnSlope(const RobotModel& model, const MotionPlan& plan, const M
   c.a_WC.assign(rows, Vector3::Zero());
   c.p_WZ.assign(rows, zmp);
   c.omega_rad_s = std::sqrt(kGravity / (p_WC.z() - plane.HeightAt(p_WC.head<2>())));
-  still.command = {};
-  still.command.extent = WalkCommand::Extent::kDuration;
+  MotionPart& part = still.parts.front();
+  part.command = {};
+  part.command.extent = WalkCommand::Extent::kDuration;
+  part.end_s = w.end_s();
   return still;
 }
 
