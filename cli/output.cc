@@ -9,6 +9,7 @@
 
 #include "cli/flags.h"
 #include "kinematics/base/file.h"
+#include "planning/plan/parts_text.h"
 #include "planning/plan/plan_json.h"
 #include "playback/log/log_json.h"
 #include "playback/report/plot_style.h"
@@ -91,6 +92,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common)
   }
   if (judged.played.report.pass && !judged.pass()) fmt::print("FAIL   {}; in physics:\n", AuditReason(judged.audit));
   fmt::print("{}", ReportText(judged.played.report));
+  if (const std::string parts = PartsText(judged.plan.parts); !parts.empty()) fmt::print("\nparts: {}\n", parts);
   fmt::print("\n{}", AuditText(judged.audit));
   for (const std::string& warning : judged.plan.warnings) fmt::print("warning: {}\n", warning);
   if (judged.planning_cpu_s > 0.0) fmt::print("planned in {:.2f} s of CPU, ", judged.planning_cpu_s);

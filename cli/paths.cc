@@ -9,6 +9,7 @@
 #include "kinematics/base/result.h"
 #include "kinematics/base/same_file.h"
 #include "planning/gait/find_gait.h"
+#include "planning/gait/read_sequence.h"
 #include "planning/terrain/load_terrain.h"
 
 namespace gaitwright::cli {
@@ -61,6 +62,11 @@ void Paths::AddRobotAndGait(const std::string& urdf, const std::string& gait) {
     read.push_back({"the robot.yaml beside --urdf", (fs::path(urdf).parent_path() / "robot.yaml").string()});
   }
   read.push_back({"--gait", GaitFileOf(gait)});
+}
+
+void Paths::AddSequence(const std::string& sequence) {
+  const std::string file = SequenceFileOf(sequence);
+  if (!file.empty()) read.push_back({"--sequence", file});
 }
 
 void Paths::AddTerrain(const std::string& terrain) {

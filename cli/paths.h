@@ -18,6 +18,8 @@ struct Paths {
 
   /// Adds a URDF and the robot.yaml beside it, and the file of `gait` when it names one.
   void AddRobotAndGait(const std::string& urdf, const std::string& gait);
+  /// Adds the file of `sequence` when it names one.
+  void AddSequence(const std::string& sequence);
   /// Adds the file of `terrain` when it names one.
   void AddTerrain(const std::string& terrain);
 };

@@ -6,6 +6,7 @@
 
 #include "cli/paths.h"
 #include "cli/walk_arguments.h"
+#include "planning/plan/parts_text.h"
 #include "planning/plan/plan_json.h"
 
 namespace gaitwright::cli {
@@ -19,9 +20,13 @@ struct Arguments {
 
 void Print(const PlannedWalk& planned, const std::string& path, const Common& common) {
   if (common.json) {
+    nlohmann::ordered_json parts = nlohmann::ordered_json::array();
+    for (const MotionPart& part : planned.motion.plan.parts)
+      parts.push_back({{"gait", part.gait.name}, {"start_s", part.start_s}, {"end_s", part.end_s}});
     const nlohmann::ordered_json json = {{"robot", planned.motion.plan.robot},
                                          {"verdict", planned.audit.pass() ? "pass" : "fail"},
-                                         {"gait", planned.motion.plan.gait.name},
+                                         {"gait", GaitNames(planned.motion.plan.parts)},
+                                         {"parts", parts},
                                          {"duration_s", planned.motion.plan.duration_s()},
                                          {"footholds", planned.motion.plan.footsteps.footholds.size()},
                                          {"zmp_error_max_m", planned.motion.zmp_error_max_m},
@@ -37,8 +42,9 @@ void Print(const PlannedWalk& planned, const std::string& path, const Common& co
     fmt::print("{}\n", planned.audit.pass() ? "pass" : "fail");
     return;
   }
-  fmt::print("{} {}: {}\nplanned in {:.2f} s of CPU\n", planned.motion.plan.robot, planned.motion.plan.gait.name,
+  fmt::print("{} {}: {}\nplanned in {:.2f} s of CPU\n", planned.motion.plan.robot, GaitNames(planned.motion.plan.parts),
              planned.motion.summary, planned.planning_cpu_s);
+  if (const std::string parts = PartsText(planned.motion.plan.parts); !parts.empty()) fmt::print("parts: {}\n", parts);
   for (const std::string& warning : planned.motion.plan.warnings) fmt::print("warning: {}\n", warning);
   fmt::print("{}", AuditText(planned.audit));
   fmt::print("plan    {}\n", path);
@@ -50,6 +56,7 @@ int Run(Arguments& a) {
   const std::string path = a.folder.empty() ? a.out : (std::filesystem::path(a.folder) / "plan.json").string();
   Paths paths{{}, {{"the plan", path}}, ""};
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
+  paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);
   CheckPaths(paths);
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
@@ -75,7 +82,8 @@ void AddPlan(CLI::App& app, int& status) {
   AddText(verb, "--out-dir", "FOLDER", a->folder, "Folder for plan.json, instead of --out; default: where --out says.")
       ->excludes(out);
   AddCommon(verb, a->common,
-            {"plan --robot a1 --gait trot --speed 0.3 --distance 1 --out plan.json", "plan --goal 1,0.5,0.7 --json"});
+            {"plan --robot a1 --gait trot --speed 0.3 --distance 1 --out plan.json", "plan --goal 1,0.5,0.7 --json",
+             "plan --sequence 'walk: speed=0.1, distance=0.3; trot: speed=0.4' --out parts.json"});
   AddOptionList(verb, a->walk.request.Fields(), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }

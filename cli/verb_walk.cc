@@ -20,6 +20,7 @@ void CheckPathsOf(const Arguments& a) {
       {{"the plan", out.PathOf(out.plan)}, {"the log", out.PathOf(out.log)}, {"the report", out.PathOf(out.report)}},
       out.plot_folder};
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
+  paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);
   CheckPaths(paths);
 }
@@ -56,6 +57,7 @@ void AddWalk(CLI::App& app, int& status) {
   a->outputs.AddTo(verb);
   AddCommon(verb, a->common,
             {"walk --robot a1 --speed 0.3 --distance 1", "walk --robot nao --steps 4 --step-length 0.04 --out-dir nao",
+             "walk --sequence 'trot: speed=0.5; stand: duration=1; walk: speed=0.1' --out-dir parts",
              "walk --robot a1 --distance 1 --push 0,30,0 --push-at 2 --quiet"});
   AddOptionList(verb, Joined({a->walk.request.Fields(), a->play.request.Fields()}), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });

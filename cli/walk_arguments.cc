@@ -10,30 +10,42 @@ void WalkArguments::AddTo(CLI::App& verb) {
   AddText(verb, "--terrain", "NAME", request.terrain,
           "Ground by name, with parameters or without, as stairs:rise_m=0.05,count=2, see 'gaitwright terrains'; or a "
           "file of one (YAML, CSV, PNG, OBJ, STL); default flat.");
+  AddCommandTo(verb);
+  verb.option_defaults()->group("How it is planned");
+  AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
+          "How the centre of mass is planned: optimised, closed-form or preview; default optimised.");
+  verb.option_defaults()->group("Options");
+}
+
+void WalkArguments::AddCommandTo(CLI::App& verb) {
   verb.option_defaults()->group("How fast (any mix of these)");
   WalkCommand& c = request.command;
-  AddText(verb, "--gait", "NAME", request.gait,
-          "Gait by name, see 'gaitwright gaits', or a file of gaits: FILE.yaml for its first, FILE.yaml:NAME for "
-          "another one; 'walk' is the slow one for the robot's number of legs; default: the robot's best.");
+  CLI::Option* gait =
+      AddText(verb, "--gait", "NAME", request.gait,
+              "Gait by name, see 'gaitwright gaits', or a file of gaits: FILE.yaml for its first, FILE.yaml:NAME for "
+              "another one; 'walk' is the slow one for the robot's number of legs; default: the robot's best.");
   CLI::Option* ahead = AddNumber(verb, "--speed", "m/s", c.speed_m_s,
                                  "Speed ahead, 0 or more; default 0: where no other speed says where to go the robot's "
                                  "own, see 'gaitwright robots show'.");
-  AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
-            "Speed to the left, negative to the right; default 0.");
-  AddNumber(
+  CLI::Option* aside = AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
+                                 "Speed to the left, negative to the right; default 0.");
+  CLI::Option* turning = AddNumber(
       verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s,
       "Turning to the left, negative to the right; default 0. Alone it turns on the spot, with --distance it bends "
       "the way at the robot's own speed.");
   verb.option_defaults()->group("How far (one of --distance, --duration, --goal, --steps)");
-  AddNumber(verb, "--distance", "m", distance_m,
-            "Length of the way in the commanded direction, along the curve where --yaw-rate bends it, more than 0; "
-            "default 1, or a quarter turn where --yaw-rate stands alone.");
-  AddNumber(verb, "--duration", "s", duration_s,
-            "Time of walking at the commanded speeds, in whole cycles of the gait, more than 0; default: as --distance "
-            "says.");
-  AddText(verb, "--goal", "x,y,yaw", goal,
-          "Where to, in m, m and rad from the start: x ahead, y to the left, yaw between -pi and pi. A goal behind is "
-          "walked to backward. Speeds given are the largest on the way.");
+  CLI::Option* distance =
+      AddNumber(verb, "--distance", "m", distance_m,
+                "Length of the way in the commanded direction, along the curve where --yaw-rate bends it, more than 0; "
+                "default 1, or a quarter turn where --yaw-rate stands alone.");
+  CLI::Option* duration = AddNumber(
+      verb, "--duration", "s", duration_s,
+      "Time of walking at the commanded speeds, in whole cycles of the gait, more than 0; default: as --distance "
+      "says.");
+  CLI::Option* pose = AddText(
+      verb, "--goal", "x,y,yaw", goal,
+      "Where to, in m, m and rad from the start: x ahead, y to the left, yaw between -pi and pi. A goal behind is "
+      "walked to backward. Speeds given are the largest on the way.");
   CLI::Option* count = AddWholeNumber(verb, "--steps", 1, steps,
                                       "So many footfalls at the commanded speeds, the last ones closing the stance; 1 "
                                       "or more.");
@@ -42,10 +54,13 @@ void WalkArguments::AddTo(CLI::App& verb) {
             "goes back; default: speed times the time of a footfall.")
       ->needs(count)
       ->excludes(ahead);
-  verb.option_defaults()->group("How it is planned");
-  AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
-          "How the centre of mass is planned: optimised, closed-form or preview; default optimised.");
-  verb.option_defaults()->group("Options");
+  verb.option_defaults()->group("Several gaits one after the other, instead of all these");
+  CLI::Option* parts =
+      AddText(verb, "--sequence", "PARTS", request.sequence,
+              "Parts one after the other in one plan, as 'trot: speed=0.5, distance=1; stand: duration=1; walk', or a "
+              "YAML file of them, see docs/gaits.md. Keys are speed, lateral-speed, yaw-rate; distance, duration or "
+              "steps; step-length; default: none.");
+  for (CLI::Option* other : {gait, ahead, aside, turning, distance, duration, pose, count}) parts->excludes(other);
 }
 
 void WalkArguments::Finish(const RobotModel& model) {

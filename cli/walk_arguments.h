@@ -21,6 +21,9 @@ struct WalkArguments {
   void AddTo(CLI::App& verb);
   /// Puts the flags into the request. @throws InvalidArgument for flags that contradict each other or do not parse.
   void Finish(const RobotModel& model);
+
+ private:
+  void AddCommandTo(CLI::App& verb);
 };
 
 /// The flags of a playback, shared by `walk` and `play`.

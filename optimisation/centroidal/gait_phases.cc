@@ -10,6 +10,7 @@ namespace gaitwright {
 std::vector<double> SwitchTimes(const RigidBodyProblem& problem) {
   std::vector<double> times;
   for (const RigidStance& stance : problem.stances) times.insert(times.end(), {stance.start_s, stance.end_s});
+  for (const RigidRest& rest : problem.rests) times.insert(times.end(), {rest.start_s, rest.end_s});
   std::sort(times.begin(), times.end());
   std::vector<double> switches = {0.0};
   for (const double t : times) {
@@ -42,6 +43,10 @@ RigidBodyProblem Retimed(RigidBodyProblem problem, const TimeMap& map) {
   for (RigidStance& stance : problem.stances) {
     stance.start_s = map.SwitchAt(stance.start_s);
     stance.end_s = map.SwitchAt(stance.end_s);
+  }
+  for (RigidRest& rest : problem.rests) {
+    rest.start_s = map.SwitchAt(rest.start_s);
+    rest.end_s = map.SwitchAt(rest.end_s);
   }
   for (double& t : problem.way.time_s) t = map.At(t);
   problem.duration_s = map.SwitchAt(problem.duration_s);

@@ -10,8 +10,8 @@ namespace gaitwright {
 /// Switches of contact nearer to each other than this are one [s].
 constexpr double kSameSwitch_s = 1e-4;
 
-/// The times at which any contact of a problem begins or ends, in order, those that are nearly the same taken together;
-/// the first is 0 and the last the end. Between two of them is a phase.
+/// The times at which any contact or rest of a problem begins or ends, in order, those that are nearly the same taken
+/// together; the first is 0 and the last the end. Between two of them is a phase.
 std::vector<double> SwitchTimes(const RigidBodyProblem& problem);
 
 /// Times of one schedule by those of another: straight between switches, each of which has its own in the other.

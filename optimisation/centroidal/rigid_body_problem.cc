@@ -43,6 +43,18 @@ void CheckFinite(const RigidBodyState& state, const char* which) {
     throw InvalidArgument(fmt::format("rigid body: the {} state is not finite", which));
 }
 
+void CheckRests(const RigidBodyProblem& problem) {
+  double since_s = 0.0;
+  for (const RigidRest& rest : problem.rests) {
+    if (!(rest.start_s > since_s && rest.end_s > rest.start_s && rest.end_s < problem.duration_s) ||
+        !rest.p_WC.allFinite() || !rest.angles_rad.allFinite()) {
+      throw InvalidArgument(fmt::format("rigid body: no rest lasts from {} s to {} s on a way of {} s", rest.start_s,
+                                        rest.end_s, problem.duration_s));
+    }
+    since_s = rest.end_s;
+  }
+}
+
 void CheckBody(const RigidBodyProblem& problem) {
   if (!(problem.mass_kg > 0.0) || !std::isfinite(problem.mass_kg))
     throw InvalidArgument(fmt::format("rigid body: a mass of {} kg", problem.mass_kg));
@@ -54,6 +66,7 @@ void CheckBody(const RigidBodyProblem& problem) {
     throw InvalidArgument("rigid body: the inertia is none that a body can have");
   CheckFinite(problem.start, "start");
   CheckFinite(problem.goal, "goal");
+  CheckRests(problem);
 }
 
 void CheckRegion(const RigidStance& stance, std::size_t number) {

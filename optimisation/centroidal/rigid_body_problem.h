@@ -70,6 +70,12 @@ struct BodyWay {
   Vector3 AnglesAt(double at_s) const;
 };
 
+/// A while in which a body keeps still.
+struct RigidRest {
+  double start_s = 0.0, end_s = 0.0;
+  Vector3 p_WC = Vector3::Zero(), angles_rad = Vector3::Zero();
+};
+
 /// A box of one inertia and mass is to go from one state to another, held by forces at its feet alone:
 ///   m p'' = sum f_i + m g,   (I w)' + l' = sum (p_i - p) x f_i,
 /// forces in the friction cones of their footholds, feet in their workspaces. l is the momentum of what moves against
@@ -81,7 +87,8 @@ struct RigidBodyProblem {
   std::vector<RigidStance> stances;  ///< of one foot: disjoint, in order
   std::vector<RigidSwing> swings;    ///< those whose reach counts
   RigidBodyState start, goal;
-  double duration_s = 1.0;  ///< from time 0
+  double duration_s = 1.0;            ///< from time 0
+  std::vector<RigidRest> rests = {};  ///< on the way, in order
   /// Angular momentum about the centre of mass of all that moves against the box, and its rate, at even times from 0 to
   /// the end, two or more; empty for none [N m s], [N m].
   std::vector<Vector3> inner_momentum_W = {}, inner_torque_W = {};

@@ -128,10 +128,14 @@ VectorX GuessRigidBody(const RigidBodyProblem& problem, const RigidBodyUnknowns&
   const std::vector<double>& t = unknowns.breaks_s();
   // A control point belongs to the mean of the three knots that it stands over: Greville's abscissa.
   const auto knot = [&](std::size_t j) { return t[std::clamp<std::size_t>(j, 3, t.size() + 2) - 3]; };
-  for (std::size_t i = 2; i < t.size(); ++i)
-    x.segment<3>(unknowns.ControlPoint(i)) = GuessPlace(problem, (knot(i + 1) + knot(i + 2) + knot(i + 3)) / 3.0);
-  for (std::size_t k = 1; k + 1 < t.size(); ++k)
-    x.segment<3>(unknowns.Angles(k).parts.front().start) = GuessAngles(problem, t[k]);
+  for (std::size_t i = 2; i < t.size(); ++i) {
+    const int place = unknowns.ControlPoint(i);
+    if (place >= 0) x.segment<3>(place) = GuessPlace(problem, (knot(i + 1) + knot(i + 2) + knot(i + 3)) / 3.0);
+  }
+  for (std::size_t k = 1; k + 1 < t.size(); ++k) {
+    const std::vector<AffineVector::Part>& angles = unknowns.Angles(k).parts;
+    if (!angles.empty()) x.segment<3>(angles.front().start) = GuessAngles(problem, t[k]);
+  }
   std::vector<int> sharing(t.size(), 0);
   for (const BoundForce& force : unknowns.BoundForces()) ++sharing[force.at_break];
   for (const BoundForce& force : unknowns.BoundForces()) {

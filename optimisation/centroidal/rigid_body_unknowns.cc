@@ -91,13 +91,24 @@ AffineVector RigidBodyUnknowns::Next() {
   return AffineVector::Unknown(size_ - 3);
 }
 
+const RigidRest* RigidBodyUnknowns::RestTouching(std::size_t first, std::size_t last) const {
+  for (const RigidRest& rest : problem_.rests) {
+    if (Nearest(breaks_s_, rest.start_s) <= last && Nearest(breaks_s_, rest.end_s) >= first) return &rest;
+  }
+  return nullptr;
+}
+
 void RigidBodyUnknowns::AddCentreOfMass() {
   const std::size_t n = breaks_s_.size() + 2;
   control_.resize(n);
   const double first = (breaks_s_[1] - breaks_s_[0]) / 3.0, last = (breaks_s_[n - 3] - breaks_s_[n - 4]) / 3.0;
   control_[0].constant = problem_.start.p_WC;
   control_[1].constant = problem_.start.p_WC + first * problem_.start.v_WC;
-  for (std::size_t i = 2; i + 2 < n; ++i) control_[i] = Next();
+  for (std::size_t i = 2; i + 2 < n; ++i) {
+    // What lies between a break and the next hangs on the control points of the first and of the three after it.
+    const RigidRest* rest = RestTouching(i < 2 ? 0 : i - 2, i);
+    control_[i] = rest == nullptr ? Next() : AffineVector{rest->p_WC};
+  }
   control_[n - 2].constant = problem_.goal.p_WC - last * problem_.goal.v_WC;
   control_[n - 1].constant = problem_.goal.p_WC;
 }
@@ -112,8 +123,9 @@ void RigidBodyUnknowns::AddTurning() {
   angles_[0].constant = problem_.start.angles_rad;
   momentum_[0].constant = momentum(problem_.start);
   for (std::size_t k = 1; k + 1 < n; ++k) {
-    angles_[k] = Next();
-    momentum_[k] = Next();
+    const RigidRest* rest = RestTouching(k, k);
+    angles_[k] = rest == nullptr ? Next() : AffineVector{rest->angles_rad};
+    momentum_[k] = rest == nullptr ? Next() : AffineVector{};
   }
   angles_[n - 1].constant = problem_.goal.angles_rad;
   momentum_[n - 1].constant = momentum(problem_.goal);

@@ -43,8 +43,8 @@ struct BoundForce {
 /// continuous and linear between breaks. So are the forces on points of contact, zero where a stance begins or ends in
 /// between; one at each break is not unknown, but what the others leave of the force on the whole. Where all feet on
 /// the ground are exchanged at once, either lot carries the whole. Then there are the angles of the base and the
-/// angular momentum at breaks, their ends given, and the footholds on their planes. Units: m, rad, forces in m g,
-/// angular momentum over the mean inertia [rad/s]. Keeps a reference to the problem.
+/// angular momentum at breaks, their ends given, and the footholds on their planes. Where the body rests it is given.
+/// Units: m, rad, forces in m g, angular momentum over the mean inertia [rad/s]. Keeps a reference to the problem.
 class RigidBodyUnknowns {
  public:
   /// @param spacing_s  most between two breaks; each stance has `least_intervals` or more.
@@ -88,6 +88,8 @@ class RigidBodyUnknowns {
   /// The forces of some points at a break, together the force on the whole.
   std::vector<BoundForce> Carry(const std::vector<std::size_t>& stances, std::size_t at_break);
   AffineVector Next();
+  /// The rest that one of some breaks is in; null for none.
+  const RigidRest* RestTouching(std::size_t first, std::size_t last) const;
 
   const RigidBodyProblem& problem_;
   int size_ = 0;

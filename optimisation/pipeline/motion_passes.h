@@ -52,7 +52,7 @@ struct MotionTask {
   const FootstepSkeleton& skeleton;
   const MotionOptions& options;
   const BodyPath& body;
-  double cycle_s;  ///< of the gait
+  double cycle_s;  ///< of the gait, the longest of several
 };
 
 /// Plans the stages after the footsteps again and again, feeding back what the multibody did.

@@ -127,10 +127,7 @@ class Carriages {
 FootstepOptions StandingOptions(const MotionOptions& options) {
   FootstepOptions footsteps = options.footsteps;
   footsteps.grid_s = options.pipeline.grid_step_s;
-  if (options.centre_of_mass.method == "preview") {
-    footsteps.initial_stand_s += options.centre_of_mass.preview_s;
-    footsteps.final_stand_s += options.centre_of_mass.preview_s;
-  }
+  if (options.centre_of_mass.method == "preview") footsteps.settling_s = options.centre_of_mass.preview_s;
   return footsteps;
 }
 
@@ -144,6 +141,14 @@ bool IsDynamic(const ContactSchedule& schedule, const MotionOptions& options) {
   return false;
 }
 
+double SlowestCycle(const std::vector<WalkPart>& parts) {
+  double longest = 0.0;
+  for (const WalkPart& part : parts) {
+    if (!StandsStill(part.gait)) longest = std::max(longest, part.gait.cycle_s);
+  }
+  return longest;
+}
+
 Provenance MakeProvenance(MotionOptions options) {
   Provenance provenance{Version(), "PlanMotion", {}, 0};
   for (const OptionField& field : options.Fields()) provenance.options.emplace_back(field.key, OptionText(field));
@@ -154,13 +159,19 @@ Provenance MakeProvenance(MotionOptions options) {
 
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                  const WalkCommand& command, const MotionOptions& options) {
+  return PlanMotion(model, terrain, {{gait, command}}, options);
+}
+
+Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
+                                 const MotionOptions& options) {
   MotionOptions checked = options;
   CheckOptions(checked.Fields());
-  Result<FootstepSkeleton> skeleton = PlanFootsteps(model, terrain, gait, command, StandingOptions(options));
+  Result<FootstepSkeleton> skeleton = PlanSequence(model, terrain, parts, StandingOptions(options));
   if (!skeleton) return skeleton.failure();
   PlannedMotion planned;
-  const BodyPath body(model, *skeleton, gait.cycle_s);
-  const MotionTask task{model, terrain, *skeleton, options, body, gait.cycle_s};
+  const double cycle_s = SlowestCycle(parts);
+  const BodyPath body(model, *skeleton, cycle_s);
+  const MotionTask task{model, terrain, *skeleton, options, body, cycle_s};
   Result<MotionPass> pass = MotionPass{};
   const bool dynamic = IsDynamic(skeleton->schedule, options);
   if (dynamic) {
@@ -179,10 +190,9 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   plan.yaml_text = model.yaml_text;
   plan.meshes = model.meshes;
   plan.provenance = MakeProvenance(options);
-  plan.command = command;
+  plan.parts = skeleton->parts;
   plan.goal = skeleton->goal;
   plan.terrain = terrain;
-  plan.gait = gait;
   plan.schedule = skeleton->schedule;
   plan.footsteps = std::move(pass->footsteps);
   plan.centroidal = std::move(pass->centroidal);

@@ -11,7 +11,7 @@
 #include "optimisation/centroidal/plan_rigid_body.h"
 #include "optimisation/swing/plan_swings.h"
 #include "optimisation/whole_body/solve_whole_body.h"
-#include "planning/footsteps/plan_footsteps.h"
+#include "planning/footsteps/plan_sequence.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
@@ -114,5 +114,10 @@ struct PlannedMotion {
 /// warnings, its passes cut short unless pipeline.allow_limits is set; PlanWalk refuses it.
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                  const WalkCommand& command, const MotionOptions& options);
+
+/// The same of several parts one after the other (PlanSequence), in one motion without seams: where one of them takes
+/// the motion of a rigid body, the whole is planned so.
+Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
+                                 const MotionOptions& options);
 
 }  // namespace gaitwright

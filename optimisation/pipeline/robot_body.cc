@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
@@ -83,6 +84,23 @@ RigidBodyState Standing(const StandingBody& body, const PlanarPose& at, double b
   return state;
 }
 
+/// Whether a foot stands still there with all others.
+bool StandsIn(const FootstepSkeleton& skeleton, const Foothold& foothold) {
+  return std::any_of(skeleton.parts.begin(), skeleton.parts.end(), [&](const MotionPart& part) {
+    return StandsStill(part.gait) && foothold.touchdown_s < part.end_s && foothold.liftoff_s > part.start_s;
+  });
+}
+
+/// When the body rests in a part on the way that stands still: all of it but what it takes to come to rest after the
+/// feet have, and to make ready for those to move again.
+std::optional<ContactInterval> RestOf(const FootstepSkeleton& skeleton, const MotionPart& part) {
+  constexpr double kLongest = 0.4, kShare = 0.4;  // [s], and of the time that it stands
+  const bool at_end = part.start_s <= skeleton.schedule.start_s() || part.end_s >= skeleton.schedule.end_s();
+  if (at_end || !StandsStill(part.gait)) return std::nullopt;
+  const double settling = std::min(kLongest, kShare * (part.end_s - part.start_s));
+  return ContactInterval{part.start_s + settling, part.end_s - settling};
+}
+
 }  // namespace
 
 StandingBody BodyOf(const RobotModel& model, double reserve) {
@@ -122,6 +140,12 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
     problem.way.angles_rad.push_back(at(time_s).angles_rad);
   }
   problem.follows_yaw = true;
+  for (const MotionPart& part : skeleton.parts) {
+    if (const auto rest = RestOf(skeleton, part)) {
+      const RigidBodyState still = at(0.5 * (rest->start_s + rest->end_s) - start_s);
+      problem.rests.push_back({rest->start_s - start_s, rest->end_s - start_s, still.p_WC, still.angles_rad});
+    }
+  }
   const bool level = IsLevelGround(terrain);
   for (const Foothold& foothold : skeleton.footsteps.footholds) {
     RigidStance stance;
@@ -130,7 +154,7 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
     stance.end_s = foothold.liftoff_s - start_s;
     stance.X_WF = foothold.X_WF;
     stance.friction = FrictionOf(terrain, foothold.patch);
-    stance.held = !level || stance.start_s <= 0.0 || stance.end_s >= problem.duration_s;
+    stance.held = !level || stance.start_s <= 0.0 || stance.end_s >= problem.duration_s || StandsIn(skeleton, foothold);
     problem.stances.push_back(stance);
   }
   return problem;

@@ -28,7 +28,7 @@ StandingBody BodyOf(const RobotModel& model, double reserve);
 
 /// A walk as a problem for a single rigid body: from standing at the start of the path to standing at its end, the
 /// stances those of the skeleton's footholds, in their order. On level ground those in between may be anywhere; on
-/// other ground, and in standing, feet are held to theirs.
+/// other ground, and where the robot stands still, feet are held to theirs.
 RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, const Terrain& terrain,
                            const FootstepSkeleton& skeleton, const BodyPath& path);
 

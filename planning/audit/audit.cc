@@ -128,7 +128,7 @@ AuditReport Auditor::Run() {
   CheckCentroidal();
   CheckPendulum();
   CheckSchedule();
-  CheckCommand();
+  CheckParts();
   CheckFootholds();
   CheckSwings();
   report.violations = findings_.Sorted();

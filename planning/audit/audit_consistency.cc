@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Law `consistency`: what stands beside the grid, against it and each other: schedule, gait, command, footholds.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -37,25 +38,61 @@ void Auditor::CheckSchedule() {
   Expect("start of the schedule", w.start_s, std::abs(plan_.schedule.start_s() - w.start_s), w.step_s, "s");
   Expect("end of the schedule", w.end_s(), std::abs(plan_.schedule.end_s() - w.end_s()), w.step_s, "s");
   const auto feet = static_cast<double>(model_.feet.size());
-  const auto phases = static_cast<double>(plan_.gait.phase.size());
-  const auto duties = static_cast<double>(plan_.gait.duty_factor.size());
-  if (phases != feet) findings_.Note("consistency", "number of the gait's phases", w.start_s, phases, feet, "1");
-  if (duties != feet) findings_.Note("consistency", "number of the gait's duty factors", w.start_s, duties, feet, "1");
+  for (const MotionPart& part : plan_.parts) {
+    const auto phases = static_cast<double>(part.gait.phase.size());
+    const auto duties = static_cast<double>(part.gait.duty_factor.size());
+    if (phases != feet) findings_.Note("consistency", "number of the gait's phases", part.start_s, phases, feet, "1");
+    if (duties != feet)
+      findings_.Note("consistency", "number of the gait's duty factors", part.start_s, duties, feet, "1");
+  }
 }
 
-/// The goal is where the command leads from where the base stands first. A command of steps says it only to a step of
-/// each foot; one that turns on the spot as far as the planner likes says only where.
-void Auditor::CheckCommand() {
-  const WalkCommand& c = plan_.command;
-  const VectorX& q = plan_.whole_body.q.front();
-  const PlanarPose start = {q[0], q[1], YawOf(BaseRotation(q))};
-  const double position = kGoalShare * model_.leg_length_m(), start_s = plan_.whole_body.start_s;
+/// The parts follow each other from the start of the grid to its end, and the last one's goal is the plan's. In one
+/// that stands still no foot leaves the ground.
+void Auditor::CheckParts() {
+  const WholeBodyTrajectory& w = plan_.whole_body;
+  const VectorX& q = w.q.front();
+  PlanarPose from = {q[0], q[1], YawOf(BaseRotation(q))};
+  double since_s = w.start_s;
+  for (const MotionPart& part : plan_.parts) {
+    Expect("start of a part", part.start_s, std::abs(part.start_s - since_s), w.step_s, "s");
+    CheckCommand(part, from);
+    if (StandsStill(part.gait)) CheckStand(part);
+    from = part.goal;
+    since_s = part.end_s;
+  }
+  Expect("end of the last part", since_s, std::abs(since_s - w.end_s()), w.step_s, "s");
+  const double apart = std::hypot(from.x_m - plan_.goal.x_m, from.y_m - plan_.goal.y_m);
+  Expect("goal against the last part's", since_s, apart, kPosition, "m");
+}
+
+void Auditor::CheckStand(const MotionPart& part) {
+  const FootSet all = AllFeet(static_cast<int>(model_.feet.size()));
+  for (const ContactPhase& phase : plan_.schedule.phases) {
+    const bool within = phase.end_s > part.start_s + kTime && phase.start_s < part.end_s - kTime;
+    if (within && phase.stance != all) {
+      findings_.Note("consistency", "feet on the ground while it stands", std::max(part.start_s, phase.start_s),
+                     std::popcount(phase.stance), static_cast<double>(model_.feet.size()), "1");
+    }
+  }
+}
+
+/// A part's goal is where its command leads from the goal before, the first one's from where the base stands. A command
+/// of steps says it only to a step of each foot; one that turns on the spot as far as the planner likes says only
+/// where.
+void Auditor::CheckCommand(const MotionPart& part, const PlanarPose& start) {
+  const WalkCommand& c = part.command;
+  const double position = kGoalShare * model_.leg_length_m(), start_s = part.start_s;
   const auto compare = [&](const char* where, const PlanarPose& expected) {
     const PlanarPose goal = Carried(start, expected);
-    Expect(where, start_s, std::hypot(goal.x_m - plan_.goal.x_m, goal.y_m - plan_.goal.y_m), position, "m");
-    const double turned = std::abs(WrapAngle(goal.yaw_rad - plan_.goal.yaw_rad));
+    Expect(where, start_s, std::hypot(goal.x_m - part.goal.x_m, goal.y_m - part.goal.y_m), position, "m");
+    const double turned = std::abs(WrapAngle(goal.yaw_rad - part.goal.yaw_rad));
     Expect(std::string(where) + ", heading", start_s, turned, kGoalHeading, "rad");
   };
+  if (StandsStill(part.gait)) {
+    compare("goal of standing still", {});
+    return;
+  }
   if (c.extent == WalkCommand::Extent::kGoal) {
     compare("goal against the command's pose", {c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
     return;
@@ -66,7 +103,7 @@ void Auditor::CheckCommand() {
     const double duration = c.distance_m / std::hypot(forward, c.lateral_speed_m_s);
     compare("goal against the command's distance", Arc(forward, c.lateral_speed_m_s, c.yaw_rate_rad_s, duration));
   } else if (c.extent == WalkCommand::Extent::kSteps && own_speed && c.yaw_rate_rad_s == 0.0) {
-    const double distance = std::hypot(plan_.goal.x_m - start.x_m, plan_.goal.y_m - start.y_m);
+    const double distance = std::hypot(part.goal.x_m - start.x_m, part.goal.y_m - start.y_m);
     const double most = c.steps * std::abs(c.step_length_m);
     const double least = most - static_cast<double>(model_.feet.size()) * std::abs(c.step_length_m);
     if (!(distance <= most + position && distance >= least - position))

@@ -68,7 +68,9 @@ class Auditor {
   void CheckPendulum();
   GroundPlane CarryingPlane(double time_s) const;
   void CheckSchedule();
-  void CheckCommand();
+  void CheckParts();
+  void CheckStand(const MotionPart& part);
+  void CheckCommand(const MotionPart& part, const PlanarPose& start);
   void CheckFootholds();
   void CheckFoothold(const Foothold& foothold, const ContactInterval& interval);
   bool RestsAcross(const Foothold& foothold) const;

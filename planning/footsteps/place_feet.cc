@@ -79,18 +79,41 @@ int StepsToGoal(const std::vector<Footfall>& footfalls, int num_feet) {
   return static_cast<int>(goal);
 }
 
+/// The stretch that a time is in.
+const PathStretch& StretchAt(const std::vector<PathStretch>& stretches, double time_s) {
+  const auto at = std::find_if(stretches.begin(), stretches.end(),
+                               [&](const PathStretch& stretch) { return time_s < stretch.end_s; });
+  return at == stretches.end() ? stretches.back() : *at;
+}
+
+/// The time in the middle of what stands still in a stance; negative where nothing does.
+double RestWithin(const std::vector<PathStretch>& stretches, const ContactInterval& stance) {
+  for (const PathStretch& stretch : stretches) {
+    const double middle = 0.5 * (stretch.start_s + stretch.end_s);
+    if (stretch.stands && stance.start_s < middle && middle < stance.end_s) return middle;
+  }
+  return -1.0;
+}
+
 }  // namespace
 
 FootstepPlan PlaceAlongPath(const RobotModel& model, const Gait& gait, const ContactSchedule& schedule,
                             const BasePath& path, const PlanarTwist& twist) {
+  return PlaceAlongPath(model, schedule, path, {{schedule.start_s(), schedule.end_s(), false, gait.cycle_s, twist}});
+}
+
+FootstepPlan PlaceAlongPath(const RobotModel& model, const ContactSchedule& schedule, const BasePath& path,
+                            const std::vector<PathStretch>& stretches) {
   const std::vector<Pose> standing = StandingFeet(model);
   FootstepPlan plan;
   for (std::size_t f = 0; f < standing.size(); ++f) {
-    const Sides led = LedBy(standing, f, twist);
     const auto intervals = IntervalsOf(schedule, static_cast<int>(f));
     for (std::size_t i = 0; i < intervals.size(); ++i) {
       const double middle = 0.5 * (intervals[i].start_s + intervals[i].end_s);
-      PlanarPose base = WithParts(PoseAt(path, middle), PoseAt(path, middle + 0.5 * gait.cycle_s), led);
+      const PathStretch& stretch = StretchAt(stretches, middle);
+      const Sides led = LedBy(standing, f, stretch.twist);
+      PlanarPose base = WithParts(PoseAt(path, middle), PoseAt(path, middle + 0.5 * stretch.cycle_s), led);
+      if (const double rest_s = RestWithin(stretches, intervals[i]); rest_s >= 0.0) base = PoseAt(path, rest_s);
       if (i + 1 == intervals.size()) base = path.pose.back();
       if (i == 0) base = path.pose.front();
       Foothold foothold;

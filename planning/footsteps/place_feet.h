@@ -16,6 +16,19 @@ namespace gaitwright {
 FootstepPlan PlaceAlongPath(const RobotModel& model, const Gait& gait, const ContactSchedule& schedule,
                             const BasePath& path, const PlanarTwist& twist);
 
+/// What a robot does on a stretch of a path: a gait along a twist, or standing still.
+struct PathStretch {
+  double start_s = 0.0, end_s = 0.0;
+  bool stands = false;
+  double cycle_s = 0.0;  ///< of the gait
+  PlanarTwist twist;     ///< of the gait's command
+};
+
+/// The same along several stretches, each of which ends where the next one starts. A stance that lasts through one that
+/// stands still is that of standing there.
+FootstepPlan PlaceAlongPath(const RobotModel& model, const ContactSchedule& schedule, const BasePath& path,
+                            const std::vector<PathStretch>& stretches);
+
 /// Footholds of counted footfalls, and how far they go.
 struct CountedFootsteps {
   FootstepPlan footsteps;

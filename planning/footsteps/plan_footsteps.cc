@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "planning/footsteps/can_walk.h"
@@ -67,8 +68,8 @@ Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait,
   if (!course) return course.failure();
   const bool counted = command.extent == WalkCommand::Extent::kSteps;
   ScheduleRequest request;
-  request.initial_stand_s = options.initial_stand_s;
-  request.final_stand_s = options.final_stand_s;
+  request.initial_stand_s = options.initial_stand_s + options.settling_s;
+  request.final_stand_s = options.final_stand_s + options.settling_s;
   request.stepping_s = std::ceil(course->duration_s / gait.cycle_s - 1e-6) * gait.cycle_s;
   request.footfalls = counted ? command.steps : 0;
   request.first_foot = counted ? LeadingFoot(model, course->twist) : -1;
@@ -84,7 +85,7 @@ Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait,
     const bool moves = course->twist.x_m != 0.0 || course->twist.y_m != 0.0 || course->twist.yaw_rad != 0.0;
     if (moves && placed.steps_to_goal == 0) skeleton.warnings.push_back(StandingStillNote(command, gait.num_feet()));
   } else {
-    skeleton.path = MakeBasePath(course->twist, options.initial_stand_s, course->duration_s, course->ramp_s,
+    skeleton.path = MakeBasePath(course->twist, request.initial_stand_s, course->duration_s, course->ramp_s,
                                  skeleton.schedule.end_s());
     skeleton.footsteps = PlaceAlongPath(model, gait, skeleton.schedule, skeleton.path, course->twist);
   }
@@ -92,18 +93,11 @@ Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait,
   return skeleton;
 }
 
-/// Why the command or the gait is not for this robot.
-std::optional<Failure> CheckRequest(const RobotModel& model, const Gait& gait, const WalkCommand& command) {
-  if (auto failure = CheckCommand(command)) return failure;
-  if (gait.num_feet() != static_cast<int>(model.feet.size())) {
-    return Failure{FailureKind::kBadInput,
-                   "command",
-                   "PlanFootsteps",
-                   fmt::format("gait '{}' is for {} feet; robot '{}' has {}", gait.name, gait.num_feet(), model.name,
-                               model.feet.size()),
-                   {}};
-  }
-  return WhyCannotWalk(model);
+/// A skeleton of one part alone.
+Result<FootstepSkeleton> WithPart(Result<FootstepSkeleton> skeleton, const Gait& gait, const WalkCommand& command) {
+  if (skeleton)
+    skeleton->parts = {{gait, command, skeleton->goal, skeleton->schedule.start_s(), skeleton->schedule.end_s()}};
+  return skeleton;
 }
 
 /// Footsteps over ground that is not level: along the command's own course, or along a route around what is in its
@@ -129,6 +123,43 @@ Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& t
 
 }  // namespace
 
+std::optional<Failure> WhyNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command) {
+  if (auto failure = CheckCommand(command)) return failure;
+  if (gait.num_feet() != static_cast<int>(model.feet.size())) {
+    return Failure{FailureKind::kBadInput,
+                   "command",
+                   "PlanFootsteps",
+                   fmt::format("gait '{}' is for {} feet; robot '{}' has {}", gait.name, gait.num_feet(), model.name,
+                               model.feet.size()),
+                   {}};
+  }
+  return WhyCannotWalk(model);
+}
+
+std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share) {
+  const Reach worst = WorstReach(model, skeleton, share);
+  if (!(worst.excess() > 0.0)) return std::nullopt;
+  const Foothold& foothold = skeleton.footsteps.footholds[static_cast<std::size_t>(worst.foothold)];
+  return Failure{
+      FailureKind::kInfeasible,
+      "out_of_reach",
+      "PlanFootsteps",
+      fmt::format("foot '{}' cannot reach its foothold at {:.2f} s: it is {:.3f} m from its hip, the leg reaches "
+                  "{:.3f} m",
+                  model.feet[static_cast<std::size_t>(foothold.foot)].name, worst.at_s, worst.distance_m,
+                  worst.limit_m),
+      {"lower the speed or the step length"}};
+}
+
+void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps) {
+  for (Foothold& foothold : footsteps.footholds) {
+    const GroundPoint ground = GroundAt(terrain, foothold.X_WF.translation().head<2>());
+    foothold.patch = ground.patch;
+    foothold.X_WF.translation().z() = ground.height_m;
+    foothold.X_WF.linear() = Quaternion::FromTwoVectors(Vector3::UnitZ(), ground.normal_W) * foothold.X_WF.linear();
+  }
+}
+
 bool IsLevelGround(const Terrain& terrain) {
   if (terrain.patches.size() != 1 || !terrain.height_fields.empty() || !terrain.obstacles.empty()) return false;
   const TerrainPatch& patch = terrain.patches.front();
@@ -139,38 +170,21 @@ bool IsLevelGround(const Terrain& terrain) {
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                             const WalkCommand& command, const std::vector<PlanarPose>& way,
                                             const FootstepOptions& options) {
-  if (auto failure = CheckRequest(model, gait, command)) return *failure;
+  if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
   const PlanarTwist speed = FittingSpeeds(model, gait, command);
   const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
-  return SearchSkeleton(model, terrain, query, options);
+  return WithPart(SearchSkeleton(model, terrain, query, options), gait, command);
 }
 
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
-  if (auto failure = CheckRequest(model, gait, command)) return *failure;
-  if (!IsLevelGround(terrain)) return FindFootsteps(model, terrain, gait, command, options);
+  if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
+  if (!IsLevelGround(terrain)) return WithPart(FindFootsteps(model, terrain, gait, command, options), gait, command);
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;
-  const Reach worst = WorstReach(model, *skeleton, options.reach);
-  if (worst.excess() > 0.0) {
-    const Foothold& foothold = skeleton->footsteps.footholds[static_cast<std::size_t>(worst.foothold)];
-    return Failure{
-        FailureKind::kInfeasible,
-        "out_of_reach",
-        "PlanFootsteps",
-        fmt::format("foot '{}' cannot reach its foothold at {:.2f} s: it is {:.3f} m from its hip, the leg reaches "
-                    "{:.3f} m",
-                    model.feet[static_cast<std::size_t>(foothold.foot)].name, worst.at_s, worst.distance_m,
-                    worst.limit_m),
-        {"lower the speed or the step length"}};
-  }
-  for (Foothold& foothold : skeleton->footsteps.footholds) {
-    const GroundPoint ground = GroundAt(terrain, foothold.X_WF.translation().head<2>());
-    foothold.patch = ground.patch;
-    foothold.X_WF.translation().z() = ground.height_m;
-    foothold.X_WF.linear() = Quaternion::FromTwoVectors(Vector3::UnitZ(), ground.normal_W) * foothold.X_WF.linear();
-  }
-  return skeleton;
+  if (auto failure = WhyOutOfReach(model, *skeleton, options.reach)) return *failure;
+  PutOnGround(terrain, skeleton->footsteps);
+  return WithPart(std::move(skeleton), gait, command);
 }
 
 }  // namespace gaitwright

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct FootstepOptions {
   double final_stand_s = 0.8;
   double ramp_cycles = 1.0;
   double reach = 0.97;
-  double grid_s = 0.005;  ///< step of the plan's grid, on which contacts begin and end; the pipeline sets it
+  double grid_s = 0.005;    ///< step of the plan's grid, on which contacts begin and end; the pipeline sets it
+  double settling_s = 0.0;  ///< more time of standing at both ends; the pipeline sets it
   FootholdOptions foothold;
   FootstepSearchOptions search;
   BaseRouteOptions route;
@@ -52,6 +54,7 @@ struct FootstepSkeleton {
   ContactSchedule schedule;
   FootstepPlan footsteps;
   PlanarPose goal;
+  std::vector<MotionPart> parts;
   std::vector<std::string> warnings;
   FootstepSearchStats search;  ///< all zero on level ground, where nothing is searched
 };
@@ -73,6 +76,15 @@ Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& t
 Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                             const WalkCommand& command, const std::vector<PlanarPose>& way,
                                             const FootstepOptions& options);
+
+/// Why footholds do not serve: the one farthest out of reach of its leg, by name, time and distance.
+std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkeleton& skeleton, double share);
+
+/// Puts footholds that were planned on the level plane at height zero onto it.
+void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps);
+
+/// Why a command or a gait is for no robot, or not for this one.
+std::optional<Failure> WhyNotWalked(const RobotModel& model, const Gait& gait, const WalkCommand& command);
 
 /// True for ground that is one level plane without end at height zero, with nothing on it.
 bool IsLevelGround(const Terrain& terrain);

@@ -23,17 +23,6 @@ double TurnRadius(const RobotModel& model) {
   return sum / static_cast<double>(standing.size());
 }
 
-/// Steps of the base that counted footfalls make on level ground, the last ones closing the stance.
-int StepsAhead(const Gait& gait, int footfalls) {
-  const std::vector<std::vector<int>> groups = FootGroups(gait);
-  int counted = 0, last = 0;
-  for (std::size_t k = 0; counted < footfalls; ++k) {
-    last = static_cast<int>(groups[k % groups.size()].size());
-    counted += last;
-  }
-  return footfalls - gait.num_feet() + last;
-}
-
 /// Heights, or any other quantity, through knots in time: at rest at both ends, and never beyond neighbouring knots.
 /// Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5(2), 1984.
 class SmoothWay {
@@ -128,6 +117,16 @@ BasePath PathOver(const RobotModel& model, const FootstepSequence& sequence, con
 
 }  // namespace
 
+int StepsAhead(const Gait& gait, int footfalls) {
+  const std::vector<std::vector<int>> groups = FootGroups(gait);
+  int counted = 0, last = 0;
+  for (std::size_t k = 0; counted < footfalls; ++k) {
+    last = static_cast<int>(groups[k % groups.size()].size());
+    counted += last;
+  }
+  return footfalls - gait.num_feet() + last;
+}
+
 Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                                   const FootstepOptions& options) {
   const Result<Course> course = MakeCourse(model, gait, command, options.ramp_cycles);
@@ -173,8 +172,8 @@ Result<FootstepSkeleton> SearchSkeleton(const RobotModel& model, const Terrain& 
   const Result<FootstepSequence> sequence = SearchAtEase(model, terrain, query, options);
   if (!sequence) return sequence.failure();
   ScheduleRequest request;
-  request.initial_stand_s = options.initial_stand_s;
-  request.final_stand_s = options.final_stand_s;
+  request.initial_stand_s = options.initial_stand_s + options.settling_s;
+  request.final_stand_s = options.final_stand_s + options.settling_s;
   request.grid_s = options.grid_s;
   for (const Footfalls& step : sequence->steps) request.footfalls += static_cast<int>(step.size());
   request.first_foot = sequence->steps.front().front().foot;

@@ -5,6 +5,10 @@
 
 namespace gaitwright {
 
+/// Steps of the base that counted footfalls make on level ground, the last ones closing the stance; none, or fewer,
+/// where they only close it.
+int StepsAhead(const Gait& gait, int footfalls);
+
 /// What to search for a command: its course in plan view, at the stride of the gait at the commanded speed. Failures as
 /// of MakeCourse; kBadInput also for fewer counted footfalls than go ahead.
 Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace gaitwright {
 namespace {
@@ -17,28 +19,42 @@ struct Swing {
 
 double Fraction(double x) { return x - std::floor(x); }
 
-/// Swings in order of lift-off, the first at time zero.
-std::vector<Swing> Swings(const Gait& gait, const ScheduleRequest& request) {
+/// When each foot lifts off, as shares of the cycle.
+std::vector<double> Liftoffs(const Gait& gait) {
   std::vector<double> liftoff(gait.phase.size());
   for (std::size_t i = 0; i < liftoff.size(); ++i) liftoff[i] = Fraction(gait.phase[i] + gait.duty_factor[i] + 1e-12);
-  const double first = request.first_foot < 0 ? *std::min_element(liftoff.begin(), liftoff.end())
-                                              : liftoff[static_cast<std::size_t>(request.first_foot)];
+  return liftoff;
+}
+
+/// The same from the lift-off of one of them on.
+std::vector<double> LiftoffsFrom(const Gait& gait, int first_foot) {
+  std::vector<double> liftoff = Liftoffs(gait);
+  const double first = first_foot < 0 ? *std::min_element(liftoff.begin(), liftoff.end())
+                                      : liftoff[static_cast<std::size_t>(first_foot)];
+  for (double& at : liftoff) at = (at < first - 1e-9 ? 1.0 : 0.0) + at - first;
+  return liftoff;
+}
+
+/// Swings in order of lift-off, the first at time zero.
+std::vector<Swing> Swings(const GaitStint& stint) {
+  const Gait& gait = stint.gait;
+  const std::vector<double> liftoff = LiftoffsFrom(gait, stint.first_foot);
   std::vector<Swing> swings;
-  const int cycles = request.footfalls > 0 ? 1 + request.footfalls / gait.num_feet()
-                                           : 1 + static_cast<int>(request.stepping_s / gait.cycle_s);
+  const int cycles =
+      stint.footfalls > 0 ? 1 + stint.footfalls / gait.num_feet() : 1 + static_cast<int>(stint.time_s / gait.cycle_s);
   for (int cycle = 0; cycle < cycles; ++cycle) {
     for (int foot = 0; foot < gait.num_feet(); ++foot) {
       const auto i = static_cast<std::size_t>(foot);
-      const double start = (cycle + (liftoff[i] < first - 1e-9 ? 1.0 : 0.0) + liftoff[i] - first) * gait.cycle_s;
+      const double start = (cycle + liftoff[i]) * gait.cycle_s;
       swings.push_back({start, start + (1.0 - gait.duty_factor[i]) * gait.cycle_s, foot});
     }
   }
   std::stable_sort(swings.begin(), swings.end(),
                    [](const Swing& a, const Swing& b) { return a.liftoff_s < b.liftoff_s - 1e-9; });
-  if (request.footfalls > 0) {
-    swings.resize(static_cast<std::size_t>(request.footfalls));
+  if (stint.footfalls > 0) {
+    swings.resize(static_cast<std::size_t>(stint.footfalls));
   } else {
-    std::erase_if(swings, [&](const Swing& swing) { return swing.liftoff_s > request.stepping_s - 1e-6; });
+    std::erase_if(swings, [&](const Swing& swing) { return swing.liftoff_s > stint.time_s - 1e-6; });
   }
   return swings;
 }
@@ -62,24 +78,104 @@ std::optional<Failure> CheckGrid(const Gait& gait, double grid_s) {
   return std::nullopt;
 }
 
+/// Puts one stint after the other.
+class Joiner {
+ public:
+  Joiner(int num_feet, const ScheduleEnds& ends)
+      : ends_(ends),
+        feet_(static_cast<std::size_t>(num_feet)),
+        by_foot_(feet_),
+        down_s_(feet_, 0.0),
+        free_s_(ends.initial_stand_s) {}
+
+  void Add(const GaitStint& stint) { StandsStill(stint.gait) ? Stand(stint.time_s) : Walk(stint); }
+
+  JoinedSchedule Finish() {
+    const double end = former_ == nullptr ? OnGrid(free_s_) : OnGrid(free_s_ + ends_.final_stand_s);
+    for (std::size_t i = 0; i < feet_; ++i) by_foot_[i].push_back({down_s_[i], end});
+    return {ScheduleFromIntervals(by_foot_, 0.0, end), start_s_};
+  }
+
+ private:
+  /// Halves go up, whatever rounding errors they carry, so that what falls together stays together.
+  double OnGrid(double t) const { return std::floor(t / ends_.grid_s + 0.5 + 1e-6) * ends_.grid_s; }
+
+  void Stand(double time_s) {
+    const bool first = start_s_.empty();
+    start_s_.push_back(first ? 0.0 : free_s_);
+    free_s_ = (first ? 0.0 : free_s_) + time_s;
+    former_ = nullptr;
+  }
+
+  void Walk(GaitStint stint) {
+    double start = free_s_;
+    if (former_ != nullptr) start = Follow(stint);
+    start_s_.push_back(start_s_.empty() ? 0.0 : OnGrid(start));
+    for (const Swing& swing : Swings(stint)) {
+      const auto i = static_cast<std::size_t>(swing.foot);
+      by_foot_[i].push_back({down_s_[i], OnGrid(start + swing.liftoff_s)});
+      down_s_[i] = OnGrid(start + swing.touchdown_s);
+      free_s_ = std::max(free_s_, down_s_[i]);
+    }
+    gait_ = stint.gait;
+    former_ = &gait_;
+  }
+
+  /// The foot that lets a gait begin first after another one, and when that is.
+  double Follow(GaitStint& stint) const {
+    double earliest = std::numeric_limits<double>::infinity();
+    const int asked = stint.first_foot;
+    for (int foot = 0; foot < stint.gait.num_feet(); ++foot) {
+      if (asked >= 0 && foot != asked) continue;
+      const double start = Earliest(stint.gait, LiftoffsFrom(stint.gait, foot));
+      if (start > earliest - 1e-6) continue;
+      earliest = start;
+      stint.first_foot = foot;
+    }
+    return earliest;
+  }
+
+  /// When a gait whose feet lift in such an order may begin.
+  double Earliest(const Gait& gait, const std::vector<double>& liftoff) const {
+    double start = free_s_;
+    for (std::size_t i = 0; i < feet_; ++i) {
+      const double least = std::min(gait.duty_factor[i] * gait.cycle_s, former_->duty_factor[i] * former_->cycle_s);
+      start = std::max(start, down_s_[i] + least - liftoff[i] * gait.cycle_s);
+    }
+    return start;
+  }
+
+  const ScheduleEnds ends_;
+  const std::size_t feet_;
+  std::vector<std::vector<ContactInterval>> by_foot_;
+  std::vector<double> down_s_;  // when each foot came down last
+  double free_s_;               // when all feet are down, and have stood for as long as they were to
+  std::vector<double> start_s_;
+  Gait gait_;
+  const Gait* former_ = nullptr;  // the gait before; null where the robot stands
+};
+
 }  // namespace
 
 Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest& request) {
-  if (const auto failure = CheckGrid(gait, request.grid_s)) return *failure;
-  // Halves go up, whatever rounding errors they carry, so that what falls together stays together.
-  const auto on_grid = [&](double t) { return std::floor(t / request.grid_s + 0.5 + 1e-6) * request.grid_s; };
-  std::vector<std::vector<ContactInterval>> by_foot(gait.phase.size());
-  std::vector<double> down(gait.phase.size(), 0.0);
-  double last = request.initial_stand_s;
-  for (const Swing& swing : Swings(gait, request)) {
-    const auto i = static_cast<std::size_t>(swing.foot);
-    by_foot[i].push_back({down[i], on_grid(request.initial_stand_s + swing.liftoff_s)});
-    down[i] = on_grid(request.initial_stand_s + swing.touchdown_s);
-    last = std::max(last, down[i]);
+  Result<JoinedSchedule> joined = JoinSchedules({{gait, request.stepping_s, request.footfalls, request.first_foot}},
+                                                {request.initial_stand_s, request.final_stand_s, request.grid_s});
+  if (!joined) return joined.failure();
+  return std::move(joined->schedule);
+}
+
+Result<JoinedSchedule> JoinSchedules(const std::vector<GaitStint>& stints, const ScheduleEnds& ends) {
+  const bool walks =
+      std::any_of(stints.begin(), stints.end(), [](const GaitStint& stint) { return !StandsStill(stint.gait); });
+  if (!walks) return Failure{FailureKind::kBadInput, "gait", "ScheduleContacts", "no part of the schedule walks", {}};
+  Joiner joiner(stints.front().gait.num_feet(), ends);
+  for (const GaitStint& stint : stints) {
+    if (!StandsStill(stint.gait)) {
+      if (auto failure = CheckGrid(stint.gait, ends.grid_s)) return *failure;
+    }
+    joiner.Add(stint);
   }
-  const double end = on_grid(last + request.final_stand_s);
-  for (std::size_t i = 0; i < by_foot.size(); ++i) by_foot[i].push_back({down[i], end});
-  return ScheduleFromIntervals(by_foot, 0.0, end);
+  return joiner.Finish();
 }
 
 }  // namespace gaitwright

@@ -38,24 +38,43 @@ PlanarTwist TwistTo(const PlanarPose& pose) {
 }
 
 double ProgressAt(double time_s, double duration_s, double ramp_s) {
-  const double ramp = std::min(ramp_s, 0.5 * duration_s);
-  const double rate = 1.0 / (duration_s - ramp);
-  const double t = std::clamp(time_s, 0.0, duration_s);
-  if (t < ramp) return rate * ramp * RampArea(t / ramp);
-  if (t > duration_s - ramp) return 1.0 - rate * ramp * RampArea((duration_s - t) / ramp);
-  return rate * (t - 0.5 * ramp);
+  return ProgressAt(time_s, duration_s, ramp_s, ramp_s);
 }
 
-BasePath MakeBasePath(const PlanarTwist& twist, double start_s, double duration_s, double ramp_s, double end_s) {
+double ProgressAt(double time_s, double duration_s, double start_ramp_s, double stop_ramp_s) {
+  const double ramps = start_ramp_s + stop_ramp_s, fit = ramps > duration_s ? duration_s / ramps : 1.0;
+  const double start = fit * start_ramp_s, stop = fit * stop_ramp_s;
+  const double rate = 1.0 / (duration_s - 0.5 * (start + stop));
+  const double t = std::clamp(time_s, 0.0, duration_s);
+  if (t < start) return rate * start * RampArea(t / start);
+  if (t > duration_s - stop) return 1.0 - rate * stop * RampArea((duration_s - t) / stop);
+  return rate * (t - 0.5 * start);
+}
+
+PlanarPose Carried(const PlanarPose& from, const PlanarPose& pose) {
+  const double c = std::cos(from.yaw_rad), s = std::sin(from.yaw_rad);
+  return {from.x_m + c * pose.x_m - s * pose.y_m, from.y_m + s * pose.x_m + c * pose.y_m, from.yaw_rad + pose.yaw_rad};
+}
+
+BasePath MakeBasePath(const std::vector<PathPiece>& pieces, double end_s) {
   constexpr double kStep = 0.01;
   const int samples = 1 + static_cast<int>(std::ceil(end_s / kStep - 1e-9));
   BasePath path;
   for (int k = 0; k < samples; ++k) {
     const double t = std::min(k * kStep, end_s);
+    PlanarPose pose;
+    for (const PathPiece& piece : pieces) {
+      const double progress = ProgressAt(t - piece.start_s, piece.duration_s, piece.start_ramp_s, piece.stop_ramp_s);
+      pose = Carried(pose, PoseAlong(piece.twist, progress));
+    }
     path.time_s.push_back(t);
-    path.pose.push_back(PoseAlong(twist, ProgressAt(t - start_s, duration_s, ramp_s)));
+    path.pose.push_back(pose);
   }
   return path;
+}
+
+BasePath MakeBasePath(const PlanarTwist& twist, double start_s, double duration_s, double ramp_s, double end_s) {
+  return MakeBasePath({{twist, start_s, duration_s, ramp_s, ramp_s}}, end_s);
 }
 
 PlanarPose PoseAt(const BasePath& path, double time_s) {

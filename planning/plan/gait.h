@@ -24,7 +24,7 @@ struct Gait {
   std::string description;
   double cycle_s = 0.5;             ///< [s]
   std::vector<double> phase;        ///< by foot, in [0, 1)
-  std::vector<double> duty_factor;  ///< by foot, in (0, 1)
+  std::vector<double> duty_factor;  ///< by foot, in (0, 1); 1 for all of them in standing still
 
   int num_feet() const { return static_cast<int>(phase.size()); }
   bool operator==(const Gait&) const = default;
@@ -32,6 +32,12 @@ struct Gait {
 
 /// The feet on the ground at a time of the cycle in [0, 1).
 FootSet StanceAt(const Gait& gait, double cycle_fraction);
+
+/// Standing still on all feet, as a gait named "stand".
+Gait StandingGait(int num_feet);
+
+/// True when no foot ever leaves the ground.
+bool StandsStill(const Gait& gait);
 
 /// True when some part of the cycle has no foot on the ground.
 bool HasFlight(const Gait& gait);

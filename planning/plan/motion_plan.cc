@@ -25,4 +25,18 @@ int FootholdAt(const FootstepPlan& plan, int foot, double time_s) {
   return first == all.end() ? -1 : static_cast<int>(first - all.begin());
 }
 
+const MotionPart* PartAt(const std::vector<MotionPart>& parts, double time_s) {
+  constexpr double kTiny = 1e-9;
+  const auto ended = [&](const MotionPart& part) { return part.end_s <= time_s + kTiny; };
+  if (parts.empty()) return nullptr;
+  const auto at = std::find_if_not(parts.begin(), parts.end(), ended);
+  return at == parts.end() ? &parts.back() : &*at;
+}
+
+std::string GaitNames(const std::vector<MotionPart>& parts) {
+  std::string names;
+  for (const MotionPart& part : parts) names += (names.empty() ? "" : ", ") + part.gait.name;
+  return names;
+}
+
 }  // namespace gaitwright

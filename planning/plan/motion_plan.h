@@ -119,19 +119,26 @@ struct Provenance {
   bool operator==(const Provenance&) const = default;
 };
 
+/// A part of a motion: one gait, or standing still, and what was asked of it.
+struct MotionPart {
+  Gait gait;  ///< StandingGait for standing still
+  WalkCommand command;
+  PlanarPose goal;                    ///< where the base was to end, in W, whatever the plan does
+  double start_s = 0.0, end_s = 0.0;  ///< each part ends where the next one starts
+};
+
 /// Everything that a robot needs to do a motion, and that a judge needs to check it.
 struct MotionPlan {
-  static constexpr int kSchema = 3;
+  static constexpr int kSchema = 4;
 
   std::string robot;                 ///< name
   std::string robot_hash;            ///< RobotModel::hash
   std::string urdf_text, yaml_text;  ///< of the robot, so that the plan is whole by itself; and
   std::vector<MeshHull> meshes;      ///< the hulls of its collision meshes, which the texts do not hold
   Provenance provenance;
-  WalkCommand command;
-  PlanarPose goal;  ///< where the command ends, in W, whatever the plan does
+  std::vector<MotionPart> parts;  ///< one or more, in order
+  PlanarPose goal;                ///< where the last of them ends
   Terrain terrain;
-  Gait gait;
   ContactSchedule schedule;
   FootstepPlan footsteps;
   CentroidalTrajectory centroidal;
@@ -141,5 +148,12 @@ struct MotionPlan {
 
   double duration_s() const { return whole_body.end_s() - whole_body.start_s; }
 };
+
+/// The part that holds at a time: of two that meet there the later one, beyond the ends the first or the last; null
+/// where there are none.
+const MotionPart* PartAt(const std::vector<MotionPart>& parts, double time_s);
+
+/// The names of the parts' gaits, as "trot, stand, bound".
+std::string GaitNames(const std::vector<MotionPart>& parts);
 
 }  // namespace gaitwright

@@ -53,6 +53,23 @@ Json CommandJson(const WalkCommand& c) {
           {"step_length_m", c.step_length_m}};
 }
 
+Json PartsJson(const std::vector<MotionPart>& parts) {
+  Json list = Json::array();
+  for (const MotionPart& part : parts) {
+    list.push_back({{"start_s", part.start_s},
+                    {"end_s", part.end_s},
+                    {"command", CommandJson(part.command)},
+                    {"goal", ToJson(part.goal)},
+                    {"gait",
+                     {{"name", part.gait.name},
+                      {"description", part.gait.description},
+                      {"cycle_s", part.gait.cycle_s},
+                      {"phase", part.gait.phase},
+                      {"duty_factor", part.gait.duty_factor}}}});
+  }
+  return list;
+}
+
 Json HeightFieldJson(const HeightField& field) {
   return {{"name", field.name},
           {"origin_m", ToJson(field.origin_W)},
@@ -202,16 +219,10 @@ std::string PlanToJson(const MotionPlan& plan) {
                {"robot", plan.robot},
                {"robot_hash", plan.robot_hash},
                {"provenance", ProvenanceJson(plan.provenance)},
-               {"command", CommandJson(plan.command)},
+               {"parts", PartsJson(plan.parts)},
                {"goal", ToJson(plan.goal)},
                {"warnings", plan.warnings},
                {"terrain", TerrainJson(plan.terrain)},
-               {"gait",
-                {{"name", plan.gait.name},
-                 {"description", plan.gait.description},
-                 {"cycle_s", plan.gait.cycle_s},
-                 {"phase", plan.gait.phase},
-                 {"duty_factor", plan.gait.duty_factor}}},
                {"schedule", ScheduleJson(plan.schedule)},
                {"footholds", FootstepsJson(plan.footsteps)},
                {"swings", SwingsJson(plan.swings)},

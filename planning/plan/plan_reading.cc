@@ -137,6 +137,15 @@ Gait ToGait(const JsonPart& part, int feet) {
   return {part.At("name").Text(), part.At("description").Text(), cycle_s, by_foot("phase"), by_foot("duty_factor")};
 }
 
+MotionPart ToPart(const JsonPart& part, int feet) {
+  part.Object({"start_s", "end_s", "command", "goal", "gait"});
+  MotionPart read{ToGait(part.At("gait"), feet), ToCommand(part.At("command")), ToPlanarPose(part.At("goal")),
+                  part.At("start_s").Number(), part.At("end_s").Number()};
+  if (!(read.end_s > read.start_s))
+    part.Refuse(fmt::format("lasts from {} s to {} s; it must end after its start", read.start_s, read.end_s));
+  return read;
+}
+
 ContactSchedule ToSchedule(const JsonPart& list, int feet) {
   ContactSchedule schedule;
   for (const JsonPart& phase : list.List()) {
@@ -248,11 +257,11 @@ const std::vector<std::string>& PlanExtents() {
 }
 
 MotionPlan ReadPlan(const JsonPart& whole) {
-  whole.Object(
-      {"format",  "schema", "robot",    "robot_hash", "provenance", "command",     "goal",       "warnings",
-       "terrain", "gait",   "schedule", "footholds",  "swings",     "urdf",        "robot_yaml", "start_s",
-       "step_s",  "q",      "v",        "a",          "tau_nm",     "omega_rad_s", "centroidal", "contact_wrenches"},
-      {"meshes"});
+  whole.Object({"format",     "schema",          "robot",    "robot_hash", "provenance", "parts",  "goal",
+                "warnings",   "terrain",         "schedule", "footholds",  "swings",     "urdf",   "robot_yaml",
+                "start_s",    "step_s",          "q",        "v",          "a",          "tau_nm", "omega_rad_s",
+                "centroidal", "contact_wrenches"},
+               {"meshes"});
   MotionPlan plan;
   plan.robot = whole.At("robot").Text();
   plan.robot_hash = whole.At("robot_hash").Text();
@@ -262,7 +271,6 @@ MotionPlan ReadPlan(const JsonPart& whole) {
     for (const JsonPart& mesh : whole.At("meshes").List()) plan.meshes.push_back(ToMesh(mesh));
   }
   plan.provenance = ToProvenance(whole.At("provenance"));
-  plan.command = ToCommand(whole.At("command"));
   plan.goal = ToPlanarPose(whole.At("goal"));
   plan.terrain = ToTerrain(whole.At("terrain"));
   for (const JsonPart& warning : whole.At("warnings").List()) plan.warnings.push_back(warning.Text());
@@ -270,7 +278,8 @@ MotionPlan ReadPlan(const JsonPart& whole) {
   ReadCentroidal(whole, plan.whole_body, plan.centroidal);
   const int feet = static_cast<int>(plan.whole_body.wrenches.front().size());
   const int surfaces = plan.terrain.num_surfaces();
-  plan.gait = ToGait(whole.At("gait"), feet);
+  for (const JsonPart& part : whole.At("parts").List()) plan.parts.push_back(ToPart(part, feet));
+  if (plan.parts.empty()) whole.At("parts").Refuse("is empty; a plan has one part or more");
   plan.schedule = ToSchedule(whole.At("schedule"), feet);
   for (const JsonPart& part : whole.At("footholds").List())
     plan.footsteps.footholds.push_back(ToFoothold(part, feet, surfaces));

@@ -65,7 +65,7 @@ Plot ZmpAndCom(const PlotData& data, int axis) {
   plot.Line(Over(data.series.measured, com), Ink::kCom, Stroke::kMeasured, "CoM measured");
   plot.Line(Over(data.series.planned, zmp), Ink::kZmp, Stroke::kPlanned, "ZMP planned");
   plot.Line(Over(data.series.measured, zmp), Ink::kZmp, Stroke::kMeasured, "ZMP measured");
-  MarkFall(data, plot);
+  MarkTimes(data, plot);
   return {"zmp_com_" + name,
           "World " + name + " of the ZMP and the centre of mass over time; shaded is how far the scheduled feet reach.",
           plot.Svg()};
@@ -77,7 +77,7 @@ Plot Margins(const PlotData& data) {
   plot.Line(Over(data.series.planned, margin), Ink::kZmp, Stroke::kPlanned, "planned");
   plot.Line(Over(data.series.measured, margin), Ink::kZmp, Stroke::kMeasured, "measured");
   plot.AcrossX(0.0, Ink::kLimit, "edge of the support", true);
-  MarkFall(data, plot);
+  MarkTimes(data, plot);
   return {
       "margins",
       "Signed distance of the ZMP to the edge of the support: positive is inside. On two point feet the support is a "
@@ -98,7 +98,7 @@ Plot Errors(const PlotData& data) {
   }
   plot.Line(zmp, Ink::kZmp, Stroke::kMeasured, "ZMP");
   plot.Line(dcm, Ink::kDcm, Stroke::kMeasured, "DCM");
-  MarkFall(data, plot);
+  MarkTimes(data, plot);
   return {
       "errors",
       "Distance of the measured from the planned point, each in the frame of its own support, so that a base that has "
@@ -131,7 +131,7 @@ Plot Base(const PlotData& data) {
   plot.Line(Over(planned, yaw), Ink::kFoot, Stroke::kPlanned, "yaw planned");
   before = 0.0;
   plot.Line(Over(measured, yaw), Ink::kFoot, Stroke::kMeasured, "yaw");
-  MarkFall(data, plot);
+  MarkTimes(data, plot);
   return {"base_attitude", "Roll, pitch and yaw of the base.", plot.Svg()};
 }
 
@@ -140,7 +140,7 @@ Plot BaseHeight(const PlotData& data) {
   const auto height = [](const MotionSample& s) { return s.X_WB.translation().z(); };
   plot.Line(Over(data.series.planned, height), Ink::kCom, Stroke::kPlanned, "planned");
   plot.Line(Over(data.series.measured, height), Ink::kCom, Stroke::kMeasured, "measured");
-  MarkFall(data, plot);
+  MarkTimes(data, plot);
   return {"base_height", "World z of the base's origin.", plot.Svg()};
 }
 

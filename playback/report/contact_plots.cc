@@ -27,7 +27,7 @@ Plot GaitDiagram(const PlotData& data) {
   for (const StanceRecord& stance : data.log.stances) {
     plot.Bar(stance.foot, stance.touchdown_s, stance.liftoff_s, Ink::kFoot, Stroke::kMeasured, "measured");
   }
-  MarkFall(data, plot);
+  MarkTimes(data, plot);
   return {"gait", "When each foot was to stand (broad) and when it really touched (narrow).", plot.Svg()};
 }
 
@@ -59,7 +59,7 @@ std::string FootGrid(const PlotData& data, const std::string& title, const std::
     };
     plot.Line(line(data.series.planned), ink, Stroke::kPlanned, "planned");
     plot.Line(line(data.series.measured), ink, Stroke::kMeasured, "measured");
-    MarkFall(data, plot, false);
+    MarkTimes(data, plot, false);
     plots.push_back(std::move(plot));
   }
   return GridOfPlots(plots, columns, title);

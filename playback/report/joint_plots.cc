@@ -121,7 +121,7 @@ SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
     plot.AcrossX(limit, Ink::kLimit, "", near);
     plot.AcrossX(-limit, Ink::kLimit, "", near);
   }
-  MarkFall(data, plot, false);
+  MarkTimes(data, plot, false);
   return plot;
 }
 
@@ -139,7 +139,7 @@ SvgPlot PositionPlot(const PlotData& data, SvgPlot::Options options, int dof) {
   for (const double limit : {data.model.dof_lower(dof), data.model.dof_upper(dof)}) {
     if (std::isfinite(limit)) plot.AcrossX(limit, Ink::kLimit, "limit", false);
   }
-  MarkFall(data, plot, false);
+  MarkTimes(data, plot, false);
   return plot;
 }
 

@@ -19,7 +19,12 @@ void Append(std::vector<Plot> more, std::vector<Plot>& plots) {
 
 }  // namespace
 
-void MarkFall(const PlotData& data, SvgPlot& plot, bool in_words) {
+void MarkTimes(const PlotData& data, SvgPlot& plot, bool in_words) {
+  for (std::size_t k = 1; k < data.plan.parts.size(); ++k) {
+    const MotionPart& part = data.plan.parts[k];
+    const double start_s = data.start_s() + part.start_s - data.plan.whole_body.start_s;
+    plot.AcrossY(start_s, Ink::kMuted, in_words ? part.gait.name : "");
+  }
   const Metric& fell = data.report.At("fell");
   if (fell.value.value_or(0.0) <= 0.0 || !fell.at_s) return;
   plot.AcrossY(*fell.at_s, Ink::kBad, in_words ? fmt::format("fell, {:.2f} s", *fell.at_s) : "");

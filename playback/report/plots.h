@@ -47,7 +47,7 @@ class SvgPlot;
 void DrawGround(const PlotData& data, SvgPlot& plot);
 /// True unless the ground is one level plane with nothing on it.
 bool IsUneven(const Terrain& terrain);
-/// A line at the time of the fall, if there was one.
-void MarkFall(const PlotData& data, SvgPlot& plot, bool in_words = true);
+/// Lines where parts of the plan begin after its first, and at the time of the fall, if there was one.
+void MarkTimes(const PlotData& data, SvgPlot& plot, bool in_words = true);
 
 }  // namespace gaitwright

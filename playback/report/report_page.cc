@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "planning/plan/parts_text.h"
 #include "playback/report/page_style.h"
 #include "playback/report/plot_style.h"
 #include "playback/report/plots.h"
@@ -83,7 +84,7 @@ std::string Cards(const StabilityReport& report) {
 }
 
 std::string TitleOf(const RobotModel& model, const MotionPlan& plan) {
-  const std::string gait = plan.gait.name.empty() ? "a motion" : plan.gait.name;
+  const std::string names = GaitNames(plan.parts), gait = names.empty() ? "a motion" : names;
   const std::string ground = plan.terrain.name.empty() ? "" : " on " + plan.terrain.name + " ground";
   return fmt::format("{}: {}{}", model.name, gait, ground);
 }
@@ -104,14 +105,16 @@ std::string Head(const Subject& about, const std::string& objection) {
                                  ? report.reason
                                  : objection + "; in physics, " + (report.pass ? "" : "it fails too: ") + report.reason;
   const double duration = log.samples.empty() ? 0.0 : log.samples.back().time_s - log.start_s;
+  const std::string parts = PartsText(plan.parts);
   const std::string controller = log.controller.empty() ? "" : ", controller " + log.controller;
   return fmt::format(
       "<div class=\"head\"><span class=\"verdict {0}\">{1}</span><div><h1>{2}</h1><p class=\"soft\">{3:.2f} s played "
       "in "
       "physics at a {4:.3g} ms step{5}; {6:.4g} kg, friction {7:.3g}</p></div><div class=\"score\"><b>{8:.1f}</b><br/>"
-      "<span class=\"soft\">of 100</span></div></div>\n<p class=\"reason {0}\">{9}</p>\n",
+      "<span class=\"soft\">of 100</span></div></div>\n<p class=\"reason {0}\">{9}</p>\n{10}",
       verdict, pass ? "PASS" : "FAIL", EscapedXml(TitleOf(model, plan)), duration, 1e3 * log.step_s,
-      EscapedXml(controller), model.total_mass_kg, log.friction, report.score, Sentence(reason));
+      EscapedXml(controller), model.total_mass_kg, log.friction, report.score, Sentence(reason),
+      parts.empty() ? "" : fmt::format("<p class=\"soft\">{}</p>\n", EscapedXml(parts)));
 }
 
 std::string MarkOf(const Metric& metric) {

@@ -17,6 +17,13 @@ double HipHeight(const RobotModel& model, const DynamicsScratch& scratch, const 
   return highest;
 }
 
+/// The last part of a plan that walks; null for none.
+const MotionPart* LastGait(const std::vector<MotionPart>& parts) {
+  const auto walks = [](const MotionPart& part) { return !StandsStill(part.gait); };
+  const auto last = std::find_if(parts.rbegin(), parts.rend(), walks);
+  return last == parts.rend() ? nullptr : &*last;
+}
+
 /// Whether some foot comes down where phase i >= 1 begins.
 bool BringsDown(const ContactSchedule& schedule, std::size_t i) {
   return (schedule.phases[i].stance & ~schedule.phases[i - 1].stance) != 0;
@@ -61,8 +68,10 @@ std::vector<CaptureStage> StagesToNextTouchdown(const MotionPlan& plan, double t
   std::size_t next = now + 1;
   while (next < phases.size() && !(BringsDown(plan.schedule, next) && phases[next].start_s > time_s + kSame)) ++next;
   if (next == phases.size()) {
-    const std::vector<double> times = TouchdownTimes(plan.schedule);
-    const double mean = times.size() < 2 ? 0.5 * plan.gait.cycle_s
+    const MotionPart* last = LastGait(plan.parts);
+    std::vector<double> times = TouchdownTimes(plan.schedule);
+    if (last != nullptr) std::erase_if(times, [&](double touchdown_s) { return touchdown_s < last->start_s; });
+    const double mean = times.size() < 2 ? 0.5 * (last == nullptr ? Gait{} : last->gait).cycle_s
                                          : (times.back() - times.front()) / static_cast<double>(times.size() - 1);
     return {{mean, phases.back().stance}};
   }

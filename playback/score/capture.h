@@ -22,7 +22,7 @@ struct CaptureStage {
 };
 
 /// The stages of the schedule from `time_s` to the next touch-down after it: both feet, then one, say. After the last
-/// touch-down the final stance is held for the mean interval between touch-downs, or the gait's half cycle.
+/// touch-down the final stance is held for the mean interval between touch-downs of the last gait, or its half cycle.
 std::vector<CaptureStage> StagesToNextTouchdown(const MotionPlan& plan, double time_s);
 
 /// Signed distance of the DCM to the one-step capturable set of the support to come [m]; nothing when no stage has a

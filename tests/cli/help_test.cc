@@ -32,9 +32,19 @@ class Help : public Stranger {
 };
 
 std::vector<std::string> Words(const std::string& line) {
-  std::istringstream stream(line);
   std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
+  bool quoted = false, within = false;
+  for (const char c : line) {
+    if (c == '\'') {
+      quoted = !quoted;
+    } else if (c == ' ' && !quoted) {
+      within = false;
+    } else {
+      if (!within) words.emplace_back();
+      within = true;
+      words.back() += c;
+    }
+  }
   return words;
 }
 

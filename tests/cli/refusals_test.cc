@@ -33,6 +33,14 @@ TEST_F(Refusals, RobotThatIsNotThere) {
   ExpectNothingWritten();
 }
 
+TEST_F(Refusals, SequencesThatSayTooMuchOrTheWrongThing) {
+  ExpectRefused(Walk({"--sequence", "trot; walk", "--speed", "0.3"}), 1, {"--sequence", "--speed"});
+  ExpectRefused(Walk({"--sequence", "trot; walk", "--gait", "trot"}), 1, {"--sequence", "--gait"});
+  ExpectRefused(Walk({"--sequence", "trot; walk:sped=1"}), 1, {"part 2, 'walk'", "'sped'", "'speed'"});
+  ExpectRefused(Walk({"--sequence", "none.yaml"}), 1, {"none.yaml"});
+  ExpectNothingWritten();
+}
+
 TEST_F(Refusals, UrdfWithALoop) {
   Write("loop.urdf",
         "<robot name='r'><link name='a'/><link name='b'/><link name='c'/>"

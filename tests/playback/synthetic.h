@@ -200,7 +200,8 @@ inline MotionPlan PlanOf(const RobotModel& model, const Motion& motion) {
   MotionPlan plan;
   plan.robot = model.name;
   plan.terrain = FlatTerrain();
-  plan.gait.cycle_s = 1.0;
+  plan.parts.emplace_back();
+  plan.parts.front().gait.cycle_s = 1.0;
   plan.schedule = motion.schedule;
   FillWholeBody(model, motion, plan);
   FillFootholds(motion, static_cast<int>(model.feet.size()), plan);

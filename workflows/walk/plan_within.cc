@@ -19,13 +19,6 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSlightExcess = 1e-5;  // which the audit may let pass
-
-/// Whether a plan is sound enough to be given.
-bool Passes(const Result<PlannedWalk>& planned) {
-  return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(planned->audit).empty();
-}
-
 /// True for failures that a slower walk may not have: not what the gait, the robot's build or the ground forbids.
 bool IsTooMuch(const Failure& failure) {
   static const std::set<std::string> kWhateverThePace = {"freedoms",      "no_support",    "no_footholds",
@@ -102,7 +95,7 @@ class Search {
     const Result<Cycles> cycles = CyclesFor(command);
     if (!cycles) return cycles.failure();
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
-    if (request_.motion.pipeline.allow_limits || Passes(first)) return first;
+    if (request_.motion.pipeline.allow_limits || IsSound(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
     if (Leaps(cycles->fitted)) return first;
     if (!IsLevelGround(terrain_)) {
@@ -118,7 +111,7 @@ class Search {
 
   /// Largest pace of the request's command that has a plan; 0 when there is none. Over ground that is not level, and
   /// with gaits that leap, only some are tried, and none where Plan chose the pace already.
-  double LargestThatPasses() const {
+  double LargestThatIsSound() const {
     if (const Result<Cycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted)) {
       const double largest = LargestLeaping();
       return largest > 0.0 ? largest : LargestOnTheGround();
@@ -126,7 +119,7 @@ class Search {
     if (!IsLevelGround(terrain_)) {
       if (IsOwnPace(request_.command)) return 0.0;
       const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases);
-      return slower ? PaceValue(model_, slower->motion.plan.command) : 0.0;
+      return slower ? PaceValue(model_, slower->motion.plan.parts.front().command) : 0.0;
     }
     constexpr int kDigits = 2, kLowered = 5;
     constexpr double kShare = 0.75;
@@ -164,7 +157,7 @@ class Search {
     if (!slow || Leaps(*slow)) return 0.0;
     WalkRequest grounded = request_;
     grounded.gait_options.duty_factor = *std::max_element(slow->duty_factor.begin(), slow->duty_factor.end());
-    double pace = Search(model_, terrain_, grounded).LargestThatPasses();
+    double pace = Search(model_, terrain_, grounded).LargestThatIsSound();
     constexpr int kTries = 10;
     constexpr double kLower = 0.95;
     for (int i = 0; i < kTries && pace > 0.0; ++i) {
@@ -200,7 +193,7 @@ class Search {
       const Gait gait = cycles->At(ease.cycle);
       Result<PlannedWalk> planned = Whole(gait, slower, true);
       if (!planned && !IsTooMuch(planned.failure())) return planned;
-      if (!Passes(planned)) continue;
+      if (!IsSound(planned)) continue;
       const std::string at_pace = ease.pace < 1.0 ? fmt::format("{} and ", ValueText(slower)) : "";
       planned->motion.summary +=
           fmt::format("; {}a cycle of {:.2f} s, since faster plans would fail their audit", at_pace, gait.cycle_s);
@@ -249,7 +242,7 @@ class Search {
     seldom.rate_hz *= 0.5;
     const WalkRequest coarse = Coarse(request_, cycles.fitted.cycle_s);
     const Result<PlannedWalk> planned = PlanAndAudit(coarse, gait, Shortened(model_, command, gait), seldom, true);
-    const double height = Passes(planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
+    const double height = IsSound(planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
     brief_[asked] = height;
     return height;
   }
@@ -305,7 +298,7 @@ class Search {
       if (height == 0.0) continue;
       const Gait gait = cycles.At(number);
       Result<PlannedWalk> planned = WholeAt(height, gait, command);
-      if (!Passes(planned)) continue;
+      if (!IsSound(planned)) continue;
       if (number != 0) {
         planned->motion.summary += fmt::format("; a cycle of {:.2f} s, since a plan with {:.2f} s would fail its audit",
                                                gait.cycle_s, cycles.fitted.cycle_s);
@@ -326,7 +319,7 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   const WalkCommand& command = request.command;
   const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return failure;
-  const double largest = search.LargestThatPasses();
+  const double largest = search.LargestThatIsSound();
   const char* name = NameOf(PaceOf(command));
   failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
   if (largest == 0.0) {
@@ -341,25 +334,13 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   return failure;
 }
 
-/// Why a plan is not given: the worst limit of the robot, or else the first of the other laws.
-Failure Broken(const AuditReport& audit) {
-  const std::vector<Violation> forbidding = Forbidding(audit);
-  const std::size_t limits = BrokenLimits(audit).size();
-  return {
-      FailureKind::kInfeasible,
-      limits > 0 ? "limits" : forbidding.front().law,
-      "PlanWalk",
-      LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} limits that are broken)", limits) : ""),
-      {}};
-}
-
 }  // namespace
 
 Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
   const Search search(model, terrain, request);
   Result<PlannedWalk> planned = search.Plan(request.command);
-  if (request.motion.pipeline.allow_limits || Passes(planned)) return planned;
-  if (planned) return Refusal(search, model, request, Broken(planned->audit));
+  if (request.motion.pipeline.allow_limits || IsSound(planned)) return planned;
+  if (planned) return Refusal(search, model, request, WhyForbidden(planned->audit));
   return IsTooMuch(planned.failure()) ? Refusal(search, model, request, planned.failure()) : planned;
 }
 

@@ -74,6 +74,21 @@ std::vector<Violation> Forbidding(const AuditReport& audit) {
   return forbidding;
 }
 
+bool IsSound(const Result<PlannedWalk>& planned) {
+  return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(planned->audit).empty();
+}
+
+Failure WhyForbidden(const AuditReport& audit) {
+  const std::vector<Violation> forbidding = Forbidding(audit);
+  const std::size_t limits = BrokenLimits(audit).size();
+  return {
+      FailureKind::kInfeasible,
+      limits > 0 ? "limits" : forbidding.front().law,
+      "PlanWalk",
+      LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} limits that are broken)", limits) : ""),
+      {}};
+}
+
 std::string LimitText(const Violation& v) {
   if (v.law == "self_collision") return fmt::format("{} collide at {:.2f} s", v.where, v.at_s);
   if (v.law == "dynamics" && v.where.starts_with("base")) {

@@ -16,6 +16,15 @@ std::vector<Violation> BrokenLimits(const AuditReport& audit);
 /// All that a plan breaks for which it is not given: limits, worst first, and then other laws in the audit's order.
 std::vector<Violation> Forbidding(const AuditReport& audit);
 
+/// Past limits by this much in all the audit may let a plan pass.
+inline constexpr double kSlightExcess = 1e-5;
+
+/// Whether a plan is sound enough to be given.
+bool IsSound(const Result<PlannedWalk>& planned);
+
+/// Why a plan that its audit forbids is not given: the worst limit of the robot, or else the first of the other laws.
+Failure WhyForbidden(const AuditReport& audit);
+
 /// One sentence without a full stop that names the joint, link or foot of a violation, its value, its limit and by how
 /// much that is passed; of other laws than limits what is lacking.
 std::string LimitText(const Violation& violation);

@@ -10,6 +10,7 @@
 #include "kinematics/model/load_robot.h"
 #include "planning/terrain/load_terrain.h"
 #include "playback/control/joint_pd.h"
+#include "workflows/walk/plan_parts.h"
 #include "workflows/walk/plan_within.h"
 
 namespace gaitwright {
@@ -30,9 +31,18 @@ OptionFields AsAsked(WalkRequest& request) {
   const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
   if (!request.gait.empty()) request.gait = file_name(request.gait);
   request.terrain = file_name(request.terrain);
+  if (!SequenceFileOf(request.sequence).empty()) request.sequence = file_name(request.sequence);
   return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best.", {}},
-                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for.", {}}},
+                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for.", {}},
+                  {"sequence", &request.sequence, "", 0.0, 0.0, "The parts asked for; empty for a single one.", {}}},
                  request.Fields()});
+}
+
+Result<PlannedWalk> PlanAsked(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
+  if (request.sequence.empty()) return PlanWithin(model, terrain, request);
+  const Result<std::vector<AskedPart>> parts = ReadSequence(request.sequence);
+  if (!parts) return parts.failure();
+  return PlanPartsWithin(model, terrain, request, *parts);
 }
 
 /// The gains asked for, bounded for explicit torque control at the playback's own step unless another is given.
@@ -68,7 +78,7 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
   CheckOptions(checked.Fields());
   const Result<Terrain> terrain = LoadTerrain(request.terrain, ScaleOf(model));
   if (!terrain) return terrain.failure();
-  Result<PlannedWalk> planned = PlanWithin(model, *terrain, request);
+  Result<PlannedWalk> planned = PlanAsked(model, *terrain, request);
   if (!planned) return planned;
   planned->motion.plan.provenance.seed = request.seed;
   planned->motion.plan.provenance.options = TextsOf(AsAsked(checked));

@@ -24,6 +24,7 @@ struct WalkRequest {
   std::string gait;  ///< "" for the robot's best
   std::string terrain = "flat";
   WalkCommand command;
+  std::string sequence;  ///< parts one after the other in place of the gait and command, see ReadSequence; or ""
   GaitOptions gait_options;
   MotionOptions motion;
   std::uint64_t seed = 0;
@@ -71,7 +72,7 @@ Result<RobotModel> RobotOf(const MotionPlan& plan);
 /// speed, turning rate or step length of the same walk that has a plan. Both are looked for on the start of the walk
 /// and then tried on the whole. With `pipeline.allow_limits` the first plan is given all the same, with the audit's
 /// verdict; so is in any case one whose only fault is a shank in the ground beside the foot at its end, which no pace
-/// mends.
+/// mends. A sequence is planned in one motion; a part that has no plan is named.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
 /// The controller of that name. @throws InvalidArgument listing those there are. The plan must outlive it.

@@ -80,6 +80,36 @@ TEST(PlanRigidBody, LeftAndRightAreAlike) {
   EXPECT_GT(sway, 0.02);
 }
 
+TEST(PlanRigidBody, RestsWhereItIsTo) {
+  // Diagonals in turn, all feet down for a while, and diagonals in turn again.
+  std::vector<rigid_bodies::Step> steps;
+  for (const int foot : {0, 3})
+    steps.insert(steps.end(), {{foot, 0.0, 0.2, 0.0}, {foot, 0.45, 1.3, 0.5}, {foot, 1.55, 2.2, 1.0}});
+  for (const int foot : {1, 2})
+    steps.insert(steps.end(), {{foot, 0.0, 0.45, 0.0}, {foot, 0.7, 1.55, 0.5}, {foot, 1.8, 2.2, 1.0}});
+  const RigidBodyProblem trotter = rigid_bodies::Trotter();
+  RigidBodyProblem problem = rigid_bodies::Going(12.0, trotter.inertia_B.diagonal(), trotter.feet, 0.5, 2.2, steps);
+  // Lower than it would go there of itself.
+  const RigidRest rest{0.95, 1.05, 0.5 * (problem.start.p_WC + problem.goal.p_WC) - 0.03 * Vector3::UnitZ(),
+                       Vector3::Zero()};
+  double nearest = 1.0;
+  for (const RigidBodySample& sample : Sample(Planned(problem).motion, 0.01))
+    nearest = std::min(nearest, (sample.p_WC - rest.p_WC).norm());
+  EXPECT_GT(nearest, 0.01);
+  problem.rests = {rest};
+  int still = 0;
+  for (const RigidBodySample& sample : Sample(Planned(problem).motion, 0.01)) {
+    if (sample.time_s < rest.start_s - 1e-9 || sample.time_s > rest.end_s + 1e-9) continue;
+    EXPECT_LT((sample.p_WC - rest.p_WC).norm(), 1e-9);
+    EXPECT_LT(sample.v_WC.norm(), 1e-9);
+    EXPECT_LT(sample.angles_rad.norm(), 1e-4);
+    ++still;
+  }
+  EXPECT_GE(still, 4);
+  problem.rests.front().end_s = problem.duration_s;
+  EXPECT_THROW(PlanRigidBody(problem), InvalidArgument);
+}
+
 TEST(PlanRigidBody, TheSameProblemHasTheSameMotion) {
   const RigidBodyPlan a = Planned(rigid_bodies::Trotter()), b = Planned(rigid_bodies::Trotter());
   for (std::size_t i = 0; i < a.motion.intervals.size(); ++i) {

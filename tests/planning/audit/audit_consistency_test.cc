@@ -167,35 +167,51 @@ TEST_P(AuditConsistency, OfJointsWithTheirVelocities) {
 }
 
 TEST_P(AuditConsistency, OfTheGaitAndTheSchedule) {
-  EXPECT_EQ(Changed("number of the gait's phases", [](MotionPlan& plan) { plan.gait.phase = {0.0}; }).value, 1.0);
+  EXPECT_EQ(
+      Changed("number of the gait's phases", [](MotionPlan& plan) { plan.parts.front().gait.phase = {0.0}; }).value,
+      1.0);
   const auto late = [](MotionPlan& plan) { plan.schedule.phases.back().end_s += 0.5; };
   EXPECT_NEAR(Changed("end of the schedule", late).value, 0.5, 0.01);
 }
 
+TEST_P(AuditConsistency, OfThePartsWithTheGridAndEachOther) {
+  EXPECT_NEAR(Changed("start of a part", [](MotionPlan& plan) { plan.parts.front().start_s += 0.3; }).value, 0.3, 1e-9);
+  const auto early = [](MotionPlan& plan) { plan.parts.front().end_s -= 0.3; };
+  EXPECT_NEAR(Changed("end of the last part", early).value, 0.3, 1e-9);
+  EXPECT_NEAR(Changed("goal against the last part's", [](MotionPlan& plan) { plan.goal.x_m += 0.1; }).value, 0.1, 1e-9);
+  const auto standing = [](MotionPlan& plan) {
+    plan.parts.front().gait = StandingGait(plan.parts.front().gait.num_feet());
+  };
+  EXPECT_LT(Changed("feet on the ground while it stands", standing).value, static_cast<double>(model().feet.size()));
+  EXPECT_NEAR(Changed("goal of standing still", standing).value, good().goal.x_m, 5e-3);
+}
+
 TEST_P(AuditConsistency, OfTheGoalWithACommandOfDistance) {
-  const auto farther = [](MotionPlan& plan) { plan.command.distance_m = 9.0; };
-  EXPECT_NEAR(Changed("goal against the command's distance", farther).value, 9.0 - good().command.distance_m, 5e-3);
-  const auto aside = [](MotionPlan& plan) { plan.goal.y_m += 0.05; };
+  const auto farther = [](MotionPlan& plan) { plan.parts.front().command.distance_m = 9.0; };
+  EXPECT_NEAR(Changed("goal against the command's distance", farther).value,
+              9.0 - good().parts.front().command.distance_m, 5e-3);
+  const auto aside = [](MotionPlan& plan) { plan.parts.front().goal.y_m += 0.05; };
   EXPECT_NEAR(Changed("goal against the command's distance", aside).value, 0.05, 5e-3);
-  const auto turned = [](MotionPlan& plan) { plan.goal.yaw_rad += 0.1; };
+  const auto turned = [](MotionPlan& plan) { plan.parts.front().goal.yaw_rad += 0.1; };
   EXPECT_NEAR(Changed("goal against the command's distance, heading", turned).value, 0.1, 1e-3);
 }
 
 TEST_P(AuditConsistency, OfTheGoalWithOtherCommands) {
   MotionPlan plan = good();
-  plan.command = {};
-  plan.command.extent = WalkCommand::Extent::kGoal;
-  plan.command.goal_x_m = plan.goal.x_m;
+  plan.parts.front().command = {};
+  plan.parts.front().command.extent = WalkCommand::Extent::kGoal;
+  plan.parts.front().command.goal_x_m = plan.goal.x_m;
   EXPECT_EQ(ViolationsOf(model(), plan), std::vector<Violation>{});
-  plan.command.goal_x_m += 0.05;
+  plan.parts.front().command.goal_x_m += 0.05;
   EXPECT_NEAR(At(ViolationsOf(model(), plan), "goal against the command's pose").value, 0.05, 5e-3);
-  plan.command = {};
-  plan.command.extent = WalkCommand::Extent::kSteps;
-  plan.command.steps = 10;
-  plan.command.step_length_m = plan.goal.x_m / 9.0;
+  plan.parts.front().command = {};
+  plan.parts.front().command.extent = WalkCommand::Extent::kSteps;
+  plan.parts.front().command.steps = 10;
+  plan.parts.front().command.step_length_m = plan.goal.x_m / 9.0;
   EXPECT_EQ(ViolationsOf(model(), plan), std::vector<Violation>{});
-  plan.command.steps = 20;
-  EXPECT_EQ(At(ViolationsOf(model(), plan), "goal against the command's steps").limit, 20 * plan.command.step_length_m);
+  plan.parts.front().command.steps = 20;
+  EXPECT_EQ(At(ViolationsOf(model(), plan), "goal against the command's steps").limit,
+            20 * plan.parts.front().command.step_length_m);
 }
 
 TEST(AuditConsistencyOfCurves, HoldsForArcsAndCrawls) {
@@ -209,7 +225,7 @@ TEST(AuditConsistencyOfCurves, HoldsForArcsAndCrawls) {
   for (const WalkCommand& command : {arc, slanted}) {
     MotionPlan plan = PlanOf(a1, "trot", command);
     EXPECT_EQ(ViolationsOf(a1, plan), std::vector<Violation>{});
-    plan.command.yaw_rate_rad_s = -arc.yaw_rate_rad_s;
+    plan.parts.front().command.yaw_rate_rad_s = -arc.yaw_rate_rad_s;
     EXPECT_EQ(LawsOf(ViolationsOf(a1, plan)), Laws{"consistency"});
   }
   WalkCommand crawl;

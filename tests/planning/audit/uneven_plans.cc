@@ -53,6 +53,7 @@ MotionPlan CarriedPlan(const Pose& X, MotionPlan plan) {
   for (Vector2& p : c.p_WZ) p = CarriedPoint(X, p);
   const Vector2 goal = CarriedPoint(X, {plan.goal.x_m, plan.goal.y_m});
   plan.goal = {goal.x(), goal.y(), plan.goal.yaw_rad + YawOf(R)};
+  plan.parts.back().goal = plan.goal;
   for (TerrainPatch& patch : plan.terrain.patches) patch.X_WT = X * patch.X_WT;
   return plan;
 }
@@ -128,8 +129,10 @@ MotionPlan StandOnSlope(const RobotModel& model, const MotionPlan& plan, const M
   c.a_WC.assign(rows, Vector3::Zero());
   c.p_WZ.assign(rows, zmp);
   c.omega_rad_s = std::sqrt(kGravity / (p_WC.z() - plane.HeightAt(p_WC.head<2>())));
-  still.command = {};
-  still.command.extent = WalkCommand::Extent::kDuration;
+  MotionPart& part = still.parts.front();
+  part.command = {};
+  part.command.extent = WalkCommand::Extent::kDuration;
+  part.end_s = w.end_s();
   return still;
 }
 

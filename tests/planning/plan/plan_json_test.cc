@@ -53,11 +53,44 @@ TEST(PlanJson, AGoodPlanComesBack) {
   EXPECT_EQ(back.whole_body.q, good.whole_body.q);
   EXPECT_EQ(back.whole_body.wrenches, good.whole_body.wrenches);
   EXPECT_EQ(back.centroidal.p_WZ, good.centroidal.p_WZ);
-  EXPECT_EQ(back.command, good.command);
+  ASSERT_EQ(back.parts.size(), 1U);
+  EXPECT_EQ(back.parts.front().command, good.parts.front().command);
+  EXPECT_EQ(back.parts.front().goal, good.goal);
+  EXPECT_EQ(back.parts.front().end_s, good.schedule.end_s());
   EXPECT_EQ(back.provenance, good.provenance);
-  EXPECT_EQ(back.gait, good.gait);
+  EXPECT_EQ(back.parts.front().gait, good.parts.front().gait);
   ASSERT_EQ(back.footsteps.footholds.size(), good.footsteps.footholds.size());
   EXPECT_TRUE(back.footsteps.footholds.back().X_WF.isApprox(good.footsteps.footholds.back().X_WF, 1e-12));
+}
+
+TEST(PlanJson, PartsComeBackInTheirOrder) {
+  MotionPlan plan = GoodPlanOf("a1").plan;
+  MotionPart stand{StandingGait(4), {}, plan.goal, plan.parts.front().end_s, plan.parts.front().end_s + 1.0};
+  stand.command.extent = WalkCommand::Extent::kDuration;
+  stand.command.duration_s = 1.0;
+  plan.parts.push_back(stand);
+  const MotionPlan back = PlanFromJson(PlanToJson(plan), "x.json").value();
+  ASSERT_EQ(back.parts.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(back.parts[k].gait, plan.parts[k].gait);
+    EXPECT_EQ(back.parts[k].command, plan.parts[k].command);
+    EXPECT_EQ(back.parts[k].goal, plan.parts[k].goal);
+    EXPECT_EQ(back.parts[k].start_s, plan.parts[k].start_s);
+    EXPECT_EQ(back.parts[k].end_s, plan.parts[k].end_s);
+  }
+  EXPECT_TRUE(StandsStill(back.parts[1].gait));
+  EXPECT_EQ(GaitNames(back.parts), plan.parts[0].gait.name + ", stand");
+  EXPECT_EQ(PartAt(back.parts, stand.start_s), &back.parts[1]) << "the later of two that meet";
+  EXPECT_EQ(PartAt(back.parts, -1.0), &back.parts[0]);
+  EXPECT_EQ(PartAt(back.parts, 1e3), &back.parts[1]);
+  EXPECT_EQ(PartAt({}, 0.0), nullptr);
+}
+
+TEST(PlanJson, PartsThatCannotBeAreRefused) {
+  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"] = Json::array(); }), "'parts' is empty; a plan has one part or more");
+  EXPECT_NE(WhyRefused([](Json& j) { j["parts"][0]["end_s"] = -1.0; }).find("it must end after its start"),
+            std::string::npos);
+  EXPECT_NE(WhyRefused([](Json& j) { j["parts"][0]["speed"] = 1.0; }).find("'speed'"), std::string::npos);
 }
 
 TEST(PlanJson, NumbersThatAreNoneAreSaid) {
@@ -128,10 +161,10 @@ TEST(PlanJson, IndicesAndChoicesThatAreNotThereAreRefused) {
             "'swings[0].foot' is 9223372036854775808; accepted: 0 to 3");
   EXPECT_EQ(WhyRefused([](Json& j) { j["schedule"][0][2] = std::uint64_t{1} << 40U; }),
             "contact phase 0 names a foot beyond the 4 there are");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["command"]["extent"] = "foo"; }),
-            "'command.extent' is 'foo'; accepted: 'distance', 'goal', 'steps', 'duration'");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["gait"]["phase"] = Json::array({0}); }),
-            "'gait.phase' has 1 numbers; 4 are needed");
+  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"][0]["command"]["extent"] = "foo"; }),
+            "'parts[0].command.extent' is 'foo'; accepted: 'distance', 'goal', 'steps', 'duration'");
+  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"][0]["gait"]["phase"] = Json::array({0}); }),
+            "'parts[0].gait.phase' has 1 numbers; 4 are needed");
 }
 
 TEST(PlanJson, ValuesThatCannotBeAreRefused) {
@@ -156,7 +189,8 @@ TEST(PlanJson, ValuesThatCannotBeAreRefused) {
               j["terrain"]["patches"][0]["outline_m"] = {{-9, -9}, {9, -9}, {0, 0}, {9, 9}, {-9, 9}};
             }),
             "'terrain.patches[0].outline_m' fills 0.75 of its convex hull; it must be convex");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["gait"]["cycle_s"] = 0.0; }), "'gait.cycle_s' is 0; it must be over 0");
+  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"][0]["gait"]["cycle_s"] = 0.0; }),
+            "'parts[0].gait.cycle_s' is 0; it must be over 0");
   EXPECT_EQ(WhyRefused([](Json& j) { j["terrain"]["patches"][0]["pose"] = {0, 0, 0, 1, 0, 0, 0}; }),
             "'terrain.patches[0]' faces down: the z of its normal is -1; it must be over 0");
   EXPECT_EQ(WhyRefused([](Json& j) { j["step_s"] = 0; }), "'step_s' is 0; it must be positive");

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 MotionPlan SmallPlan(const Terrain& terrain) {
   MotionPlan plan;
   plan.terrain = terrain;
-  plan.gait = {"stand", "", 1.0, {0.0}, {0.9}};
+  plan.parts = {{{"stand", "", 1.0, {0.0}, {0.9}}, {}, {}, 0.0, 1.0}};
   plan.schedule.phases = {{0.0, 1.0, 1}};
   plan.whole_body.step_s = 0.005;
   plan.whole_body.q = {VectorX::Unit(8, 6)};

@@ -21,7 +21,7 @@ struct Case : synthetic::Played {
 
 Case MakeCase(int legs, int steps, bool falls) {
   Case c{synthetic::Walked(legs, {.count = steps}), {}};
-  c.plan.gait.name = "walk & run";
+  c.plan.parts.front().gait.name = "walk & run";
   c.plan.provenance.options = {{"speed_m_s", "<0.3>"}};
   if (falls) synthetic::Sink(c.log, 400, 0.1);
   c.report = Score(c.model, c.plan, c.log);
@@ -98,6 +98,16 @@ TEST(ReportPage, PlotsHaveNamesFitForFilesAndAreFilesOfTheirOwn) {
   EXPECT_EQ(names, (std::vector<std::string>{"top_view", "zmp_com_x", "zmp_com_y", "margins", "errors", "base_attitude",
                                              "base_height", "gait", "foot_heights", "foot_forces", "torque_use",
                                              "joint_torques", "joint_positions"}));
+}
+
+TEST(ReportPage, SaysWherePartsBegin) {
+  Case c = MakeCase(2, 6, false);
+  EXPECT_FALSE(synthetic::Says(ReportPage(c.model, c.plan, c.log, c.report), "from 0.00 s"));
+  c.plan.parts = {{StandingGait(2), {}, {}, 0.0, 1.5}, c.plan.parts.front()};
+  c.plan.parts[1].start_s = 1.5;
+  const std::string page = ReportPage(c.model, c.plan, c.log, c.report);
+  EXPECT_TRUE(synthetic::Says(page, "stand from 0.00 s, walk &amp; run from 1.50 s"));
+  EXPECT_TRUE(synthetic::Says(page, ">walk &amp; run</text>")) << "beside a line of a plot";
 }
 
 TEST(ReportPage, EveryLimitOfATorqueIsDrawn) {

@@ -46,8 +46,8 @@ TEST(Limits, SideStepsAndTurnsInOrdinaryRangesAreSteppedQuickerAtTheSpeedAskedFo
   for (const WalkRequest& request : {Asked(0, -0.04, 0), Asked(0, 0.05, 0), Asked(0, -0.06, 0), Asked(0, 0, 0.4)}) {
     ExpectPasses(nao, request);
     const MotionPlan plan = PlanWalk(nao, request)->motion.plan;
-    EXPECT_LT(plan.gait.cycle_s, FindGait(nao, "", nao.nominal_speed_m_s, {})->cycle_s);
-    EXPECT_EQ(plan.command, request.command);
+    EXPECT_LT(plan.parts.front().gait.cycle_s, FindGait(nao, "", nao.nominal_speed_m_s, {})->cycle_s);
+    EXPECT_EQ(plan.parts.front().command, request.command);
   }
 }
 
@@ -105,8 +105,9 @@ TEST(Limits, WhatTheGroundCannotHoldIsSteppedSlowerAtTheSpeedAskedFor) {
     request.gait = gait;
     ExpectPasses(model, request);
     const MotionPlan plan = PlanWalk(model, request)->motion.plan;
-    EXPECT_GT(plan.gait.cycle_s, 1.1 * FindGait(model, gait, CommandedSpeed(model, request.command), {})->cycle_s);
-    EXPECT_EQ(plan.command, request.command);
+    EXPECT_GT(plan.parts.front().gait.cycle_s,
+              1.1 * FindGait(model, gait, CommandedSpeed(model, request.command), {})->cycle_s);
+    EXPECT_EQ(plan.parts.front().command, request.command);
   };
   expect_slower(*LoadNamedRobot("a1"), Asked(0.8, 0.0, 0.0), "amble");
   expect_slower(*LoadNamedRobot("a1"), Asked(0.7, 0.0, 0.0), "pace");

@@ -69,8 +69,9 @@ TEST(PlanProvenance, HasWhatWasAskedForAndEveryOption) {
   EXPECT_EQ(p.seed, 7U);
   EXPECT_EQ(At(p.options, "gait"), "trot");
   EXPECT_EQ(At(p.options, "terrain"), "flat");
+  EXPECT_EQ(At(p.options, "sequence"), "");
   for (const OptionField& field : request.Fields()) EXPECT_EQ(At(p.options, field.key), OptionText(field));
-  EXPECT_EQ(p.options.size(), request.Fields().size() + 2);
+  EXPECT_EQ(p.options.size(), request.Fields().size() + 3);
   EXPECT_EQ(PlanFromJson(PlanToJson(plan), "plan")->provenance, p);
 }
 
@@ -84,7 +85,7 @@ TEST(PlanProvenance, AGaitFileIsNamedWithoutItsFolder) {
   request.gait = path;
   const MotionPlan plan = Planned(request);
   std::filesystem::remove_all(folder);
-  EXPECT_EQ(plan.gait.name, "mine");
+  EXPECT_EQ(plan.parts.front().gait.name, "mine");
   EXPECT_EQ(At(plan.provenance.options, "gait"), "mine.yaml");
   EXPECT_EQ(PlanToJson(plan).find(folder.string()), std::string::npos);
 }

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/footsteps/plan_sequence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planning/footsteps/place_feet.h"
+#include "planning/footsteps/uneven_footsteps.h"
+#include "planning/gait/schedule_contacts.h"
+#include "planning/paths/base_path.h"
+
+namespace gaitwright {
+namespace {
+
+using Extent = WalkCommand::Extent;
+
+Failure BadPart(const std::string& message) { return {FailureKind::kBadInput, "command", "PlanSequence", message, {}}; }
+
+/// A part with where it leads and how it takes over from the one before.
+struct PartCourse {
+  WalkPart part;
+  bool stands = false;
+  PlanarTwist twist;    // of all of it
+  double full_s = 0.0;  // that it takes at full speed
+  double start_ramp_s = 0.0, stop_ramp_s = 0.0;
+  bool follows = false;     // a gait goes over into this one
+  bool goes_on = false;     // this gait goes over into the next one
+  double early_s = 0.0;     // from where the base takes its speed until its feet begin
+  double outlasts_s = 0.0;  // from where the next one's feet begin until the base has lost its speed
+
+  bool counted() const { return part.command.extent == Extent::kSteps; }
+  double duration_s() const { return full_s + 0.5 * (start_ramp_s + stop_ramp_s); }
+  double speed_m_s() const { return std::hypot(twist.x_m, twist.y_m) / full_s; }
+};
+
+std::optional<Failure> WhyNoStand(const WalkCommand& command) {
+  constexpr double kShortest = 0.1, kLongest = 600.0;  // [s]
+  const double duration = command.duration_s;
+  if (command.extent == Extent::kDuration && duration >= kShortest && duration <= kLongest) return std::nullopt;
+  return BadPart(
+      fmt::format("standing still for {} s; a duration of {} to {} s is needed", duration, kShortest, kLongest));
+}
+
+Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const FootstepOptions& options) {
+  PartCourse course;
+  course.part = part;
+  course.stands = StandsStill(part.gait);
+  if (course.stands) {
+    if (auto failure = WhyNoStand(part.command)) return *failure;
+    course.full_s = part.command.duration_s;
+    return course;
+  }
+  if (auto failure = WhyNotWalked(model, part.gait, part.command)) return *failure;
+  if (part.command.extent == Extent::kGoal)
+    return BadPart("a part of a sequence cannot have a goal; give a distance, a duration or steps");
+  const Result<Course> own = MakeCourse(model, part.gait, part.command, options.ramp_cycles);
+  if (!own) return own.failure();
+  course.twist = own->twist;
+  course.full_s = own->duration_s - own->ramp_s;
+  course.start_ramp_s = course.stop_ramp_s = own->ramp_s;
+  if (!course.counted()) return course;
+  const int ahead = StepsAhead(part.gait, part.command.steps);
+  if (ahead < 1) {
+    return BadPart(fmt::format("{} footfalls only close the stance of {} feet; {} or more go ahead", part.command.steps,
+                               part.gait.num_feet(), part.gait.num_feet()));
+  }
+  course.twist = {ahead * course.twist.x_m, ahead * course.twist.y_m, ahead * course.twist.yaw_rad};
+  course.full_s = ahead * part.gait.cycle_s / part.gait.num_feet();
+  course.start_ramp_s = course.stop_ramp_s = std::min(options.ramp_cycles * part.gait.cycle_s, course.full_s);
+  return course;
+}
+
+/// Lets neighbours without a stand between them go over into each other. It is the faster one's feet that do the change
+/// of speed.
+void Couple(std::vector<PartCourse>& courses) {
+  for (std::size_t k = 1; k < courses.size(); ++k) {
+    PartCourse &before = courses[k - 1], &after = courses[k];
+    if (before.stands || after.stands) continue;
+    const double ramp = std::min({std::max(before.stop_ramp_s, after.start_ramp_s), before.full_s, after.full_s});
+    before.stop_ramp_s = after.start_ramp_s = ramp;
+    before.goes_on = after.follows = true;
+    const bool slower = after.speed_m_s() < before.speed_m_s();
+    (slower ? after.early_s : before.outlasts_s) = ramp;
+  }
+}
+
+/// Most of the cycle that passes from one lift-off to the next.
+double LongestPause(const Gait& gait) {
+  std::vector<double> liftoff;
+  for (std::size_t i = 0; i < gait.phase.size(); ++i)
+    liftoff.push_back(std::fmod(gait.phase[i] + gait.duty_factor[i] + 1e-12, 1.0));
+  std::sort(liftoff.begin(), liftoff.end());
+  double longest = liftoff.front() + 1.0 - liftoff.back();
+  for (std::size_t i = 1; i < liftoff.size(); ++i) longest = std::max(longest, liftoff[i] - liftoff[i - 1]);
+  return longest;
+}
+
+GaitStint StintOf(const RobotModel& model, const PartCourse& course) {
+  const Gait& gait = course.part.gait;
+  if (course.stands) return {gait, course.full_s};
+  GaitStint stint{gait};
+  if (course.counted()) {
+    stint.footfalls = course.part.command.steps;
+    if (!course.follows) stint.first_foot = LeadingFoot(model, course.twist);
+  }
+  const double feet_s = course.duration_s() - course.early_s;  // from the first lift-off until the base has its goal
+  if (!course.goes_on) {
+    stint.time_s = std::ceil(feet_s / gait.cycle_s - 1e-6) * gait.cycle_s;
+    return stint;
+  }
+  // The last feet come down when the base is to be handed over, or up to one footfall later: it has not to be faster
+  // than asked.
+  const double duty = *std::max_element(gait.duty_factor.begin(), gait.duty_factor.end());
+  const double last_s = feet_s - course.outlasts_s + (LongestPause(gait) - (1.0 - duty)) * gait.cycle_s;
+  stint.time_s = std::max(last_s, gait.cycle_s);
+  return stint;
+}
+
+/// The base's way over a schedule. Times of the feet are kept, so that a part that goes over into the next one takes
+/// up to a footfall longer than at the speed asked for.
+BasePath PathOf(const std::vector<PartCourse>& courses, const JoinedSchedule& joined, double first_s) {
+  const ContactSchedule& schedule = joined.schedule;
+  const auto lifts = [&](std::size_t k) { return k == 0 ? first_s : joined.start_s[k]; };
+  std::vector<PathPiece> path;
+  for (std::size_t k = 0; k < courses.size(); ++k) {
+    const PartCourse& course = courses[k];
+    if (course.stands) continue;
+    PathPiece way{course.twist, lifts(k) - course.early_s, course.duration_s(), course.start_ramp_s,
+                  course.stop_ramp_s};
+    if (course.goes_on) {
+      way.duration_s = lifts(k + 1) + course.outlasts_s - way.start_s;
+    } else if (course.counted()) {
+      const double down_s = k + 1 < courses.size() ? joined.start_s[k + 1] : schedule.phases.back().start_s;
+      way.duration_s = down_s - way.start_s;
+      const double ramps = 2.0 * std::max(0.0, way.duration_s - course.full_s);  // that keep the speed as it is
+      if (!course.follows) way.start_ramp_s = 0.5 * ramps;
+      way.stop_ramp_s = std::max(0.0, ramps - way.start_ramp_s);
+    }
+    path.push_back(way);
+  }
+  return MakeBasePath(path, schedule.end_s());
+}
+
+/// Adds what each part is and when, and gives what it does on the path.
+std::vector<PathStretch> AddParts(const std::vector<PartCourse>& courses, const JoinedSchedule& joined,
+                                  FootstepSkeleton& skeleton) {
+  std::vector<PathStretch> stretches;
+  for (std::size_t k = 0; k < courses.size(); ++k) {
+    const double end = k + 1 < courses.size() ? joined.start_s[k + 1] : joined.schedule.end_s();
+    const PartCourse& course = courses[k];
+    skeleton.goal = Carried(skeleton.goal, PoseAlong(course.twist, 1.0));
+    skeleton.parts.push_back({course.part.gait, course.part.command, skeleton.goal, joined.start_s[k], end});
+    stretches.push_back({joined.start_s[k], end, course.stands, course.part.gait.cycle_s, course.twist});
+  }
+  return stretches;
+}
+
+Result<FootstepSkeleton> AlongCourses(const RobotModel& model, const Terrain& terrain,
+                                      const std::vector<PartCourse>& courses, const FootstepOptions& options) {
+  std::vector<GaitStint> stints;
+  for (const PartCourse& course : courses) stints.push_back(StintOf(model, course));
+  if (courses.front().stands) stints.front().time_s += options.settling_s;
+  if (courses.back().stands) stints.back().time_s += options.settling_s;
+  const double first_s = options.initial_stand_s + options.settling_s;
+  const Result<JoinedSchedule> joined =
+      JoinSchedules(stints, {first_s, options.final_stand_s + options.settling_s, options.grid_s});
+  if (!joined) return joined.failure();
+  FootstepSkeleton skeleton;
+  skeleton.schedule = joined->schedule;
+  skeleton.path = PathOf(courses, *joined, first_s);
+  skeleton.footsteps = PlaceAlongPath(model, skeleton.schedule, skeleton.path, AddParts(courses, *joined, skeleton));
+  if (auto failure = WhyOutOfReach(model, skeleton, options.reach)) return *failure;
+  PutOnGround(terrain, skeleton.footsteps);
+  return skeleton;
+}
+
+}  // namespace
+
+Failure OfPart(std::size_t index, const std::string& gait, Failure failure) {
+  failure.message = fmt::format("part {}, '{}': {}", index + 1, gait, failure.message);
+  return failure;
+}
+
+Result<FootstepSkeleton> PlanSequence(const RobotModel& model, const Terrain& terrain,
+                                      const std::vector<WalkPart>& parts, const FootstepOptions& options) {
+  if (parts.size() == 1 && !StandsStill(parts.front().gait))
+    return PlanFootsteps(model, terrain, parts.front().gait, parts.front().command, options);
+  std::vector<PartCourse> courses;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    Result<PartCourse> course = CourseOf(model, parts[k], options);
+    if (!course) return OfPart(k, parts[k].gait.name, course.failure());
+    courses.push_back(std::move(*course));
+  }
+  if (std::all_of(courses.begin(), courses.end(), [](const PartCourse& course) { return course.stands; }))
+    return BadPart("no part of the sequence walks: one or more must have a gait");
+  if (!IsLevelGround(terrain)) return BadPart("a sequence of gaits is planned on level ground only");
+  Couple(courses);
+  return AlongCourses(model, terrain, courses, options);
+}
+
+}  // namespace gaitwright

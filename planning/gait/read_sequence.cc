@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/gait/read_sequence.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "kinematics/base/file.h"
+#include "kinematics/base/options.h"
+#include "planning/gait/find_gait.h"
+#include "planning/plan/terrain_spec.h"
+
+namespace gaitwright {
+namespace {
+
+std::string Trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\n");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+}
+
+bool Has(const OptionTexts& texts, const std::string& key) {
+  return std::any_of(texts.begin(), texts.end(), [&](const auto& text) { return text.first == key; });
+}
+
+/// What a command can be given as.
+OptionFields FieldsOf(WalkCommand& c) {
+  constexpr double kFast = 50.0, kFar = 10000.0, kLong = 600.0, kMany = 100000.0, kStride = 10.0;
+  return {{"speed", &c.speed_m_s, "m/s", 0.0, kFast, "Speed ahead.", {}},
+          {"lateral-speed", &c.lateral_speed_m_s, "m/s", -kFast, kFast, "Speed to the left.", {}},
+          {"yaw-rate", &c.yaw_rate_rad_s, "rad/s", -kFast, kFast, "Turning to the left.", {}},
+          {"distance", &c.distance_m, "m", 0.0, kFar, "Length of the way.", {}},
+          {"duration", &c.duration_s, "s", 0.0, kLong, "Time of walking or standing.", {}},
+          {"steps", &c.steps, "1", 1.0, kMany, "Footfalls.", {}},
+          {"step-length", &c.step_length_m, "m", -kStride, kStride, "Advance of the robot in a footfall.", {}}};
+}
+
+/// How far a command goes. @throws InvalidArgument where that is said twice, or not at all.
+void SetExtent(const OptionTexts& texts, WalkCommand& c) {
+  std::vector<std::string> given;
+  for (const char* key : {"distance", "duration", "steps"}) {
+    if (Has(texts, key)) given.emplace_back(key);
+  }
+  if (given.size() > 1) throw InvalidArgument(fmt::format("{} each say how far: give one of them", QuotedList(given)));
+  const bool somewhere = c.speed_m_s != 0.0 || c.lateral_speed_m_s != 0.0;
+  if (Has(texts, "step-length") && (!Has(texts, "steps") || c.speed_m_s != 0.0))
+    throw InvalidArgument("'step-length' goes with 'steps' and instead of 'speed'");
+  if (Has(texts, "distance") && c.distance_m == 0.0)
+    throw InvalidArgument("a distance of 0 goes nowhere: it must be more than 0");
+  if (Has(texts, "duration")) {
+    c.extent = WalkCommand::Extent::kDuration;
+  } else if (Has(texts, "steps")) {
+    c.extent = WalkCommand::Extent::kSteps;
+    if (!somewhere && c.yaw_rate_rad_s == 0.0 && !Has(texts, "step-length"))
+      throw InvalidArgument("'steps' alone do not say how far: give 'step-length' or 'speed' too");
+  } else if (!Has(texts, "distance")) {
+    c.distance_m = somewhere || c.yaw_rate_rad_s == 0.0 ? 1.0 : 0.0;
+  }
+}
+
+/// @throws InvalidArgument for a key that is not known or does not fit, and for a wrong value.
+AskedPart PartOf(const std::string& gait, const OptionTexts& texts) {
+  AskedPart part{gait, {}};
+  if (part.stands()) {
+    for (const auto& [key, text] : texts) {
+      if (key != "duration")
+        throw InvalidArgument(fmt::format("'{}' is nothing that standing still has; it takes 'duration'", key));
+    }
+    if (texts.empty()) throw InvalidArgument("how long it stands is missing: give 'duration'");
+  }
+  OptionFields fields = FieldsOf(part.command);
+  for (const auto& [key, text] : texts) SetOption(fields, key, text);
+  SetExtent(texts, part.command);
+  return part;
+}
+
+/// A part as text: a gait, and after a colon what is asked of it.
+AskedPart ParsePart(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return PartOf(text, {});
+  const std::size_t colon = text.rfind(':', equals);
+  if (colon == std::string::npos || colon == 0)
+    throw InvalidArgument(fmt::format("'{}' has no gait before it; 'GAIT: key=value, key=value' is needed", text));
+  std::string parameters = text.substr(colon + 1);
+  std::erase_if(parameters, [](char c) { return c == ' ' || c == '\t' || c == '\n'; });
+  return PartOf(Trimmed(text.substr(0, colon)), ParseParameters(parameters));
+}
+
+std::vector<AskedPart> ParseParts(const std::string& text) {
+  std::vector<AskedPart> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(';', at), text.size());
+    const std::string part = Trimmed(text.substr(at, end - at));
+    const std::string name = fmt::format("part {}", parts.size() + 1);
+    if (part.empty()) throw InvalidArgument(name + " is empty; parts stand between semicolons");
+    try {
+      parts.push_back(ParsePart(part));
+    } catch (const InvalidArgument& error) {
+      throw InvalidArgument(fmt::format("{}, '{}': {}", name, part.substr(0, part.find(':')), error.what()));
+    }
+    at = end + 1;
+  }
+  return parts;
+}
+
+[[noreturn]] void Refuse(const YAML::Node& node, const std::string& what) {
+  throw InvalidArgument(fmt::format("line {}: {}", node.Mark().line + 1, what));
+}
+
+AskedPart ParseNode(const YAML::Node& node, const std::string& folder) {
+  if (!node.IsMap()) Refuse(node, "a part is no map of keys, as {gait: trot, speed: 1, distance: 2}");
+  std::string gait;
+  OptionTexts texts;
+  for (const auto& entry : node) {
+    if (!entry.first.IsScalar() || !entry.second.IsScalar())
+      Refuse(entry.first, "a part has a list or a map where a key or a single value is needed");
+    const std::string key = entry.first.Scalar(), value = entry.second.Scalar();
+    if (Has(texts, key) || (key == "gait" && !gait.empty()))
+      Refuse(entry.first, fmt::format("a part has the key '{}' twice", key));
+    if (key == "gait") {
+      gait = value;
+    } else {
+      texts.emplace_back(key, value);
+    }
+  }
+  if (gait.empty()) Refuse(node, "a part lacks the key 'gait'");
+  const std::string file = GaitFileOf(gait);
+  if (!file.empty()) gait = (std::filesystem::path(folder) / file).string() + gait.substr(file.size());
+  try {
+    return PartOf(gait, texts);
+  } catch (const InvalidArgument& error) {
+    Refuse(node, fmt::format("'{}': {}", gait, error.what()));
+  }
+}
+
+Result<std::vector<AskedPart>> ReadFileOfParts(const std::string& path) {
+  const auto bad = [&](const std::string& message) {
+    return Failure{FailureKind::kBadInput, "sequence", "ReadSequence", fmt::format("'{}', {}", path, message), {}};
+  };
+  const Result<std::string> text = ReadFile(path);
+  if (!text) return text.failure();
+  try {
+    const YAML::Node root = YAML::Load(*text);
+    if (!root.IsSequence() || root.size() == 0) return bad("line 1: holds no sequence: a list of parts is needed");
+    std::vector<AskedPart> parts;
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    for (const YAML::Node& node : root) parts.push_back(ParseNode(node, folder));
+    return parts;
+  } catch (const YAML::Exception& error) {
+    return bad(fmt::format("line {}: is no YAML from here on; see docs/gaits.md", error.mark.line + 1));
+  } catch (const InvalidArgument& error) {
+    return bad(error.what());
+  }
+}
+
+}  // namespace
+
+std::string SequenceFileOf(const std::string& text) {
+  const bool parts = text.find_first_of(";=") != std::string::npos;
+  return !parts && (text.ends_with(".yaml") || text.ends_with(".yml")) ? text : "";
+}
+
+Result<std::vector<AskedPart>> ReadSequence(const std::string& text) {
+  const std::string file = SequenceFileOf(text);
+  if (!file.empty()) return ReadFileOfParts(file);
+  try {
+    return ParseParts(text);
+  } catch (const InvalidArgument& error) {
+    return Failure{FailureKind::kBadInput, "sequence", "ReadSequence", error.what(), {}};
+  }
+}
+
+}  // namespace gaitwright

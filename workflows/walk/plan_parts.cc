@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/walk/plan_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "workflows/walk/plan_within.h"
+#include "workflows/walk/refuse_walk.h"
+
+namespace gaitwright {
+namespace {
+
+Result<std::vector<WalkPart>> Fitted(const RobotModel& model, const WalkRequest& request,
+                                     const std::vector<AskedPart>& asked) {
+  std::vector<WalkPart> parts;
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const AskedPart& part = asked[k];
+    if (part.stands()) {
+      parts.push_back({StandingGait(static_cast<int>(model.feet.size())), part.command});
+      continue;
+    }
+    const Result<Gait> gait = FindGait(model, part.gait, CommandedSpeed(model, part.command), request.gait_options);
+    if (!gait) return OfPart(k, part.gait, gait.failure());
+    parts.push_back({*gait, part.command});
+  }
+  return parts;
+}
+
+Result<PlannedWalk> PlanAndAudit(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                                 const std::vector<WalkPart>& parts) {
+  Result<PlannedMotion> motion = PlanMotion(model, terrain, parts, request.motion);
+  if (!motion) return motion.failure();
+  const Result<AuditReport> audit = Audit(model, motion->plan, {});
+  if (!audit) return audit.failure();
+  return PlannedWalk{std::move(*motion), *audit, 0.0};
+}
+
+/// The parts with what serves each of them by itself; the failure of the first that nothing serves.
+Result<std::vector<WalkPart>> ServingAlone(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                                           const std::vector<AskedPart>& asked, std::vector<WalkPart> parts) {
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (asked[k].stands()) continue;
+    WalkRequest alone = request;
+    alone.sequence.clear();
+    alone.gait = asked[k].gait;
+    alone.command = asked[k].command;
+    const Result<PlannedWalk> planned = PlanWithin(model, terrain, alone);
+    if (!planned) return OfPart(k, asked[k].gait, planned.failure());
+    const MotionPart& made = planned->motion.plan.parts.front();
+    parts[k] = {made.gait, made.command};
+  }
+  return parts;
+}
+
+/// Why the whole is not given though each part alone may be, with the part in which it breaks.
+Failure RefusedWhole(const Result<PlannedWalk>& planned) {
+  if (!planned) {
+    Failure failure = planned.failure();
+    failure.hints.emplace_back("a part of standing still between others, or a longer one");
+    return failure;
+  }
+  Failure failure = WhyForbidden(planned->audit);
+  const std::vector<MotionPart>& parts = planned->motion.plan.parts;
+  const MotionPart* part = PartAt(parts, Forbidding(planned->audit).front().at_s);
+  failure = OfPart(static_cast<std::size_t>(part - parts.data()), part->gait.name, failure);
+  failure.hints = {"a part of standing still between others, or a longer one", "a slower part",
+                   "--set pipeline.allow_limits=true gives the plan all the same"};
+  return failure;
+}
+
+}  // namespace
+
+Result<PlannedWalk> PlanPartsWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                                    const std::vector<AskedPart>& asked) {
+  const Result<std::vector<WalkPart>> fitted = Fitted(model, request, asked);
+  if (!fitted) return fitted.failure();
+  Result<PlannedWalk> planned = PlanAndAudit(model, terrain, request, *fitted);
+  if (request.motion.pipeline.allow_limits || IsSound(planned)) return planned;
+  if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
+  const Result<std::vector<WalkPart>> serving = ServingAlone(model, terrain, request, asked, *fitted);
+  if (!serving) return serving.failure();
+  if (*serving == *fitted) return RefusedWhole(planned);
+  planned = PlanAndAudit(model, terrain, request, *serving);
+  if (!IsSound(planned)) return RefusedWhole(planned);
+  planned->motion.summary += "; times of gaits as they serve each part alone";
+  return planned;
+}
+
+}  // namespace gaitwright
