@@ -9,17 +9,12 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/options.h"
+#include "kinematics/base/text.h"
 #include "planning/gait/find_gait.h"
 #include "planning/plan/terrain_spec.h"
 
 namespace gaitwright {
 namespace {
-
-std::string Trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\n");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
-}
 
 bool Has(const OptionTexts& texts, const std::string& key) {
   return std::any_of(texts.begin(), texts.end(), [&](const auto& text) { return text.first == key; });

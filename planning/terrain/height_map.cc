@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "kinematics/base/file.h"
+#include "kinematics/base/text.h"
 #include "planning/terrain/read_png.h"
 #include "planning/terrain/sense.h"
 
@@ -25,11 +26,6 @@ struct Table {
   std::vector<std::vector<double>> rows;
   std::vector<int> lines;
 };
-
-std::string Trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// The numbers of a line. @throws InvalidArgument naming the cell that is none.
 std::vector<double> ParseRow(const std::string& line, int number) {
