@@ -21,7 +21,7 @@ struct Arguments {
   Common common;
   std::string problems, filter;
   std::optional<double> distance_m, duration_s, friction;
-  bool as_asked = false;
+  bool as_asked = false, audit = false;
   std::string timing_choice;
   RigidBodyOptions options;
   TimingOptions timing;
@@ -54,6 +54,16 @@ Json ToJson(const TimingOutcome& t) {
           {"at_1_khz", ToJson(t.between)}};
 }
 
+Json ToJson(const AuditOutcome& a) {
+  return {{"pass", a.pass()},
+          {"refusal", a.refusal},
+          {"as_planned", Json::parse(AuditJson(a.first))},
+          {"in_the_end", Json::parse(AuditJson(a.report))},
+          {"rounds_swings_held", a.swings_held},
+          {"rounds_breaks_halved", a.halvings},
+          {"cpu_ms", a.cpu_ms}};
+}
+
 Json ToJson(const CentroidalOutcome& o) {
   return {{"robot", o.robot},
           {"schedule", o.schedule},
@@ -74,6 +84,7 @@ Json ToJson(const CentroidalOutcome& o) {
           {"node_violation", o.node_violation},
           {"at_1_khz", ToJson(o.between)},
           {"timing", o.timing ? ToJson(*o.timing) : Json()},
+          {"audit", o.audit ? ToJson(*o.audit) : Json()},
           {"peak_memory_mb", o.peak_memory_mb}};
 }
 
@@ -100,7 +111,8 @@ int Run(Arguments& a) {
                   a.common);
   }
   std::vector<CentroidalOutcome> outcomes;
-  for (const CentroidalCase& one : cases) outcomes.push_back(RunCase(*set, one, task, a.options, !a.as_asked, timing));
+  for (const CentroidalCase& one : cases)
+    outcomes.push_back(RunCase(*set, one, task, a.options, {!a.as_asked, timing, a.audit}));
   if (a.common.json) {
     Json list = Json::array();
     for (const CentroidalOutcome& outcome : outcomes) list.push_back(ToJson(outcome));
@@ -125,6 +137,8 @@ void AddBench(CLI::App& app, int& status) {
   AddNumber(centroidal, "--duration", "S", a->duration_s, "In what time; default as the set says.");
   AddNumber(centroidal, "--friction", "MU", a->friction, "Of all ground; default as the set says.");
   centroidal.add_flag("--as-asked", a->as_asked, "Do not ease cases that have no motion.");
+  centroidal.add_flag("--audit", a->audit,
+                      "Have each motion audited at 1 kHz as the plan of a robot, and plan it anew until it passes.");
   AddText(centroidal, "--timing", "WHICH", a->timing_choice,
           "Then find times of contacts that cost less: 'fixed' in the same total time, 'free' in one up to 1.5 times "
           "shorter or longer.")

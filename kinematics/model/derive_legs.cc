@@ -105,7 +105,7 @@ Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX
   }
   if (const auto failure = CheckNamedFeet(model, feet, ends)) return *failure;
   if (feet.empty()) ends = EndBodies(model);
-  if (ends.size() < 2) {
+  if (ends.size() < (feet.empty() ? 2U : 1U)) {
     return Failure{
         FailureKind::kBadInput,
         "no_legs",

@@ -55,7 +55,8 @@ struct LegChoices {
 ///             over their middle; on soles it may stay half the way from there to their edges.
 /// @param given    overrides; where it names feet, their links are the feet and no others are looked for.
 /// @param standing joint positions that are given, by coordinate; NaN where they are to be derived.
-/// @return the number of legs. Failure kBadInput: `no_legs` when there are fewer than two, `robot_feet` for named feet
+/// @return the number of legs. Failure kBadInput: `no_legs` when there are fewer than two, or none where feet
+/// are named, `robot_feet` for named feet
 /// that cannot be. @throws InvalidArgument with the line of an override that contradicts the robot.
 Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX& standing);
 

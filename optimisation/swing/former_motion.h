@@ -28,6 +28,12 @@ class SwingRoll {
   std::vector<Vector3> off_W_;
 };
 
+/// A half-space of W that holds a foot's contact frame: the points p with normal_W . p <= offset_m.
+struct ReachSide {
+  Vector3 normal_W = Vector3::UnitX();
+  double offset_m = 0.0;
+};
+
 /// What is known of the whole body's motion before swings are planned, as of a former pass over it.
 struct FormerMotion {
   BaseMotion base;
@@ -35,6 +41,8 @@ struct FormerMotion {
   std::vector<SwingTrajectory> swings = {};                         ///< whose detours are kept where they do
   std::function<double(const SwingTrajectory& swing)> lift_m = {};  ///< least of a swing; empty for the usual one
   std::function<double(const SwingTrajectory& swing)> cruise = {};  ///< of a swing; empty for none
+  /// Where a foot can be at a time, convex; empty where legs tell by `base`, or are left to the audit.
+  std::function<std::vector<ReachSide>(int foot, double time_s)> reach = {};
 };
 
 /// That of a pass: nothing refers to the trajectory afterwards.

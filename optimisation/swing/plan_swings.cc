@@ -28,6 +28,7 @@ class SwingPlanner {
         former_(former.swings),
         least_lift_m_(former.lift_m),
         cruise_(former.cruise),
+        reach_(former.reach),
         guard_(model, terrain, former) {
     lift_m_ = SwingLift(model, options);
     choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
@@ -48,11 +49,20 @@ class SwingPlanner {
     hit_.reset();
     unfollowed_.reset();
     choice_.roll = guard_.RollOf(swing);
+    choice_.reach = ReachOf(swing);
+    choice_.may_stray = false;
     const SwingTrajectory straight = swing;
     // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that has no
     // room is for the audit to tell.
     const bool room = guard_.LegHasRoom(swing);
-    const bool clear = Find(swing, {room, true}) || Find(swing, {room, false}) || (room && Find(swing, {false, false}));
+    bool clear = Find(swing, {room, true}) || Find(swing, {room, false}) || (room && Find(swing, {false, false}));
+    // Out of reach as little as can be, or else anyhow, for the audit to tell.
+    choice_.may_stray = true;
+    clear = clear || (!choice_.reach.empty() && Find(swing, {room, true}));
+    if (!clear && !choice_.reach.empty()) {
+      choice_.reach.clear();
+      clear = Find(swing, {room, true});
+    }
     if (!clear && !hit_) MeetsNothing(straight);  // names what is in the way
     if (!clear) return NoClearance(swing);
     swing.clearance_m = MidSwingClearance(swing);
@@ -116,6 +126,10 @@ class SwingPlanner {
   /// Sooner to the side than so high that the leg folds up. What is clear but more than the leg can follow is kept for
   /// those who do not ask for that.
   bool Detour(SwingTrajectory& swing) {
+    if (!choice_.reach.empty()) {  // which leaves no other ways
+      highest_m_ = model_.leg_length_m();
+      return GoOver(swing);
+    }
     for (const double share : {0.5, 1.0}) {
       highest_m_ = share * model_.leg_length_m();
       if (GoOver(swing)) return true;
@@ -156,7 +170,24 @@ class SwingPlanner {
 
   /// Clears, and meets nothing with the whole foot and the leg. On level ground a lift that has the clearance in mid
   /// swing has a third of the ramp's.
-  bool Keeps(const SwingTrajectory& swing) { return Clears(swing, kPart) && MeetsNothing(swing); }
+  bool Keeps(const SwingTrajectory& swing) { return Clears(swing, kPart) && InReach(swing) && MeetsNothing(swing); }
+
+  bool InReach(const SwingTrajectory& swing) const {
+    return OutOfReach(CurveOf(swing), choice_.reach, choice_.roll) <= 0.0;
+  }
+
+  /// Where the foot can be along a swing.
+  std::vector<ReachAt> ReachOf(const SwingTrajectory& swing) const {
+    constexpr double kApart = 3e-3;  // [s]
+    constexpr int kLeast = 60;
+    std::vector<ReachAt> reach;
+    const int pieces = std::max(kLeast, static_cast<int>((swing.end_s - swing.start_s) / kApart));
+    for (int k = 1; reach_ && k < pieces; ++k) {
+      const double u = static_cast<double>(k) / pieces;
+      reach.push_back({u, reach_(swing.foot, swing.start_s + u * (swing.end_s - swing.start_s))});
+    }
+    return reach;
+  }
 
   /// Asked of detours alone: whether the plain swing can be followed is for the whole-body stage to tell.
   bool Followed(const SwingTrajectory& swing) const { return !demand_.follows || guard_.LegFollows(swing); }
@@ -254,6 +285,7 @@ class SwingPlanner {
   const Terrain& terrain_;
   const std::vector<SwingTrajectory> former_;
   const std::function<double(const SwingTrajectory&)> least_lift_m_, cruise_;
+  const std::function<std::vector<ReachSide>(int, double)> reach_;
   const SwingGuard guard_;
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;

@@ -42,7 +42,7 @@ struct SwingOptions {
              0.5,
              "Least height of the whole sole over ground and obstacles in mid swing; 0 takes a quarter of the lift.",
              {}},
-            {"control_points", &control_points, "1", 9, 14, "Control points of a swing that takes a detour.", {}},
+            {"control_points", &control_points, "1", 9, 30, "Control points of a swing that takes a detour.", {}},
             {"samples", &samples, "1", 20, 40, "Places of such a swing at which its clearance is asked for.", {}}};
   }
 };

@@ -7,13 +7,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/bspline.h"
 #include "optimisation/numerics/constrained_problem.h"
+#include "optimisation/numerics/elastic_interior.h"
 #include "planning/audit/swing_depth.h"
 
 namespace gaitwright {
@@ -23,10 +23,8 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 /// First guesses for a way down, as shares of the way that the foot is ahead and of the swing that it is there sooner.
 constexpr std::array<std::pair<double, double>, 6> kGuesses = {
     {{0.0, 0.0}, {0.15, 0.0}, {0.35, 0.0}, {-0.35, 0.0}, {0.0, 0.2}, {0.0, 0.3}}};
+const char* const kReach = "the reach";
 constexpr int kFixed = 3;  // control points at each end
-/// [m] How deep the underside may be at both ends, half of what the audit lets pass: it is on its foothold's plane, not
-/// on what is tilted or curved beside it.
-constexpr double kSpareDepth = 0.5 * tolerance::kPosition;
 
 /// Share of the way to the side at a fraction of the swing: what free control points that are all one give.
 double SidewaysShare(int control_points, double u) {
@@ -58,6 +56,7 @@ class Profile {
     const Vector3 travel = swing.X_WF_end.translation() - swing.X_WF_start.translation();
     length_m_ = travel.head<2>().norm();
     if (length_m_ > kShortest) along_W_ = travel.head<2>() / length_m_;
+    if (length_m_ <= kShortest && !choice.reach.empty()) along_W_ = Vector2::UnitX();
     sideways_W_ = choice.sideways_m * left_W();
     const Vector3 turn = RotationLog(swing.X_WF_end.linear() * swing.X_WF_start.linear().transpose());
     constexpr double kDeep = 1.0;  // where there is no ground
@@ -168,9 +167,11 @@ class Detour {
       : profile_(profile),
         free_(choice.control_points - 2 * kFixed),
         sideways_W_(choice.sideways_m * profile.left_W()),
+        variables_(choice.reach.empty() ? 2 * free_ : 3 * free_),
         start_z_(swing.X_WF_start.translation().z()),
         rise_m_(swing.X_WF_end.translation().z() - start_z_),
-        cruise_(swing.cruise) {
+        cruise_(swing.cruise),
+        firmness_(choice.reach.empty() ? 1.0 : 10.0) {
     fractions_ = Fractions(choice.samples);
     basis_ = BasisAt(fractions_, free_, false);
     const double step = 1.0 / (choice.samples + 1);
@@ -183,13 +184,14 @@ class Detour {
       const double reach = std::max(Gone(u + step) - Gone(u), Gone(u) - Gone(u - step));
       reach_m_.push_back(reach * profile.length_m());
     }
+    AddReach(swing, choice);
   }
 
   /// @param lead  share of the way by which the first guess is ahead in mid swing, or behind.
   /// @param wait  share of the swing that it waits before it goes ahead, or is there before the end where negative.
   ConstrainedProblem Problem(double lead, double wait) const {
     ConstrainedProblem problem;
-    problem.start = VectorX::Zero(2 * free_);
+    problem.start = VectorX::Zero(variables_);
     problem.start.head(free_) = Waiting(wait).array() + lead * profile_.length_m();
     const VectorX ahead_m = basis_ * problem.start.head(free_);
     double lift = 0.0;
@@ -198,19 +200,30 @@ class Detour {
           std::max(lift, profile_.Highest(straight_s_[k] + ahead_m[static_cast<Eigen::Index>(k)], reach_m_[k]).first +
                              wanted_m_[k] - straight_z_[k]);
     }
-    problem.start.tail(free_).setConstant(lift);
+    problem.start.segment(free_, free_).setConstant(lift);
     AddJerk(problem);
     const auto rows = static_cast<Eigen::Index>(fractions_.size());
     problem.constraints.push_back({"the clearance",
                                    [this](const VectorX& x, VectorX& value, MatrixX* J) { Clearance(x, value, J); },
                                    VectorX::Zero(rows), VectorX::Constant(rows, kInf)});
+    if (within_.rows() == 0) return problem;
+    problem.constraints.push_back({kReach,
+                                   [this](const VectorX& x, VectorX& value, MatrixX* J) {
+                                     value.noalias() = within_ * x;
+                                     if (J != nullptr) *J = within_;
+                                   },
+                                   VectorX::Constant(within_.rows(), -kInf),
+                                   room_m_,
+                                   {},
+                                   true});
     return problem;
   }
 
   std::vector<Vector3> ControlPoints(const VectorX& x) const {
     std::vector<Vector3> points;
     for (int i = 0; i < free_; ++i) {
-      const Vector2 along = x[i] * profile_.along_W() + sideways_W_;
+      Vector2 along = x[i] * profile_.along_W() + sideways_W_;
+      if (variables_ > 2 * free_) along += x[2 * free_ + i] * profile_.left_W();
       points.emplace_back(along.x(), along.y(), x[free_ + i]);
     }
     return points;
@@ -235,7 +248,8 @@ class Detour {
   /// acceleration of none at both ends.
   void AddJerk(ConstrainedProblem& problem) const {
     constexpr int kSamples = 40;
-    const double scale = std::sqrt(kSamples + 1.0);
+    constexpr double kCheap = 1e-3;  // so that no price of a missed reach is less than what the jerk would save
+    const double scale = std::sqrt(kSamples + 1.0) * (variables_ > 2 * free_ ? kCheap : 1.0);
     const std::vector<double> fractions = Fractions(kSamples);
     const MatrixX accelerations = BasisAt(fractions, free_, true);
     MatrixX basis = MatrixX::Zero(kSamples + 1, free_);
@@ -260,6 +274,32 @@ class Detour {
     };
     add(0, profile_.length_m());
     add(free_, rise_m_);
+    if (variables_ > 2 * free_) add(2 * free_, 0.0);
+  }
+
+  /// within_ x <= room_m_: half-spaces at fractions of the swing.
+  void AddReach(const SwingCurve& swing, const RefineChoice& choice) {
+    SwingCurve straight = swing;
+    straight.lift_m = 0.0;
+    straight.detour_W.clear();
+    std::vector<double> fractions;
+    for (const ReachAt& at : choice.reach) fractions.insert(fractions.end(), at.sides.size(), at.u);
+    const MatrixX basis = BasisAt(fractions, free_, false);
+    within_.resize(basis.rows(), variables_);
+    room_m_.resize(basis.rows());
+    Eigen::Index row = 0;
+    for (const ReachAt& at : choice.reach) {
+      const double time_s = swing.start_s + at.u * (swing.end_s - swing.start_s);
+      const Vector3 p_W = Evaluate(straight, time_s).X_WF.translation() + choice.roll.At(at.u);
+      for (const ReachSide& side : at.sides) {
+        const Vector2 level_W = side.normal_W.head<2>();
+        within_.row(row).head(free_) = level_W.dot(profile_.along_W()) * basis.row(row);
+        within_.row(row).segment(free_, free_) = side.normal_W.z() * basis.row(row);
+        within_.row(row).tail(free_) = level_W.dot(profile_.left_W()) * basis.row(row);
+        room_m_[row] = side.offset_m - side.normal_W.dot(p_W) - level_W.dot(sideways_W_) * basis.row(row).sum();
+        ++row;
+      }
+    }
   }
 
   void Clearance(const VectorX& x, VectorX& value, MatrixX* J) const {
@@ -268,11 +308,12 @@ class Detour {
       const auto at = static_cast<std::size_t>(k);
       const double s = straight_s_[at] + basis_.row(k).dot(x.head(free_));
       const auto [height, slope] = profile_.Highest(s, reach_m_[at]);
-      const double z = straight_z_[at] + basis_.row(k).dot(x.tail(free_));
-      value[k] = z - height - wanted_m_[at];
+      const double z = straight_z_[at] + basis_.row(k).dot(x.segment(free_, free_));
+      value[k] = firmness_ * (z - height - wanted_m_[at]);
       if (J == nullptr) continue;
-      J->row(k).head(free_) = -slope * basis_.row(k);
-      J->row(k).tail(free_) = basis_.row(k);
+      J->row(k).setZero();
+      J->row(k).head(free_) = -firmness_ * slope * basis_.row(k);
+      J->row(k).segment(free_, free_) = firmness_ * basis_.row(k);
     }
   }
 
@@ -281,107 +322,82 @@ class Detour {
   const Profile& profile_;
   const int free_;
   const Vector2 sideways_W_;
+  const int variables_;  // along the way, upwards, and with a reach to the left
   const double start_z_, rise_m_, cruise_;
+  const double firmness_;  // of the clearance, against the reach
   std::vector<double> fractions_, wanted_m_, reach_m_;
   std::vector<double> straight_s_, straight_z_;  // progress and height without a detour, by sample
-  MatrixX basis_;
+  MatrixX basis_, within_;
+  VectorX room_m_;
 };
 
+/// The way that costs least; with a reach by an interior-point method, since many of its sides hold at once.
+Result<ConstrainedSolution> LeastJerk(const ConstrainedProblem& problem, bool has_reach, ConstrainedSolution& last) {
+  ElasticOptions elastic;
+  elastic.tolerance = 1e-5;
+  elastic.cost_tolerance = 1e-4;
+  if (has_reach) return SolveElastic(problem, elastic, &last);
+  ConstrainedOptions options;
+  options.tolerance = 1e-5;
+  options.cost_tolerance = 1e-6;
+  options.trust_radius = 1e8;
+  return Solve(problem, options, &last);
+}
+
+/// By what the best of all ways misses its clearance, or strays out of reach.
+Failure Unmet(double by_m, double out_m) {
+  const std::string why = out_m < by_m
+                              ? fmt::format("no swing keeps within reach; it strays by {:.1f} mm", 1e3 * out_m)
+                              : fmt::format("no swing keeps the clearance; it is missed by {:.1f} mm", 1e3 * by_m);
+  const char* code = out_m < by_m ? "out_of_reach" : "no_clearance";
+  return {FailureKind::kInfeasible,
+          code,
+          "RefineSwing",
+          why,
+          {"ask for less clearance, give it more time, or place the footholds farther from edges"}};
+}
+
 void Check(const RefineChoice& choice) {
-  if (choice.control_points < 9 || choice.control_points > 14)
-    throw InvalidArgument(fmt::format("RefineSwing: {} control points; accepted: 9 to 14", choice.control_points));
+  if (choice.control_points < 9 || choice.control_points > 30)
+    throw InvalidArgument(fmt::format("RefineSwing: {} control points; accepted: 9 to 30", choice.control_points));
   if (choice.samples < 20 || choice.samples > 40)
     throw InvalidArgument(fmt::format("RefineSwing: {} samples; accepted: 20 to 40", choice.samples));
 }
 
 }  // namespace
 
-std::vector<Vector3> UndersideOf(const Foot& foot) {
-  std::vector<Vector3> points = {Vector3::Zero()};
-  constexpr int kAround = 8;
-  for (int i = 0; foot.radius > 0.0 && i < kAround; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kAround;
-    for (const double share : {0.6, 1.0}) {  // of the radius: 0.2 and 1 of it up
-      const Vector2 away = share * foot.radius * Vector2(std::cos(angle), std::sin(angle));
-      points.emplace_back(away.x(), away.y(), foot.radius * (1.0 - std::sqrt(1.0 - share * share)));
-    }
-  }
-  if (foot.sole_F.empty()) return points;
-  points.clear();
-  Vector2 middle = Vector2::Zero();
-  for (const Vector2& corner : foot.sole_F) middle += corner / static_cast<double>(foot.sole_F.size());
-  constexpr int kPieces = 4;  // of an edge
-  for (std::size_t i = 0; i < foot.sole_F.size(); ++i) {
-    const Vector2 &corner = foot.sole_F[i], &next = foot.sole_F[(i + 1) % foot.sole_F.size()];
-    for (int piece = 0; piece < kPieces; ++piece) {
-      const Vector2 edge = corner + (next - corner) * piece / kPieces, inner = 0.5 * (edge + middle);
-      points.emplace_back(edge.x(), edge.y(), 0.0);
-      points.emplace_back(inner.x(), inner.y(), 0.0);
-    }
-  }
-  points.emplace_back(middle.x(), middle.y(), 0.0);
-  return points;
-}
-
-double ClearanceRamp(double u) {
-  return std::min(SmoothStep(u / kClearanceEnds).value, SmoothStep((1.0 - u) / kClearanceEnds).value);
-}
-
-double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
-                      double clearance_m, const SwingRoll& roll) {
-  constexpr int kSamples = 60;
-  double least = kInf;
-  for (int k = 1; k < kSamples; ++k) {
-    const double u = static_cast<double>(k) / kSamples;
-    Pose X_WF = Evaluate(curve, curve.start_s + u * (curve.end_s - curve.start_s)).X_WF;
-    X_WF.translation() += roll.At(u);
-    const double asked = clearance_m * ClearanceRamp(u) - kSpareDepth * SwingEndShare(u);
-    for (const Vector3& q_F : underside_F) {
-      const Vector3 q_W = X_WF * q_F;
-      least = std::min(least, q_W.z() - ground(q_W.head<2>()) - asked);
-    }
-  }
-  return least;
-}
-
 Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vector3>& underside_F,
                                  const GroundHeight& ground, const RefineChoice& choice) {
   Check(choice);
   const Profile profile(swing, underside_F, ground, choice);
   const Detour detour(swing, profile, choice);
-  ConstrainedOptions options;
-  options.tolerance = 1e-5;
-  options.cost_tolerance = 1e-6;
-  options.trust_radius = 1e8;
-  const auto unmet = [](double by_m) {
-    return Failure{FailureKind::kInfeasible,
-                   "no_clearance",
-                   "RefineSwing",
-                   fmt::format("no swing keeps the clearance; it is missed by {:.1f} mm", 1e3 * by_m),
-                   {"ask for less clearance, or place the footholds farther from edges"}};
-  };
-  // A riser is felt only where the foot is at it: a foot that goes straight up to one, or is behind and rises first, or
-  // ahead and comes down last, and more or less so, the likelier ones for a way up or down first. What takes the least
-  // jerk of these.
+  // A riser is felt only where the foot is at it: a foot goes straight up to one, or rises first, or comes down last,
+  // and more or less so, the likelier ones for a way up or down first. What takes the least jerk of these.
   const double rise_m = swing.X_WF_end.translation().z() - swing.X_WF_start.translation().z();
   const double side = rise_m > 0.0 ? -1.0 : 1.0;
   const double rounding_m = 1e-4 + 0.05 * choice.clearance_m;
   std::optional<RefinedSwing> best;
-  double least_cost = kInf, least_missed_m = kInf;
+  double least_cost = kInf, least_missed_m = kInf, least_out_m = kInf;
   for (const auto& [lead, wait] : kGuesses) {
     ConstrainedSolution last;
-    const Result<ConstrainedSolution> solution = Solve(detour.Problem(side * lead, -side * wait), options, &last);
-    if (!solution) least_missed_m = std::min(least_missed_m, last.violation);
-    if (!solution || solution->cost >= least_cost) continue;
-    RefinedSwing refined{swing, 0.0, solution->brief};
-    refined.curve.detour_W = detour.ControlPoints(solution->x);
+    const Result<ConstrainedSolution> solution =
+        LeastJerk(detour.Problem(side * lead, -side * wait), !choice.reach.empty(), last);
+    const bool strayed = !solution && last.worst_constraint == kReach;
+    if (!solution && !strayed) least_missed_m = std::min(least_missed_m, last.violation);
+    if (strayed) least_out_m = std::min(least_out_m, last.violation);
+    constexpr double kOut = 1e12;  // more than any jerk
+    const double cost = solution ? solution->cost : kOut * last.violations;
+    if ((!solution && !choice.may_stray) || cost >= least_cost) continue;
+    RefinedSwing refined{swing, 0.0, last.brief};
+    refined.curve.detour_W = detour.ControlPoints(last.x);
     refined.spare_m = SpareClearance(refined.curve, underside_F, ground, choice.clearance_m, choice.roll);
     least_missed_m = std::min(least_missed_m, -refined.spare_m);
     if (refined.spare_m < -rounding_m) continue;
-    least_cost = solution->cost;
+    least_cost = cost;
     best = std::move(refined);
+    if (!choice.reach.empty() && solution.ok()) break;
   }
-  if (!best) return unmet(least_missed_m);
+  if (!best) return Unmet(least_missed_m, least_out_m);
   return *best;
 }
 

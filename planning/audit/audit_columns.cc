@@ -69,9 +69,8 @@ void Auditor::CheckCentroidal() {
     Expect("velocity of the centre of mass against joints", time_s, (v_WC - c.v_WC[k]).norm(), kSpeed, "m/s");
     Expect("acceleration of the centre of mass against joints", time_s, (a_WC - c.a_WC[k]).norm(), kComAcceleration,
            "m/s^2");
-    if (needed_[2] > kLeastLoad * model_.weight_n()) {
-      FindFooting(time_s);
-      const GroundPlane plane = SupportPlaneAt(plan_.schedule, time_s, points_);
+    FindFooting(time_s);
+    if (const GroundPlane plane = SupportPlaneAt(plan_.schedule, time_s, points_); PressesOn(plane)) {
       const Vector2 p_WZ = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), plane).head<2>();
       Expect("reference of the zero-moment point against joints", time_s, (p_WZ - c.p_WZ[k]).norm(), kZmp, "m");
     }

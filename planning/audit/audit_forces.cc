@@ -109,6 +109,25 @@ void Auditor::CheckWrenchCone(double time_s) {
     findings_.Note("zmp_support", "contact wrench cone", time_s, outside, kSupportLine, "m");
 }
 
+bool Auditor::PressesOn(const GroundPlane& plane) const {
+  const double least = kLeastLoad * model_.weight_n();
+  return needed_[2] > least && needed_[2] - plane.slope.dot(needed_.head<2>()) > least;
+}
+
+/// Whether the contacts of the stance are in a plane and can but press on it: astride a ridge they are in one, and yet
+/// push each other off it, with a ZMP outside of their hull.
+bool Auditor::AllPressOn(const GroundPlane& plane) const {
+  if (FarthestFrom(plane, points_, stance_) > kCoplanar) return false;
+  const Vector3 normal_W = Vector3(-plane.slope.x(), -plane.slope.y(), 1.0).normalized();
+  for (std::size_t f = 0; f < footing_.size(); ++f) {
+    if (!Contains(stance_, static_cast<int>(f))) continue;
+    // The cone's side is as far from its axis as the plane's is from the normal.
+    const double along = normal_W.dot(footing_[f].normal_W), across = normal_W.cross(footing_[f].normal_W).norm();
+    if (along < footing_[f].friction * across) return false;
+  }
+  return true;
+}
+
 void Auditor::CheckZmp(double time_s) {
   std::vector<Vector2> corners;
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
@@ -116,7 +135,7 @@ void Auditor::CheckZmp(double time_s) {
     for (const Vector3& p : points_[static_cast<std::size_t>(f)]) corners.push_back(p.head<2>());
   }
   if (corners.empty() || needed_[2] < kLeastLoad * model_.weight_n()) return;
-  if (FarthestFrom(plane_, points_, stance_) > kCoplanar) return CheckWrenchCone(time_s);
+  if (!PressesOn(plane_) || !AllPressOn(plane_)) return CheckWrenchCone(time_s);
   const Vector2 zmp = ZeroMomentPoint(scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3), plane_).head<2>();
   const Polygon support = ConvexHull(corners);
   const double outside = -SignedDistance(support, zmp);
@@ -127,6 +146,8 @@ void Auditor::CheckZmp(double time_s) {
   const double limit = has_area && !at_switch_ ? 1e-6 : std::max(kSupportLine, slight);
   if (!(outside <= limit)) findings_.Note("zmp_support", "zero-moment point", time_s, outside, limit, "m");
   if (plan_.centroidal.size() != plan_.whole_body.size()) return;
+  // The reference is in a plane of its own where feet stand at several heights.
+  if (FarthestFrom(SupportPlaneAt(plan_.schedule, time_s, points_), points_, stance_) > kCoplanar) return;
   const double reference = -SignedDistance(support, SampleCentroidal(plan_.centroidal, time_s).p_WZ);
   if (!(reference <= kReferenceSlack)) {
     findings_.Note("zmp_support", "reference of the zero-moment point", time_s, reference, kReferenceSlack, "m");

@@ -86,6 +86,9 @@ class Auditor {
   void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {
     if (!(off <= limit)) findings_.Note("consistency", where, time_s, off, limit, unit);
   }
+  /// Whether enough of the needed force presses on the ground, and on a plane, for a ZMP there to mean something.
+  bool PressesOn(const GroundPlane& plane) const;
+  bool AllPressOn(const GroundPlane& plane) const;
   bool Slides(int dof) const { return model_.LeaderOf(dof).is_prismatic(); }
   const std::string& FootName(int foot) const { return model_.feet[static_cast<std::size_t>(foot)].name; }
 

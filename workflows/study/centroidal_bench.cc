@@ -9,6 +9,8 @@
 
 #include "optimisation/centroidal/hold_goal.h"
 #include "optimisation/centroidal/plan_over_terrain.h"
+#include "workflows/study/audited_motion.h"
+#include "workflows/study/rigid_body_plan.h"
 
 namespace gaitwright {
 namespace {
@@ -51,6 +53,25 @@ TimingOutcome Timed(const PlanOverPatches& plan, bool solved, const RigidBodyOpt
   outcome.node_violation = timed->plan.summary.violation;
   outcome.between = FaultsOf(timed->problem, timed->plan.motion, 1e-3);
   outcome.keeps = outcome.node_violation <= options.tolerance && outcome.between.Largest() <= options.fault_tolerance;
+  return outcome;
+}
+
+/// What the audit says of a motion over a ground.
+AuditOutcome Audited(const Terrain& ground, const PlanOverPatches& plan, const RigidBodyOptions& options) {
+  constexpr int kMostRounds = 6;
+  const double start = CpuMs();
+  AuditOutcome outcome;
+  const Result<AuditedMotion> audited = RefineByAudit(ground, plan.choice.problem, options, plan.plan, kMostRounds);
+  outcome.cpu_ms = CpuMs() - start;
+  if (!audited) {
+    outcome.refusal = audited.failure().message;
+    return outcome;
+  }
+  outcome.first = audited->first;
+  outcome.report = audited->report;
+  outcome.refusal = audited->refusal;
+  outcome.swings_held = audited->swings_held;
+  outcome.halvings = audited->halvings;
   return outcome;
 }
 
@@ -138,6 +159,43 @@ std::string HowEased(const CentroidalTask& task) {
                      task.friction);
 }
 
+/// "pass", or the law that is broken first.
+std::string FirstOf(const AuditReport& report) {
+  if (report.samples == 0) return "no plan";
+  if (report.pass()) return "pass";
+  const Violation& first = report.violations.front();
+  return fmt::format("{} {:.3f} s", first.law, first.at_s);
+}
+
+/// What the audit says of cases: of motions as planned, and after they were planned anew until they pass; nothing where
+/// it was not asked.
+std::string AuditTable(const std::vector<CentroidalOutcome>& outcomes) {
+  std::string table;
+  std::vector<double> cpu_ms;
+  int asked = 0, asked_pass = 0, eased = 0, eased_pass = 0, first_pass = 0;
+  for (const CentroidalOutcome& o : outcomes) {
+    if (!o.audit) continue;
+    const int pass = o.audit->pass() ? 1 : 0;
+    (o.eased ? eased : asked) += 1;
+    (o.eased ? eased_pass : asked_pass) += pass;
+    cpu_ms.push_back(o.audit->cpu_ms);
+    first_pass += o.audit->first.samples > 0 && o.audit->first.pass() ? 1 : 0;
+    table += fmt::format("{:<8} {:<18} {:<10} {:<24} {:>6} {:>6} {:>7.0f}\n", o.robot, o.schedule, o.ground,
+                         FirstOf(o.audit->first), o.audit->swings_held, o.audit->halvings, o.audit->cpu_ms);
+    if (pass == 1) continue;
+    table += "         " + AuditText(o.audit->report);
+    if (!o.audit->refusal.empty()) table += "         " + o.audit->refusal + "\n";
+  }
+  if (cpu_ms.empty()) return "";
+  return fmt::format("\n{:<8} {:<18} {:<10} {:<24} {:>6} {:>6} {:>7}\n", "robot", "schedule", "ground",
+                     "audit as planned", "swings", "breaks", "CPU ms") +
+         table +
+         fmt::format(
+             "{} of {} motions as asked for pass their audit in the end, {} of {} eased ones; {} of all as planned; "
+             "median CPU {:.0f} ms\n",
+             asked_pass, asked, eased_pass, eased, first_pass, Median(cpu_ms));
+}
+
 /// What became of the costs of cases where times were variables; nothing where they were not.
 std::string TimingTable(const std::vector<CentroidalOutcome>& outcomes) {
   constexpr double kMuch = 0.05;
@@ -194,7 +252,8 @@ std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::
 }
 
 CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
-                          const RigidBodyOptions& options, bool ease, const std::optional<TimingOptions>& timing) {
+                          const RigidBodyOptions& options, const CaseChoices& choices) {
+  const std::optional<TimingOptions>& timing = choices.timing;
   CentroidalOutcome outcome;
   outcome.robot = set.robots[one.robot].first;
   outcome.schedule = fmt::format("{} {}", one.schedule, set.robots[one.robot].second.schedules[one.schedule].name);
@@ -203,7 +262,7 @@ CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase&
   PlanOverPatches last = Attempt(set, one, task, options, outcome);
   if (!outcome.solved && timing && last.choices > 0) outcome.timing = Timed(last, false, options, *timing);
   const bool mended = outcome.timing && outcome.timing->keeps;
-  if (!outcome.solved && ease && !mended) {
+  if (!outcome.solved && choices.ease && !mended) {
     const CentroidalOutcome asked = outcome;
     for (const CentroidalTask& eased : Eased(set, one, task)) {
       last = Attempt(set, one, eased, options, outcome);
@@ -215,6 +274,8 @@ CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase&
     if (!outcome.solved) outcome = asked;
   }
   if (outcome.solved && timing) outcome.timing = Timed(last, true, options, *timing);
+  if (outcome.solved && choices.audit)
+    outcome.audit = Audited(WithFriction(set.grounds[one.ground], outcome.task.friction), last, options);
   outcome.peak_memory_mb = PeakMemoryMb();
   return outcome;
 }
@@ -238,7 +299,7 @@ std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes) {
   }
   table += fmt::format("{} of {} cases solved as asked for, {} more when eased; median CPU of those solved {:.1f} ms\n",
                        solved, outcomes.size(), eased, Median(cpu_ms));
-  return table + TimingTable(outcomes);
+  return table + AuditTable(outcomes) + TimingTable(outcomes);
 }
 
 }  // namespace gaitwright

@@ -7,6 +7,7 @@
 
 #include "optimisation/centroidal/optimise_timing.h"
 #include "optimisation/centroidal/plan_rigid_body.h"
+#include "planning/audit/audit_report.h"
 #include "workflows/study/centroidal_problems.h"
 
 namespace gaitwright {
@@ -32,6 +33,17 @@ struct TimingOutcome {
   double Fall() const { return cost_before > 0.0 ? 1.0 - cost / cost_before : 0.0; }
 };
 
+/// What the audit says of the motion of a case.
+struct AuditOutcome {
+  std::string refusal;                ///< why there is no plan to be audited; empty where there is
+  AuditReport first;                  ///< of the motion as it was planned
+  AuditReport report;                 ///< of the last one
+  int swings_held = 0, halvings = 0;  ///< rounds until then (AuditedMotion)
+  double cpu_ms = 0.0;                ///< of all audits, and of planning anew
+
+  bool pass() const { return report.samples > 0 && report.pass(); }
+};
+
 /// How a case went.
 struct CentroidalOutcome {
   std::string robot, schedule, ground;
@@ -47,10 +59,18 @@ struct CentroidalOutcome {
   RigidBodyFaults between;              ///< at 1 kHz
   double peak_memory_mb = 0.0;          ///< of the process so far
   std::optional<TimingOutcome> timing;  ///< where it was asked for and there is a motion
+  std::optional<AuditOutcome> audit;    ///< likewise; of the motion before its times were made better
 };
 
 /// All cases of a set whose name, "robot-schedule-ground" such as "hyq-1-gap", holds `filter`.
 std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::string& filter = "");
+
+/// What is done with a case besides planning it as asked for.
+struct CaseChoices {
+  bool ease = false;                         ///< where it has no motion
+  std::optional<TimingOptions> timing = {};  ///< find better times
+  bool audit = false;                        ///< have the motion audited as a plan of a robot
+};
 
 /// Plans over the ground. A case that has no motion as it is asked for is eased where `ease` is set, until it has one:
 /// to a goal up to 0.1 m higher or lower where feet reach no ground from the one asked for; then half as long again,
@@ -58,8 +78,7 @@ std::vector<CentroidalCase> CasesOf(const CentroidalProblemSet& set, const std::
 /// at the goal; at last to a goal less far away. A motion that is found is then given times that suit it better, if
 /// `timing` is given; where laws stay unmet as asked for, other times are tried before it is eased.
 CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
-                          const RigidBodyOptions& options, bool ease,
-                          const std::optional<TimingOptions>& timing = std::nullopt);
+                          const RigidBodyOptions& options, const CaseChoices& choices = {});
 
 /// The outcomes as a table for people, and what they come to; with a second one where times were variables.
 std::string CentroidalTable(const std::vector<CentroidalOutcome>& outcomes);

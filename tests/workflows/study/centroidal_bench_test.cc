@@ -48,7 +48,7 @@ TEST(CentroidalProblems, EveryOneIsAProblemThatCanBeAsked) {
 TEST(CentroidalBench, SolvesAFlyingTrotOnFlatGroundAndOverAGap) {
   const CentroidalProblemSet set = Set();
   for (const char* filter : {"hyq-1-flat", "hyq-1-gap"}) {
-    const CentroidalOutcome outcome = RunCase(set, CasesOf(set, filter)[0], Asked(set), {}, false);
+    const CentroidalOutcome outcome = RunCase(set, CasesOf(set, filter)[0], Asked(set), {});
     EXPECT_TRUE(outcome.solved) << outcome.reason;
     EXPECT_EQ(outcome.reason, "");
     EXPECT_LT(outcome.between.Largest(), 1e-3);
@@ -62,7 +62,7 @@ TEST(CentroidalBench, SolvesAFlyingTrotOnFlatGroundAndOverAGap) {
 TEST(CentroidalBench, OtherPatchesAreFoundWhereTheFirstOnesHaveNoMotion) {
   const CentroidalProblemSet set = Set();
   for (const char* filter : {"biped-4-block", "anymal-3-block"}) {
-    const CentroidalOutcome outcome = RunCase(set, CasesOf(set, filter)[0], Asked(set), {}, false);
+    const CentroidalOutcome outcome = RunCase(set, CasesOf(set, filter)[0], Asked(set), {});
     EXPECT_TRUE(outcome.solved) << outcome.reason;
     EXPECT_GT(outcome.choices, 1);
     EXPECT_LT(outcome.between.Largest(), 1e-3);
@@ -74,14 +74,14 @@ TEST(CentroidalBench, TimesAsVariablesCostLessOnEachGround) {
   for (const char* name : {"monoped-3-stairs", "biped-0-gap", "hyq-1-block", "hyq-1-slope"}) {
     const std::vector<CentroidalCase> cases = CasesOf(set, name);
     ASSERT_EQ(cases.size(), 1U) << name;
-    const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, false, TimingOptions{});
+    const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, {false, TimingOptions{}});
     ASSERT_TRUE(outcome.timing.has_value()) << name << " " << outcome.reason;
     EXPECT_TRUE(outcome.timing->keeps) << name;
     EXPECT_EQ(outcome.timing->cost_before, outcome.cost);
     EXPECT_EQ(outcome.timing->duration_s, outcome.task.duration_s);
     EXPECT_GE(outcome.timing->Fall(), 0.05) << name;
     EXPECT_LE(std::max(outcome.timing->between.friction, outcome.timing->between.unilateral), 0.0) << name;
-    EXPECT_FALSE(RunCase(set, cases[0], Asked(set), {}, false).timing.has_value());
+    EXPECT_FALSE(RunCase(set, cases[0], Asked(set), {}).timing.has_value());
   }
 }
 
@@ -89,7 +89,7 @@ TEST(CentroidalBench, OtherTimesMendWhatHasNoMotionAsAsked) {
   const CentroidalProblemSet set = Set();
   const std::vector<CentroidalCase> cases = CasesOf(set, "hyq-3-block");
   ASSERT_EQ(cases.size(), 1U);
-  const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, true, TimingOptions{});
+  const CentroidalOutcome outcome = RunCase(set, cases[0], Asked(set), {}, {true, TimingOptions{}});
   EXPECT_FALSE(outcome.solved);
   EXPECT_FALSE(outcome.eased);
   ASSERT_TRUE(outcome.timing.has_value());
@@ -103,7 +103,7 @@ TEST(CentroidalBench, EasesWhatHasNoMotionAsAskedAndSaysWhy) {
   const CentroidalProblemSet set = Set();
   const CentroidalTask hasty{2.1, 1.2, 0.5};
   const CentroidalCase one = CasesOf(set, "biped-0-flat")[0];
-  const CentroidalOutcome asked = RunCase(set, one, hasty, {}, false), eased = RunCase(set, one, hasty, {}, true);
+  const CentroidalOutcome asked = RunCase(set, one, hasty, {}), eased = RunCase(set, one, hasty, {}, {true});
   EXPECT_FALSE(asked.solved);
   EXPECT_NE(asked.reason.find("stays unmet by"), std::string::npos) << asked.reason;
   EXPECT_TRUE(eased.solved && eased.eased) << eased.reason;
@@ -116,16 +116,16 @@ TEST(CentroidalBench, EasesWhatHasNoMotionAsAskedAndSaysWhy) {
 
 TEST(CentroidalBench, AGoalThatIsNotHeldOrNotReachedIsRefusedForThatAndMoved) {
   const CentroidalProblemSet set = Set();
-  const CentroidalOutcome steep = RunCase(set, CasesOf(set, "monoped-1-slope")[0], Asked(set), {}, true);
+  const CentroidalOutcome steep = RunCase(set, CasesOf(set, "monoped-1-slope")[0], Asked(set), {}, {true});
   EXPECT_NE(steep.reason.find("too steep for a friction of 0.50; 0.70 is needed"), std::string::npos) << steep.reason;
   EXPECT_TRUE(steep.eased);
   EXPECT_EQ(steep.task.friction, 0.8);
   EXPECT_EQ(steep.task.distance_m, 2.1);
-  const CentroidalOutcome astride = RunCase(set, CasesOf(set, "anymal-1-slope")[0], Asked(set), {}, true);
+  const CentroidalOutcome astride = RunCase(set, CasesOf(set, "anymal-1-slope")[0], Asked(set), {}, {true});
   EXPECT_NE(astride.reason.find("out of its workspace wherever it stands"), std::string::npos) << astride.reason;
   EXPECT_TRUE(astride.eased);
   EXPECT_EQ(astride.task.higher_m, -0.05);
-  const CentroidalOutcome wall = RunCase(set, CasesOf(set, "hyq-1-chimney")[0], Asked(set), {}, true);
+  const CentroidalOutcome wall = RunCase(set, CasesOf(set, "hyq-1-chimney")[0], Asked(set), {}, {true});
   EXPECT_TRUE(wall.eased);
   EXPECT_LT(wall.task.distance_m, 1.0);
   for (const CentroidalOutcome& outcome : {steep, astride, wall}) EXPECT_LT(outcome.between.Largest(), 1e-3);
@@ -134,7 +134,7 @@ TEST(CentroidalBench, AGoalThatIsNotHeldOrNotReachedIsRefusedForThatAndMoved) {
 
 TEST(CentroidalBench, ABipedStandsAstrideARidgeThatHoldsNoFootAlone) {
   const CentroidalProblemSet set = Set();
-  const CentroidalOutcome outcome = RunCase(set, CasesOf(set, "biped-4-slope")[0], Asked(set), {}, false);
+  const CentroidalOutcome outcome = RunCase(set, CasesOf(set, "biped-4-slope")[0], Asked(set), {});
   EXPECT_TRUE(outcome.solved) << outcome.reason;
   EXPECT_LT(outcome.between.Largest(), 1e-3);
 }
