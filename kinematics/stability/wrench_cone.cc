@@ -60,10 +60,12 @@ class ShiftProgramme {
     return left < kLeft;
   }
 
-  /// The farthest shift along a direction, from the last solution on [m].
+  /// The farthest shift along a direction, from the last solution on [m]; one far out where there is no end.
   Vector2 Farthest(const Vector2& direction) {
+    endless_.setZero();
     Climb(&direction);
-    return length_m_ * (shifts_ * amounts_ - to_shift_ * wanted_);
+    const Vector2 shift = length_m_ * (shifts_ * amounts_ - to_shift_ * wanted_);
+    return endless_.isZero() ? shift : Vector2(shift + kFar * endless_.normalized());
   }
 
  private:
@@ -101,7 +103,10 @@ class ShiftProgramme {
       if (BestRay(value, ray) < kPriced) return;
       const Vector4 column = across_.transpose() * ray, change = lu.solve(column);
       const int leaves = Leaving(change, direction != nullptr);
-      if (leaves < 0) return;  // no end: forces that close upon each other
+      if (leaves < 0) {  // no end: forces that close upon each other
+        endless_ = to_shift_ * ray - shifts_ * change;
+        return;
+      }
       const double amount = std::max(amounts_[leaves] / change[leaves], 0.0);
       amounts_ -= amount * change;
       amounts_[leaves] = amount;
@@ -126,7 +131,7 @@ class ShiftProgramme {
     return leaves;
   }
 
-  static constexpr double kPriced = 1e-7;
+  static constexpr double kPriced = 1e-7, kFar = 10.0;
 
   const std::vector<ContactPoint>& contacts_;
   std::vector<Vector3> arms_;
@@ -137,6 +142,7 @@ class ShiftProgramme {
   Matrix4 basis_;
   Eigen::Matrix<double, 2, 4> shifts_;  // of the basis' rays
   Vector4 amounts_;
+  Vector2 endless_ = Vector2::Zero();  // where to, if the last direction has no end
   std::array<bool, 4> artificial_{};
 };
 

@@ -14,7 +14,8 @@ namespace gaitwright {
 /// The convex hull of such shifts, exact to 1e-4 m on the side that is nearest to no shift at all. Empty when there are
 /// none. On level ground with friction enough it is the support polygon seen from the ZMP; on contacts in no plane,
 /// where there is no ZMP, it stands in for that: a slice of the contact wrench cone. Caron, Pham and Nakamura, RSS 2015
-/// and T-RO 33(1), 2017. By linear programming over rays of the second-order cones, made as they are needed.
+/// and T-RO 33(1), 2017. Where contacts can press against each other, as between two walls, it has sides without end,
+/// of which 10 m are returned. By linear programming over rays of the second-order cones, made as they are needed.
 /// @throws InvalidArgument unless the force points up and there is a contact, with friction above 0 each.
 Polygon WrenchShifts(const std::vector<ContactPoint>& contacts, const PointWrench& wrench);
 

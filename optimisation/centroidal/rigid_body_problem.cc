@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "kinematics/base/result.h"
+#include "kinematics/trajectory/swing_curve.h"
 
 namespace gaitwright {
 namespace {
@@ -137,10 +138,21 @@ void CheckSwings(const RigidBodyProblem& problem) {
         !(problem.stances[swing.to].start_s > problem.stances[swing.from].end_s) || !std::isfinite(swing.lift_m) ||
         !(swing.cruise >= 0.0 && swing.cruise < 1.0))
       throw InvalidArgument(fmt::format("rigid body: no foot swings from stance {} to {}", swing.from, swing.to));
+    for (const SwingPlace& place : swing.places) {
+      if (!(place.share >= 0.0 && place.share <= 1.0) || !std::isfinite(place.from + place.to) ||
+          !place.p_W.allFinite())
+        throw InvalidArgument(fmt::format("rigid body: the swing from stance {} has a place that is none", swing.from));
+    }
   }
 }
 
 }  // namespace
+
+SwingPlace RigidSwing::PlaceAt(double share) const {
+  const double gone = SmoothStep(share, cruise).value;
+  const SwingCurve off{0.0, 1.0, Pose::Identity(), Pose::Identity(), lift_m, detour_W, cruise};
+  return {share, 1.0 - gone, gone, Evaluate(off, share).X_WF.translation()};
+}
 
 Vector3 RigidStance::MovedAt(double time_s) const {
   if (moved_W.empty()) return Vector3::Zero();

@@ -45,13 +45,24 @@ struct RigidStance {
   const MotorLimits* MotorsAt(double time_s) const;
 };
 
-/// The way of a foot through the air from one of its stances to the next, a SwingCurve that is to stay within reach.
+/// Where a foot is at a share of its swing: p = from * p_from + to * p_to + p_W, of the footholds that it goes between.
+struct SwingPlace {
+  double share = 0.5, from = 0.5, to = 0.5;
+  Vector3 p_W = Vector3::Zero();  ///< [m]
+};
+
+/// The way of a foot through the air from one of its stances to the next, a SwingCurve that is to stay within reach, or
+/// any way that is given by its places.
 struct RigidSwing {
   std::size_t from = 0, to = 0;  ///< stances
   double lift_m = 0.0;           ///< of the bump at half time
   double cruise = 0.0;           ///< share of the time at constant speed, below 1
   /// Control points of the spline that takes the bump's place; empty for none [m].
   std::vector<Vector3> detour_W = {};
+  std::vector<SwingPlace> places = {};  ///< at which it is looked at; empty for nine of the curve
+
+  /// That of the curve.
+  SwingPlace PlaceAt(double share) const;
 };
 
 /// A state of a single rigid body. Angles are roll, pitch and yaw: R_WB = Rz(yaw) Ry(pitch) Rx(roll).

@@ -88,6 +88,18 @@ std::vector<MissedReach> MissedReaches(const RigidBodyProblem& problem, const Ri
   return missed;
 }
 
+namespace {
+
+/// Where a foot on its way is looked at.
+std::vector<SwingPlace> PlacesOf(const RigidSwing& swing) {
+  if (!swing.places.empty()) return swing.places;
+  std::vector<SwingPlace> places;
+  for (const double share : {0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95}) places.push_back(swing.PlaceAt(share));
+  return places;
+}
+
+}  // namespace
+
 ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBodyUnknowns& unknowns,
                                  const RigidBodyOptions& options, const std::vector<MissedReach>& missed) {
   const RigidBodyTerms terms(problem, unknowns);
@@ -112,8 +124,7 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
       add(terms.Reach(s, t, options.reach_margin_m));
   }
   for (const RigidSwing& swing : problem.swings) {
-    for (const double share : {0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95})
-      add(terms.SwingReach(swing, share, options.reach_margin_m));
+    for (const SwingPlace& place : PlacesOf(swing)) add(terms.SwingReach(swing, place, options.reach_margin_m));
   }
   for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {

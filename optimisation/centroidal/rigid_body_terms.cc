@@ -321,16 +321,14 @@ Constraint RigidBodyTerms::Reach(std::size_t stance, double time_s, double margi
                  margin_m);
 }
 
-Constraint RigidBodyTerms::SwingReach(const RigidSwing& swing, double share, double margin_m) const {
+Constraint RigidBodyTerms::SwingReach(const RigidSwing& swing, const SwingPlace& at, double margin_m) const {
   const RigidStance &from = problem_.stances[swing.from], &to = problem_.stances[swing.to];
-  const double step = SmoothStep(share, swing.cruise).value;
-  const SwingCurve off{0.0, 1.0, Pose::Identity(), Pose::Identity(), swing.lift_m, swing.detour_W, swing.cruise};
   FootPlace place;
-  place.Add(1.0 - step, unknowns_.Foothold(swing.from)).Add(step, unknowns_.Foothold(swing.to));
-  place.constant += Evaluate(off, share).X_WF.translation();
+  place.Add(at.from, unknowns_.Foothold(swing.from)).Add(at.to, unknowns_.Foothold(swing.to));
+  place.constant += at.p_W;
   const RigidFoot& foot = problem_.feet[static_cast<std::size_t>(from.foot)];
   return ReachOf(from.foot, foot.workspace_in_air_B.empty() ? foot.workspace_B : foot.workspace_in_air_B, place,
-                 from.end_s + share * (to.start_s - from.end_s), margin_m);
+                 from.end_s + at.share * (to.start_s - from.end_s), margin_m);
 }
 
 Constraint RigidBodyTerms::ReachOf(int foot, const std::vector<WorkspaceSide>& workspace_B, const FootPlace& place,

@@ -33,8 +33,8 @@ class RigidBodyTerms {
   /// Hermite's cubic.
   Constraint Reach(std::size_t stance, double time_s, double margin_m) const;
 
-  /// The same of a foot on its way between two stances, at a share of its swing.
-  Constraint SwingReach(const RigidSwing& swing, double share, double margin_m) const;
+  /// The same of a foot at a place on its way between two stances.
+  Constraint SwingReach(const RigidSwing& swing, const SwingPlace& at, double margin_m) const;
 
   /// A foothold in its region. Only for one that is neither held nor without end.
   Constraint Region(std::size_t stance) const;

@@ -248,7 +248,7 @@ class Detour {
   /// acceleration of none at both ends.
   void AddJerk(ConstrainedProblem& problem) const {
     constexpr int kSamples = 40;
-    constexpr double kCheap = 1e-3;  // so that no price of a missed reach is less than what the jerk would save
+    constexpr double kCheap = 1e-5;  // so that no price of a missed reach is less than what the jerk would save
     const double scale = std::sqrt(kSamples + 1.0) * (variables_ > 2 * free_ ? kCheap : 1.0);
     const std::vector<double> fractions = Fractions(kSamples);
     const MatrixX accelerations = BasisAt(fractions, free_, true);
@@ -322,9 +322,8 @@ class Detour {
   const Profile& profile_;
   const int free_;
   const Vector2 sideways_W_;
-  const int variables_;  // along the way, upwards, and with a reach to the left
-  const double start_z_, rise_m_, cruise_;
-  const double firmness_;  // of the clearance, against the reach
+  const int variables_;                                // along the way, upwards, and with a reach to the left
+  const double start_z_, rise_m_, cruise_, firmness_;  // the last of the clearance, against the reach
   std::vector<double> fractions_, wanted_m_, reach_m_;
   std::vector<double> straight_s_, straight_z_;  // progress and height without a detour, by sample
   MatrixX basis_, within_;
@@ -349,9 +348,8 @@ Failure Unmet(double by_m, double out_m) {
   const std::string why = out_m < by_m
                               ? fmt::format("no swing keeps within reach; it strays by {:.1f} mm", 1e3 * out_m)
                               : fmt::format("no swing keeps the clearance; it is missed by {:.1f} mm", 1e3 * by_m);
-  const char* code = out_m < by_m ? "out_of_reach" : "no_clearance";
   return {FailureKind::kInfeasible,
-          code,
+          out_m < by_m ? "out_of_reach" : "no_clearance",
           "RefineSwing",
           why,
           {"ask for less clearance, give it more time, or place the footholds farther from edges"}};
@@ -382,9 +380,8 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
     ConstrainedSolution last;
     const Result<ConstrainedSolution> solution =
         LeastJerk(detour.Problem(side * lead, -side * wait), !choice.reach.empty(), last);
-    const bool strayed = !solution && last.worst_constraint == kReach;
-    if (!solution && !strayed) least_missed_m = std::min(least_missed_m, last.violation);
-    if (strayed) least_out_m = std::min(least_out_m, last.violation);
+    double& least_m = last.worst_constraint == kReach ? least_out_m : least_missed_m;
+    if (!solution) least_m = std::min(least_m, last.violation);
     constexpr double kOut = 1e12;  // more than any jerk
     const double cost = solution ? solution->cost : kOut * last.violations;
     if ((!solution && !choice.may_stray) || cost >= least_cost) continue;
@@ -397,8 +394,7 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
     best = std::move(refined);
     if (!choice.reach.empty() && solution.ok()) break;
   }
-  if (!best) return Unmet(least_missed_m, least_out_m);
-  return *best;
+  return best ? Result<RefinedSwing>(*best) : Unmet(least_missed_m, least_out_m);
 }
 
 }  // namespace gaitwright

@@ -58,7 +58,7 @@ TimingOutcome Timed(const PlanOverPatches& plan, bool solved, const RigidBodyOpt
 
 /// What the audit says of a motion over a ground.
 AuditOutcome Audited(const Terrain& ground, const PlanOverPatches& plan, const RigidBodyOptions& options) {
-  constexpr int kMostRounds = 6;
+  constexpr int kMostRounds = 10;
   const double start = CpuMs();
   AuditOutcome outcome;
   const Result<AuditedMotion> audited = RefineByAudit(ground, plan.choice.problem, options, plan.plan, kMostRounds);

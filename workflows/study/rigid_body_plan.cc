@@ -145,16 +145,29 @@ class Converter {
     return PlanSwings(robot_, ground_, plan_.footsteps, options, former);
   }
 
+  /// How far a foot in the air keeps from the ends of its workspace: at its footholds, which may be near to them,
+  /// little.
+  double SpareAt(int foot, double time_s) const {
+    constexpr double kLeast = 5e-4, kMost = 3e-3, kWithin = 0.04;  // [m], [m], [s]
+    double away_s = kWithin;
+    for (const Foothold& foothold : plan_.footsteps.footholds) {
+      if (foothold.foot != foot) continue;
+      away_s = std::min({away_s, std::abs(time_s - foothold.touchdown_s), std::abs(time_s - foothold.liftoff_s)});
+    }
+    return kLeast + away_s / kWithin * (kMost - kLeast);
+  }
+
   /// The workspace of a robot's foot at the nearest row, a little less of it.
   std::vector<ReachSide> ReachAt(int foot, double time_s) const {
     const auto row = static_cast<std::size_t>(std::lround(time_s / step_s_));
     const RigidBodySample& sample = samples_[std::min(row, samples_.size() - 1)];
     const auto of = static_cast<std::size_t>(std::find(foot_of_.begin(), foot_of_.end(), foot) - foot_of_.begin());
     const Matrix3 R_WB = RotationOf(sample.angles_rad);
+    const double spare_m = SpareAt(foot, time_s);
     std::vector<ReachSide> sides;
     for (const WorkspaceSide& side : problem_.feet[of].workspace_B) {
       const Vector3 normal_W = R_WB * side.normal;
-      sides.push_back({normal_W, side.offset + normal_W.dot(sample.p_WC) - kSpare});
+      sides.push_back({normal_W, side.offset + normal_W.dot(sample.p_WC) - spare_m});
     }
     return sides;
   }
@@ -316,7 +329,6 @@ class Converter {
   }
 
   static constexpr double kLift = 0.25, kClearance = 0.05;  // of a workspace's height
-  static constexpr double kSpare = 5e-4;                    // [m] of its sides
   static constexpr double kPresses = 0.01;                  // of the weight
 
   const RobotModel& robot_;

@@ -79,14 +79,19 @@ TEST(WrenchConeMargin, OfTwoPointsIsTheDistanceToTheirLine) {
   }
 }
 
+/// What the split of a wrench over the contacts leaves, as a share of its force.
+double LeftBySplit(const std::vector<ContactPoint>& contacts, const PointWrench& wrench) {
+  ContactSplit split;
+  ContactSplitter().Solve(contacts, wrench, split);
+  return std::hypot(split.residual_force_W.norm(), split.residual_moment_W.norm() / 0.3) / wrench.force_W.norm();
+}
+
 /// By a second road: the wrench with its axis shifted can be split over the contacts just up to the margin.
 TEST(WrenchConeMargin, IsWhereTheSplitBeginsToFailOnContactsInNoPlane) {
   Numbers numbers(5);
   const auto left = [](const std::vector<ContactPoint>& contacts, PointWrench wrench, const Vector2& shift) {
     wrench.moment_W += Vector3(shift.x(), shift.y(), 0.0).cross(wrench.force_W);
-    ContactSplit split;
-    ContactSplitter().Solve(contacts, wrench, split);
-    return std::hypot(split.residual_force_W.norm(), split.residual_moment_W.norm() / 0.3) / wrench.force_W.norm();
+    return LeftBySplit(contacts, wrench);
   };
   int inside = 0, outside = 0;
   for (int k = 0; k < 60; ++k) {
@@ -114,6 +119,27 @@ TEST(WrenchConeMargin, IsWhereTheSplitBeginsToFailOnContactsInNoPlane) {
   }
   EXPECT_GT(inside, 8);
   EXPECT_GT(outside, 8);
+}
+
+TEST(WrenchConeMargin, HasNoEndWhereContactsPressAgainstEachOther) {
+  const auto between_faces = [](double fall_rad) {
+    std::vector<ContactPoint> contacts;
+    for (const double x : {-0.2, 0.2}) {
+      for (const double side : {1.0, -1.0}) {
+        const Vector3 normal_W(0.0, -side * std::sin(fall_rad), std::cos(fall_rad));
+        contacts.push_back({Vector3(x, 0.15 * side, 0.0), normal_W, 0.8, 1.0});
+      }
+    }
+    return contacts;
+  };
+  for (const double aside : {0.0, 0.4, 0.9}) {  // of the weight
+    const PointWrench pushed{Vector3(0.0, 0.0, 0.3), Vector3(0.0, 100.0 * aside, 100.0), Vector3::Zero()};
+    EXPECT_GT(WrenchConeMargin(between_faces(1.2), pushed), 1.0) << aside;
+    EXPECT_LT(LeftBySplit(between_faces(1.2), pushed), 1e-4) << aside;
+    const double within_cones = WrenchConeMargin(between_faces(0.8), pushed);
+    EXPECT_EQ(within_cones > 0.0, LeftBySplit(between_faces(0.8), pushed) < 1e-4) << aside << " " << within_cones;
+    EXPECT_LT(within_cones, 1.0) << aside;
+  }
 }
 
 TEST(WrenchConeMargin, RefusesWhatHasNone) {

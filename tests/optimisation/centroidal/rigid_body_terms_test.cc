@@ -240,7 +240,7 @@ TEST(RigidBodyTerms, SwingReachHasItsDerivatives) {
     const RigidBodyTerms terms(problem, unknowns);
     const VectorX x = Random(unknowns, 7);
     for (const double share : {0.1, 0.35, 0.5, 0.9}) {
-      const Constraint reach = terms.SwingReach({0, 1, 0.1}, share, 0.0);
+      const Constraint reach = terms.SwingReach({0, 1, 0.1}, RigidSwing{0, 1, 0.1}.PlaceAt(share), 0.0);
       SCOPED_TRACE(reach.name);
       ExpectDerivative(reach.function, Own(reach.variables, x));
     }
@@ -259,7 +259,8 @@ TEST(RigidBodyTerms, SwingReachIsThatOfTheSwingsCurve) {
   curve.X_WF_end.translation() = unknowns.Foothold(1).At(x);
   for (const double share : {0.1, 0.3, 0.5, 0.8}) {
     const double time_s = from.end_s + share * (to.start_s - from.end_s);
-    const Constraint rows = RigidBodyTerms(problem, unknowns).SwingReach({0, 1, 0.12}, share, 0.01);
+    const RigidSwing swing{0, 1, 0.12};
+    const Constraint rows = RigidBodyTerms(problem, unknowns).SwingReach(swing, swing.PlaceAt(share), 0.01);
     const VectorX value = ValueOf(rows, x);
     const Vector3 p_CF = Evaluate(curve, time_s).X_WF.translation() - unknowns.CentreOfMass(time_s).At(x);
     ASSERT_EQ(value.size(), static_cast<Eigen::Index>(problem.feet[0].workspace_B.size()));

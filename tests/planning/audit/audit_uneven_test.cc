@@ -177,5 +177,31 @@ TEST(AuditOnContactsInNoPlane, HoldsTheWrenchAgainstTheConeWhereTheForcesDoNotGi
   EXPECT_GT(At(ViolationsOf(a1.model, level), "zero-moment point").value, 0.0);
 }
 
+TEST(AuditInAValley, HoldsTheWrenchAgainstTheConeWhereContactsPullOffTheirPlane) {
+  const GoodPlan& a1 = GoodPlanOf("a1");
+  // It stands as it does, on faces that fall towards its middle, and is pushed aside by more than gravity holds.
+  const auto pushed = [&](double fall_rad, double friction) {
+    MotionPlan plan = StandOnSlope(a1.model, a1.plan, Matrix3::Identity());
+    for (Foothold& foothold : plan.footsteps.footholds) {
+      const double side = foothold.X_WF.translation().y() > 0.0 ? 1.0 : -1.0;
+      foothold.X_WF.linear() = RotationExp(side * fall_rad * Vector3::UnitX());
+    }
+    for (VectorX& a : plan.whole_body.a) a[1] += 7.0;
+    plan.terrain.patches[0].friction = friction;
+    std::vector<std::string> where;
+    for (const Violation& violation : ViolationsOf(a1.model, plan)) {
+      if (violation.law == "zmp_support") where.push_back(violation.where);
+    }
+    return where;
+  };
+  const double friction = 0.8, beyond_rad = 1.2, within_rad = 0.8;  // and a cone of 0.675 rad about each
+  EXPECT_EQ(pushed(0.0, friction), std::vector<std::string>{"zero-moment point"});
+  EXPECT_EQ(pushed(within_rad, friction), std::vector<std::string>{"zero-moment point"});
+  EXPECT_EQ(pushed(beyond_rad, friction), std::vector<std::string>{}) << "faces on either side hold it between them";
+  EXPECT_EQ(pushed(beyond_rad, 0.1), std::vector<std::string>{"zero-moment point"});
+  const double overhang_rad = 1.8;
+  EXPECT_EQ(pushed(overhang_rad, 0.1), std::vector<std::string>{"contact wrench cone"}) << "these push down";
+}
+
 }  // namespace
 }  // namespace gaitwright
