@@ -10,6 +10,7 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/roll_moments.h"
 #include "optimisation/swing/plan_swings.h"
 
 namespace gaitwright {
@@ -174,9 +175,10 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   options.grid_s = task_.options.pipeline.grid_step_s;
   Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options);
   if (!plan) return plan.failure();
-  samples_ = Sample(plan->motion, task_.options.pipeline.grid_step_s);
+  motion_ = std::move(plan->motion);
+  samples_ = Sample(motion_, task_.options.pipeline.grid_step_s);
   MotionPass pass;
-  pass.footsteps = FootstepsOf(plan->motion);
+  pass.footsteps = FootstepsOf(motion_);
   SetCentroidal(samples_, pass);
   Result<std::vector<SwingTrajectory>> swings = PlanSwings(
       model_, task_.terrain, pass.footsteps, task_.options.swing,
@@ -189,7 +191,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
        [&](const SwingTrajectory& swing) { return CruiseIn(task_.skeleton.schedule, swing.start_s, swing.end_s); }});
   if (!swings) return swings.failure();
   pass.swings = std::move(*swings);
-  const auto loads = LoadsOf(problem_, plan->motion, samples_);
+  const auto loads = LoadsOf(problem_, motion_, samples_);
   const auto row = [&](double time_s) {
     const double at = (time_s - pass.centroidal.start_s) / pass.centroidal.step_s;
     return static_cast<std::size_t>(std::clamp<long>(std::lround(at), 0, static_cast<long>(samples_.size()) - 1));
@@ -256,6 +258,8 @@ void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, Dynamics
   constexpr double kLeast = 0.6, kMost = 2.0;
   VectorX needed;
   const std::size_t n = samples_.size();
+  const std::vector<Vector3> roll_moment = RollMoments(problem_, motion_, samples_);
+  Vector3 by_roll = Vector3::Zero();
   problem_.inner_momentum_W.resize(n, Vector3::Zero());
   problem_.inner_torque_W.resize(n, Vector3::Zero());
   std::vector<Vector3> off(n), torque_off(n);
@@ -264,9 +268,10 @@ void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, Dynamics
     InverseDynamics(model_, rows.q[k], rows.v[k], rows.a[k], scratch, needed);
     const Vector3 arm = scratch.p_WB[0] - CentreOfMass(model_, scratch);
     const Vector3 of_box = RotationOf(samples_[k].angles_rad) * problem_.inertia_B * samples_[k].w_WB_B;
-    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - problem_.inner_momentum_W[k];
-    torque_off[k] =
-        needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - problem_.inner_torque_W[k];
+    if (k > 0) by_roll += 0.5 * rows.step_s * (roll_moment[k - 1] + roll_moment[k]);
+    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - by_roll - problem_.inner_momentum_W[k];
+    torque_off[k] = needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - roll_moment[k] -
+                    problem_.inner_torque_W[k];
     if (off_.empty()) continue;
     along += off_[k].dot(off[k] - off_[k]);
     change += (off[k] - off_[k]).squaredNorm();
@@ -298,7 +303,6 @@ void RigidBodyPasses::LearnSwings(const std::vector<SwingTrajectory>& swings) {
 void RigidBodyPasses::Learn(const MotionPass& pass) {
   const WholeBodySolution& solution = pass.solution;
   DynamicsScratch scratch(model_);
-  LearnInnerMotion(solution.trajectory, scratch);
   LearnSwings(pass.swings);
   const double step_s = pass.centroidal.step_s;
   for (std::size_t i = 0; i < problem_.stances.size(); ++i) {
@@ -315,6 +319,7 @@ void RigidBodyPasses::Learn(const MotionPass& pass) {
       stance.motors.push_back(MotorsOf(pass, stance.foot, k, scratch));
     }
   }
+  LearnInnerMotion(solution.trajectory, scratch);
 }
 
 }  // namespace gaitwright

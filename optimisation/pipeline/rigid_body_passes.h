@@ -37,7 +37,8 @@ class RigidBodyPasses {
   const StandingBody body_;
   RigidBodyProblem problem_;
   double lift_m_ = 0.0;                   // of swings without flight
-  std::vector<RigidBodySample> samples_;  // of the last motion, by row of the grid
+  RigidBodyMotion motion_;                // of the last pass
+  std::vector<RigidBodySample> samples_;  // of it, by row of the grid
   std::vector<Vector3> off_;              // inner momentum that came back, less what went in, of the last pass
   double step_ = 1.0;                     // of that, how much was taken
   std::vector<Vector3> expected_roll_;    // by foothold
