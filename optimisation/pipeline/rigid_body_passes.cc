@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/pipeline/rigid_body_passes.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
+#include "optimisation/centroidal/body_limits.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/roll_moments.h"
 #include "optimisation/swing/plan_swings.h"
@@ -99,6 +104,19 @@ std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, const ContactS
   return swings;
 }
 
+/// The failure of a rigid body, whose feet have numbers, with the names of a robot's.
+Failure WithNamesOf(const RobotModel& model, Failure failure) {
+  for (std::size_t f = 0; f < model.feet.size(); ++f) {
+    const std::string number = fmt::format("foot {}", f), name = fmt::format("'{}'", model.feet[f].name);
+    for (auto at = failure.message.find(number); at != std::string::npos; at = failure.message.find(number, at + 1)) {
+      const std::size_t next = at + number.size();
+      const bool longer = next < failure.message.size() && failure.message[next] >= '0' && failure.message[next] <= '9';
+      if (!longer) failure.message.replace(at, number.size(), name);
+    }
+  }
+  return failure;
+}
+
 double Largest(const std::vector<PointWrench>& residuals, double weight_n) {
   double largest = 0.0;
   for (const PointWrench& w : residuals)
@@ -127,17 +145,33 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   int idle = 0;
   MotionPass best;
   const double tolerance = task_.options.pipeline.residual;
+  RigidBodyOptions options = task_.options.rigid_body;
+  options.grid_s = task_.options.pipeline.grid_step_s;
+  auto failure = WhyBeyondLegs(problem_);
+  if (!failure) failure = WhyNotCarried(problem_, options);
+  if (failure) return WithNamesOf(model_, *failure);
   for (passes = 0; passes < task_.options.pipeline.max_body_passes;) {
     Result<MotionPass> made = MakePass();
     if (!made) return made;
     ++passes;
     Learn(*made);
     if (passes == kFreePasses) HoldFootholds(made->footsteps);
+    if (StaysPastLimits(*made, passes)) return made;
     idle = made->error_m < kGain * best.error_m ? 0 : idle + 1;
     if (made->error_m < best.error_m) best = std::move(*made);
     if (best.error_m < tolerance || idle == kIdle) break;
   }
   return best;
+}
+
+/// Whether joints are past their limits as they were in the pass before, which the next ones do not change: legs that
+/// are too short, or too slow for their swings, stay so.
+bool RigidBodyPasses::StaysPastLimits(const MotionPass& pass, int passes) {
+  constexpr double kLeast = 1e-3, kFall = 0.9;
+  constexpr int kSettling = 4;  // passes
+  const double before = std::exchange(past_limits_, TotalExcess(model_, pass.solution.trajectory, 0.0));
+  return passes >= kSettling && !task_.options.pipeline.allow_limits && past_limits_ > kLeast &&
+         past_limits_ > kFall * before && before > kLeast;
 }
 
 void RigidBodyPasses::HoldFootholds(const FootstepPlan& footsteps) {
@@ -174,7 +208,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   RigidBodyOptions options = task_.options.rigid_body;
   options.grid_s = task_.options.pipeline.grid_step_s;
   Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options);
-  if (!plan) return plan.failure();
+  if (!plan) return WithNamesOf(model_, plan.failure());
   motion_ = std::move(plan->motion);
   samples_ = Sample(motion_, task_.options.pipeline.grid_step_s);
   MotionPass pass;
