@@ -41,12 +41,23 @@ std::string UnmetOf(const ConstrainedSolution& at) {
                      at.iterations, at.violations, at.least ? ", which small changes of the motion do not lower" : "");
 }
 
-Failure Unmet(const RigidBodyProblem& problem, const RigidBodySummary& summary) {
+/// What would help where a law of that name stays unmet.
+std::string ReliefOf(const std::string& worst) {
+  if (worst.starts_with("reach"))
+    return "less travel in a stance: a lower speed, a shorter cycle, or footholds nearer to each other";
+  if (worst.starts_with("friction") || worst.starts_with("motors"))
+    return "weaker pushes: a larger duty factor, a lower speed or more time; or more friction";
+  if (worst.starts_with("turning"))
+    return "feet that stand longer, so that they can turn the body: a larger duty factor";
+  return "more time";
+}
+
+Failure Unmet(const RigidBodyProblem& problem, const std::string& worst, const std::string& unmet) {
   return {FailureKind::kInfeasible,
           "unmet_law",
           "PlanRigidBody",
-          "no motion was found that keeps all laws: " + summary.unmet + TooSteepAtGoal(problem),
-          {"give it more time or a nearer goal, or footholds elsewhere"}};
+          "no motion was found that keeps all laws: " + unmet + TooSteepAtGoal(problem),
+          {ReliefOf(worst), "a nearer goal, or footholds elsewhere"}};
 }
 
 Failure FaultsBetween(const RigidBodySummary& summary) {
@@ -56,6 +67,25 @@ Failure FaultsBetween(const RigidBodySummary& summary) {
           fmt::format("between breaks {} is missed by {:.3g} though they were put half as far apart {} times",
                       summary.faults.Worst(), summary.faults.Largest(), summary.refinements),
           {"raise max_refinements or reach_margin_m"}};
+}
+
+/// Where a problem's rows are far from being kept, and how; nothing where they may be kept.
+std::optional<ConstrainedSolution> Hopeless(const RigidBodyProblem& problem, const RigidBodyOptions& options,
+                                            double hopeless) {
+  constexpr double kNearly = 1e-2;  // kept so far it is not hopeless
+  const RigidBodyUnknowns unknowns(problem, options.spacing_s, options.least_intervals, options.grid_s);
+  ConstrainedProblem rows = RigidBodyRows(problem, unknowns, options, {});
+  rows.start = GuessRigidBody(problem, unknowns);
+  ElasticOptions solving;
+  solving.tolerance = solving.cost_tolerance = kNearly;
+  solving.price = options.price;
+  solving.most_price = options.most_price;
+  solving.screening = options.screening;
+  solving.hopeless = hopeless;
+  solving.max_iterations = options.screening;
+  ConstrainedSolution at;
+  if (SolveElastic(rows, solving, &at).ok() || at.violations <= hopeless) return std::nullopt;
+  return at;
 }
 
 /// Plans over breaks that are put nearer to each other, and feet looked at more often, where that is needed.
@@ -90,7 +120,7 @@ class RigidBodyPlanner {
     while (true) {
       SolveOnce();
       RigidBodySummary& summary = plan_.summary;
-      if (summary.violation > options_.tolerance) return Unmet(problem_, summary);
+      if (summary.violation > options_.tolerance) return Unmet(problem_, summary.worst, summary.unmet);
       if (summary.faults.Largest() <= options_.fault_tolerance) return plan_;
       if (summary.refinements == options_.max_refinements) return FaultsBetween(summary);
       ++summary.refinements;
@@ -187,6 +217,26 @@ class RigidBodyPlanner {
 };
 
 }  // namespace
+
+std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options) {
+  CheckRigidBodyProblem(problem);
+  RigidBodyOptions lenient = options;
+  CheckOptions(lenient.Fields());
+  lenient.turns_by_forces = false;
+  lenient.force_margin = lenient.reach_margin_m = lenient.swing_lead_s = 0.0;
+  RigidBodyProblem without_swings = problem;
+  without_swings.swings.clear();
+  if (const auto at = Hopeless(without_swings, lenient, options.hopeless)) {
+    Failure failure = Unmet(problem, at->worst_constraint, UnmetOf(*at));
+    failure.code = "not_carried";
+    failure.message = "no forces carry the body along, however it turns: " + UnmetOf(*at) + TooSteepAtGoal(problem);
+    return failure;
+  }
+  constexpr double kFar = 5.0;  // a motion may be found another way otherwise
+  if (const auto at = Hopeless(problem, options, kFar * options.hopeless))
+    return Unmet(problem, at->worst_constraint, UnmetOf(*at));
+  return std::nullopt;
+}
 
 OptionFields RigidBodyOptions::Fields() {
   return {

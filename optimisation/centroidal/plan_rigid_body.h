@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct RigidBodyOptions {
   double hopeless = 0.1;
   int max_iterations = 100;
   RigidBodyWeights weights = {};
+  bool turns_by_forces = true;  ///< else it may turn as it likes, which is no motion but tells what forces cannot do
 
   OptionFields Fields();
 };
@@ -85,6 +87,12 @@ struct RigidBodyPlan {
 /// @throws InvalidArgument as CheckRigidBodyProblem.
 Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const RigidBodyOptions& options = {},
                                     RigidBodyPlan* last = nullptr);
+
+/// Looks before PlanRigidBody whether forces could carry the body along at all, were it to turn as it likes, swing its
+/// feet anyhow and go to the ends of its reach and cones: for a tenth of the time. @return kInfeasible `not_carried`
+/// with what stays unmet, where and by how much, where violations come to more than `hopeless` in all; nothing where
+/// there may be a motion.
+std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
 
 /// The same from the numbers of a motion of a problem like this one: the same stances at times of their own, and breaks
 /// at those times. Breaks stay where they are, so that faults between them other than of reach are refused.

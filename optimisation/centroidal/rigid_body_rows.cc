@@ -108,7 +108,7 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
   const auto add = [&](Constraint constraint) {
     if (!constraint.variables.empty()) rows.constraints.push_back(std::move(constraint));
   };
-  for (std::size_t i = 0; i < unknowns.intervals(); ++i) add(terms.Turning(i));
+  for (std::size_t i = 0; i < unknowns.intervals() && options.turns_by_forces; ++i) add(terms.Turning(i));
   for (const std::size_t k : unknowns.FreeBreaks()) add(terms.Free(k));
   const std::vector<BoundForce>& forces = unknowns.BoundForces();
   for (const BoundForce& force : forces) add(terms.Friction(force, options.friction_sides, options.force_margin));

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/pipeline/rigid_body_passes.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
+#include "optimisation/centroidal/body_limits.h"
 #include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/roll_moments.h"
 #include "optimisation/swing/plan_swings.h"
 
 namespace gaitwright {
@@ -98,6 +104,19 @@ std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, const ContactS
   return swings;
 }
 
+/// The failure of a rigid body, whose feet have numbers, with the names of a robot's.
+Failure WithNamesOf(const RobotModel& model, Failure failure) {
+  for (std::size_t f = 0; f < model.feet.size(); ++f) {
+    const std::string number = fmt::format("foot {}", f), name = fmt::format("'{}'", model.feet[f].name);
+    for (auto at = failure.message.find(number); at != std::string::npos; at = failure.message.find(number, at + 1)) {
+      const std::size_t next = at + number.size();
+      const bool longer = next < failure.message.size() && failure.message[next] >= '0' && failure.message[next] <= '9';
+      if (!longer) failure.message.replace(at, number.size(), name);
+    }
+  }
+  return failure;
+}
+
 double Largest(const std::vector<PointWrench>& residuals, double weight_n) {
   double largest = 0.0;
   for (const PointWrench& w : residuals)
@@ -126,17 +145,33 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   int idle = 0;
   MotionPass best;
   const double tolerance = task_.options.pipeline.residual;
+  RigidBodyOptions options = task_.options.rigid_body;
+  options.grid_s = task_.options.pipeline.grid_step_s;
+  auto failure = WhyBeyondLegs(problem_);
+  if (!failure) failure = WhyNotCarried(problem_, options);
+  if (failure) return WithNamesOf(model_, *failure);
   for (passes = 0; passes < task_.options.pipeline.max_body_passes;) {
     Result<MotionPass> made = MakePass();
     if (!made) return made;
     ++passes;
     Learn(*made);
     if (passes == kFreePasses) HoldFootholds(made->footsteps);
+    if (StaysPastLimits(*made, passes)) return made;
     idle = made->error_m < kGain * best.error_m ? 0 : idle + 1;
     if (made->error_m < best.error_m) best = std::move(*made);
     if (best.error_m < tolerance || idle == kIdle) break;
   }
   return best;
+}
+
+/// Whether joints are past their limits as they were in the pass before, which the next ones do not change: legs that
+/// are too short, or too slow for their swings, stay so.
+bool RigidBodyPasses::StaysPastLimits(const MotionPass& pass, int passes) {
+  constexpr double kLeast = 1e-3, kFall = 0.9;
+  constexpr int kSettling = 4;  // passes
+  const double before = std::exchange(past_limits_, TotalExcess(model_, pass.solution.trajectory, 0.0));
+  return passes >= kSettling && !task_.options.pipeline.allow_limits && past_limits_ > kLeast &&
+         past_limits_ > kFall * before && before > kLeast;
 }
 
 void RigidBodyPasses::HoldFootholds(const FootstepPlan& footsteps) {
@@ -173,10 +208,11 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   RigidBodyOptions options = task_.options.rigid_body;
   options.grid_s = task_.options.pipeline.grid_step_s;
   Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options);
-  if (!plan) return plan.failure();
-  samples_ = Sample(plan->motion, task_.options.pipeline.grid_step_s);
+  if (!plan) return WithNamesOf(model_, plan.failure());
+  motion_ = std::move(plan->motion);
+  samples_ = Sample(motion_, task_.options.pipeline.grid_step_s);
   MotionPass pass;
-  pass.footsteps = FootstepsOf(plan->motion);
+  pass.footsteps = FootstepsOf(motion_);
   SetCentroidal(samples_, pass);
   Result<std::vector<SwingTrajectory>> swings = PlanSwings(
       model_, task_.terrain, pass.footsteps, task_.options.swing,
@@ -189,7 +225,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
        [&](const SwingTrajectory& swing) { return CruiseIn(task_.skeleton.schedule, swing.start_s, swing.end_s); }});
   if (!swings) return swings.failure();
   pass.swings = std::move(*swings);
-  const auto loads = LoadsOf(problem_, plan->motion, samples_);
+  const auto loads = LoadsOf(problem_, motion_, samples_);
   const auto row = [&](double time_s) {
     const double at = (time_s - pass.centroidal.start_s) / pass.centroidal.step_s;
     return static_cast<std::size_t>(std::clamp<long>(std::lround(at), 0, static_cast<long>(samples_.size()) - 1));
@@ -256,6 +292,8 @@ void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, Dynamics
   constexpr double kLeast = 0.6, kMost = 2.0;
   VectorX needed;
   const std::size_t n = samples_.size();
+  const std::vector<Vector3> roll_moment = RollMoments(problem_, motion_, samples_);
+  Vector3 by_roll = Vector3::Zero();
   problem_.inner_momentum_W.resize(n, Vector3::Zero());
   problem_.inner_torque_W.resize(n, Vector3::Zero());
   std::vector<Vector3> off(n), torque_off(n);
@@ -264,9 +302,10 @@ void RigidBodyPasses::LearnInnerMotion(const WholeBodyTrajectory& rows, Dynamics
     InverseDynamics(model_, rows.q[k], rows.v[k], rows.a[k], scratch, needed);
     const Vector3 arm = scratch.p_WB[0] - CentreOfMass(model_, scratch);
     const Vector3 of_box = RotationOf(samples_[k].angles_rad) * problem_.inertia_B * samples_[k].w_WB_B;
-    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - problem_.inner_momentum_W[k];
-    torque_off[k] =
-        needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - problem_.inner_torque_W[k];
+    if (k > 0) by_roll += 0.5 * rows.step_s * (roll_moment[k - 1] + roll_moment[k]);
+    off[k] = CentroidalMomentum(model_, scratch).tail<3>() - of_box - by_roll - problem_.inner_momentum_W[k];
+    torque_off[k] = needed.segment<3>(3) + arm.cross(needed.head<3>()) - samples_[k].torque_W - roll_moment[k] -
+                    problem_.inner_torque_W[k];
     if (off_.empty()) continue;
     along += off_[k].dot(off[k] - off_[k]);
     change += (off[k] - off_[k]).squaredNorm();
@@ -298,7 +337,6 @@ void RigidBodyPasses::LearnSwings(const std::vector<SwingTrajectory>& swings) {
 void RigidBodyPasses::Learn(const MotionPass& pass) {
   const WholeBodySolution& solution = pass.solution;
   DynamicsScratch scratch(model_);
-  LearnInnerMotion(solution.trajectory, scratch);
   LearnSwings(pass.swings);
   const double step_s = pass.centroidal.step_s;
   for (std::size_t i = 0; i < problem_.stances.size(); ++i) {
@@ -315,6 +353,7 @@ void RigidBodyPasses::Learn(const MotionPass& pass) {
       stance.motors.push_back(MotorsOf(pass, stance.foot, k, scratch));
     }
   }
+  LearnInnerMotion(solution.trajectory, scratch);
 }
 
 }  // namespace gaitwright

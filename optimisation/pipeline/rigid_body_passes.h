@@ -26,6 +26,7 @@ class RigidBodyPasses {
   /// The footholds of a motion.
   FootstepPlan FootstepsOf(const RigidBodyMotion& motion) const;
   void SetCentroidal(const std::vector<RigidBodySample>& samples, MotionPass& pass) const;
+  bool StaysPastLimits(const MotionPass& pass, int passes);
   void HoldFootholds(const FootstepPlan& footsteps);
   void Learn(const MotionPass& pass);
   void LearnInnerMotion(const WholeBodyTrajectory& rows, DynamicsScratch& scratch);
@@ -37,8 +38,10 @@ class RigidBodyPasses {
   const StandingBody body_;
   RigidBodyProblem problem_;
   double lift_m_ = 0.0;                   // of swings without flight
-  std::vector<RigidBodySample> samples_;  // of the last motion, by row of the grid
+  RigidBodyMotion motion_;                // of the last pass
+  std::vector<RigidBodySample> samples_;  // of it, by row of the grid
   std::vector<Vector3> off_;              // inner momentum that came back, less what went in, of the last pass
+  double past_limits_ = 0.0;              // of the last pass, TotalExcess
   double step_ = 1.0;                     // of that, how much was taken
   std::vector<Vector3> expected_roll_;    // by foothold
   std::vector<Vector3> roll_;             // by foothold, over its stance

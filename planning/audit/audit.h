@@ -44,7 +44,8 @@ struct AuditOptions {
 ///   consistency    all columns tell one story:
 ///                  q against v, v against a: 0.01 m/s and 0.02 rad/s, 1 m/s^2 and 100 rad/s^2, mean over a step;
 ///                  centre of mass against the joints: 1 mm, 0.01 m/s, 0.1 m/s^2, and its own derivatives likewise;
-///                  reference of the ZMP against the multibody's: 2 mm; pendulum's frequency against sqrt(g / h): 2 %;
+///                  reference of the ZMP against the multibody's: 2 mm (where little presses,
+///                  1e-3 h m g over the force); pendulum's frequency against sqrt(g / h): 2 %;
 ///                  feet on footholds, along swings: 1 mm and 1e-3 rad; a foothold for each interval of contact and a
 ///                  swing for each gap between two, at their times to 1e-6 s; the goal where the command leads, to 3 %
 ///                  of the leg's length

@@ -314,14 +314,14 @@ class Search {
   mutable std::map<std::pair<std::string, double>, double> brief_;  // by flags of the pace and cycle: answers so far
 };
 
-/// The failure with what it would take instead.
+/// The failure with what it would take instead; of a plan that was made and not given that it can be had all the same.
 Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest& request, Failure failure) {
   const WalkCommand& command = request.command;
   const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return failure;
   const double largest = search.LargestThatIsSound();
   const char* name = NameOf(PaceOf(command));
-  failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
+  if (failure.stage == "PlanWalk") failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
   if (largest == 0.0) {
     failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
                                    model.name, name, gait->name);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "kinematics/base/result.h"
 #include "kinematics/trajectory/swing_curve.h"
@@ -147,6 +148,30 @@ TEST(PlanRigidBody, SaysWhichLawStaysUnmetAndWhere) {
   EXPECT_NE(last.summary.worst.find(" s"), std::string::npos) << last.summary.worst;
   EXPECT_GT(last.summary.violation, 1e-3);
   EXPECT_FALSE(last.motion.intervals.empty());
+}
+
+TEST(WhyNotCarried, IsSilentWhereThereIsAMotion) {
+  for (const RigidBodyProblem& problem : {rigid_bodies::Hopper(), rigid_bodies::Walker(), rigid_bodies::Trotter()})
+    EXPECT_FALSE(WhyNotCarried(problem, {}).has_value());
+}
+
+TEST(WhyNotCarried, SaysWhatForcesCannotDoHoweverTheBodyTurns) {
+  const std::optional<Failure> failure = WhyNotCarried(rigid_bodies::Hopper(2.5), {});
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
+  EXPECT_EQ(failure->code, "not_carried");
+  EXPECT_NE(failure->message.find(" of foot 0 at "), std::string::npos) << failure->message;
+  EXPECT_EQ(failure->hints.size(), 2U);
+}
+
+TEST(WhyNotCarried, SaysWhatForcesCarryButDoNotTurn) {
+  // Feet in a line cannot hold a body whose centre of mass is beside them.
+  RigidBodyProblem problem = rigid_bodies::Hopper(0.0);
+  problem.start.p_WC.y() = problem.goal.p_WC.y() = 0.1;
+  ASSERT_FALSE(PlanRigidBody(problem).ok());
+  const std::optional<Failure> failure = WhyNotCarried(problem, {});
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->code, "unmet_law");
 }
 
 TEST(PlanRigidBody, SaysWhereFrictionHoldsNoBodyAtRest) {

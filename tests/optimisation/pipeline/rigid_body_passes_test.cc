@@ -153,10 +153,19 @@ MotionPlan PlannedBy(const RobotModel& model, const std::string& name, const Wal
   return motion.ok() ? motion->plan : MotionPlan{};
 }
 
-TEST(RigidBodyPasses, APronkKeepsTheProgramsOwnTolerance) {
+class RigidBodyPassesOf : public testing::TestWithParam<std::pair<std::string, double>> {};
+
+// A bound's feet roll by more in an interval of forces than those of other gaits.
+INSTANTIATE_TEST_SUITE_P(Gaits, RigidBodyPassesOf,
+                         testing::Values(std::pair<std::string, double>{"pronk", 0.5},
+                                         std::pair<std::string, double>{"bound", 0.8}),
+                         [](const auto& gait) { return gait.param.first; });
+
+TEST_P(RigidBodyPassesOf, KeepsTheProgramsOwnTolerance) {
   const RobotModel model = *LoadNamedRobot("a1");
-  const WalkCommand command = Ahead(0.5, 0.2);
-  const Gait gait = *FindGait(model, "pronk", CommandedSpeed(model, command), {});
+  const auto& [name, speed_m_s] = GetParam();
+  const WalkCommand command = Ahead(speed_m_s, 0.2);
+  const Gait gait = *FindGait(model, name, CommandedSpeed(model, command), {});
   MotionOptions options, once;
   once.pipeline.max_body_passes = 1;
   const Result<PlannedMotion> motion = PlanMotion(model, FlatTerrain(), gait, command, options);
@@ -167,6 +176,43 @@ TEST(RigidBodyPasses, APronkKeepsTheProgramsOwnTolerance) {
   ASSERT_TRUE(stiff.ok()) << stiff.failure().message;
   EXPECT_GT(stiff->residual, 10.0 * options.pipeline.residual) << "legs without mass are none";
   EXPECT_EQ(stiff->passes, 1);
+}
+
+/// What a pronk of 2 m/s comes to, for which the calves are too slow.
+Result<PlannedMotion> TooFast(bool allow_limits) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  const WalkCommand command = Ahead(2.0, 1.0);
+  MotionOptions options;
+  options.pipeline.allow_limits = allow_limits;
+  const Gait gait = *FindGait(model, "pronk", CommandedSpeed(model, command), {});
+  return PlanMotion(model, FlatTerrain(), gait, command, options);
+}
+
+TEST(RigidBodyPasses, EndWhereJointsStayPastTheirLimits) {
+  const Result<PlannedMotion> planned = TooFast(false), all_the_same = TooFast(true);
+  ASSERT_TRUE(planned.ok() && all_the_same.ok());
+  EXPECT_GT(planned->limit_excess, 1e-3);
+  EXPECT_GT(all_the_same->limit_excess, 1e-3) << "more passes do not help";
+  EXPECT_LT(planned->passes, all_the_same->passes);
+}
+
+TEST(RigidBodyPasses, WhatNoForcesCarryIsRefusedByTheNamesOfFeet) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  WalkCommand command;
+  command.extent = WalkCommand::Extent::kSteps;
+  command.steps = 4;
+  command.step_length_m = 0.4;
+  const Gait gait = *FindGait(model, "jump", CommandedSpeed(model, command), {});
+  const Result<PlannedMotion> planned = PlanMotion(model, FlatTerrain(), gait, command, {});
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
+  EXPECT_NE(planned.failure().message.find("_foot' at "), std::string::npos) << planned.failure().message;
+  GaitOptions slow;
+  slow.cycle_s = 6.0;
+  const Gait long_flights = *FindGait(model, "pronk", 0.2, slow);
+  const Result<PlannedMotion> flying = PlanMotion(model, FlatTerrain(), long_flights, Ahead(0.2, 0.5), {});
+  ASSERT_FALSE(flying.ok());
+  EXPECT_EQ(flying.failure().code, "flight_too_long");
 }
 
 /// How much a plan's centre of mass goes up and down [m]: that of a pendulum on level ground does not.

@@ -303,6 +303,32 @@ TEST(AuditOfLines, WhereLittlePressesAThousandthOfTheWeightTimesItsHeightIsNoMom
   }
 }
 
+TEST(AuditOfLines, TheReferenceMayBeOffTheJointsByNoMoreThanSuchAMoment) {
+  const GoodPlan& a1 = GoodPlanOf("a1");
+  const double height = a1.plan.centroidal.p_WC[0].z();
+  const auto found = [&](double share, double off_m) {
+    MotionPlan plan = Falling(a1, share, 0.0);
+    const std::size_t row = MidSwingRow(plan);
+    DynamicsScratch scratch(a1.model);
+    VectorX needed;
+    InverseDynamics(a1.model, plan.whole_body.q[row], plan.whole_body.v[row], plan.whole_body.a[row], scratch, needed);
+    const Vector2 p_WZ = ZeroMomentPoint(scratch.p_WB[0], needed.head<3>(), needed.segment<3>(3), 0.0);
+    plan.centroidal.p_WZ[row] = p_WZ + off_m * Vector2::UnitX();
+    const auto all = ViolationsOf(a1.model, plan);
+    return std::count_if(all.begin(), all.end(), [](const Violation& v) {
+      return v.where == "reference of the zero-moment point against joints";
+    });
+  };
+  for (const double share : {0.06, 0.1}) {
+    EXPECT_EQ(found(share, 0.9e-3 * height / share), 0) << share;
+    EXPECT_EQ(found(share, 1.1e-3 * height / share), 1) << share;
+  }
+  for (const double share : {0.3, 0.9}) {
+    EXPECT_EQ(found(share, 1.8e-3), 0) << share;
+    EXPECT_EQ(found(share, 2.2e-3), 1) << share;
+  }
+}
+
 TEST(AuditOfSlides, GivesLengthsAndForces) {
   // A joint that stays at zero, made a slide: it would have to carry what is above it.
   const GoodPlan& nao = GoodPlanOf("nao");
