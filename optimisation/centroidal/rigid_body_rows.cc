@@ -115,6 +115,7 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
     for (const double share : {0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95})
       add(terms.SwingReach(swing, share, options.reach_margin_m));
   }
+  for (const RigidClearance& clearance : problem.clearances) add(terms.Clearance(clearance));
   for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     if (!problem.stances[s].held && !problem.stances[s].region_F.empty()) add(terms.Region(s));
