@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kOffStops = 0.01;  // of a joint's range, kept to its ends where that is possible
 constexpr double kReserve = 0.03;   // of the legs' workspaces
+constexpr double kFollows = 0.05;   // of the leg, by which a body makes up for what swings are out of reach
 constexpr double kMotorUse = 0.95;  // of what the motors give at most
 
 /// How a motion turns the base at a row.
@@ -172,16 +173,17 @@ void RigidBodyPasses::SetCentroidal(const std::vector<RigidBodySample>& samples,
   c.omega_rad_s = std::sqrt(kGravity * static_cast<double>(samples.size()) / height);
 }
 
-/// Where a foot in the air can be by the last motion.
+/// Where a foot in the air can be by the last motion, and a little beyond, for the next motion to follow.
 std::vector<ReachSide> RigidBodyPasses::ReachAt(int foot, double time_s) const {
   const double at = (time_s - task_.skeleton.schedule.start_s()) / task_.options.pipeline.grid_step_s;
   const auto row = std::clamp<long>(std::lround(at), 0, static_cast<long>(samples_.size()) - 1);
   const RigidBodySample& sample = samples_[static_cast<std::size_t>(row)];
   const Matrix3 R_WB = RotationOf(sample.angles_rad);
+  const double beyond_m = kFollows * model_.leg_length_m();
   std::vector<ReachSide> sides;
   for (const WorkspaceSide& side : problem_.feet[static_cast<std::size_t>(foot)].workspace_in_air_B) {
     const Vector3 normal_W = R_WB * side.normal;
-    sides.push_back({normal_W, side.offset + normal_W.dot(sample.p_WC)});
+    sides.push_back({normal_W, side.offset + normal_W.dot(sample.p_WC) + beyond_m});
   }
   return sides;
 }
