@@ -27,14 +27,16 @@ int Run(const Arguments& a) {
   }
   for (const GaitEntry& entry : *gaits) {
     Gait gait = entry.gait;
-    list.push_back({{"name", gait.name},
-                    {"feet", gait.num_feet()},
-                    {"description", gait.description},
-                    {"cycle_s", gait.cycle_s > 0.0 ? nlohmann::ordered_json(gait.cycle_s) : nullptr},
-                    {"cycle_per_leg_time", entry.cycle_per_leg_time},
-                    {"phase", gait.phase},
-                    {"duty_factor", gait.duty_factor},
-                    {"flight", HasFlight(gait)}});
+    list.push_back(
+        {{"name", gait.name},
+         {"feet", gait.num_feet()},
+         {"description", gait.description},
+         {"cycle_s", gait.cycle_s > 0.0 ? nlohmann::ordered_json(gait.cycle_s) : nullptr},
+         {"cycle_per_leg_time", entry.cycle_per_leg_time},
+         {"stride_per_leg", entry.stride_per_leg > 0.0 ? nlohmann::ordered_json(entry.stride_per_leg) : nullptr},
+         {"phase", gait.phase},
+         {"duty_factor", gait.duty_factor},
+         {"flight", HasFlight(gait)}});
     if (a.common.json) continue;
     if (a.common.quiet) {
       fmt::print("{}\n", gait.name);

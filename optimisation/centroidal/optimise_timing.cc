@@ -91,11 +91,12 @@ class TimingSearch {
     if (bounds_.upper.sum() < (1.0 - kDigits) * bounds_.least_total_s)
       return NoTiming(bounds_.upper, "longest", "are to take", bounds_.least_total_s);
     if (IsRetimable(best_.problem)) return std::nullopt;
-    return Failure{FailureKind::kBadInput,
-                   "tied_to_time",
-                   "OptimiseTiming",
-                   "inner momentum and limits of motors belong to given times, so that these cannot be variables",
-                   {"leave them out, and find them anew at the times that are found"}};
+    return Failure{
+        FailureKind::kBadInput,
+        "tied_to_time",
+        "OptimiseTiming",
+        "inner momentum, limits of motors and clearances belong to given times, so that these cannot be variables",
+        {"leave them out, and find them anew at the times that are found"}};
   }
 
   /// The switches of phases of such durations; the end is in bounds to the last digit.

@@ -146,6 +146,17 @@ void CheckSwings(const RigidBodyProblem& problem) {
   }
 }
 
+void CheckClearances(const RigidBodyProblem& problem) {
+  constexpr double kUnit = 1e-6;
+  for (const RigidClearance& clearance : problem.clearances) {
+    if (!(clearance.time_s >= 0.0 && clearance.time_s <= problem.duration_s) || !clearance.p_CQ_B.allFinite() ||
+        !std::isfinite(clearance.offset_m) || !(std::abs(clearance.normal_W.norm() - 1.0) < kUnit)) {
+      throw InvalidArgument(fmt::format("rigid body: no plane keeps a point of the {} clear at {} s on a way of {} s",
+                                        clearance.of, clearance.time_s, problem.duration_s));
+    }
+  }
+}
+
 }  // namespace
 
 SwingPlace RigidSwing::PlaceAt(double share) const {
@@ -226,6 +237,7 @@ void CheckRigidBodyProblem(const RigidBodyProblem& problem) {
   }
   CheckStances(problem);
   CheckSwings(problem);
+  CheckClearances(problem);
   CheckInnerMotion(problem);
   CheckWay(problem.way);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "kinematics/ik/leg_polytope.h"
@@ -87,6 +88,16 @@ struct RigidRest {
   Vector3 p_WC = Vector3::Zero(), angles_rad = Vector3::Zero();
 };
 
+/// A point that is fixed in the body is to be beyond a plane at a time:
+///   normal_W . (p_WC + R_WB p_CQ_B) >= offset_m.
+struct RigidClearance {
+  double time_s = 0.0;
+  Vector3 p_CQ_B = Vector3::Zero();     ///< from the centre of mass [m]
+  Vector3 normal_W = Vector3::UnitZ();  ///< unit
+  double offset_m = 0.0;
+  std::string of = "body";  ///< what part it is, for people
+};
+
 /// A box of one inertia and mass is to go from one state to another, held by forces at its feet alone:
 ///   m p'' = sum f_i + m g,   (I w)' + l' = sum (p_i - p) x f_i,
 /// forces in the friction cones of their footholds, feet in their workspaces. l is the momentum of what moves against
@@ -100,6 +111,7 @@ struct RigidBodyProblem {
   RigidBodyState start, goal;
   double duration_s = 1.0;            ///< from time 0
   std::vector<RigidRest> rests = {};  ///< on the way, in order
+  std::vector<RigidClearance> clearances = {};
   /// Angular momentum about the centre of mass of all that moves against the box, and its rate, at even times from 0 to
   /// the end, two or more; empty for none [N m s], [N m].
   std::vector<Vector3> inner_momentum_W = {}, inner_torque_W = {};
@@ -134,8 +146,8 @@ Matrix3 BodyRatesByAngleRates(const Vector3& angles_rad);
 std::vector<WorkspaceSide> BoxAbout(const Vector3& centre_B, const Vector3& half_size);
 
 /// @throws InvalidArgument for a mass, inertia, duration or friction that is not positive, a foot that there is not, a
-/// stance outside of the duration or that overlaps another of its foot, a region that is not convex, or a value that is
-/// not finite; and where no foot holds the body at the start or at the end.
+/// stance or clearance outside of the duration, a stance that overlaps another of its foot, a region that is not
+/// convex, or a value that is not finite; and where no foot holds the body at the start or at the end.
 void CheckRigidBodyProblem(const RigidBodyProblem& problem);
 
 }  // namespace gaitwright

@@ -126,6 +126,7 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
   for (const RigidSwing& swing : problem.swings) {
     for (const SwingPlace& place : PlacesOf(swing)) add(terms.SwingReach(swing, place, options.reach_margin_m));
   }
+  for (const RigidClearance& clearance : problem.clearances) add(terms.Clearance(clearance));
   for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {
     if (!problem.stances[s].held && !problem.stances[s].region_F.empty()) add(terms.Region(s));

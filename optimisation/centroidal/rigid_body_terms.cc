@@ -11,43 +11,11 @@
 #include <numbers>
 
 #include "kinematics/spatial/rotation.h"
-#include "kinematics/trajectory/swing_curve.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
-
-/// What a term sees of a FootPlace.
-FootPlace SeenPlace(const FootPlace& place, SeenUnknowns& seen) {
-  FootPlace own = place;
-  for (FootPlace::Part& part : own.parts) part.start = seen.See(part.start, 2);
-  return own;
-}
-
-template <typename Derived>
-void AddPlace(const FootPlace& place, const Eigen::MatrixBase<Derived>& by, MatrixX& J, Eigen::Index row) {
-  for (const FootPlace::Part& part : place.parts) J.block(row, part.start, by.rows(), 2) += by * part.axes;
-}
-
-/// Angles at a share u of an interval of length h by Hermite's cubic, with derivatives.
-struct AnglesBetween {
-  AnglesBetween(const Matrix3& inverse_B, double h, double u, const Vector3& from, const Vector3& l_from,
-                const Vector3& to, const Vector3& l_to)
-      : rate_from(TurningRateOf(inverse_B, from, l_from)), rate_to(TurningRateOf(inverse_B, to, l_to)) {
-    const double v = 1.0 - u, of_from = v * v * (1.0 + 2.0 * u), of_to = u * u * (1.0 + 2.0 * v);
-    const double of_rate_from = h * u * v * v, of_rate_to = -h * v * u * u;
-    value = of_from * from + of_to * to + of_rate_from * rate_from.rate + of_rate_to * rate_to.rate;
-    by_from = of_from * Matrix3::Identity() + of_rate_from * rate_from.by_angles;
-    by_to = of_to * Matrix3::Identity() + of_rate_to * rate_to.by_angles;
-    by_l_from = of_rate_from * rate_from.by_momentum;
-    by_l_to = of_rate_to * rate_to.by_momentum;
-  }
-
-  TurningRate rate_from, rate_to;
-  Vector3 value;
-  Matrix3 by_from, by_to, by_l_from, by_l_to;
-};
 
 /// Five even places over an interval, and the weights with which a polynomial of degree four there has the integral
 /// over all of it and over its first half.
@@ -91,7 +59,7 @@ struct TurningTerm {
       if (J == nullptr) continue;
       c.from.AddTo(Matrix3(unit * Skew(share.from * p + share.from_moved * c.moves)), *J, 0);
       c.to.AddTo(Matrix3(unit * Skew(share.to * p + share.to_moved * c.moves)), *J, 0);
-      AddPlace(c.place, Matrix3(-unit * Skew(f)), *J, 0);
+      c.place.AddTo(Matrix3(-unit * Skew(f)), *J, 0);
     }
     const Vector3 F_from = whole_from.At(x), F_to = whole_to.At(x);
     Matrix3 by_from = Matrix3::Zero(), by_to = Matrix3::Zero();
@@ -143,58 +111,6 @@ struct TurningTerm {
   }
 };
 
-/// Rows n . R^T (p - c) of a workspace, at a share of an interval; at its start or end without what is beyond.
-struct ReachTerm {
-  MatrixX normals;
-  FootPlace place;
-  AffineVector com;
-  Matrix3 inverse_B;
-  double h, share;
-  AffineVector angles_from, angles_to, momentum_from, momentum_to;
-
-  void operator()(const VectorX& x, VectorX& value, MatrixX* J) const {
-    if (share == 0.0) {
-      const MatrixX by_angles = Rows(x, angles_from.At(x), value, J);
-      if (J != nullptr) angles_from.AddTo(by_angles, *J, 0);
-      return;
-    }
-    const AnglesBetween between(inverse_B, h, share, angles_from.At(x), momentum_from.At(x), angles_to.At(x),
-                                momentum_to.At(x));
-    const MatrixX by_angles = Rows(x, between.value, value, J);
-    if (J == nullptr) return;
-    angles_from.AddTo(by_angles * between.by_from, *J, 0);
-    angles_to.AddTo(by_angles * between.by_to, *J, 0);
-    momentum_from.AddTo(by_angles * between.by_l_from, *J, 0);
-    momentum_to.AddTo(by_angles * between.by_l_to, *J, 0);
-  }
-
- private:
-  /// @return the derivative by the angles.
-  MatrixX Rows(const VectorX& x, const Vector3& angles, VectorX& value, MatrixX* J) const {
-    const Matrix3 R_BW = RotationOf(angles).transpose();
-    const Vector3 p_B = R_BW * (place.At(x) - com.At(x));
-    value = normals * p_B;
-    if (J == nullptr) return {};
-    const MatrixX by_place = normals * R_BW;
-    AddPlace(place, by_place, *J, 0);
-    com.AddTo(-by_place, *J, 0);
-    return normals * Skew(p_B) * BodyRatesByAngleRates(angles);
-  }
-};
-
-/// Ends of a workspace's rows, with its normals.
-Constraint WorkspaceOf(const std::vector<WorkspaceSide>& sides, double margin_m, MatrixX& normals) {
-  const auto n = static_cast<Eigen::Index>(sides.size());
-  Constraint rows{"", {}, VectorX::Constant(n, -kNoEnd), VectorX(n)};
-  normals.resize(n, 3);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const WorkspaceSide& side = sides[static_cast<std::size_t>(i)];
-    normals.row(i) = side.normal;
-    rows.upper[i] = side.offset - margin_m;
-  }
-  return rows;
-}
-
 /// Inner momentum goes up and down within an interval faster than a rule with three places sees. Rates of angles are
 /// linear in momentum, so that with the angles' part quadratic over the interval, that of inner momentum l is exact
 /// where the places see, for its values there, its integrals with Lagrange's polynomials over their weights. What is to
@@ -241,8 +157,8 @@ Constraint RigidBodyTerms::Turning(std::size_t interval) const {
     FootPlace place = unknowns_.ContactPoint(force.stance, force.point);
     const Vector3 moved = stance.MovedAt(breaks[interval]);
     place.constant += moved;
-    term.carried.push_back({SeenPlace(place, seen), seen.See(force.from), seen.See(force.to),
-                            stance.MovedAt(breaks[interval + 1]) - moved});
+    term.carried.push_back(
+        {place.SeenBy(seen), seen.See(force.from), seen.See(force.to), stance.MovedAt(breaks[interval + 1]) - moved});
   }
   const Vector3 at_start = inner_.At(breaks[interval]);
   term.lost_by_half = (inner_.At(breaks[interval] + 0.5 * term.h) - at_start) / unknowns_.mean_inertia();
@@ -313,49 +229,6 @@ Constraint RigidBodyTerms::Motors(const std::vector<BoundForce>& forces) const {
           limits.upper.cwiseQuotient(unit),
           seen.variables(),
           true};
-}
-
-Constraint RigidBodyTerms::Reach(std::size_t stance, double time_s, double margin_m) const {
-  const int foot = problem_.stances[stance].foot;
-  return ReachOf(foot, problem_.feet[static_cast<std::size_t>(foot)].workspace_B, unknowns_.Foothold(stance), time_s,
-                 margin_m);
-}
-
-Constraint RigidBodyTerms::SwingReach(const RigidSwing& swing, const SwingPlace& at, double margin_m) const {
-  const RigidStance &from = problem_.stances[swing.from], &to = problem_.stances[swing.to];
-  FootPlace place;
-  place.Add(at.from, unknowns_.Foothold(swing.from)).Add(at.to, unknowns_.Foothold(swing.to));
-  place.constant += at.p_W;
-  const RigidFoot& foot = problem_.feet[static_cast<std::size_t>(from.foot)];
-  return ReachOf(from.foot, foot.workspace_in_air_B.empty() ? foot.workspace_B : foot.workspace_in_air_B, place,
-                 from.end_s + at.share * (to.start_s - from.end_s), margin_m);
-}
-
-Constraint RigidBodyTerms::ReachOf(int foot, const std::vector<WorkspaceSide>& workspace_B, const FootPlace& place,
-                                   double time_s, double margin_m) const {
-  constexpr double kAtBreak = 1e-9;
-  const std::vector<double>& breaks = unknowns_.breaks_s();
-  const auto after = std::upper_bound(breaks.begin(), breaks.end(), time_s + kAtBreak);
-  const auto k = static_cast<std::size_t>(after - breaks.begin()) - 1;
-  SeenUnknowns seen;
-  ReachTerm term;
-  Constraint rows = WorkspaceOf(workspace_B, margin_m, term.normals);
-  term.place = SeenPlace(place, seen);
-  term.com = seen.See(unknowns_.CentreOfMass(time_s));
-  term.angles_from = seen.See(unknowns_.Angles(k));
-  term.h = term.share = 0.0;
-  if (time_s > breaks[k] + kAtBreak) {
-    term.inverse_B = unknowns_.mean_inertia() * problem_.inertia_B.inverse();
-    term.h = breaks[k + 1] - breaks[k];
-    term.share = (time_s - breaks[k]) / term.h;
-    term.momentum_from = seen.See(unknowns_.Momentum(k));
-    term.angles_to = seen.See(unknowns_.Angles(k + 1));
-    term.momentum_to = seen.See(unknowns_.Momentum(k + 1));
-  }
-  rows.name = fmt::format("reach of foot {} at {:.3f} s", foot, time_s);
-  rows.function = term;
-  rows.variables = seen.variables();
-  return rows;
 }
 
 Constraint RigidBodyTerms::Region(std::size_t stance) const {

@@ -36,10 +36,14 @@ class RigidBodyTerms {
   /// The same of a foot at a place on its way between two stances.
   Constraint SwingReach(const RigidSwing& swing, const SwingPlace& at, double margin_m) const;
 
+  /// A point of the body beyond a plane at a time; how it is turned as for Reach.
+  Constraint Clearance(const RigidClearance& clearance) const;
+
   /// A foothold in its region. Only for one that is neither held nor without end.
   Constraint Region(std::size_t stance) const;
 
  private:
+  // In rigid_body_reach.cc, with what is public of reach and clearance.
   Constraint ReachOf(int foot, const std::vector<WorkspaceSide>& workspace_B, const FootPlace& place, double time_s,
                      double margin_m) const;
 

@@ -36,6 +36,12 @@ FootPlace& FootPlace::Add(double factor, const FootPlace& other) {
   return *this;
 }
 
+FootPlace FootPlace::SeenBy(SeenUnknowns& seen) const {
+  FootPlace own = *this;
+  for (Part& part : own.parts) part.start = seen.See(part.start, 2);
+  return own;
+}
+
 RigidBodyUnknowns::RigidBodyUnknowns(const RigidBodyProblem& problem, double spacing_s, int least_intervals,
                                      double grid_s)
     : problem_(problem), mean_inertia_(problem.inertia_B.trace() / 3.0) {

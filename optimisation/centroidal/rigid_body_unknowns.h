@@ -24,6 +24,13 @@ struct FootPlace {
   Vector3 At(const VectorX& x) const;
   /// Adds factor * other.
   FootPlace& Add(double factor, const FootPlace& other);
+  /// Adds `by` * (derivative of this by the unknowns) to rows of a Jacobian, from `row` on.
+  template <typename Derived>
+  void AddTo(const Eigen::MatrixBase<Derived>& by, MatrixX& J, Eigen::Index row) const {
+    for (const Part& part : parts) J.block(row, part.start, by.rows(), 2) += by * part.axes;
+  }
+  /// The same in a term's own numbers.
+  FootPlace SeenBy(SeenUnknowns& seen) const;
 };
 
 /// The force on one point of contact of a stance over the interval between two breaks: linear from one to the other.

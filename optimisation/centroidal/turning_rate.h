@@ -18,4 +18,15 @@ struct TurningRate {
 /// Rate of the angles and its derivatives.
 TurningRate TurningRateOf(const Matrix3& inverse_B, const Vector3& angles_rad, const Vector3& momentum);
 
+/// Angles at a share u of an interval of length h, from those at its ends and the momenta there, by Hermite's cubic,
+/// with their derivatives.
+struct AnglesBetween {
+  AnglesBetween(const Matrix3& inverse_B, double h, double u, const Vector3& from, const Vector3& l_from,
+                const Vector3& to, const Vector3& l_to);
+
+  TurningRate rate_from, rate_to;
+  Vector3 value;
+  Matrix3 by_from, by_to, by_l_from, by_l_to;
+};
+
 }  // namespace gaitwright

@@ -19,7 +19,8 @@ namespace gaitwright {
 /// A pass is settled when the feet rolled as the pass itself had taken them to. One that is not has footholds and
 /// swings aimed with rolls that are not its own, so that its motion does not end where it should, whatever its ZMP
 /// does: any settled pass is better. Among unsettled ones the newest is, being aimed with the freshest rolls; among
-/// settled ones that whose ZMP is nearest to its reference.
+/// settled ones that whose ZMP is nearest to its reference. One of a rigid body is settled when it is clear of the
+/// ground.
 struct MotionPass {
   CentroidalTrajectory centroidal;
   std::vector<SwingTrajectory> swings;
@@ -28,6 +29,7 @@ struct MotionPass {
   double error_m = std::numeric_limits<double>::infinity();
   double excess = 0.0;     ///< past limits of joints, summed in shares of the limits
   double outside_m = 0.0;  ///< of supports with area, by the multibody ZMP; on a line its error is all there is
+  double lacks_m = 0.0;    ///< of the least clearance of the body from the ground, as far as that is looked after
   bool settled = false;
 
   /// Whether this one is rather to be kept.

@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kOffStops = 0.01;  // of a joint's range, kept to its ends where that is possible
 constexpr double kReserve = 0.03;   // of the legs' workspaces
+constexpr double kFollows = 0.05;   // of the leg, by which a body makes up for what swings are out of reach
 constexpr double kMotorUse = 0.95;  // of what the motors give at most
 
 /// How a motion turns the base at a row.
@@ -130,7 +131,8 @@ RigidBodyPasses::RigidBodyPasses(const MotionTask& task)
     : task_(task),
       model_(task.model),
       body_(BodyOf(task.model, kReserve)),
-      problem_(ProblemOf(task.model, body_, task.terrain, task.skeleton, task.body)) {
+      problem_(ProblemOf(task.model, body_, task.terrain, task.skeleton, task.body)),
+      clearance_(task.model, task.terrain) {
   for (RigidStance& stance : problem_.stances) stance.friction *= task.options.whole_body.friction_use;
   lift_m_ = SwingLift(model_, task.options.swing);
   problem_.swings = SwingsOf(problem_, task.skeleton.schedule, lift_m_);
@@ -157,9 +159,11 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
     Learn(*made);
     if (passes == kFreePasses) HoldFootholds(made->footsteps);
     if (StaysPastLimits(*made, passes)) return made;
-    idle = made->error_m < kGain * best.error_m ? 0 : idle + 1;
-    if (made->error_m < best.error_m) best = std::move(*made);
-    if (best.error_m < tolerance || idle == kIdle) break;
+    const bool gains =
+        made->settled == best.settled && made->settled ? made->error_m < kGain * best.error_m : made->BetterThan(best);
+    idle = gains ? 0 : idle + 1;
+    if (made->BetterThan(best)) best = std::move(*made);
+    if ((best.settled && best.error_m < tolerance) || idle == kIdle) break;
   }
   return best;
 }
@@ -204,16 +208,48 @@ void RigidBodyPasses::SetCentroidal(const std::vector<RigidBodySample>& samples,
   c.omega_rad_s = std::sqrt(kGravity * static_cast<double>(samples.size()) / height);
 }
 
+/// Where a foot in the air can be by the last motion, and a little beyond, for the next motion to follow.
+std::vector<ReachSide> RigidBodyPasses::ReachAt(int foot, double time_s) const {
+  const double at = (time_s - task_.skeleton.schedule.start_s()) / task_.options.pipeline.grid_step_s;
+  const auto row = std::clamp<long>(std::lround(at), 0, static_cast<long>(samples_.size()) - 1);
+  const RigidBodySample& sample = samples_[static_cast<std::size_t>(row)];
+  const Matrix3 R_WB = RotationOf(sample.angles_rad);
+  const double beyond_m = kFollows * model_.leg_length_m();
+  std::vector<ReachSide> sides;
+  for (const WorkspaceSide& side : problem_.feet[static_cast<std::size_t>(foot)].workspace_in_air_B) {
+    const Vector3 normal_W = R_WB * side.normal;
+    sides.push_back({normal_W, side.offset + normal_W.dot(sample.p_WC) + beyond_m});
+  }
+  return sides;
+}
+
+/// Where no motion keeps as clear of the ground as is wanted, one that keeps clear by as much as it must. What misses
+/// laws by little is good enough for a pass, from which the next one learns; the audit tells whether it is in the end.
+Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options) {
+  constexpr double kLittle = 3e-3;  // m, rad, m g
+  while (true) {
+    problem_.clearances = clearance_.Wanted();
+    RigidBodyPlan last;
+    Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options, &last);
+    if (plan) return plan;
+    if (!problem_.clearances.empty() && clearance_.Ease()) continue;
+    if (last.summary.violation < kLittle) return last;
+    return plan;
+  }
+}
+
 Result<MotionPass> RigidBodyPasses::MakePass() {
   RigidBodyOptions options = task_.options.rigid_body;
   options.grid_s = task_.options.pipeline.grid_step_s;
-  Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options);
+  Result<RigidBodyPlan> plan = PlanClear(options);
   if (!plan) return WithNamesOf(model_, plan.failure());
   motion_ = std::move(plan->motion);
   samples_ = Sample(motion_, task_.options.pipeline.grid_step_s);
   MotionPass pass;
   pass.footsteps = FootstepsOf(motion_);
   SetCentroidal(samples_, pass);
+  std::function<std::vector<ReachSide>(int, double)> reach;
+  if (!IsLevelGround(task_.terrain)) reach = [this](int foot, double time_s) { return ReachAt(foot, time_s); };
   Result<std::vector<SwingTrajectory>> swings = PlanSwings(
       model_, task_.terrain, pass.footsteps, task_.options.swing,
       {{},
@@ -222,7 +258,8 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
        [&](const SwingTrajectory& swing) {
          return FlightsIn(task_.skeleton.schedule, swing.start_s, swing.end_s).Rise() + lift_m_;
        },
-       [&](const SwingTrajectory& swing) { return CruiseIn(task_.skeleton.schedule, swing.start_s, swing.end_s); }});
+       [&](const SwingTrajectory& swing) { return CruiseIn(task_.skeleton.schedule, swing.start_s, swing.end_s); },
+       reach});
   if (!swings) return swings.failure();
   pass.swings = std::move(*swings);
   const auto loads = LoadsOf(problem_, motion_, samples_);
@@ -244,7 +281,8 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   pass.centroidal.p_WZ = PressureOf(pass.solution.pressure_W, loads);
   pass.error_m = Largest(pass.solution.residual_W, model_.weight_n());
   pass.excess = TotalExcess(model_, pass.solution.trajectory, kOffStops);
-  pass.settled = true;
+  pass.lacks_m = clearance_.Look(pass.solution.trajectory, samples_);
+  pass.settled = pass.lacks_m <= 0.0;
   return pass;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "optimisation/centroidal/plan_rigid_body.h"
+#include "optimisation/pipeline/body_clearance.h"
 #include "optimisation/pipeline/motion_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 
@@ -11,8 +12,9 @@ namespace gaitwright {
 
 /// Plans the stages after the footsteps as the motion of a single rigid body, for gaits that leave the ground and
 /// speeds at which a pendulum is none. The first pass takes the robot for one stiff body; each one after that reckons
-/// with the momentum that the legs had against it, and with how the feet rolled, in the pass before, until the motors
-/// and contacts of the whole robot give the motion.
+/// with the momentum that the legs had against it, with how the feet rolled, and with where body and upper legs came
+/// too near to the ground, in the pass before, until the motors and contacts of the whole robot give the motion and it
+/// is clear.
 class RigidBodyPasses {
  public:
   explicit RigidBodyPasses(const MotionTask& task);
@@ -23,6 +25,8 @@ class RigidBodyPasses {
 
  private:
   Result<MotionPass> MakePass();
+  std::vector<ReachSide> ReachAt(int foot, double time_s) const;
+  Result<RigidBodyPlan> PlanClear(const RigidBodyOptions& options);
   /// The footholds of a motion.
   FootstepPlan FootstepsOf(const RigidBodyMotion& motion) const;
   void SetCentroidal(const std::vector<RigidBodySample>& samples, MotionPass& pass) const;
@@ -37,6 +41,7 @@ class RigidBodyPasses {
   const RobotModel& model_;
   const StandingBody body_;
   RigidBodyProblem problem_;
+  BodyClearance clearance_;
   double lift_m_ = 0.0;                   // of swings without flight
   RigidBodyMotion motion_;                // of the last pass
   std::vector<RigidBodySample> samples_;  // of it, by row of the grid

@@ -29,6 +29,7 @@ class SwingPlanner {
         least_lift_m_(former.lift_m),
         cruise_(former.cruise),
         reach_(former.reach),
+        legs_known_(former.base != nullptr),
         guard_(model, terrain, former) {
     lift_m_ = SwingLift(model, options);
     choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
@@ -55,7 +56,8 @@ class SwingPlanner {
     // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that has no
     // room is for the audit to tell.
     const bool room = guard_.LegHasRoom(swing);
-    bool clear = Find(swing, {room, true}) || Find(swing, {room, false}) || (room && Find(swing, {false, false}));
+    bool clear = Find(swing, {room, true});
+    if (!clear && legs_known_) clear = Find(swing, {room, false}) || (room && Find(swing, {false, false}));
     // Out of reach as little as can be, or else anyhow, for the audit to tell.
     choice_.may_stray = true;
     clear = clear || (!choice_.reach.empty() && Find(swing, {room, true}));
@@ -286,6 +288,7 @@ class SwingPlanner {
   const std::vector<SwingTrajectory> former_;
   const std::function<double(const SwingTrajectory&)> least_lift_m_, cruise_;
   const std::function<std::vector<ReachSide>(int, double)> reach_;
+  const bool legs_known_;  // else nothing is asked of them
   const SwingGuard guard_;
   GroundHeight ground_;  // for the present swing
   std::optional<SwingHit> hit_;

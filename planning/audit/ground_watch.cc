@@ -109,9 +109,28 @@ const std::vector<GroundHit>& GroundWatch::Look(const DynamicsScratch& scratch, 
     if (part.known_m - MovedAtMost(part.X_WS, X_WS, part.shape.radius_m()) >= limit) continue;
     part.X_WS = X_WS;
     part.known_m = solids_.Distance(part.shape, X_WS, kLook);
-    if (!(part.known_m >= limit)) hits_.push_back({&shape.link, part.foot, part.known_m + part.reaches_m});
+    if (!(part.known_m >= limit))
+      hits_.push_back(
+          {&shape.link, part.foot, part.known_m + part.reaches_m, static_cast<int>(&part - parts_.data()), shape.body});
   }
   return hits_;
+}
+
+WayOut GroundWatch::WayOutOf(const GroundHit& hit) const {
+  constexpr double kStep = 1e-3;  // [m]
+  const Part& part = parts_[static_cast<std::size_t>(hit.part)];
+  WayOut out;
+  Vector3 slope = Vector3::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    Pose X_WS = part.X_WS;
+    X_WS.translation()[axis] += kStep;
+    slope[axis] = solids_.Distance(part.shape, X_WS, kLook);
+    X_WS.translation()[axis] -= 2.0 * kStep;
+    slope[axis] -= solids_.Distance(part.shape, X_WS, kLook);
+  }
+  if (slope.norm() > 0.0) out.normal_W = slope.normalized();
+  out.p_W = part.X_WS * SupportPoint(part.shape.shape(), -(part.X_WS.linear().transpose() * out.normal_W));
+  return out;
 }
 
 NearestSolid GroundWatch::NearestToFoot(int foot, const Pose& X_WF, double within_m) const {

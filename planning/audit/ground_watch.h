@@ -15,6 +15,14 @@ struct GroundHit {
   const std::string* link = nullptr;
   int foot = -1;  ///< the foot that it is a shape of, or -1
   double distance_m = 0.0;
+  int part = -1;  ///< for WayOutOf
+  int body = -1;  ///< of the model
+};
+
+/// How a part comes near to a solid: the plane at right angles to the way out that touches it has the solid beyond.
+struct WayOut {
+  Vector3 p_W = Vector3::Zero();        ///< the part's point that is nearest, or deepest
+  Vector3 normal_W = Vector3::UnitZ();  ///< along which it comes away fastest
 };
 
 /// How near a robot's parts may come to what is solid [m]; negative lets them sink in.
@@ -37,11 +45,15 @@ class GroundWatch {
   /// ForwardKinematics.
   const std::vector<GroundHit>& Look(const DynamicsScratch& scratch, const GroundLimits& limits);
 
+  /// For a hit of the last Look: the slope of its distance by where the part is, by differences over two millimetres.
+  WayOut WayOutOf(const GroundHit& hit) const;
+
   /// How near one foot's parts come to a solid with its frame F (of a sphere: its centre) at X_WF, what they may reach
   /// beyond the foot's surface added; at most within_m.
   NearestSolid NearestToFoot(int foot, const Pose& X_WF, double within_m) const;
 
   const ShapeScene& solids() const { return solids_; }
+  int num_parts() const { return static_cast<int>(parts_.size()); }
 
   /// How far a point is outside of all solids, negative by its depth inside; at most a tenth of a metre.
   double PointDistance(const Vector3& p_W) const;

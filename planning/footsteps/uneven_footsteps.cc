@@ -127,6 +127,22 @@ int StepsAhead(const Gait& gait, int footfalls) {
   return footfalls - gait.num_feet() + last;
 }
 
+WalkCommand CountedByStride(const Gait& gait, double stride_m, const WalkCommand& command) {
+  constexpr double kRounding = 1e-9;
+  const bool own_pace = command.speed_m_s == 0.0 && command.lateral_speed_m_s == 0.0 && command.yaw_rate_rad_s == 0.0;
+  const bool far = command.extent == WalkCommand::Extent::kDistance && command.distance_m > 0.0;
+  if (!(stride_m > 0.0) || !own_pace || !far) return command;
+  constexpr double kMostCycles = 10000.0;
+  const double cycles = std::ceil(std::min(command.distance_m / stride_m, kMostCycles) - kRounding);
+  WalkCommand counted = command;
+  counted.extent = WalkCommand::Extent::kSteps;
+  counted.steps = gait.num_feet() * std::max(1, static_cast<int>(cycles));
+  const int ahead = StepsAhead(gait, counted.steps);
+  if (ahead < 1) return command;
+  counted.step_length_m = command.distance_m / ahead;
+  return counted;
+}
+
 Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                                   const FootstepOptions& options) {
   const Result<Course> course = MakeCourse(model, gait, command, options.ramp_cycles);

@@ -9,6 +9,10 @@ namespace gaitwright {
 /// where they only close it.
 int StepsAhead(const Gait& gait, int footfalls);
 
+/// A command of a distance without speeds as counted footfalls: as few cycles of the gait as reach that far with
+/// strides of at most stride_m, all of one length. Any other command as it is, and any where stride_m is not over 0.
+WalkCommand CountedByStride(const Gait& gait, double stride_m, const WalkCommand& command);
+
 /// What to search for a command: its course in plan view, at the stride of the gait at the commanded speed. Failures as
 /// of MakeCourse; kBadInput also for fewer counted footfalls than go ahead.
 Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,

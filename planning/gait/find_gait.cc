@@ -148,4 +148,10 @@ Result<double> LongestCycle(const RobotModel& model, const std::string& name, co
   return ScaledCycle(model, name, options, kLongest);
 }
 
+Result<double> OwnStride(const RobotModel& model, const std::string& name) {
+  const Result<GaitEntry> entry = FindEntry(name, static_cast<int>(model.feet.size()));
+  if (!entry) return entry.failure();
+  return entry->stride_per_leg * model.leg_length_m();
+}
+
 }  // namespace gaitwright

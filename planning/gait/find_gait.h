@@ -52,4 +52,7 @@ Result<double> ShortestCycle(const RobotModel& model, const std::string& name, c
 /// that is given.
 Result<double> LongestCycle(const RobotModel& model, const std::string& name, const GaitOptions& options);
 
+/// The farthest that a gait goes in a cycle where no speed is asked for [m]; 0 where it has no stride of its own.
+Result<double> OwnStride(const RobotModel& model, const std::string& name);
+
 }  // namespace gaitwright

@@ -64,8 +64,8 @@ std::string UniqueName(const YAML::Node& node, const std::string& what, std::set
 }
 
 void CheckKeys(const std::string& name, const YAML::Node& node) {
-  const std::vector<std::string> known = {"feet",        "description", "cycle_s", "cycle_per_leg_time",
-                                          "duty_factor", "phase"};
+  const std::vector<std::string> known = {"feet",        "description", "cycle_s",       "cycle_per_leg_time",
+                                          "duty_factor", "phase",       "stride_per_leg"};
   std::set<std::string> seen;
   for (const auto& entry : node) {
     const std::string key = UniqueName(entry.first, fmt::format("in gait '{}' the key", name), seen);
@@ -98,6 +98,7 @@ GaitEntry ParseGait(const std::string& name, const YAML::Node& node) {
   entry.gait.cycle_s = node["cycle_s"] ? FiniteNumber(node["cycle_s"], "cycle_s", 0.05, 20.0) : 0.0;
   if (node["cycle_per_leg_time"])
     entry.cycle_per_leg_time = FiniteNumber(node["cycle_per_leg_time"], "cycle_per_leg_time", 0.1, 100.0);
+  if (node["stride_per_leg"]) entry.stride_per_leg = FiniteNumber(node["stride_per_leg"], "stride_per_leg", 0.05, 10.0);
   entry.gait.duty_factor = ByFoot(node["duty_factor"], "duty_factor", feet, 0.05, 0.99);
   entry.gait.phase = ByFoot(node["phase"], "phase", feet, 0.0, 0.9999999);
   return entry;

@@ -13,6 +13,7 @@ namespace gaitwright {
 struct GaitEntry {
   Gait gait;                        ///< cycle_s is 0 when it scales with the leg
   double cycle_per_leg_time = 0.0;  ///< cycle over sqrt(leg length / g)
+  double stride_per_leg = 0.0;      ///< farthest in a cycle where no speed is asked for, over the leg length; 0 for any
 };
 
 /// Reads and validates a file of gaits, see docs/gaits.md. Failure kBadInput with file and line for text that is no

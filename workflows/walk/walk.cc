@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "kinematics/model/load_robot.h"
+#include "planning/footsteps/uneven_footsteps.h"
 #include "planning/terrain/load_terrain.h"
 #include "playback/control/joint_pd.h"
 #include "workflows/walk/plan_parts.h"
@@ -38,10 +39,25 @@ OptionFields AsAsked(WalkRequest& request) {
                  request.Fields()});
 }
 
+/// A distance in strides of the gait's own, where it has any; what is wrong with the gait is for planning to tell.
+WalkCommand InOwnStrides(const RobotModel& model, const WalkRequest& request, const std::string& name,
+                         const WalkCommand& command) {
+  const Result<Gait> gait = FindGait(model, name, CommandedSpeed(model, command), request.gait_options);
+  const Result<double> stride_m = OwnStride(model, name);
+  return gait && stride_m ? CountedByStride(*gait, *stride_m, command) : command;
+}
+
 Result<PlannedWalk> PlanAsked(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
-  if (request.sequence.empty()) return PlanWithin(model, terrain, request);
-  const Result<std::vector<AskedPart>> parts = ReadSequence(request.sequence);
+  if (request.sequence.empty()) {
+    WalkRequest in_strides = request;
+    in_strides.command = InOwnStrides(model, request, request.gait, request.command);
+    return PlanWithin(model, terrain, in_strides);
+  }
+  Result<std::vector<AskedPart>> parts = ReadSequence(request.sequence);
   if (!parts) return parts.failure();
+  for (AskedPart& part : *parts) {
+    if (!part.stands()) part.command = InOwnStrides(model, request, part.gait, part.command);
+  }
   return PlanPartsWithin(model, terrain, request, *parts);
 }
 

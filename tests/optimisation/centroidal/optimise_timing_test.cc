@@ -212,6 +212,9 @@ TEST(OptimiseTiming, RefusesWhatCannotBe) {
   ExpectRefused(rigid_bodies::Hopper(8.0), {}, FailureKind::kInfeasible, "unmet_law", "; at other times of contacts ");
   rigid_bodies::AddInnerMotion(problem, 20);
   ExpectRefused(problem, {}, FailureKind::kBadInput, "tied_to_time", "inner momentum");
+  RigidBodyProblem beside = rigid_bodies::Hopper();
+  beside.clearances = {{0.3}};
+  ExpectRefused(beside, {}, FailureKind::kBadInput, "tied_to_time", "clearances");
   EXPECT_THROW((void)OptimiseTiming(rigid_bodies::Hopper(), {}, {.least_total = 1.2}), InvalidArgument);
 }
 

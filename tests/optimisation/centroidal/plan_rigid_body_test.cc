@@ -111,6 +111,39 @@ TEST(PlanRigidBody, RestsWhereItIsTo) {
   EXPECT_THROW(PlanRigidBody(problem), InvalidArgument);
 }
 
+/// How far a point of the body is beyond a plane.
+double Beyond(const RigidBodyPlan& plan, const RigidClearance& of) {
+  const std::vector<RigidBodySample> samples = Sample(plan.motion, 1e-3);
+  const RigidBodySample& at = samples[static_cast<std::size_t>(std::lround(of.time_s / 1e-3))];
+  return of.normal_W.dot(at.p_WC + RotationOf(at.angles_rad) * of.p_CQ_B) - of.offset_m;
+}
+
+TEST(PlanRigidBody, StaysClearOfPlanesAndTurnsForThat) {
+  RigidBodyProblem problem = rigid_bodies::Trotter();
+  const double t = 0.5 * problem.duration_s;
+  const RigidBodyPlan free = Planned(problem);
+  RigidClearance nose{t, {0.25, 0.0, -0.05}, Vector3::UnitZ(), 0.0, "nose"};
+  nose.offset_m = Beyond(free, nose) + 0.02;
+  problem.clearances = {nose};
+  EXPECT_NEAR(Beyond(free, nose), -0.02, 1e-12);
+  EXPECT_GT(Beyond(Planned(problem), nose), -1e-5) << "integrated anew, to what the rule leaves";
+  problem.clearances.front().offset_m += 2.0;
+  const Result<RigidBodyPlan> no_way = PlanRigidBody(problem);
+  ASSERT_FALSE(no_way.ok());
+  EXPECT_EQ(no_way.failure().code, "unmet_law");
+  EXPECT_NE(no_way.failure().message.find("clearance of nose"), std::string::npos) << no_way.failure().message;
+}
+
+TEST(PlanRigidBody, RefusesPlanesThatAreNone) {
+  for (const RigidClearance& clearance :
+       {RigidClearance{-0.1}, RigidClearance{9.0}, RigidClearance{0.3, Vector3::Zero(), Vector3(0.0, 0.0, 2.0)},
+        RigidClearance{0.3, Vector3(NAN, 0.0, 0.0)}}) {
+    RigidBodyProblem problem = rigid_bodies::Hopper();
+    problem.clearances = {clearance};
+    EXPECT_THROW((void)PlanRigidBody(problem), InvalidArgument);
+  }
+}
+
 TEST(PlanRigidBody, TheSameProblemHasTheSameMotion) {
   const RigidBodyPlan a = Planned(rigid_bodies::Trotter()), b = Planned(rigid_bodies::Trotter());
   for (std::size_t i = 0; i < a.motion.intervals.size(); ++i) {

@@ -85,9 +85,28 @@ TEST(RigidBodyTerms, HaveTheirDerivatives) {
         ExpectDerivative(reach.function, Own(reach.variables, x));
       }
     }
+    for (const double t : {unknowns.breaks_s()[2], 0.21, 0.52}) {
+      const Constraint clearance = terms.Clearance({t, {0.2, -0.1, 0.05}, Vector3(-0.6, 0.0, 0.8), 0.1});
+      SCOPED_TRACE(clearance.name);
+      ExpectDerivative(clearance.function, Own(clearance.variables, x));
+    }
     const Constraint friction = terms.Friction(unknowns.BoundForces()[7], 8, 0.0);
     ExpectDerivative(friction.function, Own(friction.variables, x));
   }
+}
+
+TEST(RigidBodyTerms, ClearanceIsHowFarAPointOfTheBodyIsAlongThePlanesNormal) {
+  const RigidBodyProblem problem = rigid_bodies::Trotter();
+  const RigidBodyUnknowns unknowns(problem, 0.08, 3);
+  const VectorX x = Random(unknowns, 7);
+  const double t = unknowns.breaks_s()[3];
+  const RigidClearance clearance{t, {0.2, -0.1, 0.05}, Vector3(-0.6, 0.0, 0.8), 0.1, "nose"};
+  const Vector3 p_WQ = unknowns.CentreOfMass(t).At(x) + RotationOf(unknowns.Angles(3).At(x)) * clearance.p_CQ_B;
+  const Constraint rows = RigidBodyTerms(problem, unknowns).Clearance(clearance);
+  ASSERT_EQ(rows.lower.size(), 1);
+  EXPECT_NEAR(ValueOf(rows, x)[0], clearance.normal_W.dot(p_WQ), 1e-12);
+  EXPECT_DOUBLE_EQ(rows.lower[0], 0.1);
+  EXPECT_NE(rows.name.find("nose"), std::string::npos);
 }
 
 TEST(RigidBodyTerms, OfABodyThatMovesInsideAndRollsHaveTheirDerivatives) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "planning/footsteps/plan_footsteps.h"
+#include "planning/footsteps/uneven_footsteps.h"
 #include "planning/gait/find_gait.h"
 #include "planning/paths/standing_feet.h"
 #include "tests/planning/footsteps/synthetic_walker.h"
@@ -159,6 +160,41 @@ TEST(CountedStepsCommand, LengthAndSpeedContradict) {
   const auto refused = PlanFootsteps(a1, FlatTerrain(), *FindGait(a1, "", 0.1, {}), command, {});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.failure().kind, FailureKind::kBadInput);
+}
+
+WalkCommand Distance(double distance_m) {
+  WalkCommand command;
+  command.extent = WalkCommand::Extent::kDistance;
+  command.distance_m = distance_m;
+  return command;
+}
+
+TEST(CountedByStride, AsFewLeapsAsReachAllOfOneLength) {
+  const RobotModel& a1 = Robot("a1");
+  const Gait jump = *FindGait(a1, "jump", 0.3, {});
+  for (const auto& [distance, leaps] : {std::pair{0.4, 1}, {0.45, 1}, {0.46, 2}, {0.9, 2}, {1.0, 3}, {0.05, 1}}) {
+    const WalkCommand counted = CountedByStride(jump, 0.45, Distance(distance));
+    EXPECT_EQ(counted.extent, WalkCommand::Extent::kSteps);
+    EXPECT_EQ(counted.steps, 4 * leaps) << distance;
+    const FootstepSkeleton skeleton = Planned(a1, "jump", counted);
+    EXPECT_NEAR(skeleton.goal.x_m, distance, 1e-9);
+    const std::vector<Foothold> own = OfFoot(skeleton, 2);
+    ASSERT_EQ(own.size(), static_cast<std::size_t>(leaps) + 1);
+    for (std::size_t k = 1; k < own.size(); ++k)
+      EXPECT_NEAR(own[k].X_WF.translation().x() - own[k - 1].X_WF.translation().x(), distance / leaps, 1e-9);
+  }
+}
+
+TEST(CountedByStride, OtherCommandsStayAsTheyAre) {
+  const Gait jump = *FindGait(Robot("a1"), "jump", 0.3, {});
+  WalkCommand fast = Distance(1.0), turning = Distance(1.0), goal = Distance(1.0);
+  fast.speed_m_s = 0.5;
+  turning.yaw_rate_rad_s = 0.2;
+  goal.extent = WalkCommand::Extent::kGoal;
+  goal.goal_x_m = 1.0;
+  for (const WalkCommand& command : {fast, turning, goal, Steps(4), Distance(0.0)})
+    EXPECT_EQ(CountedByStride(jump, 0.45, command), command);
+  EXPECT_EQ(CountedByStride(jump, 0.0, Distance(1.0)), Distance(1.0));
 }
 
 }  // namespace

@@ -70,11 +70,19 @@ TEST(Gaits, FilesAreValidated) {
       {"hop: {feet: 2, cycle_s: 1, cycle_per_leg_time: 8, duty_factor: 0.6, phase: 0}", "has both"},
       {"hop: {feet: 2, feet: 2, cycle_s: 1, duty_factor: 0.6, phase: 0}", "'feet' stands there twice"},
       {"[1]: {feet: 2}", "the gait is a list"},
+      {"hop: {feet: 2, cycle_s: 1, duty_factor: 0.6, phase: 0, stride_per_leg: 0}", "stride_per_leg is 0; accepted"},
       {"hop: 3", "gait 'hop' is a single value"},
       {"[1, 2]", "holds no gaits"},
       {"hop: {feet: 2", "line 1: is no YAML"},
       {hop + hop, "line 2: the gait 'hop' stands there twice"}};
   for (const auto& [text, part] : wrong) EXPECT_NE(message(text).find(part), std::string::npos) << message(text);
+}
+
+TEST(Gaits, LeapsHaveAStrideOfTheirOwn) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1");
+  EXPECT_NEAR(*OwnStride(*a1, "jump"), 1.1 * a1->leg_length_m(), 1e-12);
+  EXPECT_EQ(*OwnStride(*a1, "trot"), 0.0);
+  EXPECT_FALSE(OwnStride(*a1, "hover").ok());
 }
 
 TEST(Gaits, OneOfAFileIsPickedByItsName) {

@@ -24,7 +24,6 @@ TEST(DynamicWalks, A1JumpsOntoABlockOf15Centimetres) {
   request.command.extent = WalkCommand::Extent::kSteps;
   request.command.steps = 4;
   request.command.step_length_m = 0.13;
-  request.motion.footsteps.initial_stand_s = 1.2;
   ExpectToFly(request);
 }
 
