@@ -27,6 +27,7 @@ struct MomentumErrors {
 struct MomentumGains {
   static constexpr Eigen::Index kFeet = 12;  ///< row of x where those of the feet begin
 
+  /// What holds in an interval of the plan's grid.
   struct Row {
     /// By foot, 6 x (12 + 2 n): change of its wrench about its contact, by newton of normal force that the plan has.
     std::vector<MatrixX> wrench_per_n;
@@ -34,7 +35,7 @@ struct MomentumGains {
     MatrixX steps;
   };
   double start_s = 0.0, step_s = 0.0;
-  std::vector<Row> rows;  ///< by interval of the plan's grid
+  std::vector<Row> rows;  ///< in order
 
   /// The row that holds at a time, beyond the ends the first or the last. There must be one.
   const Row& At(double time_s) const;
