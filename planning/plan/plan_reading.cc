@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/base/result.h"
 #include "kinematics/spatial/convex_hull.h"
@@ -165,9 +166,14 @@ Foothold ToFoothold(const JsonPart& part, int feet, int surfaces) {
 
 SwingTrajectory ToSwing(const JsonPart& part, int feet) {
   part.Object({"foot", "start_s", "end_s", "start_pose", "end_pose", "lift_m", "clearance_m"}, {"detour_m", "cruise"});
-  SwingTrajectory swing{part.At("foot").Whole(0, feet - 1), part.At("start_s").Number(),  part.At("end_s").Number(),
-                        part.At("start_pose").ToPose(),     part.At("end_pose").ToPose(), part.At("lift_m").Number(),
-                        part.At("clearance_m").Number()};
+  const JsonPart clearance = part.At("clearance_m");
+  SwingTrajectory swing{part.At("foot").Whole(0, feet - 1),
+                        part.At("start_s").Number(),
+                        part.At("end_s").Number(),
+                        part.At("start_pose").ToPose(),
+                        part.At("end_pose").ToPose(),
+                        part.At("lift_m").Number(),
+                        clearance.json().is_null() ? std::numeric_limits<double>::infinity() : clearance.Number()};
   if (!(swing.end_s > swing.start_s))
     part.Refuse(fmt::format("lasts from {} s to {} s; it must end after its start", swing.start_s, swing.end_s));
   if (part.Has("detour_m")) swing.detour_W = ToPoints(part.At("detour_m"));

@@ -16,7 +16,9 @@ void Situation::Observe(const RobotModel& model, const VectorX& q, const VectorX
   body.v = v;
   ForwardVelocities(model, q, v, body.scratch);
   body.p_WC = CentreOfMass(model, body.scratch);
-  body.v_WC = CentroidalMomentum(model, body.scratch).head<3>() / model.total_mass_kg;
+  const Vector6 momentum = CentroidalMomentum(model, body.scratch);
+  body.v_WC = momentum.head<3>() / model.total_mass_kg;
+  body.l_W = momentum.tail<3>();
   body.X_WF.clear();
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f)
     body.X_WF.push_back(ContactFrame(model, body.scratch, f, swings.Under(f, time_s).normal_W));

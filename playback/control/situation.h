@@ -20,7 +20,8 @@ struct BodyState {
   DynamicsScratch scratch;
   VectorX q, v;
   Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero();
-  std::vector<Pose> X_WF;  ///< contact frames, by foot
+  Vector3 l_W = Vector3::Zero();  ///< angular momentum about C [N m s]
+  std::vector<Pose> X_WF;         ///< contact frames, by foot
 
   const Matrix3& R_WB() const { return scratch.R_WB[0]; }
   const Vector3& p_WB() const { return scratch.p_WB[0]; }

@@ -4,6 +4,7 @@
 #include "kinematics/base/result.h"
 #include "planning/plan/check_motion.h"
 #include "playback/control/joint_pd.h"
+#include "playback/control/momentum_feedback.h"
 #include "playback/control/situation.h"
 #include "playback/control/stance_feedback.h"
 #include "playback/control/swing_feedback.h"
@@ -28,6 +29,7 @@ class Stabilised final : public Controller {
         options_(Checked(model, plan, options)),
         replay_(model, plan, gains),
         now_(model, plan),
+        ahead_(model, plan, options_),
         stance_(model, options_),
         swing_(model, plan, options_) {}
 
@@ -43,8 +45,9 @@ class Stabilised final : public Controller {
     JointCommand command = replay_.Update(input);
     now_.Update(model_, input);
     const Footing& footing = swing_.UpdateFooting(now_);
-    stance_.Update(now_, footing, command.tau_ff);
-    swing_.Update(now_, stance_, command);
+    ahead_.Update(now_, footing);
+    stance_.Update(now_, footing, command.tau_ff, &ahead_);
+    swing_.Update(now_, stance_, command, &ahead_);
     return command;
   }
 
@@ -53,6 +56,7 @@ class Stabilised final : public Controller {
   StabilisedOptions options_;
   JointPd replay_;
   Situation now_;
+  MomentumFeedback ahead_;
   StanceFeedback stance_;
   SwingFeedback swing_;
 };

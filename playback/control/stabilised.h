@@ -34,6 +34,9 @@ struct StabilisedOptions {
   double hover = 0.004;
   double search_m_s = 0.6;
   double lean_s = 0.2;
+  double ahead_error = 0.1;
+  double ahead_turn_rad = 0.1;
+  double ahead_step = 0.1;
 
   OptionFields Fields() {
     return {
@@ -145,6 +148,29 @@ struct StabilisedOptions {
          100.0,
          "Time in which the base leans with soles that stand on ground inclined against the plan.",
          {}},
+        {"ahead_error",
+         &ahead_error,
+         "1",
+         0.001,
+         100.0,
+         "In plans with flights, the error of place, in leg lengths, or of speed, in sqrt(g leg), that is worth "
+         "changing "
+         "all contact forces by their whole load.",
+         {}},
+        {"ahead_turn_rad",
+         &ahead_turn_rad,
+         "rad",
+         0.001,
+         100.0,
+         "The same of the base's attitude, and of its turning by sqrt(g / leg).",
+         {}},
+        {"ahead_step",
+         &ahead_step,
+         "1",
+         0.001,
+         100.0,
+         "The same of a foothold's distance from the body, in leg lengths.",
+         {}},
     };
   }
 };
@@ -162,6 +188,7 @@ struct StabilisedOptions {
 ///   foot placement:    the error that the DCM will have at touch-down, e^{w t} (dxi - dp) + dp, is met by a foothold
 ///                      moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T the stance to come with the flight after
 ///                      it.
+///   plans with flights: wrench and foot placement by the feedback of MomentumGains instead
 /// Englsberger et al., T-RO 31(2), 2015; Pratt et al., Virtual Model Control, IJRR 20(2), 2001;
 /// Khadiv et al., Walking control based on step timing adaptation, T-RO 36(3), 2020.
 /// @param gains  of the joints, as for JointPd.

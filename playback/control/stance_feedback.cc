@@ -9,6 +9,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/holdable_support.h"
 #include "kinematics/stability/zero_moment_point.h"
+#include "playback/control/momentum_feedback.h"
 
 namespace gaitwright {
 
@@ -19,8 +20,9 @@ StanceFeedback::StanceFeedback(const RobotModel& model, const StabilisedOptions&
   inertia_B_ = LockedInertia(model, scratch).diagonal();
 }
 
-void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau) {
+void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau, const MomentumFeedback* ahead) {
   constexpr double kLeastPlanned = 0.1;  // of the weight: with less the plan is in the air
+  constexpr double kLeastShare = 0.03;   // of the weight: the legs' own motion takes more than plans have on some feet
   contacts_.clear();
   contact_foot_.clear();
   usable_.clear();
@@ -33,9 +35,10 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
     GatherContacts(now, planned.force_W.z());
     planned_zmp_W_ = lean + ZeroMomentPoint(now.planned.p_WC, planned.force_W, planned.moment_W, now.support).head<2>();
     FindUsable(now, footing);
-    const PointWrench wanted = WantedWrench(now, footing, planned);
+    const bool looks_ahead = ahead != nullptr && ahead->active();
+    const PointWrench wanted = looks_ahead ? ahead->Wanted(now) : WantedWrench(now, footing, planned);
     lifted_m_s2_ = (wanted.force_W.z() - planned.force_W.z()) / model_.total_mass_kg;
-    Split(now, wanted);
+    Split(now, wanted, looks_ahead ? kLeastShare : 0.0);
   }
   AddTorques(now, tau);
 }
@@ -71,16 +74,23 @@ PointWrench StanceFeedback::WantedWrench(const Situation& now, const Footing& fo
 }
 
 /// Shares a wrench out over the contacts. Where several feet stand, each keeps a part of the load that the plan has on
-/// it, so that turning the base back does not take a foot off the ground.
-void StanceFeedback::Split(const Situation& now, PointWrench wanted) {
-  constexpr double kKept = 0.1;
-  const double kept = std::popcount(now.bearing) > 1 ? kKept : 0.0;
+/// it, so that turning the base back does not take a foot off the ground; and where others can bear the rest that share
+/// of the weight, until it is about to leave.
+void StanceFeedback::Split(const Situation& now, PointWrench wanted, double least_share) {
+  constexpr double kKept = 0.1;      // of the load
+  constexpr double kMost = 0.3;      // of all that is wanted
+  constexpr double kLeaving = 0.02;  // [s]
+  const int feet = std::popcount(now.bearing);
+  const double kept = feet > 1 ? kKept : 0.0;
+  const double least =
+      feet > 2 ? std::clamp(kMost * wanted.force_W.z() / feet, 0.0, least_share * model_.weight_n()) : 0.0;
   kept_W_.clear();
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const int foot = contact_foot_[c];
     const auto points = static_cast<double>(std::count(contact_foot_.begin(), contact_foot_.end(), foot));
     const double load = std::max(now.sample.wrenches[static_cast<std::size_t>(foot)].force_W.z(), 0.0);
-    kept_W_.push_back(kept * load / points * contacts_[c].normal_W);
+    const double staying = std::clamp((now.swings.At(foot, now.time_s).liftoff_s - now.time_s) / kLeaving, 0.0, 1.0);
+    kept_W_.push_back(std::max(kept * load, staying * least) / points * contacts_[c].normal_W);
     wanted.force_W -= kept_W_[c];
     wanted.moment_W -= (contacts_[c].p_W - wanted.p_W).cross(kept_W_[c]);
   }

@@ -5,18 +5,13 @@
 
 #include "kinematics/dynamics/contact_split.h"
 #include "kinematics/stability/polygon.h"
+#include "playback/control/footing.h"
 #include "playback/control/situation.h"
 #include "playback/control/stabilised.h"
 
 namespace gaitwright {
 
-/// Where the feet are against their plan, as those that stand tell.
-struct Footing {
-  std::vector<Vector3> offset_W;            ///< by foot: contact point less its planned place [m]
-  Vector3 ground_tilt_W = Vector3::Zero();  ///< rotation vector of the ground against the plan's
-  Vector3 mean_offset_W = Vector3::Zero();  ///< of the feet that shall stand [m]
-  Vector3 middle_W = Vector3::Zero();       ///< of their planned places [m]
-};
+class MomentumFeedback;
 
 /// The part of `stabilised` that works through the feet on the ground: base attitude, height and DCM.
 class StanceFeedback {
@@ -24,7 +19,8 @@ class StanceFeedback {
   StanceFeedback(const RobotModel& model, const StabilisedOptions& options);
 
   /// Adds to tau (size n) the torques that turn the planned contact forces into the wanted ones.
-  void Update(const Situation& now, const Footing& footing, VectorX& tau);
+  /// @param ahead  where it is given and active, it says what wrench is wanted.
+  void Update(const Situation& now, const Footing& footing, VectorX& tau, const MomentumFeedback* ahead = nullptr);
 
   /// Vertical acceleration of the centre of mass that is asked for beyond the plan's [m/s^2]. Update first.
   double lifted_m_s2() const { return lifted_m_s2_; }
@@ -46,7 +42,7 @@ class StanceFeedback {
   void FindUsable(const Situation& now, const Footing& footing);
   static Vector2 Lean(const Situation& now, const Footing& footing);
   Vector2 ZmpFor(const Vector2& dcm_error_W) const;
-  void Split(const Situation& now, PointWrench wanted);
+  void Split(const Situation& now, PointWrench wanted, double least_share);
   void AddTorques(const Situation& now, VectorX& tau) const;
 
   const RobotModel& model_;

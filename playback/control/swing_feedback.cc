@@ -31,15 +31,14 @@ const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
   constexpr double kBearing = 0.3;  // of the weight
   Vector3 tilt = Vector3::Zero();
   int flat = 0, standing = 0;
-  footing_.mean_offset_W.setZero();
-  Vector3 middle = Vector3::Zero();
+  Vector3 offset = Vector3::Zero(), middle = Vector3::Zero();
   for (std::size_t f = 0; f < model_.feet.size(); ++f) {
     const int foot = static_cast<int>(f);
     if (!Contains(now.bearing, foot)) continue;
     const Vector3 seen = now.measured.X_WF[f].translation() - now.planned.X_WF[f].translation();
     footing_.offset_W[f] += std::min(now.step_s / kSettle, 1.0) * (seen - footing_.offset_W[f]);
     if (!Contains(now.scheduled, foot)) continue;
-    footing_.mean_offset_W += footing_.offset_W[f];
+    offset += footing_.offset_W[f];
     middle += now.planned.X_WF[f].translation();
     ++standing;
     // Soles that bear load lie flat on a plane: their tilt against the plan is the ground's.
@@ -49,8 +48,8 @@ const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
     tilt += RotationLog(now.measured.X_WF[f].linear() * now.planned.X_WF[f].linear().transpose());
     ++flat;
   }
-  if (standing > 0) {
-    footing_.mean_offset_W /= standing;
+  if (standing > 0) {  // in flight the ground is where it was
+    footing_.mean_offset_W = offset / standing;
     footing_.middle_W = middle / standing;
   }
   if (flat > 0) {
@@ -61,7 +60,8 @@ const Footing& SwingFeedback::UpdateFooting(const Situation& now) {
   return footing_;
 }
 
-void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, JointCommand& command) {
+void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, JointCommand& command,
+                           const MomentumFeedback* ahead) {
   SampleWholeBody(plan_.whole_body, now.time_s + now.step_s, next_);
   ForwardVelocities(model_, next_.q, next_.v, next_scratch_);
   MassMatrix(model_, now.measured.q, mass_scratch_, mass_);
@@ -78,7 +78,10 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
     Motion1 hover;
     if (swing.swings) {
       hover = Hover(now, swing);
-      if (swing.touchdown_s - now.time_s > options_.settle_s) offset.wanted = WantedOffset(now, f, swing, stance);
+      if (swing.touchdown_s - now.time_s > options_.settle_s) {
+        offset.wanted.head<2>() = ahead != nullptr && ahead->active() ? ahead->Step(f) : WantedStep(now, swing, stance);
+        offset.wanted.z() = WantedHeight(now, f);
+      }
       MoveOffset(now, swing, offset);
     } else if (Contains(now.scheduled, f)) {
       SearchGround(now, swing, offset);
@@ -92,8 +95,7 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
 
 /// The DCM's error at touch-down is met by a foothold moved by (e^{w T} - lambda) / (e^{w T} - 1) of it, T being the
 /// stance to come and the flight after it, if any; within reach of where the base will be.
-Vector3 SwingFeedback::WantedOffset(const Situation& now, int foot, const SwingNow& swing,
-                                    const StanceFeedback& stance) const {
+Vector2 SwingFeedback::WantedStep(const Situation& now, const SwingNow& swing, const StanceFeedback& stance) const {
   constexpr double kLongest = 0.5;  // [s]
   const double left = std::clamp(swing.touchdown_s - now.time_s, 0.0, kLongest);
   const StanceFeedback::Drift drift = stance.DriftAhead(now, left);
@@ -101,10 +103,13 @@ Vector3 SwingFeedback::WantedOffset(const Situation& now, int foot, const SwingN
   const Vector2 caught = options_.step_gain * (ahead - options_.step_decay) / (ahead - 1.0) * drift.dcm_W;
   const double reach = options_.step_reach * model_.leg_length_m();
   const Vector2 away = caught - drift.com_W;
-  const Vector2 step = away.norm() > reach ? Vector2(drift.com_W + away * reach / away.norm()) : caught;
+  return away.norm() > reach ? Vector2(drift.com_W + away * reach / away.norm()) : caught;
+}
+
+/// As high as the ground is where the others stand.
+double SwingFeedback::WantedHeight(const Situation& now, int foot) const {
   const Vector3 arm = now.planned.X_WF[static_cast<std::size_t>(foot)].translation() - footing_.middle_W;
-  const double height = footing_.mean_offset_W.z() + footing_.ground_tilt_W.cross(arm).z();
-  return {step.x(), step.y(), height};
+  return footing_.mean_offset_W.z() + footing_.ground_tilt_W.cross(arm).z();
 }
 
 /// On the minimum-jerk way from here to the wanted offset, at rest at touch-down; no faster than the leg can turn

@@ -5,6 +5,7 @@
 
 #include "kinematics/trajectory/swing_curve.h"
 #include "playback/control/leg_targets.h"
+#include "playback/control/momentum_feedback.h"
 #include "playback/control/situation.h"
 #include "playback/control/stabilised.h"
 #include "playback/control/stance_feedback.h"
@@ -23,7 +24,9 @@ class SwingFeedback {
   const Footing& UpdateFooting(const Situation& now);
 
   /// Sets the targets of the legs in the air; those on the ground get their stance gains.
-  void Update(const Situation& now, const StanceFeedback& stance, JointCommand& command);
+  /// @param ahead  where it is given and active, it says where feet are put down.
+  void Update(const Situation& now, const StanceFeedback& stance, JointCommand& command,
+              const MomentumFeedback* ahead = nullptr);
 
  private:
   /// A foot's place against its plan, moving.
@@ -32,7 +35,8 @@ class SwingFeedback {
     Vector3 wanted = Vector3::Zero();
   };
 
-  Vector3 WantedOffset(const Situation& now, int foot, const SwingNow& swing, const StanceFeedback& stance) const;
+  Vector2 WantedStep(const Situation& now, const SwingNow& swing, const StanceFeedback& stance) const;
+  double WantedHeight(const Situation& now, int foot) const;
   void MoveOffset(const Situation& now, const SwingNow& swing, Offset& offset) const;
   void SearchGround(const Situation& now, const SwingNow& next, Offset& offset) const;
   Motion1 Hover(const Situation& now, const SwingNow& swing) const;

@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 
+#include "playback/control/momentum_feedback.h"
 #include "playback/control/stance_feedback.h"
 #include "tests/playback/displaced.h"
 
@@ -20,7 +21,12 @@ struct Reaction {
 class StanceCase {
  public:
   explicit StanceCase(const RobotModel& model, MotionPlan plan, const StabilisedOptions& options = {})
-      : model_(model), plan_(std::move(plan)), options_(options), now(model_, plan_), stance(model_, options_) {
+      : model_(model),
+        plan_(std::move(plan)),
+        options_(options),
+        ahead_(model_, plan_, options_),
+        now(model_, plan_),
+        stance(model_, options_) {
     footing.offset_W.assign(model.feet.size(), Vector3::Zero());
   }
 
@@ -35,7 +41,8 @@ class StanceCase {
     now.Update(model_, before);
     now.Update(model_, input);
     VectorX tau = VectorX::Zero(model_.num_dofs());
-    stance.Update(now, footing, tau);
+    ahead_.Update(now, footing);
+    stance.Update(now, footing, tau, &ahead_);
     return tau;
   }
 
@@ -98,6 +105,7 @@ class StanceCase {
   const RobotModel model_;
   const MotionPlan plan_;
   const StabilisedOptions options_;
+  MomentumFeedback ahead_;
 
  public:
   Situation now;

@@ -105,6 +105,17 @@ TEST(PlanJson, NumbersThatAreNoneAreSaid) {
             "'goal.x_m' is null; a number is needed");
 }
 
+TEST(PlanJson, ASwingOverNoGroundComesBack) {
+  MotionPlan plan = GoodPlanOf("a1").plan;
+  plan.swings.front().clearance_m = std::numeric_limits<double>::infinity();
+  const std::string text = PlanToJson(plan);
+  const Result<MotionPlan> back = PlanFromJson(text, "x.json");
+  ASSERT_TRUE(back.ok()) << back.failure().message;
+  EXPECT_EQ(back->swings.front().clearance_m, plan.swings.front().clearance_m);
+  EXPECT_EQ(back->swings.back().clearance_m, plan.swings.back().clearance_m);
+  EXPECT_EQ(PlanToJson(*back), text);
+}
+
 TEST(PlanJson, TextsThatBreakSayWhere) {
   EXPECT_EQ(WhyRefused(std::string()), "it is empty");
   const std::string& good = GoodText();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/playback/hops.h"
 #include "tests/playback/reaction.h"
 #include "tests/playback/short_walk.h"
 #include "tests/playback/standing_plan.h"
@@ -291,6 +292,25 @@ TEST(StanceFeedback, AsksForAsMuchAsAPlanDoesAndHalfAsMuchMore) {
   ControlInput input = OnPlan(light.plan(), 0.5);
   input.v[2] += 100.0;
   EXPECT_NEAR(light.Ask(input).force_W.z(), 0.1 * weight, 0.02 * weight);
+}
+
+TEST(StanceFeedback, BeforeAFlightAFootThatBearsNextToNothingIsPressedUntilItLeaves) {
+  const RobotModel model = synthetic::Robot(4, FootType::kPoint);
+  MotionPlan plan = synthetic::HoppingPlan(model);
+  for (auto& wrenches : plan.whole_body.wrenches) {
+    // Of all four feet two of a diagonal carry all of it.
+    wrenches[1].force_W += wrenches[0].force_W;
+    wrenches[2].force_W += wrenches[3].force_W;
+    wrenches[0] = wrenches[3] = {};
+  }
+  StanceCase light(model, plan);
+  const double weight = model.weight_n(), liftoff = plan.schedule.phases.front().end_s;
+  const Reaction asked = light.Ask(OnPlan(plan, 0.3)), leaving = light.Ask(OnPlan(plan, liftoff - 0.001));
+  for (const std::size_t f : {0U, 3U}) {
+    EXPECT_NEAR(asked.foot_W[f].z(), 0.03 * weight, 0.002 * weight);
+    EXPECT_LT(leaving.foot_W[f].z(), 0.003 * weight);
+  }
+  EXPECT_NEAR(asked.force_W.z(), weight, 1e-3 * weight) << "taken off the others";
 }
 
 TEST(StanceFeedback, OnAWalkWithoutErrorNothingIsAdded) {

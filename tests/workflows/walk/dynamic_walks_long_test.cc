@@ -21,7 +21,8 @@ TEST(DynamicWalksLong, BoundsOverAGapOf30Centimetres) {
 
 INSTANTIATE_TEST_SUITE_P(A1, DynamicWalksLong,
                          testing::Values(DynamicWalk{"trot", 1.5, 5.0}, DynamicWalk{"trot", 1.0, 5.0, 0.4},
-                                         DynamicWalk{"bound", 0.8, 5.0}, DynamicWalk{"pronk", 0.5, 5.0}));
+                                         DynamicWalk{"bound", 0.8, 5.0}, DynamicWalk{"pronk", 0.5, 5.0},
+                                         DynamicWalk{"gallop", 1.0, 5.0}));
 
 }  // namespace
 }  // namespace gaitwright
