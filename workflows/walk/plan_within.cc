@@ -29,10 +29,11 @@ bool IsTooMuch(const Failure& failure) {
 }
 
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
-/// enough.
+/// enough, and no matter how good.
 WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
   constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
   WalkRequest coarse = request;
+  coarse.motion.rigid_body.method = "interior-point";  // which knows sooner where there is none
   double& grid = coarse.motion.pipeline.grid_step_s;
   if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
   return coarse;
