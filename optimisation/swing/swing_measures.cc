@@ -48,7 +48,7 @@ double ClearanceRamp(double u) {
 
 double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
                       double clearance_m, const SwingRoll& roll) {
-  constexpr int kSamples = 60;
+  constexpr int kSamples = 180;
   double least = kInf;
   for (int k = 1; k < kSamples; ++k) {
     const double u = static_cast<double>(k) / kSamples;

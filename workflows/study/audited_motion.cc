@@ -83,6 +83,10 @@ class Refiner {
     const Result<RobotModel> robot = RigidBodyRobot(attempt_.problem, "rigid-body");
     if (!robot) return robot.failure();
     const Result<MotionPlan> plan = RigidBodyMotionPlan(*robot, ground_, attempt_.problem, attempt_.plan.motion);
+    if (!plan && !attempt_.keeps_laws) {  // not even swings: nothing to learn from it
+      stray_m_ = 0.0;
+      return std::nullopt;
+    }
     if (!plan) return plan.failure();
     FindStrays(*robot, *plan);
     if (!attempt_.keeps_laws) return std::nullopt;

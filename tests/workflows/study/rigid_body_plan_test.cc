@@ -161,11 +161,11 @@ TEST(RigidBodyPlan, RefusesARobotThatIsNotItsOwnAndMomentumInside) {
   const Result<RobotModel> robot = RigidBodyRobot(other.plan.choice.problem, "monoped");
   ASSERT_TRUE(robot.ok());
   const RigidBodyMotion& motion = one.plan.plan.motion;
-  EXPECT_THROW(RigidBodyMotionPlan(*robot, one.ground, one.plan.choice.problem, motion), InvalidArgument);
+  EXPECT_THROW((void)RigidBodyMotionPlan(*robot, one.ground, one.plan.choice.problem, motion), InvalidArgument);
   RigidBodyProblem inner = one.plan.choice.problem;
   inner.inner_momentum_W.assign(2, Vector3::Zero());
   inner.inner_torque_W.assign(2, Vector3::Zero());
-  EXPECT_THROW(RigidBodyMotionPlan(*RigidBodyRobot(inner, "biped"), one.ground, inner, motion), InvalidArgument);
+  EXPECT_THROW((void)RigidBodyMotionPlan(*RigidBodyRobot(inner, "biped"), one.ground, inner, motion), InvalidArgument);
 }
 
 /// Swings over a ridge take the feet out of reach as the body was planned without them.
