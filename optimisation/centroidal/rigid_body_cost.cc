@@ -8,13 +8,19 @@
 namespace gaitwright {
 namespace {
 
-void AddRows(const AffineVector& vector, double weight, const Vector3& wanted, std::vector<Residual>& cost) {
-  if (vector.parts.empty()) return;
+/// Weight times the square of what a vector is off along some directions, which are rows.
+void AddRowsAlong(const MatrixX& directions, const AffineVector& vector, double weight, const Vector3& wanted,
+                  std::vector<Residual>& cost) {
+  if (vector.parts.empty() || weight <= 0.0) return;
   SeenUnknowns seen;
-  const double root = std::sqrt(weight);
-  VectorFunction rows = AffineRows(vector, root * Matrix3::Identity(), root * wanted, seen);
+  const MatrixX weighted = std::sqrt(weight) * directions;
+  VectorFunction rows = AffineRows(vector, weighted, weighted * wanted, seen);
   cost.emplace_back(std::move(rows), seen.variables());
   cost.back().affine = true;
+}
+
+void AddRows(const AffineVector& vector, double weight, const Vector3& wanted, std::vector<Residual>& cost) {
+  AddRowsAlong(Matrix3::Identity(), vector, weight, wanted, cost);
 }
 
 /// A foot on the ground from the centre of mass, less where it likes to stand.
@@ -58,6 +64,10 @@ std::vector<Residual> RigidBodyCost(const RigidBodyProblem& problem, const Rigid
       AddRows(unknowns.Momentum(k), 0.5 * h * weights.momentum, Vector3::Zero(), cost);
       AddRows(unknowns.Angles(k), 0.5 * h * weights.tilt, WantedAngles(problem, t[k]), cost);
       const Matrix3 heading = YawRotation(WantedAngles(problem, t[k]).z());
+      if (!problem.way.time_s.empty()) {
+        const MatrixX across = heading.col(1).transpose();
+        AddRowsAlong(across, unknowns.CentreOfMass(t[k]), 0.5 * h * weights.way, problem.way.PlaceAt(t[k]), cost);
+      }
       for (const ContactForce& force : unknowns.Forces(i)) {
         if (force.point != 0) continue;
         const auto foot = static_cast<std::size_t>(problem.stances[force.stance].foot);

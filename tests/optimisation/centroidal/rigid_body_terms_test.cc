@@ -367,6 +367,24 @@ TEST(RigidBodyCost, IsZeroForStandingWithSteadyForcesAndGrowsWithWhatItWeighs) {
   // The integral of 0.04 over 1.9 s, but for the ends, which are level.
   const double ends = unknowns.breaks_s()[1];
   EXPECT_NEAR(cost({.tilt = 2.0}, tilted), 2.0 * 0.04 * (1.9 - ends), 1e-9);
+
+  const auto moved = [&](const Vector3& by) {
+    VectorX at = x;
+    for (std::size_t i = 0; i < unknowns.breaks_s().size(); ++i) {
+      if (unknowns.ControlPoint(i) >= 0) at.segment<3>(unknowns.ControlPoint(i)) += by;
+    }
+    return at;
+  };
+  const auto way_alone = [&](double weight, const VectorX& at) {
+    return cost({.way = weight}, at) - cost({.way = 0.0}, at);
+  };
+  EXPECT_EQ(way_alone(1.0, moved({0.0, 0.1, 0.0})), 0.0) << "no way to follow";
+  problem.way = {{0.0, 1.9}, {problem.start.p_WC, problem.start.p_WC}, {Vector3::Zero(), Vector3::Zero()}};
+  EXPECT_EQ(way_alone(1.0, moved({0.1, 0.0, 0.1})), 0.0) << "sooner or higher is as well";
+  const double aside = way_alone(1.0, moved({0.0, 0.1, 0.0}));
+  EXPECT_GT(aside, 0.01 * 1.5);
+  EXPECT_LT(aside, 0.01 * 1.9);
+  EXPECT_NEAR(way_alone(3.0, moved({0.0, -0.2, 0.0})), 12.0 * aside, 1e-9);
 }
 
 }  // namespace
