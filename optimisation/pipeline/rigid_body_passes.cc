@@ -183,6 +183,7 @@ void RigidBodyPasses::HoldFootholds(const FootstepPlan& footsteps) {
     problem_.stances[i].X_WF = footsteps.footholds[i].X_WF;
     problem_.stances[i].held = true;
   }
+  holds_ = true;
 }
 
 FootstepPlan RigidBodyPasses::FootstepsOf(const RigidBodyMotion& motion) const {
@@ -230,6 +231,13 @@ Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options
   while (true) {
     problem_.clearances = clearance_.Wanted();
     RigidBodyPlan last;
+    if (holds_) {
+      RigidBodyOptions quick = options;
+      quick.method = "interior-point";  // which is the quicker one where footholds are held
+      Result<RigidBodyPlan> plan =
+          numbers_ ? PlanRigidBodyFrom(problem_, quick, *numbers_) : PlanRigidBody(problem_, quick);
+      if (plan) return plan;
+    }
     Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options, &last);
     if (plan) return plan;
     if (!problem_.clearances.empty() && clearance_.Ease()) continue;
@@ -244,6 +252,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   Result<RigidBodyPlan> plan = PlanClear(options);
   if (!plan) return WithNamesOf(model_, plan.failure());
   motion_ = std::move(plan->motion);
+  if (holds_) numbers_ = std::move(plan->numbers);
   samples_ = Sample(motion_, task_.options.pipeline.grid_step_s);
   MotionPass pass;
   pass.footsteps = FootstepsOf(motion_);

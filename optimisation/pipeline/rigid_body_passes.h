@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "optimisation/centroidal/plan_rigid_body.h"
@@ -42,14 +43,16 @@ class RigidBodyPasses {
   const StandingBody body_;
   RigidBodyProblem problem_;
   BodyClearance clearance_;
-  double lift_m_ = 0.0;                   // of swings without flight
-  RigidBodyMotion motion_;                // of the last pass
-  std::vector<RigidBodySample> samples_;  // of it, by row of the grid
-  std::vector<Vector3> off_;              // inner momentum that came back, less what went in, of the last pass
-  double past_limits_ = 0.0;              // of the last pass, TotalExcess
-  double step_ = 1.0;                     // of that, how much was taken
-  std::vector<Vector3> expected_roll_;    // by foothold
-  std::vector<Vector3> roll_;             // by foothold, over its stance
+  double lift_m_ = 0.0;                      // of swings without flight
+  RigidBodyMotion motion_;                   // of the last pass
+  bool holds_ = false;                       // footholds where they are
+  std::optional<RigidBodyNumbers> numbers_;  // of the last motion with footholds held
+  std::vector<RigidBodySample> samples_;     // of it, by row of the grid
+  std::vector<Vector3> off_;                 // inner momentum that came back, less what went in, of the last pass
+  double past_limits_ = 0.0;                 // of the last pass, TotalExcess
+  double step_ = 1.0;                        // of that, how much was taken
+  std::vector<Vector3> expected_roll_;       // by foothold
+  std::vector<Vector3> roll_;                // by foothold, over its stance
 };
 
 }  // namespace gaitwright
