@@ -20,21 +20,33 @@ double GroundUnder(const MotionSample& sample) {
   return sample.p_WC.z() - kGravity / (sample.omega_rad_s * sample.omega_rad_s);
 }
 
-/// Why this sample is out of bounds, or nothing.
-std::string OutOfBounds(const MotionSample& planned, const MotionSample& measured, const ScoreOptions& options) {
-  if (AngleBetween(UpInBase(planned), UpInBase(measured)) > options.fall_tilt_rad) {
-    return fmt::format("the base tilted {:.2f} rad where the plan has {:.2f} rad", Tilt(measured), Tilt(planned));
+/// Out of which bounds bases are.
+class Bounds {
+ public:
+  explicit Bounds(const ScoreOptions& options) : options_(options) {}
+
+  /// Why this sample is out of them, or nothing; those before have been seen.
+  std::string Passed(const MotionSample& planned, const MotionSample& measured) {
+    if (AngleBetween(UpInBase(planned), UpInBase(measured)) > options_.fall_tilt_rad) {
+      return fmt::format("the base tilted {:.2f} rad where the plan has {:.2f} rad", Tilt(measured), Tilt(planned));
+    }
+    const double planned_ground = GroundUnder(planned);
+    if (!measured.support.empty()) higher_ground_m_ = GroundUnder(measured) - planned_ground;
+    const double height = measured.X_WB.translation().z() - planned_ground - higher_ground_m_;
+    const double planned_height = planned.X_WB.translation().z() - planned_ground;
+    if (height < options_.fall_height_lowest * planned_height ||
+        height > options_.fall_height_highest * planned_height) {
+      return fmt::format("the base was {:.3f} m high where the plan has {:.3f} m", height, planned_height);
+    }
+    return {};
   }
-  // In flight both are over the same ground: at an edge, hardly apart, they may be over grounds far apart.
-  const double planned_ground = GroundUnder(planned);
-  const double ground = measured.support.empty() ? planned_ground : GroundUnder(measured);
-  const double height = measured.X_WB.translation().z() - ground;
-  const double planned_height = planned.X_WB.translation().z() - planned_ground;
-  if (height < options.fall_height_lowest * planned_height || height > options.fall_height_highest * planned_height) {
-    return fmt::format("the base was {:.3f} m high where the plan has {:.3f} m", height, planned_height);
-  }
-  return {};
-}
+
+ private:
+  const ScoreOptions& options_;
+  /// Than the plan's, where it stood last. In flight the two are over the same ground: at an edge, hardly apart, they
+  /// may be over grounds far apart.
+  double higher_ground_m_ = 0.0;
+};
 
 void Earlier(double time_s, const std::string& what, Fall& fall) {
   if (what.empty() || (fall.fell && fall.time_s <= time_s)) return;
@@ -46,8 +58,9 @@ void Earlier(double time_s, const std::string& what, Fall& fall) {
 Fall FindFall(const MotionPlan& plan, const PlaybackLog& log, const MotionSeries& series, const ScoreOptions& options) {
   Fall fall{false, log.samples.empty() ? log.start_s : log.samples.back().time_s, ""};
   const double log_end = fall.time_s;
+  Bounds bounds(options);
   for (std::size_t k = 0; k < series.measured.size() && !fall.fell; ++k) {
-    Earlier(series.measured[k].time_s, OutOfBounds(series.planned[k], series.measured[k], options), fall);
+    Earlier(series.measured[k].time_s, bounds.Passed(series.planned[k], series.measured[k]), fall);
   }
   for (const BodyContact& contact : log.body_contacts) {
     Earlier(contact.time_s, fmt::format("'{}', which is no foot, touched the ground", contact.link), fall);

@@ -79,6 +79,17 @@ TEST(Fall, InFlightAtAnEdgeTheGroundIsThatOfThePlan) {
   EXPECT_TRUE(!fall.fell || fall.time_s < 0.4 || fall.time_s > 0.6) << fall.what;
 }
 
+TEST(Fall, InFlightTheGroundIsAsFarFromThatOfThePlanAsWhereItStoodLast) {
+  Case c;
+  c.plan.schedule.phases = {{0.0, 0.4, 3}, {0.4, 0.6, 0}, {0.6, 1.0, 3}};
+  const double height = c.plan.whole_body.q.front()[2];
+  for (LogSample& sample : c.log.samples) sample.q[2] -= 0.8 * height;  // on ground that the plan does not know
+  EXPECT_FALSE(c.Find().fell) << c.Find().what;
+  for (LogSample& sample : c.log.samples)
+    sample.q[2] -= sample.time_s > 0.45 && sample.time_s < 0.55 ? 0.8 * height : 0.0;
+  EXPECT_TRUE(c.Find().fell) << "far below where it took off";
+}
+
 TEST(Fall, BoundsAreOptions) {
   Case c;
   Turn(c.log.samples[50].q, 0.5, Vector3::UnitX());
