@@ -13,7 +13,8 @@ void WalkArguments::AddTo(CLI::App& verb) {
   AddCommandTo(verb);
   verb.option_defaults()->group("How it is planned");
   AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
-          "How the centre of mass is planned: optimised, closed-form or preview; default optimised.");
+          "How the centre of mass is planned: optimised, closed-form, preview or rigid-body; "
+          "default optimised, and rigid-body for gaits that fly.");
   verb.option_defaults()->group("Options");
 }
 
