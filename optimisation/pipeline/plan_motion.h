@@ -86,8 +86,12 @@ struct PipelineOptions {
 struct MotionOptions {
   FootstepOptions footsteps;
   CentreOfMassOptions centre_of_mass;
-  RigidBodyOptions rigid_body = {
-      .method = "ceres", .force_margin = 0.01, .swing_lead_s = 0.02, .tolerance = 1e-5, .weights = {.way = 1.0}};
+  RigidBodyOptions rigid_body = {.method = "ceres",
+                                 .spacing_s = 0.04,
+                                 .force_margin = 0.01,
+                                 .swing_lead_s = 0.02,
+                                 .tolerance = 1e-5,
+                                 .weights = {.way = 1.0}};
   SwingOptions swing;
   WholeBodyOptions whole_body;
   PipelineOptions pipeline;

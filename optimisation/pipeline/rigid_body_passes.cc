@@ -15,6 +15,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/body_limits.h"
 #include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/mean_height.h"
 #include "optimisation/pipeline/roll_moments.h"
 #include "optimisation/swing/plan_swings.h"
 
@@ -199,14 +200,12 @@ void RigidBodyPasses::SetCentroidal(const std::vector<RigidBodySample>& samples,
   CentroidalTrajectory& c = pass.centroidal;
   c.start_s = task_.skeleton.schedule.start_s();
   c.step_s = task_.options.pipeline.grid_step_s;
-  double height = 0.0;
   for (const RigidBodySample& sample : samples) {
     c.p_WC.push_back(sample.p_WC);
     c.v_WC.push_back(sample.v_WC);
     c.a_WC.push_back(sample.a_WC);
-    height += sample.p_WC.z() - task_.body.GroundAt(c.start_s + sample.time_s).value;
   }
-  c.omega_rad_s = std::sqrt(kGravity * static_cast<double>(samples.size()) / height);
+  c.omega_rad_s = std::sqrt(kGravity / MeanHeightOverFeet(c, pass.footsteps, static_cast<int>(model_.feet.size())));
 }
 
 /// Where a foot in the air can be by the last motion, and a little beyond, for the next motion to follow.

@@ -84,6 +84,18 @@ RigidBodyState Standing(const StandingBody& body, const PlanarPose& at, double b
   return state;
 }
 
+/// Where the body comes to rest: at the goal, where its feet, whose places the ground has a say in, are near enough to
+/// where they stand under it; else over its feet.
+PlanarPose EndOf(const RobotModel& model, const FootstepSkeleton& skeleton) {
+  constexpr double kNear = 0.08;  // of the leg
+  PlanarPose end = PoseAt(skeleton.path, skeleton.schedule.end_s());
+  const Vector2 off(skeleton.goal.x_m - end.x_m, skeleton.goal.y_m - end.y_m);
+  if (off.norm() > kNear * model.leg_length_m()) return end;
+  end.x_m = skeleton.goal.x_m;
+  end.y_m = skeleton.goal.y_m;
+  return end;
+}
+
 /// Whether a foot stands still there with all others.
 bool StandsIn(const FootstepSkeleton& skeleton, const Foothold& foothold) {
   return std::any_of(skeleton.parts.begin(), skeleton.parts.end(), [&](const MotionPart& part) {
@@ -131,7 +143,8 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
                     model.standing_base_height_m + path.GroundAt(start_s + time_s).value);
   };
   problem.start = at(0.0);
-  problem.goal = at(problem.duration_s);
+  const double over_m = model.standing_base_height_m + path.GroundAt(skeleton.schedule.end_s()).value;
+  problem.goal = Standing(body, EndOf(model, skeleton), over_m);
   const int steps = std::max(1, static_cast<int>(std::ceil(problem.duration_s / kWayStep)));
   for (int k = 0; k <= steps; ++k) {
     const double time_s = problem.duration_s * k / steps;
@@ -139,6 +152,7 @@ RigidBodyProblem ProblemOf(const RobotModel& model, const StandingBody& body, co
     problem.way.p_WC.push_back(at(time_s).p_WC);
     problem.way.angles_rad.push_back(at(time_s).angles_rad);
   }
+  problem.way.p_WC.back() = problem.goal.p_WC;
   problem.follows_yaw = true;
   for (const MotionPart& part : skeleton.parts) {
     if (const auto rest = RestOf(skeleton, part)) {

@@ -18,6 +18,8 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLiftPerLegLength = 0.12;
+constexpr double kClearancePerLift = 0.25;
+constexpr double kClearanceInFlight = 0.125;  // of all lift, that for the body's rise too
 
 /// Swings of a robot's feet over a terrain.
 class SwingPlanner {
@@ -32,7 +34,7 @@ class SwingPlanner {
         legs_known_(former.base != nullptr),
         guard_(model, terrain, former) {
     lift_m_ = SwingLift(model, options);
-    choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
+    clearance_m_ = options.clearance_m;
     choice_.control_points = options.control_points;
     choice_.samples = options.samples;
     for (const Foot& foot : model.feet) undersides_.push_back(UndersideOf(foot));
@@ -56,7 +58,8 @@ class SwingPlanner {
     // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that has no
     // room is for the audit to tell.
     const bool room = guard_.LegHasRoom(swing);
-    bool clear = Find(swing, {room, true});
+    choice_.clearance_m = clearance_m_ > 0.0 ? clearance_m_ : kClearancePerLift * lift_m_;
+    bool clear = FindHigher(swing, {room, true}) || Find(swing, {room, true});
     if (!clear && legs_known_) clear = Find(swing, {room, false}) || (room && Find(swing, {false, false}));
     // Out of reach as little as can be, or else anyhow, for the audit to tell.
     choice_.may_stray = true;
@@ -88,6 +91,19 @@ class SwingPlanner {
       return true;
     }
     return GoOver(swing);
+  }
+
+  /// Of a foot that goes along with a body in flight, which is fast and comes off its way by more, an eighth of what it
+  /// is lifted by is asked for, where that is more and can be had.
+  bool FindHigher(SwingTrajectory& swing, const LegDemand& demand) {
+    const double usual_m = choice_.clearance_m, higher_m = kClearanceInFlight * swing.lift_m;
+    if (clearance_m_ > 0.0 || higher_m <= usual_m) return false;
+    choice_.clearance_m = higher_m;
+    const bool clear = Find(swing, demand);
+    choice_.clearance_m = usual_m;
+    hit_.reset();
+    unfollowed_.reset();
+    return clear;
   }
 
   Failure NoClearance(const SwingTrajectory& swing) const {
@@ -294,6 +310,7 @@ class SwingPlanner {
   std::optional<SwingHit> hit_;
   std::optional<SwingTrajectory> unfollowed_;  // clear, but more than the leg can follow
   double lift_m_ = 0.0, highest_m_ = 0.0;
+  double clearance_m_ = 0.0;  // that is asked for; 0 for a share of the lift
   LegDemand demand_;
   RefineChoice choice_;
   std::vector<std::vector<Vector3>> undersides_;  // by foot

@@ -17,8 +17,8 @@ namespace gaitwright {
 /// everything from the first third of the swing to the last, so that from a lower foothold to a higher one it rises
 /// before it goes ahead, and goes ahead before it comes down where the way leads down. Towards both ends less is asked
 /// for (ClearanceRamp), and to the side of a riser no more than the foot has beside its footholds: a foothold 5 mm from
-/// a riser leaves 5 mm.
-/// Tuning
+/// a riser leaves 5 mm. What is lifted for the body's flight too is asked for an eighth of all that, where it can be
+/// had. Tuning
 ///   a foot scuffs the edge of a riser    more clearance_m; footholds farther from the edge
 ///   swings rise too high on rough ground less clearance_m
 struct SwingOptions {

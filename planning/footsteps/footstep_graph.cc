@@ -10,6 +10,8 @@
 namespace gaitwright {
 namespace {
 
+constexpr double kOneLevel = 0.05;  // of the leg, between footholds of one height
+
 Vector2 InPlan(const FootholdChoice& choice) { return choice.placed.X_WF.translation().head<2>(); }
 double HeightOf(const FootholdChoice& choice) { return choice.placed.X_WF.translation().z(); }
 
@@ -146,6 +148,30 @@ void FootstepGraph::StepsTo(int stance, int step, std::vector<Edge>& edges, Refu
   std::copy(footholds.begin(), footholds.end(), chosen_.begin());
   const std::size_t budget = group.size() == 1 ? options_by_member_[0].size() : 3;
   Combine(stance, 0, budget, edges);
+  if (groups_.size() == 1) CombineLevel(stance, budget, edges);
+}
+
+/// Of a leap of all feet those that land at one height, which may each be far down in the order of their foot's.
+void FootstepGraph::CombineLevel(int stance, std::size_t budget, std::vector<Edge>& edges) {
+  const double same_m = kOneLevel * leg_m_;
+  const std::vector<std::vector<int>> all = options_by_member_;
+  std::vector<double> levels_m;
+  for (const int index : all.front()) {
+    const double height = HeightOf((*table_)[index]);
+    const auto near = [&](double level) { return std::abs(level - height) < same_m; };
+    if (std::none_of(levels_m.begin(), levels_m.end(), near)) levels_m.push_back(height);
+  }
+  for (const double level : levels_m) {
+    bool any = true, fewer = false;
+    for (std::size_t m = 0; m < all.size(); ++m) {
+      std::vector<int>& own = options_by_member_[m];
+      own = all[m];
+      std::erase_if(own, [&](int index) { return std::abs(HeightOf((*table_)[index]) - level) >= same_m; });
+      any = any && !own.empty();
+      fewer = fewer || own.size() < all[m].size();
+    }
+    if (any && fewer) Combine(stance, 0, budget, edges);
+  }
 }
 
 void FootstepGraph::Combine(int stance, std::size_t member, std::size_t budget, std::vector<Edge>& edges) {
@@ -163,7 +189,14 @@ void FootstepGraph::Combine(int stance, std::size_t member, std::size_t budget, 
   }
 }
 
-double FootstepGraph::CostOf(int stance) const {
+double FootstepGraph::LandingTilt() {
+  if (groups_.size() > 1) return 0.0;
+  for (std::size_t f = 0; f < num_feet_; ++f) poses_[f] = (*table_)[chosen_[f]].placed.X_WF;
+  const BaseOverFeet base = stances_->BaseOf(poses_);
+  return std::hypot(base.pitch_rad, base.roll_rad);
+}
+
+double FootstepGraph::CostOf(int stance) {
   const std::vector<int>& group = groups_[static_cast<std::size_t>(GroupOf(stance))];
   const std::span<const int> from = FootholdsOf(stance);
   const double stride = table_->stride_m(), end = query_->route.length_m();
@@ -187,7 +220,8 @@ double FootstepGraph::CostOf(int stance) const {
   }
   const double wanted = std::min(table_->advance_m(), end - others);
   const double lead = groups_.size() > 1 ? (reached - others - wanted) / stride : 0.0;
-  return own * cost + options_.phase_weight * (std::abs(lead) + lead * lead);
+  const double landing = options_.landing_weight > 0.0 ? options_.landing_weight * LandingTilt() : 0.0;
+  return own * cost + options_.phase_weight * (std::abs(lead) + lead * lead) + landing;
 }
 
 bool FootstepGraph::SwingHolds(const FootholdChoice& from, const FootholdChoice& to, Refusals& refusals) const {

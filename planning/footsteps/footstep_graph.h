@@ -58,8 +58,10 @@ class FootstepGraph {
 
  private:
   void StepsTo(int stance, int step, std::vector<Edge>& edges, Refusals& refusals);
+  void CombineLevel(int stance, std::size_t budget, std::vector<Edge>& edges);
   void Combine(int stance, std::size_t member, std::size_t budget, std::vector<Edge>& edges);
-  double CostOf(int stance) const;  // of stepping from it to chosen_
+  double CostOf(int stance);  // of stepping from it to chosen_
+  double LandingTilt();       // of the base over chosen_ where all feet leap at once [rad]; else 0
   bool SwingHolds(const FootholdChoice& from, const FootholdChoice& to, Refusals& refusals) const;
   bool WayIsFree(const FootholdChoice& from, const FootholdChoice& to) const;
   std::size_t Hash(std::span<const int> footholds, int group) const;

@@ -36,6 +36,7 @@ struct FootstepSearchOptions {
   double departure_weight = 0.5;
   double height_weight = 0.5;
   double risk_weight = 0.3;
+  double landing_weight = 2.0;
   double goal_tolerance = 0.15;
   double first_bound = 3.0;
   double bound = 1.05;
@@ -86,6 +87,7 @@ std::vector<std::vector<int>> FootGroups(const Gait& gait);
 /// and on each surface near the place nearest to it. Each step of a group costs
 ///   mean over its feet of max(1, a / L) + length max(0, a / L - 1) + departure (d / offset)^2
 ///                         + height |dz| / leg + risk r,     plus phase (e + e^2), e = |lead - wanted| / L,
+/// and where all feet leap at once, landing times the tilt of the base over them [rad];
 /// a the stations gained, L the stride, d the distance from the foot's place on the route, lead how far the group comes
 /// to stand ahead of all others. Never less is left than, summed over groups, the mean over feet of
 /// max((end - station) / L, 1 if not at the goal), which is the heuristic: it is consistent, so `stats.bound` holds for

@@ -98,7 +98,10 @@ class Search {
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
     if (request_.motion.pipeline.allow_limits || IsSound(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
-    if (Leaps(cycles->fitted)) return first;
+    if (Leaps(cycles->fitted)) {
+      Result<PlannedWalk> other = WithOtherFlights(cycles->fitted, command);
+      return other ? other : first;
+    }
     if (!IsLevelGround(terrain_)) {
       Result<PlannedWalk> eased = IsOwnPace(command) ? Eased(command, kOwnEases) : Eased(command, kEases);
       return eased ? eased : first;
@@ -139,6 +142,27 @@ class Search {
   /// Whether a gait is planned as the motion of a rigid body, which takes much longer.
   bool Leaps(const Gait& gait) const {
     return HasFlight(gait) || request_.motion.centre_of_mass.method == "rigid-body";
+  }
+
+  /// Leaps onto other ground, down or over something, with a flight that is longer or shorter than the gait's own: what
+  /// feet have to clear, and how far the body falls, say how long it should be. Only of counted leaps whose times are
+  /// not given.
+  Result<PlannedWalk> WithOtherFlights(const Gait& gait, const WalkCommand& command) const {
+    constexpr double kMost = 0.95;  // of the cycle
+    const bool given = request_.gait_options.cycle_s > 0.0 || request_.gait_options.duty_factor > 0.0;
+    const bool leaps = command.extent == WalkCommand::Extent::kSteps && HasFlight(gait) && !IsLevelGround(terrain_);
+    for (const double longer : {0.8, 1.15}) {
+      if (given || !leaps) break;
+      Gait other = gait;
+      for (double& duty : other.duty_factor) duty = std::min(1.0 - longer * (1.0 - duty), kMost);
+      Result<PlannedWalk> planned = Whole(other, command, true);
+      if (!IsSound(planned)) continue;
+      planned->motion.summary +=
+          fmt::format("; flights {:.0f} % {} than the gait's own, since a plan with those would fail its audit",
+                      100.0 * std::abs(longer - 1.0), longer > 1.0 ? "longer" : "shorter");
+      return planned;
+    }
+    return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no other flight serves", {}};
   }
 
   /// The first of some slower paces whose brief walk passes; 0 for none.

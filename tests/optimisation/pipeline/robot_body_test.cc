@@ -56,6 +56,19 @@ class RobotBodyTest : public testing::TestWithParam<const char*> {
 
 INSTANTIATE_TEST_SUITE_P(Robots, RobotBodyTest, testing::Values("a1", "nao"), [](const auto& i) { return i.param; });
 
+TEST_P(RobotBodyTest, ABodyEndsAtTheGoalWhereItsFeetCameToStandNearIt) {
+  FootstepSkeleton skeleton = Skeleton(Curved());
+  const Vector3 end = Problem(skeleton).goal.p_WC;
+  for (const double off : {0.03, 0.07, 0.1}) {  // of the leg
+    FootstepSkeleton moved = skeleton;
+    moved.goal.x_m += off * model_.leg_length_m();
+    const RigidBodyProblem problem = Problem(moved);
+    const double by_m = off < 0.08 ? off * model_.leg_length_m() : 0.0;
+    EXPECT_NEAR((problem.goal.p_WC - end - Vector3(by_m, 0.0, 0.0)).norm(), 0.0, 1e-9) << off;
+    EXPECT_EQ(problem.way.p_WC.back(), problem.goal.p_WC);
+  }
+}
+
 TEST_P(RobotBodyTest, FeetLikeToStandWhereTheyDoInStandingAndThatIsInTheirWorkspaces) {
   ASSERT_EQ(body_.feet.size(), model_.feet.size());
   const Vector3 p_WC = CentreOfMass(model_, scratch_);

@@ -51,6 +51,20 @@ TEST(PlanSwings, FlatGroundNeedsNoDetour) {
   }
 }
 
+TEST(PlanSwings, AFootThatFliesAlongKeepsAnEighthOfItsLiftOverAnEdge) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  const Terrain terrain = WithBox(0.1, 0.8, 0.15);
+  for (const double lift_m : {0.15, 0.24, 0.3}) {
+    FormerMotion flight;
+    flight.lift_m = [&](const SwingTrajectory&) { return lift_m; };
+    flight.cruise = [](const SwingTrajectory&) { return 0.6; };
+    const auto swings = PlanSwings(model, terrain, OneStep(0.5, 0.15), {}, flight);
+    ASSERT_TRUE(swings.ok()) << swings.failure().message;
+    EXPECT_GE(Spare(model, terrain, swings->front(), 0.35 * 0.125 * lift_m), -1e-6) << lift_m;
+    EXPECT_GE(swings->front().clearance_m, 0.125 * lift_m - 1e-6) << lift_m;
+  }
+}
+
 TEST(PlanSwings, OnLevelGroundALiftThatClearsMidSwingIsLeftAlone) {
   const RobotModel model = *LoadNamedRobot("a1");
   SwingOptions options;

@@ -11,6 +11,16 @@ namespace gaitwright {
 
 void PrintTo(const DynamicWalk& walk, std::ostream* out) { *out << walk.gait << ' ' << walk.speed_m_s << " m/s"; }
 
+WalkRequest OneLeap(const std::string& terrain, double length_m) {
+  WalkRequest request;
+  request.gait = "jump";
+  request.terrain = terrain;
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = 4;
+  request.command.step_length_m = length_m / request.command.steps;
+  return request;
+}
+
 void ExpectToFly(const WalkRequest& request) {
   const RobotModel model = LoadNamedRobot("a1").value();
   const Result<PlannedWalk> planned = PlanWalk(model, request);

@@ -17,6 +17,9 @@ struct DynamicWalk {
 
 void PrintTo(const DynamicWalk& walk, std::ostream* out);
 
+/// One jump ahead of the A1.
+WalkRequest OneLeap(const std::string& terrain, double length_m);
+
 /// Plans the walk and plays it with the controller that there is by default; expects flights, a plan that passes its
 /// audit, and every gate to hold.
 void ExpectToFly(const DynamicWalk& walk);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 #include "tests/workflows/walk/dynamic_walks.h"
 
 namespace gaitwright {
@@ -18,6 +21,23 @@ TEST(DynamicWalksLong, BoundsOverAGapOf30Centimetres) {
   request.command.distance_m = 3.0;
   ExpectToFly(request);
 }
+
+class JumpsLong : public testing::TestWithParam<std::pair<std::string, double>> {};
+
+TEST_P(JumpsLong, PassAtDefaultSettings) { ExpectToFly(OneLeap(GetParam().first, GetParam().second)); }
+
+INSTANTIATE_TEST_SUITE_P(OntoABlock, JumpsLong,
+                         testing::Values(std::pair{"block:height_m=0.15,start_m=0.26,length_m=2", 0.52},
+                                         std::pair{"block:height_m=0.15,start_m=0.28,length_m=2", 0.52},
+                                         std::pair{"block:height_m=0.15,start_m=0.3,length_m=2", 0.52},
+                                         std::pair{"block:height_m=0.15,start_m=0.33,length_m=2", 0.52},
+                                         std::pair{"block:height_m=0.15,start_m=0.36,length_m=2", 0.52}));
+INSTANTIATE_TEST_SUITE_P(Down, JumpsLong,
+                         testing::Values(std::pair{"block:height_m=0.1,start_m=-1.5,length_m=1.72", 0.6},
+                                         std::pair{"block:height_m=0.2,start_m=-1.5,length_m=1.72", 0.6}));
+INSTANTIATE_TEST_SUITE_P(OverAGap, JumpsLong,
+                         testing::Values(std::pair{"gap:width_m=0.2,start_m=0.2", 0.4},
+                                         std::pair{"gap:width_m=0.2,start_m=0.28", 0.4}));
 
 INSTANTIATE_TEST_SUITE_P(A1, DynamicWalksLong,
                          testing::Values(DynamicWalk{"trot", 1.5, 5.0}, DynamicWalk{"trot", 1.0, 5.0, 0.4},

@@ -8,23 +8,14 @@ namespace {
 
 TEST(DynamicWalks, A1Bounds) { ExpectToFly({"bound", 0.8, 1.0}); }
 
-TEST(DynamicWalks, A1LeapsOverFourTenthsOfAMetre) {
-  WalkRequest request;
-  request.gait = "jump";
-  request.command.extent = WalkCommand::Extent::kSteps;
-  request.command.steps = 4;
-  request.command.step_length_m = 0.1;
-  ExpectToFly(request);
-}
+TEST(DynamicWalks, A1LeapsOverFourTenthsOfAMetre) { ExpectToFly(OneLeap("flat", 0.4)); }
 
 TEST(DynamicWalks, A1JumpsOntoABlockOf15Centimetres) {
-  WalkRequest request;
-  request.gait = "jump";
-  request.terrain = "block:height_m=0.15,start_m=0.31,length_m=2";
-  request.command.extent = WalkCommand::Extent::kSteps;
-  request.command.steps = 4;
-  request.command.step_length_m = 0.13;
-  ExpectToFly(request);
+  ExpectToFly(OneLeap("block:height_m=0.15,start_m=0.31,length_m=2", 0.52));
+}
+
+TEST(DynamicWalks, A1JumpsDownFromABlockOf15Centimetres) {
+  ExpectToFly(OneLeap("block:height_m=0.15,start_m=-1.5,length_m=1.72", 0.6));
 }
 
 }  // namespace

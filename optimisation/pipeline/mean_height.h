@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// Mean height of a centre of mass over the plane through the feet [m]: those on the ground where they stand, those in
+/// the air evenly between the footholds that they go between.
+/// @throws InvalidArgument for a motion without samples.
+double MeanHeightOverFeet(const CentroidalTrajectory& motion, const FootstepPlan& footsteps, int num_feet);
+
+}  // namespace gaitwright
