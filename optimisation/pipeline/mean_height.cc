@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/pipeline/mean_height.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "kinematics/base/result.h"
@@ -12,7 +14,9 @@ namespace {
 /// Where a foot is at a time, on its foothold or evenly on its way to the next.
 Vector3 PlaceOf(const FootstepPlan& footsteps, int foot, double time_s) {
   const auto& all = footsteps.footholds;
-  const auto last = all.begin() + FootholdAt(footsteps, foot, time_s);
+  const int index = FootholdAt(footsteps, foot, time_s);
+  if (index < 0) throw InvalidArgument(fmt::format("MeanHeightOverFeet: foot {} has no foothold", foot));
+  const auto last = all.begin() + index;
   const Vector3 p = last->X_WF.translation();
   const auto next = std::find_if(last + 1, all.end(), [&](const Foothold& f) { return f.foot == foot; });
   if (time_s <= last->liftoff_s || next == all.end() || next->touchdown_s <= last->liftoff_s) return p;

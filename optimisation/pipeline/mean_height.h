@@ -7,7 +7,8 @@ namespace gaitwright {
 
 /// Mean height of a centre of mass over the plane through the feet [m]: those on the ground where they stand, those in
 /// the air evenly between the footholds that they go between.
-/// @throws InvalidArgument for a motion without samples.
+/// @param footsteps  sorted (SortFootholds).
+/// @throws InvalidArgument for a motion without samples, or a foot without footholds.
 double MeanHeightOverFeet(const CentroidalTrajectory& motion, const FootstepPlan& footsteps, int num_feet);
 
 }  // namespace gaitwright

@@ -30,6 +30,7 @@ FootstepPlan Leap(double up_m) {
   FootstepPlan footsteps;
   for (const Vector2& at : {Vector2(0.2, 0.1), Vector2(0.2, -0.1), Vector2(-0.2, 0.1), Vector2(-0.2, -0.1)})
     AddFoot(footsteps, static_cast<int>(footsteps.footholds.size() / 2), at, 0.5, up_m);
+  SortFootholds(footsteps);
   return footsteps;
 }
 
@@ -67,8 +68,10 @@ TEST(MeanHeightOverFeet, IsOverThePlaneThroughFeetThatStandOnASlope) {
   EXPECT_NEAR(MeanHeightOverFeet(MotionAt(along), footsteps, 4), 0.3, 1e-9);
 }
 
-TEST(MeanHeightOverFeet, RefusesAMotionWithoutSamples) {
+TEST(MeanHeightOverFeet, RefusesAMotionWithoutSamplesAndAFootWithoutFootholds) {
   EXPECT_THROW((void)MeanHeightOverFeet({}, Leap(0.0), 4), InvalidArgument);
+  const auto still = [](double) { return 0.3; };
+  EXPECT_THROW((void)MeanHeightOverFeet(MotionAt(still), Leap(0.0), 5), InvalidArgument);
 }
 
 }  // namespace

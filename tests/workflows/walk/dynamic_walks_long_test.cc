@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "kinematics/model/load_robot.h"
 #include "tests/workflows/walk/dynamic_walks.h"
 
 namespace gaitwright {
@@ -26,14 +27,24 @@ class JumpsLong : public testing::TestWithParam<std::pair<std::string, double>> 
 
 TEST_P(JumpsLong, PassAtDefaultSettings) { ExpectToFly(OneLeap(GetParam().first, GetParam().second)); }
 
+TEST(OtherFlightsLong, TakeAnotherFlightWhereAPlanWithTheGaitsOwnFails) {
+  const WalkRequest request = OneLeap("block:height_m=0.15,start_m=-1.5,length_m=1.76", 0.66);
+  const Result<PlannedWalk> planned = PlanWalk(*LoadNamedRobot("a1"), request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  EXPECT_NE(planned->motion.summary.find("than the gait's own"), std::string::npos) << planned->motion.summary;
+}
+
 INSTANTIATE_TEST_SUITE_P(OntoABlock, JumpsLong,
                          testing::Values(std::pair{"block:height_m=0.15,start_m=0.26,length_m=2", 0.52},
                                          std::pair{"block:height_m=0.15,start_m=0.28,length_m=2", 0.52},
                                          std::pair{"block:height_m=0.15,start_m=0.3,length_m=2", 0.52},
                                          std::pair{"block:height_m=0.15,start_m=0.33,length_m=2", 0.52},
-                                         std::pair{"block:height_m=0.15,start_m=0.36,length_m=2", 0.52}));
+                                         std::pair{"block:height_m=0.15,start_m=0.36,length_m=2", 0.52},
+                                         std::pair{"block:height_m=0.2,start_m=0.31,length_m=2", 0.52}));
 INSTANTIATE_TEST_SUITE_P(Down, JumpsLong,
                          testing::Values(std::pair{"block:height_m=0.1,start_m=-1.5,length_m=1.72", 0.6},
+                                         std::pair{"block:height_m=0.15,start_m=-1.5,length_m=1.76", 0.66},
                                          std::pair{"block:height_m=0.2,start_m=-1.5,length_m=1.72", 0.6}));
 INSTANTIATE_TEST_SUITE_P(OverAGap, JumpsLong,
                          testing::Values(std::pair{"gap:width_m=0.2,start_m=0.2", 0.4},
