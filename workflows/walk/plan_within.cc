@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "optimisation/pipeline/dynamic_motion.h"
 #include "planning/footsteps/plan_footsteps.h"
 #include "workflows/walk/refuse_walk.h"
 
@@ -137,9 +138,7 @@ class Search {
 
  private:
   /// Whether a gait is planned as the motion of a rigid body, which takes much longer.
-  bool Leaps(const Gait& gait) const {
-    return HasFlight(gait) || request_.motion.centre_of_mass.method == "rigid-body";
-  }
+  bool Leaps(const Gait& gait) const { return IsDynamic(gait, request_.motion.centre_of_mass); }
 
   /// The first of some slower paces whose brief walk passes; 0 for none.
   double LargestLeaping() const {
