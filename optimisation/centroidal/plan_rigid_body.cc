@@ -268,6 +268,7 @@ OptionFields RigidBodyOptions::Fields() {
       {"momentum", &weights.momentum, "s", 0.0, 1e3, "Weight of the angular momentum.", {}},
       {"tilt", &weights.tilt, "1/(rad^2 s)", 0.0, 1e3, "Weight of the base's angles.", {}},
       {"stance", &weights.stance, "1/(m^2 s)", 0.0, 1e3, "Weight of the feet's places.", {}},
+      {"swing_jerk", &weights.swing_jerk, "1/m^2", 0.0, 1e3, "Weight of the jerk of free swings.", {}},
   };
 }
 

@@ -11,17 +11,19 @@ namespace gaitwright {
 /// What makes one motion of a rigid body better than another: the integral over time of
 ///   force_rate |f_i'|^2 + momentum |l|^2 + tilt |angles - wanted|^2 + stance |foot - nominal place|^2,
 /// forces in m g, l the angular momentum over the mean inertia, feet on the ground from the centre of mass in the
-/// wanted heading.
+/// wanted heading; and swing_jerk times the integral of |p'''|^2 of feet in free swings over the share of each.
 ///
 /// Tuning
 ///   forces change fast, feet land hard          raise force_rate
 ///   the base rolls and pitches                  raise momentum, tilt
 ///   feet stand far from where they like to      raise stance
+///   free swings waver                           raise swing_jerk
 struct RigidBodyWeights {
   double force_rate = 1e-3;  ///< [s]
   double momentum = 1e-2;    ///< [s]
   double tilt = 1.0;         ///< [1/(rad^2 s)]
   double stance = 1.0;       ///< [1/(m^2 s)]
+  double swing_jerk = 1e-5;  ///< [1/m^2]
 };
 
 /// The angles that are wanted at a time: level, the heading on an even way from start to goal.
