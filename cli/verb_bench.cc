@@ -54,13 +54,24 @@ Json ToJson(const TimingOutcome& t) {
           {"at_1_khz", ToJson(t.between)}};
 }
 
+Json ToJson(const CentroidalTask& task) {
+  return {{"distance_m", task.distance_m},
+          {"goal_higher_m", task.higher_m},
+          {"duration_s", task.duration_s},
+          {"friction", task.friction}};
+}
+
 Json ToJson(const AuditOutcome& a) {
   return {{"pass", a.pass()},
           {"refusal", a.refusal},
           {"as_planned", Json::parse(AuditJson(a.first))},
           {"in_the_end", Json::parse(AuditJson(a.report))},
-          {"rounds_swings_held", a.swings_held},
+          {"rounds_swings_planned", a.swings_planned},
           {"rounds_breaks_halved", a.halvings},
+          {"rounds_other_patches", a.changes},
+          {"passes_when_eased", a.eased.has_value()},
+          {"eased", a.eased ? ToJson(*a.eased) : Json()},
+          {"eased_in_the_end", a.eased ? Json::parse(AuditJson(a.eased_report)) : Json()},
           {"cpu_ms", a.cpu_ms}};
 }
 

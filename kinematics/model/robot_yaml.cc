@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "kinematics/base/options.h"
+#include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/model/yaml_line.h"
-#include "kinematics/model/yaml_map_internal.h"
 #include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
@@ -212,11 +212,13 @@ RobotYaml ParseRobotYaml(const std::string& text) {
                     "that is not closed, a tab, or a wrong indent",
                     error.mark.line + 1, error.mark.column + 1));
   }
-  if (documents.size() > 1) RefuseYaml(documents[1], "a second document begins; one is needed");
   try {
+    if (documents.size() > 1) RefuseYaml(documents[1], "a second document begins; one is needed");
     return documents.empty() ? RobotYaml{} : Parse(documents.front());
   } catch (const YAML::Exception& error) {
     RefuseYamlLine(error.mark.line + 1, "a value of the wrong kind");
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(fmt::format("robot.yaml, {}", error.what()));
   }
 }
 

@@ -38,12 +38,26 @@ std::vector<double> TroubleOf(const RigidBodyProblem& problem, const RigidBodyMo
   return trouble;
 }
 
-/// Stances that take another patch together.
-struct Other {
-  double rank;  // the least first
-  std::vector<std::size_t> stances;
-  int patch;
-};
+/// How far a stance's foot is in plan view from where it could stand on a patch.
+double Far(const Terrain& terrain, const PlanOverPatches& plan, std::size_t s, int patch, double edge_margin_m) {
+  const Vector3 p_W = plan.plan.motion.X_WF[s].translation();
+  RigidStance on = plan.choice.problem.stances[s];
+  if (!PutOnPatch(terrain, patch, p_W, edge_margin_m, on)) return std::numeric_limits<double>::infinity();
+  return (on.X_WF.translation() - p_W).head<2>().norm();
+}
+
+/// A stance and those that last as long as it on the same patch.
+std::vector<std::size_t> Together(const ChosenFootholds& choice, std::size_t s) {
+  const std::vector<RigidStance>& stances = choice.problem.stances;
+  std::vector<std::size_t> together;
+  for (std::size_t other = 0; other < stances.size(); ++other) {
+    if (!stances[other].held && choice.patches[other] == choice.patches[s] &&
+        std::abs(stances[other].start_s - stances[s].start_s) < 1e-4 &&
+        std::abs(stances[other].end_s - stances[s].end_s) < 1e-4)
+      together.push_back(other);
+  }
+  return together;
+}
 
 class PatchSearch {
  public:
@@ -82,9 +96,10 @@ class PatchSearch {
 
   /// Tries others until one is better, which is the best then, with its plan. @return false where none is.
   bool TryOthers(Result<RigidBodyPlan>& plan) {
-    for (const Other& one : Others(TroubleOf(best_.choice.problem, best_.plan.motion))) {
+    for (const PatchChange& change : PatchChanges(terrain_, best_, choosing_.edge_margin_m, search_.near_m)) {
       if (steps_ >= search_.most_steps) return false;
-      PlanOverPatches other = Moved(one);
+      PlanOverPatches other = best_;
+      other.choice = Changed(terrain_, best_, change, choosing_.edge_margin_m);
       Result<RigidBodyPlan> planned = Try(other);
       if (!planned && other.plan.summary.violations >= search_.better * best_.plan.summary.violations) continue;
       best_ = std::move(other);
@@ -92,58 +107,6 @@ class PatchSearch {
       return true;
     }
     return false;
-  }
-
-  PlanOverPatches Moved(const Other& other) {
-    PlanOverPatches moved = best_;
-    RigidBodyProblem& problem = moved.choice.problem;
-    for (const std::size_t s : other.stances) {
-      PutOnPatch(terrain_, other.patch, best_.plan.motion.X_WF[s].translation(), choosing_.edge_margin_m,
-                 problem.stances[s]);
-      moved.choice.patches[s] = other.patch;
-    }
-    FitBodyWay(problem, problem.way);
-    return moved;
-  }
-
-  /// How far a stance's foot is in plan view from where it could stand on a patch.
-  double Far(std::size_t s, int patch) const {
-    const Vector3 p_W = best_.plan.motion.X_WF[s].translation();
-    RigidStance on = best_.choice.problem.stances[s];
-    if (!PutOnPatch(terrain_, patch, p_W, choosing_.edge_margin_m, on)) return std::numeric_limits<double>::infinity();
-    return (on.X_WF.translation() - p_W).head<2>().norm();
-  }
-
-  /// A stance and those that last as long as it on the same patch.
-  std::vector<std::size_t> Together(std::size_t s) const {
-    const std::vector<RigidStance>& stances = best_.choice.problem.stances;
-    std::vector<std::size_t> together;
-    for (std::size_t other = 0; other < stances.size(); ++other) {
-      if (!stances[other].held && best_.choice.patches[other] == best_.choice.patches[s] &&
-          std::abs(stances[other].start_s - stances[s].start_s) < 1e-4 &&
-          std::abs(stances[other].end_s - stances[s].end_s) < 1e-4)
-        together.push_back(other);
-    }
-    return together;
-  }
-
-  /// What to try, those in most trouble and the nearest first.
-  std::vector<Other> Others(const std::vector<double>& trouble) const {
-    constexpr double kNone = 1e-4;
-    std::vector<Other> others;
-    for (std::size_t s = 0; s < trouble.size(); ++s) {
-      if (best_.choice.problem.stances[s].held || trouble[s] < kNone) continue;
-      for (int patch = 0; patch < static_cast<int>(terrain_.patches.size()); ++patch) {
-        if (patch == best_.choice.patches[s]) continue;
-        const double far = Far(s, patch);
-        if (far > search_.near_m) continue;
-        others.push_back({far / trouble[s], {s}, patch});
-        const std::vector<std::size_t> together = Together(s);
-        if (together.size() > 1 && together.front() == s) others.push_back({0.99 * far / trouble[s], together, patch});
-      }
-    }
-    std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) { return a.rank < b.rank; });
-    return others;
   }
 
   const Terrain& terrain_;
@@ -155,6 +118,38 @@ class PatchSearch {
 };
 
 }  // namespace
+
+std::vector<PatchChange> PatchChanges(const Terrain& terrain, const PlanOverPatches& plan, double edge_margin_m,
+                                      double near_m) {
+  constexpr double kNone = 1e-4;
+  const ChosenFootholds& choice = plan.choice;
+  const std::vector<double> trouble = TroubleOf(choice.problem, plan.plan.motion);
+  std::vector<PatchChange> changes;
+  for (std::size_t s = 0; s < trouble.size(); ++s) {
+    if (choice.problem.stances[s].held || trouble[s] < kNone) continue;
+    for (int patch = 0; patch < static_cast<int>(terrain.patches.size()); ++patch) {
+      if (patch == choice.patches[s]) continue;
+      const double far = Far(terrain, plan, s, patch, edge_margin_m);
+      if (far > near_m) continue;
+      changes.push_back({far / trouble[s], {s}, patch});
+      const std::vector<std::size_t> together = Together(choice, s);
+      if (together.size() > 1 && together.front() == s) changes.push_back({0.99 * far / trouble[s], together, patch});
+    }
+  }
+  std::sort(changes.begin(), changes.end(), [](const PatchChange& a, const PatchChange& b) { return a.rank < b.rank; });
+  return changes;
+}
+
+ChosenFootholds Changed(const Terrain& terrain, const PlanOverPatches& plan, const PatchChange& change,
+                        double edge_margin_m) {
+  ChosenFootholds choice = plan.choice;
+  for (const std::size_t s : change.stances) {
+    PutOnPatch(terrain, change.patch, plan.plan.motion.X_WF[s].translation(), edge_margin_m, choice.problem.stances[s]);
+    choice.patches[s] = change.patch;
+  }
+  FitBodyWay(choice.problem, choice.problem.way);
+  return choice;
+}
 
 OptionFields PatchSearchOptions::Fields() {
   return {{"near_m", &near_m, "m", 0.0, 10.0, "How far away a patch is tried for a foot.", {}},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "optimisation/centroidal/choose_footholds.h"
 #include "optimisation/centroidal/plan_rigid_body.h"
 
@@ -24,6 +26,22 @@ struct PlanOverPatches {
   RigidBodyPlan plan;
   int choices = 0;  ///< of patches that were planned for
 };
+
+/// Stances that take another patch together.
+struct PatchChange {
+  double rank = 0.0;  ///< how far away that is over the trouble that they are in
+  std::vector<std::size_t> stances = {};
+  int patch = 0;
+};
+
+/// For a plan with laws unmet: what stances in trouble, out of region or reach or beyond friction, could take other
+/// patches within `near_m`, alone or with those that last as long; the lowest rank first.
+std::vector<PatchChange> PatchChanges(const Terrain& terrain, const PlanOverPatches& plan, double edge_margin_m,
+                                      double near_m);
+
+/// The footholds of a plan with such a change, and a way fitted to them.
+ChosenFootholds Changed(const Terrain& terrain, const PlanOverPatches& plan, const PatchChange& change,
+                        double edge_margin_m);
 
 /// Chooses footholds and plans the motion over them. Where laws stay unmet, stances that are worst off take other
 /// patches near to where their feet would be, one at a time or with those that last as long, as long as the sum of what

@@ -269,6 +269,7 @@ OptionFields RigidBodyOptions::Fields() {
       {"tilt", &weights.tilt, "1/(rad^2 s)", 0.0, 1e3, "Weight of the base's angles.", {}},
       {"stance", &weights.stance, "1/(m^2 s)", 0.0, 1e3, "Weight of the feet's places.", {}},
       {"way", &weights.way, "1/(m^2 s)", 0.0, 1e3, "Weight of the body's drift aside of its way.", {}},
+      {"swing_jerk", &weights.swing_jerk, "1/m^2", 0.0, 1e3, "Weight of the jerk of free swings.", {}},
   };
 }
 

@@ -42,6 +42,26 @@ void AddStance(const FootPlace& place, const AffineVector& com, double weight, c
   cost.back().affine = true;
 }
 
+/// The mean jerk of a free swing from each of even shares to the next, from the acceleration of none at both ends.
+void AddSwing(const RigidBodyUnknowns& unknowns, std::size_t swing, double weight, std::vector<Residual>& cost) {
+  constexpr int kSamples = 40;
+  const double root = std::sqrt(weight * (kSamples + 1.0));
+  FootPlace before;
+  for (int k = 1; k <= kSamples + 1; ++k) {
+    const FootPlace at = k > kSamples ? FootPlace{} : unknowns.InSwingAcceleration(swing, k / (kSamples + 1.0));
+    SeenUnknowns seen;
+    FootPlace change = at;
+    change = change.Add(-1.0, before).SeenBy(seen);
+    const auto rows = [change, root](const VectorX& x, VectorX& value, MatrixX* J) {
+      value = root * change.At(x);
+      if (J != nullptr) change.AddTo(root * Matrix3::Identity(), *J, 0);
+    };
+    cost.emplace_back(rows, seen.variables());
+    cost.back().affine = true;
+    before = at;
+  }
+}
+
 }  // namespace
 
 Vector3 WantedAngles(const RigidBodyProblem& problem, double time_s) {
@@ -75,6 +95,9 @@ std::vector<Residual> RigidBodyCost(const RigidBodyProblem& problem, const Rigid
                   heading * problem.feet[foot].p_CF_nominal_B, cost);
       }
     }
+  }
+  for (std::size_t i = 0; i < problem.swings.size(); ++i) {
+    if (problem.swings[i].free) AddSwing(unknowns, i, weights.swing_jerk, cost);
   }
   return cost;
 }

@@ -12,19 +12,22 @@ namespace gaitwright {
 ///   force_rate |f_i'|^2 + momentum |l|^2 + tilt |angles - wanted|^2 + stance |foot - nominal place|^2
 ///     + way |across . (p_WC - that of the way)|^2,
 /// forces in m g, l the angular momentum over the mean inertia, feet on the ground from the centre of mass in the
-/// wanted heading, across level and normal to that.
+/// wanted heading, across level and normal to that; and swing_jerk times the integral of |p'''|^2 of feet in free swings
+/// over the share of each.
 ///
 /// Tuning
 ///   forces change fast, feet land hard          raise force_rate
 ///   the base rolls and pitches                  raise momentum, tilt
 ///   feet stand far from where they like to      raise stance
 ///   the body drifts aside                       raise way
+///   free swings waver                           raise swing_jerk
 struct RigidBodyWeights {
   double force_rate = 1e-3;  ///< [s]
   double momentum = 1e-2;    ///< [s]
   double tilt = 1.0;         ///< [1/(rad^2 s)]
   double stance = 1.0;       ///< [1/(m^2 s)]
   double way = 0.0;          ///< [1/(m^2 s)]; of a way that is more than a first guess
+  double swing_jerk = 1e-5;  ///< [1/m^2]
 };
 
 /// The angles that are wanted at a time: level, the heading on an even way from start to goal.

@@ -176,6 +176,11 @@ RigidBodyMotion MotionOf(const RigidBodyProblem& problem, const RigidBodyUnknown
     motion.X_WF.push_back(problem.stances[s].X_WF);
     motion.X_WF.back().translation() = unknowns.Foothold(s).At(x);
   }
+  for (std::size_t i = 0; i < problem.swings.size(); ++i) {
+    motion.detours_W.emplace_back();
+    for (int k = 0; k < problem.swings[i].unknowns(); k += 3)
+      motion.detours_W.back().emplace_back(x.segment<3>(unknowns.Detour(i) + k));
+  }
   const Matrix3 inverse_B = problem.inertia_B.inverse();
   Vector3 angles = problem.start.angles_rad;
   Vector3 momentum = RotationOf(angles) * problem.inertia_B * problem.start.w_WB_B;

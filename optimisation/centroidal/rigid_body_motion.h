@@ -33,6 +33,8 @@ struct RigidBodyMotion {
   InnerMomentum inner;
   std::vector<RigidBodyInterval> intervals;
   std::vector<Pose> X_WF;  ///< foothold of each stance
+  /// Control points of each of the problem's swings that is free; of others none [m].
+  std::vector<std::vector<Vector3>> detours_W = {};
 
   double duration_s() const { return intervals.empty() ? 0.0 : intervals.back().end_s; }
 };

@@ -131,6 +131,17 @@ void CheckStances(const RigidBodyProblem& problem) {
     throw InvalidArgument(fmt::format("rigid body: no foot holds it at the {}", starts ? "end" : "start"));
 }
 
+void CheckShares(const RigidSwing& swing) {
+  const auto outside = [](double share) { return !(share >= 0.0 && share <= 1.0); };
+  const auto no_plane = [&](const SwingPlane& plane) {
+    return outside(plane.share) || !plane.normal_W.allFinite() || !std::isfinite(plane.offset_m);
+  };
+  if (std::any_of(swing.shares.begin(), swing.shares.end(), outside) ||
+      std::any_of(swing.planes.begin(), swing.planes.end(), no_plane))
+    throw InvalidArgument(
+        fmt::format("rigid body: the swing from stance {} has a share or a plane that is none", swing.from));
+}
+
 void CheckSwings(const RigidBodyProblem& problem) {
   for (const RigidSwing& swing : problem.swings) {
     const std::size_t n = problem.stances.size();
@@ -138,11 +149,12 @@ void CheckSwings(const RigidBodyProblem& problem) {
         !(problem.stances[swing.to].start_s > problem.stances[swing.from].end_s) || !std::isfinite(swing.lift_m) ||
         !(swing.cruise >= 0.0 && swing.cruise < 1.0))
       throw InvalidArgument(fmt::format("rigid body: no foot swings from stance {} to {}", swing.from, swing.to));
-    for (const SwingPlace& place : swing.places) {
-      if (!(place.share >= 0.0 && place.share <= 1.0) || !std::isfinite(place.from + place.to) ||
-          !place.p_W.allFinite())
-        throw InvalidArgument(fmt::format("rigid body: the swing from stance {} has a place that is none", swing.from));
-    }
+    if (swing.free && (swing.detour_W.empty() || swing.detour_W.size() % 2 != 0))
+      throw InvalidArgument(
+          fmt::format("rigid body: the free swing from stance {} has {} control points; accepted: an "
+                      "even count of them",
+                      swing.from, swing.detour_W.size()));
+    CheckShares(swing);
   }
 }
 
@@ -159,10 +171,11 @@ void CheckClearances(const RigidBodyProblem& problem) {
 
 }  // namespace
 
-SwingPlace RigidSwing::PlaceAt(double share) const {
-  const double gone = SmoothStep(share, cruise).value;
+double RigidSwing::GoneAt(double share) const { return SmoothStep(share, cruise).value; }
+
+Vector3 RigidSwing::OffAt(double share) const {
   const SwingCurve off{0.0, 1.0, Pose::Identity(), Pose::Identity(), lift_m, detour_W, cruise};
-  return {share, 1.0 - gone, gone, Evaluate(off, share).X_WF.translation()};
+  return Evaluate(off, share).X_WF.translation();
 }
 
 Vector3 RigidStance::MovedAt(double time_s) const {

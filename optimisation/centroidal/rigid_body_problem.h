@@ -46,24 +46,29 @@ struct RigidStance {
   const MotorLimits* MotorsAt(double time_s) const;
 };
 
-/// Where a foot is at a share of its swing: p = from * p_from + to * p_to + p_W, of the footholds that it goes between.
-struct SwingPlace {
-  double share = 0.5, from = 0.5, to = 0.5;
-  Vector3 p_W = Vector3::Zero();  ///< [m]
+/// A plane that a foot on its way is to be beyond at a share of its swing: normal_W . p >= offset_m.
+struct SwingPlane {
+  double share = 0.5;
+  Vector3 normal_W = Vector3::UnitZ();  ///< unit
+  double offset_m = 0.0;
 };
 
-/// The way of a foot through the air from one of its stances to the next, a SwingCurve that is to stay within reach, or
-/// any way that is given by its places.
+/// The way of a foot through the air from one of its stances to the next, a SwingCurve that is to stay within reach.
 struct RigidSwing {
   std::size_t from = 0, to = 0;  ///< stances
   double lift_m = 0.0;           ///< of the bump at half time
   double cruise = 0.0;           ///< share of the time at constant speed, below 1
   /// Control points of the spline that takes the bump's place; empty for none [m].
   std::vector<Vector3> detour_W = {};
-  std::vector<SwingPlace> places = {};  ///< at which it is looked at; empty for nine of the curve
+  bool free = false;                    ///< these are unknown, and given as a first guess; an even count of them
+  std::vector<double> shares = {};      ///< at which it is looked at; empty for nine
+  std::vector<SwingPlane> planes = {};  ///< that keep it clear of what it goes by
 
-  /// That of the curve.
-  SwingPlace PlaceAt(double share) const;
+  int unknowns() const { return free ? 3 * static_cast<int>(detour_W.size()) : 0; }
+  /// How much of the straight way is behind it.
+  double GoneAt(double share) const;
+  /// How far the curve, as it is given, is off the straight way.
+  Vector3 OffAt(double share) const;
 };
 
 /// A state of a single rigid body. Angles are roll, pitch and yaw: R_WB = Rz(yaw) Ry(pitch) Rx(roll).

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/rigid_body_terms.h"
@@ -125,14 +127,40 @@ Constraint RigidBodyTerms::Reach(std::size_t stance, double time_s, double margi
                  margin_m);
 }
 
-Constraint RigidBodyTerms::SwingReach(const RigidSwing& swing, const SwingPlace& at, double margin_m) const {
-  const RigidStance &from = problem_.stances[swing.from], &to = problem_.stances[swing.to];
-  FootPlace place;
-  place.Add(at.from, unknowns_.Foothold(swing.from)).Add(at.to, unknowns_.Foothold(swing.to));
-  place.constant += at.p_W;
+Constraint RigidBodyTerms::SwingReach(std::size_t swing, double share, double margin_m) const {
+  const RigidSwing& of = problem_.swings[swing];
+  const RigidStance &from = problem_.stances[of.from], &to = problem_.stances[of.to];
   const RigidFoot& foot = problem_.feet[static_cast<std::size_t>(from.foot)];
-  return ReachOf(from.foot, foot.workspace_in_air_B.empty() ? foot.workspace_B : foot.workspace_in_air_B, place,
-                 from.end_s + at.share * (to.start_s - from.end_s), margin_m);
+  return ReachOf(from.foot, foot.workspace_in_air_B.empty() ? foot.workspace_B : foot.workspace_in_air_B,
+                 unknowns_.InSwing(swing, share), from.end_s + share * (to.start_s - from.end_s), margin_m);
+}
+
+Constraint RigidBodyTerms::SwingClearance(std::size_t swing) const {
+  const RigidSwing& of = problem_.swings[swing];
+  const RigidStance& from = problem_.stances[of.from];
+  const auto n = static_cast<Eigen::Index>(of.planes.size());
+  Constraint rows{fmt::format("clearance of foot {} in the air from {:.3f} s on", from.foot, from.end_s),
+                  {},
+                  VectorX(n),
+                  VectorX::Constant(n, kNoEnd)};
+  SeenUnknowns seen;
+  std::vector<std::pair<Vector3, FootPlace>> beyond;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const SwingPlane& plane = of.planes[static_cast<std::size_t>(i)];
+    beyond.emplace_back(plane.normal_W, unknowns_.InSwing(swing, plane.share).SeenBy(seen));
+    rows.lower[i] = plane.offset_m;
+  }
+  rows.variables = seen.variables();
+  rows.affine = true;
+  rows.function = [beyond](const VectorX& x, VectorX& value, MatrixX* J) {
+    value.resize(static_cast<Eigen::Index>(beyond.size()));
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+      const auto& [normal_W, place] = beyond[i];
+      value[static_cast<Eigen::Index>(i)] = normal_W.dot(place.At(x));
+      if (J != nullptr) place.AddTo(normal_W.transpose(), *J, static_cast<Eigen::Index>(i));
+    }
+  };
+  return rows;
 }
 
 Constraint RigidBodyTerms::ReachOf(int foot, const std::vector<WorkspaceSide>& workspace_B, const FootPlace& place,

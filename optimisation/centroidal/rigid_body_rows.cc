@@ -91,11 +91,9 @@ std::vector<MissedReach> MissedReaches(const RigidBodyProblem& problem, const Ri
 namespace {
 
 /// Where a foot on its way is looked at.
-std::vector<SwingPlace> PlacesOf(const RigidSwing& swing) {
-  if (!swing.places.empty()) return swing.places;
-  std::vector<SwingPlace> places;
-  for (const double share : {0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95}) places.push_back(swing.PlaceAt(share));
-  return places;
+std::vector<double> SharesOf(const RigidSwing& swing) {
+  if (!swing.shares.empty()) return swing.shares;
+  return {0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95};
 }
 
 }  // namespace
@@ -123,8 +121,9 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
     for (const double t : ReachTimes(problem, s, unknowns.breaks_s(), options.swing_lead_s))
       add(terms.Reach(s, t, options.reach_margin_m));
   }
-  for (const RigidSwing& swing : problem.swings) {
-    for (const SwingPlace& place : PlacesOf(swing)) add(terms.SwingReach(swing, place, options.reach_margin_m));
+  for (std::size_t i = 0; i < problem.swings.size(); ++i) {
+    for (const double share : SharesOf(problem.swings[i])) add(terms.SwingReach(i, share, options.reach_margin_m));
+    if (!problem.swings[i].planes.empty()) add(terms.SwingClearance(i));
   }
   for (const RigidClearance& clearance : problem.clearances) add(terms.Clearance(clearance));
   for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
@@ -154,6 +153,11 @@ VectorX GuessRigidBody(const RigidBodyProblem& problem, const RigidBodyUnknowns&
     const std::vector<AffineVector::Part>& parts = force.force.parts;
     if (parts.size() == 1 && parts.front().coefficient == 1.0)
       x[parts.front().start + 2] = 1.0 / sharing[force.at_break];
+  }
+  for (std::size_t i = 0; i < problem.swings.size(); ++i) {
+    const RigidSwing& swing = problem.swings[i];
+    for (int k = 0; k < swing.unknowns(); ++k)
+      x[unknowns.Detour(i) + k] = swing.detour_W[static_cast<std::size_t>(k / 3)][k % 3];
   }
   return x;
 }

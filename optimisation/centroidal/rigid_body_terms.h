@@ -33,8 +33,11 @@ class RigidBodyTerms {
   /// Hermite's cubic.
   Constraint Reach(std::size_t stance, double time_s, double margin_m) const;
 
-  /// The same of a foot at a place on its way between two stances.
-  Constraint SwingReach(const RigidSwing& swing, const SwingPlace& at, double margin_m) const;
+  /// The same of a foot at a share of a swing of the problem.
+  Constraint SwingReach(std::size_t swing, double share, double margin_m) const;
+
+  /// A swing of the problem beyond its planes. Only for one that has any.
+  Constraint SwingClearance(std::size_t swing) const;
 
   /// A point of the body beyond a plane at a time; how it is turned as for Reach.
   Constraint Clearance(const RigidClearance& clearance) const;

@@ -12,6 +12,7 @@
 
 #include "kinematics/base/result.h"
 #include "kinematics/trajectory/bspline.h"
+#include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/centroidal/gait_phases.h"
 
 namespace gaitwright {
@@ -20,6 +21,23 @@ namespace {
 std::size_t Nearest(const std::vector<double>& times, double t) {
   const auto after = std::lower_bound(times.begin(), times.end(), t - kSameSwitch_s);
   return static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
+}
+
+constexpr int kFixed = 3;  // control points of a swing at each end, which are zero
+
+/// Adds sum_i of[i] * (control point first + i) of a detour whose numbers begin at `start`, two numbers at a time: the
+/// spline or a derivative of it.
+void AddDetour(int start, int points, int first, const std::array<double, 6>& of, FootPlace& place) {
+  const auto column = [&](int number) -> Vector3 {
+    const int i = number / 3 + kFixed - first;
+    if (i < 0 || i >= 6) return Vector3::Zero();
+    return of[static_cast<std::size_t>(i)] * Vector3::Unit(number % 3);
+  };
+  for (int number = 0; number < 3 * points; number += 2) {
+    FootPlace::Part part{start + number, {}};
+    part.axes << column(number), column(number + 1);
+    if (!part.axes.isZero(0.0)) place.parts.push_back(part);
+  }
 }
 
 }  // namespace
@@ -67,6 +85,7 @@ void RigidBodyUnknowns::AddAll() {
   AddTurning();
   AddForces();
   AddFootholds();
+  AddDetours();
 }
 
 void RigidBodyUnknowns::PlaceBreaks(double spacing_s, int least_intervals, double grid_s) {
@@ -146,6 +165,39 @@ void RigidBodyUnknowns::AddFootholds() {
     }
     footholds_.push_back(place);
   }
+}
+
+void RigidBodyUnknowns::AddDetours() {
+  for (const RigidSwing& swing : problem_.swings) {
+    detours_.push_back(size_);
+    size_ += swing.unknowns();
+  }
+}
+
+FootPlace RigidBodyUnknowns::InSwing(std::size_t swing, double share) const {
+  const RigidSwing& of = problem_.swings[swing];
+  const double gone = of.GoneAt(share);
+  FootPlace place;
+  place.Add(1.0 - gone, footholds_[of.from]).Add(gone, footholds_[of.to]);
+  if (!of.free) {
+    place.constant += of.OffAt(share);
+    return place;
+  }
+  const int points = static_cast<int>(of.detour_W.size());
+  const QuinticBasis basis = EvaluateQuinticBasis(points + 2 * kFixed, share);
+  AddDetour(detours_[swing], points, basis.first, basis.value, place);
+  return place;
+}
+
+FootPlace RigidBodyUnknowns::InSwingAcceleration(std::size_t swing, double share) const {
+  const RigidSwing& of = problem_.swings[swing];
+  const double change = SmoothStep(share, of.cruise).acceleration;
+  FootPlace place;
+  place.Add(-change, footholds_[of.from]).Add(change, footholds_[of.to]);
+  const int points = static_cast<int>(of.detour_W.size());
+  const QuinticBasis basis = EvaluateQuinticBasis(points + 2 * kFixed, share);
+  AddDetour(detours_[swing], points, basis.first, basis.acceleration, place);
+  return place;
 }
 
 FootPlace RigidBodyUnknowns::ContactPoint(std::size_t stance, std::size_t point) const {

@@ -50,7 +50,8 @@ struct BoundForce {
 /// continuous and linear between breaks. So are the forces on points of contact, zero where a stance begins or ends in
 /// between; one at each break is not unknown, but what the others leave of the force on the whole. Where all feet on
 /// the ground are exchanged at once, either lot carries the whole. Then there are the angles of the base and the
-/// angular momentum at breaks, their ends given, and the footholds on their planes. Where the body rests it is given.
+/// angular momentum at breaks, their ends given, the footholds on their planes, and at last the control points of free
+/// swings. Where the body rests it is given.
 /// Units: m, rad, forces in m g, angular momentum over the mean inertia [rad/s]. Keeps a reference to the problem.
 class RigidBodyUnknowns {
  public:
@@ -76,6 +77,12 @@ class RigidBodyUnknowns {
   const FootPlace& Foothold(std::size_t stance) const { return footholds_[stance]; }
   /// A point of contact of a stance.
   FootPlace ContactPoint(std::size_t stance, std::size_t point) const;
+  /// A foot at a share of a swing of the problem.
+  FootPlace InSwing(std::size_t swing, double share) const;
+  /// Its second derivative by the share, of a free swing.
+  FootPlace InSwingAcceleration(std::size_t swing, double share) const;
+  /// The first of the unknowns of a free swing's control points, three for each.
+  int Detour(std::size_t swing) const { return detours_[swing]; }
   /// The forces over the interval after a break.
   const std::vector<ContactForce>& Forces(std::size_t interval) const { return forces_[interval]; }
   /// All forces at breaks that are not zero.
@@ -91,6 +98,7 @@ class RigidBodyUnknowns {
   void AddCentreOfMass();
   void AddTurning();
   void AddFootholds();
+  void AddDetours();
   void AddForces();
   /// The forces of some points at a break, together the force on the whole.
   std::vector<BoundForce> Carry(const std::vector<std::size_t>& stances, std::size_t at_break);
@@ -104,6 +112,7 @@ class RigidBodyUnknowns {
   std::vector<double> breaks_s_;
   std::vector<AffineVector> control_, angles_, momentum_;
   std::vector<FootPlace> footholds_;
+  std::vector<int> detours_;  // by swing, the first unknown
   std::vector<std::vector<ContactForce>> forces_;
   std::vector<BoundForce> bound_forces_;
   std::vector<std::size_t> free_breaks_;

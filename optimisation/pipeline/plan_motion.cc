@@ -10,6 +10,7 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "optimisation/pipeline/dynamic_motion.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/motion_passes.h"
 #include "optimisation/pipeline/rigid_body_passes.h"
@@ -131,16 +132,6 @@ FootstepOptions StandingOptions(const MotionOptions& options) {
   return footsteps;
 }
 
-/// Whether a motion is one that a pendulum on its feet cannot do: asked for, or with a time at which none of the feet
-/// that carry goes on to.
-bool IsDynamic(const ContactSchedule& schedule, const MotionOptions& options) {
-  if (options.centre_of_mass.method == "rigid-body") return true;
-  for (std::size_t i = 1; i < schedule.phases.size(); ++i) {
-    if ((schedule.phases[i - 1].stance & schedule.phases[i].stance) == 0) return true;
-  }
-  return false;
-}
-
 double SlowestCycle(const std::vector<WalkPart>& parts) {
   double longest = 0.0;
   for (const WalkPart& part : parts) {
@@ -173,7 +164,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   const BodyPath body(model, *skeleton, cycle_s);
   const MotionTask task{model, terrain, *skeleton, options, body, cycle_s};
   Result<MotionPass> pass = MotionPass{};
-  const bool dynamic = IsDynamic(skeleton->schedule, options);
+  const bool dynamic = IsDynamic(skeleton->schedule, options.centre_of_mass);
   if (dynamic) {
     pass = RigidBodyPasses(task).Run(planned.passes);
   } else {

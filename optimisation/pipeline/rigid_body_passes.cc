@@ -213,14 +213,8 @@ std::vector<ReachSide> RigidBodyPasses::ReachAt(int foot, double time_s) const {
   const double at = (time_s - task_.skeleton.schedule.start_s()) / task_.options.pipeline.grid_step_s;
   const auto row = std::clamp<long>(std::lround(at), 0, static_cast<long>(samples_.size()) - 1);
   const RigidBodySample& sample = samples_[static_cast<std::size_t>(row)];
-  const Matrix3 R_WB = RotationOf(sample.angles_rad);
-  const double beyond_m = kFollows * model_.leg_length_m();
-  std::vector<ReachSide> sides;
-  for (const WorkspaceSide& side : problem_.feet[static_cast<std::size_t>(foot)].workspace_in_air_B) {
-    const Vector3 normal_W = R_WB * side.normal;
-    sides.push_back({normal_W, side.offset + normal_W.dot(sample.p_WC) + beyond_m});
-  }
-  return sides;
+  return SidesInWorld(problem_.feet[static_cast<std::size_t>(foot)].workspace_in_air_B, sample.p_WC,
+                      RotationOf(sample.angles_rad), kFollows * model_.leg_length_m());
 }
 
 /// Where no motion keeps as clear of the ground as is wanted, one that keeps clear by as much as it must. What misses

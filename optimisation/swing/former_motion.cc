@@ -100,4 +100,14 @@ FormerMotion MotionOf(const RobotModel& model, const WholeBodyTrajectory& trajec
   return motion;
 }
 
+std::vector<ReachSide> SidesInWorld(const std::vector<WorkspaceSide>& workspace_B, const Vector3& p_W,
+                                    const Matrix3& R_WB, double beyond_m) {
+  std::vector<ReachSide> sides;
+  for (const WorkspaceSide& side : workspace_B) {
+    const Vector3 normal_W = R_WB * side.normal;
+    sides.push_back({normal_W, side.offset + normal_W.dot(p_W) + beyond_m});
+  }
+  return sides;
+}
+
 }  // namespace gaitwright

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "kinematics/ik/leg_polytope.h"
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
 
@@ -33,6 +34,10 @@ struct ReachSide {
   Vector3 normal_W = Vector3::UnitX();
   double offset_m = 0.0;
 };
+
+/// The sides of a workspace in W, of a body whose frame is at p_W and turned by R_WB: all `beyond_m` farther out.
+std::vector<ReachSide> SidesInWorld(const std::vector<WorkspaceSide>& workspace_B, const Vector3& p_W,
+                                    const Matrix3& R_WB, double beyond_m);
 
 /// What is known of the whole body's motion before swings are planned, as of a former pass over it.
 struct FormerMotion {

@@ -10,10 +10,10 @@
 #include <optional>
 #include <utility>
 
-#include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/bspline.h"
 #include "optimisation/numerics/constrained_problem.h"
 #include "optimisation/numerics/elastic_interior.h"
+#include "optimisation/swing/swing_profile.h"
 #include "planning/audit/swing_depth.h"
 
 namespace gaitwright {
@@ -25,119 +25,6 @@ constexpr std::array<std::pair<double, double>, 6> kGuesses = {
     {{0.0, 0.0}, {0.15, 0.0}, {0.35, 0.0}, {-0.35, 0.0}, {0.0, 0.2}, {0.0, 0.3}}};
 const char* const kReach = "the reach";
 constexpr int kFixed = 3;  // control points at each end
-
-/// Share of the way to the side at a fraction of the swing: what free control points that are all one give.
-double SidewaysShare(int control_points, double u) {
-  const QuinticBasis basis = EvaluateQuinticBasis(control_points, u);
-  double share = 0.0;
-  for (int i = 0; i < 6; ++i) {
-    const int point = basis.first + i;
-    if (point >= kFixed && point < control_points - kFixed) share += basis.value[static_cast<std::size_t>(i)];
-  }
-  return share;
-}
-
-/// The fraction of the swing at which a straight one has gone a share of its way.
-double FractionAt(double share, double cruise) {
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (SmoothStep(middle, cruise).value < share ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-/// The least height of the contact frame at which the underside touches the ground, by progress along the way: a table
-/// with straight pieces.
-class Profile {
- public:
-  Profile(const SwingCurve& swing, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
-          const RefineChoice& choice) {
-    const Vector3 travel = swing.X_WF_end.translation() - swing.X_WF_start.translation();
-    length_m_ = travel.head<2>().norm();
-    if (length_m_ > kShortest) along_W_ = travel.head<2>() / length_m_;
-    if (length_m_ <= kShortest && !choice.reach.empty()) along_W_ = Vector2::UnitX();
-    sideways_W_ = choice.sideways_m * left_W();
-    const Vector3 turn = RotationLog(swing.X_WF_end.linear() * swing.X_WF_start.linear().transpose());
-    constexpr double kDeep = 1.0;  // where there is no ground
-    const double floor_m = std::min(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) - kDeep;
-    const int count = 1 + static_cast<int>(std::ceil((length_m_ + 2.0 * kBeyond) / kStep));
-    for (int i = 0; i < count; ++i) {
-      const double s = i * kStep - kBeyond;
-      const double share = length_m_ > kShortest ? std::clamp(s / length_m_, 0.0, 1.0) : 0.5;
-      const Matrix3 R_WF = RotationExp(share * turn) * swing.X_WF_start.linear();
-      const double aside =
-          choice.sideways_m == 0.0 ? 0.0 : SidewaysShare(choice.control_points, FractionAt(share, swing.cruise));
-      const Vector2 off_W = aside * sideways_W_ + left_W().dot(RollAt(choice, share, swing.cruise)) * left_W();
-      const Vector2 p_W = swing.X_WF_start.translation().head<2>() + s * along_W_ + off_W;
-      double height = floor_m;
-      for (const Vector3& q_F : underside_F) {
-        const Vector3 q_W = R_WF * q_F;
-        height = std::max(height, ground(p_W + q_W.head<2>()) - q_W.z());
-      }
-      height_m_.push_back(height);
-    }
-    Widen();
-    LimitSlope(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z());
-  }
-
-  double length_m() const { return length_m_; }
-  const Vector2& along_W() const { return along_W_; }
-  Vector2 left_W() const { return {-along_W_.y(), along_W_.x()}; }
-
-  /// The greatest height within `reach` of a progress, and the slope there.
-  std::pair<double, double> Highest(double s, double reach) const {
-    return std::max({At(s - reach), At(s), At(s + reach)});
-  }
-
- private:
-  static Vector2 RollAt(const RefineChoice& choice, double share, double cruise) {
-    return choice.roll.At(FractionAt(share, cruise)).head<2>();
-  }
-
-  static constexpr double kStep = 0.002, kBeyond = 0.1, kShortest = 1e-3;  // [m]
-
-  std::pair<double, double> At(double s) const {
-    const double place = std::clamp((s + kBeyond) / kStep, 0.0, static_cast<double>(height_m_.size()) - 1.001);
-    const auto i = static_cast<std::size_t>(place);
-    const double slope = (height_m_[i + 1] - height_m_[i]) / kStep;
-    return {height_m_[i] + (place - static_cast<double>(i)) * kStep * slope, slope};
-  }
-
-  /// Whether a row is nearest to the start or the end of the way.
-  bool IsEnd(std::size_t row) const {
-    const double s = static_cast<double>(row) * kStep - kBeyond;
-    return std::min(std::abs(s), std::abs(s - length_m_)) < 0.5 * kStep;
-  }
-
-  /// An edge between two rows is taken to be at the farther one, so that nothing is lower in the table than it is.
-  void Widen() {
-    const std::vector<double> own = height_m_;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      if (i > 0 && !IsEnd(i)) height_m_[i] = std::max(height_m_[i], own[i - 1]);
-      if (i + 1 < own.size() && !IsEnd(i)) height_m_[i] = std::max(height_m_[i], own[i + 1]);
-    }
-  }
-
-  /// Raises the table where it climbs or falls faster than a slope that leaves start and end as they are.
-  void LimitSlope(double start_z, double end_z) {
-    constexpr double kGentle = 2.0, kSteepest = 40.0;
-    double slope = kGentle;
-    for (const auto& [at_s, z] : {std::pair{0.0, start_z}, std::pair{length_m_, end_z}}) {
-      for (std::size_t i = 0; i < height_m_.size(); ++i) {
-        const double away = std::abs(static_cast<double>(i) * kStep - kBeyond - at_s), above = height_m_[i] - z;
-        if (away > kStep && above > 0.0) slope = std::max(slope, above / (away - kStep));
-      }
-    }
-    const double drop = std::min(slope, kSteepest) * kStep;
-    for (std::size_t i = 1; i < height_m_.size(); ++i) height_m_[i] = std::max(height_m_[i], height_m_[i - 1] - drop);
-    for (std::size_t i = height_m_.size() - 1; i-- > 0;) height_m_[i] = std::max(height_m_[i], height_m_[i + 1] - drop);
-  }
-
-  std::vector<double> height_m_;
-  double length_m_ = 0.0;
-  Vector2 along_W_ = Vector2::Zero(), sideways_W_ = Vector2::Zero();
-};
 
 /// Values or accelerations of the free control points' basis at fractions of the swing.
 MatrixX BasisAt(const std::vector<double>& fractions, int free, bool acceleration) {
@@ -163,7 +50,7 @@ std::vector<double> Fractions(int count) {
 /// The problem in the free control points: along the way first, then upwards.
 class Detour {
  public:
-  Detour(const SwingCurve& swing, const Profile& profile, const RefineChoice& choice)
+  Detour(const SwingCurve& swing, const SwingProfile& profile, const RefineChoice& choice)
       : profile_(profile),
         free_(choice.control_points - 2 * kFixed),
         sideways_W_(choice.sideways_m * profile.left_W()),
@@ -319,7 +206,7 @@ class Detour {
 
   static constexpr double kDepth = 0.8 * kSpareDepth;
 
-  const Profile& profile_;
+  const SwingProfile& profile_;
   const int free_;
   const Vector2 sideways_W_;
   const int variables_;                                // along the way, upwards, and with a reach to the left
@@ -367,7 +254,7 @@ void Check(const RefineChoice& choice) {
 Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vector3>& underside_F,
                                  const GroundHeight& ground, const RefineChoice& choice) {
   Check(choice);
-  const Profile profile(swing, underside_F, ground, choice);
+  const SwingProfile profile(swing, underside_F, ground, choice);
   const Detour detour(swing, profile, choice);
   // A riser is felt only where the foot is at it: a foot goes straight up to one, or rises first, or comes down last,
   // and more or less so, the likelier ones for a way up or down first. What takes the least jerk of these.

@@ -2,105 +2,65 @@
 #include "planning/gait/load_gaits.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <set>
 
 #include "kinematics/base/file.h"
-#include "kinematics/base/options.h"
+#include "kinematics/base/strict_yaml_internal.h"
 
 namespace gaitwright {
 namespace {
 
-/// Thrown within this file: what is wrong and where.
-[[noreturn]] void Refuse(const YAML::Node& node, const std::string& what) {
-  throw InvalidArgument(fmt::format("line {}: {}", node.Mark().line + 1, what));
-}
-
-const char* KindOf(const YAML::Node& node) {
-  return node.IsMap() ? "a map" : node.IsSequence() ? "a list" : node.IsScalar() ? "a single value" : "nothing";
-}
-
-double FiniteNumber(const YAML::Node& node, const std::string& what, double low, double high) {
-  if (!node.IsScalar()) Refuse(node, fmt::format("{} is {}; a number is needed", what, KindOf(node)));
-  double value = 0.0;
-  try {
-    value = node.as<double>();
-  } catch (const YAML::Exception&) {
-    Refuse(node, fmt::format("{} is '{}'; a number is needed", what, node.Scalar()));
-  }
-  if (!std::isfinite(value) || value < low || value > high)
-    Refuse(node, fmt::format("{} is {}; accepted: {} to {}", what, value, low, high));
-  return value;
-}
-
 int WholeNumber(const YAML::Node& node, const std::string& what, int low, int high) {
-  const double value = FiniteNumber(node, what, low, high);
-  if (value != std::floor(value)) Refuse(node, fmt::format("{} is {}; a whole number is needed", what, value));
+  const double value = NumberOf(node, what, low, high);
+  if (value != std::floor(value)) RefuseYaml(node, fmt::format("{} is {}; a whole number is needed", what, value));
   return static_cast<int>(value);
 }
 
 std::vector<double> ByFoot(const YAML::Node& node, const std::string& what, int feet, double low, double high) {
-  if (node.IsScalar()) return std::vector<double>(static_cast<std::size_t>(feet), FiniteNumber(node, what, low, high));
+  if (node.IsScalar()) return std::vector<double>(static_cast<std::size_t>(feet), NumberOf(node, what, low, high));
   if (!node.IsSequence()) {
-    Refuse(node, fmt::format("{} is {}; a number is needed, or a list of one for each foot", what, KindOf(node)));
+    RefuseYaml(node, fmt::format("{} is {}; a number is needed, or a list of one for each foot", what, KindOf(node)));
   }
   std::vector<double> values;
-  for (const YAML::Node& entry : node) values.push_back(FiniteNumber(entry, what, low, high));
+  for (const YAML::Node& entry : node) values.push_back(NumberOf(entry, what, low, high));
   if (static_cast<int>(values.size()) != feet)
-    Refuse(node, fmt::format("{} has {} entries for {} feet", what, values.size(), feet));
+    RefuseYaml(node, fmt::format("{} has {} entries for {} feet", what, values.size(), feet));
   return values;
 }
 
-/// The name of an entry of a map, refused when it is no plain text or stands there twice.
-std::string UniqueName(const YAML::Node& node, const std::string& what, std::set<std::string>& seen) {
-  if (!node.IsScalar()) Refuse(node, fmt::format("{} is {}; a name is needed", what, KindOf(node)));
-  if (!seen.insert(node.Scalar()).second) Refuse(node, fmt::format("{} '{}' stands there twice", what, node.Scalar()));
-  return node.Scalar();
-}
-
-void CheckKeys(const std::string& name, const YAML::Node& node) {
-  const std::vector<std::string> known = {"feet",        "description", "cycle_s",       "cycle_per_leg_time",
-                                          "duty_factor", "phase",       "stride_per_leg"};
-  std::set<std::string> seen;
-  for (const auto& entry : node) {
-    const std::string key = UniqueName(entry.first, fmt::format("in gait '{}' the key", name), seen);
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
-      Refuse(entry.first, fmt::format("gait '{}' has the unknown key '{}'; the nearest is '{}'", name, key,
-                                      NearestName(key, known)));
-    }
+/// A gait's keys.
+YamlMap KeysOf(const std::string& name, const YAML::Node& node) {
+  YamlMap map(node, fmt::format("gait '{}'", name),
+              {"feet", "description", "cycle_s", "cycle_per_leg_time", "duty_factor", "phase", "stride_per_leg"});
+  map.Require({"feet", "duty_factor", "phase"});
+  const bool both = map.Find("cycle_s") != nullptr && map.Find("cycle_per_leg_time") != nullptr;
+  if (both || (map.Find("cycle_s") == nullptr && map.Find("cycle_per_leg_time") == nullptr)) {
+    RefuseYaml(node, fmt::format("gait '{}' {} the keys 'cycle_s' and 'cycle_per_leg_time'; one of them is needed",
+                                 name, both ? "has both of" : "lacks both of"));
   }
-  for (const char* needed : {"feet", "duty_factor", "phase"}) {
-    if (!seen.contains(needed)) Refuse(node, fmt::format("gait '{}' lacks the key '{}'", name, needed));
-  }
-  if (seen.contains("cycle_s") == seen.contains("cycle_per_leg_time")) {
-    Refuse(node, fmt::format("gait '{}' {} the keys 'cycle_s' and 'cycle_per_leg_time'; one of them is needed", name,
-                             seen.contains("cycle_s") ? "has both of" : "lacks both of"));
-  }
+  return map;
 }
 
 GaitEntry ParseGait(const std::string& name, const YAML::Node& node) {
-  if (!node.IsMap()) Refuse(node, fmt::format("gait '{}' is {}; a map of keys is needed", name, KindOf(node)));
-  CheckKeys(name, node);
+  const YamlMap map = KeysOf(name, node);
   GaitEntry entry;
   entry.gait.name = name;
-  if (node["description"]) {
-    const YAML::Node description = node["description"];
-    if (!description.IsScalar())
-      Refuse(description, fmt::format("description is {}; a text is needed", KindOf(description)));
-    entry.gait.description = description.Scalar();
-  }
-  const int feet = WholeNumber(node["feet"], "feet", 1, 64);
-  entry.gait.cycle_s = node["cycle_s"] ? FiniteNumber(node["cycle_s"], "cycle_s", 0.05, 20.0) : 0.0;
-  if (node["cycle_per_leg_time"])
-    entry.cycle_per_leg_time = FiniteNumber(node["cycle_per_leg_time"], "cycle_per_leg_time", 0.1, 100.0);
-  if (node["stride_per_leg"]) entry.stride_per_leg = FiniteNumber(node["stride_per_leg"], "stride_per_leg", 0.05, 10.0);
-  entry.gait.duty_factor = ByFoot(node["duty_factor"], "duty_factor", feet, 0.05, 0.99);
-  entry.gait.phase = ByFoot(node["phase"], "phase", feet, 0.0, 0.9999999);
+  if (const YAML::Node* description = map.Find("description"))
+    entry.gait.description = TextOf(*description, "description");
+  const auto number = [&](const char* key, double low, double high) {
+    const YAML::Node* value = map.Find(key);
+    return value == nullptr ? 0.0 : NumberOf(*value, key, low, high);
+  };
+  const int feet = WholeNumber(*map.Find("feet"), "feet", 1, 64);
+  entry.gait.cycle_s = number("cycle_s", 0.05, 20.0);
+  entry.cycle_per_leg_time = number("cycle_per_leg_time", 0.1, 100.0);
+  entry.stride_per_leg = number("stride_per_leg", 0.05, 10.0);
+  entry.gait.duty_factor = ByFoot(*map.Find("duty_factor"), "duty_factor", feet, 0.05, 0.99);
+  entry.gait.phase = ByFoot(*map.Find("phase"), "phase", feet, 0.0, 0.9999999);
   return entry;
 }
 
@@ -153,11 +113,8 @@ Result<std::vector<GaitEntry>> LoadGaits(const std::string& path) {
   try {
     const YAML::Node root = YAML::Load(*text);
     if (!root.IsMap() || root.size() == 0) return bad("line 1: holds no gaits: a map of names to gaits is needed");
-    std::set<std::string> names;
-    for (const auto& entry : root) {
-      const std::string name = UniqueName(entry.first, "the gait", names);
-      gaits.push_back(ParseGait(name, entry.second));
-    }
+    const YamlMap map(root, "the file");
+    for (const YamlMap::Entry& entry : map.entries()) gaits.push_back(ParseGait(entry.key, entry.value));
   } catch (const YAML::Exception& error) {
     return bad(fmt::format("line {}: is no YAML from here on; see docs/gaits.md", error.mark.line + 1));
   } catch (const InvalidArgument& error) {

@@ -2,13 +2,13 @@
 #include "planning/gait/read_sequence.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/options.h"
+#include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/base/text.h"
 #include "planning/gait/find_gait.h"
 #include "planning/plan/terrain_spec.h"
@@ -100,33 +100,26 @@ std::vector<AskedPart> ParseParts(const std::string& text) {
   return parts;
 }
 
-[[noreturn]] void Refuse(const YAML::Node& node, const std::string& what) {
-  throw InvalidArgument(fmt::format("line {}: {}", node.Mark().line + 1, what));
-}
-
 AskedPart ParseNode(const YAML::Node& node, const std::string& folder) {
-  if (!node.IsMap()) Refuse(node, "a part is no map of keys, as {gait: trot, speed: 1, distance: 2}");
+  const YamlMap map(node, "a part");
+  map.Require({"gait"});
   std::string gait;
   OptionTexts texts;
-  for (const auto& entry : node) {
-    if (!entry.first.IsScalar() || !entry.second.IsScalar())
-      Refuse(entry.first, "a part has a list or a map where a key or a single value is needed");
-    const std::string key = entry.first.Scalar(), value = entry.second.Scalar();
-    if (Has(texts, key) || (key == "gait" && !gait.empty()))
-      Refuse(entry.first, fmt::format("a part has the key '{}' twice", key));
-    if (key == "gait") {
+  for (const YamlMap::Entry& entry : map.entries()) {
+    const std::string value = TextOf(entry.value, fmt::format("'{}'", entry.key));
+    if (entry.key == "gait") {
       gait = value;
     } else {
-      texts.emplace_back(key, value);
+      texts.emplace_back(entry.key, value);
     }
   }
-  if (gait.empty()) Refuse(node, "a part lacks the key 'gait'");
+  if (gait.empty()) RefuseYaml(node, "a part lacks the key 'gait'");
   const std::string file = GaitFileOf(gait);
   if (!file.empty()) gait = (std::filesystem::path(folder) / file).string() + gait.substr(file.size());
   try {
     return PartOf(gait, texts);
   } catch (const InvalidArgument& error) {
-    Refuse(node, fmt::format("'{}': {}", gait, error.what()));
+    RefuseYaml(node, fmt::format("'{}': {}", gait, error.what()));
   }
 }
 

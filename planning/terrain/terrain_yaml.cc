@@ -2,16 +2,14 @@
 #include "planning/terrain/terrain_yaml.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <set>
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/options.h"
+#include "kinematics/base/strict_yaml_internal.h"
 #include "planning/plan/built_in_terrain.h"
 #include "planning/terrain/load_terrain.h"
 #include "planning/terrain/sense.h"
@@ -21,75 +19,34 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-/// Thrown within this file: what is wrong and where.
-[[noreturn]] void Refuse(const YAML::Node& node, const std::string& what) {
-  throw InvalidArgument(fmt::format("line {}: {}", node.Mark().line + 1, what));
-}
-
-const char* KindOf(const YAML::Node& node) {
-  return node.IsMap() ? "a map" : node.IsSequence() ? "a list" : node.IsScalar() ? "a single value" : "nothing";
-}
-
-double Number(const YAML::Node& node, const std::string& what, double low, double high) {
-  if (!node.IsScalar()) Refuse(node, fmt::format("{} is {}; a number is needed", what, KindOf(node)));
-  double value = 0.0;
-  if (!YAML::convert<double>::decode(node, value))
-    Refuse(node, fmt::format("{} is '{}'; a number is needed", what, node.Scalar()));
-  if (!std::isfinite(value) || value < low || value > high)
-    Refuse(node, fmt::format("{} is {}; accepted: {} to {}", what, value, low, high));
-  return value;
-}
-
-std::string Text(const YAML::Node& node, const std::string& what) {
-  if (!node.IsScalar()) Refuse(node, fmt::format("{} is {}; a text is needed", what, KindOf(node)));
-  return node.Scalar();
-}
-
-std::vector<YAML::Node> List(const YAML::Node& node, const std::string& what) {
-  if (!node.IsSequence()) Refuse(node, fmt::format("{} is {}; a list is needed", what, KindOf(node)));
-  return {node.begin(), node.end()};
-}
-
-/// Refuses a map that lacks one of `needed`, has a key twice, or one that is in neither list.
+/// A map that has all of `needed`, and nothing that is in neither list.
 void CheckKeys(const YAML::Node& node, const std::string& what, const Keys& needed, const Keys& optional) {
-  if (!node.IsMap()) Refuse(node, fmt::format("{} is {}; a map of keys is needed", what, KindOf(node)));
   Keys known = needed;
   known.insert(known.end(), optional.begin(), optional.end());
-  std::set<std::string> seen;
-  for (const auto& entry : node) {
-    const std::string key = Text(entry.first, "a key of " + what);
-    if (!seen.insert(key).second) Refuse(entry.first, fmt::format("{} has the key '{}' twice", what, key));
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
-      Refuse(entry.first,
-             fmt::format("{} has the unknown key '{}'; the nearest is '{}'", what, key, NearestName(key, known)));
-    }
-  }
-  for (const std::string& key : needed) {
-    if (!seen.contains(key)) Refuse(node, fmt::format("{} lacks the key '{}'", what, key));
-  }
+  YamlMap(node, what, known).Require(needed);
 }
 
 /// `count` numbers, each of a coordinate: x and y, and z where there are three.
 VectorX Place(const YAML::Node& node, const std::string& what, int count) {
-  const std::vector<YAML::Node> parts = List(node, what);
+  const std::vector<YAML::Node> parts = ListOf(node, what);
   if (static_cast<int>(parts.size()) != count)
-    Refuse(node, fmt::format("{} has {} numbers; {} are needed", what, parts.size(), count));
+    RefuseYaml(node, fmt::format("{} has {} numbers; {} are needed", what, parts.size(), count));
   VectorX place(count);
   for (int i = 0; i < count; ++i) {
     const double far = i < 2 ? kFarthest : kHighest;
-    place[i] = Number(parts[static_cast<std::size_t>(i)], what, -far, far);
+    place[i] = NumberOf(parts[static_cast<std::size_t>(i)], what, -far, far);
   }
   return place;
 }
 
 std::vector<Vector3> Places(const YAML::Node& node, const std::string& what) {
   std::vector<Vector3> places;
-  for (const YAML::Node& part : List(node, what)) places.emplace_back(Place(part, what, 3));
+  for (const YAML::Node& part : ListOf(node, what)) places.emplace_back(Place(part, what, 3));
   return places;
 }
 
 double FrictionOf(const YAML::Node& node) {
-  return node["friction"] ? Number(node["friction"], "friction", 0.01, 5.0) : 0.8;
+  return node["friction"] ? NumberOf(node["friction"], "friction", 0.01, 5.0) : 0.8;
 }
 
 /// Runs what throws without a line, and adds the one of `node`.
@@ -98,21 +55,21 @@ auto At(const YAML::Node& node, Make make) {
   try {
     return make();
   } catch (const InvalidArgument& error) {
-    Refuse(node, error.what());
+    RefuseYaml(node, error.what());
   }
 }
 
 TerrainPatch ParsePatch(const YAML::Node& node) {
   CheckKeys(node, "a patch", {"name"}, {"corners_m", "height_m", "friction"});
-  const std::string name = Text(node["name"], "name");
+  const std::string name = TextOf(node["name"], "name");
   if (static_cast<bool>(node["corners_m"]) == static_cast<bool>(node["height_m"])) {
-    Refuse(node, fmt::format("patch '{}' needs either 'corners_m' or, without end, 'height_m'", name));
+    RefuseYaml(node, fmt::format("patch '{}' needs either 'corners_m' or, without end, 'height_m'", name));
   }
   if (node["height_m"]) {
     TerrainPatch plane;
     plane.name = name;
     plane.friction = FrictionOf(node);
-    plane.X_WT.translation().z() = Number(node["height_m"], "height_m", -kHighest, kHighest);
+    plane.X_WT.translation().z() = NumberOf(node["height_m"], "height_m", -kHighest, kHighest);
     return plane;
   }
   const std::vector<Vector3> corners = Places(node["corners_m"], "corners_m");
@@ -123,22 +80,22 @@ TerrainPatch ParsePatch(const YAML::Node& node) {
 HeightField ParseHeights(const YAML::Node& node) {
   CheckKeys(node, "a height field", {"name", "origin_m", "resolution_m", "heights_m"}, {"friction"});
   HeightField field;
-  field.name = Text(node["name"], "name");
+  field.name = TextOf(node["name"], "name");
   field.origin_W = Place(node["origin_m"], "origin_m", 2);
-  field.resolution_m = Number(node["resolution_m"], "resolution_m", 0.001, 1.0);
+  field.resolution_m = NumberOf(node["resolution_m"], "resolution_m", 0.001, 1.0);
   field.friction = FrictionOf(node);
-  const std::vector<YAML::Node> rows = List(node["heights_m"], "heights_m");
+  const std::vector<YAML::Node> rows = ListOf(node["heights_m"], "heights_m");
   for (std::size_t r = rows.size(); r-- > 0;) {  // as seen from above: the first has the highest y
     const YAML::Node& row = rows[r];
-    const std::vector<YAML::Node> cells = List(row, "a row of heights_m");
+    const std::vector<YAML::Node> cells = ListOf(row, "a row of heights_m");
     if (field.rows++ == 0) field.columns = static_cast<int>(cells.size());
     if (static_cast<int>(cells.size()) != field.columns)
-      Refuse(row, fmt::format("a row of heights_m has {} numbers, another {}", cells.size(), field.columns));
-    for (const YAML::Node& cell : cells) field.height_m.push_back(Number(cell, "heights_m", -kHighest, kHighest));
+      RefuseYaml(row, fmt::format("a row of heights_m has {} numbers, another {}", cells.size(), field.columns));
+    for (const YAML::Node& cell : cells) field.height_m.push_back(NumberOf(cell, "heights_m", -kHighest, kHighest));
   }
   if (field.rows < 2 || field.columns < 2) {
-    Refuse(node["heights_m"],
-           fmt::format("heights_m has {} rows of {} numbers; two by two is the least", field.rows, field.columns));
+    RefuseYaml(node["heights_m"],
+               fmt::format("heights_m has {} rows of {} numbers; two by two is the least", field.rows, field.columns));
   }
   return field;
 }
@@ -148,7 +105,7 @@ Pose ParsePose(const YAML::Node& node) {
   if (node["position_m"]) pose.translation() = Place(node["position_m"], "position_m", 3);
   const auto turn = [&](const char* key, const Vector3& axis) {
     if (!node[key]) return;
-    const double angle = Number(node[key], key, -360.0, 360.0) * std::numbers::pi / 180.0;
+    const double angle = NumberOf(node[key], key, -360.0, 360.0) * std::numbers::pi / 180.0;
     pose.rotate(Eigen::AngleAxisd(angle, axis));
   };
   turn("yaw_deg", Vector3::UnitZ());
@@ -161,32 +118,33 @@ Obstacle ParseObstacle(const YAML::Node& node) {
   CheckKeys(node, "an obstacle", {"name", "type"},
             {"size_m", "vertices_m", "position_m", "yaw_deg", "pitch_deg", "roll_deg"});
   Obstacle obstacle;
-  obstacle.name = Text(node["name"], "name");
-  const std::string type = Text(node["type"], "type");
+  obstacle.name = TextOf(node["name"], "name");
+  const std::string type = TextOf(node["type"], "type");
   const Keys& types = ObstacleTypeNames();
   const auto at = std::find(types.begin(), types.end(), type);
-  if (at == types.end()) Refuse(node["type"], fmt::format("type is '{}'; accepted: {}", type, QuotedList(types)));
+  if (at == types.end()) RefuseYaml(node["type"], fmt::format("type is '{}'; accepted: {}", type, QuotedList(types)));
   obstacle.type = ObstacleTypes()[static_cast<std::size_t>(at - types.begin())];
   obstacle.X_WO = ParsePose(node);
   const bool mesh = obstacle.type == ShapeType::kMesh;
   const char* needed = mesh ? "vertices_m" : "size_m";
   if (!node[needed] || node[mesh ? "size_m" : "vertices_m"])
-    Refuse(node, fmt::format("obstacle '{}' is a {}, which has '{}' and not the other", obstacle.name, type, needed));
+    RefuseYaml(node,
+               fmt::format("obstacle '{}' is a {}, which has '{}' and not the other", obstacle.name, type, needed));
   if (mesh) {
     obstacle.vertices_O = Places(node[needed], needed);
     if (obstacle.vertices_O.size() < 4)
-      Refuse(node[needed],
-             fmt::format("vertices_m has {} points; four or more are needed", obstacle.vertices_O.size()));
+      RefuseYaml(node[needed],
+                 fmt::format("vertices_m has {} points; four or more are needed", obstacle.vertices_O.size()));
     return obstacle;
   }
-  const std::vector<YAML::Node> sizes = List(node[needed], needed);
+  const std::vector<YAML::Node> sizes = ListOf(node[needed], needed);
   const std::size_t count = obstacle.type == ShapeType::kBox ? 3 : 2;
   if (sizes.size() != count) {
-    Refuse(node[needed], fmt::format("size_m has {} numbers; a {} has {}", sizes.size(), type,
-                                     count == 3 ? "three edges" : "a radius and a length"));
+    RefuseYaml(node[needed], fmt::format("size_m has {} numbers; a {} has {}", sizes.size(), type,
+                                         count == 3 ? "three edges" : "a radius and a length"));
   }
   for (std::size_t i = 0; i < count; ++i)
-    obstacle.size_m[static_cast<Eigen::Index>(i)] = Number(sizes[i], "size_m", 0.001, kFarthest);
+    obstacle.size_m[static_cast<Eigen::Index>(i)] = NumberOf(sizes[i], "size_m", 0.001, kFarthest);
   return obstacle;
 }
 
@@ -199,12 +157,12 @@ void Append(const Terrain& from, Terrain& to) {
 
 /// A ground named at a node. A file that names another of its own kind could go round and round, so it may not.
 Terrain Named(const YAML::Node& node, const std::string& folder, const TerrainScale& scale, bool file) {
-  std::string text = Text(node, file ? "a file" : "builtin");
+  std::string text = TextOf(node, file ? "a file" : "builtin");
   if (file && (text.find(".yaml") != std::string::npos || text.find(".yml") != std::string::npos))
-    Refuse(node, fmt::format("'{}' is YAML too; a height map or a mesh is needed", text));
+    RefuseYaml(node, fmt::format("'{}' is YAML too; a height map or a mesh is needed", text));
   if (file) text = (std::filesystem::path(folder) / text).string();
   const Result<Terrain> terrain = file ? LoadTerrain(text, scale) : MakeTerrain(text, scale);
-  if (!terrain) Refuse(node, terrain.failure().message);
+  if (!terrain) RefuseYaml(node, terrain.failure().message);
   return *terrain;
 }
 
@@ -213,7 +171,7 @@ Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainSc
   Terrain terrain;
   const auto each = [&](const char* key, auto add) {
     if (!root[key]) return;
-    for (const YAML::Node& node : List(root[key], key)) add(node);
+    for (const YAML::Node& node : ListOf(root[key], key)) add(node);
   };
   if (root["builtin"]) Append(Named(root["builtin"], folder, scale, false), terrain);
   each("files", [&](const YAML::Node& node) { Append(Named(node, folder, scale, true), terrain); });
@@ -221,7 +179,7 @@ Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainSc
   each("height_fields", [&](const YAML::Node& node) { terrain.height_fields.push_back(ParseHeights(node)); });
   each("obstacles", [&](const YAML::Node& node) { terrain.obstacles.push_back(ParseObstacle(node)); });
   if (terrain.num_surfaces() == 0)
-    Refuse(root, "there is no ground: 'builtin', 'files', 'patches' or 'height_fields' is needed");
+    RefuseYaml(root, "there is no ground: 'builtin', 'files', 'patches' or 'height_fields' is needed");
   return terrain;
 }
 

@@ -4,201 +4,176 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "planning/audit/audit.h"
-#include "planning/plan/sample_plan.h"
+#include "workflows/study/free_swings.h"
 #include "workflows/study/rigid_body_plan.h"
 #include "workflows/study/rigid_body_robot.h"
 
 namespace gaitwright {
 namespace {
 
-/// The stances of a foot of the problem between which it is in the air at a time.
-std::optional<RigidSwing> SwingAt(const RigidBodyProblem& problem, int foot, double time_s) {
-  std::optional<std::size_t> from;
-  for (std::size_t i = 0; i < problem.stances.size(); ++i) {
-    if (problem.stances[i].foot != foot) continue;
-    if (problem.stances[i].start_s > time_s) return from ? std::optional(RigidSwing{*from, i}) : std::nullopt;
-    from = i;
+/// How far the slide that is farthest past a limit is so [m].
+double StrayOf(const AuditReport& report) {
+  double stray_m = 0.0;
+  for (const Violation& v : report.violations) {
+    if (v.law == "joint_position") stray_m = std::max(stray_m, std::abs(v.value - v.limit));
   }
-  return std::nullopt;
+  return stray_m;
 }
-
-/// Of a swing: nearer to each other at its ends, where the foot is slow and the body goes on.
-std::vector<double> SharesLookedAt() {
-  constexpr int kEven = 16;
-  std::vector<double> shares = {0.25 / kEven, 0.5 / kEven, 0.75 / kEven};
-  for (int i = 1; i < kEven; ++i) shares.push_back(static_cast<double>(i) / kEven);
-  for (const double before : {0.75, 0.5, 0.25}) shares.push_back(1.0 - before / kEven);
-  return shares;
-}
-
-/// The places of a planned swing. One that goes over something is there over it wherever its footholds are: at its
-/// crest, where it is farthest off the straight way, it does not move with them.
-std::vector<SwingPlace> PlacesOf(const SwingTrajectory& swing) {
-  const std::vector<double> shares = SharesLookedAt();
-  const SwingCurve curve = CurveOf(swing);
-  SwingCurve straight = curve;
-  straight.lift_m = 0.0;
-  straight.detour_W.clear();
-  const Vector3 &start = swing.X_WF_start.translation(), &end = swing.X_WF_end.translation();
-  const auto at = [&](const SwingCurve& of, double share) {
-    return Vector3(Evaluate(of, swing.start_s + share * (swing.end_s - swing.start_s)).X_WF.translation());
-  };
-  double crest = 0.5, farthest_m = 0.0;
-  for (const double share : shares) {
-    const double off_m = (at(curve, share) - at(straight, share)).norm();
-    if (off_m > farthest_m) crest = share;
-    farthest_m = std::max(farthest_m, off_m);
-  }
-  std::vector<SwingPlace> places;
-  for (const double share : shares) {
-    const double gone = SmoothStep(share, swing.cruise).value;
-    SwingPlace place{share, 1.0 - gone, gone};
-    if (!swing.detour_W.empty()) {
-      place.from = 1.0 - SmoothStep(share / crest).value;
-      place.to = SmoothStep((share - crest) / (1.0 - crest)).value;
-    }
-    place.p_W = at(curve, share) - place.from * start - place.to * end;
-    places.push_back(place);
-  }
-  return places;
-}
-
-/// A problem with where its plan stands.
-struct Attempt {
-  RigidBodyProblem problem;
-  RigidBodyPlan plan;
-  bool keeps_laws = true;
-};
 
 /// One round after another.
 class Refiner {
  public:
-  Refiner(const Terrain& ground, RigidBodyOptions options, AuditedMotion& motion)
-      : ground_(ground), options_(std::move(options)), motion_(motion), attempt_{motion.problem, motion.plan} {}
+  Refiner(const Terrain& ground, const PlanOverPatches& plan, RigidBodyOptions options, AuditedMotion& motion)
+      : ground_(ground), options_(std::move(options)), motion_(motion), at_(plan) {}
 
   /// Has the attempt audited where it keeps its laws. @return why that cannot be.
   std::optional<Failure> Judge() {
-    const Result<RobotModel> robot = RigidBodyRobot(attempt_.problem, "rigid-body");
-    if (!robot) return robot.failure();
-    const Result<MotionPlan> plan = RigidBodyMotionPlan(*robot, ground_, attempt_.problem, attempt_.plan.motion);
-    if (!plan && !attempt_.keeps_laws) {  // not even swings: nothing to learn from it
-      stray_m_ = 0.0;
+    const RigidBodyProblem& problem = at_.choice.problem;
+    if (!keeps_laws_) {
+      swings_ = FreeSwingsOf(ground_, problem, at_.plan.motion);
       return std::nullopt;
     }
+    const Result<RobotModel> robot = RigidBodyRobot(problem, "rigid-body");
+    if (!robot) return robot.failure();
+    const Result<MotionPlan> plan = RigidBodyMotionPlan(*robot, ground_, problem, at_.plan.motion);
     if (!plan) return plan.failure();
-    FindStrays(*robot, *plan);
-    if (!attempt_.keeps_laws) return std::nullopt;
     const Result<AuditReport> report = Audit(*robot, *plan, {});
     if (!report) return report.failure();
+    swings_ = FreeSwingsOf(ground_, problem, *plan, ProblemFeetOf(*robot, problem));
     motion_.report = *report;
-    motion_.problem = attempt_.problem;
-    motion_.plan = attempt_.plan;
+    motion_.choice = at_.choice;
+    motion_.plan = at_.plan;
     return std::nullopt;
   }
 
-  bool Passes() const { return attempt_.keeps_laws && motion_.report.pass(); }
+  bool Passes() const { return keeps_laws_ && motion_.report.pass(); }
 
   /// @return false where there is nothing else to try.
   bool PlanAnew() {
-    // Nodes that are too far apart are mended first, since that costs least, and again where swings that are held stray
-    // no less than before. Footholds of an attempt that does not keep its laws are nearer to where they should be, and
-    // swings between these are held next.
-    constexpr int kMostHalvings = 2, kMostUnmet = 3;
-    constexpr double kProgress = 0.7;
-    unmet_ = attempt_.keeps_laws ? 0 : unmet_ + 1;
-    const bool stuck =
-        unmet_ == 0 && motion_.swings_held > 0 && !halved_last_ && stray_m_ > kProgress * former_stray_m_;
-    const bool halve = stray_m_ <= 0.0 || unmet_ > kMostUnmet || stuck || motion_.halvings == 0;
-    halved_last_ = halve && motion_.halvings < kMostHalvings;
-    former_stray_m_ = stray_m_;
-    if (halved_last_) {
-      if (!attempt_.keeps_laws) attempt_ = {motion_.problem, motion_.plan};
-      ++motion_.halvings;
-      options_.spacing_s *= 0.5;
-      options_.least_intervals *= 2;
-      Solve(false);
+    // Nodes that are too far apart are mended first, since that costs least. Swings are then planned along, beyond
+    // planes between where they were and the ground; an attempt that does not keep its laws is gone on from as long as
+    // it comes nearer, with planes where its swings are. All swings are where one is, for what brings that one back
+    // takes others out.
+    const double stray_m = keeps_laws_ ? StrayOf(motion_.report) : 0.0;
+    if (!keeps_laws_ && at_.choice.problem.swings.empty() && motion_.changes == 0 && Halve()) return true;
+    if (IsStuck()) return BeginElsewhere();
+    if (motion_.halvings > 0 && (stray_m > 0.0 || !keeps_laws_)) {
+      PlanSwingsAlong(stray_m, true);
       return true;
     }
-    if (stray_m_ <= 0.0 || unmet_ > kMostUnmet) {
-      if (motion_.refusal.empty()) motion_.refusal = "breaks half as far apart once more would not help";
-      return false;
-    }
-    constexpr double kMargin = 4e-3;  // [m] so that swings planned anew between other footholds stay within too
-    options_.reach_margin_m = std::max(options_.reach_margin_m, kMargin);
-    ++motion_.swings_held;
-    attempt_.problem.swings = swings_;
-    Solve(true);
-    return true;
+    if (Halve()) return true;
+    motion_.refusal = "breaks half as far apart once more would not help";
+    return false;
   }
 
  private:
-  /// From the numbers of the attempt where that is asked for, else or where that fails anew; the one that is violated
-  /// less stays.
+  bool Halve() {
+    constexpr int kMostHalvings = 2;
+    if (motion_.halvings == kMostHalvings) return false;
+    ++motion_.halvings;
+    options_.spacing_s *= 0.5;
+    options_.least_intervals *= 2;
+    Solve(false);
+    return true;
+  }
+
+  /// Whether attempts in a row do not keep their laws, nor come nearer to it.
+  bool IsStuck() {
+    constexpr int kMostUnmet = 5;
+    constexpr double kProgress = 0.7;
+    unmet_ = keeps_laws_ ? 0 : unmet_ + 1;
+    const double before = std::exchange(missed_, at_.plan.summary.violations);
+    return unmet_ > kMostUnmet || (unmet_ > 0 && at_.choice.problem.swings.empty()) ||
+           (unmet_ > 1 && missed_ > kProgress * before);
+  }
+
+  /// First the same footholds and swings as if there were no motion yet, then other patches from where laws are missed
+  /// least, at first without swings.
+  bool BeginElsewhere() {
+    constexpr double kBetter = 0.95, kNear = 0.6;  // [1], [m]
+    const bool first = !stuck_, has_swings = !at_.choice.problem.swings.empty();
+    unmet_ = 0;
+    if (first || (has_swings && missed_ < kBetter * stuck_->plan.summary.violations)) {
+      stuck_ = at_;
+      why_ = motion_.refusal;
+      tried_.insert(at_.choice.patches);
+      changes_ = PatchChanges(ground_, at_, kEdgeMargin, kNear);
+      next_ = 0;
+    }
+    if (first && has_swings) {
+      PlanSwingsAlong(0.0, false);
+      return true;
+    }
+    if (TakeOtherPatches()) return true;
+    motion_.refusal = why_;
+    return false;
+  }
+
+  bool TakeOtherPatches() {
+    constexpr int kMostChanges = 12;
+    while (next_ < changes_.size() && motion_.changes < kMostChanges) {
+      ChosenFootholds changed = Changed(ground_, *stuck_, changes_[next_++], kEdgeMargin);
+      if (!tried_.insert(changed.patches).second) continue;
+      ++motion_.changes;
+      changed.problem.swings.clear();
+      at_.choice = std::move(changed);
+      Solve(false);
+      return true;
+    }
+    return false;
+  }
+
+  /// Swings that stray by little do so between the shares at which they are looked at: they are kept farther inside.
+  void PlanSwingsAlong(double stray_m, bool from_numbers) {
+    constexpr double kLittle = 5e-3, kLeastMargin = 2e-3;  // [m]
+    const double more_m = stray_m < kLittle ? stray_m : 0.0;
+    options_.reach_margin_m = std::max(kLeastMargin, options_.reach_margin_m + more_m);
+    ++motion_.swings_planned;
+    TakeSwings(swings_, at_.choice.problem, at_.plan.numbers.x);
+    Solve(from_numbers);
+  }
+
+  /// From the numbers of the attempt, or as if there were none. What is far from its laws at first takes its time.
   void Solve(bool from_numbers) {
-    RigidBodyPlan last, anew;
-    Result<RigidBodyPlan> plan = Failure{};
-    if (from_numbers) plan = PlanRigidBodyFrom(attempt_.problem, options_, attempt_.plan.numbers, &last);
-    if (!plan) plan = PlanRigidBody(attempt_.problem, options_, &anew);
-    attempt_.keeps_laws = plan.ok();
+    RigidBodyOptions options = options_;
+    options.hopeless = 1e3;
+    options.max_iterations *= 3;
+    RigidBodyPlan last;
+    const Result<RigidBodyPlan> plan = from_numbers
+                                           ? PlanRigidBodyFrom(at_.choice.problem, options, at_.plan.numbers, &last)
+                                           : PlanRigidBody(at_.choice.problem, options, &last);
+    keeps_laws_ = plan.ok();
     motion_.refusal = plan.ok() ? "" : plan.failure().message;
-    if (plan.ok()) {
-      attempt_.plan = std::move(*plan);
-    } else {
-      const bool is_last = from_numbers && last.summary.violations < anew.summary.violations;
-      attempt_.plan = std::move(is_last ? last : anew);
-    }
+    at_.plan = std::move(last);
   }
 
-  /// Takes note of the swings, and how far the worst of them is out of reach. All are held where one is, for what
-  /// brings that one back takes others out.
-  void FindStrays(const RobotModel& robot, const MotionPlan& plan) {
-    swings_.clear();
-    stray_m_ = 0.0;
-    for (const SwingTrajectory& swing : plan.swings) {
-      const int foot = std::stoi(robot.feet[static_cast<std::size_t>(swing.foot)].link.substr(5));
-      std::optional<RigidSwing> held = SwingAt(attempt_.problem, foot, 0.5 * (swing.start_s + swing.end_s));
-      if (!held) continue;
-      held->places = PlacesOf(swing);
-      swings_.push_back(*held);
-      stray_m_ = std::max(stray_m_, OutOfLimits(robot, plan, swing));
-    }
-  }
-
-  /// How far the slides of a foot are beyond their limits in a swing.
-  static double OutOfLimits(const RobotModel& robot, const MotionPlan& plan, const SwingTrajectory& swing) {
-    const WholeBodyTrajectory& rows = plan.whole_body;
-    const std::vector<int>& joints = robot.legs[static_cast<std::size_t>(swing.foot)].joints;
-    double out = 0.0;
-    for (int k = 0; k < rows.size(); ++k) {
-      const double time_s = rows.start_s + k * rows.step_s;
-      if (time_s < swing.start_s || time_s > swing.end_s) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Joint& joint = robot.joints[static_cast<std::size_t>(joints[i])];
-        const double q = rows.q[static_cast<std::size_t>(k)][7 + joint.dof];
-        out = std::max({out, q - joint.upper, joint.lower - q});
-      }
-    }
-    return out;
-  }
+  static constexpr double kEdgeMargin = 0.01;  // [m] of footholds on other patches
 
   const Terrain& ground_;
   RigidBodyOptions options_;
   AuditedMotion& motion_;
-  Attempt attempt_;
-  std::vector<RigidSwing> swings_;  // of the attempt
-  double stray_m_ = 0.0, former_stray_m_ = 0.0;
-  bool halved_last_ = false;
-  int unmet_ = 0;  // attempts in a row that do not keep their laws
+  PlanOverPatches at_;  // the attempt
+  bool keeps_laws_ = true;
+  std::vector<RigidSwing> swings_;        // of the attempt
+  int unmet_ = 0;                         // attempts in a row that do not keep their laws
+  double missed_ = 0.0;                   // what the last one missed them by, in all
+  std::optional<PlanOverPatches> stuck_;  // the best attempt that came no nearer,
+  std::string why_;                       // why it was refused,
+  std::vector<PatchChange> changes_;      // and what else there is to try from there
+  std::size_t next_ = 0;                  // of these
+  std::set<std::vector<int>> tried_;      // patches, by stance
 };
 
 }  // namespace
 
-Result<AuditedMotion> RefineByAudit(const Terrain& ground, const RigidBodyProblem& problem, RigidBodyOptions options,
-                                    const RigidBodyPlan& plan, int most_rounds) {
-  AuditedMotion motion{problem, plan, {}, {}, "", 0, 0};
-  Refiner refiner(ground, std::move(options), motion);
+Result<AuditedMotion> RefineByAudit(const Terrain& ground, const PlanOverPatches& plan, RigidBodyOptions options,
+                                    int most_rounds) {
+  AuditedMotion motion{plan.choice, plan.plan};
+  Refiner refiner(ground, plan, std::move(options), motion);
   for (int round = 0;; ++round) {
     if (const auto failure = refiner.Judge()) return *failure;
     if (round == 0) motion.first = motion.report;

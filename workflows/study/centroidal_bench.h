@@ -35,11 +35,15 @@ struct TimingOutcome {
 
 /// What the audit says of the motion of a case.
 struct AuditOutcome {
-  std::string refusal;                ///< why there is no plan to be audited; empty where there is
-  AuditReport first;                  ///< of the motion as it was planned
-  AuditReport report;                 ///< of the last one
-  int swings_held = 0, halvings = 0;  ///< rounds until then (AuditedMotion)
-  double cpu_ms = 0.0;                ///< of all audits, and of planning anew
+  CentroidalTask task;                                ///< whose motion it was
+  std::string refusal;                                ///< why there is no plan to be audited; empty where there is
+  AuditReport first;                                  ///< of the motion as it was planned
+  AuditReport report;                                 ///< of the last one
+  int swings_planned = 0, halvings = 0, changes = 0;  ///< rounds until then (AuditedMotion)
+  double cpu_ms = 0.0;                                ///< of all audits, and of planning anew
+  /// Where no motion of the task passes: a task that it was eased to of which one does, and what the audit says of it.
+  std::optional<CentroidalTask> eased = {};
+  AuditReport eased_report = {};
 
   bool pass() const { return report.samples > 0 && report.pass(); }
 };
@@ -76,7 +80,8 @@ struct CaseChoices {
 /// to a goal up to 0.1 m higher or lower where feet reach no ground from the one asked for; then half as long again,
 /// twice and three times as long; with a friction of 0.8, of 1.0, and of 1.2 times and twice what holds a body at rest
 /// at the goal; at last to a goal less far away. A motion that is found is then given times that suit it better, if
-/// `timing` is given; where laws stay unmet as asked for, other times are tried before it is eased.
+/// `timing` is given; where laws stay unmet as asked for, other times are tried before it is eased. Where it is audited
+/// and none passes, it is eased on, if that is asked for, until one does.
 CentroidalOutcome RunCase(const CentroidalProblemSet& set, const CentroidalCase& one, const CentroidalTask& task,
                           const RigidBodyOptions& options, const CaseChoices& choices = {});
 

@@ -49,16 +49,10 @@ class Converter {
       : robot_(robot), ground_(ground), problem_(problem), motion_(motion), scratch_(robot) {
     if (!problem.inner_momentum_W.empty())
       throw InvalidArgument("rigid body's plan: its problem has momentum inside, and its robot has none");
-    for (std::size_t f = 0; f < problem.feet.size(); ++f) {
-      const auto foot = std::find_if(robot.feet.begin(), robot.feet.end(),
-                                     [&](const Foot& of) { return of.link == fmt::format("foot_{}", f); });
-      if (foot == robot.feet.end())
-        throw InvalidArgument(fmt::format("rigid body's plan: robot '{}' has no foot 'foot_{}'", robot.name, f));
-      foot_of_.push_back(static_cast<int>(foot - robot.feet.begin()));
-    }
-    if (robot.feet.size() != problem.feet.size())
-      throw InvalidArgument(fmt::format("rigid body's plan: robot '{}' has {} feet, the problem {}", robot.name,
-                                        robot.feet.size(), problem.feet.size()));
+    problem_foot_ = ProblemFeetOf(robot, problem);
+    foot_of_.resize(problem_foot_.size());
+    for (std::size_t f = 0; f < foot_of_.size(); ++f)
+      foot_of_[static_cast<std::size_t>(problem_foot_[f])] = static_cast<int>(f);
     samples_ = Sample(motion, step_s);
     step_s_ = motion.duration_s() / static_cast<double>(samples_.size() - 1);
   }
@@ -142,7 +136,29 @@ class Converter {
     options.samples = 40;
     FormerMotion former;
     former.reach = [&](int foot, double time_s) { return ReachAt(foot, time_s); };
+    former.swings = PlannedSwings();
     return PlanSwings(robot_, ground_, plan_.footsteps, options, former);
+  }
+
+  /// The swings that were planned along with the motion.
+  std::vector<SwingTrajectory> PlannedSwings() const {
+    std::vector<SwingTrajectory> swings;
+    for (std::size_t i = 0; i < motion_.detours_W.size(); ++i) {
+      if (motion_.detours_W[i].empty()) continue;
+      const RigidStance &from = problem_.stances[problem_.swings[i].from],
+                        &to = problem_.stances[problem_.swings[i].to];
+      SwingTrajectory swing;
+      swing.foot = static_cast<int>(FootIndex(from));
+      swing.start_s = from.end_s;
+      swing.end_s = to.start_s;
+      swing.X_WF_start = motion_.X_WF[problem_.swings[i].from] * MiddleOf(from);
+      swing.X_WF_end = motion_.X_WF[problem_.swings[i].to] * MiddleOf(to);
+      swing.cruise = problem_.swings[i].cruise;
+      swing.detour_W = motion_.detours_W[i];
+      swing.lift_m = LiftAtHalfTime(CurveOf(swing));
+      swings.push_back(std::move(swing));
+    }
+    return swings;
   }
 
   /// How far a foot in the air keeps from the ends of its workspace: at its footholds, which may be near to them,
@@ -161,15 +177,9 @@ class Converter {
   std::vector<ReachSide> ReachAt(int foot, double time_s) const {
     const auto row = static_cast<std::size_t>(std::lround(time_s / step_s_));
     const RigidBodySample& sample = samples_[std::min(row, samples_.size() - 1)];
-    const auto of = static_cast<std::size_t>(std::find(foot_of_.begin(), foot_of_.end(), foot) - foot_of_.begin());
-    const Matrix3 R_WB = RotationOf(sample.angles_rad);
-    const double spare_m = SpareAt(foot, time_s);
-    std::vector<ReachSide> sides;
-    for (const WorkspaceSide& side : problem_.feet[of].workspace_B) {
-      const Vector3 normal_W = R_WB * side.normal;
-      sides.push_back({normal_W, side.offset + normal_W.dot(sample.p_WC) - spare_m});
-    }
-    return sides;
+    const auto of = static_cast<std::size_t>(problem_foot_[static_cast<std::size_t>(foot)]);
+    return SidesInWorld(problem_.feet[of].workspace_B, sample.p_WC, RotationOf(sample.angles_rad),
+                        -SpareAt(foot, time_s));
   }
 
   /// A foot's motion at a time, and the index of the foothold that it stands on, or stood on last.
@@ -336,7 +346,7 @@ class Converter {
   const RigidBodyProblem& problem_;
   const RigidBodyMotion& motion_;
   DynamicsScratch scratch_;
-  std::vector<int> foot_of_;  // the robot's, by the problem's
+  std::vector<int> problem_foot_, foot_of_;  // the problem's by the robot's, and the other way round
   std::vector<RigidBodySample> samples_;
   double step_s_ = 0.0;
   MotionPlan plan_;

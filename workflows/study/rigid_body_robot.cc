@@ -108,6 +108,9 @@ std::string FootYaml(const RigidFoot& foot, const std::string& name) {
   return fmt::format("  - {{link: {}, type: sole, sole_m: [{}]}}\n", name, corners);
 }
 
+/// The link of a problem's foot.
+std::string FootLink(std::size_t foot) { return fmt::format("foot_{}", foot); }
+
 /// The greatest friction of any stance of a foot.
 double FrictionOf(const RigidBodyProblem& problem, int foot) {
   double friction = 0.0;
@@ -135,6 +138,21 @@ std::pair<Vector3, Vector3> BoxOf(const std::vector<WorkspaceSide>& workspace_B)
   return {low, high};
 }
 
+std::vector<int> ProblemFeetOf(const RobotModel& robot, const RigidBodyProblem& problem) {
+  if (robot.feet.size() != problem.feet.size())
+    throw InvalidArgument(fmt::format("rigid body's robot: '{}' has {} feet, the problem {}", robot.name,
+                                      robot.feet.size(), problem.feet.size()));
+  std::vector<int> feet(robot.feet.size(), -1);
+  for (std::size_t f = 0; f < problem.feet.size(); ++f) {
+    const auto foot =
+        std::find_if(robot.feet.begin(), robot.feet.end(), [&](const Foot& of) { return of.link == FootLink(f); });
+    if (foot == robot.feet.end())
+      throw InvalidArgument(fmt::format("rigid body's robot: '{}' has no foot '{}'", robot.name, FootLink(f)));
+    feet[static_cast<std::size_t>(foot - robot.feet.begin())] = static_cast<int>(f);
+  }
+  return feet;
+}
+
 RigidBodyTexts RigidBodyTextsOf(const RigidBodyProblem& problem, const std::string& name) {
   const double trunk_kg = problem.mass_kg - kSlideFoot * static_cast<double>(problem.feet.size());
   RigidBodyTexts texts;
@@ -144,7 +162,7 @@ RigidBodyTexts RigidBodyTextsOf(const RigidBodyProblem& problem, const std::stri
   std::string limits, standing;
   for (std::size_t f = 0; f < problem.feet.size(); ++f) {
     const RigidFoot& foot = problem.feet[f];
-    const std::string link = fmt::format("foot_{}", f);
+    const std::string link = FootLink(f);
     texts.urdf += ChainOf(foot, link).Text();
     texts.yaml += FootYaml(foot, link);
     const double friction = FrictionOf(problem, static_cast<int>(f));

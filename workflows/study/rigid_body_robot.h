@@ -31,6 +31,10 @@ RigidBodyTexts RigidBodyTextsOf(const RigidBodyProblem& problem, const std::stri
 /// The robot of those texts. Failures as those of LoadRobotFromText.
 Result<RobotModel> RigidBodyRobot(const RigidBodyProblem& problem, const std::string& name);
 
+/// The problem's foot by each of the robot's, which are in an order of their own. @throws InvalidArgument where the
+/// robot is not that of the problem.
+std::vector<int> ProblemFeetOf(const RobotModel& robot, const RigidBodyProblem& problem);
+
 /// The box of a workspace: its lowest and its highest corner from the centre of mass [m], in B.
 /// @throws InvalidArgument where it is none, or has no end to some side.
 std::pair<Vector3, Vector3> BoxOf(const std::vector<WorkspaceSide>& workspace_B);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "optimisation/pipeline/dynamic_motion.h"
 #include "planning/footsteps/plan_footsteps.h"
 #include "workflows/walk/refuse_walk.h"
 
@@ -140,9 +141,7 @@ class Search {
 
  private:
   /// Whether a gait is planned as the motion of a rigid body, which takes much longer.
-  bool Leaps(const Gait& gait) const {
-    return HasFlight(gait) || request_.motion.centre_of_mass.method == "rigid-body";
-  }
+  bool Leaps(const Gait& gait) const { return IsDynamic(gait, request_.motion.centre_of_mass); }
 
   /// Leaps onto other ground, down or over something, with a flight that is longer or shorter than the gait's own: what
   /// feet have to clear, and how far the body falls, say how long it should be. Only of counted leaps whose times are

@@ -114,7 +114,7 @@ TEST(RobotYaml, RefusesFeetThatCannotBe) {
   ExpectSays(foot("link: A_foot, typ: sole"), {"line 3", "unknown key 'typ'", "nearest is 'type'"});
   ExpectSays(foot("link: A_foot, type: claw"), {"line 3", "'claw' is unknown", "'point', 'sphere', 'line', 'sole'"});
   ExpectSays(foot("link: A_foot, radius_m: -0.02"), {"line 3", "'radius_m' is -0.02"});
-  ExpectSays(foot("link: A_foot, radius_m: big"), {"'radius_m' is 'big', not a number"});
+  ExpectSays(foot("link: A_foot, radius_m: big"), {"'radius_m' is 'big'; a number is needed"});
   ExpectSays(foot("link: A_foot, type: point, radius_m: 0.02"), {"'A_foot' is no sphere, and has 'radius_m'"});
   ExpectSays(foot("link: A_foot, type: sole"), {"line 3", "'A_foot' of type sole or line needs its corners"});
   ExpectSays(foot("link: A_foot, type: sphere, sole_m: [[0, 0], [1, 0], [0, 1]]"), {"'A_foot' is no sole"});
@@ -198,7 +198,7 @@ TEST(RobotYaml, StandingPositionsAndTheirHeight) {
 
 TEST(RobotYaml, RefusesStandingThatCannotBe) {
   ExpectSays(WhyNot("standing: 3"), {"'standing' is a single value"});
-  ExpectSays(WhyNot("standing: {A_knee: bent}"), {"'A_knee' is 'bent', not a number"});
+  ExpectSays(WhyNot("standing: {A_knee: bent}"), {"'A_knee' is 'bent'; a number is needed"});
   ExpectSays(WhyNot("standing:\n  A_knee: .inf"), {"line 2", "finite"});
   ExpectSays(WhyNot("standing: {A_knee: 1.5}"), {"1.5", "'A_knee' is outside its limits -2 to 1"});
   ExpectSays(MessageOf(FourLegsWhere("A", "<mimic joint='B_knee'/>"), "standing: {A_knee: -1}"),
@@ -227,7 +227,7 @@ TEST(RobotYaml, RefusesGainsAndSpeedsThatCannotBe) {
   ExpectSays(WhyNot("gains: {A_knee: {stiffness_n_m: 5}}"), {"'A_knee' turns"});
   ExpectSays(WhyNot("gains: {A_kneee: {stiffness_nm_rad: 5}}"), {"no moving joint 'A_kneee'", "nearest is 'A_knee'"});
   ExpectSays(WhyNot("nominal_speed_m_s: 0"), {"'nominal_speed_m_s' is 0"});
-  ExpectSays(WhyNot("nominal_speed_m_s: fast"), {"'fast', not a number"});
+  ExpectSays(WhyNot("nominal_speed_m_s: fast"), {"'fast'; a number is needed"});
 }
 
 TEST(RobotYaml, RefusesWhatIsNoMapOfKnownKeysOnce) {

@@ -5,39 +5,17 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <random>
 #include <set>
 #include <utility>
 
-#include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/centroidal/rigid_body_cost.h"
 #include "optimisation/centroidal/rigid_body_motion.h"
+#include "tests/optimisation/centroidal/own_variables.h"
 #include "tests/optimisation/centroidal/rigid_bodies.h"
 #include "tests/optimisation/numerics/derivative_check.h"
 
 namespace gaitwright {
 namespace {
-
-/// Unknowns of a size that a motion may have.
-VectorX Random(const RigidBodyUnknowns& unknowns, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> draw(-0.3, 0.3);
-  VectorX x(unknowns.size());
-  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = draw(random);
-  return x;
-}
-
-VectorX Own(const std::vector<int>& variables, const VectorX& x) {
-  VectorX own(static_cast<Eigen::Index>(variables.size()));
-  for (std::size_t i = 0; i < variables.size(); ++i) own[static_cast<Eigen::Index>(i)] = x[variables[i]];
-  return own;
-}
-
-VectorX ValueOf(const Constraint& rows, const VectorX& x) {
-  VectorX value;
-  rows.function(Own(rows.variables, x), value, nullptr);
-  return value;
-}
 
 /// Whether the rows are within their ends.
 bool Met(const Constraint& rows, const VectorX& x) {
@@ -250,44 +228,6 @@ TEST(RigidBodyTerms, MotorsHaveTheirDerivativesAndForcesOfABreakComeInTheOrderOf
       i += points;
     }
     EXPECT_GT(seen.size(), 10U);
-  }
-}
-
-TEST(RigidBodyTerms, SwingReachHasItsDerivatives) {
-  for (RigidBodyProblem problem : {rigid_bodies::Hopper(), rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
-    const RigidBodyUnknowns unknowns(problem, 0.08, 3);
-    const RigidBodyTerms terms(problem, unknowns);
-    const VectorX x = Random(unknowns, 7);
-    for (const double share : {0.1, 0.35, 0.5, 0.9}) {
-      const Constraint reach = terms.SwingReach({0, 1, 0.1}, RigidSwing{0, 1, 0.1}.PlaceAt(share), 0.0);
-      SCOPED_TRACE(reach.name);
-      ExpectDerivative(reach.function, Own(reach.variables, x));
-    }
-  }
-}
-
-TEST(RigidBodyTerms, SwingReachIsThatOfTheSwingsCurve) {
-  const RigidBodyProblem problem = rigid_bodies::Walker();
-  const RigidBodyUnknowns unknowns(problem, 0.08, 3);
-  VectorX x = VectorX::Zero(unknowns.size());  // upright all the time
-  for (std::size_t i = 2; i < unknowns.breaks_s().size(); ++i)
-    x.segment<3>(unknowns.ControlPoint(i)) = Vector3(0.1 * static_cast<double>(i), 0.02, 0.6);
-  x.segment<2>(unknowns.Foothold(1).parts[0].start) = Vector2(0.07, -0.03);
-  const RigidStance &from = problem.stances[0], &to = problem.stances[1];
-  SwingCurve curve{from.end_s, to.start_s, from.X_WF, to.X_WF, 0.12};
-  curve.X_WF_end.translation() = unknowns.Foothold(1).At(x);
-  for (const double share : {0.1, 0.3, 0.5, 0.8}) {
-    const double time_s = from.end_s + share * (to.start_s - from.end_s);
-    const RigidSwing swing{0, 1, 0.12};
-    const Constraint rows = RigidBodyTerms(problem, unknowns).SwingReach(swing, swing.PlaceAt(share), 0.01);
-    const VectorX value = ValueOf(rows, x);
-    const Vector3 p_CF = Evaluate(curve, time_s).X_WF.translation() - unknowns.CentreOfMass(time_s).At(x);
-    ASSERT_EQ(value.size(), static_cast<Eigen::Index>(problem.feet[0].workspace_B.size()));
-    for (std::size_t i = 0; i < problem.feet[0].workspace_B.size(); ++i) {
-      const WorkspaceSide& side = problem.feet[0].workspace_B[i];
-      EXPECT_NEAR(value[static_cast<Eigen::Index>(i)], side.normal.dot(p_CF), 1e-12) << share;
-      EXPECT_NEAR(rows.upper[static_cast<Eigen::Index>(i)], side.offset - 0.01, 1e-12);
-    }
   }
 }
 

@@ -71,5 +71,20 @@ TEST(MotionOf, TheBaseIsWhereItWas) {
   EXPECT_TRUE(motion.base(2.0).isApprox(motion.base(1.0), 1e-12));
 }
 
+TEST(SidesInWorld, HoldThePointsThatTheWorkspaceHolds) {
+  const std::vector<WorkspaceSide> box_B = {
+      {Vector3::UnitX(), 0.3}, {-Vector3::UnitX(), -0.1}, {Vector3::UnitZ(), -0.2}, {-Vector3::UnitZ(), 0.5}};
+  const Matrix3 R_WB = Eigen::AngleAxisd(0.7, Vector3(0.1, 0.5, 1.0).normalized()).toRotationMatrix();
+  const Vector3 p_W(1.0, -2.0, 0.6);
+  const std::vector<ReachSide> sides = SidesInWorld(box_B, p_W, R_WB, 0.01);
+  ASSERT_EQ(sides.size(), box_B.size());
+  for (const Vector3& q_B : {Vector3(0.2, 0.0, -0.3), Vector3(0.31, 0.4, -0.19), Vector3(0.05, 0.0, -0.6)}) {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      EXPECT_NEAR(sides[i].normal_W.dot(p_W + R_WB * q_B) - sides[i].offset_m,
+                  box_B[i].normal.dot(q_B) - box_B[i].offset - 0.01, 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gaitwright

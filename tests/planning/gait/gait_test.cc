@@ -68,13 +68,13 @@ TEST(Gaits, FilesAreValidated) {
       {"hop:\n  feet: 2\n  cycle_s: 1\n  duty_factor: {a: 1}\n  phase: 0", "line 4: duty_factor is a map"},
       {"hop: {feet: 2, cycle_s: [1], duty_factor: 0.6, phase: 0}", "cycle_s is a list"},
       {"hop: {feet: 2, cycle_s: 1, cycle_per_leg_time: 8, duty_factor: 0.6, phase: 0}", "has both"},
-      {"hop: {feet: 2, feet: 2, cycle_s: 1, duty_factor: 0.6, phase: 0}", "'feet' stands there twice"},
-      {"[1]: {feet: 2}", "the gait is a list"},
+      {"hop: {feet: 2, feet: 2, cycle_s: 1, duty_factor: 0.6, phase: 0}", "gait 'hop' has the key 'feet' twice"},
+      {"[1]: {feet: 2}", "a key of the file is a list"},
       {"hop: {feet: 2, cycle_s: 1, duty_factor: 0.6, phase: 0, stride_per_leg: 0}", "stride_per_leg is 0; accepted"},
       {"hop: 3", "gait 'hop' is a single value"},
       {"[1, 2]", "holds no gaits"},
       {"hop: {feet: 2", "line 1: is no YAML"},
-      {hop + hop, "line 2: the gait 'hop' stands there twice"}};
+      {hop + hop, "line 2: the file has the key 'hop' twice"}};
   for (const auto& [text, part] : wrong) EXPECT_NE(message(text).find(part), std::string::npos) << message(text);
 }
 

@@ -87,10 +87,10 @@ TEST(ReadSequence, WhatIsWrongIsNamed) {
     EXPECT_NE(Why(text).find(part), std::string::npos) << text << ": " << Why(text);
   const std::vector<std::pair<std::string, std::string>> wrong_files = {
       {"{gait: trot}", "holds no sequence"},
-      {"- trot", "line 1: a part is no map"},
+      {"- trot", "line 1: a part is a single value; a map of keys"},
       {"- {gait: trot}\n- {speed: 1}", "line 2: a part lacks the key 'gait'"},
       {"- {gait: trot}\n- {gait: bound, sped: 1}", "line 2: 'bound': unknown option 'sped'"},
-      {"- {gait: trot, speed: [1]}", "line 1: a part has a list"},
+      {"- {gait: trot, speed: [1]}", "line 1: 'speed' is a list"},
       {"- {gait: trot, speed: 1, speed: 2}", "'speed' twice"},
       {"- {gait: trot", "is no YAML"}};
   for (const auto& [text, part] : wrong_files)

@@ -9,6 +9,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "optimisation/centroidal/plan_over_terrain.h"
 #include "planning/audit/audit.h"
+#include "planning/plan/sample_plan.h"
 #include "workflows/study/audited_motion.h"
 #include "workflows/study/centroidal_bench.h"
 #include "workflows/study/rigid_body_robot.h"
@@ -58,9 +59,10 @@ TEST(RigidBodyRobot, HasTheMassTheInertiaAndTheReachOfItsProblem) {
     ForwardKinematics(*robot, q, scratch);
     EXPECT_LT((CentreOfMass(*robot, scratch) - q.head<3>()).norm(), 1e-6);
     EXPECT_LT((LockedInertia(*robot, scratch) - problem.inertia_B).norm(), 1e-6);
+    const std::vector<int> problem_foot = ProblemFeetOf(*robot, problem);
     // By the kinematics: feet are in the workspace with their slides at both ends, and out of it 1 mm beyond.
     for (std::size_t f = 0; f < problem.feet.size(); ++f) {
-      const RigidFoot& foot = problem.feet[static_cast<std::size_t>(std::stoi(robot->feet[f].link.substr(5)))];
+      const RigidFoot& foot = problem.feet[static_cast<std::size_t>(problem_foot[f])];
       const auto out = [&](const VectorX& at) {
         ForwardKinematics(*robot, at, scratch);
         const Vector3 p_B = FramePose(scratch, robot->feet[f].body, robot->feet[f].X_BF).translation() - at.head<3>();
@@ -115,7 +117,7 @@ TEST(RigidBodyPlan, ABodyOnSolesPassesTooAndItsSolesAreHeldFlat) {
   ASSERT_TRUE(robot.ok()) << robot.failure().message;
   EXPECT_EQ(robot->feet[0].type, FootType::kSole);
   EXPECT_EQ(robot->legs[0].joints.size(), 6U);
-  const Result<AuditedMotion> motion = RefineByAudit(ground, problem, {}, plan->plan, 6);
+  const Result<AuditedMotion> motion = RefineByAudit(ground, *plan, {}, 6);
   ASSERT_TRUE(motion.ok()) << motion.failure().message;
   EXPECT_TRUE(motion->report.pass()) << AuditText(motion->report);
 }
@@ -171,15 +173,38 @@ TEST(RigidBodyPlan, RefusesARobotThatIsNotItsOwnAndMomentumInside) {
 /// Swings over a ridge take the feet out of reach as the body was planned without them.
 TEST(AuditedMotion, FeetInTheAirAreBroughtWithinReach) {
   const Solved solved = Solve("hyq-0-slope");
-  const auto refined = [&](int rounds) {
-    return *RefineByAudit(solved.ground, solved.plan.choice.problem, {}, solved.plan.plan, rounds);
-  };
+  const auto refined = [&](int rounds) { return *RefineByAudit(solved.ground, solved.plan, {}, rounds); };
   const AuditedMotion before = refined(0), after = refined(6);
   EXPECT_TRUE(Names(before.report, "joint_position")) << AuditText(before.report);
   EXPECT_TRUE(after.report.pass()) << AuditText(after.report);
   EXPECT_EQ(LawsOf(after.first), LawsOf(before.report));
-  EXPECT_GE(after.swings_held, 1);
-  EXPECT_FALSE(after.problem.swings.empty());
+  EXPECT_GE(after.swings_planned, 1);
+  EXPECT_FALSE(after.choice.problem.swings.empty());
+}
+
+/// Onto a block of 0.5 m: no swing over its edge is within reach of the body as it was planned without swings.
+TEST(AuditedMotion, SwingsOntoABlockArePlannedAlongWithTheBody) {
+  const Solved solved = Solve("monoped-1-block");
+  const AuditedMotion motion = *RefineByAudit(solved.ground, solved.plan, {}, 8);
+  EXPECT_TRUE(Names(motion.first, "joint_position")) << AuditText(motion.first);
+  EXPECT_TRUE(motion.report.pass()) << AuditText(motion.report) << motion.refusal;
+  const RigidBodyProblem& problem = motion.choice.problem;
+  ASSERT_FALSE(problem.swings.empty());
+  ASSERT_EQ(motion.plan.motion.detours_W.size(), problem.swings.size());
+  // By the problem's own words: the swing of the plan is within the workspace at shares that were not looked at.
+  const RobotModel robot = *RigidBodyRobot(problem, "monoped");
+  const MotionPlan plan = *RigidBodyMotionPlan(robot, solved.ground, problem, motion.plan.motion);
+  ASSERT_EQ(plan.swings.size(), problem.swings.size());
+  EXPECT_EQ(plan.swings[0].detour_W, motion.plan.motion.detours_W[0]);
+  const std::vector<RigidBodySample> samples = Sample(motion.plan.motion, 1e-3);
+  for (const SwingTrajectory& swing : plan.swings) {
+    for (const RigidBodySample& sample : samples) {
+      if (sample.time_s <= swing.start_s || sample.time_s >= swing.end_s) continue;
+      const Vector3 p_B = RotationOf(sample.angles_rad).transpose() *
+                          (Evaluate(CurveOf(swing), sample.time_s).X_WF.translation() - sample.p_WC);
+      for (const WorkspaceSide& side : problem.feet[0].workspace_B) EXPECT_LT(side.normal.dot(p_B), side.offset);
+    }
+  }
 }
 
 /// Breaks four times farther apart, and no refinement of the planner's own.
@@ -191,8 +216,7 @@ TEST(AuditedMotion, CoarseNodesFailTheAuditAndAreRefinedUntilItPasses) {
   coarse.fault_tolerance = 1.0;
   for (const char* name : {"biped-1-flat", "anymal-2-flat", "anymal-3-flat", "hyq-1-gap"}) {
     const Solved solved = Solve(name, coarse);
-    const Result<AuditedMotion> motion =
-        RefineByAudit(solved.ground, solved.plan.choice.problem, coarse, solved.plan.plan, 6);
+    const Result<AuditedMotion> motion = RefineByAudit(solved.ground, solved.plan, coarse, 6);
     ASSERT_TRUE(motion.ok()) << name << " " << motion.failure().message;
     EXPECT_TRUE(Names(motion->first, "joint_position")) << name;
     EXPECT_GT(motion->first.violations.at(0).at_s, 0.0);

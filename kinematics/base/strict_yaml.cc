@@ -5,11 +5,9 @@
 #include <cmath>
 
 #include "kinematics/base/options.h"
-#include "kinematics/model/yaml_line.h"
-#include "kinematics/model/yaml_map_internal.h"
+#include "kinematics/base/strict_yaml_internal.h"
 
 namespace gaitwright {
-namespace {
 
 const char* KindOf(const YAML::Node& node) {
   switch (node.Type()) {
@@ -24,11 +22,11 @@ const char* KindOf(const YAML::Node& node) {
   }
 }
 
-}  // namespace
-
 int LineOf(const YAML::Node& node) { return node.Mark().line + 1; }
 
-void RefuseYaml(const YAML::Node& node, const std::string& message) { RefuseYamlLine(LineOf(node), message); }
+void RefuseYaml(const YAML::Node& node, const std::string& message) {
+  throw InvalidArgument(fmt::format("line {}: {}", LineOf(node), message));
+}
 
 std::string TextOf(const YAML::Node& node, const std::string& what) {
   if (!node.IsScalar()) RefuseYaml(node, fmt::format("{} is {}; one word or text is needed", what, KindOf(node)));
@@ -39,8 +37,15 @@ double NumberOf(const YAML::Node& node, const std::string& what) {
   const std::string text = TextOf(node, what);
   double value = 0.0;
   if (!YAML::convert<double>::decode(node, value))
-    RefuseYaml(node, fmt::format("{} is '{}', not a number", what, text));
-  if (!std::isfinite(value)) RefuseYaml(node, fmt::format("{} is {}; a finite number is needed", what, text));
+    RefuseYaml(node, fmt::format("{} is '{}'; a number is needed", what, text));
+  if (!std::isfinite(value)) RefuseYaml(node, fmt::format("{} is {}; a finite number is needed", what, value));
+  return value;
+}
+
+double NumberOf(const YAML::Node& node, const std::string& what, double low, double high) {
+  const double value = NumberOf(node, what);
+  if (value < low || value > high)
+    RefuseYaml(node, fmt::format("{} is {}; accepted: {} to {}", what, value, low, high));
   return value;
 }
 
@@ -49,10 +54,9 @@ std::vector<YAML::Node> ListOf(const YAML::Node& node, const std::string& what) 
   return {node.begin(), node.end()};
 }
 
-YamlMap::YamlMap(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known) {
-  if (!node.IsMap()) {
-    RefuseYaml(node, fmt::format("{} is {}; a map of keys to values is needed", what, KindOf(node)));
-  }
+YamlMap::YamlMap(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known)
+    : node_(node), what_(what) {
+  if (!node.IsMap()) RefuseYaml(node, fmt::format("{} is {}; a map of keys is needed", what, KindOf(node)));
   for (const auto& entry : node) {
     const std::string key = TextOf(entry.first, "a key of " + what);
     if (Find(key) != nullptr) RefuseYaml(entry.first, fmt::format("{} has the key '{}' twice", what, key));
@@ -61,6 +65,12 @@ YamlMap::YamlMap(const YAML::Node& node, const std::string& what, const std::vec
                  fmt::format("{} has the unknown key '{}'; the nearest is '{}'", what, key, NearestName(key, known)));
     }
     entries_.push_back({key, entry.first, entry.second});
+  }
+}
+
+void YamlMap::Require(const std::vector<std::string>& needed) const {
+  for (const std::string& key : needed) {
+    if (Find(key) == nullptr) RefuseYaml(node_, fmt::format("{} lacks the key '{}'", what_, key));
   }
 }
 

@@ -9,14 +9,19 @@
 
 namespace gaitwright {
 
-/// Throws InvalidArgument: `robot.yaml, line N: message`.
+/// Throws InvalidArgument: `line N: message`.
 [[noreturn]] void RefuseYaml(const YAML::Node& node, const std::string& message);
 
 int LineOf(const YAML::Node& node);
 
+/// The kind of a value, for people.
+const char* KindOf(const YAML::Node& node);
+
 /// Text, a finite number, a list. Each refuses another kind of value, naming `what`.
 std::string TextOf(const YAML::Node& node, const std::string& what);
 double NumberOf(const YAML::Node& node, const std::string& what);
+/// One from `low` to `high`.
+double NumberOf(const YAML::Node& node, const std::string& what, double low, double high);
 std::vector<YAML::Node> ListOf(const YAML::Node& node, const std::string& what);
 
 /// A map of keys to values, each key once. Refuses another kind of value, a key that stands there twice, and unless
@@ -31,6 +36,8 @@ class YamlMap {
   YamlMap(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known = {});
 
   const std::vector<Entry>& entries() const { return entries_; }
+  /// Refuses the map where it lacks one of these.
+  void Require(const std::vector<std::string>& needed) const;
   /// The value, or null where the key is not there.
   const YAML::Node* Find(const std::string& key) const;
 
@@ -40,6 +47,8 @@ class YamlMap {
   std::optional<double> Positive(const std::string& key) const;
 
  private:
+  YAML::Node node_;
+  std::string what_;
   std::vector<Entry> entries_;
 };
 

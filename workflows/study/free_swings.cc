@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/free_swings.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <optional>
+
+#include "kinematics/trajectory/bspline.h"
+#include "kinematics/trajectory/swing_curve.h"
+#include "optimisation/swing/refine_swing.h"
+#include "optimisation/swing/swing_planes.h"
+#include "planning/plan/sample_plan.h"
+
+namespace gaitwright {
+namespace {
+
+/// The stances of a foot of the problem between which it is in the air at a time.
+std::optional<RigidSwing> SwingAt(const RigidBodyProblem& problem, int foot, double time_s) {
+  std::optional<std::size_t> from;
+  for (std::size_t i = 0; i < problem.stances.size(); ++i) {
+    if (problem.stances[i].foot != foot) continue;
+    if (problem.stances[i].start_s > time_s) return from ? std::optional(RigidSwing{*from, i}) : std::nullopt;
+    from = i;
+  }
+  return std::nullopt;
+}
+
+/// Even shares of a swing, and one more at each end, where the foot is slow and the body goes on.
+std::vector<double> SharesLookedAt() {
+  constexpr int kEven = 32;
+  std::vector<double> shares = {0.0, 0.5 / kEven};
+  for (int i = 1; i < kEven; ++i) shares.push_back(static_cast<double>(i) / kEven);
+  shares.insert(shares.end(), {1.0 - 0.5 / kEven, 1.0});
+  return shares;
+}
+
+/// Control points of the detour that a swing is, or that is nearest to its bump.
+std::vector<Vector3> DetourOf(const SwingTrajectory& swing) {
+  constexpr int kPoints = 8, kFixed = 3, kSamples = 40;
+  if (!swing.detour_W.empty() && swing.detour_W.size() % 2 == 0) return swing.detour_W;
+  SwingCurve straight = CurveOf(swing);
+  straight.lift_m = 0.0;
+  straight.detour_W.clear();
+  MatrixX basis = MatrixX::Zero(kSamples, kPoints), off(kSamples, 3);
+  for (int k = 0; k < kSamples; ++k) {
+    const double share = (k + 1) / (kSamples + 1.0);
+    const double time_s = swing.start_s + share * (swing.end_s - swing.start_s);
+    const QuinticBasis at = EvaluateQuinticBasis(kPoints + 2 * kFixed, share);
+    for (int i = 0; i < 6; ++i) {
+      const int point = at.first + i - kFixed;
+      if (point >= 0 && point < kPoints) basis(k, point) = at.value[static_cast<std::size_t>(i)];
+    }
+    off.row(k) = Evaluate(CurveOf(swing), time_s).X_WF.translation() - Evaluate(straight, time_s).X_WF.translation();
+  }
+  const MatrixX found = basis.colPivHouseholderQr().solve(off);
+  std::vector<Vector3> points;
+  for (int i = 0; i < kPoints; ++i) points.emplace_back(found.row(i));
+  return points;
+}
+
+/// Planes between a swing and all that is solid near it, each from one share to the next.
+std::vector<SwingPlane> PlanesBeside(const Terrain& ground, const SwingCurve& curve,
+                                     const std::vector<double>& shares) {
+  constexpr int kPieces = 4;
+  constexpr double kNear = 0.3, kClearance = 5e-3;  // [m]
+  std::vector<SwingPlane> planes;
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+    std::vector<Vector3> way_W;
+    for (int k = 0; k <= kPieces; ++k) {
+      const double share = shares[i] + k * (shares[i + 1] - shares[i]) / kPieces;
+      way_W.emplace_back(Evaluate(curve, curve.start_s + share * (curve.end_s - curve.start_s)).X_WF.translation());
+    }
+    for (const TerrainPatch& patch : ground.patches) {
+      const PartingPlane plane = PlaneBefore(patch, way_W);
+      if (std::min(plane.Beyond(way_W.front()), plane.Beyond(way_W.back())) > kNear) continue;
+      for (const double share : {shares[i], shares[i + 1]}) {
+        if (share > 0.0 && share < 1.0)
+          planes.push_back({share, plane.normal_W, plane.offset_m + kClearance * ClearanceRamp(share)});
+      }
+    }
+  }
+  return planes;
+}
+
+}  // namespace
+
+std::vector<RigidSwing> FreeSwingsOf(const Terrain& ground, const RigidBodyProblem& problem, const MotionPlan& plan,
+                                     const std::vector<int>& problem_foot) {
+  std::vector<RigidSwing> swings;
+  for (const SwingTrajectory& of : plan.swings) {
+    const int foot = problem_foot[static_cast<std::size_t>(of.foot)];
+    std::optional<RigidSwing> swing = SwingAt(problem, foot, 0.5 * (of.start_s + of.end_s));
+    if (!swing) continue;
+    swing->free = true;
+    swing->cruise = of.cruise;
+    swing->detour_W = DetourOf(of);
+    swing->shares = SharesLookedAt();
+    swing->planes = PlanesBeside(ground, CurveOf(of), swing->shares);
+    swings.push_back(std::move(*swing));
+  }
+  return swings;
+}
+
+std::vector<RigidSwing> FreeSwingsOf(const Terrain& ground, const RigidBodyProblem& problem,
+                                     const RigidBodyMotion& motion) {
+  std::vector<RigidSwing> swings = problem.swings;
+  for (std::size_t i = 0; i < swings.size(); ++i) {
+    RigidSwing& swing = swings[i];
+    if (!swing.free) continue;
+    swing.detour_W = motion.detours_W[i];
+    swing.planes = PlanesBeside(
+        ground, {0.0, 1.0, motion.X_WF[swing.from], motion.X_WF[swing.to], 0.0, swing.detour_W, swing.cruise},
+        swing.shares);
+  }
+  return swings;
+}
+
+void TakeSwings(const std::vector<RigidSwing>& swings, RigidBodyProblem& problem, VectorX& numbers) {
+  Eigen::Index at = numbers.size();
+  for (const RigidSwing& swing : problem.swings) at -= swing.unknowns();
+  problem.swings = swings;
+  Eigen::Index size = at;
+  for (const RigidSwing& swing : swings) size += swing.unknowns();
+  numbers.conservativeResize(size);
+  for (const RigidSwing& swing : swings) {
+    for (int k = 0; k < swing.unknowns(); k += 3, at += 3)
+      numbers.segment<3>(at) = swing.detour_W[static_cast<std::size_t>(k / 3)];
+  }
+}
+
+}  // namespace gaitwright
