@@ -26,13 +26,14 @@ class SwingPlanner {
       : model_(model),
         terrain_(terrain),
         former_(former.swings),
-        least_lift_m_(former.lift_m),
+        lift_of_(former.lift_m),
         cruise_(former.cruise),
         reach_(former.reach),
         legs_known_(former.base != nullptr),
         guard_(model, terrain, former) {
     lift_m_ = SwingLift(model, options);
-    choice_.clearance_m = options.clearance_m > 0.0 ? options.clearance_m : 0.25 * lift_m_;
+    own_clearance_ = options.clearance_m > 0.0;
+    choice_.clearance_m = options.clearance_m;
     choice_.control_points = options.control_points;
     choice_.samples = options.samples;
     for (const Foot& foot : model.feet) undersides_.push_back(UndersideOf(foot));
@@ -42,7 +43,8 @@ class SwingPlanner {
     SwingTrajectory swing{from.foot, from.liftoff_s, to.touchdown_s, from.X_WF, to.X_WF, lift_m_, 0.0};
     swing.X_WF_start.translation() += from.roll_W;
     if (cruise_) swing.cruise = cruise_(swing);
-    if (least_lift_m_) swing.lift_m = std::max(swing.lift_m, least_lift_m_(swing));
+    if (lift_of_) swing.lift_m = lift_of_(swing);
+    if (!own_clearance_) choice_.clearance_m = kClearance * std::min(lift_m_, swing.lift_m);
     // What begins lower than where the feet go is lifted over.
     const double below_m =
         std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + swing.lift_m;
@@ -282,11 +284,12 @@ class SwingPlanner {
   }
 
   static constexpr double kPart = 0.35;
+  static constexpr double kClearance = 0.25;  // of the lift
 
   const RobotModel& model_;
   const Terrain& terrain_;
   const std::vector<SwingTrajectory> former_;
-  const std::function<double(const SwingTrajectory&)> least_lift_m_, cruise_;
+  const std::function<double(const SwingTrajectory&)> lift_of_, cruise_;
   const std::function<std::vector<ReachSide>(int, double)> reach_;
   const bool legs_known_;  // else nothing is asked of them
   const SwingGuard guard_;
@@ -294,6 +297,7 @@ class SwingPlanner {
   std::optional<SwingHit> hit_;
   std::optional<SwingTrajectory> unfollowed_;  // clear, but more than the leg can follow
   double lift_m_ = 0.0, highest_m_ = 0.0;
+  bool own_clearance_ = false;  // asked for
   LegDemand demand_;
   RefineChoice choice_;
   std::vector<std::vector<Vector3>> undersides_;  // by foot
