@@ -11,8 +11,9 @@ namespace gaitwright {
 
 void PrintTo(const DynamicWalk& walk, std::ostream* out) { *out << walk.gait << ' ' << walk.speed_m_s << " m/s"; }
 
-void ExpectToFly(const WalkRequest& request) {
-  const RobotModel model = LoadNamedRobot("a1").value();
+void ExpectToFly(const WalkRequest& request) { ExpectToFly(LoadNamedRobot("a1").value(), request); }
+
+void ExpectToFly(const RobotModel& model, const WalkRequest& request) {
   const Result<PlannedWalk> planned = PlanWalk(model, request);
   ASSERT_TRUE(planned.ok()) << planned.failure().message;
   const MotionPlan& plan = planned->motion.plan;

@@ -21,7 +21,8 @@ void PrintTo(const DynamicWalk& walk, std::ostream* out);
 /// audit, and every gate to hold.
 void ExpectToFly(const DynamicWalk& walk);
 
-/// The same of any command.
+/// The same of any command, of the A1 or another robot.
 void ExpectToFly(const WalkRequest& request);
+void ExpectToFly(const RobotModel& model, const WalkRequest& request);
 
 }  // namespace gaitwright

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "kinematics/model/load_robot.h"
+#include "tests/unusual_robots.h"
 #include "tests/workflows/walk/dynamic_walks.h"
 
 namespace gaitwright {
@@ -17,6 +19,19 @@ TEST(DynamicWalksLong, BoundsOverAGapOf30Centimetres) {
   request.command.speed_m_s = 0.8;
   request.command.distance_m = 3.0;
   ExpectToFly(request);
+}
+
+TEST(DynamicWalksLong, ABipedHopsAheadAndRuns) {
+  const RobotModel runner = *LoadRobotFromText(unusual::Runner(), "");
+  for (const DynamicWalk& walk :
+       {DynamicWalk{"hop", 0.3, 2.0}, DynamicWalk{"run", 0.5, 3.0}, DynamicWalk{"run", 1.0, 5.0}}) {
+    WalkRequest request;
+    request.gait = walk.gait;
+    request.command.speed_m_s = walk.speed_m_s;
+    request.command.distance_m = walk.distance_m;
+    SCOPED_TRACE(walk.gait);
+    ExpectToFly(runner, request);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(A1, DynamicWalksLong,

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics/model/load_robot.h"
+#include "tests/unusual_robots.h"
+
 namespace gaitwright {
 namespace {
 
@@ -25,6 +28,22 @@ TEST(DynamicWalks, A1JumpsOntoABlockOf15Centimetres) {
   request.command.steps = 4;
   request.command.step_length_m = 0.13;
   ExpectToFly(request);
+}
+
+TEST(DynamicWalks, ABipedHopsInPlace) {
+  WalkRequest request;
+  request.gait = "hop";
+  request.command.extent = WalkCommand::Extent::kDuration;
+  request.command.duration_s = 1.0;
+  ExpectToFly(*LoadRobotFromText(unusual::Runner(), ""), request);
+}
+
+TEST(DynamicWalks, ABipedRuns) {
+  WalkRequest request;
+  request.gait = "run";
+  request.command.speed_m_s = 0.8;
+  request.command.distance_m = 1.0;
+  ExpectToFly(*LoadRobotFromText(unusual::Runner(), ""), request);
 }
 
 }  // namespace
