@@ -34,6 +34,18 @@ TEST(DynamicWalksLong, ABipedHopsAheadAndRuns) {
   }
 }
 
+/// With flights of 0.05 s, near the most that its knees are fast enough for.
+TEST(DynamicWalksLong, TheNaoHopsInPlace) {
+  WalkRequest request;
+  request.gait = "hop";
+  request.gait_options.cycle_s = 0.5;
+  request.gait_options.duty_factor = 0.9;
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = 4;
+  request.command.step_length_m = 0.0;
+  ExpectToFly(LoadNamedRobot("nao").value(), request);
+}
+
 INSTANTIATE_TEST_SUITE_P(A1, DynamicWalksLong,
                          testing::Values(DynamicWalk{"trot", 1.5, 5.0}, DynamicWalk{"trot", 1.0, 5.0, 0.4},
                                          DynamicWalk{"bound", 0.8, 5.0}, DynamicWalk{"pronk", 0.5, 5.0},
