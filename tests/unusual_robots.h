@@ -34,6 +34,7 @@ class UrdfText {
   struct Motion {
     std::string type = "revolute", axis = "0 1 0";
     double lower = -1.5, upper = 1.5, effort = 40.0, turned = 0.0;  ///< turned: about z [rad]
+    double speed = 20.0;
     std::string extra = {};
   };
   void Joint(const std::string& parent, const std::string& child, const std::vector<double>& xyz, const Motion& m) {
@@ -43,7 +44,7 @@ class UrdfText {
         "{6}'/><axis xyz='{7}'/><limit lower='{8}' upper='{9}' effort='{10}' velocity='{11}'/>{12}</joint>\n",
         child, m.type, parent, scale_ * xyz[0], scale_ * xyz[1], scale_ * xyz[2], m.turned, m.axis,
         slides ? scale_ * m.lower : m.lower, slides ? scale_ * m.upper : m.upper,
-        m.effort * scale_ * scale_ * scale_ * (slides ? 1.0 : scale_), 20.0 / std::sqrt(scale_), m.extra);
+        m.effort * scale_ * scale_ * scale_ * (slides ? 1.0 : scale_), m.speed / std::sqrt(scale_), m.extra);
   }
   std::string Done(const std::string& name) const { return "<robot name='" + name + "'>\n" + text_ + "</robot>\n"; }
 
@@ -202,6 +203,40 @@ inline std::string SoledBiped(bool rolls, bool waist) {
     urdf.Joint(rolls ? n + "5" : n + "4", n + "_foot", {0.0, 0.0, rolls ? 0.0 : -0.3}, rolls ? roll : pitch);
   }
   return urdf.Done("soled_biped");
+}
+
+/// A humanoid of 45 kg and 0.87 m of leg, as strong in the legs as the Unitree H1 (hips 200 N m and 23 rad/s, knees 300
+/// and 14, ankles 40 and 9, arms 40 and 9), with ankles that roll.
+inline std::string Runner() {
+  UrdfText urdf;
+  urdf.Link("body", 20.0, 0.5, urdf.Block(0.2, 0.3, 0.5, -0.35));
+  for (const double side : {1.0, -1.0}) {
+    const std::string n = side > 0.0 ? "l" : "r";
+    const auto hip = [](const std::string& axis, double lower, double upper) {
+      return UrdfText::Motion{.axis = axis, .lower = lower, .upper = upper, .effort = 200.0, .speed = 23.0};
+    };
+    const auto ankle = [](const std::string& axis, double most) {
+      return UrdfText::Motion{.axis = axis, .lower = -most, .upper = most, .effort = 40.0, .speed = 9.0};
+    };
+    urdf.Link(n + "_arm", 1.5, 0.25);
+    urdf.Link(n + "_forearm", 1.0, 0.25);
+    urdf.Joint("body", n + "_arm", {0.0, 0.22 * side, 0.5}, {.lower = -2.8, .upper = 2.8, .speed = 9.0});
+    urdf.Joint(n + "_arm", n + "_forearm", {0.0, 0.0, -0.25}, {.lower = -2.2, .upper = 0.0, .effort = 18.0});
+    urdf.Link(n + "_yaw", 1.5, 0.1);
+    urdf.Link(n + "_hip", 1.5, 0.1);
+    urdf.Link(n + "_thigh", 4.0, 0.35);
+    urdf.Link(n + "_shank", 2.2, 0.35);
+    urdf.Link(n + "_ankle", 0.2, 0.06);
+    urdf.Link(n + "_foot", 0.6, 0.2, urdf.Block(0.2, 0.1, 0.02, 0.06));
+    urdf.Joint("body", n + "_yaw", {0.0, 0.1 * side, 0.0}, hip("0 0 1", -0.6, 0.6));
+    urdf.Joint(n + "_yaw", n + "_hip", {0.0, 0.0, -0.05}, hip("1 0 0", -0.5, 0.5));
+    urdf.Joint(n + "_hip", n + "_thigh", {0.0, 0.0, 0.0}, hip("0 1 0", -2.2, 1.5));
+    urdf.Joint(n + "_thigh", n + "_shank", {0.0, 0.0, -0.4},
+               {.lower = -0.1, .upper = 2.2, .effort = 300.0, .speed = 14.0});
+    urdf.Joint(n + "_shank", n + "_ankle", {0.0, 0.0, -0.4}, ankle("0 1 0", 1.0));
+    urdf.Joint(n + "_ankle", n + "_foot", {0.0, 0.0, 0.0}, ankle("1 0 0", 0.5));
+  }
+  return urdf.Done("runner");
 }
 
 /// A four-legged one that carries an arm in front and a tail behind.

@@ -61,6 +61,8 @@ void CheckBody(const RigidBodyProblem& problem) {
     throw InvalidArgument(fmt::format("rigid body: a mass of {} kg", problem.mass_kg));
   if (!(problem.duration_s > 0.0) || !std::isfinite(problem.duration_s))
     throw InvalidArgument(fmt::format("rigid body: a duration of {} s", problem.duration_s));
+  if (!(problem.rise_max_m_s >= 0.0) || !std::isfinite(problem.rise_max_m_s))
+    throw InvalidArgument(fmt::format("rigid body: a greatest rise of {} m/s", problem.rise_max_m_s));
   const Vector3 principal = Eigen::SelfAdjointEigenSolver<Matrix3>(problem.inertia_B).eigenvalues();
   if (!problem.inertia_B.allFinite() || !problem.inertia_B.isApprox(problem.inertia_B.transpose()) ||
       !(principal.minCoeff() > 0.0) || principal.sum() < 2.0 * principal.maxCoeff() * (1.0 - 1e-9))

@@ -117,6 +117,7 @@ struct RigidBodyProblem {
   double duration_s = 1.0;            ///< from time 0
   std::vector<RigidRest> rests = {};  ///< on the way, in order
   std::vector<RigidClearance> clearances = {};
+  double rise_max_m_s = 0.0;  ///< the greatest speed upward or downward while any foot is on the ground; 0 for no end
   /// Angular momentum about the centre of mass of all that moves against the box, and its rate, at even times from 0 to
   /// the end, two or more; empty for none [N m s], [N m].
   std::vector<Vector3> inner_momentum_W = {}, inner_torque_W = {};

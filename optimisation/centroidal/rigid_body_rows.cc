@@ -125,6 +125,11 @@ ConstrainedProblem RigidBodyRows(const RigidBodyProblem& problem, const RigidBod
     for (const double share : SharesOf(problem.swings[i])) add(terms.SwingReach(i, share, options.reach_margin_m));
     if (!problem.swings[i].planes.empty()) add(terms.SwingClearance(i));
   }
+  for (std::size_t i = 0; i < unknowns.intervals() && problem.rise_max_m_s > 0.0; ++i) {
+    if (unknowns.Forces(i).empty()) continue;
+    const double from = unknowns.breaks_s()[i], to = unknowns.breaks_s()[i + 1];
+    for (const double time_s : {from, 0.5 * (from + to)}) add(terms.Rise(time_s));
+  }
   for (const RigidClearance& clearance : problem.clearances) add(terms.Clearance(clearance));
   for (const MissedReach& m : missed) add(terms.Reach(m.stance, m.time_s, options.reach_margin_m));
   for (std::size_t s = 0; s < problem.stances.size(); ++s) {

@@ -231,6 +231,13 @@ Constraint RigidBodyTerms::Motors(const std::vector<BoundForce>& forces) const {
           true};
 }
 
+Constraint RigidBodyTerms::Rise(double time_s) const {
+  SeenUnknowns seen;
+  const VectorX most = VectorX::Constant(1, problem_.rise_max_m_s);
+  VectorFunction rows = AffineRows(unknowns_.Velocity(time_s), Vector3::UnitZ().transpose(), VectorX::Zero(1), seen);
+  return {fmt::format("rise at {:.3f} s", time_s), rows, -most, most, seen.variables(), true};
+}
+
 Constraint RigidBodyTerms::Region(std::size_t stance) const {
   const std::vector<Vector2>& corners = problem_.stances[stance].region_F;
   const auto n = static_cast<Eigen::Index>(corners.size());

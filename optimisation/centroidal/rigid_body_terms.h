@@ -42,6 +42,9 @@ class RigidBodyTerms {
   /// A point of the body beyond a plane at a time; how it is turned as for Reach.
   Constraint Clearance(const RigidClearance& clearance) const;
 
+  /// The centre of mass no faster upward or downward than it may be.
+  Constraint Rise(double time_s) const;
+
   /// A foothold in its region. Only for one that is neither held nor without end.
   Constraint Region(std::size_t stance) const;
 

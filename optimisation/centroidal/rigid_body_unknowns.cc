@@ -214,6 +214,13 @@ AffineVector RigidBodyUnknowns::CentreOfMass(double time_s) const {
   return p;
 }
 
+AffineVector RigidBodyUnknowns::Velocity(double time_s) const {
+  const CubicBasis basis = EvaluateCubicBasis(breaks_s_, time_s);
+  AffineVector v;
+  for (std::size_t i = 0; i < 4; ++i) v.Add(basis.rate[i], control_[static_cast<std::size_t>(basis.first) + i]);
+  return v;
+}
+
 AffineVector RigidBodyUnknowns::WholeForce(std::size_t at_break) const {
   const CubicBasis basis = EvaluateCubicBasis(breaks_s_, breaks_s_[at_break]);
   AffineVector force{Vector3::UnitZ()};

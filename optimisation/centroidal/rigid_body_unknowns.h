@@ -70,6 +70,8 @@ class RigidBodyUnknowns {
 
   /// Its place at a time.
   AffineVector CentreOfMass(double time_s) const;
+  /// Its velocity at a time.
+  AffineVector Velocity(double time_s) const;
   /// The force on the whole that this centre of mass needs, p'' - g [m g].
   AffineVector WholeForce(std::size_t at_break) const;
   const AffineVector& Angles(std::size_t at_break) const { return angles_[at_break]; }

@@ -132,6 +132,20 @@ FootstepOptions StandingOptions(const MotionOptions& options) {
   return footsteps;
 }
 
+/// The motion of a rigid body on legs, crouched as far as flights need it.
+Result<MotionPass> RunDynamic(const MotionTask& task, const std::optional<Crouch>& crouch, int& passes) {
+  if (!crouch) return RigidBodyPasses(task).Run(passes);
+  const MotionTask crouched{crouch->model, task.terrain, task.skeleton, task.options, task.body, task.cycle_s};
+  return RigidBodyPasses(crouched, &*crouch).Run(passes);
+}
+
+/// Whether short flights near the motors' greatest speed have too few rows of the grid, as may be had with half as far
+/// between them.
+bool WantsFinerGrid(const std::optional<Crouch>& crouch, double step_s) {
+  constexpr double kRows = 20.0, kLeast = 0.002;
+  return crouch && crouch->flight_s < kRows * step_s && step_s >= kLeast;
+}
+
 double SlowestCycle(const std::vector<WalkPart>& parts) {
   double longest = 0.0;
   for (const WalkPart& part : parts) {
@@ -166,7 +180,13 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   Result<MotionPass> pass = MotionPass{};
   const bool dynamic = IsDynamic(skeleton->schedule, options.centre_of_mass);
   if (dynamic) {
-    pass = RigidBodyPasses(task).Run(planned.passes);
+    const Result<std::optional<Crouch>> crouch = CrouchFor(model, skeleton->schedule);
+    if (!crouch) return crouch.failure();
+    if (WantsFinerGrid(*crouch, options.pipeline.grid_step_s)) {
+      checked.pipeline.grid_step_s *= 0.5;
+      return PlanMotion(model, terrain, parts, checked);
+    }
+    pass = RunDynamic(task, *crouch, planned.passes);
   } else {
     Carriages carriages(task);
     pass = carriages.Run();

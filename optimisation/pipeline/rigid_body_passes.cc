@@ -66,40 +66,24 @@ std::vector<Vector2> PressureOf(const std::vector<Vector2>& pressure_W, const st
   return nearest;
 }
 
-/// The flights within a swing.
-struct Flights {
-  double longest_s = 0.0, whole_s = 0.0;
-
-  /// How far a body rises in the longest, at most: g T^2 / 8.
-  double Rise() const { return kGravity * longest_s * longest_s / 8.0; }
-};
-
-Flights FlightsIn(const ContactSchedule& schedule, double start_s, double end_s) {
-  Flights flights;
-  for (const ContactPhase& phase : schedule.phases) {
-    if (phase.stance != 0 || phase.start_s < start_s - 1e-9 || phase.end_s > end_s + 1e-9) continue;
-    flights.longest_s = std::max(flights.longest_s, phase.end_s - phase.start_s);
-    flights.whole_s += phase.end_s - phase.start_s;
-  }
-  return flights;
+/// The robot as it stands, or crouches, with its feet no farther below it than legs are fast enough for.
+StandingBody CarriedBody(const RobotModel& model, const Crouch* crouch) {
+  StandingBody body = BodyOf(model, kReserve);
+  if (crouch == nullptr) return body;
+  body.p_SB = crouch->p_SB;
+  for (RigidFoot& foot : body.feet) foot.workspace_B.push_back({-Vector3::UnitZ(), crouch->highest_m});
+  return body;
 }
 
-/// While the body flies at constant speed its feet do best to go along.
-double CruiseIn(const ContactSchedule& schedule, double start_s, double end_s) {
-  constexpr double kMost = 0.6;
-  return kMost * FlightsIn(schedule, start_s, end_s).whole_s / (end_s - start_s);
-}
-
-/// The swings between a walk's stances, lifted by what the body rises in them too.
-std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, const ContactSchedule& schedule, double lift_m) {
+/// The swings between a walk's stances.
+std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, double from_s, const FlightSwings& shapes) {
   std::vector<RigidSwing> swings;
   for (std::size_t from = 0; from < problem.stances.size(); ++from) {
     for (std::size_t to = from + 1; to < problem.stances.size(); ++to) {
       const RigidStance &a = problem.stances[from], &b = problem.stances[to];
       if (a.foot != b.foot) continue;
-      const double start_s = schedule.start_s() + a.end_s, end_s = schedule.start_s() + b.start_s;
-      swings.push_back(
-          {from, to, lift_m + FlightsIn(schedule, start_s, end_s).Rise(), CruiseIn(schedule, start_s, end_s)});
+      const FlightSwing shape = shapes.At(from_s + a.end_s, from_s + b.start_s);
+      swings.push_back({from, to, shape.lift_m, shape.cruise});
       break;
     }
   }
@@ -128,15 +112,16 @@ double Largest(const std::vector<PointWrench>& residuals, double weight_n) {
 
 }  // namespace
 
-RigidBodyPasses::RigidBodyPasses(const MotionTask& task)
+RigidBodyPasses::RigidBodyPasses(const MotionTask& task, const Crouch* crouch)
     : task_(task),
       model_(task.model),
-      body_(BodyOf(task.model, kReserve)),
+      body_(CarriedBody(task.model, crouch)),
       problem_(ProblemOf(task.model, body_, task.terrain, task.skeleton, task.body)),
-      clearance_(task.model, task.terrain) {
+      clearance_(task.model, task.terrain),
+      shapes_(task.model, task.skeleton.schedule, task.options.swing) {
   for (RigidStance& stance : problem_.stances) stance.friction *= task.options.whole_body.friction_use;
-  lift_m_ = SwingLift(model_, task.options.swing);
-  problem_.swings = SwingsOf(problem_, task.skeleton.schedule, lift_m_);
+  if (crouch != nullptr) problem_.rise_max_m_s = crouch->fastest_m_s;
+  problem_.swings = SwingsOf(problem_, task.skeleton.schedule.start_s(), shapes_);
   expected_roll_.assign(problem_.stances.size(), Vector3::Zero());
   roll_ = expected_roll_;
 }
@@ -148,8 +133,7 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   int idle = 0;
   MotionPass best;
   const double tolerance = task_.options.pipeline.residual;
-  RigidBodyOptions options = task_.options.rigid_body;
-  options.grid_s = task_.options.pipeline.grid_step_s;
+  const RigidBodyOptions options = Options();
   auto failure = WhyBeyondLegs(problem_);
   if (!failure) failure = WhyNotCarried(problem_, options);
   if (failure) return WithNamesOf(model_, *failure);
@@ -167,6 +151,18 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
     if ((best.settled && best.error_m < tolerance) || idle == kIdle) break;
   }
   return best;
+}
+
+/// Near the motors' greatest speed forces are to end at once at lift-off, for which breaks are nearer to each other.
+RigidBodyOptions RigidBodyPasses::Options() const {
+  constexpr double kOfFlight = 0.4;
+  RigidBodyOptions options = task_.options.rigid_body;
+  options.grid_s = task_.options.pipeline.grid_step_s;
+  if (problem_.rise_max_m_s > 0.0) {
+    const double rise_s = 2.0 * problem_.rise_max_m_s / kGravity;
+    options.spacing_s = std::min(options.spacing_s, kOfFlight * rise_s);
+  }
+  return options;
 }
 
 /// Whether joints are past their limits as they were in the pass before, which the next ones do not change: legs that
@@ -240,8 +236,7 @@ Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options
 }
 
 Result<MotionPass> RigidBodyPasses::MakePass() {
-  RigidBodyOptions options = task_.options.rigid_body;
-  options.grid_s = task_.options.pipeline.grid_step_s;
+  const RigidBodyOptions options = Options();
   Result<RigidBodyPlan> plan = PlanClear(options);
   if (!plan) return WithNamesOf(model_, plan.failure());
   motion_ = std::move(plan->motion);
@@ -252,16 +247,14 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   SetCentroidal(samples_, pass);
   std::function<std::vector<ReachSide>(int, double)> reach;
   if (!IsLevelGround(task_.terrain)) reach = [this](int foot, double time_s) { return ReachAt(foot, time_s); };
-  Result<std::vector<SwingTrajectory>> swings = PlanSwings(
-      model_, task_.terrain, pass.footsteps, task_.options.swing,
-      {{},
-       {},
-       {},
-       [&](const SwingTrajectory& swing) {
-         return FlightsIn(task_.skeleton.schedule, swing.start_s, swing.end_s).Rise() + lift_m_;
-       },
-       [&](const SwingTrajectory& swing) { return CruiseIn(task_.skeleton.schedule, swing.start_s, swing.end_s); },
-       reach});
+  Result<std::vector<SwingTrajectory>> swings =
+      PlanSwings(model_, task_.terrain, pass.footsteps, task_.options.swing,
+                 {{},
+                  {},
+                  {},
+                  [&](const SwingTrajectory& swing) { return shapes_.At(swing.start_s, swing.end_s).lift_m; },
+                  [&](const SwingTrajectory& swing) { return shapes_.At(swing.start_s, swing.end_s).cruise; },
+                  reach});
   if (!swings) return swings.failure();
   pass.swings = std::move(*swings);
   const auto loads = LoadsOf(problem_, motion_, samples_);

@@ -6,6 +6,8 @@
 
 #include "optimisation/centroidal/plan_rigid_body.h"
 #include "optimisation/pipeline/body_clearance.h"
+#include "optimisation/pipeline/crouch.h"
+#include "optimisation/pipeline/flight_swings.h"
 #include "optimisation/pipeline/motion_passes.h"
 #include "optimisation/pipeline/robot_body.h"
 
@@ -18,7 +20,7 @@ namespace gaitwright {
 /// is clear.
 class RigidBodyPasses {
  public:
-  explicit RigidBodyPasses(const MotionTask& task);
+  explicit RigidBodyPasses(const MotionTask& task, const Crouch* crouch = nullptr);
 
   /// Passes until what the whole body needs and its contacts do not give is small. `error_m` of the pass is that, the
   /// greater of force over m g [1] and moment over m g [m].
@@ -26,6 +28,7 @@ class RigidBodyPasses {
 
  private:
   Result<MotionPass> MakePass();
+  RigidBodyOptions Options() const;
   std::vector<ReachSide> ReachAt(int foot, double time_s) const;
   Result<RigidBodyPlan> PlanClear(const RigidBodyOptions& options);
   /// The footholds of a motion.
@@ -43,7 +46,7 @@ class RigidBodyPasses {
   const StandingBody body_;
   RigidBodyProblem problem_;
   BodyClearance clearance_;
-  double lift_m_ = 0.0;                      // of swings without flight
+  const FlightSwings shapes_;
   RigidBodyMotion motion_;                   // of the last pass
   bool holds_ = false;                       // footholds where they are
   std::optional<RigidBodyNumbers> numbers_;  // of the last motion with footholds held

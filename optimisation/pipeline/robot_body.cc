@@ -80,7 +80,7 @@ void KeepApart(const RobotModel& model, std::vector<RigidFoot>& feet) {
 RigidBodyState Standing(const StandingBody& body, const PlanarPose& at, double base_m) {
   RigidBodyState state;
   state.angles_rad.z() = at.yaw_rad;
-  state.p_WC = Vector3(at.x_m, at.y_m, base_m) + YawRotation(at.yaw_rad) * body.p_HC;
+  state.p_WC = Vector3(at.x_m, at.y_m, base_m) + YawRotation(at.yaw_rad) * (body.p_SB + body.p_HC);
   return state;
 }
 

@@ -17,6 +17,7 @@ namespace gaitwright {
 struct StandingBody {
   Matrix3 R_HB = Matrix3::Identity();       ///< of the base
   Vector3 p_HC = Vector3::Zero();           ///< centre of mass from the base's origin [m]
+  Vector3 p_SB = Vector3::Zero();           ///< the base from where it stands on the path, level [m]
   Matrix3 inertia_H = Matrix3::Identity();  ///< about the centre of mass [kg m^2]
   std::vector<RigidFoot> feet;              ///< the places of their contact frames
 };

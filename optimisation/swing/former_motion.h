@@ -44,7 +44,7 @@ struct FormerMotion {
   BaseMotion base;
   std::function<SwingRoll(const SwingTrajectory& swing)> roll;      ///< empty where that is not known
   std::vector<SwingTrajectory> swings = {};                         ///< whose detours are kept where they do
-  std::function<double(const SwingTrajectory& swing)> lift_m = {};  ///< least of a swing; empty for the usual one
+  std::function<double(const SwingTrajectory& swing)> lift_m = {};  ///< of a swing; empty for the usual one
   std::function<double(const SwingTrajectory& swing)> cruise = {};  ///< of a swing; empty for none
   /// Where a foot can be at a time, convex; empty where legs tell by `base`, or are left to the audit.
   std::function<std::vector<ReachSide>(int foot, double time_s)> reach = {};

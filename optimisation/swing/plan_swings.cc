@@ -28,7 +28,7 @@ class SwingPlanner {
       : model_(model),
         terrain_(terrain),
         former_(former.swings),
-        least_lift_m_(former.lift_m),
+        lift_of_(former.lift_m),
         cruise_(former.cruise),
         reach_(former.reach),
         legs_known_(former.base != nullptr),
@@ -44,7 +44,8 @@ class SwingPlanner {
     SwingTrajectory swing{from.foot, from.liftoff_s, to.touchdown_s, from.X_WF, to.X_WF, lift_m_, 0.0};
     swing.X_WF_start.translation() += from.roll_W;
     if (cruise_) swing.cruise = cruise_(swing);
-    if (least_lift_m_) swing.lift_m = std::max(swing.lift_m, least_lift_m_(swing));
+    if (lift_of_) swing.lift_m = lift_of_(swing);
+    choice_.clearance_m = clearance_m_ > 0.0 ? clearance_m_ : kClearancePerLift * std::min(lift_m_, swing.lift_m);
     // What begins lower than where the feet go is lifted over.
     const double below_m =
         std::max(swing.X_WF_start.translation().z(), swing.X_WF_end.translation().z()) + swing.lift_m;
@@ -58,7 +59,6 @@ class SwingPlanner {
     // What no leg can follow is over what is in the way, for another height of the body may do; and a shank that has no
     // room is for the audit to tell.
     const bool room = guard_.LegHasRoom(swing);
-    choice_.clearance_m = clearance_m_ > 0.0 ? clearance_m_ : kClearancePerLift * lift_m_;
     bool clear = FindHigher(swing, {room, true}) || Find(swing, {room, true});
     if (!clear && legs_known_) clear = Find(swing, {room, false}) || (room && Find(swing, {false, false}));
     // Out of reach as little as can be, or else anyhow, for the audit to tell.
@@ -302,7 +302,7 @@ class SwingPlanner {
   const RobotModel& model_;
   const Terrain& terrain_;
   const std::vector<SwingTrajectory> former_;
-  const std::function<double(const SwingTrajectory&)> least_lift_m_, cruise_;
+  const std::function<double(const SwingTrajectory&)> lift_of_, cruise_;
   const std::function<std::vector<ReachSide>(int, double)> reach_;
   const bool legs_known_;  // else nothing is asked of them
   const SwingGuard guard_;

@@ -73,10 +73,16 @@ Result<GaitEntry> FindEntry(const std::string& name, int feet) {
   gaits->insert(gaits->end(), generated.begin(), generated.end());
   const std::string wanted = ResolvedName(name, feet);
   std::vector<std::string> names;
+  int other_feet = 0;
   for (const GaitEntry& entry : *gaits) {
+    if (entry.gait.name == wanted && entry.gait.num_feet() != feet) other_feet = entry.gait.num_feet();
     if (entry.gait.num_feet() != feet) continue;
     if (entry.gait.name == wanted) return entry;
     names.push_back(entry.gait.name);
+  }
+  if (other_feet > 0) {
+    return BadGait(fmt::format("gait '{}' is for {} feet, the robot has {}; for these there are {}", name, other_feet,
+                               feet, QuotedList(names)));
   }
   return BadGait(fmt::format("there is no gait '{}' for {} feet; there are {}", name, feet, QuotedList(names)));
 }

@@ -134,6 +134,28 @@ TEST(PlanRigidBody, StaysClearOfPlanesAndTurnsForThat) {
   EXPECT_NE(no_way.failure().message.find("clearance of nose"), std::string::npos) << no_way.failure().message;
 }
 
+/// The fastest that a motion goes up or down while a foot is on the ground.
+double FastestRise(const RigidBodyPlan& plan) {
+  double fastest = 0.0;
+  for (const RigidBodySample& sample : Sample(plan.motion, 1e-3)) {
+    if (!plan.motion.intervals[sample.interval].forces.empty()) fastest = std::max(fastest, std::abs(sample.v_WC.z()));
+  }
+  return fastest;
+}
+
+TEST(PlanRigidBody, RisesNoFasterThanItMay) {
+  RigidBodyProblem problem = rigid_bodies::Hopper();
+  const double free = FastestRise(Planned(problem));
+  problem.rise_max_m_s = 0.9 * free;
+  EXPECT_LT(FastestRise(Planned(problem)), 0.92 * free) << "between the times at which it is looked at, by little";
+  problem.rise_max_m_s = 0.3 * free;
+  const Result<RigidBodyPlan> too_slow = PlanRigidBody(problem);
+  ASSERT_FALSE(too_slow.ok());
+  EXPECT_NE(too_slow.failure().message.find("rise at"), std::string::npos) << too_slow.failure().message;
+  problem.rise_max_m_s = -1.0;
+  EXPECT_THROW((void)PlanRigidBody(problem), InvalidArgument);
+}
+
 TEST(PlanRigidBody, RefusesPlanesThatAreNone) {
   for (const RigidClearance& clearance :
        {RigidClearance{-0.1}, RigidClearance{9.0}, RigidClearance{0.3, Vector3::Zero(), Vector3(0.0, 0.0, 2.0)},

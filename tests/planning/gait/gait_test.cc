@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <tuple>
 
 #include "kinematics/base/result.h"
 #include "kinematics/model/load_robot.h"
@@ -19,7 +20,7 @@ TEST(Gaits, BuiltInOnesAreWhatTheirNamesSay) {
   ASSERT_TRUE(gaits.ok()) << gaits.failure().message;
   ASSERT_GE(gaits->size(), 8U);
   for (const GaitEntry& entry : *gaits) {
-    const std::vector<std::string> fly = {"bound", "pronk", "gallop", "jump"};
+    const std::vector<std::string> fly = {"hop", "run", "bound", "pronk", "gallop", "jump"};
     EXPECT_EQ(HasFlight(entry.gait), std::count(fly.begin(), fly.end(), entry.gait.name) == 1) << entry.gait.name;
   }
 }
@@ -43,6 +44,32 @@ TEST(Gaits, UnknownNameListsWhatThereIs) {
   const Result<Gait> gait = FindGait(*nao, "trot", 0.1, {});
   ASSERT_FALSE(gait.ok());
   EXPECT_NE(gait.failure().message.find("'biped'"), std::string::npos);
+}
+
+TEST(Gaits, OneForAnotherNumberOfFeetSaysSo) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1"), nao = LoadNamedRobot("nao");
+  for (const auto& [model, name, feet] : {std::tuple{&*a1, "hop", "is for 2 feet, the robot has 4"},
+                                          std::tuple{&*a1, "run", "is for 2 feet, the robot has 4"},
+                                          std::tuple{&*nao, "pronk", "is for 4 feet, the robot has 2"}}) {
+    const Result<Gait> gait = FindGait(*model, name, 0.1, {});
+    ASSERT_FALSE(gait.ok());
+    EXPECT_NE(gait.failure().message.find(feet), std::string::npos) << gait.failure().message;
+  }
+  EXPECT_TRUE(FindGait(*nao, "hop", 0.1, {}).ok());
+  EXPECT_TRUE(FindGait(*nao, "run", 0.1, {}).ok());
+}
+
+TEST(Gaits, HoppersLeaveTheGroundTogetherAndRunnersInTurn) {
+  const Result<RobotModel> nao = LoadNamedRobot("nao");
+  const Gait hop = *FindGait(*nao, "hop", 0.1, {}), run = *FindGait(*nao, "run", 0.1, {});
+  bool left = false, right = false;
+  for (double u = 0.0005; u < 1.0; u += 0.001) {
+    EXPECT_TRUE(StanceAt(hop, u) == 0 || StanceAt(hop, u) == AllFeet(2)) << u;
+    EXPECT_NE(StanceAt(run, u), AllFeet(2)) << u;
+    left = left || StanceAt(run, u) == FootBit(0);
+    right = right || StanceAt(run, u) == FootBit(1);
+  }
+  EXPECT_TRUE(left && right);
 }
 
 TEST(Gaits, FilesAreValidated) {

@@ -21,8 +21,9 @@ WalkRequest OneLeap(const std::string& terrain, double length_m) {
   return request;
 }
 
-void ExpectToFly(const WalkRequest& request) {
-  const RobotModel model = LoadNamedRobot("a1").value();
+void ExpectToFly(const WalkRequest& request) { ExpectToFly(LoadNamedRobot("a1").value(), request); }
+
+void ExpectToFly(const RobotModel& model, const WalkRequest& request) {
   const Result<PlannedWalk> planned = PlanWalk(model, request);
   ASSERT_TRUE(planned.ok()) << planned.failure().message;
   const MotionPlan& plan = planned->motion.plan;

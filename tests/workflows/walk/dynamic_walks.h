@@ -24,7 +24,8 @@ WalkRequest OneLeap(const std::string& terrain, double length_m);
 /// audit, and every gate to hold.
 void ExpectToFly(const DynamicWalk& walk);
 
-/// The same of any command.
+/// The same of any command, of the A1 or another robot.
 void ExpectToFly(const WalkRequest& request);
+void ExpectToFly(const RobotModel& model, const WalkRequest& request);
 
 }  // namespace gaitwright

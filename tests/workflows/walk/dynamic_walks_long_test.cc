@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kinematics/model/load_robot.h"
+#include "tests/unusual_robots.h"
 #include "tests/workflows/walk/dynamic_walks.h"
 
 namespace gaitwright {
@@ -21,6 +22,31 @@ TEST(DynamicWalksLong, BoundsOverAGapOf30Centimetres) {
   request.command.speed_m_s = 0.8;
   request.command.distance_m = 3.0;
   ExpectToFly(request);
+}
+
+TEST(DynamicWalksLong, ABipedHopsAheadAndRuns) {
+  const RobotModel runner = *LoadRobotFromText(unusual::Runner(), "");
+  for (const DynamicWalk& walk :
+       {DynamicWalk{"hop", 0.3, 2.0}, DynamicWalk{"run", 0.5, 3.0}, DynamicWalk{"run", 1.0, 5.0}}) {
+    WalkRequest request;
+    request.gait = walk.gait;
+    request.command.speed_m_s = walk.speed_m_s;
+    request.command.distance_m = walk.distance_m;
+    SCOPED_TRACE(walk.gait);
+    ExpectToFly(runner, request);
+  }
+}
+
+/// With flights of 0.05 s, near the most that its knees are fast enough for.
+TEST(DynamicWalksLong, TheNaoHopsInPlace) {
+  WalkRequest request;
+  request.gait = "hop";
+  request.gait_options.cycle_s = 0.5;
+  request.gait_options.duty_factor = 0.9;
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = 4;
+  request.command.step_length_m = 0.0;
+  ExpectToFly(LoadNamedRobot("nao").value(), request);
 }
 
 class JumpsLong : public testing::TestWithParam<std::pair<std::string, double>> {};

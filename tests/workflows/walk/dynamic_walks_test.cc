@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics/model/load_robot.h"
+#include "tests/unusual_robots.h"
+
 namespace gaitwright {
 namespace {
 
@@ -16,6 +19,22 @@ TEST(DynamicWalks, A1JumpsOntoABlockOf15Centimetres) {
 
 TEST(DynamicWalks, A1JumpsDownFromABlockOf15Centimetres) {
   ExpectToFly(OneLeap("block:height_m=0.15,start_m=-1.5,length_m=1.72", 0.6));
+}
+
+TEST(DynamicWalks, ABipedHopsInPlace) {
+  WalkRequest request;
+  request.gait = "hop";
+  request.command.extent = WalkCommand::Extent::kDuration;
+  request.command.duration_s = 1.0;
+  ExpectToFly(*LoadRobotFromText(unusual::Runner(), ""), request);
+}
+
+TEST(DynamicWalks, ABipedRuns) {
+  WalkRequest request;
+  request.gait = "run";
+  request.command.speed_m_s = 0.8;
+  request.command.distance_m = 1.0;
+  ExpectToFly(*LoadRobotFromText(unusual::Runner(), ""), request);
 }
 
 }  // namespace

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/crouch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "optimisation/pipeline/leg_motors.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kUse = 0.95;      // of what motors give
+constexpr double kReserve = 0.03;  // of joints' ranges
+constexpr double kSpare = 1.3;     // times the speed of lift-off that is wanted, to turn and to go ahead too
+constexpr double kLeast = 1.15;    // of it at the least, since a push that ends goes over into flight over a while
+
+/// The longest flight of a schedule, and the most feet that push at once since the flight before.
+struct LongestFlight {
+  double start_s = 0.0, duration_s = 0.0;
+  int pushing = 0;
+};
+
+LongestFlight LongestOf(const ContactSchedule& schedule) {
+  LongestFlight longest;
+  int pushing = 0;
+  for (const ContactPhase& phase : schedule.phases) {
+    const double duration_s = phase.end_s - phase.start_s;
+    if (phase.stance == 0 && duration_s > longest.duration_s) longest = {phase.start_s, duration_s, pushing};
+    pushing = phase.stance == 0 ? 0 : std::max(pushing, std::popcount(phase.stance));
+  }
+  return longest;
+}
+
+/// The upward speed that torques give by each height, from rest at the lowest at which they hold the body, if speeds
+/// did not matter [m/s].
+std::vector<double> SpeedByTorque(const std::vector<PushOff>& at) {
+  std::vector<double> speed(at.size(), 0.0);
+  double squared = 0.0;
+  for (std::size_t i = at.size() - 1; i-- > 0;) {
+    squared += (at[i].gain_m_s2 + at[i + 1].gain_m_s2) * (at[i].com_m - at[i + 1].com_m);
+    squared = std::max(0.0, squared);
+    speed[i] = std::sqrt(squared);
+  }
+  return speed;
+}
+
+std::string MotorText(const RobotModel& model, int dof, bool speed) {
+  if (dof < 0) return "no motor";
+  const std::string& name = model.dof_names[static_cast<std::size_t>(dof)];
+  return speed ? fmt::format("'{}' turns at {:.3g} rad/s at most", name, model.dof_velocity_limit(dof))
+               : fmt::format("'{}' holds {:.3g} N m at most", name, model.dof_effort_limit(dof));
+}
+
+Failure CannotFly(const RobotModel& model, const LongestFlight& flight, const PushOff& best, double gives,
+                  bool by_speed) {
+  const double takes = 0.5 * kGravity * flight.duration_s, longest_s = 2.0 * gives / (kLeast * kGravity);
+  std::vector<std::string> hints = {"a shorter cycle", "a larger duty factor"};
+  if (longest_s > 0.005) hints.insert(hints.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
+  return {FailureKind::kInfeasible, by_speed ? "legs_too_slow" : "legs_too_weak", "CrouchFor",
+          fmt::format("a flight of {:.3f} s at {:.2f} s takes a lift-off at {:.2f} m/s and {:.2f} m/s before the push "
+                      "ends; with flat soles and a level body the legs of '{}' give {:.2f} m/s at most, with the "
+                      "centre of mass {:.3f} m up, where {}",
+                      flight.duration_s, flight.start_s, takes, kLeast * takes, model.name, gives, best.com_m,
+                      MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
+          hints};
+}
+
+double StandingHeight(const RobotModel& model) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  return CentreOfMass(model, scratch).z();
+}
+
+/// The robot with that posture for its standing one.
+Crouch At(const RobotModel& model, double flight_s, const PushOff& carried, const PushOff& highest) {
+  Crouch crouch;
+  crouch.flight_s = flight_s;
+  crouch.model = model;
+  crouch.model.standing_joints = carried.q.tail(model.num_dofs());
+  crouch.model.standing_base_height_m = carried.q[2];
+  crouch.p_SB = Vector3(carried.q[0], carried.q[1], 0.0);
+  crouch.highest_m = highest.com_m;
+  crouch.fastest_m_s = kUse * highest.speed_m_s;
+  return crouch;
+}
+
+}  // namespace
+
+Result<std::optional<Crouch>> CrouchFor(const RobotModel& model, const ContactSchedule& schedule) {
+  constexpr double kLeastStroke = 0.02;  // of the leg
+  const LongestFlight flight = LongestOf(schedule);
+  if (flight.duration_s == 0.0 || flight.pushing == 0) return std::optional<Crouch>();
+  const std::vector<PushOff> at = PushOffs(model, flight.pushing, kReserve, kUse);
+  if (at.empty()) return std::optional<Crouch>();
+  const double takes = 0.5 * kGravity * flight.duration_s, standing_m = StandingHeight(model);
+  const std::vector<double> by_torque = SpeedByTorque(at);
+  const auto gives = [&](std::size_t i) { return std::min(kUse * at[i].speed_m_s, by_torque[i]); };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    if (gives(i) > gives(best)) best = i;
+  }
+  if (gives(best) < kLeast * takes) {
+    const bool by_speed = kUse * at[best].speed_m_s <= by_torque[best];
+    return CannotFly(model, flight, at[best], gives(best), by_speed);
+  }
+  const auto fast_enough = [&](const PushOff& p) { return kUse * p.speed_m_s >= kSpare * takes; };
+  const auto stands = std::find_if(at.begin(), at.end(), [&](const PushOff& p) { return p.com_m < standing_m + 1e-9; });
+  if (stands != at.end() && fast_enough(*stands)) return std::optional<Crouch>();
+  // The highest at which there is a reserve, or the one with the most.
+  const auto first = std::find_if(stands, at.end(), fast_enough);
+  const std::size_t highest = first == at.end() ? best : std::min(best, static_cast<std::size_t>(first - at.begin()));
+  const double stroke_m =
+      std::max(kLeastStroke * model.leg_length_m(), takes * takes / std::max(at[highest].gain_m_s2, 1e-3));
+  std::size_t carried = highest;
+  while (carried + 1 < at.size() && at[carried].com_m > at[highest].com_m - stroke_m) ++carried;
+  return std::optional<Crouch>(At(model, flight.duration_s, at[carried], at[highest]));
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/gait.h"
+
+namespace gaitwright {
+
+/// How a robot is carried whose legs are too straight in standing to throw it up: near stretched legs joints turn fast
+/// for little speed of the body.
+struct Crouch {
+  RobotModel model;                ///< the robot, its standing posture that of crouching
+  Vector3 p_SB = Vector3::Zero();  ///< from where the base is over its feet in standing to where it is now, level [m]
+  double highest_m = 0.0;          ///< of the centre of mass over a foothold, at lift-off and touch-down
+  double flight_s = 0.0;           ///< the longest flight, for which it is
+  double fastest_m_s = 0.0;        ///< that the motors let the body rise or sink there
+};
+
+/// The crouch that the flights of a schedule need: a flight of a duration T begins with an upward speed of g T / 2,
+/// for which the motors' speeds are to have a reserve at lift-off. Nothing where standing has it too.
+/// Failure kInfeasible `legs_too_slow`, `legs_too_weak` where no height gives that speed and 0.15 more, which a push is
+/// faster by before its force has come down, base level and soles flat: the motors' speeds at that height do not, or
+/// their torques over the way up from the deepest crouch.
+Result<std::optional<Crouch>> CrouchFor(const RobotModel& model, const ContactSchedule& schedule);
+
+}  // namespace gaitwright

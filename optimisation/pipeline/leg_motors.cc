@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/leg_motors.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/ik/whole_body_ik.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+/// Standing as a target.
+BodyTarget TargetOf(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch) {
+  ForwardKinematics(model, q, scratch);
+  BodyTarget target;
+  target.p_WC = CentreOfMass(model, scratch);
+  target.R_WB = BaseRotation(q);
+  for (const Foot& foot : model.feet) {
+    const Pose X_WF = FramePose(scratch, foot.body, foot.X_BF);
+    FootTarget wanted;
+    wanted.p_WF = X_WF.translation();
+    wanted.R_WF = wanted.R_anchor = X_WF.linear();
+    target.feet.push_back(wanted);
+  }
+  return target;
+}
+
+/// Torques that hold the robot while its centre of mass has an upward acceleration, each foot pushing with so much of
+/// the force on the whole.
+VectorX HoldingTorques(const RobotModel& model, WholeBodyIk& ik, BodyTarget target, const VectorX& q, double up_m_s2,
+                       double share, DynamicsScratch& scratch) {
+  VectorX v, a, tau;
+  target.a_WC = up_m_s2 * Vector3::UnitZ();
+  ik.SolveRates(target, q, v, a);
+  InverseDynamics(model, q, VectorX::Zero(model.nv()), a, scratch, tau);
+  const double force = share * model.total_mass_kg * (kGravity + up_m_s2);
+  VectorX given = VectorX::Zero(model.nv());
+  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
+    const Foot& foot = model.feet[static_cast<std::size_t>(f)];
+    Vector3 at = ContactFrame(model, scratch, f).translation();
+    if (foot.has_sole()) at.x() = target.p_WC.x();
+    AddPointForce(model, scratch, foot.body, at, force * Vector3::UnitZ(), given);
+  }
+  return (tau - given).tail(model.num_dofs());
+}
+
+void SetSpeed(const RobotModel& model, WholeBodyIk& ik, BodyTarget target, PushOff& at) {
+  VectorX v, a;
+  target.v_WC = Vector3::UnitZ();
+  ik.SolveRates(target, at.q, v, a);
+  at.speed_m_s = kNone;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double rate = std::abs(v[6 + d]);
+    if (rate * at.speed_m_s <= model.dof_velocity_limit(d)) continue;
+    at.speed_m_s = model.dof_velocity_limit(d) / rate;
+    at.fastest = d;
+  }
+}
+
+void SetGain(const RobotModel& model, WholeBodyIk& ik, const BodyTarget& target, double share, double use,
+             DynamicsScratch& scratch, PushOff& at) {
+  const VectorX held = HoldingTorques(model, ik, target, at.q, 0.0, share, scratch);
+  const VectorX by_gain = HoldingTorques(model, ik, target, at.q, 1.0, share, scratch) - held;
+  at.gain_m_s2 = kNone;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    if (std::abs(by_gain[d]) < 1e-9) continue;
+    const double most = use * model.dof_effort_limit(d);
+    const double gain = ((by_gain[d] > 0.0 ? most : -most) - held[d]) / by_gain[d];
+    if (gain >= at.gain_m_s2) continue;
+    at.gain_m_s2 = gain;
+    at.strongest = d;
+  }
+}
+
+bool KeepsLimits(const RobotModel& model, const VectorX& q, double reserve) {
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double lower = model.dof_lower(d), upper = model.dof_upper(d), standing = model.standing_joints[d];
+    const double kept = std::isfinite(upper - lower) ? reserve * (upper - lower) : 0.0;
+    if (q[7 + d] < std::min(lower + kept, standing) || q[7 + d] > std::max(upper - kept, standing)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reserve, double use) {
+  constexpr double kStep = 0.01;  // of the leg
+  DynamicsScratch scratch(model);
+  WholeBodyIk ik(model);
+  const VectorX standing = StandingConfiguration(model);
+  const BodyTarget at_standing = TargetOf(model, standing, scratch);
+  const double share = 1.0 / pushing;
+  std::vector<PushOff> above, below;
+  for (const double side : {1.0, -1.0}) {
+    std::vector<PushOff>& found = side > 0.0 ? above : below;
+    VectorX q = standing;
+    for (int i = side > 0.0 ? 1 : 0;; ++i) {
+      BodyTarget target = at_standing;
+      target.p_WC.z() += side * i * kStep * model.leg_length_m();
+      if (target.p_WC.z() <= 0.0 || !ik.SolvePosition(target, q) || !KeepsLimits(model, q, reserve)) break;
+      PushOff at;
+      at.q = q;
+      at.com_m = target.p_WC.z();
+      SetSpeed(model, ik, target, at);
+      SetGain(model, ik, target, share, use, scratch, at);
+      found.push_back(at);
+    }
+  }
+  std::reverse(above.begin(), above.end());
+  above.insert(above.end(), below.begin(), below.end());
+  return above;
+}
+
+FootAgility AgilityInFlight(const RobotModel& model, const std::vector<int>& feet) {
+  DynamicsScratch scratch(model);
+  WholeBodyIk ik(model);
+  const VectorX q = StandingConfiguration(model);
+  BodyTarget target = TargetOf(model, q, scratch);
+  target.a_WC = -kGravity * Vector3::UnitZ();
+  for (FootTarget& foot : target.feet) foot.a_WF = target.a_WC;
+  for (const int f : feet) {
+    FootTarget& foot = target.feet[static_cast<std::size_t>(f)];
+    foot.a_WF += Vector3::UnitZ();
+    foot.v_WF = Vector3::UnitZ();
+  }
+  VectorX v, a, tau;
+  ik.SolveRates(target, q, v, a);
+  FootAgility agility{kNone, kNone};
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double rate = std::abs(v[6 + d]);
+    if (rate > 1e-9) agility.speed_m_s = std::min(agility.speed_m_s, model.dof_velocity_limit(d) / rate);
+  }
+  for (FootTarget& foot : target.feet) foot.v_WF.setZero();
+  const auto needed = [&](const Vector3& turning) {
+    target.alpha_WB = turning;
+    ik.SolveRates(target, q, v, a);
+    InverseDynamics(model, q, VectorX::Zero(model.nv()), a, scratch, tau);
+    return Vector3(tau.segment<3>(3));
+  };
+  // In the air the body turns against its legs.
+  const Vector3 held = needed(Vector3::Zero());
+  Matrix3 by_turning;
+  for (int i = 0; i < 3; ++i) by_turning.col(i) = needed(Vector3::Unit(i)) - held;
+  needed(-by_turning.completeOrthogonalDecomposition().solve(held));
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double torque = std::abs(tau[6 + d]);
+    if (torque > 1e-9)
+      agility.acceleration_m_s2 = std::min(agility.acceleration_m_s2, model.dof_effort_limit(d) / torque);
+  }
+  return agility;
+}
+
+}  // namespace gaitwright

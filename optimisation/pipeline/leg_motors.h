@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// What the motors of the legs give at a height: base level, feet flat where they stand, all joints beside the legs as
+/// in standing.
+struct PushOff {
+  VectorX q;               ///< the posture; its centre of mass over the place that it is over in standing
+  double com_m = 0.0;      ///< height of the centre of mass over the ground
+  double speed_m_s = 0.0;  ///< the fastest that it rises while the feet stand
+  double gain_m_s2 = 0.0;  ///< the most with which it gathers speed upward; below 0 where it cannot be held
+  int fastest = -1;        ///< the joint coordinate that says so of the speed; -1 where none does
+  int strongest = -1;      ///< the one that says so of what it gathers
+};
+
+/// Postures by height, from straight legs down to the lowest in which joints keep `reserve` of their range to their
+/// ends, at even steps of 1 % of the leg; that of standing is among them.
+/// @param pushing  how many feet push at a time; each is taken to carry its share from under the centre of mass, with
+///                 motors at `use` of what they give.
+std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reserve, double use);
+
+/// How fast feet that are in the air together can be moved upward at standing, while the body falls freely and turns
+/// against them.
+struct FootAgility {
+  double acceleration_m_s2 = 0.0;  ///< with all the torque that motors give
+  double speed_m_s = 0.0;          ///< at their greatest speed
+};
+
+/// @param feet  those that move; the others stay with the body.
+FootAgility AgilityInFlight(const RobotModel& model, const std::vector<int>& feet);
+
+}  // namespace gaitwright
