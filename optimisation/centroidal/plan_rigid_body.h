@@ -91,7 +91,8 @@ Result<RigidBodyPlan> PlanRigidBody(const RigidBodyProblem& problem, const Rigid
 /// Looks before PlanRigidBody whether forces could carry the body along at all, were it to turn as it likes, swing its
 /// feet anyhow and go to the ends of its reach and cones: for a tenth of the time. @return kInfeasible `not_carried`
 /// with what stays unmet, where and by how much, where violations come to more than `hopeless` in all; nothing where
-/// there may be a motion.
+/// there may be a motion. Where another method than interior-point is to plan, the problem as it is is looked at by
+/// that too, and `unmet_law` said where violations come to five times as much.
 std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const RigidBodyOptions& options);
 
 /// The same from the numbers of a motion of a problem like this one: the same stances at times of their own, and breaks

@@ -166,13 +166,15 @@ RigidBodyOptions RigidBodyPasses::Options() const {
 }
 
 /// Whether joints are past their limits as they were in the pass before, which the next ones do not change: legs that
-/// are too short, or too slow for their swings, stay so.
+/// are too short, or too slow for their swings, stay so. Far past them that shows at once.
 bool RigidBodyPasses::StaysPastLimits(const MotionPass& pass, int passes) {
-  constexpr double kLeast = 1e-3, kFall = 0.9;
-  constexpr int kSettling = 4;  // passes
+  constexpr double kLeast = 1e-3, kFall = 0.9, kFar = 0.2, kFarFall = 0.8;
+  constexpr int kSettling = 4, kFarSettling = 2;  // passes
   const double before = std::exchange(past_limits_, TotalExcess(model_, pass.solution.trajectory, 0.0));
-  return passes >= kSettling && !task_.options.pipeline.allow_limits && past_limits_ > kLeast &&
-         past_limits_ > kFall * before && before > kLeast;
+  if (task_.options.pipeline.allow_limits) return false;
+  const bool far = std::min(before, past_limits_) > kFar && past_limits_ > kFarFall * before;
+  const bool past = std::min(before, past_limits_) > kLeast && past_limits_ > kFall * before;
+  return (passes >= kFarSettling && far) || (passes >= kSettling && past);
 }
 
 void RigidBodyPasses::HoldFootholds(const FootstepPlan& footsteps) {

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,19 +14,11 @@
 
 #include "optimisation/pipeline/dynamic_motion.h"
 #include "planning/footsteps/plan_footsteps.h"
+#include "workflows/walk/first_look.h"
 #include "workflows/walk/refuse_walk.h"
 
 namespace gaitwright {
 namespace {
-
-/// True for failures that a slower walk may not have: not what the gait, the robot's build or the ground forbids.
-bool IsTooMuch(const Failure& failure) {
-  static const std::set<std::string> kWhateverThePace = {"freedoms",      "no_support",    "no_footholds",
-                                                         "search_budget", "start_blocked", "goal_blocked",
-                                                         "way_blocked",   "way_not_found"};
-  return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts" &&
-         !kWhateverThePace.contains(failure.code);
-}
 
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
 /// enough, and no matter how good.
@@ -83,6 +74,29 @@ std::string ValueText(const WalkCommand& c) {
   return "";
 }
 
+/// A pace that is slower than the one asked for, and what is known of it.
+struct SlowerPace {
+  enum class Known {
+    kLargest,  ///< its plan passes, and none of a faster one was found to
+    kServes,   ///< its plan passes
+    kMay,      ///< what was looked at of it has nothing against it
+  };
+  double value = 0.0;  ///< 0 for none
+  Known known = Known::kLargest;
+
+  std::string Text(const std::string& name, const std::string& gait, const std::string& amount) const {
+    switch (known) {
+      case Known::kLargest:
+        return fmt::format("the largest {} with gait '{}' is {}", name, gait, amount);
+      case Known::kServes:
+        return fmt::format("a {} of {} serves with gait '{}'", name, amount, gait);
+      case Known::kMay:
+        return fmt::format("a {} of about {} may serve with gait '{}'", name, amount, gait);
+    }
+    return "";
+  }
+};
+
 /// Looks for plans that pass their audit, at a gait's fitted time or another, and for the largest pace that has one.
 /// What is possible is found on brief walks, the start of the whole one on a coarse grid; a whole walk is then planned
 /// only where its brief one passes.
@@ -96,6 +110,13 @@ class Search {
   Result<PlannedWalk> Plan(const WalkCommand& command) const {
     const Result<Cycles> cycles = CyclesFor(command);
     if (!cycles) return cycles.failure();
+    if (Leaps(cycles->fitted) && !request_.motion.pipeline.allow_limits) {
+      const FirstLook look = LookAt(model_, terrain_, request_, cycles->fitted, command, true);
+      if (look.refusal) {
+        ease_ = look.ease;
+        return *look.refusal;
+      }
+    }
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
     if (request_.motion.pipeline.allow_limits || IsSound(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
@@ -114,18 +135,23 @@ class Search {
     return other ? other : first;
   }
 
-  /// Largest pace of the request's command that has a plan; 0 when there is none. Over ground that is not level, and
-  /// with gaits that leap, only some are tried, and none where Plan chose the pace already.
-  double LargestThatIsSound() const {
+  /// A slower pace to name. With gaits that leap a few are looked at, over ground that is not level some are tried, and
+  /// none where Plan chose the pace already.
+  SlowerPace Slower() const {
+    using Known = SlowerPace::Known;
     if (const Result<Cycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted)) {
-      const double largest = LargestLeaping();
-      return largest > 0.0 ? largest : LargestOnTheGround();
+      const double leaping = LargestLeaping();
+      return leaping > 0.0 ? SlowerPace{leaping, Known::kMay} : SlowerPace{LargestOnTheGround(), Known::kServes};
     }
-    if (!IsLevelGround(terrain_)) {
-      if (IsOwnPace(request_.command)) return 0.0;
-      const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases);
-      return slower ? PaceValue(model_, slower->motion.plan.parts.front().command) : 0.0;
-    }
+    if (IsLevelGround(terrain_)) return {LargestThatIsSound(), Known::kLargest};
+    if (IsOwnPace(request_.command)) return {};
+    const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases);
+    return {slower ? PaceValue(model_, slower->motion.plan.parts.front().command) : 0.0, Known::kServes};
+  }
+
+ private:
+  /// Largest pace of the request's command that has a plan on level ground, without leaps; 0 when there is none.
+  double LargestThatIsSound() const {
     constexpr int kDigits = 2, kLowered = 5;
     constexpr double kShare = 0.75;
     int serves = 0;
@@ -139,7 +165,6 @@ class Search {
     return 0.0;
   }
 
- private:
   /// Whether a gait is planned as the motion of a rigid body, which takes much longer.
   bool Leaps(const Gait& gait) const { return IsDynamic(gait, request_.motion.centre_of_mass); }
 
@@ -164,13 +189,26 @@ class Search {
     return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no other flight serves", {}};
   }
 
-  /// The first of some slower paces whose brief walk passes; 0 for none.
+  /// Three quarters of a slower pace that a first look finds nothing against, or a pace whose brief walk passes where
+  /// the gait stays on the ground at it; 0 for none. Each is as much slower as the last one's limits say.
   double LargestLeaping() const {
-    for (const double share : {0.8, 0.65, 0.5, 0.4}) {
-      const double pace = NextLower(share * PaceValue(model_, request_.command));
+    constexpr int kPaces = 10, kLooks = 3;
+    constexpr double kSpare = 0.75;
+    double pace = PaceValue(model_, request_.command), ease = ease_;
+    for (int i = 0, looks = 0; i < kPaces && looks < kLooks; ++i) {
+      pace = NextLower(ease * pace);
       const WalkCommand slower = AtPace(model_, request_.command, pace);
       const Result<Cycles> cycles = CyclesFor(slower);
-      if (cycles && Brief(*cycles, 0, slower) > 0.0) return pace;
+      if (!cycles) return 0.0;
+      if (!Leaps(cycles->fitted)) {
+        if (Brief(*cycles, 0, slower) > 0.0) return pace;
+        ease = kEase;
+        continue;
+      }
+      const FirstLook look = LookAt(model_, terrain_, request_, cycles->fitted, slower, false);
+      if (!look.refusal) return NextLower(kSpare * pace);
+      ease = look.ease;
+      looks += look.solved ? 1 : 0;
     }
     return 0.0;
   }
@@ -181,7 +219,7 @@ class Search {
     if (!slow || Leaps(*slow)) return 0.0;
     WalkRequest grounded = request_;
     grounded.gait_options.duty_factor = *std::max_element(slow->duty_factor.begin(), slow->duty_factor.end());
-    double pace = Search(model_, terrain_, grounded).LargestThatIsSound();
+    double pace = Search(model_, terrain_, grounded).Slower().value;
     constexpr int kTries = 10;
     constexpr double kLower = 0.95;
     for (int i = 0; i < kTries && pace > 0.0; ++i) {
@@ -335,6 +373,8 @@ class Search {
   const RobotModel& model_;
   const Terrain& terrain_;
   const WalkRequest& request_;
+  static constexpr double kEase = 0.8;
+  mutable double ease_ = kEase;  // of the pace asked for, at which a plan is looked for first
   mutable std::map<std::pair<std::string, double>, double> brief_;  // by flags of the pace and cycle: answers so far
 };
 
@@ -343,18 +383,18 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   const WalkCommand& command = request.command;
   const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return failure;
-  const double largest = search.LargestThatIsSound();
+  const SlowerPace slower = search.Slower();
   const char* name = NameOf(PaceOf(command));
   if (failure.stage == "PlanWalk") failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
-  if (largest == 0.0) {
+  if (slower.value == 0.0) {
     failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
                                    model.name, name, gait->name);
     failure.hints.insert(failure.hints.begin(), "another gait");
     return failure;
   }
-  const WalkCommand slower = AtPace(model, command, largest);
-  failure.message += fmt::format("; the largest {} with gait '{}' is {}", name, gait->name, ValueText(slower));
-  failure.hints.insert(failure.hints.begin(), PaceFlags(slower));
+  const WalkCommand at_pace = AtPace(model, command, slower.value);
+  failure.message += "; " + slower.Text(name, gait->name, ValueText(at_pace));
+  failure.hints.insert(failure.hints.begin(), PaceFlags(at_pace));
   return failure;
 }
 

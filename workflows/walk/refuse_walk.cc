@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <set>
 
 #include "planning/footsteps/course.h"
 
@@ -58,6 +59,14 @@ double LargestBetween(double known, double high, const std::function<bool(double
 }
 
 }  // namespace
+
+bool IsTooMuch(const Failure& failure) {
+  static const std::set<std::string> kWhateverThePace = {"freedoms",      "no_support",    "no_footholds",
+                                                         "search_budget", "start_blocked", "goal_blocked",
+                                                         "way_blocked",   "way_not_found"};
+  return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts" &&
+         !kWhateverThePace.contains(failure.code);
+}
 
 std::vector<Violation> BrokenLimits(const AuditReport& audit) {
   std::vector<Violation> broken;

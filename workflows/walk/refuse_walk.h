@@ -19,6 +19,9 @@ std::vector<Violation> Forbidding(const AuditReport& audit);
 /// Past limits by this much in all the audit may let a plan pass.
 inline constexpr double kSlightExcess = 1e-5;
 
+/// True for failures that a slower walk may not have: not what the gait, the robot's build or the ground forbids.
+bool IsTooMuch(const Failure& failure);
+
 /// Whether a plan is sound enough to be given.
 bool IsSound(const Result<PlannedWalk>& planned);
 

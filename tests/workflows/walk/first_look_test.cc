@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/walk/first_look.h"
+
+#include <gtest/gtest.h>
+
+#include "kinematics/model/load_robot.h"
+#include "planning/terrain/load_terrain.h"
+
+namespace gaitwright {
+namespace {
+
+using Extent = WalkCommand::Extent;
+
+struct Asked {
+  std::string gait;
+  double speed_m_s = 0.0, distance_m = 0.0;
+  std::string terrain = "flat";
+  double step_length_m = 0.0;  // of four steps, instead of a speed and a distance
+
+  WalkRequest Request() const {
+    WalkRequest request;
+    request.gait = gait;
+    request.terrain = terrain;
+    request.command.speed_m_s = speed_m_s;
+    request.command.distance_m = distance_m;
+    if (step_length_m > 0.0) {
+      request.command.extent = Extent::kSteps;
+      request.command.steps = 4;
+      request.command.step_length_m = step_length_m;
+    }
+    return request;
+  }
+};
+
+FirstLook LookOf(const Asked& asked, bool whole = true) {
+  const RobotModel a1 = LoadNamedRobot("a1").value();
+  const WalkRequest request = asked.Request();
+  const Result<Terrain> terrain = LoadTerrain(request.terrain, ScaleOf(a1));
+  const Result<Gait> gait = FindGait(a1, asked.gait, CommandedSpeed(a1, request.command), {});
+  return LookAt(a1, terrain.value(), request, gait.value(), request.command, whole);
+}
+
+TEST(FirstLook, HasNothingAgainstWalksThatPass) {
+  for (const Asked& asked :
+       {Asked{"trot", 1.5, 5.0}, Asked{"bound", 0.8, 5.0}, Asked{"pronk", 0.5, 5.0}, Asked{"gallop", 1.0, 5.0},
+        Asked{"bound", 0.8, 3.0, "gap:width_m=0.3"}, Asked{"jump", 0.0, 0.0, "flat", 0.1},
+        Asked{"jump", 0.0, 0.0, "block:height_m=0.15,start_m=0.31,length_m=2", 0.13}}) {
+    const FirstLook look = LookOf(asked);
+    EXPECT_FALSE(look.refusal) << asked.gait << ' ' << asked.terrain << ": " << look.refusal->message;
+    EXPECT_TRUE(look.solved);
+  }
+}
+
+TEST(FirstLook, NamesTheLimitThatIsPassedAndAPaceThatEasesIt) {
+  const FirstLook look = LookOf({"gallop", 4.0, 1.5});
+  ASSERT_TRUE(look.refusal);
+  EXPECT_EQ(look.refusal->code, "limits");
+  EXPECT_NE(look.refusal->message.find("past its limit of 21"), std::string::npos) << look.refusal->message;
+  EXPECT_LT(look.ease, 1.0);
+  EXPECT_FALSE(LookOf({"gallop", 4.0 * look.ease, 1.5}, false).refusal);
+}
+
+TEST(FirstLook, LawsThatStayUnmetAreThoseOfTheWholeWalk) {
+  const FirstLook slippery = LookOf({"bound", 0.8, 1.5, "flat:friction=0.1"});
+  ASSERT_TRUE(slippery.refusal);
+  EXPECT_EQ(slippery.refusal->code, "unmet_law");
+  EXPECT_NE(slippery.refusal->message.find("in all"), std::string::npos) << slippery.refusal->message;
+  const FirstLook far = LookOf({"jump", 0.0, 0.0, "flat", 0.375});
+  ASSERT_TRUE(far.refusal);
+  EXPECT_EQ(far.refusal->code, "not_carried");
+}
+
+TEST(FirstLook, WhatNeedsNoSolvingIsSaidToNeedNone) {
+  const FirstLook look = LookOf({"trot", 9.0, 1.0});
+  ASSERT_TRUE(look.refusal);
+  EXPECT_EQ(look.refusal->code, "out_of_reach");
+  EXPECT_FALSE(look.solved);
+}
+
+/// What an audit that found these makes of a pace.
+double Ease(const std::vector<Violation>& violations) {
+  AuditReport audit;
+  audit.violations = violations;
+  return EaseOf(audit);
+}
+
+TEST(EaseOf, GoesBySpeedsOfJointsAndRootsOfTheirTorques) {
+  const Violation fast{"joint_velocity", 1.0, "knee", 42.0, 21.0, "rad/s"};
+  const Violation strong{"joint_torque", 1.0, "hip", -90.0, 40.0, "N m"};
+  EXPECT_NEAR(Ease({fast}), 0.95 * 0.5, 1e-12);
+  EXPECT_NEAR(Ease({strong}), 0.95 * 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(Ease({strong, fast}), 0.95 * 0.5, 1e-12) << "the one that is passed most counts";
+  EXPECT_GT(Ease({}), 0.5) << "where no limit is broken";
+  EXPECT_LT(Ease({{"joint_velocity", 1.0, "knee", 21.1, 21.0, "rad/s"}}), 0.9) << "a step that is worth a look";
+  EXPECT_GE(Ease({{"joint_velocity", 1.0, "knee", 2100.0, 21.0, "rad/s"}}), 0.3) << "but none too long";
+}
+
+/// The first hint of a refusal is a pace with which a plan is given.
+void ExpectHintServes(const Asked& asked) {
+  const RobotModel a1 = LoadNamedRobot("a1").value();
+  WalkRequest request = asked.Request();
+  const Result<PlannedWalk> refused = PlanWalk(a1, request);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.failure().message.find("may serve with gait '" + asked.gait), std::string::npos)
+      << refused.failure().message;
+  const std::string& hint = refused.failure().hints.front();
+  const bool by_speed = hint.starts_with("--speed ");
+  ASSERT_TRUE(by_speed || hint.starts_with("--step-length ")) << hint;
+  (by_speed ? request.command.speed_m_s : request.command.step_length_m) = std::stod(hint.substr(hint.find(' ')));
+  const Result<PlannedWalk> planned = PlanWalk(a1, request);
+  ASSERT_TRUE(planned.ok()) << hint << ": " << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << hint << ": " << AuditText(planned->audit);
+}
+
+TEST(FirstLook, PacesNamedInsteadServe) {
+  ExpectHintServes({"pronk", 2.0, 1.0});
+  ExpectHintServes({"jump", 0.0, 0.0, "flat", 0.375});
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/walk/first_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "workflows/walk/refuse_walk.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kFarPast = 0.05;  // limits, summed in shares of them: more than what further passes mend
+
+constexpr double kFarEase = 0.5;  // of the pace, where a law that stays unmet does not say by how much
+
+/// The request for few and cheap passes.
+WalkRequest Cheap(const WalkRequest& request) {
+  constexpr int kPasses = 3;
+  WalkRequest cheap = request;
+  cheap.motion.rigid_body.method = "interior-point";  // which knows soon where there is none
+  cheap.motion.pipeline.max_body_passes = std::min(kPasses, request.motion.pipeline.max_body_passes);
+  return cheap;
+}
+
+/// The start of a walk on level ground, where it is much shorter than all of it.
+WalkCommand StartOf(const RobotModel& model, const Terrain& terrain, const Gait& gait, const WalkCommand& command) {
+  constexpr double kMuch = 1.5;
+  if (!IsLevelGround(terrain)) return command;
+  const WalkCommand start = Shortened(model, command, gait);
+  const bool by_distance = command.extent == WalkCommand::Extent::kDistance;
+  return by_distance && command.distance_m < kMuch * start.distance_m ? command : start;
+}
+
+/// Whether a problem had to be solved before a plan was refused.
+bool TookSolving(const Failure& failure) { return failure.code == "unmet_law" || failure.code == "not_carried"; }
+
+FirstLook Look(const RobotModel& model, const Terrain& terrain, const WalkRequest& cheap, const Gait& gait,
+               const WalkCommand& command, double far) {
+  FirstLook look;
+  const Result<PlannedMotion> motion = PlanMotion(model, terrain, gait, command, cheap.motion);
+  if (!motion) {
+    look.solved = TookSolving(motion.failure());
+    if (look.solved) look.ease = kFarEase;
+    if (IsTooMuch(motion.failure())) look.refusal = motion.failure();
+    return look;
+  }
+  look.solved = true;
+  if (motion->limit_excess < far) return look;
+  const Result<AuditReport> audit = Audit(model, motion->plan, {});
+  if (!audit || BrokenLimits(*audit).empty()) return look;
+  look.refusal = WhyForbidden(*audit);
+  look.ease = EaseOf(*audit);
+  return look;
+}
+
+}  // namespace
+
+FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, const Gait& gait,
+                 const WalkCommand& command, bool whole) {
+  const WalkRequest cheap = Cheap(request);
+  const WalkCommand start = StartOf(model, terrain, gait, command);
+  const double far = whole ? kFarPast : kSlightExcess;
+  FirstLook look = Look(model, terrain, cheap, gait, start, far);
+  const bool of_limits = look.refusal && look.refusal->stage == "PlanWalk";
+  if (!whole || !look.refusal || of_limits || start == command) return look;
+  return Look(model, terrain, cheap, gait, command, far);
+}
+
+double EaseOf(const AuditReport& audit) {
+  constexpr double kSpare = 0.95, kLeast = 0.4, kMost = 0.8, kOtherwise = 0.7;
+  double ease = 1.0;
+  for (const Violation& v : BrokenLimits(audit)) {
+    double share = kOtherwise;
+    if (v.law == "joint_velocity" || v.law == "joint_torque") share = std::abs(v.limit / v.value);
+    if (v.law == "joint_torque") share = std::sqrt(share);
+    ease = std::min(ease, share);
+  }
+  return std::clamp(kSpare * ease, kLeast, kMost);
+}
+
+}  // namespace gaitwright
