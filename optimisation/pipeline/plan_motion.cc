@@ -7,9 +7,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "optimisation/pipeline/crouch.h"
 #include "optimisation/pipeline/dynamic_motion.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/motion_passes.h"
