@@ -147,6 +147,7 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
     const bool gains =
         made->settled == best.settled && made->settled ? made->error_m < kGain * best.error_m : made->BetterThan(best);
     idle = gains ? 0 : idle + 1;
+    if (holds_ && !gains && !std::exchange(exact_, true)) idle = 0;
     if (made->BetterThan(best)) best = std::move(*made);
     if ((best.settled && best.error_m < tolerance) || idle == kIdle) break;
   }
@@ -224,7 +225,7 @@ Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options
     RigidBodyPlan last;
     if (holds_) {
       RigidBodyOptions quick = options;
-      quick.method = "interior-point";  // which is the quicker one where footholds are held
+      if (!exact_) quick.method = "interior-point";
       Result<RigidBodyPlan> plan =
           numbers_ ? PlanRigidBodyFrom(problem_, quick, *numbers_) : PlanRigidBody(problem_, quick);
       if (plan) return plan;

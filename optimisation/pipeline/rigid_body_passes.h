@@ -47,8 +47,11 @@ class RigidBodyPasses {
   RigidBodyProblem problem_;
   BodyClearance clearance_;
   const FlightSwings shapes_;
-  RigidBodyMotion motion_;                   // of the last pass
-  bool holds_ = false;                       // footholds where they are
+  RigidBodyMotion motion_;  // of the last pass
+  bool holds_ = false;      // footholds where they are
+  /// Else held motions are found by the quicker interior-point method, each a little off the least costly one: where
+  /// those differ too much for the legs' momentum to settle, the method asked for goes on from them.
+  bool exact_ = false;
   std::optional<RigidBodyNumbers> numbers_;  // of the last motion with footholds held
   std::vector<RigidBodySample> samples_;     // of it, by row of the grid
   std::vector<Vector3> off_;                 // inner momentum that came back, less what went in, of the last pass
