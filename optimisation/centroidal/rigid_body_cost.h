@@ -12,8 +12,8 @@ namespace gaitwright {
 ///   force_rate |f_i'|^2 + momentum |l|^2 + tilt |angles - wanted|^2 + stance |foot - nominal place|^2
 ///     + way |across . (p_WC - that of the way)|^2,
 /// forces in m g, l the angular momentum over the mean inertia, feet on the ground from the centre of mass in the
-/// wanted heading, across level and normal to that; and swing_jerk times the integral of |p'''|^2 of feet in free swings
-/// over the share of each.
+/// wanted heading, across level and normal to that; and swing_jerk times the integral of |p'''|^2 of feet in free
+/// swings over the share of each.
 ///
 /// Tuning
 ///   forces change fast, feet land hard          raise force_rate

@@ -16,6 +16,7 @@
 #include "planning/footsteps/plan_footsteps.h"
 #include "workflows/walk/first_look.h"
 #include "workflows/walk/refuse_walk.h"
+#include "workflows/walk/slower_pace.h"
 
 namespace gaitwright {
 namespace {
@@ -46,57 +47,6 @@ struct Cycles {
   }
 };
 
-const char* NameOf(Pace pace) {
-  switch (pace) {
-    case Pace::kSpeed:
-      return "speed";
-    case Pace::kLateralSpeed:
-      return "lateral speed";
-    case Pace::kYawRate:
-      return "turning rate";
-    case Pace::kStepLength:
-      return "step length";
-  }
-  return "";
-}
-
-std::string ValueText(const WalkCommand& c) {
-  switch (PaceOf(c)) {
-    case Pace::kSpeed:
-      return fmt::format("{:.2g} m/s", c.speed_m_s);
-    case Pace::kLateralSpeed:
-      return fmt::format("{:.2g} m/s", std::abs(c.lateral_speed_m_s));
-    case Pace::kYawRate:
-      return fmt::format("{:.2g} rad/s", std::abs(c.yaw_rate_rad_s));
-    case Pace::kStepLength:
-      return fmt::format("{:.2g} m", std::abs(c.step_length_m));
-  }
-  return "";
-}
-
-/// A pace that is slower than the one asked for, and what is known of it.
-struct SlowerPace {
-  enum class Known {
-    kLargest,  ///< its plan passes, and none of a faster one was found to
-    kServes,   ///< its plan passes
-    kMay,      ///< what was looked at of it has nothing against it
-  };
-  double value = 0.0;  ///< 0 for none
-  Known known = Known::kLargest;
-
-  std::string Text(const std::string& name, const std::string& gait, const std::string& amount) const {
-    switch (known) {
-      case Known::kLargest:
-        return fmt::format("the largest {} with gait '{}' is {}", name, gait, amount);
-      case Known::kServes:
-        return fmt::format("a {} of {} serves with gait '{}'", name, amount, gait);
-      case Known::kMay:
-        return fmt::format("a {} of about {} may serve with gait '{}'", name, amount, gait);
-    }
-    return "";
-  }
-};
-
 /// Looks for plans that pass their audit, at a gait's fitted time or another, and for the largest pace that has one.
 /// What is possible is found on brief walks, the start of the whole one on a coarse grid; a whole walk is then planned
 /// only where its brief one passes.
@@ -114,7 +64,8 @@ class Search {
       const FirstLook look = LookAt(model_, terrain_, request_, cycles->fitted, command, true);
       if (look.refusal) {
         ease_ = look.ease;
-        return *look.refusal;
+        Result<PlannedWalk> other = WithOtherFlights(cycles->fitted, command);
+        return other ? other : *look.refusal;
       }
     }
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
@@ -179,6 +130,7 @@ class Search {
       if (given || !leaps) break;
       Gait other = gait;
       for (double& duty : other.duty_factor) duty = std::min(1.0 - longer * (1.0 - duty), kMost);
+      if (LookAt(model_, terrain_, request_, other, command, true).refusal) continue;
       Result<PlannedWalk> planned = Whole(other, command, true);
       if (!IsSound(planned)) continue;
       planned->motion.summary +=
@@ -256,7 +208,7 @@ class Search {
       Result<PlannedWalk> planned = Whole(gait, slower, true);
       if (!planned && !IsTooMuch(planned.failure())) return planned;
       if (!IsSound(planned)) continue;
-      const std::string at_pace = ease.pace < 1.0 ? fmt::format("{} and ", ValueText(slower)) : "";
+      const std::string at_pace = ease.pace < 1.0 ? fmt::format("{} and ", PaceText(slower)) : "";
       planned->motion.summary +=
           fmt::format("; {}a cycle of {:.2f} s, since faster plans would fail their audit", at_pace, gait.cycle_s);
       return planned;
@@ -384,16 +336,15 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return failure;
   const SlowerPace slower = search.Slower();
-  const char* name = NameOf(PaceOf(command));
   if (failure.stage == "PlanWalk") failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
   if (slower.value == 0.0) {
     failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
-                                   model.name, name, gait->name);
+                                   model.name, PaceName(PaceOf(command)), gait->name);
     failure.hints.insert(failure.hints.begin(), "another gait");
     return failure;
   }
   const WalkCommand at_pace = AtPace(model, command, slower.value);
-  failure.message += "; " + slower.Text(name, gait->name, ValueText(at_pace));
+  failure.message += "; " + slower.Text(at_pace, gait->name);
   failure.hints.insert(failure.hints.begin(), PaceFlags(at_pace));
   return failure;
 }

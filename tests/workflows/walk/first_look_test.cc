@@ -61,7 +61,7 @@ TEST(FirstLook, NamesTheLimitThatIsPassedAndAPaceThatEasesIt) {
 }
 
 TEST(FirstLook, LawsThatStayUnmetAreThoseOfTheWholeWalk) {
-  const FirstLook slippery = LookOf({"bound", 0.8, 1.5, "flat:friction=0.1"});
+  const FirstLook slippery = LookOf({"bound", 0.8, 1.5, "flat:friction=0.05"});
   ASSERT_TRUE(slippery.refusal);
   EXPECT_EQ(slippery.refusal->code, "unmet_law");
   EXPECT_NE(slippery.refusal->message.find("in all"), std::string::npos) << slippery.refusal->message;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "workflows/walk/refuse_walk.h"
+
+namespace gaitwright {
+
+/// "speed", "turning rate"
+std::string PaceName(Pace pace);
+
+/// A command's pace with its unit: "0.8 m/s".
+std::string PaceText(const WalkCommand& command);
+
+/// A pace that is slower than the one asked for, and what is known of it.
+struct SlowerPace {
+  enum class Known {
+    kLargest,  ///< its plan passes, and none of a faster one was found to
+    kServes,   ///< its plan passes
+    kMay,      ///< what was looked at of it has nothing against it
+  };
+  double value = 0.0;  ///< 0 for none
+  Known known = Known::kLargest;
+
+  /// What is known of it, for people, of a command at that pace.
+  std::string Text(const WalkCommand& at_pace, const std::string& gait) const;
+};
+
+}  // namespace gaitwright
