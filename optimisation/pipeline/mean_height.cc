@@ -17,11 +17,12 @@ Vector3 PlaceOf(const FootstepPlan& footsteps, int foot, double time_s) {
   const int index = FootholdAt(footsteps, foot, time_s);
   if (index < 0) throw InvalidArgument(fmt::format("MeanHeightOverFeet: foot {} has no foothold", foot));
   const auto last = all.begin() + index;
-  const Vector3 p = last->X_WF.translation();
+  Vector3 p = last->X_WF.translation();
   const auto next = std::find_if(last + 1, all.end(), [&](const Foothold& f) { return f.foot == foot; });
   if (time_s <= last->liftoff_s || next == all.end() || next->touchdown_s <= last->liftoff_s) return p;
   const double u = std::min((time_s - last->liftoff_s) / (next->touchdown_s - last->liftoff_s), 1.0);
-  return (1.0 - u) * p + u * next->X_WF.translation();
+  p += u * (next->X_WF.translation() - p);
+  return p;
 }
 
 }  // namespace
