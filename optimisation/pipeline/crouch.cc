@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "kinematics/dynamics/dynamics.h"
 #include "optimisation/pipeline/leg_motors.h"
+#include "optimisation/pipeline/robot_body.h"
 
 namespace gaitwright {
 namespace {
@@ -68,12 +68,6 @@ Failure CannotFly(const RobotModel& model, const LongestFlight& flight, const Pu
                       flight.duration_s, flight.start_s, takes, kLeast * takes, model.name, gives, best.com_m,
                       MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
           hints};
-}
-
-double StandingHeight(const RobotModel& model) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  return CentreOfMass(model, scratch).z();
 }
 
 /// The robot with that posture for its standing one.

@@ -16,18 +16,12 @@
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/motion_passes.h"
 #include "optimisation/pipeline/rigid_body_passes.h"
+#include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
 #include "optimisation/swing/swing_ground.h"
 
 namespace gaitwright {
 namespace {
-
-/// Height of the centre of mass of the standing posture over level ground.
-double StandingHeight(const RobotModel& model) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  return CentreOfMass(model, scratch).z();
-}
 
 /// True where the robot stands on one sole alone for a while.
 bool StandsOnOneSole(const RobotModel& model, const ContactSchedule& schedule) {

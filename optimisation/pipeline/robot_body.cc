@@ -115,6 +115,12 @@ std::optional<ContactInterval> RestOf(const FootstepSkeleton& skeleton, const Mo
 
 }  // namespace
 
+double StandingHeight(const RobotModel& model) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  return CentreOfMass(model, scratch).z();
+}
+
 StandingBody BodyOf(const RobotModel& model, double reserve) {
   const VectorX standing = StandingConfiguration(model);
   DynamicsScratch scratch(model);

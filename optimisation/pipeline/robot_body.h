@@ -22,6 +22,9 @@ struct StandingBody {
   std::vector<RigidFoot> feet;              ///< the places of their contact frames
 };
 
+/// Height of the centre of mass of the standing posture over level ground [m].
+double StandingHeight(const RobotModel& model);
+
 /// Mass, inertia and feet of the standing posture; the workspaces of the legs with a reserve (LegPolytope), and the
 /// greatest upright force that the motors hold in that posture.
 /// @param reserve  share of each joint's range, and of the leg, that is kept free: in [0, 0.2].
