@@ -3,6 +3,7 @@
 
 results=()   # rows of the table
 failures=0
+rooms="kinematics planning optimisation playback workflows cli examples tests"
 logs=$root/build/long-tests
 
 # step NAME COMMAND...: runs it to the terminal and a log, and notes how it went and its last telling line.
@@ -31,19 +32,53 @@ sanitized_tests() {
   ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 ctest_in sanitize -LE '^long$' "$@"
 }
 
-# Every .cc file of the tree through clang-tidy, two at a time.
+# "KEY FILE" of every .cc file of the tree; KEY changes with the file, with all that it includes, with .clang-tidy and the tool.
+# What a file includes is what the release build, which has just run, noted.
+tidy_keys() {
+  local deps=$logs/tidy-includes.txt common file hashes
+  common=$( (cat "$root/.clang-tidy" "$root/build/release/CMakeCache.txt" && clang-tidy --version) | sed "s|$root||g" | sha256sum)
+  cd "$root/build/release"
+  ninja -t deps | sed -E 's/^ +//' >"$deps"
+  grep -vE '^$|#deps' "$deps" | sort -u | xargs -d '\n' sha256sum 2>/dev/null |
+    awk 'NR == FNR { sum[$2] = $1; next }
+         /#deps/ { file = ""; next }
+         file == "" { file = $1; all[file] = sum[file] }
+         { all[file] = all[file] sum[$1] }
+         END { for (file in all) if (sum[file] && file ~ /^\.\.\/\.\..*\.cc$/) print substr(file, 7), all[file] }' - "$deps" |
+    sort | while read -r file hashes; do
+    echo "$(echo "$common $hashes" | sha256sum | cut -c -64) $file"
+  done
+}
+
+# tidy_file KEY FILE: one file through clang-tidy, unless it was found clean as it is.
+tidy_file() {
+  local found
+  [ ! -e "$clean/$1" ] || return 0
+  if found=$(clang-tidy -p build/release --quiet "$2" 2>&1); then
+    touch "$clean/$1"
+  else
+    grep -E '(warning|error): ' <<<"$found" || echo "$2: error: clang-tidy failed"
+  fi
+}
+
+# Every .cc file of the tree through clang-tidy, two at a time; those found clean before are not looked at again.
 tidy() {
-  local files findings=$logs/tidy-findings.txt count
-  files=$(cd "$root" && find kinematics planning optimisation playback workflows cli examples tests -name '*.cc' \
-    -not -path 'tests/consumer/*' 2>/dev/null | sort)
-  count=$(echo "$files" | wc -l)
-  (cd "$root" && echo "$files" | xargs -P 2 -n 1 clang-tidy -p build/release --quiet) >"$findings" 2>"$logs/tidy-noise.txt" || true
-  if grep -qE '(warning|error): ' "$findings" "$logs/tidy-noise.txt"; then
-    grep -hE '(warning|error): ' "$findings" "$logs/tidy-noise.txt" | sort -u
-    echo "$(grep -hE '(warning|error): ' "$findings" "$logs/tidy-noise.txt" | sort -u | wc -l) findings in $count files"
+  local keys=$logs/tidy-keys.txt findings=$logs/tidy-findings.txt all
+  export clean=$logs/clean
+  export -f tidy_file
+  mkdir -p "$clean"
+  (tidy_keys) >"$keys"
+  all=$(cd "$root" && find $rooms -name '*.cc' -not -path 'tests/consumer/*' | sort)
+  if ! diff <(echo "$all") <(cut -d ' ' -f 2 "$keys"); then
+    echo "findings in the list of files: these are not built, or built and not of the tree"
     return 1
   fi
-  echo "$count files are clean"
+  (cd "$root" && xargs -P 2 -n 2 bash -c 'tidy_file "$@"' tidy_file <"$keys") | sort -u | tee "$findings"
+  if [ -s "$findings" ]; then
+    echo "$(wc -l <"$findings") findings in $(wc -l <"$keys") files"
+    return 1
+  fi
+  echo "$(wc -l <"$keys") files are clean"
 }
 
 write_results() {
