@@ -59,7 +59,8 @@ std::string MotorText(const RobotModel& model, int dof, bool speed) {
 Failure CannotFly(const RobotModel& model, const LongestFlight& flight, const PushOff& best, double gives,
                   bool by_speed) {
   const double takes = 0.5 * kGravity * flight.duration_s, longest_s = 2.0 * gives / (kLeast * kGravity);
-  std::vector<std::string> hints = {"a shorter cycle", "a larger duty factor"};
+  std::vector<std::string> hints = {"a shorter cycle (--set gait.cycle_s)",
+                                    "a larger duty factor (--set gait.duty_factor)"};
   if (longest_s > 0.005) hints.insert(hints.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
   return {FailureKind::kInfeasible, by_speed ? "legs_too_slow" : "legs_too_weak", "CrouchFor",
           fmt::format("a flight of {:.3f} s at {:.2f} s takes a lift-off at {:.2f} m/s and {:.2f} m/s before the push "

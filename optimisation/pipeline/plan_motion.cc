@@ -135,11 +135,14 @@ Result<MotionPass> RunDynamic(const MotionTask& task, const std::optional<Crouch
   return RigidBodyPasses(crouched, &*crouch).Run(passes);
 }
 
-/// Whether short flights near the motors' greatest speed have too few rows of the grid, as may be had with half as far
-/// between them.
-bool WantsFinerGrid(const std::optional<Crouch>& crouch, double step_s) {
+/// Whether brief stances, or brief flights near the motors' greatest speed, have too few rows of the grid, as may be
+/// had with half as far between them.
+bool WantsFinerGrid(const FootstepPlan& footsteps, const std::optional<Crouch>& crouch, double step_s) {
   constexpr double kRows = 20.0, kLeast = 0.002;
-  return crouch && crouch->flight_s < kRows * step_s && step_s >= kLeast;
+  double brief_s = crouch ? crouch->flight_s : std::numeric_limits<double>::infinity();
+  for (const Foothold& foothold : footsteps.footholds)
+    brief_s = std::min(brief_s, foothold.liftoff_s - foothold.touchdown_s);
+  return brief_s < kRows * step_s && step_s >= kLeast;
 }
 
 double SlowestCycle(const std::vector<WalkPart>& parts) {
@@ -178,7 +181,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   if (dynamic) {
     const Result<std::optional<Crouch>> crouch = CrouchFor(model, skeleton->schedule);
     if (!crouch) return crouch.failure();
-    if (WantsFinerGrid(*crouch, options.pipeline.grid_step_s)) {
+    if (WantsFinerGrid(skeleton->footsteps, *crouch, options.pipeline.grid_step_s)) {
       checked.pipeline.grid_step_s *= 0.5;
       return PlanMotion(model, terrain, parts, checked);
     }

@@ -147,7 +147,10 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
     const bool gains =
         made->settled == best.settled && made->settled ? made->error_m < kGain * best.error_m : made->BetterThan(best);
     idle = gains ? 0 : idle + 1;
-    if (holds_ && !gains && !std::exchange(exact_, true)) idle = 0;
+    if (stage_ == Stage::kQuick && !gains) {
+      stage_ = Stage::kExact;
+      idle = 0;
+    }
     if (made->BetterThan(best)) best = std::move(*made);
     if ((best.settled && best.error_m < tolerance) || idle == kIdle) break;
   }
@@ -183,7 +186,7 @@ void RigidBodyPasses::HoldFootholds(const FootstepPlan& footsteps) {
     problem_.stances[i].X_WF = footsteps.footholds[i].X_WF;
     problem_.stances[i].held = true;
   }
-  holds_ = true;
+  stage_ = Stage::kQuick;
 }
 
 FootstepPlan RigidBodyPasses::FootstepsOf(const RigidBodyMotion& motion) const {
@@ -223,11 +226,11 @@ Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options
   while (true) {
     problem_.clearances = clearance_.Wanted();
     RigidBodyPlan last;
-    if (holds_) {
-      RigidBodyOptions quick = options;
-      if (!exact_) quick.method = "interior-point";
+    if (stage_ != Stage::kFree) {
+      RigidBodyOptions held = options;
+      if (stage_ == Stage::kQuick) held.method = "interior-point";
       Result<RigidBodyPlan> plan =
-          numbers_ ? PlanRigidBodyFrom(problem_, quick, *numbers_) : PlanRigidBody(problem_, quick);
+          numbers_ ? PlanRigidBodyFrom(problem_, held, *numbers_) : PlanRigidBody(problem_, held);
       if (plan) return plan;
     }
     Result<RigidBodyPlan> plan = PlanRigidBody(problem_, options, &last);
@@ -243,7 +246,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   Result<RigidBodyPlan> plan = PlanClear(options);
   if (!plan) return WithNamesOf(model_, plan.failure());
   motion_ = std::move(plan->motion);
-  if (holds_) numbers_ = std::move(plan->numbers);
+  if (stage_ != Stage::kFree) numbers_ = std::move(plan->numbers);
   samples_ = Sample(motion_, task_.options.pipeline.grid_step_s);
   MotionPass pass;
   pass.footsteps = FootstepsOf(motion_);

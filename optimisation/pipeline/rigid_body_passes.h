@@ -27,6 +27,11 @@ class RigidBodyPasses {
   Result<MotionPass> Run(int& passes);
 
  private:
+  /// First footholds are free. Then they are held, and motions found by the quicker interior-point method, each a
+  /// little off the least costly one. Where those differ too much for the legs' momentum to settle, the method asked
+  /// for goes on from them.
+  enum class Stage { kFree, kQuick, kExact };
+
   Result<MotionPass> MakePass();
   RigidBodyOptions Options() const;
   std::vector<ReachSide> ReachAt(int foot, double time_s) const;
@@ -48,10 +53,7 @@ class RigidBodyPasses {
   BodyClearance clearance_;
   const FlightSwings shapes_;
   RigidBodyMotion motion_;  // of the last pass
-  bool holds_ = false;      // footholds where they are
-  /// Else held motions are found by the quicker interior-point method, each a little off the least costly one: where
-  /// those differ too much for the legs' momentum to settle, the method asked for goes on from them.
-  bool exact_ = false;
+  Stage stage_ = Stage::kFree;
   std::optional<RigidBodyNumbers> numbers_;  // of the last motion with footholds held
   std::vector<RigidBodySample> samples_;     // of it, by row of the grid
   std::vector<Vector3> off_;                 // inner momentum that came back, less what went in, of the last pass

@@ -337,9 +337,11 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   if (!gait) return failure;
   const SlowerPace slower = search.Slower();
   if (failure.stage == "PlanWalk") failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
+  const bool at_every_pace = failure.code == "legs_too_slow" || failure.code == "legs_too_weak";
   if (slower.value == 0.0) {
-    failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
-                                   model.name, PaceName(PaceOf(command)), gait->name);
+    if (!at_every_pace)
+      failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
+                                     model.name, PaceName(PaceOf(command)), gait->name);
     failure.hints.insert(failure.hints.begin(), "another gait");
     return failure;
   }

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-TEST(RigidBodySwings, SwingReachHasItsDerivatives) {
+TEST(RigidBodySwings, RowsOfSwingsHaveTheirDerivatives) {
   for (RigidBodyProblem problem : {rigid_bodies::Hopper(), rigid_bodies::Trotter(), rigid_bodies::SoledWalker()}) {
     problem.swings = {{0, 1, 0.1}, {0, 1, 0.1}};
     problem.swings[1].detour_W.assign(6, {0.01, 0.0, 0.1});
