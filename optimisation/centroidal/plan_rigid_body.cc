@@ -174,6 +174,7 @@ class RigidBodyPlanner {
     solving.patience = 5;
     solving.max_outer = 25;
     solving.max_inner = 40;
+    solving.max_steps = 200;  // where it settles it does so after 30 to 120
     return Solve(rows, solving, &at).ok();
   }
 

@@ -157,6 +157,7 @@ class Solver {
       stalled = 0;
       const bool settled = std::abs(solution_.cost - last_cost) <= options_.cost_tolerance * (1.0 + solution_.cost);
       if (solution_.violation <= options_.tolerance && settled && converged) return Finished();
+      if (solution_.iterations >= options_.max_steps) break;
       last_cost = solution_.cost;
       UpdateMultipliers();
       const bool capped = (converged || options_.patience == 0) && GrowPenalty(last_violation);
@@ -346,7 +347,7 @@ class Solver {
             fmt::format("all constraints are met, but the cost, {:.6g}, has not settled after {} updates and {} "
                         "iterations",
                         solution_.cost, solution_.outer, solution_.iterations),
-            {"raise max_outer or max_inner, or start elsewhere"}};
+            {"raise max_outer, max_inner or max_steps, or start elsewhere"}};
   }
 
   const ConstrainedProblem& problem_;

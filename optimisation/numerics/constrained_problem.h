@@ -54,6 +54,7 @@ struct ConstrainedOptions {
   int patience = 0;
   int max_outer = 80;
   int max_inner = 200;
+  int max_steps = 16000;
 
   OptionFields Fields() {
     return {
@@ -88,7 +89,8 @@ struct ConstrainedOptions {
          "Steps in a row that may raise the penalised cost; with any, penalties grow only where steps have settled.",
          {}},
         {"max_outer", &max_outer, "1", 1, 1000, "Most updates of the multipliers.", {}},
-        {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}}};
+        {"max_inner", &max_inner, "1", 1, 10000, "Most steps between two updates.", {}},
+        {"max_steps", &max_steps, "1", 1, 10000000, "Most steps in all, after which there is no further update.", {}}};
   }
 };
 
