@@ -185,6 +185,7 @@ class RigidBodyPlanner {
     RigidBodySummary& summary = plan_.summary;
     summary.settled = options_.method == "ceres" && SolveByCeres(rows, at);
     if (options_.method == "ceres" && at.violation > options_.tolerance) {
+      summary.gave_up = true;
       summary.iterations += at.iterations;
       rows.start = at.x;
     }

@@ -48,6 +48,7 @@ struct RigidBodySummary {
   int iterations = 0, refinements = 0;  ///< of all
   double cost = 0.0;
   bool settled = true;      ///< else the motion is one that keeps all laws, but not the least costly one
+  bool gave_up = false;     ///< the method asked for kept not all laws, so that the interior-point method went on
   double violation = 0.0;   ///< largest, in m, rad, rad/s and m g
   double violations = 0.0;  ///< sum of all
   bool least = false;       ///< that sum does not get less by small changes of the motion

@@ -118,7 +118,8 @@ RigidBodyPasses::RigidBodyPasses(const MotionTask& task, const Crouch* crouch)
       body_(CarriedBody(task.model, crouch)),
       problem_(ProblemOf(task.model, body_, task.terrain, task.skeleton, task.body)),
       clearance_(task.model, task.terrain),
-      shapes_(task.model, task.skeleton.schedule, task.options.swing) {
+      shapes_(task.model, task.skeleton.schedule, task.options.swing),
+      method_(task.options.rigid_body.method) {
   for (RigidStance& stance : problem_.stances) stance.friction *= task.options.whole_body.friction_use;
   if (crouch != nullptr) problem_.rise_max_m_s = crouch->fastest_m_s;
   problem_.swings = SwingsOf(problem_, task.skeleton.schedule.start_s(), shapes_);
@@ -161,6 +162,7 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
 RigidBodyOptions RigidBodyPasses::Options() const {
   constexpr double kOfFlight = 0.4;
   RigidBodyOptions options = task_.options.rigid_body;
+  options.method = method_;
   options.grid_s = task_.options.pipeline.grid_step_s;
   if (problem_.rise_max_m_s > 0.0) {
     const double rise_s = 2.0 * problem_.rise_max_m_s / kGravity;
@@ -245,6 +247,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   const RigidBodyOptions options = Options();
   Result<RigidBodyPlan> plan = PlanClear(options);
   if (!plan) return WithNamesOf(model_, plan.failure());
+  if (plan->summary.gave_up) method_ = "interior-point";
   motion_ = std::move(plan->motion);
   if (stage_ != Stage::kFree) numbers_ = std::move(plan->numbers);
   samples_ = Sample(motion_, task_.options.pipeline.grid_step_s);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "optimisation/centroidal/plan_rigid_body.h"
@@ -54,6 +55,7 @@ class RigidBodyPasses {
   const FlightSwings shapes_;
   RigidBodyMotion motion_;  // of the last pass
   Stage stage_ = Stage::kFree;
+  std::string method_;                       // the one asked for until it gives up
   std::optional<RigidBodyNumbers> numbers_;  // of the last motion with footholds held
   std::vector<RigidBodySample> samples_;     // of it, by row of the grid
   std::vector<Vector3> off_;                 // inner momentum that came back, less what went in, of the last pass
