@@ -72,21 +72,17 @@ Failure CannotFly(const RobotModel& model, const LongestFlight& flight, const Pu
 }
 
 /// The robot with that posture for its standing one.
-Crouch At(const RobotModel& model, double flight_s, const PushOff& carried, const PushOff& highest) {
+Crouch At(const RobotModel& model, const VectorX& carried) {
   Crouch crouch;
-  crouch.flight_s = flight_s;
   crouch.model = model;
-  crouch.model.standing_joints = carried.q.tail(model.num_dofs());
-  crouch.model.standing_base_height_m = carried.q[2];
-  crouch.p_SB = Vector3(carried.q[0], carried.q[1], 0.0);
-  crouch.highest_m = highest.com_m;
-  crouch.fastest_m_s = kUse * highest.speed_m_s;
+  crouch.model.standing_joints = carried.tail(model.num_dofs());
+  crouch.model.standing_base_height_m = carried[2];
+  crouch.p_SB = Vector3(carried[0], carried[1], 0.0);
   return crouch;
 }
 
-}  // namespace
-
-Result<std::optional<Crouch>> CrouchFor(const RobotModel& model, const ContactSchedule& schedule) {
+/// Where flights need it; nothing where standing serves them.
+Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactSchedule& schedule) {
   constexpr double kLeastStroke = 0.02;  // of the leg
   const LongestFlight flight = LongestOf(schedule);
   if (flight.duration_s == 0.0 || flight.pushing == 0) return std::optional<Crouch>();
@@ -113,7 +109,47 @@ Result<std::optional<Crouch>> CrouchFor(const RobotModel& model, const ContactSc
       std::max(kLeastStroke * model.leg_length_m(), takes * takes / std::max(at[highest].gain_m_s2, 1e-3));
   std::size_t carried = highest;
   while (carried + 1 < at.size() && at[carried].com_m > at[highest].com_m - stroke_m) ++carried;
-  return std::optional<Crouch>(At(model, flight.duration_s, at[carried], at[highest]));
+  Crouch crouch = At(model, at[carried].q);
+  crouch.flight_s = flight.duration_s;
+  crouch.highest_m = at[highest].com_m;
+  crouch.fastest_m_s = kUse * at[highest].speed_m_s;
+  return std::optional<Crouch>(crouch);
+}
+
+/// At a height of the centre of mass, with what flights need kept otherwise.
+Result<std::optional<Crouch>> AtHeight(const RobotModel& model, double com_height_m,
+                                       const std::optional<Crouch>& needed) {
+  const std::vector<PushOff> at = PushOffs(model, static_cast<int>(model.feet.size()), 0.0, 1.0);
+  const double highest_m = needed ? needed->highest_m : at.front().com_m, lowest_m = at.back().com_m;
+  const auto below = std::find_if(at.begin(), at.end(), [&](const PushOff& p) { return p.com_m <= com_height_m; });
+  if (com_height_m > highest_m || below == at.end()) {
+    return Failure{FailureKind::kInfeasible,
+                   "height",
+                   "CrouchFor",
+                   fmt::format("the centre of mass of '{}' cannot be carried {:.3f} m up: {}, level and on flat feet, "
+                               "it is from {:.3f} to {:.3f} m",
+                               model.name, com_height_m, needed ? "with legs fast enough for the flights" : "with legs",
+                               lowest_m, highest_m),
+                   {"another pipeline.com_height_m, 0 for the robot's own"}};
+  }
+  // Between two postures that differ by 1 % of the leg joints are as good as straight in height.
+  const auto above = below == at.begin() ? below : below - 1;
+  const double rise_m = above->com_m - below->com_m;
+  const double share = rise_m > 0.0 ? (com_height_m - below->com_m) / rise_m : 0.0;
+  Crouch crouch = At(model, below->q + share * (above->q - below->q));
+  if (needed) {
+    crouch.flight_s = needed->flight_s;
+    crouch.highest_m = needed->highest_m;
+    crouch.fastest_m_s = needed->fastest_m_s;
+  }
+  return std::optional<Crouch>(crouch);
+}
+
+}  // namespace
+
+Result<std::optional<Crouch>> CrouchFor(const RobotModel& model, const ContactSchedule& schedule, double com_height_m) {
+  Result<std::optional<Crouch>> needed = ForFlights(model, schedule);
+  return needed && com_height_m > 0.0 ? AtHeight(model, com_height_m, *needed) : needed;
 }
 
 }  // namespace gaitwright

@@ -9,14 +9,14 @@
 
 namespace gaitwright {
 
-/// How a robot is carried whose legs are too straight in standing to throw it up: near stretched legs joints turn fast
-/// for little speed of the body.
+/// How a robot is carried whose legs are too straight in standing to throw it up (near stretched legs joints turn fast
+/// for little speed of the body), or that is to be carried at another height.
 struct Crouch {
   RobotModel model;                ///< the robot, its standing posture that of crouching
   Vector3 p_SB = Vector3::Zero();  ///< from where the base is over its feet in standing to where it is now, level [m]
-  double highest_m = 0.0;          ///< of the centre of mass over a foothold, at lift-off and touch-down
-  double flight_s = 0.0;           ///< the longest flight, for which it is
-  double fastest_m_s = 0.0;        ///< that the motors let the body rise or sink there
+  double highest_m = 0.0;          ///< of the centre of mass over a foothold, at lift-off and touch-down; 0: any
+  double flight_s = 0.0;           ///< the longest flight, where that is what it is for
+  double fastest_m_s = 0.0;        ///< that the motors let the body rise or sink there; 0: any
 };
 
 /// The crouch that the flights of a schedule need: a flight of a duration T begins with an upward speed of g T / 2,
@@ -24,6 +24,10 @@ struct Crouch {
 /// Failure kInfeasible `legs_too_slow`, `legs_too_weak` where no height gives that speed and 0.15 more, which a push is
 /// faster by before its force has come down, base level and soles flat: the motors' speeds at that height do not, or
 /// their torques over the way up from the deepest crouch.
-Result<std::optional<Crouch>> CrouchFor(const RobotModel& model, const ContactSchedule& schedule);
+/// Failure kInfeasible `height` where the centre of mass cannot be where it is asked for, or legs are not fast enough
+/// there.
+/// @param com_height_m  over flat ground, rather than where flights need it; 0 for that.
+Result<std::optional<Crouch>> CrouchFor(const RobotModel& model, const ContactSchedule& schedule,
+                                        double com_height_m = 0.0);
 
 }  // namespace gaitwright

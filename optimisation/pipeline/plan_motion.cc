@@ -139,7 +139,7 @@ Result<MotionPass> RunDynamic(const MotionTask& task, const std::optional<Crouch
 /// had with half as far between them.
 bool WantsFinerGrid(const FootstepPlan& footsteps, const std::optional<Crouch>& crouch, double step_s) {
   constexpr double kRows = 20.0, kLeast = 0.002;
-  double brief_s = crouch ? crouch->flight_s : std::numeric_limits<double>::infinity();
+  double brief_s = crouch && crouch->flight_s > 0.0 ? crouch->flight_s : std::numeric_limits<double>::infinity();
   for (const Foothold& foothold : footsteps.footholds)
     brief_s = std::min(brief_s, foothold.liftoff_s - foothold.touchdown_s);
   return brief_s < kRows * step_s && step_s >= kLeast;
@@ -179,7 +179,7 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   Result<MotionPass> pass = MotionPass{};
   const bool dynamic = IsDynamic(skeleton->schedule, options.centre_of_mass);
   if (dynamic) {
-    const Result<std::optional<Crouch>> crouch = CrouchFor(model, skeleton->schedule);
+    const Result<std::optional<Crouch>> crouch = CrouchFor(model, skeleton->schedule, options.pipeline.com_height_m);
     if (!crouch) return crouch.failure();
     if (WantsFinerGrid(skeleton->footsteps, *crouch, options.pipeline.grid_step_s)) {
       checked.pipeline.grid_step_s *= 0.5;

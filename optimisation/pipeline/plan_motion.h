@@ -60,7 +60,8 @@ struct PipelineOptions {
          "m",
          0.0,
          5.0,
-         "Height of the centre of mass over the ground; 0 takes that of standing, lowered as far as the legs need.",
+         "Height of the centre of mass over the ground; 0 takes that of standing, lowered as far as legs or flights "
+         "need.",
          {}},
         {"zmp_inward",
          &zmp_inward,
@@ -91,7 +92,7 @@ struct MotionOptions {
                                  .force_margin = 0.01,
                                  .swing_lead_s = 0.02,
                                  .tolerance = 1e-5,
-                                 .weights = {.way = 1.0}};
+                                 .weights = {.stance = 20.0, .way = 1.0}};
   SwingOptions swing;
   WholeBodyOptions whole_body;
   PipelineOptions pipeline;

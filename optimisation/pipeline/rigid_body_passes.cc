@@ -14,6 +14,7 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/body_limits.h"
+#include "optimisation/pipeline/fitted_options.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/mean_height.h"
 #include "optimisation/pipeline/roll_moments.h"
@@ -71,6 +72,7 @@ StandingBody CarriedBody(const RobotModel& model, const Crouch* crouch) {
   StandingBody body = BodyOf(model, kReserve);
   if (crouch == nullptr) return body;
   body.p_SB = crouch->p_SB;
+  if (crouch->highest_m == 0.0) return body;
   for (RigidFoot& foot : body.feet) foot.workspace_B.push_back({-Vector3::UnitZ(), crouch->highest_m});
   return body;
 }
@@ -158,16 +160,11 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   return best;
 }
 
-/// Near the motors' greatest speed forces are to end at once at lift-off, for which breaks are nearer to each other.
 RigidBodyOptions RigidBodyPasses::Options() const {
-  constexpr double kOfFlight = 0.4;
-  RigidBodyOptions options = task_.options.rigid_body;
+  RigidBodyOptions options =
+      FittedOptions(model_, LongestFlight(task_.skeleton.schedule), problem_.rise_max_m_s, task_.options.rigid_body);
   options.method = method_;
   options.grid_s = task_.options.pipeline.grid_step_s;
-  if (problem_.rise_max_m_s > 0.0) {
-    const double rise_s = 2.0 * problem_.rise_max_m_s / kGravity;
-    options.spacing_s = std::min(options.spacing_s, kOfFlight * rise_s);
-  }
   return options;
 }
 

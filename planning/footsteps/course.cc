@@ -57,10 +57,16 @@ Course AlongDistance(const RobotModel& model, const WalkCommand& c) {
   return {Scaled(velocity, time), time, 0.0};
 }
 
-Course ForDuration(const RobotModel& model, const Gait& gait, const WalkCommand& c, double ramp_cycles) {
+double RampTime(const RobotModel& model, const Gait& gait, const WalkCommand& c, const Ramp& ramp) {
+  const PlanarTwist velocity = CommandedVelocity(model, c);
+  const double speed = std::hypot(velocity.x_m, velocity.y_m);
+  return std::max(ramp.cycles * gait.cycle_s, ramp.acceleration_m_s2 > 0.0 ? speed / ramp.acceleration_m_s2 : 0.0);
+}
+
+Course ForDuration(const RobotModel& model, const Gait& gait, const WalkCommand& c, const Ramp& ramp) {
   const double duration = std::max(1.0, std::round(c.duration_s / gait.cycle_s)) * gait.cycle_s;
-  const double ramp = std::min(ramp_cycles * gait.cycle_s, 0.5 * duration);
-  return {Scaled(CommandedVelocity(model, c), duration - ramp), duration, ramp};
+  const double ramp_s = std::min(RampTime(model, gait, c, ramp), 0.5 * duration);
+  return {Scaled(CommandedVelocity(model, c), duration - ramp_s), duration, ramp_s};
 }
 
 Course OfSteps(const RobotModel& model, const Gait& gait, const WalkCommand& c) {
@@ -119,7 +125,7 @@ PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& c) {
   return velocity;
 }
 
-Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, double ramp_cycles) {
+Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, const Ramp& ramp) {
   constexpr double kLongest = 600.0;  // [s]
   Course course;
   switch (command.extent) {
@@ -130,7 +136,7 @@ Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkC
       course = AlongDistance(model, command);
       break;
     case Extent::kDuration:
-      course = ForDuration(model, gait, command, ramp_cycles);
+      course = ForDuration(model, gait, command, ramp);
       break;
     case Extent::kSteps:
       course = OfSteps(model, gait, command);
@@ -142,7 +148,7 @@ Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkC
                                   course.duration_s, kLongest));
   }
   if (command.extent == Extent::kGoal || command.extent == Extent::kDistance) {
-    course.ramp_s = std::min(ramp_cycles * gait.cycle_s, course.duration_s);
+    course.ramp_s = std::min(RampTime(model, gait, command, ramp), course.duration_s);
     course.duration_s += course.ramp_s;
   }
   return course;

@@ -10,6 +10,11 @@
 
 namespace gaitwright {
 
+/// How the base gains its speed and loses it: in some cycles of the gait, or as much longer as takes an acceleration.
+struct Ramp {
+  double cycles = 0.0, acceleration_m_s2 = 0.0;  ///< 0 for any
+};
+
 /// Where the base goes and how long it takes.
 struct Course {
   PlanarTwist twist;        ///< of the whole course; with counted footfalls, of one footfall
@@ -33,8 +38,9 @@ PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& comman
 ///   duration   the commanded velocity for that time, rounded to whole cycles, in which the ramps are contained
 ///   goal       the twist that leads there, at the speeds given
 ///   steps      the twist of one footfall: its length, or the commanded velocity for cycle / number of feet
+/// @param ramp  of counted footfalls none.
 /// Failure kBadInput when it goes nowhere or lasts over 600 s.
-Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, double ramp_cycles);
+Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, const Ramp& ramp);
 
 /// Speeds sideways and turning that go with a speed ahead where the command gives none [m/s, rad/s]: those at which
 /// feet keep apart.

@@ -64,7 +64,7 @@ std::string StandingStillNote(const WalkCommand& command, int num_feet) {
 
 Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                                       const FootstepOptions& options) {
-  const Result<Course> course = MakeCourse(model, gait, command, options.ramp_cycles);
+  const Result<Course> course = MakeCourse(model, gait, command, options.ramp);
   if (!course) return course.failure();
   const bool counted = command.extent == WalkCommand::Extent::kSteps;
   ScheduleRequest request;
@@ -107,7 +107,7 @@ Result<FootstepSkeleton> FindFootsteps(const RobotModel& model, const Terrain& t
                                        const WalkCommand& command, const FootstepOptions& options) {
   const Result<FootstepQuery> query = CourseQuery(model, gait, command, options);
   if (!query) return query.failure();
-  const Course course = *MakeCourse(model, gait, command, options.ramp_cycles);
+  const Course course = *MakeCourse(model, gait, command, options.ramp);
   if (terrain.obstacles.empty()) {
     Result<FootstepSkeleton> straight = SearchSkeleton(model, terrain, *query, options);
     if (straight || command.extent != WalkCommand::Extent::kGoal) return straight;

@@ -20,7 +20,7 @@ namespace gaitwright {
 struct FootstepOptions {
   double initial_stand_s = 0.8;
   double final_stand_s = 0.8;
-  double ramp_cycles = 1.0;
+  Ramp ramp = {1.0, 1.0};
   double reach = 0.97;
   double grid_s = 0.005;    ///< step of the plan's grid, on which contacts begin and end; the pipeline sets it
   double settling_s = 0.0;  ///< more time of standing at both ends; the pipeline sets it
@@ -37,7 +37,20 @@ struct FootstepOptions {
   OptionFields OwnFields() {
     return {{"initial_stand_s", &initial_stand_s, "s", 0.1, 10.0, "Time on all feet before the first step.", {}},
             {"final_stand_s", &final_stand_s, "s", 0.1, 10.0, "Time on all feet after the last step.", {}},
-            {"ramp_cycles", &ramp_cycles, "1", 0.0, 10.0, "Cycles in which the base gains its speed and loses it.", {}},
+            {"ramp_cycles",
+             &ramp.cycles,
+             "1",
+             0.0,
+             10.0,
+             "Cycles in which the base gains its speed and loses it, at the least.",
+             {}},
+            {"ramp_acceleration",
+             &ramp.acceleration_m_s2,
+             "m/s^2",
+             0.0,
+             100.0,
+             "Most with which it does so; 0 for any.",
+             {}},
             {"reach",
              &reach,
              "1",

@@ -56,7 +56,7 @@ Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const
   if (auto failure = WhyNotWalked(model, part.gait, part.command)) return *failure;
   if (part.command.extent == Extent::kGoal)
     return BadPart("a part of a sequence cannot have a goal; give a distance, a duration or steps");
-  const Result<Course> own = MakeCourse(model, part.gait, part.command, options.ramp_cycles);
+  const Result<Course> own = MakeCourse(model, part.gait, part.command, options.ramp);
   if (!own) return own.failure();
   course.twist = own->twist;
   course.full_s = own->duration_s - own->ramp_s;
@@ -69,7 +69,7 @@ Result<PartCourse> CourseOf(const RobotModel& model, const WalkPart& part, const
   }
   course.twist = {ahead * course.twist.x_m, ahead * course.twist.y_m, ahead * course.twist.yaw_rad};
   course.full_s = ahead * part.gait.cycle_s / part.gait.num_feet();
-  course.start_ramp_s = course.stop_ramp_s = std::min(options.ramp_cycles * part.gait.cycle_s, course.full_s);
+  course.start_ramp_s = course.stop_ramp_s = std::min(options.ramp.cycles * part.gait.cycle_s, course.full_s);
   return course;
 }
 

@@ -145,7 +145,7 @@ WalkCommand CountedByStride(const Gait& gait, double stride_m, const WalkCommand
 
 Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, const WalkCommand& command,
                                   const FootstepOptions& options) {
-  const Result<Course> course = MakeCourse(model, gait, command, options.ramp_cycles);
+  const Result<Course> course = MakeCourse(model, gait, command, options.ramp);
   if (!course) return course.failure();
   PlanarTwist twist = course->twist;
   double cycles = (course->duration_s - course->ramp_s) / gait.cycle_s;

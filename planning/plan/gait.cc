@@ -48,6 +48,14 @@ int PhaseAt(const ContactSchedule& schedule, double time_s) {
   return static_cast<int>(std::min(after - schedule.phases.begin(), last));
 }
 
+double LongestFlight(const ContactSchedule& schedule) {
+  double longest_s = 0.0;
+  for (const ContactPhase& phase : schedule.phases) {
+    if (phase.stance == 0) longest_s = std::max(longest_s, phase.end_s - phase.start_s);
+  }
+  return longest_s;
+}
+
 std::vector<ContactInterval> IntervalsOf(const ContactSchedule& schedule, int foot) {
   std::vector<ContactInterval> intervals;
   for (const ContactPhase& phase : schedule.phases) {

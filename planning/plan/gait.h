@@ -62,6 +62,9 @@ struct ContactSchedule {
 /// Index of the phase that holds at `time_s`; a boundary belongs to the later phase. Clamped to the ends.
 int PhaseAt(const ContactSchedule& schedule, double time_s);
 
+/// The longest time that no foot is on the ground [s]; 0 for none.
+double LongestFlight(const ContactSchedule& schedule);
+
 /// An interval of contact of one foot.
 struct ContactInterval {
   double start_s = 0.0, end_s = 0.0;

@@ -11,9 +11,7 @@ namespace gaitwright {
 namespace {
 
 MomentumGains GainsFor(const RobotModel& model, const MotionPlan& plan, const StabilisedOptions& options) {
-  const bool flies = std::any_of(plan.schedule.phases.begin(), plan.schedule.phases.end(),
-                                 [](const ContactPhase& phase) { return phase.stance == 0; });
-  if (!flies || plan.whole_body.size() < 2) return {};
+  if (LongestFlight(plan.schedule) == 0.0 || plan.whole_body.size() < 2) return {};
   const double length = std::max(model.leg_length_m(), 1e-3);
   MomentumErrors errors;
   errors.position_m = options.ahead_error * length;

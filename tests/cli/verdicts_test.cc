@@ -25,8 +25,8 @@ std::vector<std::string> HintOf(const Ran& ran) {
 
 TEST_F(Verdicts, TooMuchNamesWhatWorksWhenTypedIn) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"--speed", "9"}, "may serve with gait 'trot'"},
-      {{"--speed", "9", "--yaw-rate", "1", "--duration", "4"}, " m/s serves with gait 'trot'"},
+      {{"--speed", "9"}, " with gait 'trot' ("},
+      {{"--speed", "9", "--yaw-rate", "1", "--duration", "4"}, " with gait 'trot' ("},
       {{"--robot", "nao", "--lateral-speed", "-0.3"}, "the largest lateral speed with gait 'biped' is "},
       {{"--robot", "nao", "--yaw-rate", "2"}, "the largest turning rate with gait 'biped' is "},
       {{"--robot", "nao", "--steps", "6", "--step-length", "0.3"}, "the largest step length with gait 'biped' is "}};

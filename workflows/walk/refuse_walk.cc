@@ -174,7 +174,7 @@ WalkCommand Shortened(const RobotModel& model, const WalkCommand& command, const
   }
   c.steps = std::min(c.steps, static_cast<int>(kCycles * static_cast<double>(model.feet.size())));
   if (c.extent != Extent::kGoal) return c;
-  const Result<Course> course = MakeCourse(model, gait, command, 0.0);
+  const Result<Course> course = MakeCourse(model, gait, command, {});
   if (course && course->duration_s > kCycles * cycle_s) {
     const PlanarPose near = PoseAlong(course->twist, kCycles * cycle_s / course->duration_s);
     c.goal_x_m = near.x_m;

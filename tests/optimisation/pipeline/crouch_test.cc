@@ -66,6 +66,29 @@ TEST(Crouch, FlightsThatNoHeightGivesAreRefusedWithTheirMotor) {
       << crouch.failure().hints.front();
 }
 
+TEST(Crouch, TheBodyIsCarriedAtTheHeightAskedFor) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  const ContactSchedule trot = {{{0.0, 1.0, AllFeet(4)}}};
+  const Result<std::optional<Crouch>> low = CrouchFor(a1, trot, 0.8 * HeightOf(a1));
+  ASSERT_TRUE(low.ok() && low->has_value());
+  EXPECT_NEAR(HeightOf((*low)->model), 0.8 * HeightOf(a1), 1e-4);
+  const Result<std::optional<Crouch>> stretched = CrouchFor(a1, trot, 1.5 * HeightOf(a1));
+  ASSERT_FALSE(stretched.ok());
+  EXPECT_EQ(stretched.failure().code, "height") << stretched.failure().message;
+}
+
+TEST(Crouch, LegsThatAreFastEnoughOnlyLowerDownAreNotCarriedHigh) {
+  const RobotModel nao = *LoadNamedRobot("nao");
+  const Result<std::optional<Crouch>> high = CrouchFor(nao, OneFlight(0.06), HeightOf(nao));
+  ASSERT_FALSE(high.ok());
+  EXPECT_EQ(high.failure().code, "height");
+  EXPECT_NE(high.failure().message.find("fast enough"), std::string::npos) << high.failure().message;
+  const Result<std::optional<Crouch>> low =
+      CrouchFor(nao, OneFlight(0.06), 0.98 * (*CrouchFor(nao, OneFlight(0.06)))->highest_m);
+  ASSERT_TRUE(low.ok() && low->has_value());
+  EXPECT_GT((*low)->fastest_m_s, 0.0);
+}
+
 TEST(Crouch, LegsThatCannotHoldTheBodyOnOneFootAreTooWeak) {
   RobotModel weak = *LoadRobotFromText(unusual::Runner(), "");
   for (Joint& joint : weak.joints) joint.effort_limit *= 0.1;

@@ -12,7 +12,7 @@ TerrainPatch Block() {
   return PatchThrough("block", {{0.7, -1.0, 0.5}, {4.2, -1.0, 0.5}, {4.2, 1.0, 0.5}, {0.7, 1.0, 0.5}}, 0.5);
 }
 
-TerrainPatch Ramp() {
+TerrainPatch RampUp() {
   return PatchThrough("ramp", {{1.0, -1.0, 0.0}, {2.0, -1.0, 0.7}, {2.0, 1.0, 0.7}, {1.0, 1.0, 0.0}}, 0.5);
 }
 
@@ -34,7 +34,7 @@ TEST(SwingPlanes, PartAnyPointFromAllThatIsSolid) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> draw(-1.5, 1.5);
   int outside = 0;
-  for (const TerrainPatch& patch : {Block(), Ramp()}) {
+  for (const TerrainPatch& patch : {Block(), RampUp()}) {
     for (int i = 0; i < 2000; ++i) {
       const Vector3 p_W = Vector3(1.2, 0.0, 0.4) + Vector3(draw(random), draw(random), 0.6 * draw(random));
       const PartingPlane plane = PlaneBefore(patch, p_W);

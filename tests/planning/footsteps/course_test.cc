@@ -78,6 +78,39 @@ TEST(Course, DurationIsWholeCyclesAtTheCommandedSpeeds) {
   }
 }
 
+/// The greatest change of speed over a quarter of a second, by second.
+double GreatestAcceleration(const BasePath& path, double end_s) {
+  constexpr double kTime = 0.25, kStep = 0.01;
+  const auto speed = [&](double t) {
+    const PlanarPose a = PoseAt(path, t), b = PoseAt(path, t + kStep);
+    return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / kStep;
+  };
+  double greatest = 0.0;
+  for (double t = 0.0; t < end_s; t += kStep)
+    greatest = std::max(greatest, std::abs(speed(t + kTime) - speed(t)) / kTime);
+  return greatest;
+}
+
+TEST(Course, FastWalksGainTheirSpeedOverLonger) {
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  WalkCommand command;
+  command.speed_m_s = 1.5;
+  command.distance_m = 5.0;
+  const Gait trot = *FindGait(a1, "trot", 1.5, {});
+  FootstepOptions options;
+  const auto greatest = [&] {
+    const Result<FootstepSkeleton> skeleton = PlanFootsteps(a1, FlatTerrain(), trot, command, options);
+    return GreatestAcceleration(skeleton->path, skeleton->schedule.end_s());
+  };
+  for (const double most : {0.5, 1.0, 2.0}) {
+    options.ramp.acceleration_m_s2 = most;
+    EXPECT_LT(greatest(), 2.0 * most) << "a smooth ramp is steeper in its middle";
+    EXPECT_GT(greatest(), 0.9 * most);
+  }
+  options.ramp.acceleration_m_s2 = 0.0;
+  EXPECT_GT(greatest(), 4.0) << "within a cycle";
+}
+
 TEST(Course, DurationOfATurnAloneStaysOnTheSpot) {
   WalkCommand command;
   command.extent = Extent::kDuration;

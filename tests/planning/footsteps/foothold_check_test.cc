@@ -31,7 +31,7 @@ struct Ground {
 };
 
 TEST(GroundIndex, AnswersAsTheTerrainItself) {
-  for (const Terrain& terrain : {Stones(0.5, 2.0, 0.1, 0.13, 0.02, 1.0, 0.03, 3), Ramp(0.5, 1.0, 0.3),
+  for (const Terrain& terrain : {Stones(0.5, 2.0, 0.1, 0.13, 0.02, 1.0, 0.03, 3), RampUp(0.5, 1.0, 0.3),
                                  Rough(-1.0, 2.0, 0.03, 0.3, 5), WallWithOpening(1.0, 0.5, 1.0)}) {
     const GroundIndex index(terrain, 0.2);
     std::mt19937 engine(1);
@@ -71,15 +71,15 @@ TEST(FootholdCheck, ASphereKeepsWhatItRollsFromARiserBelowAndItsRadiusFromTheEdg
 }
 
 TEST(FootholdCheck, GroundThatGoesOnIsNoEdge) {
-  const Ground ground("a1", Ramp(1.0, 1.0, 0.2));
+  const Ground ground("a1", RampUp(1.0, 1.0, 0.2));
   for (const double x : {0.999, 1.001, 1.999, 2.001}) EXPECT_EQ(ground.At(x), FootholdFault::kNone) << x;
 }
 
 TEST(FootholdCheck, SlopesAreLimitedAndTheFrameStandsOnThem) {
-  const Ground steep("a1", Ramp(1.0, 2.0, 0.6));
+  const Ground steep("a1", RampUp(1.0, 2.0, 0.6));
   EXPECT_EQ(steep.At(2.0), FootholdFault::kSlope);
   for (const char* robot : {"a1", "nao"}) {
-    const Ground ground(robot, Ramp(1.0, 2.0, 0.25));
+    const Ground ground(robot, RampUp(1.0, 2.0, 0.25));
     const Placing placing = ground.checker.Place(0, {2.0, 0.1, 0.4});
     ASSERT_TRUE(placing.ok());
     const Pose& X_WF = placing.placed.X_WF;
@@ -142,7 +142,7 @@ TEST(FootholdCheck, OnAHeightFieldASoleRestsOnTopOfAllThatIsUnderIt) {
 
 TEST(FootholdCheck, ASoleRestsInTheCornerWhereASlopeBegins) {
   constexpr double kSlope = 0.1, kEdge = 0.5;
-  const Ground ground("nao", Ramp(kEdge, 2.0, kSlope));
+  const Ground ground("nao", RampUp(kEdge, 2.0, kSlope));
   const Foot& foot = ground.model.feet[0];
   int across = 0;
   for (double x = kEdge - 0.2; x < kEdge + 0.2; x += 0.005) {
@@ -170,7 +170,7 @@ TEST(FootholdCheck, ASoleDoesNotRestAcrossAStepOrAnEdgeThatFalls) {
     const Placing placing = step.checker.Place(0, {x, 0.1, 0.0});
     EXPECT_TRUE(!placing.ok() || placing.placed.X_WF.linear()(2, 2) == 1.0) << x;
   }
-  const Ground ridge("nao", Ramp(-1.0, 1.5, 0.1));  // level from 0.5 on
+  const Ground ridge("nao", RampUp(-1.0, 1.5, 0.1));  // level from 0.5 on
   for (double x = 0.4; x < 0.6; x += 0.005) {
     const Placing placing = ridge.checker.Place(0, {x, 0.1, 0.0});
     if (!placing.ok()) continue;

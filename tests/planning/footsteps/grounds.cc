@@ -51,7 +51,7 @@ Terrain Gap(double x_m, double width_m) {
   return terrain;
 }
 
-Terrain Ramp(double x_m, double length_m, double slope_rad) {
+Terrain RampUp(double x_m, double length_m, double slope_rad) {
   Terrain terrain;
   terrain.name = "ramp";
   const double rise = length_m * std::tan(slope_rad);

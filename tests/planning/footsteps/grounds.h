@@ -20,7 +20,7 @@ Terrain StairsUpAndDown(double first_x_m, double rise_m, double tread_m, int cou
 /// Level ground up to x_m, and again from x_m + width_m.
 Terrain Gap(double x_m, double width_m);
 /// Level ground, a rise along x from x_m on at an angle, level again after length_m along x.
-Terrain Ramp(double x_m, double length_m, double slope_rad);
+Terrain RampUp(double x_m, double length_m, double slope_rad);
 /// Level ground with a step up at x_m.
 Terrain StepUp(double x_m, double rise_m);
 /// Square stones in rows between two platforms, set off at random.

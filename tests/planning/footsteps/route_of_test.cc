@@ -20,7 +20,7 @@ const RobotModel& A1() {
 
 Result<BaseRoute> RouteFor(const WalkCommand& command, const Terrain& terrain) {
   const Gait gait = *FindGait(A1(), "", CommandedSpeed(A1(), command), {});
-  return RouteOf(A1(), terrain, command, *MakeCourse(A1(), gait, command, 1.0), {});
+  return RouteOf(A1(), terrain, command, *MakeCourse(A1(), gait, command, {1.0}), {});
 }
 
 WalkCommand GoalAt(double x, double y, double yaw) {

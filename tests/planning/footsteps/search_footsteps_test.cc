@@ -223,7 +223,7 @@ Terrain SeededGround(std::uint64_t seed, double leg_m, double sole_m) {
     case 3:
       return Rough(-2.0, 6.0, 0.05 * hard * leg_m, 1.0 * leg_m, seed);
     case 4:
-      return Ramp(from, 3.0 * leg_m, 0.35 * hard);
+      return RampUp(from, 3.0 * leg_m, 0.35 * hard);
     default:
       return WallWithOpening(to, (1.0 + 2.0 * hard) * leg_m, 2.0 * leg_m);
   }
@@ -318,7 +318,7 @@ TEST(SearchFootsteps, RefusalsNameThePlaceAndTheReason) {
   starts(Refusal("nao", Gap(0.4, 0.5), 1.2, 0.05), "the gap at x = 0.40 m is 0.50 m wide; nao reaches 0.08 m");
   starts(Refusal("a1", StepUp(0.7, 0.2), 2.0, 0.3), "step up of 0.20 m at x = 0.70 m; a1 lifts its feet 0.13 m");
   starts(Refusal("a1", StepUp(0.7, -0.2), 2.0, 0.3), "step down of 0.20 m at x = 0.70 m; a1 lifts its feet 0.13 m");
-  starts(Refusal("a1", Ramp(0.7, 0.6, 0.7), 2.0, 0.3),
+  starts(Refusal("a1", RampUp(0.7, 0.6, 0.7), 2.0, 0.3),
          "slope of 40 degrees at x = 0.70 m; footholds lie on up to 30 degrees");
   EXPECT_NE(Refusal("a1", WallWithOpening(1.0, 0.2, 1.0), 2.0, 0.3).find("no room between '"), std::string::npos);
   Terrain ledge;

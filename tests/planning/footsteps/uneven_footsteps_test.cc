@@ -157,7 +157,7 @@ TEST(UnevenFootsteps, FewerFootfallsThanGoAheadAreRefused) {
 TEST(UnevenFootsteps, LevelGroundIsKnownAsSuch) {
   EXPECT_TRUE(IsLevelGround(FlatTerrain()));
   EXPECT_FALSE(IsLevelGround(LevelPatches()));
-  EXPECT_FALSE(IsLevelGround(Ramp(1.0, 1.0, 0.1)));
+  EXPECT_FALSE(IsLevelGround(RampUp(1.0, 1.0, 0.1)));
   EXPECT_FALSE(IsLevelGround(WallWithOpening(1.0, 1.0, 1.0)));
 }
 

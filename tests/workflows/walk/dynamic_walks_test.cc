@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "kinematics/model/load_robot.h"
 #include "tests/unusual_robots.h"
 
@@ -10,6 +12,18 @@ namespace gaitwright {
 namespace {
 
 TEST(DynamicWalks, A1Bounds) { ExpectToFly({"bound", 0.8, 1.0}); }
+
+TEST(DynamicWalks, A1TrotsFastWithItsBodyAtOneHeight) {
+  WalkRequest request;
+  request.gait = "trot";
+  request.command.speed_m_s = 1.5;
+  request.command.distance_m = 2.0;
+  const RobotModel a1 = *LoadNamedRobot("a1");
+  const Result<PlannedWalk> planned = PlanWalk(a1, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  const std::vector<Vector3>& com = planned->motion.plan.centroidal.p_WC;
+  for (const Vector3& p : com) ASSERT_NEAR(p.z(), com.front().z(), 0.12 * a1.leg_length_m());
+}
 
 TEST(DynamicWalks, A1LeapsOverFourTenthsOfAMetre) { ExpectToFly(OneLeap("flat", 0.4)); }
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimisation/pipeline/fitted_options.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaitwright {
+
+RigidBodyOptions FittedOptions(const RobotModel& model, double flight_s, double rise_max_m_s,
+                               RigidBodyOptions options) {
+  constexpr double kOfFlight = 0.4, kFar = 0.075;  // kFar: of the leg
+  constexpr double kLeg = 0.42;                    // [m]
+  const double thrown_m = 0.125 * kGravity * flight_s * flight_s, leg_m = model.leg_length_m();
+  options.weights.stance *= std::pow(kLeg / leg_m * std::min(1.0, kFar * leg_m / std::max(thrown_m, 1e-9)), 2);
+  if (rise_max_m_s > 0.0) options.spacing_s = std::min(options.spacing_s, kOfFlight * 2.0 * rise_max_m_s / kGravity);
+  return options;
+}
+
+}  // namespace gaitwright
