@@ -4,17 +4,20 @@
 #include <atomic>
 #include <cstddef>
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
-#define GAITWRIGHT_COUNTS_ALLOCATIONS 1
-#else
-#define GAITWRIGHT_COUNTS_ALLOCATIONS 0
-#endif
-
 namespace {
 std::atomic<long> allocations{0};
 }  // namespace
 
-#if GAITWRIGHT_COUNTS_ALLOCATIONS
+#ifdef __SANITIZE_ADDRESS__
+// The sanitizer has malloc for itself, and tells of each call (sanitizer/allocator_interface.h).
+extern "C" int __sanitizer_install_malloc_and_free_hooks(  // NOLINT(bugprone-reserved-identifier): not ours to name
+    void (*on_malloc)(const volatile void*, std::size_t), void (*on_free)(const volatile void*));
+
+namespace {
+[[maybe_unused]] const int hooked = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {});
+}  // namespace
+#else
 // The C library lets a program have its own malloc, and keeps its own under these names.
 extern "C" {
 // NOLINTBEGIN(bugprone-reserved-identifier): not ours to name
@@ -44,8 +47,6 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
 #endif
 
 namespace gaitwright {
-
-bool AllocationsAreCounted() { return GAITWRIGHT_COUNTS_ALLOCATIONS != 0; }
 
 long Allocations() { return allocations; }
 

@@ -3,9 +3,6 @@
 
 namespace gaitwright {
 
-/// Whether allocations are counted: not where a sanitizer has malloc for itself.
-bool AllocationsAreCounted();
-
 /// Calls of malloc, calloc, realloc and what else gives memory since the program began; operator new and Eigen end
 /// there.
 long Allocations();
