@@ -20,13 +20,13 @@ constexpr double kSpare = 1.3;     // times the speed of lift-off that is wanted
 constexpr double kLeast = 1.15;    // of it at the least, since a push that ends goes over into flight over a while
 
 /// The longest flight of a schedule, and the most feet that push at once since the flight before.
-struct LongestFlight {
+struct PushedFlight {
   double start_s = 0.0, duration_s = 0.0;
   int pushing = 0;
 };
 
-LongestFlight LongestOf(const ContactSchedule& schedule) {
-  LongestFlight longest;
+PushedFlight LongestPushedFlight(const ContactSchedule& schedule) {
+  PushedFlight longest;
   int pushing = 0;
   for (const ContactPhase& phase : schedule.phases) {
     const double duration_s = phase.end_s - phase.start_s;
@@ -56,7 +56,7 @@ std::string MotorText(const RobotModel& model, int dof, bool speed) {
                : fmt::format("'{}' holds {:.3g} N m at most", name, model.dof_effort_limit(dof));
 }
 
-Failure CannotFly(const RobotModel& model, const LongestFlight& flight, const PushOff& best, double gives,
+Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const PushOff& best, double gives,
                   bool by_speed) {
   const double takes = 0.5 * kGravity * flight.duration_s, longest_s = 2.0 * gives / (kLeast * kGravity);
   std::vector<std::string> hints = {"a shorter cycle (--set gait.cycle_s)",
@@ -84,7 +84,7 @@ Crouch At(const RobotModel& model, const VectorX& carried) {
 /// Where flights need it; nothing where standing serves them.
 Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactSchedule& schedule) {
   constexpr double kLeastStroke = 0.02;  // of the leg
-  const LongestFlight flight = LongestOf(schedule);
+  const PushedFlight flight = LongestPushedFlight(schedule);
   if (flight.duration_s == 0.0 || flight.pushing == 0) return std::optional<Crouch>();
   const std::vector<PushOff> at = PushOffs(model, flight.pushing, kReserve, kUse);
   if (at.empty()) return std::optional<Crouch>();

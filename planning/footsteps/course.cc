@@ -57,13 +57,13 @@ Course AlongDistance(const RobotModel& model, const WalkCommand& c) {
   return {Scaled(velocity, time), time, 0.0};
 }
 
-double RampTime(const RobotModel& model, const Gait& gait, const WalkCommand& c, const Ramp& ramp) {
+double RampTime(const RobotModel& model, const Gait& gait, const WalkCommand& c, const SpeedRamp& ramp) {
   const PlanarTwist velocity = CommandedVelocity(model, c);
   const double speed = std::hypot(velocity.x_m, velocity.y_m);
   return std::max(ramp.cycles * gait.cycle_s, ramp.acceleration_m_s2 > 0.0 ? speed / ramp.acceleration_m_s2 : 0.0);
 }
 
-Course ForDuration(const RobotModel& model, const Gait& gait, const WalkCommand& c, const Ramp& ramp) {
+Course ForDuration(const RobotModel& model, const Gait& gait, const WalkCommand& c, const SpeedRamp& ramp) {
   const double duration = std::max(1.0, std::round(c.duration_s / gait.cycle_s)) * gait.cycle_s;
   const double ramp_s = std::min(RampTime(model, gait, c, ramp), 0.5 * duration);
   return {Scaled(CommandedVelocity(model, c), duration - ramp_s), duration, ramp_s};
@@ -125,7 +125,8 @@ PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& c) {
   return velocity;
 }
 
-Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, const Ramp& ramp) {
+Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command,
+                          const SpeedRamp& ramp) {
   constexpr double kLongest = 600.0;  // [s]
   Course course;
   switch (command.extent) {

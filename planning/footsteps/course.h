@@ -11,7 +11,7 @@
 namespace gaitwright {
 
 /// How the base gains its speed and loses it: in some cycles of the gait, or as much longer as takes an acceleration.
-struct Ramp {
+struct SpeedRamp {
   double cycles = 0.0, acceleration_m_s2 = 0.0;  ///< 0 for any
 };
 
@@ -40,7 +40,7 @@ PlanarTwist CommandedVelocity(const RobotModel& model, const WalkCommand& comman
 ///   steps      the twist of one footfall: its length, or the commanded velocity for cycle / number of feet
 /// @param ramp  of counted footfalls none.
 /// Failure kBadInput when it goes nowhere or lasts over 600 s.
-Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, const Ramp& ramp);
+Result<Course> MakeCourse(const RobotModel& model, const Gait& gait, const WalkCommand& command, const SpeedRamp& ramp);
 
 /// Speeds sideways and turning that go with a speed ahead where the command gives none [m/s, rad/s]: those at which
 /// feet keep apart.

@@ -20,7 +20,7 @@ namespace gaitwright {
 struct FootstepOptions {
   double initial_stand_s = 0.8;
   double final_stand_s = 0.8;
-  Ramp ramp = {1.0, 1.0};
+  SpeedRamp ramp = {1.0, 1.0};
   double reach = 0.97;
   double grid_s = 0.005;    ///< step of the plan's grid, on which contacts begin and end; the pipeline sets it
   double settling_s = 0.0;  ///< more time of standing at both ends; the pipeline sets it
