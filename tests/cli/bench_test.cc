@@ -31,7 +31,8 @@ TEST_F(Bench, ATableHasALineForEachCaseAndASum) {
 TEST_F(Bench, BetterTimesOfContactsAreToldForWhatIsSolved) {
   const Ran ran = Run({"bench", "centroidal", "--only", "monoped-3-flat", "--timing", "fixed", "--json"});
   EXPECT_EQ(ran.status, 0) << ran.err;
-  const Json one = ran.json().at("cases")[0], timing = one.at("timing");
+  const Json one = ran.json().at("cases")[0];
+  const Json& timing = one.at("timing");
   EXPECT_EQ(timing.at("refusal"), "");
   EXPECT_EQ(timing.at("keeps_all_laws"), true);
   EXPECT_EQ(timing.at("cost_before"), one.at("cost"));

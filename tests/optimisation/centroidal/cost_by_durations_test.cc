@@ -22,7 +22,8 @@ double CostAt(const RigidBodyProblem& problem, const RigidBodyOptions& options, 
   return other.ok() ? other->summary.cost : std::nan("");
 }
 
-void ExpectSlopesOfLeastCosts(const RigidBodyProblem& problem, RigidBodyOptions options, double step_s, double close) {
+void ExpectSlopesOfLeastCosts(const RigidBodyProblem& problem, const RigidBodyOptions& options, double step_s,
+                              double close) {
   const Result<RigidBodyPlan> plan = PlanRigidBody(problem, options);
   ASSERT_TRUE(plan.ok()) << plan.failure().message;
   const VectorX slope = CostByDurations(problem, options, plan->numbers);

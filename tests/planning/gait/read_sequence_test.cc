@@ -37,7 +37,7 @@ std::string Why(const std::string& text) {
 std::string WhyFile(const std::string& text) {
   const std::string path = testing::TempDir() + "sequence_test.yaml";
   std::ofstream(path) << text;
-  const std::string why = Why(path);
+  std::string why = Why(path);
   std::remove(path.c_str());
   return why;
 }
