@@ -102,8 +102,12 @@ void SampleWholeBody(const WholeBodyTrajectory& trajectory, double time_s, Whole
   } else {
     BlendStates(trajectory, at, sample);
   }
-  sample.tau = (1.0 - at.u) * trajectory.tau[at.left] + at.u * trajectory.tau[at.right];
-  sample.wrenches.resize(trajectory.wrenches[at.left].size());
+  if (trajectory.tau.empty()) {
+    sample.tau.resize(0);
+  } else {
+    sample.tau = (1.0 - at.u) * trajectory.tau[at.left] + at.u * trajectory.tau[at.right];
+  }
+  sample.wrenches.resize(trajectory.wrenches.empty() ? 0 : trajectory.wrenches[at.left].size());
   for (std::size_t f = 0; f < sample.wrenches.size(); ++f) {
     const ContactWrench &left = trajectory.wrenches[at.left][f], &right = trajectory.wrenches[at.right][f];
     sample.wrenches[f].force_W = (1.0 - at.u) * left.force_W + at.u * right.force_W;

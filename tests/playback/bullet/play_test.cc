@@ -107,7 +107,8 @@ TEST_P(PlayTest, RefusesPlansThatLackColumns) {
   no_schedule.schedule.phases.clear();
   EXPECT_THROW((void)MakeStabilised(model_, no_schedule, {}), InvalidArgument);
   JointPd controller(model_, plan_);
-  EXPECT_TRUE(Play(model_, no_forces, controller).ok());
+  JointPd without_forces(model_, no_forces);
+  EXPECT_TRUE(Play(model_, no_forces, without_forces).ok());
   EXPECT_TRUE(Play(model_, no_torques, controller).ok());
   const Result<PlaybackLog> refused = Play(model_, short_v, controller);
   ASSERT_FALSE(refused.ok());
