@@ -81,7 +81,7 @@ class Limits {
     return std::nullopt;
   }
 
-  std::optional<Failure> Friction() const {
+  std::optional<Failure> Friction(double use) const {
     double friction = 0.0, reach = 0.0;
     for (const RigidStance& stance : problem_.stances) {
       if (stance.X_WF.linear()(2, 2) < 1.0 - 1e-6) return std::nullopt;
@@ -100,8 +100,8 @@ class Limits {
         fmt::format(
             "{:.2f} m from rest to rest in {:.2f} s take more than a friction of {:.3g}, with which a body goes "
             "{:.2f} m at most",
-            way, t, friction, most),
-        {fmt::format("a friction of {:.3g} or more", friction * way / most), "more time", "a shorter way"}};
+            way, t, friction / use, most),
+        {fmt::format("a friction of {:.3g} or more", friction / use * way / most), "more time", "a shorter way"}};
   }
 
  private:
@@ -144,11 +144,11 @@ class Limits {
 
 }  // namespace
 
-std::optional<Failure> WhyBeyondLegs(const RigidBodyProblem& problem) {
+std::optional<Failure> WhyBeyondLegs(const RigidBodyProblem& problem, double friction_use) {
   CheckRigidBodyProblem(problem);
   Limits limits(problem);
   if (auto failure = limits.Flights()) return failure;
-  return limits.Friction();
+  return limits.Friction(friction_use);
 }
 
 }  // namespace gaitwright

@@ -16,8 +16,9 @@ namespace gaitwright {
 ///             the upward speed with which it began, that of the flight before less g t;
 ///   friction  on level ground: a body from rest to rest in a time T goes mu T (g T / 4 + v) far at most, v its
 ///             greatest upward speed.
+/// @param friction_use  the share of the ground's friction that the stances have; messages are of the ground's.
 /// @return kInfeasible `flight_too_long`, `too_little_friction` with the numbers, and what would do; nothing where they
 /// hold.  @throws InvalidArgument as CheckRigidBodyProblem.
-std::optional<Failure> WhyBeyondLegs(const RigidBodyProblem& problem);
+std::optional<Failure> WhyBeyondLegs(const RigidBodyProblem& problem, double friction_use = 1.0);
 
 }  // namespace gaitwright

@@ -179,14 +179,14 @@ Result<OptimisedZmp> OptimiseZmp(const ZmpProblem& problem, const ZmpWeights& we
   options.trust_radius = 1e8;
   ConstrainedSolution last;
   const Result<ConstrainedSolution> solution = Solve(Assembler(problem, weights, *zmp).Run(guess), options, &last);
-  if (!solution) {
+  if (!solution && last.violation > options.tolerance) {
     return Failure{FailureKind::kInfeasible,
                    "zmp_support",
                    "PlanCentreOfMass",
                    fmt::format(fmt::runtime(last.worst_constraint), 1e3 * last.violation),
                    {"stand longer at the ends, or take smaller or slower steps"}};
   }
-  return OptimisedZmp{zmp->Sample(Clamped(*zmp, solution->x)), zmp->Margins(), zmp->num_variables, solution->brief};
+  return OptimisedZmp{zmp->Sample(Clamped(*zmp, last.x)), zmp->Margins(), zmp->num_variables, last.brief};
 }
 
 }  // namespace gaitwright

@@ -154,7 +154,13 @@ ChosenFootholds Changed(const Terrain& terrain, const PlanOverPatches& plan, con
 OptionFields PatchSearchOptions::Fields() {
   return {{"near_m", &near_m, "m", 0.0, 10.0, "How far away a patch is tried for a foot.", {}},
           {"better", &better, "1", 0.0, 1.0, "Share of the violations that is better.", {}},
-          {"screening_steps", &screening_steps, "1", 1, 10000, "Most steps of a solve that compares patches.", {}},
+          {"screening_steps",
+           &screening_steps,
+           "1",
+           1,
+           10000,
+           "Steps after which a hopeless solve that compares patches is given up.",
+           {}},
           {"most_steps", &most_steps, "1", 1, 100000, "Steps after which no other patches are tried.", {}}};
 }
 

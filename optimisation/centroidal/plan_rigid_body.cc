@@ -27,8 +27,8 @@ std::string TooSteepAtGoal(const RigidBodyProblem& problem) {
   const double needed = LeastHoldingFriction(normals_W);
   if (needed <= friction) return "";
   return fmt::format(
-      "; at the goal all feet are on ground that takes a friction of {:.2f} to hold still on, and has {:.2f}", needed,
-      friction);
+      "; at the goal all feet are on ground that takes a friction of {:.2f} to hold still on, and {:.2f} may be used",
+      needed, friction);
 }
 
 /// The worst three that are violated, and all of it.
@@ -47,6 +47,10 @@ std::string ReliefOf(const std::string& worst) {
     return "less travel in a stance: a lower speed, a shorter cycle, or footholds nearer to each other";
   if (worst.starts_with("friction") || worst.starts_with("motors"))
     return "weaker pushes: a larger duty factor, a lower speed or more time; or more friction";
+  if (worst.starts_with("rise") || worst.starts_with("free flight"))
+    return "shorter flights: a shorter cycle or a larger duty factor";
+  if (worst.starts_with("clearance")) return "ground or obstacles farther from the body, or the body higher";
+  if (worst.starts_with("region")) return "footholds on larger or other patches";
   if (worst.starts_with("turning"))
     return "feet that stand longer, so that they can turn the body: a larger duty factor";
   return "more time";
@@ -64,8 +68,8 @@ Failure FaultsBetween(const RigidBodySummary& summary) {
   return {FailureKind::kInfeasible,
           "faults_between",
           "PlanRigidBody",
-          fmt::format("between breaks {} is missed by {:.3g} though they were put half as far apart {} times",
-                      summary.faults.Worst(), summary.faults.Largest(), summary.refinements),
+          fmt::format("between breaks {} is missed by {:.3g} after {} refinements", summary.faults.Worst(),
+                      summary.faults.Largest(), summary.refinements),
           {"raise max_refinements or reach_margin_m"}};
 }
 
@@ -260,7 +264,13 @@ OptionFields RigidBodyOptions::Fields() {
       {"swing_lead_s", &swing_lead_s, "s", 0.0, 1.0, "How long beyond a stance its foothold must be within reach.", {}},
       {"tolerance", &tolerance, "1", 1e-10, 1e-2, "Largest violation of a law, in m, rad, rad/s and m g.", {}},
       {"fault_tolerance", &fault_tolerance, "1", 1e-6, 1.0, "Largest fault at 1 kHz, in m and m g, not refined.", {}},
-      {"max_refinements", &max_refinements, "1", 0, 10, "Most times that breaks are put half as far apart.", {}},
+      {"max_refinements",
+       &max_refinements,
+       "1",
+       0,
+       10,
+       "Most times that breaks are put half as far apart, or feet looked at more often.",
+       {}},
       {"cost_tolerance", &cost_tolerance, "1", 1e-10, 1.0, "Relative change of the cost that counts as none.", {}},
       {"price", &price, "1", 1e-3, 1e6, "First price of a law's violation, in half the cost.", {}},
       {"most_price", &most_price, "1", 1e-3, 1e6, "Greatest price of a law's violation.", {}},
@@ -270,7 +280,7 @@ OptionFields RigidBodyOptions::Fields() {
       {"force_rate", &weights.force_rate, "s", 0.0, 1e3, "Weight of the rate of forces.", {}},
       {"momentum", &weights.momentum, "s", 0.0, 1e3, "Weight of the angular momentum.", {}},
       {"tilt", &weights.tilt, "1/(rad^2 s)", 0.0, 1e3, "Weight of the base's angles.", {}},
-      {"stance", &weights.stance, "1/(m^2 s)", 0.0, 1e3, "Weight of the feet's places.", {}},
+      {"stance", &weights.stance, "1/(m^2 s)", 0.0, 1e6, "Weight of the feet's places.", {}},
       {"way", &weights.way, "1/(m^2 s)", 0.0, 1e3, "Weight of the body's drift aside of its way.", {}},
       {"swing_jerk", &weights.swing_jerk, "1/m^2", 0.0, 1e3, "Weight of the jerk of free swings.", {}},
   };

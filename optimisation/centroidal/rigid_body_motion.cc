@@ -121,6 +121,7 @@ double OutOf(const std::vector<Vector2>& region, const Vector2& p) {
 
 /// Compares the momentum of the turning that every other sample shows with that of the forces, step by step.
 double TorqueBalance(const RigidBodyMotion& motion, const std::vector<RigidBodySample>& samples) {
+  if (samples.size() < 3) return 0.0;  // a motion of less than a millisecond
   const double h = samples[2].time_s - samples[0].time_s;
   double worst = 0.0;
   Vector3 last = Vector3::Zero();

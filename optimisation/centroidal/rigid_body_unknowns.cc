@@ -131,7 +131,7 @@ void RigidBodyUnknowns::AddCentreOfMass() {
   control_[1].constant = problem_.start.p_WC + first * problem_.start.v_WC;
   for (std::size_t i = 2; i + 2 < n; ++i) {
     // What lies between a break and the next hangs on the control points of the first and of the three after it.
-    const RigidRest* rest = RestTouching(i < 2 ? 0 : i - 2, i);
+    const RigidRest* rest = RestTouching(i - 2, i);
     control_[i] = rest == nullptr ? Next() : AffineVector{rest->p_WC};
   }
   control_[n - 2].constant = problem_.goal.p_WC - last * problem_.goal.v_WC;

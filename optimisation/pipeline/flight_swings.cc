@@ -45,14 +45,14 @@ double PeakAcceleration(double cruise) {
 FlightSwings::FlightSwings(const RobotModel& model, const ContactSchedule& schedule, const SwingOptions& options)
     : model_(model), schedule_(schedule), lift_m_(SwingLift(model, options)), own_lift_(options.height_m > 0.0) {}
 
-const FootAgility& FlightSwings::AgilityOf(FootSet feet) const {
-  const auto known = agility_.find(feet);
-  if (known != agility_.end()) return known->second;
+double FlightSwings::AccelerationOf(FootSet feet) const {
+  const auto known = acceleration_m_s2_.find(feet);
+  if (known != acceleration_m_s2_.end()) return known->second;
   std::vector<int> list;
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     if (Contains(feet, f)) list.push_back(f);
   }
-  return agility_[feet] = AgilityInFlight(model_, list);
+  return acceleration_m_s2_[feet] = FootAccelerationInFlight(model_, list);
 }
 
 FlightSwing FlightSwings::At(double start_s, double end_s) const {
@@ -64,7 +64,7 @@ FlightSwing FlightSwings::At(double start_s, double end_s) const {
   if (flights.whole_s == 0.0 || own_lift_) return swing;
   const FootSet stance = schedule_.phases[static_cast<std::size_t>(PhaseAt(schedule_, 0.5 * (start_s + end_s)))].stance;
   const FootSet in_air = AllFeet(static_cast<int>(model_.feet.size())) & ~stance;
-  const double acceleration = kUse * AgilityOf(in_air).acceleration_m_s2 - kGravity;
+  const double acceleration = kUse * AccelerationOf(in_air) - kGravity;
   const auto most = [&](double cruise) {
     return std::max(0.0, acceleration) * time_s * time_s / PeakAcceleration(cruise);
   };

@@ -18,8 +18,8 @@ struct FlightSwing {
 
 /// The shapes of swings in gaits with flight. A foot is lifted by what its body rises in its flight too, and goes along
 /// with it at constant speed for as long as that lasts. Where that would take more than 0.4 of what the motors give to
-/// move all feet that are in the air then (AgilityInFlight), it is lifted by less and, where even the body's rise is
-/// too much, starts and ends more gently: the leg is then longer while it flies.
+/// move all feet that are in the air then (FootAccelerationInFlight), it is lifted by less and, where even the body's
+/// rise is too much, starts and ends more gently: the leg is then longer while it flies.
 class FlightSwings {
  public:
   /// @param model, schedule  outlive this.
@@ -29,13 +29,13 @@ class FlightSwings {
   FlightSwing At(double start_s, double end_s) const;
 
  private:
-  const FootAgility& AgilityOf(FootSet feet) const;
+  double AccelerationOf(FootSet feet) const;
 
   const RobotModel& model_;
   const ContactSchedule& schedule_;
   const double lift_m_;
   const bool own_lift_;  // asked for
-  mutable std::map<FootSet, FootAgility> agility_;
+  mutable std::map<FootSet, double> acceleration_m_s2_;
 };
 
 }  // namespace gaitwright

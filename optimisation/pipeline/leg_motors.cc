@@ -14,6 +14,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kStill = 1e-9;  // speeds and torques that are none
 
 /// Standing as a target.
 BodyTarget TargetOf(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch) {
@@ -57,7 +58,7 @@ void SetSpeed(const RobotModel& model, WholeBodyIk& ik, BodyTarget target, PushO
   at.speed_m_s = kNone;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double rate = std::abs(v[6 + d]);
-    if (rate * at.speed_m_s <= model.dof_velocity_limit(d)) continue;
+    if (rate < kStill || rate * at.speed_m_s <= model.dof_velocity_limit(d)) continue;
     at.speed_m_s = model.dof_velocity_limit(d) / rate;
     at.fastest = d;
   }
@@ -117,7 +118,7 @@ std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reser
   return above;
 }
 
-FootAgility AgilityInFlight(const RobotModel& model, const std::vector<int>& feet) {
+double FootAccelerationInFlight(const RobotModel& model, const std::vector<int>& feet) {
   DynamicsScratch scratch(model);
   WholeBodyIk ik(model);
   const VectorX q = StandingConfiguration(model);
@@ -127,16 +128,8 @@ FootAgility AgilityInFlight(const RobotModel& model, const std::vector<int>& fee
   for (const int f : feet) {
     FootTarget& foot = target.feet[static_cast<std::size_t>(f)];
     foot.a_WF += Vector3::UnitZ();
-    foot.v_WF = Vector3::UnitZ();
   }
   VectorX v, a, tau;
-  ik.SolveRates(target, q, v, a);
-  FootAgility agility{kNone, kNone};
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    const double rate = std::abs(v[6 + d]);
-    if (rate > 1e-9) agility.speed_m_s = std::min(agility.speed_m_s, model.dof_velocity_limit(d) / rate);
-  }
-  for (FootTarget& foot : target.feet) foot.v_WF.setZero();
   const auto needed = [&](const Vector3& turning) {
     target.alpha_WB = turning;
     ik.SolveRates(target, q, v, a);
@@ -148,12 +141,12 @@ FootAgility AgilityInFlight(const RobotModel& model, const std::vector<int>& fee
   Matrix3 by_turning;
   for (int i = 0; i < 3; ++i) by_turning.col(i) = needed(Vector3::Unit(i)) - held;
   needed(-by_turning.completeOrthogonalDecomposition().solve(held));
+  double most_m_s2 = kNone;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double torque = std::abs(tau[6 + d]);
-    if (torque > 1e-9)
-      agility.acceleration_m_s2 = std::min(agility.acceleration_m_s2, model.dof_effort_limit(d) / torque);
+    if (torque > kStill) most_m_s2 = std::min(most_m_s2, model.dof_effort_limit(d) / torque);
   }
-  return agility;
+  return most_m_s2;
 }
 
 }  // namespace gaitwright

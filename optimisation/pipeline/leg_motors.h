@@ -24,14 +24,9 @@ struct PushOff {
 ///                 motors at `use` of what they give.
 std::vector<PushOff> PushOffs(const RobotModel& model, int pushing, double reserve, double use);
 
-/// How fast feet that are in the air together can be moved upward at standing, while the body falls freely and turns
-/// against them.
-struct FootAgility {
-  double acceleration_m_s2 = 0.0;  ///< with all the torque that motors give
-  double speed_m_s = 0.0;          ///< at their greatest speed
-};
-
+/// Upward acceleration of feet that are in the air together, at standing, with all the torque that motors give, while
+/// the body falls freely and turns against them [m/s^2].
 /// @param feet  those that move; the others stay with the body.
-FootAgility AgilityInFlight(const RobotModel& model, const std::vector<int>& feet);
+double FootAccelerationInFlight(const RobotModel& model, const std::vector<int>& feet);
 
 }  // namespace gaitwright

@@ -17,6 +17,7 @@
 #include "optimisation/pipeline/fitted_options.h"
 #include "optimisation/pipeline/limit_excess.h"
 #include "optimisation/pipeline/mean_height.h"
+#include "optimisation/pipeline/names_of_feet.h"
 #include "optimisation/pipeline/roll_moments.h"
 #include "optimisation/swing/plan_swings.h"
 
@@ -92,19 +93,6 @@ std::vector<RigidSwing> SwingsOf(const RigidBodyProblem& problem, double from_s,
   return swings;
 }
 
-/// The failure of a rigid body, whose feet have numbers, with the names of a robot's.
-Failure WithNamesOf(const RobotModel& model, Failure failure) {
-  for (std::size_t f = 0; f < model.feet.size(); ++f) {
-    const std::string number = fmt::format("foot {}", f), name = fmt::format("'{}'", model.feet[f].name);
-    for (auto at = failure.message.find(number); at != std::string::npos; at = failure.message.find(number, at + 1)) {
-      const std::size_t next = at + number.size();
-      const bool longer = next < failure.message.size() && failure.message[next] >= '0' && failure.message[next] <= '9';
-      if (!longer) failure.message.replace(at, number.size(), name);
-    }
-  }
-  return failure;
-}
-
 double Largest(const std::vector<PointWrench>& residuals, double weight_n) {
   double largest = 0.0;
   for (const PointWrench& w : residuals)
@@ -137,11 +125,12 @@ Result<MotionPass> RigidBodyPasses::Run(int& passes) {
   MotionPass best;
   const double tolerance = task_.options.pipeline.residual;
   const RigidBodyOptions options = Options();
-  auto failure = WhyBeyondLegs(problem_);
+  auto failure = WhyBeyondLegs(problem_, task_.options.whole_body.friction_use);
   if (!failure) failure = WhyNotCarried(problem_, options);
-  if (failure) return WithNamesOf(model_, *failure);
+  if (failure) return WithNamesOfFeet(model_, *failure);
   for (passes = 0; passes < task_.options.pipeline.max_body_passes;) {
     Result<MotionPass> made = MakePass();
+    if (!made && best.settled) break;  // the audit tells whether that one is good enough
     if (!made) return made;
     ++passes;
     Learn(*made);
@@ -243,7 +232,7 @@ Result<RigidBodyPlan> RigidBodyPasses::PlanClear(const RigidBodyOptions& options
 Result<MotionPass> RigidBodyPasses::MakePass() {
   const RigidBodyOptions options = Options();
   Result<RigidBodyPlan> plan = PlanClear(options);
-  if (!plan) return WithNamesOf(model_, plan.failure());
+  if (!plan) return WithNamesOfFeet(model_, plan.failure());
   if (plan->summary.gave_up) method_ = "interior-point";
   motion_ = std::move(plan->motion);
   if (stage_ != Stage::kFree) numbers_ = std::move(plan->numbers);

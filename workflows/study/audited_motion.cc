@@ -24,6 +24,15 @@ double StrayOf(const AuditReport& report) {
   return stray_m;
 }
 
+bool InRange(RigidBodyOptions options) {
+  try {
+    CheckOptions(options.Fields());
+  } catch (const InvalidArgument&) {
+    return false;
+  }
+  return true;
+}
+
 /// One round after another.
 class Refiner {
  public:
@@ -73,10 +82,12 @@ class Refiner {
  private:
   bool Halve() {
     constexpr int kMostHalvings = 2;
-    if (motion_.halvings == kMostHalvings) return false;
+    RigidBodyOptions halved = options_;
+    halved.spacing_s *= 0.5;
+    halved.least_intervals *= 2;
+    if (motion_.halvings == kMostHalvings || !InRange(halved)) return false;
     ++motion_.halvings;
-    options_.spacing_s *= 0.5;
-    options_.least_intervals *= 2;
+    options_ = halved;
     Solve(false);
     return true;
   }
@@ -141,7 +152,7 @@ class Refiner {
   void Solve(bool from_numbers) {
     RigidBodyOptions options = options_;
     options.hopeless = 1e3;
-    options.max_iterations *= 3;
+    if (RigidBodyOptions longer = options; longer.max_iterations *= 3, InRange(longer)) options = longer;
     RigidBodyPlan last;
     const Result<RigidBodyPlan> plan = from_numbers
                                            ? PlanRigidBodyFrom(at_.choice.problem, options, at_.plan.numbers, &last)

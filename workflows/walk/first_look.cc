@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "workflows/walk/refuse_walk.h"
 
@@ -31,13 +32,16 @@ WalkCommand StartOf(const RobotModel& model, const Terrain& terrain, const Gait&
   return by_distance && command.distance_m < kMuch * start.distance_m ? command : start;
 }
 
-/// Whether a problem had to be solved before a plan was refused.
-bool TookSolving(const Failure& failure) { return failure.code == "unmet_law" || failure.code == "not_carried"; }
+/// Whether a problem had to be solved before a plan was refused: what comes after that, and its own laws.
+bool TookSolving(const Failure& failure) {
+  return failure.code == "unmet_law" || failure.code == "not_carried" || failure.stage == "PlanSwings" ||
+         failure.stage == "RefineSwing" || failure.stage == "SolveWholeBody" || failure.stage == "WholeBodyIk";
+}
 
 FirstLook Look(const RobotModel& model, const Terrain& terrain, const WalkRequest& cheap, const Gait& gait,
                const WalkCommand& command, double far) {
   FirstLook look;
-  const Result<PlannedMotion> motion = PlanMotion(model, terrain, gait, command, cheap.motion);
+  Result<PlannedMotion> motion = PlanMotion(model, terrain, gait, command, cheap.motion);
   if (!motion) {
     look.solved = TookSolving(motion.failure());
     if (look.solved) look.ease = kFarEase;
@@ -48,8 +52,8 @@ FirstLook Look(const RobotModel& model, const Terrain& terrain, const WalkReques
   if (motion->limit_excess < far) return look;
   const Result<AuditReport> audit = Audit(model, motion->plan, {});
   if (!audit || BrokenLimits(*audit).empty()) return look;
-  look.refusal = WhyForbidden(*audit);
   look.ease = EaseOf(*audit);
+  look.refusal = WhyForbidden({std::move(*motion), *audit});
   return look;
 }
 

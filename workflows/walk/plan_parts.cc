@@ -61,10 +61,13 @@ Failure RefusedWhole(const Result<PlannedWalk>& planned) {
     failure.hints.emplace_back("a part of standing still between others, or a longer one");
     return failure;
   }
-  Failure failure = WhyForbidden(planned->audit);
+  Failure failure = WhyForbidden(*planned);
   const std::vector<MotionPart>& parts = planned->motion.plan.parts;
-  const MotionPart* part = PartAt(parts, Forbidding(planned->audit).front().at_s);
-  failure = OfPart(static_cast<std::size_t>(part - parts.data()), part->gait.name, failure);
+  const std::vector<Violation> forbidding = Forbidding(planned->audit);
+  if (!forbidding.empty()) {
+    const MotionPart* part = PartAt(parts, forbidding.front().at_s);
+    failure = OfPart(static_cast<std::size_t>(part - parts.data()), part->gait.name, failure);
+  }
   failure.hints = {"a part of standing still between others, or a longer one", "a slower part",
                    "--set pipeline.allow_limits=true gives the plan all the same"};
   return failure;

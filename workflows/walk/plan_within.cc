@@ -21,6 +21,12 @@
 namespace gaitwright {
 namespace {
 
+/// Whether a walk stays where it is, so that there is no slower one.
+bool IsInPlace(const WalkCommand& c) {
+  return c.extent == WalkCommand::Extent::kSteps && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 &&
+         c.yaw_rate_rad_s == 0.0 && c.step_length_m == 0.0;
+}
+
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
 /// enough, and no matter how good.
 WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
@@ -90,9 +96,10 @@ class Search {
   /// none where Plan chose the pace already.
   SlowerPace Slower() const {
     using Known = SlowerPace::Known;
+    if (IsInPlace(request_.command)) return {};
     if (const Result<Cycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted)) {
       const double leaping = LargestLeaping();
-      return leaping > 0.0 ? SlowerPace{leaping, Known::kMay} : SlowerPace{LargestOnTheGround(), Known::kServes};
+      return leaping > 0.0 ? SlowerPace{leaping, Known::kMay} : SlowerPace{LargestOnTheGround(), Known::kMay};
     }
     if (IsLevelGround(terrain_)) return {LargestThatIsSound(), Known::kLargest};
     if (IsOwnPace(request_.command)) return {};
@@ -337,7 +344,7 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   if (!gait) return failure;
   const SlowerPace slower = search.Slower();
   if (failure.stage == "PlanWalk") failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
-  const bool at_every_pace = failure.code == "legs_too_slow" || failure.code == "legs_too_weak";
+  const bool at_every_pace = failure.code == "legs_too_slow" || failure.code == "legs_too_weak" || IsInPlace(command);
   if (slower.value == 0.0) {
     if (!at_every_pace)
       failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
@@ -357,7 +364,7 @@ Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, 
   const Search search(model, terrain, request);
   Result<PlannedWalk> planned = search.Plan(request.command);
   if (request.motion.pipeline.allow_limits || IsSound(planned)) return planned;
-  if (planned) return Refusal(search, model, request, WhyForbidden(planned->audit));
+  if (planned) return Refusal(search, model, request, WhyForbidden(*planned));
   return IsTooMuch(planned.failure()) ? Refusal(search, model, request, planned.failure()) : planned;
 }
 

@@ -61,9 +61,9 @@ double LargestBetween(double known, double high, const std::function<bool(double
 }  // namespace
 
 bool IsTooMuch(const Failure& failure) {
-  static const std::set<std::string> kWhateverThePace = {"freedoms",      "no_support",    "no_footholds",
-                                                         "search_budget", "start_blocked", "goal_blocked",
-                                                         "way_blocked",   "way_not_found"};
+  static const std::set<std::string> kWhateverThePace = {"freedoms",     "height",        "no_support",
+                                                         "no_footholds", "search_budget", "start_blocked",
+                                                         "goal_blocked", "way_blocked",   "way_not_found"};
   return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts" &&
          !kWhateverThePace.contains(failure.code);
 }
@@ -87,9 +87,14 @@ bool IsSound(const Result<PlannedWalk>& planned) {
   return planned && planned->motion.limit_excess < kSlightExcess && Forbidding(planned->audit).empty();
 }
 
-Failure WhyForbidden(const AuditReport& audit) {
-  const std::vector<Violation> forbidding = Forbidding(audit);
-  const std::size_t limits = BrokenLimits(audit).size();
+Failure WhyForbidden(const PlannedWalk& planned) {
+  const std::vector<Violation> forbidding = Forbidding(planned.audit);
+  if (forbidding.empty()) {  // limits that are passed between the audit's samples
+    std::string text;
+    for (const std::string& warning : planned.motion.plan.warnings) text += (text.empty() ? "" : "; ") + warning;
+    return {FailureKind::kInfeasible, "limits", "PlanWalk", text, {}};
+  }
+  const std::size_t limits = BrokenLimits(planned.audit).size();
   return {
       FailureKind::kInfeasible,
       limits > 0 ? "limits" : forbidding.front().law,

@@ -25,8 +25,8 @@ bool IsTooMuch(const Failure& failure);
 /// Whether a plan is sound enough to be given.
 bool IsSound(const Result<PlannedWalk>& planned);
 
-/// Why a plan that its audit forbids is not given: the worst limit of the robot, or else the first of the other laws.
-Failure WhyForbidden(const AuditReport& audit);
+/// Why a plan that is not sound is not given: the worst limit of the robot, or else the first of the other laws.
+Failure WhyForbidden(const PlannedWalk& planned);
 
 /// One sentence without a full stop that names the joint, link or foot of a violation, its value, its limit and by how
 /// much that is passed; of other laws than limits what is lacking.

@@ -79,12 +79,11 @@ TEST(LegMotors, OneFootGivesLessThanTwo) {
 }
 
 TEST(LegMotors, LightLegsOfAStrongRobotMoveFasterInFlightThanHeavyOnesOfAWeakOne) {
-  const FootAgility a1 = AgilityInFlight(*LoadNamedRobot("a1"), {0, 1, 2, 3});
-  const FootAgility nao = AgilityInFlight(*LoadNamedRobot("nao"), {0, 1});
-  EXPECT_GT(a1.acceleration_m_s2, 500.0);
-  EXPECT_GT(nao.acceleration_m_s2, kGravity) << "else its feet could not follow its body";
-  EXPECT_LT(nao.acceleration_m_s2, 100.0);
-  EXPECT_LT(nao.speed_m_s, 0.1 * a1.speed_m_s);
+  const double a1 = FootAccelerationInFlight(*LoadNamedRobot("a1"), {0, 1, 2, 3});
+  const double nao = FootAccelerationInFlight(*LoadNamedRobot("nao"), {0, 1});
+  EXPECT_GT(a1, 500.0);
+  EXPECT_GT(nao, kGravity) << "else its feet could not follow its body";
+  EXPECT_LT(nao, 100.0);
 }
 
 }  // namespace

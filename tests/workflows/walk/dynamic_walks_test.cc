@@ -38,8 +38,8 @@ TEST(DynamicWalks, A1JumpsDownFromABlockOf15Centimetres) {
 TEST(DynamicWalks, ABipedHopsInPlace) {
   WalkRequest request;
   request.gait = "hop";
-  request.command.extent = WalkCommand::Extent::kDuration;
-  request.command.duration_s = 1.0;
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = 6;
   ExpectToFly(*LoadRobotFromText(unusual::Runner(), ""), request);
 }
 
