@@ -32,11 +32,13 @@ sanitized_tests() {
   ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 ctest_in sanitize -LE '^long$' "$@"
 }
 
-# "KEY FILE" of every .cc file of the tree; KEY changes with the file, with all that it includes, with .clang-tidy and the tool.
+# "KEY FILE" of every .cc file of the tree; KEY changes with the file, with all that it includes, with .clang-tidy, the tool
+# and the compiler's flags.
 # What a file includes is what the release build, which has just run, noted.
 tidy_keys() {
   local deps=$logs/tidy-includes.txt common file hashes
-  common=$( (cat "$root/.clang-tidy" "$root/build/release/CMakeCache.txt" && clang-tidy --version) | sed "s|$root||g" | sha256sum)
+  common=$( (cat "$root/.clang-tidy" && grep -E '^CMAKE_(BUILD_TYPE|CXX_COMPILER|CXX_FLAGS.*):' "$root/build/release/CMakeCache.txt" &&
+    clang-tidy --version) | sha256sum)
   cd "$root/build/release"
   ninja -t deps | sed -E 's/^ +//' >"$deps"
   grep -vE '^$|#deps' "$deps" | sort -u | xargs -d '\n' sha256sum 2>/dev/null |
