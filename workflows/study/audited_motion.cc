@@ -24,6 +24,7 @@ double StrayOf(const AuditReport& report) {
   return stray_m;
 }
 
+/// Whether all options are in their ranges, which refinement may leave.
 bool InRange(RigidBodyOptions options) {
   try {
     CheckOptions(options.Fields());
@@ -151,8 +152,9 @@ class Refiner {
   /// From the numbers of the attempt, or as if there were none. What is far from its laws at first takes its time.
   void Solve(bool from_numbers) {
     RigidBodyOptions options = options_;
+    options.max_iterations *= 3;
+    if (!InRange(options)) options = options_;
     options.hopeless = 1e3;
-    if (RigidBodyOptions longer = options; longer.max_iterations *= 3, InRange(longer)) options = longer;
     RigidBodyPlan last;
     const Result<RigidBodyPlan> plan = from_numbers
                                            ? PlanRigidBodyFrom(at_.choice.problem, options, at_.plan.numbers, &last)

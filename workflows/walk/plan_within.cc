@@ -99,7 +99,7 @@ class Search {
     if (IsInPlace(request_.command)) return {};
     if (const Result<Cycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted)) {
       const double leaping = LargestLeaping();
-      return leaping > 0.0 ? SlowerPace{leaping, Known::kMay} : SlowerPace{LargestOnTheGround(), Known::kMay};
+      return {leaping > 0.0 ? leaping : LargestOnTheGround(), Known::kMay};
     }
     if (IsLevelGround(terrain_)) return {LargestThatIsSound(), Known::kLargest};
     if (IsOwnPace(request_.command)) return {};
