@@ -75,6 +75,38 @@ void CheckLevel(const RobotYaml& yaml, const RobotModel& model) {
                   *yaml.standing_base_height_m, stands, 1e3 * std::abs(*yaml.standing_base_height_m - stands)));
 }
 
+/// Puts what is given of a motor into the model. @throws InvalidArgument where its values contradict each other.
+void ApplyMotor(const RobotYaml::JointMotor& given, RobotModel& model) {
+  const int dof = DofNamed(model, given.joint, given.line);
+  Joint& joint = JointNamed(model, given.joint, given.line);
+  CheckUnits(joint, given.sliding, given.has_units, given.line);
+  Motor& motor = model.motors[static_cast<std::size_t>(dof)];
+  if (given.corner_speed.has_value() != given.no_load_speed.has_value()) {
+    RefuseYamlLine(given.line, fmt::format("the motor of '{}' has one end of its torque-speed curve; give both the "
+                                           "corner velocity and the no-load velocity, or none",
+                                           given.joint));
+  }
+  motor.corner_speed = given.corner_speed.value_or(motor.corner_speed);
+  motor.no_load_speed = given.no_load_speed.value_or(motor.no_load_speed);
+  if (motor.has_curve() && motor.corner_speed >= motor.no_load_speed) {
+    RefuseYamlLine(given.line, fmt::format("the motor of '{}' has a corner velocity of {}, which is not below its "
+                                           "no-load velocity of {}",
+                                           given.joint, motor.corner_speed, motor.no_load_speed));
+  }
+  motor.continuous_effort = given.continuous_effort.value_or(motor.continuous_effort);
+  if (given.continuous_effort && motor.continuous_effort > model.dof_effort_limit(dof)) {
+    RefuseYamlLine(given.line, fmt::format("the motor of '{}' has a continuous effort of {}, over the joint's limit of "
+                                           "{}",
+                                           given.joint, motor.continuous_effort, model.dof_effort_limit(dof)));
+  }
+  motor.thermal_s = given.thermal_s.value_or(motor.thermal_s);
+  motor.rotor_inertia = given.rotor_inertia.value_or(motor.rotor_inertia);
+  motor.acceleration_limit = given.acceleration_limit.value_or(motor.acceleration_limit);
+  motor.jerk_limit = given.jerk_limit.value_or(motor.jerk_limit);
+  joint.damping = given.damping.value_or(joint.damping);
+  joint.friction = given.friction.value_or(joint.friction);
+}
+
 }  // namespace
 
 void ApplyLimits(const RobotYaml& yaml, RobotModel& model) {
@@ -97,6 +129,11 @@ void ApplyLimits(const RobotYaml& yaml, RobotModel& model) {
                                              joint.lower, joint.upper));
     }
   }
+}
+
+void ApplyMotors(const RobotYaml& yaml, RobotModel& model) {
+  model.motors.assign(model.dof_names.size(), Motor());
+  for (const RobotYaml::JointMotor& given : yaml.motors) ApplyMotor(given, model);
 }
 
 VectorX GivenPosture(const RobotYaml& yaml, const RobotModel& model) {

@@ -10,6 +10,9 @@ namespace gaitwright {
 /// for a turning one and the reverse, values that contradict each other.
 void ApplyLimits(const RobotYaml& yaml, RobotModel& model);
 
+/// Puts in the motors, those without words in the file included, and what joints take of themselves.
+void ApplyMotors(const RobotYaml& yaml, RobotModel& model);
+
 /// Standing positions by coordinate; NaN where none is given. Refuses one outside its joint's limits.
 VectorX GivenPosture(const RobotYaml& yaml, const RobotModel& model);
 

@@ -86,6 +86,49 @@ Json MirrorsJson(const RobotModel& model) {
   return pairs;
 }
 
+/// A number, or null where there is no end to it.
+Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+/// In SI units of a joint that turns; of one that slides N, m/s and kg.
+Json MotorJson(const Motor& motor, const Joint& joint) {
+  return {{"corner_speed", Finite(motor.corner_speed)},
+          {"no_load_speed", Finite(motor.no_load_speed)},
+          {"continuous_effort", Finite(motor.continuous_effort)},
+          {"thermal_s", motor.thermal_s},
+          {"rotor_inertia", motor.rotor_inertia},
+          {"acceleration_limit", Finite(motor.acceleration_limit)},
+          {"jerk_limit", Finite(motor.jerk_limit)},
+          {"damping", joint.damping},
+          {"friction", joint.friction}};
+}
+
+/// What is known of a motor, in words; empty where nothing is.
+std::string MotorText(const Motor& motor, const Joint& joint) {
+  std::string text;
+  const auto add = [&](bool known, const std::string& words) {
+    if (known) text += (text.empty() ? "" : ", ") + words;
+  };
+  add(motor.has_curve(),
+      fmt::format("full effort up to {:g}, none from {:g} on", motor.corner_speed, motor.no_load_speed));
+  add(std::isfinite(motor.continuous_effort),
+      fmt::format("{:g} without end, as mean over {:g} s", motor.continuous_effort, motor.thermal_s));
+  add(motor.rotor_inertia > 0.0, fmt::format("rotor inertia {:g}", motor.rotor_inertia));
+  add(std::isfinite(motor.acceleration_limit), fmt::format("acceleration to {:g}", motor.acceleration_limit));
+  add(std::isfinite(motor.jerk_limit), fmt::format("jerk to {:g}", motor.jerk_limit));
+  add(joint.damping > 0.0, fmt::format("damping {:g}", joint.damping));
+  add(joint.friction > 0.0, fmt::format("friction {:g}", joint.friction));
+  return text;
+}
+
+std::string MotorTexts(const RobotModel& model) {
+  std::string text;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const std::string words = MotorText(model.MotorOf(d), model.LeaderOf(d));
+    if (!words.empty()) text += fmt::format("  {:<20} {}\n", model.dof_names[static_cast<std::size_t>(d)], words);
+  }
+  return text.empty() ? text : "\nmotors and joints     (rad, rad/s, N m, kg m^2; sliding: m, m/s, N, kg)\n" + text;
+}
+
 }  // namespace
 
 std::string DescribeRobot(const RobotModel& model) {
@@ -110,19 +153,22 @@ std::string DescribeRobot(const RobotModel& model) {
                         model.dof_names[static_cast<std::size_t>(d)], model.standing_joints[d], model.dof_lower(d),
                         model.dof_upper(d), model.dof_velocity_limit(d), model.dof_effort_limit(d));
   }
+  text += MotorTexts(model);
   if (!model.notes.empty()) text += "\nnotes\n";
   for (const std::string& note : model.notes) text += "  " + note + "\n";
   return text;
 }
 
 std::string RobotJson(const RobotModel& model) {
-  Json legs = Json::object(), standing = Json::object(), limits = Json::object(), gains = Json::object();
+  Json legs = Json::object(), standing = Json::object(), limits = Json::object(), gains = Json::object(),
+       motors = Json::object();
   for (const Leg& leg : model.legs) legs[leg.name] = LegJson(model, leg);
   for (int d = 0; d < model.num_dofs(); ++d) {
     const std::string& joint = model.dof_names[static_cast<std::size_t>(d)];
     standing[joint] = model.standing_joints[d];
     limits[joint] = LimitsJson(model, d);
     gains[joint] = GainsJson(model, d);
+    motors[joint] = MotorJson(model.MotorOf(d), model.LeaderOf(d));
   }
   const Json json = {{"name", model.name},
                      {"description", model.description},
@@ -136,6 +182,7 @@ std::string RobotJson(const RobotModel& model) {
                      {"standing", standing},
                      {"limits", limits},
                      {"gains", gains},
+                     {"motor_limits", motors},
                      {"notes", model.notes},
                      {"hash", model.hash}};
   return json.dump(2);

@@ -74,6 +74,7 @@ Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_te
   model.name = yaml.name.empty() ? name : yaml.name;
   model.description = yaml.description;
   ApplyLimits(yaml, model);
+  ApplyMotors(yaml, model);
   const Result<int> legs = DeriveLegs(model, yaml, GivenPosture(yaml, model));
   if (!legs) return legs.failure();
   ApplyStanding(yaml, model);

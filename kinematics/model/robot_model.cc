@@ -60,6 +60,12 @@ const Joint& RobotModel::LeaderOf(int dof) const {
   return joints[static_cast<std::size_t>(dof_joint[static_cast<std::size_t>(dof)])];
 }
 
+const Motor& RobotModel::MotorOf(int dof) const {
+  static const Motor plain;
+  const auto at = static_cast<std::size_t>(dof);
+  return at < motors.size() ? motors[at] : plain;
+}
+
 double RobotModel::leg_length_m() const {
   double longest = 0.0;
   for (const Leg& leg : legs) longest = std::max(longest, leg.length_m);

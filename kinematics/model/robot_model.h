@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/model/motor.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
@@ -27,8 +28,8 @@ struct Joint {
   double effort_limit = 0.0;                   ///< [N m] or [N]
   bool velocity_limit_is_placeholder = false;  ///< reported, never used to fail a plan
   bool effort_limit_is_placeholder = false;
-  double damping = 0.0;   ///< [N m s/rad]
-  double friction = 0.0;  ///< [N m]
+  double damping = 0.0;   ///< of its own, against any motion [N m s/rad]
+  double friction = 0.0;  ///< dry, against any motion [N m]
 
   /// Index of the independent joint coordinate that moves it; position = multiplier * q_joint[dof] + offset.
   /// A joint that mimics no other has its own dof, multiplier 1 and offset 0.
@@ -146,6 +147,7 @@ struct RobotModel {
 
   /// Gains from robot.yaml, by dof; zero where they are to be derived from the effective inertia.
   VectorX stiffness, damping;  ///< [N m/rad], [N m s/rad]
+  std::vector<Motor> motors;   ///< by dof; see MotorOf
 
   std::vector<std::string> notes;    ///< what was derived, from what, and what was odd; for people
   std::string urdf_text, yaml_text;  ///< what it was made from, with
@@ -166,6 +168,9 @@ struct RobotModel {
 
   /// The joint that leads an independent coordinate.
   const Joint& LeaderOf(int dof) const;
+
+  /// The motor of an independent coordinate; one without further limits where nothing is known of it.
+  const Motor& MotorOf(int dof) const;
 
   /// Longest leg, hip to contact, straight [m]; the length that limits scale with.
   double leg_length_m() const;

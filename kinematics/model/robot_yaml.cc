@@ -164,6 +164,30 @@ RobotYaml::JointLimits ParseLimits(const YamlMap::Entry& entry) {
   return limits;
 }
 
+RobotYaml::JointMotor ParseMotor(const YamlMap::Entry& entry) {
+  const YamlMap map(entry.value, fmt::format("the motor of '{}'", entry.key),
+                    {"corner_velocity_rad_s", "no_load_velocity_rad_s", "continuous_nm", "thermal_s",
+                     "rotor_inertia_kg_m2", "acceleration_rad_s2", "jerk_rad_s3", "damping_nm_s_rad", "friction_nm",
+                     "corner_velocity_m_s", "no_load_velocity_m_s", "continuous_n", "rotor_mass_kg",
+                     "acceleration_m_s2", "jerk_m_s3", "damping_n_s_m", "friction_n"});
+  UnitKeys keys{map};
+  RobotYaml::JointMotor motor;
+  motor.joint = entry.key;
+  motor.line = LineOf(entry.key_node);
+  motor.corner_speed = keys.Take("corner_velocity_rad_s", "corner_velocity_m_s", true);
+  motor.no_load_speed = keys.Take("no_load_velocity_rad_s", "no_load_velocity_m_s", true);
+  motor.continuous_effort = keys.Take("continuous_nm", "continuous_n", true);
+  motor.thermal_s = map.Positive("thermal_s");
+  motor.rotor_inertia = keys.Take("rotor_inertia_kg_m2", "rotor_mass_kg", true);
+  motor.acceleration_limit = keys.Take("acceleration_rad_s2", "acceleration_m_s2", true);
+  motor.jerk_limit = keys.Take("jerk_rad_s3", "jerk_m_s3", true);
+  motor.damping = keys.Take("damping_nm_s_rad", "damping_n_s_m", true);
+  motor.friction = keys.Take("friction_nm", "friction_n", true);
+  motor.sliding = keys.Sliding(entry);
+  motor.has_units = keys.turning || keys.sliding;
+  return motor;
+}
+
 /// Calls `each` for every entry of the map under `key`.
 template <class Each>
 void ForEach(const YamlMap& root, const std::string& key, Each each) {
@@ -178,7 +202,7 @@ RobotYaml Parse(const YAML::Node& root) {
   if (!root || root.IsNull()) return yaml;
   const YamlMap map(root, "the file",
                     {"name", "description", "limits", "feet", "legs", "mirror_pairs", "standing",
-                     "standing_base_height_m", "nominal_speed_m_s", "gains"});
+                     "standing_base_height_m", "nominal_speed_m_s", "gains", "motors"});
   yaml.name = map.Text("name");
   if (map.Find("name") != nullptr && yaml.name.empty()) RefuseYaml(*map.Find("name"), "'name' is empty");
   yaml.description = map.Text("description");
@@ -190,6 +214,7 @@ RobotYaml Parse(const YAML::Node& root) {
   ForEach(map, "legs", [&](const auto& entry) { yaml.legs.push_back(ParseLeg(entry)); });
   ForEach(map, "limits", [&](const auto& entry) { yaml.limits.push_back(ParseLimits(entry)); });
   ForEach(map, "gains", [&](const auto& entry) { yaml.gains.push_back(ParseGains(entry)); });
+  ForEach(map, "motors", [&](const auto& entry) { yaml.motors.push_back(ParseMotor(entry)); });
   ForEach(map, "standing", [&](const YamlMap::Entry& entry) {
     const double position = NumberOf(entry.value, fmt::format("the position of '{}'", entry.key));
     yaml.standing.push_back({entry.key, position, LineOf(entry.key_node)});

@@ -33,11 +33,21 @@ struct RobotYaml : LegChoices {
     bool sliding = false;
     int line = 0;
   };
+  /// What is given of a joint's motor and of what the joint itself takes; see Motor and Joint.
+  struct JointMotor {
+    std::string joint;
+    std::optional<double> corner_speed, no_load_speed, continuous_effort, thermal_s, rotor_inertia;
+    std::optional<double> acceleration_limit, jerk_limit, damping, friction;
+    bool has_units = false;  ///< any key tells whether the joint slides
+    bool sliding = false;
+    int line = 0;
+  };
 
   std::string name, description;
   std::vector<JointLimits> limits;
   std::vector<JointPosition> standing;
   std::vector<JointGains> gains;
+  std::vector<JointMotor> motors;
   std::optional<double> standing_base_height_m, nominal_speed_m_s;
   int height_line = 0;  ///< of standing_base_height_m
 };

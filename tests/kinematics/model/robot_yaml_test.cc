@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "kinematics/base/file.h"
+#include "kinematics/model/describe.h"
 #include "tests/kinematics/model/small_urdf.h"
 
 namespace gaitwright {
@@ -52,6 +53,39 @@ TEST(RobotYaml, LimitsTakeTheUrdfsPlace) {
   EXPECT_EQ(b.lower, -2.0);
   EXPECT_EQ(b.effort_limit, 3.0);
   ExpectSays(NotesOf(model), {"limits of 'A_knee', 'B_knee': from robot.yaml"});
+}
+
+TEST(RobotYaml, MotorsSayWhatTheyCan) {
+  const RobotModel model = With(
+      "motors: {A_knee: {corner_velocity_rad_s: 4, no_load_velocity_rad_s: 8, continuous_nm: 9, thermal_s: 3, "
+      "rotor_inertia_kg_m2: 0.02, acceleration_rad_s2: 200, jerk_rad_s3: 5000, damping_nm_s_rad: 0.3, friction_nm: "
+      "0.7}}");
+  const Motor& motor = model.MotorOf(model.DofIndex("A_knee"));
+  EXPECT_EQ(motor.continuous_effort, 9.0);
+  EXPECT_EQ(motor.thermal_s, 3.0);
+  EXPECT_EQ(motor.rotor_inertia, 0.02);
+  EXPECT_EQ(motor.acceleration_limit, 200.0);
+  EXPECT_EQ(motor.jerk_limit, 5000.0);
+  EXPECT_EQ(JointOf(model, "A_knee").damping, 0.3);
+  EXPECT_EQ(JointOf(model, "A_knee").friction, 0.7);
+  EXPECT_EQ(motor.EffortAt(4.0, 30.0), 30.0);
+  EXPECT_NEAR(motor.EffortAt(6.0, 30.0), 15.0, 1e-12);
+  EXPECT_EQ(motor.EffortAt(9.0, 30.0), 0.0);
+  EXPECT_EQ(motor.EffortAt(-9.0, 30.0), 30.0);
+  EXPECT_FALSE(model.MotorOf(model.DofIndex("B_knee")).has_curve());
+  EXPECT_EQ(model.MotorOf(model.DofIndex("B_knee")).EffortAt(1e3, 30.0), 30.0);
+  ExpectSays(DescribeRobot(model), {"full effort up to 4, none from 8 on", "9 without end, as mean over 3 s",
+                                    "rotor inertia 0.02", "damping 0.3, friction 0.7"});
+}
+
+TEST(RobotYaml, RefusesMotorsThatContradictThemselves) {
+  ExpectSays(WhyNot("motors: {A_knee: {corner_velocity_rad_s: 8, no_load_velocity_rad_s: 4}}"),
+             {"line 1", "'A_knee' has a corner velocity of 8, which is not below its no-load velocity of 4"});
+  ExpectSays(WhyNot("motors: {A_knee: {no_load_velocity_rad_s: 4}}"), {"one end of its torque-speed curve"});
+  ExpectSays(WhyNot("motors: {A_knee: {continuous_nm: 31}}"),
+             {"a continuous effort of 31, over the joint's limit of 30"});
+  ExpectSays(WhyNot("motors: {A_knee: {continuous_n: 3}}"), {"joint 'A_knee' turns"});
+  ExpectSays(WhyNot("motors: {A_knee: {rotor_inertia_kg_m2: 0}}"), {"rotor_inertia_kg_m2"});
 }
 
 TEST(RobotYaml, LimitsBoundAContinuousJointAndReplaceAPlaceholder) {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+
+namespace gaitwright {
+
+/// What moves an independent coordinate, beyond its limits of position, speed and peak effort: what a robot.yaml may
+/// say of it under `motors`. Units are those of a joint that turns; of one that slides N, m/s and kg.
+///
+/// Torque-speed curve: the peak effort up to `corner_speed`, from there on falling in a line to nothing at
+/// `no_load_speed`, for torque in the direction of motion; braking has the whole peak.
+struct Motor {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+
+  double corner_speed = kNone;        ///< [rad/s]
+  double no_load_speed = kNone;       ///< [rad/s]; over corner_speed, infinite without a curve
+  double continuous_effort = kNone;   ///< root mean square that it bears without end [N m]
+  double thermal_s = 10.0;            ///< over which that mean is taken [s]
+  double rotor_inertia = 0.0;         ///< of rotor and gear, as felt at the joint [kg m^2]
+  double acceleration_limit = kNone;  ///< [rad/s^2]
+  double jerk_limit = kNone;          ///< [rad/s^3]
+
+  bool has_curve() const { return no_load_speed < kNone; }
+
+  /// Largest torque along the motion at a speed, from 0 to `peak`.
+  /// @param speed  magnitude of the speed in the torque's direction; negative where it brakes.
+  double EffortAt(double speed, double peak) const {
+    if (!has_curve() || speed <= corner_speed) return peak;
+    return speed >= no_load_speed ? 0.0 : peak * (no_load_speed - speed) / (no_load_speed - corner_speed);
+  }
+};
+
+}  // namespace gaitwright
