@@ -86,9 +86,6 @@ Json MirrorsJson(const RobotModel& model) {
   return pairs;
 }
 
-/// A number, or null where there is no end to it.
-Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
 /// In SI units of a joint that turns; of one that slides N, m/s and kg.
 Json MotorJson(const Motor& motor, const Joint& joint) {
   return {{"corner_speed", Finite(motor.corner_speed)},
