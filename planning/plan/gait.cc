@@ -31,6 +31,17 @@ bool StandsStill(const Gait& gait) {
          std::all_of(gait.duty_factor.begin(), gait.duty_factor.end(), [](double share) { return share >= 1.0; });
 }
 
+Gait HangingGait(int num_feet) {
+  const auto feet = static_cast<std::size_t>(num_feet);
+  return {"hang", "base held, no foot on the ground", 1.0, std::vector<double>(feet, 0.0),
+          std::vector<double>(feet, 0.0)};
+}
+
+bool Hangs(const Gait& gait) {
+  return !gait.duty_factor.empty() &&
+         std::all_of(gait.duty_factor.begin(), gait.duty_factor.end(), [](double share) { return share <= 0.0; });
+}
+
 bool HasFlight(const Gait& gait) {
   // The stance changes only at touch-downs and lift-offs: looking just after each lift-off is enough.
   for (std::size_t i = 0; i < gait.phase.size(); ++i) {

@@ -24,7 +24,7 @@ struct Gait {
   std::string description;
   double cycle_s = 0.5;             ///< [s]
   std::vector<double> phase;        ///< by foot, in [0, 1)
-  std::vector<double> duty_factor;  ///< by foot, in (0, 1); 1 for all of them in standing still
+  std::vector<double> duty_factor;  ///< by foot, in (0, 1); all 1 in standing still, all 0 in hanging
 
   int num_feet() const { return static_cast<int>(phase.size()); }
   bool operator==(const Gait&) const = default;
@@ -38,6 +38,12 @@ Gait StandingGait(int num_feet);
 
 /// True when no foot ever leaves the ground.
 bool StandsStill(const Gait& gait);
+
+/// Hanging with the base held in place from outside, as on a stand, and no foot on the ground: a gait named "hang".
+Gait HangingGait(int num_feet);
+
+/// True when no foot is ever on the ground.
+bool Hangs(const Gait& gait);
 
 /// True when some part of the cycle has no foot on the ground.
 bool HasFlight(const Gait& gait);
