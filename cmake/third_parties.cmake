@@ -12,7 +12,6 @@ find_package(PNG REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
-pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(ompl REQUIRED IMPORTED_TARGET ompl)
 # It asks for an older language than ours.

@@ -146,22 +146,48 @@ class Transaction {
 
 }  // namespace
 
-Result<std::string> ReadFile(const std::string& path) {
+Result<std::string> ReadBytes(const std::string& path, std::size_t most) {
   std::error_code error;
-  if (!fs::exists(path, error)) return FileFailure("no_such_file", fmt::format("no such file: '{}'", path));
-  if (fs::is_directory(path, error)) {
-    return FileFailure("not_a_file", fmt::format("'{}' is a folder, not a file", path));
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return FileFailure("no_such_file", fmt::format("no such file: '{}'", path));
+  if (fs::is_directory(status)) return FileFailure("not_a_file", fmt::format("'{}' is a folder, not a file", path));
+  if (!fs::is_regular_file(status) && !fs::is_fifo(status)) {
+    return FileFailure("not_a_file", fmt::format("'{}' is a device or a socket, not a file", path));
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return FileFailure("unreadable_file", fmt::format("cannot read '{}'", path));
-  std::string text(std::istreambuf_iterator<char>(stream), {});
+  std::string bytes;
+  constexpr std::size_t kPiece = std::size_t{1} << 16;
+  for (std::size_t size = 0; stream && size <= most; size = bytes.size()) {
+    bytes.resize(size + kPiece);
+    stream.read(&bytes[size], static_cast<std::streamsize>(kPiece));
+    bytes.resize(size + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (bytes.size() > most) {
+    return FileFailure("large_file", fmt::format("'{}' has more than {} bytes, which is the most that is read of such "
+                                                 "a file",
+                                                 path, most));
+  }
+  if (stream.bad()) return FileFailure("unreadable_file", fmt::format("cannot read '{}'", path));
+  return bytes;
+}
+
+Result<std::string> ReadFile(const std::string& path, std::size_t most) {
+  Result<std::string> bytes = ReadBytes(path, most);
+  if (!bytes) return bytes;
+  std::string& text = *bytes;
+  if (const std::size_t nothing = text.find('\0'); nothing != std::string::npos) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(nothing);
+    return FileFailure("not_text", fmt::format("'{}' line {} is not text: there is a byte 0x00", path,
+                                               1 + std::count(text.begin(), end, '\n')));
+  }
   if (const auto bad = utf8::find_invalid(text.begin(), text.end()); bad != text.end()) {
     return FileFailure("not_text",
                        fmt::format("'{}' line {} is not text in UTF-8: there is a byte 0x{:02x}", path,
                                    1 + std::count(text.begin(), bad, '\n'), static_cast<unsigned char>(*bad)));
   }
   if (utf8::starts_with_bom(text.begin(), text.end())) text.erase(0, 3);
-  return text;
+  return bytes;
 }
 
 Result<std::string> WriteFileAtomically(const std::string& path, const std::string& text) {

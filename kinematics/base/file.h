@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,16 @@
 
 namespace gaitwright {
 
-/// The whole text of a file in UTF-8, without a byte-order mark. A failure names the file, and the line of a byte that
-/// is no text.
-Result<std::string> ReadFile(const std::string& path);
+/// Most that is read of one file [byte]: more is no robot, ground, plan or log.
+inline constexpr std::size_t kLargestFile = std::size_t{512} << 20;
+
+/// The bytes of a file, or of a pipe. Failure: no such file, a folder, a device such as /dev/zero, a socket, and more
+/// than `most` bytes.
+Result<std::string> ReadBytes(const std::string& path, std::size_t most = kLargestFile);
+
+/// The whole text of a file in UTF-8, without a byte-order mark. Fails as ReadBytes does; a failure names the file, and
+/// the line of a byte that is no text.
+Result<std::string> ReadFile(const std::string& path, std::size_t most = kLargestFile);
 
 /// Writes the text to a temporary file beside `path` and renames it, so that no half-written file is ever seen.
 /// Parent folders are made. @return the path written.

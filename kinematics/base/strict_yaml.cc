@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/strict_yaml_internal.h"
@@ -22,7 +23,7 @@ const char* KindOf(const YAML::Node& node) {
   }
 }
 
-int LineOf(const YAML::Node& node) { return node.Mark().line + 1; }
+int LineOf(const YAML::Node& node) { return std::max(node.Mark().line, 0) + 1; }
 
 void RefuseYaml(const YAML::Node& node, const std::string& message) {
   throw InvalidArgument(fmt::format("line {}: {}", LineOf(node), message));
@@ -57,9 +58,10 @@ std::vector<YAML::Node> ListOf(const YAML::Node& node, const std::string& what) 
 YamlMap::YamlMap(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known)
     : node_(node), what_(what) {
   if (!node.IsMap()) RefuseYaml(node, fmt::format("{} is {}; a map of keys is needed", what, KindOf(node)));
+  std::set<std::string> seen;
   for (const auto& entry : node) {
     const std::string key = TextOf(entry.first, "a key of " + what);
-    if (Find(key) != nullptr) RefuseYaml(entry.first, fmt::format("{} has the key '{}' twice", what, key));
+    if (!seen.insert(key).second) RefuseYaml(entry.first, fmt::format("{} has the key '{}' twice", what, key));
     if (!known.empty() && std::find(known.begin(), known.end(), key) == known.end()) {
       RefuseYaml(entry.first,
                  fmt::format("{} has the unknown key '{}'; the nearest is '{}'", what, key, NearestName(key, known)));

@@ -3,11 +3,21 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace gaitwright {
+
+/// Bounds of what is read as YAML: of the text [byte], of values with those that aliases repeat, of lists and maps in
+/// one another, and of one text or word in it [byte].
+inline constexpr std::size_t kLargestYaml = std::size_t{16} << 20, kMostYamlValues = 1000000, kDeepestYaml = 32,
+                             kLongestYamlText = 65536;
+
+/// The one document of a text; null for an empty one. @throws YAML::Exception for what is no YAML, InvalidArgument
+/// `line N: message` for a second document, an alias of what it stands in, and what is beyond the bounds.
+YAML::Node LoadYaml(const std::string& text);
 
 /// Throws InvalidArgument: `line N: message`.
 [[noreturn]] void RefuseYaml(const YAML::Node& node, const std::string& message);

@@ -8,4 +8,11 @@ namespace gaitwright {
 /// The text without spaces, tabs and ends of lines before and after it.
 std::string Trimmed(const std::string& text);
 
+/// Whether a text is UTF-8 without control characters other than tabs and ends of lines, so that it can be shown and
+/// written to any file.
+bool IsPlainText(const std::string& text);
+
+/// A text as messages show it: its first 60 bytes or so, with dots where it goes on.
+std::string Shortened(const std::string& text);
+
 }  // namespace gaitwright

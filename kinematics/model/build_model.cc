@@ -18,6 +18,8 @@
 namespace gaitwright {
 namespace {
 
+constexpr double kLightestRobot = 1e-6;  // [kg]
+
 /// Inertia of a point mass at d about the origin.
 Matrix3 Steiner(double mass, const Vector3& d) {
   return mass * (d.squaredNorm() * Matrix3::Identity() - d * d.transpose());
@@ -156,6 +158,25 @@ class Builder {
   std::map<std::size_t, std::string> leader_;
 };
 
+/// Chains of mimics multiply, and what is absurd then was not so in any one of them.
+std::optional<Failure> CheckFollowers(const RobotModel& model) {
+  constexpr double kLeast = 1e-6, kMost = 1e6;
+  for (const Joint& joint : model.joints) {
+    const double gear = std::abs(joint.multiplier);
+    if (gear >= kLeast && gear <= kMost && std::abs(joint.offset) <= kMost) continue;
+    return Failure{
+        FailureKind::kBadInput,
+        "bad_mimic",
+        "LoadRobot",
+        fmt::format("joint '{}' follows '{}' with multiplier {} and offset {}; accepted: {} to {} up or down, "
+                    "and at most {}",
+                    joint.name, model.dof_names[static_cast<std::size_t>(joint.dof)], joint.multiplier, joint.offset,
+                    kLeast, kMost, kMost),
+        {}};
+  }
+  return std::nullopt;
+}
+
 std::optional<Failure> CheckInertiaBeyondJoints(const RobotModel& model) {
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
@@ -230,14 +251,15 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name) {
                    {}};
   }
   RobotModel model = Builder(*urdf, parts, name).Take();
-  if (!(model.total_mass_kg > 0.0)) {
+  if (!(model.total_mass_kg >= kLightestRobot)) {
     return Failure{FailureKind::kBadInput,
                    "no_mass",
                    "LoadRobot",
-                   fmt::format("robot '{}': its {} links weigh {} kg together; a robot needs mass", name,
-                               model.frames.size(), model.total_mass_kg),
+                   fmt::format("robot '{}': its {} links weigh {} kg together; a robot needs mass, {} kg or more", name,
+                               model.frames.size(), model.total_mass_kg, kLightestRobot),
                    {"give its links an <inertial>"}};
   }
+  if (auto failure = CheckFollowers(model)) return *failure;
   if (auto failure = CheckInertiaBeyondJoints(model)) return *failure;
   return model;
 }

@@ -19,6 +19,8 @@
 namespace gaitwright {
 namespace {
 
+constexpr std::size_t kMostLegs = 64;  // that a set of feet as bits holds
+
 /// How far down the end of a chain can come: its first joint's height less all its length.
 double LowestReach(const RobotModel& model, const std::vector<int>& chain, const std::vector<Pose>& X_OB) {
   const int last = chain.back() + 1;
@@ -113,6 +115,13 @@ Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX
         fmt::format("robot '{}': {} legs found; two or more chains of joints that end at the bottom are needed",
                     model.name, ends.size()),
         {"name the feet in robot.yaml: feet: [{link: NAME}, ...]"}};
+  }
+  if (ends.size() > kMostLegs) {
+    return Failure{FailureKind::kBadInput,
+                   "many_legs",
+                   "LoadRobot",
+                   fmt::format("robot '{}' has {} legs; at most {} are accepted", model.name, ends.size(), kMostLegs),
+                   {"name those that walk in robot.yaml: feet: [{link: NAME}, ...]"}};
   }
   for (std::size_t i = 0; i < ends.size(); ++i) {
     Leg leg;

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/model/mesh_file.h"
 
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <numbers>
 
+#include "kinematics/base/file.h"
 #include "kinematics/base/options.h"
+#include "kinematics/model/mesh_parts.h"
 
 namespace gaitwright {
 namespace {
@@ -35,25 +33,26 @@ std::string Kind(const std::string& path) {
   return kind;
 }
 
-/// Adds the triangles of a node and of those below it, in the scene's frame.
-void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Mesh& mesh) {
-  const aiMatrix4x4 here = above * node.mTransformation;
-  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    const aiMesh& part = *scene.mMeshes[node.mMeshes[m]];
-    const auto base = static_cast<int>(mesh.vertices.size());
-    for (unsigned i = 0; i < part.mNumVertices; ++i) {
-      const aiVector3D p = here * part.mVertices[i];
-      mesh.vertices.emplace_back(p.x, p.y, p.z);
+constexpr std::size_t kLargestMeshFile = std::size_t{256} << 20;  // [byte]
+constexpr double kLargestCoordinate = 1e12;
+
+/// The mesh without the points that no triangle has.
+Mesh OnlyUsed(const Mesh& mesh) {
+  std::vector<int> number(mesh.vertices.size(), -1);
+  Mesh used;
+  for (const Eigen::Vector3i& triangle : mesh.triangles) {
+    Eigen::Vector3i kept;
+    for (int i = 0; i < 3; ++i) {
+      int& place = number[static_cast<std::size_t>(triangle[i])];
+      if (place < 0) {
+        place = static_cast<int>(used.vertices.size());
+        used.vertices.push_back(mesh.vertices[static_cast<std::size_t>(triangle[i])]);
+      }
+      kept[i] = place;
     }
-    for (unsigned i = 0; i < part.mNumFaces; ++i) {
-      const aiFace& face = part.mFaces[i];
-      if (face.mNumIndices != 3) continue;
-      mesh.triangles.push_back(Eigen::Vector3i::Constant(base) + Eigen::Vector3i(static_cast<int>(face.mIndices[0]),
-                                                                                 static_cast<int>(face.mIndices[1]),
-                                                                                 static_cast<int>(face.mIndices[2])));
-    }
+    used.triangles.push_back(kept);
   }
-  for (unsigned c = 0; c < node.mNumChildren; ++c) AddNode(scene, *node.mChildren[c], here, mesh);
+  return used;
 }
 
 /// Direction i of n spread evenly over the sphere, along a spiral of golden angles.
@@ -100,20 +99,23 @@ Result<Mesh> ReadMesh(const std::string& path) {
     return Refused("mesh_kind",
                    fmt::format("'{}' is a mesh of a kind that is not read; there are {}", path, QuotedList(kKinds)));
   }
-  Assimp::Importer importer;
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    return Refused("mesh_unreadable", fmt::format("the mesh '{}' cannot be read: {}", path, importer.GetErrorString()));
-  }
+  const Result<std::string> bytes = ReadBytes(path, kLargestMeshFile);
+  if (!bytes) return bytes.failure();
   Mesh mesh;
-  AddNode(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
+  try {
+    mesh = Kind(path) == ".stl" ? ParseStl(*bytes) : Kind(path) == ".obj" ? ParseObj(*bytes) : ParseCollada(*bytes);
+  } catch (const InvalidArgument& error) {
+    return Refused("mesh_unreadable", fmt::format("the mesh '{}' cannot be read: {}", path, error.what()));
+  }
   if (mesh.triangles.empty()) return Refused("mesh_empty", fmt::format("the mesh '{}' has no triangles", path));
   for (const Vector3& v : mesh.vertices) {
-    if (!v.allFinite())
-      return Refused("mesh_number", fmt::format("the mesh '{}' has a vertex that is not finite", path));
+    if (!(v.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+      return Refused("mesh_number",
+                     fmt::format("the mesh '{}' has a vertex that is not finite, or farther away than {}", path,
+                                 kLargestCoordinate));
+    }
   }
-  return mesh;
+  return OnlyUsed(mesh);
 }
 
 std::vector<Vector3> HullPoints(std::vector<Vector3> points) {

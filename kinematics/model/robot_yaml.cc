@@ -14,7 +14,19 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLeastSole = 1e-6;  // [m^2]
+constexpr double kLeastSole = 1e-6;    // [m^2]
+constexpr double kLongestPart = 1e3;   // [m]
+constexpr double kLargestValue = 1e9;  // of a limit, a gain or what a motor has, in its unit
+constexpr std::size_t kMostCorners = 100;
+constexpr double kFastestWalk = 100.0;  // [m/s]
+
+/// A number over zero that may be left out.
+std::optional<double> AtMost(const YamlMap& map, const std::string& key, double most) {
+  const std::optional<double> value = map.Positive(key);
+  if (value && *value > most)
+    RefuseYaml(*map.Find(key), fmt::format("'{}' is {}; at most {} is accepted", key, *value, most));
+  return value;
+}
 
 FootType ParseFootType(const YAML::Node& node) {
   const std::vector<std::string>& names = FootTypeNames();
@@ -49,10 +61,13 @@ std::vector<Vector2> ParseSole(const YAML::Node& node) {
     const std::vector<YAML::Node> xy = ListOf(corner, "a corner of 'sole_m'");
     if (xy.size() != 2)
       RefuseYaml(corner, fmt::format("a corner of 'sole_m' has {} numbers; [x, y] is needed", xy.size()));
-    corners.emplace_back(NumberOf(xy[0], "a corner of 'sole_m'"), NumberOf(xy[1], "a corner of 'sole_m'"));
+    const auto at = [&](std::size_t i) { return NumberOf(xy[i], "a corner of 'sole_m'", -kLongestPart, kLongestPart); };
+    corners.emplace_back(at(0), at(1));
   }
   if (corners.size() < 3)
     RefuseYaml(node, fmt::format("'sole_m' has {} corners; three or more are needed", corners.size()));
+  if (corners.size() > kMostCorners)
+    RefuseYaml(node, fmt::format("'sole_m' has {} corners; at most {} are accepted", corners.size(), kMostCorners));
   if (CrossesItself(corners))
     RefuseYaml(node, "the outline 'sole_m' crosses itself; give its corners in order around it");
   Polygon hull = ConvexHull(corners);
@@ -73,7 +88,7 @@ FootOverride ParseFoot(const YAML::Node& node) {
   foot.link = map.Text("link");
   if (foot.link.empty()) RefuseYaml(node, "a foot needs the key 'link'");
   if (const YAML::Node* type = map.Find("type")) foot.type = ParseFootType(*type);
-  foot.radius_m = map.Positive("radius_m").value_or(0.0);
+  foot.radius_m = AtMost(map, "radius_m", kLongestPart).value_or(0.0);
   if (const YAML::Node* sole = map.Find("sole_m")) foot.sole_m = ParseSole(*sole);
   const bool flat = foot.type == FootType::kSole || foot.type == FootType::kLine;
   const std::string who = fmt::format("foot '{}'", foot.link);
@@ -120,7 +135,10 @@ struct UnitKeys {
   bool turning = false, sliding = false;
 
   std::optional<double> Take(const std::string& of_turning, const std::string& of_sliding, bool positive) {
-    const auto take = [&](const std::string& key) { return positive ? map.Positive(key) : map.Number(key); };
+    const auto take = [&](const std::string& key) -> std::optional<double> {
+      if (positive || map.Find(key) == nullptr) return AtMost(map, key, kLargestValue);
+      return NumberOf(*map.Find(key), fmt::format("'{}'", key), -kLargestValue, kLargestValue);
+    };
     turning = turning || map.Find(of_turning) != nullptr;
     sliding = sliding || map.Find(of_sliding) != nullptr;
     return map.Find(of_turning) != nullptr ? take(of_turning) : take(of_sliding);
@@ -177,7 +195,7 @@ RobotYaml::JointMotor ParseMotor(const YamlMap::Entry& entry) {
   motor.corner_speed = keys.Take("corner_velocity_rad_s", "corner_velocity_m_s", true);
   motor.no_load_speed = keys.Take("no_load_velocity_rad_s", "no_load_velocity_m_s", true);
   motor.continuous_effort = keys.Take("continuous_nm", "continuous_n", true);
-  motor.thermal_s = map.Positive("thermal_s");
+  motor.thermal_s = AtMost(map, "thermal_s", kLargestValue);
   motor.rotor_inertia = keys.Take("rotor_inertia_kg_m2", "rotor_mass_kg", true);
   motor.acceleration_limit = keys.Take("acceleration_rad_s2", "acceleration_m_s2", true);
   motor.jerk_limit = keys.Take("jerk_rad_s3", "jerk_m_s3", true);
@@ -216,30 +234,32 @@ RobotYaml Parse(const YAML::Node& root) {
   ForEach(map, "gains", [&](const auto& entry) { yaml.gains.push_back(ParseGains(entry)); });
   ForEach(map, "motors", [&](const auto& entry) { yaml.motors.push_back(ParseMotor(entry)); });
   ForEach(map, "standing", [&](const YamlMap::Entry& entry) {
-    const double position = NumberOf(entry.value, fmt::format("the position of '{}'", entry.key));
+    const double position =
+        NumberOf(entry.value, fmt::format("the position of '{}'", entry.key), -kLargestValue, kLargestValue);
     yaml.standing.push_back({entry.key, position, LineOf(entry.key_node)});
   });
-  yaml.standing_base_height_m = map.Positive("standing_base_height_m");
+  yaml.standing_base_height_m = AtMost(map, "standing_base_height_m", kLongestPart);
   if (yaml.standing_base_height_m) yaml.height_line = LineOf(*map.Find("standing_base_height_m"));
-  yaml.nominal_speed_m_s = map.Positive("nominal_speed_m_s");
+  yaml.nominal_speed_m_s = AtMost(map, "nominal_speed_m_s", kFastestWalk);
   return yaml;
 }
 
 }  // namespace
 
 RobotYaml ParseRobotYaml(const std::string& text) {
-  std::vector<YAML::Node> documents;
+  YAML::Node root;
   try {
-    documents = YAML::LoadAll(text);
+    root = LoadYaml(text);
   } catch (const YAML::Exception& error) {
     throw InvalidArgument(
         fmt::format("robot.yaml, line {}, column {}: this is not YAML; look for a bracket or quote "
                     "that is not closed, a tab, or a wrong indent",
                     error.mark.line + 1, error.mark.column + 1));
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(fmt::format("robot.yaml, {}", error.what()));
   }
   try {
-    if (documents.size() > 1) RefuseYaml(documents[1], "a second document begins; one is needed");
-    return documents.empty() ? RobotYaml{} : Parse(documents.front());
+    return Parse(root);
   } catch (const YAML::Exception& error) {
     RefuseYamlLine(error.mark.line + 1, "a value of the wrong kind");
   } catch (const InvalidArgument& error) {

@@ -19,12 +19,16 @@ namespace {
 
 using tinyxml2::XMLElement;
 
+constexpr std::size_t kLargestUrdf = std::size_t{16} << 20;  // [byte]
+constexpr int kMostLinks = 1000, kMostMoving = 300, kMostShapes = 5000;
+
 const std::vector<std::string> kSupportedJoints = {"revolute", "continuous", "prismatic", "fixed"};
 
 /// What the joints say of the tree.
 struct Tree {
   std::set<std::string> links;
-  std::vector<std::string> link_names, joint_names;
+  std::vector<std::string> link_names;
+  std::set<std::string> joint_names;
   std::map<std::string, std::string> parent_of;  // by child link
   std::map<std::string, std::string> joint_of;   // by child link
 };
@@ -32,10 +36,9 @@ struct Tree {
 void CheckJoint(const XMLElement& joint, Tree& tree) {
   const std::string name = Attribute(joint, "name", "a joint");
   const std::string owner = fmt::format("joint '{}'", name);
-  if (std::count(tree.joint_names.begin(), tree.joint_names.end(), name) > 0) {
+  if (!tree.joint_names.insert(name).second) {
     Refuse("double_name", fmt::format("{}: there are two joints of that name", owner));
   }
-  tree.joint_names.push_back(name);
   const std::string type = Attribute(joint, "type", owner);
   if (std::find(kSupportedJoints.begin(), kSupportedJoints.end(), type) == kSupportedJoints.end()) {
     Refuse("joint_type",
@@ -91,7 +94,45 @@ void RefuseXacro(const XMLElement& robot) {
   }
 }
 
+void CheckText(const std::string& urdf_text) {
+  if (urdf_text.size() > kLargestUrdf) {
+    Refuse("large_urdf", fmt::format("the URDF has {} bytes; at most {} are read", urdf_text.size(), kLargestUrdf));
+  }
+  if (const std::size_t at = urdf_text.find('\0'); at != std::string::npos)
+    Refuse("not_xml", fmt::format("the URDF is not XML: byte {} is 0x00, which is no text", at + 1));
+}
+
+/// Counts elements of a kind below a parent, and refuses more than `most`.
+int Count(const XMLElement& parent, const char* kind, int most, const std::string& owner) {
+  int count = 0;
+  for (const XMLElement* e = parent.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind)) ++count;
+  if (count > most)
+    Refuse("large_urdf", fmt::format("{} has {} elements <{}>; at most {} are read", owner, count, kind, most));
+  return count;
+}
+
+/// Refuses a robot of so many parts that deriving its legs would take for ever.
+void CheckCounts(const XMLElement& robot) {
+  Count(robot, "link", kMostLinks, "the robot");
+  Count(robot, "joint", kMostLinks, "the robot");
+  int shapes = 0, moving = 0;
+  for (const XMLElement* link = robot.FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link")) {
+    for (const char* kind : {"collision", "visual"}) shapes += Count(*link, kind, kMostShapes, "a link");
+  }
+  for (const XMLElement* joint = robot.FirstChildElement("joint"); joint != nullptr;
+       joint = joint->NextSiblingElement("joint")) {
+    const char* type = joint->Attribute("type");
+    if (type != nullptr && std::string_view(type) != "fixed") ++moving;
+  }
+  if (shapes > kMostShapes)
+    Refuse("large_urdf", fmt::format("the robot has {} shapes; at most {} are read", shapes, kMostShapes));
+  if (moving > kMostMoving)
+    Refuse("large_urdf", fmt::format("the robot has {} moving joints; at most {} are read", moving, kMostMoving));
+}
+
 void CheckDocument(const std::string& urdf_text) {
+  CheckText(urdf_text);
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf_text.c_str(), urdf_text.size()) != tinyxml2::XML_SUCCESS) {
     Refuse("not_xml", fmt::format("the URDF is not XML: line {}: {}", document.ErrorLineNum(), document.ErrorName()));
@@ -102,6 +143,7 @@ void CheckDocument(const std::string& urdf_text) {
            fmt::format("the root element is <{}>; a URDF has <robot>", robot == nullptr ? "" : robot->Name()));
   }
   RefuseXacro(*robot);
+  CheckCounts(*robot);
   Tree tree;
   for (const XMLElement* link = robot->FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 
+#include "kinematics/base/text.h"
 #include "kinematics/model/urdf_xml_internal.h"
 #include "kinematics/spatial/pose.h"
 
@@ -14,6 +16,8 @@ namespace gaitwright {
 namespace {
 
 using tinyxml2::XMLElement;
+
+constexpr std::size_t kLongestAttribute = 1000;  // [byte]
 
 void CheckMoments(const Matrix3& tensor, const std::string& owner) {
   const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
@@ -88,6 +92,14 @@ void Refuse(const std::string& code, const std::string& message, std::vector<std
 std::string Attribute(const XMLElement& element, const char* name, const std::string& owner) {
   const char* text = element.Attribute(name);
   if (text == nullptr) Refuse("urdf_missing", fmt::format("{}: <{}> has no '{}'", owner, element.Name(), name));
+  if (std::strlen(text) > kLongestAttribute) {
+    Refuse("long_text", fmt::format("{}: '{}' of <{}> has {} bytes; at most {} are read", owner, name, element.Name(),
+                                    std::strlen(text), kLongestAttribute));
+  }
+  if (!IsPlainText(text)) {
+    Refuse("not_text", fmt::format("{}: '{}' of <{}> holds what is no text in UTF-8, or a control character", owner,
+                                   name, element.Name()));
+  }
   return text;
 }
 

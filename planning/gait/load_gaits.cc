@@ -111,7 +111,7 @@ Result<std::vector<GaitEntry>> LoadGaits(const std::string& path) {
   if (!text) return text.failure();
   std::vector<GaitEntry> gaits;
   try {
-    const YAML::Node root = YAML::Load(*text);
+    const YAML::Node root = LoadYaml(*text);
     if (!root.IsMap() || root.size() == 0) return bad("line 1: holds no gaits: a map of names to gaits is needed");
     const YamlMap map(root, "the file");
     for (const YamlMap::Entry& entry : map.entries()) gaits.push_back(ParseGait(entry.key, entry.value));

@@ -130,7 +130,7 @@ Result<std::vector<AskedPart>> ReadFileOfParts(const std::string& path) {
   const Result<std::string> text = ReadFile(path);
   if (!text) return text.failure();
   try {
-    const YAML::Node root = YAML::Load(*text);
+    const YAML::Node root = LoadYaml(*text);
     if (!root.IsSequence() || root.size() == 0) return bad("line 1: holds no sequence: a list of parts is needed");
     std::vector<AskedPart> parts;
     const std::string folder = std::filesystem::path(path).parent_path().string();

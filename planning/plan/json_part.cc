@@ -54,6 +54,46 @@ struct BreakFinder : nlohmann::json_sax<Json> {
   std::size_t byte = 0;  ///< counted from 1
 };
 
+/// Sees JSON as it is read. @throws InvalidArgument for a key that stands twice and for what is beyond the bounds.
+class BoundsWatch {
+ public:
+  void See(Json::parse_event_t event, const Json& parsed) {
+    switch (event) {
+      case Json::parse_event_t::object_start:
+      case Json::parse_event_t::array_start:
+        Count();
+        if (open_.size() >= kDeepestJson)
+          throw InvalidArgument(fmt::format("it has more than {} lists and objects in one another", kDeepestJson));
+        open_.emplace_back();
+        break;
+      case Json::parse_event_t::object_end:
+      case Json::parse_event_t::array_end:
+        open_.pop_back();
+        break;
+      case Json::parse_event_t::key:
+        SeeKey(parsed.get_ref<const std::string&>());
+        break;
+      default:
+        Count();
+    }
+  }
+
+ private:
+  void Count() {
+    if (++values_ > kMostJsonValues)
+      throw InvalidArgument(fmt::format("it has more than {} values; so many are read at most", kMostJsonValues));
+  }
+  void SeeKey(const std::string& key) {
+    std::set<std::string>& keys = open_.back();
+    if (!keys.insert(key).second) throw InvalidArgument(fmt::format("the key '{}' stands twice in one object", key));
+    if (keys.size() > kMostJsonKeys)
+      throw InvalidArgument(fmt::format("an object has more than {} keys; so many are read at most", kMostJsonKeys));
+  }
+
+  std::vector<std::set<std::string>> open_;  // the keys of the objects that are not yet closed; none of lists
+  std::size_t values_ = 0;
+};
+
 /// The run of letters, digits, signs and points that holds a place.
 std::string WordAt(const std::string& text, std::size_t at) {
   const auto belongs = [&](std::size_t i) {
@@ -119,7 +159,17 @@ std::vector<JsonPart> JsonPart::List() const {
 
 double JsonPart::Number() const {
   if (!json_->is_number()) NeedsA("a number");
-  return json_->get<double>();
+  const double number = json_->get<double>();
+  if (!(std::abs(number) <= kLargestNumber))
+    Refuse(fmt::format("is {}; at most {} up or down is accepted", number, kLargestNumber));
+  return number;
+}
+
+double JsonPart::NumberIn(double lowest, double highest) const {
+  const double number = Number();
+  if (!(number >= lowest && number <= highest))
+    Refuse(fmt::format("is {}; accepted: {} to {}", number, lowest, highest));
+  return number;
 }
 
 double JsonPart::NumberFrom(double lowest) const {
@@ -143,7 +193,9 @@ std::uint64_t JsonPart::Natural() const {
 
 std::string JsonPart::Text() const {
   if (!json_->is_string()) NeedsA("a text");
-  return json_->get<std::string>();
+  std::string text = json_->get<std::string>();
+  if (text.find('\0') != std::string::npos) Refuse("holds a byte 0x00, which is no text");
+  return text;
 }
 
 int JsonPart::Choice(const std::vector<std::string>& choices) const {
@@ -157,9 +209,10 @@ std::vector<double> JsonPart::Numbers() const {
   std::vector<double> numbers;
   numbers.reserve(json_->size());
   for (std::size_t i = 0; i < json_->size(); ++i) {
-    const Json& number = (*json_)[i];
-    numbers.push_back(number.is_number() ? number.get<double>()
-                                         : JsonPart(number, fmt::format("{}[{}]", way_, i)).Number());
+    const Json& member = (*json_)[i];
+    const double number = member.is_number() ? member.get<double>() : kLargestNumber * 2.0;
+    numbers.push_back(std::abs(number) <= kLargestNumber ? number
+                                                         : JsonPart(member, fmt::format("{}[{}]", way_, i)).Number());
   }
   return numbers;
 }
@@ -183,15 +236,13 @@ Pose JsonPart::ToPose() const {
 }
 
 Json ParseJsonOnce(const std::string& text) {
-  std::vector<std::set<std::string>> open;  // the keys of the objects that are not yet closed
-  const auto see = [&open](int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
-    if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
-      throw InvalidArgument(fmt::format("the key '{}' stands twice in one object", parsed.get<std::string>()));
+  if (text.size() > kLargestJson)
+    throw InvalidArgument(fmt::format("it has {} bytes; at most {} are read", text.size(), kLargestJson));
+  BoundsWatch watch;
+  return Json::parse(text, [&watch](int, Json::parse_event_t event, Json& parsed) {
+    watch.See(event, parsed);
     return true;
-  };
-  return Json::parse(text, see);
+  });
 }
 
 std::string WhyNoJson(const std::string& text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -28,8 +29,10 @@ class JsonPart {
   /// The members of a list.
   std::vector<JsonPart> List() const;
 
+  /// At most kLargestNumber up or down.
   double Number() const;
   double NumberFrom(double lowest) const;
+  double NumberIn(double lowest, double highest) const;
   int Whole(int lowest, int highest) const;
   std::uint64_t Natural() const;
   std::string Text() const;
@@ -53,7 +56,16 @@ class JsonPart {
   std::string way_;
 };
 
-/// The text as JSON. @throws Json::exception for what is none, InvalidArgument for a key that stands twice.
+/// Bounds of what is read as JSON: of the text [byte], of values, of keys of one object, of lists and objects in one
+/// another.
+inline constexpr std::size_t kLargestJson = std::size_t{512} << 20, kMostJsonValues = 20000000, kMostJsonKeys = 5000,
+                             kDeepestJson = 64;
+
+/// Largest that a number of a plan or a log may be, in whatever unit it has.
+inline constexpr double kLargestNumber = 1e12;
+
+/// The text as JSON. @throws Json::exception for what is none, InvalidArgument for a key that stands twice and for what
+/// is beyond the bounds.
 JsonPart::Json ParseJsonOnce(const std::string& text);
 
 /// Why a text is no JSON: cut short, or broken where, or with a number that is none.

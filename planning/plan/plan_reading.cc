@@ -12,6 +12,10 @@
 namespace gaitwright {
 namespace {
 
+constexpr std::size_t kMostHullPoints = 10000;
+constexpr double kMostFriction = 100.0, kLongestStep = 10.0, kLongestTime = 1e6;  // of a coefficient; [s]
+constexpr Eigen::Index kMostFeet = 64;                                            // those of a FootSet
+
 std::vector<Vector3> ToPoints(const JsonPart& list) {
   std::vector<Vector3> points;
   for (const JsonPart& point : list.List()) points.emplace_back(point.Vector(3));
@@ -22,6 +26,10 @@ MeshHull ToMesh(const JsonPart& part) {
   part.Object({"file", "vertices_m"});
   MeshHull mesh{part.At("file").Text(), ToPoints(part.At("vertices_m"))};
   if (mesh.vertices.empty()) part.At("vertices_m").Refuse("is empty; a mesh needs vertices");
+  if (mesh.vertices.size() > kMostHullPoints) {
+    part.At("vertices_m")
+        .Refuse(fmt::format("has {} points; at most {} are accepted", mesh.vertices.size(), kMostHullPoints));
+  }
   return mesh;
 }
 
@@ -59,7 +67,8 @@ void CheckOutline(const JsonPart& part, const std::vector<Vector2>& outline) {
 
 TerrainPatch ToPatch(const JsonPart& part) {
   part.Object({"name", "pose", "outline_m", "friction"});
-  TerrainPatch patch{part.At("name").Text(), part.At("pose").ToPose(), {}, part.At("friction").NumberFrom(0.0)};
+  TerrainPatch patch{
+      part.At("name").Text(), part.At("pose").ToPose(), {}, part.At("friction").NumberIn(0.0, kMostFriction)};
   const double upright = patch.X_WT.linear()(2, 2);
   if (!(upright > 0.0))
     part.Refuse(fmt::format("faces down: the z of its normal is {:.3g}; it must be over 0", upright));
@@ -82,7 +91,7 @@ HeightField ToHeightField(const JsonPart& part) {
                     part.At("columns").Whole(2, kMostNodes),
                     part.At("rows").Whole(2, kMostNodes),
                     part.At("heights_m").Numbers(),
-                    part.At("friction").NumberFrom(0.0)};
+                    part.At("friction").NumberIn(0.0, kMostFriction)};
   if (field.resolution_m == 0.0) part.At("resolution_m").Refuse("is 0; it must be over 0");
   const std::size_t nodes = static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
   if (field.height_m.size() != nodes) {
@@ -131,6 +140,12 @@ Gait ToGait(const JsonPart& part, int feet) {
   part.Object({"name", "description", "cycle_s", "phase", "duty_factor"});
   const double cycle_s = part.At("cycle_s").Number();
   if (!(cycle_s > 0.0)) part.At("cycle_s").Refuse(fmt::format("is {}; it must be over 0", cycle_s));
+  for (const JsonPart& phase : part.At("phase").List()) {
+    if (phase.NumberIn(0.0, 1.0) == 1.0) phase.Refuse("is 1; a phase is less than 1");
+  }
+  for (const JsonPart& share : part.At("duty_factor").List()) {
+    if (share.NumberIn(0.0, 1.0) == 0.0) share.Refuse("is 0; a foot that never stands has no gait");
+  }
   const auto by_foot = [&](const char* key) {
     const VectorX numbers = part.At(key).Vector(static_cast<std::size_t>(feet));
     return std::vector<double>(numbers.begin(), numbers.end());
@@ -160,6 +175,7 @@ ContactSchedule ToSchedule(const JsonPart& list, int feet) {
 
 Foothold ToFoothold(const JsonPart& part, int feet, int surfaces) {
   part.Object({"foot", "pose", "roll_m", "patch", "touchdown_s", "liftoff_s"});
+  if (part.At("liftoff_s").Number() < part.At("touchdown_s").Number()) part.Refuse("lifts off before it touches down");
   return {part.At("foot").Whole(0, feet - 1),      part.At("pose").ToPose(),        part.At("roll_m").Vector(3),
           part.At("patch").Whole(0, surfaces - 1), part.At("touchdown_s").Number(), part.At("liftoff_s").Number()};
 }
@@ -216,9 +232,10 @@ void CheckQuaternions(const JsonPart& list, const std::vector<VectorX>& q) {
 }
 
 void ReadWholeBody(const JsonPart& whole, WholeBodyTrajectory& w) {
-  w.start_s = whole.At("start_s").Number();
+  w.start_s = whole.At("start_s").NumberIn(-kLongestTime, kLongestTime);
   w.step_s = whole.At("step_s").Number();
   if (!(w.step_s > 0.0)) whole.At("step_s").Refuse(fmt::format("is {}; it must be positive", w.step_s));
+  whole.At("step_s").NumberIn(0.0, kLongestStep);
   w.q = ToRows(whole.At("q"), 0);
   w.v = ToRows(whole.At("v"), w.q.size());
   w.a = ToRows(whole.At("a"), w.q.size());
@@ -234,6 +251,9 @@ void ReadWholeBody(const JsonPart& whole, WholeBodyTrajectory& w) {
   for (const VectorX& row : ToRows(whole.At("contact_wrenches"), w.q.size())) {
     if (row.size() == 0 || row.size() % 6 != 0)
       whole.At("contact_wrenches").Refuse(fmt::format("has rows of {} numbers; each foot has six", row.size()));
+    if (row.size() > 6 * kMostFeet)
+      whole.At("contact_wrenches")
+          .Refuse(fmt::format("has {} feet; at most {} are accepted", row.size() / 6, kMostFeet));
     std::vector<ContactWrench> wrenches;
     for (Eigen::Index f = 0; f < row.size(); f += 6) wrenches.push_back({row.segment<3>(f), row.segment<3>(f + 3)});
     w.wrenches.push_back(std::move(wrenches));

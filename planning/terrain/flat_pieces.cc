@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "kinematics/spatial/convex_hull.h"
@@ -153,20 +154,48 @@ class Splitter {
     return made;
   }
 
+  /// Notes, or forgets, the edges of a piece.
+  void Register(std::size_t piece, bool is_there) {
+    const Loop& loop = pieces_[piece].loop;
+    for (std::size_t s = 0; s < loop.size(); ++s) {
+      std::set<std::size_t>& owners = owners_[{loop[s], loop[(s + 1) % loop.size()]}];
+      if (is_there) {
+        owners.insert(piece);
+      } else {
+        owners.erase(piece);
+      }
+    }
+  }
+
+  /// The pieces that have an edge of this one the other way round.
+  std::set<std::size_t> Neighbours(std::size_t piece) const {
+    std::set<std::size_t> neighbours;
+    const Loop& loop = pieces_[piece].loop;
+    for (std::size_t s = 0; s < loop.size(); ++s) {
+      const auto beyond = owners_.find({loop[(s + 1) % loop.size()], loop[s]});
+      if (beyond != owners_.end()) neighbours.insert(beyond->second.begin(), beyond->second.end());
+    }
+    neighbours.erase(piece);
+    return neighbours;
+  }
+
   /// Joins neighbours as long as any two stay convex.
   void Join() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) Register(i, true);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       for (bool joined = true; joined;) {
         joined = false;
-        for (std::size_t j = 0; j < pieces_.size() && !joined; ++j) {
-          if (j == i || pieces_[i].loop.empty() || pieces_[j].loop.empty()) continue;
+        for (const std::size_t j : Neighbours(i)) {
           const std::optional<Loop> both = Joined(pieces_[i].loop, pieces_[j].loop);
           if (!both) continue;
+          for (const std::size_t former : {i, j}) Register(former, false);
           pieces_[i].loop = *both;
+          Register(i, true);
           pieces_[i].triangles.insert(pieces_[i].triangles.end(), pieces_[j].triangles.begin(),
                                       pieces_[j].triangles.end());
           pieces_[j].loop.clear();
           joined = true;
+          break;
         }
       }
     }
@@ -208,6 +237,7 @@ class Splitter {
   const Surface& surface_;
   std::map<int, Vector2> flat_;
   std::vector<Piece> pieces_;
+  std::map<Edge, std::set<std::size_t>> owners_;  // of an edge from its first point to its second
 };
 
 }  // namespace

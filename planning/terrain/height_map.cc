@@ -17,6 +17,8 @@
 namespace gaitwright {
 namespace {
 
+constexpr std::size_t kLargestTable = std::size_t{128} << 20;  // [byte]
+
 Failure Refused(const std::string& path, const std::string& why) {
   return {FailureKind::kBadInput, "terrain_file", "ReadHeightMap", fmt::format("'{}' {}", path, why), {}};
 }
@@ -36,9 +38,12 @@ std::vector<double> ParseRow(const std::string& line, int number) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) {
-      throw InvalidArgument(fmt::format("line {}, cell {}: '{}' is not a finite number", number, row.size() + 1, cell));
+      throw InvalidArgument(
+          fmt::format("line {}, cell {}: '{}' is not a finite number", number, row.size() + 1, Shortened(cell)));
     }
     row.push_back(value);
+    if (row.size() > static_cast<std::size_t>(kMostNodes))
+      throw InvalidArgument(fmt::format("line {}: more than {} cells", number, kMostNodes));
     at = comma + 1;
   }
   return row;
@@ -145,7 +150,7 @@ Result<HeightField> ReadHeightMap(const std::string& path, const HeightMapOption
     CheckOptions(given.Fields());
     Table table;
     if (csv) {
-      const Result<std::string> text = ReadFile(path);
+      const Result<std::string> text = ReadFile(path, kLargestTable);
       if (!text) return text.failure();
       table = ParseCsv(*text);
     } else {

@@ -19,6 +19,9 @@ namespace {
 /// Faces steeper than this are walls, which stand between heights and are none [rad].
 constexpr double kWall = 88.0 * std::numbers::pi / 180.0;
 
+/// Points of the height field that are looked at for all triangles together: what takes a few seconds.
+constexpr long kMostLooks = 200000000;
+
 using Box = Eigen::AlignedBox2d;
 
 /// The corners of a triangle, counter-clockwise from above when it looks up.
@@ -69,8 +72,8 @@ std::vector<Vector3> InOnePlane(const std::vector<Vector3>& corners) {
 /// Whether a circle as wide as a foot finds room.
 bool HasRoom(const TerrainPatch& patch, double least_m) { return !Shrunk(patch.outline_T, 0.5 * least_m).empty(); }
 
-/// Raises the nodes under a triangle to it.
-void Raise(const std::array<Vector3, 3>& c, HeightField& field) {
+/// Raises the nodes under a triangle to it. @return how many nodes it looked at.
+long Raise(const std::array<Vector3, 3>& c, HeightField& field) {
   const Vector2 a = c[0].head<2>(), ab = c[1].head<2>() - a, ac = c[2].head<2>() - a;
   const double area = Cross(ab, ac);
   Box box;
@@ -89,6 +92,7 @@ void Raise(const std::array<Vector3, 3>& c, HeightField& field) {
       height = std::max(height, c[0].z() + u * (c[1].z() - c[0].z()) + v * (c[2].z() - c[0].z()));
     }
   }
+  return row1 < row0 || column1 < column0 ? 0L : (row1 - row0 + 1L) * (column1 - column0 + 1L);
 }
 
 /// The highest points of the mesh over a box. @throws InvalidArgument when that needs too many.
@@ -106,9 +110,16 @@ HeightField FieldOver(const Mesh& mesh, const Box& box, double lowest, const Mes
   field.rows = static_cast<int>(cells.y()) + 1;
   field.friction = options.friction;
   field.height_m.assign(static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows), lowest);
+  long looked_at = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::array<Vector3, 3> corners = Corners(mesh, t);
-    if (LooksUp(corners)) Raise(corners, field);
+    if (LooksUp(corners)) looked_at += Raise(corners, field);
+    if (looked_at > kMostLooks) {
+      throw InvalidArgument(
+          fmt::format("has faces that lie over one another {} times and more, by the {} points of its "
+                      "height field; take away what is hidden, or give a larger resolution_m",
+                      looked_at / static_cast<long>(field.height_m.size()), field.height_m.size()));
+    }
   }
   return field;
 }

@@ -5,13 +5,16 @@
 #include <png.h>
 
 #include <csetjmp>
-#include <cstdio>
-#include <memory>
+#include <cstring>
+#include <utility>
 
+#include "kinematics/base/file.h"
 #include "planning/terrain/sense.h"
 
 namespace gaitwright {
 namespace {
+
+constexpr std::size_t kLargestPicture = std::size_t{64} << 20;  // [byte]
 
 Failure Refused(const std::string& path, const std::string& why) {
   return {FailureKind::kBadInput, "terrain_file", "ReadGreyPng", fmt::format("'{}' {}", path, why), {}};
@@ -27,23 +30,37 @@ void Ignore(png_structp, png_const_charp) {}
 /// libpng's structures, and what the reading of a file leaves behind. libpng leaves its functions by longjmp when a
 /// file is broken, so whatever has a destructor lives here, outside of them.
 struct Reading {
-  Reading()
-      : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &error, KeepMessage, Ignore)),
+  explicit Reading(std::string bytes_of_file)
+      : file(std::move(bytes_of_file)),
+        png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &error, KeepMessage, Ignore)),
         info(png_create_info_struct(png)) {}
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;
   ~Reading() { png_destroy_read_struct(&png, &info, nullptr); }
 
   std::string error;
+  std::string file;
+  std::size_t at = 0;  ///< of the file, that is read next
   png_structp png;
   png_infop info;
   std::vector<png_byte> bytes;
   std::vector<png_bytep> rows;
 };
 
-bool ReadHead(Reading& reading, std::FILE* file) {
+/// Gives libpng the next bytes of the file.
+void TakeBytes(png_structp png, png_bytep to, std::size_t count) {
+  Reading& reading = *static_cast<Reading*>(png_get_io_ptr(png));
+  if (count > reading.file.size() - reading.at) {
+    KeepMessage(png, "it is cut short");
+    return;
+  }
+  std::memcpy(to, reading.file.data() + reading.at, count);
+  reading.at += count;
+}
+
+bool ReadHead(Reading& reading) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
-  png_init_io(reading.png, file);
+  png_set_read_fn(reading.png, &reading, TakeBytes);
   png_read_info(reading.png, reading.info);
   return true;
 }
@@ -73,11 +90,10 @@ std::string WhyNot(const Reading& reading) {
 }  // namespace
 
 Result<GreyImage> ReadGreyPng(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) return Refused(path, "cannot be read: there is no such file");
-  Reading reading;
-  if (!ReadHead(reading, file.get()))
-    return Refused(path, fmt::format("is no PNG that can be read: {}", reading.error));
+  Result<std::string> bytes = ReadBytes(path, kLargestPicture);
+  if (!bytes) return Refused(path, fmt::format("cannot be read: {}", bytes.failure().message));
+  Reading reading(std::move(*bytes));
+  if (!ReadHead(reading)) return Refused(path, fmt::format("is no PNG that can be read: {}", reading.error));
   const std::string why = WhyNot(reading);
   if (!why.empty()) return Refused(path, why);
   GreyImage image;
@@ -91,6 +107,7 @@ Result<GreyImage> ReadGreyPng(const std::string& path) {
   for (int row = 0; row < image.rows; ++row)
     reading.rows.push_back(&reading.bytes[length * static_cast<std::size_t>(row)]);
   if (!ReadRows(reading)) return Refused(path, fmt::format("is broken: {}", reading.error));
+  image.values.reserve(static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows));
   for (std::size_t i = 0; i < reading.bytes.size(); i += wide ? 2 : 1) {
     const int value = wide ? 256 * reading.bytes[i] + reading.bytes[i + 1] : reading.bytes[i];
     image.values.push_back(static_cast<std::uint16_t>(value));

@@ -19,6 +19,8 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
+constexpr std::size_t kMostVertices = 10000;  // of an obstacle
+
 /// A map that has all of `needed`, and nothing that is in neither list.
 void CheckKeys(const YAML::Node& node, const std::string& what, const Keys& needed, const Keys& optional) {
   Keys known = needed;
@@ -132,9 +134,9 @@ Obstacle ParseObstacle(const YAML::Node& node) {
                fmt::format("obstacle '{}' is a {}, which has '{}' and not the other", obstacle.name, type, needed));
   if (mesh) {
     obstacle.vertices_O = Places(node[needed], needed);
-    if (obstacle.vertices_O.size() < 4)
-      RefuseYaml(node[needed],
-                 fmt::format("vertices_m has {} points; four or more are needed", obstacle.vertices_O.size()));
+    if (obstacle.vertices_O.size() < 4 || obstacle.vertices_O.size() > kMostVertices)
+      RefuseYaml(node[needed], fmt::format("vertices_m has {} points; four to {} are needed",
+                                           obstacle.vertices_O.size(), kMostVertices));
     return obstacle;
   }
   const std::vector<YAML::Node> sizes = ListOf(node[needed], needed);
@@ -146,6 +148,16 @@ Obstacle ParseObstacle(const YAML::Node& node) {
   for (std::size_t i = 0; i < count; ++i)
     obstacle.size_m[static_cast<Eigen::Index>(i)] = NumberOf(sizes[i], "size_m", 0.001, kFarthest);
   return obstacle;
+}
+
+/// Refuses more points of height fields than one ground may have, however many files they come from.
+void CheckNodes(const YAML::Node& node, const Terrain& terrain) {
+  std::size_t nodes = 0;
+  for (const HeightField& field : terrain.height_fields) nodes += field.height_m.size();
+  if (nodes > static_cast<std::size_t>(kMostNodes)) {
+    RefuseYaml(node, fmt::format("the height fields have {} points up to here; at most {} in all are read", nodes,
+                                 kMostNodes));
+  }
 }
 
 /// Adds another ground's parts.
@@ -174,7 +186,10 @@ Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainSc
     for (const YAML::Node& node : ListOf(root[key], key)) add(node);
   };
   if (root["builtin"]) Append(Named(root["builtin"], folder, scale, false), terrain);
-  each("files", [&](const YAML::Node& node) { Append(Named(node, folder, scale, true), terrain); });
+  each("files", [&](const YAML::Node& node) {
+    Append(Named(node, folder, scale, true), terrain);
+    CheckNodes(node, terrain);
+  });
   each("patches", [&](const YAML::Node& node) { terrain.patches.push_back(ParsePatch(node)); });
   each("height_fields", [&](const YAML::Node& node) { terrain.height_fields.push_back(ParseHeights(node)); });
   each("obstacles", [&](const YAML::Node& node) { terrain.obstacles.push_back(ParseObstacle(node)); });
@@ -193,7 +208,7 @@ Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& sca
   const Result<std::string> text = ReadFile(path);
   if (!text) return text.failure();
   try {
-    return Parse(YAML::Load(*text), std::filesystem::path(path).parent_path().string(), scale);
+    return Parse(LoadYaml(*text), std::filesystem::path(path).parent_path().string(), scale);
   } catch (const YAML::Exception& error) {
     return bad(fmt::format("line {}: is no YAML from here on; see docs/terrain-format.md", error.mark.line + 1));
   } catch (const InvalidArgument& error) {

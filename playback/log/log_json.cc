@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "kinematics/base/file.h"
+#include "planning/plan/json_part_internal.h"
+#include "playback/log/check_log.h"
 
 namespace gaitwright {
 namespace {
@@ -85,22 +88,18 @@ VectorX WrenchRow(const LogSample& sample) {
   return row;
 }
 
-Vector3 ToVector3(const Json& j) { return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()}; }
+Vector3 ToVector3(const Json& j) { return JsonPart(j).Vector(3); }
 
 VectorX ToVector(const Json& j) {
-  const auto values = j.get<std::vector<double>>();
+  const std::vector<double> values = JsonPart(j).Numbers();
   return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 StanceRecord ToStance(const Json& j) {
-  return {j.at("foot").get<int>(),
-          j.at("touchdown_s").get<double>(),
-          j.at("liftoff_s").get<double>(),
-          ToVector3(j.at("touchdown_m")),
-          j.at("touchdown_speed_m_s").get<double>(),
-          j.at("slip_m").get<double>(),
-          j.at("peak_normal_n").get<double>(),
-          j.at("penetration_m").get<double>(),
+  return {JsonPart(j).At("foot").Whole(0, 63),       j.at("touchdown_s").get<double>(),
+          j.at("liftoff_s").get<double>(),           ToVector3(j.at("touchdown_m")),
+          j.at("touchdown_speed_m_s").get<double>(), j.at("slip_m").get<double>(),
+          j.at("peak_normal_n").get<double>(),       j.at("penetration_m").get<double>(),
           j.at("friction_use_max").get<double>()};
 }
 
@@ -124,6 +123,7 @@ void ReadRows(const Json& j, const char* key, std::vector<LogSample>& samples, T
 
 void ReadSamples(const Json& j, PlaybackLog& log) {
   std::vector<LogSample>& samples = log.samples;
+  if (!j.at("q").is_array()) throw InvalidArgument("'q' is no list of rows");
   samples.resize(j.at("q").size());
   ReadRows(j, "time_s", samples, [](const VectorX& row, LogSample& s) {
     if (row.size() != 1) throw InvalidArgument("'time_s' needs one number a row");
@@ -137,11 +137,11 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
     if (row.size() % 6 != 0) throw InvalidArgument("'contact_wrenches' needs six numbers a foot");
     for (Eigen::Index f = 0; f < row.size(); f += 6) s.wrenches.push_back({row.segment<3>(f), row.segment<3>(f + 3)});
   });
-  const auto contact = j.at("contact").get<std::vector<FootSet>>();
+  const std::vector<JsonPart> contact = JsonPart(j).At("contact").List();
   if (contact.size() != samples.size()) {
     throw InvalidArgument(fmt::format("'contact' has {} numbers, {} are needed", contact.size(), samples.size()));
   }
-  for (std::size_t k = 0; k < samples.size(); ++k) samples[k].contact = contact[k];
+  for (std::size_t k = 0; k < samples.size(); ++k) samples[k].contact = contact[k].Natural();
   if (samples.empty()) return;
   const LogSample& s = samples.front();
   if (s.q.size() < 7 || s.v.size() != s.q.size() - 1 || s.tau.size() != s.v.size() - 6 ||
@@ -169,6 +169,7 @@ PlaybackLog ReadLog(const Json& j) {
     log.body_contacts.push_back({c.at("time_s").get<double>(), c.at("link").get<std::string>()});
   }
   ReadSamples(j, log);
+  CheckLog(log);
   return log;
 }
 
@@ -197,11 +198,11 @@ std::string LogToJson(const PlaybackLog& log) {
 
 Result<PlaybackLog> LogFromJson(const std::string& text, const std::string& source) {
   try {
-    const Json j = Json::parse(text);
+    const Json j = ParseJsonOnce(text);
     if (!j.is_object() || !j.contains("format") || j.at("format") != kFormat) {
       return Refused(source, "it is no playback log");
     }
-    const int schema = j.at("schema").get<int>();
+    const int schema = JsonPart(j).At("schema").Whole(0, std::numeric_limits<int>::max());
     if (schema != PlaybackLog::kSchema) {
       return Refused(source,
                      fmt::format("it has schema {}; this program reads schema {}", schema, PlaybackLog::kSchema));

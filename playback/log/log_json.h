@@ -16,7 +16,7 @@ namespace gaitwright {
 std::string LogToJson(const PlaybackLog& log);
 
 /// A log from its JSON text. Refused with the reason: text that is cut short, that is no log, of another schema, a key
-/// that is missing or of the wrong kind, sizes that disagree. @param source names the text in messages.
+/// that is missing or of the wrong kind, sizes that disagree, what CheckLog refuses. @param source names the text in messages.
 Result<PlaybackLog> LogFromJson(const std::string& text, const std::string& source);
 
 /// Writes atomically. @return the path.

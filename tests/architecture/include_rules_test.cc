@@ -81,7 +81,6 @@ TEST(IncludeBreaches, EachThirdPartyHasOneOwner) {
       {"<fcl/fcl.h>", "kinematics/collision"},
       {"<ccd/ccd.h>", "kinematics/collision"},
       {"<ompl/base/Planner.h>", "planning/paths"},
-      {"<assimp/scene.h>", "kinematics/model"},
       {"<ceres/ceres.h>", "optimisation/numerics"},
       {"<btBulletDynamicsCommon.h>", "playback/bullet"},
       {"<BulletDynamics/Featherstone/btMultiBody.h>", "playback/bullet"},

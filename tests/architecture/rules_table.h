@@ -96,7 +96,6 @@ inline const std::vector<Owner> kOwners = {
     {"fcl/", {"kinematics/collision"}},
     {"ccd/", {"kinematics/collision"}},
     {"ompl/", {"planning"}},
-    {"assimp/", {"kinematics/model"}},
     {"png.h", {"planning/terrain"}},
     {"ceres/", {"optimisation"}},
     {"glog/", {"optimisation"}},

@@ -3,68 +3,90 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "kinematics/base/file.h"
+#include "planning/plan/json_part_internal.h"
 
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr int kMostFeet = 64;
+constexpr double kLeast = 1e-6, kMost = 1e6;  // of what must be over zero, in its unit
 
-Vector3 ToVector3(const Json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
-Matrix3 ToInertia(const Json& json) {
-  const auto at = [&](const char* key) { return json.at(key).get<double>(); };
+Matrix3 ToInertia(const JsonPart& part) {
+  const auto at = [&](const char* key) { return part.At(key).NumberIn(-kMost, kMost); };
   Matrix3 inertia;
   inertia << at("xx"), at("xy"), at("xz"), at("xy"), at("yy"), at("yz"), at("xz"), at("yz"), at("zz");
+  const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!(moments[0] > 0.0) || moments[0] + moments[1] < (1.0 - 1e-6) * moments[2])
+    part.Refuse(fmt::format("has principal moments of {:.4g}, {:.4g} and {:.4g} kg m^2, which no body has", moments[0],
+                            moments[1], moments[2]));
   return inertia;
 }
 
-CentroidalRobot ToRobot(const Json& json, double force_max_n, const Json& schedules) {
+CentroidalSchedule ToSchedule(const JsonPart& part, std::size_t feet) {
+  CentroidalSchedule schedule{part.At("name").Text(), {}};
+  for (const JsonPart& foot : part.At("phase_durations_s").List()) {
+    schedule.phase_durations_s.push_back(foot.Numbers());
+    if (foot.List().empty()) foot.Refuse("is empty; a foot has one duration or more");
+    for (const JsonPart& duration : foot.List()) duration.NumberIn(kLeast, kMost);
+  }
+  if (schedule.phase_durations_s.size() != feet)
+    throw InvalidArgument(fmt::format("schedule '{}' is not one of {} feet", schedule.name, feet));
+  return schedule;
+}
+
+CentroidalRobot ToRobot(const JsonPart& part, double force_max_n, const JsonPart& schedules) {
   CentroidalRobot robot;
-  robot.mass_kg = json.at("mass_kg");
-  robot.inertia_B = ToInertia(json.at("inertia_kg_m2"));
-  for (const Json& place : json.at("nominal_stance_m")) {
+  robot.mass_kg = part.At("mass_kg").NumberIn(kLeast, kMost);
+  robot.inertia_B = ToInertia(part.At("inertia_kg_m2"));
+  const VectorX half = part.At("reach_box_half_m").Vector(3);
+  if (!(half.minCoeff() > 0.0)) part.At("reach_box_half_m").Refuse("has a side that is not over 0");
+  for (const JsonPart& place : part.At("nominal_stance_m").List()) {
     RigidFoot foot;
-    foot.p_CF_nominal_B = ToVector3(place);
-    foot.workspace_B = BoxAbout(foot.p_CF_nominal_B, ToVector3(json.at("reach_box_half_m")));
+    foot.p_CF_nominal_B = place.Vector(3);
+    foot.workspace_B = BoxAbout(foot.p_CF_nominal_B, half);
     foot.force_max_n = force_max_n;
     robot.feet.push_back(foot);
   }
-  for (const Json& schedule : schedules.at(json.at("schedules").get<std::string>())) {
-    robot.schedules.push_back({schedule.at("name"), schedule.at("phase_durations_s")});
-    if (robot.schedules.back().phase_durations_s.size() != robot.feet.size())
-      throw InvalidArgument(
-          fmt::format("schedule '{}' is not one of {} feet", robot.schedules.back().name, robot.feet.size()));
-  }
+  if (robot.feet.empty() || robot.feet.size() > kMostFeet)
+    part.At("nominal_stance_m").Refuse(fmt::format("has {} feet; 1 to {} are accepted", robot.feet.size(), kMostFeet));
+  for (const JsonPart& schedule : schedules.At(part.At("schedules").Text()).List())
+    robot.schedules.push_back(ToSchedule(schedule, robot.feet.size()));
   return robot;
 }
 
-Terrain ToGround(const std::string& name, const Json& patches, double friction) {
+Terrain ToGround(const std::string& name, const JsonPart& patches, double friction) {
   Terrain ground;
   ground.name = name;
-  for (const Json& patch : patches) {
+  for (const JsonPart& patch : patches.List()) {
     std::vector<Vector3> corners;
-    for (const Json& corner : patch) corners.push_back(ToVector3(corner));
+    for (const JsonPart& corner : patch.List()) corners.emplace_back(corner.Vector(3));
     ground.patches.push_back(PatchThrough(fmt::format("{}-{}", name, ground.patches.size()), corners, friction));
   }
   return ground;
 }
 
-CentroidalProblemSet ToSet(const Json& json) {
+/// The members of an object, by name.
+std::vector<std::pair<std::string, JsonPart>> Members(const JsonPart& part) {
+  if (!part.json().is_object()) part.Refuse("is no object");
+  std::vector<std::pair<std::string, JsonPart>> members;
+  for (const auto& [name, value] : part.json().items()) members.emplace_back(name, part.At(name));
+  return members;
+}
+
+CentroidalProblemSet ToSet(const JsonPart& whole) {
   CentroidalProblemSet set;
-  set.friction = json.at("friction");
-  set.distance_m = json.at("distance_m");
-  set.duration_s = json.at("duration_s");
-  const double force_max_n = json.at("normal_force_max_n");
-  for (const auto& [name, robot] : json.at("robots").items())
-    set.robots.emplace_back(name, ToRobot(robot, force_max_n, json.at("schedules")));
-  for (const auto& [name, patches] : json.at("grounds").items())
+  set.friction = whole.At("friction").NumberIn(0.0, 100.0);
+  set.distance_m = whole.At("distance_m").NumberIn(-1e3, 1e3);
+  set.duration_s = whole.At("duration_s").NumberIn(1e-3, 1e3);
+  const double force_max_n = whole.At("normal_force_max_n").NumberIn(kLeast, 1e9);
+  for (const auto& [name, robot] : Members(whole.At("robots")))
+    set.robots.emplace_back(name, ToRobot(robot, force_max_n, whole.At("schedules")));
+  for (const auto& [name, patches] : Members(whole.At("grounds")))
     set.grounds.push_back(ToGround(name, patches, set.friction));
   return set;
 }
@@ -75,7 +97,8 @@ Result<CentroidalProblemSet> LoadCentroidalProblems(const std::string& path) {
   const Result<std::string> text = ReadFile(path);
   if (!text) return text.failure();
   try {
-    return ToSet(Json::parse(*text));
+    const JsonPart::Json json = ParseJsonOnce(*text);
+    return ToSet(JsonPart(json));
   } catch (const std::exception& e) {
     return Failure{FailureKind::kBadInput,
                    "bad_problem_set",

@@ -27,6 +27,7 @@ PlaybackLog Example() {
     LogSample sample;
     sample.time_s = 0.1 + 0.005 * (k + 1);
     sample.q = VectorX::Random(9);
+    sample.q.segment<4>(3).normalize();
     sample.v = VectorX::Random(8);
     sample.tau = 1e-300 * VectorX::Random(2);
     sample.tau_peak = VectorX::Random(2).cwiseAbs();

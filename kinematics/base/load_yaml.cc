@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "kinematics/base/strict_yaml_internal.h"
+
+namespace gaitwright {
+namespace {
+
+/// Sees a text go by, without keeping it, and throws InvalidArgument where it goes beyond the bounds.
+class BoundsWatch : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++documents_ > 1) Refuse(mark, "a second document begins; one is needed");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { Take(mark, anchor, 1); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto known = size_of_.find(anchor);
+    if (known == size_of_.end()) Refuse(mark, "an alias names what it stands in; it would never end");
+    Take(mark, 0, known->second);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                const std::string& value) override {
+    if (value.size() > kLongestYamlText)
+      Refuse(mark, fmt::format("a text of {} bytes; at most {} are read", value.size(), kLongestYamlText));
+    if (value.find('\0') != std::string::npos) Refuse(mark, "a text holds a byte 0x00");
+    Take(mark, anchor, 1);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value /*style*/) override {
+    Open(mark, anchor);
+  }
+  void OnSequenceEnd() override { Close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value /*style*/) override {
+    Open(mark, anchor);
+  }
+  void OnMapEnd() override { Close(); }
+
+ private:
+  /// A list or map that is not yet at its end.
+  struct Container {
+    YAML::anchor_t anchor;
+    std::size_t before;  ///< values before it
+  };
+
+  [[noreturn]] static void Refuse(const YAML::Mark& mark, const std::string& message) {
+    throw InvalidArgument(fmt::format("line {}: {}", mark.line + 1, message));
+  }
+  void Take(const YAML::Mark& mark, YAML::anchor_t anchor, std::size_t values) {
+    values_ += values;
+    if (values_ > kMostYamlValues)
+      Refuse(mark, fmt::format("more than {} values, with those that aliases repeat", kMostYamlValues));
+    if (anchor != 0) size_of_[anchor] = values;
+  }
+  void Open(const YAML::Mark& mark, YAML::anchor_t anchor) {
+    if (open_.size() >= kDeepestYaml)
+      Refuse(mark, fmt::format("more than {} lists and maps in one another", kDeepestYaml));
+    open_.push_back({anchor, values_});
+    Take(mark, 0, 1);
+  }
+  void Close() {
+    if (open_.empty()) return;
+    if (open_.back().anchor != 0) size_of_[open_.back().anchor] = values_ - open_.back().before;
+    open_.pop_back();
+  }
+
+  int documents_ = 0;
+  std::size_t values_ = 0;
+  std::vector<Container> open_;
+  std::map<YAML::anchor_t, std::size_t> size_of_;  // of what is at its end
+};
+
+/// Calls what reads YAML. yaml-cpp throws what is none of its own kind for some texts.
+template <class Read>
+auto WithYamlErrors(Read read) {
+  try {
+    return read();
+  } catch (const YAML::Exception&) {
+    throw;
+  } catch (const InvalidArgument&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InvalidArgument(fmt::format("line 1: this is not YAML: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+YAML::Node LoadYaml(const std::string& text) {
+  if (text.size() > kLargestYaml)
+    throw InvalidArgument(fmt::format("line 1: a text of {} bytes; at most {} are read", text.size(), kLargestYaml));
+  return WithYamlErrors([&] {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    BoundsWatch watch;
+    while (parser.HandleNextDocument(watch)) {
+    }
+    return YAML::Load(text);
+  });
+}
+
+}  // namespace gaitwright

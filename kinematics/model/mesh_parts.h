@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/model/mesh_file.h"
+
+namespace gaitwright {
+
+/// Bounds of what is read as a mesh: of its points, of its triangles, of the corners of one face.
+inline constexpr std::size_t kMostMeshPoints = 2000000, kMostMeshTriangles = 2000000, kMostFaceCorners = 500;
+
+/// The mesh of a file's bytes. @throws InvalidArgument where it is none, with the place and what is accepted.
+Mesh ParseStl(const std::string& bytes);
+/// Likewise of Wavefront's OBJ: what is `v` and `f`, the rest is passed over.
+Mesh ParseObj(const std::string& text);
+/// Likewise of Collada: the geometries of its scene with triangles, lists of polygons, strips and fans.
+Mesh ParseCollada(const std::string& text);
+
+/// Adds a face of three corners or more as triangles, by cutting off ears where it is not convex (Meisters, 1975).
+/// @param corners  indices into the mesh's vertices. @throws InvalidArgument for fewer than three or too many.
+void AddFace(const std::vector<int>& corners, Mesh& mesh);
+
+/// @throws InvalidArgument when a mesh of so many points and triangles is too large.
+void CheckMeshSize(std::size_t points, std::size_t triangles);
+
+/// A finite number of a mesh's file. @throws InvalidArgument naming `what`.
+double MeshNumber(const std::string& word, const std::string& what);
+
+}  // namespace gaitwright

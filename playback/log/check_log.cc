@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/log/check_log.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kMost = 1e12;                // of any number, in its unit
+constexpr double kUnit = 1e-3;                // how far from 1 a quaternion's length may be
+constexpr std::size_t kMostFeet = 64;         // those of a FootSet
+constexpr double kFastestLog = 1e6;           // [Hz]
+constexpr double kHeaviestRobot = 1e6;        // [kg]
+constexpr double kMostFrictionOfLog = 100.0;  // coefficient
+
+void CheckIn(const char* what, double value, double lowest, double highest) {
+  if (value >= lowest && value <= highest) return;
+  throw InvalidArgument(fmt::format("'{}' is {}; accepted: {} to {}", what, value, lowest, highest));
+}
+
+template <class Row>
+void CheckRow(const char* what, std::size_t sample, const Row& row) {
+  for (const double value : row) {
+    if (!(std::abs(value) <= kMost))
+      throw InvalidArgument(
+          fmt::format("row {} of '{}' holds {}; at most {} up or down is accepted", sample, what, value, kMost));
+  }
+}
+
+void CheckHead(const PlaybackLog& log) {
+  CheckIn("start_s", log.start_s, -1e6, 1e6);
+  CheckIn("log_rate_hz", log.log_rate_hz, 1e-3, kFastestLog);
+  CheckIn("step_s", log.step_s, 1e-9, 1.0);
+  CheckIn("total_mass_kg", log.total_mass_kg, 0.0, kHeaviestRobot);
+  CheckIn("friction", log.friction, 0.0, kMostFrictionOfLog);
+  for (const double time_s : log.saturated_s) CheckIn("saturated_s", time_s, 0.0, kMost);
+  for (const BodyContact& contact : log.body_contacts) CheckIn("body_contacts, time_s", contact.time_s, -kMost, kMost);
+}
+
+void CheckSample(const PlaybackLog& log, std::size_t k, std::size_t feet) {
+  const LogSample& sample = log.samples[k];
+  CheckIn("time_s", sample.time_s, -kMost, kMost);
+  if (k > 0 && !(sample.time_s > log.samples[k - 1].time_s))
+    throw InvalidArgument(fmt::format("row {} of 'time_s' is {}, which is not after the row before, {}", k,
+                                      sample.time_s, log.samples[k - 1].time_s));
+  CheckRow("q", k, sample.q);
+  CheckRow("v", k, sample.v);
+  CheckRow("tau_nm", k, sample.tau);
+  CheckRow("tau_peak_nm", k, sample.tau_peak);
+  for (const ContactWrench& wrench : sample.wrenches) {
+    CheckRow("contact_wrenches", k, wrench.force_W);
+    CheckRow("contact_wrenches", k, wrench.moment_W);
+  }
+  const double length = sample.q.segment<4>(3).norm();
+  if (!(std::abs(length - 1.0) <= kUnit))
+    throw InvalidArgument(fmt::format("row {} of 'q' has a quaternion of length {:.6g}; it must be 1", k, length));
+  if ((sample.contact & ~AllFeet(static_cast<int>(feet))) != 0)
+    throw InvalidArgument(
+        fmt::format("row {} of 'contact' is {}, which names a foot beyond the {} there are", k, sample.contact, feet));
+}
+
+void CheckStance(const StanceRecord& stance, std::size_t feet) {
+  if (feet > 0) CheckIn("stances, foot", stance.foot, 0, static_cast<double>(feet) - 1.0);
+  CheckIn("stances, touchdown_s", stance.touchdown_s, -kMost, kMost);
+  CheckIn("stances, liftoff_s", stance.liftoff_s, stance.touchdown_s, kMost);
+  for (const double place : stance.p_touchdown_W) CheckIn("stances, touchdown_m", place, -kMost, kMost);
+  for (const double value :
+       {stance.touchdown_speed_m_s, stance.slip_m, stance.peak_normal_n, stance.penetration_m, stance.friction_use_max})
+    CheckIn("stances", value, -kMost, kMost);
+}
+
+}  // namespace
+
+void CheckLog(const PlaybackLog& log) {
+  CheckHead(log);
+  const std::size_t feet = log.samples.empty() ? 0 : log.samples.front().wrenches.size();
+  if (feet > kMostFeet)
+    throw InvalidArgument(fmt::format("'contact_wrenches' has {} feet; at most {} are accepted", feet, kMostFeet));
+  for (std::size_t k = 0; k < log.samples.size(); ++k) CheckSample(log, k, feet);
+  for (const StanceRecord& stance : log.stances) CheckStance(stance, feet);
+}
+
+}  // namespace gaitwright
