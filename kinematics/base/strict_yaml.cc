@@ -7,6 +7,7 @@
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/strict_yaml_internal.h"
+#include "kinematics/base/text.h"
 
 namespace gaitwright {
 
@@ -31,6 +32,7 @@ void RefuseYaml(const YAML::Node& node, const std::string& message) {
 
 std::string TextOf(const YAML::Node& node, const std::string& what) {
   if (!node.IsScalar()) RefuseYaml(node, fmt::format("{} is {}; one word or text is needed", what, KindOf(node)));
+  if (!IsPlainText(node.Scalar())) RefuseYaml(node, what + " holds a control character or what is no text in UTF-8");
   return node.Scalar();
 }
 

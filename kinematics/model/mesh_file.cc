@@ -104,8 +104,8 @@ Result<Mesh> ReadMesh(const std::string& path) {
   Mesh mesh;
   try {
     mesh = Kind(path) == ".stl" ? ParseStl(*bytes) : Kind(path) == ".obj" ? ParseObj(*bytes) : ParseCollada(*bytes);
-  } catch (const InvalidArgument& error) {
-    return Refused("mesh_unreadable", fmt::format("the mesh '{}' cannot be read: {}", path, error.what()));
+  } catch (const InvalidArgument& bad) {
+    return Refused("mesh_unreadable", fmt::format("the mesh '{}' cannot be read: {}", path, bad.what()));
   }
   if (mesh.triangles.empty()) return Refused("mesh_empty", fmt::format("the mesh '{}' has no triangles", path));
   for (const Vector3& v : mesh.vertices) {

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/base/options.h"
+#include "kinematics/model/load_robot.h"
+#include "kinematics/model/urdf_check.h"
+#include "tests/fuzz/inputs.h"
+#include "tests/fuzz/reader.h"
+#include "tests/fuzz/robot_laws.h"
+
+namespace gaitwright::fuzz {
+namespace {
+
+Verdict ReadUrdf(const std::string& input) {
+  const Result<RobotModel> model = LoadRobotFromText(input, "");
+  if (!model) return Verdict::kRefused;
+  Require(!CheckUrdf(input), "a robot is not made of a URDF that the check refuses");
+  CheckRobotLaws(*model);
+  return Verdict::kAccepted;
+}
+
+/// On a robot whose joints are A_hip, A_knee and so on for four legs, with feet A_foot and so on.
+Verdict ReadRobotYaml(const std::string& input) {
+  static const std::string urdf = SourceFile("tests/fuzz/corpus/urdf/four_legs.urdf");
+  const Result<RobotModel> model = LoadRobotFromText(urdf, input);
+  if (!model) return Verdict::kRefused;
+  CheckRobotLaws(*model);
+  return Verdict::kAccepted;
+}
+
+Verdict ReadMeshOf(const std::string& input, const std::string& ending) {
+  const Result<Mesh> mesh = ReadMesh(InFile(input, ending));
+  if (!mesh) return Verdict::kRefused;
+  CheckMeshLaws(*mesh);
+  return Verdict::kAccepted;
+}
+Verdict ReadStl(const std::string& input) { return ReadMeshOf(input, ".stl"); }
+Verdict ReadObj(const std::string& input) { return ReadMeshOf(input, ".obj"); }
+Verdict ReadCollada(const std::string& input) { return ReadMeshOf(input, ".dae"); }
+
+/// Options of every kind, in no room but this one.
+struct EveryKind {
+  double length_m = 0.5;
+  int count = 3;
+  bool fast = false;
+  std::string method = "optimised", name;
+
+  OptionFields Fields() {
+    return {{"length_m", &length_m, "m", -1.0, 1e6, "A length.", {}},
+            {"count", &count, "1", 1.0, 100.0, "A count.", {}},
+            {"fast", &fast, "", 0.0, 1.0, "A switch.", {}},
+            {"method", &method, "", 0.0, 0.0, "A choice.", {"optimised", "preview"}},
+            {"name", &name, "", 0.0, 0.0, "A text.", {}}};
+  }
+};
+
+/// A key and its text on a line each, as --set and YAML give them.
+Verdict ReadOption(const std::string& input) {
+  EveryKind options;
+  OptionFields fields = options.Fields();
+  const std::string key = input.substr(0, input.find('='));
+  const std::string text = key.size() < input.size() ? input.substr(key.size() + 1) : "";
+  try {
+    SetOption(fields, key, text);
+  } catch (const InvalidArgument&) {
+    return Verdict::kRefused;
+  }
+  CheckOptions(fields);
+  for (const OptionField& field : fields) {
+    EveryKind again;
+    OptionFields copy = again.Fields();
+    SetOption(copy, field.key, OptionText(field));
+    for (const OptionField& other : copy)
+      Require(other.key != field.key || OptionText(other) == OptionText(field), "an option is read back as it is");
+  }
+  return Verdict::kAccepted;
+}
+
+const std::vector<std::string> kUrdfWords = {"<link name='x'/>",
+                                             "<joint name='j' type='revolute'>",
+                                             "continuous",
+                                             "prismatic",
+                                             "fixed",
+                                             "revolute",
+                                             "<mimic joint='A_hip' multiplier='2' offset='0.1'/>",
+                                             "<limit lower='-1' upper='1' effort='1' velocity='1'/>",
+                                             "<axis xyz='0 0 1'/>",
+                                             "<inertial>",
+                                             "</inertial>",
+                                             "<mass value='1'/>",
+                                             "<origin xyz='0 0 0' rpy='0 0 0'/>",
+                                             "<collision><geometry><box size='1 1 1'/></geometry></collision>",
+                                             "<sphere radius='1'/>",
+                                             "<cylinder radius='1' length='1'/>",
+                                             "<mesh filename='a.stl'/>",
+                                             "&#0;",
+                                             "&#xD800;",
+                                             "&amp;",
+                                             "<![CDATA[",
+                                             "]]>",
+                                             "<!--",
+                                             "-->",
+                                             "<?xml version='1.0'?>",
+                                             "<!DOCTYPE a [<!ENTITY b \"c\">]>",
+                                             "xyz",
+                                             "rpy",
+                                             "trunk",
+                                             "A_hip",
+                                             "A_knee",
+                                             "A_thigh",
+                                             "B_foot"};
+const std::vector<std::string> kYamlWords = {"name",
+                                             "description",
+                                             "limits",
+                                             "feet",
+                                             "legs",
+                                             "mirror_pairs",
+                                             "standing",
+                                             "standing_base_height_m",
+                                             "nominal_speed_m_s",
+                                             "gains",
+                                             "motors",
+                                             "link",
+                                             "type",
+                                             "radius_m",
+                                             "sole_m",
+                                             "joints",
+                                             "knee",
+                                             "knee_side",
+                                             "plus",
+                                             "minus",
+                                             "sole",
+                                             "line",
+                                             "sphere",
+                                             "point",
+                                             "A_hip",
+                                             "A_knee",
+                                             "A_foot",
+                                             "B_foot",
+                                             "stiffness_nm_rad",
+                                             "lower_rad",
+                                             "upper_rad",
+                                             "lower_m",
+                                             "effort_nm",
+                                             "velocity_rad_s",
+                                             "corner_velocity_rad_s",
+                                             "no_load_velocity_rad_s",
+                                             "continuous_nm",
+                                             "rotor_inertia_kg_m2",
+                                             "thermal_s",
+                                             "&a",
+                                             "*a",
+                                             "<<: *a",
+                                             "!!str",
+                                             "---",
+                                             "...",
+                                             "|",
+                                             ">",
+                                             "? ",
+                                             "{",
+                                             "}",
+                                             "[",
+                                             "]",
+                                             "\"\\0\"",
+                                             "\"\\xff\"",
+                                             "'",
+                                             "~",
+                                             ".nan",
+                                             ".inf",
+                                             "%YAML 1.2",
+                                             "\t"};
+const std::vector<std::string> kStlWords = {"solid",   "facet normal 0 0 1", "outer loop", "vertex 0 0 1",
+                                            "endloop", "endfacet",           "endsolid",   "vertex nan inf 1e99"};
+const std::vector<std::string> kObjWords = {"v 1 2 3\n",          "f 1 2 3\n",  "f -1 -2 -3\n",
+                                            "f 1/1/1 2//2 3/3\n", "vn 0 0 1\n", "f 1 2 3 4 5 6\n",
+                                            "usemtl a\n",         "\\\n",       "o a\n"};
+const std::vector<std::string> kColladaWords = {"<node id=\"n\">",
+                                                "</node>",
+                                                "<instance_node url=\"#n\"/>",
+                                                "<instance_geometry url=\"#g\"/>",
+                                                "<p>0 1 2</p>",
+                                                "<vcount>3 4</vcount>",
+                                                "polylist",
+                                                "polygons",
+                                                "tristrips",
+                                                "trifans",
+                                                "triangles",
+                                                "count",
+                                                "stride",
+                                                "offset",
+                                                "<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix>",
+                                                "<scale>1 1 0</scale>",
+                                                "<rotate>0 0 1 90</rotate>",
+                                                "source",
+                                                "meter=\"1e-3\"",
+                                                "<input semantic=\"NORMAL\" source=\"#p\" offset=\"1\"/>",
+                                                "library_nodes",
+                                                "lookat"};
+
+}  // namespace
+
+const std::vector<Reader>& Readers() {
+  static const std::vector<Reader> readers = {
+      {"urdf", ReadUrdf, kUrdfWords, {}, nullptr, 300},
+      {"robot_yaml", ReadRobotYaml, kYamlWords, {}, nullptr, 400},
+      {"mesh_stl", ReadStl, kStlWords, {}},
+      {"mesh_obj", ReadObj, kObjWords, {}},
+      {"mesh_dae", ReadCollada, kColladaWords, {}},
+      {"option", ReadOption, {"length_m=", "count=", "fast=", "method=", "name=", "true", "false", "preview"}, {}}};
+  return readers;
+}
+
+}  // namespace gaitwright::fuzz
