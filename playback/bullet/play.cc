@@ -10,6 +10,7 @@
 #include "kinematics/base/version.h"
 #include "planning/plan/check_motion.h"
 #include "playback/bullet/fall_watch_internal.h"
+#include "playback/bullet/off_plan_internal.h"
 #include "playback/bullet/stance_recorder_internal.h"
 #include "playback/bullet/world.h"
 
@@ -53,14 +54,17 @@ Failure Misfit(const RobotModel& model, const MotionPlan& plan) {
   return {};
 }
 
-/// Why the push of the options never comes; empty code when it does, or none is asked for.
+/// Why a push of the options never comes; empty code when all do, or none is asked for.
 Failure LatePush(const MotionPlan& plan, const PlayOptions& options) {
   const double end_s = plan.whole_body.end_s() + options.hold_s;
-  if (options.push_force_W.isZero(0.0) || options.push_at_s < end_s) return {};
-  return Mismatch("late_push",
-                  fmt::format("the push begins at {} s, when the playback has ended: it ends at {:.3f} s",
-                              options.push_at_s, end_s),
-                  "push earlier");
+  for (const TimedPush& push : bullet::PushesOf(options)) {
+    if (push.at_s < end_s) continue;
+    return Mismatch(
+        "late_push",
+        fmt::format("the push begins at {} s, when the playback has ended: it ends at {:.3f} s", push.at_s, end_s),
+        "push earlier");
+  }
+  return {};
 }
 
 /// The world's options with what the plan says: which joints never move, and where it goes.
@@ -154,12 +158,19 @@ class Playback {
         fall_(model, plan, options.fall_height_lowest) {
     input_.step_s = step_s_;
     input_.wrenches.resize(model.feet.size());
+    for (const TimedPush& push : bullet::PushesOf(options))
+      pushes_.emplace_back(push, bullet::PushedBody(model, push.on));
   }
 
   PlaybackLog Run() {
     const Vector2 start_W = plan_.whole_body.q.front().head<2>();
     const Pose X_tilt = GroundTilt(plan_.terrain, world_options_, start_W);
-    world_.SetState(Moved(X_tilt, plan_.whole_body.q.front()), MovedVelocity(X_tilt, plan_.whole_body.v.front()));
+    const VectorX q_start = Moved(X_tilt, plan_.whole_body.q.front());
+    world_.SetState(q_start, MovedVelocity(X_tilt, plan_.whole_body.v.front()));
+    if (bullet::StartsOff(options_)) {
+      world_.SetState(bullet::MovedOff(model_, options_, q_start), world_.v());
+      world_.LiftOutOfGround(q_start);
+    }
     controller_.Reset();
     StartLog(start_W);
     Settle();
@@ -217,10 +228,7 @@ class Playback {
     input_.time_s = time_s;
     input_.q = world_.q();
     input_.v = world_.v();
-    const double since_push_s = time_s - options_.push_at_s;
-    if (may_push && since_push_s > -0.5 * step_s_ && since_push_s < options_.push_for_s - 0.5 * step_s_) {
-      options_.push_on == "robot" ? world_.PushRobot(options_.push_force_W) : world_.PushBase(options_.push_force_W);
-    }
+    if (may_push) Push(time_s);
     world_.Step(controller_.Update(input_));
     input_.contact = 0;
     for (std::size_t i = 0; i < world_.feet().size(); ++i) {
@@ -228,6 +236,14 @@ class Playback {
       if (world_.feet()[i].touching) input_.contact |= FootBit(static_cast<int>(i));
     }
     return world_.q().allFinite() && world_.v().allFinite();
+  }
+
+  void Push(double time_s) {
+    for (const auto& [push, body] : pushes_) {
+      const double since_s = time_s - push.at_s;
+      if (since_s <= -0.5 * step_s_ || since_s >= push.for_s - 0.5 * step_s_) continue;
+      body == bullet::kWholeRobot ? world_.PushRobot(push.force_W) : world_.PushBody(body, push.force_W);
+    }
   }
 
   void Record(double time_s) {
@@ -255,6 +271,7 @@ class Playback {
   bullet::StanceRecorder stances_;
   bullet::FallWatch fall_;
   Interval interval_;
+  std::vector<std::pair<TimedPush, int>> pushes_;  ///< with the body they act on
   ControlInput input_;
   PlaybackLog log_;
 };

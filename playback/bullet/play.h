@@ -9,6 +9,15 @@
 
 namespace gaitwright {
 
+/// A force on the robot for a while.
+struct TimedPush {
+  Vector3 force_W = Vector3::Zero();  ///< [N]
+  double at_s = 0.0, for_s = 0.1;     ///< on the plan's clock
+  std::string on = "base";            ///< see PlayOptions::push_on
+
+  bool operator==(const TimedPush&) const = default;
+};
+
 /// How a plan is played.
 struct PlayOptions {
   WorldOptions world;
@@ -19,8 +28,15 @@ struct PlayOptions {
   double push_at_s = 0.0;
   double push_for_s = 0.1;
   std::string push_on = "base";
+  double start_x_m = 0.0, start_y_m = 0.0, start_z_m = 0.0;
+  double start_roll_rad = 0.0, start_pitch_rad = 0.0, start_yaw_rad = 0.0;
   bool lock_unmoved = false;
   double fall_height_lowest = 0.4;
+
+  /// Pushes beside the one of the fields above.
+  std::vector<TimedPush> more_pushes = {};
+  /// Where the independent joints start off the plan, within their limits, size n [rad] or [m]; empty for nowhere.
+  VectorX start_joints = VectorX();
 
   OptionFields Fields() {
     return Joined(
@@ -44,8 +60,21 @@ struct PlayOptions {
            "",
            0.0,
            0.0,
-           "Where the push acts: the base's own centre of mass or that of the whole robot.",
-           {"base", "robot"}},
+           "Where the push acts: the base's own centre of mass, that of the whole robot, or that of the body which a "
+           "link named here is part of.",
+           {}},
+          {"start_x_m", &start_x_m, "m", -10.0, 10.0, "Starts off the plan's first base pose: along x of W.", {}},
+          {"start_y_m", &start_y_m, "m", -10.0, 10.0, "The same, along y of W.", {}},
+          {"start_z_m",
+           &start_z_m,
+           "m",
+           -10.0,
+           10.0,
+           "The same, upward; a robot that starts off its plan is lifted until nothing of it is in the ground.",
+           {}},
+          {"start_roll_rad", &start_roll_rad, "rad", -3.2, 3.2, "The same, turned about the base's x.", {}},
+          {"start_pitch_rad", &start_pitch_rad, "rad", -3.2, 3.2, "The same, turned about the base's y.", {}},
+          {"start_yaw_rad", &start_yaw_rad, "rad", -3.2, 3.2, "The same, turned about z of W.", {}},
           {"lock_unmoved",
            &lock_unmoved,
            "",
@@ -65,7 +94,7 @@ struct PlayOptions {
 
 /// Plays a plan in physics: the robot starts in the plan's first state, settles, and the controller is asked once per
 /// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts turned with the
-/// ground. Nobody holds the robot.
+/// ground; off its plan it starts as `start_*` say, out of the ground, and settles. Nobody holds the robot.
 ///
 /// Ends early, after another 0.3 s, when the robot has clearly fallen: its up axis is over 1 rad off, a body that is
 /// no foot stays on the ground for 0.2 s, or its base is below `fall_height_lowest` of the plan's height (each over the
@@ -78,8 +107,8 @@ struct PlayOptions {
 ///
 /// @return the log; a failure when plan and robot do not belong together, the plan lasts over an hour, or a push would
 /// begin after the end.
-/// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, or bumps over more
-/// than 10,000 m^2 of ground.
+/// @throws InvalidArgument for an option out of range, a log rate that does not divide the steps, a push on a link that
+/// there is not, `start_joints` of a wrong size, or bumps over more than 10,000 m^2 of ground.
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options = {});
 

@@ -76,8 +76,9 @@ RobotBody::RobotBody(const RobotModel& model, const BodyOptions& options)
   for (const Body& body : model.bodies) {
     Vector3 moments;
     X_BM_.push_back(PrincipalFrame(body, moments));
-    inertia_M_.push_back(ToBullet(Vector3(options.mass_scale * moments)));
+    inertia_M_.push_back(ToBullet(Vector3(options.mass_scale * options.inertia_scale * moments)));
   }
+  X_BM_[0].translation() += options.base_com_shift_B;
   const double base_mass = options.mass_scale * model.bodies[0].mass;
   const int links = static_cast<int>(model.joints.size());
   body_ = std::make_unique<btMultiBody>(links, base_mass, inertia_M_[0], false, false);

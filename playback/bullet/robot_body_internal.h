@@ -26,11 +26,12 @@ struct ColliderPart {
 
 /// How the robot is built.
 struct BodyOptions {
-  double mass_scale = 1.0;
-  bool sole_plates = false;      ///< soles as convex plates too, beside the spheres at their corners
-  double sole_spacing_m = 0.0;   ///< of spheres all over a sole; 0 for none but at the corners
-  std::vector<int> locked_dofs;  ///< held at their position in q0, without a motor
-  VectorX q0;                    ///< size nq
+  double mass_scale = 1.0, inertia_scale = 1.0;
+  Vector3 base_com_shift_B = Vector3::Zero();  ///< [m]
+  bool sole_plates = false;                    ///< soles as convex plates too, beside the spheres at their corners
+  double sole_spacing_m = 0.0;                 ///< of spheres all over a sole; 0 for none but at the corners
+  std::vector<int> locked_dofs;                ///< held at their position in q0, without a motor
+  VectorX q0;                                  ///< size nq
 };
 
 /// A RobotModel as a btMultiBody with one collider per body, and its state in our order.

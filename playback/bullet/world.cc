@@ -49,7 +49,11 @@ WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions opt
 
 bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q, const bullet::Ground& ground) {
   const bool by_ground = options.sole_contact == "auto";
-  bullet::BodyOptions body{.mass_scale = options.mass_scale, .locked_dofs = options.locked_dofs, .q0 = q};
+  bullet::BodyOptions body{.mass_scale = options.mass_scale,
+                           .inertia_scale = options.inertia_scale,
+                           .base_com_shift_B = {options.com_shift_x_m, options.com_shift_y_m, options.com_shift_z_m},
+                           .locked_dofs = options.locked_dofs,
+                           .q0 = q};
   body.sole_plates = options.sole_contact == "plate" || (by_ground && ground.has_edges());
   if (by_ground) body.sole_spacing_m = kSoleSampling * ground.finest_m();
   return body;
@@ -118,7 +122,8 @@ struct BulletWorld::Impl {
     for (int dof = 0; dof < model.num_dofs(); ++dof) {
       motors.push_back(nullptr);
       if (body.locked(dof)) continue;
-      const bullet::MotorRow::Limits limits{model.dof_lower(dof), model.dof_upper(dof), model.dof_effort_limit(dof)};
+      const bullet::MotorRow::Limits limits{model.dof_lower(dof), model.dof_upper(dof),
+                                            options.motor_strength * model.dof_effort_limit(dof)};
       motors.back() = std::make_unique<bullet::MotorRow>(body, body.multibody(), dof, limits);
       world.addMultiBodyConstraint(motors.back().get());
     }
@@ -169,6 +174,29 @@ struct BulletWorld::Impl {
     }
   }
 
+  /// How much the lowest-fallen contact point of the feet is under where it is with `as_planned`; not below zero [m].
+  double HighestDrop(const VectorX& as_planned) {
+    ForwardKinematics(model, as_planned, before);
+    double drop = 0.0;
+    for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
+      const std::vector<Vector3> wanted = ContactPoints(model, before, foot), now = ContactPoints(model, after, foot);
+      for (std::size_t i = 0; i < now.size(); ++i) drop = std::max(drop, wanted[i].z() - now[i].z());
+    }
+    return drop;
+  }
+
+  /// Of the deepest contact in the ground, along its normal [m].
+  double Depth() {
+    world.performDiscreteCollisionDetection();
+    double depth = 0.0;
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+      const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+      for (int k = 0; k < manifold.getNumContacts(); ++k)
+        depth = std::max(depth, -manifold.getContactPoint(k).getDistance());
+    }
+    return depth;
+  }
+
   const RobotModel& model;
   WorldOptions options;
   bullet::Ground ground;
@@ -204,7 +232,7 @@ const std::vector<FootContact>& BulletWorld::feet() const { return impl_->reader
 const std::vector<std::string>& BulletWorld::body_contacts() const { return impl_->reader.body_contacts(); }
 
 void BulletWorld::Push(const Vector3& force_W, const Vector3& p_W) {
-  const Vector3 p_WM = impl_->after.p_WB[0] + impl_->after.R_WB[0] * impl_->model.bodies[0].p_BC;
+  const Vector3 p_WM = impl_->after.p_WB[0] + impl_->after.R_WB[0] * impl_->body.X_BM(0).translation();
   btMultiBody& body = impl_->body.multibody();
   body.addBaseForce(bullet::ToBullet(force_W));
   body.addBaseTorque(bullet::ToBullet(Vector3((p_W - p_WM).cross(force_W))));
@@ -212,7 +240,31 @@ void BulletWorld::Push(const Vector3& force_W, const Vector3& p_W) {
 
 void BulletWorld::PushBase(const Vector3& force_W) { impl_->body.multibody().addBaseForce(bullet::ToBullet(force_W)); }
 
-void BulletWorld::PushRobot(const Vector3& force_W) { Push(force_W, CentreOfMass(impl_->model, impl_->after)); }
+void BulletWorld::PushRobot(const Vector3& force_W) {
+  const Body& base = impl_->model.bodies[0];
+  const Vector3 shift_W = impl_->after.R_WB[0] * (impl_->body.X_BM(0).translation() - base.p_BC);
+  Push(force_W, CentreOfMass(impl_->model, impl_->after) + base.mass / impl_->model.total_mass_kg * shift_W);
+}
+
+void BulletWorld::PushBody(int body, const Vector3& force_W) {
+  if (body == 0) return PushBase(force_W);
+  impl_->body.multibody().addLinkForce(body - 1, bullet::ToBullet(force_W));
+}
+
+double BulletWorld::LiftOutOfGround(const VectorX& as_planned) {
+  constexpr double kDeepest = 1e-5;  // [m]
+  constexpr int kMostLifts = 20;
+  const double before = impl_->q.z();
+  VectorX q = impl_->q;
+  q.z() += impl_->HighestDrop(as_planned);
+  for (int i = 0; i < kMostLifts; ++i) {
+    SetState(q, impl_->v);
+    const double depth = impl_->Depth();
+    if (depth <= kDeepest) break;
+    q.z() += depth;
+  }
+  return impl_->q.z() - before;
+}
 
 void BulletWorld::Step(const JointCommand& command) {
   Impl& self = *impl_;
@@ -245,10 +297,12 @@ double BulletWorld::gear_error() const {
 }
 
 Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vector2& start_W) {
+  constexpr double kRadian = std::numbers::pi / 180.0;
   const Vector3 start(start_W.x(), start_W.y(), GroundAt(terrain, start_W).height_m);
-  const double slope = options.ground_slope_deg * std::numbers::pi / 180.0;
+  const double slope = options.ground_slope_deg * kRadian, uphill = options.ground_slope_direction_deg * kRadian;
   Pose X = Pose::Identity();
-  X.linear() = Eigen::AngleAxisd(-slope, Vector3::UnitY()).toRotationMatrix();
+  const Vector3 axis = uphill == 0.0 ? Vector3::UnitY() : Vector3(-std::sin(uphill), std::cos(uphill), 0.0);
+  X.linear() = Eigen::AngleAxisd(-slope, axis).toRotationMatrix();
   X.translation() = start - X.linear() * start;
   return X;
 }

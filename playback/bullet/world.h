@@ -52,6 +52,12 @@ class BulletWorld {
   void PushBase(const Vector3& force_W);
   /// The same at the centre of mass of the whole robot.
   void PushRobot(const Vector3& force_W);
+  /// The same on a body (see RobotModel::bodies), at its own centre of mass.
+  void PushBody(int body, const Vector3& force_W);
+
+  /// Lifts the robot as it stands until nothing of it is deeper in the ground than 0.01 mm, and no foot lower than
+  /// where it is with q = `as_planned`. @return by how much [m].
+  double LiftOutOfGround(const VectorX& as_planned);
 
   /// One step. @throws InvalidArgument when the command has a wrong size or is not finite.
   void Step(const JointCommand& command);
@@ -74,8 +80,8 @@ class BulletWorld {
   std::unique_ptr<Impl> impl_;
 };
 
-/// How the unannounced slope turns the ground about the start point: p' = GroundTilt * p. A robot that stands on it
-/// turns along.
+/// How the unannounced slope turns the ground about the start point: p' = GroundTilt * p, by the slope's angle about
+/// the level axis a quarter turn left of its direction. A robot that stands on it turns along.
 Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vector2& start_W);
 
 /// Coefficient of friction at a place, with the option's override.

@@ -23,7 +23,11 @@ struct WorldOptions {
   std::string sole_contact = "auto";
   double friction = 0.0;
   double mass_scale = 1.0;
+  double inertia_scale = 1.0;
+  double com_shift_x_m = 0.0, com_shift_y_m = 0.0, com_shift_z_m = 0.0;
+  double motor_strength = 1.0;
   double ground_slope_deg = 0.0;
+  double ground_slope_direction_deg = 0.0;
   double ground_bumps_m = 0.0;
   double bump_wavelength_m = 0.4;
   double bump_free_radius_m = 0.0;
@@ -64,12 +68,25 @@ struct WorldOptions {
          {"auto", "corners", "plate"}},
         {"friction", &friction, "1", 0.0, 10.0, "Coefficient everywhere; 0 for the terrain's own.", {}},
         {"mass_scale", &mass_scale, "1", 0.1, 10.0, "Factor on all masses and inertias, unknown to the plan.", {}},
+        {"inertia_scale", &inertia_scale, "1", 0.1, 10.0, "Factor on all moments of inertia besides, likewise.", {}},
+        {"com_shift_x_m", &com_shift_x_m, "m", -1.0, 1.0, "Moves the base's own centre of mass ahead, likewise.", {}},
+        {"com_shift_y_m", &com_shift_y_m, "m", -1.0, 1.0, "The same, to the left.", {}},
+        {"com_shift_z_m", &com_shift_z_m, "m", -1.0, 1.0, "The same, upward.", {}},
+        {"motor_strength", &motor_strength, "1", 0.01, 10.0, "Factor on the effort limits of all joints.", {}},
         {"ground_slope_deg",
          &ground_slope_deg,
          "deg",
          -45.0,
          45.0,
-         "The whole ground turned about the y axis at the start point, unknown to the plan; positive is uphill ahead.",
+         "The whole ground turned about a level axis through the start point, unknown to the plan; positive is uphill "
+         "ahead, or in ground_slope_direction_deg.",
+         {}},
+        {"ground_slope_direction_deg",
+         &ground_slope_direction_deg,
+         "deg",
+         -360.0,
+         360.0,
+         "Where that slope goes uphill: 0 is the x axis, 90 the y axis.",
          {}},
         {"ground_bumps_m",
          &ground_bumps_m,

@@ -60,6 +60,7 @@ Gains DeriveGains(const RobotModel& model, const GainOptions& options) {
     }
     if (model.stiffness[dof] > 0.0) gain.stiffness = model.stiffness[dof];
     if (model.damping[dof] > 0.0) gain.damping = model.damping[dof];
+    gain = {options.stiffness_scale * gain.stiffness, options.damping_scale * gain.damping};
     if (options.explicit_step_s > 0.0) {
       const double h = options.explicit_step_s, coupled = 1.0 / mobility.row(dof).lpNorm<1>();
       gain.damping = std::min(gain.damping, 0.5 * coupled / h);

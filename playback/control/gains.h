@@ -17,6 +17,7 @@ struct GainOptions {
   double free_frequency_rad_s = 40.0;
   double free_damping = 1.0;
   double explicit_step_s = 0.0;
+  double stiffness_scale = 1.0, damping_scale = 1.0;
 
   OptionFields Fields() {
     return {
@@ -44,7 +45,9 @@ struct GainOptions {
          "Bounds the gains so that explicit PD is stable at this step even in the air; 0: the step of the playback "
          "where "
          "its actuation is torque, else no bound.",
-         {}}};
+         {}},
+        {"stiffness_scale", &stiffness_scale, "1", 0.0, 100.0, "Factor on all stiffness, however it came about.", {}},
+        {"damping_scale", &damping_scale, "1", 0.0, 100.0, "The same for damping.", {}}};
   }
 };
 
@@ -63,7 +66,8 @@ struct Gains {
 ///       kp = I w^2,  w = free_frequency,  kd = 2 free_damping I w, not above the leg's gains
 ///   bound for explicit control with step h:  kd <= 0.5 I_j / h, kp <= 0.25 I_j / h^2,
 ///       I_j = 1 / lambda, the row sum of |M^-1|: Gershgorin's bound on coupled joints
-/// RobotModel::stiffness and damping take precedence where they are not zero.
+/// RobotModel::stiffness and damping take precedence where they are not zero. `stiffness_scale` and `damping_scale`
+/// multiply what comes out, before the bound.
 ///
 /// Feed-forward carries the weight, so these only have to hold against what the plan did not foresee: a1 gets about
 /// 230 N m/rad and 16 N m s/rad, nao 100 and 6. They are for implicit motors, which no gain makes unstable; damping
