@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/trials/distribution.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "kinematics/base/hash.h"
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kLeastOfBell = 0.01;
+constexpr std::uint64_t kSeeds = 1ULL << 31;
+
+std::uint64_t Mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
+  return x ^ (x >> 31);
+}
+
+/// Share of a standard bell below z.
+double BellBelow(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+
+/// One of a list, by a random number in [0, 1).
+template <class List>
+const auto& Pick(const List& list, double share) {
+  const auto place = static_cast<std::size_t>(share * static_cast<double>(list.size()));
+  return list[std::min(place, list.size() - 1)];
+}
+
+}  // namespace
+
+Distribution Distribution::Fixed(double value) { return {Kind::kFixed, value, value}; }
+
+Distribution Distribution::Uniform(double lowest, double highest) {
+  if (!(lowest <= highest))
+    throw InvalidArgument(fmt::format("a uniform distribution from {} to {} runs backward", lowest, highest));
+  return {Kind::kUniform, lowest, highest};
+}
+
+Distribution Distribution::Normal(double mean, double std, double lowest, double highest) {
+  if (!(std > 0.0)) throw InvalidArgument(fmt::format("a normal distribution with std {}; over zero is needed", std));
+  const double share = BellBelow((highest - mean) / std) - BellBelow((lowest - mean) / std);
+  if (!(share >= kLeastOfBell)) {
+    throw InvalidArgument(
+        fmt::format("a normal distribution about {} with std {} is hardly ever from {} to {}: {:.3g} of it is, {} is "
+                    "needed",
+                    mean, std, lowest, highest, share, kLeastOfBell));
+  }
+  return {Kind::kNormal, lowest, highest, mean, std};
+}
+
+Distribution Distribution::OneOf(const std::vector<double>& numbers) {
+  if (numbers.empty()) throw InvalidArgument("a choice of nothing; one or more are needed");
+  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+  return {Kind::kNumbers, *low, *high, 0.0, 0.0, numbers};
+}
+
+Distribution Distribution::OneOf(const std::vector<std::string>& words) {
+  if (words.empty()) throw InvalidArgument("a choice of nothing; one or more are needed");
+  return {Kind::kWords, 0.0, 0.0, 0.0, 0.0, {}, words};
+}
+
+bool Distribution::varies() const {
+  if (kind == Kind::kWords) return std::any_of(words.begin(), words.end(), [&](auto& w) { return w != words.front(); });
+  return lowest < highest;
+}
+
+NamedRandom::NamedRandom(std::uint64_t seed, std::string_view name) : counter_(Mixed(Mixed(seed + 1) ^ Fnv1a(name))) {}
+
+std::uint64_t NamedRandom::Next() {
+  counter_ += 0x9E3779B97F4A7C15ULL;
+  return Mixed(counter_);
+}
+
+double NamedRandom::Uniform() { return static_cast<double>(Next() >> 11) * 0x1p-53; }
+
+double NamedRandom::Normal() {
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - Uniform()));
+  return radius * std::cos(2.0 * std::numbers::pi * Uniform());
+}
+
+int NamedRandom::Whole() { return static_cast<int>(Next() >> 33); }
+
+double Draw(const Distribution& d, NamedRandom& random) {
+  switch (d.kind) {
+    case Distribution::Kind::kFixed:
+      return d.lowest;
+    case Distribution::Kind::kUniform:
+      return d.lowest + random.Uniform() * (d.highest - d.lowest);
+    case Distribution::Kind::kNormal:
+      for (;;) {
+        const double value = d.mean + d.std * random.Normal();
+        if (value >= d.lowest && value <= d.highest) return value;
+      }
+    case Distribution::Kind::kNumbers:
+      return Pick(d.numbers, random.Uniform());
+    case Distribution::Kind::kWords:
+      break;
+  }
+  throw InvalidArgument("a number was to be drawn from a choice of words");
+}
+
+const std::string& DrawWord(const Distribution& d, NamedRandom& random) {
+  if (d.kind != Distribution::Kind::kWords) throw InvalidArgument("a word was to be drawn from a choice of numbers");
+  return Pick(d.words, random.Uniform());
+}
+
+std::uint64_t SeedOfTrial(std::uint64_t run_seed, int i) {
+  constexpr std::uint64_t kOddStride = 0x4F1BBCDDULL;  // odd, so that it visits all of them
+  return (Mixed(run_seed + 0x9E3779B97F4A7C15ULL) + kOddStride * static_cast<std::uint64_t>(i)) % kSeeds;
+}
+
+}  // namespace gaitwright

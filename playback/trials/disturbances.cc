@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/trials/disturbances.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planning/plan/sample_plan.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180.0;
+
+std::vector<DisturbanceRule> BodyAndGround() {
+  return {
+      {"mass_scale", "play.mass_scale", "1", 0.1, 10.0, "factor on all masses, and inertias with them"},
+      {"inertia_scale", "play.inertia_scale", "1", 0.1, 10.0, "factor on all moments of inertia besides"},
+      {"com_shift_m", "", "m", 0.0, 1.0, "the base's own centre of mass is moved this far, in any direction"},
+      {"com_shift_x_m", "play.com_shift_x_m", "m", -1.0, 1.0, "it is moved ahead"},
+      {"com_shift_y_m", "play.com_shift_y_m", "m", -1.0, 1.0, "it is moved to the left"},
+      {"com_shift_z_m", "play.com_shift_z_m", "m", -1.0, 1.0, "it is moved up"},
+      {"friction", "play.friction", "1", 0.01, 10.0, "coefficient of all ground"},
+      {"ground_slope_deg", "play.ground_slope_deg", "deg", -45.0, 45.0, "the ground is inclined by this"},
+      {"ground_slope_direction_deg", "play.ground_slope_direction_deg", "deg", -360.0, 360.0,
+       "and rises that way: 0 is x of W, 90 is y"},
+      {"ground_bumps_m", "play.ground_bumps_m", "m", 0.0, 0.5, "amplitude of bumps"},
+      {"bump_wavelength_m", "play.bump_wavelength_m", "m", 0.02, 10.0, "twice the distance between bumps"},
+      {"bump_seed", "play.seed", "1", 0.0, 2147483647.0, "of the bumps; each trial has its own where this is not said"},
+  };
+}
+
+std::vector<DisturbanceRule> MotorsAndStart() {
+  return {
+      {"latency_s", "command_delay_s", "s", 0.0, 0.1, "commands take effect this late, to the nearest time step"},
+      {"sensor_noise_scale", "", "1", 0.0, 100.0, "factor on noise, biases and their walk of all sensors that are set"},
+      {"motor_strength", "play.motor_strength", "1", 0.01, 10.0, "factor on the effort limits of all joints"},
+      {"stiffness_scale", "gains.stiffness_scale", "1", 0.0, 100.0, "factor on the stiffness of all joints"},
+      {"damping_scale", "gains.damping_scale", "1", 0.0, 100.0, "factor on the damping of all joints"},
+      {"start.x_m", "play.start_x_m", "m", -10.0, 10.0, "the base starts off the plan's pose: along x of W"},
+      {"start.y_m", "play.start_y_m", "m", -10.0, 10.0, "along y of W"},
+      {"start.z_m", "play.start_z_m", "m", -10.0, 10.0, "upward"},
+      {"start.roll_rad", "play.start_roll_rad", "rad", -3.2, 3.2, "about the base's x"},
+      {"start.pitch_rad", "play.start_pitch_rad", "rad", -3.2, 3.2, "about the base's y"},
+      {"start.yaw_rad", "play.start_yaw_rad", "rad", -3.2, 3.2, "about z of W"},
+      {"start.joints_rad", "", "rad", -3.2, 3.2, "each joint by a number of its own (of a sliding one metres)"},
+  };
+}
+
+/// Distribution of a push's key, or what holds without one.
+Distribution OfPush(const DisturbedPush& push, const std::string& key, const Distribution& usual) {
+  const auto at = std::find_if(push.begin(), push.end(), [&](const Disturbance& d) { return d.key == key; });
+  return at == push.end() ? usual : at->distribution;
+}
+
+bool Has(const DisturbedPush& push, const std::string& key) {
+  return std::any_of(push.begin(), push.end(), [&](const Disturbance& d) { return d.key == key; });
+}
+
+/// Draws one trial.
+class Sampler {
+ public:
+  Sampler(const RobotModel& model, const MotionPlan& plan, std::uint64_t seed) : model_(model), plan_(plan) {
+    trial_.seed = seed;
+    trial_.noise_seed = NamedRandom(seed, "noise").Whole();
+  }
+
+  void Figure(const Disturbance& figure) {
+    if (figure.key == "com_shift_m") return ShiftAnyWay(figure);
+    if (figure.key == "start.joints_rad") return Joints(figure);
+    const double value = Drawn(figure.key, figure.distribution);
+    const auto rule = std::find_if(DisturbanceRules().begin(), DisturbanceRules().end(),
+                                   [&](const DisturbanceRule& r) { return r.key == figure.key; });
+    const bool of_sensor = rule == DisturbanceRules().end();
+    Record(figure.key, of_sensor ? "" : rule->unit, value);
+    if (figure.key == "sensor_noise_scale") {
+      trial_.sensor_noise_scale = value;
+    } else {
+      trial_.options.emplace_back(of_sensor ? figure.key : rule->option, value);
+    }
+  }
+
+  void Push(const DisturbedPush& push, const std::string& name) {
+    const auto drawn = [&](const char* key, const Distribution& usual) {
+      return Drawn(name + "." + key, OfPush(push, key, usual));
+    };
+    double size = 0.0;
+    if (Has(push, "size_n")) size = drawn("size_n", {});
+    if (Has(push, "size_of_weight")) size = model_.weight_n() * drawn("size_of_weight", {});
+    const double direction = drawn("direction_deg", Distribution::Uniform(0.0, 360.0));
+    const double elevation = drawn("elevation_deg", Distribution::Fixed(0.0));
+    const double start_s = plan_.whole_body.start_s;
+    const double at_s = Has(push, "at_s")
+                            ? drawn("at_s", {})
+                            : start_s + drawn("at_share", Distribution::Uniform(0.1, 0.9)) * plan_.duration_s();
+    const double for_s = drawn("duration_s", Distribution::Fixed(0.1));
+    NamedRandom random(trial_.seed, name + ".place");
+    const std::string place = DrawWord(OfPush(push, "place", Distribution::OneOf({std::string("base")})), random);
+    const double level = size * std::cos(elevation * kRadian);
+    const Vector3 force(level * std::cos(direction * kRadian), level * std::sin(direction * kRadian),
+                        size * std::sin(elevation * kRadian));
+    Record(name + ".size_n", "N", size);
+    Record(name + ".direction_deg", "deg", direction);
+    Record(name + ".ahead_n", "N", force.x());
+    Record(name + ".left_n", "N", force.y());
+    if (Has(push, "elevation_deg")) Record(name + ".up_n", "N", force.z());
+    Record(name + ".at_s", "s", at_s);
+    Record(name + ".duration_s", "s", for_s);
+    trial_.values.push_back({name + ".place", "", 0.0, place});
+    trial_.pushes.push_back({Eigen::AngleAxisd(HeadingAt(at_s), Vector3::UnitZ()) * force, at_s, for_s, place});
+  }
+
+  SampledTrial Take() { return std::move(trial_); }
+
+ private:
+  double Drawn(const std::string& name, const Distribution& distribution) const {
+    NamedRandom random(trial_.seed, name);
+    return Draw(distribution, random);
+  }
+
+  void Record(const std::string& name, const std::string& unit, double value) {
+    trial_.values.push_back({name, unit, value, ""});
+  }
+
+  /// A direction evenly over the sphere.
+  void ShiftAnyWay(const Disturbance& figure) {
+    const double radius = Drawn(figure.key, figure.distribution);
+    NamedRandom random(trial_.seed, "com_shift_direction");
+    const double z = 2.0 * random.Uniform() - 1.0, angle = 2.0 * std::numbers::pi * random.Uniform();
+    const double level = std::sqrt(std::max(0.0, 1.0 - z * z));
+    const Vector3 shift = radius * Vector3(level * std::cos(angle), level * std::sin(angle), z);
+    Record(figure.key, "m", radius);
+    const char* names[] = {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"};
+    for (int axis = 0; axis < 3; ++axis) {
+      Record(names[axis], "m", shift[axis]);
+      trial_.options.emplace_back(std::string("play.") + names[axis], shift[axis]);
+    }
+  }
+
+  void Joints(const Disturbance& figure) {
+    trial_.start_joints = VectorX::Zero(model_.num_dofs());
+    for (int dof = 0; dof < model_.num_dofs(); ++dof) {
+      const bool slides = model_.LeaderOf(dof).is_prismatic();
+      const std::string name =
+          fmt::format("start.joint.{}_{}", model_.dof_names[static_cast<std::size_t>(dof)], slides ? "m" : "rad");
+      trial_.start_joints[dof] = Drawn(name, figure.distribution);
+      Record(name, slides ? "m" : "rad", trial_.start_joints[dof]);
+    }
+  }
+
+  /// Yaw of the planned base [rad].
+  double HeadingAt(double time_s) const {
+    const WholeBodyTrajectory& w = plan_.whole_body;
+    if (w.q.empty() || w.step_s <= 0.0) return 0.0;
+    const double row = std::clamp((time_s - w.start_s) / w.step_s, 0.0, static_cast<double>(w.q.size() - 1));
+    const Matrix3 R_WB = BaseRotation(w.q[static_cast<std::size_t>(row)]);
+    return std::atan2(R_WB(1, 0), R_WB(0, 0));
+  }
+
+  const RobotModel& model_;
+  const MotionPlan& plan_;
+  SampledTrial trial_;
+};
+
+/// @throws InvalidArgument for a push on nothing.
+void CheckPlaces(const Disturbances& disturbances, const RobotModel& model) {
+  std::vector<std::string> places = {"base", "robot"};
+  for (const Frame& frame : model.frames) places.push_back(frame.name);
+  for (const DisturbedPush& push : disturbances.pushes) {
+    for (const std::string& word : OfPush(push, "place", {}).words) {
+      if (std::find(places.begin(), places.end(), word) != places.end()) continue;
+      throw InvalidArgument(
+          fmt::format("a push has the place '{}'; accepted: 'base', 'robot' or a link of '{}', the nearest is '{}'",
+                      word, model.name, NearestName(word, places)));
+    }
+  }
+}
+
+}  // namespace
+
+const std::vector<DisturbanceRule>& DisturbanceRules() {
+  static const std::vector<DisturbanceRule> rules = [] {
+    std::vector<DisturbanceRule> all = BodyAndGround();
+    for (const DisturbanceRule& rule : MotorsAndStart()) all.push_back(rule);
+    return all;
+  }();
+  return rules;
+}
+
+const std::vector<DisturbanceRule>& PushRules() {
+  static const std::vector<DisturbanceRule> rules = {
+      {"size_n", "", "N", 0.0, 1e5, "how hard"},
+      {"size_of_weight", "", "1", 0.0, 100.0, "how hard, as a share of the robot's weight"},
+      {"direction_deg", "", "deg", -360.0, 360.0,
+       "where it pushes to, as the planned base heads then: 0 ahead, 90 to the left; any way where it is not said"},
+      {"elevation_deg", "", "deg", -90.0, 90.0, "over the level; level where it is not said"},
+      {"place", "", "", 0.0, 0.0,
+       "what it acts on: base, robot (the centre of mass of the whole) or the name of a link; base where it is not "
+       "said"},
+      {"at_s", "", "s", 0.0, 1e5, "when it begins, on the plan's clock"},
+      {"at_share", "", "1", 0.0, 1.0, "the same as a share of the plan's time; from 0.1 to 0.9 where it is not said"},
+      {"duration_s", "", "s", 0.0, 100.0, "how long it lasts; 0.1 s where it is not said"},
+  };
+  return rules;
+}
+
+SampledTrial SampleTrial(const Disturbances& disturbances, const RobotModel& model, const MotionPlan& plan,
+                         std::uint64_t seed) {
+  CheckPlaces(disturbances, model);
+  Sampler sampler(model, plan, seed);
+  for (const Disturbance& figure : disturbances.figures) sampler.Figure(figure);
+  for (std::size_t i = 0; i < disturbances.pushes.size(); ++i)
+    sampler.Push(disturbances.pushes[i], fmt::format("push{}", i + 1));
+  return sampler.Take();
+}
+
+}  // namespace gaitwright

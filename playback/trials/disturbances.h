@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+#include "playback/bullet/play.h"
+#include "playback/trials/distribution.h"
+
+namespace gaitwright {
+
+/// A figure that may be disturbed: what its key means and what values it may take.
+struct DisturbanceRule {
+  std::string key;     ///< ends in its SI unit; start.*, sensors.* and of pushes their own part of it
+  std::string option;  ///< of the playback, that it is put into; "" where it takes more than that
+  std::string unit;
+  double lowest = 0.0, highest = 0.0;
+  std::string meaning;
+};
+
+/// Every figure but those of pushes and of sensors, in the order in which they are written.
+const std::vector<DisturbanceRule>& DisturbanceRules();
+
+/// Those of one push, without the push's name before them. `place` is a word.
+const std::vector<DisturbanceRule>& PushRules();
+
+/// One figure's key and how it is drawn.
+struct Disturbance {
+  std::string key;
+  Distribution distribution;
+
+  bool operator==(const Disturbance&) const = default;
+};
+
+/// A push of every trial: distributions by key of PushRules(), each that is left out as its rule says.
+using DisturbedPush = std::vector<Disturbance>;
+
+/// What trials sample. What is left out is as the plan has it.
+struct Disturbances {
+  std::vector<Disturbance>
+      figures;  ///< in the order of the file, keys such as "mass_scale" or "sensors.encoder_noise_rad"
+  std::vector<DisturbedPush> pushes;
+
+  bool operator==(const Disturbances&) const = default;
+};
+
+/// Reads disturbances from YAML, see docs/trials.md. Refused with the line: what is no YAML, unknown keys (the nearest
+/// is named), keys that stand there twice, distributions that are none or reach out of what their figure may be, and
+/// pairs of keys that say the same thing twice.
+/// @param sensors  fields of the sensors, whose keys may stand under `sensors`
+/// @param source   names the text in messages.
+Result<Disturbances> ReadDisturbances(const std::string& text, const OptionFields& sensors, const std::string& source);
+
+/// The same from a file.
+Result<Disturbances> LoadDisturbances(const std::string& path, const OptionFields& sensors);
+
+/// As YAML that ReadDisturbances reads to the same. The same disturbances give the same bytes.
+std::string DisturbancesText(const Disturbances& disturbances);
+
+/// What trials sample when nobody says: the robot's uncertainties and pushes, scaled to its legs and its weight.
+///   mass, inertia, gains within 10 %, motors down to 90 %, centre of mass of the base within 3 % of the leg's length,
+///   friction 0.5 to 1.0, slope to 2 degrees any way, bumps to 1 % of the leg's length, commands late by up to 4 ms,
+///   start within 1 % of the leg's length, 0.02 rad, joints within 0.01 rad; one push of up to a tenth of the weight,
+///   any way, for 0.1 s, at any time between a tenth and nine tenths of the plan.
+Disturbances StandardDisturbances(const RobotModel& model);
+
+/// One value that was drawn.
+struct SampledValue {
+  std::string name;  ///< the key; of the i-th push "push1.size_n"; of a start "start.joint.NAME_rad"
+  std::string unit;
+  double value = 0.0;
+  std::string word;  ///< in place of the value, where it is one
+
+  bool operator==(const SampledValue&) const = default;
+};
+
+/// What one trial is put through.
+struct SampledTrial {
+  std::uint64_t seed = 0;
+  std::vector<SampledValue> values;                     ///< all that was drawn, for the record
+  std::vector<std::pair<std::string, double>> options;  ///< of the playback, that are set to what was drawn
+  double sensor_noise_scale = 1.0;                      ///< on noise, bias and walk of the sensors that are set
+  std::vector<TimedPush> pushes;
+  VectorX start_joints;  ///< see PlayOptions; empty where no joint is moved
+  int noise_seed = 0;    ///< of bumps and of sensors
+};
+
+/// Draws a trial: a pure function of its arguments. Directions of pushes are as the planned base heads when they begin.
+/// @throws InvalidArgument when a push is on a link that the robot does not have.
+SampledTrial SampleTrial(const Disturbances& disturbances, const RobotModel& model, const MotionPlan& plan,
+                         std::uint64_t seed);
+
+}  // namespace gaitwright

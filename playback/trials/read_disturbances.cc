@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinematics/base/file.h"
+#include "kinematics/base/strict_yaml_internal.h"
+#include "playback/trials/disturbances.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kBellReach = 3.0;  // standard deviations, where a normal distribution has no limits of its own
+const std::vector<std::string> kKinds = {"uniform", "normal", "choice", "fixed"};
+
+/// Runs what throws without a line, and adds the one of `node`.
+template <class Make>
+auto At(const YAML::Node& node, Make make) {
+  try {
+    return make();
+  } catch (const InvalidArgument& error) {
+    RefuseYaml(node, error.what());
+  }
+}
+
+Distribution ReadUniform(const YAML::Node& node, const DisturbanceRule& rule) {
+  const std::vector<YAML::Node> ends = ListOf(node, "'uniform' of " + rule.key);
+  if (ends.size() != 2)
+    RefuseYaml(node, fmt::format("'uniform' of {} has {} numbers; 2 are needed, [a, b]", rule.key, ends.size()));
+  const double low = NumberOf(ends[0], rule.key, rule.lowest, rule.highest);
+  const double high = NumberOf(ends[1], rule.key, rule.lowest, rule.highest);
+  return At(node, [&] { return Distribution::Uniform(low, high); });
+}
+
+Distribution ReadNormal(const YAML::Node& node, const DisturbanceRule& rule) {
+  const YamlMap map(node, "'normal' of " + rule.key, {"mean", "std", "lowest", "highest"});
+  map.Require({"mean", "std"});
+  const double mean = map.Number("mean").value(), std = map.Positive("std").value();
+  const auto limit = [&](const char* key, double otherwise) {
+    const YAML::Node* own = map.Find(key);
+    return own == nullptr ? std::clamp(otherwise, rule.lowest, rule.highest)
+                          : NumberOf(*own, rule.key + "." + key, rule.lowest, rule.highest);
+  };
+  const double low = limit("lowest", mean - kBellReach * std), high = limit("highest", mean + kBellReach * std);
+  return At(node, [&] { return Distribution::Normal(mean, std, low, high); });
+}
+
+Distribution ReadChoice(const YAML::Node& node, const DisturbanceRule& rule, bool words) {
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  for (const YAML::Node& one : ListOf(node, "'choice' of " + rule.key)) {
+    words ? texts.push_back(TextOf(one, rule.key))
+          : numbers.push_back(NumberOf(one, rule.key, rule.lowest, rule.highest));
+  }
+  return At(node, [&] { return words ? Distribution::OneOf(texts) : Distribution::OneOf(numbers); });
+}
+
+/// A bare value is a fixed one.
+Distribution ReadDistribution(const YAML::Node& node, const DisturbanceRule& rule) {
+  const bool words = rule.key == "place";
+  const auto fixed = [&](const YAML::Node& value) {
+    return words ? Distribution::OneOf({TextOf(value, rule.key)})
+                 : Distribution::Fixed(NumberOf(value, rule.key, rule.lowest, rule.highest));
+  };
+  if (node.IsScalar()) return fixed(node);
+  const YamlMap map(node, fmt::format("the distribution of '{}'", rule.key), kKinds);
+  if (map.entries().size() != 1) {
+    RefuseYaml(node, fmt::format("the distribution of '{}' has {} keys; one is needed of {}", rule.key,
+                                 map.entries().size(), QuotedList(kKinds)));
+  }
+  const auto& [kind, key_node, value] = map.entries().front();
+  if (words && kind != "choice" && kind != "fixed")
+    RefuseYaml(key_node, fmt::format("'{}' is '{}'; words are needed, 'choice' or 'fixed'", rule.key, kind));
+  if (kind == "uniform") return ReadUniform(value, rule);
+  if (kind == "normal") return ReadNormal(value, rule);
+  if (kind == "choice") return ReadChoice(value, rule, words);
+  return fixed(value);
+}
+
+/// Figures of a map, each by the rule of its key.
+std::vector<Disturbance> ReadFigures(const YAML::Node& node, const std::string& what, const std::string& before,
+                                     const std::vector<DisturbanceRule>& rules) {
+  std::vector<std::string> known;
+  for (const DisturbanceRule& rule : rules) known.push_back(rule.key);
+  std::vector<Disturbance> figures;
+  for (const auto& entry : YamlMap(node, what, known).entries()) {
+    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.key == entry.key; });
+    DisturbanceRule named = *rule;
+    named.key = before + rule->key;
+    figures.push_back({named.key, ReadDistribution(entry.value, before.empty() ? *rule : named)});
+  }
+  return figures;
+}
+
+bool Has(const std::vector<Disturbance>& figures, const std::string& key) {
+  return std::any_of(figures.begin(), figures.end(), [&](const Disturbance& d) { return d.key == key; });
+}
+
+void NotBoth(const YAML::Node& node, const std::vector<Disturbance>& figures, const char* one, const char* other) {
+  if (Has(figures, one) && Has(figures, other))
+    RefuseYaml(node, fmt::format("both '{}' and '{}' are given; they say the same thing, give one", one, other));
+}
+
+DisturbedPush ReadPush(const YAML::Node& node) {
+  const DisturbedPush push = ReadFigures(node, "a push", "", PushRules());
+  NotBoth(node, push, "size_n", "size_of_weight");
+  NotBoth(node, push, "at_s", "at_share");
+  if (!Has(push, "size_n") && !Has(push, "size_of_weight"))
+    RefuseYaml(node, "a push lacks its size; 'size_n' or 'size_of_weight' is needed");
+  return push;
+}
+
+/// The rules of the file's own keys, and those whose keys begin with `group`, without it.
+std::vector<DisturbanceRule> RulesOf(const std::string& group) {
+  std::vector<DisturbanceRule> rules;
+  for (DisturbanceRule rule : DisturbanceRules()) {
+    const std::size_t dot = rule.key.find('.');
+    if ((dot == std::string::npos ? "" : rule.key.substr(0, dot)) != group) continue;
+    if (dot != std::string::npos) rule.key.erase(0, dot + 1);
+    rules.push_back(rule);
+  }
+  return rules;
+}
+
+std::vector<DisturbanceRule> SensorRules(const OptionFields& sensors) {
+  std::vector<DisturbanceRule> rules;
+  for (const OptionField& field : sensors) {
+    if (field.key == "seed" || !std::holds_alternative<double*>(field.target)) continue;
+    rules.push_back({field.key, "sensors." + field.key, field.unit, field.lowest, field.highest, field.meaning});
+  }
+  return rules;
+}
+
+Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
+  std::vector<std::string> known = {"start", "sensors", "pushes"};
+  const std::vector<DisturbanceRule> own = RulesOf("");
+  for (const DisturbanceRule& rule : own) known.push_back(rule.key);
+  Disturbances disturbances;
+  const auto add = [&](const std::vector<Disturbance>& figures) {
+    disturbances.figures.insert(disturbances.figures.end(), figures.begin(), figures.end());
+  };
+  for (const auto& entry : YamlMap(root, "the file", known).entries()) {
+    if (entry.key == "start") {
+      add(ReadFigures(entry.value, "'start'", "start.", RulesOf("start")));
+    } else if (entry.key == "sensors") {
+      add(ReadFigures(entry.value, "'sensors'", "sensors.", SensorRules(sensors)));
+    } else if (entry.key == "pushes") {
+      for (const YAML::Node& push : ListOf(entry.value, "'pushes'")) disturbances.pushes.push_back(ReadPush(push));
+    } else {
+      const auto rule = std::find_if(own.begin(), own.end(), [&](const auto& r) { return r.key == entry.key; });
+      add({{entry.key, ReadDistribution(entry.value, *rule)}});
+    }
+  }
+  for (const char* axis : {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"})
+    NotBoth(root, disturbances.figures, "com_shift_m", axis);
+  return disturbances;
+}
+
+std::string Words(const Distribution& d) {
+  switch (d.kind) {
+    case Distribution::Kind::kUniform:
+      return fmt::format("{{uniform: [{}, {}]}}", d.lowest, d.highest);
+    case Distribution::Kind::kNormal:
+      return fmt::format("{{normal: {{mean: {}, std: {}, lowest: {}, highest: {}}}}}", d.mean, d.std, d.lowest,
+                         d.highest);
+    case Distribution::Kind::kNumbers:
+      return fmt::format("{{choice: [{}]}}", fmt::join(d.numbers, ", "));
+    case Distribution::Kind::kWords:
+      return fmt::format("{{choice: [{}]}}", fmt::join(d.words, ", "));
+    default:
+      return fmt::format("{}", d.lowest);
+  }
+}
+
+}  // namespace
+
+Result<Disturbances> ReadDisturbances(const std::string& text, const OptionFields& sensors, const std::string& source) {
+  const auto bad = [&](const std::string& message) {
+    return Failure{FailureKind::kBadInput,
+                   "disturbances",
+                   "ReadDisturbances",
+                   fmt::format("'{}', {}", source, message),
+                   {"every key stands in docs/trials.md"}};
+  };
+  try {
+    const YAML::Node root = YAML::Load(text);
+    if (!root.IsMap() || root.size() == 0) return bad("line 1: holds no disturbances: a map of keys is needed");
+    return ReadRoot(root, sensors);
+  } catch (const YAML::Exception& error) {
+    return bad(fmt::format("line {}: is no YAML from here on", error.mark.line + 1));
+  } catch (const InvalidArgument& error) {
+    return bad(error.what());
+  }
+}
+
+Result<Disturbances> LoadDisturbances(const std::string& path, const OptionFields& sensors) {
+  const Result<std::string> text = ReadFile(path);
+  if (!text) return text.failure();
+  return ReadDisturbances(*text, sensors, path);
+}
+
+std::string DisturbancesText(const Disturbances& disturbances) {
+  std::string text;
+  for (const char* group : {"", "start", "sensors"}) {
+    const std::string prefix = *group == 0 ? "" : std::string(group) + ".";
+    bool headed = prefix.empty();
+    for (const auto& [key, distribution] : disturbances.figures) {
+      const std::size_t dot = key.find('.');
+      if ((dot == std::string::npos ? "" : key.substr(0, dot)) != group) continue;
+      if (!headed) text += std::string(group) + ":\n";
+      headed = true;
+      const std::string own = dot == std::string::npos ? key : "  " + key.substr(dot + 1);
+      text += fmt::format("{}: {}\n", own, Words(distribution));
+    }
+  }
+  if (!disturbances.pushes.empty()) text += "pushes:\n";
+  for (const DisturbedPush& push : disturbances.pushes) {
+    for (std::size_t i = 0; i < push.size(); ++i)
+      text += fmt::format("  {} {}: {}\n", i == 0 ? "-" : " ", push[i].key, Words(push[i].distribution));
+  }
+  return text;
+}
+
+Disturbances StandardDisturbances(const RobotModel& model) {
+  const double leg = model.leg_length_m();
+  const auto within = [](double half) { return Distribution::Uniform(-half, half); };
+  const auto up_to = [](double most) { return Distribution::Uniform(0.0, most); };
+  const Distribution tenth = Distribution::Uniform(0.9, 1.1);
+  Disturbances d;
+  d.figures = {{"mass_scale", tenth},
+               {"inertia_scale", tenth},
+               {"com_shift_m", up_to(0.03 * leg)},
+               {"friction", Distribution::Uniform(0.5, 1.0)},
+               {"ground_slope_deg", up_to(2.0)},
+               {"ground_slope_direction_deg", up_to(360.0)},
+               {"ground_bumps_m", up_to(0.01 * leg)},
+               {"latency_s", up_to(0.004)},
+               {"motor_strength", Distribution::Uniform(0.9, 1.0)},
+               {"stiffness_scale", tenth},
+               {"damping_scale", tenth},
+               {"start.x_m", within(0.01 * leg)},
+               {"start.y_m", within(0.01 * leg)},
+               {"start.roll_rad", within(0.02)},
+               {"start.pitch_rad", within(0.02)},
+               {"start.yaw_rad", within(0.02)},
+               {"start.joints_rad", within(0.01)}};
+  d.pushes = {{{"size_of_weight", up_to(0.1)},
+               {"direction_deg", up_to(360.0)},
+               {"at_share", Distribution::Uniform(0.1, 0.9)},
+               {"duration_s", Distribution::Fixed(0.1)}}};
+  return d;
+}
+
+}  // namespace gaitwright

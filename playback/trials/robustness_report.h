@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "playback/trials/sensitivity.h"
+#include "playback/trials/trial_outcome.h"
+#include "playback/trials/wilson.h"
+
+namespace gaitwright {
+
+/// A metric over all trials that have it.
+struct MetricSpread {
+  std::string key, unit;
+  int n = 0;  ///< trials that have it
+  double lowest = 0.0, p05 = 0.0, median = 0.0, p95 = 0.0, highest = 0.0;
+  std::optional<double> limit;  ///< of its gate
+  int broken = 0;               ///< trials that broke the gate
+
+  bool operator==(const MetricSpread&) const = default;
+};
+
+/// Something and how often it was.
+struct Tally {
+  std::string what;
+  int count = 0;
+
+  bool operator==(const Tally&) const = default;
+};
+
+/// Pushes to about one direction.
+struct PushBin {
+  double direction_deg = 0.0;  ///< of its middle; 0 ahead, 90 to the left, as the planned base headed
+  int n = 0, fell = 0;
+  std::optional<double> largest_survived_n, smallest_fatal_n;
+
+  bool operator==(const PushBin&) const = default;
+};
+
+/// One push of one trial. Those after which a robot fell are fatal; pushes that came after a fall are left out.
+struct PushRecord {
+  double ahead_n = 0.0, left_n = 0.0, at_s = 0.0, duration_s = 0.0;
+  bool fatal = false;
+
+  double size_n() const;
+  bool operator==(const PushRecord&) const = default;
+};
+
+/// What a run of trials was about.
+struct TrialSubject {
+  std::string robot, robot_hash, plan_hash, controller;
+  std::string disturbances;  ///< as DisturbancesText has them
+  OptionTexts options;       ///< of playback, controller and score, before trials change them
+  std::uint64_t seed = 0;    ///< of the run
+
+  bool operator==(const TrialSubject&) const = default;
+};
+
+/// What many trials of one plan showed. Always true: `outcomes` are in the order of their numbers, which run from 0
+/// without a gap.
+struct RobustnessReport {
+  TrialSubject subject;
+  int n = 0, survived = 0, passed = 0;
+  ShareInterval survival, pass_share;
+  std::vector<MetricSpread> metrics;  ///< in the order of MetricRules
+  std::vector<Tally> causes;          ///< of falls, the most frequent first
+  std::vector<Tally> broken_gates;    ///< of trials that did not fall and did not pass, likewise
+  std::vector<Sensitivity> sensitivity;
+  std::vector<PushBin> push_bins;  ///< empty where nothing pushes
+  std::vector<PushRecord> pushes;
+  std::vector<int> worst;  ///< numbers of the worst trials, the worst first: falls before failures, by score
+  std::vector<TrialOutcome> outcomes;
+
+  const TrialOutcome& Outcome(int number) const { return outcomes.at(static_cast<std::size_t>(number)); }
+};
+
+/// Puts outcomes together: a pure function of them, whatever ran them and in which order.
+/// @param outcomes  in the order of their numbers, from 0 without a gap. @throws InvalidArgument otherwise.
+RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutcome> outcomes);
+
+/// The stable object that the program writes, see docs/json-output.md; the same report gives the same bytes.
+std::string RobustnessJson(const RobustnessReport& report);
+
+/// The report in words, for a terminal.
+std::string RobustnessText(const RobustnessReport& report);
+
+}  // namespace gaitwright
