@@ -64,6 +64,32 @@ std::string Tightest(const std::vector<Metric>& metrics) {
                      FigureText(*tightest, *tightest->value), FigureText(*tightest, *tightest->limit));
 }
 
+const char* WordsOf(FailureEvent::Kind kind) {
+  using Kind = FailureEvent::Kind;
+  switch (kind) {
+    case Kind::kPlanUnstable:
+    case Kind::kPlanBeyondLimits:
+    case Kind::kPlanBeyondFriction:
+    case Kind::kPlanForcesOff:
+      return "the plan itself is at fault";
+    case Kind::kContactLost:
+      return "a foot was off the ground where it should stand";
+    case Kind::kEarlyContact:
+      return "a foot touched in mid swing";
+    case Kind::kMissedFoothold:
+      return "a foot missed its foothold";
+    case Kind::kSlip:
+      return "a foot slid";
+    case Kind::kTorqueLimit:
+      return "a joint stayed at its torque limit";
+    case Kind::kDcmOut:
+      return "the DCM was out of reach of the next step";
+    case Kind::kBodyContact:
+      return "a body that is no foot touched the ground";
+  }
+  return "";
+}
+
 std::string Joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -99,6 +125,20 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) 
                        : "it did not fall, but " + BrokenGates(metrics);
   if (!events.empty()) text += "; " + First(events, in.fall.fell ? 3 : 1);
   return text;
+}
+
+std::string CauseOf(const ScoreInputs& in, const std::vector<Metric>& metrics) {
+  constexpr double kLast = 1.0;  // [s]
+  const auto broken = std::find_if(metrics.begin(), metrics.end(), [](const Metric& m) { return !m.pass; });
+  if (broken == metrics.end()) return "";
+  if (!in.fall.fell) return broken->key;
+  for (const FailureEvent& event : FailureEvents(in)) {
+    if (event.time_s >= in.fall.time_s - kLast) return WordsOf(event.kind);
+  }
+  const std::string& what = in.fall.what;
+  if (what.find("tilted") != std::string::npos) return "the base tilted";
+  if (what.find("high where") != std::string::npos) return "the base left its height";
+  return what.find("not finite") != std::string::npos ? "the physics came to no number" : "it ended before its plan";
 }
 
 }  // namespace gaitwright

@@ -17,4 +17,9 @@ std::vector<std::string> DisturbancesOf(const PlaybackLog& log);
 /// for a failure without a fall the gates that broke, for a pass the gate that is nearest to its limit.
 std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
 
+/// What many playbacks may have in common: of a fall the first event in its last second ("a foot slid"), or without one
+/// how it ended ("the base tilted"); of a failure without a fall the first broken gate ("slip_max_step_m"); empty for a
+/// pass.
+std::string CauseOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
+
 }  // namespace gaitwright

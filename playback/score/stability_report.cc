@@ -113,6 +113,7 @@ StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const Pla
   const double share = duration > 0.0 ? (fall.time_s - log.start_s) / duration : 1.0;
   report.score = ScoreOf(report.metrics, scale, share);
   report.reason = ReasonOf(in, report.metrics);
+  report.cause = CauseOf(in, report.metrics);
   report.notes = NotesOf(model);
   return report;
 }

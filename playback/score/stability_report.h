@@ -20,6 +20,7 @@ struct StabilityReport {
   bool pass = false;
   double score = 0.0;  ///< see ScoreOf
   std::string reason;  ///< why it fell or failed, or which gate is tightest; one plain sentence
+  std::string cause;   ///< the same in a few words without figures, to be counted; empty for a pass, see CauseOf
   std::vector<Metric> metrics;
   std::vector<std::string> notes;  ///< placeholder limits and the like
 
