@@ -24,7 +24,7 @@ double Quantile(const std::vector<double>& sorted, double share) {
   return sorted[low] + (place - static_cast<double>(low)) * (sorted[high] - sorted[low]);
 }
 
-std::vector<MetricSpread> Spreads(const std::vector<TrialOutcome>& outcomes) {
+std::vector<MetricSpread> Spreads(const TrialSubject& subject, const std::vector<TrialOutcome>& outcomes) {
   std::vector<MetricSpread> spreads;
   for (const MetricRule& rule : MetricRules()) {
     std::vector<double> values;
@@ -36,6 +36,9 @@ std::vector<MetricSpread> Spreads(const std::vector<TrialOutcome>& outcomes) {
       spread.broken += static_cast<int>(std::count(outcome.broken_gates.begin(), outcome.broken_gates.end(), rule.key));
     }
     if (values.empty()) continue;
+    for (const auto& [key, limit] : subject.limits) {
+      if (key == rule.key) spread.limit = limit;
+    }
     std::sort(values.begin(), values.end());
     spread.n = static_cast<int>(values.size());
     spread.lowest = values.front();
@@ -156,7 +159,7 @@ RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutc
   report.survival = WilsonInterval(report.survived, report.n);
   report.pass_share = WilsonInterval(report.passed, report.n);
   if (report.n == 0) return report;
-  report.metrics = Spreads(report.outcomes);
+  report.metrics = Spreads(subject, report.outcomes);
   CountCauses(report);
   std::vector<char> fell;
   for (const TrialOutcome& outcome : report.outcomes) fell.push_back(outcome.survived ? 0 : 1);

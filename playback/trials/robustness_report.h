@@ -53,9 +53,10 @@ struct PushRecord {
 /// What a run of trials was about.
 struct TrialSubject {
   std::string robot, robot_hash, plan_hash, controller;
-  std::string disturbances;  ///< as DisturbancesText has them
-  OptionTexts options;       ///< of playback, controller and score, before trials change them
-  std::uint64_t seed = 0;    ///< of the run
+  std::string disturbances;                            ///< as DisturbancesText has them
+  OptionTexts options;                                 ///< of playback, controller and score, before trials change them
+  std::vector<std::pair<std::string, double>> limits;  ///< of metrics that have a gate, by key
+  std::uint64_t seed = 0;                              ///< of the run
 
   bool operator==(const TrialSubject&) const = default;
 };

@@ -20,7 +20,8 @@ Json MetricsJson(const RobustnessReport& report) {
   Json metrics = Json::object();
   for (const MetricSpread& m : report.metrics) {
     metrics[m.key] = {{"unit", m.unit},     {"n", m.n},     {"min", m.lowest},  {"p05", m.p05},
-                      {"median", m.median}, {"p95", m.p95}, {"max", m.highest}, {"broken", m.broken}};
+                      {"median", m.median}, {"p95", m.p95}, {"max", m.highest}, {"limit", OrNull(m.limit)},
+                      {"broken", m.broken}};
   }
   return metrics;
 }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/run_trials.h"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace gaitwright {
+namespace {
+
+/// What one thread does: trials, until there are no more.
+class TrialCrew {
+ public:
+  TrialCrew(const TrialStudy& study, TrialBook& book) : study_(study), book_(book) {}
+
+  void Work() {
+    for (;;) {
+      std::optional<int> number;
+      {
+        const std::lock_guard lock(mutex_);
+        if (thrown_) return;
+        number = book_.Next();
+      }
+      if (!number) return;
+      try {
+        Result<PlayedTrial> trial = PlayTrial(study_, *number, book_.SeedOf(*number));
+        const std::lock_guard lock(mutex_);
+        trial ? book_.Add(std::move(trial->outcome)) : book_.Fail(*number, trial.failure());
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (!thrown_ || *number < thrown_by_) thrown_ = std::current_exception();
+        thrown_by_ = thrown_by_ < 0 ? *number : std::min(thrown_by_, *number);
+        return;
+      }
+    }
+  }
+
+  void Rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  const TrialStudy& study_;
+  TrialBook& book_;
+  std::mutex mutex_;
+  std::exception_ptr thrown_;
+  int thrown_by_ = -1;
+};
+
+}  // namespace
+
+Result<RobustnessReport> RunTrials(const TrialStudy& study, const TrialOptions& options, TrialBook& book) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int threads = std::min(options.threads > 0 ? options.threads : cores, options.trials);
+  TrialCrew crew(study, book);
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back([&] { crew.Work(); });
+  crew.Work();
+  for (std::thread& other : others) other.join();
+  crew.Rethrow();
+  return book.Report();
+}
+
+Result<RobustnessReport> RunTrials(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks) {
+  Result<TrialBook> book = TrialBook::Open(study, options, hooks);
+  if (!book) return book.failure();
+  Result<RobustnessReport> report = RunTrials(study, options, *book);
+  if (report) book->Close();
+  return report;
+}
+
+}  // namespace gaitwright

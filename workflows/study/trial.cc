@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/trial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/hash.h"
+#include "kinematics/base/version.h"
+#include "planning/plan/plan_json.h"
+#include "playback/score/gates.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr char kSensors[] = "sensors.";
+
+bool IsNoise(const std::string& key) {
+  const auto has = [&](const char* word) { return key.find(word) != std::string::npos; };
+  return key.starts_with(kSensors) && (has("noise") || has("bias") || has("walk"));
+}
+
+void SetNumber(OptionFields& fields, const std::string& key, double value) {
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const OptionField& f) { return f.key == key; });
+  const bool whole = field != fields.end() && std::holds_alternative<int*>(field->target);
+  SetOption(fields, key, whole ? fmt::format("{}", std::lround(value)) : fmt::format("{}", value));
+}
+
+bool HasField(const OptionFields& fields, const std::string& key) {
+  return std::any_of(fields.begin(), fields.end(), [&](const OptionField& f) { return f.key == key; });
+}
+
+void AddPushes(const std::vector<TimedPush>& pushes, PlayOptions& play) {
+  auto next = pushes.begin();
+  if (next != pushes.end() && play.push_force_W.isZero(0.0)) {  // the one that words of the log speak of
+    play.push_force_W = next->force_W;
+    play.push_at_s = next->at_s;
+    play.push_for_s = next->for_s;
+    play.push_on = next->on;
+    ++next;
+  }
+  play.more_pushes.insert(play.more_pushes.end(), next, pushes.end());
+}
+
+}  // namespace
+
+OptionFields SensorFields(PlayRequest& request) {
+  OptionFields own;
+  for (OptionField field : request.Fields()) {
+    if (!field.key.starts_with(kSensors)) continue;
+    field.key.erase(0, sizeof(kSensors) - 1);
+    own.push_back(field);
+  }
+  return own;
+}
+
+PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& trial) {
+  PlayRequest disturbed = request;
+  OptionFields fields = disturbed.Fields();
+  for (const char* seed : {"play.seed", "sensors.seed"}) {
+    if (HasField(fields, seed)) SetNumber(fields, seed, trial.noise_seed);
+  }
+  for (const auto& [key, value] : trial.options) {
+    const double step = disturbed.play.world.step_s;
+    SetNumber(fields, key, key == "command_delay_s" ? step * std::round(value / step) : value);
+  }
+  for (const OptionField& field : fields) {
+    if (IsNoise(field.key) && std::holds_alternative<double*>(field.target))
+      *std::get<double*>(field.target) *= trial.sensor_noise_scale;
+  }
+  AddPushes(trial.pushes, disturbed.play);
+  disturbed.play.start_joints = trial.start_joints;
+  return disturbed;
+}
+
+Result<PlayedTrial> PlayTrial(const TrialStudy& study, int number, std::uint64_t seed) {
+  const SampledTrial trial = SampleTrial(study.disturbances, study.model, study.plan, seed);
+  Result<PlayedWalk> played = PlayWalk(study.model, study.plan, DisturbedRequest(study.request, trial));
+  if (!played) return played.failure();
+  for (const SampledValue& one : trial.values)
+    played->log.options.emplace_back("trial." + one.name, one.word.empty() ? fmt::format("{}", one.value) : one.word);
+  PlayedTrial result;
+  result.outcome = OutcomeOf(number, trial, played->log, played->report);
+  result.played = std::move(*played);
+  return result;
+}
+
+TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed) {
+  PlayRequest request = study.request;
+  TrialSubject subject;
+  subject.robot = study.model.name;
+  subject.robot_hash = study.model.hash;
+  subject.plan_hash = MotionHash(study.plan);
+  subject.controller = request.controller;
+  subject.disturbances = DisturbancesText(study.disturbances);
+  subject.options = TextsOf(request.Fields());
+  subject.seed = run_seed;
+  const GateScale scale = ScaleOf(study.model, study.plan);
+  for (const MetricRule& rule : MetricRules()) {
+    if (const auto limit = LimitOf(rule, scale)) subject.limits.emplace_back(rule.key, *limit);
+  }
+  return subject;
+}
+
+std::string HashOf(const TrialStudy& study, std::uint64_t run_seed) {
+  const TrialSubject subject = SubjectOf(study, run_seed);
+  std::string bytes = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", Version(), study.model.hash,
+                                  HexHash(PlanToJson(study.plan)), subject.controller, subject.disturbances, run_seed);
+  for (const auto& [key, text] : subject.options) bytes += key + "=" + text + "\n";
+  return HexHash(bytes);
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "playback/trials/robustness_report.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+
+/// What trials are made of: a plan, how it is played, and what it is put through. All of it must outlive the study.
+struct TrialStudy {
+  const RobotModel& model;
+  const MotionPlan& plan;
+  const PlayRequest& request;
+  const Disturbances& disturbances;
+};
+
+/// One trial, with all that was measured.
+struct PlayedTrial {
+  TrialOutcome outcome;
+  PlayedWalk played;
+};
+
+/// The request as one trial changes it. The sampled delay of commands is rounded to whole time steps.
+/// @throws InvalidArgument when a trial sets an option that playback does not have.
+PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& trial);
+
+/// Plays and scores one trial: a pure function of the study and the seed, so that any machine and thread has the same
+/// log to the byte. The log says in `options` what was sampled, as "trial.NAME". `number` is for the record only.
+/// @return a failure where Play refuses. @throws InvalidArgument as Play and SampleTrial do.
+Result<PlayedTrial> PlayTrial(const TrialStudy& study, int number, std::uint64_t seed);
+
+/// What a report says of its run.
+TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed);
+
+/// Hash of everything that outcomes depend on: program, robot, plan, options, disturbances, seed of the run.
+std::string HashOf(const TrialStudy& study, std::uint64_t run_seed);
+
+/// The fields of sensors that disturbances may name, without "sensors." before them.
+OptionFields SensorFields(PlayRequest& request);
+
+}  // namespace gaitwright

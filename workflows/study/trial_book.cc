@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/trial_book.h"
+
+#include <fmt/format.h>
+
+namespace gaitwright {
+
+TrialBook::TrialBook(const TrialStudy& study, const TrialOptions& options, TrialHooks hooks)
+    : subject_(SubjectOf(study, static_cast<std::uint64_t>(options.seed))),
+      options_(options),
+      hooks_(std::move(hooks)),
+      end_(options.trials) {}
+
+Result<TrialBook> TrialBook::Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks) {
+  TrialOptions checked = options;
+  CheckOptions(checked.Fields());
+  TrialBook book(study, options, hooks);
+  if (hooks.journal.empty()) return book;
+  std::vector<TrialOutcome> found;
+  Result<TrialJournal> journal =
+      TrialJournal::Open(hooks.journal, HashOf(study, static_cast<std::uint64_t>(options.seed)), hooks.resume, found);
+  if (!journal) return journal.failure();
+  book.journal_ = std::move(*journal);
+  for (TrialOutcome& outcome : found) {
+    const int number = outcome.number;
+    book.outcomes_.emplace(number, std::move(outcome));
+  }
+  book.restored_ = static_cast<int>(book.outcomes_.size());
+  book.Advance();
+  return book;
+}
+
+std::optional<int> TrialBook::Next() {
+  if (!failures_.empty() || (hooks_.stop && hooks_.stop())) return std::nullopt;
+  while (outcomes_.count(next_) > 0) ++next_;
+  if (next_ >= end_) return std::nullopt;
+  return next_++;
+}
+
+void TrialBook::Advance() {
+  for (auto at = outcomes_.find(prefix_); at != outcomes_.end() && at->first == prefix_ && prefix_ < end_; ++at) {
+    ++prefix_;
+    prefix_survived_ += at->second.survived ? 1 : 0;
+    const bool narrow = options_.until_width > 0.0 && prefix_ >= options_.until_least &&
+                        WilsonInterval(prefix_survived_, prefix_).width() < options_.until_width;
+    if (narrow) end_ = prefix_;
+  }
+}
+
+void TrialBook::Add(TrialOutcome outcome) {
+  journal_.Append(outcome);
+  const int number = outcome.number;
+  outcomes_.emplace(number, std::move(outcome));
+  Advance();
+  if (hooks_.progress) hooks_.progress(progress());
+}
+
+void TrialBook::Fail(int number, const Failure& failure) { failures_.emplace(number, failure); }
+
+TrialProgress TrialBook::progress() const {
+  TrialProgress progress;
+  progress.wanted = end_;
+  progress.restored = restored_;
+  for (const auto& [number, outcome] : outcomes_) {
+    if (number >= end_) break;
+    ++progress.done;
+    progress.survived += outcome.survived ? 1 : 0;
+  }
+  return progress;
+}
+
+Result<RobustnessReport> TrialBook::Report() {
+  if (!failures_.empty()) return failures_.begin()->second;
+  if (!complete()) {
+    const std::string kept =
+        hooks_.journal.empty() ? "nothing is kept" : fmt::format("'{}' keeps them", hooks_.journal);
+    return Failure{FailureKind::kBadInput,
+                   "interrupted",
+                   "RunTrials",
+                   fmt::format("interrupted after {} of {} trials; {}", progress().done, end_, kept),
+                   {"the same command with --resume goes on"}};
+  }
+  std::vector<TrialOutcome> outcomes;
+  for (int i = 0; i < end_; ++i) outcomes.push_back(outcomes_.at(i));
+  return ReduceTrials(subject_, std::move(outcomes));
+}
+
+}  // namespace gaitwright
