@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   AddPlan(app, status);
   AddAudit(app, status);
   AddPlay(app, status);
+  AddTrials(app, status);
   AddRobots(app, status);
   AddGaits(app, status);
   AddTerrains(app, status);

@@ -45,6 +45,7 @@ void AddWalk(CLI::App& app, int& status);
 void AddPlan(CLI::App& app, int& status);
 void AddAudit(CLI::App& app, int& status);
 void AddPlay(CLI::App& app, int& status);
+void AddTrials(CLI::App& app, int& status);
 void AddRobots(CLI::App& app, int& status);
 void AddGaits(CLI::App& app, int& status);
 void AddTerrains(CLI::App& app, int& status);

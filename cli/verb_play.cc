@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/output.h"
 #include "cli/paths.h"
+#include "cli/trials_arguments.h"
 #include "cli/walk_arguments.h"
 #include "planning/plan/plan_json.h"
+#include "workflows/study/trial.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -11,22 +13,36 @@ struct Arguments {
   Common common;
   std::string plan;
   PlayArguments play;
+  DisturbanceArguments disturbances;
   Outputs outputs;
 };
+
+/// The plan as it is played: under the disturbances of one trial where those are given.
+Result<PlayedWalk> PlayAsAsked(const Arguments& a, const RobotModel& model, const MotionPlan& plan) {
+  if (a.disturbances.file.empty()) return PlayWalk(model, plan, a.play.request);
+  const Result<Disturbances> disturbances = a.disturbances.Load(model, a.play.request);
+  if (!disturbances) return disturbances.failure();
+  Result<PlayedTrial> trial =
+      PlayTrial({model, plan, a.play.request, *disturbances}, 0, static_cast<std::uint64_t>(a.common.seed));
+  if (!trial) return trial.failure();
+  return std::move(trial->played);
+}
 
 int Run(Arguments& a) {
   a.play.request.play.world.seed = a.common.seed;
   ApplySets("--set", a.common.sets, a.play.request.Fields());
   a.play.Finish();
-  CheckPaths(
-      {{{"the plan", a.plan}}, {{"--log", a.outputs.log}, {"--report", a.outputs.report}}, a.outputs.plot_folder});
+  Paths paths{
+      {{"the plan", a.plan}}, {{"--log", a.outputs.log}, {"--report", a.outputs.report}}, a.outputs.plot_folder};
+  a.disturbances.AddPathTo(paths);
+  CheckPaths(paths);
   const Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return Report(plan.failure(), a.common);
   const Result<RobotModel> model = RobotOf(*plan);
   if (!model) return Report(model.failure(), a.common);
   const Result<AuditReport> audit = Audit(*model, *plan, AuditOptions{});
   if (!audit) return Report(audit.failure(), a.common);
-  const Result<PlayedWalk> played = PlayWalk(*model, *plan, a.play.request);
+  const Result<PlayedWalk> played = PlayAsAsked(a, *model, *plan);
   if (!played) return Report(played.failure(), a.common);
   const Judged judged{*model, *plan, *played, *audit};
   Result<Files> files = WriteOutputs(judged, a.outputs);
@@ -44,6 +60,8 @@ void AddPlay(CLI::App& app, int& status) {
   a->outputs = {"", "", "", "", ""};
   AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.")->required();
   a->play.AddTo(verb);
+  verb.option_defaults()->group("Playback, and what the plan does not know");
+  a->disturbances.AddTo(verb, "none; with it, this is the trial that --seed names");
   verb.option_defaults()->group("What is written");
   AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this file, as JSON; default: nowhere.");
   AddText(verb, "--report", "FILE", a->outputs.report,

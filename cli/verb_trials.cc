@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/paths.h"
+#include "cli/progress_bar.h"
+#include "cli/trials_arguments.h"
+#include "cli/walk_arguments.h"
+#include "kinematics/base/file.h"
+#include "planning/plan/plan_json.h"
+#include "playback/report/trials_page.h"
+#include "workflows/study/run_trials.h"
+
+namespace gaitwright::cli {
+namespace {
+
+/// Of a run that a signal ended: 128 and the signal's number, as shells have it.
+constexpr int kInterrupted = 128 + SIGINT;
+
+volatile std::sig_atomic_t g_interrupted = 0;
+
+/// While it lives, the first Ctrl-C (or a request to end) lets the trials in hand finish, and a second one ends at
+/// once.
+class Interruptible {
+ public:
+  Interruptible() {
+    struct sigaction action = {};
+    action.sa_handler = [](int) { g_interrupted = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    ::sigaction(SIGINT, &action, &before_int_);
+    ::sigaction(SIGTERM, &action, &before_term_);
+  }
+  ~Interruptible() {
+    ::sigaction(SIGINT, &before_int_, nullptr);
+    ::sigaction(SIGTERM, &before_term_, nullptr);
+  }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  struct sigaction before_int_ = {}, before_term_ = {};
+};
+
+struct Arguments {
+  Common common;
+  std::string plan, out = "trials.json", report;
+  PlayArguments play;
+  DisturbanceArguments disturbances;
+  TrialOptions trials;
+  std::optional<double> require_survival;
+  bool resume = false, show = false;
+
+  OptionFields Fields() { return Joined({Prefixed("trials", trials.Fields()), play.request.Fields()}); }
+};
+
+int ShowDisturbances(const Arguments& a, const Disturbances& disturbances) {
+  const std::string text = DisturbancesText(disturbances);
+  if (a.common.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"disturbances", text}}.dump(2));
+  } else {
+    fmt::print("{}", text);
+  }
+  return kPass;
+}
+
+void Print(const Arguments& a, const RobustnessReport& report, bool enough) {
+  if (a.common.json) {
+    auto json = nlohmann::ordered_json::parse(RobustnessJson(report));
+    json["files"] = {{"plan", a.plan}, {"result", a.out}};
+    if (!a.report.empty()) json["files"]["report"] = a.report;
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  if (a.common.quiet) {
+    fmt::print("{}\n", enough ? "pass" : "fail");
+    return;
+  }
+  fmt::print("{}\nresult  {}\n", RobustnessText(report), a.out);
+  if (!a.report.empty()) fmt::print("report  {}\n", a.report);
+}
+
+/// The run, with its journal beside the result and a bar on a terminal.
+Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study) {
+  const Interruptible interruptible;
+  ProgressBar bar(!a.common.quiet);
+  TrialHooks hooks;
+  hooks.journal = a.out + ".so-far";
+  hooks.resume = a.resume;
+  hooks.stop = [] { return g_interrupted != 0; };
+  hooks.progress = [&](const TrialProgress& p) {
+    bar.Show(p.done, p.wanted, p.restored, g_interrupted != 0 ? "ending" : fmt::format("{} fell", p.done - p.survived));
+  };
+  Result<TrialBook> book = TrialBook::Open(study, a.trials, hooks);
+  if (!book) return book.failure();
+  Result<RobustnessReport> report = RunTrials(study, a.trials, *book);
+  if (!report) return report;
+  std::vector<OutputFile> files = {{a.out, RobustnessJson(*report)}};
+  if (!a.report.empty()) files.push_back({a.report, TrialsPage(*report)});
+  const auto written = WriteFilesTogether(files);
+  if (!written) return written.failure();
+  book->Close();
+  return report;
+}
+
+void CheckShare(const Arguments& a) {
+  if (a.require_survival && (*a.require_survival < 0.0 || *a.require_survival > 1.0)) {
+    throw InvalidArgument(fmt::format("--require-survival is {}; it is a share, from 0 to 1", *a.require_survival));
+  }
+}
+
+int Run(Arguments& a) {
+  a.trials.seed = a.common.seed;
+  ApplySets("--set", a.common.sets, a.Fields());
+  a.play.Finish();
+  CheckShare(a);
+  Paths paths{{{"the plan", a.plan}},
+              {{"--out", a.out}, {"--report", a.report}, {"the run so far", a.out + ".so-far"}}};
+  a.disturbances.AddPathTo(paths);
+  CheckPaths(paths);
+  const Result<MotionPlan> plan = LoadPlan(a.plan);
+  if (!plan) return Report(plan.failure(), a.common);
+  const Result<RobotModel> model = RobotOf(*plan);
+  if (!model) return Report(model.failure(), a.common);
+  const Result<Disturbances> disturbances = a.disturbances.Load(*model, a.play.request);
+  if (!disturbances) return Report(disturbances.failure(), a.common);
+  if (a.show) return ShowDisturbances(a, *disturbances);
+  const Result<RobustnessReport> report = RunWithBar(a, {*model, *plan, a.play.request, *disturbances});
+  if (!report) {
+    const int status = Report(report.failure(), a.common);
+    return report.failure().code == "interrupted" ? kInterrupted : status;
+  }
+  const bool enough = !a.require_survival || report->survival.share >= *a.require_survival;
+  Print(a, *report, enough);
+  return enough ? kPass : kVerdictFail;
+}
+
+void AddFlags(CLI::App& verb, Arguments& a) {
+  AddText(verb, "PLAN", "FILE", a.plan, "A plan file, as 'plan' and 'walk' write it.")->required();
+  verb.option_defaults()->group("Trials");
+  AddWholeNumber(verb, "-n,--trials", 1, a.trials.trials, "How many; default 500.");
+  a.disturbances.AddTo(verb);
+  verb.add_flag("--show-disturbances", a.show, "Print what would be sampled, as such a file, and do nothing else.");
+  AddField(verb, "--until-width", a.trials.Fields(), "until_width");
+  AddWholeNumber(verb, "--until-least", 1, a.trials.until_least, "Not before so many trials; default 50.");
+  AddWholeNumber(verb, "--threads", 0, a.trials.threads,
+                 "Threads that play; the result is the same for any; default 0: one for each core.");
+  AddNumber(verb, "--require-survival", "SHARE", a.require_survival,
+            "Exit status 3 where the share that survived is under this, from 0 to 1; default: none is required.");
+  a.play.AddTo(verb);
+  verb.option_defaults()->group("What is written");
+  AddText(verb, "--out", "FILE", a.out,
+          "Write the result to this file, as JSON; while it runs FILE.so-far keeps what it has; default trials.json.");
+  AddText(verb, "--report", "FILE", a.report, "Write the report to this file, as one HTML page; default: nowhere.");
+  verb.add_flag("--resume", a.resume, "Go on with a run that was interrupted; the result is that of an unbroken one.");
+}
+
+}  // namespace
+
+void AddTrials(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("trials", "Play a plan many times under sampled disturbances: does it survive?");
+  AddFlags(verb, *a);
+  AddCommon(verb, a->common,
+            {"trials plan.json -n 2 --quiet", "trials plan.json -n 2 --out two.json --report two.html --threads 1",
+             "trials plan.json --show-disturbances"});
+  AddOptionList(verb, a->Fields(), a->common.json);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/report/trials_page.h"
+
+#include <fmt/format.h>
+
+#include "playback/report/page_style.h"
+#include "playback/report/plot_style.h"
+#include "playback/report/svg_tools.h"
+#include "playback/score/gates.h"
+
+namespace gaitwright {
+namespace {
+
+std::string Percent(double share) { return fmt::format("{:.1f}&#160;%", 100.0 * share); }
+
+std::string Card(const char* what, const std::string& figure, const std::string& beside) {
+  return fmt::format(
+      "<div class=\"card\"><div class=\"what\">{}</div><div class=\"figure\">{}</div><div "
+      "class=\"limit\">{}</div></div>\n",
+      what, figure, beside);
+}
+
+std::string Interval(const ShareInterval& share) {
+  return fmt::format("95 % interval {} to {}", Percent(share.low), Percent(share.high));
+}
+
+std::string Cards(const RobustnessReport& r) {
+  std::string html = "<div class=\"cards\">\n";
+  html += Card("survive to the plan's end", Percent(r.survival.share), Interval(r.survival));
+  html += Card("keep every gate", Percent(r.pass_share.share), Interval(r.pass_share));
+  html += Card("trials", fmt::format("{}", r.n), fmt::format("{} fell", r.n - r.survived));
+  return html + "</div>\n";
+}
+
+std::string Cell(const std::string& text) { return "<td>" + EscapedXml(text) + "</td>"; }
+std::string Number(double value) { return fmt::format("<td class=\"n\">{:.4g}</td>", value); }
+
+std::string Table(const std::string& title, const std::string& heads, const std::string& rows) {
+  if (rows.empty()) return "";
+  return fmt::format(
+      "<h2>{}</h2>\n<div class=\"scroll\"><table><thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div>\n", title,
+      heads, rows);
+}
+
+std::string TallyTable(const std::string& title, const std::vector<Tally>& tallies) {
+  std::string rows;
+  for (const Tally& tally : tallies)
+    rows += fmt::format("<tr>{}<td class=\"n\">{}</td></tr>\n", Cell(tally.what), tally.count);
+  return Table(title, "<th>what</th><th class=\"n\">trials</th>", rows);
+}
+
+std::string SensitivityTable(const RobustnessReport& report) {
+  std::string rows;
+  for (const Sensitivity& s : report.sensitivity) {
+    const bool word = s.how.starts_with("is");
+    rows += fmt::format(
+        "<tr><td><span class=\"key\">{}</span></td>{}<td class=\"n\">{:.2f}</td><td class=\"n\">{:.2g}</td>"
+        "<td class=\"n\">{:.2f}</td>{}{}</tr>\n",
+        EscapedXml(s.name), Cell(s.how), s.effect, s.p, s.weight, word ? Cell("") : Number(s.median_fell),
+        word ? Cell("") : Number(s.median_survived));
+  }
+  return Table("What falls go with",
+               "<th>figure</th><th>falls go with</th><th class=\"n\">effect</th><th class=\"n\">p</th><th "
+               "class=\"n\">log odds</th><th class=\"n\">median, fell</th><th class=\"n\">median, survived</th>",
+               rows) +
+         (rows.empty() ? ""
+                       : "<p class=\"soft\">Effect is the rank-biserial correlation, 1 where every fall has more (or "
+                         "less) of it than every survival; p is that of Mann and Whitney's test; log odds are those of "
+                         "a fall per standard deviation, all figures together.</p>\n");
+}
+
+std::string WorstTable(const RobustnessReport& report) {
+  std::string rows;
+  for (const int number : report.worst) {
+    const TrialOutcome& o = report.Outcome(number);
+    rows += fmt::format("<tr><td class=\"n\">{}</td><td class=\"n\">{:.2f} s</td>{}{}</tr>\n", o.seed, o.ended_s,
+                        Cell(o.survived ? "failed: " + o.cause : "fell: " + o.cause), Cell(o.reason));
+  }
+  return Table("The worst trials", "<th class=\"n\">seed</th><th class=\"n\">until</th><th>cause</th><th>why</th>",
+               rows) +
+         (rows.empty() ? ""
+                       : "<p class=\"soft\">gaitwright play PLAN --disturbances FILE --seed SEED repeats one exactly, "
+                         "with a report of its own.</p>\n");
+}
+
+std::string MetricTable(const RobustnessReport& report) {
+  std::string rows;
+  for (const MetricSpread& m : report.metrics) {
+    rows += fmt::format("<tr><td><span class=\"key\">{}</span><span class=\"meaning\">{}</span></td>", m.key,
+                        EscapedXml(RuleOf(m.key).meaning));
+    for (const double value : {m.lowest, m.p05, m.median, m.p95, m.highest}) rows += Number(value);
+    rows += m.limit ? Number(*m.limit) + fmt::format("<td class=\"n\">{}</td></tr>\n", m.broken)
+                    : "<td></td><td></td></tr>\n";
+  }
+  return Table("All metrics over the trials",
+               "<th>metric</th><th class=\"n\">min</th><th class=\"n\">5 %</th><th class=\"n\">median</th><th "
+               "class=\"n\">95 %</th><th class=\"n\">max</th><th class=\"n\">limit</th><th class=\"n\">broken</th>",
+               rows);
+}
+
+std::string Origin(const TrialSubject& subject) {
+  std::string html = "<h2>What made it</h2>\n";
+  html += fmt::format("<p class=\"soft\">Robot {} {}; plan {}; controller {}; seed {}.</p>\n",
+                      EscapedXml(subject.robot), EscapedXml(subject.robot_hash), EscapedXml(subject.plan_hash),
+                      EscapedXml(subject.controller), subject.seed);
+  html += "<details open=\"open\"><summary>Disturbances</summary><pre>" + EscapedXml(subject.disturbances) +
+          "</pre></details>\n<details><summary>All options of the playback</summary><table><tbody>\n";
+  for (const auto& [key, value] : subject.options) html += "<tr>" + Cell(key) + Cell(value) + "</tr>\n";
+  return html + "</tbody></table></details>\n";
+}
+
+}  // namespace
+
+std::string TrialsPage(const RobustnessReport& report) {
+  const std::string title = fmt::format("{}: {} trials", EscapedXml(report.subject.robot), report.n);
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
+      "content=\"width=device-width,initial-scale=1\"/><title>{0}</title>\n<style>{1}{2}</style></head>\n<body><main>\n"
+      "<h1>{0}</h1>\n",
+      title, PageStyle(), PlotStyle());
+  html += Cards(report);
+  for (const Plot& plot : TrialPlots(report)) {
+    html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
+                        plot.name, plot.svg, EscapedXml(plot.caption));
+  }
+  html += TallyTable("Causes of falls", report.causes) +
+          TallyTable("Gates broken without a fall", report.broken_gates) + SensitivityTable(report) +
+          WorstTable(report) + MetricTable(report) + Origin(report.subject);
+  return html + "</main></body></html>\n";
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "playback/report/svg_plot.h"
+#include "playback/report/svg_tools.h"
+#include "playback/report/trials_page.h"
+
+namespace gaitwright {
+namespace {
+
+/// Where a push is drawn: ahead is up, left is left.
+Vector2 Place(double ahead_n, double left_n) { return {-left_n, ahead_n}; }
+
+Vector2 PlaceOf(double direction_deg, double size_n) {
+  const double angle = direction_deg * std::numbers::pi / 180.0;
+  return Place(size_n * std::cos(angle), size_n * std::sin(angle));
+}
+
+std::vector<Vector2> Ring(double radius) {
+  std::vector<Vector2> points;
+  for (int deg = 0; deg <= 360; deg += 5) points.push_back(PlaceOf(deg, radius));
+  return points;
+}
+
+/// The bins' sizes as a closed way of arcs; gaps where a bin has none.
+std::vector<Vector2> Border(const std::vector<PushBin>& bins, std::optional<double> PushBin::*size) {
+  std::vector<Vector2> points;
+  const double half = 180.0 / static_cast<double>(bins.size());
+  for (const PushBin& bin : bins) {
+    const std::optional<double> radius = bin.*size;
+    for (int i = -4; i <= 4; ++i) {
+      points.push_back(radius ? PlaceOf(bin.direction_deg + half * i / 4.0, *radius) : Vector2::Constant(std::nan("")));
+    }
+  }
+  if (!points.empty()) points.push_back(points.front());
+  return points;
+}
+
+Plot PolarPlot(const RobustnessReport& report) {
+  SvgPlot plot(SvgPlot::ToScale("Pushes by direction", "to the right [N]", "ahead [N]"));
+  double largest = 0.0;
+  for (const PushRecord& push : report.pushes) largest = std::max(largest, push.size_n());
+  for (const double radius : RoundTicks(0.0, std::max(largest, 1e-3), 4)) {
+    if (radius > 0.0) plot.Line(Ring(radius), Ink::kMuted, Stroke::kDashed);
+  }
+  for (const PushRecord& push : report.pushes) {
+    if (!push.fatal) plot.Dot(Place(push.ahead_n, push.left_n), Ink::kFoot, 2.2, "survived");
+  }
+  for (const PushRecord& push : report.pushes) {
+    if (push.fatal) plot.Cross(Place(push.ahead_n, push.left_n), Ink::kBad, "fell");
+  }
+  plot.Line(Border(report.push_bins, &PushBin::largest_survived_n), Ink::kFoot, Stroke::kMeasured, "largest survived");
+  plot.Line(Border(report.push_bins, &PushBin::smallest_fatal_n), Ink::kBad, Stroke::kMeasured, "smallest fatal");
+  return {
+      "pushes",
+      "Every push of every trial as an arrow's head, seen from above with the robot's heading up: its direction and "
+      "its size. A robot may have fallen for another reason than its push; pushes after a fall are left out.",
+      plot.Svg()};
+}
+
+/// A figure of each trial with whether it survived, by the figure.
+using Outcomes = std::vector<std::pair<double, bool>>;
+
+Outcomes SortedBy(const RobustnessReport& report, const std::string& name) {
+  Outcomes outcomes;
+  for (const TrialOutcome& outcome : report.outcomes) {
+    for (const SampledValue& one : outcome.sampled) {
+      if (one.name == name && one.word.empty()) outcomes.emplace_back(one.value, outcome.survived);
+    }
+  }
+  std::stable_sort(outcomes.begin(), outcomes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return outcomes;
+}
+
+Plot SurvivalOver(const RobustnessReport& report, const Sensitivity& cause) {
+  SvgPlot::Options options;
+  options.title = "Survival over what falls go with most";
+  options.x_label = fmt::format("{} [{}]", cause.name, cause.unit);
+  options.y_label = "share that survives";
+  options.y_lowest = 0.0;
+  options.y_highest = 1.02;
+  SvgPlot plot(options);
+  const Outcomes outcomes = SortedBy(report, cause.name);
+  const std::size_t bins = std::clamp<std::size_t>(outcomes.size() / 10, 1, 8);
+  std::vector<double> x, low, high;
+  std::vector<Vector2> shares;
+  for (std::size_t b = 0; b < bins; ++b) {
+    const std::size_t begin = b * outcomes.size() / bins, end = (b + 1) * outcomes.size() / bins;
+    int survived = 0;
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      survived += outcomes[i].second ? 1 : 0;
+      sum += outcomes[i].first;
+    }
+    const ShareInterval share = WilsonInterval(survived, static_cast<int>(end - begin));
+    x.push_back(sum / static_cast<double>(end - begin));
+    low.push_back(share.low);
+    high.push_back(share.high);
+    shares.emplace_back(x.back(), share.share);
+  }
+  plot.Band(x, low, high, Ink::kSupport, "95 % interval");
+  plot.Line(shares, Ink::kCom, Stroke::kMeasured, "share of groups of as many trials");
+  for (const auto& [value, survived] : outcomes) {
+    survived ? plot.Dot({value, 1.0}, Ink::kFoot, 1.8, "survived") : plot.Cross({value, 0.0}, Ink::kBad, "fell");
+  }
+  return {
+      "survival_by_cause",
+      fmt::format("{} goes with falls more surely than any other figure (p {:.2g}). Trials are put into groups by it; "
+                  "the line is the share of each that survived.",
+                  cause.name, cause.p),
+      plot.Svg()};
+}
+
+/// Gates that a share of their limit means something for: limits over zero, and at most.
+Plot GatesPlot(const RobustnessReport& report) {
+  std::vector<const MetricSpread*> shown;
+  SvgPlot::Options options;
+  options.title = "Metrics over their limits";
+  options.x_label = "share of the limit";
+  options.x_lowest = 0.0;
+  options.x_highest = 2.0;
+  for (const MetricSpread& m : report.metrics) {
+    if (!m.limit || *m.limit <= 0.0) continue;
+    shown.push_back(&m);
+    options.rows.push_back(m.key);
+  }
+  options.height_px = 70.0 + 26.0 * static_cast<double>(shown.size());
+  SvgPlot plot(options);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const MetricSpread& m = *shown[i];
+    const auto share = [&](double value) { return std::clamp(value / *m.limit, 0.0, 2.0); };
+    const int row = static_cast<int>(i);
+    plot.Bar(row, share(m.lowest), share(m.highest), Ink::kSupport, Stroke::kPlanned, "all trials");
+    plot.Bar(row, share(m.p05), share(m.p95), Ink::kCom, Stroke::kMeasured, "5 % to 95 %");
+    plot.Dot({share(m.median), static_cast<double>(row)}, Ink::kZmp, 4.0, "median");
+  }
+  plot.AcrossY(1.0, Ink::kLimit, "limit");
+  return {"gates", "How the metrics that have a limit spread over the trials; what is over twice its limit ends there.",
+          plot.Svg()};
+}
+
+Plot ScoresPlot(const RobustnessReport& report) {
+  SvgPlot::Options options;
+  options.title = "Scores, sorted";
+  options.x_label = "trials";
+  options.y_label = "score";
+  options.y_lowest = 0.0;
+  options.y_highest = 100.0;
+  options.height_px = 220.0;
+  std::vector<double> scores;
+  for (const TrialOutcome& outcome : report.outcomes) scores.push_back(outcome.score);
+  std::sort(scores.begin(), scores.end());
+  std::vector<Vector2> line;
+  for (std::size_t i = 0; i < scores.size(); ++i) line.emplace_back(static_cast<double>(i + 1), scores[i]);
+  SvgPlot plot(options);
+  plot.Line(line, Ink::kCom, Stroke::kMeasured);
+  plot.AcrossX(50.0, Ink::kLimit, "every gate holds above", true);
+  return {"scores", "The score of every trial, the worst first; 50 and more keep every gate.", plot.Svg()};
+}
+
+}  // namespace
+
+std::vector<Plot> TrialPlots(const RobustnessReport& report) {
+  std::vector<Plot> plots;
+  if (report.n == 0) return plots;
+  if (!report.push_bins.empty()) plots.push_back(PolarPlot(report));
+  const auto numeric = std::find_if(report.sensitivity.begin(), report.sensitivity.end(),
+                                    [](const Sensitivity& s) { return !s.how.starts_with("is "); });
+  if (numeric != report.sensitivity.end()) plots.push_back(SurvivalOver(report, *numeric));
+  plots.push_back(GatesPlot(report));
+  plots.push_back(ScoresPlot(report));
+  return plots;
+}
+
+}  // namespace gaitwright
