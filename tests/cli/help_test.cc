@@ -8,17 +8,12 @@ namespace gaitwright::cli {
 namespace {
 
 /// Every verb, in an order in which each finds the files that its examples read.
-const std::vector<std::vector<std::string>> kVerbs = {{"plan"},
-                                                      {"walk"},
-                                                      {"audit"},
-                                                      {"play"},
-                                                      {"robots"},
-                                                      {"robots", "show"},
-                                                      {"gaits"},
-                                                      {"terrains"},
-                                                      {"terrains", "show"},
-                                                      {"bench"},
-                                                      {"bench", "centroidal"}};
+const std::vector<std::vector<std::string>> kVerbs = {{"plan"},           {"walk"},
+                                                      {"audit"},          {"play"},
+                                                      {"trials"},         {"robots"},
+                                                      {"robots", "show"}, {"gaits"},
+                                                      {"terrains"},       {"terrains", "show"},
+                                                      {"bench"},          {"bench", "centroidal"}};
 
 class Help : public Stranger {
  protected:
@@ -79,8 +74,9 @@ TEST_F(Help, NamesTheExitStatusesAndFitsItsLines) {
 }
 
 TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
-  const std::vector<std::string> bare = {"--help", "--json", "--quiet", "--list-options", "--set", "--urdf"};
-  for (const char* verb : {"walk", "plan", "play", "audit"}) {
+  const std::vector<std::string> bare = {"--help", "--json", "--quiet",  "--list-options",
+                                         "--set",  "--urdf", "--resume", "--show-disturbances"};
+  for (const char* verb : {"walk", "plan", "play", "trials", "audit"}) {
     std::istringstream help(Of({verb}));
     std::string flag, text;
     const auto check = [&] {
@@ -93,7 +89,8 @@ TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
         check();
         flag = Words(line).front();
         text = line;
-        const bool switches = flag == "--json" || flag == "--quiet" || flag == "--list-options";
+        const bool switches = flag == "--json" || flag == "--quiet" || flag == "--list-options" || flag == "--resume" ||
+                              flag == "--show-disturbances";
         EXPECT_TRUE(switches || line.substr(2 + flag.size(), 2) != "  ")
             << verb << " " << flag << " has no type or unit";
       } else if (line.starts_with("     ")) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/cli/stranger.h"
 
+#include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -57,6 +59,30 @@ Ran Stranger::Run(const std::vector<std::string>& arguments) const {
   Append(command, (talk_ / "err").string());
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, ReadAll(talk_ / "out"), ReadAll(talk_ / "err")};
+}
+
+Ran Stranger::RunUntil(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& now) const {
+  std::vector<std::string> words = {GAITWRIGHT_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const std::string out = (talk_ / "out").string(), err = (talk_ / "err").string();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    ::dup2(::open(out.c_str(), flags, 0600), STDOUT_FILENO);
+    ::dup2(::open(err.c_str(), flags, 0600), STDERR_FILENO);
+    if (::chdir(folder_.c_str()) == 0) ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  pid_t ended = 0;
+  for (bool sent = false; ended == 0; ended = ::waitpid(child, &status, WNOHANG)) {
+    if (!sent && now()) sent = ::kill(child, signal) == 0;
+    ::usleep(2000);
+  }
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), ReadAll(out), ReadAll(err)};
 }
 
 std::vector<std::string> Stranger::Found() const {

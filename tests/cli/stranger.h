@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ class Stranger : public testing::Test {
   ~Stranger() override;
 
   Ran Run(const std::vector<std::string>& arguments) const;
+  /// The same, sent `signal` as soon as `now` says so. Its status is 128 and the signal's number where that ended it.
+  Ran RunUntil(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& now) const;
 
   std::filesystem::path In(const std::string& name) const { return folder_ / name; }
   /// Names of what lies in the folder, sorted.

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `gaitwright trials` and `play --disturbances` say, write and end with.
+#include <csignal>
+#include <fstream>
+
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+class Trials : public Stranger {
+ protected:
+  Trials() {
+    MakePlan("plan.json");
+    Write("calm.yaml", "mass_scale: {uniform: [0.95, 1.05]}\nfriction: 0.8\n");
+    Write("hard.yaml", "pushes:\n  - {size_n: {uniform: [500, 900]}, direction_deg: 90, at_s: 1}\n");
+  }
+};
+
+TEST_F(Trials, WriteTheSameForAnyNumberOfThreads) {
+  const Ran one =
+      Run({"trials", "plan.json", "-n", "3", "--threads", "1", "--out", "one.json", "--report", "one.html"});
+  ASSERT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(one.err, "");
+  EXPECT_NE(one.out.find("95 % interval"), std::string::npos);
+  const Ran two = Run({"trials", "plan.json", "-n", "3", "--threads", "2", "--out", "two.json", "--json"});
+  ASSERT_EQ(two.status, 0) << two.err;
+  EXPECT_TRUE(Read("one.json") == Read("two.json"));
+  const Json json = two.json();
+  EXPECT_EQ(json.at("n"), 3);
+  EXPECT_EQ(json.at("files").at("result"), "two.json");
+  EXPECT_LE(json.at("survival_low"), json.at("survival"));
+  EXPECT_TRUE(Read("one.html").ends_with("</html>\n"));
+  EXPECT_EQ(Found(),
+            (std::vector<std::string>{"calm.yaml", "hard.yaml", "one.html", "one.json", "plan.json", "two.json"}));
+}
+
+TEST_F(Trials, TheWorstIsRepeatedBySeed) {
+  const Ran ran = Run({"trials", "plan.json", "-n", "2", "--disturbances", "hard.yaml", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const Json worst = ran.json().at("worst").at(0);
+  EXPECT_EQ(worst.at("survived"), false);
+  const std::string seed = std::to_string(worst.at("seed").get<int>());
+  const std::vector<std::string> repeat = {"play",   "plan.json", "--disturbances", "hard.yaml",
+                                           "--seed", seed,        "--json"};
+  const Ran played = Run(repeat);
+  EXPECT_EQ(played.status, 3) << played.err;
+  EXPECT_EQ(played.json().at("reason"), worst.at("reason"));
+  EXPECT_EQ(played.json().at("score"), worst.at("score"));
+}
+
+TEST_F(Trials, StatusThreeOnlyWhenSurvivalIsRequired) {
+  const std::vector<std::string> hard = {"trials", "plan.json", "-n", "2", "--disturbances", "hard.yaml", "--quiet"};
+  EXPECT_EQ(Run(hard).out, "pass\n");
+  std::vector<std::string> required = hard;
+  required.insert(required.end(), {"--require-survival", "0.5"});
+  const Ran failed = Run(required);
+  EXPECT_EQ(failed.status, 3);
+  EXPECT_EQ(failed.out, "fail\n");
+  EXPECT_EQ(Run({"trials", "plan.json", "-n", "1", "--disturbances", "calm.yaml", "--require-survival", "1"}).status,
+            0);
+}
+
+TEST_F(Trials, WrongOnesAreRefused) {
+  Write("bad.yaml", "mass_scale: 1\nfrction: 0.5\n");
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "bad.yaml"}), 1, {"bad.yaml", "line 2", "'friction'"});
+  ExpectRefused(Run({"play", "plan.json", "--disturbances", "bad.yaml"}), 1, {"line 2"});
+  ExpectRefused(Run({"trials", "plan.json", "-n", "0"}), 1, {"-n", "0"});
+  ExpectRefused(Run({"trials", "plan.json", "--require-survival", "95"}), 1, {"95", "from 0 to 1"});
+  ExpectRefused(Run({"trials", "none.json"}), 1, {"none.json"});
+  ExpectRefused(Run({"trials", "plan.json", "--out", "./plan.json"}), 1, {"plan.json"});
+  ExpectRefused(Run({"trials", "plan.json", "--until-width", "2"}), 1, {"until_width", "2"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"bad.yaml", "calm.yaml", "hard.yaml", "plan.json"}));
+}
+
+TEST_F(Trials, WhatIsSampledIsShownAndReadsBack) {
+  const Ran shown = Run({"trials", "plan.json", "--show-disturbances"});
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  Write("shown.yaml", shown.out);
+  EXPECT_EQ(Run({"trials", "plan.json", "--show-disturbances", "--disturbances", "shown.yaml"}).out, shown.out);
+  EXPECT_EQ(Run({"trials", "plan.json", "--show-disturbances", "--json"}).json().at("disturbances"), shown.out);
+}
+
+TEST_F(Trials, AKilledRunIsResumedToTheSameBytes) {
+  const std::vector<std::string> start = {"trials",         "plan.json", "-n",    "6",       "--threads", "1",
+                                          "--disturbances", "calm.yaml", "--out", "it.json", "--quiet"};
+  ASSERT_EQ(Run(start).status, 0);
+  const std::string whole = Read("it.json");
+  std::filesystem::remove(In("it.json"));
+  for (const int signal : {SIGKILL, SIGINT}) {
+    const Ran killed = RunUntil(start, signal, [&] {  // two outcomes are on the disk
+      const std::string so_far = std::filesystem::exists(In("it.json.so-far")) ? Read("it.json.so-far") : "";
+      return std::count(so_far.begin(), so_far.end(), '\n') >= 3;
+    });
+    EXPECT_EQ(killed.status, 128 + signal) << killed.err;
+    EXPECT_EQ(killed.err.find("--resume") != std::string::npos, signal == SIGINT) << killed.err;
+    EXPECT_FALSE(std::filesystem::exists(In("it.json")));
+    ExpectRefused(Run(start), 1, {"it.json.so-far", "not finished", "--resume"});
+    std::vector<std::string> resume = start;
+    resume.push_back("--resume");
+    ASSERT_EQ(Run(resume).status, 0);
+    EXPECT_TRUE(Read("it.json") == whole);
+    EXPECT_FALSE(std::filesystem::exists(In("it.json.so-far")));
+    std::filesystem::remove(In("it.json"));
+  }
+}
+
+}  // namespace
+}  // namespace gaitwright::cli

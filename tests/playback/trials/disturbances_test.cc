@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/trials/disturbances.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/playback/standing_plan.h"
+
+namespace gaitwright {
+namespace {
+
+double noise = 0.0, delay = 0.0;  // of the sensors that keys may name
+int sensor_seed = 0;
+const OptionFields kSensors = {{"noise_rad", &noise, "rad", 0.0, 0.1, "", {}},
+                               {"delay_s", &delay, "s", 0.0, 0.1, "", {}},
+                               {"seed", &sensor_seed, "1", 0, 10, "", {}}};
+
+Disturbances Read(const std::string& text) { return ReadDisturbances(text, kSensors, "d.yaml").value(); }
+
+std::string Refusal(const std::string& text) {
+  const auto read = ReadDisturbances(text, kSensors, "d.yaml");
+  EXPECT_FALSE(read.ok()) << text;
+  return read.ok() ? "" : read.failure().message;
+}
+
+double Value(const SampledTrial& trial, const std::string& name) {
+  for (const SampledValue& one : trial.values) {
+    if (one.name == name) return one.value;
+  }
+  ADD_FAILURE() << "nothing sampled is called " << name;
+  return std::nan("");
+}
+
+class DisturbancesTest : public testing::Test {
+ protected:
+  SampledTrial Sample(const Disturbances& disturbances, std::uint64_t seed) const {
+    return SampleTrial(disturbances, model_, plan_, seed);
+  }
+
+  const RobotModel model_ = standing::Load("a1");
+  const MotionPlan plan_ = standing::Plan(model_, 2.0);
+};
+
+TEST_F(DisturbancesTest, EveryKeyIsReadAndWrittenBack) {
+  std::string text;
+  for (const DisturbanceRule& rule : DisturbanceRules()) {
+    if (rule.key.find('.') != std::string::npos || rule.key.starts_with("com_shift_m")) continue;
+    text += rule.key + ": {uniform: [" + std::to_string(rule.lowest) + ", " + std::to_string(rule.highest) + "]}\n";
+  }
+  text += "start:\n  x_m: 0.1\n  joints_rad: {normal: {mean: 0, std: 0.01}}\n";
+  text += "sensors:\n  noise_rad: {choice: [0, 0.001]}\n";
+  text += "pushes:\n  - size_n: {uniform: [0, 50]}\n    place: {choice: [base, robot, FR_calf]}\n    at_s: 1\n";
+  const Disturbances disturbances = Read(text);
+  ASSERT_EQ(disturbances.pushes.size(), 1U);
+  EXPECT_EQ(disturbances.figures.back().key, "sensors.noise_rad");
+  const std::string again = DisturbancesText(disturbances);
+  EXPECT_EQ(DisturbancesText(Read(again)), again);
+  EXPECT_EQ(Read(again).pushes, disturbances.pushes);
+  EXPECT_EQ(Read(again).figures.size(), disturbances.figures.size());
+}
+
+TEST_F(DisturbancesTest, RefusalsNameLineAndNearest) {
+  const auto says = [](const std::string& text, const std::vector<std::string>& parts) {
+    const std::string message = Refusal(text);
+    for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << ": " << message;
+  };
+  says("friction: 0.5\nmas_scale: 1\n", {"d.yaml", "line 2", "'mas_scale'", "'mass_scale'"});
+  says("mass_scale: {uniform: [0.9]}\n", {"line 1", "2 are needed"});
+  says("mass_scale: {uniform: [0.9, 11]}\n", {"mass_scale", "11", "0.1 to 10"});
+  says("mass_scale: {uniform: [1.1, 0.9]}\n", {"backward"});
+  says("mass_scale: {normal: {mean: 1}}\n", {"lacks the key 'std'"});
+  says("mass_scale: {normal: {mean: 1, std: 0.001, lowest: 2, highest: 3}}\n", {"hardly ever"});
+  says("mass_scale: {unifrm: [0.9, 1.1]}\n", {"'unifrm'", "'uniform'"});
+  says("mass_scale: {uniform: [0.9, 1.1], fixed: 1}\n", {"2 keys", "one is needed"});
+  says("mass_scale: {choice: []}\n", {"choice of nothing"});
+  says("mass_scale: heavy\n", {"'heavy'", "a number is needed"});
+  says("mass_scale: .nan\n", {"finite"});
+  says("mass_scale: 1\nmass_scale: 2\n", {"twice"});
+  says("com_shift_m: 0.01\ncom_shift_x_m: 0.01\n", {"com_shift_m", "com_shift_x_m"});
+  says("start: {roll: 0.1}\n", {"'roll'", "'roll_rad'"});
+  says("sensors: {noise: 0.1}\n", {"'noise'", "'noise_rad'"});
+  says("sensors: {seed: 1}\n", {"'seed'"});
+  says("pushes:\n  - direction_deg: 90\n", {"lacks its size"});
+  says("pushes:\n  - {size_n: 1, size_of_weight: 0.1}\n", {"size_n", "size_of_weight"});
+  says("pushes:\n  - {size_n: 1, at_s: 1, at_share: 0.5}\n", {"at_s", "at_share"});
+  says("pushes:\n  - {size_n: 1, place: {uniform: [0, 1]}}\n", {"words are needed"});
+  says("pushes: {size_n: 1}\n", {"a list is needed"});
+  says("", {"holds no disturbances"});
+  says("a: [", {"no YAML"});
+}
+
+TEST_F(DisturbancesTest, WhatIsDrawnForOneFigureDoesNotChangeWithTheOthers) {
+  const Disturbances few = Read("mass_scale: {uniform: [0.9, 1.1]}\n");
+  const Disturbances more =
+      Read("friction: {uniform: [0.4, 1]}\nmass_scale: {uniform: [0.9, 1.1]}\nground_bumps_m: 0.01\n");
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    EXPECT_EQ(Value(Sample(few, seed), "mass_scale"), Value(Sample(more, seed), "mass_scale"));
+    EXPECT_EQ(Sample(more, seed).values, Sample(more, seed).values);
+  }
+  EXPECT_NE(Value(Sample(few, 1), "mass_scale"), Value(Sample(few, 2), "mass_scale"));
+}
+
+TEST_F(DisturbancesTest, APushIsInTheHeadingOfThePlanAtItsTime) {
+  MotionPlan turned = plan_;
+  for (VectorX& q : turned.whole_body.q) q.segment<4>(3) << 0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5);  // to the left
+  const Disturbances push =
+      Read("pushes:\n  - {size_of_weight: 0.1, direction_deg: 0, at_share: 0.5, duration_s: 0.2}\n");
+  const SampledTrial trial = SampleTrial(push, model_, turned, 1);
+  ASSERT_EQ(trial.pushes.size(), 1U);
+  EXPECT_NEAR((trial.pushes[0].force_W - Vector3(0.0, 0.1 * model_.weight_n(), 0.0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(trial.pushes[0].at_s, 1.0, 1e-12);
+  EXPECT_EQ(trial.pushes[0].for_s, 0.2);
+  EXPECT_NEAR(Value(trial, "push1.ahead_n"), 0.1 * model_.weight_n(), 1e-9);
+  EXPECT_NEAR(Value(trial, "push1.left_n"), 0.0, 1e-9);
+  EXPECT_THROW(SampleTrial(Read("pushes:\n  - {size_n: 1, place: FR_claf}\n"), model_, plan_, 1), InvalidArgument);
+}
+
+TEST_F(DisturbancesTest, AShiftAnyWayHasItsLengthAndEveryDirection) {
+  const Disturbances shift = Read("com_shift_m: 0.02\n");
+  Vector3 mean = Vector3::Zero();
+  constexpr int kTrials = 2000;
+  for (int i = 0; i < kTrials; ++i) {
+    const SampledTrial trial = Sample(shift, static_cast<std::uint64_t>(i));
+    const Vector3 p(Value(trial, "com_shift_x_m"), Value(trial, "com_shift_y_m"), Value(trial, "com_shift_z_m"));
+    EXPECT_NEAR(p.norm(), 0.02, 1e-12);
+    mean += p / kTrials;
+  }
+  EXPECT_LT(mean.norm(), 0.002);
+}
+
+TEST_F(DisturbancesTest, JointsStartEachByItsOwn) {
+  const SampledTrial trial = Sample(Read("start: {joints_rad: {uniform: [-0.01, 0.01]}}\n"), 5);
+  ASSERT_EQ(trial.start_joints.size(), model_.num_dofs());
+  EXPECT_NE(trial.start_joints[0], trial.start_joints[1]);
+  EXPECT_LE(trial.start_joints.cwiseAbs().maxCoeff(), 0.01);
+  EXPECT_EQ(Value(trial, "start.joint." + model_.dof_names[3] + "_rad"), trial.start_joints[3]);
+}
+
+TEST_F(DisturbancesTest, TheStandardSetScalesAndReadsBack) {
+  const RobotModel nao = standing::Load("nao");
+  const Disturbances a1 = StandardDisturbances(model_);
+  EXPECT_EQ(DisturbancesText(Read(DisturbancesText(a1))), DisturbancesText(a1));
+  const auto bumps = [](const Disturbances& d) {
+    for (const Disturbance& figure : d.figures) {
+      if (figure.key == "ground_bumps_m") return figure.distribution.highest;
+    }
+    return 0.0;
+  };
+  EXPECT_NEAR(bumps(a1) / bumps(StandardDisturbances(nao)), model_.leg_length_m() / nao.leg_length_m(), 1e-9);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "playback/trials/robustness_report.h"
+
+namespace gaitwright::made {
+
+/// Trials that fall when a push to a side is over `fatal_n`; every seventh of the others breaks a gate.
+inline std::vector<TrialOutcome> Outcomes(int n, double fatal_n) {
+  std::vector<TrialOutcome> outcomes;
+  for (int i = 0; i < n; ++i) {
+    NamedRandom random(static_cast<std::uint64_t>(i), "made");
+    const double size = 50.0 * random.Uniform(), angle = 360.0 * random.Uniform(), mass = random.Uniform();
+    const double left = size * std::sin(angle * 0.017453292519943295);
+    TrialOutcome o;
+    o.number = i;
+    o.seed = SeedOfTrial(0, i);
+    o.survived = std::abs(left) <= fatal_n;
+    o.passed = o.survived && i % 7 != 0;
+    o.score = o.passed ? 70.0 + mass : (o.survived ? 40.0 : 10.0 + mass);
+    o.ended_s = o.survived ? 5.0 : 3.0 + 0.01 * i;
+    o.cause = o.survived ? (o.passed ? "" : "goal_error_m") : "a foot slid";
+    o.reason = "under <a push> it \"fell\" & more";
+    o.log_hash = "0123456789abcdef";
+    o.sampled = {{"mass_scale", "1", mass, ""},
+                 {"push1.size_n", "N", size, ""},
+                 {"push1.direction_deg", "deg", angle, ""},
+                 {"push1.ahead_n", "N", size * std::cos(angle * 0.017453292519943295), ""},
+                 {"push1.left_n", "N", left, ""},
+                 {"push1.at_s", "s", 2.0, ""},
+                 {"push1.duration_s", "s", 0.1, ""},
+                 {"push1.place", "", 0.0, i % 2 == 0 ? "base" : "robot"}};
+    o.metrics = {{"fell", o.survived ? 0.0 : 1.0}, {"goal_error_m", 0.001 * i}, {"slip_max_step_m", std::nullopt}};
+    if (!o.passed) o.broken_gates = {o.survived ? "goal_error_m" : "fell"};
+    outcomes.push_back(o);
+  }
+  return outcomes;
+}
+
+inline TrialSubject Subject() {
+  TrialSubject subject;
+  subject.robot = "made";
+  subject.robot_hash = "r";
+  subject.plan_hash = "p";
+  subject.controller = "stabilised";
+  subject.disturbances = "mass_scale: 1\n";
+  subject.limits = {{"fell", 0.0}, {"goal_error_m", 0.05}};
+  return subject;
+}
+
+}  // namespace gaitwright::made

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/trials/robustness_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "kinematics/base/result.h"
+#include "tests/playback/trials/made_outcomes.h"
+
+namespace gaitwright {
+namespace {
+
+TEST(RobustnessReportTest, CountsAndRanks) {
+  const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(100, 25.0));
+  int survived = 0, passed = 0;
+  for (const TrialOutcome& outcome : report.outcomes) {
+    survived += outcome.survived ? 1 : 0;
+    passed += outcome.passed ? 1 : 0;
+  }
+  EXPECT_EQ(report.n, 100);
+  EXPECT_EQ(report.survived, survived);
+  EXPECT_EQ(report.passed, passed);
+  EXPECT_LT(passed, survived);
+  EXPECT_EQ(report.survival, WilsonInterval(survived, 100));
+  ASSERT_EQ(report.causes.size(), 1U);
+  EXPECT_EQ(report.causes[0], (Tally{"a foot slid", 100 - survived}));
+  ASSERT_EQ(report.broken_gates.size(), 1U);
+  EXPECT_EQ(report.broken_gates[0], (Tally{"goal_error_m", survived - passed}));
+  ASSERT_FALSE(report.sensitivity.empty());
+  EXPECT_EQ(report.sensitivity[0].name, "push1.left_n");
+  EXPECT_EQ(report.sensitivity[0].how, "far off");
+  ASSERT_EQ(report.worst.size(), 10U);
+  for (const int number : report.worst) EXPECT_FALSE(report.Outcome(number).survived);
+  EXPECT_LE(report.Outcome(report.worst[0]).score, report.Outcome(report.worst[9]).score);
+}
+
+TEST(RobustnessReportTest, SpreadsAreThoseOfTheValues) {
+  const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(101, 25.0));
+  ASSERT_EQ(report.metrics.size(), 2U);  // what no trial has is left out
+  const MetricSpread& goal = report.metrics[1];
+  EXPECT_EQ(goal.key, "goal_error_m");
+  EXPECT_EQ(goal.n, 101);
+  EXPECT_NEAR(goal.lowest, 0.0, 1e-12);
+  EXPECT_NEAR(goal.p05, 0.005, 1e-12);
+  EXPECT_NEAR(goal.median, 0.05, 1e-12);
+  EXPECT_NEAR(goal.p95, 0.095, 1e-12);
+  EXPECT_NEAR(goal.highest, 0.1, 1e-12);
+  EXPECT_EQ(goal.limit, 0.05);
+  EXPECT_EQ(goal.broken, report.broken_gates[0].count);
+}
+
+TEST(RobustnessReportTest, PushesByDirection) {
+  std::vector<TrialOutcome> outcomes = made::Outcomes(200, 25.0);
+  const RobustnessReport report = ReduceTrials(made::Subject(), outcomes);
+  ASSERT_EQ(report.push_bins.size(), 8U);
+  EXPECT_EQ(report.push_bins[2].direction_deg, 90.0);  // to the left
+  EXPECT_EQ(report.push_bins[0].fell, 0);              // ahead, where the sideways part is small
+  EXPECT_GT(report.push_bins[2].fell, 0);
+  EXPECT_GT(*report.push_bins[2].smallest_fatal_n, 25.0);
+  EXPECT_LT(*report.push_bins[2].largest_survived_n, 25.0 / std::cos(22.5 * 0.0174533) + 0.1);
+  EXPECT_FALSE(report.push_bins[0].smallest_fatal_n.has_value());
+  int pushes = 0;
+  for (const PushBin& bin : report.push_bins) pushes += bin.n;
+  EXPECT_EQ(pushes, 200);
+  for (TrialOutcome& outcome : outcomes) outcome.ended_s = outcome.survived ? 5.0 : 1.0;  // before its push
+  for (const PushBin& bin : ReduceTrials(made::Subject(), outcomes).push_bins) EXPECT_EQ(bin.fell, 0);
+}
+
+TEST(RobustnessReportTest, OutcomesMustBeInOrder) {
+  std::vector<TrialOutcome> outcomes = made::Outcomes(3, 25.0);
+  std::swap(outcomes[0], outcomes[1]);
+  EXPECT_THROW(ReduceTrials(made::Subject(), outcomes), InvalidArgument);
+  EXPECT_EQ(ReduceTrials(made::Subject(), {}).survival, (ShareInterval{0.0, 0.0, 1.0}));
+}
+
+TEST(RobustnessReportTest, JsonHasTheStablePart) {
+  const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(60, 25.0));
+  const std::string text = RobustnessJson(report);
+  EXPECT_EQ(text, RobustnessJson(ReduceTrials(made::Subject(), made::Outcomes(60, 25.0))));
+  const auto json = nlohmann::json::parse(text);
+  for (const char* key : {"n", "survived", "survival", "survival_low", "survival_high", "metrics", "causes", "worst",
+                          "sensitivity", "pushes", "robot_hash", "plan_hash", "disturbances", "options"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json.at("n"), 60);
+  EXPECT_EQ(json.at("worst").at(0).at("seed"), report.Outcome(report.worst[0]).seed);
+  EXPECT_EQ(json.at("trials").at("rows").size(), 60U);
+  for (const auto& row : json.at("trials").at("rows")) EXPECT_EQ(row.size(), json.at("trials").at("columns").size());
+  EXPECT_EQ(json.at("causes").at("a foot slid"), 60 - report.survived);
+  EXPECT_EQ(json.at("metrics").at("goal_error_m").at("limit"), 0.05);
+}
+
+TEST(RobustnessReportTest, WordsNameWhatMatters) {
+  const std::string text = RobustnessText(ReduceTrials(made::Subject(), made::Outcomes(100, 25.0)));
+  for (const char* part :
+       {"survived  ", "95 % interval", "a foot slid", "push1.left_n", "90 deg", "seed ", "goal_error_m"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(TrialOutcomeTest, ALineReadsBackTheSame) {
+  for (const TrialOutcome& outcome : made::Outcomes(20, 25.0)) {
+    const std::string line = OutcomeToLine(outcome);
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    EXPECT_EQ(OutcomeFromLine(line), outcome);
+  }
+  EXPECT_THROW(OutcomeFromLine("{}"), InvalidArgument);
+  EXPECT_THROW(OutcomeFromLine("{\"number\":"), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace gaitwright
