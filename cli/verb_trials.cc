@@ -116,8 +116,8 @@ int Run(Arguments& a) {
   ApplySets("--set", a.common.sets, a.Fields());
   a.play.Finish();
   CheckShare(a);
-  Paths paths{{{"the plan", a.plan}},
-              {{"--out", a.out}, {"--report", a.report}, {"the run so far", a.out + ".so-far"}}};
+  Paths paths{
+      {{"the plan", a.plan}}, {{"--out", a.out}, {"--report", a.report}, {"the run so far", a.out + ".so-far"}}, {}};
   a.disturbances.AddPathTo(paths);
   CheckPaths(paths);
   const Result<MotionPlan> plan = LoadPlan(a.plan);
