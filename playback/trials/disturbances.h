@@ -72,10 +72,10 @@ Disturbances StandardDisturbances(const RobotModel& model);
 
 /// One value that was drawn.
 struct SampledValue {
-  std::string name;  ///< the key; of the i-th push "push1.size_n"; of a start "start.joint.NAME_rad"
-  std::string unit;
+  std::string name = {};  ///< the key; of the i-th push "push1.size_n"; of a start "start.joint.NAME_rad"
+  std::string unit = {};
   double value = 0.0;
-  std::string word;  ///< in place of the value, where it is one
+  std::string word = {};  ///< in place of the value, where it is one
 
   bool operator==(const SampledValue&) const = default;
 };

@@ -83,7 +83,8 @@ std::vector<Disturbance> ReadFigures(const YAML::Node& node, const std::string& 
   std::vector<std::string> known;
   for (const DisturbanceRule& rule : rules) known.push_back(rule.key);
   std::vector<Disturbance> figures;
-  for (const auto& entry : YamlMap(node, what, known).entries()) {
+  const YamlMap map(node, what, known);
+  for (const auto& entry : map.entries()) {
     const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.key == entry.key; });
     DisturbanceRule named = *rule;
     named.key = before + rule->key;
@@ -139,7 +140,8 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
   const auto add = [&](const std::vector<Disturbance>& figures) {
     disturbances.figures.insert(disturbances.figures.end(), figures.begin(), figures.end());
   };
-  for (const auto& entry : YamlMap(root, "the file", known).entries()) {
+  const YamlMap map(root, "the file", known);
+  for (const auto& entry : map.entries()) {
     if (entry.key == "start") {
       add(ReadFigures(entry.value, "'start'", "start.", RulesOf("start")));
     } else if (entry.key == "sensors") {

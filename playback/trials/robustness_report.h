@@ -15,18 +15,18 @@ namespace gaitwright {
 
 /// A metric over all trials that have it.
 struct MetricSpread {
-  std::string key, unit;
+  std::string key = {}, unit = {};
   int n = 0;  ///< trials that have it
   double lowest = 0.0, p05 = 0.0, median = 0.0, p95 = 0.0, highest = 0.0;
-  std::optional<double> limit;  ///< of its gate
-  int broken = 0;               ///< trials that broke the gate
+  std::optional<double> limit = {};  ///< of its gate
+  int broken = 0;                    ///< trials that broke the gate
 
   bool operator==(const MetricSpread&) const = default;
 };
 
 /// Something and how often it was.
 struct Tally {
-  std::string what;
+  std::string what = {};
   int count = 0;
 
   bool operator==(const Tally&) const = default;
@@ -36,7 +36,7 @@ struct Tally {
 struct PushBin {
   double direction_deg = 0.0;  ///< of its middle; 0 ahead, 90 to the left, as the planned base headed
   int n = 0, fell = 0;
-  std::optional<double> largest_survived_n, smallest_fatal_n;
+  std::optional<double> largest_survived_n = {}, smallest_fatal_n = {};
 
   bool operator==(const PushBin&) const = default;
 };
