@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/strict_yaml_internal.h"
@@ -10,6 +12,7 @@
 namespace gaitwright {
 namespace {
 
+constexpr std::size_t kMostPushes = 100;
 constexpr double kBellReach = 3.0;  // standard deviations, where a normal distribution has no limits of its own
 const std::vector<std::string> kKinds = {"uniform", "normal", "choice", "fixed"};
 
@@ -147,7 +150,10 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
     } else if (entry.key == "sensors") {
       add(ReadFigures(entry.value, "'sensors'", "sensors.", SensorRules(sensors)));
     } else if (entry.key == "pushes") {
-      for (const YAML::Node& push : ListOf(entry.value, "'pushes'")) disturbances.pushes.push_back(ReadPush(push));
+      const std::vector<YAML::Node> pushes = ListOf(entry.value, "'pushes'");
+      if (pushes.size() > kMostPushes)
+        RefuseYaml(entry.value, fmt::format("{} pushes; at most {} are given", pushes.size(), kMostPushes));
+      for (const YAML::Node& push : pushes) disturbances.pushes.push_back(ReadPush(push));
     } else {
       const auto rule = std::find_if(own.begin(), own.end(), [&](const auto& r) { return r.key == entry.key; });
       add({{entry.key, ReadDistribution(entry.value, *rule)}});
@@ -156,6 +162,20 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
   for (const char* axis : {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"})
     NotBoth(root, disturbances.figures, "com_shift_m", axis);
   return disturbances;
+}
+
+/// A word as YAML, in quotes where it would be read as something else.
+std::string Quoted(const std::string& word) {
+  const bool plain = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0 &&
+                     std::all_of(word.begin(), word.end(),
+                                 [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+  return plain ? word : nlohmann::json(word).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+std::string QuotedWords(const std::vector<std::string>& words) {
+  std::vector<std::string> quoted;
+  for (const std::string& word : words) quoted.push_back(Quoted(word));
+  return fmt::format("{}", fmt::join(quoted, ", "));
 }
 
 std::string Words(const Distribution& d) {
@@ -168,7 +188,7 @@ std::string Words(const Distribution& d) {
     case Distribution::Kind::kNumbers:
       return fmt::format("{{choice: [{}]}}", fmt::join(d.numbers, ", "));
     case Distribution::Kind::kWords:
-      return fmt::format("{{choice: [{}]}}", fmt::join(d.words, ", "));
+      return fmt::format("{{choice: [{}]}}", QuotedWords(d.words));
     default:
       return fmt::format("{}", d.lowest);
   }
@@ -185,7 +205,7 @@ Result<Disturbances> ReadDisturbances(const std::string& text, const OptionField
                    {"every key stands in docs/trials.md"}};
   };
   try {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node root = LoadYaml(text);
     if (!root.IsMap() || root.size() == 0) return bad("line 1: holds no disturbances: a map of keys is needed");
     return ReadRoot(root, sensors);
   } catch (const YAML::Exception& error) {

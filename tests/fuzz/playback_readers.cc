@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "kinematics/base/options.h"
 #include "playback/log/log_json.h"
+#include "playback/trials/trial_outcome.h"
 #include "tests/fuzz/reader.h"
 
 namespace gaitwright::fuzz {
@@ -63,6 +65,64 @@ std::vector<std::string> MadeLogs() {
   return {LogToJson(log), LogToJson(empty)};
 }
 
+/// Sensors that disturbances may name.
+OptionFields SensorFields() {
+  static double noise = 0.0;
+  return {{"noise_rad", &noise, "rad", 0.0, 0.1, "", {}}};
+}
+
+void CheckDistributions(const std::vector<Disturbance>& figures) {
+  for (const auto& [key, distribution] : figures) {
+    Require(!key.empty(), "figures have keys");
+    Require(std::isfinite(distribution.lowest) && std::isfinite(distribution.highest), "what is drawn is finite");
+    Require(distribution.lowest <= distribution.highest, "distributions do not run backward");
+    NamedRandom random(1, key);
+    if (distribution.kind == Distribution::Kind::kWords) continue;
+    const double drawn = Draw(distribution, random);
+    Require(drawn >= distribution.lowest && drawn <= distribution.highest, "what is drawn is within the ends");
+  }
+}
+
+Verdict ReadDisturbancesFile(const std::string& input) {
+  const Result<Disturbances> read = ReadDisturbances(input, SensorFields(), "input");
+  if (!read) return Verdict::kRefused;
+  CheckDistributions(read->figures);
+  for (const DisturbedPush& push : read->pushes) CheckDistributions(push);
+  if (read->figures.empty() && read->pushes.empty()) return Verdict::kAccepted;
+  const std::string text = DisturbancesText(*read);
+  const Result<Disturbances> back = ReadDisturbances(text, SensorFields(), "again");
+  Require(back.ok(), "disturbances are read back: " + (back.ok() ? "" : back.failure().message));
+  Require(DisturbancesText(*back) == text, "disturbances are read back as they were");
+  return Verdict::kAccepted;
+}
+
+std::vector<std::string> MadeDisturbances() {
+  return {"mass_scale: {normal: {mean: 1, std: 0.1, lowest: 0.8, highest: 1.2}}\nstart: {yaw_rad: 0.1}\n",
+          "sensors: {noise_rad: {choice: [0, 0.01]}}\npushes:\n  - {size_n: {uniform: [0, 50]}, place: {choice: [base, "
+          "robot]}, at_share: 0.5}\n"};
+}
+
+Verdict ReadOutcome(const std::string& input) {
+  TrialOutcome outcome;
+  try {
+    outcome = OutcomeFromLine(input);
+  } catch (const InvalidArgument&) {
+    return Verdict::kRefused;
+  }
+  Require(std::isfinite(outcome.score) && std::isfinite(outcome.ended_s), "figures of an outcome are finite");
+  const std::string line = OutcomeToLine(outcome);
+  Require(OutcomeToLine(OutcomeFromLine(line)) == line, "an outcome is read back as it was");
+  return Verdict::kAccepted;
+}
+
+std::vector<std::string> MadeOutcomes() {
+  TrialOutcome outcome;
+  outcome.cause = "a foot slid";
+  outcome.sampled = {{"mass_scale", "1", 0.9, ""}, {"push1.place", "", 0.0, "base"}};
+  outcome.metrics = {{"fell", 0.0}, {"goal_error_m", std::nullopt}};
+  return {OutcomeToLine(outcome)};
+}
+
 }  // namespace
 
 const std::vector<Reader>& Readers() {
@@ -73,7 +133,19 @@ const std::vector<Reader>& Readers() {
         "\"q\"", "\"time_s\"", "\"body_contacts\"", "\"saturated_s\"", "\"contact_wrenches\"", "[0,0,0,0,0,0,1]",
         "\\u0000"},
        {},
-       MadeLogs}};
+       MadeLogs},
+      {"disturbances",
+       ReadDisturbancesFile,
+       {"uniform", "normal",  "choice", "fixed", "mean",     "std", "lowest", "highest", "pushes",
+        "start",   "sensors", "size_n", "place", "friction", "[",   "]",      "{",       "}",
+        ": ",      "\n  - ",  ".nan",   ".inf",  "-1e400",   "&a",  "*a"},
+       {"examples/disturbances/a1_hobby.yaml", "examples/disturbances/nao_room.yaml"},
+       MadeDisturbances},
+      {"outcome",
+       ReadOutcome,
+       {"null", "true", "{}", "[]", "-1", "1e400", "\"number\"", "\"sampled\"", "\"metrics\"", "\\u0000"},
+       {},
+       MadeOutcomes}};
   return readers;
 }
 

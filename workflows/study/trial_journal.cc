@@ -100,7 +100,7 @@ Result<TrialJournal> TrialJournal::Open(const std::string& path, const std::stri
     return Refused(path, "is being written by another process", {"let that finish, or name another --out"});
   Held held;
   if (there) {
-    const Result<std::string> text = ReadFile(path);
+    const Result<std::string> text = ReadBytes(path);
     if (!text) return text.failure();
     try {
       held = Parse(*text);

@@ -53,6 +53,8 @@ TEST_F(DisturbancesTest, EveryKeyIsReadAndWrittenBack) {
   text += "pushes:\n  - size_n: {uniform: [0, 50]}\n    place: {choice: [base, robot, FR_calf]}\n    at_s: 1\n";
   const Disturbances disturbances = Read(text);
   ASSERT_EQ(disturbances.pushes.size(), 1U);
+  const Disturbances quoted = Read("pushes:\n  - {size_n: 1, place: {choice: ['a: b', 'no', '1', 'x-y#']}}\n");
+  EXPECT_EQ(Read(DisturbancesText(quoted)), quoted);
   EXPECT_EQ(disturbances.figures.back().key, "sensors.noise_rad");
   const std::string again = DisturbancesText(disturbances);
   EXPECT_EQ(DisturbancesText(Read(again)), again);
