@@ -42,4 +42,4 @@ endfunction()
 gaitwright_fuzz_room(kinematics LAWS robot READERS urdf robot_yaml mesh_stl mesh_obj mesh_dae option)
 gaitwright_fuzz_room(planning LAWS plan READERS gaits sequence_text sequence_file terrain_spec terrain_yaml height_csv
                      height_png mesh_ground plan)
-gaitwright_fuzz_room(playback READERS log)
+gaitwright_fuzz_room(playback READERS log disturbances outcome)
