@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
@@ -12,6 +13,15 @@ constexpr double kSettled = 1e-9;  // relative change of impulses at which itera
 
 btMultiBody* BodyOf(const btMultiBodySolverConstraint& row) {
   return row.m_multiBodyA != nullptr ? row.m_multiBodyA : row.m_multiBodyB;
+}
+
+/// Where a row's J is in Bullet's arrays.
+int JacobianAt(const btMultiBodySolverConstraint& row) {
+  return row.m_multiBodyA != nullptr ? row.m_jacAindex : row.m_jacBindex;
+}
+
+bool Holds(const btMultiBodySolverConstraint& row, double impulse) {
+  return impulse > row.m_lowerLimit && impulse < row.m_upperLimit;
 }
 
 }  // namespace
@@ -32,17 +42,20 @@ btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject** 
   btMultiBody* body = Gather();
   if (body == nullptr) return 0.0;
   WarmStart();
+  bool taken_in = false;
   do {
     if (!Condense()) {  // gears that contradict each other: let projected Gauss-Seidel find a compromise
       return btMultiBodyConstraintSolver::solveGroupCacheFriendlyIterations(
           bodies, num_bodies, manifolds, num_manifolds, constraints, num_constraints, info, debug);
     }
     Iterate(info.m_numIterations);
-  } while (MoveSaturated());
+  } while ((!std::exchange(taken_in, true) && TakeInStuck()) || MoveSaturated());
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].row->m_appliedImpulse = impulse_[static_cast<Eigen::Index>(i)];
   }
-  const VectorX change = U_ * impulse_;
+  impulse_by_column_.setZero(U_.cols());
+  for (std::size_t i = 0; i < lines_.size(); ++i) impulse_by_column_[column_[i]] += lines_[i].row->m_appliedImpulse;
+  const VectorX change = U_ * impulse_by_column_;
   body->applyDeltaVeeMultiDof2(change.data(), 1.0);
   body->setPosUpdated(false);
   return 0.0;
@@ -59,32 +72,51 @@ btMultiBody* CondensedSolver::Gather() {
   if (lines_.empty()) return nullptr;
 
   btMultiBody* body = BodyOf(*lines_.front().row);
-  const Eigen::Index n = 6 + body->getNumDofs(), m = static_cast<Eigen::Index>(lines_.size());
-  J_.resize(n, m);
-  U_.resize(n, m);
-  impulse_.setZero(m);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(i)].row;
-    const int at = row.m_multiBodyA != nullptr ? row.m_jacAindex : row.m_jacBindex;
-    J_.col(i) = Eigen::Map<const VectorX>(&m_data.m_jacobians[at], n);
-    U_.col(i) = Eigen::Map<const VectorX>(&m_data.m_deltaVelocitiesUnitImpulse[at], n);
-    (lines_[static_cast<std::size_t>(i)].kind == Kind::kDirect ? direct_ : iterated_).push_back(i);
+  GatherMatrices(6 + body->getNumDofs());
+  impulse_.setZero(static_cast<Eigen::Index>(lines_.size()));
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    (lines_[i].kind == Kind::kDirect ? direct_ : iterated_).push_back(static_cast<Eigen::Index>(i));
   }
-  A_.noalias() = J_.transpose() * U_;
   return body;
+}
+
+void CondensedSolver::GatherMatrices(Eigen::Index n) {
+  column_.clear();
+  Eigen::Index columns = 0;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const bool shared = i > 0 && JacobianAt(*lines_[i].row) == JacobianAt(*lines_[i - 1].row);
+    column_.push_back(shared ? columns - 1 : columns++);
+  }
+  J_.resize(n, columns);
+  U_.resize(n, columns);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const int at = JacobianAt(*lines_[i].row);
+    J_.col(column_[i]) = Eigen::Map<const VectorX>(&m_data.m_jacobians[at], n);
+    U_.col(column_[i]) = Eigen::Map<const VectorX>(&m_data.m_deltaVelocitiesUnitImpulse[at], n);
+  }
+  A_columns_.noalias() = J_.transpose() * U_;
+  if (static_cast<std::size_t>(columns) == lines_.size()) {
+    A_.swap(A_columns_);
+  } else {
+    A_ = A_columns_(column_, column_);
+  }
 }
 
 void CondensedSolver::AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at) {
   for (int i = 0; i < rows.size(); ++i) {
     btMultiBodySolverConstraint& row = rows[i];
-    const bool bounded = kind == Kind::kDirect && row.m_orgDofIndex == MotorRow::kStop;
+    const bool of_joint = kind == Kind::kDirect;
+    const bool rubs = of_joint && row.m_orgDofIndex == MotorRow::kDryFriction;
+    const double last = rubs ? row.m_orgConstraint->getAppliedImpulse(row.m_orgDofIndex) : 0.0;
+    const bool bounded = (of_joint && row.m_orgDofIndex == MotorRow::kStop) || (rubs && !Holds(row, last));
     lines_.push_back({&row, bounded ? Kind::kBounded : kind, normals_at + row.m_frictionIndex,
-                      row.m_rhs / row.m_jacDiagABInv, row.m_cfm / row.m_jacDiagABInv});
+                      row.m_rhs / row.m_jacDiagABInv, row.m_cfm / row.m_jacDiagABInv, last, rubs});
   }
 }
 
 void CondensedSolver::WarmStart() {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (lines_[i].rubs) impulse_[static_cast<Eigen::Index>(i)] = lines_[i].last;
     if (lines_[i].kind != Kind::kNormal) continue;
     const auto* point = static_cast<const btManifoldPoint*>(lines_[i].row->m_originalContactPoint);
     impulse_[static_cast<Eigen::Index>(i)] = point->m_appliedImpulse;
@@ -188,6 +220,18 @@ double CondensedSolver::SolveCone(Eigen::Index k) {
   if (change.x() != 0.0) ChangeImpulse(k, change.x());
   if (change.y() != 0.0) ChangeImpulse(k + 1, change.y());
   return change.lpNorm<Eigen::Infinity>();
+}
+
+bool CondensedSolver::TakeInStuck() {
+  const auto stuck = std::stable_partition(iterated_.begin(), iterated_.end(), [&](Eigen::Index i) {
+    const Line& line = lines_[static_cast<std::size_t>(i)];
+    return !line.rubs || !Holds(*line.row, impulse_[i]);
+  });
+  if (stuck == iterated_.end()) return false;
+  for (auto i = stuck; i != iterated_.end(); ++i) lines_[static_cast<std::size_t>(*i)].kind = Kind::kDirect;
+  direct_.insert(direct_.end(), stuck, iterated_.end());
+  iterated_.erase(stuck, iterated_.end());
+  return true;
 }
 
 bool CondensedSolver::MoveSaturated() {

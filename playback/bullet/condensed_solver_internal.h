@@ -18,10 +18,11 @@ namespace gaitwright::bullet {
 /// bounds of p_i. Motors and gears (D) are linear unless saturated, so they are eliminated:
 ///   (A_DD + s_D) p_D = b_D - A_DI p_I,   A'_II = A_II - A_ID (A_DD + s_D)^-1 A_DI,
 /// and only contacts, stops and saturated motors (I) are iterated on, in the small dense A'. A motor that comes out
-/// beyond its limit moves to I, and the step is solved again. Stiff motors cost no iterations, which projected
-/// Gauss-Seidel on all rows needs hundreds of. Friction is a cone: the two rows of a contact are projected together.
-/// Iterations start from the contact's impulses of the last step and end at `solver_iterations` or a relative change
-/// of 1e-9. Points that cannot matter get no rows, see ContactThinning.
+/// beyond its limit moves to I, and the step is solved again. Dry friction of a joint is in D where it held in the last
+/// step; where it slid it begins in I, and is taken into D once when it comes to hold. Stiff motors cost no iterations,
+/// which projected Gauss-Seidel on all rows needs hundreds of. Friction is a cone: the two rows of a contact are
+/// projected together. Iterations start from the contact's impulses of the last step and end at `solver_iterations` or
+/// a relative change of 1e-9. Points that cannot matter get no rows, see ContactThinning.
 class CondensedSolver : public btMultiBodyConstraintSolver {
  protected:
   btScalar solveGroupCacheFriendlySetup(btCollisionObject** bodies, int num_bodies, btPersistentManifold** manifolds,
@@ -39,9 +40,12 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
     Kind kind;
     int normal;  ///< of friction: the line of its normal
     double b, softness;
+    double last = 0.0;  ///< of dry friction in a joint: impulse of the last step
+    bool rubs = false;  ///< it is one
   };
 
   btMultiBody* Gather();
+  void GatherMatrices(Eigen::Index n);
   void AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at);
   void WarmStart();
   bool Condense();
@@ -49,16 +53,19 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   double SolveLine(Eigen::Index k);
   double SolveCone(Eigen::Index k);
   void ChangeImpulse(Eigen::Index k, double change);
+  bool TakeInStuck();
   bool MoveSaturated();
 
   ContactThinning thinning_;
   std::vector<Line> lines_;
   std::vector<Eigen::Index> direct_, iterated_;  ///< lines
   std::vector<Eigen::Index> position_;           ///< by line: place in iterated_
-  MatrixX J_, U_, A_;                            ///< columns by line; A by line and line
+  std::vector<Eigen::Index> column_;             ///< by line: of J; lines of one joint share theirs
+  MatrixX J_, U_, A_columns_;                    ///< by column, and by column and column
+  MatrixX A_;                                    ///< by line and line
   MatrixX A_direct_, coupling_, elimination_;    ///< A_DD + s, A_DI, its solution
   MatrixX A_small_;                              ///< A' by place
-  VectorX b_direct_, b_small_, p_small_, w_small_, softness_small_, impulse_;
+  VectorX b_direct_, b_small_, p_small_, w_small_, softness_small_, impulse_, impulse_by_column_;
   Eigen::LLT<MatrixX> factor_;
 };
 
