@@ -10,6 +10,7 @@ namespace gaitwright::bullet {
 namespace {
 
 constexpr double kSettled = 1e-9;  // relative change of impulses at which iterating ends
+constexpr double kHeld = 1e-13;  // share of a row's own A that is rounding: others hold it, as friction does at a stop
 
 btMultiBody* BodyOf(const btMultiBodySolverConstraint& row) {
   return row.m_multiBodyA != nullptr ? row.m_multiBodyA : row.m_multiBodyB;
@@ -192,9 +193,10 @@ void CondensedSolver::ChangeImpulse(Eigen::Index k, double change) {
 }
 
 double CondensedSolver::SolveLine(Eigen::Index k) {
-  const btMultiBodySolverConstraint& row =
-      *lines_[static_cast<std::size_t>(iterated_[static_cast<std::size_t>(k)])].row;
+  const Eigen::Index i = iterated_[static_cast<std::size_t>(k)];
+  const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(i)].row;
   const double s = softness_small_[k], now = p_small_[k];
+  if (A_small_(k, k) + s <= kHeld * A_(i, i)) return 0.0;
   const double free = now + (b_small_[k] - w_small_[k] - s * now) / (A_small_(k, k) + s);
   const double change = std::clamp<double>(free, row.m_lowerLimit, row.m_upperLimit) - now;
   if (change != 0.0) ChangeImpulse(k, change);
