@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
@@ -9,9 +10,27 @@ namespace gaitwright::bullet {
 namespace {
 
 constexpr double kSettled = 1e-9;  // relative change of impulses at which iterating ends
+constexpr double kHeld = 1e-13;  // share of a row's own A that is rounding: others hold it, as friction does at a stop
 
 btMultiBody* BodyOf(const btMultiBodySolverConstraint& row) {
   return row.m_multiBodyA != nullptr ? row.m_multiBodyA : row.m_multiBodyB;
+}
+
+/// Where a row's J is in Bullet's arrays.
+int JacobianAt(const btMultiBodySolverConstraint& row) {
+  return row.m_multiBodyA != nullptr ? row.m_jacAindex : row.m_jacBindex;
+}
+
+/// Of the row J qd + softness * impulse = target, less what J qd is without it.
+double Target(const btMultiBodySolverConstraint& row) { return row.m_rhs / row.m_jacDiagABInv; }
+double Softness(const btMultiBodySolverConstraint& row) { return row.m_cfm / row.m_jacDiagABInv; }
+
+bool Holds(const btMultiBodySolverConstraint& row, double impulse) {
+  return impulse > row.m_lowerLimit && impulse < row.m_upperLimit;
+}
+
+double Bounded(const btMultiBodySolverConstraint& row, double impulse) {
+  return std::clamp<double>(impulse, row.m_lowerLimit, row.m_upperLimit);
 }
 
 }  // namespace
@@ -32,17 +51,24 @@ btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject** 
   btMultiBody* body = Gather();
   if (body == nullptr) return 0.0;
   WarmStart();
+  bool taken_in = false;
   do {
     if (!Condense()) {  // gears that contradict each other: let projected Gauss-Seidel find a compromise
       return btMultiBodyConstraintSolver::solveGroupCacheFriendlyIterations(
           bodies, num_bodies, manifolds, num_manifolds, constraints, num_constraints, info, debug);
     }
     Iterate(info.m_numIterations);
-  } while (MoveSaturated());
+  } while (MoveTurned() || (!std::exchange(taken_in, true) && TakeInStuck()) || MoveSaturated());
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    lines_[i].row->m_appliedImpulse = impulse_[static_cast<Eigen::Index>(i)];
+    const Line& line = lines_[i];
+    const double own = OwnImpulse(line, impulse_[static_cast<Eigen::Index>(i)]);
+    line.row->m_appliedImpulse = own;
+    if (line.loss < 0) continue;
+    impulse_[line.loss] = impulse_[static_cast<Eigen::Index>(i)] - own;
   }
-  const VectorX change = U_ * impulse_;
+  impulse_by_column_.setZero(U_.cols());
+  for (std::size_t i = 0; i < lines_.size(); ++i) impulse_by_column_[column_[i]] += lines_[i].row->m_appliedImpulse;
+  const VectorX change = U_ * impulse_by_column_;
   body->applyDeltaVeeMultiDof2(change.data(), 1.0);
   body->setPosUpdated(false);
   return 0.0;
@@ -52,6 +78,7 @@ btMultiBody* CondensedSolver::Gather() {
   lines_.clear();
   direct_.clear();
   iterated_.clear();
+  sliding_.clear();
   AddLines(m_multiBodyNonContactConstraints, Kind::kDirect, 0);
   const int normals_at = static_cast<int>(lines_.size());
   AddLines(m_multiBodyNormalContactConstraints, Kind::kNormal, 0);
@@ -59,32 +86,76 @@ btMultiBody* CondensedSolver::Gather() {
   if (lines_.empty()) return nullptr;
 
   btMultiBody* body = BodyOf(*lines_.front().row);
-  const Eigen::Index n = 6 + body->getNumDofs(), m = static_cast<Eigen::Index>(lines_.size());
-  J_.resize(n, m);
-  U_.resize(n, m);
-  impulse_.setZero(m);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(i)].row;
-    const int at = row.m_multiBodyA != nullptr ? row.m_jacAindex : row.m_jacBindex;
-    J_.col(i) = Eigen::Map<const VectorX>(&m_data.m_jacobians[at], n);
-    U_.col(i) = Eigen::Map<const VectorX>(&m_data.m_deltaVelocitiesUnitImpulse[at], n);
-    (lines_[static_cast<std::size_t>(i)].kind == Kind::kDirect ? direct_ : iterated_).push_back(i);
+  GatherMatrices(6 + body->getNumDofs());
+  impulse_.setZero(static_cast<Eigen::Index>(lines_.size()));
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (i > 0 && Join(i - 1, i)) continue;
+    const Kind kind = lines_[i].kind;
+    auto& set = kind == Kind::kDirect ? direct_ : kind == Kind::kSliding ? sliding_ : iterated_;
+    set.push_back(static_cast<Eigen::Index>(i));
+  }
+  return body;
+}
+
+bool CondensedSolver::Join(std::size_t drive, std::size_t loss) {
+  Line &first = lines_[drive], &second = lines_[loss];
+  const bool are = first.kind == Kind::kDirect && second.kind == Kind::kDirect && column_[drive] == column_[loss] &&
+                   first.row->m_orgDofIndex == MotorRow::kDrive && second.row->m_orgDofIndex == MotorRow::kLoss;
+  if (!are) return false;
+  const double together = first.softness + second.softness;
+  first.b = (second.softness * first.b + first.softness * second.b) / together;
+  first.softness *= second.softness / together;
+  first.loss = static_cast<Eigen::Index>(loss);
+  return true;
+}
+
+void CondensedSolver::Part(Line& drive) {
+  drive.b = Target(*drive.row);
+  drive.softness = Softness(*drive.row);
+  direct_.push_back(std::exchange(drive.loss, -1));
+}
+
+double CondensedSolver::OwnImpulse(const Line& line, double impulse) const {
+  if (line.loss < 0) return impulse;
+  const Line& loss = lines_[static_cast<std::size_t>(line.loss)];
+  const double own = Softness(*line.row), together = own + loss.softness;
+  return (Target(*line.row) - loss.b + loss.softness * impulse) / together;
+}
+
+void CondensedSolver::GatherMatrices(Eigen::Index n) {
+  column_.clear();
+  Eigen::Index columns = 0;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const bool shared = i > 0 && JacobianAt(*lines_[i].row) == JacobianAt(*lines_[i - 1].row);
+    column_.push_back(shared ? columns - 1 : columns++);
+  }
+  J_.resize(n, columns);
+  U_.resize(n, columns);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const int at = JacobianAt(*lines_[i].row);
+    J_.col(column_[i]) = Eigen::Map<const VectorX>(&m_data.m_jacobians[at], n);
+    U_.col(column_[i]) = Eigen::Map<const VectorX>(&m_data.m_deltaVelocitiesUnitImpulse[at], n);
   }
   A_.noalias() = J_.transpose() * U_;
-  return body;
 }
 
 void CondensedSolver::AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at) {
   for (int i = 0; i < rows.size(); ++i) {
     btMultiBodySolverConstraint& row = rows[i];
-    const bool bounded = kind == Kind::kDirect && row.m_orgDofIndex == MotorRow::kStop;
-    lines_.push_back({&row, bounded ? Kind::kBounded : kind, normals_at + row.m_frictionIndex,
-                      row.m_rhs / row.m_jacDiagABInv, row.m_cfm / row.m_jacDiagABInv});
+    const bool of_joint = kind == Kind::kDirect;
+    const bool rubs = of_joint && row.m_orgDofIndex == MotorRow::kDryFriction;
+    const double last = rubs ? row.m_orgConstraint->getAppliedImpulse(row.m_orgDofIndex) : 0.0;
+    Kind is = kind;
+    if (of_joint && row.m_orgDofIndex == MotorRow::kStop) is = Kind::kBounded;
+    if (rubs && !Holds(row, last)) is = Kind::kSliding;
+    lines_.push_back(
+        {&row, is, normals_at + row.m_frictionIndex, Target(row), Softness(row), Bounded(row, last), rubs});
   }
 }
 
 void CondensedSolver::WarmStart() {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (lines_[i].kind == Kind::kSliding) impulse_[static_cast<Eigen::Index>(i)] = lines_[i].last;
     if (lines_[i].kind != Kind::kNormal) continue;
     const auto* point = static_cast<const btManifoldPoint*>(lines_[i].row->m_originalContactPoint);
     impulse_[static_cast<Eigen::Index>(i)] = point->m_appliedImpulse;
@@ -105,16 +176,18 @@ bool CondensedSolver::Condense() {
   b_small_.resize(ni);
   p_small_.resize(ni);
   softness_small_.resize(ni);
-  if (nd > 0) A_direct_ = A_(direct_, direct_);
+  ColumnsOf(direct_, direct_columns_);
+  ColumnsOf(iterated_, iterated_columns_);
+  if (nd > 0) A_direct_ = A_(direct_columns_, direct_columns_);
   for (Eigen::Index k = 0; k < nd; ++k) {
-    const Line& line = lines_[static_cast<std::size_t>(direct_[static_cast<std::size_t>(k)])];
-    A_direct_(k, k) += line.softness;
-    b_direct_[k] = line.b;
+    const Eigen::Index i = direct_[static_cast<std::size_t>(k)];
+    A_direct_(k, k) += lines_[static_cast<std::size_t>(i)].softness;
+    b_direct_[k] = lines_[static_cast<std::size_t>(i)].b - BySliding(i);
   }
   for (Eigen::Index k = 0; k < ni; ++k) {
     const Eigen::Index i = iterated_[static_cast<std::size_t>(k)];
     position_[static_cast<std::size_t>(i)] = k;
-    b_small_[k] = lines_[static_cast<std::size_t>(i)].b;
+    b_small_[k] = lines_[static_cast<std::size_t>(i)].b - BySliding(i);
     softness_small_[k] = lines_[static_cast<std::size_t>(i)].softness;
     p_small_[k] = impulse_[i];
   }
@@ -123,9 +196,9 @@ bool CondensedSolver::Condense() {
     if (factor_.info() != Eigen::Success) return false;
   }
   if (ni == 0) return true;
-  A_small_ = A_(iterated_, iterated_);
+  A_small_ = A_(iterated_columns_, iterated_columns_);
   if (nd > 0) {
-    coupling_ = A_(direct_, iterated_);
+    coupling_ = A_(direct_columns_, iterated_columns_);
     elimination_ = factor_.solve(coupling_);
     A_small_.noalias() -= coupling_.transpose() * elimination_;
     b_small_.noalias() -= elimination_.transpose() * b_direct_;
@@ -160,9 +233,11 @@ void CondensedSolver::ChangeImpulse(Eigen::Index k, double change) {
 }
 
 double CondensedSolver::SolveLine(Eigen::Index k) {
-  const btMultiBodySolverConstraint& row =
-      *lines_[static_cast<std::size_t>(iterated_[static_cast<std::size_t>(k)])].row;
+  const Eigen::Index i = iterated_[static_cast<std::size_t>(k)];
+  const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(i)].row;
   const double s = softness_small_[k], now = p_small_[k];
+  const Eigen::Index column = column_[static_cast<std::size_t>(i)];
+  if (A_small_(k, k) + s <= kHeld * A_(column, column)) return 0.0;
   const double free = now + (b_small_[k] - w_small_[k] - s * now) / (A_small_(k, k) + s);
   const double change = std::clamp<double>(free, row.m_lowerLimit, row.m_upperLimit) - now;
   if (change != 0.0) ChangeImpulse(k, change);
@@ -190,21 +265,69 @@ double CondensedSolver::SolveCone(Eigen::Index k) {
   return change.lpNorm<Eigen::Infinity>();
 }
 
+bool CondensedSolver::TakeInStuck() {
+  const auto stuck = std::stable_partition(iterated_.begin(), iterated_.end(), [&](Eigen::Index i) {
+    const Line& line = lines_[static_cast<std::size_t>(i)];
+    return !line.rubs || !Holds(*line.row, impulse_[i]);
+  });
+  if (stuck == iterated_.end()) return false;
+  for (auto i = stuck; i != iterated_.end(); ++i) lines_[static_cast<std::size_t>(*i)].kind = Kind::kDirect;
+  direct_.insert(direct_.end(), stuck, iterated_.end());
+  iterated_.erase(stuck, iterated_.end());
+  return true;
+}
+
+bool CondensedSolver::MoveTurned() {
+  const auto turned = [&](Eigen::Index i) {
+    double left = lines_[static_cast<std::size_t>(i)].b;  // of the velocity it is against; it pushes that way
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      left -= A_(column_[static_cast<std::size_t>(i)], column_[k]) * impulse_[static_cast<Eigen::Index>(k)];
+    }
+    return left * impulse_[i] < 0.0;
+  };
+  const auto kept = std::stable_partition(sliding_.begin(), sliding_.end(), [&](Eigen::Index i) { return !turned(i); });
+  if (kept == sliding_.end()) return false;
+  for (auto moved = kept; moved != sliding_.end(); ++moved) {
+    lines_[static_cast<std::size_t>(*moved)].kind = Kind::kBounded;
+  }
+  iterated_.insert(iterated_.begin(), kept, sliding_.end());
+  sliding_.erase(kept, sliding_.end());
+  return true;
+}
+
+double CondensedSolver::BySliding(Eigen::Index i) const {
+  double velocity = 0.0;
+  for (const Eigen::Index k : sliding_) {
+    velocity += A_(column_[static_cast<std::size_t>(i)], column_[static_cast<std::size_t>(k)]) * impulse_[k];
+  }
+  return velocity;
+}
+
+void CondensedSolver::ColumnsOf(const std::vector<Eigen::Index>& lines, std::vector<Eigen::Index>& columns) const {
+  columns.clear();
+  for (const Eigen::Index i : lines) columns.push_back(column_[static_cast<std::size_t>(i)]);
+}
+
 bool CondensedSolver::MoveSaturated() {
   const auto beyond = [&](Eigen::Index i) {
-    const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(i)].row;
-    return impulse_[i] < row.m_lowerLimit || impulse_[i] > row.m_upperLimit;
+    const Line& line = lines_[static_cast<std::size_t>(i)];
+    const double own = OwnImpulse(line, impulse_[i]);
+    return own < line.row->m_lowerLimit || own > line.row->m_upperLimit;
   };
   const auto kept = std::stable_partition(direct_.begin(), direct_.end(), [&](Eigen::Index i) { return !beyond(i); });
   if (kept == direct_.end()) return false;
   for (auto moved = kept; moved != direct_.end(); ++moved) {
-    const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(*moved)].row;
-    impulse_[*moved] = std::clamp<double>(impulse_[*moved], row.m_lowerLimit, row.m_upperLimit);
-    lines_[static_cast<std::size_t>(*moved)].kind = Kind::kBounded;
+    Line& line = lines_[static_cast<std::size_t>(*moved)];
+    impulse_[*moved] = Bounded(*line.row, OwnImpulse(line, impulse_[*moved]));
+    line.kind = Kind::kBounded;
   }
   // First, so that friction lines stay in pairs behind their normals.
-  iterated_.insert(iterated_.begin(), kept, direct_.end());
+  const auto first = iterated_.insert(iterated_.begin(), kept, direct_.end());
+  const auto moved = direct_.end() - kept;
   direct_.erase(kept, direct_.end());
+  for (auto i = first; i != first + moved; ++i) {
+    if (Line& line = lines_[static_cast<std::size_t>(*i)]; line.loss >= 0) Part(line);
+  }
   return true;
 }
 

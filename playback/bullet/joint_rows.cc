@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "playback/bullet/joint_rows_internal.h"
 
@@ -23,9 +25,24 @@ void JointSpaceConstraint::AddTerm(int dof_row, double coefficient) {
   jacobian_.at(static_cast<std::size_t>(6 + dof_row)) += coefficient;
 }
 
-double JointSpaceConstraint::AddRow(const Row& wanted, btMultiBodyConstraintArray& rows,
-                                    btMultiBodyJacobianData& data) {
-  const int n = 6 + m_bodyA->getNumDofs();
+JointSpaceConstraint::Response JointSpaceConstraint::Respond(btMultiBodyJacobianData& data) {
+  const int n = 6 + m_bodyA->getNumDofs(), at = data.m_jacobians.size();
+  data.m_jacobians.resize(at + n);
+  data.m_deltaVelocitiesUnitImpulse.resize(at + n);
+  btScalar* J = &data.m_jacobians[at];
+  btScalar* response = &data.m_deltaVelocitiesUnitImpulse[at];
+  std::copy(jacobian_.begin(), jacobian_.end(), J);
+  m_bodyA->calcAccelerationDeltasMultiDof(J, response, data.scratch_r, data.scratch_v);
+  Response result{at, 0.0, 0.0};
+  for (int i = 6; i < n; ++i) {
+    result.inverse_inertia += J[i] * response[i];
+    result.velocity += J[i] * m_bodyA->getVelocityVector()[i];
+  }
+  return result;
+}
+
+void JointSpaceConstraint::AddRow(const Row& wanted, const Response& response, btMultiBodyConstraintArray& rows,
+                                  btMultiBodyJacobianData& data) {
   btMultiBodySolverConstraint& row = rows.expandNonInitializing();
   row = btMultiBodySolverConstraint();
   row.m_orgConstraint = this;
@@ -36,23 +53,11 @@ double JointSpaceConstraint::AddRow(const Row& wanted, btMultiBodyConstraintArra
   if (row.m_deltaVelAindex < 0) {
     row.m_deltaVelAindex = data.m_deltaVelocities.size();
     m_bodyA->setCompanionId(row.m_deltaVelAindex);
-    data.m_deltaVelocities.resize(row.m_deltaVelAindex + n);
+    data.m_deltaVelocities.resize(row.m_deltaVelAindex + 6 + m_bodyA->getNumDofs());
   }
-  row.m_jacAindex = data.m_jacobians.size();
-  data.m_jacobians.resize(row.m_jacAindex + n);
-  data.m_deltaVelocitiesUnitImpulse.resize(row.m_jacAindex + n);
-  btScalar* J = &data.m_jacobians[row.m_jacAindex];
-  btScalar* response = &data.m_deltaVelocitiesUnitImpulse[row.m_jacAindex];
-  std::copy(jacobian_.begin(), jacobian_.end(), J);
-  m_bodyA->calcAccelerationDeltasMultiDof(J, response, data.scratch_r, data.scratch_v);
-
-  double inertia_inverse = 0.0, velocity = 0.0;
-  for (int i = 6; i < n; ++i) {
-    inertia_inverse += J[i] * response[i];
-    velocity += J[i] * m_bodyA->getVelocityVector()[i];
-  }
-  row.m_jacDiagABInv = 1.0 / (inertia_inverse + wanted.softness);
-  row.m_rhs = (wanted.target_velocity - velocity) * row.m_jacDiagABInv;
+  row.m_jacAindex = response.at;
+  row.m_jacDiagABInv = 1.0 / (response.inverse_inertia + wanted.softness);
+  row.m_rhs = (wanted.target_velocity - response.velocity) * row.m_jacDiagABInv;
   row.m_cfm = wanted.softness * row.m_jacDiagABInv;
   row.m_lowerLimit = wanted.lowest;
   row.m_upperLimit = wanted.highest;
@@ -63,11 +68,10 @@ double JointSpaceConstraint::AddRow(const Row& wanted, btMultiBodyConstraintArra
   }
   row.m_originalContactPoint = nullptr;
   row.m_frictionIndex = row.m_overrideNumSolverIterations = row.m_deltaVelBindex = row.m_jacBindex = 0;
-  return inertia_inverse;
 }
 
-MotorRow::MotorRow(const RobotBody& robot, btMultiBody& body, int dof, const Limits& limits)
-    : JointSpaceConstraint(body, robot.members(dof).front().joint, 2), members_(robot.members(dof)), limits_(limits) {
+MotorRow::MotorRow(const RobotBody& robot, btMultiBody& body, int dof, const Traits& traits)
+    : JointSpaceConstraint(body, robot.members(dof).front().joint, 4), members_(robot.members(dof)), traits_(traits) {
   for (const RobotBody::Member& member : members_) AddTerm(robot.Row(member.joint), member.share);
 }
 
@@ -79,29 +83,57 @@ double MotorRow::Position() const {
   return position;
 }
 
+double MotorRow::Rate() const {
+  double rate = 0.0;
+  for (const RobotBody::Member& member : members_) rate += member.share * m_bodyA->getJointVel(member.joint);
+  return rate;
+}
+
+void MotorRow::SetTarget(const Target& target) {
+  target_ = target;
+  start_rate_ = Rate();
+}
+
 void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
                                     const btContactSolverInfo& info) {
-  const double h = info.m_timeStep, q = Position();
-  const double drive = h * h * target_.stiffness + h * target_.damping;
+  const double h = info.m_timeStep, q = Position(), velocity = Rate();
+  const double drive = traits_.torque_scale * (h * h * target_.stiffness + h * target_.damping);
   driven_ = drive > 0.0;
-  double velocity = 0.0, gain = 0.0;  // what the motor may add to it in the step
-  for (const RobotBody::Member& member : members_) velocity += member.share * m_bodyA->getJointVel(member.joint);
+  std::optional<Response> response;
+  if (driven_ || traits_.drags() || traits_.friction > 0.0) response = Respond(data);
+  double gain = 0.0;  // what the motor may add to the velocity in the step
   if (driven_) {
     const double pull = target_.excess + target_.stiffness * (target_.q - q) + target_.damping * target_.v;
-    const double lowest = std::max(-kUnlimited, h * (-limits_.effort - target_.tau_ff));
-    const double highest = std::min(kUnlimited, h * (limits_.effort - target_.tau_ff));
-    const double response = AddRow({kDrive, h * pull / drive, 1.0 / drive, lowest, highest}, rows, data);
-    gain = response * h * std::min(limits_.effort, std::abs(pull) + target_.damping * std::abs(velocity));
+    const double target_velocity = traits_.torque_scale * h * pull / drive;
+    const double lowest = traits_.torque_scale * h * (target_.limits.lowest - target_.tau_ff);
+    const double highest = traits_.torque_scale * h * (target_.limits.highest - target_.tau_ff);
+    AddRow({kDrive, target_velocity, 1.0 / drive, std::max(-kUnlimited, lowest), std::min(kUnlimited, highest)},
+           *response, rows, data);
+    const double most = std::min(target_.limits.largest(), std::abs(pull) + target_.damping * std::abs(velocity));
+    gain = traits_.torque_scale * response->inverse_inertia * h * most;
   }
+  if (response) AddLosses(h, *response, rows, data);
   // A stop acts only when the coming step could pass it.
-  const double reach = 2.0 * h * (std::abs(velocity) + gain);
-  if (q - reach < limits_.lower) AddRow({kStop, (limits_.lower - q) / h, 0.0, 0.0, kUnlimited}, rows, data);
-  if (q + reach > limits_.upper) AddRow({kStop, (limits_.upper - q) / h, 0.0, -kUnlimited, 0.0}, rows, data);
+  const double carried = traits_.rotor_inertia > 0.0 ? std::abs(start_rate_) : 0.0;
+  const double reach = 2.0 * h * (std::max(std::abs(velocity), carried) + gain);
+  const double lowest_rate = (traits_.lower - q) / h, highest_rate = (traits_.upper - q) / h;
+  if (q - reach < traits_.lower) AddRow({kStop, lowest_rate, 0.0, 0.0, kUnlimited}, Respond(data), rows, data);
+  if (q + reach > traits_.upper) AddRow({kStop, highest_rate, 0.0, -kUnlimited, 0.0}, Respond(data), rows, data);
+}
+
+void MotorRow::AddLosses(double step_s, const Response& response, btMultiBodyConstraintArray& rows,
+                         btMultiBodyJacobianData& data) {
+  const double drag = traits_.rotor_inertia + step_s * traits_.damping, grip = step_s * traits_.friction;
+  if (drag > 0.0) {
+    const double carried = traits_.rotor_inertia * start_rate_;
+    AddRow({kLoss, carried / drag, 1.0 / drag, -kUnlimited, kUnlimited}, response, rows, data);
+  }
+  if (grip > 0.0) AddRow({kDryFriction, 0.0, 0.0, -grip, grip}, response, rows, data);
 }
 
 double MotorRow::Torque(double step_s) {
-  const double total = target_.tau_ff + (driven_ ? getAppliedImpulse(kDrive) / step_s : 0.0);
-  return std::clamp(total, -limits_.effort, limits_.effort);
+  const double row = driven_ ? getAppliedImpulse(kDrive) / step_s / traits_.torque_scale : 0.0;
+  return std::clamp(target_.tau_ff + row, target_.limits.lowest, target_.limits.highest);
 }
 
 GearRow::GearRow(const RobotBody& robot, btMultiBody& body, const Joint& joint, int follower, int leader)
@@ -120,7 +152,8 @@ double GearRow::Error() const {
 
 void GearRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
                                    const btContactSolverInfo& info) {
-  AddRow({0, -kGearCorrection * Error() / info.m_timeStep, 0.0, -kUnlimited, kUnlimited}, rows, data);
+  const double target = -kGearCorrection * Error() / info.m_timeStep;
+  AddRow({0, target, 0.0, -kUnlimited, kUnlimited}, Respond(data), rows, data);
 }
 
 }  // namespace gaitwright::bullet

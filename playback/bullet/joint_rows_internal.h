@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "playback/bullet/drive_internal.h"
 #include "playback/bullet/robot_body_internal.h"
 
 namespace gaitwright::bullet {
@@ -28,51 +29,75 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
     double lowest, highest;  ///< impulse [N m s]
   };
   void AddTerm(int dof_row, double coefficient);
-  /// @return J M^-1 J^T: the velocity J qd that a unit impulse gives.
-  double AddRow(const Row& row, btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data);
+  /// What rows with the same J have in common.
+  struct Response {
+    int at;                  ///< of J and M^-1 J^T in Bullet's arrays
+    double inverse_inertia;  ///< J M^-1 J^T: the velocity J qd that a unit impulse gives
+    double velocity;         ///< J qd under all forces of the step but those of rows
+  };
+  Response Respond(btMultiBodyJacobianData& data);
+  void AddRow(const Row& row, const Response& response, btMultiBodyConstraintArray& rows,
+              btMultiBodyJacobianData& data);
 
  private:
   std::vector<double> jacobian_;
 };
 
-/// The motor of one independent coordinate, with the mechanical stops at its position limits.
+/// The motor of one independent coordinate, with the mechanical stops at its position limits and what its joints lose.
 ///
 /// Implicit PD: with h the step, the impulse p = h (kp (q* - q - h qd') + kd (qd* - qd')) of the velocity qd' after the
 /// step is the row  qd' + gamma p = gamma h (kp (q* - q) + kd qd*),  gamma = 1 / (h^2 kp + h kd),
-/// stable for every gain. Limits are on the sum of feed-forward and PD.
+/// stable for every gain. Limits are on the sum of feed-forward and PD. Of both a share arrives at the joint.
+///
+/// Losses are implicit too. Damping d and rotor inertia J, with qd the velocity at the start of the step (Bullet has
+/// added the step's forces to its own by the time rows are made):  p = -J (qd' - qd) - h d qd'  is the row
+/// qd' + p / (J + h d) = J qd / (J + h d). Dry friction f is the row qd' = 0 with an impulse within +-h f. None of them
+/// can add energy.
 class MotorRow : public JointSpaceConstraint {
  public:
   /// Which of its rows is which: JointSpaceConstraint's index.
-  static constexpr int kDrive = 0, kStop = 1;
+  static constexpr int kDrive = 0, kStop = 1, kLoss = 2, kDryFriction = 3;
 
-  struct Limits {
-    double lower, upper;  ///< position
-    double effort;
+  struct Traits {
+    double lower, upper;        ///< position
+    double damping, friction;   ///< of its joints
+    double rotor_inertia;       ///< as felt at the coordinate
+    double torque_scale = 1.0;  ///< share of the motor's torque that arrives
+
+    bool drags() const { return damping > 0.0 || rotor_inertia > 0.0; }
   };
-  MotorRow(const RobotBody& robot, btMultiBody& body, int dof, const Limits& limits);
+  MotorRow(const RobotBody& robot, btMultiBody& body, int dof, const Traits& traits);
 
   struct Target {
     double q, v;
-    double tau_ff;  ///< within the effort limit
+    double tau_ff;  ///< within the limits
     double stiffness, damping;
-    double excess = 0.0;  ///< feed-forward beyond the limit: the row has it, so that the sum is what is limited
+    double excess = 0.0;  ///< feed-forward beyond the limits: the row has it, so that the sum is what is limited
+    double wanted = 0.0;  ///< by the state at the start of the step, without limits
+    EffortRange limits = {};
   };
-  void SetTarget(const Target& target) { target_ = target; }
+  /// For the coming step; to be called at its start, when the joints have their old velocities still.
+  void SetTarget(const Target& target);
 
   void createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
                             const btContactSolverInfo& info) override;
 
-  /// Torque of the last step: feed-forward plus PD.
+  /// The motor's own torque of the last step, feed-forward plus PD, arriving or not.
   double Torque(double step_s);
-  double effort_limit() const { return limits_.effort; }
+  const Target& target() const { return target_; }
 
-  /// The coordinate, as the mean of its joints.
+  /// The coordinate and its rate, as the mean of its joints.
   double Position() const;
+  double Rate() const;
 
  private:
+  void AddLosses(double step_s, const Response& response, btMultiBodyConstraintArray& rows,
+                 btMultiBodyJacobianData& data);
+
   const std::vector<RobotBody::Member>& members_;
-  Limits limits_;
+  Traits traits_;
   Target target_ = {};
+  double start_rate_ = 0.0;
   bool driven_ = false;
 };
 

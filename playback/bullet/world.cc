@@ -8,9 +8,11 @@
 #include <numbers>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/joint_losses.h"
 #include "planning/plan/sole_support.h"
 #include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/contact_reader_internal.h"
+#include "playback/bullet/drive_internal.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
 #include "playback/bullet/robot_body_internal.h"
@@ -59,6 +61,39 @@ bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q,
   return body;
 }
 
+/// What a joint is like as a motor's load; disturbances come on top of what the model says.
+bullet::MotorRow::Traits TraitsOf(const RobotModel& model, const WorldOptions& options, int dof) {
+  bullet::MotorRow::Traits traits{
+      .lower = model.dof_lower(dof),
+      .upper = model.dof_upper(dof),
+      .damping = 0.0,
+      .friction = options.joint_friction_nm,
+      .rotor_inertia = options.rotor_inertia_kg_m2,
+      .torque_scale = options.torque_scale,
+  };
+  if (!options.joint_losses) return traits;
+  const JointLosses losses = LossesOf(model, dof);
+  traits.damping += losses.damping;
+  traits.friction += losses.friction;
+  traits.rotor_inertia += losses.rotor_inertia;
+  return traits;
+}
+
+bullet::Drive DriveOf(const RobotModel& model, const WorldOptions& options, int dof) {
+  Motor motor = model.MotorOf(dof);
+  if (!options.motor_curve) motor.corner_speed = motor.no_load_speed = Motor::kNone;
+  if (!options.thermal_limit) motor.continuous_effort = Motor::kNone;
+  return {motor, options.motor_strength * model.dof_effort_limit(dof)};
+}
+
+/// A motor that can give nothing one way is at its limit when it is asked to push that way.
+bool AtLimit(double torque, const bullet::MotorRow::Target& target) {
+  const double direction = torque != 0.0 ? torque : target.wanted;
+  if (direction == 0.0) return false;
+  const double limit = direction > 0.0 ? target.limits.highest : -target.limits.lowest;
+  return std::isfinite(limit) && std::abs(torque) >= limit * (1.0 - 1e-9);
+}
+
 void CheckSize(const VectorX& values, const char* what, int n) {
   if (values.size() != n) {
     throw InvalidArgument(fmt::format("command has {} numbers for '{}'; {} are needed", values.size(), what, n));
@@ -95,6 +130,7 @@ struct BulletWorld::Impl {
     body.AddTo(world);
     AddMotors();
     tau = VectorX::Zero(model.num_dofs());
+    feed_forward = tau;
     saturated.assign(model.dof_names.size(), 0);
     Refresh();
   }
@@ -121,10 +157,9 @@ struct BulletWorld::Impl {
   void AddMotors() {
     for (int dof = 0; dof < model.num_dofs(); ++dof) {
       motors.push_back(nullptr);
+      drives.push_back(DriveOf(model, options, dof));
       if (body.locked(dof)) continue;
-      const bullet::MotorRow::Limits limits{model.dof_lower(dof), model.dof_upper(dof),
-                                            options.motor_strength * model.dof_effort_limit(dof)};
-      motors.back() = std::make_unique<bullet::MotorRow>(body, body.multibody(), dof, limits);
+      motors.back() = std::make_unique<bullet::MotorRow>(body, body.multibody(), dof, TraitsOf(model, options, dof));
       world.addMultiBodyConstraint(motors.back().get());
     }
     for (std::size_t i = 0; i < model.joints.size(); ++i) {
@@ -143,24 +178,22 @@ struct BulletWorld::Impl {
   }
 
   /// What a motor shall add to the feed-forward; all of it when torques are explicit.
-  bullet::MotorRow::Target TargetOf(const JointCommand& command, int dof, double limit) {
-    const double kp = command.stiffness[dof], kd = command.damping[dof];
-    double torque = command.tau_ff[dof];
+  bullet::MotorRow::Target TargetOf(const JointCommand& command, int dof, const bullet::EffortRange& limits) {
+    const double kp = command.stiffness[dof], kd = command.damping[dof], torque = command.tau_ff[dof];
+    const double wanted = torque + (kp * (command.q[dof] - q[7 + dof]) + kd * (command.v[dof] - v[6 + dof]));
     const bool has_row = options.actuation != "torque" && (kp > 0.0 || kd > 0.0);  // which limits the sum
-    const double inside = std::clamp(torque, -limit, limit);
-    if (has_row) return {command.q[dof], command.v[dof], inside, kp, kd, torque - inside};
-    torque += kp * (command.q[dof] - q[7 + dof]) + kd * (command.v[dof] - v[6 + dof]);
-    return {0.0, 0.0, std::clamp(torque, -limit, limit), 0.0, 0.0, 0.0};
+    const double inside = std::clamp(torque, limits.lowest, limits.highest);
+    if (has_row) return {command.q[dof], command.v[dof], inside, kp, kd, torque - inside, wanted, limits};
+    return {0.0, 0.0, std::clamp(wanted, limits.lowest, limits.highest), 0.0, 0.0, 0.0, wanted, limits};
   }
 
   void Command(const JointCommand& command) {
-    VectorX feed_forward = VectorX::Zero(model.num_dofs());
     for (int dof = 0; dof < model.num_dofs(); ++dof) {
-      auto& motor = motors[static_cast<std::size_t>(dof)];
-      if (!motor) continue;
-      const auto target = TargetOf(command, dof, motor->effort_limit());
-      motor->SetTarget(target);
-      feed_forward[dof] = target.tau_ff;
+      const auto d = static_cast<std::size_t>(dof);
+      if (!motors[d]) continue;
+      const auto target = TargetOf(command, dof, drives[d].At(v[6 + dof]));
+      motors[d]->SetTarget(target);
+      feed_forward[dof] = options.torque_scale * target.tau_ff;
     }
     body.AddTorque(feed_forward);
   }
@@ -168,9 +201,10 @@ struct BulletWorld::Impl {
   void ReadTorques() {
     for (std::size_t i = 0; i < motors.size(); ++i) {
       if (!motors[i]) continue;
-      const double torque = motors[i]->Torque(options.step_s), limit = motors[i]->effort_limit();
+      const double torque = motors[i]->Torque(options.step_s);
       tau[static_cast<Eigen::Index>(i)] = torque;
-      saturated[i] = std::isfinite(limit) && std::abs(torque) >= limit * (1.0 - 1e-9) ? 1 : 0;
+      saturated[i] = AtLimit(torque, motors[i]->target()) ? 1 : 0;
+      drives[i].Warm(torque, options.step_s);
     }
   }
 
@@ -207,10 +241,11 @@ struct BulletWorld::Impl {
   bullet::CondensedSolver solver;
   btMultiBodyDynamicsWorld world;
   std::vector<std::unique_ptr<bullet::MotorRow>> motors;  ///< by dof; null where locked
+  std::vector<bullet::Drive> drives;                      ///< by dof
   std::vector<std::unique_ptr<bullet::GearRow>> gears;
   bullet::ContactReader reader;
   DynamicsScratch before, after;
-  VectorX q, v, tau;
+  VectorX q, v, tau, feed_forward;
   std::vector<char> saturated;
 };
 
@@ -228,6 +263,14 @@ const VectorX& BulletWorld::q() const { return impl_->q; }
 const VectorX& BulletWorld::v() const { return impl_->v; }
 const VectorX& BulletWorld::tau() const { return impl_->tau; }
 const std::vector<char>& BulletWorld::saturated() const { return impl_->saturated; }
+VectorX BulletWorld::mean_square_effort() const {
+  VectorX squares(impl_->model.num_dofs());
+  for (Eigen::Index dof = 0; dof < squares.size(); ++dof) {
+    squares[dof] = impl_->drives[static_cast<std::size_t>(dof)].mean_square();
+  }
+  return squares;
+}
+
 const std::vector<FootContact>& BulletWorld::feet() const { return impl_->reader.feet(); }
 const std::vector<std::string>& BulletWorld::body_contacts() const { return impl_->reader.body_contacts(); }
 

@@ -29,9 +29,10 @@ struct FootContact {
 /// states out in our own order and frames. Deterministic; make a new one for each playback.
 ///
 /// The state is integrated semi-implicitly (q' = q + h v'). Motors are implicit PD with feed-forward and a limit on the
-/// sum; position limits are hard stops; mimic joints are geared to their leader (NAO's RHipYawPitch), and the torque of
-/// the coordinate drives the whole gear. Contact is hard, friction a cone, restitution zero; the robot does not touch
-/// itself. Damping and friction of URDF joints are not modelled.
+/// sum, which follows torque-speed curves and warmth (see Motor); damping, dry friction and rotor inertia of the joints
+/// act implicitly, and never add energy; position limits are hard stops; mimic joints are geared to their leader (NAO's
+/// RHipYawPitch), and the torque of the coordinate drives the whole gear. Contact is hard, friction a cone, restitution
+/// zero; the robot does not touch itself.
 class BulletWorld {
  public:
   /// @param q  first configuration, size nq; also where locked joints stay, and its x and y the start point of the
@@ -63,12 +64,17 @@ class BulletWorld {
   void Step(const JointCommand& command);
 
   // Of the last step.
-  const VectorX& tau() const;                             ///< applied, by independent joint; zero where locked
-  const std::vector<char>& saturated() const;             ///< by independent joint: at its effort limit
-  const std::vector<FootContact>& feet() const;           ///< by foot
+  const VectorX& tau() const;                    ///< of the motors, by independent joint; zero where locked
+  const std::vector<char>& saturated() const;    ///< by independent joint: at the effort limit in force in the step
+  const std::vector<FootContact>& feet() const;  ///< by foot
   const std::vector<std::string>& body_contacts() const;  ///< links other than feet that touch the ground
 
-  /// Accelerations (size nv) by Bullet's articulated-body algorithm with no contact; the state is left at q, v.
+  /// Mean square of each motor's effort over its thermal_s, cold at first: what a thermal limit goes by; 0 where the
+  /// model gives no continuous effort.
+  VectorX mean_square_effort() const;
+
+  /// Accelerations (size nv) by Bullet's articulated-body algorithm with no contact and no losses; the state is left at
+  /// q, v.
   VectorX Accelerations(const VectorX& q, const VectorX& v, const VectorX& tau);
 
   double total_mass_kg() const;

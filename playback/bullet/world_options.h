@@ -15,6 +15,7 @@ namespace gaitwright {
 ///   slow                              fewer solver_iterations; locked_dofs; a larger step_s
 ///   feet sink in                      lower contact_cfm
 ///   contact forces rattle at rest     raise contact_cfm tenfold
+///   is it the motors or the plan?     joint_losses, motor_curve, thermal_limit off, one at a time
 struct WorldOptions {
   double step_s = 0.001;
   int solver_iterations = 50;
@@ -32,13 +33,21 @@ struct WorldOptions {
   double bump_wavelength_m = 0.4;
   double bump_free_radius_m = 0.0;
   int seed = 0;
+  bool joint_losses = true;
+  bool motor_curve = true;
+  bool thermal_limit = true;
+  double joint_friction_nm = 0.0;
+  double rotor_inertia_kg_m2 = 0.0;
+  double torque_scale = 1.0;
 
   /// Independent joints that are held at their first position without a motor, as if welded.
   std::vector<int> locked_dofs = {};
   /// Bumps reach this far in plan view [m]; beyond there is no bumpy ground. Play takes it from the plan.
   Vector2 bumps_from_W = Vector2(-5.0, -5.0), bumps_to_W = Vector2(5.0, 5.0);
 
-  OptionFields Fields() {
+  OptionFields Fields() { return Joined({PhysicsFields(), ActuatorFields()}); }
+
+  OptionFields PhysicsFields() {
     return {
         {"step_s", &step_s, "s", 1e-5, 0.01, "Time step.", {}},
         {"solver_iterations", &solver_iterations, "1", 1, 10000, "Iterations of the contact solver per step.", {}},
@@ -110,8 +119,41 @@ struct WorldOptions {
          "Level ground about the start point, before bumps rise over half a wavelength; 0 takes in the feet at the "
          "start.",
          {}},
-        {"seed", &seed, "1", 0, 2147483647, "Of the bumps.", {}},
-    };
+        {"seed", &seed, "1", 0, 2147483647, "Of the bumps.", {}}};
+  }
+
+  OptionFields ActuatorFields() {
+    return {
+        {"joint_losses",
+         &joint_losses,
+         "",
+         0.0,
+         0.0,
+         "Whether the robot's joint damping, dry friction and rotor inertia act: true or false.",
+         {}},
+        {"motor_curve", &motor_curve, "", 0.0, 0.0, "Whether its torque-speed curves do.", {}},
+        {"thermal_limit",
+         &thermal_limit,
+         "",
+         0.0,
+         0.0,
+         "Whether its motors are held to their continuous effort once they are warm.",
+         {}},
+        {"joint_friction_nm",
+         &joint_friction_nm,
+         "N m",
+         0.0,
+         1000.0,
+         "Dry friction added to every joint with a motor, unknown to the controller; N for one that slides.",
+         {}},
+        {"rotor_inertia_kg_m2",
+         &rotor_inertia_kg_m2,
+         "kg m^2",
+         0.0,
+         100.0,
+         "Rotor inertia added to every motor as felt at its joint, likewise; kg for one that slides.",
+         {}},
+        {"torque_scale", &torque_scale, "1", 0.01, 2.0, "Share of each motor's torque that reaches its joint.", {}}};
   }
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/joint_losses.h"
 
 namespace gaitwright {
 namespace {
@@ -29,9 +30,10 @@ std::vector<int> LegOfDof(const RobotModel& model) {
   return leg_of;
 }
 
-Gain LegGain(const RobotModel& model, const Leg& leg, JointType type, const GainOptions& options) {
+Gain LegGain(const RobotModel& model, const Leg& leg, int dof, const GainOptions& options) {
   const double mass = model.total_mass_kg / static_cast<double>(model.legs.size());
-  const double inertia = type == JointType::kPrismatic ? mass : mass * leg.length_m * leg.length_m;
+  const double share = model.LeaderOf(dof).is_prismatic() ? mass : mass * leg.length_m * leg.length_m;
+  const double inertia = share + model.MotorOf(dof).rotor_inertia;
   return FromInertia(inertia, options.stance_frequency * std::sqrt(kGravity / leg.length_m), options.stance_damping);
 }
 
@@ -43,19 +45,19 @@ Gains DeriveGains(const RobotModel& model, const GainOptions& options) {
   DynamicsScratch scratch(model);
   MatrixX M = MatrixX::Zero(model.nv(), model.nv());
   MassMatrix(model, StandingConfiguration(model), scratch, M);
+  AddRotorInertia(model, M);
   const MatrixX mobility = M.inverse().bottomRightCorner(model.num_dofs(), model.num_dofs());
   const std::vector<int> leg_of = LegOfDof(model);
 
   Gains gains{VectorX::Zero(model.num_dofs()), VectorX::Zero(model.num_dofs())};
   for (int dof = 0; dof < model.num_dofs(); ++dof) {
     const auto d = static_cast<std::size_t>(dof);
-    const JointType type = model.joints[static_cast<std::size_t>(model.dof_joint[d])].type;
     const double inertia = 1.0 / mobility(dof, dof);
     Gain gain = FromInertia(inertia, options.free_frequency_rad_s, options.free_damping);
     if (leg_of[d] >= 0) {
-      gain = LegGain(model, model.legs[static_cast<std::size_t>(leg_of[d])], type, options);
+      gain = LegGain(model, model.legs[static_cast<std::size_t>(leg_of[d])], dof, options);
     } else if (!model.legs.empty()) {
-      const Gain leg = LegGain(model, model.legs.front(), type, options);
+      const Gain leg = LegGain(model, model.legs.front(), dof, options);
       gain = {std::min(gain.stiffness, leg.stiffness), std::min(gain.damping, leg.damping)};
     }
     if (model.stiffness[dof] > 0.0) gain.stiffness = model.stiffness[dof];

@@ -11,6 +11,7 @@ namespace gaitwright {
 ///   stamps; contact forces ring at touch-down         lower stance_frequency or raise stance_damping
 ///   swing legs or arms ring                           raise stance_damping, free_damping
 ///   explicit torque control explodes at lift-off      give explicit_step_s
+///   overshoots where joints turn back, buzzes at rest lower loss_feed_forward or raise friction_speed_rad_s
 struct GainOptions {
   double stance_frequency = 4.0;
   double stance_damping = 0.7;
@@ -18,6 +19,8 @@ struct GainOptions {
   double free_damping = 1.0;
   double explicit_step_s = 0.0;
   double stiffness_scale = 1.0, damping_scale = 1.0;
+  double loss_feed_forward = 1.0;
+  double friction_speed_rad_s = 0.1;
 
   OptionFields Fields() {
     return {
@@ -47,7 +50,22 @@ struct GainOptions {
          "its actuation is torque, else no bound.",
          {}},
         {"stiffness_scale", &stiffness_scale, "1", 0.0, 100.0, "Factor on all stiffness, however it came about.", {}},
-        {"damping_scale", &damping_scale, "1", 0.0, 100.0, "The same for damping.", {}}};
+        {"damping_scale", &damping_scale, "1", 0.0, 100.0, "The same for damping.", {}},
+        {"loss_feed_forward",
+         &loss_feed_forward,
+         "1",
+         0.0,
+         1.0,
+         "Share of the joints' damping, dry friction and rotor inertia, as far as robot.yaml or URDF tell them, that "
+         "feed-forward makes up for.",
+         {}},
+        {"friction_speed_rad_s",
+         &friction_speed_rad_s,
+         "rad/s",
+         1e-4,
+         100.0,
+         "Planned speed from which on it makes up for most of the dry friction; times a leg's length for a slide.",
+         {}}};
   }
 };
 
@@ -66,6 +84,7 @@ struct Gains {
 ///       kp = I w^2,  w = free_frequency,  kd = 2 free_damping I w, not above the leg's gains
 ///   bound for explicit control with step h:  kd <= 0.5 I_j / h, kp <= 0.25 I_j / h^2,
 ///       I_j = 1 / lambda, the row sum of |M^-1|: Gershgorin's bound on coupled joints
+/// A rotor's inertia counts with the rest: it is on the diagonal of M, and is added to a leg joint's I.
 /// RobotModel::stiffness and damping take precedence where they are not zero. `stiffness_scale` and `damping_scale`
 /// multiply what comes out, before the bound.
 ///

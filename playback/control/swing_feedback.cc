@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kinematics/model/joint_losses.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
@@ -65,6 +66,7 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
   SampleWholeBody(plan_.whole_body, now.time_s + now.step_s, next_);
   ForwardVelocities(model_, next_.q, next_.v, next_scratch_);
   MassMatrix(model_, now.measured.q, mass_scratch_, mass_);
+  AddRotorInertia(model_, mass_);
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     Offset& offset = offsets_[static_cast<std::size_t>(f)];
     if (legs_.dofs(f).empty()) continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 #include "kinematics/model/load_robot.h"
 #include "workflows/walk/walk.h"
 
@@ -54,10 +56,32 @@ void PlayCall(benchmark::State& state, const char* controller) {
   state.counters["times_real_time"] = times_real_time;
 }
 
+/// The same with damping, dry friction and rotor inertia in every joint, and motors with curve and thermal limit.
+void PlayLossesCall(benchmark::State& state) {
+  Walk walk(state);
+  const MotionPlan plan = walk.Plan();
+  walk.model.motors.resize(walk.model.dof_names.size());
+  for (Joint& joint : walk.model.joints) {
+    joint.damping = 0.01;
+    joint.friction = 0.02 * std::min(joint.effort_limit, 10.0);
+  }
+  for (int dof = 0; dof < walk.model.num_dofs(); ++dof) {
+    Motor& motor = walk.model.motors[static_cast<std::size_t>(dof)];
+    motor.rotor_inertia = 1e-4 * std::min(walk.model.dof_effort_limit(dof), 50.0);
+    motor.corner_speed = 0.5 * walk.model.LeaderOf(dof).velocity_limit;
+    motor.no_load_speed = 2.0 * motor.corner_speed;
+    motor.continuous_effort = 0.5 * walk.model.dof_effort_limit(dof);
+  }
+  double times_real_time = 0.0;
+  for (auto _ : state) times_real_time = PlayWalk(walk.model, plan, PlayRequest{}).value().realtime_factor;
+  state.counters["times_real_time"] = times_real_time;
+}
+
 BENCHMARK(PlanMotionCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(AuditCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(PlayCall, joint_pd, "joint-pd")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(PlayCall, stabilised, "stabilised")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(PlayLossesCall)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace gaitwright

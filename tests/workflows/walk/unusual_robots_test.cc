@@ -35,6 +35,15 @@ TEST_P(UnusualRobot, WalksAtItsOwnSpeed) {
   EXPECT_TRUE(played->report.pass) << played->report.reason;
 }
 
+/// Four-legged, with joints that are damped and rub: those of small geared motors, 3 % of its efforts.
+std::string Rubbing() {
+  std::string urdf = unusual::Plain();
+  for (std::size_t at = 0; (at = urdf.find("<limit", at)) != std::string::npos; at += 50) {
+    urdf.insert(at, "<dynamics damping='0.3' friction='1.2'/>");
+  }
+  return urdf;
+}
+
 std::vector<Case> Cases() {
   return {{"telescopic", unusual::Telescopic(), ""},
           {"insect", unusual::Insect(), ""},
@@ -42,6 +51,7 @@ std::vector<Case> Cases() {
           {"arm_and_tail", unusual::ArmAndTail(), ""},
           {"biped", unusual::SoledBiped(true, false), ""},
           {"humanoid", unusual::SoledBiped(true, true), ""},
+          {"rubbing", Rubbing(), ""},
           {"tiny", unusual::Plain(0.25), ""},
           {"huge", unusual::Plain(3.0), ""}};
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/joint_losses.h"
+
+#include <cmath>
+
+namespace gaitwright {
+
+JointLosses LossesOf(const RobotModel& model, int dof) {
+  JointLosses losses{.rotor_inertia = model.MotorOf(dof).rotor_inertia};
+  for (const Joint& joint : model.joints) {
+    if (joint.dof != dof) continue;
+    losses.damping += joint.multiplier * joint.multiplier * joint.damping;
+    losses.friction += std::abs(joint.multiplier) * joint.friction;
+  }
+  return losses;
+}
+
+void AddRotorInertia(const RobotModel& model, MatrixX& M) {
+  for (int dof = 0; dof < model.num_dofs(); ++dof) M(6 + dof, 6 + dof) += model.MotorOf(dof).rotor_inertia;
+}
+
+}  // namespace gaitwright

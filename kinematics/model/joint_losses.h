@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// What an independent coordinate takes of its motor's torque for itself, beyond what moves the bodies:
+///   tau_lost = rotor_inertia * a + damping * v + friction * sign(v).
+/// Units are those of a joint that turns; of one that slides kg, N s/m and N.
+struct JointLosses {
+  double rotor_inertia = 0.0;  ///< of rotor and gear, as felt at the joint [kg m^2]
+  double damping = 0.0;        ///< [N m s/rad]
+  double friction = 0.0;       ///< dry [N m]
+
+  bool none() const { return rotor_inertia <= 0.0 && damping <= 0.0 && friction <= 0.0; }
+};
+
+/// The losses that robot.yaml and URDF tell of coordinate `dof`. Damping and friction are those of all joints that it
+/// moves: sums of multiplier^2 * damping and of |multiplier| * friction.
+JointLosses LossesOf(const RobotModel& model, int dof);
+
+/// Adds the rotors' inertia to the diagonal of a mass matrix M(q), size nv x nv.
+void AddRotorInertia(const RobotModel& model, MatrixX& M);
+
+}  // namespace gaitwright

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/joint_losses.h"
+#include "playback/control/gains.h"
+
+namespace gaitwright {
+
+/// What motors must give on top of a plan's torques, which know rigid bodies only, for what the joints take for
+/// themselves:  tau += share (J a + d v + f tanh(v / v_s)),
+/// with J the rotor's inertia, d the damping and f the dry friction of robot.yaml or URDF, v and a of the plan, and v_s
+/// `friction_speed_rad_s` (times a leg's length for a slide), so that a joint that rests is not shaken by the sign of
+/// next to nothing. It costs nothing for a robot of which nothing is known.
+class LossFeedForward {
+ public:
+  /// @throws InvalidArgument for an option out of its range.
+  LossFeedForward(const RobotModel& model, const GainOptions& options);
+
+  /// Adds the rotors' part for planned accelerations, size n [rad/s^2].
+  void AddInertia(const Eigen::Ref<const VectorX>& a, VectorX& tau) const;
+  /// Adds the part of damping and dry friction for planned rates, size n [rad/s].
+  void AddDrag(const VectorX& v, VectorX& tau) const;
+
+ private:
+  struct Loss {
+    int dof;
+    JointLosses losses;     ///< times the share
+    double friction_speed;  ///< [rad/s] or [m/s]
+  };
+  std::vector<Loss> losses_;  ///< of the joints that have any
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright::one_joint {
+
+/// Two bodies that float, with one joint between them through both centres of mass: under no other force the joint is
+/// as one body of the reduced mass or inertia, kInertia, and gravity does not matter to it.
+inline constexpr double kInertia = 0.8, kEffort = 10.0;
+
+/// A slide along x between 4 kg and 1 kg, or a hinge about z between 4 kg m^2 and 1 kg m^2; no feet, no limits.
+inline RobotModel Make(JointType type) {
+  RobotModel model;
+  model.name = "one_joint";
+  const double no_limit = std::numeric_limits<double>::infinity();
+  for (const double size : {4.0, 1.0})
+    model.bodies.push_back({.name = "body", .mass = size, .I_C = size * Matrix3::Identity()});
+  model.joints.push_back({.name = "joint",
+                          .type = type,
+                          .axis_J = type == JointType::kPrismatic ? Vector3::UnitX() : Vector3::UnitZ(),
+                          .lower = -no_limit,
+                          .upper = no_limit,
+                          .velocity_limit = 100.0,
+                          .effort_limit = kEffort});
+  model.total_mass_kg = 5.0;
+  model.dof_names = {"joint"};
+  model.dof_joint = {0};
+  model.standing_joints = model.stiffness = model.damping = VectorX::Zero(1);
+  model.motors.resize(1);
+  return model;
+}
+
+}  // namespace gaitwright::one_joint
