@@ -65,6 +65,14 @@ OptionFields ImuFields(SensorOptions& o) {
        1.0,
        "Random walk of that bias, as a density.",
        {}},
+      {"gyroscope_cutoff_hz",
+       &o.gyroscope_cutoff_hz,
+       "Hz",
+       0.0,
+       kFastest,
+       "First-order low-pass of the angular velocity that the controller gets; the estimate of attitude has all of the "
+       "readings; 0: none.",
+       {}},
       {"accelerometer_noise_m_s2_sqrt_hz",
        &o.accelerometer_noise_m_s2_sqrt_hz,
        "m/s^2/sqrt(Hz)",
@@ -155,6 +163,7 @@ SensorOptions GoodSensors() {
   o.gyroscope_noise_rad_s_sqrt_hz = 2e-4;
   o.gyroscope_bias_rad_s = 1e-3;
   o.gyroscope_walk_rad_s2_sqrt_hz = 1e-5;
+  o.gyroscope_cutoff_hz = 100.0;
   o.accelerometer_noise_m_s2_sqrt_hz = 2e-4 * kGravity;
   o.accelerometer_bias_m_s2 = 2e-3 * kGravity;
   o.accelerometer_walk_m_s3_sqrt_hz = 1e-5 * kGravity;
@@ -173,6 +182,7 @@ SensorOptions HobbySensors() {
   o.gyroscope_noise_rad_s_sqrt_hz = 5e-3;
   o.gyroscope_bias_rad_s = 0.01;
   o.gyroscope_walk_rad_s2_sqrt_hz = 1e-4;
+  o.gyroscope_cutoff_hz = 40.0;
   o.accelerometer_noise_m_s2_sqrt_hz = 3e-3 * kGravity;
   o.accelerometer_bias_m_s2 = 0.02 * kGravity;
   o.accelerometer_walk_m_s3_sqrt_hz = 1e-4 * kGravity;

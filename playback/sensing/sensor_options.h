@@ -16,8 +16,8 @@ namespace gaitwright {
 /// Figures of encoders are in radians, for joints that slide in metres.
 ///
 /// Tuning
-///   the robot rattles on its legs      lower speed_cutoff_hz
-///   pushes are answered late           raise speed_cutoff_hz
+///   the robot rattles on its legs      lower speed_cutoff_hz, gyroscope_cutoff_hz
+///   pushes are answered late           raise them
 struct SensorOptions {
   double encoder_noise_rad = 0.0;
   double encoder_bias_rad = 0.0;
@@ -28,6 +28,7 @@ struct SensorOptions {
   double gyroscope_noise_rad_s_sqrt_hz = 0.0;
   double gyroscope_bias_rad_s = 0.0;
   double gyroscope_walk_rad_s2_sqrt_hz = 0.0;
+  double gyroscope_cutoff_hz = 0.0;
   double accelerometer_noise_m_s2_sqrt_hz = 0.0;
   double accelerometer_bias_m_s2 = 0.0;
   double accelerometer_walk_m_s3_sqrt_hz = 0.0;
