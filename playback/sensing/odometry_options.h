@@ -13,7 +13,7 @@ namespace gaitwright {
 ///   follows a foot that slides                    lower gate
 ///   leans on sloping ground                       raise start_tilt_rad
 struct OdometryOptions {
-  double stance_slip_m_s_sqrt_hz = 0.003;
+  double stance_slip_m_s_sqrt_hz = 0.002;
   double landing_slip_m_s_sqrt_hz = 0.1;
   double stance_turn_rad_s_sqrt_hz = 0.01;
   double landing_turn_rad_s_sqrt_hz = 0.5;
