@@ -21,7 +21,7 @@ struct OdometryOptions {
   double trust_load = 0.1;
   double model_error_m = 0.0002;
   double gate = 5.0;
-  double start_tilt_rad = 0.01;
+  double start_tilt_rad = 0.02;
   double terrain_height_m = 0.0;
 
   OptionFields Fields() {
