@@ -29,7 +29,7 @@ Result<PlayedWalk> PlayAsAsked(const Arguments& a, const RobotModel& model, cons
 }
 
 int Run(Arguments& a) {
-  a.play.request.play.world.seed = a.common.seed;
+  a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
   ApplySets("--set", a.common.sets, a.play.request.Fields());
   a.play.Finish();
   Paths paths{

@@ -26,7 +26,7 @@ void CheckPathsOf(const Arguments& a) {
 }
 
 int Run(Arguments& a) {
-  a.play.request.play.world.seed = a.common.seed;
+  a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
   ApplySets("--set", a.common.sets, Joined({a.walk.request.Fields(), a.play.request.Fields()}));
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   CheckPathsOf(a);

@@ -2,6 +2,19 @@
 #include "cli/walk_arguments.h"
 
 namespace gaitwright::cli {
+namespace {
+
+/// Why there is no ready-made set of sensors of that name, or "".
+std::string NotAKind(const std::string& kind) {
+  try {
+    SensorsOfKind(kind);
+    return "";
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
 
 void WalkArguments::AddTo(CLI::App& verb) {
   verb.option_defaults()->group("Robot and ground");
@@ -98,6 +111,14 @@ void PlayArguments::AddTo(CLI::App& verb) {
   const OptionFields fields = request.Fields();
   verb.option_defaults()->group("Playback, and what the plan does not know");
   AddText(verb, "--controller", "NAME", request.controller, "stabilised or joint-pd; default stabilised.");
+  AddField(verb, "--state", fields, "state");
+  verb.add_option_function<std::string>(
+          "--sensors", [this](const std::string& kind) { request.sensing.sensors = SensorsOfKind(kind); },
+          "Figures of the sensors that --state measured and estimated have: ideal, good or hobby, see docs/sensing.md; "
+          "--set sensors.* changes single ones; default ideal.")
+      ->type_name("KIND")
+      ->check(NotAKind);
+  AddField(verb, "--command-delay", fields, "command_delay_s");
   AddText(verb, "--push", "fx,fy,fz", push,
           "Push on the base in N, world axes: x ahead, y to the left, z up; default none.");
   only_with_push = {AddField(verb, "--push-at", fields, "play.push_at_s"),

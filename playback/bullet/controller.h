@@ -7,10 +7,11 @@
 #include "kinematics/spatial/pose.h"
 #include "planning/plan/gait.h"
 #include "planning/plan/motion_plan.h"
+#include "playback/log/playback_log.h"
 
 namespace gaitwright {
 
-/// What a controller is told at the start of a step. All of it is measured.
+/// What a controller is told at the start of a step. All of it is measured, in playbacks without errors of sensors.
 struct ControlInput {
   double time_s = 0.0;  ///< on the plan's clock; after the plan's end it runs on
   double step_s = 0.001;
@@ -42,6 +43,10 @@ class Controller {
 
   /// Called before a playback: forgets what an earlier one left behind.
   virtual void Reset() {}
+
+  /// The base at the last update as the controller takes it to be, where it estimates that; nothing where it has the
+  /// true one. For the log.
+  virtual const BaseEstimate* Estimate() const { return nullptr; }
 
   /// For logs and reports, such as "joint-pd".
   virtual std::string Name() const = 0;

@@ -185,6 +185,7 @@ class Playback {
       if ((k + 1) % stride_ == 0) log_.samples.push_back(interval_.Take(end_s, world_));
       if (fall_.Over(end_s)) break;
     }
+    FinishEstimates(end_s);
     log_.stances = stances_.Finish(end_s);
     return std::move(log_);
   }
@@ -224,12 +225,18 @@ class Playback {
     for (long k = 0; k < steps; ++k) OneStep(log_.start_s, false);
   }
 
-  bool OneStep(double time_s, bool may_push = true) {
+  void ReadState(double time_s) {
     input_.time_s = time_s;
     input_.q = world_.q();
     input_.v = world_.v();
+  }
+
+  bool OneStep(double time_s, bool may_push = true) {
+    ReadState(time_s);
     if (may_push) Push(time_s);
-    world_.Step(controller_.Update(input_));
+    const JointCommand command = controller_.Update(input_);
+    LogEstimate();
+    world_.Step(command);
     input_.contact = 0;
     for (std::size_t i = 0; i < world_.feet().size(); ++i) {
       input_.wrenches[i] = world_.feet()[i].wrench;
@@ -244,6 +251,20 @@ class Playback {
       if (since_s <= -0.5 * step_s_ || since_s >= push.for_s - 0.5 * step_s_) continue;
       body == bullet::kWholeRobot ? world_.PushRobot(push.force_W) : world_.PushBody(body, push.force_W);
     }
+  }
+
+  /// What a controller makes of the state that was logged last, it tells when it is asked the next time.
+  void LogEstimate() {
+    const BaseEstimate* estimate = controller_.Estimate();
+    if (estimate != nullptr && !log_.samples.empty() && !log_.samples.back().estimate)
+      log_.samples.back().estimate = *estimate;
+  }
+
+  void FinishEstimates(double end_s) {
+    if (controller_.Estimate() == nullptr || log_.samples.empty() || log_.samples.back().estimate) return;
+    ReadState(end_s);
+    if (input_.q.allFinite() && input_.v.allFinite()) controller_.Update(input_);
+    LogEstimate();
   }
 
   void Record(double time_s) {

@@ -41,6 +41,17 @@ void CheckHead(const PlaybackLog& log) {
   for (const BodyContact& contact : log.body_contacts) CheckIn("body_contacts, time_s", contact.time_s, -kMost, kMost);
 }
 
+void CheckEstimate(const BaseEstimate& estimate, std::size_t k) {
+  CheckRow("estimate", k, estimate.p_WB);
+  CheckRow("estimate", k, estimate.R_WB.coeffs());
+  CheckRow("estimate", k, estimate.v_WB);
+  CheckRow("estimate", k, estimate.w_WB);
+  const double length = estimate.R_WB.norm();
+  if (!(std::abs(length - 1.0) <= kUnit))
+    throw InvalidArgument(
+        fmt::format("row {} of 'estimate' has a quaternion of length {:.6g}; it must be 1", k, length));
+}
+
 void CheckSample(const PlaybackLog& log, std::size_t k, std::size_t feet) {
   const LogSample& sample = log.samples[k];
   CheckIn("time_s", sample.time_s, -kMost, kMost);
@@ -55,6 +66,7 @@ void CheckSample(const PlaybackLog& log, std::size_t k, std::size_t feet) {
     CheckRow("contact_wrenches", k, wrench.force_W);
     CheckRow("contact_wrenches", k, wrench.moment_W);
   }
+  if (sample.estimate) CheckEstimate(*sample.estimate, k);
   const double length = sample.q.segment<4>(3).norm();
   if (!(std::abs(length - 1.0) <= kUnit))
     throw InvalidArgument(fmt::format("row {} of 'q' has a quaternion of length {:.6g}; it must be 1", k, length));

@@ -16,6 +16,7 @@ namespace gaitwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr Eigen::Index kEstimateRow = 13;
 constexpr char kFormat[] = "gaitwright-playback-log";
 
 template <class Vector>
@@ -80,6 +81,17 @@ void AppendRows(std::string& text, const char* key, const std::vector<LogSample>
   text += ']';
 }
 
+bool HasEstimates(const PlaybackLog& log) {
+  return !log.samples.empty() &&
+         std::all_of(log.samples.begin(), log.samples.end(), [](const LogSample& s) { return s.estimate.has_value(); });
+}
+
+VectorX EstimateRow(const LogSample& sample) {
+  VectorX row(kEstimateRow);
+  row << sample.estimate->p_WB, sample.estimate->R_WB.coeffs(), sample.estimate->v_WB, sample.estimate->w_WB;
+  return row;
+}
+
 VectorX WrenchRow(const LogSample& sample) {
   VectorX row(6 * static_cast<Eigen::Index>(sample.wrenches.size()));
   for (std::size_t f = 0; f < sample.wrenches.size(); ++f) {
@@ -121,6 +133,11 @@ void ReadRows(const Json& j, const char* key, std::vector<LogSample>& samples, T
   }
 }
 
+BaseEstimate ToEstimate(const VectorX& row) {
+  if (row.size() != kEstimateRow) throw InvalidArgument(fmt::format("'estimate' needs {} numbers a row", kEstimateRow));
+  return {row.head<3>(), Quaternion(Eigen::Vector4d(row.segment<4>(3))), row.segment<3>(7), row.tail<3>()};
+}
+
 void ReadSamples(const Json& j, PlaybackLog& log) {
   std::vector<LogSample>& samples = log.samples;
   if (!j.at("q").is_array()) throw InvalidArgument("'q' is no list of rows");
@@ -137,6 +154,9 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
     if (row.size() % 6 != 0) throw InvalidArgument("'contact_wrenches' needs six numbers a foot");
     for (Eigen::Index f = 0; f < row.size(); f += 6) s.wrenches.push_back({row.segment<3>(f), row.segment<3>(f + 3)});
   });
+  if (j.contains("estimate")) {
+    ReadRows(j, "estimate", samples, [](const VectorX& row, LogSample& s) { s.estimate = ToEstimate(row); });
+  }
   const std::vector<JsonPart> contact = JsonPart(j).At("contact").List();
   if (contact.size() != samples.size()) {
     throw InvalidArgument(fmt::format("'contact' has {} numbers, {} are needed", contact.size(), samples.size()));
@@ -188,6 +208,7 @@ std::string LogToJson(const PlaybackLog& log) {
   AppendRows(text, "tau_nm", log.samples, [](const LogSample& s) { return s.tau; });
   AppendRows(text, "tau_peak_nm", log.samples, [](const LogSample& s) { return s.tau_peak; });
   AppendRows(text, "contact_wrenches", log.samples, [](const LogSample& s) { return WrenchRow(s); });
+  if (HasEstimates(log)) AppendRows(text, "estimate", log.samples, [](const LogSample& s) { return EstimateRow(s); });
   text += ",\n\"contact\": [";
   for (std::size_t k = 0; k < log.samples.size(); ++k) {
     fmt::format_to(std::back_inserter(text), "{}{}", k == 0 ? "" : ",", log.samples[k].contact);

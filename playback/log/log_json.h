@@ -12,11 +12,13 @@ namespace gaitwright {
 ///
 /// Keys: `format` ("gaitwright-playback-log"), `schema`, what PlaybackLog says of itself, `stances`, `body_contacts`,
 /// then one row per sample in each of `time_s`, `q`, `v`, `tau_nm`, `tau_peak_nm`, `contact` (bit i: foot i) and
-/// `contact_wrenches` (by foot: force [N], moment [N m]).
+/// `contact_wrenches` (by foot: force [N], moment [N m]), and `estimate` where the controller estimated the base:
+/// place, quaternion x y z w, velocity, angular velocity.
 std::string LogToJson(const PlaybackLog& log);
 
 /// A log from its JSON text. Refused with the reason: text that is cut short, that is no log, of another schema, a key
-/// that is missing or of the wrong kind, sizes that disagree, what CheckLog refuses. @param source names the text in messages.
+/// that is missing or of the wrong kind, sizes that disagree, what CheckLog refuses. @param source names the text in
+/// messages.
 Result<PlaybackLog> LogFromJson(const std::string& text, const std::string& source);
 
 /// Writes atomically. @return the path.

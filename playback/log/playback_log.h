@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,13 @@
 
 namespace gaitwright {
 
+/// The base as the controller took it to be.
+struct BaseEstimate {
+  Vector3 p_WB = Vector3::Zero();  ///< [m]
+  Quaternion R_WB = Quaternion::Identity();
+  Vector3 v_WB = Vector3::Zero(), w_WB = Vector3::Zero();  ///< in W [m/s], [rad/s]
+};
+
 /// What was measured over one log interval, at its end. Forces and torques are means over the interval.
 struct LogSample {
   double time_s = 0.0;
@@ -18,6 +26,7 @@ struct LogSample {
   VectorX tau_peak;                     ///< largest magnitude in the interval [N m]
   std::vector<ContactWrench> wrenches;  ///< by foot: mean over the interval, moment about the contact frame origin
   FootSet contact = 0;                  ///< feet that touch at time_s
+  std::optional<BaseEstimate> estimate = {};  ///< of q and v, where the controller had no more; in all samples or none
 };
 
 /// One stay of a foot on the ground, as measured.
@@ -41,7 +50,7 @@ struct BodyContact {
 
 /// What happened in the simulator; measured only, never copied from the plan. A pure value.
 struct PlaybackLog {
-  static constexpr int kSchema = 2;
+  static constexpr int kSchema = 3;
 
   std::string program_version;  ///< of the program that played
   std::string robot, robot_hash, plan_hash, controller;

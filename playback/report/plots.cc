@@ -45,6 +45,7 @@ std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, con
   std::vector<Plot> plots = {TopView(data)};
   if (IsUneven(plan.terrain)) plots.push_back(SideView(data));
   Append(BalancePlots(data), plots);
+  Append(EstimatePlots(data), plots);
   Append(ContactPlots(data), plots);
   Append(JointPlots(data), plots);
   return plots;

@@ -17,8 +17,9 @@ struct Plot {
 };
 
 /// All plots of a playback: top_view, side_view (on uneven ground), zmp_com_x, zmp_com_y, margins, errors,
-/// base_attitude, base_height, gait, foot_heights, foot_forces, torque_use (where a joint has a limit), joint_torques,
-/// joint_positions. Planned is broad and pale, measured thin and dark on top. They end shortly after a fall.
+/// base_attitude, base_height, estimate_error (where the controller estimated the base), gait, foot_heights,
+/// foot_forces, torque_use (where a joint has a limit), joint_torques, joint_positions. Planned is broad and pale,
+/// measured thin and dark on top. They end shortly after a fall.
 /// @throws InvalidArgument as Score does.
 std::vector<Plot> MakePlots(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                             const StabilityReport& report);
@@ -41,6 +42,7 @@ Plot SideView(const PlotData& data);
 std::vector<Plot> BalancePlots(const PlotData& data);
 std::vector<Plot> ContactPlots(const PlotData& data);
 std::vector<Plot> JointPlots(const PlotData& data);
+std::vector<Plot> EstimatePlots(const PlotData& data);
 
 class SvgPlot;
 /// Edges of the ground and what stands on it, in plan view about the walk.

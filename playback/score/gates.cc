@@ -110,6 +110,17 @@ std::vector<MetricRule> JointRules() {
   };
 }
 
+/// Of the controller's estimate of the base against the truth; they score nothing.
+std::vector<MetricRule> EstimateRules() {
+  return {
+      Told("estimate_drift_m", "m", kLower, 0.0, 0.1, false, "estimated place of the base at the end, in plan view"),
+      Told("estimate_height_m", "m", kLower, 0.0, 0.02, false, "estimated height of the base, largest error"),
+      Told("estimate_tilt_rad", "rad", kLower, 0.0, 0.03, false, "estimated up direction of the base, largest error"),
+      Told("estimate_velocity_m_s", "m/s", kLower, 0.0, 0.03, false,
+           "estimated velocity in the axes of the base, root mean square error"),
+  };
+}
+
 double LegFactor(const MetricRule& rule, const GateScale& scale) {
   return rule.scales_with_leg ? scale.leg_length_m / kReferenceLegLength : 1.0;
 }
@@ -119,7 +130,7 @@ double LegFactor(const MetricRule& rule, const GateScale& scale) {
 const std::vector<MetricRule>& MetricRules() {
   static const std::vector<MetricRule> rules = [] {
     std::vector<MetricRule> all = ProgressRules();
-    for (const auto& part : {BalanceRules(), ContactRules(), JointRules()})
+    for (const auto& part : {BalanceRules(), ContactRules(), JointRules(), EstimateRules()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -52,6 +52,18 @@ std::vector<Measurement> ZmpMeasurements(const ScoreInputs& in);
 std::vector<Measurement> BalanceMeasurements(const ScoreInputs& in);
 std::vector<Measurement> ContactMeasurements(const ScoreInputs& in);
 std::vector<Measurement> JointMeasurements(const ScoreInputs& in);
+std::vector<Measurement> EstimateMeasurements(const ScoreInputs& in);
+
+/// How far the base that a controller took for true is from the true one.
+struct EstimateError {
+  double horizontal_m = 0.0;  ///< in plan view
+  double height_m = 0.0;      ///< estimate less truth
+  double tilt_rad = 0.0;      ///< between the up directions, in the axes of the base
+  double velocity_m_s = 0.0;  ///< of the velocities in the axes of the base: the heading does not count
+};
+
+/// Of a sample with an estimate.
+EstimateError ErrorOf(const LogSample& sample);
 
 /// Whether the torque limit of an independent joint is more than a placeholder.
 bool HasTorqueLimit(const RobotModel& model, int dof);

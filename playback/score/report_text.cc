@@ -35,6 +35,9 @@ Json MetricJson(const Metric& metric) {
   return json;
 }
 
+/// Rows that are only there where a controller estimates: a table without them says as much.
+bool IsLeftOut(const Metric& metric) { return !metric.value && metric.key.starts_with("estimate_"); }
+
 bool IsShare(const std::string& key) {
   return key.find("fraction") != std::string::npos || key.find("_use_") != std::string::npos;
 }
@@ -74,6 +77,7 @@ std::string ReportText(const StabilityReport& report) {
                                  report.score, report.robot, report.reason);
   text += fmt::format("  {:<28} {:>14} {:>14} {:>14} {:>9}\n", "metric", "measured", "planned", "limit", "worst at");
   for (const Metric& metric : report.metrics) {
+    if (IsLeftOut(metric)) continue;
     const std::string at = metric.at_s ? fmt::format("{:.2f} s", *metric.at_s) : "";
     text += fmt::format("{} {:<28} {:>14} {:>14} {:>14} {:>9}\n", Mark(metric), metric.key,
                         OrDash(metric, metric.value), OrDash(metric, metric.planned), LimitText(metric), at);

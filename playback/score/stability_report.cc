@@ -47,7 +47,7 @@ Metric Gated(const MetricRule& rule, const Measurement& measured, const GateScal
 std::vector<Metric> GatedMetrics(const ScoreInputs& in, const GateScale& scale) {
   std::vector<Measurement> all;
   for (const auto& group : {ProgressMeasurements(in), ZmpMeasurements(in), BalanceMeasurements(in),
-                            ContactMeasurements(in), JointMeasurements(in)}) {
+                            ContactMeasurements(in), JointMeasurements(in), EstimateMeasurements(in)}) {
     all.insert(all.end(), group.begin(), group.end());
   }
   const double share_without_area = ShareWithoutArea(in.series);

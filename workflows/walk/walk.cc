@@ -11,6 +11,7 @@
 #include "planning/footsteps/uneven_footsteps.h"
 #include "planning/terrain/load_terrain.h"
 #include "playback/control/joint_pd.h"
+#include "playback/sensing/sensing_controller.h"
 #include "workflows/walk/plan_parts.h"
 #include "workflows/walk/plan_within.h"
 
@@ -102,13 +103,22 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
   return planned;
 }
 
-std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
+namespace {
+
+std::unique_ptr<Controller> BareController(const RobotModel& model, const MotionPlan& plan,
                                            const PlayRequest& request) {
   const GainOptions gains = GainsFor(request);
   if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan, gains);
   if (request.controller == "stabilised") return MakeStabilised(model, plan, request.stabilised, gains);
   throw InvalidArgument(
       fmt::format("there is no controller '{}'; there are 'joint-pd', 'stabilised'", request.controller));
+}
+
+}  // namespace
+
+std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
+                                           const PlayRequest& request) {
+  return BehindSensors(model, plan, BareController(model, plan, request), request.sensing);
 }
 
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {

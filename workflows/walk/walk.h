@@ -16,6 +16,7 @@
 #include "playback/control/gains.h"
 #include "playback/control/stabilised.h"
 #include "playback/score/stability_report.h"
+#include "playback/sensing/sensing_options.h"
 
 namespace gaitwright {
 
@@ -38,11 +39,12 @@ struct PlayRequest {
   PlayOptions play;
   StabilisedOptions stabilised;
   GainOptions gains;
+  SensingOptions sensing;
   ScoreOptions score;
 
   OptionFields Fields() {
     return Joined({Prefixed("play", play.Fields()), Prefixed("stabilised", stabilised.Fields()),
-                   Prefixed("gains", gains.Fields()), Prefixed("score", score.Fields())});
+                   Prefixed("gains", gains.Fields()), sensing.Fields(), Prefixed("score", score.Fields())});
   }
 };
 
@@ -75,7 +77,8 @@ Result<RobotModel> RobotOf(const MotionPlan& plan);
 /// mends. A sequence is planned in one motion; a part that has no plan is named.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
-/// The controller of that name. @throws InvalidArgument listing those there are. The plan must outlive it.
+/// The controller of that name, behind the sensors asked for. @throws InvalidArgument listing those there are. The plan
+/// must outlive it.
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
 /// Plays and scores. The log's options are all of the request's, not only those of the physics.

@@ -69,6 +69,28 @@ TEST(LogJson, ReadsBackExactlyWhatItWrote) {
   EXPECT_EQ(back.stances[0].friction_use_max, log.stances[0].friction_use_max);
 }
 
+TEST(LogJson, KeepsWhatTheControllerTookForTrueWhereThereIsAny) {
+  PlaybackLog log = Example();
+  EXPECT_EQ(LogToJson(log).find("\"estimate\""), std::string::npos);
+  EXPECT_FALSE(LogFromJson(LogToJson(log), "x").value().samples[1].estimate.has_value());
+  for (LogSample& sample : log.samples) {
+    sample.estimate = BaseEstimate{Vector3::Random(), Quaternion::UnitRandom(), Vector3::Random(), Vector3::Random()};
+  }
+  const std::string text = LogToJson(log);
+  const PlaybackLog back = LogFromJson(text, "x").value();
+  EXPECT_EQ(LogToJson(back), text);
+  EXPECT_EQ(back.samples[2].estimate->p_WB, log.samples[2].estimate->p_WB);
+  EXPECT_EQ(back.samples[2].estimate->R_WB.coeffs(), log.samples[2].estimate->R_WB.coeffs());
+  EXPECT_EQ(back.samples[2].estimate->v_WB, log.samples[2].estimate->v_WB);
+  EXPECT_EQ(back.samples[2].estimate->w_WB, log.samples[2].estimate->w_WB);
+  const std::size_t rows = text.find("\"estimate\"");
+  std::string other = text;
+  other.replace(text.find('[', rows) + 1, 0, "\n[1,2],");
+  EXPECT_NE(Why(other).find("'estimate' has 4 rows, 3 are needed"), std::string::npos);
+  log.samples[0].estimate->R_WB.coeffs() *= 2.0;
+  EXPECT_NE(Why(LogToJson(log)).find("row 0 of 'estimate' has a quaternion of length 2"), std::string::npos);
+}
+
 TEST(LogJson, SavesAndLoads) {
   const auto path = std::filesystem::temp_directory_path() / "gaitwright_log_test" / "log.json";
   ASSERT_TRUE(SaveLog(Example(), path.string()).ok());
@@ -90,7 +112,7 @@ TEST(LogJson, RefusesWithTheReason) {
   EXPECT_NE(Why("[1,2]").find("no playback log"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "gaitwright-playback-log", "something-else")).find("no playback log"),
             std::string::npos);
-  EXPECT_NE(Why(Replaced(text, "\"schema\":2", "\"schema\":3")).find("schema 3; this program reads schema 2"),
+  EXPECT_NE(Why(Replaced(text, "\"schema\":3", "\"schema\":4")).find("schema 4; this program reads schema 3"),
             std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"controller\"", "\"kontroller\"")).find("controller"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"contact\": [3,3,3]", "\"contact\": [3,3]")).find("'contact' has 2"),

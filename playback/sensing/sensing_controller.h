@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "planning/plan/motion_plan.h"
+#include "playback/bullet/controller.h"
+#include "playback/sensing/leg_odometry.h"
+#include "playback/sensing/sensing_options.h"
+
+namespace gaitwright {
+
+/// A controller that has the robot through its sensors: what the inner one is told is measured or estimated, and what
+/// it commands comes late. The motors' own loops are not delayed: stiffness and damping of a JointCommand are closed in
+/// the drive, on its own encoder.
+///
+///   true       the state as it is
+///   measured   joints from encoders, contacts and vertical forces from the feet, the base as it is
+///   estimated  the same, and the base from LegOdometry, which starts at the plan's first pose
+/// With sensors, wrenches hold the vertical force alone.
+class SensingController : public Controller {
+ public:
+  /// @param inner  what controls. Model and plan must outlive this. @throws InvalidArgument for an option out of its
+  /// range, or where state is "estimated" and the plan has no motion.
+  SensingController(const RobotModel& model, const MotionPlan& plan, std::unique_ptr<Controller> inner,
+                    const SensingOptions& options);
+  ~SensingController() override;
+
+  JointCommand Update(const ControlInput& input) override;
+  void Reset() override;
+  std::string Name() const override { return inner_->Name(); }
+  const BaseEstimate* Estimate() const override;
+
+ private:
+  struct Instruments;
+
+  void Sense(const ControlInput& input);
+  void TellBase();
+
+  const RobotModel& model_;
+  const MotionPlan& plan_;
+  const std::unique_ptr<Controller> inner_;
+  SensingOptions options_;
+  const StateSource source_;
+  std::unique_ptr<Instruments> instruments_;
+  ControlInput sensed_;
+  BaseEstimate estimate_;
+};
+
+/// The controller behind its sensors and delays; itself where there is nothing between.
+std::unique_ptr<Controller> BehindSensors(const RobotModel& model, const MotionPlan& plan,
+                                          std::unique_ptr<Controller> controller, const SensingOptions& options);
+
+}  // namespace gaitwright

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+
+namespace gaitwright {
+
+/// What sensors tell less well than the truth. All zero, as here, is a perfect sensor.
+///
+/// White noise of an IMU is given as its density, as data sheets do: a reading at f readings a second has the standard
+/// deviation density * sqrt(f), so that its integral over a time T has density * sqrt(T) at any rate. Biases are drawn
+/// once for each seed: of a joint evenly within +- the figure, of an IMU in a random direction with that magnitude.
+/// Figures of encoders are in radians, for joints that slide in metres.
+///
+/// Tuning
+///   the robot rattles on its legs      lower speed_cutoff_hz, gyroscope_cutoff_hz
+///   pushes are answered late           raise them
+struct SensorOptions {
+  double encoder_noise_rad = 0.0;
+  double encoder_bias_rad = 0.0;
+  double encoder_resolution_rad = 0.0;
+  double encoder_rate_hz = 0.0;
+  double encoder_delay_s = 0.0;
+  double speed_cutoff_hz = 0.0;
+  double gyroscope_noise_rad_s_sqrt_hz = 0.0;
+  double gyroscope_bias_rad_s = 0.0;
+  double gyroscope_walk_rad_s2_sqrt_hz = 0.0;
+  double gyroscope_cutoff_hz = 0.0;
+  double accelerometer_noise_m_s2_sqrt_hz = 0.0;
+  double accelerometer_bias_m_s2 = 0.0;
+  double accelerometer_walk_m_s3_sqrt_hz = 0.0;
+  double imu_rate_hz = 0.0;
+  double imu_delay_s = 0.0;
+  double contact_threshold = 0.0;
+  double contact_noise = 0.0;
+  double contact_rate_hz = 0.0;
+  double contact_delay_s = 0.0;
+  double contact_missed = 0.0;
+  double contact_false = 0.0;
+  int seed = 0;
+
+  OptionFields Fields();
+
+  bool operator==(const SensorOptions&) const = default;
+};
+
+/// Longest delay of a sensor or a command [s].
+inline constexpr double kLongestDelay = 0.1;
+
+/// Names of ready-made sets: "ideal", "good", "hobby".
+const std::vector<std::string>& SensorKinds();
+
+/// The figures of a ready-made set; docs/sensing.md says where they are from.
+/// @throws InvalidArgument listing the names there are.
+SensorOptions SensorsOfKind(const std::string& name);
+
+/// Where a controller has the robot's state from.
+enum class StateSource {
+  kTrue,       ///< the simulator
+  kMeasured,   ///< joints and contacts from their sensors, the base from the simulator, as motion capture would
+  kEstimated,  ///< joints and contacts from their sensors, the base by LegOdometry
+};
+
+/// "true", "measured", "estimated": in the order of StateSource.
+const std::vector<std::string>& StateSourceNames();
+
+/// @throws InvalidArgument listing the names there are.
+StateSource StateSourceOf(const std::string& name);
+
+}  // namespace gaitwright

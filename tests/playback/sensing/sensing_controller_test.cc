@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/sensing/sensing_controller.h"
+
+#include <gtest/gtest.h>
+
+#include "kinematics/base/result.h"
+#include "playback/bullet/play.h"
+#include "playback/control/joint_pd.h"
+#include "playback/control/stabilised.h"
+#include "playback/log/log_json.h"
+#include "playback/score/stability_report.h"
+#include "tests/playback/short_walk.h"
+#include "tests/playback/standing_plan.h"
+
+namespace gaitwright {
+namespace {
+
+/// Tells what it is told, and commands the number of the step.
+class Witness : public Controller {
+ public:
+  explicit Witness(std::vector<ControlInput>& told) : told_(told) {}
+
+  JointCommand Update(const ControlInput& input) override {
+    told_.push_back(input);
+    const VectorX number = VectorX::Constant(1, static_cast<double>(count_++));
+    return {number, number, number, number, number};
+  }
+  void Reset() override { count_ = 0; }
+  std::string Name() const override { return "witness"; }
+
+ private:
+  std::vector<ControlInput>& told_;
+  int count_ = 0;
+};
+
+ControlInput InputOf(const VectorX& q, const VectorX& v, std::size_t feet) {
+  ControlInput input;
+  input.q = q;
+  input.v = v;
+  input.wrenches.assign(feet, {Vector3(1.0, 2.0, 30.0), Vector3::Ones()});
+  input.contact = AllFeet(static_cast<int>(feet));
+  return input;
+}
+
+SensingOptions With(const std::string& state, const std::string& kind, double delay_s) {
+  SensingOptions options;
+  options.state = state;
+  options.command_delay_s = delay_s;
+  options.sensors = SensorsOfKind(kind);
+  return options;
+}
+
+TEST(SensingController, IsNotThereWhereThereIsNothingBetween) {
+  const RobotModel model = standing::Load("a1");
+  const MotionPlan plan = standing::Plan(model, 0.1);
+  std::vector<ControlInput> told;
+  auto witness = std::make_unique<Witness>(told);
+  const Controller* bare = witness.get();
+  EXPECT_EQ(BehindSensors(model, plan, std::move(witness), {}).get(), bare);
+  const auto late = BehindSensors(model, plan, std::make_unique<Witness>(told), With("true", "ideal", 0.001));
+  EXPECT_EQ(late->Name(), "witness");
+  EXPECT_EQ(late->Estimate(), nullptr);
+}
+
+TEST(SensingController, CommandsComeLateByWholeSteps) {
+  const RobotModel model = standing::Load("a1");
+  const MotionPlan plan = standing::Plan(model, 0.1);
+  const ControlInput input = InputOf(StandingConfiguration(model), VectorX::Zero(model.nv()), 4);
+  for (const double delay_s : {0.001, 0.004, 0.0126}) {
+    std::vector<ControlInput> told;
+    const auto late = BehindSensors(model, plan, std::make_unique<Witness>(told), With("true", "ideal", delay_s));
+    for (int playback = 0; playback < 2; ++playback) {
+      late->Reset();
+      for (int k = 0; k < 40; ++k) {
+        const double due = std::max(0L, k - std::lround(delay_s / 0.001));
+        EXPECT_EQ(late->Update(input).tau_ff[0], due);
+      }
+    }
+    EXPECT_EQ(told.back().q, input.q);
+    EXPECT_EQ(told.back().wrenches, input.wrenches);
+  }
+}
+
+TEST(SensingController, TellsWhatIsMeasured) {
+  const RobotModel model = standing::Load("a1");
+  const MotionPlan plan = standing::Plan(model, 0.1);
+  std::vector<ControlInput> told;
+  const auto measured = BehindSensors(model, plan, std::make_unique<Witness>(told), With("measured", "ideal", 0.0));
+  VectorX q = StandingConfiguration(model), v = VectorX::Constant(model.nv(), 0.3);
+  for (int k = 0; k < 5; ++k) {
+    q.tail(12) += 0.001 * v.tail(12);
+    measured->Update(InputOf(q, v, 4));
+  }
+  EXPECT_EQ(told.back().q.head<7>(), q.head<7>());
+  EXPECT_EQ(told.back().v.head<6>(), v.head<6>());
+  EXPECT_NEAR((told.back().q - q).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((told.back().v - v).norm(), 0.0, 1e-9);
+  EXPECT_EQ(told.back().contact, AllFeet(4));
+  EXPECT_EQ(told.back().wrenches[2].force_W, Vector3(0.0, 0.0, 30.0)) << "pads feel the vertical force";
+  EXPECT_EQ(measured->Estimate(), nullptr);
+}
+
+TEST(SensingController, RefusesOptionsOutOfRange) {
+  const RobotModel model = standing::Load("a1");
+  const MotionPlan plan = standing::Plan(model, 0.1);
+  std::vector<ControlInput> told;
+  const auto refused = [&](const SensingOptions& options, const MotionPlan& of) {
+    EXPECT_THROW(SensingController(model, of, std::make_unique<Witness>(told), options), InvalidArgument);
+  };
+  refused(With("true", "ideal", 0.2), plan);
+  refused(With("guessed", "ideal", 0.0), plan);
+  refused(With("estimated", "ideal", 0.0), MotionPlan{});
+}
+
+PlaybackLog Played(const RobotModel& model, const MotionPlan& plan, const SensingOptions& options) {
+  const auto controller = BehindSensors(model, plan, MakeStabilised(model, plan, {}), options);
+  return Play(model, plan, *controller).value();
+}
+
+TEST(SensingController, WithPerfectSensorsARobotIsWhereItThinksItIs) {
+  for (const char* name : {"a1", "nao"}) {
+    const RobotModel model = standing::Load(name);
+    const MotionPlan plan = standing::Plan(model, 0.5);
+    const PlaybackLog log = Played(model, plan, With("estimated", "ideal", 0.0));
+    for (const LogSample& sample : log.samples) {
+      ASSERT_TRUE(sample.estimate.has_value());
+      EXPECT_LT((sample.estimate->p_WB - sample.q.head<3>()).norm(), 1e-3);
+      EXPECT_LT((sample.estimate->v_WB - sample.v.head<3>()).norm(), 1e-3);
+      EXPECT_LT((sample.estimate->w_WB - sample.v.segment<3>(3)).norm(), 1e-3);
+      EXPECT_LT((sample.estimate->R_WB.coeffs() - sample.q.segment<4>(3)).norm(), 1e-3);
+    }
+    EXPECT_EQ(log.controller, "stabilised");
+    EXPECT_FALSE(Played(model, plan, With("measured", "ideal", 0.0)).samples.front().estimate.has_value());
+  }
+}
+
+TEST(SensingController, TheSameSeedGivesTheSameBytesAndAnotherOthers) {
+  const RobotModel model = standing::Load("a1");
+  const MotionPlan plan = standing::Plan(model, 0.3);
+  SensingOptions options = With("estimated", "hobby", 0.004);
+  const std::string first = LogToJson(Played(model, plan, options));
+  EXPECT_EQ(LogToJson(Played(model, plan, options)), first);
+  options.sensors.seed = 1;
+  EXPECT_NE(LogToJson(Played(model, plan, options)), first);
+}
+
+TEST(SensingController, ATrotPassesOnHobbySensorsWithLateCommands) {
+  const RobotModel model = standing::Load("a1");
+  const MotionPlan plan = ShortWalk(model, "trot", 12, 0.04);
+  for (const int seed : {0, 1}) {
+    SensingOptions options = With("estimated", "hobby", 0.004);
+    options.sensors.seed = seed;
+    const PlaybackLog log = Played(model, plan, options);
+    const StabilityReport report = Score(model, plan, log);
+    EXPECT_TRUE(report.pass) << report.reason;
+    EXPECT_LT(report.At("estimate_drift_m").value.value(), 0.05);
+    EXPECT_LT(report.At("estimate_height_m").value.value(), 0.03);
+    EXPECT_LT(report.At("estimate_tilt_rad").value.value(), 0.05);
+    EXPECT_LT(report.At("estimate_velocity_m_s").value.value(), 0.04);
+    EXPECT_GT(report.At("estimate_velocity_m_s").value.value(), 0.001) << "sensors are not perfect";
+  }
+}
+
+}  // namespace
+}  // namespace gaitwright
