@@ -81,7 +81,7 @@ Result<StartPosture> StartPostureFromYaml(const std::string& text, const std::st
         FailureKind::kBadInput, "start_posture", "StartPosture", fmt::format("'{}', {}", source, message), {}};
   };
   try {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node root = LoadYaml(text);
     const YamlMap map(root, "the start posture");
     StartPosture posture;
     posture.joints = VectorX::Zero(model.num_dofs());

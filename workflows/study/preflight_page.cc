@@ -12,6 +12,8 @@
 namespace gaitwright {
 namespace {
 
+constexpr std::size_t kMostWorst = 6;
+
 /// On paper everything is dark on white, at the size of A4.
 std::string PaperStyle() {
   return R"(
@@ -151,13 +153,14 @@ std::string Trials(const Preflight& p) {
     html += "</tbody></table>\n";
   }
   if (p.trials->worst.empty()) return html;
-  html += "<p>Worst trials, by seed: ";
-  for (std::size_t i = 0; i < p.trials->worst.size(); ++i) {
+  html +=
+      "<p>Worst trials, each repeated exactly by <span class=\"key\">gaitwright play --disturbances FILE --seed "
+      "SEED</span>:</p>\n<ul>\n";
+  for (std::size_t i = 0; i < std::min(kMostWorst, p.trials->worst.size()); ++i) {
     const TrialsResult::Worst& worst = p.trials->worst[i];
-    html += fmt::format("{}{}{}", i == 0 ? "" : "; ", worst.seed,
-                        worst.words.empty() ? "" : " (" + EscapedXml(worst.words) + ")");
+    html += fmt::format("<li>seed {}{}</li>\n", worst.seed, worst.words.empty() ? "" : ": " + EscapedXml(worst.words));
   }
-  return html + ".</p>\n";
+  return html + "</ul>\n";
 }
 
 }  // namespace

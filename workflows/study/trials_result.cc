@@ -4,119 +4,97 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "kinematics/base/file.h"
+#include "planning/plan/json_part_internal.h"
 
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr int kMost = 1000000000;
 
-const Json& At(const Json& object, const char* key) {
-  if (!object.is_object() || !object.contains(key)) throw InvalidArgument(fmt::format("lacks the key '{}'", key));
-  return object.at(key);
+JsonPart Needed(const JsonPart& object, const char* key) {
+  if (!object.json().is_object()) object.Refuse("is no object; one that 'gaitwright trials' wrote is needed");
+  if (!object.Has(key)) object.Refuse(fmt::format("lacks the key '{}'", key));
+  return object.At(key);
 }
 
-int WholeOf(const Json& value, const std::string& what) {
-  constexpr std::int64_t kMost = 1000000000;
-  const bool whole = value.is_number_integer() && value <= kMost && value >= 0;
-  if (!whole) {
-    throw InvalidArgument(
-        fmt::format("has '{}' of {}; a whole number from 0 to {} is needed", what, value.dump(), kMost));
-  }
-  return value.get<int>();
-}
-
-int WholeAt(const Json& object, const char* key) { return WholeOf(At(object, key), key); }
-
-double ShareAt(const Json& object, const char* key) {
-  const Json& value = At(object, key);
-  if (!value.is_number() || !(value.get<double>() >= 0.0 && value.get<double>() <= 1.0))
-    throw InvalidArgument(fmt::format("has '{}' of {}; a share from 0 to 1 is needed", key, value.dump()));
-  return value.get<double>();
-}
-
-std::string TextAt(const Json& object, const char* key) {
-  const Json& value = At(object, key);
-  if (!value.is_string() || value.get<std::string>().empty())
-    throw InvalidArgument(fmt::format("has '{}' of {}; a text is needed", key, value.dump()));
-  return value.get<std::string>();
+std::string TextOf(const JsonPart& part) {
+  const std::string text = part.Text();
+  if (text.empty()) part.Refuse("is empty; a text is needed");
+  return text;
 }
 
 /// The first text and the first whole number of an object, whatever their keys.
-TrialsResult::Cause CauseOf(const Json& object) {
+TrialsResult::Cause CauseOf(const JsonPart& part) {
   TrialsResult::Cause cause;
   bool counted = false;
-  for (const auto& [key, value] : object.items()) {
+  for (const auto& [key, value] : part.json().items()) {
     if (value.is_string() && cause.name.empty()) cause.name = value.get<std::string>();
-    if (value.is_number_integer() && !counted) cause.count = WholeOf(value, key), counted = true;
+    if (!value.is_number_integer() || counted) continue;
+    cause.count = part.At(key).Whole(0, kMost);
+    counted = true;
   }
-  if (cause.name.empty() || !counted) throw InvalidArgument("has an entry of 'causes' without a name and a count");
+  if (cause.name.empty() || !counted) part.Refuse("has no name and count");
   return cause;
 }
 
-std::vector<TrialsResult::Cause> CausesOf(const Json& result) {
+std::vector<TrialsResult::Cause> CausesOf(const JsonPart& result) {
   std::vector<TrialsResult::Cause> causes;
-  if (!result.contains("causes")) return causes;
-  const Json& given = result.at("causes");
-  if (!given.is_object() && !given.is_array())
-    throw InvalidArgument("has 'causes' that are no list and no object of counts");
-  for (const auto& [key, value] : given.items()) {
-    if (value.is_object()) {
-      causes.push_back(CauseOf(value));
-    } else if (given.is_object() && value.is_number_integer()) {
-      causes.push_back({key, WholeOf(value, key)});
-    } else {
-      throw InvalidArgument(fmt::format("has '{}' among its causes; a count is needed", value.dump()));
-    }
+  if (!result.Has("causes")) return causes;
+  const JsonPart given = result.At("causes");
+  if (given.json().is_object()) {
+    for (const auto& [key, value] : given.json().items()) causes.push_back({key, given.At(key).Whole(0, kMost)});
+    return causes;
+  }
+  for (const JsonPart& entry : given.List()) {
+    if (!entry.json().is_object()) entry.Refuse("is no object with a name and a count");
+    causes.push_back(CauseOf(entry));
   }
   return causes;
 }
 
-std::vector<TrialsResult::Worst> WorstOf(const Json& result) {
+std::vector<TrialsResult::Worst> WorstOf(const JsonPart& result) {
   std::vector<TrialsResult::Worst> worst;
-  if (!result.contains("worst")) return worst;
-  if (!result.at("worst").is_array()) throw InvalidArgument("has 'worst' that is no list");
-  for (const Json& entry : result.at("worst")) {
-    const Json& seed = At(entry, "seed");
-    if (!seed.is_number_unsigned())
-      throw InvalidArgument(fmt::format("has a seed of {} among its worst; a whole number is needed", seed.dump()));
+  if (!result.Has("worst")) return worst;
+  for (const JsonPart& entry : result.At("worst").List()) {
     TrialsResult::Worst of_one;
-    of_one.seed = seed.get<std::uint64_t>();
-    for (const auto& [key, value] : entry.items()) {
-      if (value.is_string() && of_one.words.empty()) of_one.words = value.get<std::string>();
+    of_one.seed = Needed(entry, "seed").Natural();
+    for (const char* key : {"reason", "cause"}) {
+      if (of_one.words.empty() && entry.Has(key) && entry.At(key).json().is_string())
+        of_one.words = entry.At(key).Text();
     }
     worst.push_back(of_one);
   }
   return worst;
 }
 
-TrialsResult Read(const Json& json) {
-  if (!json.is_object()) throw InvalidArgument("is no object; one that 'gaitwright trials' wrote is needed");
-  TrialsResult result;
-  result.n = WholeAt(json, "n");
-  result.survived = WholeAt(json, "survived");
-  result.survival = ShareAt(json, "survival");
-  result.survival_low = ShareAt(json, "survival_low");
-  result.survival_high = ShareAt(json, "survival_high");
-  result.plan_hash = TextAt(json, "plan_hash");
-  result.robot_hash = TextAt(json, "robot_hash");
-  result.causes = CausesOf(json);
-  result.worst = WorstOf(json);
-  if (result.n < 1 || result.survived > result.n) {
-    throw InvalidArgument(fmt::format(
-        "says that {} of {} trials survived; one trial or more is needed, and no more survivors than trials",
-        result.survived, result.n));
+void CheckFigures(const JsonPart& part, const TrialsResult& result) {
+  if (result.survived > result.n) {
+    part.Refuse(fmt::format("says that {} of {} trials survived; there are no more survivors than trials",
+                            result.survived, result.n));
   }
   constexpr double kRounded = 1e-3;
   const double share = static_cast<double>(result.survived) / result.n;
   if (std::abs(share - result.survival) > kRounded || result.survival_low > result.survival + kRounded ||
       result.survival_high < result.survival - kRounded) {
-    throw InvalidArgument(fmt::format("says a survival of {} in {} to {}, where {} of {} trials survived",
-                                      result.survival, result.survival_low, result.survival_high, result.survived,
-                                      result.n));
+    part.Refuse(fmt::format("says a survival of {} in {} to {}, where {} of {} trials survived", result.survival,
+                            result.survival_low, result.survival_high, result.survived, result.n));
   }
+}
+
+TrialsResult Read(const JsonPart& part) {
+  TrialsResult result;
+  result.n = Needed(part, "n").Whole(1, kMost);
+  result.survived = Needed(part, "survived").Whole(0, kMost);
+  result.survival = Needed(part, "survival").NumberIn(0.0, 1.0);
+  result.survival_low = Needed(part, "survival_low").NumberIn(0.0, 1.0);
+  result.survival_high = Needed(part, "survival_high").NumberIn(0.0, 1.0);
+  result.plan_hash = TextOf(Needed(part, "plan_hash"));
+  result.robot_hash = TextOf(Needed(part, "robot_hash"));
+  result.causes = CausesOf(part);
+  result.worst = WorstOf(part);
+  CheckFigures(part, result);
   return result;
 }
 
@@ -127,17 +105,16 @@ Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::st
     return Failure{FailureKind::kBadInput,
                    "trials_result",
                    "TrialsResult",
-                   fmt::format("the trials' result '{}' {}", source, message),
+                   fmt::format("the trials' result '{}': {}", source, message),
                    {}};
   };
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return bad("is no JSON, or is cut short");
   try {
-    return Read(json);
+    const JsonPart::Json json = ParseJsonOnce(text);
+    return Read(JsonPart(json));
+  } catch (const JsonPart::Json::exception&) {
+    return bad(WhyNoJson(text));
   } catch (const InvalidArgument& error) {
     return bad(error.what());
-  } catch (const nlohmann::json::exception&) {
-    return bad("holds a number that is out of range");
   }
 }
 

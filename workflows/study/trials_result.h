@@ -17,7 +17,7 @@ struct TrialsResult {
   };
   struct Worst {
     std::uint64_t seed = 0;
-    std::string words;  ///< what the result says of it beside, or ""
+    std::string words;  ///< its `reason` or `cause`, or ""
   };
 
   int n = 0, survived = 0;
@@ -29,8 +29,9 @@ struct TrialsResult {
 
 /// A result from its JSON text: an object with `n`, `survived`, `survival`, `survival_low`, `survival_high`,
 /// `plan_hash`, `robot_hash`; `causes` (an object of counts by name, or a list of objects with a text and a count) and
-/// `worst` (a list of objects with a `seed`) may be missing. Other keys are passed over. Refused: text that is no JSON,
-/// a key that is missing or of the wrong kind, figures that contradict each other. @param source names the text.
+/// `worst` (a list of objects with a `seed` and a `reason`) may be missing. Other keys are passed over. Refused: text
+/// that is no JSON, a key that is missing or of the wrong kind, figures that contradict each other. @param source names
+/// the text.
 Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::string& source);
 
 /// The result of a file.
