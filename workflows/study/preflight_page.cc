@@ -22,6 +22,7 @@ std::string PaperStyle() {
 .hash{font-family:ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;font-size:12.5px;overflow-wrap:anywhere}
 td.bar{width:16%}
 td.bar .use{margin:6px 0 0}
+pre{font-size:12px;line-height:1.35;background:var(--sheet);padding:8px 12px;border-radius:6px;overflow-x:auto;white-space:pre-wrap}
 .close{color:var(--fail);font-weight:650}
 @page{size:A4;margin:14mm 15mm}
 @media print{:root{--paper:#fff;--sheet:#f5f7f9;--ink:#1f2730;--soft:#56616d;--rule:#dde2e7;--pass:#00785a;--fail:#b3164f;
@@ -29,7 +30,7 @@ td.bar .use{margin:6px 0 0}
 body{font-size:10pt;line-height:1.4;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 h1{font-size:16pt}h2{font-size:12pt;margin:16pt 0 4pt;break-after:avoid}table{font-size:8.5pt}
 th,td{padding:2.5pt 8pt 2.5pt 0}tr,li{break-inside:avoid}thead{display:table-header-group}
-.scroll{overflow:visible}.signing{break-inside:avoid}.score{display:none}}
+pre{font-size:7.5pt}.scroll{overflow:visible}.signing{break-inside:avoid}.score{display:none}}
 )";
 }
 
@@ -145,13 +146,17 @@ std::string Trials(const Preflight& p) {
   if (!p.trials) {
     return "<h2>Trials</h2>\n<p><b>None.</b> How often this plan survives disturbances is not known.</p>\n";
   }
-  std::string html = fmt::format("<h2>Trials</h2>\n<p>{}.</p>\n", EscapedXml(SurvivalText(*p.trials)));
+  const std::string& controller = p.trials->controller;
+  std::string html = fmt::format("<h2>Trials</h2>\n<p>{}{}.</p>\n", EscapedXml(SurvivalText(*p.trials)),
+                                 controller.empty() ? "" : fmt::format("; controller {}", EscapedXml(controller)));
   if (!p.trials->causes.empty()) {
     html += "<table id=\"causes\"><thead><tr><th>cause of falls</th><th class=\"n\">count</th></tr></thead><tbody>\n";
     for (const TrialsResult::Cause& cause : p.trials->causes)
       html += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td></tr>\n", EscapedXml(cause.name), cause.count);
     html += "</tbody></table>\n";
   }
+  if (!p.trials->disturbances.empty())
+    html += fmt::format("<p>Disturbances:</p>\n<pre>{}</pre>\n", EscapedXml(p.trials->disturbances));
   if (p.trials->worst.empty()) return html;
   html +=
       "<p>Worst trials, each repeated exactly by <span class=\"key\">gaitwright play --disturbances FILE --seed "

@@ -35,6 +35,7 @@ std::string TrialsText(const Preflight& preflight) {
     lines.push_back(fmt::format("{} of the falls: {}", cause.count, cause.name));
   for (const TrialsResult::Worst& worst : preflight.trials->worst)
     lines.push_back(fmt::format("worst: seed {}{}", worst.seed, worst.words.empty() ? "" : ", " + worst.words));
+  if (!preflight.trials->controller.empty()) lines.push_back("controller: " + preflight.trials->controller);
   return Section("Trials", lines);
 }
 
@@ -52,6 +53,8 @@ Json TrialsJson(const TrialsResult& trials) {
           {"survival", trials.survival},
           {"survival_low", trials.survival_low},
           {"survival_high", trials.survival_high},
+          {"controller", trials.controller},
+          {"disturbances", trials.disturbances},
           {"causes", causes},
           {"worst", worst}};
 }

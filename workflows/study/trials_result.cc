@@ -92,6 +92,8 @@ TrialsResult Read(const JsonPart& part) {
   result.survival_high = Needed(part, "survival_high").NumberIn(0.0, 1.0);
   result.plan_hash = TextOf(Needed(part, "plan_hash"));
   result.robot_hash = TextOf(Needed(part, "robot_hash"));
+  if (part.Has("controller")) result.controller = part.At("controller").Text();
+  if (part.Has("disturbances")) result.disturbances = part.At("disturbances").Text();
   result.causes = CausesOf(part);
   result.worst = WorstOf(part);
   CheckFigures(part, result);

@@ -25,13 +25,14 @@ struct TrialsResult {
   std::vector<Cause> causes;                                       ///< of falls
   std::vector<Worst> worst;
   std::string plan_hash, robot_hash;
+  std::string controller, disturbances;  ///< the latter as YAML text; "" where the result does not say them
 };
 
 /// A result from its JSON text: an object with `n`, `survived`, `survival`, `survival_low`, `survival_high`,
 /// `plan_hash`, `robot_hash`; `causes` (an object of counts by name, or a list of objects with a text and a count) and
-/// `worst` (a list of objects with a `seed` and a `reason`) may be missing. Other keys are passed over. Refused: text
-/// that is no JSON, a key that is missing or of the wrong kind, figures that contradict each other. @param source names
-/// the text.
+/// `controller`, `disturbances` (texts) and `worst` (a list of objects with a `seed` and a `reason`) may be missing.
+/// Other keys are passed over. Refused: text that is no JSON, a key that is missing or of the wrong kind, figures that
+/// contradict each other. @param source names the text.
 Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::string& source);
 
 /// The result of a file.

@@ -198,9 +198,15 @@ TEST_P(MotorLaw, MarginsAreTheClosestApproachOfEachLaw) {
     EXPECT_GE(m.margin, -2e-3) << m.law << " " << m.where;
     EXPECT_NEAR(std::abs(m.limit - m.value), std::abs(m.margin), 1e-12) << m.law;
     if (m.where != name()) continue;
-    if (m.law == "joint_torque") EXPECT_EQ(std::pair(m.value, m.at_s), most_torque);
-    if (m.law == "joint_velocity") EXPECT_EQ(std::pair(m.value, m.at_s), most_speed);
-    if (m.share) EXPECT_NEAR(*m.share, m.margin / m.limit, 1e-12);
+    if (m.law == "joint_torque") {
+      EXPECT_EQ(std::pair(m.value, m.at_s), most_torque);
+    }
+    if (m.law == "joint_velocity") {
+      EXPECT_EQ(std::pair(m.value, m.at_s), most_speed);
+    }
+    if (m.share) {
+      EXPECT_NEAR(*m.share, m.margin / m.limit, 1e-12);
+    }
   }
 }
 

@@ -19,6 +19,8 @@ Json Good() {
           {"metrics", {{"goal_error_m", {{"p95", 0.1}}}}},
           {"causes", {{"tipped over", 1}}},
           {"worst", {{{"seed", 7}, {"cause", "tipped"}, {"reason", "tipped at 2 s"}}, {{"seed", 9}, {"cause", ""}}}},
+          {"controller", "stabilised"},
+          {"disturbances", "friction: 0.5\n"},
           {"plan_hash", "p"},
           {"robot_hash", "r"}};
 }
@@ -43,6 +45,8 @@ TEST(TrialsResults, AreReadWithCausesAndWorst) {
   EXPECT_EQ(read->n, 20);
   EXPECT_EQ(read->survived, 19);
   EXPECT_EQ(read->survival_low, 0.7639);
+  EXPECT_EQ(read->controller, "stabilised");
+  EXPECT_EQ(read->disturbances, "friction: 0.5\n");
   ASSERT_EQ(read->causes.size(), 1U);
   EXPECT_EQ(read->causes[0].name, "tipped over");
   EXPECT_EQ(read->causes[0].count, 1);
