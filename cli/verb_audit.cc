@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
+#include "cli/output.h"
+#include "cli/paths.h"
 #include "cli/walk_arguments.h"
+#include "kinematics/base/file.h"
+#include "kinematics/model/dof_units.h"
 #include "planning/plan/plan_json.h"
+#include "planning/tasks/approach.h"
+#include "workflows/study/preflight.h"
 
 namespace gaitwright::cli {
 namespace {
 
 struct Arguments {
   Common common;
-  std::string plan, derate;
+  std::string plan, derate, start, approach, trials, report;
+  bool margins = false, preflight = false;
   AuditOptions options;
+  ApproachOptions of_approach;
+  PreflightOptions of_preflight;
+  std::vector<CLI::Option*> only_with_preflight;
+
+  OptionFields Fields() {
+    return Joined(
+        {options.Fields(), Prefixed("approach", of_approach.Fields()), Prefixed("preflight", of_preflight.Fields())});
+  }
 };
 
 /// --derate torque=0.8,speed=0.9
@@ -18,28 +35,140 @@ void Derate(const std::string& text, AuditOptions& options) {
   std::istringstream stream(text);
   for (std::string word; std::getline(stream, word, ',');) {
     OptionFields fields = {{"torque", &options.derate_torque, "1", 0.01, 1.0, "", {}},
-                           {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}}};
+                           {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}},
+                           {"acceleration", &options.derate_acceleration, "1", 0.01, 1.0, "", {}},
+                           {"jerk", &options.derate_jerk, "1", 0.01, 1.0, "", {}},
+                           {"continuous", &options.derate_continuous, "1", 0.01, 1.0, "", {}}};
     ApplySets("--derate", {word}, fields);
   }
 }
 
-int Run(Arguments& a) {
-  ApplySets("--set", a.common.sets, a.options.Fields());
-  Derate(a.derate, a.options);
-  const Result<MotionPlan> plan = LoadPlan(a.plan);
-  if (!plan) return Report(plan.failure(), a.common);
-  const Result<RobotModel> model = RobotOf(*plan);
-  if (!model) return Report(model.failure(), a.common);
-  const Result<AuditReport> report = Audit(*model, *plan, a.options);
-  if (!report) return Report(report.failure(), a.common);
+void CheckFlags(const Arguments& a) {
+  if (!a.approach.empty() && a.start.empty())
+    throw InvalidArgument("--approach needs --start-posture FILE: the way begins where the robot was measured");
+  for (const CLI::Option* option : a.only_with_preflight) {
+    if (option->count() > 0 && !a.preflight)
+      throw InvalidArgument(fmt::format("{} is for --preflight; add that, or leave it out", option->get_name()));
+  }
+  CheckPaths({{{"the plan", a.plan}, {"--start-posture", a.start}, {"--trials-result", a.trials}},
+              {{"--approach", a.approach}, {"--report", a.report}},
+              ""});
+}
+
+/// A sentence on the way to the plan's first posture.
+std::string ApproachText(const RobotModel& model, const Approach& approach) {
+  return fmt::format(
+      "a way of {:.2f} s to the first posture is planned{}, with the base held in the air; '{}' goes farthest, {:.3g} "
+      "{}",
+      approach.plan.duration_s(), approach.via_standing ? " by the standing posture" : "", approach.farthest,
+      approach.farthest_by, PositionUnit(model, model.DofIndex(approach.farthest)));
+}
+
+nlohmann::ordered_json ApproachJson(const Approach& approach, const std::string& path) {
+  return {{"duration_s", approach.plan.duration_s()},
+          {"base", "hanging"},
+          {"via_standing", approach.via_standing},
+          {"farthest", approach.farthest},
+          {"plan", path}};
+}
+
+/// What was looked at: the robot, its plan, and the way there if one was asked for.
+struct Subject {
+  const RobotModel& model;
+  const MotionPlan& plan;
+  const std::optional<Approach>& approach;
+};
+
+int RunPreflight(Arguments& a, const Subject& about) {
+  PreflightInput input{a.options, a.of_preflight, {}, ""};
+  if (about.approach) input.approach = ApproachText(about.model, *about.approach);
+  if (!a.trials.empty()) {
+    const Result<TrialsResult> trials = LoadTrialsResult(a.trials);
+    if (!trials) return Report(trials.failure(), a.common);
+    input.trials = *trials;
+  }
+  const Result<Preflight> preflight = MakePreflight(about.model, about.plan, input);
+  if (!preflight) return Report(preflight.failure(), a.common);
+  std::vector<OutputFile> files;
+  Files named;
+  if (about.approach) {
+    files.push_back({a.approach, PlanToJson(about.approach->plan)});
+    named.emplace_back("approach", a.approach);
+  }
+  if (!a.report.empty()) {
+    files.push_back({a.report, PreflightPage(*preflight)});
+    named.emplace_back("report", a.report);
+  }
+  const auto written = WriteFilesTogether(files);
+  if (!written) return Report(written.failure(), a.common);
   if (a.common.json) {
-    fmt::print("{}\n", AuditJson(*report));
+    fmt::print("{}\n", PreflightJson(*preflight, named));
+  } else if (a.common.quiet) {
+    fmt::print("{}\n", preflight->go() ? "go" : "no-go");
+  } else {
+    fmt::print("{}", PreflightText(*preflight));
+  }
+  return preflight->go() ? kPass : kVerdictFail;
+}
+
+int RunAudit(Arguments& a, const Subject& about) {
+  const Result<AuditReport> report = Audit(about.model, about.plan, a.options);
+  if (!report) return Report(report.failure(), a.common);
+  if (about.approach) {
+    const Result<std::string> saved = SavePlan(about.approach->plan, a.approach);
+    if (!saved) return Report(saved.failure(), a.common);
+  }
+  if (a.common.json) {
+    auto json = nlohmann::ordered_json::parse(AuditJson(*report));
+    if (about.approach) json["approach"] = ApproachJson(*about.approach, a.approach);
+    fmt::print("{}\n", json.dump(2));
   } else if (a.common.quiet) {
     fmt::print("{}\n", report->pass() ? "pass" : "fail");
   } else {
     fmt::print("{}", AuditText(*report));
+    if (about.approach) fmt::print("{}: {}\n", ApproachText(about.model, *about.approach), a.approach);
   }
   return report->pass() ? kPass : kVerdictFail;
+}
+
+int Run(Arguments& a) {
+  ApplySets("--set", a.common.sets, a.Fields());
+  Derate(a.derate, a.options);
+  a.options.margins = a.margins;
+  CheckFlags(a);
+  const Result<MotionPlan> plan = LoadPlan(a.plan);
+  if (!plan) return Report(plan.failure(), a.common);
+  const Result<RobotModel> model = RobotOf(*plan);
+  if (!model) return Report(model.failure(), a.common);
+  if (!a.start.empty()) {
+    const Result<StartPosture> start = LoadStartPosture(a.start, *model);
+    if (!start) return Report(start.failure(), a.common);
+    a.options.start = *start;
+  }
+  std::optional<Approach> approach;
+  if (!a.approach.empty()) {
+    Result<Approach> planned = PlanApproach(*model, *plan, *a.options.start, a.of_approach);
+    if (!planned) return Report(planned.failure(), a.common);
+    approach = std::move(planned.value());
+  }
+  const Subject about{*model, *plan, approach};
+  return a.preflight ? RunPreflight(a, about) : RunAudit(a, about);
+}
+
+void AddStartAndPreflight(CLI::App& verb, Arguments& a) {
+  verb.option_defaults()->group("Before it goes on a robot");
+  AddText(
+      verb, "--start-posture", "FILE", a.start,
+      "Measured joint positions (YAML, see docs/audit.md), which the first command is held against; default: none.");
+  AddText(verb, "--approach", "FILE", a.approach,
+          "Write a safe way from the measured posture to the plan's first one, as a plan; default: nowhere.");
+  verb.add_flag("--preflight", a.preflight,
+                "Make the page that an engineer signs: margins, trials, assumptions, go or no-go; default: no.");
+  a.only_with_preflight = {AddText(verb, "--trials-result", "FILE", a.trials,
+                                   "The result of 'trials' of this plan, for --preflight; default: none."),
+                           AddText(verb, "--report", "FILE", a.report,
+                                   "Write the page of --preflight to this file, as HTML to be printed on A4; default: "
+                                   "nowhere.")};
 }
 
 }  // namespace
@@ -49,9 +178,14 @@ void AddAudit(CLI::App& app, int& status) {
   CLI::App& verb = *app.add_subcommand("audit", "Check a plan densely against the laws, without a simulator");
   AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.")->required();
   AddText(verb, "--derate", "KEY=SHARE", a->derate,
-          "Hold the plan against these shares of the limits, as torque=0.8,speed=0.9; from 0.01 to 1, default 1.");
-  AddCommon(verb, a->common, {"audit plan.json", "audit plan.json --derate torque=0.8,speed=0.9"});
-  AddOptionList(verb, a->options.Fields(), a->common.json);
+          "Hold the plan against these shares of the limits, as torque=0.8,speed=0.9; also acceleration, jerk and "
+          "continuous; from 0.01 to 1, default 1.");
+  verb.add_flag("--margins", a->margins, "Print how near each law comes to its limit at each place; default: no.");
+  AddStartAndPreflight(verb, *a);
+  AddCommon(verb, a->common,
+            {"audit plan.json", "audit plan.json --derate torque=0.8,speed=0.9", "audit plan.json --margins",
+             "audit plan.json --preflight --report preflight.html"});
+  AddOptionList(verb, a->Fields(), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }
 

@@ -87,9 +87,14 @@ struct CollisionChecker::Scene {
   /// Puts the parts of a pair where they are and says how far they are apart at least; negative when they touch, by
   /// their depth.
   double Apart(const Pair& pair) {
-    Part &a = parts[pair.a], &b = parts[pair.b];
+    const Part &a = parts[pair.a], &b = parts[pair.b];
     const double spheres = (a.X_BS.translation() - b.X_BS.translation()).norm() - a.radius - b.radius;
-    if (spheres > 0.0) return spheres;
+    return spheres > 0.0 ? spheres : Gap(pair);
+  }
+
+  /// The same exactly.
+  double Gap(const Pair& pair) {
+    Part &a = parts[pair.a], &b = parts[pair.b];
     for (Part* part : {&a, &b}) {
       part->object.setTransform(part->X_BS);
       part->object.computeAABB();
@@ -184,6 +189,24 @@ const std::vector<Overlap>& CollisionChecker::Overlaps(const DynamicsScratch& sc
     if (apart < 0.0) scene_->overlaps.push_back({a.shape->link, b.shape->link, -apart});
   }
   return scene_->overlaps;
+}
+
+Overlap CollisionChecker::Nearest(const DynamicsScratch& scratch, double within_m) {
+  constexpr double kNearer = 1e-4;  // [m]
+  scene_->Move(scratch);
+  Overlap nearest;
+  for (Scene::Pair& pair : scene_->pairs) {
+    const Scene::Part &a = scene_->parts[pair.a], &b = scene_->parts[pair.b];
+    const double path = a.path_m + b.path_m, wanted = within_m - kNearer;
+    if (pair.free_m - path >= wanted) continue;
+    double apart = scene_->Apart(pair);
+    if (apart >= 0.0 && apart < wanted) apart = scene_->Gap(pair);
+    pair.free_m = path + std::max(apart, 0.0);
+    if (apart >= wanted) continue;
+    nearest = {a.shape->link, b.shape->link, -apart};
+    within_m = apart;
+  }
+  return nearest;
 }
 
 const std::vector<std::string>& CollisionChecker::notes() const { return scene_->notes; }

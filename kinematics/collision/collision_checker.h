@@ -40,6 +40,10 @@ class CollisionChecker {
   /// Conservative advancement: Mirtich, Impulse-based Dynamic Simulation, 1996, section 2.3.
   const std::vector<Overlap>& Overlaps(const DynamicsScratch& scratch);
 
+  /// The pair that is nearest of all, if nearer than `within_m` by a tenth of a millimetre, as links without names
+  /// otherwise; its depth is negative by how far they are apart. Pairs that cannot be are passed over as by Overlaps.
+  Overlap Nearest(const DynamicsScratch& scratch, double within_m);
+
   /// Meshes without vertices; for people.
   const std::vector<std::string>& notes() const;
   /// Pairs of links left out, by the order of the model's shapes; links of one body are not listed.

@@ -14,45 +14,70 @@
 
 namespace gaitwright {
 
-void Findings::Note(const std::string& law, const std::string& where, double at_s, double value, double limit,
-                    const char* unit) {
-  // A value that is no number breaks its law too.
-  const double excess = std::isfinite(value) ? std::abs(value - limit) : 1e300;
-  auto& entry = worst_[{law, where}];
-  if (entry.second.law.empty() || excess > entry.first) entry = {excess, {law, at_s, where, value, limit, unit}};
-}
-
-std::vector<Violation> Findings::Sorted() const {
-  std::vector<Violation> sorted;
-  for (const std::string& law : AuditLaws()) {
-    std::vector<std::pair<double, Violation>> of_law;
-    for (const auto& [key, entry] : worst_) {
-      if (key.first == law) of_law.push_back(entry);
-    }
-    std::stable_sort(of_law.begin(), of_law.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (const auto& entry : of_law) sorted.push_back(entry.second);
-  }
-  return sorted;
-}
-
 Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options)
-    : model_(model), plan_(plan), options_(options), scratch_(model), collision_(model), watch_(model, plan.terrain) {
+    : model_(model),
+      plan_(plan),
+      options_(options),
+      scratch_(model),
+      collision_(model),
+      watch_(model, plan.terrain),
+      samples_(1 + static_cast<int>(std::floor(plan.duration_s() * options.rate_hz + 1e-6))),
+      joints_(model, options, samples_, findings_) {
   slip_W_.assign(model.feet.size(), Vector3::Zero());
   foothold_.assign(model.feet.size(), -1);
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    limits_.push_back({model.dof_lower(d), model.dof_upper(d), model.dof_velocity_limit(d), model.dof_effort_limit(d)});
-  }
   footing_.resize(model.feet.size());
   X_WF_.assign(model.feet.size(), Pose::Identity());
   points_.resize(model.feet.size());
   limits_to_ground_.foot_m.resize(model.feet.size());
+  for (int d = 0; d < model.num_dofs(); ++d) efforts_.push_back(model.dof_effort_limit(d));
   const int feet = static_cast<int>(model.feet.size());
+  for (int f = 0; f < feet; ++f) intervals_.push_back(IntervalsOf(plan.schedule, f));
   for (const Foothold& foothold : plan.footsteps.footholds) {
     const bool known = foothold.foot >= 0 && foothold.foot < feet;
     support_F_.push_back(
         known ? SupportOf(model.feet[static_cast<std::size_t>(foothold.foot)], foothold, plan.terrain, 0.0)
               : Polygon{});
   }
+  NamePlaces();
+}
+
+void Auditor::NamePlaces() {
+  places_.columns = findings_.Place("consistency", "columns, as a share of what they may be off", "1");
+  places_.base_force = findings_.Place("dynamics", "base force", "N");
+  places_.base_moment = findings_.Place("dynamics", "base moment", "N m");
+  places_.zmp = findings_.Place("zmp_support", "zero-moment point", "m");
+  places_.reference = findings_.Place("zmp_support", "reference of the zero-moment point", "m");
+  places_.self = findings_.Place("self_collision", "nearest links", "m");
+  places_.body = findings_.Place("body_clearance", "nearest link", "m");
+  for (int d = 0; d < model_.num_dofs(); ++d) {
+    places_.residual.push_back(
+        findings_.Place("dynamics", model_.dof_names[static_cast<std::size_t>(d)], Slides(d) ? "N" : "N m"));
+  }
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    places_.reach.push_back(findings_.Place("reach", FootName(f), "m"));
+    places_.friction.push_back(findings_.Place("friction_cone", FootName(f) + ", tangential over normal force", "1"));
+    places_.press.push_back(findings_.Place("unilateral", FootName(f) + ", normal force in mid stance", "N"));
+    places_.edge.push_back(findings_.Place("unilateral", FootName(f) + ", centre of pressure outside", "m"));
+    places_.swing.push_back(findings_.Place("foot_clearance", FootName(f) + ", height in mid swing", "m"));
+  }
+}
+
+bool Auditor::Hanging(double time_s) const {
+  const MotionPart* part = PartAt(plan_.parts, time_s);
+  return part != nullptr && Hangs(part->gait);
+}
+
+/// Whether a time is in the middle half of an interval of contact of a foot, or of the gap between two: at the ends of
+/// both, forces and heights are next to none whatever the plan.
+bool Auditor::InMiddle(int foot, double time_s, bool of_stance) const {
+  const std::vector<ContactInterval>& intervals = intervals_[static_cast<std::size_t>(foot)];
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    if (!of_stance && i + 1 == intervals.size()) break;
+    const double start = of_stance ? intervals[i].start_s : intervals[i].end_s;
+    const double end = of_stance ? intervals[i].end_s : intervals[i + 1].start_s;
+    if (std::abs(time_s - 0.5 * (start + end)) <= 0.25 * (end - start)) return true;
+  }
+  return false;
 }
 
 void Auditor::FindFooting(double time_s) {
@@ -94,7 +119,7 @@ AuditReport Auditor::Run() {
   AuditReport report;
   report.rate_hz = options_.rate_hz;
   const double step = 1.0 / options_.rate_hz;
-  report.samples = 1 + static_cast<int>(std::floor(plan_.duration_s() * options_.rate_hz + 1e-6));
+  report.samples = samples_;
   for (int k = 0; k < report.samples; ++k) {
     const double time_s = plan_.whole_body.start_s + k * step;
     SampleWholeBody(plan_.whole_body, time_s, sample_);
@@ -117,13 +142,16 @@ AuditReport Auditor::Run() {
     CheckDynamics(time_s);
     CheckContactForces(time_s);
     CheckZmp(time_s);
-    CheckJoints(time_s);
+    joints_.Look(sample_, time_s);
     CheckStanceFeet(time_s);
     CheckFeetHeights(time_s);
     CheckReach(time_s);
     CheckBodies(time_s);
     CheckSolids(time_s);
+    if (options_.margins) NearestOfAll(time_s);
   }
+  joints_.Finish(plan_.whole_body.end_s());
+  CheckStart();
   CheckColumns();
   CheckCentroidal();
   CheckPendulum();
@@ -132,13 +160,25 @@ AuditReport Auditor::Run() {
   CheckFootholds();
   CheckSwings();
   report.violations = findings_.Sorted();
+  if (options_.margins) report.margins = findings_.Margins();
+  NoteUnknown(report);
+  return report;
+}
+
+void Auditor::NoteUnknown(AuditReport& report) const {
   for (const Joint& joint : model_.joints) {
     if (joint.effort_limit_is_placeholder)
       report.notes.push_back(fmt::format("joint '{}': its torque limit is a placeholder", joint.name));
     if (joint.velocity_limit_is_placeholder)
       report.notes.push_back(fmt::format("joint '{}': its speed limit is a placeholder", joint.name));
   }
-  return report;
+  for (const MotionPart& part : plan_.parts) {
+    if (!Hangs(part.gait)) continue;
+    report.notes.push_back(
+        fmt::format("from {:.3g} to {:.3g} s the base is held from outside, as on a stand; what "
+                    "holds it is not looked at",
+                    part.start_s, part.end_s));
+  }
 }
 
 namespace {

@@ -1,30 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "planning/audit/audit_report.h"
+#include "planning/audit/start_posture.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
 
-/// How densely a plan is looked at, and with what reserve.
+/// How densely a plan is looked at, and with what reserve. `start` and `margins` are what is asked for beside the laws.
 struct AuditOptions {
   double rate_hz = 1000.0;
-  double derate_torque = 1.0, derate_speed = 1.0;
+  double derate_torque = 1.0, derate_speed = 1.0, derate_acceleration = 1.0, derate_jerk = 1.0;
+  double derate_continuous = 1.0;
+  double jerk_over_s = 0.01;
+  double start_tolerance_rad = 0.05, start_tolerance_m = 0.005, start_tilt_rad = 0.1;
+  bool margins = false;               ///< report how near each law comes to its limit, self-collision and body included
+  std::optional<StartPosture> start;  ///< measured before the first command: law start_posture
 
   OptionFields Fields() {
-    return {
-        {"rate_hz", &rate_hz, "Hz", 10.0, 10000.0, "Rate at which the plan is sampled.", {}},
-        {"derate_torque",
-         &derate_torque,
-         "1",
-         0.01,
-         1.0,
-         "Share of the joints' torque limits that a plan may use.",
-         {}},
-        {"derate_speed", &derate_speed, "1", 0.01, 1.0, "Share of the joints' speed limits that a plan may use.", {}}};
+    const auto share = [](const char* key, double* target, const char* what) {
+      return OptionField{key, target, "1", 0.01, 1.0, std::string("Share of the joints' ") + what + " a plan may use."};
+    };
+    return {{"rate_hz", &rate_hz, "Hz", 10.0, 10000.0, "Rate at which the plan is sampled.", {}},
+            share("derate_torque", &derate_torque, "torque limits, and of torque on their curves over speed, that"),
+            share("derate_speed", &derate_speed, "speed limits, and of speed on their curves, that"),
+            share("derate_acceleration", &derate_acceleration, "limits of acceleration that"),
+            share("derate_jerk", &derate_jerk, "limits of jerk that"),
+            share("derate_continuous", &derate_continuous, "continuous torques that"),
+            {"jerk_over_s", &jerk_over_s, "s", 1e-4, 0.1, "Time over which jerk is the change of acceleration.", {}},
+            {"start_tolerance_rad",
+             &start_tolerance_rad,
+             "rad",
+             0.0,
+             1.0,
+             "How far a joint may be from the first command.",
+             {}},
+            {"start_tolerance_m", &start_tolerance_m, "m", 0.0, 0.1, "The same of a joint that slides.", {}},
+            {"start_tilt_rad",
+             &start_tilt_rad,
+             "rad",
+             0.0,
+             1.0,
+             "How far the measured base may be tilted from the first command's.",
+             {}}};
   }
 };
 
@@ -49,7 +73,12 @@ struct AuditOptions {
 ///                  feet on footholds, along swings: 1 mm and 1e-3 rad; a foothold for each interval of contact and a
 ///                  swing for each gap between two, at their times to 1e-6 s; the goal where the command leads, to 3 %
 ///                  of the leg's length
-/// A plan of the pipeline stays below a tenth of most of these, and below half of the ZMP's.
+///   start_posture  the first command within a tolerance of the measured joints, where these are given
+///   joint_...      position, velocity, acceleration, jerk and torque within limits, torque_speed inside the motor's
+///                  curve, continuous_torque at most what it bears without end (JointWatch). Torques are those of the
+///                  motor: what its joint and rotor take is added (MotorEffort). Limits that are not known are none
+/// In a part that hangs (HangingGait) the base is held from outside, by forces that are not looked at; it must stand
+/// still. A plan of the pipeline stays below a tenth of most of these, and below half of the ZMP's.
 ///
 /// Failure only when the plan does not fit the robot at all, or lasts over an hour.
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options);

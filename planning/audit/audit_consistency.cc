@@ -58,6 +58,7 @@ void Auditor::CheckParts() {
     Expect("start of a part", part.start_s, std::abs(part.start_s - since_s), w.step_s, "s");
     CheckCommand(part, from);
     if (StandsStill(part.gait)) CheckStand(part);
+    if (Hangs(part.gait)) CheckHanging(part);
     from = part.goal;
     since_s = part.end_s;
   }
@@ -89,8 +90,8 @@ void Auditor::CheckCommand(const MotionPart& part, const PlanarPose& start) {
     const double turned = std::abs(WrapAngle(goal.yaw_rad - part.goal.yaw_rad));
     Expect(std::string(where) + ", heading", start_s, turned, kGoalHeading, "rad");
   };
-  if (StandsStill(part.gait)) {
-    compare("goal of standing still", {});
+  if (StandsStill(part.gait) || Hangs(part.gait)) {
+    compare(StandsStill(part.gait) ? "goal of standing still" : "goal of hanging", {});
     return;
   }
   if (c.extent == WalkCommand::Extent::kGoal) {

@@ -26,16 +26,15 @@ void Auditor::CheckDynamics(double time_s) {
   const double moment_limit = force_limit * com_height_m_;
   const double force = residual.head<3>().norm(), moment = residual.segment<3>(3).norm();
   forces_hold_ = force <= kCertain * model_.weight_n() && moment <= kCertain * model_.weight_n() * com_height_m_;
-  if (!(force <= force_limit)) findings_.Note("dynamics", "base force", time_s, force, force_limit, "N");
-  if (!(moment <= moment_limit)) findings_.Note("dynamics", "base moment", time_s, moment, moment_limit, "N m");
+  if (!Hanging(time_s)) {
+    findings_.Hold(places_.base_force, time_s, force, force_limit, force_limit - force);
+    findings_.Hold(places_.base_moment, time_s, moment, moment_limit, moment_limit - moment);
+  }
   for (int d = 0; d < model_.num_dofs(); ++d) {
     const double effort = std::abs(residual[6 + d]);
     const double limit =
-        std::min(Slides(d) ? force_limit : moment_limit, kEffortShare * limits_[static_cast<std::size_t>(d)].effort);
-    if (!(effort <= limit)) {
-      findings_.Note("dynamics", model_.dof_names[static_cast<std::size_t>(d)], time_s, effort, limit,
-                     Slides(d) ? "N" : "N m");
-    }
+        std::min(Slides(d) ? force_limit : moment_limit, kEffortShare * efforts_[static_cast<std::size_t>(d)]);
+    findings_.Hold(places_.residual[static_cast<std::size_t>(d)], time_s, effort, limit, limit - effort);
   }
 }
 
@@ -62,6 +61,13 @@ void Auditor::CheckContactForces(double time_s) {
     const double cone = ground.friction * std::max(normal, 0.0);
     forces_hold_ = forces_hold_ && normal >= -slack && tangential <= cone + slack;
     if (!(tangential <= cone + slack)) findings_.Note("friction_cone", FootName(f), time_s, tangential, cone, "N");
+    const auto place = static_cast<std::size_t>(f);
+    if (normal >= kLeastLoad * model_.weight_n()) {
+      const double used = tangential / normal;
+      findings_.Near(places_.friction[place], time_s, used, ground.friction, ground.friction - used);
+    }
+    if (Contains(stance_, f) && InMiddle(f, time_s, true))
+      findings_.Near(places_.press[place], time_s, normal, 0.0, normal);
     if (normal > kSwingLoad * model_.weight_n() && SwingsThroughout(f, time_s)) {
       findings_.Note("consistency", FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
     }
@@ -73,6 +79,7 @@ void Auditor::CheckContactForces(double time_s) {
     if (support_F == nullptr || support_F->empty()) support_F = &foot.sole_F;
     const double outside = -SignedDistance(*support_F, Vector2(-moment_F.y(), moment_F.x()) / normal_F);
     forces_hold_ = forces_hold_ && outside <= kPressureSlack;
+    findings_.Near(places_.edge[place], time_s, outside, kPressureSlack, kPressureSlack - outside);
     if (outside > kPressureSlack)
       findings_.Note("unilateral", FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack, "m");
   }
@@ -144,34 +151,12 @@ void Auditor::CheckZmp(double time_s) {
   // Where little presses, a moment that is none otherwise moves the ZMP far.
   const double slight = kCertain * com_height_m_ * model_.weight_n() / needed_[2];
   const double limit = has_area && !at_switch_ ? 1e-6 : std::max(kSupportLine, slight);
-  if (!(outside <= limit)) findings_.Note("zmp_support", "zero-moment point", time_s, outside, limit, "m");
+  findings_.Hold(places_.zmp, time_s, outside, limit, limit - outside);
   if (plan_.centroidal.size() != plan_.whole_body.size()) return;
   // The reference is in a plane of its own where feet stand at several heights.
   if (FarthestFrom(SupportPlaneAt(plan_.schedule, time_s, points_), points_, stance_) > kCoplanar) return;
   const double reference = -SignedDistance(support, SampleCentroidal(plan_.centroidal, time_s).p_WZ);
-  if (!(reference <= kReferenceSlack)) {
-    findings_.Note("zmp_support", "reference of the zero-moment point", time_s, reference, kReferenceSlack, "m");
-  }
-}
-
-void Auditor::CheckJoints(double time_s) {
-  for (int d = 0; d < model_.num_dofs(); ++d) {
-    const std::string& name = model_.dof_names[static_cast<std::size_t>(d)];
-    const double q = sample_.q[7 + d], speed = std::abs(sample_.v[6 + d]), torque = std::abs(sample_.tau[d]);
-    const JointLimits& limits = limits_[static_cast<std::size_t>(d)];
-    const double lower = limits.lower, upper = limits.upper;
-    const bool slides = Slides(d);
-    if (!(q >= lower - kRelative * std::max(1.0, std::abs(lower))))
-      findings_.Note("joint_position", name, time_s, q, lower, slides ? "m" : "rad");
-    if (!(q <= upper + kRelative * std::max(1.0, std::abs(upper))))
-      findings_.Note("joint_position", name, time_s, q, upper, slides ? "m" : "rad");
-    const double speed_limit = options_.derate_speed * limits.speed;
-    if (!(speed <= speed_limit * (1.0 + kRelative)))
-      findings_.Note("joint_velocity", name, time_s, speed, speed_limit, slides ? "m/s" : "rad/s");
-    const double torque_limit = options_.derate_torque * limits.effort;
-    if (!(torque <= torque_limit * (1.0 + kRelative)))
-      findings_.Note("joint_torque", name, time_s, torque, torque_limit, slides ? "N" : "N m");
-  }
+  findings_.Hold(places_.reference, time_s, reference, kReferenceSlack, kReferenceSlack - reference);
 }
 
 }  // namespace gaitwright

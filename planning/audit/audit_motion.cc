@@ -64,7 +64,13 @@ void Auditor::CheckFeetHeights(double time_s) {
     const auto i = static_cast<std::size_t>(f);
     const double limit = -DepthLetPass(f, time_s);
     limits_to_ground_.foot_m[i] = limit;
-    for (const Vector3& p : ContactPoints(model_.feet[i], X_WF_[i])) CheckHeight(FootName(f), p, limit, time_s);
+    const bool in_middle = !Contains(stance_, f) && InMiddle(f, time_s, false);
+    for (const Vector3& p : ContactPoints(model_.feet[i], X_WF_[i])) {
+      CheckHeight(FootName(f), p, limit, time_s);
+      if (!in_middle) continue;
+      const double height = p.z() - GroundAt(plan_.terrain, p.head<2>()).height_m;
+      findings_.Near(places_.swing[i], time_s, height, 0.0, height);
+    }
   }
 }
 
@@ -96,6 +102,23 @@ void Auditor::CheckSolids(double time_s) {
   }
 }
 
+/// How near the robot comes to itself, and but for its feet to what is solid; nearer than before is all that is asked.
+void Auditor::NearestOfAll(double time_s) {
+  constexpr double kFarthest = 0.2;  // [m] that is looked for
+  const Overlap pair = collision_.Nearest(scratch_, std::min(findings_.RoomOf(places_.self), kFarthest));
+  if (!pair.link_a.empty()) {
+    findings_.Near(places_.self, time_s, -pair.depth_m, 0.0, -pair.depth_m);
+    findings_.Rename(places_.self, pair.link_a + " and " + pair.link_b);
+  }
+  GroundLimits limits = limits_to_ground_;
+  limits.body_m = std::min(findings_.RoomOf(places_.body), kFarthest);
+  for (const GroundHit& hit : watch_.Look(scratch_, limits)) {
+    if (hit.foot >= 0 || hit.distance_m >= findings_.RoomOf(places_.body)) continue;
+    findings_.Near(places_.body, time_s, hit.distance_m, 0.0, hit.distance_m);
+    findings_.Rename(places_.body, *hit.link);
+  }
+}
+
 void Auditor::CheckReach(double time_s) {
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
     if (!Contains(stance_, f)) continue;
@@ -107,7 +130,7 @@ void Auditor::CheckReach(double time_s) {
     const Foothold& foothold = plan_.footsteps.footholds[static_cast<std::size_t>(index)];
     const Vector3 hip = scratch_.p_WB[static_cast<std::size_t>(leg.joints.front() + 1)];
     const double distance = (foothold.X_WF.translation() - hip).norm();
-    if (!(distance <= length + kPosition)) findings_.Note("reach", FootName(f), time_s, distance, length, "m");
+    findings_.Hold(places_.reach[static_cast<std::size_t>(f)], time_s, distance, length, length - distance, kPosition);
   }
 }
 

@@ -6,23 +6,69 @@
 #include <nlohmann/json.hpp>
 
 namespace gaitwright {
+namespace {
+
+nlohmann::ordered_json MarginsJson(const std::vector<AuditMargin>& margins) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const AuditMargin& m : margins) {
+    list.push_back({{"law", m.law},
+                    {"at_s", m.at_s},
+                    {"where", m.where},
+                    {"value", m.value},
+                    {"limit", m.limit},
+                    {"unit", m.unit},
+                    {"margin", m.margin},
+                    {"share", m.share ? nlohmann::ordered_json(*m.share) : nlohmann::ordered_json(nullptr)}});
+  }
+  return list;
+}
+
+std::string MarginsText(const std::vector<AuditMargin>& margins) {
+  if (margins.empty()) return "";
+  std::string text = "margins, the least of each law and place:\n";
+  for (const AuditMargin& m : margins) {
+    text += fmt::format("  {:<18} {:>5}  at {:6.3f} s  {}: {} (limit {:.4g})\n", m.law,
+                        m.share ? fmt::format("{:.0f} %", 100.0 * *m.share) : "", m.at_s, m.where,
+                        AuditFigure(m.value, m.unit), m.limit);
+  }
+  return text;
+}
+
+}  // namespace
 
 const std::vector<std::string>& AuditLaws() {
-  static const std::vector<std::string> laws = {"consistency",    "joint_position", "joint_velocity", "reach",
-                                                "self_collision", "foot_clearance", "body_clearance", "zmp_support",
-                                                "unilateral",     "friction_cone",  "dynamics",       "joint_torque"};
+  static const std::vector<std::string> laws = {
+      "consistency",   "start_posture",  "joint_position", "joint_velocity", "joint_acceleration", "joint_jerk",
+      "reach",         "self_collision", "foot_clearance", "body_clearance", "zmp_support",        "unilateral",
+      "friction_cone", "dynamics",       "joint_torque",   "torque_speed",   "continuous_torque"};
   return laws;
 }
 
+std::vector<AuditMargin> TightestOfEachLaw(const std::vector<AuditMargin>& margins) {
+  std::vector<AuditMargin> tightest;
+  for (const AuditMargin& margin : margins) {
+    if (tightest.empty() || tightest.back().law != margin.law) tightest.push_back(margin);
+  }
+  return tightest;
+}
+
+std::string AuditFigure(double value, const std::string& unit) {
+  const double shown = value == 0.0 ? 0.0 : value;  // no minus before a zero
+  return unit == "1" || unit.empty() ? fmt::format("{:.4g}", shown) : fmt::format("{:.4g} {}", shown, unit);
+}
+
 std::string AuditText(const AuditReport& report) {
-  if (report.pass()) return fmt::format("audit: pass, {} samples at {:.0f} Hz\n", report.samples, report.rate_hz);
+  if (report.pass()) {
+    return fmt::format("audit: pass, {} samples at {:.0f} Hz\n", report.samples, report.rate_hz) +
+           MarginsText(report.margins);
+  }
   std::string text =
       fmt::format("audit: fail, {} violations in {} samples\n", report.violations.size(), report.samples);
   for (const Violation& v : report.violations) {
-    text += fmt::format("  {:<15} at {:6.3f} s  {}: {:.4g} {} (limit {:.4g})\n", v.law, v.at_s, v.where, v.value,
-                        v.unit, v.limit);
+    text += fmt::format("  {:<18} at {:6.3f} s  {}: {} (limit {:.4g})\n", v.law, v.at_s, v.where,
+                        AuditFigure(v.value, v.unit), v.limit);
   }
-  return text;
+  return text + MarginsText(report.margins);
 }
 
 std::string AuditJson(const AuditReport& report) {
@@ -35,10 +81,11 @@ std::string AuditJson(const AuditReport& report) {
                           {"limit", v.limit},
                           {"unit", v.unit}});
   }
-  const nlohmann::ordered_json json = {{"verdict", report.pass() ? "pass" : "fail"},
-                                       {"violations", violations},
-                                       {"samples", report.samples},
-                                       {"notes", report.notes}};
+  nlohmann::ordered_json json = {{"verdict", report.pass() ? "pass" : "fail"},
+                                 {"violations", violations},
+                                 {"samples", report.samples},
+                                 {"notes", report.notes}};
+  if (!report.margins.empty()) json["margins"] = MarginsJson(report.margins);
   return json.dump(2);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,26 @@ struct Violation {
   bool operator==(const Violation&) const = default;
 };
 
+/// How near a plan comes to the limit of a law at one place, whether or not it keeps it.
+struct AuditMargin {
+  std::string law;    ///< one of AuditLaws
+  double at_s = 0.0;  ///< when it is nearest
+  std::string where;  ///< joint, foot or pair of links
+  double value = 0.0, limit = 0.0;
+  double margin = 0.0;          ///< from the value to the limit; negative beyond it
+  std::optional<double> share;  ///< margin over limit, where the limit is a size from zero up
+  std::string unit;             ///< of value, limit and margin; "1" for none
+
+  bool operator==(const AuditMargin&) const = default;
+};
+
 /// What the audit found; it does not know who made the plan.
 struct AuditReport {
   std::vector<Violation> violations;  ///< by law in a fixed order, then worst first
   std::vector<std::string> notes;     ///< limits that are placeholders and laws that could not be applied
   int samples = 0;
   double rate_hz = 1000.0;
+  std::vector<AuditMargin> margins;  ///< by law in the same order, then least first; as far as asked for
 
   bool pass() const { return violations.empty(); }
 };
@@ -32,10 +47,17 @@ struct AuditReport {
 /// no forces could mend, forces that the ground cannot give, and last the torques.
 const std::vector<std::string>& AuditLaws();
 
-/// A verdict and a line for each violation.
+/// The margins of the law that has least to spare at each place, one a law: the first of each in a report's list.
+std::vector<AuditMargin> TightestOfEachLaw(const std::vector<AuditMargin>& margins);
+
+/// A figure with its unit, four digits; "1" is shown as nothing.
+std::string AuditFigure(double value, const std::string& unit);
+
+/// A verdict and a line for each violation; then a line for each margin that the report has.
 std::string AuditText(const AuditReport& report);
 
-/// {"verdict", "violations": [{"law", "at_s", "where", "value", "limit", "unit"}], "samples", "notes"}.
+/// {"verdict", "violations": [{"law", "at_s", "where", "value", "limit", "unit"}], "samples", "notes"}, and "margins"
+/// where the report has them: the same keys, with "margin" and "share".
 std::string AuditJson(const AuditReport& report);
 
 }  // namespace gaitwright

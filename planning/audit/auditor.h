@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "kinematics/collision/collision_checker.h"
@@ -11,23 +9,13 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/convex_hull.h"
 #include "planning/audit/audit.h"
+#include "planning/audit/findings.h"
 #include "planning/audit/ground_watch.h"
+#include "planning/audit/joint_watch.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/support_plane.h"
 
 namespace gaitwright {
-
-/// Keeps the worst of each law at each place.
-class Findings {
- public:
-  /// Notes a value that is over its limit by `excess` > 0 (nothing otherwise); the largest excess of a place is kept.
-  void Note(const std::string& law, const std::string& where, double at_s, double value, double limit,
-            const char* unit);
-  std::vector<Violation> Sorted() const;
-
- private:
-  std::map<std::pair<std::string, std::string>, std::pair<double, Violation>> worst_;
-};
 
 /// One pass over a plan. Each Check... is one law, or a few that look at the same thing.
 class Auditor {
@@ -37,7 +25,11 @@ class Auditor {
   AuditReport Run();
 
  private:
+  void NamePlaces();
+  void NoteUnknown(AuditReport& report) const;
   bool AllFinite() const;  // the present sample
+  bool Hanging(double time_s) const;
+  bool InMiddle(int foot, double time_s, bool of_stance) const;
   bool SwingsThroughout(int foot, double time_s) const;
 
   /// What a foot stands on, or stood on last: its foothold's surface; the highest ground where that names none.
@@ -54,13 +46,13 @@ class Auditor {
   void CheckContactForces(double time_s);
   void CheckZmp(double time_s);
   void CheckWrenchCone(double time_s);
-  void CheckJoints(double time_s);
   void CheckStanceFeet(double time_s);
   void CheckFeetHeights(double time_s);
   double DepthLetPass(int foot, double time_s) const;
   void CheckHeight(const std::string& where, const Vector3& p_W, double limit, double time_s);
   void CheckBodies(double time_s);
   void CheckSolids(double time_s);
+  void NearestOfAll(double time_s);
   void CheckReach(double time_s);
   // Over the plan as a whole (audit_columns.cc, audit_consistency.cc, audit_swings.cc)
   void CheckColumns();
@@ -69,6 +61,8 @@ class Auditor {
   GroundPlane CarryingPlane(double time_s) const;
   void CheckSchedule();
   void CheckParts();
+  void CheckStart();
+  void CheckHanging(const MotionPart& part);
   void CheckStand(const MotionPart& part);
   void CheckCommand(const MotionPart& part, const PlanarPose& start);
   void CheckFootholds();
@@ -84,6 +78,7 @@ class Auditor {
 
   /// Notes a breach of consistency unless `off` is at most `limit`.
   void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {
+    findings_.Near(places_.columns, time_s, off / limit, 1.0, 1.0 - off / limit);
     if (!(off <= limit)) findings_.Note("consistency", where, time_s, off, limit, unit);
   }
   /// Whether enough of the needed force presses on the ground, and on a plane, for a ZMP there to mean something.
@@ -96,10 +91,6 @@ class Auditor {
   const MotionPlan& plan_;
   const AuditOptions& options_;
   DynamicsScratch scratch_;
-  struct JointLimits {
-    double lower, upper, speed, effort;
-  };
-  std::vector<JointLimits> limits_;  // by dof, before derating
   CollisionChecker collision_;
   GroundWatch watch_;
   GroundLimits limits_to_ground_;
@@ -116,7 +107,17 @@ class Auditor {
   ContactsByFoot points_;         // by foot: through which it can push
   std::vector<Vector3> slip_W_;   // by foot: travel of the material contact point in this stance
   std::vector<int> foothold_;     // by foot: the one last stood on
+  int samples_;
   Findings findings_;
+  JointWatch joints_;
+  /// Numbers of places in findings_.
+  struct Places {
+    int columns, base_force, base_moment, zmp, reference, self, body;
+    std::vector<int> residual;                             // by dof
+    std::vector<int> reach, friction, press, swing, edge;  // by foot
+  } places_;
+  std::vector<double> efforts_;                          // by dof: limit, before derating
+  std::vector<std::vector<ContactInterval>> intervals_;  // by foot: of contact
 };
 
 }  // namespace gaitwright

@@ -74,8 +74,9 @@ TEST_F(Help, NamesTheExitStatusesAndFitsItsLines) {
 }
 
 TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
-  const std::vector<std::string> bare = {"--help", "--json", "--quiet",  "--list-options",
-                                         "--set",  "--urdf", "--resume", "--show-disturbances"};
+  const std::vector<std::string> bare = {"--help",    "--json",     "--quiet",  "--list-options",
+                                         "--set",     "--urdf",     "--resume", "--show-disturbances",
+                                         "--margins", "--preflight"};
   for (const char* verb : {"walk", "plan", "play", "trials", "audit"}) {
     std::istringstream help(Of({verb}));
     std::string flag, text;
@@ -90,7 +91,7 @@ TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
         flag = Words(line).front();
         text = line;
         const bool switches = flag == "--json" || flag == "--quiet" || flag == "--list-options" || flag == "--resume" ||
-                              flag == "--show-disturbances";
+                              flag == "--show-disturbances" || flag == "--margins" || flag == "--preflight";
         EXPECT_TRUE(switches || line.substr(2 + flag.size(), 2) != "  ")
             << verb << " " << flag << " has no type or unit";
       } else if (line.starts_with("     ")) {

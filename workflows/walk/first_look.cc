@@ -75,8 +75,10 @@ double EaseOf(const AuditReport& audit) {
   double ease = 1.0;
   for (const Violation& v : BrokenLimits(audit)) {
     double share = kOtherwise;
-    if (v.law == "joint_velocity" || v.law == "joint_torque") share = std::abs(v.limit / v.value);
-    if (v.law == "joint_torque") share = std::sqrt(share);
+    if (v.law.starts_with("joint_") && v.law != "joint_position") share = std::abs(v.limit / v.value);
+    // Torques and accelerations go with the square of the pace, jerk with its cube.
+    if (v.law == "joint_torque" || v.law == "joint_acceleration") share = std::sqrt(share);
+    if (v.law == "joint_jerk") share = std::cbrt(share);
     ease = std::min(ease, share);
   }
   return std::clamp(kSpare * ease, kLeast, kMost);

@@ -25,8 +25,10 @@ double Digits(double value, int digits) {
 }
 
 bool IsLimit(const Violation& v) {
-  return v.law == "joint_position" || v.law == "joint_velocity" || v.law == "joint_torque" || v.law == "reach" ||
-         v.law == "self_collision";
+  static const std::set<std::string> kLimits = {"joint_position",    "joint_velocity", "joint_acceleration",
+                                                "joint_jerk",        "joint_torque",   "torque_speed",
+                                                "continuous_torque", "reach",          "self_collision"};
+  return kLimits.contains(v.law);
 }
 
 double Passed(const Violation& v) { return std::abs(v.value - v.limit) / std::max(std::abs(v.limit), 1e-9); }
@@ -121,10 +123,14 @@ std::string LimitText(const Violation& v) {
     return fmt::format("the plan breaks the law '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", v.law, v.where,
                        v.value, v.unit, v.at_s, v.limit);
   }
-  const char* what = v.law == "joint_torque"     ? "needs"
-                     : v.law == "joint_velocity" ? "moves at"
-                     : v.law == "joint_position" ? "is at"
-                                                 : "reaches for";
+  const char* what = v.law == "joint_torque"         ? "needs"
+                     : v.law == "torque_speed"       ? "needs, at the speed that it has,"
+                     : v.law == "continuous_torque"  ? "needs, as a mean over time,"
+                     : v.law == "joint_velocity"     ? "moves at"
+                     : v.law == "joint_acceleration" ? "accelerates at"
+                     : v.law == "joint_jerk"         ? "changes its acceleration by"
+                     : v.law == "joint_position"     ? "is at"
+                                                     : "reaches for";
   return fmt::format("'{}' {} {:.4g} {} at {:.2f} s, {:.3g} {} past its limit of {:.4g}", v.where, what, v.value,
                      v.unit, v.at_s, std::abs(v.value - v.limit), v.unit, v.limit);
 }

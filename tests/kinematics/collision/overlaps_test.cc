@@ -64,6 +64,46 @@ TEST(Overlaps, DepthsOfShapesThatMeetHeadOn) {
   }
 }
 
+TEST(NearestPair, IsAsFarAsTheShapesAreApartAndOnlyNamedWhereItIsNearer) {
+  const RobotModel model = TwoOnSlides(ShapeType::kSphere, {0.05, 0.0, 0.0});
+  CollisionChecker checker(model);
+  DynamicsScratch scratch(model);
+  VectorX q = StandingConfiguration(model);
+  for (const double gap : {0.5, 0.1, 0.3, 0.02, -0.01, 0.2}) {
+    q.tail(2) = Eigen::Vector2d(0.0, 0.1 + gap);
+    ForwardKinematics(model, q, scratch);
+    const Overlap nearest = checker.Nearest(scratch, gap + 0.01);
+    EXPECT_EQ(nearest.link_a, "left") << gap;
+    EXPECT_EQ(nearest.link_b, "right") << gap;
+    EXPECT_NEAR(nearest.depth_m, -gap, 2e-5);
+    EXPECT_EQ(checker.Nearest(scratch, gap).link_a, "") << gap;
+    EXPECT_EQ(checker.Overlaps(scratch).size(), gap < 0.0 ? 1U : 0U) << "what was asked changes no answer";
+  }
+}
+
+TEST(NearestPair, OfALegThatComesNearIsTheLeastOverAllPairs) {
+  const RobotModel model = LoadNamedRobot("nao").value();
+  CollisionChecker watching(model);
+  DynamicsScratch scratch(model);
+  VectorX q = StandingConfiguration(model);
+  double least = 0.2;
+  for (int k = 0; k <= 40; ++k) {
+    for (int d = 0; d < model.num_dofs(); ++d)
+      q[7 + d] = model.standing_joints[d] + 0.2 * std::sin(0.1 * k + d) * (d % 3 == 0 ? 1.0 : 0.2);
+    ForwardKinematics(model, q, scratch);
+    const Overlap nearest = watching.Nearest(scratch, least);
+    CollisionChecker fresh(model);
+    const Overlap at_once = fresh.Nearest(scratch, 0.2);
+    if (nearest.link_a.empty()) {
+      EXPECT_GE(-at_once.depth_m, least - 1.2e-4) << k;
+    } else {
+      EXPECT_NEAR(nearest.depth_m, at_once.depth_m, 1.2e-4) << k;
+      least = -nearest.depth_m;
+    }
+  }
+  EXPECT_LT(least, 0.1);
+}
+
 TEST(Overlaps, DoNotDependOnWhatWasSeenBefore) {
   for (const char* name : {"a1", "nao"}) {
     const RobotModel model = LoadNamedRobot(name).value();

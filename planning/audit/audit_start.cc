@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Law `start_posture`, and `consistency` of a base that is held from outside.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "planning/audit/auditor.h"
+#include "planning/audit/tolerances.h"
+
+namespace gaitwright {
+
+using namespace tolerance;
+
+/// The first command against where the robot was measured: what a joint would have to jump.
+void Auditor::CheckStart() {
+  if (!options_.start) return;
+  const StartPosture& start = *options_.start;
+  const double time_s = plan_.whole_body.start_s;
+  const VectorX& q = plan_.whole_body.q.front();
+  for (int d = 0; d < model_.num_dofs(); ++d) {
+    const double jump = std::abs(q[7 + d] - start.joints[d]);
+    const double limit = Slides(d) ? options_.start_tolerance_m : options_.start_tolerance_rad;
+    const int place =
+        findings_.Place("start_posture", model_.dof_names[static_cast<std::size_t>(d)], Slides(d) ? "m" : "rad");
+    findings_.Hold(place, time_s, jump, limit, limit - jump);
+  }
+  if (!start.R_WB) return;
+  // Only the tilt: which way an IMU calls ahead is its own affair.
+  const Vector3 up = BaseRotation(q).row(2), measured = start.R_WB->toRotationMatrix().row(2);
+  const double tilt = std::atan2(up.cross(measured).norm(), up.dot(measured));
+  const int place = findings_.Place("start_posture", "base tilt", "rad");
+  findings_.Hold(place, time_s, tilt, options_.start_tilt_rad, options_.start_tilt_rad - tilt);
+}
+
+/// In a part that hangs no foot is on the ground, and the base stays where it is held.
+void Auditor::CheckHanging(const MotionPart& part) {
+  for (const ContactPhase& phase : plan_.schedule.phases) {
+    const bool within = phase.end_s > part.start_s + kTime && phase.start_s < part.end_s - kTime;
+    if (within && phase.stance != 0) {
+      findings_.Note("consistency", "feet on the ground while it hangs", std::max(part.start_s, phase.start_s),
+                     std::popcount(phase.stance), 0.0, "1");
+    }
+  }
+  const WholeBodyTrajectory& w = plan_.whole_body;
+  for (std::size_t k = 0; k < w.v.size(); ++k) {
+    const double time_s = w.start_s + static_cast<double>(k) * w.step_s;
+    if (time_s < part.start_s - kTime || time_s > part.end_s + kTime) continue;
+    Expect("base while it hangs", time_s, w.v[k].head<3>().norm(), kSpeed, "m/s");
+    Expect("turning of the base while it hangs", time_s, w.v[k].segment<3>(3).norm(), kRate, "rad/s");
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/audit/findings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaitwright {
+namespace {
+
+/// What is compared between the places of one law: shares of limits where these are sizes, else what there is to spare.
+double SpareOf(const AuditMargin& margin) { return margin.share ? *margin.share : margin.margin; }
+
+/// Laws whose limits are sizes from zero up, so that a share of them means something.
+bool IsOfSize(const std::string& law) {
+  return law != "joint_position" && law != "zmp_support" && law != "unilateral" && !law.ends_with("_clearance") &&
+         law != "self_collision";
+}
+
+}  // namespace
+
+int Findings::Place(const std::string& law, const std::string& where, const std::string& unit) {
+  places_.emplace_back();
+  names_.push_back({law, where, unit});
+  return static_cast<int>(names_.size()) - 1;
+}
+
+void Findings::Break(int place, double at_s, double value, double limit) {
+  const Named& named = names_[static_cast<std::size_t>(place)];
+  Note(named.law, named.where, at_s, value, limit, named.unit.c_str());
+}
+
+void Findings::Note(const std::string& law, const std::string& where, double at_s, double value, double limit,
+                    const char* unit) {
+  // A value that is no number breaks its law too.
+  const double excess = std::isfinite(value) ? std::abs(value - limit) : 1e300;
+  auto& entry = worst_[{law, where}];
+  if (entry.second.law.empty() || excess > entry.first) entry = {excess, {law, at_s, where, value, limit, unit}};
+}
+
+std::vector<Violation> Findings::Sorted() const {
+  std::vector<Violation> sorted;
+  for (const std::string& law : AuditLaws()) {
+    std::vector<std::pair<double, Violation>> of_law;
+    for (const auto& [key, entry] : worst_) {
+      if (key.first == law) of_law.push_back(entry);
+    }
+    std::stable_sort(of_law.begin(), of_law.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (const auto& entry : of_law) sorted.push_back(entry.second);
+  }
+  return sorted;
+}
+
+std::vector<AuditMargin> Findings::Margins() const {
+  std::vector<AuditMargin> sorted;
+  for (const std::string& law : AuditLaws()) {
+    std::vector<AuditMargin> of_law;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const Closest& closest = places_[i];
+      if (names_[i].law != law || !std::isfinite(closest.limit) || closest.room >= 1e300) continue;
+      AuditMargin margin = {law,          closest.at_s, names_[i].where, closest.value, closest.limit,
+                            closest.room, {},           names_[i].unit};
+      if (IsOfSize(law) && closest.limit > 0.0) margin.share = closest.room / closest.limit;
+      of_law.push_back(margin);
+    }
+    std::stable_sort(of_law.begin(), of_law.end(),
+                     [](const AuditMargin& a, const AuditMargin& b) { return SpareOf(a) < SpareOf(b); });
+    sorted.insert(sorted.end(), of_law.begin(), of_law.end());
+  }
+  return sorted;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/audit/joint_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/model/dof_units.h"
+#include "planning/audit/tolerances.h"
+
+namespace gaitwright {
+
+using tolerance::kRelative;
+
+JointWatch::JointWatch(const RobotModel& model, const AuditOptions& options, int samples, Findings& findings)
+    : model_(model),
+      options_(options),
+      findings_(findings),
+      effort_(model),
+      jerk_steps_(static_cast<std::size_t>(std::max(1L, std::lround(options.jerk_over_s * options.rate_hz)))) {
+  for (int d = 0; d < model.num_dofs(); ++d) joints_.push_back(Watch(d, samples));
+}
+
+JointWatch::Watched JointWatch::Watch(int dof, int samples) {
+  const std::string& name = model_.dof_names[static_cast<std::size_t>(dof)];
+  const Motor& motor = model_.MotorOf(dof);
+  const std::string of_position = PositionUnit(model_, dof), of_effort = EffortUnit(model_, dof);
+  Watched joint = {};
+  joint.lower = model_.dof_lower(dof);
+  joint.upper = model_.dof_upper(dof);
+  joint.position_scale_lower = kRelative * std::max(1.0, std::abs(joint.lower));
+  joint.position_scale_upper = kRelative * std::max(1.0, std::abs(joint.upper));
+  joint.speed = options_.derate_speed * model_.dof_velocity_limit(dof);
+  joint.acceleration = options_.derate_acceleration * motor.acceleration_limit;
+  joint.jerk = options_.derate_jerk * motor.jerk_limit;
+  joint.effort = options_.derate_torque * model_.dof_effort_limit(dof);
+  joint.continuous = options_.derate_continuous * motor.continuous_effort;
+  joint.position = findings_.Place("joint_position", name, of_position);
+  joint.velocity = findings_.Place("joint_velocity", name, SpeedUnit(model_, dof));
+  joint.accelerated = findings_.Place("joint_acceleration", name, of_position + "/s^2");
+  joint.jerked = findings_.Place("joint_jerk", name, of_position + "/s^3");
+  joint.torque = findings_.Place("joint_torque", name, of_effort);
+  joint.curve = findings_.Place("torque_speed", name, of_effort);
+  joint.heat = findings_.Place("continuous_torque", name, of_effort);
+  if (std::isfinite(joint.jerk)) joint.accelerations.assign(jerk_steps_, 0.0);
+  if (std::isfinite(joint.continuous)) {
+    const double steps = std::min(std::round(motor.thermal_s * options_.rate_hz), static_cast<double>(samples));
+    joint.window = std::max<std::size_t>(1, static_cast<std::size_t>(steps));
+    joint.squares.assign(joint.window, 0.0);
+  }
+  return joint;
+}
+
+void JointWatch::Look(const WholeBodySample& sample, double time_s) {
+  for (int d = 0; d < model_.num_dofs(); ++d) {
+    Watched& joint = joints_[static_cast<std::size_t>(d)];
+    const double v = sample.v[6 + d], a = sample.a[6 + d];
+    const double effort = effort_.Of(d, sample.tau[d], v, a);
+    LookAtMotion(joint, sample.q[7 + d], v, a, time_s);
+    LookAtEffort(joint, model_.MotorOf(d), effort, v, time_s);
+    LookAtHeat(joint, effort, time_s);
+  }
+  ++count_;
+}
+
+void JointWatch::LookAtMotion(Watched& joint, double q, double v, double a, double time_s) {
+  findings_.Hold(joint.position, time_s, q, joint.lower, q - joint.lower, joint.position_scale_lower);
+  findings_.Hold(joint.position, time_s, q, joint.upper, joint.upper - q, joint.position_scale_upper);
+  const double speed = std::abs(v), size = std::abs(a);
+  findings_.Hold(joint.velocity, time_s, speed, joint.speed, joint.speed - speed, kRelative * joint.speed);
+  findings_.Hold(joint.accelerated, time_s, size, joint.acceleration, joint.acceleration - size,
+                 kRelative * joint.acceleration);
+  if (joint.accelerations.empty()) return;
+  double& before = joint.accelerations[count_ % jerk_steps_];
+  if (count_ >= jerk_steps_) {
+    const double over_s = static_cast<double>(jerk_steps_) / options_.rate_hz, jerk = std::abs(a - before) / over_s;
+    findings_.Hold(joint.jerked, time_s - 0.5 * over_s, jerk, joint.jerk, joint.jerk - jerk, kRelative * joint.jerk);
+  }
+  before = a;
+}
+
+/// Up to the corner of the curve the peak says it all.
+void JointWatch::LookAtEffort(Watched& joint, const Motor& motor, double effort, double v, double time_s) {
+  const double size = std::abs(effort);
+  findings_.Hold(joint.torque, time_s, size, joint.effort, joint.effort - size, kRelative * joint.effort);
+  const double speed = std::abs(v) / options_.derate_speed;
+  if (!motor.has_curve() || speed <= motor.corner_speed || effort * v <= 0.0) return;
+  const double limit = motor.EffortAt(speed, joint.effort);
+  findings_.Hold(joint.curve, time_s, size, limit, limit - size, kRelative * limit);
+}
+
+void JointWatch::LookAtHeat(Watched& joint, double effort, double time_s) {
+  if (joint.squares.empty()) return;
+  double& oldest = joint.squares[count_ % joint.window];
+  joint.sum += effort * effort - oldest;
+  oldest = effort * effort;
+  if (count_ + 1 < joint.window) return;
+  const double mean = std::sqrt(std::max(joint.sum, 0.0) / static_cast<double>(joint.window));
+  findings_.Hold(joint.heat, time_s, mean, joint.continuous, joint.continuous - mean, kRelative * joint.continuous);
+}
+
+/// Where samples were left out, windows as long as the plan are not full.
+void JointWatch::Finish(double time_s) {
+  for (Watched& joint : joints_) {
+    if (joint.squares.empty() || count_ >= joint.window || count_ == 0) continue;
+    const double mean = std::sqrt(std::max(joint.sum, 0.0) / static_cast<double>(count_));
+    findings_.Hold(joint.heat, time_s, mean, joint.continuous, joint.continuous - mean, kRelative * joint.continuous);
+  }
+}
+
+std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
+  struct Known {
+    const char* law;
+    const char* what;
+    bool (*of)(const Motor&);
+  };
+  const Known all[] = {
+      {"joint_acceleration", "limit of acceleration",
+       [](const Motor& m) { return std::isfinite(m.acceleration_limit); }},
+      {"joint_jerk", "limit of jerk", [](const Motor& m) { return std::isfinite(m.jerk_limit); }},
+      {"torque_speed", "torque-speed curve", [](const Motor& m) { return m.has_curve(); }},
+      {"continuous_torque", "continuous torque", [](const Motor& m) { return std::isfinite(m.continuous_effort); }}};
+  std::vector<std::string> lines;
+  for (const Known& known : all) {
+    std::vector<std::string> without;
+    for (int d = 0; d < model.num_dofs(); ++d) {
+      if (!known.of(model.MotorOf(d))) without.push_back(model.dof_names[static_cast<std::size_t>(d)]);
+    }
+    if (without.empty()) continue;
+    const bool none = static_cast<int>(without.size()) == model.num_dofs();
+    lines.push_back(fmt::format("{} not applied{}: no robot.yaml gives {} {}", known.law,
+                                none ? "" : fmt::format(" to {}", QuotedList(without)), none ? "any" : "their",
+                                known.what));
+  }
+  return lines;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/audit/start_posture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "kinematics/base/file.h"
+#include "kinematics/base/options.h"
+#include "kinematics/base/strict_yaml_internal.h"
+#include "kinematics/model/dof_units.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr char kQuaternion[] = "base_quaternion_xyzw", kJoints[] = "joints";
+
+Quaternion ReadQuaternion(const YAML::Node& node) {
+  const std::vector<YAML::Node> xyzw = ListOf(node, fmt::format("'{}'", kQuaternion));
+  if (xyzw.size() != 4)
+    RefuseYaml(node, fmt::format("'{}' has {} numbers; [x, y, z, w] is needed", kQuaternion, xyzw.size()));
+  double c[4];
+  for (std::size_t i = 0; i < 4; ++i) c[i] = NumberOf(xyzw[i], fmt::format("'{}'", kQuaternion));
+  const Quaternion R_WB(c[3], c[0], c[1], c[2]);
+  if (std::abs(R_WB.norm() - 1.0) > 1e-3) {
+    RefuseYaml(node,
+               fmt::format("'{}' has a length of {:.4g}; that of a rotation is 1, to 0.001", kQuaternion, R_WB.norm()));
+  }
+  return R_WB.normalized();
+}
+
+/// Refuses a joint that is none, or that has no coordinate of its own.
+int DofOf(const RobotModel& model, const YamlMap::Entry& entry) {
+  const auto at = std::find(model.dof_names.begin(), model.dof_names.end(), entry.key);
+  if (at != model.dof_names.end()) return static_cast<int>(at - model.dof_names.begin());
+  for (const Joint& joint : model.joints) {
+    if (joint.name != entry.key) continue;
+    RefuseYaml(entry.key_node, fmt::format("joint '{}' follows '{}' and has no position of its own; leave it out",
+                                           joint.name, model.dof_names[static_cast<std::size_t>(joint.dof)]));
+  }
+  RefuseYaml(entry.key_node, fmt::format("robot '{}' has no joint '{}'; the nearest is '{}'", model.name, entry.key,
+                                         NearestName(entry.key, model.dof_names)));
+}
+
+double ReadPosition(const RobotModel& model, int dof, const YamlMap::Entry& entry) {
+  constexpr double kRounding = 1e-6;  // [rad] or [m]
+  const double q = NumberOf(entry.value, fmt::format("joint '{}'", entry.key));
+  if (q < model.dof_lower(dof) - kRounding || q > model.dof_upper(dof) + kRounding) {
+    RefuseYaml(entry.value,
+               fmt::format("joint '{}' is at {:.6g} {}, outside of its limits of {:.6g} to {:.6g}; mend the "
+                           "measurement or the limits",
+                           entry.key, q, PositionUnit(model, dof), model.dof_lower(dof), model.dof_upper(dof)));
+  }
+  return q;
+}
+
+void ReadJoints(const RobotModel& model, const YamlMap& map, const YAML::Node& node, VectorX& joints) {
+  std::vector<bool> given(static_cast<std::size_t>(model.num_dofs()), false);
+  for (const YamlMap::Entry& entry : map.entries()) {
+    if (entry.key == kQuaternion) continue;
+    const int dof = DofOf(model, entry);
+    joints[dof] = ReadPosition(model, dof, entry);
+    given[static_cast<std::size_t>(dof)] = true;
+  }
+  std::vector<std::string> missing;
+  for (std::size_t d = 0; d < given.size(); ++d) {
+    if (!given[d]) missing.push_back(model.dof_names[d]);
+  }
+  if (missing.empty()) return;
+  RefuseYaml(node, fmt::format("{} of robot '{}' {} missing; every joint is needed, with its position in rad (m)",
+                               QuotedList(missing), model.name, missing.size() == 1 ? "is" : "are"));
+}
+
+}  // namespace
+
+Result<StartPosture> StartPostureFromYaml(const std::string& text, const std::string& source, const RobotModel& model) {
+  const auto bad = [&](const std::string& message) {
+    return Failure{
+        FailureKind::kBadInput, "start_posture", "StartPosture", fmt::format("'{}', {}", source, message), {}};
+  };
+  try {
+    const YAML::Node root = LoadYaml(text);
+    const YamlMap map(root, "the start posture");
+    StartPosture posture;
+    posture.joints = VectorX::Zero(model.num_dofs());
+    if (const YAML::Node* node = map.Find(kQuaternion)) posture.R_WB = ReadQuaternion(*node);
+    const YAML::Node* under = map.Find(kJoints);
+    if (under != nullptr && under->IsMap()) {
+      const YamlMap only(root, "the start posture", {kJoints, kQuaternion});
+      ReadJoints(model, YamlMap(*under, "'joints'"), *under, posture.joints);
+    } else {
+      ReadJoints(model, map, root, posture.joints);
+    }
+    return posture;
+  } catch (const InvalidArgument& error) {
+    return bad(error.what());
+  } catch (const YAML::Exception& error) {
+    return bad(fmt::format("line {}: is no YAML from here on; see docs/audit.md", error.mark.line + 1));
+  }
+}
+
+Result<StartPosture> LoadStartPosture(const std::string& path, const RobotModel& model) {
+  const Result<std::string> text = ReadFile(path);
+  if (!text) return text.failure();
+  return StartPostureFromYaml(*text, path, model);
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/tasks/approach.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "kinematics/base/version.h"
+#include "kinematics/collision/collision_checker.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/dof_units.h"
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/stability/zero_moment_point.h"
+#include "planning/audit/audit.h"
+#include "planning/audit/motor_effort.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr char kStage[] = "PlanApproach";
+
+Failure Infeasible(const std::string& code, const std::string& message, const std::vector<std::string>& hints = {}) {
+  return {FailureKind::kInfeasible, code, kStage, message, hints};
+}
+
+/// A move of all joints from rest to rest.
+struct Move {
+  VectorX from, to;
+  double duration_s = 0.0;
+};
+
+/// q of the robot as it hangs, its joints left at zero: over the place where the plan begins, with the plan's heading.
+VectorX HangingBase(const RobotModel& model, const MotionPlan& plan, const StartPosture& start) {
+  VectorX q = VectorX::Zero(model.nq());
+  q.head<2>() = plan.whole_body.q.front().head<2>();
+  q[2] = model.standing_base_height_m + model.leg_length_m();
+  const double yaw = YawOf(BaseRotation(plan.whole_body.q.front()));
+  Quaternion R_WB(Eigen::AngleAxisd(yaw, Vector3::UnitZ()));
+  if (start.R_WB) {
+    const double measured = YawOf(start.R_WB->toRotationMatrix());
+    R_WB = (Quaternion(Eigen::AngleAxisd(yaw - measured, Vector3::UnitZ())) * *start.R_WB).normalized();
+  }
+  q.segment<4>(3) = R_WB.coeffs();
+  return q;
+}
+
+/// Holds ways against self-collision.
+class WayCheck {
+ public:
+  WayCheck(const RobotModel& model, const VectorX& q_base)
+      : model_(model), scratch_(model), collision_(model), q_(q_base) {}
+
+  /// The first pair that meets on the straight way, looked at every hundredth of a radian (millimetre), if one does.
+  std::optional<Overlap> FirstMeeting(const VectorX& from, const VectorX& to) {
+    double pieces = 1.0;
+    for (int d = 0; d < model_.num_dofs(); ++d)
+      pieces = std::max(pieces, std::abs(to[d] - from[d]) / (Slides(model_, d) ? 1e-3 : 1e-2));
+    const int count = static_cast<int>(std::ceil(pieces));
+    for (int k = 0; k <= count; ++k) {
+      if (auto meeting = MeetingAt(from + static_cast<double>(k) / count * (to - from))) return meeting;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Overlap> MeetingAt(const VectorX& joints) {
+    q_.tail(model_.num_dofs()) = joints;
+    ForwardKinematics(model_, q_, scratch_);
+    const std::vector<Overlap>& overlaps = collision_.Overlaps(scratch_);
+    if (overlaps.empty()) return std::nullopt;
+    return overlaps.front();
+  }
+
+ private:
+  const RobotModel& model_;
+  DynamicsScratch scratch_;
+  CollisionChecker collision_;
+  VectorX q_;
+};
+
+std::string PairText(const Overlap& pair) {
+  return fmt::format("'{}' and '{}' meet, {:.1f} mm deep", pair.link_a, pair.link_b, 1e3 * pair.depth_m);
+}
+
+/// The postures to go by, the ends included, or why there is no free way.
+Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, const VectorX& from, const VectorX& to) {
+  const auto blocked = [&](const char* posture, const Overlap& pair) {
+    return Failure{FailureKind::kBadInput,
+                   "self_collision",
+                   kStage,
+                   fmt::format("in the {} posture {}", posture, PairText(pair)),
+                   {}};
+  };
+  if (const auto pair = check.MeetingAt(from)) return blocked("measured", *pair);
+  if (const auto pair = check.MeetingAt(to)) return blocked("plan's first", *pair);
+  const auto straight = check.FirstMeeting(from, to);
+  if (!straight) return std::vector<VectorX>{from, to};
+  const VectorX& standing = model.standing_joints;
+  auto bent = check.FirstMeeting(from, standing);
+  if (!bent) bent = check.FirstMeeting(standing, to);
+  if (!bent) return std::vector<VectorX>{from, standing, to};
+  return Infeasible("self_collision",
+                    fmt::format("no free way to the plan's first posture: on the straight one {}, on that by the "
+                                "standing posture {}",
+                                PairText(*straight), PairText(*bent)),
+                    {"move the joints by hand to near the standing posture and measure again"});
+}
+
+/// The time that the limits of speed, acceleration and jerk ask of a move.
+double TimeOf(const RobotModel& model, const ApproachOptions& options, const VectorX& from, const VectorX& to) {
+  constexpr double kSpeed = 1.875, kAcceleration = 5.7735026918962582, kJerk = 60.0;
+  double time_s = options.least_s;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double way = std::abs(to[d] - from[d]);
+    const Motor& motor = model.MotorOf(d);
+    const double most = Slides(model, d) ? options.speed_m_s : options.speed_rad_s;
+    time_s = std::max({time_s, kSpeed * way / std::min(most, options.speed_share * model.dof_velocity_limit(d)),
+                       std::sqrt(kAcceleration * way / (options.limit_share * motor.acceleration_limit)),
+                       std::cbrt(kJerk * way / (options.limit_share * motor.jerk_limit))});
+  }
+  return time_s;
+}
+
+void AddRow(const Move& move, double time_s, const VectorX& q_base, MotionPlan& plan) {
+  const double u = time_s / move.duration_s, T = move.duration_s;
+  const double s = u * u * u * (10.0 + u * (-15.0 + 6.0 * u)), ds = 30.0 * u * u * (1.0 + u * (-2.0 + u)) / T;
+  const double dds = 60.0 * u * (1.0 + u * (-3.0 + 2.0 * u)) / (T * T);
+  const VectorX way = move.to - move.from;
+  const Eigen::Index n = way.size();
+  VectorX q = q_base, v = VectorX::Zero(6 + n), a = v;
+  q.tail(n) = move.from + s * way;
+  v.tail(n) = ds * way;
+  a.tail(n) = dds * way;
+  plan.whole_body.q.push_back(q);
+  plan.whole_body.v.push_back(v);
+  plan.whole_body.a.push_back(a);
+}
+
+/// The rows of joints, of torques and of the centre of mass of moves one after the other.
+void FillRows(const RobotModel& model, const std::vector<Move>& moves, const VectorX& q_base, MotionPlan& plan) {
+  WholeBodyTrajectory& w = plan.whole_body;
+  CentroidalTrajectory& c = plan.centroidal;
+  c = {};
+  w.q.clear(), w.v.clear(), w.a.clear(), w.tau.clear(), w.wrenches.clear();
+  c.step_s = w.step_s;
+  for (const Move& move : moves) {
+    const long rows = std::lround(move.duration_s / w.step_s);
+    for (long k = w.q.empty() ? 0 : 1; k <= rows; ++k) AddRow(move, static_cast<double>(k) * w.step_s, q_base, plan);
+  }
+  DynamicsScratch scratch(model);
+  VectorX needed;
+  double height = 0.0;
+  for (std::size_t k = 0; k < w.q.size(); ++k) {
+    InverseDynamics(model, w.q[k], w.v[k], w.a[k], scratch, needed);
+    w.tau.push_back(needed.tail(model.num_dofs()));
+    w.wrenches.emplace_back(model.feet.size());
+    c.p_WC.push_back(CentreOfMass(model, scratch));
+    c.v_WC.push_back(CentroidalMomentum(model, scratch).head<3>() / model.total_mass_kg);
+    c.a_WC.push_back(needed.head<3>() / model.total_mass_kg - kGravity * Vector3::UnitZ());
+    c.p_WZ.push_back(ZeroMomentPoint(scratch.p_WB[0], needed.head<3>(), needed.segment<3>(3), 0.0));
+    height += c.p_WC.back().z();
+  }
+  c.omega_rad_s = std::sqrt(kGravity * static_cast<double>(w.q.size()) / height);
+}
+
+/// A motor that has to give more than its share, and whether it has to at rest too.
+struct Overload {
+  int dof = 0;
+  double effort = 0.0, limit = 0.0;
+  bool at_rest = false;
+};
+
+std::optional<Overload> FindOverload(const RobotModel& model, const ApproachOptions& options, const MotionPlan& plan) {
+  const MotorEffort motors(model);
+  const WholeBodyTrajectory& w = plan.whole_body;
+  const VectorX still = VectorX::Zero(model.nv());
+  DynamicsScratch scratch(model);
+  VectorX holding;
+  std::optional<Overload> worst;
+  for (std::size_t k = 0; k < w.q.size(); ++k) {
+    InverseDynamics(model, w.q[k], still, still, scratch, holding);
+    for (int d = 0; d < model.num_dofs(); ++d) {
+      const double limit = options.limit_share * model.dof_effort_limit(d);
+      const double moving = std::abs(motors.Of(d, w.tau[k][d], w.v[k][6 + d], w.a[k][6 + d]));
+      const double resting = std::abs(holding[6 + d]);
+      if (resting > limit) return Overload{d, resting, limit, true};
+      if (moving > limit && (!worst || moving / limit > worst->effort / worst->limit))
+        worst = Overload{d, moving, limit, false};
+    }
+  }
+  return worst;
+}
+
+MotionPlan EmptyPlan(const RobotModel& model, const MotionPlan& to, const ApproachOptions& options) {
+  MotionPlan plan;
+  plan.robot = to.robot;
+  plan.robot_hash = to.robot_hash;
+  plan.urdf_text = to.urdf_text;
+  plan.yaml_text = to.yaml_text;
+  plan.meshes = to.meshes;
+  plan.provenance = {Version(), kStage, {{"approach.base", "hanging"}}, 0};
+  ApproachOptions copy = options;
+  for (const auto& [key, text] : TextsOf(copy.Fields())) plan.provenance.options.emplace_back("approach." + key, text);
+  plan.terrain = FlatTerrain();
+  plan.whole_body.step_s = to.whole_body.step_s;
+  plan.warnings = {fmt::format(
+      "robot '{}' hangs: its base is taken to be held in the air, and no foot to touch anything", model.name)};
+  return plan;
+}
+
+void Close(const RobotModel& model, const VectorX& q_base, MotionPlan& plan) {
+  const double end_s = plan.whole_body.end_s();
+  MotionPart part;
+  part.gait = HangingGait(static_cast<int>(model.feet.size()));
+  part.command.extent = WalkCommand::Extent::kDuration;
+  part.command.duration_s = end_s;
+  part.goal = {q_base[0], q_base[1], YawOf(BaseRotation(q_base))};
+  part.end_s = end_s;
+  plan.parts = {part};
+  plan.goal = part.goal;
+  plan.schedule.phases = {{0.0, end_s, 0}};
+}
+
+/// Slows the moves down until no motor is overloaded, or says which one is however slow they are.
+std::optional<Failure> SlowDown(const RobotModel& model, const ApproachOptions& options, std::vector<Move>& moves,
+                                const VectorX& q_base, MotionPlan& plan) {
+  constexpr int kMostTries = 20;
+  constexpr double kSlower = 1.3;
+  for (int tries = 0;; ++tries) {
+    FillRows(model, moves, q_base, plan);
+    const auto over = FindOverload(model, options, plan);
+    if (!over) return std::nullopt;
+    if (over->at_rest || tries == kMostTries) {
+      return Infeasible("torque", fmt::format("joint '{}' needs {:.4g} {} {} on the way to the plan's first posture, "
+                                              "with the base held in the air; its share of the limit is {:.4g}",
+                                              model.dof_names[static_cast<std::size_t>(over->dof)], over->effort,
+                                              EffortUnit(model, over->dof),
+                                              over->at_rest ? "only to hold" : "to move however slowly", over->limit));
+    }
+    for (Move& move : moves)
+      move.duration_s = std::ceil(kSlower * move.duration_s / plan.whole_body.step_s) * plan.whole_body.step_s;
+  }
+}
+
+}  // namespace
+
+Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, const StartPosture& from,
+                              const ApproachOptions& given) {
+  ApproachOptions options = given;
+  CheckOptions(options.Fields());
+  if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() != model.nq() || !(plan.whole_body.step_s > 0.0) ||
+      from.joints.size() != model.num_dofs()) {
+    return Failure{FailureKind::kBadInput,
+                   "misfit",
+                   kStage,
+                   fmt::format("the plan or the start posture is not one of robot '{}'", model.name),
+                   {}};
+  }
+  const VectorX to = plan.whole_body.q.front().tail(model.num_dofs());
+  const VectorX q_base = HangingBase(model, plan, from);
+  WayCheck check(model, q_base);
+  const Result<std::vector<VectorX>> way = FreeWay(model, check, from.joints, to);
+  if (!way) return way.failure();
+  Approach approach;
+  approach.via_standing = way->size() > 2;
+  approach.plan = EmptyPlan(model, plan, options);
+  const double step = plan.whole_body.step_s;
+  std::vector<Move> moves;
+  for (std::size_t i = 0; i + 1 < way->size(); ++i) {
+    const double time_s = TimeOf(model, options, (*way)[i], (*way)[i + 1]);
+    moves.push_back({(*way)[i], (*way)[i + 1], std::max(2.0, std::ceil(time_s / step - 1e-9)) * step});
+  }
+  if (const auto failure = SlowDown(model, options, moves, q_base, approach.plan)) return *failure;
+  Close(model, q_base, approach.plan);
+  int farthest = 0;
+  approach.farthest_by = (to - from.joints).cwiseAbs().maxCoeff(&farthest);
+  approach.farthest = model.dof_names[static_cast<std::size_t>(farthest)];
+  const Result<AuditReport> audit = Audit(model, approach.plan, AuditOptions{});
+  if (!audit) return audit.failure();
+  if (audit->pass()) return approach;
+  const Violation& worst = audit->violations.front();
+  return Infeasible(worst.law,
+                    fmt::format("the way to the plan's first posture breaks the law '{}': {}, {} at {:.2f} s "
+                                "(limit {:.4g})",
+                                worst.law, worst.where, AuditFigure(worst.value, worst.unit), worst.at_s, worst.limit));
+}
+
+}  // namespace gaitwright

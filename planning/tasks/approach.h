@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "planning/audit/start_posture.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// How slowly a robot is brought to its first posture.
+struct ApproachOptions {
+  double speed_share = 0.1;
+  double speed_rad_s = 0.5;
+  double speed_m_s = 0.05;
+  double limit_share = 0.8;
+  double least_s = 1.0;
+
+  OptionFields Fields() {
+    return {{"speed_share", &speed_share, "1", 0.001, 1.0, "Share of the joints' speed limits that is used.", {}},
+            {"speed_rad_s", &speed_rad_s, "rad/s", 0.001, 100.0, "Largest speed of a joint whatever its limit.", {}},
+            {"speed_m_s", &speed_m_s, "m/s", 0.0001, 10.0, "The same of a joint that slides.", {}},
+            {"limit_share",
+             &limit_share,
+             "1",
+             0.01,
+             1.0,
+             "Share of the limits of torque, acceleration and jerk that is used.",
+             {}},
+            {"least_s", &least_s, "s", 0.1, 60.0, "Shortest time of each move.", {}}};
+  }
+};
+
+/// A motion to the first posture of a plan.
+struct Approach {
+  MotionPlan plan;            ///< one part, which hangs (HangingGait); passes its audit
+  bool via_standing = false;  ///< it goes by the standing posture, since the straight way is not free
+  std::string farthest;       ///< the joint that goes farthest
+  double farthest_by = 0.0;   ///< and how far [rad] or [m]
+};
+
+/// A safe way from the measured joints to the first posture of a plan: all joints at once from rest to rest by
+///   q(t) = q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5),  u = t / T,
+/// the motion of least jerk (Flash and Hogan, J. Neuroscience 5(7), 1985), whose speed, acceleration and jerk are at
+/// most 1.875 |q1 - q0| / T, 5.7735 |q1 - q0| / T^2 and 60 |q1 - q0| / T^3: so T follows from the limits.
+///
+/// The robot hangs: its base is held in the air, as on a stand, tilted as measured (level where that is not known), so
+/// that feet may move freely; then it is set down and the plan is begun. The straight way in the space of joints is
+/// held against self-collision; where it is not free, the way by the standing posture is tried, then it is refused
+/// naming the two links. The motion is slowed until torques keep their limits, and audited like any plan.
+///
+/// Failure kBadInput: sizes that disagree, a posture that is in itself at one of the ends. kInfeasible: no free way, a
+/// motor too weak to hold what hangs from it (named with its torque and limit), a law that the motion breaks.
+/// @throws InvalidArgument for options out of range.
+Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, const StartPosture& from,
+                              const ApproachOptions& options = {});
+
+}  // namespace gaitwright

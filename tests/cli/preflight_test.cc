@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `audit` says before a plan goes on a robot: margins, start posture, the way there, and the page to sign.
+#include <fmt/format.h>
+
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+class BeforeHardware : public Stranger {
+ protected:
+  BeforeHardware() { MakePlan("plan.json"); }
+
+  /// A start posture: the standing posture of the robot, with one joint elsewhere.
+  void Measure(const std::string& name, const std::string& joint, double by) const {
+    const Json standing = Run({"robots", "show", "a1", "--json"}).json().at("standing");
+    std::string text;
+    for (const auto& [key, value] : standing.items())
+      text += fmt::format("{}: {:.6f}\n", key, value.get<double>() + (key == joint ? by : 0.0));
+    Write(name, text);
+  }
+  std::string Knee() const {
+    for (const auto& [key, value] : Run({"robots", "show", "a1", "--json"}).json().at("standing").items()) {
+      if (key.find("calf") != std::string::npos) return key;
+    }
+    return "";
+  }
+  Json Trials(int survived) const {
+    const Json page = Run({"audit", "plan.json", "--preflight", "--json"}).json();
+    return {{"n", 10},
+            {"survived", survived},
+            {"survival", 0.1 * survived},
+            {"survival_low", 0.0},
+            {"survival_high", 1.0},
+            {"causes", {{"tipped over", 10 - survived}}},
+            {"worst", {{{"seed", 3}}}},
+            {"plan_hash", page.at("plan_hash")},
+            {"robot_hash", page.at("robot_hash")}};
+  }
+};
+
+TEST_F(BeforeHardware, MarginsAreGivenOnlyWhenAskedFor) {
+  EXPECT_FALSE(Run({"audit", "plan.json", "--json"}).json().contains("margins"));
+  const Ran ran = Run({"audit", "plan.json", "--margins", "--json"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  const Json json = ran.json();
+  EXPECT_EQ(json.at("verdict"), "pass");
+  int torques = 0;
+  for (const Json& m : json.at("margins")) {
+    if (m.at("law") != "joint_torque") continue;
+    ++torques;
+    EXPECT_GT(m.at("share"), 0.0);
+    EXPECT_LT(m.at("value"), m.at("limit"));
+  }
+  EXPECT_EQ(torques, 12);
+  EXPECT_NE(Run({"audit", "plan.json", "--margins"}).out.find("joint_velocity"), std::string::npos);
+}
+
+TEST_F(BeforeHardware, EveryLimitMayBeDerated) {
+  EXPECT_EQ(Run({"audit", "plan.json", "--derate", "acceleration=0.5,jerk=0.5,continuous=0.5", "--quiet"}).out,
+            "pass\n")
+      << "the robot gives none of them";
+  ExpectRefused(Run({"audit", "plan.json", "--derate", "jerks=0.5"}), 1, {"'jerks'", "'jerk'"});
+}
+
+TEST_F(BeforeHardware, AJumpIsNamedAndAWayThereIsPlanned) {
+  const std::string knee = Knee();
+  Measure("near.yaml", "", 0.0);
+  Measure("off.yaml", knee, -0.3);
+  const Ran near = Run({"audit", "plan.json", "--start-posture", "near.yaml", "--set", "start_tolerance_rad=0.2"});
+  EXPECT_EQ(near.status, 0) << near.out;
+  const Ran jump = Run({"audit", "plan.json", "--start-posture", "off.yaml", "--approach", "way.json", "--json"});
+  EXPECT_EQ(jump.status, 3) << jump.err;
+  const Json json = jump.json();
+  EXPECT_EQ(json.at("violations").at(0).at("law"), "start_posture");
+  EXPECT_EQ(json.at("violations").at(0).at("where"), knee);
+  EXPECT_EQ(json.at("approach").at("base"), "hanging");
+  EXPECT_GE(json.at("approach").at("duration_s"), 1.0);
+  EXPECT_EQ(json.at("approach").at("farthest"), knee);
+  const Ran way = Run({"audit", "way.json", "--start-posture", "off.yaml", "--json"});
+  EXPECT_EQ(way.status, 0) << way.out;
+  EXPECT_EQ(way.json().at("verdict"), "pass");
+}
+
+TEST_F(BeforeHardware, WrongFilesAreRefusedAndNothingIsWritten) {
+  Measure("off.yaml", Knee(), -9.0);
+  ExpectRefused(Run({"audit", "plan.json", "--start-posture", "off.yaml"}), 1, {"'off.yaml'", Knee(), "limits of"});
+  ExpectRefused(Run({"audit", "plan.json", "--start-posture", "none.yaml"}), 1, {"none.yaml"});
+  ExpectRefused(Run({"audit", "plan.json", "--approach", "way.json"}), 1, {"--approach", "--start-posture"});
+  ExpectRefused(Run({"audit", "plan.json", "--report", "page.html"}), 1, {"--report", "--preflight"});
+  ExpectRefused(Run({"audit", "plan.json", "--trials-result", "t.json"}), 1, {"--trials-result", "--preflight"});
+  ExpectRefused(Run({"audit", "plan.json", "--preflight", "--report", "plan.json"}), 1, {"--report", "written over"});
+  ExpectRefused(Run({"audit", "plan.json", "--preflight", "--trials-result", "plan.json", "--report", "page.html"}), 1,
+                {"plan.json", "'n'"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"off.yaml", "plan.json"}));
+}
+
+TEST_F(BeforeHardware, ThePageIsAGoOrANoGo) {
+  const Ran alone = Run({"audit", "plan.json", "--preflight", "--report", "page.html"});
+  EXPECT_EQ(alone.status, 0) << alone.err;
+  EXPECT_NE(alone.out.find("PREFLIGHT: GO"), std::string::npos);
+  EXPECT_NE(alone.out.find("no trials"), std::string::npos);
+  EXPECT_NE(Read("page.html").find("signature"), std::string::npos);
+  Write("good.json", Trials(10).dump());
+  Write("bad.json", Trials(5).dump());
+  EXPECT_EQ(Run({"audit", "plan.json", "--preflight", "--trials-result", "good.json", "--quiet"}).out, "go\n");
+  const Ran bad = Run({"audit", "plan.json", "--preflight", "--trials-result", "bad.json", "--json"});
+  EXPECT_EQ(bad.status, 3) << bad.err;
+  EXPECT_EQ(bad.json().at("verdict"), "no-go");
+  EXPECT_EQ(bad.json().at("trials").at("survived"), 5);
+  const std::vector<std::string> lenient = {
+      "audit",  "plan.json", "--preflight", "--trials-result", "bad.json", "--set", "preflight.least_survival=0.5",
+      "--quiet"};
+  EXPECT_EQ(Run(lenient).out, "go\n");
+  Json other = Trials(10);
+  other["plan_hash"] = "0123";
+  Write("other.json", other.dump());
+  ExpectRefused(Run({"audit", "plan.json", "--preflight", "--trials-result", "other.json"}), 1,
+                {"another plan", "'0123'"});
+}
+
+}  // namespace
+}  // namespace gaitwright::cli

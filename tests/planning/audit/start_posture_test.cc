@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/audit/start_posture.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/planning/audit/good_plan.h"
+
+namespace gaitwright {
+namespace {
+
+class StartPostures : public testing::Test {
+ protected:
+  const RobotModel& model() const { return GoodPlanOf("a1").model; }
+  const MotionPlan& plan() const { return GoodPlanOf("a1").plan; }
+  VectorX First() const { return plan().whole_body.q.front().tail(model().num_dofs()); }
+
+  /// The file of a posture; a name that is empty is left out.
+  std::string FileOf(const VectorX& joints, const std::string& without = "", const std::string& indent = "") const {
+    std::string text;
+    for (int d = 0; d < model().num_dofs(); ++d) {
+      const std::string& name = model().dof_names[static_cast<std::size_t>(d)];
+      if (name != without) text += fmt::format("{}{}: {:.17g}\n", indent, name, joints[d]);
+    }
+    return text;
+  }
+  std::string WhyNot(const std::string& text) const {
+    const auto read = StartPostureFromYaml(text, "start.yaml", model());
+    EXPECT_FALSE(read);
+    EXPECT_EQ(read ? FailureKind::kInfeasible : read.failure().kind, FailureKind::kBadInput);
+    return read ? "" : read.failure().message;
+  }
+  void ExpectSaid(const std::string& text, const std::vector<std::string>& parts) const {
+    const std::string why = WhyNot(text);
+    for (const std::string& part : parts) EXPECT_NE(why.find(part), std::string::npos) << why;
+  }
+};
+
+TEST_F(StartPostures, AreReadAtTheTopAndUnderJoints) {
+  const auto flat = StartPostureFromYaml(FileOf(First()), "start.yaml", model());
+  ASSERT_TRUE(flat) << flat.failure().message;
+  EXPECT_EQ(flat->joints, First());
+  EXPECT_FALSE(flat->R_WB);
+  const auto under = StartPostureFromYaml(
+      "joints:\n" + FileOf(First(), "", "  ") + "base_quaternion_xyzw: [0, 0.6, 0, 0.8]\n", "start.yaml", model());
+  ASSERT_TRUE(under) << under.failure().message;
+  EXPECT_EQ(under->joints, First());
+  EXPECT_NEAR(under->R_WB->y(), 0.6, 1e-12);
+}
+
+TEST_F(StartPostures, AreRefusedByNameAndLine) {
+  const std::string knee = model().dof_names[2];
+  ExpectSaid(FileOf(First(), knee), {"'start.yaml', line 1", "'" + knee + "'", "missing"});
+  ExpectSaid(FileOf(First()) + "FR_hip_jiont: 0\n", {"line 13", "no joint 'FR_hip_jiont'", "nearest", "FR_hip_joint"});
+  ExpectSaid(FileOf(First()) + knee + ": 0\n", {"twice", knee});
+  ExpectSaid(FileOf(First(), knee) + knee + ": 1.5\n", {knee, "1.5 rad", "limits of"});
+  ExpectSaid(FileOf(First(), knee) + knee + ": bent\n", {knee, "'bent'", "number"});
+  ExpectSaid(FileOf(First(), knee) + knee + ": .nan\n", {knee, "finite"});
+  ExpectSaid(FileOf(First()) + "base_quaternion_xyzw: [0, 0, 1]\n", {"3 numbers", "[x, y, z, w]"});
+  ExpectSaid(FileOf(First()) + "base_quaternion_xyzw: [0, 0, 1, 1]\n", {"length of 1.414"});
+  ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "nearest"});
+  ExpectSaid("[1, 2]\n", {"a list", "a map"});
+  ExpectSaid("", {"a map"});
+  ExpectSaid("a: [1\n", {"no YAML"});
+}
+
+TEST_F(StartPostures, JointsThatFollowOthersHaveNone) {
+  const RobotModel& nao = GoodPlanOf("nao").model;
+  for (const Joint& joint : nao.joints) {
+    if (!joint.is_mimic) continue;
+    const auto read = StartPostureFromYaml(joint.name + ": 0\n", "start.yaml", nao);
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.failure().message.find("follows"), std::string::npos) << read.failure().message;
+    return;
+  }
+  FAIL() << "NAO's hips are coupled";
+}
+
+TEST_F(StartPostures, AJumpOfTheFirstCommandIsNamedWithItsSize) {
+  AuditOptions options;
+  options.start = StartPosture{First(), {}};
+  EXPECT_TRUE(Audit(model(), plan(), options)->pass());
+  options.start->joints[4] += 0.04;
+  EXPECT_TRUE(Audit(model(), plan(), options)->pass());
+  options.start->joints[4] += 0.26;
+  const auto found = Audit(model(), plan(), options)->violations;
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].law, "start_posture");
+  EXPECT_EQ(found[0].where, model().dof_names[4]);
+  EXPECT_NEAR(found[0].value, 0.3, 1e-9);
+  EXPECT_EQ(found[0].limit, 0.05);
+  EXPECT_EQ(found[0].at_s, plan().whole_body.start_s);
+  options.start_tolerance_rad = 0.31;
+  EXPECT_TRUE(Audit(model(), plan(), options)->pass());
+}
+
+TEST_F(StartPostures, TheBaseMayBeTurnedButNotTilted) {
+  AuditOptions options;
+  options.start = StartPosture{First(), Quaternion(Eigen::AngleAxisd(2.0, Vector3::UnitZ()))};
+  EXPECT_TRUE(Audit(model(), plan(), options)->pass());
+  options.start->R_WB = Quaternion(Eigen::AngleAxisd(0.2, Vector3(0.6, 0.8, 0.0)));
+  const auto found = Audit(model(), plan(), options)->violations;
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].where, "base tilt");
+  EXPECT_NEAR(found[0].value, 0.2, 0.02) << "the plan's first posture is all but level";
+}
+
+}  // namespace
+}  // namespace gaitwright

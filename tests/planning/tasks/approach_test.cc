@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/tasks/approach.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kinematics/collision/collision_checker.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "planning/plan/plan_json.h"
+#include "tests/planning/audit/good_plan.h"
+
+namespace gaitwright {
+namespace {
+
+class Approaching : public testing::TestWithParam<std::string> {
+ protected:
+  const RobotModel& model() const { return GoodPlanOf(GetParam()).model; }
+  const MotionPlan& plan() const { return GoodPlanOf(GetParam()).plan; }
+  int n() const { return model().num_dofs(); }
+  VectorX First() const { return plan().whole_body.q.front().tail(n()); }
+  /// The first posture with each joint off by an amount of its own, inside its limits.
+  StartPosture Off(double by) const {
+    StartPosture start{First(), {}};
+    for (int d = 0; d < n(); ++d) {
+      const double wanted = start.joints[d] + by * std::sin(1.0 + d);
+      start.joints[d] = std::clamp(wanted, model().dof_lower(d), model().dof_upper(d));
+    }
+    return start;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Robots, Approaching, testing::Values("a1", "nao"),
+                         [](const auto& robot) { return robot.param; });
+
+TEST_P(Approaching, LeadsFromRestToRestAndPassesItsAudit) {
+  const StartPosture start = Off(0.3);
+  const auto approach = PlanApproach(model(), plan(), start);
+  ASSERT_TRUE(approach) << approach.failure().message;
+  const WholeBodyTrajectory& w = approach->plan.whole_body;
+  EXPECT_LT((w.q.front().tail(n()) - start.joints).norm(), 1e-12);
+  EXPECT_LT((w.q.back().tail(n()) - First()).norm(), 1e-12);
+  EXPECT_LT(w.v.front().norm() + w.v.back().norm() + w.a.front().norm() + w.a.back().norm(), 1e-9);
+  const AuditReport report = Audit(model(), approach->plan, {}).value();
+  EXPECT_TRUE(report.pass()) << AuditText(report);
+  ASSERT_FALSE(report.notes.empty());
+  EXPECT_NE(report.notes.back().find("held from outside"), std::string::npos) << "what it takes for granted is said";
+  EXPECT_FALSE(approach->plan.warnings.empty());
+  const auto read = PlanFromJson(PlanToJson(approach->plan), "approach.json");
+  ASSERT_TRUE(read) << read.failure().message;
+  EXPECT_TRUE(Audit(model(), *read, {})->pass());
+}
+
+TEST_P(Approaching, KeepsToItsShareOfSpeedAndIsNoSlowerThanThatAsksFor) {
+  const auto approach = PlanApproach(model(), plan(), Off(0.3));
+  ASSERT_TRUE(approach) << approach.failure().message;
+  double most = 0.0;
+  for (const VectorX& v : approach->plan.whole_body.v) {
+    for (int d = 0; d < n(); ++d)
+      most = std::max(most, std::abs(v[6 + d]) / std::min(0.5, 0.1 * model().dof_velocity_limit(d)));
+  }
+  EXPECT_LE(most, 1.0);
+  EXPECT_TRUE(most > 0.97 || std::abs(approach->plan.duration_s() - 1.0) < 0.02) << most;
+}
+
+TEST_P(Approaching, LimitsOfAccelerationAndJerkSlowItDown) {
+  const StartPosture start = Off(0.3);
+  const double quick_s = PlanApproach(model(), plan(), start)->plan.duration_s();
+  RobotModel gentle = model();
+  for (Motor& motor : gentle.motors) motor.acceleration_limit = 0.2;
+  const auto by_acceleration = PlanApproach(gentle, plan(), start);
+  ASSERT_TRUE(by_acceleration) << by_acceleration.failure().message;
+  EXPECT_GT(by_acceleration->plan.duration_s(), 1.5 * quick_s);
+  EXPECT_TRUE(Audit(gentle, by_acceleration->plan, {})->pass());
+  for (Motor& motor : gentle.motors) motor = Motor();
+  for (Motor& motor : gentle.motors) motor.jerk_limit = 0.5;
+  const auto by_jerk = PlanApproach(gentle, plan(), start);
+  ASSERT_TRUE(by_jerk) << by_jerk.failure().message;
+  EXPECT_GT(by_jerk->plan.duration_s(), 1.2 * quick_s);
+  EXPECT_TRUE(Audit(gentle, by_jerk->plan, {})->pass());
+}
+
+TEST_P(Approaching, HangsTiltedAsMeasuredWithTheHeadingOfThePlan) {
+  StartPosture start = Off(0.1);
+  start.R_WB = Quaternion(Eigen::AngleAxisd(2.0, Vector3::UnitZ()) * Eigen::AngleAxisd(0.3, Vector3::UnitX()));
+  const auto approach = PlanApproach(model(), plan(), start);
+  ASSERT_TRUE(approach) << approach.failure().message;
+  const Matrix3 R_WB = BaseRotation(approach->plan.whole_body.q.front());
+  EXPECT_NEAR(std::acos(R_WB(2, 2)), 0.3, 1e-9);
+  EXPECT_NEAR(approach->plan.goal.yaw_rad, plan().parts.front().goal.yaw_rad, 1e-6);
+}
+
+TEST_P(Approaching, AMotorTooWeakToHoldIsNamed) {
+  RobotModel weak = model();
+  const int knee = weak.joints[static_cast<std::size_t>(weak.legs[0].knee_joint)].dof;
+  weak.joints[static_cast<std::size_t>(weak.legs[0].knee_joint)].effort_limit = 1e-4;
+  const auto approach = PlanApproach(weak, plan(), Off(0.3));
+  ASSERT_FALSE(approach);
+  EXPECT_EQ(approach.failure().kind, FailureKind::kInfeasible);
+  EXPECT_NE(approach.failure().message.find("'" + weak.dof_names[static_cast<std::size_t>(knee)] + "' needs"),
+            std::string::npos)
+      << approach.failure().message;
+}
+
+TEST_P(Approaching, WhatDoesNotFitIsRefused) {
+  StartPosture start = Off(0.0);
+  start.joints.conservativeResize(n() - 1);
+  const auto approach = PlanApproach(model(), plan(), start);
+  ASSERT_FALSE(approach);
+  EXPECT_EQ(approach.failure().code, "misfit");
+  ApproachOptions options;
+  options.speed_share = 0.0;
+  EXPECT_THROW((void)PlanApproach(model(), plan(), Off(0.0), options), InvalidArgument);
+}
+
+TEST(ApproachPastABall, IsByTheStandingPostureOrRefusedNamingIt) {
+  const GoodPlan& a1 = GoodPlanOf("a1");
+  const VectorX first = a1.plan.whole_body.q.front();
+  const int n = a1.model.num_dofs();
+  const int knee = a1.model.joints[static_cast<std::size_t>(a1.model.legs[0].knee_joint)].dof;
+  const int thigh = knee - 1;
+  // The foot goes along an arc; a ball stands in the middle of it.
+  StartPosture start{first.tail(n), {}};
+  start.joints[thigh] += 1.2;
+  VectorX middle = first;
+  middle[7 + thigh] += 0.6;
+  DynamicsScratch scratch(a1.model);
+  ForwardKinematics(a1.model, middle, scratch);
+  const Foot& foot = a1.model.feet[0];
+  const Vector3 p_WF = FramePose(scratch, foot.body, foot.X_BF).translation();
+  RobotModel blocked = a1.model;
+  Shape ball;
+  ball.type = ShapeType::kSphere;
+  ball.link = "ball";
+  ball.body = 0;
+  ball.X_BS.translation() = scratch.R_WB[0].transpose() * (p_WF - scratch.p_WB[0]);
+  ball.size.x() = 0.02;
+  blocked.collision_shapes.push_back(ball);
+  ASSERT_TRUE(PlanApproach(a1.model, a1.plan, start)) << "free without the ball";
+  const auto refused = PlanApproach(blocked, a1.plan, start);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.failure().code, "self_collision");
+  EXPECT_NE(refused.failure().message.find("'ball'"), std::string::npos) << refused.failure().message;
+  EXPECT_FALSE(refused.failure().hints.empty());
+  // By a standing posture that has the leg aside of the ball there is a way.
+  blocked.standing_joints[thigh - 1] += a1.model.legs[0].mirror >= 0 ? 0.5 : -0.5;
+  auto by_standing = PlanApproach(blocked, a1.plan, start);
+  if (!by_standing) {
+    blocked.standing_joints[thigh - 1] -= 1.0;
+    by_standing = PlanApproach(blocked, a1.plan, start);
+  }
+  ASSERT_TRUE(by_standing) << by_standing.failure().message;
+  EXPECT_TRUE(by_standing->via_standing);
+  EXPECT_TRUE(Audit(blocked, by_standing->plan, {})->pass());
+}
+
+}  // namespace
+}  // namespace gaitwright

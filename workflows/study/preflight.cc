@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/preflight.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/base/version.h"
+#include "kinematics/collision/collision_checker.h"
+#include "planning/audit/joint_watch.h"
+#include "planning/plan/parts_text.h"
+#include "playback/bullet/play.h"
+
+namespace gaitwright {
+namespace {
+
+std::optional<Failure> CheckTrials(const RobotModel& model, const std::string& plan_hash, const TrialsResult& trials) {
+  const auto other = [](const std::string& what, const std::string& theirs, const std::string& ours) {
+    return Failure{FailureKind::kBadInput,
+                   "trials_result",
+                   "MakePreflight",
+                   fmt::format("the trials are of another {}: their {}_hash is '{}', that of this one is '{}'", what,
+                               what, theirs, ours),
+                   {"run 'gaitwright trials' on this plan"}};
+  };
+  if (trials.robot_hash != model.hash) return other("robot", trials.robot_hash, model.hash);
+  if (trials.plan_hash != plan_hash) return other("plan", trials.plan_hash, plan_hash);
+  return std::nullopt;
+}
+
+std::string GroundText(const Terrain& terrain) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto add = [&](double friction) { low = std::min(low, friction), high = std::max(high, friction); };
+  for (const TerrainPatch& patch : terrain.patches) add(patch.friction);
+  for (const HeightField& field : terrain.height_fields) add(field.friction);
+  const std::string name = terrain.name.empty() ? "of the plan" : fmt::format("'{}'", terrain.name);
+  if (low > high) return fmt::format("the ground is {}, without friction said", name);
+  return fmt::format(
+      "the ground is {} and as the plan has it, rigid; its friction is at least {}", name,
+      low == high ? fmt::format("{:.3g}", low) : fmt::format("{:.3g} to {:.3g}, by where feet stand", low, high));
+}
+
+/// Shares of limits that are held in reserve.
+std::string ReserveText(const AuditOptions& options) {
+  std::string text;
+  const auto add = [&](const char* what, double share) {
+    if (share < 1.0) text += fmt::format("{}{} {:.3g}", text.empty() ? "" : ", ", what, share);
+  };
+  add("torque", options.derate_torque);
+  add("speed", options.derate_speed);
+  add("acceleration", options.derate_acceleration);
+  add("jerk", options.derate_jerk);
+  add("continuous torque", options.derate_continuous);
+  return text.empty() ? "limits are used whole: no reserve is kept (--derate)"
+                      : "limits are held against these shares of them: " + text;
+}
+
+/// What of its own the torques have in them.
+std::string OwnTorqueText(const RobotModel& model) {
+  bool damping = false, friction = false, rotor = false;
+  for (const Joint& joint : model.joints) {
+    damping = damping || joint.damping > 0.0;
+    friction = friction || joint.friction > 0.0;
+  }
+  for (int d = 0; d < model.num_dofs(); ++d) rotor = rotor || model.MotorOf(d).rotor_inertia > 0.0;
+  std::string known;
+  const auto add = [&](bool is, const char* what) {
+    if (is) known += (known.empty() ? "" : ", ") + std::string(what);
+  };
+  add(damping, "damping");
+  add(friction, "dry friction");
+  add(rotor, "rotor inertia");
+  return known.empty() ? "joints are taken to be without damping, friction and rotor inertia: none is known"
+                       : "torques include what joints and motors take themselves: " + known;
+}
+
+std::string ViolationText(const Violation& v) {
+  return fmt::format("{}: {} at {:.3f} s, {} where {} is the limit", LawWords(v.law), v.where, v.at_s,
+                     AuditFigure(v.value, v.unit), AuditFigure(v.limit, v.unit));
+}
+
+void Judge(const PreflightInput& input, Preflight& preflight) {
+  constexpr std::size_t kMost = 8;
+  const std::vector<Violation>& broken = preflight.audit.violations;
+  for (std::size_t i = 0; i < std::min(kMost, broken.size()); ++i)
+    preflight.reasons.push_back(ViolationText(broken[i]));
+  if (broken.size() > kMost)
+    preflight.reasons.push_back(fmt::format("and {} more broken limits, see the audit", broken.size() - kMost));
+  const bool jumps = std::any_of(broken.begin(), broken.end(), [](const auto& v) { return v.law == "start_posture"; });
+  if (jumps) {
+    preflight.remarks.push_back(
+        input.approach.empty()
+            ? "the first command is a jump: plan a way to it with --approach FILE, go it, and measure again"
+            : input.approach + "; go it, and measure again");
+  }
+  if (!preflight.trials) {
+    preflight.remarks.push_back("no trials: how often it survives disturbances is not known");
+    return;
+  }
+  const TrialsResult& trials = *preflight.trials;
+  const double least = input.options.least_survival;
+  if (trials.survival < least) {
+    preflight.reasons.push_back(fmt::format("{}; at least {:.4g} % is asked for", SurvivalText(trials), 100.0 * least));
+  } else if (trials.survival_low < least) {
+    preflight.remarks.push_back(
+        fmt::format("the trials leave open whether {:.4g} % survive: their interval begins at {:.1f} %", 100.0 * least,
+                    100.0 * trials.survival_low));
+  }
+}
+
+void Assume(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input, Preflight& preflight) {
+  preflight.assumptions = {GroundText(plan.terrain), ReserveText(input.audit), OwnTorqueText(model)};
+  preflight.assumptions.push_back(
+      fmt::format("mass, inertias and shapes are those of the URDF: {:.4g} kg; a payload or cables are not in it",
+                  model.total_mass_kg));
+  for (const std::string& note : preflight.audit.notes) preflight.assumptions.push_back(note);
+  for (const std::string& warning : plan.warnings) preflight.assumptions.push_back("the plan warns: " + warning);
+  preflight.not_checked = UnknownOfMotors(model);
+  const std::size_t left_out = CollisionChecker(model).left_out().size();
+  if (left_out > 0) {
+    preflight.not_checked.push_back(fmt::format(
+        "self_collision: {} pairs of links are not held against each other, since they are joined or touch as they "
+        "stand ('gaitwright robots show' lists them)",
+        left_out));
+  }
+  if (!preflight.start_measured)
+    preflight.not_checked.push_back("start_posture: no measured start posture is given (--start-posture FILE)");
+  if (!preflight.trials)
+    preflight.not_checked.push_back("survival under disturbances: no result of trials is given (--trials-result FILE)");
+  preflight.not_checked.push_back(
+      "what no model here has: how structure and gears bend, motors warm up, the battery sags, and the robot's own "
+      "software follows the commands");
+}
+
+}  // namespace
+
+std::string LawWords(const std::string& law) {
+  std::string words = law == "zmp_support"     ? "balance (ZMP in the support)"
+                      : law == "unilateral"    ? "feet only push"
+                      : law == "torque_speed"  ? "torque at speed"
+                      : law == "consistency"   ? "columns agree"
+                      : law == "start_posture" ? "start posture"
+                      : law == "friction_cone" ? "friction"
+                      : law == "dynamics"      ? "forces give the motion"
+                                               : law;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string SurvivalText(const TrialsResult& trials) {
+  return fmt::format("{} of {} trials survived: {:.1f} %, and with 95 % certainty from {:.1f} to {:.1f} %",
+                     trials.survived, trials.n, 100.0 * trials.survival, 100.0 * trials.survival_low,
+                     100.0 * trials.survival_high);
+}
+
+Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input) {
+  Preflight preflight;
+  preflight.plan_hash = MotionHash(plan);
+  if (input.trials) {
+    if (const auto failure = CheckTrials(model, preflight.plan_hash, *input.trials)) return *failure;
+  }
+  AuditOptions options = input.audit;
+  options.margins = true;
+  const Result<AuditReport> audit = Audit(model, plan, options);
+  if (!audit) return audit.failure();
+  preflight.robot = model.name;
+  preflight.robot_hash = model.hash;
+  preflight.program_version = Version();
+  preflight.made_by = plan.provenance.made_by + " " + plan.provenance.program_version;
+  const std::string parts = PartsText(plan.parts), gaits = GaitNames(plan.parts);
+  preflight.motion = parts.empty() ? (gaits.empty() ? "a motion" : gaits) : parts;
+  preflight.duration_s = plan.duration_s();
+  preflight.mass_kg = model.total_mass_kg;
+  preflight.audit = *audit;
+  preflight.trials = input.trials;
+  preflight.start_measured = input.audit.start.has_value();
+  Judge(input, preflight);
+  Assume(model, plan, input, preflight);
+  return preflight;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "planning/audit/audit.h"
+#include "workflows/study/trials_result.h"
+
+namespace gaitwright {
+
+/// When a plan may go on a robot.
+struct PreflightOptions {
+  double least_survival = 0.9;
+
+  OptionFields Fields() {
+    return {{"least_survival",
+             &least_survival,
+             "1",
+             0.0,
+             1.0,
+             "Share of trials that must survive for a go, where there are trials.",
+             {}}};
+  }
+};
+
+/// What a preflight is made from, beside robot and plan.
+struct PreflightInput {
+  AuditOptions audit;  ///< margins are taken whatever it says
+  PreflightOptions options;
+  std::optional<TrialsResult> trials;
+  std::string approach;  ///< a sentence on the motion that was planned to the first posture, or ""
+};
+
+/// The page that an engineer signs before a plan goes on a robot, as data.
+struct Preflight {
+  std::string robot, robot_hash, plan_hash, program_version, made_by, motion;
+  double duration_s = 0.0, mass_kg = 0.0;
+  AuditReport audit;  ///< with margins
+  std::optional<TrialsResult> trials;
+  bool start_measured = false;
+  std::vector<std::string> reasons;      ///< why it is no go; empty for a go
+  std::vector<std::string> remarks;      ///< what to mind though it is a go
+  std::vector<std::string> assumptions;  ///< what is taken for granted: ground, friction, limits that are placeholders
+  std::vector<std::string> not_checked;  ///< what nobody looked at, and why
+
+  bool go() const { return reasons.empty(); }
+};
+
+/// Audits the plan with its margins and puts everything together. It is a go where the audit passes (with the measured
+/// start posture, if one is given) and, where there is a result of trials, enough of them survived.
+/// Failure: the plan does not fit the robot; the trials are of another plan or another robot (both hashes are named).
+Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input);
+
+/// The page as text.
+std::string PreflightText(const Preflight& preflight);
+
+/// The page as JSON (docs/json-output.md). @param files  as "files": kind and path.
+std::string PreflightJson(const Preflight& preflight,
+                          const std::vector<std::pair<std::string, std::string>>& files = {});
+
+/// The page as HTML, whole by itself, well-formed XML, and to be printed on A4.
+std::string PreflightPage(const Preflight& preflight);
+
+/// A law in words, as "joint torque".
+std::string LawWords(const std::string& law);
+
+/// "487 of 500 trials survived: 97.4 %, and with 95 % certainty from 95.6 to 98.5 %".
+std::string SurvivalText(const TrialsResult& trials);
+
+}  // namespace gaitwright

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+
+/// What a preflight takes of the result that `trials` writes.
+struct TrialsResult {
+  struct Cause {
+    std::string name;
+    int count = 0;
+  };
+  struct Worst {
+    std::uint64_t seed = 0;
+    std::string words;  ///< its `reason` or `cause`, or ""
+  };
+
+  int n = 0, survived = 0;
+  double survival = 0.0, survival_low = 0.0, survival_high = 0.0;  ///< share, and its interval
+  std::vector<Cause> causes;                                       ///< of falls
+  std::vector<Worst> worst;
+  std::string plan_hash, robot_hash;
+  std::string controller, disturbances;  ///< the latter as YAML text; "" where the result does not say them
+};
+
+/// A result from its JSON text: an object with `n`, `survived`, `survival`, `survival_low`, `survival_high`,
+/// `plan_hash`, `robot_hash`; `causes` (an object of counts by name, or a list of objects with a text and a count) and
+/// `controller`, `disturbances` (texts) and `worst` (a list of objects with a `seed` and a `reason`) may be missing.
+/// Other keys are passed over. Refused: text that is no JSON, a key that is missing or of the wrong kind, figures that
+/// contradict each other. @param source names the text.
+Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::string& source);
+
+/// The result of a file.
+Result<TrialsResult> LoadTrialsResult(const std::string& path);
+
+}  // namespace gaitwright
