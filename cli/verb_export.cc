@@ -39,13 +39,10 @@ std::string UsualOut(ExportFormat format) {
 }
 
 void CheckPathsOf(const Arguments& a, ExportFormat format) {
-  Paths paths{{{"the motion", a.motion}, {"--plan", a.robot.plan}}, {}, ""};
+  const bool plots = format == ExportFormat::kSvg;
+  const std::string file = plots ? (std::filesystem::path(a.out) / "top_view.svg").string() : a.out;
+  Paths paths{{{"the motion", a.motion}, {"--plan", a.robot.plan}}, {{"--out", file}}, ""};
   paths.AddRobotAndGait(a.robot.urdf, "");
-  if (format == ExportFormat::kSvg) {
-    paths.plot_folder = a.out;
-  } else {
-    paths.written = {{"--out", a.out}};
-  }
   CheckPaths(paths);
 }
 

@@ -46,12 +46,13 @@ std::string HeadOf(const MotionComparison& c) {
 
 std::string JointsOf(const MotionComparison& c) {
   std::string text;
-  if (c.joints.empty()) return text;
-  text += "\njoint by joint: rms (largest at time in s); * is beyond its tolerance\n";
-  text += fmt::format("  {:<24} {:>26} {:>26} {:>26}\n", "joint", "position", "speed", "torque");
-  for (const JointDifference& joint : c.joints) {
-    text += fmt::format("  {:<24} {:>26} {:>26} {:>26}\n", joint.joint, Cell(joint.position), Cell(joint.speed),
-                        Cell(joint.torque));
+  if (!c.joints.empty()) {
+    text += "\njoint by joint: rms (largest at time in s); * is beyond its tolerance\n";
+    text += fmt::format("  {:<24} {:>26} {:>26} {:>26}\n", "joint", "position", "speed", "torque");
+    for (const JointDifference& joint : c.joints) {
+      text += fmt::format("  {:<24} {:>26} {:>26} {:>26}\n", joint.joint, Cell(joint.position), Cell(joint.speed),
+                          Cell(joint.torque));
+    }
   }
   if (!c.joints_only_a.empty()) text += fmt::format("  only in A: {}\n", fmt::join(c.joints_only_a, ", "));
   if (!c.joints_only_b.empty()) text += fmt::format("  only in B: {}\n", fmt::join(c.joints_only_b, ", "));

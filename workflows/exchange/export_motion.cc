@@ -105,14 +105,14 @@ ExportFormat ExportFormatOf(const std::string& name) {
 
 ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
                           const std::string& out) {
-  const double rate = rate_hz > 0.0 ? rate_hz : UsualRate(plan);
+  const double rate = rate_hz != 0.0 ? rate_hz : UsualRate(plan);
   return ExportRows(model, RowsOfPlan(model, plan, rate), format, rate, out);
 }
 
 ExportedMotion ExportLog(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan, ExportFormat format,
                          double rate_hz, const std::string& out) {
   CheckBelongs(model, log, plan);
-  const double rate = rate_hz > 0.0 ? rate_hz : log.log_rate_hz;
+  const double rate = rate_hz != 0.0 ? rate_hz : log.log_rate_hz;
   ExportedMotion exported = ExportRows(model, RowsOfLog(model, log, rate), format, rate, out);
   if (format != ExportFormat::kSvg || plan == nullptr) return exported;
   exported.files.clear();
