@@ -30,6 +30,8 @@ int main(int argc, char** argv) {
   AddGaits(app, status);
   AddTerrains(app, status);
   AddBench(app, status);
+  AddExport(app, status);
+  AddCompare(app, status);
   LayOutHelp(app);
   try {
     app.parse(argc, argv);

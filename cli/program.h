@@ -50,5 +50,7 @@ void AddRobots(CLI::App& app, int& status);
 void AddGaits(CLI::App& app, int& status);
 void AddTerrains(CLI::App& app, int& status);
 void AddBench(CLI::App& app, int& status);
+void AddExport(CLI::App& app, int& status);
+void AddCompare(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

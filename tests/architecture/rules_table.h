@@ -102,6 +102,7 @@ inline const std::vector<Owner> kOwners = {
     {"bt", {"playback/bullet"}},
     {"Bullet", {"playback/bullet"}},
     {"LinearMath/", {"playback/bullet"}},
+    {"minizip/", {"workflows/exchange"}},
     {"mpi.h", {"workflows/cluster"}},
     {"CLI/", {"cli", "examples"}, true},
     // Of the operating system: atomic writing and terminals.

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/compare_input.h"
+
+#include <fmt/format.h>
+
+#include "kinematics/base/file.h"
+#include "planning/plan/plan_json.h"
+#include "playback/log/log_json.h"
+#include "workflows/exchange/csv_table.h"
+#include "workflows/exchange/motion_columns.h"
+#include "workflows/exchange/motion_file.h"
+#include "workflows/exchange/ocs2_columns.h"
+
+namespace gaitwright::cli {
+namespace {
+
+/// One of the two files.
+struct SideFile {
+  std::string path, text;
+  MotionFileKind kind = MotionFileKind::kTable;
+};
+
+Failure Refused(const std::string& code, const std::string& message, std::vector<std::string> hints = {}) {
+  return {FailureKind::kBadInput, code, "ReadCompareInput", message, std::move(hints)};
+}
+
+Result<SideFile> ReadSide(const std::string& path) {
+  const Result<std::string> text = ReadFile(path);
+  if (!text) return text.failure();
+  SideFile side{path, *text, KindOfText(*text)};
+  if (side.kind == MotionFileKind::kJson) {
+    return Refused("no_motion", fmt::format("'{}' is JSON, but no plan, log or report", path),
+                   {"name a plan.json, a log.json, what 'walk --json' prints, or a CSV of a motion"});
+  }
+  return side;
+}
+
+Result<ComparedMotion> ReadPlanSide(const SideFile& side) {
+  Result<MotionPlan> plan = PlanFromJson(side.text, side.path);
+  if (!plan) return plan.failure();
+  const Result<MotionInput> input = PlanInput(std::move(*plan));
+  if (!input) return input.failure();
+  return ComparedPlan(*input->model, *input->plan, side.path);
+}
+
+Result<ComparedMotion> ReadLogSide(const SideFile& side, const RobotModel* model) {
+  const Result<PlaybackLog> log = LogFromJson(side.text, side.path);
+  if (!log) return log.failure();
+  const std::vector<std::string> hints = {"--plan FILE, the plan that was played", "--robot " + log->robot};
+  if (model == nullptr)
+    return Refused("no_robot",
+                   fmt::format("'{}' is a log of robot '{}', which it does not hold", side.path, log->robot), hints);
+  if (model->hash != log->robot_hash) {
+    return Refused("robot_hash",
+                   fmt::format("'{}' is a log of robot '{}' ({}), not of '{}' ({})", side.path, log->robot,
+                               log->robot_hash, model->name, model->hash),
+                   hints);
+  }
+  return ComparedLog(*model, *log, side.path);
+}
+
+Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* model, const std::string& columns) {
+  if (model == nullptr) {
+    return Refused("no_robot", fmt::format("'{}' does not say whose motion it is", side.path),
+                   {"--robot NAME", "--urdf FILE", "--plan FILE, the plan that was played"});
+  }
+  const Result<CsvTable> table = ParseCsvTable(side.text, side.path);
+  if (!table) return table.failure();
+  ImportOptions options;
+  std::vector<DerivedPart> derived;
+  Result<ColumnNames> names = ColumnNames{};
+  if (!columns.empty()) {
+    names = ReadColumnNames(columns, options);
+  } else if (IsOcs2Motion(*table)) {
+    names = Ocs2ColumnNames(*model, *table, derived);
+  }
+  if (!names) return names.failure();
+  const Result<MotionTable> motion = MotionFromCsv(*model, *table, *names, options);
+  if (!motion) return motion.failure();
+  return ComparedTable(*model, *motion, side.path);
+}
+
+Result<CompareInput> ReadReports(const SideFile& a, const SideFile& b) {
+  if (a.kind != b.kind) {
+    return Refused("not_alike", fmt::format("'{}' is {}, '{}' is {}: a report is compared with a report", a.path,
+                                            NameOf(a.kind), b.path, NameOf(b.kind)));
+  }
+  const Result<ReadReport> of_a = ReportFromJson(a.text, a.path), of_b = ReportFromJson(b.text, b.path);
+  if (!of_a) return of_a.failure();
+  if (!of_b) return of_b.failure();
+  CompareInput input;
+  input.report_a = *of_a;
+  input.report_b = *of_b;
+  return input;
+}
+
+/// Reads a motion, whose robot is the one named, else the other side's.
+Result<ComparedMotion> ReadMotionSide(const SideFile& side, const std::optional<RobotModel>& named,
+                                      const std::optional<ComparedMotion>& other, const std::string& columns) {
+  if (side.kind == MotionFileKind::kPlan) return ReadPlanSide(side);
+  const RobotModel* model = named ? &*named : (other ? &other->model : nullptr);
+  if (side.kind == MotionFileKind::kLog) return ReadLogSide(side, model);
+  return ReadTableSide(side, model, columns);
+}
+
+}  // namespace
+
+Result<CompareInput> ReadCompareInput(const CompareFiles& files) {
+  const Result<SideFile> a = ReadSide(files.a), b = ReadSide(files.b);
+  if (!a) return a.failure();
+  if (!b) return b.failure();
+  const bool table = a->kind == MotionFileKind::kTable || b->kind == MotionFileKind::kTable;
+  if (!files.columns.empty() && !table) throw InvalidArgument("--columns is given, but neither file is a CSV");
+  if (a->kind == MotionFileKind::kReport || b->kind == MotionFileKind::kReport) return ReadReports(*a, *b);
+  Result<MotionInput> named = NamedInput(files.robot);
+  if (!named) return named.failure();
+  CompareInput input;
+  input.played = std::move(named->played);
+  // A plan knows its robot, a log of it at least its hash: the one that knows more is read first.
+  const bool a_first = static_cast<int>(a->kind) <= static_cast<int>(b->kind);
+  for (const bool take_a : {a_first, !a_first}) {
+    const SideFile& side = take_a ? *a : *b;
+    Result<ComparedMotion> motion = ReadMotionSide(side, named->model, take_a ? input.b : input.a, files.columns);
+    if (!motion) return motion.failure();
+    (take_a ? input.a : input.b) = std::move(*motion);
+  }
+  return input;
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "kinematics/base/result.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+#include "playback/log/playback_log.h"
+
+namespace gaitwright::cli {
+
+/// The flags that say whose a motion is where its file does not.
+struct MotionRobot {
+  std::string robot, urdf, plan;
+
+  void AddTo(CLI::App& verb);
+  bool given() const { return !robot.empty() || !urdf.empty() || !plan.empty(); }
+};
+
+/// A motion that was read: a plan, or a log with the plan that was played where that is known.
+struct MotionInput {
+  std::optional<RobotModel> model = {};
+  std::optional<MotionPlan> plan = {}, played = {};
+  std::optional<PlaybackLog> log = {};
+};
+
+/// The plan of a file and its robot.
+Result<MotionInput> PlanInput(MotionPlan plan);
+
+/// Reads a plan or a log, whichever the file's content is, and its robot.
+Result<MotionInput> ReadMotionInput(const std::string& path, const MotionRobot& robot);
+
+/// The robot that the flags name, with the plan where they name one; neither where none is given.
+Result<MotionInput> NamedInput(const MotionRobot& robot);
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/compare_input.h"
+#include "cli/flags.h"
+#include "cli/paths.h"
+#include "cli/program.h"
+#include "kinematics/base/file.h"
+#include "workflows/exchange/comparison_text.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  CompareFiles files;
+  CompareOptions options;
+  std::string report;
+  bool require_same = false;
+};
+
+void CheckPathsOf(const Arguments& a) {
+  const CompareFiles& files = a.files;
+  Paths paths{{{"A", files.a}, {"B", files.b}, {"--plan", files.robot.plan}, {"--columns", files.columns}},
+              {{"--report", a.report}},
+              ""};
+  paths.AddRobotAndGait(files.robot.urdf, "");
+  CheckPaths(paths);
+}
+
+/// Writes the page and prints the comparison. @param page  makes the page, where it is asked for.
+template <class Page>
+int Print(const Arguments& a, const std::string& text, const std::string& json_text, bool same, Page page) {
+  auto json = nlohmann::ordered_json::parse(json_text);
+  json["files"] = nlohmann::ordered_json::object();
+  if (!a.report.empty()) {
+    const auto written = WriteFileAtomically(a.report, page());
+    if (!written) return Report(written.failure(), a.common);
+    json["files"]["report"] = a.report;
+  }
+  if (a.common.json) {
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else if (a.common.quiet) {
+    fmt::print("{}\n", same ? "same" : "different");
+  } else {
+    fmt::print("{}", text);
+    if (!a.report.empty()) fmt::print("report  {}\n", a.report);
+  }
+  return a.require_same && !same ? kVerdictFail : kPass;
+}
+
+int Run(Arguments& a) {
+  ApplySets("--set", a.common.sets, a.options.Fields());
+  CheckPathsOf(a);
+  const Result<CompareInput> input = ReadCompareInput(a.files);
+  if (!input) return Report(input.failure(), a.common);
+  if (input->report_a) {
+    const ReportComparison reports = CompareReports(*input->report_a, *input->report_b, a.options.tolerance);
+    return Print(a, ComparisonText(reports), ComparisonJson(reports), reports.same(),
+                 [&] { return ComparisonPage(reports); });
+  }
+  const MotionComparison motions = CompareMotions(*input->a, *input->b, a.options);
+  const std::vector<MetricPair> metrics =
+      MetricsOf(*input->a, *input->b, input->played ? &*input->played : nullptr, a.options.tolerance);
+  return Print(a, ComparisonText(motions, metrics), ComparisonJson(motions, metrics), motions.same(),
+               [&] { return ComparisonPage(*input->a, *input->b, motions, metrics); });
+}
+
+}  // namespace
+
+void AddCompare(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand(
+      "compare", "Set two plans, logs or reports side by side, or a robot's own log and its plan: what differed first");
+  AddText(verb, "A", "FILE", a->files.a,
+          "A plan, a log, a report (what 'walk --json' and 'play --json' print) or a CSV of a motion.")
+      ->required();
+  AddText(verb, "B", "FILE", a->files.b, "What it is compared with; differences are B - A.")->required();
+  const OptionFields fields = a->options.Fields();
+  AddField(verb, "--align", fields, "align");
+  AddField(verb, "--tolerance", fields, "tolerance");
+  verb.add_flag("--require-same", a->require_same,
+                "Exit with status 3 where anything is beyond its tolerance; default: 0 when compared.");
+  AddText(verb, "--columns", "FILE", a->files.columns,
+          "YAML that says how the columns of a CSV are called, see docs/import.md; default: by their header.");
+  AddText(verb, "--report", "FILE", a->report,
+          "Write the comparison to this file, as one HTML page with both motions in its plots; default: nowhere.");
+  a->files.robot.AddTo(verb);
+  AddCommon(verb, a->common,
+            {"compare plan.json out/plan.json", "compare out/plan.json out/log.json --report compare.html",
+             "compare plan.json motion.csv --align best"});
+  AddOptionList(verb, fields, a->common.json);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/flags.h"
+#include "cli/motion_input.h"
+#include "cli/paths.h"
+#include "cli/program.h"
+#include "workflows/exchange/export_motion.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  MotionRobot robot;
+  std::string motion, format = "csv", out;
+  double rate_hz = 0.0;
+};
+
+/// Where it goes unless --out says.
+std::string UsualOut(ExportFormat format) {
+  switch (format) {
+    case ExportFormat::kCsv:
+      return "motion.csv";
+    case ExportFormat::kTrajectoryYaml:
+      return "trajectory.yaml";
+    case ExportFormat::kTrajectoryJson:
+      return "trajectory.json";
+    case ExportFormat::kNpz:
+      return "motion.npz";
+    case ExportFormat::kSvg:
+      break;
+  }
+  return "plots";
+}
+
+void CheckPathsOf(const Arguments& a, ExportFormat format) {
+  const bool plots = format == ExportFormat::kSvg;
+  const std::string file = plots ? (std::filesystem::path(a.out) / "top_view.svg").string() : a.out;
+  Paths paths{{{"the motion", a.motion}, {"--plan", a.robot.plan}}, {{"--out", file}}, ""};
+  paths.AddRobotAndGait(a.robot.urdf, "");
+  CheckPaths(paths);
+}
+
+void Print(const Arguments& a, const std::string& kind, const std::string& robot, const ExportedMotion& done) {
+  if (a.common.json) {
+    nlohmann::ordered_json json = {{"format", a.format},
+                                   {"from", kind},
+                                   {"robot", robot},
+                                   {"rows", done.rows},
+                                   {"rate_hz", done.rate_hz},
+                                   {"start_s", done.start_s},
+                                   {"end_s", done.end_s},
+                                   {"notes", done.notes},
+                                   {"files", nlohmann::ordered_json::object()}};
+    if (a.format == "svg") {
+      json["files"]["plots"] = a.out;
+    } else {
+      json["files"]["motion"] = a.out;
+    }
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    return;
+  }
+  if (a.common.quiet) {
+    fmt::print("{}\n", a.out);
+    return;
+  }
+  fmt::print("{} of {} as {}: {} rows at {:.6g} Hz, {:.3f} to {:.3f} s\n", kind, robot, a.format, done.rows,
+             done.rate_hz, done.start_s, done.end_s);
+  for (const std::string& note : done.notes) fmt::print("note: {}\n", note);
+  for (const OutputFile& file : done.files) fmt::print("{:<7} {}\n", a.format == "svg" ? "plot" : "motion", file.path);
+}
+
+Result<ExportedMotion> Export(const Arguments& a, const MotionInput& input, ExportFormat format) {
+  if (input.plan) return ExportPlan(*input.model, *input.plan, format, a.rate_hz, a.out);
+  return ExportLog(*input.model, *input.log, input.played ? &*input.played : nullptr, format, a.rate_hz, a.out);
+}
+
+int Run(Arguments& a) {
+  ApplySets("--set", a.common.sets, {});
+  const ExportFormat format = ExportFormatOf(a.format);
+  if (a.out.empty()) a.out = UsualOut(format);
+  CheckPathsOf(a, format);
+  const Result<MotionInput> input = ReadMotionInput(a.motion, a.robot);
+  if (!input) return Report(input.failure(), a.common);
+  const Result<ExportedMotion> done = Export(a, *input, format);
+  if (!done) return Report(done.failure(), a.common);
+  const auto written = WriteFilesTogether(done->files);
+  if (!written) return Report(written.failure(), a.common);
+  Print(a, input->plan ? "plan" : "log", input->model->name, *done);
+  return kPass;
+}
+
+}  // namespace
+
+void AddExport(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("export", "Write a plan or a log for other programs: CSV, ROS, NumPy, plots");
+  AddText(verb, "MOTION", "FILE", a->motion,
+          "A plan or a log, as 'plan', 'walk' and 'play' write them; its content says which.")
+      ->required();
+  AddText(verb, "--format", "NAME", a->format,
+          "csv, joint-trajectory-yaml, joint-trajectory-json (trajectory_msgs/JointTrajectory of ROS 2), npz (NumPy) "
+          "or svg (plots); default csv.");
+  AddNumber(verb, "--rate-hz", "Hz", a->rate_hz,
+            "Rows per second, from 0.1 to 10000, of a log at most its own; default 0: the motion's own rate, of a plan "
+            "at least 200.");
+  AddText(
+      verb, "--out", "PATH", a->out,
+      "Write to this file, plots into this folder; default motion.csv, trajectory.yaml, trajectory.json, motion.npz "
+      "or plots.");
+  a->robot.AddTo(verb);
+  AddCommon(verb, a->common,
+            {"export plan.json --format csv --rate-hz 500 --out motion.csv",
+             "export plan.json --format joint-trajectory-yaml --out trajectory.yaml",
+             "export out/log.json --plan out/plan.json --format npz --out motion.npz"});
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

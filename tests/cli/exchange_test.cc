@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Motions go out to other programs, and are set side by side.
+#include <algorithm>
+
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+class Exchange : public Stranger {
+ protected:
+  Exchange() {
+    EXPECT_EQ(Run({"walk", "--distance", "0.3", "--quiet", "--out-dir", "out"}).status, 0);
+    EXPECT_EQ(Run({"plan", "--distance", "0.3", "--speed", "0.2", "--out", "slow.json", "--quiet"}).status, 0);
+  }
+
+  static std::size_t LinesIn(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+};
+
+TEST_F(Exchange, ExportWritesEachFormatOfAPlanAndALog) {
+  for (const char* format : {"csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz"}) {
+    SCOPED_TRACE(format);
+    for (const char* name : {"one", "two"}) {
+      const Ran ran = Run({"export", "out/plan.json", "--format", format, "--rate-hz", "250", "--out", name, "--json"});
+      ASSERT_EQ(ran.status, 0) << ran.err;
+      EXPECT_EQ(ran.json().at("format"), format);
+      EXPECT_EQ(ran.json().at("from"), "plan");
+      EXPECT_EQ(ran.json().at("files"), (Json{{"motion", name}}));
+    }
+    EXPECT_TRUE(Read("one") == Read("two")) << "the same bytes";
+    EXPECT_GT(Read("one").size(), 10000U);
+  }
+  const Ran log = Run({"export", "out/log.json", "--robot", "a1", "--out", "log.csv", "--json"});
+  ASSERT_EQ(log.status, 0) << log.err;
+  EXPECT_EQ(log.json().at("rate_hz"), 200.0);
+  EXPECT_EQ(LinesIn(Read("log.csv")), log.json().at("rows").get<std::size_t>() + 1);
+  EXPECT_EQ(Run({"export", "out/log.json", "--plan", "out/plan.json", "--format", "svg", "--quiet"}).out, "plots\n");
+  for (const char* plot : {"zmp_com_x.svg", "joint_torques.svg"})
+    EXPECT_TRUE(std::filesystem::is_regular_file(In("plots") / plot)) << plot;
+}
+
+TEST_F(Exchange, ExportRefusesWhatItCannotDo) {
+  ExpectRefused(Run({"export", "out/log.json"}), 1, {"a log of robot 'a1'", "--plan FILE", "--robot a1"});
+  ExpectRefused(Run({"export", "out/log.json", "--robot", "nao"}), 1, {"the log is of robot 'a1'", "'nao'"});
+  ExpectRefused(Run({"export", "out/log.json", "--plan", "slow.json"}), 1, {"another plan"});
+  ExpectRefused(Run({"export", "out/log.json", "--robot", "a1", "--rate-hz", "1000"}), 1,
+                {"1000 Hz", "200 Hz", "--log-rate-hz"});
+  ExpectRefused(Run({"export", "out/plan.json", "--format", "cvs"}), 1, {"'cvs'", "nearest is 'csv'", "'npz'"});
+  ExpectRefused(Run({"export", "out/plan.json", "--rate-hz", "1e6"}), 1, {"10000"});
+  ExpectRefused(Run({"export", "out/plan.json", "--rate-hz", "-5"}), 1, {"-5", "0.1"});
+  ExpectRefused(Run({"export", "out/plan.json", "--robot", "a1"}), 1, {"knows its robot"});
+  ExpectRefused(Run({"export", "out/plan.json", "--out", "out/plan.json"}), 1, {"written over"});
+  ExpectRefused(Run({"export", "none.json"}), 1, {"none.json"});
+  Write("text.txt", "nothing");
+  ExpectRefused(Run({"export", "text.txt"}), 1, {"text.txt", "neither a plan nor a log"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"out", "slow.json", "text.txt"})) << "nothing was written";
+}
+
+TEST_F(Exchange, ComparesPlansLogsAndAForeignTable) {
+  const Ran same = Run({"compare", "out/plan.json", "out/plan.json", "--require-same", "--tolerance", "0"});
+  EXPECT_EQ(same.status, 0) << same.err << same.out;
+  EXPECT_NE(same.out.find("the same: nothing is beyond its tolerance"), std::string::npos);
+  const Ran slower = Run({"compare", "out/plan.json", "slow.json", "--require-same", "--json"});
+  EXPECT_EQ(slower.status, 3);
+  EXPECT_EQ(slower.json().at("same"), false);
+  EXPECT_FALSE(slower.json().at("first_difference").at("quantity").get<std::string>().empty());
+  EXPECT_EQ(Run({"compare", "out/plan.json", "slow.json", "--quiet"}).out, "different\n");
+
+  const Ran played = Run({"compare", "out/plan.json", "out/log.json", "--json", "--report", "compare.html"});
+  ASSERT_EQ(played.status, 0) << played.err;
+  EXPECT_EQ(played.json().at("alignment").at("by"), "none");
+  EXPECT_TRUE(played.json().at("metrics").at("distance_m").at("a").is_number());
+  EXPECT_NE(Read("compare.html").find("joint_positions"), std::string::npos);
+
+  ASSERT_EQ(Run({"export", "out/plan.json", "--rate-hz", "500", "--out", "motion.csv", "--quiet"}).status, 0);
+  const Ran table = Run({"compare", "out/plan.json", "motion.csv", "--json", "--require-same", "--tolerance", "1e-6"});
+  EXPECT_EQ(table.status, 0) << table.out.substr(0, 600) << table.err;
+  EXPECT_EQ(table.json().at("alignment").at("offset_s"), 0.0);
+  EXPECT_EQ(Run({"compare", "motion.csv", "motion.csv", "--robot", "a1", "--quiet"}).out, "same\n");
+}
+
+TEST_F(Exchange, ComparesReports) {
+  Write("one.json", Run({"play", "out/plan.json", "--json"}).out);
+  Write("two.json", Run({"play", "out/plan.json", "--json", "--mass-scale", "1.1"}).out);
+  EXPECT_EQ(Run({"compare", "one.json", "one.json", "--quiet"}).out, "same\n");
+  const Ran ran = Run({"compare", "one.json", "two.json", "--json", "--report", "two.html"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.json().at("compared"), "reports");
+  EXPECT_EQ(ran.json().at("metrics").at("fell").at("a"), 0.0);
+  EXPECT_NE(Run({"compare", "one.json", "two.json", "--tolerance", "0"}).out.find("they differ"), std::string::npos);
+}
+
+TEST_F(Exchange, CompareRefusesWhatDoesNotBelongTogether) {
+  Write("report.json", Run({"play", "out/plan.json", "--json"}).out);
+  Write("empty.json", "{}");
+  Write("part.csv", "time_s,q_FL_hip_joint_rad\n0,1\n");
+  ExpectRefused(Run({"compare", "report.json", "out/plan.json"}), 1, {"report.json", "a plan", "with a report"});
+  ExpectRefused(Run({"compare", "empty.json", "out/plan.json"}), 1, {"empty.json", "no plan, log or report"});
+  ExpectRefused(Run({"compare", "out/log.json", "out/log.json"}), 1, {"a log of robot 'a1'", "--plan FILE"});
+  ExpectRefused(Run({"compare", "part.csv", "part.csv"}), 1, {"does not say whose motion", "--robot NAME"});
+  ExpectRefused(Run({"compare", "out/plan.json", "part.csv"}), 1, {"part.csv", "_joint"});
+  ExpectRefused(Run({"compare", "out/plan.json", "slow.json", "--columns", "names.yaml"}), 1,
+                {"neither file is a CSV"});
+  ExpectRefused(Run({"compare", "out/plan.json", "slow.json", "--align", "backward"}), 1, {"backward", "best"});
+  ExpectRefused(Run({"compare", "out/plan.json", "slow.json", "--report", "slow.json"}), 1, {"written over"});
+}
+
+}  // namespace
+}  // namespace gaitwright::cli

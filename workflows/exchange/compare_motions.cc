@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/compare_motions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/options.h"
+#include "kinematics/base/result.h"
+#include "workflows/exchange/compare_parts_internal.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kRounding = 1e-9;        // [s]
+constexpr double kLittleAgreement = 0.5;  // below it an offset that was found is doubtful
+
+std::vector<std::string> FootNames(const RobotModel& model) {
+  std::vector<std::string> names;
+  for (const Foot& foot : model.feet) names.push_back(foot.name);
+  return names;
+}
+
+std::vector<std::string> OnlyIn(const std::vector<std::string>& names, const std::vector<std::string>& others) {
+  std::vector<std::string> only;
+  for (const std::string& name : names) {
+    if (std::find(others.begin(), others.end(), name) == others.end()) only.push_back(name);
+  }
+  return only;
+}
+
+/// Chooses the offset and says how.
+void Align(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options,
+           const std::vector<NamedPair>& joints, MotionComparison& comparison) {
+  comparison.best_offset = BestOffset(a, b, joints);
+  const bool foreign = a.kind == "csv" || b.kind == "csv";
+  comparison.aligned_by = options.align != "auto" ? options.align : foreign ? "best" : "none";
+  if (comparison.aligned_by == "start") comparison.offset_s = b.start_s() - a.start_s();
+  if (comparison.aligned_by != "best") return;
+  if (!comparison.best_offset) {
+    comparison.aligned_by = "start";
+    comparison.offset_s = b.start_s() - a.start_s();
+    comparison.notes.emplace_back("the clocks are aligned by their starts: no joint that both have moves in both");
+    return;
+  }
+  comparison.offset_s = comparison.best_offset->offset_s;
+  if (comparison.best_offset->agreement >= kLittleAgreement) return;
+  comparison.notes.push_back(
+      fmt::format("the offset of the clocks is doubtful: at the best one the joints' speeds agree to {:.2f} only (1 is "
+                  "the same); --align none or start takes none from the motion",
+                  comparison.best_offset->agreement));
+}
+
+double StepOf(const ComparedMotion& motion) {
+  return motion.rows.size() > 1 ? (motion.end_s() - motion.start_s()) / (motion.rows.size() - 1) : 1.0;
+}
+
+/// The moments of the measured side's rows; of two plans a grid as fine as the finer one's.
+std::vector<double> MomentsOf(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared) {
+  std::vector<double> times;
+  if (a.plan && b.plan) {
+    const double rate_hz = std::clamp(1.0 / std::min(StepOf(a), StepOf(b)), kLowestRate, kHighestRate);
+    return TimesAtRate(shared.start_s, shared.end_s, rate_hz);
+  }
+  const bool by_b = a.plan.has_value();
+  for (const double own_s : by_b ? b.rows.time_s : a.rows.time_s) {
+    const double time_s = by_b ? own_s - shared.offset_s : own_s;
+    if (time_s > shared.start_s - kRounding && time_s < shared.end_s + kRounding) times.push_back(time_s);
+  }
+  return times;
+}
+
+SharedTime Share(const ComparedMotion& a, const ComparedMotion& b, double offset_s) {
+  SharedTime shared;
+  shared.offset_s = offset_s;
+  shared.start_s = std::max(a.start_s(), b.start_s() - offset_s);
+  shared.end_s = std::min(a.end_s(), b.end_s() - offset_s);
+  shared.cycle_s = a.stances.empty() ? CycleOf(b) : CycleOf(a);
+  if (shared.end_s > shared.start_s - kRounding) shared.time_s = MomentsOf(a, b, shared);
+  if (!shared.time_s.empty()) return shared;
+  throw InvalidArgument(
+      fmt::format("the motions share no time: '{}' is from {:.3f} to {:.3f} s, '{}' from {:.3f} to {:.3f} s, its clock "
+                  "being {:.3f} "
+                  "s ahead; align them by 'start' or 'best'",
+                  a.name, a.start_s(), a.end_s(), b.name, b.start_s(), b.end_s(), offset_s));
+}
+
+/// A motion that ends before the other does; a log goes on a while behind its plan, which is no difference.
+void CompareEnds(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared, double tolerance,
+                 std::vector<FirstDifference>& beyond) {
+  const double end_a = a.end_s(), end_b = b.end_s() - shared.offset_s,
+               least = std::max(tolerance * shared.cycle_s, kRounding);
+  const bool a_stops = end_a < end_b - least && (a.kind == b.kind || b.plan);
+  const bool b_stops = end_b < end_a - least && (a.kind == b.kind || a.plan);
+  if (a_stops || b_stops) beyond.push_back({"end of the motion", "s", shared.end_s, end_a, end_b, least});
+}
+
+void Order(const std::vector<SeriesDifference>& differences, std::vector<FirstDifference>& beyond) {
+  for (const SeriesDifference& one : differences) {
+    if (one.first_s) beyond.push_back({one.quantity, one.unit, *one.first_s, one.first_a, one.first_b, one.tolerance});
+  }
+  const auto excess = [](const FirstDifference& one) {
+    return one.tolerance > 0.0 ? std::abs(one.b - one.a) / one.tolerance : INFINITY;
+  };
+  std::stable_sort(beyond.begin(), beyond.end(), [&](const FirstDifference& one, const FirstDifference& other) {
+    if (std::abs(one.time_s - other.time_s) > kRounding) return one.time_s < other.time_s;
+    return excess(one) > excess(other);
+  });
+  std::vector<FirstDifference> once;
+  for (FirstDifference& one : beyond) {
+    const bool known = std::any_of(once.begin(), once.end(), [&](const auto& o) { return o.quantity == one.quantity; });
+    if (!known) once.push_back(std::move(one));
+  }
+  beyond = std::move(once);
+}
+
+/// Puts the differences, in the order of SeriesOf, where they belong; what neither has is left out.
+void TakeApart(const std::vector<SeriesDifference>& differences, const SharedTime& shared,
+               MotionComparison& comparison) {
+  std::size_t next = 0;
+  for (const NamedPair& joint : shared.joints) {
+    comparison.joints.push_back({joint.name, differences[next], differences[next + 1], differences[next + 2]});
+    next += 3;
+  }
+  for (; next < differences.size(); ++next) {
+    if (differences[next].samples == 0) continue;
+    const bool of_base = differences[next].quantity.ends_with("of the base");
+    (of_base ? comparison.base : comparison.balance).push_back(differences[next]);
+  }
+}
+
+}  // namespace
+
+OptionFields CompareOptions::Fields() {
+  return {
+      {"align",
+       &align,
+       "",
+       0.0,
+       0.0,
+       "How the clocks are aligned: not at all, by the starts, by the joints' motion, or by that where one side is a "
+       "table, whose clock is its own.",
+       {"auto", "none", "start", "best"}},
+      {"tolerance", &tolerance, "1", 0.0, 10.0, "Share of each figure's scale up to which it is the same.", {}}};
+}
+
+MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options) {
+  CompareOptions checked = options;
+  CheckOptions(checked.Fields());
+  MotionComparison comparison;
+  comparison.name_a = a.name;
+  comparison.name_b = b.name;
+  comparison.kind_a = a.kind;
+  comparison.kind_b = b.kind;
+  comparison.robot_a = a.model.name;
+  comparison.robot_b = b.model.name;
+  const std::vector<NamedPair> joints = CommonNames(a.model.dof_names, b.model.dof_names);
+  comparison.joints_only_a = OnlyIn(a.model.dof_names, b.model.dof_names);
+  comparison.joints_only_b = OnlyIn(b.model.dof_names, a.model.dof_names);
+  Align(a, b, options, joints, comparison);
+  SharedTime shared = Share(a, b, comparison.offset_s);
+  shared.joints = joints;
+  shared.feet = CommonNames(FootNames(a.model), FootNames(b.model));
+  comparison.start_s = shared.start_s;
+  comparison.end_s = shared.end_s;
+  comparison.samples = static_cast<int>(shared.time_s.size());
+  const double leg_m = std::max(a.model.leg_length_m(), b.model.leg_length_m());
+  const std::vector<SeriesDifference> differences =
+      DifferencesOf(SeriesOf(a, b, shared), shared, leg_m, options.tolerance);
+  TakeApart(differences, shared, comparison);
+  comparison.feet = FeetDifferences(a, b, shared, options.tolerance, comparison.in_order);
+  CompareEnds(a, b, shared, options.tolerance, comparison.in_order);
+  Order(differences, comparison.in_order);
+  comparison.figures = FiguresOf(a, b);
+  comparison.words = WordsOf(a, b);
+  if (comparison.joints.empty()) comparison.notes.emplace_back("the robots have no joint of the same name");
+  if (comparison.base.empty()) comparison.notes.emplace_back("the base is not compared: one side says nothing of it");
+  if (comparison.feet.empty())
+    comparison.notes.emplace_back("contacts are not compared: one side says nothing of them");
+  return comparison;
+}
+
+}  // namespace gaitwright

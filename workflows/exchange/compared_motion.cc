@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/compared_motion.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "kinematics/base/result.h"
+#include "planning/plan/sample_plan.h"
+#include "playback/score/contact_timing.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Intervals in which rows have a foot on the ground; each changes half way between two rows.
+std::vector<ContactInterval> IntervalsOfRows(const MotionRows& rows, int foot) {
+  std::vector<ContactInterval> intervals;
+  const std::size_t n = rows.contact.size();
+  const auto edge = [&](std::size_t k) { return 0.5 * (rows.time_s[k - 1] + rows.time_s[k]); };
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool stands = Contains(rows.contact[k], foot), stood = k > 0 && Contains(rows.contact[k - 1], foot);
+    if (stands && !stood) intervals.push_back({k == 0 ? rows.time_s[0] : edge(k), rows.time_s[n - 1]});
+    if (!stands && stood) intervals.back().end_s = edge(k);
+  }
+  return intervals;
+}
+
+/// The rate at the middle of three rows, or of two at an end.
+VectorX RateAt(const std::vector<double>& t, const std::vector<VectorX>& q, std::size_t k) {
+  const std::size_t last = q.size() - 1;
+  if (last == 0) return VectorX::Zero(q[0].size());
+  if (k == 0) return (q[1] - q[0]) / (t[1] - t[0]);
+  if (k == last) return (q[k] - q[k - 1]) / (t[k] - t[k - 1]);
+  const double before = t[k] - t[k - 1], after = t[k + 1] - t[k];
+  return ((q[k + 1] - q[k]) / after * before + (q[k] - q[k - 1]) / before * after) / (before + after);
+}
+
+void CheckTable(const RobotModel& model, const MotionTable& table, const std::string& name) {
+  if (table.time_s.empty()) throw InvalidArgument(fmt::format("'{}' has no row", name));
+  for (std::size_t k = 1; k < table.time_s.size(); ++k) {
+    if (table.time_s[k] > table.time_s[k - 1]) continue;
+    throw InvalidArgument(fmt::format("'{}': the time {} s of row {} does not come after {} s; times must rise", name,
+                                      table.time_s[k], k + 1, table.time_s[k - 1]));
+  }
+  if (table.q.size() != table.time_s.size() || table.q.front().size() != model.num_dofs())
+    throw InvalidArgument(fmt::format("'{}' does not have a position of each joint of robot '{}'", name, model.name));
+}
+
+}  // namespace
+
+ComparedMotion ComparedPlan(const RobotModel& model, const MotionPlan& plan, const std::string& name) {
+  ComparedMotion motion{.name = name, .kind = "plan", .model = model, .plan = plan};
+  motion.rows = RowsOfPlan(model, plan, UsualRate(plan));
+  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot)
+    motion.stances.push_back(IntervalsOf(plan.schedule, foot));
+  return motion;
+}
+
+ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, const std::string& name) {
+  ComparedMotion motion{.name = name, .kind = "log", .model = model, .log = log};
+  motion.rows = RowsOfLog(model, log, log.log_rate_hz);
+  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot)
+    motion.stances.push_back(MeasuredIntervals(log, foot, TimingGate()));
+  motion.torque_age_s = 0.5 / log.log_rate_hz;
+  return motion;
+}
+
+ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name) {
+  CheckTable(model, table, name);
+  ComparedMotion motion{.name = name, .kind = "csv", .model = model};
+  MotionRows& rows = motion.rows;
+  rows.time_s = table.time_s;
+  for (std::size_t k = 0; k < table.time_s.size(); ++k) {
+    VectorX q = VectorX::Constant(model.nq(), kNone), v = VectorX::Constant(model.nv(), kNone);
+    if (!table.base_m.empty()) q.head<3>() = table.base_m[k];
+    if (!table.quaternion.empty()) q.segment<4>(3) = table.quaternion[k].normalized();
+    q.tail(model.num_dofs()) = table.q[k];
+    v.tail(model.num_dofs()) = table.v.empty() ? RateAt(table.time_s, table.q, k) : table.v[k];
+    rows.q.push_back(std::move(q));
+    rows.v.push_back(std::move(v));
+  }
+  rows.tau = table.tau;
+  rows.contact = table.contact;
+  if (rows.contact.empty()) return motion;
+  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot)
+    motion.stances.push_back(IntervalsOfRows(rows, foot));
+  return motion;
+}
+
+void SampleCompared(const ComparedMotion& motion, double time_s, RowSample& sample) {
+  if (!motion.plan) {
+    SampleRows(motion.rows, time_s, sample);
+    return;
+  }
+  WholeBodySample whole;
+  SampleWholeBody(motion.plan->whole_body, time_s, whole);
+  sample.q = whole.q;
+  sample.v = whole.v;
+  sample.tau = whole.tau;
+  sample.wrenches = whole.wrenches;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workflows/exchange/motion_rows.h"
+#include "workflows/exchange/motion_table.h"
+
+namespace gaitwright {
+
+/// One side of a comparison: a plan, a log, or columns of numbers such as a robot's own log.
+struct ComparedMotion {
+  std::string name;                                        ///< what it is called: the file, as it was given
+  std::string kind;                                        ///< "plan", "log" or "csv"
+  RobotModel model;                                        ///< whose orders its rows have
+  std::optional<MotionPlan> plan = {};                     ///< of a plan
+  std::optional<PlaybackLog> log = {};                     ///< of a log
+  MotionRows rows = {};                                    ///< on its own clock; what it does not say is not a number
+  std::vector<std::vector<ContactInterval>> stances = {};  ///< by foot; empty where nothing is known of contacts
+  double torque_age_s = 0.0;                               ///< how far before a row its torque holds: means are late
+
+  double start_s() const { return rows.time_s.front(); }
+  double end_s() const { return rows.time_s.back(); }
+};
+
+/// @throws InvalidArgument where plan, log or table do not fit the robot, or have no rows.
+ComparedMotion ComparedPlan(const RobotModel& model, const MotionPlan& plan, const std::string& name);
+ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, const std::string& name);
+
+/// Columns of numbers. Speeds that are not given are those of the parabola through each row and its neighbours.
+ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name);
+
+/// The motion at a time of its own clock: a plan between its nodes as SampleWholeBody has it, all else as SampleRows
+/// does. The torque is the one that holds then, as far as rows tell. No allocation once `sample` has its sizes.
+void SampleCompared(const ComparedMotion& motion, double time_s, RowSample& sample);
+
+}  // namespace gaitwright

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/export_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "kinematics/base/options.h"
+#include "playback/bullet/play.h"
+#include "playback/report/plot_style.h"
+#include "playback/score/stability_report.h"
+#include "workflows/exchange/export_csv.h"
+#include "workflows/exchange/export_npz.h"
+#include "workflows/exchange/export_trajectory.h"
+#include "workflows/exchange/motion_plots.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kSameStep = 1e-6;  // share of a step
+
+void AddPlots(const std::vector<Plot>& plots, const std::string& folder, ExportedMotion& exported) {
+  for (const Plot& plot : plots) {
+    const std::string file = (std::filesystem::path(folder) / (plot.name + ".svg")).string();
+    exported.files.push_back({file, StandaloneSvg(plot.svg)});
+  }
+}
+
+std::string TextOf(const RobotModel& model, const MotionRows& rows, ExportFormat format) {
+  switch (format) {
+    case ExportFormat::kCsv:
+      return MotionCsv(model, rows);
+    case ExportFormat::kTrajectoryYaml:
+      return JointTrajectoryYaml(model, rows);
+    case ExportFormat::kTrajectoryJson:
+      return JointTrajectoryJson(model, rows);
+    case ExportFormat::kNpz:
+      return MotionNpz(model, rows);
+    case ExportFormat::kSvg:
+      break;
+  }
+  throw InvalidArgument("plots are no single file");
+}
+
+void AddNotes(const MotionRows& rows, ExportFormat format, ExportedMotion& exported) {
+  const bool trajectory = format == ExportFormat::kTrajectoryYaml || format == ExportFormat::kTrajectoryJson;
+  if (trajectory) exported.notes.emplace_back("the motion of the base is left out: a joint trajectory has none");
+  if (rows.a.empty() && (trajectory || format == ExportFormat::kNpz))
+    exported.notes.emplace_back("there are no accelerations: a log measures none");
+  if (rows.tau.empty() && format != ExportFormat::kSvg)
+    exported.notes.emplace_back("there are no torques: the plan has none");
+  const std::size_t n = rows.time_s.size();
+  const double step_s = 1.0 / exported.rate_hz;
+  const double last_s = n > 1 ? rows.time_s[n - 1] - rows.time_s[n - 2] : step_s;
+  if (last_s < step_s * (1.0 - kSameStep)) {
+    exported.notes.push_back(
+        fmt::format("the last step is {:.6g} s instead of {:.6g} s, so that the end is there", last_s, step_s));
+  }
+}
+
+ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz,
+                          const std::string& out) {
+  ExportedMotion exported;
+  exported.rows = rows.size();
+  exported.start_s = rows.time_s.front();
+  exported.end_s = rows.time_s.back();
+  exported.rate_hz = rate_hz;
+  if (format == ExportFormat::kSvg) {
+    AddPlots(MotionPlots({{model.name, &model, &rows}}), out, exported);
+  } else {
+    exported.files.push_back({out, TextOf(model, rows, format)});
+  }
+  AddNotes(rows, format, exported);
+  return exported;
+}
+
+void CheckBelongs(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan) {
+  if (!log.robot_hash.empty() && log.robot_hash != model.hash) {
+    throw InvalidArgument(fmt::format("the log is of robot '{}' ({}), not of '{}' ({}): name the robot that was played",
+                                      log.robot, log.robot_hash, model.name, model.hash));
+  }
+  if (plan == nullptr || log.plan_hash == MotionHash(*plan)) return;
+  throw InvalidArgument(
+      fmt::format("the log is of another plan ({}) than the one given ({}): name the plan that was played",
+                  log.plan_hash, MotionHash(*plan)));
+}
+
+}  // namespace
+
+const std::vector<std::string>& ExportFormatNames() {
+  static const std::vector<std::string> names = {"csv", "joint-trajectory-yaml", "joint-trajectory-json", "npz", "svg"};
+  return names;
+}
+
+ExportFormat ExportFormatOf(const std::string& name) {
+  const std::vector<std::string>& names = ExportFormatNames();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    throw InvalidArgument(fmt::format("there is no format '{}', the nearest is '{}'; there are {}", name,
+                                      NearestName(name, names), QuotedList(names)));
+  }
+  return static_cast<ExportFormat>(found - names.begin());
+}
+
+ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
+                          const std::string& out) {
+  const double rate = rate_hz != 0.0 ? rate_hz : UsualRate(plan);
+  return ExportRows(model, RowsOfPlan(model, plan, rate), format, rate, out);
+}
+
+ExportedMotion ExportLog(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan, ExportFormat format,
+                         double rate_hz, const std::string& out) {
+  CheckBelongs(model, log, plan);
+  const double rate = rate_hz != 0.0 ? rate_hz : log.log_rate_hz;
+  ExportedMotion exported = ExportRows(model, RowsOfLog(model, log, rate), format, rate, out);
+  if (format != ExportFormat::kSvg || plan == nullptr) return exported;
+  exported.files.clear();
+  AddPlots(MakePlots(model, *plan, log, Score(model, *plan, log)), out, exported);
+  return exported;
+}
+
+}  // namespace gaitwright

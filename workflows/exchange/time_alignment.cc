@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/time_alignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <unsupported/Eigen/FFT>
+
+namespace gaitwright {
+namespace {
+
+constexpr double kStep = 0.005;            // of the search [s]
+constexpr double kLeastShare = 1.0 / 3.0;  // of the energy of each motion that must be compared
+constexpr double kRest = 1e-9;             // energy below which nothing moves
+
+/// Speeds of the joints at even times, a column by joint.
+MatrixX SpeedsOf(const ComparedMotion& motion, const std::vector<int>& joints) {
+  const auto n = static_cast<Eigen::Index>(std::floor((motion.end_s() - motion.start_s()) / kStep + 1e-6)) + 1;
+  MatrixX speeds(n, static_cast<Eigen::Index>(joints.size()));
+  RowSample sample;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    SampleCompared(motion, motion.start_s() + kStep * static_cast<double>(k), sample);
+    for (std::size_t j = 0; j < joints.size(); ++j) speeds(k, static_cast<Eigen::Index>(j)) = sample.v[6 + joints[j]];
+  }
+  return speeds.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
+}
+
+std::vector<double> RunningEnergy(const MatrixX& speeds) {
+  std::vector<double> sum(static_cast<std::size_t>(speeds.rows()) + 1, 0.0);
+  for (Eigen::Index k = 0; k < speeds.rows(); ++k)
+    sum[static_cast<std::size_t>(k) + 1] = sum[static_cast<std::size_t>(k)] + speeds.row(k).squaredNorm();
+  return sum;
+}
+
+/// sum over t and joints of a(t) b(t + s), for s from -(rows of a - 1) to rows of b - 1.
+std::vector<double> CrossCorrelation(const MatrixX& a, const MatrixX& b) {
+  const Eigen::Index whole = a.rows() + b.rows() - 1;
+  Eigen::Index size = 1;
+  while (size < whole) size *= 2;
+  Eigen::FFT<double> fft;
+  using Spectrum = std::vector<std::complex<double>>;
+  Spectrum sum(static_cast<std::size_t>(size), 0.0), of_a, of_b;
+  std::vector<double> padded_a(static_cast<std::size_t>(size)), padded_b(static_cast<std::size_t>(size)), shifted;
+  for (Eigen::Index j = 0; j < a.cols(); ++j) {
+    std::fill(padded_a.begin(), padded_a.end(), 0.0);
+    std::fill(padded_b.begin(), padded_b.end(), 0.0);
+    for (Eigen::Index k = 0; k < a.rows(); ++k) padded_a[static_cast<std::size_t>(k)] = a(k, j);
+    for (Eigen::Index k = 0; k < b.rows(); ++k) padded_b[static_cast<std::size_t>(k)] = b(k, j);
+    fft.fwd(of_a, padded_a);
+    fft.fwd(of_b, padded_b);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += std::conj(of_a[i]) * of_b[i];
+  }
+  fft.inv(shifted, sum);
+  std::vector<double> correlation;
+  for (Eigen::Index s = -(a.rows() - 1); s < b.rows(); ++s)
+    correlation.push_back(shifted[static_cast<std::size_t>(s < 0 ? s + size : s)]);
+  return correlation;
+}
+
+/// The shift in steps that agrees best; nothing where either is at rest.
+std::optional<Eigen::Index> BestShift(const MatrixX& a, const MatrixX& b) {
+  const std::vector<double> energy_a = RunningEnergy(a), energy_b = RunningEnergy(b);
+  if (energy_a.back() < kRest || energy_b.back() < kRest) return std::nullopt;
+  const std::vector<double> correlation = CrossCorrelation(a, b);
+  const Eigen::Index least_rows = std::max<Eigen::Index>(1, std::min(a.rows(), b.rows()) / 2);
+  const double least = kLeastShare * std::min(energy_a.back(), energy_b.back());
+  std::optional<Eigen::Index> best;
+  double best_agreement = -2.0;
+  for (Eigen::Index s = -(a.rows() - 1); s < b.rows(); ++s) {
+    const Eigen::Index first = std::max<Eigen::Index>(0, -s), end = std::min(a.rows(), b.rows() - s);
+    if (end - first < least_rows) continue;
+    const auto of = [&](const std::vector<double>& energy, Eigen::Index shift) {
+      return energy[static_cast<std::size_t>(end + shift)] - energy[static_cast<std::size_t>(first + shift)];
+    };
+    const double in_a = of(energy_a, 0), in_b = of(energy_b, s);
+    if (in_a < least || in_b < least) continue;
+    const double agreement = 2.0 * correlation[static_cast<std::size_t>(s + a.rows() - 1)] / (in_a + in_b);
+    if (agreement > best_agreement) {
+      best_agreement = agreement;
+      best = s;
+    }
+  }
+  return best;
+}
+
+/// The agreement at an offset that is no multiple of the step.
+class Agreement {
+ public:
+  Agreement(const ComparedMotion& a, const ComparedMotion& b, const std::vector<NamedPair>& joints)
+      : a_(a), b_(b), joints_(joints) {}
+
+  double At(double offset_s) {
+    const double first = std::max(a_.start_s(), b_.start_s() - offset_s),
+                 end = std::min(a_.end_s(), b_.end_s() - offset_s);
+    double product = 0.0, energy = 0.0;
+    for (double time_s = first; time_s <= end + 1e-9; time_s += kStep) {
+      SampleCompared(a_, std::min(time_s, end), of_a_);
+      SampleCompared(b_, std::min(time_s, end) + offset_s, of_b_);
+      for (const NamedPair& joint : joints_) {
+        const double v = of_a_.v[6 + joint.a], w = of_b_.v[6 + joint.b];
+        if (!std::isfinite(v) || !std::isfinite(w)) continue;
+        product += v * w;
+        energy += v * v + w * w;
+      }
+    }
+    return energy > 0.0 ? 2.0 * product / energy : 0.0;
+  }
+
+ private:
+  const ComparedMotion &a_, &b_;
+  const std::vector<NamedPair>& joints_;
+  RowSample of_a_, of_b_;
+};
+
+}  // namespace
+
+std::vector<NamedPair> CommonNames(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  std::vector<NamedPair> common;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto found = std::find(b.begin(), b.end(), a[i]);
+    if (found != b.end()) common.push_back({a[i], static_cast<int>(i), static_cast<int>(found - b.begin())});
+  }
+  return common;
+}
+
+std::optional<ClockOffset> BestOffset(const ComparedMotion& a, const ComparedMotion& b,
+                                      const std::vector<NamedPair>& joints) {
+  std::vector<int> of_a, of_b;
+  for (const NamedPair& joint : joints) {
+    of_a.push_back(joint.a);
+    of_b.push_back(joint.b);
+  }
+  if (joints.empty()) return std::nullopt;
+  const std::optional<Eigen::Index> shift = BestShift(SpeedsOf(a, of_a), SpeedsOf(b, of_b));
+  if (!shift) return std::nullopt;
+  Agreement agreement(a, b, joints);
+  ClockOffset best{b.start_s() - a.start_s() + kStep * static_cast<double>(*shift), 0.0};
+  best.agreement = agreement.At(best.offset_s);
+  for (const double finer : {kStep / 10.0, kStep / 50.0}) {
+    const double about_s = best.offset_s;
+    for (int i = -10; i <= 10; ++i) {
+      const double offset_s = about_s + finer * i;
+      const double there = i == 0 ? best.agreement : agreement.At(offset_s);
+      if (there > best.agreement + 1e-12) best = {offset_s, there};
+    }
+  }
+  return best;
+}
+
+}  // namespace gaitwright
