@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+
+/// The largest table that is read.
+inline constexpr int kMostCsvRows = 1'000'000, kMostCsvColumns = 1'000, kMostCsvCells = 20'000'000;
+
+/// A table of finite numbers with named columns.
+struct CsvTable {
+  std::string source;                ///< the file, for messages
+  std::vector<std::string> columns;  ///< names, each once, none empty
+  std::vector<double> values;        ///< row after row
+  std::vector<int> lines;            ///< of each row in its file, from 1
+
+  int rows() const { return static_cast<int>(lines.size()); }
+  int num_columns() const { return static_cast<int>(columns.size()); }
+  double At(int row, int column) const {
+    return values[static_cast<std::size_t>(row) * columns.size() + static_cast<std::size_t>(column)];
+  }
+
+  /// Index of the column of that name, or -1.
+  int Find(const std::string& name) const;
+  /// All values of a column.
+  std::vector<double> Column(int column) const;
+  /// "line 12, column 3 'q_hip_rad'": where a cell stands, for messages.
+  std::string Place(int row, int column) const;
+};
+
+/// A table from the text of a CSV file.
+///
+/// The first line that is no comment names the columns; the others hold a number in each column. Between cells stands
+/// what the first line has most of: comma, semicolon or tab. Cells may have spaces around them and stand in double
+/// quotes, `""` within them being one; lines may end in CR LF; empty lines and lines that begin with # are passed over.
+/// Where the first line that is no comment holds numbers only, the comment right before it names the columns, as NumPy
+/// writes it. A delimiter at the end of every line is passed over. Numbers are decimal with a point, whatever the
+/// machine's language; `true` and `false` are 1 and 0.
+/// Failure kBadInput `csv` naming the source, line and column: no names, a name that is empty or stands there twice, a
+/// row of another length, a cell that is no finite number, a quote without end, no row at all, and more than
+/// kMostCsvRows, kMostCsvColumns or kMostCsvCells.
+Result<CsvTable> ParseCsvTable(const std::string& text, const std::string& source);
+
+/// The same from a file in UTF-8, with or without a byte-order mark.
+Result<CsvTable> ReadCsvTable(const std::string& path);
+
+}  // namespace gaitwright
