@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+#include "workflows/exchange/motion_table.h"
+
+namespace gaitwright {
+
+/// What a column is.
+enum class ColumnKind {
+  kTime,
+  kBasePosition,
+  kQuaternion,  ///< index: x y z w
+  kEuler,       ///< index: roll, pitch, yaw
+  kPosition,    ///< index: joint
+  kVelocity,
+  kTorque,
+  kContact,  ///< index: foot
+  kForce,    ///< index: 3 foot + axis
+  kUnused,   ///< known, and of no use: velocities of the base, which follow from its pose
+};
+
+/// A column with the factor that brings it into SI units.
+struct ColumnTarget {
+  ColumnKind kind = ColumnKind::kUnused;
+  int index = 0;
+  double scale = 1.0;
+};
+
+/// All names that a column may have, with what they say.
+std::map<std::string, ColumnTarget> ColumnTargets(const RobotModel& model, const ImportOptions& options);
+
+/// The name of the position column of a joint: "q_hip_rad" or "q_slide_m".
+std::string PositionColumn(const Joint& joint);
+
+/// Whether a name begins like one of ours, so that it is likely meant for one.
+bool LooksLikeOurs(const std::string& name);
+
+}  // namespace gaitwright

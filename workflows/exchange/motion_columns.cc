@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/motion_columns.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "kinematics/spatial/rotation.h"
+#include "workflows/exchange/column_target.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A column of the file and what it is.
+struct Source {
+  int column = -1;
+  double scale = 1.0;
+};
+
+/// Brings the columns of a file in order.
+class Mapper {
+ public:
+  Mapper(const RobotModel& model, const CsvTable& table, const ColumnNames& names, const ImportOptions& options)
+      : model_(model),
+        table_(table),
+        names_(names),
+        options_(options),
+        targets_(ColumnTargets(model, options)),
+        position_(model.joints.size()),
+        velocity_(model.joints.size()),
+        torque_(model.joints.size()),
+        contact_(model.feet.size()),
+        force_(3 * model.feet.size()) {}
+
+  MotionTable Run() {
+    CheckNames();
+    for (int c = 0; c < table_.num_columns(); ++c) Place(c);
+    motion_.format = "csv";
+    TakeTime();
+    TakeBase();
+    TakeJoints();
+    TakeFeet();
+    return std::move(motion_);
+  }
+
+ private:
+  std::vector<std::string> KnownNames() const {
+    std::vector<std::string> known;
+    for (const auto& [name, target] : targets_) known.push_back(name);
+    return known;
+  }
+
+  /// Every name in the file of names is one of the table's, and means something.
+  void CheckNames() const {
+    for (const auto& [theirs, ours] : names_.ours) {
+      if (targets_.count(ours) == 0) {
+        throw InvalidArgument(fmt::format("column '{}' is to be '{}', which means nothing; the nearest is '{}'", theirs,
+                                          ours, NearestName(ours, KnownNames())));
+      }
+    }
+    for (const auto& [theirs, scale] : names_.scale) {
+      if (table_.Find(theirs) < 0) {
+        throw InvalidArgument(fmt::format("there is no column '{}' to scale; the nearest is '{}'", theirs,
+                                          NearestName(theirs, table_.columns)));
+      }
+    }
+  }
+
+  void Place(int column) {
+    const std::string& theirs = table_.columns[static_cast<std::size_t>(column)];
+    if (std::find(names_.ignored.begin(), names_.ignored.end(), theirs) != names_.ignored.end()) {
+      motion_.unused_columns.push_back(theirs);
+      return;
+    }
+    const auto renamed = names_.ours.find(theirs);
+    const std::string& name = renamed == names_.ours.end() ? theirs : renamed->second;
+    const auto known = targets_.find(name);
+    if (known == targets_.end()) {
+      if (LooksLikeOurs(name)) {
+        throw InvalidArgument(fmt::format("column {} '{}' is unknown for robot '{}'; the nearest is '{}'", column + 1,
+                                          name, model_.name, NearestName(name, KnownNames())));
+      }
+      motion_.unused_columns.push_back(theirs);
+      return;
+    }
+    const auto scale = names_.scale.find(theirs);
+    const ColumnTarget& target = known->second;
+    const double factor = scale == names_.scale.end() ? target.scale : scale->second;
+    if (target.kind == ColumnKind::kUnused) {
+      motion_.unused_columns.push_back(theirs);
+      return;
+    }
+    Source& source = SourceOf(target);
+    if (source.column >= 0) {
+      throw InvalidArgument(fmt::format("columns '{}' and '{}' both are {}",
+                                        table_.columns[static_cast<std::size_t>(source.column)], theirs, name));
+    }
+    source = {column, factor};
+  }
+
+  Source& SourceOf(const ColumnTarget& target) {
+    const auto i = static_cast<std::size_t>(target.index);
+    switch (target.kind) {
+      case ColumnKind::kTime:
+        return time_;
+      case ColumnKind::kBasePosition:
+        return base_[i];
+      case ColumnKind::kQuaternion:
+        return quaternion_[i];
+      case ColumnKind::kEuler:
+        return euler_[i];
+      case ColumnKind::kPosition:
+        return position_[i];
+      case ColumnKind::kVelocity:
+        return velocity_[i];
+      case ColumnKind::kTorque:
+        return torque_[i];
+      case ColumnKind::kContact:
+        return contact_[i];
+      default:
+        return force_[i];
+    }
+  }
+
+  double Value(int row, const Source& source) const { return source.scale * table_.At(row, source.column); }
+
+  void TakeTime() {
+    if (time_.column < 0) {
+      throw InvalidArgument(fmt::format("has no column of times: 'time_s' is needed; the nearest to it is '{}'",
+                                        NearestName("time_s", table_.columns)));
+    }
+    for (int row = 0; row < table_.rows(); ++row) {
+      motion_.time_s.push_back(Value(row, time_));
+      if (row > 0 &&
+          !(motion_.time_s[static_cast<std::size_t>(row)] > motion_.time_s[static_cast<std::size_t>(row) - 1])) {
+        throw InvalidArgument(fmt::format("{}: {:.9g} does not come after {:.9g} in the row before; times must rise",
+                                          table_.Place(row, time_.column), table_.At(row, time_.column),
+                                          table_.At(row - 1, time_.column)));
+      }
+    }
+  }
+
+  /// Whether all of some columns are there; a part of them is refused.
+  bool AllOrNone(const std::vector<Source>& sources, const std::vector<std::string>& names) const {
+    std::vector<std::string> there, missing;
+    for (std::size_t i = 0; i < sources.size(); ++i) (sources[i].column < 0 ? missing : there).push_back(names[i]);
+    if (there.empty() || missing.empty()) return missing.empty();
+    throw InvalidArgument(fmt::format("has {} and lacks {}; all of them are needed, or none",
+                                      QuotedList({there.front()}), QuotedList(missing)));
+  }
+
+  void TakeBase() {
+    const bool placed = AllOrNone(base_, {"base_x_m", "base_y_m", "base_z_m"});
+    const bool turned = AllOrNone(quaternion_, {"base_qx", "base_qy", "base_qz", "base_qw"});
+    const bool by_angles = AllOrNone(euler_, {"base_roll_rad", "base_pitch_rad", "base_yaw_rad"});
+    if (turned && by_angles) throw InvalidArgument("has both a quaternion and angles of the base; give one of them");
+    if (placed && !turned && !by_angles) {
+      throw InvalidArgument(
+          "has the position of the base and not how it is turned: base_qx, base_qy, base_qz, base_qw are needed, or "
+          "base_roll_rad, base_pitch_rad, base_yaw_rad; without all of these the whole pose is worked out");
+    }
+    for (int row = 0; row < table_.rows(); ++row) {
+      if (placed) motion_.base_m.emplace_back(Value(row, base_[0]), Value(row, base_[1]), Value(row, base_[2]));
+      if (turned) {
+        motion_.quaternion.emplace_back(Value(row, quaternion_[0]), Value(row, quaternion_[1]),
+                                        Value(row, quaternion_[2]), Value(row, quaternion_[3]));
+      } else if (by_angles) {
+        const Matrix3 R = RotationExp(Value(row, euler_[2]) * Vector3::UnitZ()) *
+                          RotationExp(Value(row, euler_[1]) * Vector3::UnitY()) *
+                          RotationExp(Value(row, euler_[0]) * Vector3::UnitX());
+        motion_.quaternion.push_back(Quaternion(R).coeffs());
+      }
+    }
+  }
+
+  /// The joint that leads a dof.
+  std::size_t LeaderOf(int dof) const {
+    return static_cast<std::size_t>(model_.dof_joint[static_cast<std::size_t>(dof)]);
+  }
+
+  void TakeJoints() {
+    std::vector<std::string> missing;
+    for (int d = 0; d < model_.num_dofs(); ++d) {
+      if (position_[LeaderOf(d)].column < 0) missing.push_back(PositionColumn(model_.joints[LeaderOf(d)]));
+    }
+    if (!missing.empty() &&
+        (options_.missing_joints == "refuse" || missing.size() == static_cast<std::size_t>(model_.num_dofs()))) {
+      std::string nearest = motion_.unused_columns.empty() ? "" : NearestName(missing.front(), motion_.unused_columns);
+      if (!nearest.empty()) nearest = fmt::format("; the nearest to the first of them is '{}'", nearest);
+      throw InvalidArgument(fmt::format("lacks {} of {} joint positions of robot '{}': {}{}", missing.size(),
+                                        model_.num_dofs(), model_.name, QuotedList(missing), nearest));
+    }
+    if (!missing.empty())
+      motion_.derived.push_back({"position of " + QuotedList(missing), "as in the standing posture"});
+    motion_.q = Rows(position_, model_.standing_joints);
+    const VectorX none = VectorX::Constant(model_.num_dofs(), kNone);
+    if (Any(velocity_)) motion_.v = Rows(velocity_, none);
+    if (Any(torque_)) motion_.tau = Rows(torque_, none);
+    CheckMimics();
+  }
+
+  static bool Any(const std::vector<Source>& sources) {
+    return std::any_of(sources.begin(), sources.end(), [](const Source& source) { return source.column >= 0; });
+  }
+
+  std::vector<VectorX> Rows(const std::vector<Source>& by_joint, const VectorX& otherwise) const {
+    std::vector<VectorX> rows(static_cast<std::size_t>(table_.rows()), otherwise);
+    for (int d = 0; d < model_.num_dofs(); ++d) {
+      const Source& source = by_joint[LeaderOf(d)];
+      if (source.column < 0) continue;
+      for (int row = 0; row < table_.rows(); ++row) rows[static_cast<std::size_t>(row)][d] = Value(row, source);
+    }
+    return rows;
+  }
+
+  /// Joints that follow another one may be there too, where they do.
+  void CheckMimics() const {
+    constexpr double kSame = 1e-3;  // [rad], [m]
+    for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+      const Joint& joint = model_.joints[j];
+      if (!joint.is_mimic || position_[j].column < 0) continue;
+      for (int row = 0; row < table_.rows(); ++row) {
+        const double expected = joint.multiplier * motion_.q[static_cast<std::size_t>(row)][joint.dof] + joint.offset;
+        const double value = Value(row, position_[j]);
+        if (std::abs(value - expected) <= kSame) continue;
+        throw InvalidArgument(fmt::format("{}: joint '{}' follows '{}' and would be at {:.6g}; the file has {:.6g}",
+                                          table_.Place(row, position_[j].column), joint.name,
+                                          model_.dof_names[static_cast<std::size_t>(joint.dof)], expected, value));
+      }
+    }
+  }
+
+  void TakeFeet() {
+    std::vector<std::string> contacts, forces;
+    for (const Foot& foot : model_.feet) {
+      contacts.push_back("contact_" + foot.link);
+      for (const char axis : {'x', 'y', 'z'}) forces.push_back(fmt::format("force_{}_{}_n", foot.link, axis));
+    }
+    const bool has_contacts = AllOrNone(contact_, contacts), has_forces = AllOrNone(force_, forces);
+    for (int row = 0; row < table_.rows(); ++row) {
+      if (has_contacts) {
+        FootSet feet = 0;
+        for (std::size_t f = 0; f < contact_.size(); ++f) {
+          const double flag = Value(row, contact_[f]);
+          if (flag != 0.0 && flag != 1.0) {
+            throw InvalidArgument(
+                fmt::format("{}: {:.6g} is neither 0 nor 1", table_.Place(row, contact_[f].column), flag));
+          }
+          if (flag == 1.0) feet |= FootBit(static_cast<int>(f));
+        }
+        motion_.contact.push_back(feet);
+      }
+      if (!has_forces) continue;
+      std::vector<Vector3> of_row;
+      for (std::size_t f = 0; f < model_.feet.size(); ++f)
+        of_row.emplace_back(Value(row, force_[3 * f]), Value(row, force_[3 * f + 1]), Value(row, force_[3 * f + 2]));
+      motion_.force_W.push_back(std::move(of_row));
+    }
+  }
+
+  const RobotModel& model_;
+  const CsvTable& table_;
+  const ColumnNames& names_;
+  const ImportOptions& options_;
+  const std::map<std::string, ColumnTarget> targets_;
+  Source time_;
+  std::vector<Source> base_ = std::vector<Source>(3), quaternion_ = std::vector<Source>(4),
+                      euler_ = std::vector<Source>(3);
+  std::vector<Source> position_, velocity_, torque_, contact_, force_;
+  MotionTable motion_;
+};
+
+}  // namespace
+
+Result<MotionTable> MotionFromCsv(const RobotModel& model, const CsvTable& table, const ColumnNames& names,
+                                  const ImportOptions& options) {
+  try {
+    return Mapper(model, table, names, options).Run();
+  } catch (const InvalidArgument& error) {
+    return Failure{FailureKind::kBadInput,
+                   "columns",
+                   "ImportMotion",
+                   fmt::format("'{}': {}", table.source, error.what()),
+                   {"docs/import.md says how columns are named; --columns FILE gives other names"}};
+  }
+}
+
+}  // namespace gaitwright

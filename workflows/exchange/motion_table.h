@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/options.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/gait.h"
+
+namespace gaitwright {
+
+/// Something that a file did not hold and that was worked out, and from what.
+struct DerivedPart {
+  std::string what, how;
+
+  bool operator==(const DerivedPart&) const = default;
+};
+
+/// A motion as a file has it, in SI units and in this robot's order; whatever a file may leave out is empty then, else
+/// there is one for each row. Rows are at any times, which rise.
+struct MotionTable {
+  std::string format;  ///< "csv", "ocs2-csv", "joint-trajectory"
+  std::vector<double> time_s;
+  std::vector<Vector3> base_m;                ///< p_WB, of the URDF's root link
+  std::vector<Eigen::Vector4d> quaternion;    ///< of R_WB, x y z w
+  std::vector<VectorX> q, v, tau;             ///< by dof: [rad, m], [rad/s, m/s], [N m, N]
+  std::vector<FootSet> contact;               ///< feet on the ground
+  std::vector<std::vector<Vector3>> force_W;  ///< by foot, that the ground puts on it [N]
+  std::vector<DerivedPart> derived;           ///< so far
+  std::vector<std::string> unused_columns;    ///< in the file, and of no use here
+
+  int rows() const { return static_cast<int>(time_s.size()); }
+};
+
+/// How what a file leaves open is understood, and how what it leaves out is worked out.
+///
+/// Tuning
+///   contacts flicker, or come late       more contact_height, contact_speed; or a column of contacts
+///   torques are rough, speeds are noisy  smoothing_hz of three times the fastest steps
+struct ImportOptions {
+  std::string quaternion_order = "detect", angle_unit = "rad", length_unit = "m", time_unit = "s";
+  std::string velocities = "given", missing_joints = "refuse";
+  double grid_step_s = 0.0;
+  double smoothing_hz = 0.0;
+  double lift_m = 0.0;
+  double contact_height = 0.01, contact_speed = 0.05, contact_least_s = 0.03;
+  double load_ramp_s = 0.1, friction_use = 0.9;
+
+  OptionFields Fields();
+};
+
+}  // namespace gaitwright
