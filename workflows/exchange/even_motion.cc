@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/even_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/result.h"
+#include "workflows/exchange/knot_spline.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kUsualStep = 0.005;
+
+/// The quintic over a unit of time with value, rate and acceleration at both ends, these by that unit.
+Motion1 Quintic(const Motion1& a, const Motion1& b, double u) {
+  const double rise = b.value - a.value - a.rate - 0.5 * a.acceleration;
+  const double turn = b.rate - a.rate - a.acceleration, bend = b.acceleration - a.acceleration;
+  const double c3 = 10.0 * rise - 4.0 * turn + 0.5 * bend, c4 = -15.0 * rise + 7.0 * turn - bend,
+               c5 = 6.0 * rise - 3.0 * turn + 0.5 * bend;
+  return {a.value + u * (a.rate + u * (0.5 * a.acceleration + u * (c3 + u * (c4 + u * c5)))),
+          a.rate + u * (a.acceleration + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5))),
+          a.acceleration + u * (6.0 * c3 + u * (12.0 * c4 + u * 20.0 * c5))};
+}
+
+class Resampler {
+ public:
+  Resampler(const RobotModel& model, const MotionTable& table, const ImportOptions& options,
+            std::vector<DerivedPart>& derived, std::vector<std::string>& warnings)
+      : model_(model), table_(table), options_(options), derived_(derived), warnings_(warnings) {}
+
+  EvenMotion Run() {
+    for (const double t : table_.time_s) time_s_.push_back(t - table_.time_s.front());
+    even_.step_s = GridStepOf(table_.time_s, options_);
+    const int rows = 1 + static_cast<int>(std::floor(time_s_.back() / even_.step_s + 1e-6));
+    for (int k = 0; k < rows; ++k) {
+      even_.q.push_back(VectorX::Zero(model_.nq()));
+      even_.v.push_back(VectorX::Zero(model_.nv()));
+      even_.a.push_back(VectorX::Zero(model_.nv()));
+    }
+    SayGrid();
+    MoveBase();
+    TurnBase();
+    for (int d = 0; d < model_.num_dofs(); ++d) MoveJoint(d);
+    SayRates();
+    TakeLoads();
+    return std::move(even_);
+  }
+
+ private:
+  double TimeOf(int row) const { return std::min(row * even_.step_s, time_s_.back()); }
+
+  void SayGrid() {
+    if (table_.time_s.front() != 0.0)
+      derived_.push_back({"time", fmt::format("from the file's {:.6g} s on, as 0", table_.time_s.front())});
+    if (on_grid()) return;
+    derived_.push_back(
+        {"rows", fmt::format("{} rows every {:.3g} ms from the file's {}, along smooth curves through them",
+                             even_.size(), 1e3 * even_.step_s, table_.rows())});
+  }
+
+  /// Whether the grid's rows are the file's.
+  bool on_grid() const {
+    if (even_.size() != table_.rows()) return false;
+    for (int k = 0; k < even_.size(); ++k) {
+      if (std::abs(time_s_[static_cast<std::size_t>(k)] - k * even_.step_s) > 1e-3 * even_.step_s) return false;
+    }
+    return true;
+  }
+
+  template <class Part>
+  std::vector<double> ColumnOf(const Part& part) const {
+    std::vector<double> values;
+    for (int row = 0; row < table_.rows(); ++row) values.push_back(part(static_cast<std::size_t>(row)));
+    return values;
+  }
+
+  KnotSpline SplineOf(std::vector<double> values) const {
+    if (options_.smoothing_hz > 0.0) values = Smoothed(time_s_, values, options_.smoothing_hz);
+    return KnotSpline(time_s_, std::move(values));
+  }
+
+  /// Notes what the noise of a column does to accelerations.
+  void Watch(const std::string& what, const std::vector<double>& values, double most, const char* unit) {
+    if (options_.smoothing_hz > 0.0 || time_s_.size() < 9) return;
+    const double step = time_s_.back() / static_cast<double>(time_s_.size() - 1);
+    const double rough = std::sqrt(6.0) * NoiseOf(values) / (step * step);
+    if (rough <= most || rough <= roughest_) return;
+    roughest_ = rough;
+    roughest_text_ = fmt::format(
+        "{} is rough: its accelerations come out noisy by {:.3g} {}; smoothing_hz of three "
+        "times the fastest steps helps",
+        what, rough, unit);
+  }
+
+  void MoveBase() {
+    constexpr double kMost = 1.0;  // [m/s^2]
+    for (int i = 0; i < 3; ++i) {
+      const auto values = ColumnOf([&](std::size_t row) { return table_.base_m[row][i]; });
+      Watch("the base's position", values, kMost, "m/s^2");
+      const KnotSpline spline = SplineOf(values);
+      for (int k = 0; k < even_.size(); ++k) {
+        const Motion1 at = spline.At(TimeOf(k));
+        Set(k, i, i, at);
+      }
+    }
+    for (VectorX& q : even_.q) q[2] += options_.lift_m;
+  }
+
+  void Set(int k, int i_q, int i_v, const Motion1& at) {
+    const auto row = static_cast<std::size_t>(k);
+    even_.q[row][i_q] = at.value;
+    even_.v[row][i_v] = at.rate;
+    even_.a[row][i_v] = at.acceleration;
+  }
+
+  /// Of a quaternion Q that goes along splines, not quite unit: w = 2 (Q' Q^-1), alpha = 2 (Q'' Q^-1 - (Q' Q^-1)^2),
+  /// the vectors of them.
+  void TurnBase() {
+    std::vector<Eigen::Vector4d> turns = table_.quaternion;
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      turns[i].normalize();
+      if (i > 0 && turns[i].dot(turns[i - 1]) < 0.0) turns[i] = -turns[i];
+    }
+    std::vector<KnotSpline> parts;
+    for (int i = 0; i < 4; ++i) parts.push_back(SplineOf(ColumnOf([&](std::size_t row) { return turns[row][i]; })));
+    for (int k = 0; k < even_.size(); ++k) {
+      Eigen::Vector4d value, rate, bend;
+      for (int i = 0; i < 4; ++i) {
+        const Motion1 at = parts[static_cast<std::size_t>(i)].At(TimeOf(k));
+        value[i] = at.value;
+        rate[i] = at.rate;
+        bend[i] = at.acceleration;
+      }
+      const auto as = [](const Eigen::Vector4d& c) { return Quaternion(c[3], c[0], c[1], c[2]); };
+      const Quaternion inverse = as(value).inverse(), spin = as(rate) * inverse, square = spin * spin;
+      const auto row = static_cast<std::size_t>(k);
+      even_.q[row].segment<4>(3) = value.normalized();
+      even_.v[row].segment<3>(3) = 2.0 * spin.vec();
+      even_.a[row].segment<3>(3) = 2.0 * ((as(bend) * inverse).vec() - square.vec());
+    }
+  }
+
+  bool HasRates(int dof) const {
+    return !table_.v.empty() && options_.velocities == "given" && std::isfinite(table_.v.front()[dof]);
+  }
+
+  void MoveJoint(int dof) {
+    constexpr double kMost = 50.0;  // [rad/s^2], [m/s^2]
+    const auto values = ColumnOf([&](std::size_t row) { return table_.q[row][dof]; });
+    if (!HasRates(dof)) {
+      const std::string& name = model_.dof_names[static_cast<std::size_t>(dof)];
+      Watch("joint '" + name + "'", values, kMost, "rad/s^2");
+      const KnotSpline spline = SplineOf(values);
+      for (int k = 0; k < even_.size(); ++k) Set(k, 7 + dof, 6 + dof, spline.At(TimeOf(k)));
+      return;
+    }
+    const auto rates = ColumnOf([&](std::size_t row) { return table_.v[row][dof]; });
+    NoteDisagreement(dof, values, rates);
+    const KnotSpline rate = SplineOf(rates);
+    const std::vector<double> smooth =
+        options_.smoothing_hz > 0.0 ? Smoothed(time_s_, values, options_.smoothing_hz) : values;
+    std::size_t i = 0;
+    for (int k = 0; k < even_.size(); ++k) {
+      const double t = TimeOf(k);
+      while (i + 2 < time_s_.size() && time_s_[i + 1] <= t) ++i;
+      const double h = time_s_[i + 1] - time_s_[i];
+      const auto knot = [&](std::size_t at) {
+        const Motion1 motion = rate.At(time_s_[at]);
+        return Motion1{smooth[at], h * motion.value, h * h * motion.rate};
+      };
+      const Motion1 at = Quintic(knot(i), knot(i + 1), (t - time_s_[i]) / h);
+      Set(k, 7 + dof, 6 + dof, {at.value, at.rate / h, at.acceleration / (h * h)});
+    }
+  }
+
+  /// The given velocities against those of the positions.
+  void NoteDisagreement(int dof, const std::vector<double>& values, const std::vector<double>& rates) {
+    constexpr double kShare = 0.2, kSlight = 0.05;
+    const KnotSpline spline(time_s_, values);
+    double fastest = 0.0, apart = 0.0;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      const double rate = spline.At(time_s_[i]).rate;
+      fastest = std::max(fastest, std::abs(rate));
+      apart = std::max(apart, std::abs(rate - rates[i]));
+    }
+    if (apart <= kSlight + kShare * fastest || apart <= farthest_) return;
+    farthest_ = apart;
+    farthest_text_ = fmt::format(
+        "the velocities of joint '{}' differ from those of its positions by up to {:.3g}, where it moves with up to "
+        "{:.3g}; velocities=derived takes those of the positions",
+        model_.dof_names[static_cast<std::size_t>(dof)], apart, fastest);
+  }
+
+  void SayRates() {
+    if (!roughest_text_.empty()) warnings_.push_back(roughest_text_);
+    if (!farthest_text_.empty()) warnings_.push_back(farthest_text_);
+    const std::string smoothly =
+        options_.smoothing_hz > 0.0 ? fmt::format(", smoothed above {:.4g} Hz", options_.smoothing_hz) : "";
+    int given = 0;
+    for (int d = 0; d < model_.num_dofs(); ++d) given += HasRates(d) ? 1 : 0;
+    if (given < model_.num_dofs()) {
+      derived_.push_back(
+          {given == 0 ? "joint velocities" : fmt::format("{} of the joint velocities", model_.num_dofs() - given),
+           "cubic splines through the positions" + smoothly});
+    }
+    derived_.push_back({"velocities of the base", "cubic splines through its positions and quaternions" + smoothly});
+    derived_.push_back({"accelerations", given == 0 ? "the same splines" : "splines through positions and velocities"});
+  }
+
+  void TakeLoads() {
+    std::size_t i = 0;
+    for (int k = 0; k < even_.size(); ++k) {
+      const double t = TimeOf(k), slack = 1e-3 * even_.step_s;
+      while (i + 2 < time_s_.size() && time_s_[i + 1] <= t) ++i;
+      const double u = (t - time_s_[i]) / (time_s_[i + 1] - time_s_[i]);
+      if (!table_.tau.empty()) even_.tau.push_back((1.0 - u) * table_.tau[i] + u * table_.tau[i + 1]);
+      // A row of the grid belongs to the file's row at or before it.
+      if (!table_.contact.empty()) even_.contact.push_back(table_.contact[time_s_[i + 1] <= t + slack ? i + 1 : i]);
+      if (table_.force_W.empty()) continue;
+      std::vector<Vector3> forces;
+      for (std::size_t f = 0; f < model_.feet.size(); ++f)
+        forces.emplace_back((1.0 - u) * table_.force_W[i][f] + u * table_.force_W[i + 1][f]);
+      even_.force_W.push_back(std::move(forces));
+    }
+  }
+
+  const RobotModel& model_;
+  const MotionTable& table_;
+  const ImportOptions& options_;
+  std::vector<DerivedPart>& derived_;
+  std::vector<std::string>& warnings_;
+  std::vector<double> time_s_;
+  double roughest_ = 0.0, farthest_ = 0.0;
+  std::string roughest_text_, farthest_text_;
+  EvenMotion even_;
+};
+
+}  // namespace
+
+double GridStepOf(const std::vector<double>& time_s, const ImportOptions& options) {
+  constexpr double kFinest = 0.001, kCoarsest = 0.01, kEven = 1e-3;
+  if (options.grid_step_s > 0.0) return options.grid_step_s;
+  if (time_s.size() < 2) return kUsualStep;
+  const double step = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
+  if (step < kFinest * (1.0 - kEven) || step > kCoarsest * (1.0 + kEven)) return kUsualStep;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    if (std::abs(time_s[i] - time_s.front() - static_cast<double>(i) * step) > kEven * step) return kUsualStep;
+  }
+  // A step that was meant to be round is so, whatever the times' last digits.
+  const double round = 1e-6 * std::round(1e6 * step);
+  return std::abs(round - step) * static_cast<double>(time_s.size()) < kEven * step ? round : step;
+}
+
+EvenMotion Resample(const RobotModel& model, const MotionTable& table, ImportOptions options,
+                    std::vector<DerivedPart>& derived, std::vector<std::string>& warnings) {
+  CheckOptions(options.Fields());
+  return Resampler(model, table, options, derived, warnings).Run();
+}
+
+}  // namespace gaitwright

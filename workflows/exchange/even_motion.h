@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workflows/exchange/motion_table.h"
+
+namespace gaitwright {
+
+/// A motion on a uniform grid that begins at zero, with exact derivatives of smooth curves through its rows.
+struct EvenMotion {
+  double step_s = 0.0;
+  std::vector<VectorX> q, v, a;               ///< in the model's order, sizes 7 + n and 6 + n
+  std::vector<VectorX> tau;                   ///< as given, NaN where one was not; or empty
+  std::vector<FootSet> contact;               ///< as given, or empty
+  std::vector<std::vector<Vector3>> force_W;  ///< as given, or empty
+
+  int size() const { return static_cast<int>(q.size()); }
+  double TimeOf(int row) const { return row * step_s; }
+};
+
+/// Brings a table onto a uniform grid. The base goes along cubic splines through its positions and the parts of its
+/// quaternion, joints likewise; or, where their velocities are given and taken, along the quintic that has the file's
+/// positions and velocities, and for accelerations the derivative of a spline through the velocities. Torques and
+/// forces are linear in between; contacts hold from the row on that has them, to the grid.
+/// What is done, and noise that would spoil accelerations, is said in `derived`, and in `warnings`.
+/// @param table  checked, with base and quaternions.  @throws InvalidArgument for options out of their range.
+EvenMotion Resample(const RobotModel& model, const MotionTable& table, ImportOptions options,
+                    std::vector<DerivedPart>& derived, std::vector<std::string>& warnings);
+
+/// The step of the grid that a table gets [s].
+double GridStepOf(const std::vector<double>& time_s, const ImportOptions& options);
+
+}  // namespace gaitwright
