@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   AddGaits(app, status);
   AddTerrains(app, status);
   AddBench(app, status);
+  AddImport(app, status);
   LayOutHelp(app);
   try {
     app.parse(argc, argv);

@@ -49,5 +49,6 @@ void AddRobots(CLI::App& app, int& status);
 void AddGaits(CLI::App& app, int& status);
 void AddTerrains(CLI::App& app, int& status);
 void AddBench(CLI::App& app, int& status);
+void AddImport(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

@@ -19,11 +19,13 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
                     {"columns", "scale", "ignore", "quaternion_order", "angle_unit", "length_unit", "time_unit"});
   ColumnNames names;
   if (const YAML::Node* columns = map.Find("columns")) {
-    for (const auto& entry : YamlMap(*columns, "columns").entries())
+    const YamlMap entries(*columns, "columns");
+    for (const auto& entry : entries.entries())
       names.ours[entry.key] = TextOf(entry.value, "column '" + entry.key + "'");
   }
   if (const YAML::Node* scale = map.Find("scale")) {
-    for (const auto& entry : YamlMap(*scale, "scale").entries()) {
+    const YamlMap entries(*scale, "scale");
+    for (const auto& entry : entries.entries()) {
       const double factor = NumberOf(entry.value, "scale of '" + entry.key + "'", -1e12, 1e12);
       if (factor == 0.0) RefuseYaml(entry.value, "scale of '" + entry.key + "' is 0; any other number is accepted");
       names.scale[entry.key] = factor;
