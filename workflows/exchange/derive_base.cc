@@ -114,7 +114,8 @@ class BaseFollower {
   void Move(FootSet stance, double step_s) {
     const FootSet held = stance & was_;
     if (held == 0) {
-      p_WB_ += step_s * fall_W_ - 0.5 * step_s * step_s * kGravity * Vector3::UnitZ();
+      const double falls = stance == 0 ? 0.5 * step_s * step_s * kGravity : 0.0;  // not where others take over
+      p_WB_ += step_s * fall_W_ - falls * Vector3::UnitZ();
       return;
     }
     constexpr int kSteps = 4;
@@ -189,6 +190,10 @@ class BaseFollower {
   FootSet was_ = 0;
 };
 
+/// Frequency above which the base is smoothed where nothing else is asked for [Hz]: feet that take over from each other
+/// never quite agree on where it is.
+constexpr double kUsualSmoothing = 10.0;
+
 /// Rates of the base along splines through its rows.
 void AddRates(const ImportOptions& options, EvenMotion& motion) {
   std::vector<double> time_s;
@@ -204,6 +209,7 @@ void AddRates(const ImportOptions& options, EvenMotion& motion) {
   ImportOptions as_is = options;
   as_is.grid_step_s = motion.step_s;
   as_is.lift_m = 0.0;
+  if (as_is.smoothing_hz == 0.0) as_is.smoothing_hz = kUsualSmoothing;
   std::vector<DerivedPart> unsaid;
   std::vector<std::string> unwarned;
   const EvenMotion smooth = Resample(no_joints, base, as_is, unsaid, unwarned);
@@ -237,8 +243,11 @@ void DeriveBase(const RobotModel& model, const Terrain& terrain, const ImportOpt
   if (options.lift_m != 0.0) {
     for (VectorX& q : motion.q) q[2] += options.lift_m;
   }
-  derived.push_back({turned ? "position of the base" : "pose of the base",
-                     "from the feet that stand still on the ground; it starts over the origin as the robot stands"});
+  derived.push_back(
+      {turned ? "position of the base" : "pose of the base",
+       fmt::format("from the feet that stand still on the ground, smoothed above {:.4g} Hz; it starts over "
+                   "the origin as the robot stands",
+                   options.smoothing_hz > 0.0 ? options.smoothing_hz : kUsualSmoothing)});
 }
 
 }  // namespace gaitwright

@@ -65,6 +65,31 @@ double MedianOf(std::vector<double> values) {
   return *middle;
 }
 
+/// By component the median of where a foot's contact frame is over some rows, less what it rolls from the first on.
+Vector3 MedianPlace(const FootMotion& foot, int first, int last) {
+  Vector3 place;
+  for (int i = 0; i < 3; ++i) {
+    std::vector<double> values;
+    for (int k = first; k <= last; ++k)
+      values.push_back((foot.X_WF[At(k)].translation() - foot.rolled_W[At(k)] + foot.rolled_W[At(first)])[i]);
+    place[i] = MedianOf(std::move(values));
+  }
+  return place;
+}
+
+/// Leaves out the rows at both ends of a stance in which the foot is off its usual height: on its way up, or down.
+void TrimStance(const FootMotion& foot, double most_m, int last_row, int& first, int& last) {
+  std::vector<double> heights(foot.height_m.begin() + first, foot.height_m.begin() + last + 1);
+  const double usual_m = MedianOf(std::move(heights));
+  const auto away = [&](int k) { return std::abs(foot.height_m[At(k)] - usual_m) > most_m; };
+  int begin = first, end = last;
+  while (begin > 0 && begin < end && away(begin)) ++begin;
+  while (end < last_row && end > begin && away(end)) --end;
+  if (end - begin < 2) return;
+  first = begin;
+  last = end;
+}
+
 int RowOf(const EvenMotion& motion, double time_s) {
   return std::clamp(static_cast<int>(std::lround(time_s / motion.step_s)), 0, motion.size() - 1);
 }
@@ -103,6 +128,7 @@ std::vector<FootMotion> FeetOf(const RobotModel& model, const Terrain& terrain, 
 
 ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, const std::vector<FootMotion>& feet,
                            const ImportOptions& options, std::vector<DerivedPart>& derived) {
+  constexpr double kStill = 1e-3;  // of the leg
   const double height_m = options.contact_height * model.leg_length_m();
   const double speed_m_s = options.contact_speed * std::sqrt(kGravity * model.leg_length_m());
   const int least_rows = static_cast<int>(std::ceil(options.contact_least_s / motion.step_s));
@@ -112,6 +138,12 @@ ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, co
     for (const FootSet set : motion.contact) stands.push_back(Contains(set, static_cast<int>(f)));
     if (motion.contact.empty()) stands = LowAndSlow(feet[f], height_m, speed_m_s, least_rows);
     by_foot.push_back(IntervalsOfRows(stands, motion));
+    for (ContactInterval& interval : by_foot.back()) {
+      if (!motion.contact.empty()) break;
+      int first = RowOf(motion, interval.start_s), last = RowOf(motion, interval.end_s);
+      TrimStance(feet[f], kStill * model.leg_length_m(), motion.size() - 1, first, last);
+      interval = {motion.TimeOf(first), motion.TimeOf(last)};
+    }
     if (!by_foot.back().empty()) continue;
     const double lowest = *std::min_element(feet[f].height_m.begin(), feet[f].height_m.end());
     const double slowest = *std::min_element(feet[f].speed_m_s.begin(), feet[f].speed_m_s.end());
@@ -121,8 +153,10 @@ ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, co
         model.feet[f].name, motion.contact.empty() ? "" : "by its column; ", lowest, slowest, height_m, speed_m_s));
   }
   if (motion.contact.empty()) {
-    derived.push_back({"contacts", fmt::format("feet up to {:.1f} mm over the ground and up to {:.3f} m/s fast stand",
-                                               1e3 * height_m, speed_m_s)});
+    derived.push_back(
+        {"contacts", fmt::format("feet up to {:.1f} mm over the ground and up to {:.3f} m/s fast stand, as "
+                                 "long as their height stays within {:.1f} mm",
+                                 1e3 * height_m, speed_m_s, 1e3 * kStill * model.leg_length_m())});
   }
   return ScheduleFromIntervals(by_foot, 0.0, motion.TimeOf(motion.size() - 1));
 }
@@ -134,13 +168,7 @@ FootstepPlan FootholdsOf(const RobotModel& model, const Terrain& terrain, const 
     for (const ContactInterval& interval : IntervalsOf(schedule, static_cast<int>(f))) {
       const int first = RowOf(motion, interval.start_s), last = RowOf(motion, interval.end_s);
       const Vector3& rolled = feet[f].rolled_W[At(first)];
-      Vector3 place;
-      for (int i = 0; i < 3; ++i) {
-        std::vector<double> values;
-        for (int k = first; k <= last; ++k)
-          values.push_back((feet[f].X_WF[At(k)].translation() - feet[f].rolled_W[At(k)] + rolled)[i]);
-        place[i] = MedianOf(std::move(values));
-      }
+      const Vector3 place = MedianPlace(feet[f], first, last);
       const GroundPoint ground = GroundAt(terrain, place.head<2>());
       if (ground.patch < 0) {
         throw InvalidArgument(
