@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   AddBench(app, status);
   AddExport(app, status);
   AddCompare(app, status);
+  AddImport(app, status);
   LayOutHelp(app);
   try {
     app.parse(argc, argv);

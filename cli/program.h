@@ -52,5 +52,6 @@ void AddTerrains(CLI::App& app, int& status);
 void AddBench(CLI::App& app, int& status);
 void AddExport(CLI::App& app, int& status);
 void AddCompare(CLI::App& app, int& status);
+void AddImport(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

@@ -166,49 +166,38 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   return PlanMotion(model, terrain, {{gait, command}}, options);
 }
 
-Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
-                                 const MotionOptions& options) {
-  MotionOptions checked = options;
-  CheckOptions(checked.Fields());
-  Result<FootstepSkeleton> skeleton = PlanSequence(model, terrain, parts, StandingOptions(options));
-  if (!skeleton) return skeleton.failure();
+namespace {
+
+/// The plan of a motion over what is settled, by a pendulum's passes or those of a rigid body.
+Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::optional<Crouch>& crouch) {
   PlannedMotion planned;
-  const double cycle_s = SlowestCycle(parts);
-  const BodyPath body(model, *skeleton, cycle_s);
-  const MotionTask task{model, terrain, *skeleton, options, body, cycle_s};
   Result<MotionPass> pass = MotionPass{};
-  const bool dynamic = IsDynamic(skeleton->schedule, options.centre_of_mass);
   if (dynamic) {
-    const Result<std::optional<Crouch>> crouch = CrouchFor(model, skeleton->schedule, options.pipeline.com_height_m);
-    if (!crouch) return crouch.failure();
-    if (WantsFinerGrid(skeleton->footsteps, *crouch, options.pipeline.grid_step_s)) {
-      checked.pipeline.grid_step_s *= 0.5;
-      return PlanMotion(model, terrain, parts, checked);
-    }
-    pass = RunDynamic(task, *crouch, planned.passes);
+    pass = RunDynamic(task, crouch, planned.passes);
   } else {
     Carriages carriages(task);
     pass = carriages.Run();
     planned.passes = carriages.passes();
   }
   if (!pass) return pass.failure();
-  if (auto tipped = TippedSole(model, terrain, pass->solution.trajectory)) return *tipped;
+  const RobotModel& model = task.model;
+  if (auto tipped = TippedSole(model, task.terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;
   plan.robot = model.name;
   plan.robot_hash = model.hash;
   plan.urdf_text = model.urdf_text;
   plan.yaml_text = model.yaml_text;
   plan.meshes = model.meshes;
-  plan.provenance = MakeProvenance(options);
-  plan.parts = skeleton->parts;
-  plan.goal = skeleton->goal;
-  plan.terrain = terrain;
-  plan.schedule = skeleton->schedule;
+  plan.provenance = MakeProvenance(task.options);
+  plan.parts = task.skeleton.parts;
+  plan.goal = task.skeleton.goal;
+  plan.terrain = task.terrain;
+  plan.schedule = task.skeleton.schedule;
   plan.footsteps = std::move(pass->footsteps);
   plan.centroidal = std::move(pass->centroidal);
   plan.swings = std::move(pass->swings);
   plan.whole_body = std::move(pass->solution.trajectory);
-  plan.warnings = skeleton->warnings;
+  plan.warnings = task.skeleton.warnings;
   planned.limit_excess = TotalExcess(model, plan.whole_body, 0.0);
   const auto limits = LimitWarnings(model, plan.whole_body);
   plan.warnings.insert(plan.warnings.end(), limits.begin(), limits.end());
@@ -219,6 +208,44 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
   planned.summary = fmt::format("{:.2f} s, {} footholds, {} passes, {}", plan.duration_s(),
                                 plan.footsteps.footholds.size(), planned.passes, left);
   return planned;
+}
+
+/// How low a body crouches for a schedule; nothing for a pendulum's motion.
+Result<std::optional<Crouch>> CrouchOf(const RobotModel& model, const ContactSchedule& schedule,
+                                       const MotionOptions& options) {
+  if (!IsDynamic(schedule, options.centre_of_mass)) return std::optional<Crouch>{};
+  return CrouchFor(model, schedule, options.pipeline.com_height_m);
+}
+
+}  // namespace
+
+Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
+                                 const MotionOptions& options) {
+  MotionOptions checked = options;
+  CheckOptions(checked.Fields());
+  Result<FootstepSkeleton> skeleton = PlanSequence(model, terrain, parts, StandingOptions(options));
+  if (!skeleton) return skeleton.failure();
+  const double cycle_s = SlowestCycle(parts);
+  const BodyPath body(model, *skeleton, cycle_s);
+  const bool dynamic = IsDynamic(skeleton->schedule, options.centre_of_mass);
+  const Result<std::optional<Crouch>> crouch = CrouchOf(model, skeleton->schedule, options);
+  if (!crouch) return crouch.failure();
+  if (dynamic && WantsFinerGrid(skeleton->footsteps, *crouch, options.pipeline.grid_step_s)) {
+    checked.pipeline.grid_step_s *= 0.5;
+    return PlanMotion(model, terrain, parts, checked);
+  }
+  return PlanOver({model, terrain, *skeleton, options, body, cycle_s}, dynamic, *crouch);
+}
+
+Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
+                                 double cycle_s, const MotionOptions& options) {
+  MotionOptions checked = options;
+  CheckOptions(checked.Fields());
+  const BodyPath body(model, skeleton, cycle_s);
+  const Result<std::optional<Crouch>> crouch = CrouchOf(model, skeleton.schedule, options);
+  if (!crouch) return crouch.failure();
+  return PlanOver({model, terrain, skeleton, options, body, cycle_s},
+                  IsDynamic(skeleton.schedule, options.centre_of_mass), *crouch);
 }
 
 }  // namespace gaitwright

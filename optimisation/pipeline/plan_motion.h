@@ -126,4 +126,9 @@ Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain
 Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const std::vector<WalkPart>& parts,
                                  const MotionOptions& options);
 
+/// The same over footholds, times and a way of the base that are settled already, as where others planned them.
+/// @param cycle_s  time in which every foot steps about once; the body's height and tilt are evened out over it.
+Result<PlannedMotion> PlanMotion(const RobotModel& model, const Terrain& terrain, const FootstepSkeleton& skeleton,
+                                 double cycle_s, const MotionOptions& options);
+
 }  // namespace gaitwright

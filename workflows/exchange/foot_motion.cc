@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/foot_motion.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/trajectory/bspline.h"
+#include "planning/plan/sample_plan.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+std::size_t At(int i) { return static_cast<std::size_t>(i); }
+
+/// Speed of a point of a body that is at p_WQ now.
+double SpeedOf(const DynamicsScratch& scratch, int body, const Vector3& p_WQ) {
+  const Vector3 p_BQ = scratch.R_WB[At(body)].transpose() * (p_WQ - scratch.p_WB[At(body)]);
+  return PointVelocity(scratch, body, p_BQ).head<3>().norm();
+}
+
+/// Which rows of a foot are low and slow, without what is too brief.
+std::vector<bool> LowAndSlow(const FootMotion& foot, double height_m, double speed_m_s, int least_rows) {
+  std::vector<bool> stands;
+  for (std::size_t k = 0; k < foot.height_m.size(); ++k)
+    stands.push_back(foot.height_m[k] <= height_m && foot.speed_m_s[k] <= speed_m_s);
+  for (const bool brief : {false, true}) {  // gaps first, then contacts
+    for (std::size_t begin = 0; begin < stands.size();) {
+      std::size_t end = begin;
+      while (end < stands.size() && stands[end] == stands[begin]) ++end;
+      const bool inner = begin > 0 && end < stands.size();
+      if (inner && stands[begin] == brief && end - begin < static_cast<std::size_t>(least_rows))
+        std::fill(stands.begin() + static_cast<std::ptrdiff_t>(begin),
+                  stands.begin() + static_cast<std::ptrdiff_t>(end), !brief);
+      begin = end;
+    }
+  }
+  return stands;
+}
+
+/// The intervals of what stands; one that would begin with the last row is none.
+std::vector<ContactInterval> IntervalsOfRows(const std::vector<bool>& stands, const EvenMotion& motion) {
+  std::vector<ContactInterval> intervals;
+  const int last = motion.size() - 1;
+  for (int begin = 0; begin < last;) {
+    int end = begin;
+    while (end < last && stands[At(end)] == stands[At(begin)]) ++end;
+    if (stands[At(begin)]) intervals.push_back({motion.TimeOf(begin), motion.TimeOf(end)});
+    begin = end;
+  }
+  return intervals;
+}
+
+double MedianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// By component the median of where a foot's contact frame is over some rows, less what it rolls from the first on.
+Vector3 MedianPlace(const FootMotion& foot, int first, int last) {
+  Vector3 place;
+  for (int i = 0; i < 3; ++i) {
+    std::vector<double> values;
+    for (int k = first; k <= last; ++k)
+      values.push_back((foot.X_WF[At(k)].translation() - foot.rolled_W[At(k)] + foot.rolled_W[At(first)])[i]);
+    place[i] = MedianOf(std::move(values));
+  }
+  return place;
+}
+
+/// Leaves out the rows at both ends of a stance in which the foot is off its usual height: on its way up, or down.
+void TrimStance(const FootMotion& foot, double most_m, int last_row, int& first, int& last) {
+  std::vector<double> heights(foot.height_m.begin() + first, foot.height_m.begin() + last + 1);
+  const double usual_m = MedianOf(std::move(heights));
+  const auto away = [&](int k) { return std::abs(foot.height_m[At(k)] - usual_m) > most_m; };
+  int begin = first, end = last;
+  while (begin > 0 && begin < end && away(begin)) ++begin;
+  while (end < last_row && end > begin && away(end)) --end;
+  if (end - begin < 2) return;
+  first = begin;
+  last = end;
+}
+
+int RowOf(const EvenMotion& motion, double time_s) {
+  return std::clamp(static_cast<int>(std::lround(time_s / motion.step_s)), 0, motion.size() - 1);
+}
+
+}  // namespace
+
+std::vector<FootMotion> FeetOf(const RobotModel& model, const Terrain& terrain, const EvenMotion& motion) {
+  std::vector<FootMotion> feet(model.feet.size());
+  DynamicsScratch scratch(model);
+  for (int k = 0; k < motion.size(); ++k) {
+    ForwardVelocities(model, motion.q[At(k)], motion.v[At(k)], scratch);
+    for (std::size_t f = 0; f < feet.size(); ++f) {
+      const Foot& foot = model.feet[f];
+      const Pose middle = FramePose(scratch, foot.body, foot.X_BF);
+      const GroundPoint ground = GroundAt(terrain, middle.translation().head<2>());
+      const Pose X_WF = ContactFrame(model, scratch, static_cast<int>(f), ground.normal_W);
+      double height = kInf, speed = 0.0;
+      for (const Vector3& p : ContactPoints(foot, X_WF)) {
+        const GroundPoint under = GroundAt(terrain, p.head<2>());
+        if (under.patch >= 0) height = std::min(height, p.z() - under.height_m);
+        speed = std::max(speed, SpeedOf(scratch, foot.body, p));
+      }
+      Vector3 rolled = Vector3::Zero();
+      if (k > 0) {
+        const Vector3 turn = RotationLog(X_WF.linear() * feet[f].X_WF.back().linear().transpose());
+        rolled = feet[f].rolled_W.back() + foot.radius * turn.cross(ground.normal_W);
+      }
+      feet[f].X_WF.push_back(X_WF);
+      feet[f].height_m.push_back(height);
+      feet[f].speed_m_s.push_back(speed);
+      feet[f].rolled_W.push_back(rolled);
+    }
+  }
+  return feet;
+}
+
+ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, const std::vector<FootMotion>& feet,
+                           const ImportOptions& options, std::vector<DerivedPart>& derived) {
+  constexpr double kStill = 1e-3;  // of the leg
+  const double height_m = options.contact_height * model.leg_length_m();
+  const double speed_m_s = options.contact_speed * std::sqrt(kGravity * model.leg_length_m());
+  const int least_rows = static_cast<int>(std::ceil(options.contact_least_s / motion.step_s));
+  std::vector<std::vector<ContactInterval>> by_foot;
+  for (std::size_t f = 0; f < feet.size(); ++f) {
+    std::vector<bool> stands;
+    for (const FootSet set : motion.contact) stands.push_back(Contains(set, static_cast<int>(f)));
+    if (motion.contact.empty()) stands = LowAndSlow(feet[f], height_m, speed_m_s, least_rows);
+    by_foot.push_back(IntervalsOfRows(stands, motion));
+    for (ContactInterval& interval : by_foot.back()) {
+      if (!motion.contact.empty()) break;
+      int first = RowOf(motion, interval.start_s), last = RowOf(motion, interval.end_s);
+      TrimStance(feet[f], kStill * model.leg_length_m(), motion.size() - 1, first, last);
+      interval = {motion.TimeOf(first), motion.TimeOf(last)};
+    }
+    if (!by_foot.back().empty()) continue;
+    const double lowest = *std::min_element(feet[f].height_m.begin(), feet[f].height_m.end());
+    const double slowest = *std::min_element(feet[f].speed_m_s.begin(), feet[f].speed_m_s.end());
+    throw InvalidArgument(fmt::format(
+        "foot '{}' never stands on the ground: {}its lowest is {:.4f} m over it, its slowest {:.3f} m/s; a foot stands "
+        "that is no higher than {:.4f} m (contact_height) and no faster than {:.3f} m/s (contact_speed)",
+        model.feet[f].name, motion.contact.empty() ? "" : "by its column; ", lowest, slowest, height_m, speed_m_s));
+  }
+  if (motion.contact.empty()) {
+    derived.push_back(
+        {"contacts", fmt::format("feet up to {:.1f} mm over the ground and up to {:.3f} m/s fast stand, as "
+                                 "long as their height stays within {:.1f} mm",
+                                 1e3 * height_m, speed_m_s, 1e3 * kStill * model.leg_length_m())});
+  }
+  return ScheduleFromIntervals(by_foot, 0.0, motion.TimeOf(motion.size() - 1));
+}
+
+FootstepPlan FootholdsOf(const RobotModel& model, const Terrain& terrain, const ContactSchedule& schedule,
+                         const EvenMotion& motion, const std::vector<FootMotion>& feet) {
+  FootstepPlan plan;
+  for (std::size_t f = 0; f < feet.size(); ++f) {
+    for (const ContactInterval& interval : IntervalsOf(schedule, static_cast<int>(f))) {
+      const int first = RowOf(motion, interval.start_s), last = RowOf(motion, interval.end_s);
+      const Vector3& rolled = feet[f].rolled_W[At(first)];
+      const Vector3 place = MedianPlace(feet[f], first, last);
+      const GroundPoint ground = GroundAt(terrain, place.head<2>());
+      if (ground.patch < 0) {
+        throw InvalidArgument(
+            fmt::format("foot '{}' stands at {:.3f} s at x = {:.3f} m, y = {:.3f} m, where there is "
+                        "no ground",
+                        model.feet[f].name, interval.start_s, place.x(), place.y()));
+      }
+      Foothold foothold;
+      foothold.foot = static_cast<int>(f);
+      const Matrix3& R = feet[f].X_WF[At((first + last) / 2)].linear();
+      foothold.X_WF.linear() = Quaternion::FromTwoVectors(R.col(2), ground.normal_W).toRotationMatrix() * R;
+      // Along the normal onto the surface.
+      const double above = (place.z() - ground.height_m) * ground.normal_W.z();
+      foothold.X_WF.translation() = place - above * ground.normal_W;
+      foothold.roll_W = feet[f].rolled_W[At(last)] - rolled;
+      foothold.patch = ground.patch;
+      foothold.touchdown_s = interval.start_s;
+      foothold.liftoff_s = interval.end_s;
+      plan.footholds.push_back(foothold);
+    }
+  }
+  SortFootholds(plan);
+  return plan;
+}
+
+SwingTrajectory SwingOf(const Foothold& from, const Foothold& to, const EvenMotion& motion, const FootMotion& foot,
+                        double& farthest_m) {
+  constexpr int kMostPoints = 20, kFixed = 3;
+  SwingTrajectory swing;
+  swing.foot = from.foot;
+  swing.start_s = from.liftoff_s;
+  swing.end_s = to.touchdown_s;
+  swing.X_WF_start = from.X_WF;
+  swing.X_WF_start.translation() += from.roll_W;
+  swing.X_WF_end = to.X_WF;
+  const int first = RowOf(motion, swing.start_s), last = RowOf(motion, swing.end_s), rows = last - first + 1;
+  const int points = std::clamp(rows / 2, 1, kMostPoints);
+  // The path without what the foot rolls, less the straight move.
+  SwingCurve straight = CurveOf(swing);
+  straight.X_WF_end.translation() -= foot.rolled_W[At(last)] - foot.rolled_W[At(first)];
+  MatrixX shape = MatrixX::Zero(rows, points), offset(rows, 3);
+  for (int i = 0; i < rows; ++i) {
+    const double time_s = motion.TimeOf(first + i), u = (time_s - swing.start_s) / (swing.end_s - swing.start_s);
+    const Vector3 rolled = foot.rolled_W[At(first + i)] - foot.rolled_W[At(first)];
+    const Vector3 path = foot.X_WF[At(first + i)].translation() - rolled;
+    offset.row(i) = (path - Evaluate(straight, time_s).X_WF.translation()).transpose();
+    const QuinticBasis basis = EvaluateQuinticBasis(points + 2 * kFixed, u);
+    for (int b = 0; b < 6; ++b) {
+      const int point = basis.first + b - kFixed;
+      if (point >= 0 && point < points) shape(i, point) = basis.value[At(b)];
+    }
+  }
+  const MatrixX detour = shape.completeOrthogonalDecomposition().solve(offset);
+  farthest_m = std::sqrt((offset - shape * detour).rowwise().squaredNorm().maxCoeff());
+  for (int i = 0; i < points; ++i) swing.detour_W.emplace_back(detour.row(i).transpose());
+  swing.lift_m = LiftAtHalfTime(CurveOf(swing));
+  swing.clearance_m = kInf;
+  for (int i = rows / 3; i <= 2 * rows / 3 && i < rows; ++i)
+    swing.clearance_m = std::min(swing.clearance_m, foot.height_m[At(first + i)]);
+  if (!std::isfinite(swing.clearance_m)) swing.clearance_m = 0.0;
+  return swing;
+}
+
+}  // namespace gaitwright

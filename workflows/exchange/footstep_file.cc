@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/footstep_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/strict_yaml_internal.h"
+#include "kinematics/spatial/rotation.h"
+#include "kinematics/trajectory/swing_curve.h"
+#include "planning/footsteps/base_over_feet.h"
+#include "planning/paths/standing_feet.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kFar = 1000.0, kLong = 600.0;  // [m], [s]
+constexpr double kStand = 0.8;                  // [s] before the first step and after the last, where it is not said
+
+/// A step as the file has it.
+struct AskedStep {
+  int foot = 0;
+  Pose X_WF = Pose::Identity();
+  int patch = 0;
+  double liftoff_s = 0.0, touchdown_s = 0.0;
+};
+
+class Reader {
+ public:
+  Reader(const RobotModel& model, const Terrain& terrain, double grid_s)
+      : model_(model), terrain_(terrain), grid_s_(grid_s), start_(StandingFeet(model)), patch_(start_.size(), 0) {}
+
+  FootstepSkeleton Read(const YAML::Node& root) {
+    const YamlMap map(root, "the file",
+                      {"footsteps", "start", "swing_s", "pause_s", "initial_stand_s", "final_stand_s"});
+    map.Require({"footsteps"});
+    swing_s_ = Seconds(map, "swing_s");
+    pause_s_ = Seconds(map, "pause_s");
+    now_s_ = Seconds(map, "initial_stand_s").value_or(kStand);
+    const double final_stand_s = Seconds(map, "final_stand_s").value_or(kStand);
+    for (std::size_t f = 0; f < start_.size(); ++f)
+      start_[f] = OnGround(start_[f], static_cast<int>(f), patch_[f], root);
+    if (const YAML::Node* start = map.Find("start")) TakeStart(*start);
+    const std::vector<YAML::Node> steps = ListOf(*map.Find("footsteps"), "footsteps");
+    if (steps.empty()) RefuseYaml(*map.Find("footsteps"), "footsteps is empty; one or more are needed");
+    for (const YAML::Node& step : steps) TakeStep(step);
+    return Skeleton(OnGrid(last_s_ + final_stand_s));
+  }
+
+ private:
+  double OnGrid(double time_s) const { return grid_s_ * std::round(time_s / grid_s_); }
+
+  static std::optional<double> Seconds(const YamlMap& map, const std::string& key) {
+    const YAML::Node* node = map.Find(key);
+    if (node == nullptr) return std::nullopt;
+    return NumberOf(*node, key, 0.0, kLong);
+  }
+
+  int FootOf(const YamlMap& map, const YAML::Node& node) const {
+    const std::string name = map.Text("foot");
+    std::vector<std::string> names;
+    for (const Foot& foot : model_.feet) names.push_back(foot.name);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+      RefuseYaml(node, fmt::format("robot '{}' has no foot '{}'; it has {}", model_.name, name, QuotedList(names)));
+    }
+    return static_cast<int>(found - names.begin());
+  }
+
+  /// A pose in plan view put on the ground, with the ground's number.
+  Pose OnGround(const Pose& level, int foot, int& patch, const YAML::Node& node) const {
+    const GroundPoint ground = GroundAt(terrain_, level.translation().head<2>());
+    if (ground.patch < 0) {
+      RefuseYaml(node, fmt::format("foot '{}' at x = {:.3f} m, y = {:.3f} m has no ground under it",
+                                   model_.feet[static_cast<std::size_t>(foot)].name, level.translation().x(),
+                                   level.translation().y()));
+    }
+    Pose X_WF = level;
+    X_WF.translation().z() = ground.height_m;
+    X_WF.linear() = Quaternion::FromTwoVectors(Vector3::UnitZ(), ground.normal_W) * level.linear();
+    patch = ground.patch;
+    return X_WF;
+  }
+
+  /// Where a foot is put, its heading beyond that of standing.
+  Pose PlaceOf(const YamlMap& map, int foot, int& patch, const YAML::Node& node) const {
+    constexpr double kOff = 0.01;  // [m]
+    map.Require({"x_m", "y_m"});
+    const double yaw = map.Find("yaw_rad") == nullptr ? 0.0 : NumberOf(*map.Find("yaw_rad"), "yaw_rad", -10.0, 10.0);
+    Pose level = Pose::Identity();
+    level.linear() = YawRotation(yaw) * StandingFeet(model_)[static_cast<std::size_t>(foot)].linear();
+    level.translation() =
+        Vector3(NumberOf(*map.Find("x_m"), "x_m", -kFar, kFar), NumberOf(*map.Find("y_m"), "y_m", -kFar, kFar), 0.0);
+    const Pose X_WF = OnGround(level, foot, patch, node);
+    if (const YAML::Node* z = map.Find("z_m")) {
+      const double height = NumberOf(*z, "z_m", -kFar, kFar);
+      if (std::abs(height - X_WF.translation().z()) > kOff) {
+        RefuseYaml(*z, fmt::format("z_m = {:.4g} m is not on the ground, which is {:.4g} m high there; up to {} m off "
+                                   "is taken",
+                                   height, X_WF.translation().z(), kOff));
+      }
+    }
+    return X_WF;
+  }
+
+  void TakeStart(const YAML::Node& node) {
+    std::vector<bool> said(start_.size(), false);
+    for (const YAML::Node& entry : ListOf(node, "start")) {
+      const YamlMap map(entry, "a foot at the start", {"foot", "x_m", "y_m", "z_m", "yaw_rad"});
+      map.Require({"foot"});
+      const int foot = FootOf(map, entry);
+      const auto f = static_cast<std::size_t>(foot);
+      if (said[f]) RefuseYaml(entry, fmt::format("foot '{}' stands in start twice", model_.feet[f].name));
+      said[f] = true;
+      start_[f] = PlaceOf(map, foot, patch_[f], entry);
+    }
+    if (std::find(said.begin(), said.end(), false) != said.end())
+      RefuseYaml(node, fmt::format("start has {} of {} feet; it needs all", std::count(said.begin(), said.end(), true),
+                                   said.size()));
+  }
+
+  void TakeStep(const YAML::Node& node) {
+    const YamlMap map(node, "a footstep",
+                      {"foot", "x_m", "y_m", "z_m", "yaw_rad", "lift_off_s", "touch_down_s", "swing_s", "pause_s"});
+    map.Require({"foot"});
+    AskedStep step;
+    step.foot = FootOf(map, node);
+    step.X_WF = PlaceOf(map, step.foot, step.patch, node);
+    const std::optional<double> lift = Seconds(map, "lift_off_s"), touch = Seconds(map, "touch_down_s");
+    if (lift.has_value() != touch.has_value()) RefuseYaml(node, "lift_off_s and touch_down_s go together");
+    const std::optional<double> swing = Seconds(map, "swing_s") ? Seconds(map, "swing_s") : swing_s_;
+    if (!lift && !swing)
+      RefuseYaml(node, "a footstep needs lift_off_s and touch_down_s, or swing_s, here or for all of them");
+    step.liftoff_s = OnGrid(lift.value_or(now_s_));
+    step.touchdown_s = OnGrid(touch.value_or(now_s_ + swing.value_or(0.0)));
+    now_s_ = step.touchdown_s + Seconds(map, "pause_s").value_or(pause_s_.value_or(0.1));
+    last_s_ = std::max(last_s_, step.touchdown_s);
+    CheckTimes(step, node);
+    steps_.push_back(step);
+  }
+
+  void CheckTimes(const AskedStep& step, const YAML::Node& node) const {
+    const double least = 2.0 * grid_s_ - 1e-9;
+    const std::string& name = model_.feet[static_cast<std::size_t>(step.foot)].name;
+    if (step.touchdown_s - step.liftoff_s < least) {
+      RefuseYaml(node, fmt::format("foot '{}' swings from {:.4g} to {:.4g} s; {} s is the least", name, step.liftoff_s,
+                                   step.touchdown_s, 2.0 * grid_s_));
+    }
+    double stands_since = 0.0;
+    for (const AskedStep& before : steps_) {
+      if (before.foot == step.foot) stands_since = std::max(stands_since, before.touchdown_s);
+    }
+    if (step.liftoff_s - stands_since < least) {
+      RefuseYaml(node, fmt::format("foot '{}' lifts at {:.4g} s and is on the ground from {:.4g} s on; it has to stand "
+                                   "for {} s at the least, and a foot's steps follow each other in time",
+                                   name, step.liftoff_s, stands_since, 2.0 * grid_s_));
+    }
+  }
+
+  FootstepSkeleton Skeleton(double end_s) const {
+    FootstepSkeleton skeleton;
+    std::vector<std::vector<ContactInterval>> by_foot(start_.size());
+    for (std::size_t f = 0; f < start_.size(); ++f) {
+      Foothold stands{static_cast<int>(f), start_[f], Vector3::Zero(), patch_[f], 0.0, end_s};
+      for (const AskedStep& step : steps_) {
+        if (step.foot != static_cast<int>(f)) continue;
+        stands.liftoff_s = step.liftoff_s;
+        skeleton.footsteps.footholds.push_back(stands);
+        by_foot[f].push_back({stands.touchdown_s, stands.liftoff_s});
+        stands = {step.foot, step.X_WF, Vector3::Zero(), step.patch, step.touchdown_s, end_s};
+      }
+      skeleton.footsteps.footholds.push_back(stands);
+      by_foot[f].push_back({stands.touchdown_s, end_s});
+    }
+    SortFootholds(skeleton.footsteps);
+    skeleton.schedule = ScheduleFromIntervals(by_foot, 0.0, end_s);
+    AddPath(end_s, skeleton);
+    AddPart(end_s, skeleton);
+    return skeleton;
+  }
+
+  /// The base over its feet, those in the air on their way.
+  void AddPath(double end_s, FootstepSkeleton& skeleton) const {
+    const std::vector<Pose> standing = StandingFeet(model_);
+    const int rows = 1 + static_cast<int>(std::lround(end_s / grid_s_));
+    for (int k = 0; k < rows; ++k) {
+      const double time_s = std::min(k * grid_s_, end_s);
+      std::vector<Pose> feet = start_;
+      for (const AskedStep& step : steps_) {
+        const double share = SmoothStep((time_s - step.liftoff_s) / (step.touchdown_s - step.liftoff_s)).value;
+        Pose& X_WF = feet[static_cast<std::size_t>(step.foot)];
+        const Vector3 travel = step.X_WF.translation() - X_WF.translation();
+        const Vector3 turn = RotationLog(step.X_WF.linear() * X_WF.linear().transpose());
+        X_WF.translation() += share * travel;
+        X_WF.linear() = RotationExp(share * turn) * X_WF.linear();
+      }
+      skeleton.path.time_s.push_back(time_s);
+      skeleton.path.pose.push_back(FitBase(standing, feet, MeanHeading(standing, feet)).plan);
+    }
+  }
+
+  void AddPart(double end_s, FootstepSkeleton& skeleton) const {
+    const PlanarPose &from = skeleton.path.pose.front(), &to = skeleton.path.pose.back();
+    const double c = std::cos(from.yaw_rad), s = std::sin(from.yaw_rad), x = to.x_m - from.x_m, y = to.y_m - from.y_m;
+    MotionPart part;
+    part.command.extent = WalkCommand::Extent::kGoal;
+    part.command.goal_x_m = c * x + s * y;
+    part.command.goal_y_m = c * y - s * x;
+    part.command.goal_yaw_rad = to.yaw_rad - from.yaw_rad;
+    part.goal = skeleton.goal = to;
+    part.end_s = end_s;
+    part.gait = {"footsteps", "as the file has them", end_s, {}, {}};
+    for (std::size_t f = 0; f < start_.size(); ++f) {
+      double stands_s = 0.0;
+      for (const ContactInterval& interval : IntervalsOf(skeleton.schedule, static_cast<int>(f)))
+        stands_s += interval.end_s - interval.start_s;
+      part.gait.phase.push_back(0.0);
+      part.gait.duty_factor.push_back(stands_s / end_s);
+    }
+    skeleton.parts = {part};
+  }
+
+  const RobotModel& model_;
+  const Terrain& terrain_;
+  const double grid_s_;
+  std::vector<Pose> start_;
+  std::vector<int> patch_;
+  std::optional<double> swing_s_, pause_s_;
+  double now_s_ = 0.0, last_s_ = 0.0;
+  std::vector<AskedStep> steps_;
+};
+
+/// The time that the feet take for one step each, over which the body's tilt is evened out.
+double RoundOf(const FootstepSkeleton& skeleton, std::size_t feet) {
+  constexpr double kShortest = 0.2;  // [s]
+  const double steps = static_cast<double>(skeleton.footsteps.footholds.size() - feet);
+  return std::max(kShortest, skeleton.schedule.end_s() * static_cast<double>(feet) / std::max(1.0, steps));
+}
+
+}  // namespace
+
+Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& terrain, const std::string& text,
+                                       const std::string& source, double grid_s) {
+  const auto refused = [&](const std::string& why) {
+    return Failure{FailureKind::kBadInput, "footsteps", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
+  };
+  try {
+    return Reader(model, terrain, grid_s).Read(YAML::Load(text));
+  } catch (const InvalidArgument& error) {
+    return refused(error.what());
+  } catch (const YAML::Exception& error) {
+    return refused(fmt::format("line {}: {}", error.mark.line + 1, error.msg));
+  }
+}
+
+std::optional<Failure> PlanFootstepFile(const RobotModel& model, const Terrain& terrain, const std::string& text,
+                                        const ImportRequest& request, ImportedMotion& imported) {
+  if (request.goal)
+    return Failure{FailureKind::kBadInput, "footsteps", "ImportMotion", "footsteps say themselves where they lead", {}};
+  const Result<FootstepSkeleton> skeleton =
+      ReadFootsteps(model, terrain, text, request.file, request.motion.pipeline.grid_step_s);
+  if (!skeleton) return skeleton.failure();
+  if (auto failure = WhyOutOfReach(model, *skeleton, request.motion.footsteps.reach)) return failure;
+  Result<PlannedMotion> planned =
+      PlanMotion(model, terrain, *skeleton, RoundOf(*skeleton, model.feet.size()), request.motion);
+  if (!planned) return planned.failure();
+  imported.format = "footsteps";
+  imported.rows = static_cast<int>(skeleton->footsteps.footholds.size() - model.feet.size());
+  imported.plan = std::move(planned->plan);
+  imported.notes.warnings = std::exchange(imported.plan.warnings, {});
+  imported.notes.derived.push_back({"the whole motion", "planned over the footsteps: " + planned->summary});
+  return std::nullopt;
+}
+
+}  // namespace gaitwright

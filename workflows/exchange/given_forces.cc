@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/given_forces.h"
+
+#include <Eigen/QR>
+#include <cmath>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "planning/plan/support_plane.h"
+
+namespace gaitwright {
+namespace {
+
+/// One row of the motion after the other.
+class ForceTaker {
+ public:
+  ForceTaker(const RobotModel& model, const EvenMotion& motion, MotionPlan& plan)
+      : model_(model), motion_(motion), plan_(plan), scratch_(model), jacobian_(6, model.nv()) {
+    scale_ = VectorX::Constant(model.nv(), 1.0 / (model.weight_n() * model.leg_length_m()));
+    scale_.head<3>().setConstant(1.0 / model.weight_n());
+    for (int d = 0; d < model.num_dofs(); ++d) {
+      if (model.LeaderOf(d).is_prismatic()) scale_[6 + d] = 1.0 / model.weight_n();
+    }
+  }
+
+  void TakeRow(int row) {
+    const auto k = static_cast<std::size_t>(row);
+    const double time_s = motion_.TimeOf(row);
+    InverseDynamics(model_, motion_.q[k], motion_.v[k], motion_.a[k], scratch_, needed_);
+    std::vector<ContactWrench>& wrenches = plan_.whole_body.wrenches[k];
+    wrenches.assign(model_.feet.size(), {});
+    const FootSet stance = plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, time_s))].stance;
+    columns_.clear();
+    for (std::size_t f = 0; f < model_.feet.size(); ++f) TakeFoot(k, f, Contains(stance, static_cast<int>(f)), time_s);
+    if (!columns_.empty()) SolveFree(k, wrenches);
+    VectorX& tau = plan_.whole_body.tau[k];
+    for (int d = 0; d < model_.num_dofs(); ++d) tau[d] = HasTorque(k, d) ? motion_.tau[k][d] : needed_[6 + d];
+  }
+
+ private:
+  /// A part of a wrench that is still open.
+  struct Free {
+    std::size_t foot;
+    int axis;  // force, then moment
+    VectorX column;
+  };
+
+  bool HasTorque(std::size_t k, int dof) const { return !motion_.tau.empty() && std::isfinite(motion_.tau[k][dof]); }
+
+  /// Takes what is known of a foot's wrench out of what is needed, and notes what is open.
+  void TakeFoot(std::size_t k, std::size_t f, bool stands, double time_s) {
+    const Foot& foot = model_.feet[f];
+    const bool given = !motion_.force_W.empty();
+    const Vector3 force_W = given ? motion_.force_W[k][f] : Vector3::Zero();
+    if (!stands && force_W.isZero()) return;
+    const Vector3 normal_W = NormalUnder(plan_.footsteps, static_cast<int>(f), time_s);
+    const Vector3 p_W = ContactFrame(model_, scratch_, static_cast<int>(f), normal_W).translation();
+    const auto body = static_cast<std::size_t>(foot.body);
+    PointJacobian(model_, scratch_, foot.body, scratch_.R_WB[body].transpose() * (p_W - scratch_.p_WB[body]),
+                  jacobian_);
+    plan_.whole_body.wrenches[k][f].force_W = force_W;
+    needed_ -= jacobian_.topRows<3>().transpose() * force_W;
+    const int first = given ? 3 : 0, last = foot.has_sole() ? 6 : 3;
+    for (int axis = first; axis < last && stands; ++axis)
+      columns_.push_back({f, axis, jacobian_.row(axis).transpose()});
+  }
+
+  /// The open parts in the least squares over the rows that have no torque to make up for them; a little weight on the
+  /// wrenches themselves settles what the motion leaves open.
+  void SolveFree(std::size_t k, std::vector<ContactWrench>& wrenches) {
+    constexpr double kSlight = 1e-5;
+    const auto n = static_cast<Eigen::Index>(columns_.size());
+    MatrixX A = MatrixX::Zero(model_.nv() + n, n);
+    VectorX b = VectorX::Zero(model_.nv() + n);
+    for (int row = 0; row < model_.nv(); ++row) {
+      const bool torque = row >= 6 && HasTorque(k, row - 6);
+      if (row >= 6 && !torque) continue;
+      b[row] = scale_[row] * (needed_[row] - (torque ? motion_.tau[k][row - 6] : 0.0));
+      for (Eigen::Index i = 0; i < n; ++i) A(row, i) = scale_[row] * columns_[static_cast<std::size_t>(i)].column[row];
+    }
+    for (Eigen::Index i = 0; i < n; ++i)
+      A(model_.nv() + i, i) = kSlight * scale_[columns_[static_cast<std::size_t>(i)].axis < 3 ? 0 : 3];
+    const VectorX x = A.householderQr().solve(b);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Free& part = columns_[static_cast<std::size_t>(i)];
+      (part.axis < 3 ? wrenches[part.foot].force_W[part.axis] : wrenches[part.foot].moment_W[part.axis - 3]) = x[i];
+      needed_ -= x[i] * part.column;
+    }
+  }
+
+  const RobotModel& model_;
+  const EvenMotion& motion_;
+  MotionPlan& plan_;
+  DynamicsScratch scratch_;
+  MatrixX jacobian_;
+  VectorX needed_, scale_;
+  std::vector<Free> columns_;
+};
+
+}  // namespace
+
+void TakeGivenForces(const RobotModel& model, const EvenMotion& motion, MotionPlan& plan,
+                     std::vector<DerivedPart>& derived) {
+  if (motion.tau.empty() && motion.force_W.empty()) {
+    derived.push_back({"contact forces and torques",
+                       "inverse dynamics, what it needs split over the feet that stand inside their friction cones"});
+    return;
+  }
+  ForceTaker taker(model, motion, plan);
+  for (int row = 0; row < motion.size(); ++row) taker.TakeRow(row);
+  if (motion.tau.empty()) derived.push_back({"torques", "inverse dynamics beside the file's contact forces"});
+  if (motion.force_W.empty())
+    derived.push_back({"contact forces", "those that go with the file's torques and the motion, in the least squares"});
+}
+
+}  // namespace gaitwright

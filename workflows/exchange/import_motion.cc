@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/import_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+#include "kinematics/base/file.h"
+#include "kinematics/base/hash.h"
+#include "kinematics/base/version.h"
+#include "planning/terrain/load_terrain.h"
+#include "workflows/exchange/check_motion_table.h"
+#include "workflows/exchange/csv_table.h"
+#include "workflows/exchange/derive_base.h"
+#include "workflows/exchange/even_motion.h"
+#include "workflows/exchange/footstep_file.h"
+#include "workflows/exchange/joint_trajectory.h"
+#include "workflows/exchange/motion_columns.h"
+#include "workflows/exchange/ocs2_columns.h"
+
+namespace gaitwright {
+namespace {
+
+Failure Refused(const std::string& file, const std::string& why) {
+  return {FailureKind::kBadInput, "import", "ImportMotion", fmt::format("'{}': {}", file, why), {}};
+}
+
+std::string ExtensionOf(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+/// The table of a CSV, with its own names or those of OCS2. `request` gets the units of the file of names.
+Result<MotionTable> ReadCsvMotion(const RobotModel& model, const std::string& text, ImportRequest& request) {
+  const Result<CsvTable> table = ParseCsvTable(text, request.file);
+  if (!table) return table.failure();
+  std::vector<DerivedPart> derived;
+  Result<ColumnNames> names = ColumnNames{};
+  const bool ocs2 = request.columns_file.empty() && IsOcs2Motion(*table);
+  if (!request.columns_file.empty()) names = ReadColumnNames(request.columns_file, request.options);
+  if (ocs2) names = Ocs2ColumnNames(model, *table, derived);
+  if (!names) return names.failure();
+  Result<MotionTable> motion = MotionFromCsv(model, *table, *names, request.options);
+  if (!motion) return motion;
+  if (ocs2) motion->format = "ocs2-csv";
+  motion->derived.insert(motion->derived.begin(), derived.begin(), derived.end());
+  return motion;
+}
+
+/// Whether a text of YAML holds footsteps rather than a joint trajectory.
+bool HoldsFootsteps(const std::string& text) {
+  return text.find("joint_names") == std::string::npos && text.find("footsteps") != std::string::npos;
+}
+
+/// The whole way from a table to a plan.
+void MakePlan(const RobotModel& model, const Terrain& terrain, const ImportRequest& request, MotionTable table,
+              ImportedMotion& imported) {
+  imported.format = table.format;
+  imported.rows = table.rows();
+  imported.unused_columns = table.unused_columns;
+  imported.notes.derived = table.derived;
+  CheckMotionTable(model, terrain, request.options, table);
+  const bool placed = !table.base_m.empty(), turned = !table.quaternion.empty();
+  if (!placed) table.base_m.assign(table.time_s.size(), Vector3::Zero());
+  if (!turned) table.quaternion.assign(table.time_s.size(), Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
+  EvenMotion motion = Resample(model, table, request.options, imported.notes.derived, imported.notes.warnings);
+  if (!placed) DeriveBase(model, terrain, request.options, turned, motion, imported.notes.derived);
+  imported.plan = PlanOfMotion(model, terrain, std::move(motion), request.options, request.goal, imported.notes);
+}
+
+Provenance ProvenanceOf(ImportRequest request, const ImportedMotion& imported, const std::string& text) {
+  Provenance provenance{Version(), "ImportMotion", {}, 0};
+  provenance.options = {{"format", imported.format}, {"source_hash", HexHash(text)}};
+  const OptionTexts options =
+      imported.format == "footsteps" ? TextsOf(request.motion.Fields()) : TextsOf(request.options.Fields());
+  provenance.options.insert(provenance.options.end(), options.begin(), options.end());
+  return provenance;
+}
+
+/// What was worked out and what is odd, among the plan's warnings.
+void WarnInPlan(ImportedMotion& imported) {
+  std::vector<std::string>& warnings = imported.plan.warnings;
+  for (const DerivedPart& part : imported.notes.derived)
+    warnings.push_back(fmt::format("derived, {}: {}", part.what, part.how));
+  warnings.insert(warnings.end(), imported.notes.warnings.begin(), imported.notes.warnings.end());
+}
+
+}  // namespace
+
+Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest& asked) {
+  ImportRequest request = asked;
+  CheckOptions(request.Fields());
+  const std::string extension = ExtensionOf(request.file);
+  const bool csv = extension == ".csv" || extension == ".tsv" || extension == ".txt";
+  const bool yaml = extension == ".yaml" || extension == ".yml" || extension == ".json";
+  if (!csv && !yaml) {
+    return Refused(request.file, fmt::format("a motion in a file '{}' is not known; accepted: .csv, .tsv, .txt, .yaml, "
+                                             ".yml, .json",
+                                             extension));
+  }
+  if (!csv && !request.columns_file.empty())
+    return Refused(request.file, "a file of column names goes with a CSV only");
+  const Result<Terrain> terrain = LoadTerrain(request.terrain, ScaleOf(model));
+  if (!terrain) return terrain.failure();
+  const Result<std::string> text = ReadFile(request.file);
+  if (!text) return text.failure();
+  ImportedMotion imported;
+  try {
+    if (yaml && HoldsFootsteps(*text)) {
+      if (auto failure = PlanFootstepFile(model, *terrain, *text, request, imported)) return *failure;
+    } else {
+      Result<MotionTable> table = csv ? ReadCsvMotion(model, *text, request)
+                                      : ParseJointTrajectory(model, *text, request.file, request.options);
+      if (!table) return table.failure();
+      MakePlan(model, *terrain, request, std::move(*table), imported);
+    }
+  } catch (const InvalidArgument& error) {
+    return Refused(request.file, error.what());
+  }
+  imported.plan.provenance = ProvenanceOf(request, imported, *text);
+  WarnInPlan(imported);
+  const Result<AuditReport> audit = Audit(model, imported.plan, {});
+  if (!audit) return audit.failure();
+  imported.audit = *audit;
+  return imported;
+}
+
+}  // namespace gaitwright

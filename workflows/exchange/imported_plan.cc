@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/imported_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/spatial/rotation.h"
+#include "optimisation/whole_body/solve_whole_body.h"
+#include "planning/plan/support_plane.h"
+#include "workflows/exchange/foot_motion.h"
+#include "workflows/exchange/given_forces.h"
+
+namespace gaitwright {
+namespace {
+
+class Builder {
+ public:
+  Builder(const RobotModel& model, const Terrain& terrain, EvenMotion motion, const ImportOptions& options,
+          ImportNotes& notes)
+      : model_(model), motion_(std::move(motion)), options_(options), notes_(notes) {
+    plan_.robot = model.name;
+    plan_.robot_hash = model.hash;
+    plan_.urdf_text = model.urdf_text;
+    plan_.yaml_text = model.yaml_text;
+    plan_.meshes = model.meshes;
+    plan_.terrain = terrain;
+  }
+
+  MotionPlan Run(const std::optional<PlanarPose>& goal) {
+    feet_ = FeetOf(model_, plan_.terrain, motion_);
+    CheckGround();
+    plan_.schedule = ScheduleOf(model_, motion_, feet_, options_, notes_.derived);
+    plan_.footsteps = FootholdsOf(model_, plan_.terrain, plan_.schedule, motion_, feet_);
+    notes_.derived.push_back({"footholds", "where feet are in the median of each stance, put on the ground"});
+    AddSwings();
+    AddForces();
+    AddCentroidal();
+    AddPart(goal);
+    NoteStart();
+    return std::move(plan_);
+  }
+
+ private:
+  /// Feet that are off the ground for good are a matter of frames or units.
+  void CheckGround() {
+    constexpr double kFar = 0.05, kSlight = 1e-3;  // of the leg, [m]
+    std::vector<double> lowest;
+    for (std::size_t k = 0; k < motion_.q.size(); ++k) {
+      double least = feet_.front().height_m[k];
+      for (const FootMotion& foot : feet_) least = std::min(least, foot.height_m[k]);
+      lowest.push_back(least);
+    }
+    const auto middle = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 2);
+    std::nth_element(lowest.begin(), middle, lowest.end());
+    const double height = *middle;
+    if (!(std::abs(height) <= kFar * model_.leg_length_m())) {
+      throw InvalidArgument(fmt::format(
+          "the robot's lowest foot is {:.3f} m {} the ground in most rows; up to {:.3f} m is taken. base_z_m is of the "
+          "URDF's root link; --set lift_m={:.4f} moves the base, --terrain gives another ground",
+          std::abs(height), height > 0.0 ? "over" : "under", kFar * model_.leg_length_m(), -height));
+    }
+    if (std::abs(height) > kSlight) {
+      notes_.warnings.push_back(
+          fmt::format("the robot's lowest foot is {:.1f} mm {} the ground in most rows; lift_m={:.4f} would mend that",
+                      1e3 * std::abs(height), height > 0.0 ? "over" : "under", options_.lift_m - height));
+    }
+  }
+
+  void AddSwings() {
+    constexpr double kOff = 1e-3;  // [m]
+    double farthest = 0.0;
+    std::string where;
+    for (std::size_t i = 0; i < plan_.footsteps.footholds.size(); ++i) {
+      const Foothold& from = plan_.footsteps.footholds[i];
+      const auto next =
+          std::find_if(plan_.footsteps.footholds.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                       plan_.footsteps.footholds.end(), [&](const Foothold& to) { return to.foot == from.foot; });
+      if (next == plan_.footsteps.footholds.end()) continue;
+      const auto foot = static_cast<std::size_t>(from.foot);
+      double off = 0.0;
+      plan_.swings.push_back(SwingOf(from, *next, motion_, feet_[foot], off));
+      if (off <= farthest) continue;
+      farthest = off;
+      where = fmt::format("that of foot '{}' from {:.3f} s on", model_.feet[foot].name, from.liftoff_s);
+    }
+    std::stable_sort(plan_.swings.begin(), plan_.swings.end(),
+                     [](const auto& a, const auto& b) { return a.start_s < b.start_s; });
+    if (plan_.swings.empty()) return;
+    notes_.derived.push_back({"swings", "curves nearest to the feet's paths, at rest at both ends"});
+    if (farthest > kOff) {
+      notes_.warnings.push_back(
+          fmt::format("swings are {:.1f} mm off the feet's paths at the most, {}: they do not begin and end at rest "
+                      "on their footholds",
+                      1e3 * farthest, where));
+    }
+  }
+
+  void AddForces() {
+    WholeBodySolution solution;
+    solution.trajectory.step_s = motion_.step_s;
+    solution.trajectory.q = motion_.q;
+    solution.trajectory.v = motion_.v;
+    solution.trajectory.a = motion_.a;
+    WholeBodyProblem problem;
+    problem.terrain = &plan_.terrain;
+    problem.schedule = &plan_.schedule;
+    problem.footsteps = &plan_.footsteps;
+    AddContactForces(model_, problem, {options_.load_ramp_s, options_.friction_use}, solution);
+    plan_.whole_body = std::move(solution.trajectory);
+    plan_.centroidal.p_WZ = std::move(solution.zmp_W);
+    TakeGivenForces(model_, motion_, plan_, notes_.derived);
+  }
+
+  void AddCentroidal() {
+    CentroidalTrajectory& c = plan_.centroidal;
+    c.step_s = motion_.step_s;
+    DynamicsScratch scratch(model_);
+    VectorX needed;
+    double height = 0.0;
+    for (int k = 0; k < motion_.size(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      InverseDynamics(model_, motion_.q[i], motion_.v[i], motion_.a[i], scratch, needed);
+      c.p_WC.push_back(CentreOfMass(model_, scratch));
+      c.v_WC.emplace_back(CentroidalMomentum(model_, scratch).head<3>() / model_.total_mass_kg);
+      c.a_WC.emplace_back(needed.head<3>() / model_.total_mass_kg - kGravity * Vector3::UnitZ());
+      height += c.p_WC.back().z() - CarryingPlane(motion_.TimeOf(k)).HeightAt(c.p_WC.back().head<2>());
+    }
+    c.omega_rad_s = std::sqrt(kGravity * motion_.size() / height);
+    notes_.derived.push_back({"centre of mass and zero-moment point", "from the model"});
+  }
+
+  /// The plane through the footholds, those of feet in the air taken evenly from the one left to the one to come.
+  GroundPlane CarryingPlane(double time_s) const {
+    const auto& all = plan_.footsteps.footholds;
+    ContactsByFoot places(model_.feet.size());
+    for (std::size_t f = 0; f < places.size(); ++f) {
+      const int index = FootholdAt(plan_.footsteps, static_cast<int>(f), time_s);
+      const Foothold& last = all[static_cast<std::size_t>(index)];
+      Vector3 place = last.X_WF.translation();
+      const auto next =
+          std::find_if(all.begin() + index + 1, all.end(), [&](const auto& h) { return h.foot == last.foot; });
+      if (time_s > last.liftoff_s && next != all.end()) {
+        const double u = std::min((time_s - last.liftoff_s) / (next->touchdown_s - last.liftoff_s), 1.0);
+        place += u * (next->X_WF.translation() - place);
+      }
+      places[f].push_back(place);
+    }
+    return PlaneThrough(places, AllFeet(static_cast<int>(places.size())));
+  }
+
+  static PlanarPose PoseOf(const VectorX& q) { return {q[0], q[1], YawOf(BaseRotation(q))}; }
+
+  void AddPart(const std::optional<PlanarPose>& goal) {
+    const PlanarPose start = PoseOf(motion_.q.front()), end = PoseOf(motion_.q.back());
+    const double c = std::cos(start.yaw_rad), s = std::sin(start.yaw_rad);
+    MotionPart part;
+    part.command.extent = WalkCommand::Extent::kGoal;
+    if (goal) {
+      part.command.goal_x_m = goal->x_m;
+      part.command.goal_y_m = goal->y_m;
+      part.command.goal_yaw_rad = goal->yaw_rad;
+      part.goal = {start.x_m + c * goal->x_m - s * goal->y_m, start.y_m + s * goal->x_m + c * goal->y_m,
+                   WrapAngle(start.yaw_rad + goal->yaw_rad)};
+    } else {
+      const double x = end.x_m - start.x_m, y = end.y_m - start.y_m;
+      part.command.goal_x_m = c * x + s * y;
+      part.command.goal_y_m = c * y - s * x;
+      part.command.goal_yaw_rad = WrapAngle(end.yaw_rad - start.yaw_rad);
+      part.goal = end;
+      notes_.derived.push_back({"goal", "where the motion ends"});
+    }
+    part.end_s = motion_.TimeOf(motion_.size() - 1);
+    part.gait = GaitOf(part.end_s);
+    plan_.goal = part.goal;
+    plan_.parts = {part};
+  }
+
+  /// The mean pattern of contacts as a gait. What moves its base over feet that all stand is not standing still.
+  Gait GaitOf(double duration_s) const {
+    constexpr double kNearlyAll = 1.0 - 1e-9;
+    Gait gait;
+    gait.name = "imported";
+    gait.description = "as the file has it";
+    std::vector<double> cycles;
+    for (std::size_t f = 0; f < feet_.size(); ++f) {
+      const auto intervals = IntervalsOf(plan_.schedule, static_cast<int>(f));
+      double stands_s = 0.0;
+      for (std::size_t i = 0; i < intervals.size(); ++i) {
+        stands_s += intervals[i].end_s - intervals[i].start_s;
+        if (i > 1) cycles.push_back(intervals[i].start_s - intervals[i - 1].start_s);
+      }
+      gait.phase.push_back(intervals.size() > 1 ? intervals[1].start_s : 0.0);
+      gait.duty_factor.push_back(std::min(stands_s / duration_s, kNearlyAll));
+    }
+    gait.cycle_s = duration_s;
+    if (!cycles.empty()) {
+      std::nth_element(cycles.begin(), cycles.begin() + static_cast<std::ptrdiff_t>(cycles.size() / 2), cycles.end());
+      gait.cycle_s = cycles[cycles.size() / 2];
+    }
+    for (double& phase : gait.phase) phase = phase / gait.cycle_s - std::floor(phase / gait.cycle_s);
+    return gait;
+  }
+
+  /// Playback starts from rest.
+  void NoteStart() {
+    constexpr double kSlow = 0.02;  // of sqrt(g leg)
+    const double speed = motion_.v.front().head<3>().norm();
+    if (speed > kSlow * std::sqrt(kGravity * model_.leg_length_m())) {
+      notes_.warnings.push_back(
+          fmt::format("the motion begins with its base at {:.3f} m/s; playback starts it from rest", speed));
+    }
+  }
+
+  const RobotModel& model_;
+  const EvenMotion motion_;
+  const ImportOptions& options_;
+  ImportNotes& notes_;
+  std::vector<FootMotion> feet_;
+  MotionPlan plan_;
+};
+
+}  // namespace
+
+MotionPlan PlanOfMotion(const RobotModel& model, const Terrain& terrain, EvenMotion motion,
+                        const ImportOptions& options, const std::optional<PlanarPose>& goal, ImportNotes& notes) {
+  return Builder(model, terrain, std::move(motion), options, notes).Run(goal);
+}
+
+}  // namespace gaitwright
