@@ -12,7 +12,7 @@
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
 #include "playback/report/trials_page.h"
-#include "workflows/study/run_trials.h"
+#include "workflows/cluster/shared_trials.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -83,7 +83,7 @@ void Print(const Arguments& a, const RobustnessReport& report, bool enough) {
 }
 
 /// The run, with its journal beside the result and a bar on a terminal.
-Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study) {
+Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study, SharedWork& work) {
   const Interruptible interruptible;
   ProgressBar bar(!a.common.quiet);
   TrialHooks hooks;
@@ -95,7 +95,7 @@ Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study)
   };
   Result<TrialBook> book = TrialBook::Open(study, a.trials, hooks);
   if (!book) return book.failure();
-  Result<RobustnessReport> report = RunTrials(study, a.trials, *book);
+  Result<RobustnessReport> report = RunSharedTrials(work, study, a.trials, *book);
   if (!report) return report;
   std::vector<OutputFile> files = {{a.out, RobustnessJson(*report)}};
   if (!a.report.empty()) files.push_back({a.report, TrialsPage(*report)});
@@ -111,7 +111,14 @@ void CheckShare(const Arguments& a) {
   }
 }
 
-int Run(Arguments& a) {
+/// What is read from files before the first trial.
+struct TrialInputs {
+  MotionPlan plan;
+  RobotModel model;
+  Disturbances disturbances;
+};
+
+Result<TrialInputs> ReadAll(Arguments& a) {
   a.trials.seed = a.common.seed;
   ApplySets("--set", a.common.sets, a.Fields());
   a.play.Finish();
@@ -120,14 +127,38 @@ int Run(Arguments& a) {
       {{"the plan", a.plan}}, {{"--out", a.out}, {"--report", a.report}, {"the run so far", a.out + ".so-far"}}, {}};
   a.disturbances.AddPathTo(paths);
   CheckPaths(paths);
-  const Result<MotionPlan> plan = LoadPlan(a.plan);
-  if (!plan) return Report(plan.failure(), a.common);
-  const Result<RobotModel> model = RobotOf(*plan);
-  if (!model) return Report(model.failure(), a.common);
-  const Result<Disturbances> disturbances = a.disturbances.Load(*model, a.play.request);
-  if (!disturbances) return Report(disturbances.failure(), a.common);
-  if (a.show) return ShowDisturbances(a, *disturbances);
-  const Result<RobustnessReport> report = RunWithBar(a, {*model, *plan, a.play.request, *disturbances});
+  Result<MotionPlan> plan = LoadPlan(a.plan);
+  if (!plan) return plan.failure();
+  Result<RobotModel> model = RobotOf(*plan);
+  if (!model) return model.failure();
+  Result<Disturbances> disturbances = a.disturbances.Load(*model, a.play.request);
+  if (!disturbances) return disturbances.failure();
+  return TrialInputs{std::move(*plan), std::move(*model), std::move(*disturbances)};
+}
+
+/// What the other ranks of an MPI run do: they write and print nothing. What went wrong rank 0 tells.
+int Help(Arguments& a, SharedWork& work) {
+  std::string problem;
+  try {
+    const Result<TrialInputs> read = ReadAll(a);
+    if (read && !a.show) ServeTrials(work, {read->model, read->plan, a.play.request, read->disturbances}, a.trials);
+    if (read) return kPass;
+    problem = read.failure().message;
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  work.Serve({.work = "", .problem = problem}, {});
+  return kPass;
+}
+
+int Run(Arguments& a) {
+  SharedWork work(Ranks::Join());
+  if (!work.ranks().leads()) return Help(a, work);
+  const Result<TrialInputs> read = ReadAll(a);
+  if (!read) return Report(read.failure(), a.common);
+  if (a.show) return ShowDisturbances(a, read->disturbances);
+  const Result<RobustnessReport> report =
+      RunWithBar(a, {read->model, read->plan, a.play.request, read->disturbances}, work);
   if (!report) {
     const int status = Report(report.failure(), a.common);
     return report.failure().code == "interrupted" ? kInterrupted : status;

@@ -40,17 +40,19 @@ void ShareSquares(const std::vector<PieceRunner>& runners, int pieces) {
 }
 
 /// "squares N": N pieces, the last runner rank 0 itself; "problem": rank 1 cannot take part; "other": rank 1 has other
-/// work; "fails": a piece fails on another rank.
+/// work; "fails": a piece fails on another rank; "early N": rank N ends at once.
 int Run(const std::string& what, int pieces) {
   const Ranks ranks = Ranks::Join();
   RankReadiness own{.work = "squares", .problem = ""};
   if (what == "problem" && ranks.rank() == 1) own.problem = "no such file";
   if (what == "other" && ranks.rank() == 1) own.work = "cubes";
+  SharedWork work(ranks);
+  if (what == "early" && ranks.rank() == pieces) return 0;
   if (!ranks.leads()) {
-    ServeRankZero(ranks, own, Square);
+    work.Serve(own, Square);
     return 0;
   }
-  Result<std::vector<PieceRunner>> runners = RunnersOnOtherRanks(ranks, own);
+  Result<std::vector<PieceRunner>> runners = work.Runners(own);
   if (!runners) {
     fmt::print("{}\n", runners.failure().message);
     return 0;
@@ -58,7 +60,6 @@ int Run(const std::string& what, int pieces) {
   fmt::print("{} ranks\n", ranks.count());
   if (what != "fails") runners->emplace_back(Square);
   ShareSquares(*runners, pieces);
-  DismissOtherRanks(ranks);
   return 0;
 }
 

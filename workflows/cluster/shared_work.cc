@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace gaitwright {
 namespace {
 
@@ -10,10 +12,6 @@ namespace {
 constexpr char kReady = 'r', kProblem = 'x', kPiece = 'p', kOutcome = 'o', kDone = 'd', kRefused = 'f';
 
 std::string Message(char kind, const std::string& text) { return std::string(1, kind) + text; }
-
-void LetGo(const Ranks& ranks, char kind) {
-  for (int other = 1; other < ranks.count(); ++other) ranks.Send(other, Message(kind, ""));
-}
 
 /// Why the readiness of a rank, as it sent it, does not do; empty when it does.
 std::string Misgiving(int rank, const std::string& hello, const RankReadiness& own) {
@@ -36,16 +34,32 @@ std::string RunThere(const Ranks& ranks, int rank, int piece) {
 
 }  // namespace
 
-Result<std::vector<PieceRunner>> RunnersOnOtherRanks(const Ranks& ranks, const RankReadiness& own) {
+void SharedWork::LetGo(char kind) {
+  ended_ = true;
+  for (int other = 1; other < ranks_.count(); ++other) ranks_.Send(other, Message(kind, ""));
+}
+
+SharedWork::~SharedWork() {
+  if (ended_) return;
+  if (!ranks_.leads()) {
+    Serve({.work = "", .problem = "it ended before the work began"}, {});
+    return;
+  }
+  for (int other = 1; !begun_ && other < ranks_.count(); ++other) ranks_.Receive(other);
+  LetGo(begun_ ? kDone : kRefused);
+}
+
+Result<std::vector<PieceRunner>> SharedWork::Runners(const RankReadiness& own) {
+  begun_ = true;
   std::string misgiving = own.problem;
   std::vector<PieceRunner> runners;
-  for (int rank = 1; rank < ranks.count(); ++rank) {
-    const std::string theirs = Misgiving(rank, ranks.Receive(rank), own);
+  for (int rank = 1; rank < ranks_.count(); ++rank) {
+    const std::string theirs = Misgiving(rank, ranks_.Receive(rank), own);
     if (misgiving.empty()) misgiving = theirs;
-    runners.emplace_back([ranks, rank](int piece) { return RunThere(ranks, rank, piece); });
+    runners.emplace_back([ranks = ranks_, rank](int piece) { return RunThere(ranks, rank, piece); });
   }
   if (misgiving.empty()) return runners;
-  LetGo(ranks, kRefused);
+  LetGo(kRefused);
   return Failure{FailureKind::kBadInput,
                  "rank_not_ready",
                  "SharedWork",
@@ -53,12 +67,11 @@ Result<std::vector<PieceRunner>> RunnersOnOtherRanks(const Ranks& ranks, const R
                  {"see that every machine has the same program and the same files at the same paths"}};
 }
 
-void DismissOtherRanks(const Ranks& ranks) { LetGo(ranks, kDone); }
-
-bool ServeRankZero(const Ranks& ranks, const RankReadiness& own, const PieceRunner& run) {
-  ranks.Send(0, own.problem.empty() ? Message(kReady, own.work) : Message(kProblem, own.problem));
+bool SharedWork::Serve(const RankReadiness& own, const PieceRunner& run) {
+  if (std::exchange(ended_, true)) return false;
+  ranks_.Send(0, own.problem.empty() ? Message(kReady, own.work) : Message(kProblem, own.problem));
   while (true) {
-    const std::string order = ranks.Receive(0);
+    const std::string order = ranks_.Receive(0);
     if (order.empty() || order[0] != kPiece) return !order.empty() && order[0] == kDone;
     std::string answer;
     try {
@@ -66,7 +79,7 @@ bool ServeRankZero(const Ranks& ranks, const RankReadiness& own, const PieceRunn
     } catch (const std::exception& error) {
       answer = Message(kProblem, error.what());
     }
-    ranks.Send(0, answer);
+    ranks_.Send(0, answer);
   }
 }
 

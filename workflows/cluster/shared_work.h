@@ -19,18 +19,34 @@ struct RankReadiness {
   std::string problem;  ///< why this rank cannot take part; empty when it can
 };
 
-/// For rank 0: waits until all other ranks are ready, and gives a runner for each, which hands its pieces to that rank
-/// and waits for the outcomes. A runner is for one thread at a time, and throws InvalidArgument with the rank's own
-/// words where a piece failed there.
-/// @return the runners, none when alone; a failure that names the rank that cannot take part, or whose work is another
-/// one. The other ranks are let go then.
-Result<std::vector<PieceRunner>> RunnersOnOtherRanks(const Ranks& ranks, const RankReadiness& own);
+/// A work that the ranks of a run do together: rank 0 hands out its pieces, the others do them. Each rank makes one
+/// before it can fail, and so whichever rank ends early, with a result or without, no other waits for it.
+class SharedWork {
+ public:
+  explicit SharedWork(const Ranks& ranks) : ranks_(ranks) {}
+  /// Lets the other ranks go; tells rank 0 that this one did not take part.
+  ~SharedWork();
+  SharedWork(const SharedWork&) = delete;
+  SharedWork& operator=(const SharedWork&) = delete;
 
-/// For rank 0, once no runner is used any more: lets the other ranks go.
-void DismissOtherRanks(const Ranks& ranks);
+  const Ranks& ranks() const { return ranks_; }
 
-/// For the other ranks: says that it is ready, or why not, and runs pieces until rank 0 lets it go.
-/// @return whether it was let go after work, not for a problem of some rank.
-bool ServeRankZero(const Ranks& ranks, const RankReadiness& own, const PieceRunner& run);
+  /// For rank 0, once: waits until all other ranks are ready, and gives a runner for each, which hands its pieces to
+  /// that rank and waits for the outcomes. A runner is for one thread at a time, and throws InvalidArgument with the
+  /// rank's own words where a piece failed there. None is to be used any more when this is destroyed.
+  /// @return the runners, none when alone; a failure that names the rank that cannot take part, or whose work is
+  /// another one.
+  Result<std::vector<PieceRunner>> Runners(const RankReadiness& own);
+
+  /// For the other ranks, once: says that it is ready, or why not, and runs pieces until rank 0 lets it go.
+  /// @return whether it was let go after work, not for a problem of some rank; false at once where it served before.
+  bool Serve(const RankReadiness& own, const PieceRunner& run);
+
+ private:
+  void LetGo(char kind);
+
+  Ranks ranks_;
+  bool begun_ = false, ended_ = false;
+};
 
 }  // namespace gaitwright

@@ -12,9 +12,9 @@ namespace {
 /// What one thread does: trials, until there are no more.
 class TrialCrew {
  public:
-  TrialCrew(const TrialStudy& study, TrialBook& book) : study_(study), book_(book) {}
+  explicit TrialCrew(TrialBook& book) : book_(book) {}
 
-  void Work() {
+  void Work(const TrialRunner& run) {
     for (;;) {
       std::optional<int> number;
       {
@@ -24,9 +24,9 @@ class TrialCrew {
       }
       if (!number) return;
       try {
-        Result<PlayedTrial> trial = PlayTrial(study_, *number, book_.SeedOf(*number));
+        Result<TrialOutcome> outcome = run(*number);
         const std::lock_guard lock(mutex_);
-        trial ? book_.Add(std::move(trial->outcome)) : book_.Fail(*number, trial.failure());
+        outcome ? book_.Add(std::move(*outcome)) : book_.Fail(*number, outcome.failure());
       } catch (...) {
         const std::lock_guard lock(mutex_);
         if (!thrown_ || *number < thrown_by_) thrown_ = std::current_exception();
@@ -41,7 +41,6 @@ class TrialCrew {
   }
 
  private:
-  const TrialStudy& study_;
   TrialBook& book_;
   std::mutex mutex_;
   std::exception_ptr thrown_;
@@ -50,13 +49,20 @@ class TrialCrew {
 
 }  // namespace
 
-Result<RobustnessReport> RunTrials(const TrialStudy& study, const TrialOptions& options, TrialBook& book) {
+Result<RobustnessReport> RunTrials(const TrialStudy& study, const TrialOptions& options, TrialBook& book,
+                                   const std::vector<TrialRunner>& elsewhere) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int threads = std::min(options.threads > 0 ? options.threads : cores, options.trials);
-  TrialCrew crew(study, book);
+  const TrialRunner here = [&](int number) -> Result<TrialOutcome> {
+    Result<PlayedTrial> trial = PlayTrial(study, number, book.SeedOf(number));
+    if (!trial) return trial.failure();
+    return std::move(trial->outcome);
+  };
+  TrialCrew crew(book);
   std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back([&] { crew.Work(); });
-  crew.Work();
+  for (int i = 1; i < threads; ++i) others.emplace_back([&] { crew.Work(here); });
+  for (const TrialRunner& run : elsewhere) others.emplace_back([&] { crew.Work(run); });
+  crew.Work(here);
   for (std::thread& other : others) other.join();
   crew.Rethrow();
   return book.Report();

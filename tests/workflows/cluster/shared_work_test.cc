@@ -17,13 +17,15 @@ TEST(Ranks, AProcessAloneIsRankZeroOfOne) {
   EXPECT_EQ(ranks.rank(), 0);
   EXPECT_EQ(ranks.count(), 1);
   EXPECT_TRUE(ranks.leads());
-  const auto runners = RunnersOnOtherRanks(ranks, {.work = "w", .problem = ""});
+  SharedWork work(ranks);
+  const auto runners = work.Runners({.work = "w", .problem = ""});
   ASSERT_TRUE(runners.ok());
   EXPECT_TRUE(runners->empty());
 }
 
 TEST(Ranks, AProblemOfRankZeroItselfIsAFailure) {
-  const auto runners = RunnersOnOtherRanks(Ranks::Join(), {.work = "w", .problem = "no plan"});
+  SharedWork work(Ranks::Join());
+  const auto runners = work.Runners({.work = "w", .problem = "no plan"});
   ASSERT_FALSE(runners.ok());
   EXPECT_EQ(runners.failure().message, "no plan");
 }
@@ -67,6 +69,11 @@ TEST(SharedWork, APieceThatFailsElsewhereSaysWhereAndWhy) {
 TEST(SharedWork, RanksThatCannotTakePartAreNamed) {
   EXPECT_EQ(PrintsUnderMpi(3, "problem"), "rank 1: no such file\n");
   EXPECT_NE(PrintsUnderMpi(3, "other").find("rank 1 has other work before it than rank 0"), std::string::npos);
+}
+
+TEST(SharedWork, NobodyWaitsForARankThatEndsEarly) {
+  EXPECT_EQ(PrintsUnderMpi(3, "early 0"), "");
+  EXPECT_EQ(PrintsUnderMpi(3, "early 2"), "rank 2: it ended before the work began\n");
 }
 
 #endif
