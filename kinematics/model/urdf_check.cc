@@ -33,8 +33,15 @@ struct Tree {
   std::map<std::string, std::string> joint_of;   // by child link
 };
 
+/// The name of a link or a joint.
+std::string NameOf(const XMLElement& element, const std::string& what) {
+  const std::string name = Attribute(element, "name", what);
+  if (name.empty()) Refuse("urdf_missing", fmt::format("{} in line {} has an empty name", what, element.GetLineNum()));
+  return name;
+}
+
 void CheckJoint(const XMLElement& joint, Tree& tree) {
-  const std::string name = Attribute(joint, "name", "a joint");
+  const std::string name = NameOf(joint, "a joint");
   const std::string owner = fmt::format("joint '{}'", name);
   if (!tree.joint_names.insert(name).second) {
     Refuse("double_name", fmt::format("{}: there are two joints of that name", owner));
@@ -100,6 +107,11 @@ void CheckText(const std::string& urdf_text) {
   }
   if (const std::size_t at = urdf_text.find('\0'); at != std::string::npos)
     Refuse("not_xml", fmt::format("the URDF is not XML: byte {} is 0x00, which is no text", at + 1));
+  for (std::size_t at = urdf_text.find("&#"); at != std::string::npos; at = urdf_text.find("&#", at + 1)) {
+    const std::size_t digits = urdf_text.find_first_not_of("xX0", at + 2);
+    if (digits != std::string::npos && digits > at + 2 && urdf_text[digits] == ';')
+      Refuse("not_xml", fmt::format("the URDF is not XML: byte {} begins '&#0;', which is no character", at + 1));
+  }
 }
 
 /// Counts elements of a kind below a parent, and refuses more than `most`.
@@ -147,7 +159,7 @@ void CheckDocument(const std::string& urdf_text) {
   Tree tree;
   for (const XMLElement* link = robot->FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {
-    const std::string name = Attribute(*link, "name", "a link");
+    const std::string name = NameOf(*link, "a link");
     const std::string owner = fmt::format("link '{}'", name);
     if (!tree.links.insert(name).second)
       Refuse("double_name", fmt::format("{}: there are two links of that name", owner));

@@ -96,9 +96,12 @@ std::optional<Failure> CheckExtent(const WalkCommand& c) {
 }  // namespace
 
 std::optional<Failure> CheckCommand(const WalkCommand& c) {
+  constexpr double kMost = 1e6;  // of any number, in its unit
   for (const double value : {c.speed_m_s, c.lateral_speed_m_s, c.yaw_rate_rad_s, c.distance_m, c.duration_s, c.goal_x_m,
                              c.goal_y_m, c.goal_yaw_rad, c.step_length_m}) {
     if (!std::isfinite(value)) return BadCommand(fmt::format("the command holds {}; finite numbers are needed", value));
+    if (std::abs(value) > kMost)
+      return BadCommand(fmt::format("the command holds {}; at most {} up or down is accepted", value, kMost));
   }
   if (c.speed_m_s < 0.0) {
     return BadCommand(fmt::format(

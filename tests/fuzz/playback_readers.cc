@@ -33,7 +33,13 @@ Verdict ReadLogFile(const std::string& input) {
   const std::string text = LogToJson(*log);
   const Result<PlaybackLog> back = LogFromJson(text, "again");
   Require(back.ok(), "a log is read back: " + (back.ok() ? "" : back.failure().message));
-  Require(LogToJson(*back) == text, "a log is read back as it was");
+  for (std::size_t k = 0; k < log->samples.size(); ++k) {
+    Require(back->samples[k].q == log->samples[k].q && back->samples[k].wrenches == log->samples[k].wrenches &&
+                back->samples[k].contact == log->samples[k].contact,
+            "a log is read back as it was");
+  }
+  const std::string once_more = LogToJson(*back);  // the first text may have -0, which JSON reads as 0
+  Require(LogToJson(LogFromJson(once_more, "once more").value()) == once_more, "a log is read back as it was");
   return Verdict::kAccepted;
 }
 

@@ -120,5 +120,32 @@ TEST_F(Files, DevicesAreLeftAlone) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST_F(Files, DevicesAreNotRead) {
+  for (const char* device : {"/dev/zero", "/dev/null"}) {
+    const Result<std::string> read = ReadBytes(device);
+    ASSERT_FALSE(read) << device;
+    EXPECT_EQ(read.failure().code, "not_a_file");
+    EXPECT_NE(read.failure().message.find(device), std::string::npos);
+  }
+  EXPECT_EQ(ReadFile(In("")).failure().code, "not_a_file");
+}
+
+TEST_F(Files, NoMoreIsReadThanIsAskedFor) {
+  ASSERT_TRUE(WriteFileAtomically(In("ten"), "0123456789"));
+  EXPECT_EQ(*ReadBytes(In("ten"), 10), "0123456789");
+  const Result<std::string> large = ReadFile(In("ten"), 9);
+  ASSERT_FALSE(large);
+  EXPECT_EQ(large.failure().code, "large_file");
+  EXPECT_NE(large.failure().message.find("more than 9 bytes"), std::string::npos) << large.failure().message;
+}
+
+TEST_F(Files, AByteOfNothingIsNoText) {
+  ASSERT_TRUE(WriteFileAtomically(In("nul"), std::string("a: 1\nb\0c", 8)));
+  const Result<std::string> nul = ReadFile(In("nul"));
+  ASSERT_FALSE(nul);
+  EXPECT_NE(nul.failure().message.find("line 2 is not text: there is a byte 0x00"), std::string::npos);
+  EXPECT_EQ(ReadBytes(In("nul"))->size(), 8U);
+}
+
 }  // namespace
 }  // namespace gaitwright

@@ -122,5 +122,28 @@ TEST(LogJson, RefusesWithTheReason) {
   EXPECT_NE(Why(Replaced(text, "\"tau_nm\": [\n[", "\"tau_nm\": [\n[7,")).find("of 'tau_nm' has"), std::string::npos);
 }
 
+/// What no playback can have measured.
+TEST(LogJson, ValuesThatCannotBeAreRefused) {
+  const std::string text = LogToJson(Example());
+  const auto expect = [&](const std::string& from, const std::string& to, const std::string& part) {
+    const std::string why = Why(Replaced(text, from, to));
+    EXPECT_NE(why.find(part), std::string::npos) << why;
+  };
+  expect("\"total_mass_kg\":13.741", "\"total_mass_kg\":-1", "'total_mass_kg' is -1; accepted: 0 to");
+  expect("\"step_s\":0.001", "\"step_s\":0", "'step_s' is 0");
+  expect("\"contact\": [3,3,3]", "\"contact\": [3,4,3]", "row 1 of 'contact' is 4, which names a foot beyond the 2");
+  expect("\"contact\": [3,3,3]", "\"contact\": [3,-1,3]", "a whole number, 0 or more, is needed");
+  expect("\"foot\":1", "\"foot\":2", "'stances, foot' is 2; accepted: 0 to 1");
+  expect("\"foot\":1", "\"foot\":1e300", "a whole number is needed");
+  expect("\"touchdown_s\":0.1", "\"touchdown_s\":0.8", "'stances, liftoff_s' is 0.7; accepted: 0.8 to");
+  expect("\"peak_normal_n\":55.5", "\"peak_normal_n\":1e300", "accepted: -1000000000000 to");
+  PlaybackLog backward = Example();
+  std::swap(backward.samples[0].time_s, backward.samples[1].time_s);
+  EXPECT_NE(Why(LogToJson(backward)).find("row 1 of 'time_s' is 0.105, which is not after"), std::string::npos);
+  PlaybackLog stretched = Example();
+  stretched.samples[2].q *= 2.0;
+  EXPECT_NE(Why(LogToJson(stretched)).find("row 2 of 'q' has a quaternion of length 2"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace gaitwright

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "kinematics/base/result.h"
+#include "kinematics/base/strict_yaml_internal.h"
+
+namespace gaitwright {
+namespace {
+
+std::string WhyNot(const std::string& text) {
+  try {
+    LoadYaml(text);
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void ExpectWhyNot(const std::string& text, const std::string& part) {
+  EXPECT_NE(WhyNot(text).find(part), std::string::npos) << WhyNot(text);
+}
+
+TEST(LoadYaml, TakesWhatIsWithinTheBounds) {
+  EXPECT_TRUE(LoadYaml("").IsNull());
+  EXPECT_EQ(LoadYaml("a: &x [1, 2]\nb: *x\n")["b"][1].Scalar(), "2");
+  EXPECT_THROW(LoadYaml("a: [1"), YAML::Exception);
+}
+
+TEST(LoadYaml, AliasesThatRepeatOneAnotherWithoutEndAreRefused) {
+  std::string bomb = "a: &a [x,x,x,x,x,x,x,x,x,x]\n";
+  for (char c = 'b'; c < 'k'; ++c) {
+    const std::string before = std::string("*") + static_cast<char>(c - 1);
+    bomb += std::string(1, c) + ": &" + c + " [" + before;
+    for (int i = 0; i < 9; ++i) bomb += ", " + before;
+    bomb += "]\n";
+  }
+  ExpectWhyNot(bomb, "line 6: more than 1000000 values");
+  ExpectWhyNot("a: &x [*x]\n", "line 1: an alias names what it stands in");
+}
+
+TEST(LoadYaml, DepthLengthAndDocumentsAreBounded) {
+  ExpectWhyNot(std::string(33, '[') + std::string(33, ']'), "more than 32 lists and maps in one another");
+  EXPECT_EQ(WhyNot(std::string(32, '[') + std::string(32, ']')), "");
+  ExpectWhyNot("a: " + std::string(70000, 'x'), "a text of 70000 bytes; at most 65536");
+  ExpectWhyNot("a: 1\n---\nb: 2\n", "a second document begins; one is needed");
+  ExpectWhyNot("a: \"\\0\"", "0x00");
+  ExpectWhyNot(std::string((16U << 20U) + 1U, ' '), "at most 16777216 are read");
+}
+
+TEST(StrictYaml, TextIsPlainText) {
+  EXPECT_THROW(TextOf(LoadYaml("\"a\\ab\""), "'name'"), InvalidArgument);
+  EXPECT_EQ(TextOf(LoadYaml("\"caf\\u00e9\""), "'name'"), "caf\xc3\xa9");
+}
+
+}  // namespace
+}  // namespace gaitwright
