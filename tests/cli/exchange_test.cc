@@ -81,6 +81,20 @@ TEST_F(Exchange, ComparesPlansLogsAndAForeignTable) {
   EXPECT_EQ(Run({"compare", "motion.csv", "motion.csv", "--robot", "a1", "--quiet"}).out, "same\n");
 }
 
+TEST_F(Exchange, WhatIsExportedIsImportedAsTheSameMotion) {
+  ASSERT_EQ(Run({"export", "out/plan.json", "--rate-hz", "500", "--out", "motion.csv", "--quiet"}).status, 0);
+  const Ran imported = Run({"import", "motion.csv", "--robot", "a1", "--out", "again.json", "--quiet"});
+  ASSERT_TRUE(imported.status == 0 || imported.status == 3) << imported.err;
+  const Json c = Run({"compare", "out/plan.json", "again.json", "--json"}).json();
+  EXPECT_NEAR(c.at("alignment").at("best_offset_s").get<double>(), 0.0, 2e-4);
+  for (const auto& [joint, difference] : c.at("joints").items()) {
+    EXPECT_LT(difference.at("position").at("largest"), 1e-3) << joint;
+    EXPECT_LT(difference.at("speed").at("rms"), 0.05) << joint;
+  }
+  EXPECT_LT(c.at("base").at("x of the base").at("largest"), 1e-4);
+  EXPECT_FALSE(c.at("words").empty()) << "who made them is not the same";
+}
+
 TEST_F(Exchange, ComparesReports) {
   Write("one.json", Run({"play", "out/plan.json", "--json"}).out);
   Write("two.json", Run({"play", "out/plan.json", "--json", "--mass-scale", "1.1"}).out);

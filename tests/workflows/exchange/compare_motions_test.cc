@@ -122,7 +122,7 @@ TEST(CompareMotions, AlignsAsItIsTold) {
     FAIL();
   } catch (const InvalidArgument& error) {
     EXPECT_TRUE(synthetic::Says(error.what(), "share no time")) << error.what();
-    EXPECT_TRUE(synthetic::Says(error.what(), "'robot.csv' is from 40.000")) << error.what();
+    EXPECT_TRUE(synthetic::Says(error.what(), "'robot.csv' from 40.000")) << error.what();
   }
   EXPECT_THROW(CompareMotions(plan, table, {.align = "backwards"}), InvalidArgument);
   EXPECT_THROW(CompareMotions(plan, table, {.tolerance = -1.0}), InvalidArgument);
