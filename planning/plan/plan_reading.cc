@@ -143,9 +143,11 @@ Gait ToGait(const JsonPart& part, int feet) {
   for (const JsonPart& phase : part.At("phase").List()) {
     if (phase.NumberIn(0.0, 1.0) == 1.0) phase.Refuse("is 1; a phase is less than 1");
   }
-  for (const JsonPart& share : part.At("duty_factor").List()) {
-    if (share.NumberIn(0.0, 1.0) == 0.0) share.Refuse("is 0; a foot that never stands has no gait");
-  }
+  const std::vector<JsonPart> shares = part.At("duty_factor").List();
+  const auto never = [](const JsonPart& share) { return share.NumberIn(0.0, 1.0) == 0.0; };
+  const auto lifted = std::find_if(shares.begin(), shares.end(), never);
+  if (lifted != shares.end() && !std::all_of(shares.begin(), shares.end(), never))
+    lifted->Refuse("is 0; a foot that never stands has no gait, but where all hang");
   const auto by_foot = [&](const char* key) {
     const VectorX numbers = part.At(key).Vector(static_cast<std::size_t>(feet));
     return std::vector<double>(numbers.begin(), numbers.end());

@@ -19,12 +19,15 @@ class Approaching : public testing::TestWithParam<std::string> {
   const MotionPlan& plan() const { return GoodPlanOf(GetParam()).plan; }
   int n() const { return model().num_dofs(); }
   VectorX First() const { return plan().whole_body.q.front().tail(n()); }
-  /// The first posture with each joint off by an amount of its own, inside its limits.
+  /// The first posture with each knee bent more, each by an amount of its own, inside its limits.
   StartPosture Off(double by) const {
     StartPosture start{First(), {}};
-    for (int d = 0; d < n(); ++d) {
-      const double wanted = start.joints[d] + by * std::sin(1.0 + d);
+    double share = 1.0;
+    for (const Leg& leg : model().legs) {
+      const int d = model().joints[static_cast<std::size_t>(leg.knee_joint)].dof;
+      const double wanted = start.joints[d] + share * by * leg.knee_sign;
       start.joints[d] = std::clamp(wanted, model().dof_lower(d), model().dof_upper(d));
+      share *= 0.8;
     }
     return start;
   }
