@@ -189,7 +189,6 @@ SensorOptions HobbySensors() {
   o.imu_delay_s = 0.001;
   o.contact_threshold = 0.03;
   o.contact_noise = 0.01;
-  o.contact_delay_s = 0.002;
   o.contact_missed = 0.002;
   o.contact_false = 0.002;
   return o;
