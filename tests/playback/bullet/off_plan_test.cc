@@ -110,9 +110,10 @@ TEST_F(OffPlanTest, ManyPushesAddUp) {
   one.push_force_W = Vector3(30.0, 0.0, 0.0);
   one.push_at_s = 0.2;
   two.more_pushes = {{Vector3(10.0, 0.0, 0.0), 0.2, 0.1, "base"}, {Vector3(20.0, 0.0, 0.0), 0.2, 0.1, "base"}};
-  const VectorX a = Stand(one).samples.back().q, b = Stand(two).samples.back().q;
+  const auto pushed = [](const PlaybackLog& log) { return log.samples[55].q; };  // at the push's end
+  const VectorX a = pushed(Stand(one)), b = pushed(Stand(two));
   EXPECT_LT((a - b).norm(), 1e-9);
-  EXPECT_GT((a - Stand({}).samples.back().q).norm(), 1e-5);
+  EXPECT_GT((a - pushed(Stand({}))).norm(), 1e-4);
 }
 
 TEST_F(OffPlanTest, PushesOnALinkActThere) {

@@ -80,7 +80,7 @@ TEST_F(DisturbancesTest, RefusalsNameLineAndNearest) {
   says("mass_scale: .nan\n", {"finite"});
   says("mass_scale: 1\nmass_scale: 2\n", {"twice"});
   says("com_shift_m: 0.01\ncom_shift_x_m: 0.01\n", {"com_shift_m", "com_shift_x_m"});
-  says("start: {roll: 0.1}\n", {"'roll'", "'roll_rad'"});
+  says("start: {rol_rad: 0.1}\n", {"'rol_rad'", "'roll_rad'"});
   says("sensors: {noise: 0.1}\n", {"'noise'", "'noise_rad'"});
   says("sensors: {seed: 1}\n", {"'seed'"});
   says("pushes:\n  - direction_deg: 90\n", {"lacks its size"});
