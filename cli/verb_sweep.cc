@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <sstream>
 
 #include "cli/interruptible.h"
 #include "cli/progress_bar.h"

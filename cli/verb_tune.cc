@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/interruptible.h"
 #include "cli/progress_bar.h"
 #include "cli/study_arguments.h"

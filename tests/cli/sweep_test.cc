@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // sweep, tune, and the file of options that tune writes.
+#include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <sstream>
 
 #include "tests/cli/stranger.h"

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <mutex>
 #include <set>
 
 #include "optimisation/numerics/split_mix.h"
