@@ -98,7 +98,7 @@ void CheckTunable(const std::vector<StudyAxis>& axes) {
           "'{}' is not to be tuned: scores compare only for the same command and the same rules; sweep it instead",
           axis.key));
     }
-    if (axis.key.starts_with("play.") || axis.key.starts_with("sensors.")) {
+    if (axis.key.starts_with("play.") || axis.key.starts_with("sensors.") || axis.key == "command_delay_s") {
       throw InvalidArgument(fmt::format(
           "'{}' is not to be tuned: it says what the world and the robot are like, not how to walk; sweep it instead",
           axis.key));
