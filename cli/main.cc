@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
   AddAudit(app, status);
   AddPlay(app, status);
   AddTrials(app, status);
+  AddSweep(app, status);
+  AddTune(app, status);
   AddRobots(app, status);
   AddGaits(app, status);
   AddTerrains(app, status);

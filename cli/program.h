@@ -46,6 +46,8 @@ void AddPlan(CLI::App& app, int& status);
 void AddAudit(CLI::App& app, int& status);
 void AddPlay(CLI::App& app, int& status);
 void AddTrials(CLI::App& app, int& status);
+void AddSweep(CLI::App& app, int& status);
+void AddTune(CLI::App& app, int& status);
 void AddRobots(CLI::App& app, int& status);
 void AddGaits(CLI::App& app, int& status);
 void AddTerrains(CLI::App& app, int& status);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/options_file.h"
 #include "cli/paths.h"
 #include "cli/walk_arguments.h"
 #include "planning/plan/parts_text.h"
@@ -15,6 +16,7 @@ namespace {
 struct Arguments {
   Common common;
   WalkArguments walk;
+  OptionsFile options;
   std::string out = "plan.json", folder;
 };
 
@@ -51,6 +53,8 @@ void Print(const PlannedWalk& planned, const std::string& path, const Common& co
 }
 
 int Run(Arguments& a) {
+  const Result<OptionTexts> options = a.options.Apply(a.walk.request.Fields(), a.common);
+  if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, a.walk.request.Fields());
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   const std::string path = a.folder.empty() ? a.out : (std::filesystem::path(a.folder) / "plan.json").string();
@@ -58,6 +62,7 @@ int Run(Arguments& a) {
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);
+  a.options.AddPathTo(paths);
   CheckPaths(paths);
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
@@ -76,6 +81,7 @@ void AddPlan(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
   CLI::App& verb = *app.add_subcommand("plan", "Plan a walk, audit it and write it to a file");
   a->walk.AddTo(verb);
+  a->options.AddTo(verb);
   verb.option_defaults()->group("What is written");
   CLI::Option* out =
       AddText(verb, "--out", "FILE", a->out, "The file to write, its folder made if need be; default plan.json.");

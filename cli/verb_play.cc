@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cli/options_file.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/trials_arguments.h"
@@ -13,6 +14,7 @@ struct Arguments {
   Common common;
   std::string plan;
   PlayArguments play;
+  OptionsFile options;
   DisturbanceArguments disturbances;
   Outputs outputs;
 };
@@ -30,11 +32,14 @@ Result<PlayedWalk> PlayAsAsked(const Arguments& a, const RobotModel& model, cons
 
 int Run(Arguments& a) {
   a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
+  const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
+  if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, a.play.request.Fields());
   a.play.Finish();
   Paths paths{
       {{"the plan", a.plan}}, {{"--log", a.outputs.log}, {"--report", a.outputs.report}}, a.outputs.plot_folder};
   a.disturbances.AddPathTo(paths);
+  a.options.AddPathTo(paths);
   CheckPaths(paths);
   const Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return Report(plan.failure(), a.common);
@@ -60,6 +65,7 @@ void AddPlay(CLI::App& app, int& status) {
   a->outputs = {"", "", "", "", ""};
   AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.")->required();
   a->play.AddTo(verb);
+  a->options.AddTo(verb);
   verb.option_defaults()->group("Playback, and what the plan does not know");
   a->disturbances.AddTo(verb, "none; with it, this is the trial that --seed names");
   verb.option_defaults()->group("What is written");

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <csignal>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/interruptible.h"
+#include "cli/options_file.h"
 #include "cli/paths.h"
 #include "cli/progress_bar.h"
 #include "cli/trials_arguments.h"
@@ -17,37 +18,11 @@
 namespace gaitwright::cli {
 namespace {
 
-/// Of a run that a signal ended: 128 and the signal's number, as shells have it.
-constexpr int kInterrupted = 128 + SIGINT;
-
-volatile std::sig_atomic_t g_interrupted = 0;
-
-/// While it lives, the first Ctrl-C (or a request to end) lets the trials in hand finish, and a second one ends at
-/// once.
-class Interruptible {
- public:
-  Interruptible() {
-    struct sigaction action = {};
-    action.sa_handler = [](int) { g_interrupted = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    ::sigaction(SIGINT, &action, &before_int_);
-    ::sigaction(SIGTERM, &action, &before_term_);
-  }
-  ~Interruptible() {
-    ::sigaction(SIGINT, &before_int_, nullptr);
-    ::sigaction(SIGTERM, &before_term_, nullptr);
-  }
-  Interruptible(const Interruptible&) = delete;
-  Interruptible& operator=(const Interruptible&) = delete;
-
- private:
-  struct sigaction before_int_ = {}, before_term_ = {};
-};
-
 struct Arguments {
   Common common;
   std::string plan, out = "trials.json", report;
   PlayArguments play;
+  OptionsFile options;
   DisturbanceArguments disturbances;
   TrialOptions trials;
   std::optional<double> require_survival;
@@ -89,9 +64,10 @@ Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study,
   TrialHooks hooks;
   hooks.journal = a.out + ".so-far";
   hooks.resume = a.resume;
-  hooks.stop = [] { return g_interrupted != 0; };
+  hooks.stop = [] { return Interruptible::asked(); };
   hooks.progress = [&](const TrialProgress& p) {
-    bar.Show(p.done, p.wanted, p.restored, g_interrupted != 0 ? "ending" : fmt::format("{} fell", p.done - p.survived));
+    bar.Show(p.done, p.wanted, p.restored,
+             Interruptible::asked() ? "ending" : fmt::format("{} fell", p.done - p.survived));
   };
   Result<TrialBook> book = TrialBook::Open(study, a.trials, hooks);
   if (!book) return book.failure();
@@ -120,12 +96,15 @@ struct TrialInputs {
 
 Result<TrialInputs> ReadAll(Arguments& a) {
   a.trials.seed = a.common.seed;
+  const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
+  if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, a.Fields());
   a.play.Finish();
   CheckShare(a);
   Paths paths{
       {{"the plan", a.plan}}, {{"--out", a.out}, {"--report", a.report}, {"the run so far", a.out + ".so-far"}}, {}};
   a.disturbances.AddPathTo(paths);
+  a.options.AddPathTo(paths);
   CheckPaths(paths);
   Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return plan.failure();
@@ -181,6 +160,7 @@ void AddFlags(CLI::App& verb, Arguments& a) {
   AddNumber(verb, "--require-survival", "SHARE", a.require_survival,
             "Exit status 3 where the share that survived is under this, from 0 to 1; default: none is required.");
   a.play.AddTo(verb);
+  a.options.AddTo(verb);
   verb.option_defaults()->group("What is written");
   AddText(verb, "--out", "FILE", a.out,
           "Write the result to this file, as JSON; while it runs FILE.so-far keeps what it has; default trials.json.");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cli/options_file.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/walk_arguments.h"
@@ -10,6 +11,7 @@ struct Arguments {
   Common common;
   WalkArguments walk;
   PlayArguments play;
+  OptionsFile options;
   Outputs outputs;
 };
 
@@ -22,12 +24,16 @@ void CheckPathsOf(const Arguments& a) {
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);
+  a.options.AddPathTo(paths);
   CheckPaths(paths);
 }
 
 int Run(Arguments& a) {
   a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
-  ApplySets("--set", a.common.sets, Joined({a.walk.request.Fields(), a.play.request.Fields()}));
+  const OptionFields fields = Joined({a.walk.request.Fields(), a.play.request.Fields()});
+  const Result<OptionTexts> options = a.options.Apply(fields, a.common);
+  if (!options) return Report(options.failure(), a.common);
+  ApplySets("--set", a.common.sets, fields);
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   CheckPathsOf(a);
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
@@ -54,6 +60,7 @@ void AddWalk(CLI::App& app, int& status) {
   a->outputs.folder = "out";
   a->walk.AddTo(verb);
   a->play.AddTo(verb);
+  a->options.AddTo(verb);
   a->outputs.AddTo(verb);
   AddCommon(verb, a->common,
             {"walk --robot a1 --speed 0.3 --distance 1", "walk --robot nao --steps 4 --step-length 0.04 --out-dir nao",

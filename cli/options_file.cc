@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/options_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/flags.h"
+#include "kinematics/base/options_file.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright::cli {
+
+void OptionsFile::AddTo(CLI::App& verb) {
+  AddText(verb, "--options", "FILE", path,
+          "Options from a YAML file of KEY: VALUE, as 'tune' writes it, with the keys of --set, which wins over it; it "
+          "wins over flags; default: none.");
+}
+
+void OptionsFile::AddPathTo(Paths& paths) const {
+  if (!path.empty()) paths.read.push_back({"--options", path});
+}
+
+Result<OptionTexts> OptionsFile::Apply(OptionFields fields, const Common& common) const {
+  if (path.empty()) return OptionTexts{};
+  WalkRequest walk;
+  PlayRequest play;
+  const Result<OptionTexts> texts = LoadOptionsFile(path, Joined({walk.Fields(), play.Fields()}));
+  if (!texts) return texts;
+  std::string others;
+  for (const auto& [key, value] : *texts) {
+    const bool has = std::any_of(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
+    if (has) {
+      SetOption(fields, key, value);
+    } else {
+      others += (others.empty() ? "" : ", ") + key;
+    }
+  }
+  if (!others.empty() && !common.quiet)
+    fmt::print(stderr, "gaitwright: note: of --options '{}' this verb has no use for {}\n", path, others);
+  return texts;
+}
+
+}  // namespace gaitwright::cli

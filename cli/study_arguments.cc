@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/study_arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "workflows/study/trial.h"
+
+namespace gaitwright::cli {
+
+void StudyArguments::AddTo(CLI::App& verb, const std::string& over_help) {
+  walk.AddTo(verb);
+  verb.option_defaults()->group("What is varied");
+  verb.add_option("--over", over, over_help)->type_name("KEY=VALUES")->expected(1)->take_all()->required();
+  verb.option_defaults()->group("Options");
+}
+
+void StudyArguments::AddWorkTo(CLI::App& verb) {
+  play.AddTo(verb);
+  options.AddTo(verb);
+  verb.option_defaults()->group("How it is run");
+  AddWholeNumber(verb, "--threads", 0, threads,
+                 "Threads that work; the result is the same for any; default 0: one for each core.");
+  verb.add_flag("--resume", resume, "Go on with a run that was interrupted; the result is that of an unbroken one.");
+}
+
+Paths StudyArguments::PathsToRead() const {
+  Paths paths;
+  paths.AddRobotAndGait(walk.urdf, walk.request.gait);
+  paths.AddSequence(walk.request.sequence);
+  paths.AddTerrain(walk.request.terrain);
+  options.AddPathTo(paths);
+  disturbances.AddPathTo(paths);
+  return paths;
+}
+
+Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, const Common& common) {
+  play.request.play.world.seed = play.request.sensing.sensors.seed = common.seed;
+  walk.request.seed = static_cast<std::uint64_t>(common.seed);
+  Result<OptionTexts> texts = options.Apply(Fields(), common);
+  if (!texts) return texts;
+  ApplySets("--set", common.sets, Fields());
+  for (const StudyAxis& axis : axes) {
+    for (const std::string& set : common.sets) {
+      if (set.starts_with(axis.key + "="))
+        throw InvalidArgument(
+            fmt::format("--set {} gives what --over {} varies: leave one of them out", set, axis.key));
+    }
+    if (axis.key == "step_length" && !walk.steps)
+      throw InvalidArgument("--over step_length is of counted steps: give --steps too");
+    if (!walk.request.sequence.empty() && IsOfCommand(axis.key)) {
+      throw InvalidArgument(
+          fmt::format("--over {}: the speeds of a --sequence stand in its parts; vary other options", axis.key));
+    }
+  }
+  play.Finish();
+  return texts;
+}
+
+Result<RobotModel> StudyArguments::FinishFor(const std::vector<StudyAxis>& axes) {
+  Result<RobotModel> model = ChooseRobot(walk.robot, walk.urdf);
+  if (!model) return model;
+  const WalkCommand given = walk.request.command;
+  OptionFields command = CommandFields(walk.request);
+  for (const StudyAxis& axis : axes) {
+    if (axis.key == "step_length") walk.step_length_m = axis.high;
+    for (OptionField& field : command) {
+      if (field.key == axis.key) *std::get<double*>(field.target) = axis.high != 0.0 ? axis.high : axis.low;
+    }
+  }
+  walk.Finish(*model);
+  for (const StudyAxis& axis : axes) {  // what is varied is set point by point
+    if (axis.key == "speed") walk.request.command.speed_m_s = given.speed_m_s;
+    if (axis.key == "lateral_speed") walk.request.command.lateral_speed_m_s = given.lateral_speed_m_s;
+    if (axis.key == "yaw_rate") walk.request.command.yaw_rate_rad_s = given.yaw_rate_rad_s;
+  }
+  return model;
+}
+
+TrialPlayer PlayerOf(const Disturbances& disturbances, int run_seed) {
+  return [disturbances, run_seed](const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                                  int number) -> TrialWorth {
+    const std::uint64_t seed = SeedOfTrial(static_cast<std::uint64_t>(run_seed), number);
+    const Result<PlayedTrial> trial = PlayTrial({model, plan, request, disturbances}, number, seed);
+    if (!trial) throw InvalidArgument(trial.failure().message);
+    return {trial->outcome.score, trial->outcome.survived};
+  };
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <optional>
+#include <sstream>
+
+#include "cli/interruptible.h"
+#include "cli/progress_bar.h"
+#include "cli/study_arguments.h"
+#include "kinematics/base/file.h"
+#include "planning/plan/plan_json.h"
+#include "playback/score/gates.h"
+#include "workflows/study/study_page.h"
+#include "workflows/study/sweep_files.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  StudyArguments study;
+  std::optional<int> samples;
+  int trials = 0;
+  std::string metrics =
+      "goal_error_m,zmp_margin_p05_m,dcm_capture_margin_min_m,slip_max_step_m,torque_use_max,cost_of_transport";
+  std::string out = "sweep.csv", report, map, best;
+};
+
+/// The keys of --metrics. @throws InvalidArgument naming the nearest to one that there is not.
+std::vector<std::string> MetricsOf(const std::string& text) {
+  std::vector<std::string> keys;
+  std::istringstream stream(text);
+  for (std::string key; std::getline(stream, key, ',');) keys.push_back(RuleOf(key).key);
+  return keys;
+}
+
+void CheckPathsOf(const Arguments& a) {
+  Paths paths = a.study.PathsToRead();
+  paths.written = {{"--out", a.out},
+                   {"--report", a.report},
+                   {"--map", a.map},
+                   {"--best", a.best},
+                   {"the sweep so far", a.out + ".so-far"}};
+  CheckPaths(paths);
+}
+
+Result<Study> StudyOf(Arguments& a) {
+  const StudyLayout layout = a.samples ? StudyLayout::kSamples : StudyLayout::kGrid;
+  const std::vector<StudyAxis> axes = ParseAxes(a.study.over, layout);
+  const Result<OptionTexts> options = a.study.Finish(axes, a.common);
+  if (!options) return options.failure();
+  Result<RobotModel> model = a.study.FinishFor(axes);
+  if (!model) return model.failure();
+  Study study{
+      std::move(*model), a.study.walk.request, a.study.play.request, axes, {}, MetricsOf(a.metrics), a.trials, {}};
+  study.points =
+      a.samples ? SampledPoints(axes, static_cast<std::size_t>(*a.samples), study.walk.seed) : GridPoints(axes);
+  return study;
+}
+
+Result<Disturbances> PrepareTrials(const Arguments& a, Study& study) {
+  const Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play);
+  if (disturbances) study.play_trial = PlayerOf(*disturbances, a.common.seed);
+  return disturbances;
+}
+
+Result<std::vector<PointOutcome>> RunWithBar(const Arguments& a, const Study& study, JobJournal& journal) {
+  const Interruptible interruptible;
+  ProgressBar bar(!a.common.quiet);
+  const int before = static_cast<int>(journal.found());
+  const auto show = [&](std::size_t done, std::size_t of) {
+    bar.Show(before + static_cast<int>(done), before + static_cast<int>(of), before,
+             Interruptible::asked() ? "ending" : "points");
+  };
+  return RunSweep(study, journal, {a.study.threads, show, Interruptible::asked});
+}
+
+Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const std::vector<PointOutcome>& outcomes) {
+  WrittenFiles files = {{"map", a.out}};
+  std::vector<OutputFile> texts = {{a.out, SweepCsv(study, outcomes)}};
+  const auto add = [&](const char* kind, const std::string& path, const std::string& text) {
+    files.emplace_back(kind, path);
+    texts.push_back({path, text});
+  };
+  if (!a.report.empty()) add("report", a.report, SweepPage(study, outcomes));
+  if (!a.map.empty()) add("picture", a.map, DrawStabilityMap(study, outcomes, MapQuantity::kScore).svg);
+  const SweepSummary summary = SummaryOf(outcomes);
+  if (!a.best.empty() && summary.best) {
+    const Result<PlannedWalk> planned = PlanPoint(study, study.points[*summary.best]);
+    if (!planned) return planned.failure();
+    add("best", a.best, PlanToJson(planned->motion.plan));
+  }
+  const auto written = WriteFilesTogether(texts);
+  if (!written) return written.failure();
+  return files;
+}
+
+void Print(const Arguments& a, const Study& study, const std::vector<PointOutcome>& outcomes,
+           const WrittenFiles& files) {
+  const SweepSummary summary = SummaryOf(outcomes);
+  if (a.common.json) {
+    fmt::print("{}", SweepJson(study, outcomes, files));
+  } else if (a.common.quiet) {
+    fmt::print("{} of {} pass\n", summary.Count(PointStatus::kPass), outcomes.size());
+  } else {
+    fmt::print("{}\n", SweepText(study, outcomes));
+    for (const auto& [kind, path] : files) fmt::print("{:<7} {}\n", kind, path);
+  }
+}
+
+int Run(Arguments& a) {
+  if (a.trials == 0 && !a.study.disturbances.file.empty())
+    throw InvalidArgument("--disturbances says what trials sample: give --trials too");
+  CheckPathsOf(a);
+  Result<Study> study = StudyOf(a);
+  if (!study) return Report(study.failure(), a.common);
+  std::string trials;
+  if (a.trials > 0) {
+    const Result<Disturbances> disturbances = PrepareTrials(a, *study);
+    if (!disturbances) return Report(disturbances.failure(), a.common);
+    trials = DisturbancesText(*disturbances);
+  }
+  Result<JobJournal> journal = JobJournal::Open(a.out + ".so-far", StudyIdentity(*study, trials), a.study.resume);
+  if (!journal) return Report(journal.failure(), a.common);
+  const Result<std::vector<PointOutcome>> outcomes = RunWithBar(a, *study, *journal);
+  if (!outcomes) {
+    const int status = Report(outcomes.failure(), a.common);
+    return outcomes.failure().code == "interrupted" ? kInterrupted : status;
+  }
+  const Result<WrittenFiles> files = WriteAll(a, *study, *outcomes);
+  if (!files) return Report(files.failure(), a.common);
+  journal->Remove();
+  Print(a, *study, *outcomes, *files);
+  return kPass;
+}
+
+void AddFlags(CLI::App& verb, Arguments& a) {
+  a.study.AddTo(
+      verb,
+      "An option and its values, may be repeated: KEY=FROM:TO:COUNT or KEY=a,b,c for a grid, KEY=FROM:TO with "
+      "--samples. KEY is speed, lateral_speed, yaw_rate, step_length or one of --list-options; default: none.");
+  verb.option_defaults()->group("What is varied");
+  AddWholeNumber(verb, "--samples", 1, a.samples,
+                 "So many points of a Halton sequence (see --seed) in place of a grid; default: a grid.");
+  verb.option_defaults()->group("What is done at each point");
+  AddWholeNumber(verb, "--trials", 0, a.trials,
+                 "Randomised playbacks of each point whose plan passes its audit, the same for all; default 0.");
+  a.study.disturbances.AddTo(verb);
+  AddText(verb, "--metrics", "KEYS", a.metrics,
+          "Metrics to be told of, with commas between; default " + a.metrics + ".");
+  a.study.AddWorkTo(verb);
+  verb.option_defaults()->group("What is written");
+  AddText(verb, "--out", "FILE", a.out,
+          "Write the map to this file, as CSV; while it runs FILE.so-far keeps what it has; default sweep.csv.");
+  AddText(verb, "--report", "FILE", a.report, "Write the report to this file, as one HTML page; default: nowhere.");
+  AddText(verb, "--map", "FILE", a.map, "Write the picture of the map to this file, as SVG; default: nowhere.");
+  AddText(verb, "--best", "FILE", a.best,
+          "Write the plan of the best point, by survival and then score, to this file; default: nowhere.");
+}
+
+}  // namespace
+
+void AddSweep(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb =
+      *app.add_subcommand("sweep", "Walk over a range of options: where does the gait stand, and why not?");
+  AddFlags(verb, *a);
+  AddCommon(verb, a->common,
+            {"sweep --distance 0.3 --over speed=0.2:0.4:2 --quiet",
+             "sweep --distance 0.3 --over stabilised.dcm_gain=1,1.5 --trials 1 --report map.html --best best.json",
+             "sweep --distance 0.3 --over speed=0.1:0.4 --over gait.cycle_s=0.4:0.6 --samples 2 --json"});
+  AddOptionList(verb, a->study.Fields(), a->common.json);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

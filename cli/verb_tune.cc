@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/interruptible.h"
+#include "cli/progress_bar.h"
+#include "cli/study_arguments.h"
+#include "kinematics/base/file.h"
+#include "workflows/study/tune_files.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  StudyArguments study;
+  TuneOptions tune;
+  std::string out = "tuned.yaml", result, report;
+};
+
+void CheckPathsOf(const Arguments& a) {
+  Paths paths = a.study.PathsToRead();
+  paths.written = {
+      {"--out", a.out}, {"--result", a.result}, {"--report", a.report}, {"the tuning so far", a.out + ".so-far"}};
+  CheckPaths(paths);
+}
+
+Result<Study> StudyOf(Arguments& a) {
+  const std::vector<StudyAxis> axes = ParseAxes(a.study.over, StudyLayout::kTuning);
+  CheckTunable(axes);
+  const Result<OptionTexts> options = a.study.Finish(axes, a.common);
+  if (!options) return options.failure();
+  Result<RobotModel> model = a.study.FinishFor(axes);
+  if (!model) return model.failure();
+  return Study{std::move(*model), a.study.walk.request, a.study.play.request, axes, {}, {}, a.tune.trials, {}};
+}
+
+Result<TuneReport> RunWithBar(const Arguments& a, const Study& study, JobJournal& journal) {
+  const Interruptible interruptible;
+  ProgressBar bar(!a.common.quiet);
+  const int before = static_cast<int>(journal.found());
+  const auto show = [&](std::size_t done, std::size_t of) {
+    bar.Show(static_cast<int>(std::min(done, of)), static_cast<int>(of), before,
+             Interruptible::asked() ? "ending" : "jobs");
+  };
+  return Tune(study, a.tune, journal, {a.study.threads, show, Interruptible::asked});
+}
+
+Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const TuneReport& report) {
+  WrittenFiles files = {{"options", a.out}};
+  if (!a.result.empty()) files.emplace_back("result", a.result);
+  if (!a.report.empty()) files.emplace_back("report", a.report);
+  std::vector<OutputFile> texts = {{a.out, TunedOptions(study, report.result)}};
+  if (!a.result.empty()) texts.push_back({a.result, TuneJson(study, report, a.tune, files)});
+  if (!a.report.empty()) texts.push_back({a.report, TunePage(study, report, a.tune)});
+  const auto written = WriteFilesTogether(texts);
+  if (!written) return written.failure();
+  return files;
+}
+
+int Run(Arguments& a) {
+  CheckPathsOf(a);
+  Result<Study> study = StudyOf(a);
+  if (!study) return Report(study.failure(), a.common);
+  const Result<Disturbances> disturbances = a.study.disturbances.Load(study->model, study->play);
+  if (!disturbances) return Report(disturbances.failure(), a.common);
+  study->play_trial = PlayerOf(*disturbances, a.common.seed);
+  const std::string identity = TuneIdentity(*study, a.tune, DisturbancesText(*disturbances));
+  Result<JobJournal> journal = JobJournal::Open(a.out + ".so-far", identity, a.study.resume);
+  if (!journal) return Report(journal.failure(), a.common);
+  const Result<TuneReport> report = RunWithBar(a, *study, *journal);
+  if (!report) {
+    const bool interrupted = report.failure().code == "interrupted";
+    if (!interrupted) journal->Remove();
+    const int status = Report(report.failure(), a.common);
+    return interrupted ? kInterrupted : status;
+  }
+  const Result<WrittenFiles> files = WriteAll(a, *study, *report);
+  if (!files) return Report(files.failure(), a.common);
+  journal->Remove();
+  if (a.common.json) {
+    fmt::print("{}", TuneJson(*study, *report, a.tune, *files));
+  } else if (a.common.quiet) {
+    fmt::print("{}\n", report->result.better() ? "better" : "no better");
+  } else {
+    fmt::print("{}\n", TuneText(*study, *report, a.tune));
+    for (const auto& [kind, path] : *files) fmt::print("{:<7} {}\n", kind, path);
+  }
+  return kPass;
+}
+
+void AddFlags(CLI::App& verb, Arguments& a) {
+  a.study.AddTo(
+      verb,
+      "An option and its range, as KEY=FROM:TO, may be repeated. KEY is one of --list-options that is a number, "
+      "but none of play.*, sensors.* and score.*; default: none.");
+  const OptionFields fields = a.tune.Fields();
+  verb.option_defaults()->group("How it is searched");
+  AddField(verb, "--evaluations", fields, "evaluations");
+  AddField(verb, "--trials", fields, "trials");
+  AddField(verb, "--finalists", fields, "finalists");
+  AddField(verb, "--held-out", fields, "held_out");
+  AddField(verb, "--survival-weight", fields, "survival_weight");
+  AddField(verb, "--method", fields, "method");
+  AddField(verb, "--smooth-above", fields, "smooth_above");
+  a.study.disturbances.AddTo(verb);
+  a.study.AddWorkTo(verb);
+  verb.option_defaults()->group("What is written");
+  AddText(
+      verb, "--out", "FILE", a.out,
+      "Write the tuned options to this file, for --options of walk, plan, play and trials; while it runs FILE.so-far "
+      "keeps what it has; default tuned.yaml.");
+  AddText(verb, "--result", "FILE", a.result, "Write what --json prints to this file; default: nowhere.");
+  AddText(verb, "--report", "FILE", a.report, "Write the report to this file, as one HTML page; default: nowhere.");
+}
+
+}  // namespace
+
+void AddTune(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("tune", "Find better values of options, and prove it on trials never used");
+  AddFlags(verb, *a);
+  AddCommon(verb, a->common,
+            {"tune --distance 0.3 --over stabilised.dcm_gain=1:2 --evaluations 3 --trials 1 --held-out 6 --quiet"});
+  AddOptionList(verb, a->study.Fields(), a->common.json);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

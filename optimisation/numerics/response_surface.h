@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// A quadratic function of n unknowns: constant + slope^T x + x^T curvature x / 2, curvature symmetric.
+struct QuadraticSurface {
+  double constant = 0.0;
+  VectorX slope;
+  MatrixX curvature;
+
+  double At(const VectorX& x) const { return constant + slope.dot(x) + 0.5 * x.dot(curvature * x); }
+};
+
+/// A surface through measured values, and how well it foretells what it was not fitted to.
+struct FittedSurface {
+  QuadraticSurface surface;
+  /// 1 - sum of squared errors over that about the mean, each value foretold by the fit to all others: 1 foretells
+  /// exactly, 0 no better than the mean. 0 where there are no more values than coefficients, or all are equal.
+  double foretold = 0.0;
+};
+
+/// Coefficients of a quadratic function: (n + 1)(n + 2) / 2.
+int CoefficientsOfQuadratic(int unknowns);
+
+/// The quadratic surface with the least squared error at the points (Box and Wilson, J. Royal Stat. Soc. B 13(1),
+/// 1951). Exact for values of a quadratic function. What is left out of the fit once is foretold by the leverage,
+/// e / (1 - h) (Allen, Technometrics 16(1), 1974).
+/// @throws InvalidArgument unless there are as many values as points, as many points as coefficients, all points have
+/// one size of 1 or more, and everything is finite.
+FittedSurface FitQuadratic(const std::vector<VectorX>& points, const std::vector<double>& values);
+
+/// Where the surface is highest between two corners: least squares with bounds by Ceres from the middle and from lower
+/// end, middle and upper end of each coordinate combined (beyond four unknowns from at most 64 vertices), each end then
+/// sharpened along one coordinate after the other; the highest counts, then the first.
+///
+/// The residuals: along each eigenvector v of the curvature, t = v^T x, the surface less its constant is
+/// g t + c t^2 / 2. For c < 0 the residual is sqrt(-c) (t + g / c), otherwise sqrt(2 (k - g t - c t^2 / 2)) with k
+/// above all that it takes between the corners. Half the sum of their squares is a constant less the surface,
+/// everywhere.
+/// @throws InvalidArgument unless all sizes agree and low < high, finite.
+VectorX HighestOf(const QuadraticSurface& surface, const VectorX& low, const VectorX& high);
+
+}  // namespace gaitwright

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// sweep, tune, and the file of options that tune writes.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+class Sweep : public Stranger {
+ protected:
+  /// A grid of four points: two plans, each with two gains.
+  std::vector<std::string> Grid(const std::vector<std::string>& more) const {
+    std::vector<std::string> all = {
+        "sweep",  "--gait",         "trot", "--distance", "0.3", "--over", "stabilised.dcm_gain=1,1.5",
+        "--over", "speed=0.3:0.4:2"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+};
+
+TEST_F(Sweep, GivesItsObjectAndWritesItsFiles) {
+  const Ran ran = Run(Grid({"--json", "--report", "map.html", "--map", "map.svg", "--best", "best.json"}));
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  const Json json = ran.json();
+  EXPECT_EQ(json.at("points").size(), 4U);
+  EXPECT_EQ(json.at("counts").at("pass"), 4);
+  EXPECT_EQ(json.at("points").at(1).at("values"), (Json{{"stabilised.dcm_gain", 1.0}, {"speed", 0.4}}));
+  double best = 0.0;
+  for (const Json& point : json.at("points")) best = std::max(best, point.at("score").get<double>());
+  EXPECT_EQ(json.at("best").at("score"), best);
+  EXPECT_EQ(json.at("files"),
+            (Json{{"map", "sweep.csv"}, {"report", "map.html"}, {"picture", "map.svg"}, {"best", "best.json"}}));
+  EXPECT_EQ(Found(), (std::vector<std::string>{"best.json", "map.html", "map.svg", "sweep.csv"}))
+      << "nothing is left of the run";
+  std::istringstream csv(Read("sweep.csv"));
+  int lines = 0;
+  for (std::string line; std::getline(csv, line);) ++lines;
+  EXPECT_EQ(lines, 5);
+  // The best plan is that of its point: played alone it has the same score.
+  const std::string gain = json.at("best").at("values").at("stabilised.dcm_gain").dump();
+  const Json played = Run({"play", "best.json", "--json", "--set", "stabilised.dcm_gain=" + gain}).json();
+  EXPECT_EQ(played.at("score"), json.at("best").at("score"));
+}
+
+TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
+  const std::vector<std::string> more = {"--trials", "2", "--json"};
+  const auto with = [&](std::vector<std::string> also) {
+    also.insert(also.end(), more.begin(), more.end());
+    return Grid(also);
+  };
+  const Ran one = Run(with({"--threads", "1"}));
+  ASSERT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(one.out, Run(with({"--threads", "2"})).out);
+  const std::string csv = Read("sweep.csv");
+  std::string killed;
+  for (const std::ptrdiff_t lines : {2, 3}) {
+    std::filesystem::remove(In("sweep.csv"));
+    const auto so_far = [&] { return std::filesystem::exists(In("sweep.csv.so-far")) ? Read("sweep.csv.so-far") : ""; };
+    const Ran cut = RunUntil(with({"--threads", "1"}), SIGKILL, [&] {
+      killed = so_far();
+      return std::count(killed.begin(), killed.end(), '\n') >= lines;  // the head, and points on the disk
+    });
+    EXPECT_EQ(cut.status, 128 + SIGKILL);
+    EXPECT_FALSE(std::filesystem::exists(In("sweep.csv")));
+    Write("sweep.csv.so-far", killed + "3 {\"point\":3,\"sta");
+    ExpectRefused(Run(Grid({"--trials", "2"})), 1,
+                  {"sweep.csv.so-far", "holds work that was not finished", "--resume"});
+    EXPECT_TRUE(Run(with({"--resume"})).out == one.out);
+    EXPECT_TRUE(Read("sweep.csv") == csv);
+  }
+  Write("sweep.csv.so-far", killed);
+  ExpectRefused(Run(Grid({"--resume"})), 1, {"is of other work"});
+}
+
+TEST_F(Sweep, SamplesAreTakenBetweenTheEnds) {
+  const Ran ran = Run({"sweep", "--distance", "0.3", "--over", "speed=0.2:0.4", "--over", "gait.cycle_s=0.4:0.6",
+                       "--samples", "2", "--seed", "3", "--json", "--metrics", "distance_m"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const Json json = ran.json();
+  EXPECT_EQ(json.at("points").size(), 2U);
+  EXPECT_TRUE(json.at("axes").at(0).at("values").is_null());
+  for (const Json& point : json.at("points")) {
+    EXPECT_GE(point.at("values").at("speed"), 0.2);
+    EXPECT_LE(point.at("values").at("speed"), 0.4);
+    EXPECT_NEAR(point.at("metrics").at("distance_m"), 0.3, 0.05);
+  }
+}
+
+TEST_F(Sweep, RefusalsSayWhatIsAccepted) {
+  ExpectRefused(Run({"sweep"}), 1, {"--over"});
+  ExpectRefused(Run({"sweep", "--over", "sped=1:2:3"}), 1, {"no option 'sped'", "'speed'"});
+  ExpectRefused(Run({"sweep", "--over", "speed=0.1:0.2"}), 1, {"KEY=FROM:TO:COUNT", "--samples"});
+  ExpectRefused(Run({"sweep", "--over", "speed=0.1:0.2:2", "--metrics", "scor"}), 1, {"scor"});
+  ExpectRefused(Run({"sweep", "--over", "gait.cycle_s=0.4,0.5", "--set", "gait.cycle_s=0.6"}), 1,
+                {"--set gait.cycle_s=0.6", "leave one of them out"});
+  ExpectRefused(Run({"sweep", "--over", "step_length=0.05,0.06"}), 1, {"step_length", "--steps"});
+  ExpectRefused(Run({"sweep", "--over", "speed=0.1,0.2", "--disturbances", "d.yaml"}), 1, {"--trials"});
+  ExpectRefused(Run({"sweep", "--over", "speed=0.1,0.2", "--out", "a", "--report", "a"}), 1,
+                {"one file for two outputs"});
+  ExpectRefused(Run({"sweep", "--over", "speed=0.1,0.2", "--gait", "trott"}), 1, {"trott"});
+  EXPECT_TRUE(Found().empty());
+}
+
+using Tuned = Sweep;
+
+TEST_F(Tuned, OptionsAreWrittenProvedAndTaken) {
+  const std::vector<std::string> tune = {"tune",
+                                         "--gait",
+                                         "trot",
+                                         "--distance",
+                                         "0.3",
+                                         "--over",
+                                         "gait.cycle_s=0.4:0.6",
+                                         "--over",
+                                         "stabilised.dcm_gain=1:2",
+                                         "--evaluations",
+                                         "5",
+                                         "--trials",
+                                         "1",
+                                         "--held-out",
+                                         "6",
+                                         "--json",
+                                         "--report",
+                                         "tuned.html",
+                                         "--result",
+                                         "tuned.json"};
+  const Ran ran = Run(tune);
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const Json json = ran.json();
+  EXPECT_EQ(Read("tuned.json"), ran.out);
+  EXPECT_EQ(json.at("candidates").size(), 5U);
+  EXPECT_EQ(json.at("candidates").at(0).at("found_by"), "usual");
+  EXPECT_EQ(json.at("usual"), (Json{{"gait.cycle_s", 0.0}, {"stabilised.dcm_gain", 1.3}}));
+  EXPECT_EQ(json.at("better").get<bool>(), json.at("options") != json.at("usual"));
+  if (!json.at("held_out").is_null()) EXPECT_EQ(json.at("held_out").at("trials"), 6);
+  EXPECT_EQ(Found(), (std::vector<std::string>{"tuned.html", "tuned.json", "tuned.yaml"}));
+  std::vector<std::string> two_threads = tune;
+  two_threads.insert(two_threads.end(), {"--threads", "2"});
+  EXPECT_EQ(Run(two_threads).out, ran.out);
+
+  const Ran planned = Run({"plan", "--distance", "0.3", "--gait", "trot", "--options", "tuned.yaml"});
+  EXPECT_EQ(planned.status, 0) << planned.err;
+  EXPECT_NE(planned.err.find("has no use for stabilised.dcm_gain"), std::string::npos) << planned.err;
+  EXPECT_EQ(Run({"walk", "--distance", "0.3", "--gait", "trot", "--options", "tuned.yaml", "--json"}).err, "");
+}
+
+TEST_F(Tuned, OptionsOfAFileAreThoseOfSetAndSetWins) {
+  Write("o.yaml", "stabilised.dcm_gain: 2.5\nplay.friction: 0.7\n");
+  MakePlan("plan.json");
+  const auto score = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"play", "plan.json", "--json"};
+    all.insert(all.end(), more.begin(), more.end());
+    return Run(all).json().at("metrics");
+  };
+  const Json by_file = score({"--options", "o.yaml"});
+  EXPECT_EQ(by_file, score({"--set", "stabilised.dcm_gain=2.5", "--set", "play.friction=0.7"}));
+  EXPECT_NE(by_file, score({}));
+  EXPECT_EQ(score({"--options", "o.yaml", "--set", "stabilised.dcm_gain=1.3", "--set", "play.friction=0"}), score({}));
+}
+
+TEST_F(Tuned, RefusalsSayWhy) {
+  ExpectRefused(Run({"tune", "--over", "speed=0.1:0.5"}), 1, {"'speed' is not to be tuned", "sweep it instead"});
+  ExpectRefused(Run({"tune", "--over", "play.friction=0.5:1"}), 1, {"'play.friction' is not to be tuned"});
+  ExpectRefused(Run({"tune", "--over", "gait.cycle_s=0.4,0.5"}), 1, {"KEY=FROM:TO"});
+  ExpectRefused(Run({"tune", "--over", "gait.cycle_s=0.4:0.5", "--evaluations", "1"}), 1, {"accepted: 2 to"});
+  Write("o.yaml", "gait.cycle: 0.5\n");
+  ExpectRefused(Run({"walk", "--options", "o.yaml"}), 1, {"'o.yaml', line 1", "'gait.cycle'", "'gait.cycle_s'"});
+  ExpectRefused(Run({"walk", "--options", "none.yaml"}), 1, {"no such file"});
+}
+
+}  // namespace
+}  // namespace gaitwright::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/candidate_worth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "optimisation/numerics/split_mix.h"
+
+namespace gaitwright {
+namespace {
+
+TEST(CandidateWorth, ValueIsScoreAndSurvival) {
+  const CandidateWorth worth{"", {{80.0, true}, {10.0, false}}};
+  EXPECT_DOUBLE_EQ(*MeanValue(worth, 50.0), 70.0);
+  EXPECT_DOUBLE_EQ(*MeanValue(worth, 0.0), 45.0);
+  EXPECT_EQ(MeanValue({"too fast", {}}, 50.0), std::nullopt);
+}
+
+TEST(CandidateWorth, ALineReadsBackToTheBit) {
+  const CandidateWorth worth{"", {{1.0 / 3.0, true}, {1e-17, false}}}, refused{"the knee \"bends\"\ntoo far", {}};
+  EXPECT_EQ(*WorthFromLine(WorthToLine(worth)), worth);
+  EXPECT_EQ(*WorthFromLine(WorthToLine(refused)), refused);
+  EXPECT_EQ(WorthToLine(refused).find('\n'), std::string::npos);
+  EXPECT_FALSE(WorthFromLine("{\"refusal\": 3"));
+}
+
+TEST(PairedDifference, IsThatOfTheBook) {
+  // Differences 1 .. 10: mean 5.5, standard deviation 3.02765, t(9) = 2.262157.
+  std::vector<double> before(10, 100.0), after;
+  for (int i = 1; i <= 10; ++i) after.push_back(100.0 + i);
+  const PairedDifference d = DifferenceOf(before, after);
+  EXPECT_NEAR(d.mean, 5.5, 1e-12);
+  EXPECT_NEAR(d.high - d.mean, 2.262157 * 3.0276504 / std::sqrt(10.0), 2e-3);
+  EXPECT_NEAR(d.mean - d.low, d.high - d.mean, 1e-12);
+  EXPECT_TRUE(d.better());
+  EXPECT_FALSE(DifferenceOf(after, before).better());
+}
+
+TEST(PairedDifference, PairingSeesThroughWhatBothShare) {
+  SplitMix random(1);
+  std::vector<double> before, after;
+  for (int i = 0; i < 50; ++i) {
+    before.push_back(30.0 * random.Normal());
+    after.push_back(before.back() + 1.0 + 0.5 * random.Normal());
+  }
+  EXPECT_TRUE(DifferenceOf(before, after).better()) << "a step of 1 under common noise of 30";
+}
+
+TEST(PairedDifference, NoiseAloneIsSeldomBetter) {
+  SplitMix random(2);
+  int better = 0;
+  for (int experiment = 0; experiment < 2000; ++experiment) {
+    std::vector<double> before, after;
+    for (int i = 0; i < 20; ++i) {
+      before.push_back(random.Normal());
+      after.push_back(random.Normal());
+    }
+    better += DifferenceOf(before, after).better() ? 1 : 0;
+  }
+  EXPECT_NEAR(better, 0.025 * 2000, 25) << "one end of a 95 % interval";
+}
+
+TEST(PairedDifference, TooFewOrUnlikePairsAreRefused) {
+  EXPECT_THROW(DifferenceOf({1, 2, 3, 4, 5}, {1, 2, 3, 4, 5}), InvalidArgument);
+  EXPECT_THROW(DifferenceOf({1, 2, 3, 4, 5, 6}, {1, 2, 3, 4, 5}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace gaitwright

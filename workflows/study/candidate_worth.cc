@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/candidate_worth.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace gaitwright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Quantile 0.975 of Student's t.
+double StudentQuantile(double degrees) {
+  constexpr double z = 1.959963984540054;
+  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  return z + (z3 + z) / (4.0 * degrees) + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * degrees * degrees) +
+         (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * degrees * degrees * degrees);
+}
+
+}  // namespace
+
+double ValueOf(const TrialWorth& trial, double survival_weight) {
+  return trial.score + (trial.survived ? survival_weight : 0.0);
+}
+
+std::optional<double> MeanValue(const CandidateWorth& worth, double survival_weight) {
+  if (!worth.refusal.empty() || worth.trials.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const TrialWorth& trial : worth.trials) sum += ValueOf(trial, survival_weight);
+  return sum / static_cast<double>(worth.trials.size());
+}
+
+std::string WorthToLine(const CandidateWorth& worth) {
+  Json trials = Json::array();
+  for (const TrialWorth& trial : worth.trials) trials.push_back({trial.score, trial.survived});
+  return Json{{"refusal", worth.refusal}, {"trials", trials}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<CandidateWorth> WorthFromLine(const std::string& line) {
+  try {
+    const Json json = Json::parse(line);
+    CandidateWorth worth{json.at("refusal").get<std::string>()};
+    for (const Json& trial : json.at("trials"))
+      worth.trials.push_back({trial.at(0).get<double>(), trial.at(1).get<bool>()});
+    return worth;
+  } catch (const std::exception& error) {  // of the reader of JSON
+    return Failure{FailureKind::kBadInput,
+                   "journal_line",
+                   "WorthFromLine",
+                   fmt::format("a line of the journal is no candidate: {}", error.what()),
+                   {}};
+  }
+}
+
+PairedDifference DifferenceOf(const std::vector<double>& before, const std::vector<double>& after) {
+  if (before.size() != after.size() || before.size() < 6) {
+    throw InvalidArgument(
+        fmt::format("DifferenceOf: {} values before and {} after; as many of both, six or more, are "
+                    "accepted",
+                    before.size(), after.size()));
+  }
+  const auto n = static_cast<double>(before.size());
+  PairedDifference d;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    d.before += before[i] / n;
+    d.after += after[i] / n;
+    d.mean += (after[i] - before[i]) / n;
+  }
+  double squares = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) squares += std::pow(after[i] - before[i] - d.mean, 2);
+  const double half = StudentQuantile(n - 1.0) * std::sqrt(squares / (n - 1.0) / n);
+  d.low = d.mean - half;
+  d.high = d.mean + half;
+  return d;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/point_outcome.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "playback/trials/wilson.h"
+
+namespace gaitwright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+std::optional<double> OrNothing(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
+}
+
+PointStatus StatusOf(const std::string& name) {
+  for (const PointStatus status : kPointStatuses) {
+    if (StatusName(status) == name) return status;
+  }
+  throw InvalidArgument(fmt::format("there is no status '{}'", name));
+}
+
+PointOutcome FromJson(const Json& json) {
+  PointOutcome o;
+  o.point = json.at("point").get<std::size_t>();
+  o.status = StatusOf(json.at("status").get<std::string>());
+  o.code = json.at("code").get<std::string>();
+  o.reason = json.at("reason").get<std::string>();
+  o.score = OrNothing(json.at("score"));
+  o.fell_at_s = OrNothing(json.at("fell_at_s"));
+  for (const Json& value : json.at("metrics")) o.metrics.push_back(OrNothing(value));
+  if (const Json& s = json.at("survival"); !s.is_null()) {
+    o.survival = PointSurvival{s.at(0).get<int>(),    s.at(1).get<int>(),    s.at(2).get<double>(),
+                               s.at(3).get<double>(), s.at(4).get<double>(), s.at(5).get<double>()};
+  }
+  return o;
+}
+
+}  // namespace
+
+std::string StatusName(PointStatus status) {
+  switch (status) {
+    case PointStatus::kPass:
+      return "pass";
+    case PointStatus::kGateMissed:
+      return "gate_missed";
+    case PointStatus::kFell:
+      return "fell";
+    case PointStatus::kAuditFailed:
+      return "audit_failed";
+    case PointStatus::kRefused:
+      break;
+  }
+  return "refused";
+}
+
+PointSurvival SurvivalOf(int trials, int survived, double score_mean) {
+  const ShareInterval interval = WilsonInterval(survived, trials);
+  return {trials, survived, interval.share, interval.low, interval.high, score_mean};
+}
+
+std::string PointToLine(const PointOutcome& o) {
+  Json metrics = Json::array(), survival;
+  for (const std::optional<double>& value : o.metrics) metrics.push_back(OrNull(value));
+  if (o.survival) {
+    const PointSurvival& s = *o.survival;
+    survival = Json::array({s.trials, s.survived, s.share, s.low, s.high, s.score_mean});
+  }
+  const Json json = {
+      {"point", o.point},         {"status", StatusName(o.status)},   {"code", o.code},     {"reason", o.reason},
+      {"score", OrNull(o.score)}, {"fell_at_s", OrNull(o.fell_at_s)}, {"metrics", metrics}, {"survival", survival}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<PointOutcome> PointFromLine(const std::string& line) {
+  try {
+    return FromJson(Json::parse(line));
+  } catch (const std::exception& error) {  // of the reader of JSON, or of a status
+    return Failure{FailureKind::kBadInput,
+                   "journal_line",
+                   "PointFromLine",
+                   fmt::format("a line of the journal is no outcome: {}", error.what()),
+                   {}};
+  }
+}
+
+bool IsBetter(const PointOutcome& a, const PointOutcome& b) {
+  const auto share = [](const PointOutcome& o) { return o.survival ? o.survival->share : 0.0; };
+  const auto passes = [](const PointOutcome& o) { return o.status == PointStatus::kPass; };
+  if (a.audit_pass() != b.audit_pass()) return a.audit_pass();
+  if (share(a) != share(b)) return share(a) > share(b);
+  if (passes(a) != passes(b)) return passes(a);
+  const double score_a = a.score.value_or(-1.0), score_b = b.score.value_or(-1.0);
+  return score_a != score_b ? score_a > score_b : a.point < b.point;
+}
+
+}  // namespace gaitwright

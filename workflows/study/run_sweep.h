@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workflows/study/run_point.h"
+#include "workflows/study/study_jobs.h"
+
+namespace gaitwright {
+
+/// Hash of all that shapes a study's outcomes: version, robot, command, options, axes, points, metrics and `trials`, a
+/// text that says what the trials are.
+std::string StudyIdentity(const Study& study, const std::string& trials);
+
+/// Runs every point that the journal does not hold and gives all outcomes in the order of their numbers: the same for
+/// any number of threads, and whether or not it was cut off and resumed. Failure kBadInput for a broken journal, and
+/// `interrupted` when it was stopped.
+Result<std::vector<PointOutcome>> RunSweep(const Study& study, JobJournal& journal, const JobOptions& options);
+
+}  // namespace gaitwright

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/tune_files.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace gaitwright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json ValuesJson(const Study& study, const StudyPoint& values) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < study.axes.size(); ++k) json[study.axes[k].key] = Json::parse(values[k]);
+  return json;
+}
+
+Json CandidateJson(const Study& study, const TuneCandidate& candidate, std::size_t number) {
+  double score = 0.0;
+  int survived = 0;
+  for (const TrialWorth& trial : candidate.worth.trials) {
+    score += trial.score / static_cast<double>(candidate.worth.trials.size());
+    survived += trial.survived ? 1 : 0;
+  }
+  const bool tried = candidate.value.has_value();
+  return {{"candidate", number},
+          {"found_by", candidate.found_by},
+          {"values", ValuesJson(study, candidate.values)},
+          {"value", OrNull(candidate.value)},
+          {"score_mean", tried ? Json(score) : Json()},
+          {"survived", tried ? Json(survived) : Json()},
+          {"refusal", candidate.worth.refusal}};
+}
+
+Json DifferenceJson(const PairedDifference& d) {
+  return {{"before", d.before}, {"after", d.after}, {"difference", d.mean}, {"low", d.low}, {"high", d.high}};
+}
+
+Json MetricsJson(const TuneReport& report) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < report.metrics.size(); ++k) {
+    const auto of = [&](const PointOutcome& o) { return k < o.metrics.size() ? OrNull(o.metrics[k]) : Json(); };
+    json[report.metrics[k]] = {{"before", of(report.before)}, {"after", of(report.after)}};
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string VerdictOf(const TuneResult& result) {
+  if (!result.proof) return "no better: no candidate is worth more than the usual values, which are kept";
+  const PairedDifference& d = result.proof->value;
+  const std::string figures = fmt::format(
+      "{:.2f} to {:.2f} on {} held-out trials, difference {:.2f} (95 % interval "
+      "{:.2f} to {:.2f})",
+      d.before, d.after, result.proof->trials, d.mean, d.low, d.high);
+  return result.better() ? "better: " + figures : "no better: " + figures + "; the usual values are kept";
+}
+
+std::string TuneJson(const Study& study, const TuneReport& report, const TuneOptions& options,
+                     const WrittenFiles& files) {
+  const TuneResult& result = report.result;
+  Json ranges = Json::array(), candidates = Json::array(), written = Json::object(), proof;
+  for (const StudyAxis& axis : study.axes)
+    ranges.push_back({{"key", axis.key}, {"unit", axis.unit}, {"from", axis.low}, {"to", axis.high}});
+  for (std::size_t i = 0; i < result.candidates.size(); ++i)
+    candidates.push_back(CandidateJson(study, result.candidates[i], i));
+  if (result.proof) {
+    proof = {{"trials", result.proof->trials},
+             {"value", DifferenceJson(result.proof->value)},
+             {"score", DifferenceJson(result.proof->score)},
+             {"survival", DifferenceJson(result.proof->survival)}};
+  }
+  for (const auto& [kind, path] : files) written[kind] = path;
+  const Json json = {{"robot", study.model.name},
+                     {"better", result.better()},
+                     {"verdict", VerdictOf(result)},
+                     {"axes", ranges},
+                     {"trials", options.trials},
+                     {"survival_weight", options.survival_weight},
+                     {"usual", ValuesJson(study, result.candidates.front().values)},
+                     {"favourite", CandidateJson(study, result.candidates[result.favourite], result.favourite)},
+                     {"options", ValuesJson(study, result.candidates[result.chosen].values)},
+                     {"held_out", proof},
+                     {"metrics", MetricsJson(report)},
+                     {"surface_foretold", result.surface ? Json(result.surface->foretold) : Json()},
+                     {"finalists", result.finalists},
+                     {"candidates", candidates},
+                     {"files", written}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string TuneText(const Study& study, const TuneReport& report, const TuneOptions& options) {
+  const TuneResult& result = report.result;
+  std::size_t refused = 0;
+  for (const TuneCandidate& candidate : result.candidates) refused += candidate.value ? 0U : 1U;
+  std::string text = fmt::format("{}\n{} candidates, {} of them refused, {} trials each\n", VerdictOf(result),
+                                 result.candidates.size(), refused, options.trials);
+  for (std::size_t k = 0; k < study.axes.size(); ++k) {
+    text += fmt::format("  {:<32} {:>10} -> {:>10} {}\n", study.axes[k].key, result.candidates.front().values[k],
+                        result.candidates[result.favourite].values[k], study.axes[k].unit);
+  }
+  if (!result.proof) return text;
+  const PairedDifference &score = result.proof->score, &survival = result.proof->survival;
+  text += fmt::format("held-out score     {:6.2f} -> {:6.2f}, difference {:.2f} ({:.2f} to {:.2f})\n", score.before,
+                      score.after, score.mean, score.low, score.high);
+  text += fmt::format("held-out survival  {:5.1f} % -> {:5.1f} %, difference {:.1f} % ({:.1f} to {:.1f})\n",
+                      100.0 * survival.before, 100.0 * survival.after, 100.0 * survival.mean, 100.0 * survival.low,
+                      100.0 * survival.high);
+  return text;
+}
+
+}  // namespace gaitwright

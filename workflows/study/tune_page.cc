@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "playback/report/svg_plot.h"
+#include "playback/report/svg_tools.h"
+#include "playback/score/gates.h"
+#include "workflows/study/study_page.h"
+#include "workflows/study/tune_files.h"
+
+namespace gaitwright {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string Number(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : "\u2013"; }
+
+std::string Head(const Study& study, const TuneReport& report, const TuneOptions& options) {
+  const TuneResult& result = report.result;
+  return fmt::format(
+      "<h1>{}: {} tuned</h1>\n<p class=\"soft\">{} candidates of {} trials each on {} ground; a trial counts its "
+      "score, "
+      "and {:g} more where the robot stands to the end</p>\n<p class=\"reason {}\">{}.</p>\n",
+      EscapedXml(study.model.name), EscapedXml(study.walk.gait.empty() ? "its best gait" : study.walk.gait),
+      result.candidates.size(), options.trials, EscapedXml(study.walk.terrain), options.survival_weight,
+      result.better() ? "pass" : "fail", EscapedXml(VerdictOf(result)));
+}
+
+std::string Values(const Study& study, const TuneResult& result) {
+  Rows rows = {{"option", "unit", "from", "to", "usual", "favourite", "chosen"}};
+  for (std::size_t k = 0; k < study.axes.size(); ++k) {
+    const StudyAxis& axis = study.axes[k];
+    rows.push_back({axis.key, axis.unit, fmt::format("{:g}", axis.low), fmt::format("{:g}", axis.high),
+                    result.candidates.front().values[k], result.candidates[result.favourite].values[k],
+                    result.candidates[result.chosen].values[k]});
+  }
+  return TableOf(rows);
+}
+
+std::string Proof(const TuneResult& result) {
+  if (!result.proof)
+    return "<p>No candidate was worth more than the usual values, so that there is nothing to prove.</p>\n";
+  const auto row = [](const char* what, const PairedDifference& d, double scale) -> std::vector<std::string> {
+    return {what, fmt::format("{:.2f}", scale * d.before), fmt::format("{:.2f}", scale * d.after),
+            fmt::format("{:+.2f}", scale * d.mean), fmt::format("{:+.2f} to {:+.2f}", scale * d.low, scale * d.high)};
+  };
+  return TableOf({{"mean over the held-out trials", "before", "after", "difference", "95 % interval"},
+                  row("value", result.proof->value, 1.0),
+                  row("score", result.proof->score, 1.0),
+                  row("survival [%]", result.proof->survival, 100.0)}) +
+         fmt::format(
+             "<p class=\"soft\">{} trials that no candidate was tried on before, the same for both, compared "
+             "pair by pair.</p>\n",
+             result.proof->trials);
+}
+
+std::string Metrics(const TuneReport& report) {
+  Rows rows = {{"metric", "unit", "before", "after", "is better"}};
+  for (std::size_t k = 0; k < report.metrics.size(); ++k) {
+    const MetricRule& rule = RuleOf(report.metrics[k]);
+    const auto of = [&](const PointOutcome& o) { return k < o.metrics.size() ? o.metrics[k] : std::nullopt; };
+    const std::optional<double> before = of(report.before), after = of(report.after);
+    if (!before && !after) continue;
+    const char* way = rule.better == Better::kLower ? "lower" : rule.better == Better::kHigher ? "higher" : "";
+    rows.push_back({rule.key, rule.unit == "1" ? "" : rule.unit, Number(before), Number(after), way});
+  }
+  rows.push_back({"score", "", Number(report.before.score), Number(report.after.score), "higher"});
+  return TableOf(rows);
+}
+
+Ink InkOf(const std::string& found_by) {
+  if (found_by == "usual") return Ink::kLimit;
+  if (found_by == "sample") return Ink::kMuted;
+  return found_by == "surface" ? Ink::kCom : Ink::kZmp;
+}
+
+std::string History(const TuneResult& result) {
+  SvgPlot::Options options;
+  options.title = "Value of each candidate, and the best so far";
+  options.x_label = "candidate";
+  options.y_label = "value";
+  SvgPlot plot(options);
+  std::vector<Vector2> best;
+  double so_far = -1.0;
+  for (std::size_t i = 0; i < result.candidates.size(); ++i) {
+    const TuneCandidate& candidate = result.candidates[i];
+    if (candidate.value) so_far = std::max(so_far, *candidate.value);
+    if (so_far >= 0.0) best.emplace_back(static_cast<double>(i), so_far);
+  }
+  plot.Line(best, Ink::kFoot, Stroke::kThin, "best so far");
+  for (std::size_t i = 0; i < result.candidates.size(); ++i) {
+    const TuneCandidate& candidate = result.candidates[i];
+    const Vector2 at(static_cast<double>(i), candidate.value.value_or(0.0));
+    if (candidate.value) {
+      plot.Dot(at, InkOf(candidate.found_by), 3.5, candidate.found_by);
+    } else {
+      plot.Cross(at, Ink::kBad, "refused, drawn at 0");
+    }
+  }
+  return FigureOf({"history", "How the search went. Crosses have no plan that passes its audit.", plot.Svg()});
+}
+
+/// The fitted surface along one option through the favourite, where that lies within the ranges.
+std::vector<Vector2> Slice(const Study& study, const TuneResult& result, std::size_t axis) {
+  std::vector<Vector2> line;
+  VectorX at = SharesOf(study.axes, result.candidates[result.favourite].values).cwiseMax(0.0).cwiseMin(1.0);
+  constexpr int kParts = 60;
+  for (int i = 0; result.surface && i <= kParts; ++i) {
+    at[static_cast<Eigen::Index>(axis)] = static_cast<double>(i) / kParts;
+    const StudyAxis& a = study.axes[axis];
+    line.emplace_back(a.low + (a.high - a.low) * i / kParts, result.surface->surface.At(at));
+  }
+  return line;
+}
+
+std::string Response(const Study& study, const TuneResult& result, std::size_t axis) {
+  const StudyAxis& a = study.axes[axis];
+  SvgPlot::Options options;
+  options.title = "Response to " + a.key;
+  options.x_label = a.unit.empty() || a.unit == "1" ? a.key : a.key + " [" + a.unit + "]";
+  options.y_label = "value";
+  options.x_lowest = a.low;
+  options.x_highest = a.high;
+  SvgPlot plot(options);
+  plot.Line(Slice(study, result, axis), Ink::kSupport, Stroke::kPlanned, "surface through the favourite");
+  for (const TuneCandidate& candidate : result.candidates) {
+    const double value = std::stod(candidate.values[axis]);
+    if (candidate.value && value >= a.low && value <= a.high)
+      plot.Dot({value, *candidate.value}, InkOf(candidate.found_by), 3.5, candidate.found_by);
+  }
+  plot.AcrossY(std::stod(result.candidates[result.favourite].values[axis]), Ink::kDcm, "favourite");
+  std::string caption = "Each candidate's value over " + a.key + ", whatever it has of the other options.";
+  if (result.surface)
+    caption += fmt::format(" The surface foretells {:.0f} % of the variance of what it was not fitted to.",
+                           100.0 * std::max(result.surface->foretold, 0.0));
+  return FigureOf({"response", caption, plot.Svg()});
+}
+
+std::string EveryCandidate(const Study& study, const TuneResult& result) {
+  std::vector<std::string> heads = {"candidate", "found by"};
+  for (const StudyAxis& axis : study.axes) heads.push_back(axis.key);
+  heads.insert(heads.end(), {"value", "refused because"});
+  Rows rows = {heads};
+  for (std::size_t i = 0; i < result.candidates.size(); ++i) {
+    const TuneCandidate& candidate = result.candidates[i];
+    std::vector<std::string> row = {std::to_string(i), candidate.found_by};
+    row.insert(row.end(), candidate.values.begin(), candidate.values.end());
+    row.insert(row.end(), {Number(candidate.value), candidate.worth.refusal});
+    rows.push_back(row);
+  }
+  return "<details><summary>Every candidate</summary>\n" + TableOf(rows) + "</details>\n";
+}
+
+}  // namespace
+
+std::string TunePage(const Study& study, const TuneReport& report, const TuneOptions& options) {
+  const TuneResult& result = report.result;
+  std::string body = Head(study, report, options) + "<h2>Values</h2>\n" + Values(study, result);
+  body += "<h2>Proof on held-out trials</h2>\n" + Proof(result);
+  body += "<h2>Search</h2>\n" + History(result);
+  for (std::size_t k = 0; k < study.axes.size(); ++k) body += Response(study, result, k);
+  body += "<h2>The undisturbed walk</h2>\n" + Metrics(report);
+  body += "<h2>Candidates</h2>\n" + EveryCandidate(study, result);
+  return StudyPage(fmt::format("{}: tuning", study.model.name), body);
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optimisation/numerics/response_surface.h"
+#include "workflows/study/candidate_worth.h"
+#include "workflows/study/study_jobs.h"
+
+namespace gaitwright {
+
+/// Tuning
+///   the tuned gait is no better on held-out trials    raise trials: the noise of few hides the difference
+///   the best point lies at the end of a range         widen the range
+struct TuneOptions {
+  int evaluations = 90;
+  int trials = 10;
+  int finalists = 4;
+  int held_out = 150;
+  double survival_weight = 50.0;
+  std::string method = "auto";
+  double smooth_above = 0.5;
+
+  OptionFields Fields() {
+    return {
+        {"evaluations",
+         &evaluations,
+         "1",
+         2.0,
+         100000.0,
+         "Candidates that are tried, the present values among them.",
+         {}},
+        {"trials", &trials, "1", 1.0, 100000.0, "Trials of each candidate, the same for all.", {}},
+        {"finalists",
+         &finalists,
+         "1",
+         1.0,
+         100.0,
+         "The best candidates, which are tried twice as often again before one is chosen.",
+         {}},
+        {"held_out", &held_out, "1", 6.0, 100000.0, "Trials never used in the search, on which the proof rests.", {}},
+        {"survival_weight",
+         &survival_weight,
+         "1",
+         0.0,
+         1000.0,
+         "What a trial counts beside its score, of 0 to 100, when the robot stands to the end.",
+         {}},
+        {"method",
+         &method,
+         "",
+         0.0,
+         0.0,
+         "How it is searched: by response surfaces (surface), CMA-ES (cma-es), or surfaces for as long as they "
+         "foretell "
+         "what was not fitted (auto).",
+         {"auto", "surface", "cma-es"}},
+        {"smooth_above",
+         &smooth_above,
+         "1",
+         -1.0,
+         1.0,
+         "With auto, how much of the variance between candidates a surface must foretell to be followed.",
+         {}}};
+  }
+};
+
+/// What a tuning varies, and how a candidate is judged.
+struct TuneProblem {
+  std::vector<StudyAxis> axes;  ///< ranges of numbers
+  StudyPoint usual;             ///< the present values, also where they are out of the ranges
+  /// What values are worth over trials `first` to `first` + `count` - 1: a pure function, called from any thread.
+  std::function<CandidateWorth(const StudyPoint& values, int first, int count)> judge;
+};
+
+/// One candidate that was tried.
+struct TuneCandidate {
+  StudyPoint values;
+  std::string found_by;  ///< "usual", "sample", "surface" or "cma-es"
+  CandidateWorth worth;
+  std::optional<double> value;  ///< over the trials of the search; nothing when it was refused
+};
+
+/// The proof on trials that the search never saw.
+struct HeldOutProof {
+  int trials = 0;
+  PairedDifference value, score, survival;
+};
+
+/// What a tuning found.
+/// Always true: candidate 0 is the usual one; `chosen` is 0 unless the difference in value on the held-out trials is
+/// above zero with its whole 95 % interval.
+struct TuneResult {
+  std::vector<TuneCandidate> candidates;  ///< in the order in which they were tried
+  std::vector<std::size_t> finalists;     ///< numbers of candidates, the best first
+  std::size_t favourite = 0;              ///< what the search would choose
+  std::size_t chosen = 0;
+  std::optional<HeldOutProof> proof;     ///< nothing when the favourite is the usual one
+  std::optional<FittedSurface> surface;  ///< last one fitted to all, over shares of the ranges
+
+  bool better() const { return chosen != 0; }
+};
+
+/// Where a candidate lies in the ranges, each from 0 to 1; outside of it beyond them.
+VectorX SharesOf(const std::vector<StudyAxis>& axes, const StudyPoint& values);
+
+/// Looks for the values with the highest mean value over trials, with the same trials for every candidate:
+///   1. the usual values, and points of a Halton sequence over a third of the evaluations;
+///   2. while quadratic surfaces foretell the values (see `smooth_above`): rounds of four, where the surface is highest
+///      in the whole of the ranges, and in boxes of a half, a quarter and an eighth of them about the best so far;
+///   3. otherwise CMA-ES about the best so far; candidates that are refused rank last;
+///   4. the finalists are tried on twice as many trials again, which with the first ones decide;
+///   5. the favourite and the usual values are held against each other on held-out trials, pair by pair.
+/// Trial numbers: the search has those below `trials`, the finalists the next 2 `trials`, the proof those after them.
+/// Deterministic for a seed, for any number of threads and whether or not it was resumed.
+/// @throws InvalidArgument for options out of range, axes that are no ranges of numbers, or usual values for others.
+Result<TuneResult> SearchTuning(const TuneProblem& problem, const TuneOptions& options, std::uint64_t seed,
+                                JobJournal& journal, const JobOptions& jobs);
+
+}  // namespace gaitwright
