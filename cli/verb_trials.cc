@@ -97,7 +97,7 @@ struct TrialInputs {
 Result<TrialInputs> ReadAll(Arguments& a) {
   a.trials.seed = a.common.seed;
   const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
-  if (!options) return Report(options.failure(), a.common);
+  if (!options) return options.failure();
   ApplySets("--set", a.common.sets, a.Fields());
   a.play.Finish();
   CheckShare(a);
