@@ -16,7 +16,7 @@ step() {
     failures=$((failures + 1))
   fi
   local detail
-  detail=$(grep -E 'tests passed|No tests were found|files are clean|findings in' "$log" | tail -n 1 || true)
+  detail=$(grep -E 'tests passed|No tests were found|files are clean|findings in|inputs over' "$log" | tail -n 1 || true)
   results+=("| $name | $outcome | ${detail:-see the output} | $((SECONDS - start)) |")
 }
 
@@ -30,6 +30,47 @@ sanitized_tests() {
   configure sanitize -DGAITWRIGHT_TESTS=ON
   build sanitize
   ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 ctest_in sanitize -LE '^long$' "$@"
+}
+
+# Those programs that have threads, under the thread sanitizer; passes where no test is of threads yet.
+threaded_tests() {
+  local status=0
+  configure threads -DGAITWRIGHT_TESTS=ON
+  build threads playback_tests workflows_tests
+  TSAN_OPTIONS=halt_on_error=1 ctest --test-dir "$root/build/threads" -j2 --output-on-failure --no-tests=ignore \
+    -R 'Trials|Sweep|Tune' -LE '^long$' || status=$?
+  return $status
+}
+
+# fuzz_reader ROOM NAME INPUTS: a reader under libFuzzer, from what its corpus and the source tree have. What it finds is
+# left in build/fuzz/found as NAME-crash-..., NAME-timeout-... and so on.
+fuzz_reader() {
+  local bin=$root/build/fuzz/tests corpus=$root/build/fuzz/corpus/$2 found=$root/build/fuzz/found
+  mkdir -p "$corpus" "$found"
+  "$bin/fuzz_$1" "$2" --write "$corpus"
+  "$bin/libfuzzer_$1" "--reader=$2" "$corpus" "-runs=$3" -seed=1 -max_len=65536 -timeout=20 -rss_limit_mb=4096 \
+    -print_final_stats=1 "-artifact_prefix=$found/$2-"
+}
+
+# Every reader for as many inputs, a million and more in all.
+fuzzed_readers() {
+  local room name rest readers=() each failed=0 libs=()
+  configure fuzz
+  for room in kinematics planning playback workflows; do
+    [ ! -e "$root/tests/fuzz/${room}_readers.cc" ] || libs+=("fuzz_$room" "libfuzzer_$room")
+  done
+  build fuzz "${libs[@]}"
+  for room in kinematics planning playback workflows; do
+    [ -x "$root/build/fuzz/tests/fuzz_$room" ] || continue
+    while read -r name rest; do readers+=("$room $name"); done < <("$root/build/fuzz/tests/fuzz_$room" --list)
+  done
+  each=$(((1000000 + ${#readers[@]} - 1) / ${#readers[@]}))
+  for name in "${readers[@]}"; do
+    # shellcheck disable=SC2086
+    fuzz_reader $name "$each" || failed=$((failed + 1))
+  done
+  echo "$((each * ${#readers[@]})) inputs over ${#readers[@]} readers, $failed readers with defects"
+  [ "$failed" = 0 ]
 }
 
 # "KEY FILE" of every .cc file of the tree; KEY changes with the file, with all that it includes, with .clang-tidy, the tool
@@ -101,6 +142,8 @@ run_long_tests() {
   mkdir -p "$logs"
   step "clang-tidy" tidy
   step "tests with sanitizers" sanitized_tests "$@"
+  step "threads" threaded_tests
+  step "fuzzing" fuzzed_readers
   step "long tests" ctest_in release -L '^long$' "$@"
   step "tests" ctest_in release -LE '^long$' "$@"
   write_results
