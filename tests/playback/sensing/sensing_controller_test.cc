@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "kinematics/base/result.h"
 #include "playback/bullet/play.h"
 #include "playback/control/joint_pd.h"
@@ -72,7 +75,7 @@ TEST(SensingController, CommandsComeLateByWholeSteps) {
     for (int playback = 0; playback < 2; ++playback) {
       late->Reset();
       for (int k = 0; k < 40; ++k) {
-        const double due = std::max(0L, k - std::lround(delay_s / 0.001));
+        const int due = std::max(0, k - static_cast<int>(std::lround(delay_s / 0.001)));
         EXPECT_EQ(late->Update(input).tau_ff[0], due);
       }
     }
