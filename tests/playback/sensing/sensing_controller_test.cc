@@ -117,7 +117,8 @@ TEST(SensingController, RefusesOptionsOutOfRange) {
 
 PlaybackLog Played(const RobotModel& model, const MotionPlan& plan, const SensingOptions& options) {
   const auto controller = BehindSensors(model, plan, MakeStabilised(model, plan, {}), options);
-  return Play(model, plan, *controller).value();
+  const PlayOptions usual;
+  return Play(model, plan, *controller, usual).value();
 }
 
 TEST(SensingController, WithPerfectSensorsARobotIsWhereItThinksItIs) {
