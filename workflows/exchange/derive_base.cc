@@ -29,8 +29,9 @@ class BaseFollower {
         places_W_(model.feet.size()),
         R_WF_(model.feet.size(), Matrix3::Identity()) {}
 
-  /// Sets the base of every row. @param contact by row, or empty.
-  void Follow(const std::vector<FootSet>& contact, EvenMotion& motion) {
+  /// Sets the base of every row. @param contact by row, or empty. @param flies where no foot stands it does, else its
+  /// lowest feet stand there.
+  void Follow(const std::vector<FootSet>& contact, bool flies, EvenMotion& motion) {
     up_B_ = BaseRotation(StandingConfiguration(model_)).transpose().col(2);
     R_WB_ = BaseRotation(StandingConfiguration(model_));
     p_WB_.setZero();
@@ -41,7 +42,8 @@ class BaseFollower {
       LookAtFeet(q);
       const Vector3 before_W = p_WB_;
       if (k == 0) p_WB_.z() -= LowestFoot();
-      const FootSet stance = contact.empty() ? LowFeet() : contact[static_cast<std::size_t>(k)];
+      FootSet stance = contact.empty() ? 0 : contact[static_cast<std::size_t>(k)];
+      if (stance == 0 && !flies) stance = LowFeet();
       if (k == 0) {
         for (std::size_t f = 0; f < places_W_.size(); ++f) PutDown(f, true);
         was_ = stance;
@@ -232,12 +234,15 @@ std::vector<FootSet> RowsOf(const ContactSchedule& schedule, const EvenMotion& m
 
 void DeriveBase(const RobotModel& model, const Terrain& terrain, const ImportOptions& options, bool turned,
                 EvenMotion& motion, std::vector<DerivedPart>& derived) {
-  BaseFollower(model, terrain, options, turned).Follow(motion.contact, motion);
+  constexpr int kPasses = 2;
+  const bool given = !motion.contact.empty();
+  BaseFollower follower(model, terrain, options, turned);
+  follower.Follow(motion.contact, given, motion);
   AddRates(options, motion);
-  if (motion.contact.empty()) {
+  for (int pass = 0; pass < kPasses && !given; ++pass) {
     std::vector<DerivedPart> unsaid;
     const ContactSchedule schedule = ScheduleOf(model, motion, FeetOf(model, terrain, motion), options, unsaid);
-    BaseFollower(model, terrain, options, turned).Follow(RowsOf(schedule, motion), motion);
+    follower.Follow(RowsOf(schedule, motion), false, motion);
     AddRates(options, motion);
   }
   if (options.lift_m != 0.0) {

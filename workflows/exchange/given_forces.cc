@@ -2,6 +2,7 @@
 #include "workflows/exchange/given_forces.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 
 #include "kinematics/dynamics/dynamics.h"
@@ -32,7 +33,14 @@ class ForceTaker {
     const FootSet stance = plan_.schedule.phases[static_cast<std::size_t>(PhaseAt(plan_.schedule, time_s))].stance;
     columns_.clear();
     for (std::size_t f = 0; f < model_.feet.size(); ++f) TakeFoot(k, f, Contains(stance, static_cast<int>(f)), time_s);
-    if (!columns_.empty()) SolveFree(k, wrenches);
+    if (!columns_.empty()) {
+      const VectorX before = needed_;
+      SolveFree(k, wrenches);
+      if (DropUnloaded(wrenches)) {
+        needed_ = before;
+        if (!columns_.empty()) SolveFree(k, wrenches);
+      }
+    }
     VectorX& tau = plan_.whole_body.tau[k];
     for (int d = 0; d < model_.num_dofs(); ++d) tau[d] = HasTorque(k, d) ? motion_.tau[k][d] : needed_[6 + d];
   }
@@ -63,6 +71,21 @@ class ForceTaker {
     const int first = given ? 3 : 0, last = foot.has_sole() ? 6 : 3;
     for (int axis = first; axis < last && stands; ++axis)
       columns_.push_back({f, axis, jacobian_.row(axis).transpose()});
+  }
+
+  /// Leaves out feet that bear next to nothing, whose forces are what rounding makes of it; whether there were any.
+  bool DropUnloaded(std::vector<ContactWrench>& wrenches) {
+    constexpr double kNothing = 5e-3;  // of the weight
+    if (!motion_.force_W.empty()) return false;
+    const auto unloaded = [&](const Free& part) {
+      return wrenches[part.foot].force_W.norm() < kNothing * model_.weight_n();
+    };
+    const auto kept =
+        std::stable_partition(columns_.begin(), columns_.end(), [&](const Free& p) { return !unloaded(p); });
+    if (kept == columns_.end()) return false;
+    for (auto part = kept; part != columns_.end(); ++part) wrenches[part->foot] = {};
+    columns_.erase(kept, columns_.end());
+    return true;
   }
 
   /// The open parts in the least squares over the rows that have no torque to make up for them; a little weight on the

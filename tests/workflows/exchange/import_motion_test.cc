@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/import_motion.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "kinematics/base/file.h"
+#include "planning/plan/plan_json.h"
+#include "tests/workflows/exchange/other_software.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+const RobotModel& A1() {
+  static const RobotModel model = *ChooseRobot("a1", "");
+  return model;
+}
+
+/// A file in the tests' folder with a text.
+std::string FileWith(const std::string& name, const std::string& text) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / name).string();
+  EXPECT_TRUE(WriteFileAtomically(path, text).ok());
+  return path;
+}
+
+Result<ImportedMotion> Imported(const std::string& name, const std::string& text, const ImportOptions& options = {}) {
+  ImportRequest request;
+  request.file = FileWith(name, text);
+  request.options = options;
+  return ImportMotion(A1(), request);
+}
+
+std::string WhyRefused(const std::string& text, const ImportOptions& options = {}) {
+  const Result<ImportedMotion> imported = Imported("refused.csv", text, options);
+  EXPECT_FALSE(imported.ok());
+  if (imported.ok()) return "";
+  EXPECT_EQ(imported.failure().kind, FailureKind::kBadInput);
+  return imported.failure().message;
+}
+
+void ExpectSays(const std::string& message, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
+}
+
+/// The laws that a report names, each once.
+std::vector<std::string> LawsOf(const AuditReport& report) {
+  std::vector<std::string> laws;
+  for (const Violation& violation : report.violations) {
+    if (std::find(laws.begin(), laws.end(), violation.law) == laws.end()) laws.push_back(violation.law);
+  }
+  return laws;
+}
+
+bool IsDerived(const ImportedMotion& imported, const std::string& what) {
+  return std::any_of(imported.notes.derived.begin(), imported.notes.derived.end(),
+                     [&](const DerivedPart& part) { return part.what.find(what) != std::string::npos; });
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+TEST(ImportOthers, TrotOfOtherSoftwareIsAuditedPlayedAndScored) {
+  const Result<ImportedMotion> imported = Imported("trot.csv", CsvOf({}));
+  ASSERT_TRUE(imported.ok()) << imported.failure().message;
+  EXPECT_EQ(imported->format, "csv");
+  EXPECT_EQ(imported->plan.provenance.made_by, "ImportMotion");
+  EXPECT_NEAR(imported->plan.duration_s(), 3.4, 1e-9);
+  EXPECT_EQ(imported->plan.footsteps.footholds.size(), 4U + 16U);
+  for (const char* what : {"velocities", "accelerations", "contacts", "footholds", "swings", "torques", "goal"})
+    EXPECT_TRUE(IsDerived(*imported, what)) << what;
+  // It trots open loop, upon lines between feet: the audit says so.
+  EXPECT_FALSE(imported->audit.pass());
+  const std::vector<std::string> laws = LawsOf(imported->audit);
+  EXPECT_NE(std::find(laws.begin(), laws.end(), "zmp_support"), laws.end());
+  for (const std::string& law : laws)
+    EXPECT_TRUE(law == "consistency" || law == "zmp_support" || law == "dynamics") << law;
+  const Result<PlayedWalk> played = PlayWalk(A1(), imported->plan, {});
+  ASSERT_TRUE(played.ok()) << played.failure().message;
+  EXPECT_TRUE(played->report.pass) << played->report.reason;
+  EXPECT_GT(played->report.score, 70.0);
+}
+
+TEST(ImportOthers, CrawlThatTipsOverFallsAndTheReportSaysWhy) {
+  OtherWalk walk;  // stands on two legs of one side for long, without leaning to them
+  walk.cycle_s = 4.0;
+  walk.half_cycles = 2;
+  walk.lift_m = 0.08;
+  const Result<ImportedMotion> imported = Imported("slow_trot.csv", CsvOf(walk));
+  ASSERT_TRUE(imported.ok()) << imported.failure().message;
+  PlayRequest request;
+  request.controller = "joint-pd";
+  const Result<PlayedWalk> played = PlayWalk(A1(), imported->plan, request);
+  ASSERT_TRUE(played.ok()) << played.failure().message;
+  EXPECT_FALSE(played->report.pass);
+  ExpectSays(played->report.reason, {"it fell at", "ZMP outside of the support"});
+  EXPECT_FALSE(imported->audit.pass());
+}
+
+TEST(ImportOthers, BaseIsWorkedOutFromTheFeetThatStand) {
+  OtherWalk walk;
+  const Result<ImportedMotion> with = Imported("with_base.csv", CsvOf(walk));
+  walk.with_base = false;
+  const Result<ImportedMotion> without = Imported("without_base.csv", CsvOf(walk));
+  ASSERT_TRUE(with.ok() && without.ok()) << without.failure().message;
+  EXPECT_TRUE(IsDerived(*without, "pose of the base"));
+  EXPECT_FALSE(IsDerived(*with, "pose of the base"));
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < with->plan.whole_body.q.size(); ++k) {
+    farthest =
+        std::max(farthest, (with->plan.whole_body.q[k].head<3>() - without->plan.whole_body.q[k].head<3>()).norm());
+  }
+  // The writer's feet do not roll, so that it goes 0.02 m short of each radian of the shank.
+  EXPECT_GT(farthest, 1e-4);
+  EXPECT_LT(farthest, 0.1);
+  // What is worked out stands on its feet.
+  for (const Violation& violation : without->audit.violations)
+    EXPECT_TRUE(violation.law == "zmp_support" || violation.law == "dynamics") << violation.law << violation.where;
+  const Result<PlayedWalk> played = PlayWalk(A1(), without->plan, {});
+  ASSERT_TRUE(played.ok());
+  EXPECT_TRUE(played->report.pass) << played->report.reason;
+}
+
+TEST(ImportOthers, JointTrajectoryOfRosIsTheSameMotion) {
+  OtherWalk walk;
+  walk.with_base = false;
+  const Result<ImportedMotion> csv = Imported("joints.csv", CsvOf(walk)),
+                               ros = Imported("joints.yaml", TrajectoryOf(walk));
+  ASSERT_TRUE(csv.ok() && ros.ok()) << ros.failure().message;
+  EXPECT_EQ(ros->format, "joint-trajectory");
+  ASSERT_EQ(ros->plan.whole_body.size(), csv->plan.whole_body.size());
+  for (std::size_t k = 0; k < ros->plan.whole_body.q.size(); k += 20)
+    EXPECT_LT((ros->plan.whole_body.q[k] - csv->plan.whole_body.q[k]).norm(), 1e-6);
+}
+
+TEST(ImportOthers, ContactsOfTheFileAreTaken) {
+  OtherWalk walk;
+  walk.with_contacts = true;
+  const Result<ImportedMotion> imported = Imported("flags.csv", CsvOf(walk));
+  ASSERT_TRUE(imported.ok()) << imported.failure().message;
+  EXPECT_FALSE(IsDerived(*imported, "contacts"));
+  // The first swing begins 0.03 s after 0.5 s; the next row is in it.
+  EXPECT_NEAR(imported->plan.schedule.phases.front().end_s, 0.535, 1e-9);
+}
+
+TEST(ImportOthers, OtherRatesAreBroughtOntoTheGrid) {
+  OtherWalk walk;
+  walk.step_s = 0.0173;
+  const Result<ImportedMotion> coarse = Imported("coarse.csv", CsvOf(walk));
+  ASSERT_TRUE(coarse.ok()) << coarse.failure().message;
+  EXPECT_EQ(coarse->plan.whole_body.step_s, 0.005);
+  EXPECT_TRUE(IsDerived(*coarse, "rows"));
+  walk.step_s = 0.002;
+  const Result<ImportedMotion> fine = Imported("fine.csv", CsvOf(walk));
+  ASSERT_TRUE(fine.ok());
+  EXPECT_EQ(fine->plan.whole_body.step_s, 0.002);
+}
+
+TEST(ImportRefusals, QuaternionWithWFirstIsFoundByTheMotion) {
+  OtherWalk walk;
+  walk.w_first = true;
+  ExpectSays(WhyRefused(CsvOf(walk)), {"the base's quaternion likely has w first", "leaning by 3.14 rad",
+                                       "--quaternion-order wxyz takes it so"});
+  ImportOptions options;
+  options.quaternion_order = "wxyz";
+  EXPECT_TRUE(Imported("w_first.csv", CsvOf(walk), options).ok());
+}
+
+TEST(ImportRefusals, UnitsAreFoundByTheMotion) {
+  OtherWalk degrees, millimetres, milliseconds;
+  degrees.joint_scale = 180.0 / std::numbers::pi;
+  millimetres.length_scale = 1000.0;
+  milliseconds.time_scale = 1000.0;
+  ExpectSays(WhyRefused(CsvOf(degrees)),
+             {"_joint' is at -", "within theirs as degrees: --angle-unit deg takes them so"});
+  ExpectSays(WhyRefused(CsvOf(millimetres)), {"the base is 300 m high, robot 'a1' stands", "--length-unit mm"});
+  ExpectSays(WhyRefused(CsvOf(milliseconds)), {"its rows are 5 s apart", "--time-unit ms takes them so"});
+  ImportOptions options;
+  options.angle_unit = "deg";
+  EXPECT_TRUE(Imported("deg.csv", CsvOf(degrees), options).ok());
+  options = {};
+  options.length_unit = "mm";
+  EXPECT_TRUE(Imported("mm.csv", CsvOf(millimetres), options).ok());
+  options = {};
+  options.time_unit = "ms";
+  EXPECT_TRUE(Imported("ms.csv", CsvOf(milliseconds), options).ok());
+}
+
+TEST(ImportRefusals, NamesAreHeldAgainstTheRobot) {
+  const std::string good = CsvOf({});
+  ExpectSays(WhyRefused(Replaced(good, "q_FR_hip_joint_rad", "q_FR_hop_joint_rad")),
+             {"column 9 'q_FR_hop_joint_rad' is unknown for robot 'a1'; the nearest is 'q_FR_hip_joint_rad'"});
+  ExpectSays(WhyRefused(Replaced(good, "q_FR_hip_joint_rad", "shoulder")),
+             {"lacks 1 of 12 joint positions of robot 'a1': 'q_FR_hip_joint_rad'", "nearest to the first of them is"});
+  ExpectSays(WhyRefused(Replaced(good, "time_s", "moment")), {"has no column of times: 'time_s' is needed"});
+  ExpectSays(WhyRefused(Replaced(good, "base_z_m", "height")),
+             {"has 'base_x_m' and lacks 'base_z_m'; all of them are needed, or none"});
+  ImportOptions options;
+  options.missing_joints = "standing";
+  const Result<ImportedMotion> filled =
+      Imported("filled.csv", Replaced(good, "q_FR_hip_joint_rad", "shoulder"), options);
+  ASSERT_TRUE(filled.ok()) << filled.failure().message;
+  EXPECT_TRUE(IsDerived(*filled, "q_FR_hip_joint_rad"));
+  EXPECT_EQ(filled->unused_columns, std::vector<std::string>{"shoulder"});
+}
+
+TEST(ImportRefusals, TimesMustRise) {
+  const std::string good = CsvOf({});
+  ExpectSays(WhyRefused(Replaced(good, "\n0.01,", "\n0.005,")),
+             {"line 4, column 1 'time_s': 0.005 does not come after 0.005 in the row before; times must rise"});
+  ExpectSays(WhyRefused(Replaced(good, "\n0.01,", "\n0.001,")), {"0.001 does not come after 0.005"});
+  ExpectSays(WhyRefused(Replaced(good, "\n0.01,", "\nnan,")), {"line 4, column 1 'time_s' holds 'nan'"});
+  std::size_t end = 0;
+  for (int line = 0; line < 4; ++line) end = good.find('\n', end) + 1;
+  ExpectSays(WhyRefused(good.substr(0, end)), {"has 3 rows; 5 or more make a motion"});
+}
+
+TEST(ImportRefusals, QuaternionsMustBeRotations) {
+  ExpectSays(WhyRefused(Replaced(CsvOf({}), ",0,0,0,1,", ",0,0,0,0.5,")),
+             {"the quaternion of row 1 (0 s) has length 0.5; a rotation's is 1"});
+}
+
+TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {
+  ImportOptions options;
+  options.lift_m = 0.1;
+  ExpectSays(WhyRefused(CsvOf({}), options), {"lowest foot is 0.100 m over the ground in most rows", "lift_m="});
+  options = {};
+  options.contact_speed = 0.0;
+  options.contact_height = 0.0;
+  ExpectSays(WhyRefused(CsvOf({}), options), {"never stands on the ground"});
+  EXPECT_FALSE(Imported("motion.bag", "x").ok());
+  ExpectSays(Imported("motion.bag", "x").failure().message, {"accepted: .csv, .tsv, .txt, .yaml, .yml, .json"});
+}
+
+/// A plan's own columns, as `export` writes them.
+std::string CsvOfPlan(const RobotModel& model, const MotionPlan& plan) {
+  std::string text = "time_s,base_x_m,base_y_m,base_z_m,base_qx,base_qy,base_qz,base_qw";
+  for (const char* part : {"q_{}_rad", "v_{}_rad_s", "tau_{}_nm"}) {
+    for (const std::string& name : model.dof_names) text += "," + fmt::format(fmt::runtime(part), name);
+  }
+  for (const Foot& foot : model.feet) text += ",contact_" + foot.link;
+  text += "\n";
+  const WholeBodyTrajectory& w = plan.whole_body;
+  for (int k = 0; k < w.size(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double t = w.start_s + k * w.step_s;
+    text += fmt::format("{}", t);
+    const auto add = [&](const VectorX& values, Eigen::Index from) {
+      for (Eigen::Index j = from; j < values.size(); ++j) text += fmt::format(",{}", values[j]);
+    };
+    add(w.q[i], 0);
+    add(w.v[i], 6);
+    add(w.tau[i], 0);
+    const FootSet stance = plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, t + 1e-9))].stance;
+    for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) text += Contains(stance, f) ? ",1" : ",0";
+    text += "\n";
+  }
+  return text;
+}
+
+void ExpectRoundTrip(const std::string& robot, const WalkRequest& request) {
+  SCOPED_TRACE(robot);
+  const Result<RobotModel> model = ChooseRobot(robot, "");
+  const Result<PlannedWalk> walk = PlanWalk(*model, request);
+  ASSERT_TRUE(walk.ok()) << walk.failure().message;
+  ImportRequest import;
+  import.file = FileWith("round_trip.csv", CsvOfPlan(*model, walk->motion.plan));
+  const Result<ImportedMotion> imported = ImportMotion(*model, import);
+  ASSERT_TRUE(imported.ok()) << imported.failure().message;
+  EXPECT_TRUE(imported->audit.pass()) << AuditText(imported->audit);
+  const MotionPlan &ours = walk->motion.plan, &theirs = imported->plan;
+  EXPECT_EQ(theirs.schedule.phases.size(), ours.schedule.phases.size());
+  ASSERT_EQ(theirs.footsteps.footholds.size(), ours.footsteps.footholds.size());
+  for (std::size_t i = 0; i < ours.footsteps.footholds.size(); ++i) {
+    const Foothold &a = ours.footsteps.footholds[i], &b = theirs.footsteps.footholds[i];
+    EXPECT_EQ(a.foot, b.foot);
+    EXPECT_LT((a.X_WF.translation() - b.X_WF.translation()).norm(), 1e-3);
+    EXPECT_NEAR(a.touchdown_s, b.touchdown_s, 1e-9);
+  }
+  double force = 0.0;
+  for (std::size_t k = 0; k < ours.whole_body.q.size(); ++k) {
+    for (std::size_t f = 0; f < model->feet.size(); ++f)
+      force =
+          std::max(force, (ours.whole_body.wrenches[k][f].force_W - theirs.whole_body.wrenches[k][f].force_W).norm());
+  }
+  EXPECT_LT(force, 0.05 * model->weight_n());
+  const Result<PlayedWalk> one = PlayWalk(*model, ours, {}), two = PlayWalk(*model, theirs, {});
+  ASSERT_TRUE(one.ok() && two.ok());
+  EXPECT_TRUE(two->report.pass) << two->report.reason;
+  EXPECT_NEAR(one->report.score, two->report.score, 2.0);
+}
+
+TEST(ImportRoundTrip, PlansOfOursPassTheirAuditAndPlayAsWell) {
+  WalkRequest trot;
+  trot.gait = "trot";
+  trot.command.distance_m = 0.4;
+  trot.command.speed_m_s = 0.3;
+  ExpectRoundTrip("a1", trot);
+  WalkRequest steps;
+  steps.command.extent = WalkCommand::Extent::kSteps;
+  steps.command.steps = 4;
+  steps.command.step_length_m = 0.04;
+  ExpectRoundTrip("nao", steps);
+}
+
+TEST(ImportOthers, TheSameFileMakesTheSamePlan) {
+  const std::string text = CsvOf({});
+  EXPECT_EQ(PlanToJson(Imported("same.csv", text)->plan), PlanToJson(Imported("same.csv", text)->plan));
+}
+
+}  // namespace
+}  // namespace gaitwright
