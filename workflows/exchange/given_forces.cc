@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/exchange/given_forces.h"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -103,7 +103,7 @@ class ForceTaker {
     }
     for (Eigen::Index i = 0; i < n; ++i)
       A(model_.nv() + i, i) = kSlight * scale_[columns_[static_cast<std::size_t>(i)].axis < 3 ? 0 : 3];
-    const VectorX x = A.householderQr().solve(b);
+    const VectorX x = MatrixX(A.transpose() * A).ldlt().solve(VectorX(A.transpose() * b));
     for (Eigen::Index i = 0; i < n; ++i) {
       const Free& part = columns_[static_cast<std::size_t>(i)];
       (part.axis < 3 ? wrenches[part.foot].force_W[part.axis] : wrenches[part.foot].moment_W[part.axis - 3]) = x[i];
