@@ -137,7 +137,7 @@ TEST_F(Tuned, OptionsAreWrittenProvedAndTaken) {
   EXPECT_EQ(json.at("candidates").at(0).at("found_by"), "usual");
   EXPECT_EQ(json.at("usual"), (Json{{"gait.cycle_s", 0.0}, {"stabilised.dcm_gain", 1.3}}));
   EXPECT_EQ(json.at("better").get<bool>(), json.at("options") != json.at("usual"));
-  if (!json.at("held_out").is_null()) EXPECT_EQ(json.at("held_out").at("trials"), 6);
+  EXPECT_TRUE(json.at("held_out").is_null() || json.at("held_out").at("trials") == 6);
   EXPECT_EQ(Found(), (std::vector<std::string>{"tuned.html", "tuned.json", "tuned.yaml"}));
   std::vector<std::string> two_threads = tune;
   two_threads.insert(two_threads.end(), {"--threads", "2"});

@@ -19,6 +19,8 @@ namespace gaitwright {
 struct TrialWorth {
   double score = 0.0;
   bool survived = false;
+
+  bool operator==(const TrialWorth&) const = default;
 };
 
 /// Plays trial `number`, from 0, of a plan: a pure function, to be called from any thread. Trials of one number see the

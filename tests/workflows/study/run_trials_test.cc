@@ -96,7 +96,9 @@ TEST_F(RunTrialsTest, WhatIsSampledReachesThePlayback) {
     const auto said = std::find_if(trial.played.log.options.begin(), trial.played.log.options.end(),
                                    [&](const auto& option) { return option.first == "trial." + one.name; });
     ASSERT_NE(said, trial.played.log.options.end()) << one.name;
-    if (one.name == "mass_scale") EXPECT_NEAR(trial.played.log.total_mass_kg, one.value * model_.total_mass_kg, 1e-9);
+    if (one.name == "mass_scale") {
+      EXPECT_NEAR(trial.played.log.total_mass_kg, one.value * model_.total_mass_kg, 1e-9);
+    }
   }
 }
 
