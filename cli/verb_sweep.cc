@@ -10,6 +10,7 @@
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
 #include "playback/score/gates.h"
+#include "workflows/cluster/shared_sweep.h"
 #include "workflows/study/study_page.h"
 #include "workflows/study/sweep_files.h"
 
@@ -64,7 +65,30 @@ Result<Disturbances> PrepareTrials(const Arguments& a, Study& study) {
   return disturbances;
 }
 
-Result<std::vector<PointOutcome>> RunWithBar(const Arguments& a, const Study& study, JobJournal& journal) {
+/// The study, and a text that says what work it is.
+struct SweepInputs {
+  Study study;
+  std::string identity;
+};
+
+Result<SweepInputs> ReadAll(Arguments& a) {
+  if (a.trials == 0 && !a.study.disturbances.file.empty())
+    throw InvalidArgument("--disturbances says what trials sample: give --trials too");
+  CheckPathsOf(a);
+  Result<Study> study = StudyOf(a);
+  if (!study) return study.failure();
+  std::string trials;
+  if (a.trials > 0) {
+    const Result<Disturbances> disturbances = PrepareTrials(a, *study);
+    if (!disturbances) return disturbances.failure();
+    trials = DisturbancesText(*disturbances);
+  }
+  std::string identity = StudyIdentity(*study, trials);
+  return SweepInputs{std::move(*study), std::move(identity)};
+}
+
+Result<std::vector<PointOutcome>> RunWithBar(const Arguments& a, const SweepInputs& sweep, JobJournal& journal,
+                                             SharedWork& work) {
   const Interruptible interruptible;
   ProgressBar bar(!a.common.quiet);
   const int before = static_cast<int>(journal.found());
@@ -72,7 +96,7 @@ Result<std::vector<PointOutcome>> RunWithBar(const Arguments& a, const Study& st
     bar.Show(before + static_cast<int>(done), before + static_cast<int>(of), before,
              Interruptible::asked() ? "ending" : "points");
   };
-  return RunSweep(study, journal, {a.study.threads, show, Interruptible::asked});
+  return RunSharedSweep(work, sweep.study, sweep.identity, journal, {a.study.threads, show, Interruptible::asked});
 }
 
 Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const std::vector<PointOutcome>& outcomes) {
@@ -108,29 +132,39 @@ void Print(const Arguments& a, const Study& study, const std::vector<PointOutcom
   }
 }
 
-int Run(Arguments& a) {
-  if (a.trials == 0 && !a.study.disturbances.file.empty())
-    throw InvalidArgument("--disturbances says what trials sample: give --trials too");
-  CheckPathsOf(a);
-  Result<Study> study = StudyOf(a);
-  if (!study) return Report(study.failure(), a.common);
-  std::string trials;
-  if (a.trials > 0) {
-    const Result<Disturbances> disturbances = PrepareTrials(a, *study);
-    if (!disturbances) return Report(disturbances.failure(), a.common);
-    trials = DisturbancesText(*disturbances);
+/// What the other ranks of an MPI run do: they write and print nothing. What went wrong rank 0 tells.
+int Help(Arguments& a, SharedWork& work) {
+  std::string problem;
+  try {
+    const Result<SweepInputs> sweep = ReadAll(a);
+    if (sweep) {
+      ServeSweep(work, sweep->study, sweep->identity);
+      return kPass;
+    }
+    problem = sweep.failure().message;
+  } catch (const std::exception& error) {
+    problem = error.what();
   }
-  Result<JobJournal> journal = JobJournal::Open(a.out + ".so-far", StudyIdentity(*study, trials), a.study.resume);
+  work.Serve({.work = "", .problem = problem}, {});
+  return kPass;
+}
+
+int Run(Arguments& a) {
+  SharedWork work(Ranks::Join());
+  if (!work.ranks().leads()) return Help(a, work);
+  const Result<SweepInputs> sweep = ReadAll(a);
+  if (!sweep) return Report(sweep.failure(), a.common);
+  Result<JobJournal> journal = JobJournal::Open(a.out + ".so-far", sweep->identity, a.study.resume);
   if (!journal) return Report(journal.failure(), a.common);
-  const Result<std::vector<PointOutcome>> outcomes = RunWithBar(a, *study, *journal);
+  const Result<std::vector<PointOutcome>> outcomes = RunWithBar(a, *sweep, *journal, work);
   if (!outcomes) {
     const int status = Report(outcomes.failure(), a.common);
     return outcomes.failure().code == "interrupted" ? kInterrupted : status;
   }
-  const Result<WrittenFiles> files = WriteAll(a, *study, *outcomes);
+  const Result<WrittenFiles> files = WriteAll(a, sweep->study, *outcomes);
   if (!files) return Report(files.failure(), a.common);
   journal->Remove();
-  Print(a, *study, *outcomes, *files);
+  Print(a, sweep->study, *outcomes, *files);
   return kPass;
 }
 

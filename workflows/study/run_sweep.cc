@@ -29,7 +29,8 @@ std::string StudyIdentity(const Study& study, const std::string& trials) {
   return HexHash(text + trials);
 }
 
-Result<std::vector<PointOutcome>> RunSweep(const Study& study, JobJournal& journal, const JobOptions& options) {
+Result<std::vector<PointOutcome>> RunSweep(const Study& study, JobJournal& journal, const JobOptions& options,
+                                           const std::vector<PointRunner>& elsewhere) {
   std::vector<PointOutcome> outcomes(study.points.size());
   std::vector<std::size_t> todo;
   for (std::size_t point = 0; point < study.points.size(); ++point) {
@@ -47,7 +48,15 @@ Result<std::vector<PointOutcome>> RunSweep(const Study& study, JobJournal& journ
     outcomes[point] = RunPoint(study, point, plans);
     journal.Add(point, PointToLine(outcomes[point]));
   };
-  if (!RunJobs(OrderByPlan(study, todo), run, options)) return Interrupted("RunSweep");
+  std::vector<JobRunner> others;
+  for (const PointRunner& runner : elsewhere) {
+    others.emplace_back([&](std::size_t point) {
+      const std::string line = runner(point);
+      outcomes[point] = PointFromLine(line).value();
+      journal.Add(point, line);
+    });
+  }
+  if (!RunJobs(OrderByPlan(study, todo), run, options, others)) return Interrupted("RunSweep");
   return outcomes;
 }
 

@@ -117,18 +117,18 @@ void JobJournal::Remove() {
   ::close(std::exchange(file_, -1));
 }
 
-bool RunJobs(const std::vector<std::size_t>& order, const std::function<void(std::size_t)>& job,
-             const JobOptions& options) {
+bool RunJobs(const std::vector<std::size_t>& order, const JobRunner& job, const JobOptions& options,
+             const std::vector<JobRunner>& elsewhere) {
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> failed = false;
   std::mutex mutex;
   std::size_t done = 0;
   std::vector<std::exception_ptr> thrown(order.size());
   const auto stopped = [&] { return options.stop && options.stop(); };
-  const auto work = [&] {
+  const auto work = [&](const JobRunner& run) {
     for (std::size_t at = 0; !failed && !stopped() && (at = next++) < order.size();) {
       try {
-        job(order[at]);
+        run(order[at]);
         const std::lock_guard lock(mutex);
         ++done;
         if (options.progress) options.progress(done, order.size());
@@ -141,8 +141,9 @@ bool RunJobs(const std::vector<std::size_t>& order, const std::function<void(std
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t wanted = options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores;
   std::vector<std::jthread> threads;
-  for (std::size_t i = 1; i < std::min(wanted, order.size()); ++i) threads.emplace_back(work);
-  work();
+  for (std::size_t i = 1; i < std::min(wanted, order.size()); ++i) threads.emplace_back([&] { work(job); });
+  for (const JobRunner& run : elsewhere) threads.emplace_back([&] { work(run); });
+  work(job);
   threads.clear();
   for (const std::exception_ptr& exception : thrown) {
     if (exception) std::rethrow_exception(exception);
