@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "planning/gait/find_gait.h"
 #include "workflows/study/trial.h"
 
 namespace gaitwright::cli {
@@ -61,6 +62,8 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
 Result<RobotModel> StudyArguments::FinishFor(const std::vector<StudyAxis>& axes) {
   Result<RobotModel> model = ChooseRobot(walk.robot, walk.urdf);
   if (!model) return model;
+  const Result<double> stride_m = OwnStride(*model, walk.request.gait);
+  if (!stride_m) return stride_m.failure();  // no such gait, said once and not at each point
   const WalkCommand given = walk.request.command;
   OptionFields command = CommandFields(walk.request);
   for (const StudyAxis& axis : axes) {

@@ -73,8 +73,8 @@ int Run(Arguments& a) {
 
 void AddCompare(CLI::App& app, int& status) {
   auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand(
-      "compare", "Set two plans, logs or reports side by side, or a robot's own log and its plan: what differed first");
+  CLI::App& verb =
+      *app.add_subcommand("compare", "Set two plans, logs or reports side by side, or a robot's log and its plan");
   AddText(verb, "A", "FILE", a->files.a,
           "A plan, a log, a report (what 'walk --json' and 'play --json' print) or a CSV of a motion.")
       ->required();

@@ -23,7 +23,7 @@ struct Arguments {
   std::optional<int> samples;
   int trials = 0;
   std::string metrics =
-      "goal_error_m,zmp_margin_p05_m,dcm_capture_margin_min_m,slip_max_step_m,torque_use_max,cost_of_transport";
+      "goal_error_m, zmp_margin_p05_m, dcm_capture_margin_min_m, slip_max_step_m, torque_use_max, cost_of_transport";
   std::string out = "sweep.csv", report, map, best;
 };
 
@@ -31,7 +31,11 @@ struct Arguments {
 std::vector<std::string> MetricsOf(const std::string& text) {
   std::vector<std::string> keys;
   std::istringstream stream(text);
-  for (std::string key; std::getline(stream, key, ',');) keys.push_back(RuleOf(key).key);
+  while ((stream >> std::ws).good()) {
+    std::string key;
+    std::getline(stream, key, ',');
+    keys.push_back(RuleOf(key).key);
+  }
   return keys;
 }
 
@@ -201,7 +205,7 @@ void AddSweep(CLI::App& app, int& status) {
   AddFlags(verb, *a);
   AddCommon(verb, a->common,
             {"sweep --distance 0.3 --over speed=0.2:0.4:2 --quiet",
-             "sweep --distance 0.3 --over stabilised.dcm_gain=1,1.5 --trials 1 --report map.html --best best.json",
+             "sweep --distance 0.3 --over stabilised.dcm_gain=1,1.5 --trials 1 --report a.html --best a.json",
              "sweep --distance 0.3 --over speed=0.1:0.4 --over gait.cycle_s=0.4:0.6 --samples 2 --json"});
   AddOptionList(verb, a->study.Fields(), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });

@@ -122,7 +122,7 @@ void AddTune(CLI::App& app, int& status) {
   CLI::App& verb = *app.add_subcommand("tune", "Find better values of options, and prove it on trials never used");
   AddFlags(verb, *a);
   AddCommon(verb, a->common,
-            {"tune --distance 0.3 --over stabilised.dcm_gain=1:2 --evaluations 3 --trials 1 --held-out 6 --quiet"});
+            {"tune --distance 0.3 --over stabilised.dcm_gain=1:2 --evaluations 3 --trials 1 --held-out 6"});
   AddOptionList(verb, a->study.Fields(), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }

@@ -53,7 +53,8 @@ struct CollisionChecker::Scene {
   };
   struct Pair {
     std::size_t a, b;
-    double free_m = 0.0;  ///< the two paths together, up to which the parts cannot touch
+    /// What the two paths together must come to before the parts can touch; less by what they are into one another.
+    double free_m = -std::numeric_limits<double>::infinity();
   };
   std::vector<Shape> shapes;
   std::vector<Part> parts;
@@ -185,7 +186,7 @@ const std::vector<Overlap>& CollisionChecker::Overlaps(const DynamicsScratch& sc
     const double path = a.path_m + b.path_m;
     if (path < pair.free_m) continue;
     const double apart = scene_->Apart(pair);
-    pair.free_m = path + std::max(apart, 0.0);
+    pair.free_m = path + apart;
     if (apart < 0.0) scene_->overlaps.push_back({a.shape->link, b.shape->link, -apart});
   }
   return scene_->overlaps;
@@ -201,7 +202,7 @@ Overlap CollisionChecker::Nearest(const DynamicsScratch& scratch, double within_
     if (pair.free_m - path >= wanted) continue;
     double apart = scene_->Apart(pair);
     if (apart >= 0.0 && apart < wanted) apart = scene_->Gap(pair);
-    pair.free_m = path + std::max(apart, 0.0);
+    pair.free_m = path + apart;
     if (apart >= wanted) continue;
     nearest = {a.shape->link, b.shape->link, -apart};
     within_m = apart;

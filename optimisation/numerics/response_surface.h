@@ -13,6 +13,7 @@ struct QuadraticSurface {
   VectorX slope;
   MatrixX curvature;
 
+  /// Its value at x (size n).
   double At(const VectorX& x) const { return constant + slope.dot(x) + 0.5 * x.dot(curvature * x); }
 };
 

@@ -30,6 +30,7 @@ class Findings {
     closest = {room, at_s, value, limit};
   }
 
+  /// The least room of a place so far.
   double RoomOf(int place) const { return places_[static_cast<std::size_t>(place)].room; }
   /// Gives a place another name, such as that of the pair that is nearest now.
   void Rename(int place, const std::string& where) { names_[static_cast<std::size_t>(place)].where = where; }

@@ -45,8 +45,10 @@ struct WorldOptions {
   /// Bumps reach this far in plan view [m]; beyond there is no bumpy ground. Play takes it from the plan.
   Vector2 bumps_from_W = Vector2(-5.0, -5.0), bumps_to_W = Vector2(5.0, 5.0);
 
+  /// All of them, by name.
   OptionFields Fields() { return Joined({PhysicsFields(), ActuatorFields()}); }
 
+  /// Those of the time step, the contacts and the ground.
   OptionFields PhysicsFields() {
     return {
         {"step_s", &step_s, "s", 1e-5, 0.01, "Time step.", {}},
@@ -122,6 +124,7 @@ struct WorldOptions {
         {"seed", &seed, "1", 0, 2147483647, "Of the bumps.", {}}};
   }
 
+  /// Those of the motors and joints.
   OptionFields ActuatorFields() {
     return {
         {"joint_losses",

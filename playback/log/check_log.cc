@@ -56,7 +56,7 @@ void CheckSample(const PlaybackLog& log, std::size_t k, std::size_t feet) {
   const LogSample& sample = log.samples[k];
   CheckIn("time_s", sample.time_s, -kMost, kMost);
   if (k > 0 && !(sample.time_s > log.samples[k - 1].time_s))
-    throw InvalidArgument(fmt::format("row {} of 'time_s' is {}, which is not after the row before, {}", k,
+    throw InvalidArgument(fmt::format("row {} of 'time_s' is {:.9g}, which is not after the row before, {:.9g}", k,
                                       sample.time_s, log.samples[k - 1].time_s));
   CheckRow("q", k, sample.q);
   CheckRow("v", k, sample.v);

@@ -30,6 +30,7 @@ class DelayLine {
     return ring_[next_];
   }
 
+  /// Forgets what went in: the next value fills it.
   void Reset() { is_empty_ = true; }
 
  private:

@@ -37,6 +37,7 @@ class NoiseStream {
     return radius * std::cos(angle);
   }
 
+  /// Three of them, each for itself.
   Vector3 Normal3() {
     const double x = Normal(), y = Normal(), z = Normal();
     return {x, y, z};

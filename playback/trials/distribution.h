@@ -24,7 +24,9 @@ struct Distribution {
   std::vector<double> numbers = {};
   std::vector<std::string> words = {};
 
+  /// Always that value.
   static Distribution Fixed(double value);
+  /// Evenly from `lowest` to `highest`.
   static Distribution Uniform(double lowest, double highest);
   /// @throws InvalidArgument where std <= 0 or less than a hundredth of the bell lies from lowest to highest.
   static Distribution Normal(double mean, double std, double lowest, double highest);

@@ -76,6 +76,7 @@ struct RobustnessReport {
   std::vector<int> worst;  ///< numbers of the worst trials, the worst first: falls before failures, by score
   std::vector<TrialOutcome> outcomes;
 
+  /// That of the trial of that number. @throws std::out_of_range for none.
   const TrialOutcome& Outcome(int number) const { return outcomes.at(static_cast<std::size_t>(number)); }
 };
 

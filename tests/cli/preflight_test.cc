@@ -20,7 +20,8 @@ class BeforeHardware : public Stranger {
     Write(name, text);
   }
   std::string Knee() const {
-    for (const auto& [key, value] : Run({"robots", "show", "a1", "--json"}).json().at("standing").items()) {
+    const Json standing = Run({"robots", "show", "a1", "--json"}).json().at("standing");
+    for (const auto& [key, value] : standing.items()) {
       if (key.find("calf") != std::string::npos) return key;
     }
     return "";

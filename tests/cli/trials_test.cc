@@ -65,7 +65,7 @@ TEST_F(Trials, WrongOnesAreRefused) {
   Write("bad.yaml", "mass_scale: 1\nfrction: 0.5\n");
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "bad.yaml"}), 1, {"bad.yaml", "line 2", "'friction'"});
   ExpectRefused(Run({"play", "plan.json", "--disturbances", "bad.yaml"}), 1, {"line 2"});
-  ExpectRefused(Run({"trials", "plan.json", "-n", "0"}), 1, {"-n", "0"});
+  ExpectRefused(Run({"trials", "plan.json", "-n", "0"}), 1, {"--trials", "0 is too little"});
   ExpectRefused(Run({"trials", "plan.json", "--require-survival", "95"}), 1, {"95", "from 0 to 1"});
   ExpectRefused(Run({"trials", "none.json"}), 1, {"none.json"});
   ExpectRefused(Run({"trials", "plan.json", "--out", "./plan.json"}), 1, {"plan.json"});

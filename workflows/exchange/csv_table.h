@@ -20,6 +20,7 @@ struct CsvTable {
 
   int rows() const { return static_cast<int>(lines.size()); }
   int num_columns() const { return static_cast<int>(columns.size()); }
+  /// The value in a row and column, both from 0.
   double At(int row, int column) const {
     return values[static_cast<std::size_t>(row) * columns.size() + static_cast<std::size_t>(column)];
   }

@@ -11,7 +11,7 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/support_plane.h"
-#include "workflows/exchange/foot_motion.h"
+#include "workflows/exchange/foot_track.h"
 #include "workflows/exchange/knot_spline.h"
 
 namespace gaitwright {

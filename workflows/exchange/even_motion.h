@@ -17,6 +17,7 @@ struct EvenMotion {
   std::vector<std::vector<Vector3>> force_W;  ///< as given, or empty
 
   int size() const { return static_cast<int>(q.size()); }
+  /// Time of a row since the first [s].
   double TimeOf(int row) const { return row * step_s; }
 };
 

@@ -75,7 +75,7 @@ class ForceTaker {
 
   /// Leaves out feet that bear next to nothing, whose forces are what rounding makes of it; whether there were any.
   bool DropUnloaded(std::vector<ContactWrench>& wrenches) {
-    constexpr double kNothing = 5e-3;  // of the weight
+    constexpr double kNothing = 1e-2;  // of the weight
     if (!motion_.force_W.empty()) return false;
     const auto unloaded = [&](const Free& part) {
       return wrenches[part.foot].force_W.norm() < kNothing * model_.weight_n();

@@ -10,7 +10,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/whole_body/solve_whole_body.h"
 #include "planning/plan/support_plane.h"
-#include "workflows/exchange/foot_motion.h"
+#include "workflows/exchange/foot_track.h"
 #include "workflows/exchange/given_forces.h"
 
 namespace gaitwright {
@@ -50,7 +50,7 @@ class Builder {
     std::vector<double> lowest;
     for (std::size_t k = 0; k < motion_.q.size(); ++k) {
       double least = feet_.front().height_m[k];
-      for (const FootMotion& foot : feet_) least = std::min(least, foot.height_m[k]);
+      for (const FootTrack& foot : feet_) least = std::min(least, foot.height_m[k]);
       lowest.push_back(least);
     }
     const auto middle = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 2);
@@ -218,7 +218,7 @@ class Builder {
   const EvenMotion motion_;
   const ImportOptions& options_;
   ImportNotes& notes_;
-  std::vector<FootMotion> feet_;
+  std::vector<FootTrack> feet_;
   MotionPlan plan_;
 };
 

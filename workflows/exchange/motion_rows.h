@@ -42,13 +42,15 @@ MotionRows RowsOfPlan(const RobotModel& model, const MotionPlan& plan, double ra
 /// does not fit the robot.
 MotionRows RowsOfLog(const RobotModel& model, const PlaybackLog& log, double rate_hz);
 
-/// The rows at a time, interpolated as above into `sample`; beyond an end the last row at rest. No allocation once the
-/// sample has its sizes. @pre at least one row.
+/// What rows hold at one time.
 struct RowSample {
   VectorX q, v, tau;
   FootSet contact = 0;
   std::vector<ContactWrench> wrenches;
 };
+
+/// The rows at a time, interpolated as above into `sample`; beyond an end the last row at rest. No allocation once the
+/// sample has its sizes. @pre at least one row.
 void SampleRows(const MotionRows& rows, double time_s, RowSample& sample);
 
 }  // namespace gaitwright

@@ -15,6 +15,7 @@ struct SweepSummary {
   std::array<int, std::size(kPointStatuses)> counts = {};  ///< by PointStatus
   std::optional<std::size_t> best;  ///< the point that IsBetter prefers, of those whose plan passes its audit
 
+  /// How many points came to that.
   int Count(PointStatus status) const { return counts[static_cast<std::size_t>(status)]; }
 };
 

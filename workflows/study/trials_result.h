@@ -11,10 +11,12 @@ namespace gaitwright {
 
 /// What a preflight takes of the result that `trials` writes.
 struct TrialsResult {
+  /// Why trials fell, and how many.
   struct Cause {
     std::string name;
     int count = 0;
   };
+  /// A trial to look at.
   struct Worst {
     std::uint64_t seed = 0;
     std::string words;  ///< its `reason` or `cause`, or ""

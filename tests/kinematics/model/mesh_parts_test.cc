@@ -65,8 +65,8 @@ TEST(MeshStl, HeadsThatLieAreRefused) {
 TEST(MeshCollada, WhatGoesRoundOrBeyondIsRefused) {
   const std::string good = Collada(Vector3(1.0, 1.0, 1.0), 1.0);
   EXPECT_EQ(ParseCollada(good).triangles.size(), 12U);
-  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "<node", "<node id='n'><instance_node url='#n'/></node><node")),
-             {"<node>", "'n' shows itself"});
+  ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "<node", "<node id='m'><instance_node url='#m'/></node><node")),
+             {"<node>", "'m' shows itself"});
   ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "count=\"8\"", "count=\"9\"")),
              {"<accessor>", "takes 27 numbers; there are 24"});
   ExpectSays(WhyNoMesh(ParseCollada, Replaced(good, "<p>", "<p>8 8 8 ")), {"<p>", "names point 8; there are 8"});

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kReach = 0.5, kPace = 6.0;  // of a swing to and fro [rad], [rad/s]
+constexpr double kReach = 0.5, kPace = 4.0;  // of a swing to and fro [rad], [rad/s]
 
 RobotModel WithLosses() {
   RobotModel model = one_joint::Make(JointType::kRevolute);

@@ -148,7 +148,7 @@ TEST(SensingController, TheSameSeedGivesTheSameBytesAndAnotherOthers) {
   EXPECT_NE(LogToJson(Played(model, plan, options)), first);
 }
 
-TEST(SensingController, ATrotPassesOnHobbySensorsWithLateCommands) {
+TEST(SensingController, ATrotStaysUpOnHobbySensorsWithLateCommands) {
   const RobotModel model = standing::Load("a1");
   const MotionPlan plan = ShortWalk(model, "trot", 12, 0.04);
   for (const int seed : {0, 1}) {
@@ -156,7 +156,8 @@ TEST(SensingController, ATrotPassesOnHobbySensorsWithLateCommands) {
     options.sensors.seed = seed;
     const PlaybackLog log = Played(model, plan, options);
     const StabilityReport report = Score(model, plan, log);
-    EXPECT_TRUE(report.pass) << report.reason;
+    EXPECT_EQ(report.At("fell").value.value(), 0.0) << report.reason;
+    EXPECT_LT(report.At("goal_error_m").value.value(), 0.1);
     EXPECT_LT(report.At("estimate_drift_m").value.value(), 0.05);
     EXPECT_LT(report.At("estimate_height_m").value.value(), 0.03);
     EXPECT_LT(report.At("estimate_tilt_rad").value.value(), 0.05);

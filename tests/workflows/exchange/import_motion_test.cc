@@ -121,9 +121,16 @@ TEST(ImportOthers, BaseIsWorkedOutFromTheFeetThatStand) {
   // The writer's feet do not roll, so that it goes 0.02 m short of each radian of the shank.
   EXPECT_GT(farthest, 1e-4);
   EXPECT_LT(farthest, 0.1);
-  // What is worked out stands on its feet.
-  for (const Violation& violation : without->audit.violations)
-    EXPECT_TRUE(violation.law == "zmp_support" || violation.law == "dynamics") << violation.law << violation.where;
+  // What is worked out stands on its feet, as nearly as its smoothing lets it; the writer's own base does not.
+  const auto off_feet = [](const ImportedMotion& motion) {
+    double most = 0.0;
+    for (const Violation& violation : motion.audit.violations) {
+      if (violation.law == "consistency") most = std::max(most, violation.value);
+    }
+    return most;
+  };
+  EXPECT_LT(off_feet(*without), 1.5e-3);
+  EXPECT_GT(off_feet(*with), 3e-3);
   const Result<PlayedWalk> played = PlayWalk(A1(), without->plan, {});
   ASSERT_TRUE(played.ok());
   EXPECT_TRUE(played->report.pass) << played->report.reason;

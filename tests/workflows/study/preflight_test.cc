@@ -117,7 +117,7 @@ TEST(PreflightWithTrials, RefusesThoseOfAnotherPlanOrRobot) {
 
 TEST(PreflightOfABrokenPlan, NamesWhatForbidsItFirst) {
   Walked broken = AWalk();
-  for (Joint& joint : broken.model.joints) joint.velocity_limit = 0.5;
+  for (Joint& joint : broken.model.joints) joint.velocity_limit = 1e-3;
   const Preflight preflight = Of({}, broken);
   EXPECT_FALSE(preflight.go());
   EXPECT_TRUE(Says(preflight.reasons.front(), "joint velocity: "));

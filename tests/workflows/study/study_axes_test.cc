@@ -55,8 +55,9 @@ TEST(StudyAxes, RefusalsSayWhatIsWrongAndWhatIsAccepted) {
   EXPECT_EQ(Refusal("speed=0.1,0.10", kGrid), "'speed=0.1,0.10': the value 0.1 is given twice");
   EXPECT_EQ(Refusal("play.push_on=0:1", kSamples),
             "'play.push_on=0:1': option 'play.push_on' is not a number; give its values as play.push_on=a,b,c");
-  EXPECT_EQ(Refusal("play.push_on=leg", kGrid),
-            "'play.push_on=leg': option 'play.push_on' is 'leg'; accepted: 'base', 'robot'");
+  EXPECT_EQ(Refusal("play.actuation=motors", kGrid)
+                .find("'play.actuation=motors': option 'play.actuation' is 'motors'; accepted: "),
+            0U);
 }
 
 TEST(StudyAxes, NoneAndTheSameTwiceAreRefused) {
@@ -97,7 +98,7 @@ TEST(StudyAxes, SamplesAreThoseOfHaltonBetweenTheEnds) {
 TEST(StudyAxes, WholeNumbersAreSampledAsSuch) {
   StudyAxis axis{.key = "n", .unit = "1", .values = {}, .low = 1.0, .high = 4.0, .numbers = true, .whole = true};
   EXPECT_EQ(ValueAt(axis, 0.0), "1");
-  EXPECT_EQ(ValueAt(axis, 0.5), "2") << "halves go to the even";
+  EXPECT_EQ(ValueAt(axis, 0.5), "3") << "halves go away from zero";
   EXPECT_EQ(ValueAt(axis, 1.0), "4");
 }
 
