@@ -109,7 +109,8 @@ TEST(SweepPage, IsWellFormedAndSaysWhereItFailsAndWhy) {
     EXPECT_EQ(CountOf(page, "<figure>"), trials > 0 ? 2 : 1);
   }
   const MadeUpSweep sample = MakeUpSweep({"speed=0.3:0.7", "gait.cycle_s=0.3:0.5"}, 0, 12);
-  EXPECT_EQ(CountOf(SweepPage(sample.study, sample.outcomes), "<figure>"), 3) << "the map, and the score over each axis";
+  EXPECT_EQ(CountOf(SweepPage(sample.study, sample.outcomes), "<figure>"), 3)
+      << "the map, and the score over each axis";
 }
 
 }  // namespace
