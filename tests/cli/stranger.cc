@@ -4,12 +4,13 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+
+#include "tests/scratch_folder.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -35,7 +36,7 @@ std::string ReadAll(const fs::path& path) {
 
 Stranger::Stranger() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path own = fs::temp_directory_path() / ("gaitwright_" + std::to_string(::getpid()) + "_" + test->name());
+  const fs::path own = ScratchFolder() / test->name();
   folder_ = own / "here";
   talk_ = own / "talk";
   fs::create_directories(folder_);

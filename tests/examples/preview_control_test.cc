@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "kinematics/base/result.h"
+#include "tests/scratch_folder.h"
 
 namespace gaitwright::examples {
 namespace {
@@ -65,7 +66,7 @@ std::pair<int, std::string> Said(std::vector<const char*> arguments) {
 }
 
 TEST(PreviewControlExample, RefusesInOneLineAndWritesNothing) {
-  const std::string out = (std::filesystem::temp_directory_path() / "gaitwright_preview_refused.csv").string();
+  const std::string out = ScratchFile("refused.csv");
   const std::vector<std::vector<const char*>> wrong = {
       {"--preview", "1e9"},  {"--preview", "-1"}, {"--preview", "nan"}, {"--preview", "soon"},
       {"--com-height", "0"}, {"--frobnicate"},    {"--zmp", "/none"},   {"--preview"}};
@@ -84,7 +85,7 @@ TEST(PreviewControlExample, RefusesInOneLineAndWritesNothing) {
 }
 
 TEST(PreviewControlExample, DoesNotWriteOverItsReference) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gaitwright_preview_over";
+  const std::filesystem::path folder = ScratchFile("over");
   std::filesystem::create_directories(folder);
   const std::string reference = (folder / "zmp.csv").string(), dotted = (folder / "." / "zmp.csv").string();
   const std::string text = "time_s,zmp_x_m,zmp_y_m\n0,0,0\n0.005,0,0\n";

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
+
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
@@ -36,8 +37,7 @@ class Files : public testing::Test {
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("gaitwright_files_" + std::to_string(::getpid()) + "_" +
-                                                  testing::UnitTest::GetInstance()->current_test_info()->name());
+  fs::path folder_ = ScratchFolder() / testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(Files, AreWrittenTogetherWithTheirFolders) {

@@ -2,18 +2,18 @@
 #include "kinematics/base/options_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
 
 class OptionsFiles : public testing::Test {
  protected:
-  OptionsFiles()
-      : path_(std::filesystem::temp_directory_path() / ("options_" + std::to_string(::getpid()) + ".yaml")) {}
+  OptionsFiles() : path_(ScratchFile("options.yaml")) {}
   ~OptionsFiles() override { std::filesystem::remove(path_); }
 
   Result<OptionTexts> Load(const std::string& text) {

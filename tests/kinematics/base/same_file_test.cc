@@ -2,10 +2,11 @@
 #include "kinematics/base/same_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
@@ -24,7 +25,7 @@ TEST(SameFile, HoweverItIsWritten) {
 }
 
 TEST(SameFile, ThroughLinks) {
-  const fs::path folder = fs::temp_directory_path() / ("gaitwright_same_" + std::to_string(::getpid()));
+  const fs::path folder = ScratchFolder() / "same";
   fs::create_directories(folder / "real");
   fs::create_symlink("real", folder / "link");
   std::ofstream(folder / "real/file") << "text";

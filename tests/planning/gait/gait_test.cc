@@ -11,6 +11,7 @@
 #include "kinematics/model/load_robot.h"
 #include "planning/gait/find_gait.h"
 #include "planning/gait/schedule_contacts.h"
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
@@ -73,7 +74,7 @@ TEST(Gaits, HoppersLeaveTheGroundTogetherAndRunnersInTurn) {
 }
 
 TEST(Gaits, FilesAreValidated) {
-  const std::string path = testing::TempDir() + "gaits_test.yaml";
+  const std::string path = ScratchFile("gaits_test.yaml");
   const auto message = [&](const std::string& text) {
     std::ofstream(path) << text;
     const auto gaits = LoadGaits(path);
@@ -114,7 +115,7 @@ TEST(Gaits, LeapsHaveAStrideOfTheirOwn) {
 
 TEST(Gaits, OneOfAFileIsPickedByItsName) {
   const Result<RobotModel> nao = LoadNamedRobot("nao");
-  const std::string path = testing::TempDir() + "gaits_of_a_file.yaml";
+  const std::string path = ScratchFile("gaits_of_a_file.yaml");
   std::ofstream(path) << "four: {feet: 4, cycle_s: 1.0, duty_factor: 0.6, phase: [0, 0.5, 0.5, 0]}\n"
                          "slow: {feet: 2, cycle_s: 2.0, duty_factor: 0.6, phase: [0, 0.5]}\n"
                          "fast: {feet: 2, cycle_s: 0.8, duty_factor: 0.6, phase: [0, 0.5]}\n";

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <fstream>
 
+#include "tests/scratch_folder.h"
+
 namespace gaitwright {
 namespace {
 
@@ -35,7 +37,7 @@ std::string Why(const std::string& text) {
 }
 
 std::string WhyFile(const std::string& text) {
-  const std::string path = testing::TempDir() + "sequence_test.yaml";
+  const std::string path = ScratchFile("sequence_test.yaml");
   std::ofstream(path) << text;
   std::string why = Why(path);
   std::remove(path.c_str());
@@ -51,7 +53,7 @@ TEST(ReadSequence, OfAText) {
 }
 
 TEST(ReadSequence, OfAFileIsThatOfTheText) {
-  const std::string folder = testing::TempDir(), path = folder + "sequence_test.yaml";
+  const std::string path = ScratchFile("sequence_test.yaml");
   std::ofstream(path) << "- {gait: trot, speed: 1.5, distance: 2}\n- gait: stand\n  duration: 1\n"
                          "- {gait: 'my.yaml:hop', steps: 8, step-length: -0.05}\n"
                          "- {gait: walk, yaw-rate: -0.5, lateral-speed: 0.1}\n";
@@ -60,7 +62,7 @@ TEST(ReadSequence, OfAFileIsThatOfTheText) {
   std::remove(path.c_str());
   ASSERT_TRUE(parts.ok()) << parts.failure().message;
   std::vector<AskedPart> expected = Expected();
-  expected[2].gait = folder + "my.yaml:hop";
+  expected[2].gait = ScratchFile("my.yaml:hop");
   EXPECT_EQ(*parts, expected);
 }
 

@@ -2,32 +2,17 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "planning/terrain/load_terrain.h"
+#include "tests/scratch_folder.h"
 
 namespace gaitwright::terrain_files {
 
-/// A folder of this run's own, gone with it; with the slash.
-inline std::string Folder() {
-  struct Own {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("gaitwright_terrain_" + std::to_string(::getpid()));
-    Own() { std::filesystem::create_directories(path); }
-    Own(const Own&) = delete;
-    Own& operator=(const Own&) = delete;
-    ~Own() {
-      std::error_code error;
-      std::filesystem::remove_all(path, error);
-    }
-  };
-  static const Own own;
-  return own.path.string() + "/";
-}
+/// The folder of this run's own, with the slash.
+inline std::string Folder() { return ScratchFolder().string() + "/"; }
 
 /// Writes a file into that folder. @return its path.
 inline std::string Written(const std::string& name, const std::string& bytes) {

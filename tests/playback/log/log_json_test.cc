@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "tests/scratch_folder.h"
+
 namespace gaitwright {
 namespace {
 
@@ -92,7 +94,7 @@ TEST(LogJson, KeepsWhatTheControllerTookForTrueWhereThereIsAny) {
 }
 
 TEST(LogJson, SavesAndLoads) {
-  const auto path = std::filesystem::temp_directory_path() / "gaitwright_log_test" / "log.json";
+  const auto path = ScratchFolder() / "log_test" / "log.json";
   ASSERT_TRUE(SaveLog(Example(), path.string()).ok());
   EXPECT_EQ(LogToJson(LoadLog(path.string()).value()), LogToJson(Example()));
   std::filesystem::remove_all(path.parent_path());

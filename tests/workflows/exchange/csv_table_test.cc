@@ -6,6 +6,7 @@
 #include <clocale>
 
 #include "kinematics/base/file.h"
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
@@ -85,7 +86,7 @@ TEST(CsvTable, NumbersDoNotDependOnTheMachinesLanguage) {
 }
 
 TEST(CsvTable, ByteOrderMarkIsNoPartOfAName) {
-  const std::string path = ::testing::TempDir() + "/csv_table_bom.csv";
+  const std::string path = ScratchFile("bom.csv");
   ASSERT_TRUE(WriteFileAtomically(path, "\xEF\xBB\xBFtime_s,x\n0,1\n").ok());
   const Result<CsvTable> table = ReadCsvTable(path);
   ASSERT_TRUE(table.ok()) << table.failure().message;

@@ -13,6 +13,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/result.h"
 #include "tests/playback/played.h"
+#include "tests/scratch_folder.h"
 #include "workflows/exchange/stored_zip.h"
 
 namespace gaitwright {
@@ -138,7 +139,7 @@ TEST(MotionNpzArchive, IsOpenedByNumPy) {
   if (std::system("python3 -c 'import numpy' >/dev/null 2>&1") != 0) GTEST_SKIP() << "NumPy is not installed";
   const synthetic::Played walker = Walker();
   const MotionRows rows = RowsOfPlan(walker.model, walker.plan, 200.0);
-  const std::string file = (std::filesystem::temp_directory_path() / "gaitwright_numpy_test.npz").string();
+  const std::string file = ScratchFile("numpy.npz");
   ASSERT_TRUE(WriteFileAtomically(file, MotionNpz(walker.model, rows)));
   const std::string script =
       "import numpy, sys\nm = numpy.load(sys.argv[1])\n"

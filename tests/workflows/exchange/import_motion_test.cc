@@ -11,6 +11,7 @@
 
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
+#include "tests/scratch_folder.h"
 #include "tests/workflows/exchange/other_software.h"
 #include "workflows/walk/walk.h"
 
@@ -24,7 +25,7 @@ const RobotModel& A1() {
 
 /// A file in the tests' folder with a text.
 std::string FileWith(const std::string& name, const std::string& text) {
-  const std::string path = (std::filesystem::path(testing::TempDir()) / name).string();
+  const std::string path = ScratchFile(name);
   EXPECT_TRUE(WriteFileAtomically(path, text).ok());
   return path;
 }

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/scratch_folder.h"
+
 namespace gaitwright {
 namespace {
 
@@ -141,7 +143,7 @@ TEST(CentroidalBench, ABipedStandsAstrideARidgeThatHoldsNoFootAlone) {
 
 TEST(CentroidalProblems, AFileThatIsNoneIsRefusedByName) {
   const auto refusal = [](const std::string& text) -> std::string {
-    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gaitwright_no_problems.json";
+    const std::filesystem::path path = ScratchFile("gaitwright_no_problems.json");
     std::ofstream(path) << text;
     const Result<CentroidalProblemSet> set = LoadCentroidalProblems(path.string());
     std::filesystem::remove(path);

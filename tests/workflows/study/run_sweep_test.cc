@@ -2,12 +2,12 @@
 #include "workflows/study/run_sweep.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <filesystem>
 
 #include "kinematics/model/load_robot.h"
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
@@ -57,7 +57,7 @@ TEST(RunSweep, GivesEachPointInItsPlaceForAnyNumberOfThreads) {
   EXPECT_EQ(outcomes, RunWith(study, 3));
 
   // Cut after one point, and one more whose line was cut short.
-  const auto path = std::filesystem::temp_directory_path() / ("sweep_" + std::to_string(::getpid()) + ".so-far");
+  const std::filesystem::path path = ScratchFile("sweep.so-far");
   std::filesystem::remove(path);
   {
     Result<JobJournal> journal = JobJournal::Open(path.string(), StudyIdentity(study, ""), false);

@@ -2,7 +2,6 @@
 #include "workflows/study/run_trials.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include "kinematics/base/file.h"
 #include "playback/log/log_json.h"
 #include "tests/playback/standing_plan.h"
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
@@ -28,8 +28,7 @@ class RunTrialsTest : public testing::Test {
                         "pushes:\n  - {size_n: {uniform: [0, 900]}, at_s: 0.1, duration_s: 0.1}\n",
                         {}, "test")
                         .value();
-    folder_ = fs::temp_directory_path() / ("gaitwright_trials_" + std::to_string(::getpid()) + "_" +
-                                           testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder_ = ScratchFolder() / testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::create_directories(folder_);
   }
   ~RunTrialsTest() override { fs::remove_all(folder_); }

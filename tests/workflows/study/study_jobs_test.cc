@@ -2,7 +2,6 @@
 #include "workflows/study/study_jobs.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <filesystem>
@@ -12,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/scratch_folder.h"
+
 namespace gaitwright {
 namespace {
 
@@ -19,9 +20,7 @@ namespace fs = std::filesystem;
 
 class Journals : public testing::Test {
  protected:
-  Journals() : path_(fs::temp_directory_path() / ("journal_" + std::to_string(::getpid()) + ".so-far")) {
-    fs::remove(path_);
-  }
+  Journals() : path_(ScratchFile("journal.so-far")) { fs::remove(path_); }
   ~Journals() override { fs::remove(path_); }
 
   std::string Text() const {

@@ -2,7 +2,6 @@
 #include "workflows/study/tune_search.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +11,7 @@
 #include <set>
 
 #include "optimisation/numerics/split_mix.h"
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
@@ -172,7 +172,7 @@ TEST(TuneSearch, GoesOnWhereItWasCutOff) {
   TuneProblem problem = Problem(Hill, 10.0, 3.0);
   const TuneOptions options{.evaluations = 40};
   const TuneResult whole = Searched(problem, options);
-  const auto path = std::filesystem::temp_directory_path() / ("tune_" + std::to_string(::getpid()) + ".so-far");
+  const std::filesystem::path path = ScratchFile("tune.so-far");
   std::filesystem::remove(path);
   std::atomic<int> judged = 0;
   const auto judge = problem.judge;

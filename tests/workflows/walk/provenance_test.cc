@@ -9,6 +9,7 @@
 #include "kinematics/model/load_robot.h"
 #include "planning/plan/plan_json.h"
 #include "playback/log/log_json.h"
+#include "tests/scratch_folder.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
@@ -76,7 +77,7 @@ TEST(PlanProvenance, HasWhatWasAskedForAndEveryOption) {
 }
 
 TEST(PlanProvenance, AGaitFileIsNamedWithoutItsFolder) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gaitwright_provenance_test";
+  const std::filesystem::path folder = ScratchFile("provenance");
   const std::string path = (folder / "mine.yaml").string();
   ASSERT_TRUE(WriteFileAtomically(path,
                                   "mine:\n  feet: 4\n  cycle_s: 0.5\n  duty_factor: 0.6\n"

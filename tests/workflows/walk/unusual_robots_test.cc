@@ -8,6 +8,7 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/model/load_robot.h"
+#include "tests/scratch_folder.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
@@ -60,13 +61,13 @@ INSTANTIATE_TEST_SUITE_P(All, UnusualRobot, testing::ValuesIn(Cases()),
                          [](const auto& robot) { return robot.param.name; });
 
 TEST(UnusualRobots, ThreeLegsWalkOneAtATime) {
-  const auto file = std::filesystem::temp_directory_path() / "gaitwright_three_legs.yaml";
-  ASSERT_TRUE(WriteFileAtomically(file.string(),
+  const std::string file = ScratchFile("three_legs.yaml");
+  ASSERT_TRUE(WriteFileAtomically(file,
                                   "three:\n  feet: 3\n  cycle_per_leg_time: 4.0\n  duty_factor: 0.8\n"
                                   "  phase: [0.0, 0.3333333, 0.6666667]\n"));
   const RobotModel model = *LoadRobotFromText(unusual::Tripod(), "");
   WalkRequest request;
-  request.gait = file.string();
+  request.gait = file;
   request.command.distance_m = 0.3;
   const Result<PlannedWalk> planned = PlanWalk(model, request);
   std::filesystem::remove(file);
