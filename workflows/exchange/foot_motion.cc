@@ -28,7 +28,7 @@ double SpeedOf(const DynamicsScratch& scratch, int body, const Vector3& p_WQ) {
 }
 
 /// Which rows of a foot are low and slow, without what is too brief.
-std::vector<bool> LowAndSlow(const FootMotion& foot, double height_m, double speed_m_s, int least_rows) {
+std::vector<bool> LowAndSlow(const FootPathRows& foot, double height_m, double speed_m_s, int least_rows) {
   std::vector<bool> stands;
   for (std::size_t k = 0; k < foot.height_m.size(); ++k)
     stands.push_back(foot.height_m[k] <= height_m && foot.speed_m_s[k] <= speed_m_s);
@@ -66,7 +66,7 @@ double MedianOf(std::vector<double> values) {
 }
 
 /// By component the median of where a foot's contact frame is over some rows, less what it rolls from the first on.
-Vector3 MedianPlace(const FootMotion& foot, int first, int last) {
+Vector3 MedianPlace(const FootPathRows& foot, int first, int last) {
   Vector3 place;
   for (int i = 0; i < 3; ++i) {
     std::vector<double> values;
@@ -78,7 +78,7 @@ Vector3 MedianPlace(const FootMotion& foot, int first, int last) {
 }
 
 /// Leaves out the rows at both ends of a stance in which the foot is off its usual height: on its way up, or down.
-void TrimStance(const FootMotion& foot, double most_m, int last_row, int& first, int& last) {
+void TrimStance(const FootPathRows& foot, double most_m, int last_row, int& first, int& last) {
   std::vector<double> heights(foot.height_m.begin() + first, foot.height_m.begin() + last + 1);
   const double usual_m = MedianOf(std::move(heights));
   const auto away = [&](int k) { return std::abs(foot.height_m[At(k)] - usual_m) > most_m; };
@@ -96,8 +96,8 @@ int RowOf(const EvenMotion& motion, double time_s) {
 
 }  // namespace
 
-std::vector<FootMotion> FeetOf(const RobotModel& model, const Terrain& terrain, const EvenMotion& motion) {
-  std::vector<FootMotion> feet(model.feet.size());
+std::vector<FootPathRows> FeetOf(const RobotModel& model, const Terrain& terrain, const EvenMotion& motion) {
+  std::vector<FootPathRows> feet(model.feet.size());
   DynamicsScratch scratch(model);
   for (int k = 0; k < motion.size(); ++k) {
     ForwardVelocities(model, motion.q[At(k)], motion.v[At(k)], scratch);
@@ -126,7 +126,7 @@ std::vector<FootMotion> FeetOf(const RobotModel& model, const Terrain& terrain, 
   return feet;
 }
 
-ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, const std::vector<FootMotion>& feet,
+ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, const std::vector<FootPathRows>& feet,
                            const ImportOptions& options, std::vector<DerivedPart>& derived) {
   constexpr double kStill = 1e-3;  // of the leg
   const double height_m = options.contact_height * model.leg_length_m();
@@ -162,7 +162,7 @@ ContactSchedule ScheduleOf(const RobotModel& model, const EvenMotion& motion, co
 }
 
 FootstepPlan FootholdsOf(const RobotModel& model, const Terrain& terrain, const ContactSchedule& schedule,
-                         const EvenMotion& motion, const std::vector<FootMotion>& feet) {
+                         const EvenMotion& motion, const std::vector<FootPathRows>& feet) {
   FootstepPlan plan;
   for (std::size_t f = 0; f < feet.size(); ++f) {
     for (const ContactInterval& interval : IntervalsOf(schedule, static_cast<int>(f))) {
@@ -194,7 +194,7 @@ FootstepPlan FootholdsOf(const RobotModel& model, const Terrain& terrain, const 
   return plan;
 }
 
-SwingTrajectory SwingOf(const Foothold& from, const Foothold& to, const EvenMotion& motion, const FootMotion& foot,
+SwingTrajectory SwingOf(const Foothold& from, const Foothold& to, const EvenMotion& motion, const FootPathRows& foot,
                         double& farthest_m) {
   constexpr int kMostPoints = 20, kFixed = 3;
   SwingTrajectory swing;

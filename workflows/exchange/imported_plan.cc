@@ -50,7 +50,7 @@ class Builder {
     std::vector<double> lowest;
     for (std::size_t k = 0; k < motion_.q.size(); ++k) {
       double least = feet_.front().height_m[k];
-      for (const FootMotion& foot : feet_) least = std::min(least, foot.height_m[k]);
+      for (const FootPathRows& foot : feet_) least = std::min(least, foot.height_m[k]);
       lowest.push_back(least);
     }
     const auto middle = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 2);
@@ -218,7 +218,7 @@ class Builder {
   const EvenMotion motion_;
   const ImportOptions& options_;
   ImportNotes& notes_;
-  std::vector<FootMotion> feet_;
+  std::vector<FootPathRows> feet_;
   MotionPlan plan_;
 };
 
