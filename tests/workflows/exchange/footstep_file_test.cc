@@ -85,7 +85,8 @@ TEST(FootstepFile, IsPlannedOnIntoAMotionThatPassesAndPlays) {
   EXPECT_TRUE(imported->audit.pass()) << AuditText(imported->audit);
   const Foothold& last = imported->plan.footsteps.footholds.back();
   EXPECT_NEAR(last.X_WF.translation().x(), 0.24, 1e-9);
-  const Result<PlayedWalk> played = PlayWalk(FourFeet(), imported->plan, {});
+  const PlayRequest usual;
+  const Result<PlayedWalk> played = PlayWalk(FourFeet(), imported->plan, usual);
   ASSERT_TRUE(played.ok());
   EXPECT_TRUE(played->report.pass) << played->report.reason;
 }

@@ -121,9 +121,12 @@ TEST(ImportOthers, BaseIsWorkedOutFromTheFeetThatStand) {
   // The writer's feet do not roll, so that it goes 0.02 m short of each radian of the shank.
   EXPECT_GT(farthest, 1e-4);
   EXPECT_LT(farthest, 0.1);
-  // What is worked out stands on its feet.
-  for (const Violation& violation : without->audit.violations)
-    EXPECT_TRUE(violation.law == "zmp_support" || violation.law == "dynamics") << violation.law << violation.where;
+  // What is worked out stands on its feet, to what smoothing leaves.
+  for (const Violation& violation : without->audit.violations) {
+    const bool slight = violation.law == "consistency" && violation.unit == "m" && violation.value < 2e-3;
+    EXPECT_TRUE(slight || violation.law == "zmp_support" || violation.law == "dynamics")
+        << violation.law << " " << violation.where << " " << violation.value;
+  }
   const Result<PlayedWalk> played = PlayWalk(A1(), without->plan, {});
   ASSERT_TRUE(played.ok());
   EXPECT_TRUE(played->report.pass) << played->report.reason;

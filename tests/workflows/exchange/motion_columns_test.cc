@@ -105,7 +105,7 @@ TEST(MotionColumns, FeetAndForces) {
 TEST(MotionColumns, RefusesWhatDoesNotGoTogether) {
   const RobotModel& a1 = Robot("a1");
   ExpectRefusal(Taken(TableOf(a1, {{"v_FL_hip_joint_deg", 1}})),
-                "is unknown for robot 'a1'; the nearest is 'v_FL_hip_joint_");
+                "is unknown for robot 'a1'; the nearest is 'q_FL_hip_joint_deg'");
   ExpectRefusal(Taken(TableOf(a1, {{"contact_FL_fot", 1}})), "the nearest is 'contact_FL_foot'");
   ExpectRefusal(Taken(TableOf(a1, {{"FL_hip_joint", 1}})), "both are");
   ExpectRefusal(Taken(TableOf(a1, {{"base_x_m", 1}, {"base_y_m", 1}, {"base_z_m", 1}})),
