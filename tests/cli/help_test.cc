@@ -8,14 +8,23 @@ namespace gaitwright::cli {
 namespace {
 
 /// Every verb, in an order in which each finds the files that its examples read.
-const std::vector<std::vector<std::string>> kVerbs = {{"plan"},           {"walk"},
-                                                      {"audit"},          {"play"},
-                                                      {"trials"},         {"sweep"},
-                                                      {"tune"},           {"export"},
-                                                      {"compare"},        {"robots"},
-                                                      {"robots", "show"}, {"gaits"},
-                                                      {"terrains"},       {"terrains", "show"},
-                                                      {"bench"},          {"bench", "centroidal"}};
+const std::vector<std::vector<std::string>> kVerbs = {{"plan"},
+                                                      {"walk"},
+                                                      {"audit"},
+                                                      {"play"},
+                                                      {"trials"},
+                                                      {"sweep"},
+                                                      {"tune"},
+                                                      {"export"},
+                                                      {"import"},
+                                                      {"compare"},
+                                                      {"robots"},
+                                                      {"robots", "show"},
+                                                      {"gaits"},
+                                                      {"terrains"},
+                                                      {"terrains", "show"},
+                                                      {"bench"},
+                                                      {"bench", "centroidal"}};
 
 class Help : public Stranger {
  protected:

@@ -40,6 +40,7 @@ class ForceTaker {
         needed_ = before;
         if (!columns_.empty()) SolveFree(k, wrenches);
       }
+      KeepInCones(time_s, wrenches);
     }
     VectorX& tau = plan_.whole_body.tau[k];
     for (int d = 0; d < model_.num_dofs(); ++d) tau[d] = HasTorque(k, d) ? motion_.tau[k][d] : needed_[6 + d];
@@ -75,7 +76,7 @@ class ForceTaker {
 
   /// Leaves out feet that bear next to nothing, whose forces are what rounding makes of it; whether there were any.
   bool DropUnloaded(std::vector<ContactWrench>& wrenches) {
-    constexpr double kNothing = 1e-2;  // of the weight
+    constexpr double kNothing = 5e-3;  // of the weight
     if (!motion_.force_W.empty()) return false;
     const auto unloaded = [&](const Free& part) {
       return wrenches[part.foot].force_W.norm() < kNothing * model_.weight_n();
@@ -86,6 +87,22 @@ class ForceTaker {
     for (auto part = kept; part != columns_.end(); ++part) wrenches[part->foot] = {};
     columns_.erase(kept, columns_.end());
     return true;
+  }
+
+  /// Takes out what is outside of a friction cone by no more than rounding makes of it: a thousandth of the weight.
+  void KeepInCones(double time_s, std::vector<ContactWrench>& wrenches) const {
+    constexpr double kRounding = 1e-3;
+    if (!motion_.force_W.empty()) return;
+    for (std::size_t f = 0; f < wrenches.size(); ++f) {
+      const Vector3 normal_W = NormalUnder(plan_.footsteps, static_cast<int>(f), time_s);
+      Vector3& force_W = wrenches[f].force_W;
+      const double normal = std::max(0.0, force_W.dot(normal_W));
+      const double cone = normal * FrictionUnder(plan_.terrain, plan_.footsteps, static_cast<int>(f), time_s);
+      const Vector3 across_W = force_W - force_W.dot(normal_W) * normal_W;
+      const double outside = across_W.norm() - cone;
+      if (outside > 0.0 && outside < kRounding * model_.weight_n())
+        force_W = normal * normal_W + cone / across_W.norm() * across_W;
+    }
   }
 
   /// The open parts in the least squares over the rows that have no torque to make up for them; a little weight on the

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The verb `import`: what it prints and writes, and what it refuses.
+#include <algorithm>
+
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+class Import : public Stranger {
+ protected:
+  /// A plan of the program's own, written as a CSV: its first line and the others.
+  std::string Motion() const {
+    MakePlan("plan.json");
+    const Ran ran = Run({"export", "plan.json", "--format", "csv", "--out", "motion.csv", "--quiet"});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    return Read("motion.csv");
+  }
+
+  static std::string With(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+  }
+};
+
+TEST_F(Import, MakesAPlanThatAuditAndPlayTake) {
+  Motion();
+  const Ran ran = Run({"import", "motion.csv", "--out", "new/imported.json", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const Json json = ran.json();
+  EXPECT_EQ(json.at("robot"), "a1");
+  EXPECT_EQ(json.at("verdict"), "pass");
+  EXPECT_EQ(json.at("format"), "csv");
+  EXPECT_GT(json.at("rows"), 100);
+  EXPECT_GT(json.at("duration_s"), 1.0);
+  EXPECT_GT(json.at("footholds"), 4);
+  EXPECT_GT(json.at("derived").size(), 3U);
+  EXPECT_TRUE(json.at("derived").front().at("how").is_string());
+  EXPECT_TRUE(json.at("unused_columns").is_array() && json.at("warnings").is_array());
+  EXPECT_EQ(json.at("audit").at("verdict"), "pass");
+  EXPECT_EQ(json.at("files").at("plan"), "new/imported.json");
+  EXPECT_EQ(Run({"audit", "new/imported.json", "--quiet"}).out, "pass\n");
+  EXPECT_EQ(Run({"play", "new/imported.json", "--quiet"}).out, "pass\n");
+  const Ran words = Run({"import", "motion.csv"});
+  EXPECT_NE(words.out.find("derived: accelerations: "), std::string::npos) << words.out;
+  EXPECT_EQ(Run({"import", "motion.csv", "--quiet"}).out, "pass\n");
+}
+
+TEST_F(Import, RefusesWithTheReasonAndWritesNothing) {
+  const std::string motion = Motion();
+  Write("names.csv", With(motion, "q_FL_hip_joint_rad", "q_FL_hop_joint_rad"));
+  ExpectRefused(Run({"import", "names.csv", "--out", "x.json"}), 1,
+                {"names.csv", "'q_FL_hop_joint_rad' is unknown for robot 'a1'; the nearest is 'q_FL_hip_joint_rad'"});
+  ExpectRefused(Run({"import", "motion.csv", "--robot", "nao", "--out", "x.json"}), 1, {"unknown for robot 'nao'"});
+  ExpectRefused(Run({"import", "none.csv", "--out", "x.json"}), 1, {"none.csv"});
+  ExpectRefused(Run({"import", "motion.csv", "--columns", "none.yaml", "--out", "x.json"}), 1, {"none.yaml"});
+  ExpectRefused(Run({"import", "motion.csv", "--set", "lift_m=0.1", "--out", "x.json"}), 1,
+                {"over the ground in most rows"});
+  ExpectRefused(Run({"import", "motion.csv", "--out", "motion.csv"}), 1, {"motion.csv"});
+  ExpectRefused(Run({"import", "motion.csv", "--goal", "1,2", "--out", "x.json"}), 1, {"--goal", "3 numbers"});
+  const std::vector<std::string> found = Found();
+  EXPECT_EQ(std::count(found.begin(), found.end(), "x.json"), 0);
+}
+
+TEST_F(Import, ColumnsMayBeNamedInAFile) {
+  const std::string motion = Motion();
+  Write("theirs.csv", With(With(motion, "time_s", "clock"), "q_FL_hip_joint_rad", "hip"));
+  Write("names.yaml", "columns: {clock: time_s, hip: q_FL_hip_joint_rad}\n");
+  const Ran ran = Run({"import", "theirs.csv", "--columns", "names.yaml", "--out", "theirs.json", "--quiet"});
+  EXPECT_EQ(ran.out, "pass\n") << ran.err;
+}
+
+TEST_F(Import, FootstepsAreAPlanToo) {
+  Write("steps.yaml", "swing_s: 0.4\npause_s: 0.3\nfootsteps:\n- {foot: FL_foot, x_m: 0.22, y_m: 0.13}\n");
+  const Ran ran = Run({"import", "steps.yaml", "--out", "steps.json", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.json().at("format"), "footsteps");
+  EXPECT_EQ(ran.json().at("rows"), 1);
+}
+
+}  // namespace
+}  // namespace gaitwright::cli

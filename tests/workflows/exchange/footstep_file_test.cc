@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/footstep_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "kinematics/base/file.h"
+#include "planning/plan/built_in_terrain.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+const RobotModel& FourFeet() {
+  static const RobotModel model = *ChooseRobot("a1", "");
+  return model;
+}
+
+const std::string kSteps =
+    "swing_s: 0.4\npause_s: 0.3\nfootsteps:\n"
+    "- {foot: RL_foot, x_m: -0.12, y_m: 0.13}\n"
+    "- {foot: FL_foot, x_m: 0.24, y_m: 0.13}\n"
+    "- {foot: RR_foot, x_m: -0.12, y_m: -0.13}\n"
+    "- {foot: FR_foot, x_m: 0.24, y_m: -0.13}\n";
+
+Result<FootstepSkeleton> Steps(const std::string& text) {
+  return ReadFootsteps(FourFeet(), FlatTerrain(), text, "steps.yaml", 0.005);
+}
+
+void ExpectNoSteps(const std::string& text, const std::string& part) {
+  const Result<FootstepSkeleton> steps = Steps(text);
+  ASSERT_FALSE(steps.ok()) << part;
+  EXPECT_EQ(steps.failure().code, "footsteps");
+  EXPECT_NE(steps.failure().message.find(part), std::string::npos) << steps.failure().message;
+}
+
+TEST(FootstepFile, TimesFollowFromSwingsAndPauses) {
+  const Result<FootstepSkeleton> steps = Steps(kSteps);
+  ASSERT_TRUE(steps.ok()) << steps.failure().message;
+  EXPECT_EQ(steps->footsteps.footholds.size(), 8U);
+  ASSERT_EQ(steps->schedule.phases.size(), 9U);
+  EXPECT_NEAR(steps->schedule.phases[0].end_s, 0.8, 1e-9);
+  EXPECT_NEAR(steps->schedule.phases[1].end_s, 1.2, 1e-9);
+  EXPECT_NEAR(steps->schedule.phases[2].end_s, 1.5, 1e-9);
+  EXPECT_NEAR(steps->schedule.end_s(), 0.8 + 4 * 0.4 + 3 * 0.3 + 0.8, 1e-9);
+  CheckSchedule(steps->schedule, 4);
+}
+
+TEST(FootstepFile, TimesMayBeGiven) {
+  const Result<FootstepSkeleton> steps = Steps(
+      "footsteps:\n- {foot: RL_foot, x_m: -0.12, y_m: 0.13, lift_off_s: 1.0, touch_down_s: 1.5}\n"
+      "- {foot: FR_foot, x_m: 0.2, y_m: -0.13, lift_off_s: 1.0, touch_down_s: 1.5, yaw_rad: 0.1, z_m: 0.005}\n");
+  ASSERT_TRUE(steps.ok()) << steps.failure().message;
+  ASSERT_EQ(steps->schedule.phases.size(), 3U);
+  EXPECT_NEAR(steps->schedule.phases[1].start_s, 1.0, 1e-9);
+}
+
+TEST(FootstepFile, IsReadStrictly) {
+  ExpectNoSteps("swing_s: 0.4\n", "footsteps");
+  ExpectNoSteps("footsteps: []\n", "footsteps is empty");
+  ExpectNoSteps("footsteps: [{foot: LF, x_m: 0, y_m: 0}]\n", "robot 'a1' has no foot 'LF'; it has ");
+  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1}]\n", "needs lift_off_s and touch_down_s, or swing_s");
+  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1}]\n", "go together");
+  ExpectNoSteps("swing_s: 0.4\nfootsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, z_m: 0.1}]\n",
+                "z_m = 0.1 m is not on the ground");
+  ExpectNoSteps("footsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1, touch_down_s: 1}]\n", "is the least");
+  ExpectNoSteps(
+      "footsteps:\n- {foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1, touch_down_s: 1.5}\n"
+      "- {foot: FL_foot, x_m: 0.2, y_m: 0.1, lift_off_s: 1.2, touch_down_s: 1.8}\n",
+      "has to stand");
+  ExpectNoSteps("swing_s: .inf\nfootsteps: [{foot: FL_foot, x_m: 0.2, y_m: 0.1}]\n", "line 1");
+  ExpectNoSteps("start: [{foot: FL_foot, x_m: 0.2, y_m: 0.1}]\nswing_s: 0.4\nfootsteps: []\n", "start has 1 of 4 feet");
+  ExpectNoSteps("swings_s: 0.4\nfootsteps: []\n", "'swing_s'");
+}
+
+TEST(FootstepFile, IsPlannedOnIntoAMotionThatPassesAndPlays) {
+  ImportRequest request;
+  request.file = (std::filesystem::path(testing::TempDir()) / "steps.yaml").string();
+  ASSERT_TRUE(WriteFileAtomically(request.file, kSteps).ok());
+  const Result<ImportedMotion> imported = ImportMotion(FourFeet(), request);
+  ASSERT_TRUE(imported.ok()) << imported.failure().message;
+  EXPECT_EQ(imported->format, "footsteps");
+  EXPECT_EQ(imported->rows, 4);
+  EXPECT_TRUE(imported->audit.pass()) << AuditText(imported->audit);
+  const Foothold& last = imported->plan.footsteps.footholds.back();
+  EXPECT_NEAR(last.X_WF.translation().x(), 0.24, 1e-9);
+  const PlayRequest usual;
+  const Result<PlayedWalk> played = PlayWalk(FourFeet(), imported->plan, usual);
+  ASSERT_TRUE(played.ok());
+  EXPECT_TRUE(played->report.pass) << played->report.reason;
+}
+
+TEST(FootstepFile, StepsOutOfReachAreRefused) {
+  ImportRequest request;
+  request.file = (std::filesystem::path(testing::TempDir()) / "far.yaml").string();
+  ASSERT_TRUE(
+      WriteFileAtomically(request.file, "swing_s: 0.4\nfootsteps: [{foot: FL_foot, x_m: 1.5, y_m: 0.1}]\n").ok());
+  const Result<ImportedMotion> imported = ImportMotion(FourFeet(), request);
+  ASSERT_FALSE(imported.ok());
+  EXPECT_EQ(imported.failure().kind, FailureKind::kInfeasible);
+  EXPECT_NE(imported.failure().message.find("cannot reach its foothold"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/joint_trajectory.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+const RobotModel& Quadruped() {
+  static const RobotModel model = *ChooseRobot("a1", "");
+  return model;
+}
+
+/// All joints of the A1, and points as given, each `{positions}` standing for twelve numbers.
+std::string Message(const std::string& points) {
+  std::string text = "joint_names: [";
+  for (const std::string& name : Quadruped().dof_names) text += (text.back() == '[' ? "" : ", ") + name;
+  text += "]\npoints:\n" + points;
+  const std::string twelve = "[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]";
+  for (std::size_t at = text.find("{twelve}"); at != std::string::npos; at = text.find("{twelve}"))
+    text.replace(at, 8, twelve);
+  return text;
+}
+
+Result<MotionTable> Trajectory(const std::string& text, const ImportOptions& options = {}) {
+  return ParseJointTrajectory(Quadruped(), text, "walk.yaml", options);
+}
+
+void ExpectWhy(const std::string& text, const std::string& part) {
+  const Result<MotionTable> motion = Trajectory(text);
+  ASSERT_FALSE(motion.ok()) << part;
+  EXPECT_EQ(motion.failure().code, "joint_trajectory");
+  EXPECT_NE(motion.failure().message.find(part), std::string::npos) << motion.failure().message;
+}
+
+const std::string kFirst = "- {positions: {twelve}, time_from_start: {sec: 0, nanosec: 0}}\n";
+
+TEST(JointTrajectory, BothRosesAndPlainSecondsAreRead) {
+  const std::string text = kFirst +
+                           "- {positions: {twelve}, time_from_start: {secs: 1, nsecs: 500000000}}\n"
+                           "- {positions: {twelve}, time_from_start: 2.25}\n";
+  for (const std::string& message : {Message(text), "---\n" + Message(text) + "---\n"}) {
+    const Result<MotionTable> motion = Trajectory(message);
+    ASSERT_TRUE(motion.ok()) << motion.failure().message;
+    EXPECT_EQ(motion->time_s, (std::vector<double>{0.0, 1.5, 2.25}));
+    EXPECT_EQ(motion->q[2][7], 7.0);
+    EXPECT_TRUE(motion->v.empty() && motion->tau.empty() && motion->base_m.empty());
+  }
+}
+
+TEST(JointTrajectory, TakesVelocitiesAndEfforts) {
+  const std::string point = "positions: {twelve}, velocities: {twelve}, accelerations: {twelve}, effort: {twelve}";
+  const Result<MotionTable> motion =
+      Trajectory(Message("- {" + point + ", time_from_start: 0}\n- {" + point + ", time_from_start: 0.1}\n"));
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  EXPECT_EQ(motion->v[1][3], 3.0);
+  EXPECT_EQ(motion->tau[1][11], 11.0);
+  EXPECT_EQ(motion->unused_columns, std::vector<std::string>{"accelerations"});
+}
+
+TEST(JointTrajectory, IsReadStrictly) {
+  ExpectWhy(Message(kFirst + kFirst), "time_from_start of 0 s does not come after 0 s of the point before");
+  ExpectWhy(Message("- {positions: [1, 2], time_from_start: 0}\n"), "positions has 2 numbers, joint_names 12 names");
+  ExpectWhy(Message("- {positions: {twelve}}\n"), "time_from_start");
+  ExpectWhy(Message(kFirst + "- {positions: {twelve}, velocities: {twelve}, time_from_start: 1}\n"),
+            "point 2 has velocities, those before lack it; all points must be alike");
+  ExpectWhy(Message("- {positions: [.nan, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11], time_from_start: 0}\n"), "line 3");
+  ExpectWhy("joint_names: [FL_hop_joint]\npoints: []\n",
+            "robot 'a1' has no joint 'FL_hop_joint'; the nearest is 'FL_hip_joint'");
+  ExpectWhy("joint_names: [FL_hip_joint, FL_hip_joint]\npoints: []\n", "joint 'FL_hip_joint' stands there twice");
+  ExpectWhy("joint_names: [FL_hip_joint]\npoints: []\n", "joint_names lacks 11 of 12 joints of robot 'a1': ");
+  ExpectWhy("points: []\n", "joint_names");
+  ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "holds 2 messages; one trajectory is needed");
+  ExpectWhy("joint_names: [", "line ");
+}
+
+TEST(JointTrajectory, JointsThatAreNotThereMayStand) {
+  ImportOptions options;
+  options.missing_joints = "standing";
+  const Result<MotionTable> motion =
+      Trajectory("joint_names: [FL_hip_joint]\npoints: [{positions: [0.2], time_from_start: 0}]\n", options);
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  VectorX expected = Quadruped().standing_joints;
+  expected[Quadruped().DofIndex("FL_hip_joint")] = 0.2;
+  EXPECT_EQ(motion->q[0], expected);
+  ASSERT_EQ(motion->derived.size(), 1U);
+}
+
+}  // namespace
+}  // namespace gaitwright

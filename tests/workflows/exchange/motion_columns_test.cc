@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/motion_columns.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numbers>
+
+#include "kinematics/base/file.h"
+#include "workflows/exchange/ocs2_columns.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+const RobotModel& Robot(const std::string& name) {
+  static const RobotModel a1 = *ChooseRobot("a1", ""), nao = *ChooseRobot("nao", "");
+  return name == "a1" ? a1 : nao;
+}
+
+/// A table of two rows with a column of time and all joints of a robot at 0.1, 0.2, ...
+CsvTable TableOf(const RobotModel& model, const std::vector<std::pair<std::string, double>>& more = {}) {
+  std::string header = "time_s", row;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const Joint& joint = model.LeaderOf(d);
+    header += ",q_" + joint.name + (joint.is_prismatic() ? "_m" : "_rad");
+    row += fmt::format(",{}", 0.1 * (d + 1));
+  }
+  for (const auto& [name, value] : more) header += "," + name, row += fmt::format(",{}", value);
+  return *ParseCsvTable(header + "\n0" + row + "\n0.01" + row + "\n", "motion.csv");
+}
+
+Result<MotionTable> Taken(const CsvTable& table, const ColumnNames& names = {}, const ImportOptions& options = {},
+                          const std::string& robot = "a1") {
+  return MotionFromCsv(Robot(robot), table, names, options);
+}
+
+void ExpectRefusal(const Result<MotionTable>& motion, const std::string& part) {
+  ASSERT_FALSE(motion.ok()) << part;
+  EXPECT_EQ(motion.failure().code, "columns");
+  EXPECT_NE(motion.failure().message.find(part), std::string::npos) << motion.failure().message;
+}
+
+TEST(MotionColumns, TakesWhatNamesSay) {
+  const Result<MotionTable> motion = Taken(
+      TableOf(Robot("a1"),
+              {{"v_FL_hip_joint_rad_s", 2.0}, {"tau_FL_hip_joint_nm", 3.0}, {"base_vx_m_s", 9.0}, {"battery", 12.0}}));
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  const int dof = Robot("a1").DofIndex("FL_hip_joint");
+  EXPECT_NEAR(motion->q[1][dof], 0.1 * (dof + 1), 1e-12);
+  EXPECT_EQ(motion->v[0][dof], 2.0);
+  EXPECT_TRUE(std::isnan(motion->v[0][dof == 0 ? 1 : 0])) << "one that is not there is worked out";
+  EXPECT_EQ(motion->tau[0][dof], 3.0);
+  EXPECT_TRUE(motion->base_m.empty() && motion->quaternion.empty() && motion->contact.empty());
+  EXPECT_EQ(motion->unused_columns, (std::vector<std::string>{"base_vx_m_s", "battery"}));
+}
+
+TEST(MotionColumns, AnglesOfTheBaseAreARotation) {
+  const Result<MotionTable> motion = Taken(TableOf(Robot("a1"), {{"base_x_m", 1},
+                                                                 {"base_y_m", 2},
+                                                                 {"base_z_mm", 300},
+                                                                 {"base_roll_deg", 90},
+                                                                 {"base_pitch_rad", 0},
+                                                                 {"base_yaw_deg", 90}}));
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  EXPECT_NEAR(motion->base_m[0].z(), 0.3, 1e-12);
+  const Eigen::Vector4d c = motion->quaternion[0];
+  const Matrix3 R = Quaternion(c[3], c[0], c[1], c[2]).toRotationMatrix();
+  EXPECT_LT((R * Vector3::UnitY() - Vector3::UnitZ()).norm(), 1e-12);  // y goes up by the roll, where yaw leaves it
+  EXPECT_LT((R * Vector3::UnitX() - Vector3::UnitY()).norm(), 1e-12);
+}
+
+TEST(MotionColumns, UnitsScaleWhatHasNone) {
+  ImportOptions options;
+  options.angle_unit = "deg";
+  options.time_unit = "ms";
+  const Result<MotionTable> motion = Taken(TableOf(Robot("a1")), {}, options);
+  ASSERT_TRUE(motion.ok());
+  EXPECT_NEAR(motion->q[0][1], 0.2 * kDegree, 1e-15);
+  EXPECT_NEAR(motion->time_s[1], 1e-5, 1e-15);
+}
+
+TEST(MotionColumns, FeetAndForces) {
+  std::vector<std::pair<std::string, double>> more;
+  for (const Foot& foot : Robot("a1").feet) {
+    more.emplace_back("contact_" + foot.link, foot.link == "FL_foot" ? 0.0 : 1.0);
+    for (const char axis : {'x', 'y', 'z'})
+      more.emplace_back(fmt::format("force_{}_{}_n", foot.link, axis), axis - 'x');
+  }
+  const Result<MotionTable> motion = Taken(TableOf(Robot("a1"), more));
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  for (int f = 0; f < 4; ++f)
+    EXPECT_EQ(Contains(motion->contact[0], f), Robot("a1").feet[static_cast<std::size_t>(f)].link != "FL_foot");
+  EXPECT_EQ(motion->force_W[1][3], Vector3(0.0, 1.0, 2.0));
+  more.front().second = 0.5;
+  ExpectRefusal(Taken(TableOf(Robot("a1"), more)), "0.5 is neither 0 nor 1");
+  more.pop_back();
+  ExpectRefusal(Taken(TableOf(Robot("a1"), more)), "all of them are needed, or none");
+}
+
+TEST(MotionColumns, RefusesWhatDoesNotGoTogether) {
+  const RobotModel& a1 = Robot("a1");
+  ExpectRefusal(Taken(TableOf(a1, {{"v_FL_hip_joint_deg", 1}})),
+                "is unknown for robot 'a1'; the nearest is 'q_FL_hip_joint_deg'");
+  ExpectRefusal(Taken(TableOf(a1, {{"contact_FL_fot", 1}})), "the nearest is 'contact_FL_foot'");
+  ExpectRefusal(Taken(TableOf(a1, {{"FL_hip_joint", 1}})), "both are");
+  ExpectRefusal(Taken(TableOf(a1, {{"base_x_m", 1}, {"base_y_m", 1}, {"base_z_m", 1}})),
+                "has the position of the base and not how it is turned");
+  ExpectRefusal(Taken(TableOf(a1), {{{"time_s", "tim_s"}}, {}, {}}),
+                "column 'time_s' is to be 'tim_s', which means nothing");
+  ExpectRefusal(Taken(TableOf(a1), {{}, {{"tim", 2.0}}, {}}),
+                "there is no column 'tim' to scale; the nearest is 'time_s'");
+}
+
+TEST(MotionColumns, JointsThatFollowAreHeldAgainstTheirLeaders) {
+  const RobotModel& nao = Robot("nao");
+  const auto mimic = std::find_if(nao.joints.begin(), nao.joints.end(), [](const Joint& j) { return j.is_mimic; });
+  ASSERT_NE(mimic, nao.joints.end());
+  const double right = mimic->multiplier * 0.1 * (mimic->dof + 1) + mimic->offset;
+  const std::string column = "q_" + mimic->name + "_rad";
+  EXPECT_TRUE(Taken(TableOf(nao, {{column, right}}), {}, {}, "nao").ok());
+  ExpectRefusal(Taken(TableOf(nao, {{column, right + 0.1}}), {}, {}, "nao"), "joint '" + mimic->name + "' follows '");
+}
+
+std::string FileWithNames(const std::string& text) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "names.yaml").string();
+  EXPECT_TRUE(WriteFileAtomically(path, text).ok());
+  return path;
+}
+
+TEST(ColumnNamesFile, SaysNamesScalesAndUnits) {
+  ImportOptions options;
+  options.angle_unit = "deg";  // said by the caller, who is right
+  const Result<ColumnNames> names = ReadColumnNames(
+      FileWithNames("columns: {t: time_s, hip: q_FL_hip_joint_rad}\nscale: {hip: -1}\nignore: [battery]\n"
+                    "quaternion_order: wxyz\nangle_unit: rad\nlength_unit: mm\n"),
+      options);
+  ASSERT_TRUE(names.ok()) << names.failure().message;
+  EXPECT_EQ(names->ours.at("hip"), "q_FL_hip_joint_rad");
+  EXPECT_EQ(names->scale.at("hip"), -1.0);
+  EXPECT_EQ(names->ignored, std::vector<std::string>{"battery"});
+  EXPECT_EQ(options.quaternion_order, "wxyz");
+  EXPECT_EQ(options.angle_unit, "deg");
+  EXPECT_EQ(options.length_unit, "mm");
+}
+
+TEST(ColumnNamesFile, IsReadStrictly) {
+  ImportOptions options;
+  const auto why = [&](const std::string& text) { return ReadColumnNames(FileWithNames(text), options).failure(); };
+  EXPECT_EQ(why("colums: {}\n").code, "columns_file");
+  EXPECT_NE(why("colums: {}\n").message.find("'columns'"), std::string::npos) << why("colums: {}\n").message;
+  EXPECT_NE(why("scale: {a: 0}\n").message.find("scale of 'a' is 0"), std::string::npos);
+  EXPECT_NE(why("angle_unit: turns\n").message.find("line 1"), std::string::npos);
+  EXPECT_NE(why("columns: [\n").message.find("line "), std::string::npos);
+}
+
+/// The columns of OCS2's QuadrupedLogger.
+CsvTable Ocs2Table() {
+  std::string header = "time", row = "0.005";
+  const auto add = [&](const std::string& name, double value) {
+    header += ", " + name;
+    row += fmt::format(", {}", value);
+  };
+  const std::vector<std::string> legs = {"LF", "RF", "LH", "RH"};
+  for (const auto& leg : legs) add("contactflag_" + leg, leg == "RF" ? 0 : 1);
+  for (const char* axis : {"x", "y", "z"}) add(fmt::format("base_positionInWorld_{}", axis), 0.3);
+  for (const char* part : {"w", "x", "y", "z"}) add(fmt::format("base_quaternion_{}", part), *part == 'w' ? 1.0 : 0.0);
+  for (const char* of : {"linear", "angular"}) {
+    for (const char* axis : {"x", "y", "z"}) add(fmt::format("base_{}velocityInBase_{}", of, axis), 0.0);
+  }
+  double value = 0.0;
+  for (const char* what : {"jointAngle", "jointVelocity"}) {
+    for (const auto& leg : legs) {
+      for (const char* joint : {"HAA", "HFE", "KFE"}) add(fmt::format("{}_{}_{}", what, leg, joint), value += 0.01);
+    }
+  }
+  for (const auto& leg : legs) {
+    for (const char* axis : {"x", "y", "z"}) add(fmt::format("contactForcesInWorld_{}_{}", leg, axis), value += 0.01);
+  }
+  const std::string later = "0.0075" + row.substr(row.find(','));
+  return *ParseCsvTable(header + ", \n" + row + ", \n" + later + ", \n", "ocs2.csv");
+}
+
+TEST(Ocs2Columns, AreTakenAsTheyAre) {
+  const CsvTable table = Ocs2Table();
+  ASSERT_TRUE(IsOcs2Motion(table));
+  EXPECT_FALSE(IsOcs2Motion(TableOf(Robot("a1"))));
+  std::vector<DerivedPart> derived;
+  const RobotModel& a1 = Robot("a1");
+  const Result<ColumnNames> names = Ocs2ColumnNames(a1, table, derived);
+  ASSERT_TRUE(names.ok()) << names.failure().message;
+  ASSERT_EQ(derived.size(), 1U);
+  EXPECT_NE(derived.front().how.find("LF_HAA is FL_hip_joint"), std::string::npos);
+  EXPECT_NE(derived.front().how.find("RH_KFE is RR_calf_joint"), std::string::npos);
+  const Result<MotionTable> motion = Taken(table, *names);
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  EXPECT_EQ(motion->quaternion[0], Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
+  EXPECT_NEAR(motion->q[0][a1.DofIndex("FL_hip_joint")], 0.01, 1e-12);
+  EXPECT_NEAR(motion->q[0][a1.DofIndex("RR_calf_joint")], 0.12, 1e-12);
+  EXPECT_NEAR(motion->v[0][a1.DofIndex("FL_hip_joint")], 0.13, 1e-12);
+  for (int f = 0; f < 4; ++f)
+    EXPECT_EQ(Contains(motion->contact[0], f), a1.feet[static_cast<std::size_t>(f)].link != "FR_foot");
+  EXPECT_EQ(motion->unused_columns.size(), 6U);
+}
+
+TEST(Ocs2Columns, NeedALeggedRobotOfThatKind) {
+  std::vector<DerivedPart> derived;
+  const Result<ColumnNames> names = Ocs2ColumnNames(Robot("nao"), Ocs2Table(), derived);
+  ASSERT_FALSE(names.ok());
+  EXPECT_NE(names.failure().message.find("robot 'nao' has no such legs"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gaitwright
