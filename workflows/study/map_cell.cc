@@ -25,7 +25,7 @@ constexpr std::array<Colour, 9> kCividis = {{{0, 34, 78},
                                              {226, 204, 84},
                                              {254, 232, 56}}};
 
-std::string Shape(const MapCell& cell, const std::string& style) {
+std::string Outlined(const MapCell& cell, const std::string& style) {
   if (cell.round) {
     return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}/>", cell.x + 0.5 * cell.width,
                        cell.y + 0.5 * cell.height, 0.5 * std::min(cell.width, cell.height), style);
@@ -112,9 +112,9 @@ std::string DrawCell(const MapCell& cell, PointStatus status, std::optional<doub
   const char* pattern = PatternOf(status);
   std::string svg = "<g>";
   if (!cell.words.empty()) svg += "<title>" + EscapedXml(cell.words) + "</title>";
-  svg += Shape(cell, fmt::format("fill=\"{}\"", share ? MapColour(*share) : "#e9ecef"));
-  if (pattern != nullptr) svg += Shape(cell, fmt::format("fill=\"url(#{})\"", pattern));
-  if (cell.framed) svg += Shape(cell, "fill=\"none\" stroke=\"#d6006c\" stroke-width=\"3\"");
+  svg += Outlined(cell, fmt::format("fill=\"{}\"", share ? MapColour(*share) : "#e9ecef"));
+  if (pattern != nullptr) svg += Outlined(cell, fmt::format("fill=\"url(#{})\"", pattern));
+  if (cell.framed) svg += Outlined(cell, "fill=\"none\" stroke=\"#d6006c\" stroke-width=\"3\"");
   const double size = std::min({0.62 * cell.height, 0.8 * cell.width, 15.0});
   const std::string letter = LetterOf(status);
   if (!letter.empty() && size >= 5.0) {
