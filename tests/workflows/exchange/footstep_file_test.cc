@@ -7,6 +7,7 @@
 
 #include "kinematics/base/file.h"
 #include "planning/plan/built_in_terrain.h"
+#include "tests/scratch_folder.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
@@ -76,7 +77,7 @@ TEST(FootstepFile, IsReadStrictly) {
 
 TEST(FootstepFile, IsPlannedOnIntoAMotionThatPassesAndPlays) {
   ImportRequest request;
-  request.file = (std::filesystem::path(testing::TempDir()) / "steps.yaml").string();
+  request.file = ScratchFile("steps.yaml");
   ASSERT_TRUE(WriteFileAtomically(request.file, kSteps).ok());
   const Result<ImportedMotion> imported = ImportMotion(FourFeet(), request);
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
@@ -93,7 +94,7 @@ TEST(FootstepFile, IsPlannedOnIntoAMotionThatPassesAndPlays) {
 
 TEST(FootstepFile, StepsOutOfReachAreRefused) {
   ImportRequest request;
-  request.file = (std::filesystem::path(testing::TempDir()) / "far.yaml").string();
+  request.file = ScratchFile("far.yaml");
   ASSERT_TRUE(
       WriteFileAtomically(request.file, "swing_s: 0.4\nfootsteps: [{foot: FL_foot, x_m: 1.5, y_m: 0.1}]\n").ok());
   const Result<ImportedMotion> imported = ImportMotion(FourFeet(), request);

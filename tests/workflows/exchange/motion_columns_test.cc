@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "kinematics/base/file.h"
+#include "tests/scratch_folder.h"
 #include "workflows/exchange/ocs2_columns.h"
 #include "workflows/walk/walk.h"
 
@@ -127,7 +128,7 @@ TEST(MotionColumns, JointsThatFollowAreHeldAgainstTheirLeaders) {
 }
 
 std::string FileWithNames(const std::string& text) {
-  const std::string path = (std::filesystem::path(testing::TempDir()) / "names.yaml").string();
+  const std::string path = ScratchFile("names.yaml");
   EXPECT_TRUE(WriteFileAtomically(path, text).ok());
   return path;
 }
