@@ -85,13 +85,15 @@ void LegTargets::SetRates(int leg, const Vector6& wanted, VectorX& v) const {
   }
 }
 
-void LegTargets::Hold(int leg, const Vector3& normal_W, const VectorX& q, VectorX& v) {
+void LegTargets::Hold(int leg, const Vector3& normal_W, double creep_m_s, const VectorX& q, VectorX& v) {
   const Foot& foot = model_.feet[static_cast<std::size_t>(leg)];
   ForwardKinematics(model_, q, scratch_);
   const auto body = static_cast<std::size_t>(foot.body);
   const Vector3 p_WQ = ContactFrame(model_, scratch_, leg, normal_W).translation();
   UpdateJacobian(leg, scratch_.R_WB[body].transpose() * (p_WQ - scratch_.p_WB[body]));
-  SetRates(leg, Vector6::Zero(), v);
+  const Vector6 moves = whole_ * v;
+  const double speed = weight_.cwiseProduct(moves).norm();
+  SetRates(leg, speed > creep_m_s ? Vector6(creep_m_s / speed * moves) : moves, v);
 }
 
 VectorX LegTargets::ExtraTorque(int leg, const FootMotion& wanted, const MatrixX& M) const {

@@ -32,8 +32,9 @@ class LegTargets {
   /// limits, or as near to them as the plan goes.
   void Solve(int leg, const FootMotion& wanted, const VectorX& q_planned, VectorX& q, VectorX& v);
 
-  /// The leg's entries of v with which its contact point stands still on ground of that normal, at the state q, v.
-  void Hold(int leg, const Vector3& normal_W, const VectorX& q, VectorX& v);
+  /// The leg's entries of v with which its contact point moves on as it does, but not faster than creep_m_s (0: it
+  /// stands still), on ground of that normal, at the state q, v: what is measured of a foot at rest is mostly noise.
+  void Hold(int leg, const Vector3& normal_W, double creep_m_s, const VectorX& q, VectorX& v);
 
   /// Torques that the leg's joints need for the extra acceleration: M_ll J_l^+ a. Solve first.
   /// @param M  mass matrix of the robot, nv x nv.

@@ -17,6 +17,8 @@ namespace gaitwright {
 ///   falls sideways after a push    raise step_gain; the feet land too near to the fall
 ///   steps about without a push     lower step_gain
 ///   feet touch down early          raise hover
+///   standing feet slide            raise stance_damping
+///   trembles with noisy sensors    lower stance_damping, raise stance_creep
 struct StabilisedOptions {
   double attitude_rad_s = 10.0;
   double height_rad_s = 10.0;
@@ -29,7 +31,8 @@ struct StabilisedOptions {
   double torque_use = 0.9;
   double swing_stiffness = 1.0;
   double swing_acceleration_m_s2 = 60.0;
-  double stance_damping = 1.0;
+  double stance_damping = 0.2;
+  double stance_creep = 0.02;
   double settle_s = 0.03;
   double hover = 0.004;
   double search_m_s = 0.6;
@@ -103,6 +106,13 @@ struct StabilisedOptions {
          0.0,
          1.0,
          "Factor on the damping of a leg that stands, which keeps its foot from sliding.",
+         {}},
+        {"stance_creep",
+         &stance_creep,
+         "1",
+         0.0,
+         1.0,
+         "Speed below which a standing foot is not held: what is measured of it is mostly noise; unit sqrt(g leg).",
          {}},
         {"torque_use", &torque_use, "1", 0.1, 1.0, "Share of an ankle's effort limit that moving the ZMP may use.", {}},
         {"settle_s",

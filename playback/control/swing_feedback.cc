@@ -177,7 +177,8 @@ FootMotion SwingFeedback::WantedMotion(int foot, const Motion1& hover) const {
 /// Contact forces carry the balance; the motors only keep the foot from sliding.
 void SwingFeedback::CommandStance(const Situation& now, int leg, const StanceFeedback& stance, JointCommand& command) {
   v_ = now.measured.v;
-  legs_.Hold(leg, now.swings.Under(leg, now.time_s).normal_W, now.measured.q, v_);
+  const double creep_m_s = options_.stance_creep * std::sqrt(kGravity * model_.leg_length_m());
+  legs_.Hold(leg, now.swings.Under(leg, now.time_s).normal_W, creep_m_s, now.measured.q, v_);
   for (const int dof : legs_.dofs(leg)) {
     command.q[dof] = now.measured.q[7 + dof];
     command.v[dof] = v_[6 + dof];

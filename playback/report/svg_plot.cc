@@ -164,8 +164,8 @@ SvgPlot::Frame SvgPlot::MakeFrame() const {
   frame.lowest = {options_.x_lowest.value_or(frame.lowest.x()), options_.y_lowest.value_or(frame.lowest.y())};
   frame.highest = {options_.x_highest.value_or(frame.highest.x()), options_.y_highest.value_or(frame.highest.y())};
   if (!options_.rows.empty()) {
-    frame.lowest.y() = -0.6;
-    frame.highest.y() = static_cast<double>(options_.rows.size()) - 0.4;
+    frame.lowest.y() = static_cast<double>(options_.rows.size()) - 0.4;  // downwards
+    frame.highest.y() = -0.6;
   }
   const double title = options_.title.empty() ? 0.0 : kLineHeight + 3.0;
   const double below = 6.0 + kLineHeight + (options_.x_label.empty() && !options_.x_label_room ? 0.0 : kLineHeight);
@@ -211,7 +211,7 @@ std::string SvgPlot::Axes(const Frame& f) const {
     svg += SvgSegment({f.left, y}, {f.right, y}, "grid") + SvgText(f.left - 6.0, y + 4.0, "tick end", y_texts[i]);
   }
   for (std::size_t i = 0; i < options_.rows.size(); ++i) {
-    const double y = f.Pixel({0.0, static_cast<double>(options_.rows.size() - 1 - i)}).y();
+    const double y = f.Pixel({0.0, static_cast<double>(i)}).y();
     svg += SvgText(f.left - 6.0, y + 4.0, "tick end", options_.rows[i]);
   }
   if (!options_.title.empty()) svg += SvgText(f.left, kLineHeight, "title", options_.title);
@@ -277,11 +277,10 @@ std::string SvgPlot::Draw(const Shape& shape, const Frame& f) const {
            SvgSegment({at.x() - r, at.y() + r}, {at.x() + r, at.y() - r}, css);
   }
   if (shape.kind == Kind::kBar) {
-    const double y = f.Pixel({0.0, static_cast<double>(options_.rows.size()) - 1.0 - shape.points[0].y()}).y();
     const double tall = 0.5 * (f.bottom - f.top) / static_cast<double>(std::max<std::size_t>(options_.rows.size(), 1));
     const double height = shape.stroke == Stroke::kPlanned ? 1.5 * tall : 0.6 * tall;
     return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"{} bar-{}\"/>",
-                       at.x(), y - 0.5 * height, std::max(pixels[1].x() - at.x(), 0.5), height, ink,
+                       at.x(), at.y() - 0.5 * height, std::max(pixels[1].x() - at.x(), 0.5), height, ink,
                        CssClass(shape.stroke));
   }
   const auto outline = Simplified(pixels, kTolerance, 2 * options_.most_points);

@@ -152,13 +152,34 @@ TEST_P(LegTargetsTest, HeldFeetStandStillUnderAMovingBase) {
     for (int leg = 0; leg < static_cast<int>(model_.legs.size()); ++leg) {
       VectorX v = start;
       EXPECT_GT(ContactVelocity(model_, leg, standing_, v).head<3>().norm(), 1e-3);
-      legs_.Hold(leg, Vector3::UnitZ(), standing_, v);
+      legs_.Hold(leg, Vector3::UnitZ(), 0.0, standing_, v);
       const Vector6 held = ContactVelocity(model_, leg, standing_, v);
       EXPECT_LT(held.head<3>().norm(), 2e-3 * start.norm());
       if (!quadruped()) {
         EXPECT_LT(held.segment<2>(3).norm(), 0.05 * start.norm()) << "yaw yields, not roll and pitch";
       }
       EXPECT_EQ(v.head<6>(), start.head<6>());
+    }
+  }
+}
+
+TEST_P(LegTargetsTest, HeldFeetMayCreepTheWayTheyMove) {
+  RandomState random(8);
+  for (const double creep : {0.01, 1.0}) {
+    for (int trial = 0; trial < 20; ++trial) {
+      const VectorX start = 0.1 * random.Vector(model_.nv());
+      for (int leg = 0; leg < static_cast<int>(model_.legs.size()); ++leg) {
+        VectorX v = start;
+        const Vector3 before = ContactVelocity(model_, leg, standing_, v).head<3>();
+        legs_.Hold(leg, Vector3::UnitZ(), creep, standing_, v);
+        const Vector3 after = ContactVelocity(model_, leg, standing_, v).head<3>();
+        if (creep > 0.5) {
+          EXPECT_LT((after - before).norm(), 2e-3 * start.norm()) << "slow enough to be left as it is";
+        } else {
+          EXPECT_LT(after.norm(), creep + 2e-3 * start.norm());
+          EXPECT_LT(after.cross(before.normalized()).norm(), 2e-3 * start.norm()) << "not turned aside";
+        }
+      }
     }
   }
 }

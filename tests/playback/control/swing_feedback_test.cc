@@ -284,6 +284,7 @@ TEST_F(SwingFeedbackTest, AFootThatThePlanKeepsInTheAirStaysThere) {
 TEST_F(SwingFeedbackTest, LegsThatStandOnlyKeepTheirFeetFromSliding) {
   StabilisedOptions options;
   options.stance_damping = 0.5;
+  options.stance_creep = 0.0;
   Walk walk(model_, plan_, options);
   ControlInput input = OnPlan(plan_, 0.5);
   input.v.head<3>() << 0.1, -0.2, 0.05;

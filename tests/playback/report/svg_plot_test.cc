@@ -77,6 +77,37 @@ TEST(SvgPlot, AnEmptyPlotAndAConstantOneAreStillPlots) {
   EXPECT_FALSE(Has(constant.Svg(), "inf"));
 }
 
+double NumberAfter(const std::string& svg, const std::string& key, std::size_t from) {
+  const std::size_t at = svg.find(key, from);
+  return at == std::string::npos ? std::nan("") : std::stod(svg.substr(at + key.size()));
+}
+
+TEST(SvgPlot, RowsGoDownwardsAndDotsLieOnTheirBars) {
+  SvgPlot::Options options;
+  options.rows = {"first", "second", "third"};
+  SvgPlot plot(options);
+  std::vector<double> bars, dots, names;
+  for (int row = 0; row < 3; ++row) {
+    plot.Bar(row, 0.0, 1.0, Ink::kFoot, Stroke::kPlanned);
+    plot.Dot({0.5, static_cast<double>(row)}, Ink::kBad, 3.0);
+  }
+  const std::string svg = plot.Svg();
+  std::size_t bar = svg.find("class=\"frame\""), dot = 0;
+  for (const std::string& name : options.rows) {
+    bar = svg.find("<rect", bar + 1);
+    dot = svg.find("<circle", dot + 1);
+    bars.push_back(NumberAfter(svg, " y=\"", bar) + 0.5 * NumberAfter(svg, " height=\"", bar));
+    dots.push_back(NumberAfter(svg, " cy=\"", dot));
+    names.push_back(NumberAfter(svg, " y=\"", svg.rfind("<text", svg.find(">" + name + "<"))));
+  }
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_NEAR(bars[row], dots[row], 0.2);
+    EXPECT_NEAR(names[row], dots[row] + 4.0, 0.2) << "base line of the letters";
+  }
+  EXPECT_GT(dots[1], dots[0] + 10.0);
+  EXPECT_GT(dots[2], dots[1] + 10.0);
+}
+
 TEST(SvgPlot, BoundsOfOtherLengthAreRefused) {
   SvgPlot plot{SvgPlot::Options{}};
   EXPECT_THROW(plot.Band({0.0, 1.0}, {0.0}, {1.0, 1.0}, Ink::kSupport), InvalidArgument);
