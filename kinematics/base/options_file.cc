@@ -40,7 +40,7 @@ Result<OptionTexts> LoadOptionsFile(const std::string& path, OptionFields fields
                    {"a line is KEY: VALUE, with the keys of --list-options"}};
   };
   try {
-    const YAML::Node root = YAML::Load(*text);
+    const YAML::Node root = LoadYaml(*text);
     if (!root.IsMap() || root.size() == 0) return bad("line 1: holds no options: a map of keys is needed");
     return ReadEntries(root, fields);
   } catch (const YAML::Exception& error) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "kinematics/model/load_robot.h"
+#include "planning/audit/start_posture.h"
 #include "planning/gait/load_gaits.h"
 #include "planning/gait/read_sequence.h"
 #include "planning/plan/built_in_terrain.h"
@@ -74,6 +76,20 @@ Verdict ReadMeshGround(const std::string& input) {
   MeshTerrainOptions options;
   options.resolution_m = 0.05;
   return Ground(TerrainFromMesh(*mesh, options, "input.obj"));
+}
+
+Verdict ReadStartPosture(const std::string& input) {
+  static const RobotModel model = *LoadNamedRobot("a1");
+  constexpr double kRounding = 1.1e-6;
+  const Result<StartPosture> posture = StartPostureFromYaml(input, "input", model);
+  if (!posture) return Verdict::kRefused;
+  Require(posture->joints.size() == model.num_dofs(), "every joint has a position");
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double q = posture->joints[d];
+    Require(q >= model.dof_lower(d) - kRounding && q <= model.dof_upper(d) + kRounding, "joints are in their limits");
+  }
+  if (posture->R_WB) Require(std::abs(posture->R_WB->norm() - 1.0) < 1e-9, "quaternions have length 1");
+  return Verdict::kAccepted;
 }
 
 Verdict ReadPlanFile(const std::string& input) {
@@ -168,6 +184,10 @@ const std::vector<Reader>& Readers() {
        {},
        MadePictures},
       {"mesh_ground", ReadMeshGround, {"v 1 2 3\n", "f 1 2 3\n", "f 1 2 3 4\n", "v 0 0 1e3\n"}, {}, nullptr, 500},
+      {"start_posture",
+       ReadStartPosture,
+       WithYaml({"joints", "base_quaternion_xyzw", "FR_hip_joint", "FL_thigh_joint", "RL_calf_joint", "[0, 0, 0, 1]"}),
+       {}},
       {"plan",
        ReadPlanFile,
        {"null",

@@ -20,7 +20,7 @@ double MedianOf(std::vector<double> values) {
 }
 
 void CheckTimes(const MotionTable& table, const ImportOptions& options) {
-  constexpr double kLongest = 3600.0, kCoarse = 0.5;  // [s]
+  constexpr double kLongest = 3600.0, kCoarse = 0.5, kLatest = 1e10;  // [s]; a clock's seconds since 1970 are 2e9
   const bool waypoints = table.format == "joint-trajectory";
   const int least = waypoints ? 2 : 5;
   if (table.rows() < least)
@@ -35,6 +35,31 @@ void CheckTimes(const MotionTable& table, const ImportOptions& options) {
   }
   if (!(duration <= kLongest))
     throw InvalidArgument(fmt::format("lasts {:.6g} s; at most {:.0f} s are taken", duration, kLongest));
+  if (std::abs(table.time_s.front()) > kLatest) {
+    throw InvalidArgument(
+        fmt::format("begins at {:.6g} s; a start within {:.0e} s is taken", table.time_s.front(), kLatest));
+  }
+}
+
+/// What no robot's motion has, in whatever unit: sums over it would lose the rest, or would not be finite.
+void CheckSizes(const MotionTable& table) {
+  constexpr double kMost = 1e8;
+  const auto check = [&](const char* what, std::size_t row, const auto& values) {
+    for (const double value : values) {
+      if (!(std::abs(value) > kMost)) continue;  // what a file lacks is not a number
+      throw InvalidArgument(
+          fmt::format("{} of row {} ({:.6g} s) is {:.6g}; at most {:.0e} up or down is taken for a motion", what,
+                      row + 1, table.time_s[row], value, kMost));
+    }
+  };
+  for (std::size_t row = 0; row < table.time_s.size(); ++row) {
+    if (!table.base_m.empty()) check("the base's position", row, table.base_m[row]);
+    if (!table.q.empty()) check("a joint's position", row, table.q[row]);
+    if (!table.v.empty()) check("a joint's speed", row, table.v[row]);
+    if (!table.tau.empty()) check("a joint's torque", row, table.tau[row]);
+    if (table.force_W.empty()) continue;
+    for (const Vector3& force : table.force_W[row]) check("a foot's force", row, force);
+  }
 }
 
 /// Joints past their limits by far that are within them as degrees.
@@ -193,6 +218,7 @@ void CheckQuaternions(const RobotModel& model, const Terrain& terrain, const Imp
 void CheckMotionTable(const RobotModel& model, const Terrain& terrain, const ImportOptions& options,
                       MotionTable& table) {
   CheckTimes(table, options);
+  CheckSizes(table);
   CheckAngles(model, table, options);
   CheckLengths(model, table, options);
   CheckQuaternions(model, terrain, options, table);

@@ -20,8 +20,10 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
   ColumnNames names;
   if (const YAML::Node* columns = map.Find("columns")) {
     const YamlMap entries(*columns, "columns");
-    for (const auto& entry : entries.entries())
+    for (const auto& entry : entries.entries()) {
       names.ours[entry.key] = TextOf(entry.value, "column '" + entry.key + "'");
+      if (names.ours[entry.key].empty()) RefuseYaml(entry.value, "column '" + entry.key + "' has no name of ours");
+    }
   }
   if (const YAML::Node* scale = map.Find("scale")) {
     const YamlMap entries(*scale, "scale");
@@ -61,7 +63,7 @@ Result<ColumnNames> ReadColumnNames(const std::string& path, ImportOptions& opti
     return Failure{FailureKind::kBadInput, "columns_file", "ReadColumnNames", fmt::format("'{}': {}", path, why), {}};
   };
   try {
-    return Parsed(YAML::Load(*text), options);
+    return Parsed(LoadYaml(*text), options);
   } catch (const InvalidArgument& error) {
     return refused(error.what());
   } catch (const YAML::Exception& error) {

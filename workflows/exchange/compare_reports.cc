@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "planning/plan/json_part_internal.h"
 #include "playback/score/stability_report.h"
 
 namespace gaitwright {
@@ -70,11 +70,13 @@ Result<ReadReport> ReportFromJson(const std::string& text, const std::string& so
         FailureKind::kBadInput, "report_file", "ReadReport", fmt::format("'{}' is refused: {}", source, why), {}};
   };
   try {
-    ReadReport report = Read(Json::parse(text));
+    ReadReport report = Read(ParseJsonOnce(text));
     report.name = source;
     return report;
-  } catch (const Json::parse_error& error) {
-    return refused(fmt::format("its JSON is cut short or broken at byte {}", error.byte));
+  } catch (const Json::parse_error&) {
+    return refused(WhyNoJson(text));
+  } catch (const InvalidArgument& error) {
+    return refused(error.what());
   } catch (const Json::exception& error) {
     return refused(fmt::format("a part is missing or of the wrong kind: {}", error.what()));
   }

@@ -246,7 +246,7 @@ Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& t
     return Failure{FailureKind::kBadInput, "footsteps", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
   };
   try {
-    return Reader(model, terrain, grid_s).Read(YAML::Load(text));
+    return Reader(model, terrain, grid_s).Read(LoadYaml(text));
   } catch (const InvalidArgument& error) {
     return refused(error.what());
   } catch (const YAML::Exception& error) {

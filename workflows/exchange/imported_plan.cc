@@ -222,11 +222,31 @@ class Builder {
   MotionPlan plan_;
 };
 
+/// One value that jumps, as a cut decimal point makes, derives to accelerations and torques that mean nothing.
+void CheckDerived(const MotionPlan& plan) {
+  constexpr double kMost = 1e9;
+  const WholeBodyTrajectory& w = plan.whole_body;
+  for (std::size_t k = 0; k < w.q.size(); ++k) {
+    const std::pair<const char*, double> parts[] = {{"a speed", w.v[k].lpNorm<Eigen::Infinity>()},
+                                                    {"an acceleration", w.a[k].lpNorm<Eigen::Infinity>()},
+                                                    {"a torque", w.tau[k].lpNorm<Eigen::Infinity>()}};
+    for (const auto& [what, most] : parts) {
+      if (most <= kMost) continue;
+      throw InvalidArgument(
+          fmt::format("{} comes out at {:.3g} near {:.6g} s from its start, which no robot has: a "
+                      "position there jumps",
+                      what, most, static_cast<double>(k) * w.step_s));
+    }
+  }
+}
+
 }  // namespace
 
 MotionPlan PlanOfMotion(const RobotModel& model, const Terrain& terrain, EvenMotion motion,
                         const ImportOptions& options, const std::optional<PlanarPose>& goal, ImportNotes& notes) {
-  return Builder(model, terrain, std::move(motion), options, notes).Run(goal);
+  MotionPlan plan = Builder(model, terrain, std::move(motion), options, notes).Run(goal);
+  CheckDerived(plan);
+  return plan;
 }
 
 }  // namespace gaitwright

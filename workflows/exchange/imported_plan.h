@@ -17,7 +17,8 @@ struct ImportNotes {
 /// The plan of a motion on its grid: contacts, footholds and swings from the feet, the centre of mass and the ZMP from
 /// the model, forces and torques as given or by inverse dynamics. Provenance is left to the caller.
 /// @param goal  where the base was to end, from where it starts; nothing for where it ends.
-/// @throws InvalidArgument for feet that are far from the ground in most rows, or never stand.
+/// @throws InvalidArgument for feet that are far from the ground in most rows, or never stand, and for
+/// accelerations or torques that no robot has.
 MotionPlan PlanOfMotion(const RobotModel& model, const Terrain& terrain, EvenMotion motion,
                         const ImportOptions& options, const std::optional<PlanarPose>& goal, ImportNotes& notes);
 

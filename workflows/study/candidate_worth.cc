@@ -44,6 +44,9 @@ Result<CandidateWorth> WorthFromLine(const std::string& line) {
     CandidateWorth worth{json.at("refusal").get<std::string>()};
     for (const Json& trial : json.at("trials"))
       worth.trials.push_back({trial.at(0).get<double>(), trial.at(1).get<bool>()});
+    const bool finite = std::isfinite(MeanValue(worth, 0.0).value_or(0.0));
+    if (!finite || (!worth.refusal.empty() && !worth.trials.empty()))
+      throw InvalidArgument("its trials are not those of a candidate");
     return worth;
   } catch (const std::exception& error) {  // of the reader of JSON
     return Failure{FailureKind::kBadInput,

@@ -37,6 +37,10 @@ PointOutcome FromJson(const Json& json) {
   if (const Json& s = json.at("survival"); !s.is_null()) {
     o.survival = PointSurvival{s.at(0).get<int>(),    s.at(1).get<int>(),    s.at(2).get<double>(),
                                s.at(3).get<double>(), s.at(4).get<double>(), s.at(5).get<double>()};
+    const bool counted =
+        o.survival->trials > 0 && o.survival->survived >= 0 && o.survival->survived <= o.survival->trials;
+    if (!counted || SurvivalOf(o.survival->trials, o.survival->survived, o.survival->score_mean) != *o.survival)
+      throw InvalidArgument("its survival is not what its trials give");
   }
   return o;
 }

@@ -87,7 +87,7 @@ class MapDrawing {
 
   Place PlaceOf(const StudyAxis& axis, const std::string& value) const {
     if (sampled_ && axis.numbers && axis.low < axis.high) {
-      return {0.02 + 0.96 * (std::stod(value) - axis.low) / (axis.high - axis.low), 0.0};
+      return {0.02 + 0.96 * (NumberOfValue(value) - axis.low) / (axis.high - axis.low), 0.0};
     }
     const auto at = std::find(axis.values.begin(), axis.values.end(), value) - axis.values.begin();
     const auto count = static_cast<double>(axis.values.size());
@@ -141,7 +141,8 @@ class MapDrawing {
     const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil(count * room_px / length_px)));
     for (std::size_t i = 0; i < axis.values.size(); i += every) {
       const std::string& value = axis.values[i];
-      ticks.emplace_back(axis.numbers ? fmt::format("{:.4g}", std::stod(value)) : value, PlaceOf(axis, value).middle);
+      ticks.emplace_back(axis.numbers ? fmt::format("{:.4g}", NumberOfValue(value)) : value,
+                         PlaceOf(axis, value).middle);
     }
     return ticks;
   }

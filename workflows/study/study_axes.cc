@@ -159,6 +159,8 @@ std::vector<StudyAxis> ParseAxes(const std::vector<std::string>& texts, StudyLay
   return axes;
 }
 
+double NumberOfValue(const std::string& value) { return ReadNumber("axis", value); }
+
 std::vector<StudyPoint> GridPoints(const std::vector<StudyAxis>& axes) {
   std::vector<StudyPoint> points = {{}};
   for (const StudyAxis& axis : axes) {
@@ -183,7 +185,7 @@ std::string ValueAt(const StudyAxis& axis, double share) {
   }
   const double value = axis.low + share * (axis.high - axis.low);
   if (axis.whole) return fmt::format("{:.0f}", std::clamp(std::round(value), axis.low, axis.high));
-  const double rounded = std::clamp(std::stod(fmt::format("{:.6g}", value)), axis.low, axis.high);
+  const double rounded = std::clamp(NumberOfValue(fmt::format("{:.6g}", value)), axis.low, axis.high);
   return fmt::format("{}", rounded);
 }
 

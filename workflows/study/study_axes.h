@@ -67,6 +67,9 @@ std::vector<StudyPoint> SampledPoints(const std::vector<StudyAxis>& axes, std::s
 /// The value at a share, from 0 to 1, of the way from one end of the axis to the other, to 6 digits.
 std::string ValueAt(const StudyAxis& axis, double share);
 
+/// A value of an axis of numbers, as a number. @throws InvalidArgument for what is none.
+double NumberOfValue(const std::string& value);
+
 /// Puts a point into the requests. @throws InvalidArgument as SetOption.
 void ApplyPoint(const std::vector<StudyAxis>& axes, const StudyPoint& point, WalkRequest& walk, PlayRequest& play);
 

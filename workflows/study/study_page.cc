@@ -91,7 +91,7 @@ std::string ScoreOver(const Study& study, const std::vector<PointOutcome>& outco
   options.y_highest = 100.0;
   SvgPlot plot(options);
   for (const PointOutcome& o : outcomes) {
-    const Vector2 at(std::stod(study.points[o.point][axis]), o.score.value_or(0.0));
+    const Vector2 at(NumberOfValue(study.points[o.point][axis]), o.score.value_or(0.0));
     if (o.score) {
       plot.Dot(at, InkOf(o.status), 3.5, o.status == PointStatus::kPass ? "pass" : "fail");
     } else {

@@ -17,7 +17,9 @@ std::string Covered(const Study& study, std::size_t axis, const std::vector<std:
   std::vector<std::string> values;
   for (const std::size_t point : points) values.push_back(study.points[point][axis]);
   if (a.numbers) {
-    const auto by_value = [](const std::string& x, const std::string& y) { return std::stod(x) < std::stod(y); };
+    const auto by_value = [](const std::string& x, const std::string& y) {
+      return NumberOfValue(x) < NumberOfValue(y);
+    };
     const auto [low, high] = std::minmax_element(values.begin(), values.end(), by_value);
     return *low == *high ? fmt::format("{} {}{}", a.key, *low, UnitAfter(a))
                          : fmt::format("{} {} to {}{}", a.key, *low, *high, UnitAfter(a));

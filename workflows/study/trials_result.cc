@@ -7,6 +7,7 @@
 
 #include "kinematics/base/file.h"
 #include "planning/plan/json_part_internal.h"
+#include "playback/trials/wilson.h"
 
 namespace gaitwright {
 namespace {
@@ -75,11 +76,18 @@ void CheckFigures(const JsonPart& part, const TrialsResult& result) {
                             result.survived, result.n));
   }
   constexpr double kRounded = 1e-3;
-  const double share = static_cast<double>(result.survived) / result.n;
-  if (std::abs(share - result.survival) > kRounded || result.survival_low > result.survival + kRounded ||
-      result.survival_high < result.survival - kRounded) {
-    part.Refuse(fmt::format("says a survival of {} in {} to {}, where {} of {} trials survived", result.survival,
-                            result.survival_low, result.survival_high, result.survived, result.n));
+  const ShareInterval is = WilsonInterval(result.survived, result.n);
+  if (std::abs(is.share - result.survival) > kRounded || std::abs(is.low - result.survival_low) > kRounded ||
+      std::abs(is.high - result.survival_high) > kRounded) {
+    part.Refuse(
+        fmt::format("says a survival of {} in {} to {}, where {} of {} trials survived ({:.4g} in {:.4g} to "
+                    "{:.4g})",
+                    result.survival, result.survival_low, result.survival_high, result.survived, result.n, is.share,
+                    is.low, is.high));
+  }
+  for (const TrialsResult::Cause& cause : result.causes) {
+    if (cause.count > result.n)
+      part.Refuse(fmt::format("says that {} of {} trials ended as '{}'", cause.count, result.n, cause.name));
   }
 }
 

@@ -126,11 +126,11 @@ std::string Response(const Study& study, const TuneResult& result, std::size_t a
   SvgPlot plot(options);
   plot.Line(Slice(study, result, axis), Ink::kSupport, Stroke::kPlanned, "surface through the favourite");
   for (const TuneCandidate& candidate : result.candidates) {
-    const double value = std::stod(candidate.values[axis]);
+    const double value = NumberOfValue(candidate.values[axis]);
     if (candidate.value && value >= a.low && value <= a.high)
       plot.Dot({value, *candidate.value}, InkOf(candidate.found_by), 3.5, candidate.found_by);
   }
-  plot.AcrossY(std::stod(result.candidates[result.favourite].values[axis]), Ink::kDcm, "favourite");
+  plot.AcrossY(NumberOfValue(result.candidates[result.favourite].values[axis]), Ink::kDcm, "favourite");
   std::string caption = "Each candidate's value over " + a.key + ", whatever it has of the other options.";
   if (result.surface)
     caption += fmt::format(" The surface foretells {:.0f} % of the variance of what it was not fitted to.",

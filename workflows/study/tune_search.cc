@@ -253,7 +253,7 @@ class TuneSearch {
 VectorX SharesOf(const std::vector<StudyAxis>& axes, const StudyPoint& values) {
   VectorX shares(static_cast<Eigen::Index>(axes.size()));
   for (std::size_t k = 0; k < axes.size(); ++k)
-    shares[static_cast<Eigen::Index>(k)] = (std::stod(values[k]) - axes[k].low) / (axes[k].high - axes[k].low);
+    shares[static_cast<Eigen::Index>(k)] = (NumberOfValue(values[k]) - axes[k].low) / (axes[k].high - axes[k].low);
   return shares;
 }
 

@@ -72,6 +72,9 @@ TEST(CompareReports, WhatIsNoReportIsRefused) {
   const Result<ReadReport> wrong = ReportFromJson("{\"verdict\": 3, \"metrics\": {}}", "a.json");
   ASSERT_FALSE(wrong);
   EXPECT_TRUE(synthetic::Says(wrong.failure().message, "a part is missing or of the wrong kind"));
+  const Result<ReadReport> deep = ReportFromJson(std::string(100, '[') + std::string(100, ']'), "a.json");
+  ASSERT_FALSE(deep);
+  EXPECT_TRUE(synthetic::Says(deep.failure().message, "in one another"));
 }
 
 TEST(MotionFileKinds, AreToldByContentAlone) {

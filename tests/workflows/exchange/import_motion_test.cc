@@ -231,6 +231,13 @@ TEST(ImportRefusals, TimesMustRise) {
   ExpectSays(WhyRefused(good.substr(0, end)), {"has 3 rows; 5 or more make a motion"});
 }
 
+TEST(ImportRefusals, ValuesAreSuchAsMotionsHave) {
+  ExpectSays(WhyRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-1e9")),
+             {"the base's position of row 2 (0.005 s)", "at most 1e+08 up or down"});
+  ExpectSays(WhyRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-12345")),
+             {"s from its start", "a position there jumps"});
+}
+
 TEST(ImportRefusals, QuaternionsMustBeRotations) {
   ExpectSays(WhyRefused(Replaced(CsvOf({}), ",0,0,0,1,", ",0,0,0,0.5,")),
              {"the quaternion of row 1 (0 s) has length 0.5; a rotation's is 1"});

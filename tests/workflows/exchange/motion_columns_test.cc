@@ -157,6 +157,8 @@ TEST(ColumnNamesFile, IsReadStrictly) {
   EXPECT_NE(why("scale: {a: 0}\n").message.find("scale of 'a' is 0"), std::string::npos);
   EXPECT_NE(why("angle_unit: turns\n").message.find("line 1"), std::string::npos);
   EXPECT_NE(why("columns: [\n").message.find("line "), std::string::npos);
+  EXPECT_NE(why("columns: {t: ''}\n").message.find("'t'"), std::string::npos) << why("columns: {t: ''}\n").message;
+  EXPECT_NE(why("columns: &a\n  t: *a\n").message.find("line "), std::string::npos);
 }
 
 /// The columns of OCS2's QuadrupedLogger.

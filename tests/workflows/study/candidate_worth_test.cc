@@ -23,6 +23,8 @@ TEST(CandidateWorth, ALineReadsBackToTheBit) {
   EXPECT_EQ(*WorthFromLine(WorthToLine(refused)), refused);
   EXPECT_EQ(WorthToLine(refused).find('\n'), std::string::npos);
   EXPECT_FALSE(WorthFromLine("{\"refusal\": 3"));
+  EXPECT_FALSE(WorthFromLine(R"({"refusal": "too fast", "trials": [[90.0, true]]})")) << "no trials without a plan";
+  EXPECT_FALSE(WorthFromLine(R"({"refusal": "", "trials": [[1e308, true], [1e308, true]]})")) << "no finite mean";
 }
 
 TEST(PairedDifference, IsThatOfTheBook) {

@@ -36,6 +36,14 @@ TEST(PointOutcome, BrokenLinesAreFailures) {
     ASSERT_FALSE(read) << line;
     EXPECT_EQ(read.failure().code, "journal_line");
   }
+  PointOutcome outcome = At(4, PointStatus::kPass, 90.0);
+  for (const auto& [trials, survived] : {std::pair{0, 0}, {5, 6}, {-3, -5}}) {
+    outcome.survival = PointSurvival{trials, survived, 0.5, 0.2, 0.8, 90.0};
+    EXPECT_FALSE(PointFromLine(PointToLine(outcome))) << survived << " of " << trials;
+  }
+  outcome.survival = SurvivalOf(10, 6, 70.0);
+  outcome.survival->low = 0.59;
+  EXPECT_FALSE(PointFromLine(PointToLine(outcome))) << "an interval that its trials do not give";
 }
 
 TEST(PointOutcome, TheBestIsChosenBySurvivalThenVerdictThenScoreThenNumber) {

@@ -102,6 +102,12 @@ TEST(StudyAxes, WholeNumbersAreSampledAsSuch) {
   EXPECT_EQ(ValueAt(axis, 1.0), "4");
 }
 
+TEST(StudyAxes, NumbersBelowTheSmallestNormalOneAreNumbers) {
+  EXPECT_EQ(NumberOfValue("1e-320"), 1e-320);
+  EXPECT_EQ(ValueAt(ParseAxis("yaw_rate=1e-320:2e-320", StudyLayout::kTuning), 0.0), "1e-320");
+  EXPECT_THROW(NumberOfValue("trot"), InvalidArgument);
+}
+
 TEST(StudyAxes, APointGoesWhereItsKeysSay) {
   const auto axes =
       ParseAxes({"speed=0.4,0.5", "gait.cycle_s=0.6,0.7", "stabilised.dcm_gain=1.5,2"}, StudyLayout::kGrid);

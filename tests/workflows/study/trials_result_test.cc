@@ -79,6 +79,8 @@ TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   ExpectNo(With("causes", "many"), "'causes'");
   ExpectNo(With("causes", {{"tipped", -1}}), "tipped");
   ExpectNo(With("causes", {{{"count", 1}}}), "name and count");
+  ExpectNo(With("causes", {{"tipped", 21}}), "21 of 20");
+  ExpectNo(With("survival_low", 0.5), "19 of 20");
   ExpectNo(With("worst", {{{"number", 1}}}), "'seed'");
   ExpectNo(With("worst", {{{"seed", -1}}}), "seed");
   ExpectNo(With("worst", 3), "'worst'");

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/fuzz/exchange_readers.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tests/fuzz/inputs.h"
+#include "tests/fuzz/plan_laws.h"
+#include "workflows/exchange/check_motion_table.h"
+#include "workflows/exchange/compare_reports.h"
+#include "workflows/exchange/footstep_file.h"
+#include "workflows/exchange/import_motion.h"
+#include "workflows/exchange/joint_trajectory.h"
+#include "workflows/exchange/motion_columns.h"
+#include "workflows/exchange/ocs2_columns.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright::fuzz {
+namespace {
+
+constexpr double kMostOfAnything = 1e9;  // far beyond any motion, far from where sums lose themselves
+constexpr double kShort_s = 1.0;         // motions that are made a plan of: longer ones take too long for a million
+
+const RobotModel& Quadruped() {
+  static const RobotModel model = *ChooseRobot("a1", "");
+  return model;
+}
+
+bool IsSensible(const VectorX& values) { return values.allFinite() && values.cwiseAbs().maxCoeff() <= kMostOfAnything; }
+
+template <class Column>
+void CheckLength(const MotionTable& table, const Column& column) {
+  Require(column.empty() || column.size() == table.time_s.size(), "a column has a value for each row, or none");
+}
+
+/// What is true of each table that was accepted. Speeds and torques of joints that a file lacks are not numbers.
+void CheckTableLaws(const MotionTable& table) {
+  Require(table.rows() > 0, "a motion has rows");
+  for (std::size_t k = 0; k < table.time_s.size(); ++k) {
+    Require(std::abs(table.time_s[k]) <= 1e11, "times are finite");
+    Require(k == 0 || table.time_s[k] > table.time_s[k - 1], "times rise");
+  }
+  CheckLength(table, table.base_m), CheckLength(table, table.quaternion), CheckLength(table, table.q);
+  CheckLength(table, table.v), CheckLength(table, table.tau), CheckLength(table, table.contact);
+  CheckLength(table, table.force_W);
+  for (const Vector3& p : table.base_m) Require(IsSensible(p), "places of the base are finite");
+  for (const VectorX& q : table.q)
+    Require(q.size() == Quadruped().num_dofs() && IsSensible(q), "positions of all joints are finite");
+  for (const auto& columns : {table.v, table.tau}) {
+    for (const VectorX& values : columns) {
+      Require(values.size() == Quadruped().num_dofs(), "there is one for each joint");
+      for (const double value : values)
+        Require(std::isnan(value) || std::abs(value) <= kMostOfAnything, "speeds and torques are finite");
+    }
+  }
+  const FootSet all = AllFeet(static_cast<int>(Quadruped().feet.size()));
+  for (const FootSet feet : table.contact) Require((feet & ~all) == 0, "feet that touch are there");
+  for (const auto& forces : table.force_W) {
+    for (const Vector3& force : forces) Require(IsSensible(force), "forces are finite");
+  }
+}
+
+/// A short motion becomes a plan like any other, or is refused.
+void CheckPlanOf(const MotionTable& table, const std::string& file) {
+  if (table.time_s.back() - table.time_s.front() > kShort_s || table.rows() > 200) return;
+  ImportRequest request;
+  request.file = file;
+  const Result<ImportedMotion> imported = ImportMotion(Quadruped(), request);
+  if (imported) CheckPlanLaws(imported->plan);
+}
+
+Verdict CheckMotion(const Result<MotionTable>& read, const std::string& file) {
+  if (!read) return Verdict::kRefused;
+  MotionTable table = *read;
+  try {
+    CheckMotionTable(Quadruped(), FlatTerrain(), {}, table);
+  } catch (const InvalidArgument&) {
+    return Verdict::kRefused;
+  }
+  CheckTableLaws(table);
+  for (const Eigen::Vector4d& c : table.quaternion)
+    Require(std::abs(c.norm() - 1.0) < 0.02, "quaternions have length 1");
+  CheckPlanOf(table, file);
+  return Verdict::kAccepted;
+}
+
+Verdict ReadMotionCsv(const std::string& input) {
+  const std::string file = InFile(input, ".csv");
+  const Result<CsvTable> csv = ReadCsvTable(file);
+  if (!csv) return Verdict::kRefused;
+  Require(csv->values.size() == static_cast<std::size_t>(csv->rows()) * csv->columns.size(), "a table is full");
+  for (const double value : csv->values) Require(std::isfinite(value), "a table holds finite numbers");
+  ColumnNames names;
+  if (IsOcs2Motion(*csv)) {
+    std::vector<DerivedPart> derived;
+    const Result<ColumnNames> ocs2 = Ocs2ColumnNames(Quadruped(), *csv, derived);
+    if (!ocs2) return Verdict::kRefused;
+    names = *ocs2;
+  }
+  return CheckMotion(MotionFromCsv(Quadruped(), *csv, names, {}), file);
+}
+
+Verdict ReadTrajectory(const std::string& input) {
+  const std::string file = InFile(input, ".yaml");
+  return CheckMotion(ParseJointTrajectory(Quadruped(), input, "input", {}), file);
+}
+
+Verdict ReadColumns(const std::string& input) {
+  ImportOptions options;
+  const Result<ColumnNames> names = ReadColumnNames(InFile(input, ".yaml"), options);
+  if (!names) return Verdict::kRefused;
+  for (const auto& [theirs, ours] : names->ours) Require(!theirs.empty() && !ours.empty(), "names are not empty");
+  for (const auto& [theirs, factor] : names->scale)
+    Require(factor != 0.0 && std::abs(factor) <= 1e12, "a scale is finite and not 0");
+  CheckOptions(options.Fields());
+  return Verdict::kAccepted;
+}
+
+Verdict ReadFootstepFile(const std::string& input) {
+  const Result<FootstepSkeleton> steps = ReadFootsteps(Quadruped(), FlatTerrain(), input, "input", 0.005);
+  if (!steps) return Verdict::kRefused;
+  CheckSchedule(steps->schedule, static_cast<int>(Quadruped().feet.size()));
+  Require(steps->schedule.end_s() <= 3600.0, "it is over within an hour");
+  for (const Foothold& foothold : steps->footsteps.footholds) {
+    Require(foothold.foot >= 0 && foothold.foot < static_cast<int>(Quadruped().feet.size()), "its feet are there");
+    Require(IsSensible(foothold.X_WF.translation()), "its footholds are finite");
+    Require(foothold.touchdown_s <= foothold.liftoff_s, "a foot lands before it lifts");
+  }
+  return Verdict::kAccepted;
+}
+
+Verdict ReadReportFile(const std::string& input) {
+  const Result<ReadReport> report = ReportFromJson(input, "input");
+  if (!report) return Verdict::kRefused;
+  Require(std::isfinite(report->score), "a score is finite");
+  for (const ReportedFigure& figure : report->metrics) {
+    Require(!figure.key.empty(), "metrics have names");
+    Require(std::isfinite(figure.value.value_or(0.0)) && std::isfinite(figure.limit.value_or(0.0)),
+            "metrics are finite");
+  }
+  Require(CompareReports(*report, *report, 0.0).same(), "a report is the same as itself");
+  return Verdict::kAccepted;
+}
+
+/// Rows of the A1 standing, as a CSV with all that it may have.
+std::string StandingCsv(const std::string& joint_prefix, const std::string& joint_suffix) {
+  const RobotModel& model = Quadruped();
+  std::string text = "time_s,base_x_m,base_y_m,base_z_m,base_qx,base_qy,base_qz,base_qw";
+  for (const std::string& name : model.dof_names) text += "," + joint_prefix + name + joint_suffix;
+  for (int row = 0; row < 6; ++row) {
+    text += fmt::format("\n{},0,0,{},0,0,0,1", 0.02 * row, model.standing_base_height_m);
+    for (const double q : model.standing_joints) text += fmt::format(",{}", q);
+  }
+  return text + "\n";
+}
+
+std::string StandingOcs2() {
+  std::string text = "time,contactflag_LF,contactflag_RF,contactflag_LH,contactflag_RH";
+  for (const char* axis : {"x", "y", "z"}) text += std::string(",base_positionInWorld_") + axis;
+  for (const char* axis : {"w", "x", "y", "z"}) text += std::string(",base_quaternion_") + axis;
+  for (const char* leg : {"LF", "RF", "LH", "RH"}) {
+    for (const char* joint : {"HAA", "HFE", "KFE"}) text += fmt::format(",jointAngle_{}_{}", leg, joint);
+  }
+  for (int row = 0; row < 6; ++row) {
+    text += fmt::format("\n{},1,1,1,1,0,0,{},1,0,0,0", 0.02 * row, Quadruped().standing_base_height_m);
+    for (int leg = 0; leg < 4; ++leg) {
+      for (int joint = 0; joint < 3; ++joint) text += fmt::format(",{}", Quadruped().standing_joints[joint]);
+    }
+  }
+  return text + "\n";
+}
+
+std::vector<std::string> MadeTables() { return {StandingCsv("q_", "_rad"), StandingCsv("", ""), StandingOcs2()}; }
+
+std::vector<std::string> MadeTrajectories() {
+  std::string names, positions;
+  for (const std::string& name : Quadruped().dof_names) names += (names.empty() ? "" : ", ") + name;
+  for (const double q : Quadruped().standing_joints) positions += fmt::format("{}{}", positions.empty() ? "" : ", ", q);
+  std::string text = "joint_names: [" + names + "]\npoints:\n";
+  for (int k = 0; k < 4; ++k)
+    text += fmt::format("- positions: [{}]\n  time_from_start: {{sec: 0, nanosec: {}}}\n", positions, k * 20000000);
+  return {text};
+}
+
+std::vector<std::string> MadeReports() {
+  return {
+      R"({"robot":"a1","verdict":"pass","reason":"","score":91.5,"metrics":{"fell":{"value":false,"unit":"","limit":)"
+      R"(false,"pass":true},"slip_m":{"value":0.01,"unit":"m","limit":null,"pass":true}}})"};
+}
+
+const std::vector<std::string> kYaml = {"&a", "*a", "---", "{", "}", "[", "]", ": ", "- ", "~", ".nan", "1e400", "-1"};
+
+std::vector<std::string> WithYaml(std::vector<std::string> words) {
+  words.insert(words.end(), kYaml.begin(), kYaml.end());
+  return words;
+}
+
+}  // namespace
+
+std::vector<Reader> ExchangeReaders() {
+  return {{"motion_csv",
+           ReadMotionCsv,
+           {",",
+            "\n",
+            "#",
+            "\"",
+            "\t",
+            ";",
+            "nan",
+            "true",
+            "1e308",
+            "-1",
+            "time_s",
+            "base_roll_rad",
+            "base_x_mm",
+            "q_FR_hip_joint_deg",
+            "v_FR_hip_joint_rad_s",
+            "tau_FR_calf_joint_nm",
+            "contact_FR_foot",
+            "force_FR_foot_x_n",
+            "jointVelocity_LF_HAA",
+            "contactForcesInWorld_LF_x"},
+           {},
+           MadeTables,
+           500},
+          {"column_names",
+           ReadColumns,
+           WithYaml({"columns", "scale", "ignore", "quaternion_order", "angle_unit", "length_unit", "time_unit", "wxyz",
+                     "deg", "mm", "ms"}),
+           {}},
+          {"joint_trajectory",
+           ReadTrajectory,
+           WithYaml({"joint_names", "points", "positions", "velocities", "effort", "time_from_start", "sec", "nanosec",
+                     "secs", "nsecs", "trajectory", "header"}),
+           {},
+           MadeTrajectories,
+           500},
+          {"footsteps",
+           ReadFootstepFile,
+           WithYaml({"footsteps", "start", "foot", "FL_foot", "FR_foot", "RL_foot", "RR_foot", "x_m", "y_m", "yaw_rad",
+                     "z_m", "lift_off_s", "touch_down_s", "swing_s", "pause_s", "initial_stand_s", "final_stand_s"}),
+           {}},
+          {"report",
+           ReadReportFile,
+           {"null", "true", "{}", "[]", "\"\"", "-1", "1e400", "\"metrics\"", "\"score\"", "\"verdict\"", "\"value\"",
+            "\"limit\"", "\"unit\"", "\"audit\"", "\"violations\"", "\"law\"", "\\u0000"},
+           {},
+           MadeReports}};
+}
+
+}  // namespace gaitwright::fuzz

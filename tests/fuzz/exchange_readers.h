@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "tests/fuzz/reader.h"
+
+namespace gaitwright::fuzz {
+
+/// The readers of motions that others made: tables, joint trajectories, footsteps, and reports to compare.
+std::vector<Reader> ExchangeReaders();
+
+}  // namespace gaitwright::fuzz
