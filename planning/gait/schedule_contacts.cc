@@ -59,6 +59,23 @@ std::vector<Swing> Swings(const GaitStint& stint) {
   return swings;
 }
 
+/// When feet come down, in order.
+std::vector<double> Touchdowns(const std::vector<Swing>& swings) {
+  std::vector<double> touchdowns;
+  for (const Swing& swing : swings) touchdowns.push_back(swing.touchdown_s);
+  std::sort(touchdowns.begin(), touchdowns.end());
+  return touchdowns;
+}
+
+/// The one of `times`, which rise, that is nearest to `t`; of two as near the later.
+double Nearest(const std::vector<double>& times, double t) {
+  const auto after = std::lower_bound(times.begin(), times.end(), t);
+  if (after == times.begin()) return *after;
+  if (after == times.end()) return times.back();
+  const double before = *(after - 1);
+  return t - before < *after - t - 1e-9 ? before : *after;
+}
+
 /// Why the grid is too coarse for a gait.
 std::optional<Failure> CheckGrid(const Gait& gait, double grid_s) {
   constexpr double kLeast = 2.0;  // steps of the grid in each swing and stance
@@ -111,9 +128,13 @@ class Joiner {
     double start = free_s_;
     if (former_ != nullptr) start = Follow(stint);
     start_s_.push_back(start_s_.empty() ? 0.0 : OnGrid(start));
-    for (const Swing& swing : Swings(stint)) {
+    const std::vector<Swing> swings = Swings(stint);
+    const std::vector<double> touchdowns = Touchdowns(swings);
+    for (const Swing& swing : swings) {
       const auto i = static_cast<std::size_t>(swing.foot);
-      by_foot_[i].push_back({down_s_[i], OnGrid(start + swing.liftoff_s)});
+      // As far from the touchdown next to it as in the gait: flights and double supports are alike in every cycle.
+      const double near = Nearest(touchdowns, swing.liftoff_s);
+      by_foot_[i].push_back({down_s_[i], OnGrid(start + near) + OnGrid(swing.liftoff_s - near)});
       down_s_[i] = OnGrid(start + swing.touchdown_s);
       free_s_ = std::max(free_s_, down_s_[i]);
     }

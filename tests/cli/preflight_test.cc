@@ -2,6 +2,9 @@
 // What `audit` says before a plan goes on a robot: margins, start posture, the way there, and the page to sign.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/cli/stranger.h"
 
 namespace gaitwright::cli {
@@ -27,12 +30,16 @@ class BeforeHardware : public Stranger {
     return "";
   }
   Json Trials(int survived) const {
+    // Wilson's interval of 95 %.
+    const double z2 = 3.8414588, p = 0.1 * survived;
+    const double middle = (p + z2 / 20.0) / (1.0 + z2 / 10.0);
+    const double half = std::sqrt(z2 * (p * (1.0 - p) / 10.0 + z2 / 400.0)) / (1.0 + z2 / 10.0);
     const Json page = Run({"audit", "plan.json", "--preflight", "--json"}).json();
     return {{"n", 10},
             {"survived", survived},
             {"survival", 0.1 * survived},
-            {"survival_low", 0.0},
-            {"survival_high", 1.0},
+            {"survival_low", middle - half},
+            {"survival_high", std::min(1.0, middle + half)},
             {"causes", {{"tipped over", 10 - survived}}},
             {"worst", {{{"seed", 3}}}},
             {"plan_hash", page.at("plan_hash")},

@@ -12,10 +12,9 @@
 #include "tests/fuzz/plan_laws.h"
 #include "workflows/study/candidate_worth.h"
 #include "workflows/study/centroidal_problems.h"
+#include "workflows/study/job_journal.h"
 #include "workflows/study/point_outcome.h"
 #include "workflows/study/study_axes.h"
-#include "workflows/study/study_jobs.h"
-#include "workflows/study/trial_journal.h"
 #include "workflows/study/trials_result.h"
 
 namespace gaitwright::fuzz {
@@ -104,7 +103,7 @@ std::vector<std::string> MadePoints() {
 }
 
 /// What was found is found again, with what is added.
-Verdict ReadJobs(const std::string& input) {
+Verdict ReadJournal(const std::string& input) {
   const std::string path = InFile(input, ".so-far");
   std::size_t found = 0;
   {
@@ -120,45 +119,14 @@ Verdict ReadJobs(const std::string& input) {
   return Verdict::kAccepted;
 }
 
-Verdict ReadTrialJournal(const std::string& input) {
-  const std::string path = InFile(input, ".so-far");
-  std::vector<TrialOutcome> found, later;
-  {
-    Result<TrialJournal> journal = TrialJournal::Open(path, "0123456789abcdef", true, found);
-    if (!journal) return Verdict::kRefused;
-    journal->Append({});
-  }
-  Require(TrialJournal::Open(path, "0123456789abcdef", true, later).ok(), "a journal is opened again");
-  Require(later.size() == found.size() + 1, "a journal keeps what it had");
-  for (std::size_t k = 0; k < found.size(); ++k)
-    Require(OutcomeToLine(later[k]) == OutcomeToLine(found[k]), "a journal keeps what it had");
-  return Verdict::kAccepted;
-}
-
 /// A journal as it is written, and what is left of it when it is cut.
-std::vector<std::string> MadeJobs() {
+std::vector<std::string> MadeJournals() {
   const std::string path = InFile("", ".so-far");
   std::filesystem::remove(path);
   {
     Result<JobJournal> journal = JobJournal::Open(path, "work", false);
     journal->Add(3, "{\"a\":1}");
     journal->Add(0, "text");
-  }
-  const std::string whole = ReadFile(path).value();
-  return {whole, whole.substr(0, whole.size() - 3)};
-}
-
-std::vector<std::string> MadeTrialJournals() {
-  const std::string path = InFile("", ".so-far");
-  std::filesystem::remove(path);
-  std::vector<TrialOutcome> none;
-  {
-    Result<TrialJournal> journal = TrialJournal::Open(path, "0123456789abcdef", false, none);
-    journal->Append({});
-    TrialOutcome fell;
-    fell.number = 1;
-    fell.cause = "tipped over";
-    journal->Append(fell);
   }
   const std::string whole = ReadFile(path).value();
   return {whole, whole.substr(0, whole.size() - 3)};
@@ -216,12 +184,7 @@ std::vector<Reader> StudyReaders() {
           {"axis", ReadAnyAxis, axis, {}, nullptr, 500},
           {"point", ReadPoint, WithJson({"\"point\"", "\"status\"", "\"survival\"", "\"metrics\""}), {}, MadePoints},
           {"candidate", ReadCandidate, WithJson({"\"refusal\"", "\"trials\"", "[0.5,true]"}), {}, MadeCandidates},
-          {"jobs", ReadJobs, {"\n", " ", "0", "-1", "18446744073709551616", "work", "{}"}, {}, MadeJobs},
-          {"trial_journal",
-           ReadTrialJournal,
-           WithJson({"\n", "0123456789abcdef", "\"number\"", "\"sampled\"", "\"metrics\""}),
-           {},
-           MadeTrialJournals},
+          {"journal", ReadJournal, {"\n", " ", "0", "-1", "18446744073709551616", "work", "{}"}, {}, MadeJournals},
           {"centroidal_problems",
            ReadProblems,
            WithJson({"\"robots\"", "\"mass_kg\"", "\"inertia\"", "\"feet\"", "\"schedules\"", "\"phase_durations_s\"",

@@ -130,6 +130,13 @@ class Parser {
   MotionTable motion_;
 };
 
+/// Without the line `---` with which ROS ends each message that it prints.
+std::string WithoutLastSeparator(const std::string& text) {
+  const std::size_t last = text.find_last_not_of(" \t\r\n"), separator = text.rfind("\n---");
+  const bool ends = last != std::string::npos && separator != std::string::npos && separator + 3 == last;
+  return ends ? text.substr(0, separator + 1) : text;
+}
+
 }  // namespace
 
 Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
@@ -139,13 +146,7 @@ Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::str
         FailureKind::kBadInput, "joint_trajectory", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
   };
   try {
-    std::vector<YAML::Node> messages;
-    for (const YAML::Node& document : YAML::LoadAll(text)) {
-      if (!document.IsNull()) messages.push_back(document);
-    }
-    if (messages.size() != 1)
-      return refused(fmt::format("holds {} messages; one trajectory is needed", messages.size()));
-    return Parser(model, options).Parse(messages.front());
+    return Parser(model, options).Parse(LoadYaml(WithoutLastSeparator(text)));
   } catch (const InvalidArgument& error) {
     return refused(error.what());
   } catch (const YAML::Exception& error) {

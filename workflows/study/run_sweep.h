@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "workflows/study/job_journal.h"
 #include "workflows/study/run_point.h"
 #include "workflows/study/study_jobs.h"
 

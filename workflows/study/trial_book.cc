@@ -4,30 +4,51 @@
 #include <fmt/format.h>
 
 namespace gaitwright {
+namespace {
 
-TrialBook::TrialBook(const TrialStudy& study, const TrialOptions& options, TrialHooks hooks)
+Result<JobJournal> JournalOf(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks) {
+  if (hooks.journal.empty()) return JobJournal();
+  return JobJournal::Open(hooks.journal, HashOf(study, static_cast<std::uint64_t>(options.seed)), hooks.resume);
+}
+
+}  // namespace
+
+TrialBook::TrialBook(const TrialStudy& study, const TrialOptions& options, TrialHooks hooks, JobJournal journal)
     : subject_(SubjectOf(study, static_cast<std::uint64_t>(options.seed))),
       options_(options),
       hooks_(std::move(hooks)),
+      journal_(std::move(journal)),
       end_(options.trials) {}
 
 Result<TrialBook> TrialBook::Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks) {
   TrialOptions checked = options;
   CheckOptions(checked.Fields());
-  TrialBook book(study, options, hooks);
-  if (hooks.journal.empty()) return book;
-  std::vector<TrialOutcome> found;
-  Result<TrialJournal> journal =
-      TrialJournal::Open(hooks.journal, HashOf(study, static_cast<std::uint64_t>(options.seed)), hooks.resume, found);
+  Result<JobJournal> journal = JournalOf(study, options, hooks);
   if (!journal) return journal.failure();
-  book.journal_ = std::move(*journal);
-  for (TrialOutcome& outcome : found) {
-    const int number = outcome.number;
-    book.outcomes_.emplace(number, std::move(outcome));
-  }
-  book.restored_ = static_cast<int>(book.outcomes_.size());
-  book.Advance();
+  TrialBook book(study, options, hooks, std::move(*journal));
+  if (auto failure = book.Restore()) return *failure;
   return book;
+}
+
+std::optional<Failure> TrialBook::Restore() {
+  for (int number = 0; number < options_.trials; ++number) {
+    const std::optional<std::string> line = journal_.Find(static_cast<std::size_t>(number));
+    if (!line) continue;
+    try {
+      TrialOutcome outcome = OutcomeFromLine(*line);
+      if (outcome.number != number) throw InvalidArgument(fmt::format("it is of trial {}", outcome.number));
+      outcomes_.emplace(number, std::move(outcome));
+    } catch (const InvalidArgument& error) {
+      return Failure{FailureKind::kBadInput,
+                     "journal_line",
+                     "RunTrials",
+                     fmt::format("'{}' is broken at trial {}: {}", hooks_.journal, number, error.what()),
+                     {fmt::format("delete '{}' to begin anew", hooks_.journal)}};
+    }
+  }
+  restored_ = static_cast<int>(outcomes_.size());
+  Advance();
+  return std::nullopt;
 }
 
 std::optional<int> TrialBook::Next() {
@@ -48,8 +69,8 @@ void TrialBook::Advance() {
 }
 
 void TrialBook::Add(TrialOutcome outcome) {
-  journal_.Append(outcome);
   const int number = outcome.number;
+  journal_.Add(static_cast<std::size_t>(number), OutcomeToLine(outcome));
   outcomes_.emplace(number, std::move(outcome));
   Advance();
   if (hooks_.progress) hooks_.progress(progress());

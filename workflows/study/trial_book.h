@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "kinematics/base/options.h"
+#include "workflows/study/job_journal.h"
 #include "workflows/study/trial.h"
-#include "workflows/study/trial_journal.h"
 
 namespace gaitwright {
 
@@ -62,7 +62,8 @@ struct TrialHooks {
 /// that who was quick does not matter.
 class TrialBook {
  public:
-  /// @return a failure as TrialJournal::Open. @throws InvalidArgument for an option out of range.
+  /// @return a failure as JobJournal::Open, or for an outcome there that is broken. @throws InvalidArgument for an
+  /// option out of range.
   static Result<TrialBook> Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks);
 
   /// The next trial that nobody has; nothing when all are handed out.
@@ -85,13 +86,14 @@ class TrialBook {
   void Close() { journal_.Remove(); }
 
  private:
-  TrialBook(const TrialStudy& study, const TrialOptions& options, TrialHooks hooks);
+  TrialBook(const TrialStudy& study, const TrialOptions& options, TrialHooks hooks, JobJournal journal);
+  std::optional<Failure> Restore();
   void Advance();
 
   TrialSubject subject_;
   TrialOptions options_;
   TrialHooks hooks_;
-  TrialJournal journal_;
+  JobJournal journal_;
   std::map<int, TrialOutcome> outcomes_;
   std::map<int, Failure> failures_;
   int next_ = 0, end_ = 0, restored_ = 0;

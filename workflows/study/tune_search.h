@@ -9,6 +9,7 @@
 
 #include "optimisation/numerics/response_surface.h"
 #include "workflows/study/candidate_worth.h"
+#include "workflows/study/job_journal.h"
 #include "workflows/study/study_jobs.h"
 
 namespace gaitwright {

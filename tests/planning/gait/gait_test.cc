@@ -227,6 +227,29 @@ TEST(Schedule, AFlightLastsWhatNoFootIsDownFor) {
   }
 }
 
+TEST(Schedule, FlightsAndDoubleSupportsAreAlikeInEveryCycle) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1");
+  Gait trot = *FindGait(*a1, "trot", 0.2, {});
+  for (const double duty : {0.48, 0.491, 0.493, 0.5, 0.505, 0.512}) {
+    for (int i = 0; i < 50; ++i) {
+      trot.duty_factor.assign(4, duty);
+      trot.cycle_s = 0.35 + 0.0037 * i;
+      ScheduleRequest request;
+      request.stepping_s = 6.0 * trot.cycle_s;
+      const ContactSchedule schedule = *ScheduleContacts(trot, request);
+      const int exact = static_cast<int>(std::lround((0.5 - duty) * trot.cycle_s / request.grid_s));
+      const int most = static_cast<int>(schedule.phases.size()) - 2;
+      for (int k = 2; k < most; ++k) {  // between the first and the last step
+        const ContactPhase& phase = schedule.phases[static_cast<std::size_t>(k)];
+        if (phase.stance != 0 && phase.stance != AllFeet(4)) continue;
+        EXPECT_EQ(std::lround((phase.end_s - phase.start_s) / request.grid_s), std::abs(exact));
+        EXPECT_EQ(phase.stance == 0, exact > 0);
+      }
+      EXPECT_GT(most, exact == 0 ? 8 : 18) << "there are such phases";
+    }
+  }
+}
+
 TEST(Schedule, PairsStayTogetherOnAnyGrid) {
   const Result<RobotModel> a1 = LoadNamedRobot("a1");
   Gait trot = *FindGait(*a1, "trot", 0.2, {});

@@ -73,8 +73,9 @@ TEST(JointTrajectory, IsReadStrictly) {
   ExpectWhy("joint_names: [FL_hip_joint, FL_hip_joint]\npoints: []\n", "joint 'FL_hip_joint' stands there twice");
   ExpectWhy("joint_names: [FL_hip_joint]\npoints: []\n", "joint_names lacks 11 of 12 joints of robot 'a1': ");
   ExpectWhy("points: []\n", "joint_names");
-  ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "holds 2 messages; one trajectory is needed");
+  ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "a second document begins; one is needed");
   ExpectWhy("joint_names: [", "line ");
+  ExpectWhy("x: " + std::string(100, '[') + std::string(100, ']'), "more than 32 lists and maps in one another");
 }
 
 TEST(JointTrajectory, JointsThatAreNotThereMayStand) {

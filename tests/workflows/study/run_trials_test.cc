@@ -129,40 +129,34 @@ TEST_F(RunTrialsTest, AJournalOfAnotherRunIsRefused) {
   const auto refused = [&](const TrialOptions& options, bool resume, const std::string& part) {
     const auto report = RunTrials(Study(), options, {.journal = Journal(), .resume = resume});
     ASSERT_FALSE(report.ok());
-    EXPECT_EQ(report.failure().code, "trials_so_far");
+    EXPECT_EQ(report.failure().code, "so_far");
     EXPECT_NE(report.failure().message.find(part), std::string::npos) << report.failure().message;
   };
   refused(Some(4), false, "not finished");
   TrialOptions seeded = Some(4);
   seeded.seed = 5;
-  refused(seeded, true, "another run");
+  refused(seeded, true, "other work");
   request_.play.hold_s = 0.1;
-  refused(Some(4), true, "another run");
+  refused(Some(4), true, "other work");
   request_.play.hold_s = PlayOptions().hold_s;
   disturbances_.figures[0].distribution = Distribution::Fixed(1.0);
-  refused(Some(4), true, "another run");
+  refused(Some(4), true, "other work");
 }
 
-TEST_F(RunTrialsTest, ABrokenOrHeldJournalIsRefused) {
+TEST_F(RunTrialsTest, ABrokenOutcomeInTheJournalIsRefused) {
   Interrupt(Some(4), 2);
-  std::vector<TrialOutcome> found;
-  const std::string hash = HashOf(Study(), 0);
-  {
-    const auto held = TrialJournal::Open(Journal(), hash, true, found);
-    ASSERT_TRUE(held.ok());
-    EXPECT_EQ(found.size(), 2U);
-    const auto other = TrialJournal::Open(Journal(), hash, true, found);
-    ASSERT_FALSE(other.ok());
-    EXPECT_NE(other.failure().message.find("another process"), std::string::npos);
-  }
-  std::string text = ReadFile(Journal()).value();
-  text.replace(text.find("\"survived\""), 10, "\"surived\"x");
-  std::ofstream(Journal(), std::ios::binary | std::ios::trunc) << text;
-  const auto broken = TrialJournal::Open(Journal(), hash, true, found);
-  ASSERT_FALSE(broken.ok());
-  EXPECT_NE(broken.failure().message.find("line 2"), std::string::npos) << broken.failure().message;
-  std::ofstream(Journal(), std::ios::binary | std::ios::trunc) << "something else\n";
-  EXPECT_FALSE(TrialJournal::Open(Journal(), hash, true, found).ok());
+  const std::string text = ReadFile(Journal()).value();
+  const auto expect_broken = [&](const std::string& part, const std::string& by) {
+    std::string broken = text;
+    broken.replace(broken.find(part), part.size(), by);
+    std::ofstream(Journal(), std::ios::binary | std::ios::trunc) << broken;
+    const auto report = RunTrials(Study(), Some(4), {.journal = Journal(), .resume = true});
+    ASSERT_FALSE(report.ok());
+    EXPECT_EQ(report.failure().code, "journal_line");
+    EXPECT_NE(report.failure().message.find("is broken at trial"), std::string::npos) << report.failure().message;
+  };
+  expect_broken("\"survived\"", "\"surived\"");
+  expect_broken("\"number\":", "\"number\":1");
 }
 
 TEST_F(RunTrialsTest, StopsEarlyWhereTheIntervalIsNarrowWhoeverIsQuick) {
