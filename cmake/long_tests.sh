@@ -54,13 +54,13 @@ fuzz_reader() {
 
 # Every reader for as many inputs, a million and more in all.
 fuzzed_readers() {
-  local room name rest readers=() each failed=0 libs=()
+  local room name rest readers=() each failed=0 libs=() fuzzed="kinematics planning playback workflows cli"
   configure fuzz
-  for room in kinematics planning playback workflows; do
+  for room in $fuzzed; do
     [ ! -e "$root/tests/fuzz/${room}_readers.cc" ] || libs+=("fuzz_$room" "libfuzzer_$room")
   done
   build fuzz "${libs[@]}"
-  for room in kinematics planning playback workflows; do
+  for room in $fuzzed; do
     [ -x "$root/build/fuzz/tests/fuzz_$room" ] || continue
     while read -r name rest; do readers+=("$room $name"); done < <("$root/build/fuzz/tests/fuzz_$room" --list)
   done

@@ -67,10 +67,12 @@ PairedDifference DifferenceOf(const std::vector<double>& before, const std::vect
   const auto n = static_cast<double>(before.size());
   PairedDifference d;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    d.before += before[i] / n;
-    d.after += after[i] / n;
-    d.mean += (after[i] - before[i]) / n;
+    d.before += before[i];
+    d.after += after[i];
   }
+  d.before /= n;  // once, so that the mean of ones is one
+  d.after /= n;
+  d.mean = d.after - d.before;
   double squares = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) squares += std::pow(after[i] - before[i] - d.mean, 2);
   const double half = StudentQuantile(n - 1.0) * std::sqrt(squares / (n - 1.0) / n);

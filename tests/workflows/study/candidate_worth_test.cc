@@ -37,6 +37,8 @@ TEST(PairedDifference, IsThatOfTheBook) {
   EXPECT_NEAR(d.mean - d.low, d.high - d.mean, 1e-12);
   EXPECT_TRUE(d.better());
   EXPECT_FALSE(DifferenceOf(after, before).better());
+  const std::vector<double> ones(150, 1.0);
+  EXPECT_EQ(DifferenceOf(ones, ones).before, 1.0) << "a share of all is not above one";
 }
 
 TEST(PairedDifference, PairingSeesThroughWhatBothShare) {
