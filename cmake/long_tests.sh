@@ -27,7 +27,7 @@ ctest_in() {
 }
 
 sanitized_tests() {
-  configure sanitize -DGAITWRIGHT_TESTS=ON
+  configure sanitize
   build sanitize
   ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 ctest_in sanitize -LE '^long$' "$@"
 }
@@ -43,9 +43,9 @@ threaded_tests() {
 }
 
 # fuzz_reader ROOM NAME INPUTS: a reader under libFuzzer, from what its corpus and the source tree have. What it finds is
-# left in build/fuzz/found as NAME-crash-..., NAME-timeout-... and so on.
+# left in build/sanitize/found as NAME-crash-..., NAME-timeout-... and so on.
 fuzz_reader() {
-  local bin=$root/build/fuzz/tests corpus=$root/build/fuzz/corpus/$2 found=$root/build/fuzz/found
+  local bin=$root/build/sanitize/tests corpus=$root/build/sanitize/corpus/$2 found=$root/build/sanitize/found
   mkdir -p "$corpus" "$found"
   "$bin/fuzz_$1" "$2" --write "$corpus"
   "$bin/libfuzzer_$1" "--reader=$2" "$corpus" "-runs=$3" -seed=1 -max_len=65536 -timeout=20 -rss_limit_mb=4096 \
@@ -55,14 +55,14 @@ fuzz_reader() {
 # Every reader for as many inputs, a million and more in all.
 fuzzed_readers() {
   local room name rest readers=() each failed=0 libs=() fuzzed="kinematics planning playback workflows cli"
-  configure fuzz
+  configure sanitize
   for room in $fuzzed; do
     [ ! -e "$root/tests/fuzz/${room}_readers.cc" ] || libs+=("fuzz_$room" "libfuzzer_$room")
   done
-  build fuzz "${libs[@]}"
+  build sanitize "${libs[@]}"
   for room in $fuzzed; do
-    [ -x "$root/build/fuzz/tests/fuzz_$room" ] || continue
-    while read -r name rest; do readers+=("$room $name"); done < <("$root/build/fuzz/tests/fuzz_$room" --list)
+    [ -x "$root/build/sanitize/tests/fuzz_$room" ] || continue
+    while read -r name rest; do readers+=("$room $name"); done < <("$root/build/sanitize/tests/fuzz_$room" --list)
   done
   each=$(((1000000 + ${#readers[@]} - 1) / ${#readers[@]}))
   for name in "${readers[@]}"; do

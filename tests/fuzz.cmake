@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The readers of files and flags, fuzzed (docs/hardening.md): a program fuzz_ROOM for each room that has readers. Each
-# reader is a test fuzz.NAME: its corpus, and some mutations of it. With GAITWRIGHT_FUZZ (preset `fuzz`, clang) there is
+# reader is a test fuzz.NAME: its corpus, and some mutations of it. With GAITWRIGHT_FUZZ (preset `sanitize`, clang) there is
 # libfuzzer_ROOM too, the same readers under libFuzzer; `./test --long` runs them.
 set(fuzz_room_kinematics gaitwright::kinematics)
 set(fuzz_room_planning gaitwright::planning)

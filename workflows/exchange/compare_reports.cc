@@ -40,6 +40,7 @@ ReadReport Read(const Json& json) {
   report.reason = json.at("reason").get<std::string>();
   report.score = json.at("score").get<double>();
   for (const auto& [key, metric] : json.at("metrics").items()) {
+    if (key.empty()) throw InvalidArgument("a metric has no name");
     report.metrics.push_back({key, metric.at("unit").get<std::string>(), FigureOf(metric.at("value")),
                               FigureOf(metric.at("limit")), metric.at("pass").get<bool>()});
   }

@@ -128,7 +128,12 @@ class Builder {
       c.a_WC.emplace_back(needed.head<3>() / model_.total_mass_kg - kGravity * Vector3::UnitZ());
       height += c.p_WC.back().z() - CarryingPlane(motion_.TimeOf(k)).HeightAt(c.p_WC.back().head<2>());
     }
-    c.omega_rad_s = std::sqrt(kGravity * motion_.size() / height);
+    height /= motion_.size();
+    if (!(height > 0.0)) {
+      throw InvalidArgument(fmt::format(
+          "its centre of mass is {:.3g} m below its footholds on the mean; no pendulum stands so", -height));
+    }
+    c.omega_rad_s = std::sqrt(kGravity / height);
     notes_.derived.push_back({"centre of mass and zero-moment point", "from the model"});
   }
 

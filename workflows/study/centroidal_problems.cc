@@ -80,7 +80,7 @@ std::vector<std::pair<std::string, JsonPart>> Members(const JsonPart& part) {
 
 CentroidalProblemSet ToSet(const JsonPart& whole) {
   CentroidalProblemSet set;
-  set.friction = whole.At("friction").NumberIn(0.0, 100.0);
+  set.friction = whole.At("friction").NumberIn(0.001, 100.0);
   set.distance_m = whole.At("distance_m").NumberIn(-1e3, 1e3);
   set.duration_s = whole.At("duration_s").NumberIn(1e-3, 1e3);
   const double force_max_n = whole.At("normal_force_max_n").NumberIn(kLeast, 1e9);

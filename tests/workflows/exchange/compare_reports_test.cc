@@ -75,6 +75,12 @@ TEST(CompareReports, WhatIsNoReportIsRefused) {
   const Result<ReadReport> deep = ReportFromJson(std::string(100, '[') + std::string(100, ']'), "a.json");
   ASSERT_FALSE(deep);
   EXPECT_TRUE(synthetic::Says(deep.failure().message, "in one another"));
+  const Result<ReadReport> nameless = ReportFromJson(
+      R"({"robot": "a1", "verdict": "pass", "reason": "", "score": 1,
+          "metrics": {"": {"value": 1, "unit": "", "limit": null, "pass": true}}})",
+      "a.json");
+  ASSERT_FALSE(nameless);
+  EXPECT_TRUE(synthetic::Says(nameless.failure().message, "a metric has no name"));
 }
 
 TEST(MotionFileKinds, AreToldByContentAlone) {

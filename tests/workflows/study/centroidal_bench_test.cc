@@ -151,6 +151,7 @@ TEST(CentroidalProblems, AFileThatIsNoneIsRefusedByName) {
   };
   EXPECT_NE(refusal("{").find("gaitwright_no_problems.json' is no set of problems: "), std::string::npos);
   EXPECT_NE(refusal("{}").find("friction"), std::string::npos);
+  EXPECT_NE(refusal("{\"friction\": 0}").find("0.001 to 100"), std::string::npos) << refusal("{\"friction\": 0}");
   EXPECT_FALSE(LoadCentroidalProblems("/no/such/file.json").ok());
 }
 
