@@ -29,7 +29,7 @@ Result<OptionTexts> OptionsFile::Apply(OptionFields fields, const Common& common
   if (!texts) return texts;
   std::string others;
   for (const auto& [key, value] : *texts) {
-    const bool has = std::any_of(fields.begin(), fields.end(), [&](const auto& f) { return f.key == key; });
+    const bool has = std::any_of(fields.begin(), fields.end(), [&key = key](const auto& f) { return f.key == key; });
     if (has) {
       SetOption(fields, key, value);
     } else {

@@ -120,7 +120,7 @@ std::string Joints(const Preflight& p) {
       "<h2>Margins of the joints</h2>\n<div class=\"scroll\"><table id=\"joints\"><thead><tr><th>joint</th>";
   std::vector<std::string> laws;
   for (const auto& [law, heading] : JointLaws()) {
-    const auto has = [&](const AuditMargin& m) { return m.law == law; };
+    const auto has = [&law = law](const AuditMargin& m) { return m.law == law; };
     if (std::none_of(p.audit.margins.begin(), p.audit.margins.end(), has)) continue;
     laws.push_back(law);
     html += fmt::format("<th class=\"n\">{}</th>", heading);
