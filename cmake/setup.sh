@@ -4,7 +4,7 @@
 
 program_packages="build-essential cmake ninja-build ccache pkg-config libeigen3-dev liburdfdom-dev libtinyxml2-dev
   libfcl-dev libccd-dev libceres-dev libompl-dev libpng-dev libminizip-dev libbullet-dev libyaml-cpp-dev libutfcpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev"
-test_packages="libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev clang-format"
+test_packages="libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev python3-numpy clang-format"
 long_test_packages="clang-tidy clang libclang-rt-14-dev"
 
 say() { printf '%s\n' "$*" >&2; }

@@ -134,9 +134,18 @@ TEST(StoredZip, RefusesNamesThatDoNotDo) {
             (std::map<std::string, std::string>{{"a", "one"}, {"b/c", ""}}));
 }
 
-// Where Python with NumPy is installed, NumPy itself has the last word.
+/// A Python that has NumPy: Debian's, or the first on the path; empty without one.
+std::string PythonWithNumPy() {
+  for (const std::string python : {"/usr/bin/python3", "python3"}) {
+    if (std::system((python + " -c 'import numpy' >/dev/null 2>&1").c_str()) == 0) return python;
+  }
+  return "";
+}
+
+// NumPy itself has the last word.
 TEST(MotionNpzArchive, IsOpenedByNumPy) {
-  if (std::system("python3 -c 'import numpy' >/dev/null 2>&1") != 0) GTEST_SKIP() << "NumPy is not installed";
+  const std::string python = PythonWithNumPy();
+  if (python.empty()) GTEST_SKIP() << "NumPy is not installed";
   const synthetic::Played walker = Walker();
   const MotionRows rows = RowsOfPlan(walker.model, walker.plan, 200.0);
   const std::string file = ScratchFile("numpy.npz");
@@ -146,7 +155,7 @@ TEST(MotionNpzArchive, IsOpenedByNumPy) {
       "assert m[\"q\"].shape == (len(m[\"time_s\"]), 13) and m[\"q\"].dtype == \"<f8\"\n"
       "assert list(m[\"joint_names\"][:2]) == [\"left_x\", \"left_y\"], m[\"joint_names\"]\n"
       "assert (m[\"q\"][:, :3] == m[\"base_position_m\"]).all()\n";
-  EXPECT_EQ(std::system(("python3 -c '" + script + "' " + file).c_str()), 0);
+  EXPECT_EQ(std::system((python + " -c '" + script + "' " + file).c_str()), 0);
   std::filesystem::remove(file);
 }
 
