@@ -35,6 +35,8 @@ int main(int argc, char** argv) {
   AddExport(app, status);
   AddCompare(app, status);
   AddImport(app, status);
+  AddView(app, status);
+  AddRender(app, status);
   LayOutHelp(app);
   try {
     app.parse(argc, argv);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "cli/flags.h"
 #include "kinematics/base/file.h"
@@ -16,6 +17,7 @@
 #include "playback/report/plots.h"
 #include "playback/report/report_page.h"
 #include "playback/score/report_text.h"
+#include "playback/viewer/viewer_page.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -29,6 +31,15 @@ std::vector<std::string> Lines(const std::string& text) {
 
 std::string AuditReason(const AuditReport& audit) {
   return "the plan fails its audit: " + audit.violations.front().law;
+}
+
+std::string ReportOf(const Judged& judged) {
+  const auto& [model, plan, played] = std::tie(judged.model, judged.plan, judged.played);
+  ReportWords words{Lines(AuditText(judged.audit)), ChangedOptions(plan, played.log),
+                    judged.audit_counts && !judged.audit.pass() ? AuditReason(judged.audit) : ""};
+  words.viewer = ViewerPart(
+      {{TitleOf(model, plan), model, plan, &played.log, &played.report, words.objection, judged.mesh_folder}});
+  return ReportPage(model, plan, played.log, played.report, words);
 }
 
 }  // namespace
@@ -56,11 +67,7 @@ Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
   };
   render("plan", outputs.plan, [&] { return PlanToJson(judged.plan); });
   render("log", outputs.log, [&] { return LogToJson(judged.played.log); });
-  render("report", outputs.report, [&] {
-    const ReportWords words{Lines(AuditText(judged.audit)), ChangedOptions(judged.plan, judged.played.log),
-                            judged.audit_counts && !judged.audit.pass() ? AuditReason(judged.audit) : ""};
-    return ReportPage(judged.model, judged.plan, judged.played.log, judged.played.report, words);
-  });
+  render("report", outputs.report, [&] { return ReportOf(judged); });
   if (!outputs.plot_folder.empty()) {
     for (const Plot& plot : MakePlots(judged.model, judged.plan, judged.played.log, judged.played.report))
       texts.push_back({(plot_folder / (plot.name + ".svg")).string(), StandaloneSvg(plot.svg)});

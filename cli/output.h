@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +30,8 @@ struct Judged {
   const PlayedWalk& played;
   const AuditReport& audit;
   double planning_cpu_s = 0.0;
-  bool audit_counts = false;  ///< the verdict needs the plan's audit too
+  bool audit_counts = false;                    ///< the verdict needs the plan's audit too
+  std::optional<std::string> mesh_folder = {};  ///< of the robot's URDF, where its visual meshes are found from
 
   bool pass() const { return played.report.pass && (!audit_counts || audit.pass()); }
 };

@@ -55,5 +55,7 @@ void AddBench(CLI::App& app, int& status);
 void AddExport(CLI::App& app, int& status);
 void AddCompare(CLI::App& app, int& status);
 void AddImport(CLI::App& app, int& status);
+void AddView(CLI::App& app, int& status);
+void AddRender(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

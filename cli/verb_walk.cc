@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+
 #include "cli/options_file.h"
 #include "cli/output.h"
 #include "cli/paths.h"
@@ -44,7 +46,8 @@ int Run(Arguments& a) {
   if (!planned) return Report(planned.failure(), a.common);
   const Result<PlayedWalk> played = PlayWalk(*model, planned->motion.plan, a.play.request);
   if (!played) return Report(played.failure(), a.common);
-  const Judged judged{*model, planned->motion.plan, *played, planned->audit, planned->planning_cpu_s, true};
+  Judged judged{*model, planned->motion.plan, *played, planned->audit, planned->planning_cpu_s, true};
+  if (!a.walk.urdf.empty()) judged.mesh_folder = std::filesystem::path(a.walk.urdf).parent_path().string();
   const Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
   PrintJudged(judged, *files, a.common);

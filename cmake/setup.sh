@@ -4,8 +4,14 @@
 
 program_packages="build-essential cmake ninja-build ccache pkg-config libeigen3-dev liburdfdom-dev libtinyxml2-dev
   libfcl-dev libccd-dev libceres-dev libompl-dev libpng-dev libminizip-dev libbullet-dev libyaml-cpp-dev libutfcpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev"
-test_packages="libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev python3-numpy clang-format"
+test_packages="libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev python3-numpy clang-format
+  chromium ffmpeg librsvg2-bin"
 long_test_packages="clang-tidy clang libclang-rt-14-dev"
+
+# The viewer is built by node and npm: those that are there serve, Debian's are installed where one is missing.
+if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
+  program_packages="$program_packages nodejs npm"
+fi
 
 say() { printf '%s\n' "$*" >&2; }
 fail() {

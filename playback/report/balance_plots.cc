@@ -32,39 +32,10 @@ std::vector<Vector2> Over(const std::vector<MotionSample>& samples, Figure figur
   return line;
 }
 
-/// Extent of the measured support along one axis, as a band.
-void DrawExtent(const MotionSeries& series, int axis, SvgPlot& plot) {
-  std::vector<double> time, lower, upper;
-  FootSet before = 0;
-  for (const MotionSample& sample : series.measured) {
-    double least = kGap, most = kGap;
-    for (const Vector2& corner : sample.support.polygon) {
-      least = std::fmin(least, corner[axis]);
-      most = std::fmax(most, corner[axis]);
-    }
-    if (!time.empty() && sample.stance != before) {  // a step, not a slope
-      time.push_back(sample.time_s);
-      lower.push_back(lower.back());
-      upper.push_back(upper.back());
-    }
-    before = sample.stance;
-    time.push_back(sample.time_s);
-    lower.push_back(least);
-    upper.push_back(most);
-  }
-  plot.Band(time, lower, upper, Ink::kSupport, "extent of the support");
-}
-
 Plot ZmpAndCom(const PlotData& data, int axis) {
   const std::string name = axis == 0 ? "x" : "y";
   SvgPlot plot = TimePlot(data, "Zero-moment point and centre of mass, " + name, name + " [m]");
-  DrawExtent(data.series, axis, plot);
-  const auto com = [axis](const MotionSample& s) { return s.p_WC[axis]; };
-  const auto zmp = [axis](const MotionSample& s) { return s.has_zmp ? s.p_WZ[axis] : kGap; };
-  plot.Line(Over(data.series.planned, com), Ink::kCom, Stroke::kPlanned, "CoM planned");
-  plot.Line(Over(data.series.measured, com), Ink::kCom, Stroke::kMeasured, "CoM measured");
-  plot.Line(Over(data.series.planned, zmp), Ink::kZmp, Stroke::kPlanned, "ZMP planned");
-  plot.Line(Over(data.series.measured, zmp), Ink::kZmp, Stroke::kMeasured, "ZMP measured");
+  DrawBalance(data.series, axis, plot);
   MarkTimes(data, plot);
   return {"zmp_com_" + name,
           "World " + name + " of the ZMP and the centre of mass over time; shaded is how far the scheduled feet reach.",
@@ -144,7 +115,39 @@ Plot BaseHeight(const PlotData& data) {
   return {"base_height", "World z of the base's origin.", plot.Svg()};
 }
 
+void DrawExtent(const std::vector<MotionSample>& samples, int axis, SvgPlot& plot) {
+  std::vector<double> time, lower, upper;
+  FootSet before = 0;
+  for (const MotionSample& sample : samples) {
+    double least = kGap, most = kGap;
+    for (const Vector2& corner : sample.support.polygon) {
+      least = std::fmin(least, corner[axis]);
+      most = std::fmax(most, corner[axis]);
+    }
+    if (!time.empty() && sample.stance != before) {  // a step, not a slope
+      time.push_back(sample.time_s);
+      lower.push_back(lower.back());
+      upper.push_back(upper.back());
+    }
+    before = sample.stance;
+    time.push_back(sample.time_s);
+    lower.push_back(least);
+    upper.push_back(most);
+  }
+  plot.Band(time, lower, upper, Ink::kSupport, "extent of the support");
+}
+
 }  // namespace
+
+void DrawBalance(const MotionSeries& series, int axis, SvgPlot& plot) {
+  DrawExtent(series.measured.empty() ? series.planned : series.measured, axis, plot);
+  const auto com = [axis](const MotionSample& s) { return s.p_WC[axis]; };
+  const auto zmp = [axis](const MotionSample& s) { return s.has_zmp ? s.p_WZ[axis] : kGap; };
+  plot.Line(Over(series.planned, com), Ink::kCom, Stroke::kPlanned, "CoM planned");
+  if (!series.measured.empty()) plot.Line(Over(series.measured, com), Ink::kCom, Stroke::kMeasured, "CoM measured");
+  plot.Line(Over(series.planned, zmp), Ink::kZmp, Stroke::kPlanned, "ZMP planned");
+  if (!series.measured.empty()) plot.Line(Over(series.measured, zmp), Ink::kZmp, Stroke::kMeasured, "ZMP measured");
+}
 
 std::vector<Plot> BalancePlots(const PlotData& data) {
   return {ZmpAndCom(data, 0), ZmpAndCom(data, 1), Margins(data), Errors(data), Base(data), BaseHeight(data)};

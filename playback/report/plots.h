@@ -47,6 +47,12 @@ std::vector<Plot> EstimatePlots(const PlotData& data);
 class SvgPlot;
 /// Edges of the ground and what stands on it, in plan view about the walk.
 void DrawGround(const PlotData& data, SvgPlot& plot);
+/// The support polygons of each phase, once each, where the scheduled feet were in these samples.
+void DrawSupports(const ContactSchedule& schedule, const std::vector<MotionSample>& samples, SvgPlot& plot);
+/// The ways of centre of mass and ZMP in plan view, planned and measured.
+void DrawPaths(const MotionSeries& series, SvgPlot& plot);
+/// Centre of mass and ZMP along one axis over time, planned and measured, over the extent of the support.
+void DrawBalance(const MotionSeries& series, int axis, SvgPlot& plot);
 /// True unless the ground is one level plane with nothing on it.
 bool IsUneven(const Terrain& terrain);
 /// Lines where parts of the plan begin after its first, and at the time of the fall, if there was one.

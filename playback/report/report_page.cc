@@ -83,12 +83,6 @@ std::string Cards(const StabilityReport& report) {
   return html + "</div>\n";
 }
 
-std::string TitleOf(const RobotModel& model, const MotionPlan& plan) {
-  const std::string names = GaitNames(plan.parts), gait = names.empty() ? "a motion" : names;
-  const std::string ground = plan.terrain.name.empty() ? "" : " on " + plan.terrain.name + " ground";
-  return fmt::format("{}: {}{}", model.name, gait, ground);
-}
-
 /// What a page is about.
 struct Subject {
   const RobotModel& model;
@@ -207,6 +201,12 @@ std::string Origin(const MotionPlan& plan, const PlaybackLog& log, const std::ve
 
 }  // namespace
 
+std::string TitleOf(const RobotModel& model, const MotionPlan& plan) {
+  const std::string names = GaitNames(plan.parts), gait = names.empty() ? "a motion" : names;
+  const std::string ground = plan.terrain.name.empty() ? "" : " on " + plan.terrain.name + " ground";
+  return fmt::format("{}: {}{}", model.name, gait, ground);
+}
+
 std::string ReportPage(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                        const StabilityReport& report, const ReportWords& words) {
   const std::vector<Plot> plots = MakePlots(model, plan, log, report);
@@ -216,7 +216,9 @@ std::string ReportPage(const RobotModel& model, const MotionPlan& plan, const Pl
       "{}</title>\n<style>{}{}</style></head>\n<body><main>\n",
       EscapedXml(TitleOf(model, plan)), report.pass && words.objection.empty() ? "pass" : "fail", PageStyle(),
       PlotStyle());
-  html += Head({model, plan, log, report}, words.objection) + Cards(report) + Figures(plots) + MetricTable(report);
+  html += Head({model, plan, log, report}, words.objection) + Cards(report);
+  if (!words.viewer.empty()) html += "<h2>In motion</h2>\n" + words.viewer;
+  html += Figures(plots) + MetricTable(report);
   html += ListOf("Audit of the plan", words.audit_lines) + ListOf("Notes", report.notes);
   html += ListOf("Warnings of the plan", plan.warnings) + Origin(plan, log, words.changed_options);
   return html + "</main></body></html>\n";

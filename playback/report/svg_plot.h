@@ -59,6 +59,9 @@ class SvgPlot {
   /// `<svg ...>...</svg>` with its corner at `at`, to be put into a page that holds PlotStyle().
   std::string Svg(const Vector2& at = Vector2::Zero()) const;
 
+  /// Of the whole: of one to scale it follows from the data.
+  double height_px() const { return MakeFrame().height; }
+
   /// The legend alone, on one line that ends at `right_px`.
   std::string LegendEndingAt(double right_px, double y_px) const;
 

@@ -26,17 +26,6 @@ bool OnlyJoins(const ContactSchedule& schedule, std::size_t i) {
   return more_than_before || more_than_after;
 }
 
-void DrawSupports(const PlotData& data, SvgPlot& plot) {
-  std::size_t drawn = data.plan.schedule.phases.size();
-  for (const MotionSample& sample : data.series.measured) {
-    const std::size_t phase = static_cast<std::size_t>(PhaseAt(data.plan.schedule, sample.time_s));
-    if (phase == drawn || sample.support.empty() || OnlyJoins(data.plan.schedule, phase)) continue;
-    if (sample.stance != data.plan.schedule.phases[phase].stance) continue;
-    drawn = phase;
-    plot.Area(sample.support.polygon, Ink::kSupport, true, "support polygons");
-  }
-}
-
 void DrawFootholds(const PlotData& data, SvgPlot& plot) {
   for (const Foothold& foothold : data.plan.footsteps.footholds) {
     if (foothold.touchdown_s > data.end_s()) continue;
@@ -70,15 +59,6 @@ void DrawLandings(const PlotData& data, SvgPlot& plot) {
   }
 }
 
-std::vector<Vector2> PathOf(const std::vector<MotionSample>& samples, bool zmp) {
-  std::vector<Vector2> path;
-  for (const MotionSample& s : samples) {
-    const Vector2 gap = Vector2::Constant(std::nan(""));
-    path.push_back(zmp ? (s.has_zmp ? s.p_WZ : gap) : Vector2(s.p_WC.head<2>()));
-  }
-  return path;
-}
-
 /// The goal as an arrow with its heading.
 void DrawGoal(const PlotData& data, SvgPlot& plot) {
   const Vector2 goal(data.plan.goal.x_m, data.plan.goal.y_m);
@@ -91,16 +71,39 @@ void DrawGoal(const PlotData& data, SvgPlot& plot) {
 
 }  // namespace
 
+void DrawSupports(const ContactSchedule& schedule, const std::vector<MotionSample>& samples, SvgPlot& plot) {
+  std::size_t drawn = schedule.phases.size();
+  for (const MotionSample& sample : samples) {
+    const std::size_t phase = static_cast<std::size_t>(PhaseAt(schedule, sample.time_s));
+    if (phase == drawn || sample.support.empty() || OnlyJoins(schedule, phase)) continue;
+    if (sample.stance != schedule.phases[phase].stance) continue;
+    drawn = phase;
+    plot.Area(sample.support.polygon, Ink::kSupport, true, "support polygons");
+  }
+}
+
+void DrawPaths(const MotionSeries& series, SvgPlot& plot) {
+  const auto com = [](const MotionSample& s) { return Vector2(s.p_WC.head<2>()); };
+  const auto zmp = [](const MotionSample& s) { return s.has_zmp ? s.p_WZ : Vector2::Constant(std::nan("")).eval(); };
+  const auto draw = [&](const std::vector<MotionSample>& samples, const auto& point, Ink ink, Stroke stroke,
+                        const std::string& label) {
+    std::vector<Vector2> path;
+    for (const MotionSample& s : samples) path.push_back(point(s));
+    if (!path.empty()) plot.Line(path, ink, stroke, label);
+  };
+  draw(series.planned, com, Ink::kCom, Stroke::kPlanned, "CoM planned");
+  draw(series.measured, com, Ink::kCom, Stroke::kMeasured, "CoM measured");
+  draw(series.planned, zmp, Ink::kZmp, Stroke::kPlanned, "ZMP planned");
+  draw(series.measured, zmp, Ink::kZmp, Stroke::kMeasured, "ZMP measured");
+}
+
 Plot TopView(const PlotData& data) {
   SvgPlot plot(SvgPlot::ToScale("From above", "x [m]", "y [m]"));
   DrawGround(data, plot);
-  DrawSupports(data, plot);
+  DrawSupports(data.plan.schedule, data.series.measured, plot);
   DrawFootholds(data, plot);
   DrawLandings(data, plot);
-  plot.Line(PathOf(data.series.planned, false), Ink::kCom, Stroke::kPlanned, "CoM planned");
-  plot.Line(PathOf(data.series.measured, false), Ink::kCom, Stroke::kMeasured, "CoM measured");
-  plot.Line(PathOf(data.series.planned, true), Ink::kZmp, Stroke::kPlanned, "ZMP planned");
-  plot.Line(PathOf(data.series.measured, true), Ink::kZmp, Stroke::kMeasured, "ZMP measured");
+  DrawPaths(data.series, plot);
   DrawGoal(data, plot);
   return {
       "top_view",

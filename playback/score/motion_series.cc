@@ -171,6 +171,14 @@ WholeBodySample At(const WholeBodyTrajectory& motion, double time_s) {
   return sample;
 }
 
+/// What is planned at the end of a log interval, with the forces of its middle.
+void AddPlanned(const WholeBodyTrajectory& motion, double time_s, double middle_s, FootSet stance, Sampler& sampler,
+                MotionSeries& series) {
+  series.plan.push_back(At(motion, time_s));
+  series.planned.push_back(sampler.Posture(time_s, stance, series.plan.back().q, series.plan.back().v));
+  sampler.AddPlannedForces(At(motion, middle_s), series.planned.back());
+}
+
 }  // namespace
 
 MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
@@ -187,11 +195,26 @@ MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, c
     const FootSet stance = ScheduledAt(plan.schedule, middle);
     series.measured.push_back(sampler.Posture(row.time_s, stance, row.q, row.v));
     sampler.AddMeasuredForces(row.wrenches, series.measured.back());
-    series.plan.push_back(At(motion, row.time_s));
-    series.planned.push_back(sampler.Posture(row.time_s, stance, series.plan.back().q, series.plan.back().v));
-    sampler.AddPlannedForces(At(motion, middle), series.planned.back());
+    AddPlanned(motion, row.time_s, middle, stance, sampler, series);
   }
   LowPassZmp(series.measured, options.zmp_filter_s);
+  LowPassZmp(series.planned, options.zmp_filter_s);
+  return series;
+}
+
+MotionSeries MakePlannedSeries(const RobotModel& model, const MotionPlan& plan, double rate_hz,
+                               const ScoreOptions& options) {
+  if (!(rate_hz > 0.0 && std::isfinite(rate_hz)))
+    throw InvalidArgument(fmt::format("MakePlannedSeries: the rate is {} Hz; it must be positive and finite", rate_hz));
+  CheckMotion(model, plan.whole_body);
+  Sampler sampler(model, plan, options);
+  const WholeBodyTrajectory motion = WithAllRows(plan.whole_body);
+  MotionSeries series;
+  const int intervals = static_cast<int>(std::floor(plan.duration_s() * rate_hz + 1e-6));
+  for (int k = 0; k <= intervals; ++k) {
+    const double time = motion.start_s + k / rate_hz, middle = time - 0.5 / rate_hz;
+    AddPlanned(motion, time, middle, ScheduledAt(plan.schedule, middle), sampler, series);
+  }
   LowPassZmp(series.planned, options.zmp_filter_s);
   return series;
 }

@@ -55,4 +55,9 @@ struct MotionSeries {
 MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
                               const ScoreOptions& options);
 
+/// The plan alone, from its first row to its last at that rate [Hz], as a log of it would be sampled; `measured` is
+/// empty. @throws InvalidArgument when the plan has no rows or does not fit the model, or the rate is not positive.
+MotionSeries MakePlannedSeries(const RobotModel& model, const MotionPlan& plan, double rate_hz,
+                               const ScoreOptions& options);
+
 }  // namespace gaitwright

@@ -44,14 +44,15 @@ inline const std::vector<Layer> kLayers = {
     {"playback/score", 44},
     {"playback/trials", 45},
     {"playback/report", 46},
-    {"playback/viewer", 46},
+    {"playback/viewer", 47},
 
     {"workflows/walk", 50},
     {"workflows/study", 51},
     {"workflows/exchange", 52},
-    {"workflows/words", 53},
-    {"workflows/live", 54},
-    {"workflows/cluster", 55},
+    {"workflows/render", 53},
+    {"workflows/words", 54},
+    {"workflows/live", 55},
+    {"workflows/cluster", 56},
 
     {"cli", 60},
     {"examples", 60},
@@ -109,6 +110,8 @@ inline const std::vector<Owner> kOwners = {
     {"unistd.h", kAnywhere},
     {"fcntl.h", kAnywhere},
     {"signal.h", kAnywhere},
+    {"poll.h", {"workflows/render"}},
+    {"spawn.h", {"workflows/render"}},
     {"sys/", kAnywhere},
 };
 

@@ -6,11 +6,17 @@
 
 namespace gaitwright {
 
-/// What is wrong with the nesting of the tags of an XML text, or nothing. Quotes of attributes are respected.
+/// What is wrong with the nesting of the tags of an XML text, or nothing. Quotes of attributes are respected, and
+/// sections of characters are passed over.
 inline std::string XmlFault(const std::string& text) {
   std::vector<std::string> open;
   std::size_t at = 0;
   while ((at = text.find('<', at)) != std::string::npos) {
+    if (text.compare(at, 9, "<![CDATA[") == 0) {
+      at = text.find("]]>", at);
+      if (at == std::string::npos) return "a section of characters that does not end";
+      continue;
+    }
     const std::size_t start = at + 1;
     char quote = 0;
     while (++at < text.size() && (quote != 0 || text[at] != '>')) {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/shown_motion.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "kinematics/base/file.h"
+#include "planning/plan/plan_json.h"
+#include "playback/bullet/play.h"
+#include "playback/log/log_json.h"
+#include "playback/report/report_page.h"
+#include "workflows/exchange/motion_file.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright::cli {
+namespace {
+
+constexpr char kStage[] = "ReadMotionToShow";
+
+Result<MotionToShow> WithRobot(MotionPlan plan) {
+  Result<RobotModel> model = RobotOf(plan);
+  if (!model) return model.failure();
+  const std::string title = TitleOf(*model, plan);
+  return MotionToShow{std::move(*model), std::move(plan), {}, {}, title};
+}
+
+/// The plan that a log was played from: where it is said to be, or beside the log.
+Result<MotionPlan> PlanOf(const PlaybackLog& log, const std::string& path, const std::string& plan_path) {
+  const std::string beside = (std::filesystem::path(path).parent_path() / "plan.json").string();
+  if (plan_path.empty() && !std::filesystem::exists(beside)) {
+    return Failure{
+        FailureKind::kBadInput,
+        "no_plan",
+        kStage,
+        fmt::format("'{}' is a log, which does not hold the ground and the plan, and there is no '{}'", path, beside),
+        {"--plan FILE, the plan that was played"}};
+  }
+  const std::string& from = plan_path.empty() ? beside : plan_path;
+  Result<MotionPlan> plan = LoadPlan(from);
+  if (plan && MotionHash(*plan) != log.plan_hash) {
+    return Failure{
+        FailureKind::kBadInput,
+        "other_plan",
+        kStage,
+        fmt::format("'{}' is not the plan that '{}' was played from: its motion has hash {}, the log says {}", from,
+                    path, MotionHash(*plan), log.plan_hash),
+        {"--plan FILE, the plan that was played"}};
+  }
+  return plan;
+}
+
+}  // namespace
+
+ShownMotion MotionToShow::Shown(const std::optional<std::string>& mesh_folder) const {
+  return {title, model, plan, log ? &*log : nullptr, report ? &*report : nullptr, "", mesh_folder};
+}
+
+Result<MotionToShow> ReadMotionToShow(const std::string& path, const std::string& plan_path) {
+  const Result<std::string> text = ReadFile(path);
+  if (!text) return text.failure();
+  const MotionFileKind kind = KindOfText(*text);
+  if (kind == MotionFileKind::kPlan) {
+    Result<MotionPlan> plan = PlanFromJson(*text, path);
+    return plan ? WithRobot(std::move(*plan)) : plan.failure();
+  }
+  if (kind != MotionFileKind::kLog) {
+    return Failure{
+        FailureKind::kBadInput,
+        "no_motion",
+        kStage,
+        fmt::format("'{}' is {}, neither a plan nor a log", path, NameOf(kind)),
+        {"name a plan.json or log.json, as 'walk' writes them", "a motion of other software: gaitwright import FILE"}};
+  }
+  Result<PlaybackLog> log = LogFromJson(*text, path);
+  if (!log) return log.failure();
+  Result<MotionPlan> plan = PlanOf(*log, path, plan_path);
+  if (!plan) return plan.failure();
+  Result<MotionToShow> shown = WithRobot(std::move(*plan));
+  if (!shown) return shown;
+  shown->log = std::move(*log);
+  shown->report = Score(shown->model, shown->plan, *shown->log);
+  return shown;
+}
+
+}  // namespace gaitwright::cli

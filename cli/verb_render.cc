@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/flags.h"
+#include "cli/paths.h"
+#include "cli/program.h"
+#include "cli/progress_bar.h"
+#include "cli/shown_motion.h"
+#include "kinematics/base/file.h"
+#include "playback/report/gait_figure.h"
+#include "playback/viewer/viewer_page.h"
+#include "workflows/render/render_pictures.h"
+#include "workflows/render/svg_to_pdf.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string motion, plan, meshes;
+  std::string png, gif, mp4, figure;
+  std::optional<double> at_s;
+  PictureOptions picture;
+  GaitFigureOptions cycles;
+
+  bool wants_page() const { return !png.empty() || !gif.empty() || !mp4.empty(); }
+};
+
+void Check(const Arguments& a) {
+  CheckPaths({{{"the motion", a.motion}, {"--plan", a.plan}},
+              {{"--png", a.png}, {"--gif", a.gif}, {"--mp4", a.mp4}, {"--figure", a.figure}},
+              ""});
+  if (!a.wants_page() && a.figure.empty())
+    throw InvalidArgument("nothing to render is named: --png, --gif, --mp4 or --figure, each with a file");
+  if (a.wants_page() && !HasViewer())
+    throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which makes pictures");
+  const std::string ending = std::filesystem::path(a.figure).extension().string();
+  if (!a.figure.empty() && ending != ".svg" && ending != ".pdf")
+    throw InvalidArgument(fmt::format("--figure '{}' ends in '{}'; a figure is .svg or .pdf", a.figure, ending));
+}
+
+/// Everything that is asked for, before any of it is written.
+Result<std::vector<OutputFile>> Render(Arguments& a, const MotionToShow& motion) {
+  std::vector<OutputFile> files;
+  const auto add = [&](const std::string& path, Result<std::string> made) -> std::optional<Failure> {
+    if (!made) return made.failure();
+    files.push_back({path, std::move(*made)});
+    return std::nullopt;
+  };
+  if (!a.figure.empty()) {
+    const std::string svg = GaitFigure(motion.model, motion.plan, motion.log ? &*motion.log : nullptr, a.cycles);
+    if (auto failure = add(a.figure, a.figure.ends_with(".pdf") ? SvgToPdf(svg) : Result<std::string>(svg)))
+      return *failure;
+  }
+  if (!a.wants_page()) return files;
+  const std::optional<std::string> meshes = a.meshes.empty() ? std::nullopt : std::optional(a.meshes);
+  const std::string page = ViewerPage(motion.title, {motion.Shown(meshes)});
+  ProgressBar bar(!a.common.json && !a.common.quiet);
+  a.picture.progress = [&](int done, int all) { bar.Show(done, all, 0, "pictures"); };
+  if (!a.png.empty()) {
+    if (auto failure = add(a.png, RenderPng(page, a.at_s.value_or(motion.plan.whole_body.start_s), a.picture)))
+      return *failure;
+  }
+  for (const auto& [path, format] : {std::pair(a.gif, FilmFormat::kGif), std::pair(a.mp4, FilmFormat::kMp4)}) {
+    if (path.empty()) continue;
+    if (auto failure = add(path, RenderFilm(page, format, a.picture))) return *failure;
+  }
+  return files;
+}
+
+void Print(const Arguments& a) {
+  const std::pair<const char*, const std::string*> files[] = {
+      {"png", &a.png}, {"gif", &a.gif}, {"mp4", &a.mp4}, {"figure", &a.figure}};
+  if (a.common.json) {
+    nlohmann::ordered_json json = {{"files", nlohmann::ordered_json::object()}};
+    for (const auto& [kind, path] : files)
+      if (!path->empty()) json["files"][kind] = *path;
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    return;
+  }
+  for (const auto& [kind, path] : files) {
+    if (path->empty()) continue;
+    fmt::print("{}", a.common.quiet ? *path + "\n" : fmt::format("{:<7} {}\n", kind, *path));
+  }
+}
+
+int Run(Arguments& a) {
+  ApplySets("--set", a.common.sets, {});
+  Check(a);
+  const Result<MotionToShow> motion = ReadMotionToShow(a.motion, a.plan);
+  if (!motion) return Report(motion.failure(), a.common);
+  const Result<std::vector<OutputFile>> files = Render(a, *motion);
+  if (!files) return Report(files.failure(), a.common);
+  const auto written = WriteFilesTogether(*files);
+  if (!written) return Report(written.failure(), a.common);
+  Print(a);
+  return kPass;
+}
+
+void AddPictureFlags(CLI::App& verb, Arguments& a) {
+  verb.option_defaults()->group("How pictures are made");
+  AddNumber(verb, "--at", "s", a.at_s, "Time of the still picture, on the plan's clock; default: its start.");
+  AddNumber(verb, "--from-s", "s", a.picture.from_s,
+            "Where moving pictures, and the figure's cycles, begin; default: at the start.");
+  AddNumber(verb, "--to-s", "s", a.picture.to_s, "Where moving pictures end; default: at the end.");
+  AddNumber(verb, "--speed", "factor", a.picture.speed, "Of the motion in moving pictures; default 1.");
+  AddNumber(verb, "--fps", "1/s", a.picture.frames_per_s, "Pictures a second of moving pictures; default 30.");
+  AddWholeNumber(verb, "--width", 64, a.picture.width_px, "Of a picture in pixels; default 1280.");
+  AddWholeNumber(verb, "--height", 64, a.picture.height_px, "Of a picture in pixels; default 720.");
+  AddText(verb, "--view", "NAME", a.picture.view, "corner, side, front or top; default corner.");
+  verb.add_option("--hide", a.picture.hidden,
+                  "What is left out: ghost, support, zmp, com, dcm, forces, footsteps, swings; default: nothing.")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  verb.add_flag("--dark", a.picture.dark, "Light on dark; default: dark on light.");
+  AddWholeNumber(verb, "--cycles", 1, a.cycles.cycles, "Cycles of the gait in the figure; default 10.");
+}
+
+}  // namespace
+
+void AddRender(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("render", "Make pictures, films and the figure of a gait from a plan or a log");
+  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as 'plan', 'walk' and 'play' write them.")->required();
+  AddText(verb, "--plan", "FILE", a->plan, "The plan that a log was played from; default: plan.json beside the log.");
+  AddText(verb, "--meshes", "FOLDER", a->meshes,
+          "Folder of the URDF, from which its visual meshes are found; default: none, what touches is drawn.");
+  verb.option_defaults()->group("What is written, by a headless Chromium");
+  AddText(verb, "--png", "FILE", a->png, "A still picture.");
+  AddText(verb, "--gif", "FILE", a->gif, "A moving picture for any page; needs ffmpeg.");
+  AddText(verb, "--mp4", "FILE", a->mp4, "A film; needs ffmpeg.");
+  verb.option_defaults()->group("What is written, without it");
+  AddText(verb, "--figure", "FILE", a->figure,
+          "Support polygons, ZMP and centre of mass over some cycles, for print: .svg, or .pdf where rsvg-convert is "
+          "installed.");
+  AddPictureFlags(verb, *a);
+  AddCommon(verb, a->common,
+            {"render out/log.json --png trot.png --at 1.5 --view side",
+             "render out/log.json --mp4 steps.mp4 --from-s 1 --to-s 1.5 --speed 0.5",
+             "render out/log.json --figure gait.pdf --cycles 10"});
+  verb.callback([a, &status] {
+    status = Guarded(a->common, [&] {
+      a->cycles.from_s = a->picture.from_s;
+      return Run(*a);
+    });
+  });
+}
+
+}  // namespace gaitwright::cli

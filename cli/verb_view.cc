@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/flags.h"
+#include "cli/paths.h"
+#include "cli/program.h"
+#include "cli/shown_motion.h"
+#include "kinematics/base/file.h"
+#include "playback/viewer/viewer_page.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string motion, beside, plan, meshes, out = "view.html";
+};
+
+void Print(const Arguments& a, const std::string& title, std::size_t bytes) {
+  if (a.common.json) {
+    const nlohmann::ordered_json json = {{"shows", title}, {"page_bytes", bytes}, {"files", {{"page", a.out}}}};
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else if (a.common.quiet) {
+    fmt::print("{}\n", a.out);
+  } else {
+    fmt::print("{}\npage    {} ({:.1f} MB): open it in a browser\n", title, a.out, 1e-6 * static_cast<double>(bytes));
+  }
+}
+
+int Run(const Arguments& a) {
+  ApplySets("--set", a.common.sets, {});
+  CheckPaths({{{"the motion", a.motion}, {"the second motion", a.beside}, {"--plan", a.plan}}, {{"--out", a.out}}, ""});
+  if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
+  std::vector<MotionToShow> motions;
+  for (const std::string& path : {a.motion, a.beside}) {
+    if (path.empty()) continue;
+    Result<MotionToShow> motion = ReadMotionToShow(path, a.plan);
+    if (!motion) return Report(motion.failure(), a.common);
+    motions.push_back(std::move(*motion));
+  }
+  if (motions.size() == 2 && motions[0].title == motions[1].title) {
+    motions[0].title += ", " + a.motion;
+    motions[1].title += ", " + a.beside;
+  }
+  const std::optional<std::string> meshes = a.meshes.empty() ? std::nullopt : std::optional(a.meshes);
+  std::vector<ShownMotion> shown;
+  std::string title;
+  for (const MotionToShow& motion : motions) {
+    shown.push_back(motion.Shown(meshes));
+    title += (title.empty() ? "" : " beside ") + motion.title;
+  }
+  const std::string page = ViewerPage(title, shown);
+  const auto written = WriteFileAtomically(a.out, page);
+  if (!written) return Report(written.failure(), a.common);
+  Print(a, title, page.size());
+  return kPass;
+}
+
+}  // namespace
+
+void AddView(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("view", "Make a page that shows a plan or a log in 3D, or two side by side");
+  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as 'plan', 'walk' and 'play' write them.")->required();
+  AddText(verb, "BESIDE", "FILE", a->beside, "A second one, shown beside it under the same clock; default none.");
+  AddText(verb, "--plan", "FILE", a->plan, "The plan that a log was played from; default: plan.json beside the log.");
+  AddText(verb, "--meshes", "FOLDER", a->meshes,
+          "Folder of the URDF, from which its visual meshes are found; default: none, what touches is drawn.");
+  AddText(verb, "--out", "FILE", a->out, "Write the page to this file; default view.html.");
+  AddCommon(verb, a->common,
+            {"view plan.json", "view out/log.json --out trot.html", "view out/log.json plan.json --out two.html"});
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

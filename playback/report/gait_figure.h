@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+#include "playback/log/playback_log.h"
+
+namespace gaitwright {
+
+/// What the figure shows of a motion.
+struct GaitFigureOptions {
+  int cycles = 10;       ///< of the gait at its start, 1 to 1000
+  double from_s = -1e9;  ///< on the plan's clock; earlier than the first step means from that
+};
+
+/// The gait of a motion as a figure for print, one `<svg>` with StandaloneSvg's head: from above the support polygons,
+/// ZMP and centre of mass, to scale; below it both over time, along x and y, with how far the support reaches.
+/// @param log  of the plan; null draws the plan alone.
+/// @throws InvalidArgument as MakeMotionSeries does, for options out of range, and where no sample is in the window.
+std::string GaitFigure(const RobotModel& model, const MotionPlan& plan, const PlaybackLog* log,
+                       const GaitFigureOptions& options = {});
+
+}  // namespace gaitwright

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <bit>
+#include <cmath>
+
+#include "playback/viewer/packed_columns_internal.h"
+
+namespace gaitwright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+static_assert(std::endian::native == std::endian::little, "columns are packed as they lie in memory");
+
+template <class Number>
+std::string Bytes(const std::vector<Number>& values) {
+  return Base64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number)});
+}
+
+}  // namespace
+
+std::string Base64(std::string_view bytes) {
+  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  const auto byte = [&](std::size_t i) {
+    return i < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) : 0U;
+  };
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::uint32_t group = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+    text += kLetters[group >> 18U & 63U];
+    text += kLetters[group >> 12U & 63U];
+    text += i + 1 < bytes.size() ? kLetters[group >> 6U & 63U] : '=';
+    text += i + 2 < bytes.size() ? kLetters[group & 63U] : '=';
+  }
+  return text;
+}
+
+Json Packed(int columns, const std::vector<float>& values) { return {{"columns", columns}, {"f32", Bytes(values)}}; }
+
+Json Packed(int columns, const std::vector<std::uint32_t>& values) {
+  return {{"columns", columns}, {"u32", Bytes(values)}};
+}
+
+Json Packed(int columns, const std::vector<std::uint8_t>& values) {
+  return {{"columns", columns}, {"u8", Bytes(values)}};
+}
+
+Json PackedPoints(const std::vector<Vector3>& points) {
+  std::vector<float> values;
+  values.reserve(3 * points.size());
+  for (const Vector3& p : points)
+    for (Eigen::Index i = 0; i < 3; ++i) values.push_back(static_cast<float>(p[i]));
+  return Packed(3, values);
+}
+
+Json PoseJson(const Pose& pose) {
+  const Quaternion R(pose.linear());
+  const Vector3 p = pose.translation();
+  return Json::array({p.x(), p.y(), p.z(), R.x(), R.y(), R.z(), R.w()});
+}
+
+Json FiniteOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+}  // namespace gaitwright

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// node build.mjs OUT.cc: bundles src/main.ts and what it needs into one script and one style sheet, and writes them as
+// the texts that playback/viewer/viewer_bundle_internal.h declares.
+import { writeFileSync } from "node:fs";
+import { build } from "esbuild";
+
+const kPieceLength = 15000;
+
+/** A C++ literal of any text, in pieces that every compiler takes. */
+function literal(text) {
+  const pieces = [];
+  for (let at = 0; at < text.length; at += kPieceLength) pieces.push(`R"gw(${text.slice(at, at + kPieceLength)})gw"`);
+  return pieces.join("\n");
+}
+
+const result = await build({
+  entryPoints: [{ in: "src/main.ts", out: "viewer" }],
+  outdir: ".",
+  write: false,
+  bundle: true,
+  minify: true,
+  charset: "utf8",
+  format: "iife",
+  target: ["es2022"],
+  legalComments: "inline",
+  logLevel: "warning",
+});
+const textOf = (ending) => result.outputFiles.find((file) => file.path.endsWith(ending)).text;
+const script = textOf(".js");
+const style = textOf(".css");
+for (const text of [script, style]) {
+  // A page holds both in sections of characters, within elements.
+  if (/\]\]>|<\/(script|style)|\)gw"/i.test(text)) throw new Error("the bundle has what would end its place in a page");
+}
+writeFileSync(
+  process.argv[2],
+  `// Made by build.mjs.
+#include "playback/viewer/viewer_bundle_internal.h"
+
+namespace gaitwright {
+
+std::string_view ViewerScript() {
+  return
+${literal(script)};
+}
+
+std::string_view ViewerStyle() {
+  return
+${literal(style)};
+}
+
+}  // namespace gaitwright
+`,
+);

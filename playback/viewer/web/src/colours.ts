@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/** What a colour stands for; the same as in the report's plots. Told apart by people who are colour-blind (Okabe and Ito). */
+export type Ink = "zmp" | "com" | "dcm" | "foot" | "joint" | "limit" | "support" | "bad" | "muted";
+
+export interface Theme {
+  dark: boolean;
+  ink: Record<Ink, string>;
+  paper: string;
+  text: string;
+  soft: string;
+  rule: string;
+  sky: string;
+  ground: string;
+  groundLine: string;
+  block: string;
+  obstacle: string;
+  trunk: string;
+  limb: string;
+  limbAlternate: string;
+  sole: string;
+}
+
+const kLight: Theme = {
+  dark: false,
+  ink: {
+    zmp: "#d55e00", com: "#0072b2", dcm: "#b0568c", foot: "#009e73", joint: "#0072b2",
+    limit: "#8a4b00", support: "#7a9ab0", bad: "#c2185b", muted: "#6b7580",
+  },
+  paper: "#ffffff", text: "#1f2730", soft: "#56616d", rule: "#e4e8ec",
+  sky: "#eef2f5", ground: "#dfe5ea", groundLine: "#c3ccd4", block: "#c9d3db", obstacle: "#b7a58f",
+  trunk: "#f7f9fa", limb: "#8c9aa8", limbAlternate: "#aab6c1", sole: "#3b4650",
+};
+
+const kDark: Theme = {
+  dark: true,
+  ink: {
+    zmp: "#ff8c42", com: "#5ab4f0", dcm: "#e39ac4", foot: "#2fd0a2", joint: "#5ab4f0",
+    limit: "#e6a94a", support: "#6f8fa8", bad: "#ff6f9f", muted: "#9aa5b1",
+  },
+  paper: "#14181d", text: "#dfe5ec", soft: "#a3adb8", rule: "#2c343d",
+  sky: "#171c22", ground: "#222a32", groundLine: "#36414c", block: "#2e3842", obstacle: "#5b5145",
+  trunk: "#c3ccd6", limb: "#6d7b89", limbAlternate: "#8795a3", sole: "#2b333b",
+};
+
+export function themeOf(dark: boolean): Theme {
+  return dark ? kDark : kLight;
+}
+
+/** Feet differ by colour and by dash, so that neither is needed alone. */
+export const kFootColours = ["#0072b2", "#d55e00", "#009e73", "#b0568c", "#8a4b00", "#56b4e9", "#6b7580", "#c2185b"];

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every element with `data-scene="ID"` becomes a viewer of the scene in the script element of that id.
+import "uplot/dist/uPlot.min.css";
+import "./viewer.css";
+import type { SceneFile } from "./scene";
+import { Viewer } from "./viewer";
+
+declare global {
+  interface Window {
+    /** The viewers of the page, in its order: for scripts that make pictures, and for tests. */
+    gaitwright: { viewers: Viewer[]; opened_ms: number };
+  }
+}
+
+function sceneOf(id: string): SceneFile {
+  const scene = JSON.parse(document.getElementById(id)?.textContent ?? "null") as SceneFile | null;
+  if (scene?.format !== "gaitwright-scene" || scene.schema !== 1) throw new Error(`element '${id}' holds no scene`);
+  return scene;
+}
+
+function start(): void {
+  const viewers: Viewer[] = [];
+  for (const element of document.querySelectorAll<HTMLElement>("[data-scene]")) {
+    viewers.push(new Viewer(element, sceneOf(element.dataset.scene ?? "")));
+  }
+  window.gaitwright = { viewers, opened_ms: performance.now() };
+}
+
+if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", start);
+else start();

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import * as THREE from "three";
+import type { Ink, Theme } from "./colours";
+import { mainTrack, row, unpack, type Motion, type Table, type Track } from "./scene";
+
+/** What can be shown over the robot, in the order of the legend. */
+export const kOverlays = ["ghost", "support", "zmp", "com", "dcm", "forces", "footsteps", "swings"] as const;
+export type Overlay = (typeof kOverlays)[number];
+
+export const kOverlayNames: Record<Overlay, string> = {
+  ghost: "plan as a ghost",
+  support: "support polygon",
+  zmp: "zero-moment point",
+  com: "centre of mass",
+  dcm: "divergent component",
+  forces: "contact forces",
+  footsteps: "footsteps",
+  swings: "swings",
+};
+
+export const kOverlayInk: Record<Overlay, Ink> = {
+  ghost: "com", support: "support", zmp: "zmp", com: "com", dcm: "dcm", forces: "foot", footsteps: "muted", swings: "foot",
+};
+
+/** Over the ground, so that nothing flickers. */
+const kLift = 0.003;
+const kTrailSeconds = 1.0;
+const kMostCorners = 64;
+
+type Painted = THREE.Material & { color: THREE.Color };
+
+/** Materials by what they stand for, painted anew when the theme changes. */
+class Palette {
+  private readonly all: { material: Painted; ink: Ink }[] = [];
+
+  line(ink: Ink, opacity = 1): THREE.LineBasicMaterial {
+    return this.keep(new THREE.LineBasicMaterial({ transparent: opacity < 1, opacity }), ink);
+  }
+
+  solid(ink: Ink, opacity = 1): THREE.MeshBasicMaterial {
+    return this.keep(
+      new THREE.MeshBasicMaterial({ transparent: opacity < 1, opacity, depthWrite: opacity === 1, side: THREE.DoubleSide }),
+      ink,
+    );
+  }
+
+  paint(theme: Theme): void {
+    for (const { material, ink } of this.all) material.color.set(theme.ink[ink]);
+  }
+
+  private keep<M extends Painted>(material: M, ink: Ink): M {
+    this.all.push({ material, ink });
+    return material;
+  }
+}
+
+/** A geometry whose points change with time. */
+function movingPoints(most: number): THREE.BufferGeometry {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * most), 3).setUsage(THREE.DynamicDrawUsage));
+  geometry.setDrawRange(0, 0);
+  return geometry;
+}
+
+function upload(geometry: THREE.BufferGeometry, points: number): void {
+  geometry.setDrawRange(0, points);
+  geometry.attributes.position.needsUpdate = true;
+}
+
+/** A point on the ground with the way it went in the last second. */
+class Trace {
+  readonly root = new THREE.Group();
+  private readonly marker: THREE.Mesh;
+  private readonly trail: THREE.Line;
+  private readonly most: number;
+
+  constructor(
+    motion: Motion,
+    private readonly table: Table,
+    geometry: THREE.BufferGeometry,
+    material: THREE.Material,
+    trail: THREE.LineBasicMaterial,
+    private readonly lift: number,
+  ) {
+    const step = motion.time.length > 1 ? motion.time[1] - motion.time[0] : 1;
+    this.most = Math.max(2, Math.min(motion.time.length, Math.ceil(kTrailSeconds / step) + 1));
+    this.marker = new THREE.Mesh(geometry, material);
+    this.trail = new THREE.Line(movingPoints(this.most), trail);
+    this.trail.frustumCulled = false;
+    this.root.add(this.marker, this.trail);
+  }
+
+  show(k: number): void {
+    const at = row(this.table, k);
+    this.marker.visible = Number.isFinite(at[0]);
+    if (this.marker.visible) this.marker.position.set(at[0], at[1], at[2] + this.lift);
+    const positions = this.trail.geometry.attributes.position.array as Float32Array;
+    let n = 0;
+    for (let i = Math.max(0, k - this.most + 1); i <= k; ++i) {
+      const p = row(this.table, i);
+      if (!Number.isFinite(p[0])) {
+        n = 0;
+        continue;
+      }
+      positions[3 * n] = p[0];
+      positions[3 * n + 1] = p[1];
+      positions[3 * n + 2] = p[2] + this.lift;
+      ++n;
+    }
+    upload(this.trail.geometry, n > 1 ? n : 0);
+  }
+}
+
+/** All that is drawn beside robot and ground. */
+export class Overlays {
+  readonly root = new THREE.Group();
+  private readonly groups = new Map<Overlay, THREE.Group>();
+  private readonly palette = new Palette();
+  private readonly traces: Trace[] = [];
+  private readonly track: Track;
+  private readonly size: number;
+  private readonly supportFill: THREE.Mesh;
+  private readonly supportEdge: THREE.LineLoop;
+  private readonly drop: THREE.Line;
+  private readonly arrows: THREE.Group[] = [];
+  private readonly soles: { line: THREE.LineLoop; from: number; to: number }[] = [];
+  private readonly soleNow: THREE.LineBasicMaterial;
+  private readonly soleOther: THREE.LineBasicMaterial;
+  private readonly up = new THREE.Vector3(0, 0, 1);
+  private readonly force = new THREE.Vector3();
+
+  constructor(private readonly motion: Motion) {
+    this.track = mainTrack(motion);
+    this.size = motion.file.robot.leg_length_m;
+    for (const name of kOverlays) {
+      const group = new THREE.Group();
+      group.name = name;
+      this.groups.set(name, group);
+      this.root.add(group);
+    }
+    this.supportFill = new THREE.Mesh(movingPoints(3 * kMostCorners), this.palette.solid("support", 0.45));
+    this.supportEdge = new THREE.LineLoop(movingPoints(kMostCorners), this.palette.line("support"));
+    this.supportFill.frustumCulled = this.supportEdge.frustumCulled = false;
+    this.group("support").add(this.supportFill, this.supportEdge);
+    this.drop = new THREE.Line(movingPoints(2), this.palette.line("com", 0.6));
+    this.drop.frustumCulled = false;
+    this.addPoints();
+    this.addArrows();
+    this.soleNow = this.palette.line("foot");
+    this.soleOther = this.palette.line("muted", 0.55);
+    this.addFootsteps();
+    this.addSwings();
+  }
+
+  group(name: Overlay): THREE.Group {
+    return this.groups.get(name) as THREE.Group;
+  }
+
+  setVisible(name: Overlay, visible: boolean): void {
+    this.group(name).visible = visible;
+  }
+
+  paint(theme: Theme): void {
+    this.palette.paint(theme);
+  }
+
+  show(k: number, t: number): void {
+    if (this.group("support").visible) this.showSupport(k);
+    for (const trace of this.traces) if (trace.root.parent?.visible) trace.show(k);
+    if (this.group("com").visible) this.showDrop(k);
+    if (this.group("forces").visible) this.showForces(k);
+    for (const sole of this.soles) {
+      sole.line.material = t >= sole.from && t < sole.to ? this.soleNow : this.soleOther;
+    }
+  }
+
+  /** Planned points are rings, measured ones are filled. */
+  private addPoints(): void {
+    const r = 0.05 * this.size;
+    const disc = new THREE.CircleGeometry(r, 32);
+    const ring = new THREE.RingGeometry(1.1 * r, 1.6 * r, 40);
+    const ball = new THREE.SphereGeometry(0.9 * r, 24, 16);
+    const { planned, measured } = this.motion;
+    const add = (overlay: Overlay, table: Table, shape: THREE.BufferGeometry, opacity: number, lift: number) => {
+      const ink = kOverlayInk[overlay];
+      const trace = new Trace(this.motion, table, shape, this.palette.solid(ink, opacity), this.palette.line(ink, opacity), lift);
+      this.traces.push(trace);
+      this.group(overlay).add(trace.root);
+    };
+    if (planned) {
+      add("zmp", planned.zmp, ring, measured ? 0.6 : 0.95, 2 * kLift);
+      add("dcm", planned.dcm, ring, measured ? 0.6 : 0.95, 3 * kLift);
+      if (!measured) add("com", planned.com, ball, 0.95, 0);
+    }
+    if (measured) {
+      add("zmp", measured.zmp, disc, 0.95, 4 * kLift);
+      add("dcm", measured.dcm, disc, 0.95, 5 * kLift);
+      add("com", measured.com, ball, 0.95, 0);
+    }
+    this.group("com").add(this.drop);
+  }
+
+  private addArrows(): void {
+    const material = this.palette.solid("foot", 0.9);
+    const shaft = new THREE.CylinderGeometry(0.012 * this.size, 0.012 * this.size, 1, 12).translate(0, 0.5, 0).rotateX(Math.PI / 2);
+    const head = new THREE.ConeGeometry(0.04 * this.size, 0.1 * this.size, 16).translate(0, 0.05 * this.size, 0).rotateX(Math.PI / 2);
+    for (let i = 0; i < this.motion.file.robot.feet.length; ++i) {
+      const arrow = new THREE.Group();
+      arrow.add(new THREE.Mesh(shaft, material), new THREE.Mesh(head, material));
+      this.arrows.push(arrow);
+      this.group("forces").add(arrow);
+    }
+  }
+
+  private addFootsteps(): void {
+    for (const foothold of this.motion.file.footholds) {
+      const points = foothold.outline_m.map((p) => new THREE.Vector3(p[0], p[1], p[2] + kLift));
+      const line = new THREE.LineLoop(new THREE.BufferGeometry().setFromPoints(points), this.soleOther);
+      this.soles.push({ line, from: foothold.touchdown_s, to: foothold.liftoff_s });
+      this.group("footsteps").add(line);
+    }
+  }
+
+  private addSwings(): void {
+    const material = this.palette.line("foot", 0.7);
+    for (const swing of this.motion.file.swings) {
+      const table = unpack(swing.points_m);
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.BufferAttribute(table.values as Float32Array, 3));
+      this.group("swings").add(new THREE.Line(geometry, material));
+    }
+  }
+
+  private showSupport(k: number): void {
+    const first = this.track.supportFirst.values[k];
+    const n = Math.min(this.track.supportFirst.values[k + 1] - first, kMostCorners);
+    const edge = this.supportEdge.geometry.attributes.position.array as Float32Array;
+    const fill = this.supportFill.geometry.attributes.position.array as Float32Array;
+    const corner = (to: Float32Array, at: number, i: number) => {
+      const p = row(this.track.support, first + i);
+      to[3 * at] = p[0];
+      to[3 * at + 1] = p[1];
+      to[3 * at + 2] = p[2] + kLift;
+    };
+    for (let i = 0; i < n; ++i) corner(edge, i, i);
+    let filled = 0;
+    for (let i = 1; i + 1 < n; ++i) {
+      corner(fill, filled++, 0);
+      corner(fill, filled++, i);
+      corner(fill, filled++, i + 1);
+    }
+    upload(this.supportEdge.geometry, n > 1 ? n : 0);
+    upload(this.supportFill.geometry, filled);
+  }
+
+  /** The line from the centre of mass straight down to the plane of its divergent component. */
+  private showDrop(k: number): void {
+    const com = row(this.track.com, k);
+    const ground = row(this.track.dcm, k)[2];
+    const positions = this.drop.geometry.attributes.position.array as Float32Array;
+    positions.set([com[0], com[1], com[2], com[0], com[1], Number.isFinite(ground) ? ground : 0]);
+    upload(this.drop.geometry, 2);
+  }
+
+  /** The robot's weight is an arrow of 0.8 legs. */
+  private showForces(k: number): void {
+    const metresPerNewton = (0.8 * this.size) / this.motion.file.robot.weight_n;
+    const forces = row(this.track.force, k);
+    const feet = row(this.track.foot, k);
+    this.arrows.forEach((arrow, i) => {
+      this.force.fromArray(forces, 3 * i);
+      const length = this.force.length() * metresPerNewton;
+      arrow.visible = Number.isFinite(length) && length > 0.02 * this.size;
+      if (!arrow.visible) return;
+      arrow.position.fromArray(feet, 3 * i);
+      arrow.quaternion.setFromUnitVectors(this.up, this.force.normalize());
+      arrow.children[0].scale.set(1, 1, length);
+      arrow.children[1].position.set(0, 0, length);
+    });
+  }
+}

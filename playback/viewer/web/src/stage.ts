@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Theme } from "./colours";
+import { Overlays, type Overlay } from "./overlays";
+import { RobotView } from "./robot_view";
+import { mainTrack, row, sampleAt, type Motion } from "./scene";
+import { TerrainView } from "./terrain_view";
+
+export type View = "corner" | "side" | "front" | "top";
+
+/** Where the camera stands, as multiples of its distance from the robot. */
+const kViews: Record<View, [number, number, number]> = {
+  corner: [0.62, -0.92, 0.5],
+  side: [0, -1.2, 0.18],
+  front: [1.2, 0, 0.25],
+  top: [-0.001, 0, 1.4],
+};
+
+/** Share of the way to the robot that the camera makes up in a second, as e to the minus this. */
+const kFollowRate = 6;
+
+/** One motion in 3D: ground, robot, ghost and overlays under one camera. */
+export class Stage {
+  readonly overlays: Overlays;
+  readonly robot: RobotView;
+  private readonly ghost: RobotView | null = null;
+  private readonly terrain: TerrainView;
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.PerspectiveCamera(36, 1, 0.01, 200);
+  private readonly controls: OrbitControls;
+  private readonly sun = new THREE.DirectionalLight(0xffffff, 2.1);
+  private readonly sky = new THREE.HemisphereLight(0xffffff, 0x98a4b0, 1.5);
+  private readonly centre = new THREE.Vector3();
+  private shown = -1;
+  private dirty = true;
+  follow = true;
+
+  /** @throws where the browser has no WebGL. */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    readonly motion: Motion,
+  ) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.camera.up.set(0, 0, 1);
+    this.robot = new RobotView(motion.file.robot, false);
+    this.terrain = new TerrainView(motion.file.terrain);
+    this.overlays = new Overlays(motion);
+    if (motion.measured && motion.planned) {
+      this.ghost = new RobotView(motion.file.robot, true);
+      this.overlays.group("ghost").add(this.ghost.root);
+    }
+    this.scene.add(this.terrain.root, this.robot.root, this.overlays.root, this.sky, this.sun, this.sun.target);
+    this.setUpSun();
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.maxPolarAngle = 0.495 * Math.PI;
+    this.controls.addEventListener("change", () => (this.dirty = true));
+    this.showSample(0, motion.time[0]);
+    this.centre.copy(this.robotCentre());
+    this.look("corner");
+  }
+
+  paint(theme: Theme): void {
+    this.scene.background = new THREE.Color(theme.sky);
+    this.scene.fog = new THREE.Fog(theme.sky, 25 * this.size, 70 * this.size);
+    this.sky.intensity = theme.dark ? 1.0 : 1.5;
+    this.terrain.paint(theme);
+    this.robot.paint(theme);
+    this.ghost?.paint(theme);
+    this.overlays.paint(theme);
+    this.dirty = true;
+  }
+
+  setVisible(overlay: Overlay, visible: boolean): void {
+    this.overlays.setVisible(overlay, visible);
+    this.shown = -1;
+    this.dirty = true;
+  }
+
+  /** A camera from that side at the robot, as far off as shows all of it. */
+  look(view: View): void {
+    const distance = 5.2 * this.size;
+    const [x, y, z] = kViews[view];
+    this.controls.target.copy(this.centre);
+    this.camera.position.set(x, y, z).multiplyScalar(distance).add(this.centre);
+    this.controls.update();
+    this.dirty = true;
+  }
+
+  /** Shows the sample that holds at a time. */
+  show(t: number): void {
+    const k = sampleAt(this.motion.time, t);
+    if (k === this.shown) return;
+    this.showSample(k, t);
+  }
+
+  /** The camera goes after the robot, at once where `seconds` is infinite. */
+  goAfter(seconds: number): void {
+    if (!this.follow) return;
+    const step = this.robotCentre().sub(this.centre).multiplyScalar(1 - Math.exp(-kFollowRate * seconds));
+    if (step.lengthSq() < 1e-14) return;
+    this.centre.add(step);
+    this.controls.target.add(step);
+    this.camera.position.add(step);
+    this.dirty = true;
+  }
+
+  /** Draws, where something changed since the last time. */
+  draw(): boolean {
+    this.fit();
+    if (!this.dirty) return false;
+    this.dirty = false;
+    this.sun.target.position.copy(this.centre);
+    this.sun.position.copy(this.centre).add(new THREE.Vector3(1.6, -1.1, 4).multiplyScalar(this.size));
+    this.renderer.render(this.scene, this.camera);
+    return true;
+  }
+
+  /** Draw calls and triangles of the last picture. */
+  cost(): { calls: number; triangles: number } {
+    return { calls: this.renderer.info.render.calls, triangles: this.renderer.info.render.triangles };
+  }
+
+  private get size(): number {
+    return this.motion.file.robot.leg_length_m;
+  }
+
+  private showSample(k: number, t: number): void {
+    this.shown = k;
+    this.robot.pose(row(mainTrack(this.motion).q, k));
+    if (this.ghost && this.motion.planned) this.ghost.pose(row(this.motion.planned.q, k));
+    this.overlays.show(k, t);
+    this.dirty = true;
+  }
+
+  private robotCentre(): THREE.Vector3 {
+    const q = row(mainTrack(this.motion).q, Math.max(this.shown, 0));
+    return new THREE.Vector3(q[0], q[1], 0.6 * q[2]);
+  }
+
+  private setUpSun(): void {
+    const reach = 4 * this.size;
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    Object.assign(this.sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.01, far: 12 * this.size });
+    this.sun.shadow.normalBias = 0.01 * this.size;
+    this.sun.shadow.radius = 4;
+  }
+
+  /** The picture has the size of its place in the page. */
+  private fit(): void {
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    if (width === 0 || height === 0) return;
+    const ratio = this.renderer.getPixelRatio();
+    if (this.canvas.width === Math.floor(width * ratio) && this.canvas.height === Math.floor(height * ratio)) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.dirty = true;
+  }
+}

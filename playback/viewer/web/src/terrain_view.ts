@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import * as THREE from "three";
+import type { Theme } from "./colours";
+import { setPose, shapeGeometry } from "./robot_view";
+import { unpack, type TerrainFile } from "./scene";
+
+const kSolidDepth = 1.0;
+const kPlaneSize = 60;
+const kTile = 0.5;
+
+/** The ground and what stands on it. */
+export class TerrainView {
+  readonly root = new THREE.Group();
+  private readonly ground = new THREE.MeshStandardMaterial({ roughness: 0.95 });
+  private readonly block = new THREE.MeshStandardMaterial({ roughness: 0.95, side: THREE.DoubleSide });
+  private readonly obstacle = new THREE.MeshStandardMaterial({ roughness: 0.9 });
+  private readonly line = new THREE.LineBasicMaterial({ transparent: true, opacity: 0.9 });
+
+  constructor(terrain: TerrainFile) {
+    for (const patch of terrain.patches) {
+      if (patch.outline_m.length === 0) this.addPlane(patch);
+      else this.addPatch(patch);
+    }
+    for (const field of terrain.height_fields) this.addField(field);
+    for (const obstacle of terrain.obstacles) {
+      const mesh = new THREE.Mesh(
+        shapeGeometry(obstacle.type, obstacle.size_m, obstacle.points_m),
+        this.obstacle,
+      );
+      setPose(mesh, obstacle.pose);
+      this.add(mesh);
+      this.addEdges(mesh);
+    }
+  }
+
+  paint(theme: Theme): void {
+    this.ground.color.set(theme.ground);
+    this.block.color.set(theme.block);
+    this.obstacle.color.set(theme.obstacle);
+    this.line.color.set(theme.groundLine);
+  }
+
+  private add(mesh: THREE.Mesh): void {
+    mesh.receiveShadow = true;
+    this.root.add(mesh);
+  }
+
+  private addEdges(mesh: THREE.Mesh): void {
+    const edges = new THREE.LineSegments(new THREE.EdgesGeometry(mesh.geometry, 20), this.line);
+    edges.position.copy(mesh.position);
+    edges.quaternion.copy(mesh.quaternion);
+    this.root.add(edges);
+  }
+
+  /** A plane without end: a large piece of it, with lines every half metre to see motion by. */
+  private addPlane(patch: TerrainFile["patches"][number]): void {
+    const plane = new THREE.Mesh(new THREE.PlaneGeometry(kPlaneSize, kPlaneSize), this.ground);
+    setPose(plane, patch.pose);
+    plane.translateZ(-0.0005);
+    this.add(plane);
+    const points: THREE.Vector3[] = [];
+    const half = kPlaneSize / 2;
+    for (let at = -half; at <= half + 1e-9; at += kTile) {
+      points.push(new THREE.Vector3(at, -half, 0), new THREE.Vector3(at, half, 0));
+      points.push(new THREE.Vector3(-half, at, 0), new THREE.Vector3(half, at, 0));
+    }
+    const lines = new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(points), this.line);
+    setPose(lines, patch.pose);
+    this.root.add(lines);
+  }
+
+  /** A bounded piece of plane and the solid straight below it. */
+  private addPatch(patch: TerrainFile["patches"][number]): void {
+    const frame = new THREE.Object3D();
+    setPose(frame, patch.pose);
+    frame.updateMatrixWorld();
+    const top = patch.outline_m.map(([x, y]) => new THREE.Vector3(x, y, 0).applyMatrix4(frame.matrixWorld));
+    const bottom = top.map((p) => new THREE.Vector3(p.x, p.y, p.z - kSolidDepth));
+    const positions: number[] = [];
+    const triangle = (a: THREE.Vector3, b: THREE.Vector3, c: THREE.Vector3) =>
+      positions.push(...a.toArray(), ...b.toArray(), ...c.toArray());
+    for (let i = 1; i + 1 < top.length; ++i) triangle(top[0], top[i], top[i + 1]);
+    top.forEach((corner, i) => {
+      const j = (i + 1) % top.length;
+      triangle(corner, bottom[i], bottom[j]);
+      triangle(corner, bottom[j], top[j]);
+    });
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute(positions, 3));
+    geometry.computeVertexNormals();
+    this.add(new THREE.Mesh(geometry, this.block));
+    this.root.add(new THREE.LineLoop(new THREE.BufferGeometry().setFromPoints(top), this.line));
+  }
+
+  private addField(field: TerrainFile["height_fields"][number]): void {
+    const heights = unpack(field.heights_m).values;
+    const positions = new Float32Array(3 * field.columns * field.rows);
+    for (let j = 0; j < field.rows; ++j) {
+      for (let i = 0; i < field.columns; ++i) {
+        const k = j * field.columns + i;
+        positions.set(
+          [field.origin_m[0] + i * field.resolution_m, field.origin_m[1] + j * field.resolution_m, heights[k]],
+          3 * k,
+        );
+      }
+    }
+    const triangles: number[] = [];
+    for (let j = 0; j + 1 < field.rows; ++j) {
+      for (let i = 0; i + 1 < field.columns; ++i) {
+        const k = j * field.columns + i;
+        triangles.push(k, k + 1, k + field.columns + 1, k, k + field.columns + 1, k + field.columns);
+      }
+    }
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+    geometry.setIndex(triangles);
+    geometry.computeVertexNormals();
+    this.add(new THREE.Mesh(geometry, this.block));
+  }
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/viewer/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "kinematics/base/result.h"
+#include "playback/score/motion_series.h"
+#include "playback/viewer/viewer_page.h"
+#include "tests/playback/played.h"
+#include "tests/playback/xml_check.h"
+
+namespace gaitwright {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The bytes of base64, read without the code that wrote it.
+std::string Unpacked(const std::string& text) {
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bits, bytes;
+  for (const char c : text) {
+    const std::size_t value = letters.find(c);
+    if (value == std::string::npos) break;
+    for (int bit = 5; bit >= 0; --bit) bits += value >> bit & 1U ? '1' : '0';
+  }
+  for (std::size_t i = 0; i + 8 <= bits.size(); i += 8)
+    bytes += static_cast<char>(std::stoi(bits.substr(i, 8), nullptr, 2));
+  return bytes;
+}
+
+template <class Number>
+std::vector<Number> Numbers(const Json& packed, const char* kind) {
+  const std::string bytes = Unpacked(packed.at(kind).get<std::string>());
+  std::vector<Number> numbers(bytes.size() / sizeof(Number));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
+  return numbers;
+}
+
+std::vector<float> Floats(const Json& packed) { return Numbers<float>(packed, "f32"); }
+
+Json SceneOf(const synthetic::Played& c, const StabilityReport* report = nullptr) {
+  return Json::parse(SceneJson({{"a <walk>", c.model, c.plan, &c.log, report}}))["motions"][0];
+}
+
+TEST(Scene, HasAllOfAPlaybackInColumnsOfOneLength) {
+  const synthetic::Played c = synthetic::Walked(4, {.count = 4});
+  const Json motion = SceneOf(c);
+  const std::size_t rows = c.log.samples.size();
+  const MotionSeries series = MakeMotionSeries(c.model, c.plan, c.log, {});
+  EXPECT_EQ(Floats(motion["time_s"]).size(), rows);
+  for (const char* side : {"planned", "measured"}) {
+    const Json& track = motion[side];
+    for (const char* key :
+         {"q", "tau", "com_m", "dcm_m", "zmp_m", "zmp_margin_m", "foot_m", "force_n", "foot_height_m"}) {
+      EXPECT_EQ(Floats(track[key]).size(), rows * track[key]["columns"].get<std::size_t>()) << side << " " << key;
+    }
+    EXPECT_EQ(Numbers<std::uint8_t>(track["contact"], "u8").size(), rows * c.model.feet.size());
+    const auto first = Numbers<std::uint32_t>(track["support_first"], "u32");
+    EXPECT_EQ(first.size(), rows + 1);
+    EXPECT_EQ(Floats(track["support_m"]).size(), 3 * first.back());
+  }
+  const std::size_t k = rows / 2;
+  const auto q = Floats(motion["measured"]["q"]);
+  const auto com = Floats(motion["measured"]["com_m"]);
+  for (Eigen::Index i = 0; i < c.model.nq(); ++i) {
+    EXPECT_FLOAT_EQ(q[k * static_cast<std::size_t>(c.model.nq()) + static_cast<std::size_t>(i)],
+                    static_cast<float>(c.log.samples[k].q[i]));
+  }
+  EXPECT_FLOAT_EQ(com[3 * k], static_cast<float>(series.measured[k].p_WC.x()));
+  EXPECT_EQ(motion["footholds"].size(), c.plan.footsteps.footholds.size());
+  EXPECT_EQ(motion["swings"].size(), c.plan.swings.size());
+  EXPECT_EQ(motion["robot"]["joints"].size(), c.model.joints.size());
+}
+
+TEST(Scene, SwingsGoFromFootholdToFoothold) {
+  const synthetic::Played c = synthetic::Walked(2, {.count = 4});
+  const Json motion = SceneOf(c);
+  ASSERT_FALSE(c.plan.swings.empty());
+  const auto points = Floats(motion["swings"][0]["points_m"]);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    EXPECT_NEAR(points[static_cast<std::size_t>(i)], c.plan.swings[0].X_WF_start.translation()[i], 1e-6);
+    EXPECT_NEAR(points[points.size() - 3 + static_cast<std::size_t>(i)], c.plan.swings[0].X_WF_end.translation()[i],
+                1e-6);
+  }
+}
+
+TEST(Scene, OfAPlanAloneHasNoMeasuredSide) {
+  const synthetic::Played c = synthetic::Walked(2, {.count = 4});
+  const Json motion = Json::parse(SceneJson({{"plan", c.model, c.plan}}))["motions"][0];
+  EXPECT_TRUE(motion["measured"].is_null());
+  EXPECT_TRUE(motion["verdict"].is_null());
+  const auto time = Floats(motion["time_s"]);
+  EXPECT_FLOAT_EQ(time.front(), static_cast<float>(c.plan.whole_body.start_s));
+  EXPECT_NEAR(time.back(), c.plan.whole_body.end_s(), 1.0 / kSceneRateHz);
+}
+
+/// The plan's own ZMP is the same whether a log is beside it or not.
+TEST(Scene, ThePlannedSideOfALogIsThatOfThePlan) {
+  const synthetic::Played c = synthetic::Walked(2, {.count = 4});
+  const MotionSeries both = MakeMotionSeries(c.model, c.plan, c.log, {});
+  const MotionSeries alone = MakePlannedSeries(c.model, c.plan, c.log.log_rate_hz, {});
+  std::size_t compared = 0;
+  for (const MotionSample& sample : both.planned) {
+    for (const MotionSample& other : alone.planned) {
+      if (std::abs(other.time_s - sample.time_s) > 1e-9) continue;
+      EXPECT_LT((other.p_WC - sample.p_WC).norm(), 1e-9);
+      if (sample.time_s > c.plan.whole_body.start_s + 0.1 && sample.has_zmp && other.has_zmp) {
+        EXPECT_LT((other.p_WZ - sample.p_WZ).norm(), 1e-3) << sample.time_s;  // the filter starts a sample later
+      }
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, both.planned.size() / 2);
+  EXPECT_THROW(MakePlannedSeries(c.model, c.plan, 0.0, {}), InvalidArgument);
+}
+
+TEST(Scene, MarksTheFallWithItsReasonAndKeepsTheVerdict) {
+  synthetic::Played c = synthetic::Walked(4, {.count = 6});
+  synthetic::Sink(c.log, 400, 0.1);
+  const StabilityReport report = Score(c.model, c.plan, c.log);
+  ASSERT_FALSE(report.pass);
+  const Json motion = SceneOf(c, &report);
+  EXPECT_FALSE(motion["verdict"]["pass"].get<bool>());
+  EXPECT_EQ(motion["verdict"]["reason"], report.reason);
+  int falls = 0;
+  for (const Json& mark : motion["marks"]) {
+    if (mark["kind"] != "fall") continue;
+    ++falls;
+    EXPECT_EQ(mark["text"], report.reason);
+    EXPECT_EQ(mark["at_s"], report.At("fell").at_s.value());
+  }
+  EXPECT_EQ(falls, 1);
+}
+
+TEST(Scene, HoldsNothingThatCouldEndItsPlaceInAPage) {
+  const synthetic::Played c = synthetic::Stood();
+  const std::string json = SceneJson({{"</script><b>&amp;", c.model, c.plan, &c.log}});
+  EXPECT_EQ(json.find_first_of("<>&"), std::string::npos);
+  EXPECT_EQ(Json::parse(json)["motions"][0]["title"], "</script><b>&amp;");
+  EXPECT_THROW(SceneJson({}), InvalidArgument);
+}
+
+TEST(Scene, ThinsLogsOfHigherRates) {
+  synthetic::Played c = synthetic::Stood();
+  const std::size_t rows = c.log.samples.size();
+  c.log.log_rate_hz *= 4.0;  // the same samples, four times as dense
+  for (std::size_t k = 0; k < rows; ++k)
+    c.log.samples[k].time_s = c.log.start_s + static_cast<double>(k + 1) / c.log.log_rate_hz;
+  EXPECT_EQ(Floats(SceneOf(c)["time_s"]).size(), (rows + 3) / 4);
+}
+
+TEST(ViewerPage, IsWholeAndHoldsTheScene) {
+  if (!HasViewer()) GTEST_SKIP() << "built without the viewer";
+  const synthetic::Played c = synthetic::Stood();
+  const std::string page = ViewerPage("a & b", {{"left", c.model, c.plan, &c.log}, {"right", c.model, c.plan}});
+  EXPECT_EQ(XmlFault(page), "");
+  EXPECT_TRUE(synthetic::Says(page, "<title>a &amp; b</title>"));
+  EXPECT_TRUE(synthetic::Says(page, "\"gaitwright-scene\""));
+  EXPECT_FALSE(synthetic::Says(page, "<script src"));
+  EXPECT_FALSE(synthetic::Says(page, "<link"));
+  EXPECT_LT(page.size() - SceneJson({{"left", c.model, c.plan, &c.log}, {"right", c.model, c.plan}}).size(), 3000000U);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/load_robot.h"
+#include "playback/report/report_page.h"
+#include "playback/viewer/viewer_page.h"
+#include "tests/workflows/render/shown_page.h"
+
+namespace gaitwright {
+namespace {
+
+ShownMotion Shown(const ShownWalk& walk) {
+  return {TitleOf(walk.model, walk.plan), walk.model, walk.plan, &walk.played.log, &walk.played.report};
+}
+
+WalkRequest Request(double distance_m, const std::string& terrain = "flat", const std::string& gait = "") {
+  WalkRequest request;
+  request.gait = gait;
+  request.terrain = terrain;
+  request.command.distance_m = distance_m;
+  return request;
+}
+
+/// Different colours in a picture of a canvas, from a sample of its points.
+constexpr char kColours[] =
+    "((canvas) => { const copy = document.createElement('canvas'); copy.width = canvas.width; copy.height = "
+    "canvas.height; const c = copy.getContext('2d'); c.drawImage(canvas, 0, 0); const d = c.getImageData(0, 0, "
+    "copy.width, copy.height).data; const seen = new Set(); for (let i = 0; i < d.length; i += 52) seen.add(d[i] << 16 "
+    "| "
+    "d[i + 1] << 8 | d[i + 2]); return seen.size; })";
+
+void ExpectNoComplaint(const ShownPage& page) {
+  for (const std::string& complaint : page.browser().complaints()) ADD_FAILURE() << complaint;
+}
+
+/// Every body is where the program's own kinematics has it: the page has none of its code.
+void ExpectBodiesAreWhereTheyAre(const ShownPage& page, const ShownWalk& walk) {
+  DynamicsScratch scratch(walk.model);
+  for (const std::size_t k : {std::size_t{0}, walk.played.log.samples.size() / 2, walk.played.log.samples.size() - 1}) {
+    const LogSample& sample = walk.played.log.samples[k];
+    ForwardKinematics(walk.model, sample.q, scratch);
+    page.Ask("v.showNow(" + std::to_string(sample.time_s + 1e-4) + ") ?? 0");
+    for (std::size_t body = 0; body < walk.model.bodies.size(); ++body) {
+      const auto p = page.Ask("v.stages[0].robot.bodyPosition(" + std::to_string(body) + ").toArray()");
+      const Vector3 shown(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+      EXPECT_LT((shown - scratch.p_WB[body]).norm(), 1e-5) << walk.model.bodies[body].name << " at " << sample.time_s;
+    }
+  }
+}
+
+/// Moving the slider moves the robot and the cursors of timeline and plots.
+void ExpectScrubbingWorks(const ShownPage& page) {
+  const std::string state =
+      "[v.stages[0].robot.bodyPosition(0).x, document.querySelector('.gw-track .gw-now').style.left, "
+      "document.querySelector('.gw-plot .gw-now').style.transform, v.clock.time]";
+  page.Ask("v.showNow(0) ?? 0");
+  const auto before = page.Ask(state);
+  page.Ask(
+      "(() => { const s = document.querySelector('.gw-slider'); s.value = 0.6 * v.clock.end; s.dispatchEvent(new "
+      "Event('input')); return 0; })()");
+  const auto after = page.Ask(state);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NE(before[i], after[i]) << i;
+  EXPECT_NEAR(after[3].get<double>(), 0.6 * page.Ask("v.clock.end").get<double>(), 0.006);
+}
+
+void ExpectPicturesAreNotEmpty(const ShownPage& page) {
+  page.Ask("v.showNow(0.5 * v.clock.end) ?? 0");
+  const auto colours =
+      page.Ask("[v.look('side'), v.stages[0].draw(), " + std::string(kColours) + "(v.stages[0].canvas)][2]");
+  EXPECT_GT(colours.get<int>(), 100) << "ground, robot, shadows";
+  const auto plots = page.Ask("[...document.querySelectorAll('.gw-plot canvas')].map(" + std::string(kColours) + ")");
+  EXPECT_EQ(plots.size(), 8U);
+  for (const auto& plot : plots) EXPECT_GT(plot.get<int>(), 3);
+  const auto data = page.Ask("v.plots[0].plots.map((p) => p.plot.data.slice(1).map((d) => d.some((x) => x !== null)))");
+  for (std::size_t i = 0; i < data.size(); ++i)
+    for (const auto& line : data[i]) EXPECT_TRUE(line.get<bool>()) << "plot " << i;
+}
+
+void ExpectAllWorks(const ShownWalk& walk) {
+  const ShownPage page(ViewerPage("test", {Shown(walk)}));
+  ExpectBodiesAreWhereTheyAre(page, walk);
+  ExpectScrubbingWorks(page);
+  ExpectPicturesAreNotEmpty(page);
+  ExpectNoComplaint(page);
+}
+
+class ViewerInBrowser : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!HasViewer()) GTEST_SKIP() << "built without the viewer";
+  }
+};
+
+TEST_F(ViewerInBrowser, ShowsATrot) { ExpectAllWorks(MakeShownWalk("a1", Request(0.5, "flat", "trot"))); }
+
+TEST_F(ViewerInBrowser, ShowsAWalkOnSoles) {
+  WalkRequest request;
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = 4;
+  request.command.step_length_m = 0.04;
+  ExpectAllWorks(MakeShownWalk("nao", request));
+}
+
+TEST_F(ViewerInBrowser, ShowsAClimb) { ExpectAllWorks(MakeShownWalk("a1", Request(1.5, "stairs"))); }
+
+TEST_F(ViewerInBrowser, MarksAFallOnTheTimelineWithItsReason) {
+  const ShownWalk walk = MakeShownWalk("a1", Request(1.0, "flat", "trot"), {0.0, 400.0, 0.0});
+  ASSERT_FALSE(walk.played.report.pass);
+  const ShownPage page(ViewerPage("test", {Shown(walk)}));
+  ExpectBodiesAreWhereTheyAre(page, walk);
+  ExpectPicturesAreNotEmpty(page);
+  const std::string title = page.Ask("document.querySelector('.gw-mark.gw-fall').title").get<std::string>();
+  EXPECT_NE(title.find(walk.played.report.reason), std::string::npos) << title;
+  page.Ask("document.querySelector('.gw-mark.gw-fall').click() ?? 0");
+  EXPECT_NEAR(page.Ask("v.clock.time").get<double>(), walk.played.report.At("fell").at_s.value(), 1e-6);
+  ExpectNoComplaint(page);
+}
+
+TEST_F(ViewerInBrowser, ShowsTwoLogsSideBySideUnderOneClock) {
+  const ShownWalk a = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
+  const ShownWalk b = MakeShownWalk("a1", Request(0.3, "flat", "walk"));
+  const ShownPage page(ViewerPage("test", {Shown(a), Shown(b)}));
+  EXPECT_EQ(page.Ask("document.querySelectorAll('.gw-stage canvas').length"), 2);
+  page.Ask("v.showNow(0.8) ?? 0");
+  const auto x = page.Ask("v.stages.map((s) => s.robot.bodyPosition(0).x)");
+  EXPECT_NE(x[0], x[1]);
+  ExpectNoComplaint(page);
+}
+
+TEST_F(ViewerInBrowser, IsDrivenByTheKeyboard) {
+  const ShownWalk walk = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
+  const ShownPage page(ViewerPage("test", {Shown(walk)}));
+  const auto press = [&](const std::string& key) { ASSERT_TRUE(page.browser().Press(key).ok()); };
+  press("End");
+  EXPECT_EQ(page.Ask("v.clock.time === v.clock.end"), true);
+  press("Home");
+  EXPECT_EQ(page.Ask("v.clock.time === v.clock.start"), true);
+  press("ArrowRight");
+  EXPECT_NEAR(page.Ask("v.clock.time - v.clock.start").get<double>(), 0.005, 1e-6);
+  press(" ");
+  EXPECT_EQ(page.Ask("v.clock.playing"), true);
+  press(" ");
+  EXPECT_EQ(page.Ask("v.clock.playing"), false);
+  const auto theme = page.Ask("document.querySelector('.gw-viewer').dataset.theme");
+  press("t");
+  EXPECT_NE(page.Ask("document.querySelector('.gw-viewer').dataset.theme"), theme);
+  press("g");
+  EXPECT_EQ(page.Ask("v.stages[0].overlays.group('ghost').visible"), false);
+  ExpectNoComplaint(page);
+}
+
+TEST_F(ViewerInBrowser, IsPartOfTheReport) {
+  const ShownWalk walk = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
+  ReportWords words;
+  words.viewer = ViewerPart({Shown(walk)});
+  const ShownPage page(ReportPage(walk.model, walk.plan, walk.played.log, walk.played.report, words));
+  ExpectScrubbingWorks(page);
+  ExpectNoComplaint(page);
+}
+
+}  // namespace
+}  // namespace gaitwright

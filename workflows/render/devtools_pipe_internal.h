@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sys/types.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+
+/// The process at the other end of a pair of pipes that carry messages of JSON, each ended by a byte 0.
+class DevtoolsPipe {
+ public:
+  /// Starts the program with its descriptors 3 (it reads) and 4 (it writes). Failure: it cannot be started.
+  static Result<DevtoolsPipe> Start(const std::string& program, const std::vector<std::string>& arguments);
+  /// The process is ended, and waited for.
+  ~DevtoolsPipe();
+  DevtoolsPipe(DevtoolsPipe&& other) noexcept;
+  DevtoolsPipe& operator=(DevtoolsPipe&&) = delete;
+
+  /// Sends a message. Failure: nobody reads any more.
+  Result<int> Send(const nlohmann::json& message);
+  /// The next message. Failure: none came in time, the process has ended, or it sent no JSON.
+  Result<nlohmann::json> Receive(double timeout_s);
+
+ private:
+  DevtoolsPipe() = default;
+
+  pid_t process_ = -1;
+  int to_ = -1, from_ = -1;
+  std::string buffer_;
+};
+
+}  // namespace gaitwright

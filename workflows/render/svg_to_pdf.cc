@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/render/svg_to_pdf.h"
+
+#include "kinematics/base/file.h"
+#include "workflows/render/run_program.h"
+#include "workflows/render/temporary_folder_internal.h"
+
+namespace gaitwright {
+
+Result<std::string> SvgToPdf(const std::string& svg) {
+  const std::string program = FindProgram({"rsvg-convert"});
+  if (program.empty()) {
+    return Failure{FailureKind::kBadInput,
+                   "no_rsvg",
+                   "SvgToPdf",
+                   "PDF is made by rsvg-convert, and it is not installed",
+                   {"on Debian: apt-get install librsvg2-bin", "a figure as .svg needs nothing"}};
+  }
+  const TemporaryFolder folder;
+  if (!folder.there())
+    return Failure{FailureKind::kBadInput, "no_folder", "SvgToPdf", "no temporary folder can be made", {}};
+  const auto written = WriteFileAtomically(folder.In("figure.svg"), svg);
+  if (!written) return written;
+  const auto made =
+      RunProgram(program, {"--format=pdf", "--output=" + folder.In("figure.pdf"), folder.In("figure.svg")});
+  if (!made) return made.failure();
+  return ReadBytes(folder.In("figure.pdf"));
+}
+
+}  // namespace gaitwright
