@@ -28,7 +28,7 @@ const kLight: Theme = {
     limit: "#8a4b00", support: "#7a9ab0", bad: "#c2185b", muted: "#6b7580",
   },
   paper: "#ffffff", text: "#1f2730", soft: "#56616d", rule: "#e4e8ec",
-  sky: "#eef2f5", ground: "#dfe5ea", groundLine: "#c3ccd4", block: "#c9d3db", obstacle: "#b7a58f",
+  sky: "#eef2f5", ground: "#dfe5ea", groundLine: "#aeb9c3", block: "#c9d3db", obstacle: "#b7a58f",
   trunk: "#f7f9fa", limb: "#8c9aa8", limbAlternate: "#aab6c1", sole: "#3b4650",
 };
 
@@ -39,7 +39,7 @@ const kDark: Theme = {
     limit: "#e6a94a", support: "#6f8fa8", bad: "#ff6f9f", muted: "#9aa5b1",
   },
   paper: "#14181d", text: "#dfe5ec", soft: "#a3adb8", rule: "#2c343d",
-  sky: "#171c22", ground: "#222a32", groundLine: "#36414c", block: "#2e3842", obstacle: "#5b5145",
+  sky: "#171c22", ground: "#222a32", groundLine: "#3d4955", block: "#2e3842", obstacle: "#5b5145",
   trunk: "#c3ccd6", limb: "#6d7b89", limbAlternate: "#8795a3", sole: "#2b333b",
 };
 

@@ -54,6 +54,13 @@ class Palette {
   }
 }
 
+/** Drawn over what is before it: a centre of mass is within a trunk, a ZMP below a sole. */
+function seenThrough(object: THREE.Mesh | THREE.Line, material: THREE.Material): void {
+  object.renderOrder = 2;
+  material.depthTest = false;
+  material.transparent = true;
+}
+
 /** A geometry whose points change with time. */
 function movingPoints(most: number): THREE.BufferGeometry {
   const geometry = new THREE.BufferGeometry();
@@ -87,6 +94,8 @@ class Trace {
     this.marker = new THREE.Mesh(geometry, material);
     this.trail = new THREE.Line(movingPoints(this.most), trail);
     this.trail.frustumCulled = false;
+    seenThrough(this.marker, material);
+    seenThrough(this.trail, trail);
     this.root.add(this.marker, this.trail);
   }
 
@@ -206,7 +215,10 @@ export class Overlays {
     const head = new THREE.ConeGeometry(0.04 * this.size, 0.1 * this.size, 16).translate(0, 0.05 * this.size, 0).rotateX(Math.PI / 2);
     for (let i = 0; i < this.motion.file.robot.feet.length; ++i) {
       const arrow = new THREE.Group();
-      arrow.add(new THREE.Mesh(shaft, material), new THREE.Mesh(head, material));
+      for (const part of [new THREE.Mesh(shaft, material), new THREE.Mesh(head, material)]) {
+        seenThrough(part, material);
+        arrow.add(part);
+      }
       this.arrows.push(arrow);
       this.group("forces").add(arrow);
     }

@@ -129,6 +129,10 @@ export class RobotView {
       transparent: this.ghost,
       opacity: this.ghost ? 0.28 : 1,
       depthWrite: !this.ghost,
+      // Where both are in one place the robot is seen.
+      polygonOffset: this.ghost,
+      polygonOffsetFactor: 4,
+      polygonOffsetUnits: 16,
     });
     this.materials.push({ material, part });
     const geometry = shape.type === "mesh" ? meshGeometry(this.robot, shape) : shapeGeometry(shape.type, shape.size_m, shape.points_m);

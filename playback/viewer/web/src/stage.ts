@@ -28,11 +28,13 @@ export class Stage {
   private readonly terrain: TerrainView;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
-  private readonly camera = new THREE.PerspectiveCamera(36, 1, 0.01, 200);
+  private readonly camera = new THREE.PerspectiveCamera(36, 1, 0.05, 200);
   private readonly controls: OrbitControls;
   private readonly sun = new THREE.DirectionalLight(0xffffff, 2.1);
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0x98a4b0, 1.5);
   private readonly centre = new THREE.Vector3();
+  /** Of the robot from its middle, as it stands first. */
+  private readonly reach: number;
   private shown = -1;
   private dirty = true;
   follow = true;
@@ -54,19 +56,20 @@ export class Stage {
       this.overlays.group("ghost").add(this.ghost.root);
     }
     this.scene.add(this.terrain.root, this.robot.root, this.overlays.root, this.sky, this.sun, this.sun.target);
-    this.setUpSun();
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.maxPolarAngle = 0.495 * Math.PI;
     this.controls.addEventListener("change", () => (this.dirty = true));
     this.showSample(0, motion.time[0]);
+    this.reach = new THREE.Box3().setFromObject(this.robot.root).getBoundingSphere(new THREE.Sphere()).radius;
+    this.setUpSun();
     this.centre.copy(this.robotCentre());
     this.look("corner");
   }
 
   paint(theme: Theme): void {
     this.scene.background = new THREE.Color(theme.sky);
-    this.scene.fog = new THREE.Fog(theme.sky, 25 * this.size, 70 * this.size);
+    this.scene.fog = new THREE.Fog(theme.sky, 25 * this.reach, 70 * this.reach);
     this.sky.intensity = theme.dark ? 1.0 : 1.5;
     this.terrain.paint(theme);
     this.robot.paint(theme);
@@ -83,7 +86,7 @@ export class Stage {
 
   /** A camera from that side at the robot, as far off as shows all of it. */
   look(view: View): void {
-    const distance = 5.2 * this.size;
+    const distance = 3.9 * this.reach;
     const [x, y, z] = kViews[view];
     this.controls.target.copy(this.centre);
     this.camera.position.set(x, y, z).multiplyScalar(distance).add(this.centre);
@@ -115,7 +118,7 @@ export class Stage {
     if (!this.dirty) return false;
     this.dirty = false;
     this.sun.target.position.copy(this.centre);
-    this.sun.position.copy(this.centre).add(new THREE.Vector3(1.6, -1.1, 4).multiplyScalar(this.size));
+    this.sun.position.copy(this.centre).add(new THREE.Vector3(1.6, -1.1, 4).multiplyScalar(this.reach));
     this.renderer.render(this.scene, this.camera);
     return true;
   }
@@ -123,10 +126,6 @@ export class Stage {
   /** Draw calls and triangles of the last picture. */
   cost(): { calls: number; triangles: number } {
     return { calls: this.renderer.info.render.calls, triangles: this.renderer.info.render.triangles };
-  }
-
-  private get size(): number {
-    return this.motion.file.robot.leg_length_m;
   }
 
   private showSample(k: number, t: number): void {
@@ -139,15 +138,15 @@ export class Stage {
 
   private robotCentre(): THREE.Vector3 {
     const q = row(mainTrack(this.motion).q, Math.max(this.shown, 0));
-    return new THREE.Vector3(q[0], q[1], 0.6 * q[2]);
+    return new THREE.Vector3(q[0], q[1], q[2] - 0.25 * this.reach);
   }
 
   private setUpSun(): void {
-    const reach = 4 * this.size;
+    const extent = 4 * this.reach;
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
-    Object.assign(this.sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.01, far: 12 * this.size });
-    this.sun.shadow.normalBias = 0.01 * this.size;
+    Object.assign(this.sun.shadow.camera, { left: -extent, right: extent, top: extent, bottom: -extent, near: 0.01, far: 12 * this.reach });
+    this.sun.shadow.normalBias = 0.01 * this.reach;
     this.sun.shadow.radius = 4;
   }
 

@@ -8,11 +8,37 @@ const kSolidDepth = 1.0;
 const kPlaneSize = 60;
 const kTile = 0.5;
 
+/** A square tile with an edge, over and over. */
+class Tiles {
+  readonly texture: THREE.CanvasTexture;
+  private readonly canvas = document.createElement("canvas");
+
+  constructor() {
+    this.canvas.width = this.canvas.height = 256;
+    this.texture = new THREE.CanvasTexture(this.canvas);
+    this.texture.wrapS = this.texture.wrapT = THREE.RepeatWrapping;
+    this.texture.repeat.set(kPlaneSize / kTile, kPlaneSize / kTile);
+    this.texture.anisotropy = 8;
+    this.texture.colorSpace = THREE.SRGBColorSpace;
+  }
+
+  paint(theme: Theme): void {
+    const context = this.canvas.getContext("2d");
+    if (!context) return;
+    context.fillStyle = theme.groundLine;
+    context.fillRect(0, 0, 256, 256);
+    context.fillStyle = theme.ground;
+    context.fillRect(2, 2, 252, 252);
+    this.texture.needsUpdate = true;
+  }
+}
+
 /** The ground and what stands on it. */
 export class TerrainView {
   readonly root = new THREE.Group();
-  private readonly ground = new THREE.MeshStandardMaterial({ roughness: 0.95 });
-  private readonly block = new THREE.MeshStandardMaterial({ roughness: 0.95, side: THREE.DoubleSide });
+  private readonly tiles = new Tiles();
+  private readonly ground = new THREE.MeshStandardMaterial({ roughness: 0.95, map: this.tiles.texture });
+  private readonly block = new THREE.MeshStandardMaterial({ roughness: 0.95, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   private readonly obstacle = new THREE.MeshStandardMaterial({ roughness: 0.9 });
   private readonly line = new THREE.LineBasicMaterial({ transparent: true, opacity: 0.9 });
 
@@ -34,7 +60,7 @@ export class TerrainView {
   }
 
   paint(theme: Theme): void {
-    this.ground.color.set(theme.ground);
+    this.tiles.paint(theme);
     this.block.color.set(theme.block);
     this.obstacle.color.set(theme.obstacle);
     this.line.color.set(theme.groundLine);
@@ -52,21 +78,11 @@ export class TerrainView {
     this.root.add(edges);
   }
 
-  /** A plane without end: a large piece of it, with lines every half metre to see motion by. */
+  /** A plane without end: a large piece of it, in tiles of half a metre to see motion by. */
   private addPlane(patch: TerrainFile["patches"][number]): void {
     const plane = new THREE.Mesh(new THREE.PlaneGeometry(kPlaneSize, kPlaneSize), this.ground);
     setPose(plane, patch.pose);
-    plane.translateZ(-0.0005);
     this.add(plane);
-    const points: THREE.Vector3[] = [];
-    const half = kPlaneSize / 2;
-    for (let at = -half; at <= half + 1e-9; at += kTile) {
-      points.push(new THREE.Vector3(at, -half, 0), new THREE.Vector3(at, half, 0));
-      points.push(new THREE.Vector3(-half, at, 0), new THREE.Vector3(half, at, 0));
-    }
-    const lines = new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(points), this.line);
-    setPose(lines, patch.pose);
-    this.root.add(lines);
   }
 
   /** A bounded piece of plane and the solid straight below it. */
