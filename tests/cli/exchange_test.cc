@@ -130,6 +130,21 @@ TEST_F(Exchange, TwoCsvsMayHaveNamesOfTheirOwn) {
                 {"--columns-b is given, but 'out/plan.json' is no CSV"});
 }
 
+TEST_F(Exchange, TrajectoriesComeBackFromBothLanguages) {
+  for (const char* language : {"yaml", "json"}) {
+    const std::string file = std::string("trajectory.") + language;
+    ASSERT_EQ(Run({"export", "out/plan.json", "--format", std::string("joint-trajectory-") + language, "--out", file,
+                   "--quiet"})
+                  .status,
+              0);
+    const Ran ran = Run({"import", file, "--robot", "a1", "--out", "again.json", "--json"});
+    ASSERT_TRUE(ran.status == 0 || ran.status == 3) << ran.err;
+    EXPECT_EQ(ran.json().at("format"), "joint-trajectory") << language;
+  }
+  Write("broken.json", Read("trajectory.json").substr(0, 2000));
+  ExpectRefused(Run({"import", "broken.json", "--robot", "a1"}), 1, {"broken.json", "its JSON is cut short"});
+}
+
 TEST_F(Exchange, ComparesReports) {
   Write("one.json", Run({"play", "out/plan.json", "--json"}).out);
   Write("two.json", Run({"play", "out/plan.json", "--json", "--mass-scale", "1.1"}).out);

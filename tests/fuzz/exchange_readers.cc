@@ -128,6 +128,11 @@ Verdict ReadTrajectory(const std::string& input) {
   return CheckMotion(ParseJointTrajectory(Quadruped(), input, "input", {}), file);
 }
 
+Verdict ReadTrajectoryJson(const std::string& input) {
+  const std::string file = InFile(input, ".json");
+  return CheckMotion(ParseJointTrajectoryJson(Quadruped(), input, "input", {}), file);
+}
+
 Verdict ReadColumns(const std::string& input) {
   ImportOptions options;
   const Result<ColumnNames> names = ReadColumnNames(InFile(input, ".yaml"), options);
@@ -205,6 +210,18 @@ std::vector<std::string> MadeTrajectories() {
   return {text};
 }
 
+std::vector<std::string> MadeJsonTrajectories() {
+  std::string names, positions;
+  for (const std::string& name : Quadruped().dof_names) names += (names.empty() ? "\"" : ", \"") + name + "\"";
+  for (const double q : Quadruped().standing_joints) positions += fmt::format("{}{}", positions.empty() ? "" : ", ", q);
+  std::string text = "{\"joint_names\": [" + names + "], \"points\": [";
+  for (int k = 0; k < 4; ++k) {
+    text += fmt::format("{}{{\"positions\": [{}], \"time_from_start\": {{\"sec\": 0, \"nanosec\": {}}}}}",
+                        k == 0 ? "" : ",\n", positions, k * 20000000);
+  }
+  return {text + "]}\n"};
+}
+
 std::vector<std::string> MadeReports() {
   return {
       R"({"robot":"a1","verdict":"pass","reason":"","score":91.5,"metrics":{"fell":{"value":false,"unit":"","limit":)"
@@ -255,6 +272,14 @@ std::vector<Reader> ExchangeReaders() {
                      "secs", "nsecs", "trajectory", "header"}),
            {},
            MadeTrajectories,
+           500},
+          {"joint_trajectory_json",
+           ReadTrajectoryJson,
+           {"null", "true", "{}", "[]", "\"\"", "-1", "1e400", "\"joint_names\"", "\"points\"", "\"positions\"",
+            "\"velocities\"", "\"effort\"", "\"time_from_start\"", "\"sec\"", "\"nanosec\"", "\"secs\"",
+            "\"trajectory\"", "\\u0000"},
+           {},
+           MadeJsonTrajectories,
            500},
           {"footsteps",
            ReadFootstepFile,

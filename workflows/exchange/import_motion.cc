@@ -42,6 +42,11 @@ Result<MotionTable> ReadCsvMotion(const RobotModel& model, const std::string& te
   return motion;
 }
 
+Result<MotionTable> ReadTrajectory(const RobotModel& model, const std::string& text, const ImportRequest& request) {
+  return ExtensionOf(request.file) == ".json" ? ParseJointTrajectoryJson(model, text, request.file, request.options)
+                                              : ParseJointTrajectory(model, text, request.file, request.options);
+}
+
 /// Whether a text of YAML holds footsteps rather than a joint trajectory.
 bool HoldsFootsteps(const std::string& text) {
   return text.find("joint_names") == std::string::npos && text.find("footsteps") != std::string::npos;
@@ -105,8 +110,7 @@ Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest
     if (yaml && HoldsFootsteps(*text)) {
       if (auto failure = PlanFootstepFile(model, *terrain, *text, request, imported)) return *failure;
     } else {
-      Result<MotionTable> table = csv ? ReadCsvMotion(model, *text, request)
-                                      : ParseJointTrajectory(model, *text, request.file, request.options);
+      Result<MotionTable> table = csv ? ReadCsvMotion(model, *text, request) : ReadTrajectory(model, *text, request);
       if (!table) return table.failure();
       MakePlan(model, *terrain, request, std::move(*table), imported);
     }
