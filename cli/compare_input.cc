@@ -6,10 +6,8 @@
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
 #include "playback/log/log_json.h"
-#include "workflows/exchange/csv_table.h"
-#include "workflows/exchange/motion_columns.h"
+#include "workflows/exchange/csv_motion.h"
 #include "workflows/exchange/motion_file.h"
-#include "workflows/exchange/ocs2_columns.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -18,6 +16,8 @@ namespace {
 struct SideFile {
   std::string path, text;
   MotionFileKind kind = MotionFileKind::kTable;
+  std::optional<CsvTable> table = {};  ///< of columns of numbers
+  CsvReading reading = {};             ///< how those are read
 };
 
 Failure Refused(const std::string& code, const std::string& message, std::vector<std::string> hints = {}) {
@@ -32,6 +32,10 @@ Result<SideFile> ReadSide(const std::string& path) {
     return Refused("no_motion", fmt::format("'{}' is JSON, but no plan, log or report", path),
                    {"name a plan.json, a log.json, what 'walk --json' prints, or a CSV of a motion"});
   }
+  if (side.kind != MotionFileKind::kTable) return side;
+  Result<CsvTable> table = ParseCsvTable(side.text, path);
+  if (!table) return table.failure();
+  side.table = std::move(*table);
   return side;
 }
 
@@ -59,25 +63,29 @@ Result<ComparedMotion> ReadLogSide(const SideFile& side, const RobotModel* model
   return ComparedLog(*model, *log, side.path);
 }
 
-Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* model, const std::string& columns) {
+Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* model) {
   if (model == nullptr) {
     return Refused("no_robot", fmt::format("'{}' does not say whose motion it is", side.path),
                    {"--robot NAME", "--urdf FILE", "--plan FILE, the plan that was played"});
   }
-  const Result<CsvTable> table = ParseCsvTable(side.text, side.path);
-  if (!table) return table.failure();
-  ImportOptions options;
-  std::vector<DerivedPart> derived;
-  Result<ColumnNames> names = ColumnNames{};
-  if (!columns.empty()) {
-    names = ReadColumnNames(columns, options);
-  } else if (IsOcs2Motion(*table)) {
-    names = Ocs2ColumnNames(*model, *table, derived);
-  }
-  if (!names) return names.failure();
-  const Result<MotionTable> motion = MotionFromCsv(*model, *table, *names, options);
-  if (!motion) return motion.failure();
-  return ComparedTable(*model, *motion, side.path);
+  return ComparedCsv(*model, *side.table, side.reading);
+}
+
+/// How each side's columns are to be read, if it has any.
+void SayHowToRead(const CompareFiles& files, SideFile& a, SideFile& b) {
+  CompareFiles usual, given = files;
+  const bool units = TextsOf(given.units.UnitFields()) != TextsOf(usual.units.UnitFields());
+  if (!files.columns_b.empty() && !b.table)
+    throw InvalidArgument(fmt::format("--columns-b is given, but '{}' is no CSV", b.path));
+  if (!files.columns.empty() && !a.table && (!b.table || !files.columns_b.empty()))
+    throw InvalidArgument("--columns is given, but neither file is a CSV that it is for");
+  if (units && !a.table && !b.table)
+    throw InvalidArgument("units or an order of quaternions are given, but neither file is a CSV");
+  a.reading = {files.columns, files.units};
+  b.reading = {files.columns_b.empty() ? files.columns : files.columns_b, files.units};
+  if (!a.table || !b.table || !files.columns_b.empty()) return;
+  a.reading.elsewhere = b.table->columns;
+  b.reading.elsewhere = a.table->columns;
 }
 
 Result<CompareInput> ReadReports(const SideFile& a, const SideFile& b) {
@@ -96,21 +104,20 @@ Result<CompareInput> ReadReports(const SideFile& a, const SideFile& b) {
 
 /// Reads a motion, whose robot is the one named, else the other side's.
 Result<ComparedMotion> ReadMotionSide(const SideFile& side, const std::optional<RobotModel>& named,
-                                      const std::optional<ComparedMotion>& other, const std::string& columns) {
+                                      const std::optional<ComparedMotion>& other) {
   if (side.kind == MotionFileKind::kPlan) return ReadPlanSide(side);
   const RobotModel* model = named ? &*named : (other ? &other->model : nullptr);
   if (side.kind == MotionFileKind::kLog) return ReadLogSide(side, model);
-  return ReadTableSide(side, model, columns);
+  return ReadTableSide(side, model);
 }
 
 }  // namespace
 
 Result<CompareInput> ReadCompareInput(const CompareFiles& files) {
-  const Result<SideFile> a = ReadSide(files.a), b = ReadSide(files.b);
+  Result<SideFile> a = ReadSide(files.a), b = ReadSide(files.b);
   if (!a) return a.failure();
   if (!b) return b.failure();
-  const bool table = a->kind == MotionFileKind::kTable || b->kind == MotionFileKind::kTable;
-  if (!files.columns.empty() && !table) throw InvalidArgument("--columns is given, but neither file is a CSV");
+  SayHowToRead(files, *a, *b);
   if (a->kind == MotionFileKind::kReport || b->kind == MotionFileKind::kReport) return ReadReports(*a, *b);
   Result<MotionInput> named = NamedInput(files.robot);
   if (!named) return named.failure();
@@ -120,7 +127,7 @@ Result<CompareInput> ReadCompareInput(const CompareFiles& files) {
   const bool a_first = static_cast<int>(a->kind) <= static_cast<int>(b->kind);
   for (const bool take_a : {a_first, !a_first}) {
     const SideFile& side = take_a ? *a : *b;
-    Result<ComparedMotion> motion = ReadMotionSide(side, named->model, take_a ? input.b : input.a, files.columns);
+    Result<ComparedMotion> motion = ReadMotionSide(side, named->model, take_a ? input.b : input.a);
     if (!motion) return motion.failure();
     (take_a ? input.a : input.b) = std::move(*motion);
   }

@@ -6,12 +6,15 @@
 
 #include "cli/motion_input.h"
 #include "workflows/exchange/compare_reports.h"
+#include "workflows/exchange/motion_table.h"
 
 namespace gaitwright::cli {
 
 /// What is to be compared, by its files.
 struct CompareFiles {
-  std::string a, b, columns;
+  std::string a, b;
+  std::string columns, columns_b;  ///< names of the columns of a CSV, or of both; of B where its names are others
+  ImportOptions units;             ///< of a CSV
   MotionRobot robot;
 };
 
@@ -24,6 +27,7 @@ struct CompareInput {
 
 /// Reads both files, each as what its content is. Failures of the readers; where two do not belong together, a log or a
 /// table has no robot (that of --robot, --urdf or --plan, else that of the other side), or a log is of another robot.
+/// @throws InvalidArgument for column names and units where there is no CSV that they are for.
 Result<CompareInput> ReadCompareInput(const CompareFiles& files);
 
 }  // namespace gaitwright::cli

@@ -20,11 +20,17 @@ struct Arguments {
   CompareOptions options;
   std::string report;
   bool require_same = false;
+
+  OptionFields Fields() { return Joined({options.Fields(), files.units.UnitFields()}); }
 };
 
 void CheckPathsOf(const Arguments& a) {
   const CompareFiles& files = a.files;
-  Paths paths{{{"A", files.a}, {"B", files.b}, {"--plan", files.robot.plan}, {"--columns", files.columns}},
+  Paths paths{{{"A", files.a},
+               {"B", files.b},
+               {"--plan", files.robot.plan},
+               {"--columns", files.columns},
+               {"--columns-b", files.columns_b}},
               {{"--report", a.report}},
               ""};
   paths.AddRobotAndGait(files.robot.urdf, "");
@@ -53,7 +59,7 @@ int Print(const Arguments& a, const std::string& text, const std::string& json_t
 }
 
 int Run(Arguments& a) {
-  ApplySets("--set", a.common.sets, a.options.Fields());
+  ApplySets("--set", a.common.sets, a.Fields());
   CheckPathsOf(a);
   const Result<CompareInput> input = ReadCompareInput(a.files);
   if (!input) return Report(input.failure(), a.common);
@@ -79,15 +85,22 @@ void AddCompare(CLI::App& app, int& status) {
           "A plan, a log, a report (what 'walk --json' and 'play --json' print) or a CSV of a motion.")
       ->required();
   AddText(verb, "B", "FILE", a->files.b, "What it is compared with; differences are B - A.")->required();
-  const OptionFields fields = a->options.Fields();
+  const OptionFields fields = a->Fields();
   AddField(verb, "--align", fields, "align");
   AddField(verb, "--tolerance", fields, "tolerance");
   verb.add_flag("--require-same", a->require_same,
                 "Exit with status 3 where anything is beyond its tolerance; default: 0 when compared.");
-  AddText(verb, "--columns", "FILE", a->files.columns,
-          "YAML that says how the columns of a CSV are called, see docs/import.md; default: by their header.");
   AddText(verb, "--report", "FILE", a->report,
           "Write the comparison to this file, as one HTML page with both motions in its plots; default: nowhere.");
+  verb.option_defaults()->group("How a CSV is read");
+  AddText(verb, "--columns", "FILE", a->files.columns,
+          "YAML that says how the columns of a CSV are called, see docs/import.md; default: by their header.");
+  AddText(verb, "--columns-b", "FILE", a->files.columns_b,
+          "The same of B alone, where both are CSVs with other names or units; default: the file of --columns.");
+  AddField(verb, "--quaternion-order", fields, "quaternion_order");
+  AddField(verb, "--angle-unit", fields, "angle_unit");
+  AddField(verb, "--length-unit", fields, "length_unit");
+  AddField(verb, "--time-unit", fields, "time_unit");
   a->files.robot.AddTo(verb);
   AddCommon(verb, a->common,
             {"compare plan.json out/plan.json", "compare out/plan.json out/log.json --report compare.html",

@@ -15,6 +15,8 @@ namespace {
 /// Sees a text go by, without keeping it, and throws InvalidArgument where it goes beyond the bounds.
 class BoundsWatch : public YAML::EventHandler {
  public:
+  explicit BoundsWatch(std::size_t most_values) : most_values_(most_values) {}
+
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (++documents_ > 1) Refuse(mark, "a second document begins; one is needed");
   }
@@ -55,8 +57,8 @@ class BoundsWatch : public YAML::EventHandler {
   }
   void Take(const YAML::Mark& mark, YAML::anchor_t anchor, std::size_t values) {
     values_ += values;
-    if (values_ > kMostYamlValues)
-      Refuse(mark, fmt::format("more than {} values, with those that aliases repeat", kMostYamlValues));
+    if (values_ > most_values_)
+      Refuse(mark, fmt::format("more than {} values, with those that aliases repeat", most_values_));
     if (anchor != 0) size_of_[anchor] = values;
   }
   void Open(const YAML::Mark& mark, YAML::anchor_t anchor) {
@@ -71,6 +73,7 @@ class BoundsWatch : public YAML::EventHandler {
     open_.pop_back();
   }
 
+  const std::size_t most_values_;
   int documents_ = 0;
   std::size_t values_ = 0;
   std::vector<Container> open_;
@@ -93,13 +96,13 @@ auto WithYamlErrors(Read read) {
 
 }  // namespace
 
-YAML::Node LoadYaml(const std::string& text) {
-  if (text.size() > kLargestYaml)
-    throw InvalidArgument(fmt::format("line 1: a text of {} bytes; at most {} are read", text.size(), kLargestYaml));
+YAML::Node LoadYaml(const std::string& text, const YamlBounds& bounds) {
+  if (text.size() > bounds.bytes)
+    throw InvalidArgument(fmt::format("line 1: a text of {} bytes; at most {} are read", text.size(), bounds.bytes));
   return WithYamlErrors([&] {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    BoundsWatch watch;
+    BoundsWatch watch(bounds.values);
     while (parser.HandleNextDocument(watch)) {
     }
     return YAML::Load(text);

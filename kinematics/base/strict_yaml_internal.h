@@ -15,9 +15,14 @@ namespace gaitwright {
 inline constexpr std::size_t kLargestYaml = std::size_t{16} << 20, kMostYamlValues = 1000000, kDeepestYaml = 32,
                              kLongestYamlText = 65536;
 
+/// How much of it is read, where more than the usual is to be: about 600 bytes of memory for each value.
+struct YamlBounds {
+  std::size_t bytes = kLargestYaml, values = kMostYamlValues;
+};
+
 /// The one document of a text; null for an empty one. @throws YAML::Exception for what is no YAML, InvalidArgument
 /// `line N: message` for a second document, an alias of what it stands in, and what is beyond the bounds.
-YAML::Node LoadYaml(const std::string& text);
+YAML::Node LoadYaml(const std::string& text, const YamlBounds& bounds = {});
 
 /// Throws InvalidArgument: `line N: message`.
 [[noreturn]] void RefuseYaml(const YAML::Node& node, const std::string& message);

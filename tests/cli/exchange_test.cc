@@ -95,6 +95,56 @@ TEST_F(Exchange, WhatIsExportedIsImportedAsTheSameMotion) {
   EXPECT_FALSE(c.at("words").empty()) << "who made them is not the same";
 }
 
+TEST_F(Exchange, ACsvIsComparedInTheOrderAndUnitsThatAreSaid) {
+  ASSERT_EQ(Run({"export", "out/plan.json", "--out", "motion.csv", "--quiet"}).status, 0);
+  const std::string motion = Read("motion.csv"), head = motion.substr(0, motion.find('\n'));
+  const std::string ours = "base_qx,base_qy,base_qz,base_qw";
+  const std::size_t at = head.find(ours);
+  ASSERT_NE(at, std::string::npos);
+  // The columns that are named x, y, z, w hold w, x, y, z.
+  Write("w_first.csv", std::string(motion).replace(at, ours.size(), "base_qy,base_qz,base_qw,base_qx"));
+  ExpectRefused(Run({"compare", "out/plan.json", "w_first.csv"}), 1,
+                {"w_first.csv", "likely has w first", "--quaternion-order wxyz takes it so"});
+  Write("order.yaml", "quaternion_order: wxyz\n");
+  for (const auto& [flag, value] : {std::pair{"--columns", "order.yaml"}, {"--quaternion-order", "wxyz"}}) {
+    const Ran ran = Run({"compare", "out/plan.json", "w_first.csv", flag, value, "--json"});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_LT(ran.json().at("base").at("attitude of the base").at("largest"), 1e-3) << flag;
+  }
+  ExpectRefused(Run({"compare", "out/plan.json", "motion.csv", "--time-unit", "hours"}), 1, {"hours", "'ns'"});
+  ExpectRefused(Run({"compare", "out/plan.json", "slow.json", "--time-unit", "ms"}), 1, {"neither file is a CSV"});
+}
+
+TEST_F(Exchange, TwoCsvsMayHaveNamesOfTheirOwn) {
+  ASSERT_EQ(Run({"export", "out/plan.json", "--out", "motion.csv", "--quiet"}).status, 0);
+  Write("theirs.csv", std::string(Read("motion.csv")).replace(0, 6, "clock"));
+  Write("names.yaml", "columns: {clock: time_s}\nscale: {clock: 1}\n");
+  for (const char* flag : {"--columns", "--columns-b"}) {
+    const Ran ran = Run({"compare", "motion.csv", "theirs.csv", "--robot", "a1", flag, "names.yaml", "--quiet"});
+    EXPECT_EQ(ran.out, "same\n") << flag << ": " << ran.err;
+  }
+  Write("wrong.yaml", "columns: {clok: time_s}\n");
+  ExpectRefused(Run({"compare", "motion.csv", "theirs.csv", "--robot", "a1", "--columns", "wrong.yaml"}), 1,
+                {"there is no column 'clok' to take as 'time_s'"});
+  ExpectRefused(Run({"compare", "theirs.csv", "out/plan.json", "--columns-b", "names.yaml"}), 1,
+                {"--columns-b is given, but 'out/plan.json' is no CSV"});
+}
+
+TEST_F(Exchange, TrajectoriesComeBackFromBothLanguages) {
+  for (const char* language : {"yaml", "json"}) {
+    const std::string file = std::string("trajectory.") + language;
+    ASSERT_EQ(Run({"export", "out/plan.json", "--format", std::string("joint-trajectory-") + language, "--out", file,
+                   "--quiet"})
+                  .status,
+              0);
+    const Ran ran = Run({"import", file, "--robot", "a1", "--out", "again.json", "--json"});
+    ASSERT_TRUE(ran.status == 0 || ran.status == 3) << ran.err;
+    EXPECT_EQ(ran.json().at("format"), "joint-trajectory") << language;
+  }
+  Write("broken.json", Read("trajectory.json").substr(0, 2000));
+  ExpectRefused(Run({"import", "broken.json", "--robot", "a1"}), 1, {"broken.json", "its JSON is cut short"});
+}
+
 TEST_F(Exchange, ComparesReports) {
   Write("one.json", Run({"play", "out/plan.json", "--json"}).out);
   Write("two.json", Run({"play", "out/plan.json", "--json", "--mass-scale", "1.1"}).out);

@@ -57,6 +57,8 @@ TEST_F(Import, RefusesWithTheReasonAndWritesNothing) {
   ExpectRefused(Run({"import", "motion.csv", "--columns", "none.yaml", "--out", "x.json"}), 1, {"none.yaml"});
   ExpectRefused(Run({"import", "motion.csv", "--set", "lift_m=0.1", "--out", "x.json"}), 1,
                 {"over the ground in most rows"});
+  ExpectRefused(Run({"import", "motion.csv", "--set", "grid_step_s=1e-9", "--out", "x.json"}), 1,
+                {"'grid_step_s' is 1e-09 s; accepted: 0, and 0.0005 to 0.01"});
   ExpectRefused(Run({"import", "motion.csv", "--out", "motion.csv"}), 1, {"motion.csv"});
   ExpectRefused(Run({"import", "motion.csv", "--goal", "1,2", "--out", "x.json"}), 1, {"--goal", "3 numbers"});
   const std::vector<std::string> found = Found();
@@ -69,6 +71,9 @@ TEST_F(Import, ColumnsMayBeNamedInAFile) {
   Write("names.yaml", "columns: {clock: time_s, hip: q_FL_hip_joint_rad}\n");
   const Ran ran = Run({"import", "theirs.csv", "--columns", "names.yaml", "--out", "theirs.json", "--quiet"});
   EXPECT_EQ(ran.out, "pass\n") << ran.err;
+  Write("misspelt.yaml", "columns: {clok: time_s, hip: q_FL_hip_joint_rad}\n");
+  ExpectRefused(Run({"import", "theirs.csv", "--columns", "misspelt.yaml", "--out", "x.json"}), 1,
+                {"there is no column 'clok' to take as 'time_s'; the nearest is 'clock'"});
 }
 
 TEST_F(Import, FootstepsAreAPlanToo) {

@@ -8,12 +8,13 @@
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/plan_laws.h"
 #include "workflows/exchange/check_motion_table.h"
+#include "workflows/exchange/compare_motions.h"
 #include "workflows/exchange/compare_reports.h"
+#include "workflows/exchange/csv_motion.h"
 #include "workflows/exchange/footstep_file.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/exchange/joint_trajectory.h"
 #include "workflows/exchange/motion_columns.h"
-#include "workflows/exchange/ocs2_columns.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright::fuzz {
@@ -72,7 +73,7 @@ void CheckPlanOf(const MotionTable& table, const std::string& file) {
 
 Verdict CheckMotion(const Result<MotionTable>& read, const std::string& file) {
   if (!read) return Verdict::kRefused;
-  MotionTable table = *read;
+  const MotionTable& table = *read;
   try {
     CheckMotionTable(Quadruped(), FlatTerrain(), {}, table);
   } catch (const InvalidArgument&) {
@@ -91,19 +92,45 @@ Verdict ReadMotionCsv(const std::string& input) {
   if (!csv) return Verdict::kRefused;
   Require(csv->values.size() == static_cast<std::size_t>(csv->rows()) * csv->columns.size(), "a table is full");
   for (const double value : csv->values) Require(std::isfinite(value), "a table holds finite numbers");
-  ColumnNames names;
-  if (IsOcs2Motion(*csv)) {
-    std::vector<DerivedPart> derived;
-    const Result<ColumnNames> ocs2 = Ocs2ColumnNames(Quadruped(), *csv, derived);
-    if (!ocs2) return Verdict::kRefused;
-    names = *ocs2;
+  CsvReading reading;
+  return CheckMotion(MotionOfCsv(Quadruped(), *csv, reading), file);
+}
+
+/// What is true of each table that may be compared. What it does not say is not a number.
+void CheckComparedLaws(const ComparedMotion& motion) {
+  const MotionRows& rows = motion.rows;
+  Require(rows.size() > 0 && rows.q.size() == rows.time_s.size() && rows.v.size() == rows.time_s.size(),
+          "a motion has rows");
+  Require(std::abs(motion.start_s()) <= kLatestStart && motion.end_s() - motion.start_s() <= kLongestMotion,
+          "it is of an hour at the most");
+  for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
+    Require(k == 0 || rows.time_s[k] > rows.time_s[k - 1], "times rise");
+    Require(IsSensible(rows.q[k].tail(Quadruped().num_dofs())), "positions of all joints are finite");
+    Require(IsSensible(rows.v[k].tail(Quadruped().num_dofs())), "speeds of all joints are finite");
+    const auto turn = rows.q[k].segment<4>(3);
+    Require(turn.array().isNaN().all() || std::abs(turn.norm() - 1.0) < 1e-9, "quaternions have length 1, or are none");
   }
-  return CheckMotion(MotionFromCsv(Quadruped(), *csv, names, {}), file);
+}
+
+Verdict ReadComparedCsv(const std::string& input) {
+  const Result<CsvTable> csv = ParseCsvTable(input, "input");
+  if (!csv) return Verdict::kRefused;
+  const Result<ComparedMotion> motion = ComparedCsv(Quadruped(), *csv, {});
+  if (!motion) return Verdict::kRefused;
+  CheckComparedLaws(*motion);
+  if (motion->rows.size() > 200 || motion->end_s() - motion->start_s() > 5.0) return Verdict::kAccepted;
+  Require(CompareMotions(*motion, *motion, {.align = "none"}).same(), "a motion is the same as itself");
+  return Verdict::kAccepted;
 }
 
 Verdict ReadTrajectory(const std::string& input) {
   const std::string file = InFile(input, ".yaml");
   return CheckMotion(ParseJointTrajectory(Quadruped(), input, "input", {}), file);
+}
+
+Verdict ReadTrajectoryJson(const std::string& input) {
+  const std::string file = InFile(input, ".json");
+  return CheckMotion(ParseJointTrajectoryJson(Quadruped(), input, "input", {}), file);
 }
 
 Verdict ReadColumns(const std::string& input) {
@@ -183,11 +210,44 @@ std::vector<std::string> MadeTrajectories() {
   return {text};
 }
 
+std::vector<std::string> MadeJsonTrajectories() {
+  std::string names, positions;
+  for (const std::string& name : Quadruped().dof_names) names += (names.empty() ? "\"" : ", \"") + name + "\"";
+  for (const double q : Quadruped().standing_joints) positions += fmt::format("{}{}", positions.empty() ? "" : ", ", q);
+  std::string text = "{\"joint_names\": [" + names + "], \"points\": [";
+  for (int k = 0; k < 4; ++k) {
+    text += fmt::format("{}{{\"positions\": [{}], \"time_from_start\": {{\"sec\": 0, \"nanosec\": {}}}}}",
+                        k == 0 ? "" : ",\n", positions, k * 20000000);
+  }
+  return {text + "]}\n"};
+}
+
 std::vector<std::string> MadeReports() {
   return {
       R"({"robot":"a1","verdict":"pass","reason":"","score":91.5,"metrics":{"fell":{"value":false,"unit":"","limit":)"
       R"(false,"pass":true},"slip_m":{"value":0.01,"unit":"m","limit":null,"pass":true}}})"};
 }
+
+const std::vector<std::string> kCsvWords = {",",
+                                            "\n",
+                                            "#",
+                                            "\"",
+                                            "\t",
+                                            ";",
+                                            "nan",
+                                            "true",
+                                            "1e308",
+                                            "-1",
+                                            "time_s",
+                                            "base_roll_rad",
+                                            "base_x_mm",
+                                            "q_FR_hip_joint_deg",
+                                            "v_FR_hip_joint_rad_s",
+                                            "tau_FR_calf_joint_nm",
+                                            "contact_FR_foot",
+                                            "force_FR_foot_x_n",
+                                            "jointVelocity_LF_HAA",
+                                            "contactForcesInWorld_LF_x"};
 
 const std::vector<std::string> kYaml = {"&a", "*a", "---", "{", "}", "[", "]", ": ", "- ", "~", ".nan", "1e400", "-1"};
 
@@ -199,31 +259,8 @@ std::vector<std::string> WithYaml(std::vector<std::string> words) {
 }  // namespace
 
 std::vector<Reader> ExchangeReaders() {
-  return {{"motion_csv",
-           ReadMotionCsv,
-           {",",
-            "\n",
-            "#",
-            "\"",
-            "\t",
-            ";",
-            "nan",
-            "true",
-            "1e308",
-            "-1",
-            "time_s",
-            "base_roll_rad",
-            "base_x_mm",
-            "q_FR_hip_joint_deg",
-            "v_FR_hip_joint_rad_s",
-            "tau_FR_calf_joint_nm",
-            "contact_FR_foot",
-            "force_FR_foot_x_n",
-            "jointVelocity_LF_HAA",
-            "contactForcesInWorld_LF_x"},
-           {},
-           MadeTables,
-           500},
+  return {{"motion_csv", ReadMotionCsv, kCsvWords, {}, MadeTables, 500},
+          {"compare_csv", ReadComparedCsv, kCsvWords, {}, MadeTables, 500},
           {"column_names",
            ReadColumns,
            WithYaml({"columns", "scale", "ignore", "quaternion_order", "angle_unit", "length_unit", "time_unit", "wxyz",
@@ -235,6 +272,14 @@ std::vector<Reader> ExchangeReaders() {
                      "secs", "nsecs", "trajectory", "header"}),
            {},
            MadeTrajectories,
+           500},
+          {"joint_trajectory_json",
+           ReadTrajectoryJson,
+           {"null", "true", "{}", "[]", "\"\"", "-1", "1e400", "\"joint_names\"", "\"points\"", "\"positions\"",
+            "\"velocities\"", "\"effort\"", "\"time_from_start\"", "\"sec\"", "\"nanosec\"", "\"secs\"",
+            "\"trajectory\"", "\\u0000"},
+           {},
+           MadeJsonTrajectories,
            500},
           {"footsteps",
            ReadFootstepFile,

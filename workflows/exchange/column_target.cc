@@ -14,10 +14,9 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 class Names {
  public:
   explicit Names(const ImportOptions& options)
-      : angle_(options.angle_unit == "deg" ? kDegree : 1.0), length_(options.length_unit == "mm" ? 1e-3 : 1.0) {
-    const std::map<std::string, double> units = {{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
-    time_ = units.at(options.time_unit);
-  }
+      : angle_(options.angle_unit == "deg" ? kDegree : 1.0),
+        length_(options.length_unit == "mm" ? 1e-3 : 1.0),
+        time_(options.time_unit_s()) {}
 
   void AddTime() {
     for (const char* name : {"time_s", "time", "t"}) Add(name, ColumnKind::kTime, 0, time_);
@@ -71,7 +70,7 @@ class Names {
     Add(name + "_mm" + per, kind, index, 1e-3);
   }
 
-  double angle_, length_, time_ = 1.0;
+  double angle_, length_, time_;
 };
 
 }  // namespace

@@ -52,6 +52,14 @@ void Align(const ComparedMotion& a, const ComparedMotion& b, const CompareOption
                   comparison.best_offset->agreement));
 }
 
+/// Clocks are aligned on even times, of which a motion without end has too many.
+void CheckDuration(const ComparedMotion& motion) {
+  const double duration_s = motion.end_s() - motion.start_s();
+  if (duration_s <= kLongestMotion) return;
+  throw InvalidArgument(
+      fmt::format("'{}' lasts {:.6g} s; at most {:.0f} s are compared", motion.name, duration_s, kLongestMotion));
+}
+
 double StepOf(const ComparedMotion& motion) {
   return motion.rows.size() > 1 ? (motion.end_s() - motion.start_s()) / (motion.rows.size() - 1) : 1.0;
 }
@@ -130,6 +138,13 @@ void TakeApart(const std::vector<SeriesDifference>& differences, const SharedTim
   }
 }
 
+/// What is to be said of one side, each once: both may be one file.
+void AddNotes(const ComparedMotion& motion, std::vector<std::string>& notes) {
+  for (const std::string& note : motion.notes) {
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  }
+}
+
 }  // namespace
 
 OptionFields CompareOptions::Fields() {
@@ -148,6 +163,8 @@ OptionFields CompareOptions::Fields() {
 MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options) {
   CompareOptions checked = options;
   CheckOptions(checked.Fields());
+  CheckDuration(a);
+  CheckDuration(b);
   MotionComparison comparison;
   comparison.name_a = a.name;
   comparison.name_b = b.name;
@@ -174,6 +191,8 @@ MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b
   Order(differences, comparison.in_order);
   comparison.figures = FiguresOf(a, b);
   comparison.words = WordsOf(a, b);
+  AddNotes(a, comparison.notes);
+  AddNotes(b, comparison.notes);
   if (comparison.joints.empty()) comparison.notes.emplace_back("the robots have no joint of the same name");
   if (comparison.base.empty()) comparison.notes.emplace_back("the base is not compared: one side says nothing of it");
   if (comparison.feet.empty())

@@ -85,7 +85,7 @@ struct MotionComparison {
 
 /// Sets two motions side by side at the times of the measured one, of two plans at the finer grid of both, as far as
 /// they share time. A torque that is a mean over a log's interval is held against the plan's at the middle of it.
-/// @throws InvalidArgument for options out of range, and motions that share no time.
+/// @throws InvalidArgument for options out of range, a motion of more than an hour, and motions that share no time.
 MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options = {});
 
 }  // namespace gaitwright

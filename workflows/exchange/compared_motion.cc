@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "planning/plan/sample_plan.h"
 #include "playback/score/contact_timing.h"
@@ -38,15 +39,41 @@ VectorX RateAt(const std::vector<double>& t, const std::vector<VectorX>& q, std:
   return ((q[k + 1] - q[k]) / after * before + (q[k] - q[k - 1]) / before * after) / (before + after);
 }
 
-void CheckTable(const RobotModel& model, const MotionTable& table, const std::string& name) {
-  if (table.time_s.empty()) throw InvalidArgument(fmt::format("'{}' has no row", name));
+void CheckTable(const RobotModel& model, const MotionTable& table) {
+  if (table.time_s.empty()) throw InvalidArgument("has no row");
   for (std::size_t k = 1; k < table.time_s.size(); ++k) {
     if (table.time_s[k] > table.time_s[k - 1]) continue;
-    throw InvalidArgument(fmt::format("'{}': the time {} s of row {} does not come after {} s; times must rise", name,
+    throw InvalidArgument(fmt::format("the time {} s of row {} does not come after {} s; times must rise",
                                       table.time_s[k], k + 1, table.time_s[k - 1]));
   }
   if (table.q.size() != table.time_s.size() || table.q.front().size() != model.num_dofs())
-    throw InvalidArgument(fmt::format("'{}' does not have a position of each joint of robot '{}'", name, model.name));
+    throw InvalidArgument(fmt::format("does not have a position of each joint of robot '{}'", model.name));
+}
+
+/// The joints' speeds in a row: those that are given, the others from the positions.
+VectorX SpeedsAt(const RobotModel& model, const MotionTable& table, std::size_t k) {
+  VectorX v = table.v.empty() ? VectorX::Constant(model.num_dofs(), kNone) : table.v[k];
+  if (v.allFinite()) return v;
+  const VectorX derived = RateAt(table.time_s, table.q, k);
+  for (Eigen::Index d = 0; d < v.size(); ++d) {
+    if (std::isfinite(v[d])) continue;
+    v[d] = derived[d];
+    if (std::abs(v[d]) <= kLargestDerived) continue;
+    throw InvalidArgument(
+        fmt::format("the speed of joint '{}' comes out at {:.3g} in row {} ({:.9g} s), which no robot has: its "
+                    "position jumps there",
+                    model.dof_names[static_cast<std::size_t>(d)], v[d], k + 1, table.time_s[k]));
+  }
+  return v;
+}
+
+/// What had to be worked out, and what is in the file and of no use.
+std::vector<std::string> NotesOf(const MotionTable& table, const std::string& name) {
+  std::vector<std::string> notes;
+  for (const DerivedPart& part : table.derived) notes.push_back(fmt::format("'{}', {}: {}", name, part.what, part.how));
+  if (!table.unused_columns.empty())
+    notes.push_back(fmt::format("'{}', columns that are not used: {}", name, QuotedList(table.unused_columns)));
+  return notes;
 }
 
 }  // namespace
@@ -69,8 +96,8 @@ ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, cons
 }
 
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name) {
-  CheckTable(model, table, name);
-  ComparedMotion motion{.name = name, .kind = "csv", .model = model};
+  CheckTable(model, table);
+  ComparedMotion motion{.name = name, .kind = "csv", .model = model, .notes = NotesOf(table, name)};
   MotionRows& rows = motion.rows;
   rows.time_s = table.time_s;
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
@@ -78,7 +105,7 @@ ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, 
     if (!table.base_m.empty()) q.head<3>() = table.base_m[k];
     if (!table.quaternion.empty()) q.segment<4>(3) = table.quaternion[k].normalized();
     q.tail(model.num_dofs()) = table.q[k];
-    v.tail(model.num_dofs()) = table.v.empty() ? RateAt(table.time_s, table.q, k) : table.v[k];
+    v.tail(model.num_dofs()) = SpeedsAt(model, table, k);
     rows.q.push_back(std::move(q));
     rows.v.push_back(std::move(v));
   }

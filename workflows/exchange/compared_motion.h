@@ -20,6 +20,7 @@ struct ComparedMotion {
   MotionRows rows = {};                                    ///< on its own clock; what it does not say is not a number
   std::vector<std::vector<ContactInterval>> stances = {};  ///< by foot; empty where nothing is known of contacts
   double torque_age_s = 0.0;                               ///< how far before a row its torque holds: means are late
+  std::vector<std::string> notes = {};                     ///< how it was understood, where that is not plain
 
   double start_s() const { return rows.time_s.front(); }
   double end_s() const { return rows.time_s.back(); }
@@ -29,7 +30,8 @@ struct ComparedMotion {
 ComparedMotion ComparedPlan(const RobotModel& model, const MotionPlan& plan, const std::string& name);
 ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, const std::string& name);
 
-/// Columns of numbers. Speeds that are not given are those of the parabola through each row and its neighbours.
+/// Columns of numbers. Speeds that are not given are those of the parabola through each row and its neighbours; one
+/// that comes out beyond kLargestDerived is refused.
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name);
 
 /// The motion at a time of its own clock: a plan between its nodes as SampleWholeBody has it, all else as SampleRows

@@ -34,7 +34,7 @@ class Resampler {
   EvenMotion Run() {
     for (const double t : table_.time_s) time_s_.push_back(t - table_.time_s.front());
     even_.step_s = GridStepOf(table_.time_s, options_);
-    const int rows = 1 + static_cast<int>(std::floor(time_s_.back() / even_.step_s + 1e-6));
+    const int rows = RowsOfGrid();
     for (int k = 0; k < rows; ++k) {
       even_.q.push_back(VectorX::Zero(model_.nq()));
       even_.v.push_back(VectorX::Zero(model_.nv()));
@@ -51,6 +51,15 @@ class Resampler {
 
  private:
   double TimeOf(int row) const { return std::min(row * even_.step_s, time_s_.back()); }
+
+  int RowsOfGrid() const {
+    const double rows = 1.0 + std::floor(time_s_.back() / even_.step_s + 1e-6);
+    if (rows <= kMostGridRows) return static_cast<int>(rows);
+    throw InvalidArgument(
+        fmt::format("its {:.6g} s at steps of {} s would be {:.0f} rows; at most {} are made: a larger grid_step_s "
+                    "makes fewer",
+                    time_s_.back(), even_.step_s, rows, kMostGridRows));
+  }
 
   void SayGrid() {
     if (table_.time_s.front() != 0.0)
@@ -254,9 +263,9 @@ double GridStepOf(const std::vector<double>& time_s, const ImportOptions& option
   return std::abs(round - step) * static_cast<double>(time_s.size()) < kEven * step ? round : step;
 }
 
-EvenMotion Resample(const RobotModel& model, const MotionTable& table, ImportOptions options,
+EvenMotion Resample(const RobotModel& model, const MotionTable& table, const ImportOptions& options,
                     std::vector<DerivedPart>& derived, std::vector<std::string>& warnings) {
-  CheckOptions(options.Fields());
+  CheckImportOptions(options);
   return Resampler(model, table, options, derived, warnings).Run();
 }
 

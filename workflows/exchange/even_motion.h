@@ -26,8 +26,9 @@ struct EvenMotion {
 /// positions and velocities, and for accelerations the derivative of a spline through the velocities. Torques and
 /// forces are linear in between; contacts hold from the row on that has them, to the grid.
 /// What is done, and noise that would spoil accelerations, is said in `derived`, and in `warnings`.
-/// @param table  checked, with base and quaternions.  @throws InvalidArgument for options out of their range.
-EvenMotion Resample(const RobotModel& model, const MotionTable& table, ImportOptions options,
+/// @param table  checked, with base and quaternions.  @throws InvalidArgument for options out of their range, and more
+/// than kMostGridRows rows.
+EvenMotion Resample(const RobotModel& model, const MotionTable& table, const ImportOptions& options,
                     std::vector<DerivedPart>& derived, std::vector<std::string>& warnings);
 
 /// The step of the grid that a table gets [s].

@@ -7,12 +7,15 @@
 #include <filesystem>
 
 #include "kinematics/base/options.h"
+#include "planning/plan/json_part_internal.h"
 #include "playback/bullet/play.h"
 #include "playback/report/plot_style.h"
 #include "playback/score/stability_report.h"
+#include "workflows/exchange/csv_table.h"
 #include "workflows/exchange/export_csv.h"
 #include "workflows/exchange/export_npz.h"
 #include "workflows/exchange/export_trajectory.h"
+#include "workflows/exchange/joint_trajectory.h"
 #include "workflows/exchange/motion_plots.h"
 
 namespace gaitwright {
@@ -41,6 +44,30 @@ std::string TextOf(const RobotModel& model, const MotionRows& rows, ExportFormat
       break;
   }
   throw InvalidArgument("plots are no single file");
+}
+
+/// Whether `import` reads as much as this; other programs may read more.
+bool IsReadBack(const RobotModel& model, const MotionRows& rows, ExportFormat format, std::size_t bytes) {
+  constexpr std::size_t kOthersInYaml = 15, kOthersInJson = 8;  // keys, lists and times of a point, as readers count
+  const std::size_t n = rows.time_s.size(), lists = 2U + (rows.a.empty() ? 0U : 1U) + (rows.tau.empty() ? 0U : 1U);
+  const std::size_t numbers = lists * model.dof_names.size();
+  switch (format) {
+    case ExportFormat::kTrajectoryYaml:
+      return bytes <= kLargestTrajectoryYaml && n * (numbers + kOthersInYaml) <= kMostTrajectoryYamlValues;
+    case ExportFormat::kTrajectoryJson:
+      return bytes <= kLargestJson && n <= kMostCsvRows && n * (numbers + kOthersInJson) <= kMostJsonValues;
+    case ExportFormat::kCsv:
+      return n <= kMostCsvRows && n * MotionCsvColumns(model).size() <= kMostCsvCells;
+    default:
+      return true;
+  }
+}
+
+void AddSizeNote(const RobotModel& model, const MotionRows& rows, ExportFormat format, ExportedMotion& exported) {
+  if (format == ExportFormat::kSvg || IsReadBack(model, rows, format, exported.files.front().text.size())) return;
+  const bool yaml = format == ExportFormat::kTrajectoryYaml;
+  exported.notes.push_back(fmt::format("it is more than 'import' reads: {}a lower --rate-hz makes it less",
+                                       yaml ? "joint-trajectory-json and csv may be longer, and " : ""));
 }
 
 void AddNotes(const MotionRows& rows, ExportFormat format, ExportedMotion& exported) {
@@ -72,6 +99,7 @@ ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, Expor
     exported.files.push_back({out, TextOf(model, rows, format)});
   }
   AddNotes(rows, format, exported);
+  AddSizeNote(model, rows, format, exported);
   return exported;
 }
 

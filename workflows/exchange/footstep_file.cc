@@ -15,8 +15,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kFar = 1000.0, kLong = 600.0;  // [m], [s]
-constexpr double kStand = 0.8;                  // [s] before the first step and after the last, where it is not said
+constexpr double kFar = 1000.0;  // [m]
+constexpr double kStand = 0.8;   // [s] before the first step and after the last, where it is not said
+constexpr std::size_t kMostSteps = 10'000;
 
 /// A step as the file has it.
 struct AskedStep {
@@ -26,10 +27,39 @@ struct AskedStep {
   double liftoff_s = 0.0, touchdown_s = 0.0;
 };
 
+/// A foot that goes from step to step as time goes on.
+class SteppingFoot {
+ public:
+  SteppingFoot(const Pose& start, const std::vector<AskedStep>& steps) : from_(start), steps_(steps) {}
+
+  /// Where it is at a time that is no earlier than that of the call before.
+  Pose At(double time_s) {
+    while (next_ < steps_.size() && time_s >= steps_[next_].touchdown_s) from_ = steps_[next_++].X_WF;
+    if (next_ == steps_.size() || time_s <= steps_[next_].liftoff_s) return from_;
+    const AskedStep& step = steps_[next_];
+    const double share = SmoothStep((time_s - step.liftoff_s) / (step.touchdown_s - step.liftoff_s)).value;
+    const Vector3 turn = RotationLog(step.X_WF.linear() * from_.linear().transpose());
+    Pose X_WF = from_;
+    X_WF.translation() += share * (step.X_WF.translation() - from_.translation());
+    X_WF.linear() = RotationExp(share * turn) * from_.linear();
+    return X_WF;
+  }
+
+ private:
+  Pose from_;
+  const std::vector<AskedStep>& steps_;
+  std::size_t next_ = 0;
+};
+
 class Reader {
  public:
   Reader(const RobotModel& model, const Terrain& terrain, double grid_s)
-      : model_(model), terrain_(terrain), grid_s_(grid_s), start_(StandingFeet(model)), patch_(start_.size(), 0) {}
+      : model_(model),
+        terrain_(terrain),
+        grid_s_(grid_s),
+        start_(StandingFeet(model)),
+        patch_(start_.size(), 0),
+        steps_(start_.size()) {}
 
   FootstepSkeleton Read(const YAML::Node& root) {
     const YamlMap map(root, "the file",
@@ -38,14 +68,17 @@ class Reader {
     swing_s_ = Seconds(map, "swing_s");
     pause_s_ = Seconds(map, "pause_s");
     now_s_ = Seconds(map, "initial_stand_s").value_or(kStand);
-    const double final_stand_s = Seconds(map, "final_stand_s").value_or(kStand);
+    final_stand_s_ = Seconds(map, "final_stand_s").value_or(kStand);
     for (std::size_t f = 0; f < start_.size(); ++f)
       start_[f] = OnGround(start_[f], static_cast<int>(f), patch_[f], root);
     if (const YAML::Node* start = map.Find("start")) TakeStart(*start);
     const std::vector<YAML::Node> steps = ListOf(*map.Find("footsteps"), "footsteps");
     if (steps.empty()) RefuseYaml(*map.Find("footsteps"), "footsteps is empty; one or more are needed");
+    if (steps.size() > kMostSteps)
+      RefuseYaml(*map.Find("footsteps"),
+                 fmt::format("has {} footsteps; at most {} are read", steps.size(), kMostSteps));
     for (const YAML::Node& step : steps) TakeStep(step);
-    return Skeleton(OnGrid(last_s_ + final_stand_s));
+    return Skeleton(OnGrid(last_s_ + final_stand_s_));
   }
 
  private:
@@ -54,7 +87,7 @@ class Reader {
   static std::optional<double> Seconds(const YamlMap& map, const std::string& key) {
     const YAML::Node* node = map.Find(key);
     if (node == nullptr) return std::nullopt;
-    return NumberOf(*node, key, 0.0, kLong);
+    return NumberOf(*node, key, 0.0, kLongestMotion);
   }
 
   int FootOf(const YamlMap& map, const YAML::Node& node) const {
@@ -137,7 +170,7 @@ class Reader {
     now_s_ = step.touchdown_s + Seconds(map, "pause_s").value_or(pause_s_.value_or(0.1));
     last_s_ = std::max(last_s_, step.touchdown_s);
     CheckTimes(step, node);
-    steps_.push_back(step);
+    steps_[static_cast<std::size_t>(step.foot)].push_back(step);
   }
 
   void CheckTimes(const AskedStep& step, const YAML::Node& node) const {
@@ -147,10 +180,13 @@ class Reader {
       RefuseYaml(node, fmt::format("foot '{}' swings from {:.4g} to {:.4g} s; {} s is the least", name, step.liftoff_s,
                                    step.touchdown_s, 2.0 * grid_s_));
     }
-    double stands_since = 0.0;
-    for (const AskedStep& before : steps_) {
-      if (before.foot == step.foot) stands_since = std::max(stands_since, before.touchdown_s);
+    if (step.touchdown_s + final_stand_s_ > kLongestMotion) {
+      RefuseYaml(node, fmt::format("foot '{}' touches down at {:.6g} s, {:.6g} s before the end; a motion of at most "
+                                   "{:.0f} s is planned",
+                                   name, step.touchdown_s, final_stand_s_, kLongestMotion));
     }
+    const std::vector<AskedStep>& before = steps_[static_cast<std::size_t>(step.foot)];
+    const double stands_since = before.empty() ? 0.0 : before.back().touchdown_s;
     if (step.liftoff_s - stands_since < least) {
       RefuseYaml(node, fmt::format("foot '{}' lifts at {:.4g} s and is on the ground from {:.4g} s on; it has to stand "
                                    "for {} s at the least, and a foot's steps follow each other in time",
@@ -163,8 +199,7 @@ class Reader {
     std::vector<std::vector<ContactInterval>> by_foot(start_.size());
     for (std::size_t f = 0; f < start_.size(); ++f) {
       Foothold stands{static_cast<int>(f), start_[f], Vector3::Zero(), patch_[f], 0.0, end_s};
-      for (const AskedStep& step : steps_) {
-        if (step.foot != static_cast<int>(f)) continue;
+      for (const AskedStep& step : steps_[f]) {
         stands.liftoff_s = step.liftoff_s;
         skeleton.footsteps.footholds.push_back(stands);
         by_foot[f].push_back({stands.touchdown_s, stands.liftoff_s});
@@ -184,19 +219,16 @@ class Reader {
   void AddPath(double end_s, FootstepSkeleton& skeleton) const {
     const std::vector<Pose> standing = StandingFeet(model_);
     const int rows = 1 + static_cast<int>(std::lround(end_s / grid_s_));
+    std::vector<SteppingFoot> stepping;
+    for (std::size_t f = 0; f < start_.size(); ++f) stepping.emplace_back(start_[f], steps_[f]);
+    std::vector<Pose> feet = start_;
+    double yaw_rad = MeanHeading(standing, feet);
     for (int k = 0; k < rows; ++k) {
       const double time_s = std::min(k * grid_s_, end_s);
-      std::vector<Pose> feet = start_;
-      for (const AskedStep& step : steps_) {
-        const double share = SmoothStep((time_s - step.liftoff_s) / (step.touchdown_s - step.liftoff_s)).value;
-        Pose& X_WF = feet[static_cast<std::size_t>(step.foot)];
-        const Vector3 travel = step.X_WF.translation() - X_WF.translation();
-        const Vector3 turn = RotationLog(step.X_WF.linear() * X_WF.linear().transpose());
-        X_WF.translation() += share * travel;
-        X_WF.linear() = RotationExp(share * turn) * X_WF.linear();
-      }
+      for (std::size_t f = 0; f < feet.size(); ++f) feet[f] = stepping[f].At(time_s);
+      yaw_rad += WrapAngle(MeanHeading(standing, feet) - yaw_rad);  // on and on, where it turns round
       skeleton.path.time_s.push_back(time_s);
-      skeleton.path.pose.push_back(FitBase(standing, feet, MeanHeading(standing, feet)).plan);
+      skeleton.path.pose.push_back(FitBase(standing, feet, yaw_rad).plan);
     }
   }
 
@@ -207,7 +239,7 @@ class Reader {
     part.command.extent = WalkCommand::Extent::kGoal;
     part.command.goal_x_m = c * x + s * y;
     part.command.goal_y_m = c * y - s * x;
-    part.command.goal_yaw_rad = to.yaw_rad - from.yaw_rad;
+    part.command.goal_yaw_rad = WrapAngle(to.yaw_rad - from.yaw_rad);
     part.goal = skeleton.goal = to;
     part.end_s = end_s;
     part.gait = {"footsteps", "as the file has them", end_s, {}, {}};
@@ -227,8 +259,8 @@ class Reader {
   std::vector<Pose> start_;
   std::vector<int> patch_;
   std::optional<double> swing_s_, pause_s_;
-  double now_s_ = 0.0, last_s_ = 0.0;
-  std::vector<AskedStep> steps_;
+  double now_s_ = 0.0, last_s_ = 0.0, final_stand_s_ = kStand;
+  std::vector<std::vector<AskedStep>> steps_;  // of each foot, in time
 };
 
 /// The time that the feet take for one step each, over which the body's tilt is evened out.

@@ -13,13 +13,11 @@
 #include "kinematics/base/version.h"
 #include "planning/terrain/load_terrain.h"
 #include "workflows/exchange/check_motion_table.h"
-#include "workflows/exchange/csv_table.h"
+#include "workflows/exchange/csv_motion.h"
 #include "workflows/exchange/derive_base.h"
 #include "workflows/exchange/even_motion.h"
 #include "workflows/exchange/footstep_file.h"
 #include "workflows/exchange/joint_trajectory.h"
-#include "workflows/exchange/motion_columns.h"
-#include "workflows/exchange/ocs2_columns.h"
 
 namespace gaitwright {
 namespace {
@@ -34,21 +32,19 @@ std::string ExtensionOf(const std::string& file) {
   return extension;
 }
 
-/// The table of a CSV, with its own names or those of OCS2. `request` gets the units of the file of names.
+/// The table of a CSV. `request` gets the units of the file of names.
 Result<MotionTable> ReadCsvMotion(const RobotModel& model, const std::string& text, ImportRequest& request) {
   const Result<CsvTable> table = ParseCsvTable(text, request.file);
   if (!table) return table.failure();
-  std::vector<DerivedPart> derived;
-  Result<ColumnNames> names = ColumnNames{};
-  const bool ocs2 = request.columns_file.empty() && IsOcs2Motion(*table);
-  if (!request.columns_file.empty()) names = ReadColumnNames(request.columns_file, request.options);
-  if (ocs2) names = Ocs2ColumnNames(model, *table, derived);
-  if (!names) return names.failure();
-  Result<MotionTable> motion = MotionFromCsv(model, *table, *names, request.options);
-  if (!motion) return motion;
-  if (ocs2) motion->format = "ocs2-csv";
-  motion->derived.insert(motion->derived.begin(), derived.begin(), derived.end());
+  CsvReading reading{request.columns_file, request.options};
+  Result<MotionTable> motion = MotionOfCsv(model, *table, reading);
+  request.options = reading.options;
   return motion;
+}
+
+Result<MotionTable> ReadTrajectory(const RobotModel& model, const std::string& text, const ImportRequest& request) {
+  return ExtensionOf(request.file) == ".json" ? ParseJointTrajectoryJson(model, text, request.file, request.options)
+                                              : ParseJointTrajectory(model, text, request.file, request.options);
 }
 
 /// Whether a text of YAML holds footsteps rather than a joint trajectory.
@@ -94,6 +90,7 @@ void WarnInPlan(ImportedMotion& imported) {
 Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest& asked) {
   ImportRequest request = asked;
   CheckOptions(request.Fields());
+  CheckImportOptions(request.options);
   const std::string extension = ExtensionOf(request.file);
   const bool csv = extension == ".csv" || extension == ".tsv" || extension == ".txt";
   const bool yaml = extension == ".yaml" || extension == ".yml" || extension == ".json";
@@ -113,8 +110,7 @@ Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest
     if (yaml && HoldsFootsteps(*text)) {
       if (auto failure = PlanFootstepFile(model, *terrain, *text, request, imported)) return *failure;
     } else {
-      Result<MotionTable> table = csv ? ReadCsvMotion(model, *text, request)
-                                      : ParseJointTrajectory(model, *text, request.file, request.options);
+      Result<MotionTable> table = csv ? ReadCsvMotion(model, *text, request) : ReadTrajectory(model, *text, request);
       if (!table) return table.failure();
       MakePlan(model, *terrain, request, std::move(*table), imported);
     }

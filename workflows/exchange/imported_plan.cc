@@ -16,6 +16,9 @@
 namespace gaitwright {
 namespace {
 
+/// To a tenth of a millimetre, and never "-0".
+std::string Metres(double length_m) { return fmt::format("{:.4f}", 1e-4 * std::round(1e4 * length_m) + 0.0); }
+
 class Builder {
  public:
   Builder(const RobotModel& model, const Terrain& terrain, EvenMotion motion, const ImportOptions& options,
@@ -55,17 +58,17 @@ class Builder {
     }
     const auto middle = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 2);
     std::nth_element(lowest.begin(), middle, lowest.end());
-    const double height = *middle;
+    const double height = *middle, lift_m = options_.lift_m - height;
     if (!(std::abs(height) <= kFar * model_.leg_length_m())) {
       throw InvalidArgument(fmt::format(
           "the robot's lowest foot is {:.3f} m {} the ground in most rows; up to {:.3f} m is taken. base_z_m is of the "
-          "URDF's root link; --set lift_m={:.4f} moves the base, --terrain gives another ground",
-          std::abs(height), height > 0.0 ? "over" : "under", kFar * model_.leg_length_m(), -height));
+          "URDF's root link; --set lift_m={} moves the base, --terrain gives another ground",
+          std::abs(height), height > 0.0 ? "over" : "under", kFar * model_.leg_length_m(), Metres(lift_m)));
     }
     if (std::abs(height) > kSlight) {
       notes_.warnings.push_back(
-          fmt::format("the robot's lowest foot is {:.1f} mm {} the ground in most rows; lift_m={:.4f} would mend that",
-                      1e3 * std::abs(height), height > 0.0 ? "over" : "under", options_.lift_m - height));
+          fmt::format("the robot's lowest foot is {:.1f} mm {} the ground in most rows; lift_m={} would mend that",
+                      1e3 * std::abs(height), height > 0.0 ? "over" : "under", Metres(lift_m)));
     }
   }
 
@@ -229,14 +232,13 @@ class Builder {
 
 /// One value that jumps, as a cut decimal point makes, derives to accelerations and torques that mean nothing.
 void CheckDerived(const MotionPlan& plan) {
-  constexpr double kMost = 1e9;
   const WholeBodyTrajectory& w = plan.whole_body;
   for (std::size_t k = 0; k < w.q.size(); ++k) {
     const std::pair<const char*, double> parts[] = {{"a speed", w.v[k].lpNorm<Eigen::Infinity>()},
                                                     {"an acceleration", w.a[k].lpNorm<Eigen::Infinity>()},
                                                     {"a torque", w.tau[k].lpNorm<Eigen::Infinity>()}};
     for (const auto& [what, most] : parts) {
-      if (most <= kMost) continue;
+      if (most <= kLargestDerived) continue;
       throw InvalidArgument(
           fmt::format("{} comes out at {:.3g} near {:.6g} s from its start, which no robot has: a "
                       "position there jumps",

@@ -4,15 +4,57 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "kinematics/base/file.h"
 #include "kinematics/base/strict_yaml_internal.h"
+#include "planning/plan/json_part_internal.h"
 #include "workflows/exchange/csv_table.h"
 
 namespace gaitwright {
 namespace {
+
+/// A part of a YAML text and the way to it, to be read as JsonPart is.
+class YamlPart {
+ public:
+  explicit YamlPart(const YAML::Node& node, std::string way = "") : node_(node), way_(std::move(way)) {}
+
+  void Object(const std::vector<std::string>& required, const std::vector<std::string>& optional) const {
+    std::vector<std::string> known = required;
+    known.insert(known.end(), optional.begin(), optional.end());
+    YamlMap(node_, Name(), known).Require(required);
+  }
+  bool Has(const std::string& key) const { return node_.IsMap() && node_[key]; }
+  YamlPart At(const std::string& key) const { return YamlPart(node_[key], way_.empty() ? key : way_ + "." + key); }
+  std::vector<YamlPart> List() const {
+    std::vector<YamlPart> parts;
+    for (const YAML::Node& node : ListOf(node_, Name())) parts.emplace_back(node, NameOf(parts.size()));
+    return parts;
+  }
+  std::vector<double> Numbers() const {
+    std::vector<double> numbers;
+    for (const YAML::Node& node : ListOf(node_, Name())) numbers.push_back(NumberOf(node, NameOf(numbers.size())));
+    return numbers;
+  }
+  double Number() const { return NumberOf(node_, Name()); }
+  std::string Text() const { return TextOf(node_, Name()); }
+  bool IsNull() const { return node_.IsNull(); }
+  bool IsMap() const { return node_.IsMap(); }
+  [[noreturn]] void Refuse(const std::string& what) const { RefuseYaml(node_, Name() + " " + what); }
+
+ private:
+  std::string Name() const { return way_.empty() ? "the trajectory" : way_; }
+  std::string NameOf(std::size_t member) const { return fmt::format("{}[{}]", way_, member); }
+
+  const YAML::Node node_;
+  std::string way_;
+};
+
+bool IsNull(const YamlPart& part) { return part.IsNull(); }
+bool IsNull(const JsonPart& part) { return part.json().is_null(); }
+bool IsMap(const YamlPart& part) { return part.IsMap(); }
+bool IsMap(const JsonPart& part) { return part.json().is_object(); }
 
 /// Where a joint of the file goes.
 struct Slot {
@@ -20,45 +62,53 @@ struct Slot {
   double scale = 1.0;
 };
 
+/// Reads the message. @tparam Part  YamlPart or JsonPart.
+template <class Part>
 class Parser {
  public:
   Parser(const RobotModel& model, const ImportOptions& options) : model_(model), options_(options) {}
 
-  MotionTable Parse(const YAML::Node& root) {
-    YAML::Node message = root;
-    if (message.IsMap() && message["trajectory"]) message = message["trajectory"];
-    const YamlMap map(message, "the trajectory", {"header", "joint_names", "points"});
-    map.Require({"joint_names", "points"});
-    TakeNames(*map.Find("joint_names"));
+  MotionTable Parse(const Part& root) {
+    const Part message = root.Has("trajectory") ? root.At("trajectory") : root;
+    message.Object({"joint_names", "points"}, {"header"});
+    TakeNames(message.At("joint_names"));
     motion_.format = "joint-trajectory";
-    const std::vector<YAML::Node> points = ListOf(*map.Find("points"), "points");
+    const std::vector<Part> points = message.At("points").List();
     if (points.size() > static_cast<std::size_t>(kMostCsvRows))
-      RefuseYaml(*map.Find("points"), fmt::format("more than {} points", kMostCsvRows));
-    for (std::size_t i = 0; i < points.size(); ++i) TakePoint(points[i], i);
+      message.At("points").Refuse(fmt::format("has more than {} points", kMostCsvRows));
+    for (const Part& point : points) TakePoint(point);
     return std::move(motion_);
   }
 
  private:
-  void TakeNames(const YAML::Node& node) {
+  void TakeNames(const Part& part) {
     std::vector<std::string> joints;
     for (const Joint& joint : model_.joints) joints.push_back(joint.name);
     std::vector<bool> has(model_.joints.size(), false);
-    for (const YAML::Node& entry : ListOf(node, "joint_names")) {
-      const std::string name = TextOf(entry, "a joint's name");
+    for (const Part& entry : part.List()) {
+      const std::string name = entry.Text();
       const auto found = std::find(joints.begin(), joints.end(), name);
       if (found == joints.end()) {
-        RefuseYaml(entry, fmt::format("robot '{}' has no joint '{}'; the nearest is '{}'", model_.name, name,
-                                      NearestName(name, joints)));
+        entry.Refuse(fmt::format("is no joint: robot '{}' has no joint '{}'; the nearest is '{}'", model_.name, name,
+                                 NearestName(name, joints)));
       }
       const auto j = static_cast<std::size_t>(found - joints.begin());
-      if (has[j]) RefuseYaml(entry, fmt::format("joint '{}' stands there twice", name));
+      if (has[j]) entry.Refuse(fmt::format("is there before: joint '{}' stands there twice", name));
       has[j] = true;
-      if (model_.joints[j].is_mimic)
-        motion_.unused_columns.push_back(fmt::format("joint '{}', which follows another", name));
-      const bool degrees = options_.angle_unit == "deg" && !model_.joints[j].is_prismatic();
-      const bool millimetres = options_.length_unit == "mm" && model_.joints[j].is_prismatic();
-      slots_.push_back({static_cast<int>(j), degrees ? std::numbers::pi / 180.0 : millimetres ? 1e-3 : 1.0});
+      AddSlot(static_cast<int>(j));
     }
+    CheckMissing(part, has);
+  }
+
+  void AddSlot(int index) {
+    const Joint& joint = model_.joints[static_cast<std::size_t>(index)];
+    if (joint.is_mimic) motion_.unused_columns.push_back(fmt::format("joint '{}', which follows another", joint.name));
+    const bool degrees = options_.angle_unit == "deg" && !joint.is_prismatic();
+    const bool millimetres = options_.length_unit == "mm" && joint.is_prismatic();
+    slots_.push_back({index, degrees ? std::numbers::pi / 180.0 : millimetres ? 1e-3 : 1.0});
+  }
+
+  void CheckMissing(const Part& names, const std::vector<bool>& has) {
     std::vector<std::string> missing;
     for (int d = 0; d < model_.num_dofs(); ++d) {
       if (!has[static_cast<std::size_t>(model_.dof_joint[static_cast<std::size_t>(d)])])
@@ -66,61 +116,72 @@ class Parser {
     }
     if (missing.empty()) return;
     if (options_.missing_joints == "refuse") {
-      RefuseYaml(node, fmt::format("joint_names lacks {} of {} joints of robot '{}': {}", missing.size(),
-                                   model_.num_dofs(), model_.name, QuotedList(missing)));
+      names.Refuse(fmt::format("lacks {} of {} joints of robot '{}': {}", missing.size(), model_.num_dofs(),
+                               model_.name, QuotedList(missing)));
     }
     motion_.derived.push_back({"position of " + QuotedList(missing), "as in the standing posture"});
   }
 
-  static double TimeOf(const YAML::Node& node) {
-    if (node.IsScalar()) return NumberOf(node, "time_from_start");
-    const YamlMap map(node, "time_from_start", {"sec", "secs", "nanosec", "nsecs"});
-    if ((map.Find("sec") != nullptr) == (map.Find("secs") != nullptr))
-      RefuseYaml(node, "time_from_start needs sec and nanosec, or secs and nsecs");
-    const double seconds = map.Number(map.Find("sec") != nullptr ? "sec" : "secs").value();
-    const double nanoseconds = map.Number("nanosec").value_or(map.Number("nsecs").value_or(0.0));
-    return seconds + 1e-9 * nanoseconds;
+  static double WholeOf(const Part& part, double highest) {
+    const double value = part.Number();
+    if (!(value >= 0.0 && value <= highest) || value != std::floor(value))
+      part.Refuse(fmt::format("is {:.12g}; a whole number from 0 to {:.0f} is needed", value, highest));
+    return value;
   }
 
-  void TakePoint(const YAML::Node& node, std::size_t index) {
-    const YamlMap map(node, "a point", {"positions", "velocities", "accelerations", "effort", "time_from_start"});
-    map.Require({"positions", "time_from_start"});
-    const double time_s = TimeOf(*map.Find("time_from_start"));
+  /// Seconds and nanoseconds as ROS 2 or ROS 1 calls them, or a number in the unit of times.
+  double TimeOf(const Part& part) const {
+    constexpr double kMostSeconds = 2147483647.0, kMostNanoseconds = 999999999.0;  // as the message can hold
+    if (!IsMap(part)) {
+      const double time = part.Number();
+      if (time < 0.0) part.Refuse(fmt::format("is {:.12g}; 0 or more is needed", time));
+      return options_.time_unit_s() * time;
+    }
+    part.Object({}, {"sec", "secs", "nanosec", "nsecs"});
+    const bool ros1 = part.Has("secs") && !part.Has("sec") && !part.Has("nanosec");
+    const bool ros2 = part.Has("sec") && !part.Has("secs") && !part.Has("nsecs");
+    if (!ros1 && !ros2) part.Refuse("needs sec and nanosec, or secs and nsecs");
+    const char* const nanoseconds = ros2 ? "nanosec" : "nsecs";
+    const double seconds = WholeOf(part.At(ros2 ? "sec" : "secs"), kMostSeconds);
+    return part.Has(nanoseconds) ? seconds + 1e-9 * WholeOf(part.At(nanoseconds), kMostNanoseconds) : seconds;
+  }
+
+  void TakePoint(const Part& point) {
+    point.Object({"positions", "time_from_start"}, {"velocities", "accelerations", "effort"});
+    const double time_s = TimeOf(point.At("time_from_start"));
     if (!motion_.time_s.empty() && !(time_s > motion_.time_s.back())) {
-      RefuseYaml(node, fmt::format("time_from_start of {:.9g} s does not come after {:.9g} s of the point before; "
-                                   "times must rise",
-                                   time_s, motion_.time_s.back()));
+      point.At("time_from_start")
+          .Refuse(fmt::format("of {:.9g} s does not come after {:.9g} s of the point before; times must rise", time_s,
+                              motion_.time_s.back()));
     }
     motion_.time_s.push_back(time_s);
     const VectorX none = VectorX::Constant(model_.num_dofs(), std::numeric_limits<double>::quiet_NaN());
-    TakeRow(map, "positions", index, model_.standing_joints, true, motion_.q);
-    TakeRow(map, "velocities", index, none, true, motion_.v);
-    TakeRow(map, "effort", index, none, false, motion_.tau);
-    const YAML::Node* accelerations = map.Find("accelerations");
-    if (index == 0 && accelerations != nullptr && accelerations->size() > 0)
+    TakeRow(point, "positions", model_.standing_joints, true, motion_.q);
+    TakeRow(point, "velocities", none, true, motion_.v);
+    TakeRow(point, "effort", none, false, motion_.tau);
+    const bool first = motion_.time_s.size() == 1;
+    if (first && Holds(point, "accelerations") && !point.At("accelerations").List().empty())
       motion_.unused_columns.emplace_back("accelerations");
   }
 
+  static bool Holds(const Part& point, const std::string& key) { return point.Has(key) && !IsNull(point.At(key)); }
+
   /// A list of numbers for the joints; one that is not there, or empty, has to be so in all points.
-  void TakeRow(const YamlMap& map, const std::string& key, std::size_t index, const VectorX& otherwise, bool scaled,
+  void TakeRow(const Part& point, const std::string& key, const VectorX& otherwise, bool scaled,
                std::vector<VectorX>& rows) const {
-    const YAML::Node* node = map.Find(key);
-    const std::vector<YAML::Node> numbers =
-        node == nullptr || node->IsNull() ? std::vector<YAML::Node>{} : ListOf(*node, key);
+    const std::vector<double> numbers = Holds(point, key) ? point.At(key).Numbers() : std::vector<double>{};
     if (numbers.size() != slots_.size() && (!numbers.empty() || key == "positions")) {
-      RefuseYaml(*node, fmt::format("{} has {} numbers, joint_names {} names", key, numbers.size(), slots_.size()));
+      point.At(key).Refuse(fmt::format("has {} numbers, joint_names {} names", numbers.size(), slots_.size()));
     }
-    if (rows.size() != (numbers.empty() ? 0 : index)) {
-      RefuseYaml(map.entries().front().key_node,
-                 fmt::format("point {} {} {}, those before {}; all points must be alike", index + 1,
-                             numbers.empty() ? "lacks" : "has", key, numbers.empty() ? "have it" : "lack it"));
+    if (rows.size() != (numbers.empty() ? 0 : motion_.time_s.size() - 1)) {
+      point.Refuse(fmt::format("{} {}, those before {}; all points must be alike", numbers.empty() ? "lacks" : "has",
+                               key, numbers.empty() ? "have it" : "lack it"));
     }
     if (numbers.empty()) return;
     rows.push_back(otherwise);
     for (std::size_t i = 0; i < slots_.size(); ++i) {
       const Joint& joint = model_.joints[static_cast<std::size_t>(slots_[i].joint)];
-      const double value = NumberOf(numbers[i], key + " of '" + joint.name + "'") * (scaled ? slots_[i].scale : 1.0);
-      if (!joint.is_mimic) rows.back()[joint.dof] = value;
+      if (!joint.is_mimic) rows.back()[joint.dof] = numbers[i] * (scaled ? slots_[i].scale : 1.0);
     }
   }
 
@@ -137,28 +198,34 @@ std::string WithoutLastSeparator(const std::string& text) {
   return ends ? text.substr(0, separator + 1) : text;
 }
 
+Failure Refused(const std::string& source, const std::string& why) {
+  return {FailureKind::kBadInput, "joint_trajectory", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
+}
+
 }  // namespace
 
 Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
                                          const ImportOptions& options) {
-  const auto refused = [&](const std::string& why) {
-    return Failure{
-        FailureKind::kBadInput, "joint_trajectory", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
-  };
+  constexpr YamlBounds kBounds{kLargestTrajectoryYaml, kMostTrajectoryYamlValues};
   try {
-    return Parser(model, options).Parse(LoadYaml(WithoutLastSeparator(text)));
+    return Parser<YamlPart>(model, options).Parse(YamlPart(LoadYaml(WithoutLastSeparator(text), kBounds)));
   } catch (const InvalidArgument& error) {
-    return refused(error.what());
+    return Refused(source, error.what());
   } catch (const YAML::Exception& error) {
-    return refused(fmt::format("line {}: {}", error.mark.line + 1, error.msg));
+    return Refused(source, fmt::format("line {}: {}", error.mark.line + 1, error.msg));
   }
 }
 
-Result<MotionTable> ReadJointTrajectory(const RobotModel& model, const std::string& path,
-                                        const ImportOptions& options) {
-  const Result<std::string> text = ReadFile(path);
-  if (!text) return text.failure();
-  return ParseJointTrajectory(model, *text, path, options);
+Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std::string& text,
+                                             const std::string& source, const ImportOptions& options) {
+  try {
+    const JsonPart::Json json = ParseJsonOnce(text);
+    return Parser<JsonPart>(model, options).Parse(JsonPart(json));
+  } catch (const InvalidArgument& error) {
+    return Refused(source, error.what());
+  } catch (const JsonPart::Json::exception&) {
+    return Refused(source, WhyNoJson(text));
+  }
 }
 
 }  // namespace gaitwright

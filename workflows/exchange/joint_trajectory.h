@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "kinematics/base/result.h"
@@ -8,17 +9,22 @@
 
 namespace gaitwright {
 
+/// The largest joint trajectory in YAML [byte], and the most values: three times what is read of other YAML, since it
+/// is nothing but numbers. In JSON it has the bounds of plans and logs.
+inline constexpr std::size_t kLargestTrajectoryYaml = std::size_t{48} << 20, kMostTrajectoryYamlValues = 3'000'000;
+
 /// A trajectory_msgs/JointTrajectory of ROS in YAML, as `rostopic echo`, `ros2 topic echo` or a file has it:
 ///   joint_names: [...]
 ///   points: [{positions: [...], velocities: [...], effort: [...], time_from_start: {sec: 0, nanosec: 5000000}}, ...]
-/// also with secs and nsecs, with a number of seconds, and within `trajectory:`. Velocities and efforts may be left out
-/// or empty, in all points alike; accelerations are not used. Joints that the robot does not have are refused with the
-/// nearest; those it has and the file lacks as `missing_joints` says. It has no base and no contacts.
-/// Failure kBadInput `joint_trajectory` naming the line.
-Result<MotionTable> ReadJointTrajectory(const RobotModel& model, const std::string& path, const ImportOptions& options);
-
-/// The same of a text. @param source names it in messages.
+/// also with secs and nsecs, with a number in the unit of times, and within `trajectory:`. Velocities and efforts may
+/// be left out or empty, in all points alike; accelerations are not used. Joints that the robot does not have are
+/// refused with the nearest; those it has and the file lacks as `missing_joints` says. It has no base and no contacts.
+/// Failure kBadInput `joint_trajectory` naming the line. @param source  names it in messages.
 Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
                                          const ImportOptions& options);
+
+/// The same in JSON; failures name the way to the value.
+Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std::string& text,
+                                             const std::string& source, const ImportOptions& options);
 
 }  // namespace gaitwright

@@ -56,7 +56,7 @@ class Mapper {
     return known;
   }
 
-  /// Every name in the file of names is one of the table's, and means something.
+  /// Every name in the file of names means something, and is one of the table's.
   void CheckNames() const {
     for (const auto& [theirs, ours] : names_.ours) {
       if (targets_.count(ours) == 0) {
@@ -64,12 +64,17 @@ class Mapper {
                                           ours, NearestName(ours, KnownNames())));
       }
     }
-    for (const auto& [theirs, scale] : names_.scale) {
-      if (table_.Find(theirs) < 0) {
-        throw InvalidArgument(fmt::format("there is no column '{}' to scale; the nearest is '{}'", theirs,
-                                          NearestName(theirs, table_.columns)));
-      }
-    }
+    for (const auto& [theirs, ours] : names_.ours) RequireColumn(theirs, "take as '" + ours + "'");
+    for (const auto& [theirs, scale] : names_.scale) RequireColumn(theirs, "scale");
+    for (const std::string& theirs : names_.ignored) RequireColumn(theirs, "ignore");
+  }
+
+  void RequireColumn(const std::string& theirs, const std::string& use) const {
+    const std::vector<std::string>& other = names_.elsewhere;
+    if (names_.may_lack || table_.Find(theirs) >= 0) return;
+    if (std::find(other.begin(), other.end(), theirs) != other.end()) return;
+    throw InvalidArgument(fmt::format("there is no column '{}' to {}; the nearest is '{}'", theirs, use,
+                                      NearestName(theirs, table_.columns)));
   }
 
   void Place(int column) {
@@ -155,6 +160,13 @@ class Mapper {
                                       QuotedList({there.front()}), QuotedList(missing)));
   }
 
+  /// In the order x y z w, whichever order the four columns have.
+  Eigen::Vector4d QuaternionOf(int row) const {
+    Eigen::Vector4d c;
+    for (int i = 0; i < 4; ++i) c[i] = Value(row, quaternion_[static_cast<std::size_t>(i)]);
+    return options_.quaternion_order == "wxyz" ? Eigen::Vector4d(c[1], c[2], c[3], c[0]) : c;
+  }
+
   void TakeBase() {
     const bool placed = AllOrNone(base_, {"base_x_m", "base_y_m", "base_z_m"});
     const bool turned = AllOrNone(quaternion_, {"base_qx", "base_qy", "base_qz", "base_qw"});
@@ -165,11 +177,11 @@ class Mapper {
           "has the position of the base and not how it is turned: base_qx, base_qy, base_qz, base_qw are needed, or "
           "base_roll_rad, base_pitch_rad, base_yaw_rad; without all of these the whole pose is worked out");
     }
+    motion_.turned_by_angles = by_angles;
     for (int row = 0; row < table_.rows(); ++row) {
       if (placed) motion_.base_m.emplace_back(Value(row, base_[0]), Value(row, base_[1]), Value(row, base_[2]));
       if (turned) {
-        motion_.quaternion.emplace_back(Value(row, quaternion_[0]), Value(row, quaternion_[1]),
-                                        Value(row, quaternion_[2]), Value(row, quaternion_[3]));
+        motion_.quaternion.push_back(QuaternionOf(row));
       } else if (by_angles) {
         const Matrix3 R = RotationExp(Value(row, euler_[2]) * Vector3::UnitZ()) *
                           RotationExp(Value(row, euler_[1]) * Vector3::UnitY()) *

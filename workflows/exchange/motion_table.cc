@@ -1,28 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/exchange/motion_table.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "kinematics/base/result.h"
+
 namespace gaitwright {
 
+namespace {
+
+constexpr double kFinestGrid = 0.0005, kCoarsestGrid = 0.01;  // [s]
+
+}  // namespace
+
+double ImportOptions::time_unit_s() const {
+  if (time_unit == "ms") return 1e-3;
+  if (time_unit == "us") return 1e-6;
+  return time_unit == "ns" ? 1e-9 : 1.0;
+}
+
+OptionFields ImportOptions::UnitFields() {
+  return {{"quaternion_order",
+           &quaternion_order,
+           "",
+           0.0,
+           0.0,
+           "Order of the base's quaternion in the four columns that are named for it: as their names say, unless the "
+           "motion speaks against it, or as said here without a look at the motion.",
+           {"detect", "xyzw", "wxyz"}},
+          {"angle_unit",
+           &angle_unit,
+           "",
+           0.0,
+           0.0,
+           "Of angles and their rates whose names end in rad or have no unit: rad, unless the motion speaks against "
+           "it, or as said here.",
+           {"detect", "rad", "deg"}},
+          {"length_unit",
+           &length_unit,
+           "",
+           0.0,
+           0.0,
+           "Of lengths and their rates: m, unless the motion speaks against it, or as said here.",
+           {"detect", "m", "mm"}},
+          {"time_unit",
+           &time_unit,
+           "",
+           0.0,
+           0.0,
+           "Of times: s, unless the motion speaks against it, or as said here; rates are per second all the same.",
+           {"detect", "s", "ms", "us", "ns"}}};
+}
+
 OptionFields ImportOptions::Fields() {
-  return {
-      {"quaternion_order",
-       &quaternion_order,
-       "",
-       0.0,
-       0.0,
-       "Order of the base's quaternion in the four columns that are named for it: as their names say, unless the "
-       "motion "
-       "speaks against it, or as said here without a look at the motion.",
-       {"detect", "xyzw", "wxyz"}},
-      {"angle_unit",
-       &angle_unit,
-       "",
-       0.0,
-       0.0,
-       "Of angles and their rates whose names end in rad or have no unit.",
-       {"rad", "deg"}},
-      {"length_unit", &length_unit, "", 0.0, 0.0, "Of lengths and their rates.", {"m", "mm"}},
-      {"time_unit", &time_unit, "", 0.0, 0.0, "Of times; rates are per second all the same.", {"s", "ms", "us", "ns"}},
+  OptionFields fields = {
       {"velocities",
        &velocities,
        "",
@@ -41,8 +74,9 @@ OptionFields ImportOptions::Fields() {
        &grid_step_s,
        "s",
        0.0,
-       0.01,
-       "Step of the plan's uniform grid; 0 takes the file's own where it is even and of 1 to 10 ms, else 5 ms.",
+       kCoarsestGrid,
+       "Step of the plan's uniform grid, 0.0005 or more; 0 takes the file's own where it is even and of 1 to 10 ms, "
+       "else 5 ms.",
        {}},
       {"smoothing_hz",
        &smoothing_hz,
@@ -81,6 +115,14 @@ OptionFields ImportOptions::Fields() {
        1.0,
        "Share of the ground's friction that contact forces may use where they are worked out.",
        {}}};
+  return Joined({UnitFields(), std::move(fields)});
+}
+
+void CheckImportOptions(ImportOptions options) {
+  CheckOptions(options.Fields());
+  if (options.grid_step_s == 0.0 || options.grid_step_s >= kFinestGrid) return;
+  throw InvalidArgument(fmt::format("option 'grid_step_s' is {} s; accepted: 0, and {} to {}", options.grid_step_s,
+                                    kFinestGrid, kCoarsestGrid));
 }
 
 }  // namespace gaitwright

@@ -114,6 +114,7 @@ Result<ColumnNames> Ocs2ColumnNames(const RobotModel& model, const CsvTable& tab
     derived.push_back({"joints", "by the place of their legs, from the base on, with this robot's signs: " + said});
   }
   ColumnNames names;
+  names.may_lack = true;
   AddBase(names);
   for (std::size_t i = 0; i < kLegs.size(); ++i)
     AddLeg(model, model.legs[static_cast<std::size_t>(legs[i])], kLegs[i], names);

@@ -10,7 +10,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kStep = 0.005;            // of the search [s]
-constexpr double kLeastShare = 1.0 / 3.0;  // of the energy of each motion that must be compared
+constexpr double kLeastShare = 1.0 / 3.0;  // of the energy of the motion that has less, to be compared of each
 constexpr double kRest = 1e-9;             // energy below which nothing moves
 
 /// Speeds of the joints at even times, a column by joint.

@@ -47,6 +47,12 @@ TEST(LoadYaml, DepthLengthAndDocumentsAreBounded) {
   ExpectWhyNot(std::string((16U << 20U) + 1U, ' '), "at most 16777216 are read");
 }
 
+TEST(LoadYaml, BoundsMayBeOthers) {
+  EXPECT_NO_THROW(LoadYaml("[1, 2, 3]", {.bytes = 9, .values = 4}));
+  EXPECT_THROW(LoadYaml("[1, 2, 3]", {.bytes = 8}), InvalidArgument);
+  EXPECT_THROW(LoadYaml("[1, 2, 3]", {.values = 3}), InvalidArgument);
+}
+
 TEST(StrictYaml, TextIsPlainText) {
   EXPECT_THROW(TextOf(LoadYaml("\"a\\ab\""), "'name'"), InvalidArgument);
   EXPECT_EQ(TextOf(LoadYaml("\"caf\\u00e9\""), "'name'"), "caf\xc3\xa9");

@@ -154,6 +154,19 @@ TEST(JointTrajectoryText, IsTheSameMessageAsJson) {
   }
 }
 
+TEST(JointTrajectoryText, IsReadBackExactlyAsJson) {
+  const Walker walker;
+  const MotionRows rows = RowsOfPlan(walker.model, walker.plan, 250.0);
+  const Result<MotionTable> read =
+      ParseJointTrajectoryJson(walker.model, JointTrajectoryJson(walker.model, rows), "trajectory.json", {});
+  ASSERT_TRUE(read) << read.failure().message;
+  ASSERT_EQ(read->rows(), rows.size());
+  for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
+    ASSERT_TRUE(Same(read->q[k], rows.q[k].tail(6)) && Same(read->v[k], rows.v[k].tail(6))) << k;
+    ASSERT_TRUE(Same(read->tau[k], rows.tau[k])) << k;
+  }
+}
+
 TEST(JointTrajectoryText, HasDecimalsThatEveryReaderTakesForSuch) {
   Walker walker;
   MotionRows rows = RowsOfPlan(walker.model, walker.plan, 250.0);
@@ -180,6 +193,20 @@ TEST(ExportMotion, SaysWhatAFormatLeavesOut) {
   ASSERT_EQ(odd.notes.size(), 1U);
   EXPECT_TRUE(odd.notes[0].starts_with("the last step is ")) << odd.notes[0];
   EXPECT_EQ(odd.end_s, walker.plan.whole_body.end_s());
+}
+
+TEST(ExportMotion, SaysWhatIsTooLongToBeReadBack) {
+  const synthetic::Played walker = synthetic::Walked(4, {.count = 8});
+  const double duration_s = walker.plan.whole_body.end_s() - walker.plan.whole_body.start_s;
+  ASSERT_GT(10000.0 * duration_s * 63.0, 3e6) << "values";
+  const ExportedMotion yaml = ExportPlan(walker.model, walker.plan, ExportFormat::kTrajectoryYaml, 10000.0, "a.yaml");
+  ASSERT_EQ(yaml.notes.size(), 2U);
+  EXPECT_EQ(
+      yaml.notes[1],
+      "it is more than 'import' reads: joint-trajectory-json and csv may be longer, and a lower --rate-hz makes it "
+      "less");
+  const ExportedMotion json = ExportPlan(walker.model, walker.plan, ExportFormat::kTrajectoryJson, 10000.0, "a.json");
+  EXPECT_EQ(json.notes.size(), 1U);
 }
 
 TEST(ExportMotion, RefusesALogOfAnotherRobotOrPlan) {

@@ -66,7 +66,7 @@ TEST(JointTrajectory, IsReadStrictly) {
   ExpectWhy(Message("- {positions: [1, 2], time_from_start: 0}\n"), "positions has 2 numbers, joint_names 12 names");
   ExpectWhy(Message("- {positions: {twelve}}\n"), "time_from_start");
   ExpectWhy(Message(kFirst + "- {positions: {twelve}, velocities: {twelve}, time_from_start: 1}\n"),
-            "point 2 has velocities, those before lack it; all points must be alike");
+            "points[1] has velocities, those before lack it; all points must be alike");
   ExpectWhy(Message("- {positions: [.nan, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11], time_from_start: 0}\n"), "line 3");
   ExpectWhy("joint_names: [FL_hop_joint]\npoints: []\n",
             "robot 'a1' has no joint 'FL_hop_joint'; the nearest is 'FL_hip_joint'");
@@ -76,6 +76,90 @@ TEST(JointTrajectory, IsReadStrictly) {
   ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "a second document begins; one is needed");
   ExpectWhy("joint_names: [", "line ");
   ExpectWhy("x: " + std::string(100, '[') + std::string(100, ']'), "more than 32 lists and maps in one another");
+}
+
+TEST(JointTrajectory, TimesAreSuchAsTheMessageHolds) {
+  const auto at = [](const std::string& time) {
+    return Message("- {positions: {twelve}, time_from_start: " + time + "}\n");
+  };
+  ExpectWhy(at("{sec: 1, nsecs: 0}"), "line 3: points[0].time_from_start needs sec and nanosec, or secs and nsecs");
+  ExpectWhy(at("{secs: 1, nanosec: 0}"), "needs sec and nanosec, or secs and nsecs");
+  ExpectWhy(at("{sec: 1, secs: 1}"), "needs sec and nanosec, or secs and nsecs");
+  ExpectWhy(at("{nanosec: 1}"), "needs sec and nanosec, or secs and nsecs");
+  ExpectWhy(at("{sec: 0, nanosec: 1000000000}"),
+            "time_from_start.nanosec is 1000000000; a whole number from 0 to 999999999 is needed");
+  ExpectWhy(at("{sec: 0, nanosec: -1}"), "time_from_start.nanosec is -1; a whole number from 0");
+  ExpectWhy(at("{secs: 0.5, nsecs: 0}"), "time_from_start.secs is 0.5; a whole number from 0 to 2147483647 is needed");
+  ExpectWhy(at("{sec: -1, nanosec: 0}"), "time_from_start.sec is -1; a whole number from 0");
+  ExpectWhy(at("-0.5"), "time_from_start is -0.5; 0 or more is needed");
+  ExpectWhy(at("{sec: 0, nanosec: .nan}"), "line 3");
+}
+
+TEST(JointTrajectory, ANumberHasTheUnitOfTimes) {
+  ImportOptions options;
+  options.time_unit = "ms";
+  const Result<MotionTable> motion = Trajectory(Message("- {positions: {twelve}, time_from_start: 500}\n"
+                                                        "- {positions: {twelve}, time_from_start: {sec: 2}}\n"),
+                                                options);
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  EXPECT_EQ(motion->time_s, (std::vector<double>{0.5, 2.0})) << "what says its unit keeps it";
+}
+
+/// The same messages as JSON.
+std::string JsonMessage(const std::string& points) {
+  std::string text = "{\"joint_names\": [";
+  for (const std::string& name : Quadruped().dof_names) text += (text.back() == '[' ? "\"" : ", \"") + name + "\"";
+  return text + "], \"points\": [" + points + "]}";
+}
+
+const std::string kTwelve = "[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]";
+
+std::string JsonPoint(int nanoseconds) {
+  return fmt::format(
+      "{{\"positions\": {}, \"velocities\": null, \"time_from_start\": {{\"sec\": 0, \"nanosec\": {}}}}}", kTwelve,
+      nanoseconds);
+}
+
+std::string WhyNotJson(const std::string& text) {
+  const Result<MotionTable> motion = ParseJointTrajectoryJson(Quadruped(), text, "walk.json", {});
+  return motion.ok() ? "" : motion.failure().message;
+}
+
+TEST(JointTrajectoryJson, IsReadByTheReaderOfJson) {
+  const Result<MotionTable> motion =
+      ParseJointTrajectoryJson(Quadruped(), JsonMessage(JsonPoint(0) + ",\n" + JsonPoint(500000000)), "walk.json", {});
+  ASSERT_TRUE(motion.ok()) << motion.failure().message;
+  EXPECT_EQ(motion->time_s, (std::vector<double>{0.0, 0.5}));
+  EXPECT_EQ(motion->q[1][7], 7.0);
+  EXPECT_TRUE(motion->v.empty());
+  EXPECT_EQ(
+      WhyNotJson(JsonMessage(JsonPoint(5) + "," + JsonPoint(5))),
+      "'walk.json': 'points[1].time_from_start' of 5e-09 s does not come after 5e-09 s of the point before; times "
+      "must rise");
+  EXPECT_EQ(WhyNotJson(JsonMessage(R"({"positions": [1], "time_from_start": 0})")),
+            "'walk.json': 'points[0].positions' has 1 numbers, joint_names 12 names");
+  EXPECT_EQ(WhyNotJson(JsonMessage(R"({"position": [1], "time_from_start": 0})")),
+            "'walk.json': 'points[0]' has an unknown key 'position'; the nearest that is known is 'positions'");
+  EXPECT_NE(WhyNotJson(R"({"joint_names": )").find("its JSON is cut short"), std::string::npos);
+  EXPECT_NE(WhyNotJson("joint_names: []").find("its JSON is broken"), std::string::npos);
+  EXPECT_NE(WhyNotJson("[]").find("object"), std::string::npos) << WhyNotJson("[]");
+}
+
+constexpr int kLong = 60000;  // points; a million values of other YAML is read
+
+TEST(JointTrajectory, LongOnesAreReadInBothLanguages) {
+  std::string yaml = "- {positions: &p {twelve}, velocities: *p, effort: *p, time_from_start: 0}\n",
+              json = JsonPoint(0);
+  for (int k = 1; k < kLong; ++k) {
+    if (k < kLong / 2) yaml += fmt::format("- {{positions: *p, velocities: *p, effort: *p, time_from_start: {}}}\n", k);
+    json += "," + JsonPoint(k);
+  }
+  const Result<MotionTable> of_yaml = Trajectory(Message(yaml));
+  ASSERT_TRUE(of_yaml.ok()) << of_yaml.failure().message;
+  EXPECT_EQ(of_yaml->rows(), kLong / 2);
+  const Result<MotionTable> of_json = ParseJointTrajectoryJson(Quadruped(), JsonMessage(json), "walk.json", {});
+  ASSERT_TRUE(of_json.ok()) << of_json.failure().message;
+  EXPECT_EQ(of_json->rows(), kLong);
 }
 
 TEST(JointTrajectory, JointsThatAreNotThereMayStand) {

@@ -117,6 +117,28 @@ TEST(MotionColumns, RefusesWhatDoesNotGoTogether) {
                 "there is no column 'tim' to scale; the nearest is 'time_s'");
 }
 
+TEST(MotionColumns, EachNameOfTheFileOfNamesIsAColumn) {
+  const RobotModel& a1 = Robot("a1");
+  const CsvTable table = TableOf(a1, {{"hip vel", 1.0}, {"battery", 12.0}});
+  ExpectRefusal(Taken(table, {{{"hip_vel", "v_FL_hip_joint_rad_s"}}, {}, {}}),
+                "there is no column 'hip_vel' to take as 'v_FL_hip_joint_rad_s'; the nearest is 'hip vel'");
+  ExpectRefusal(Taken(table, {{}, {}, {"batery"}}), "there is no column 'batery' to ignore; the nearest is 'battery'");
+  ColumnNames of_many{{{"hip_vel", "v_FL_hip_joint_rad_s"}}, {}, {"batery"}};
+  of_many.may_lack = true;
+  EXPECT_TRUE(Taken(table, of_many).ok());
+  of_many.may_lack = false;
+  of_many.elsewhere = {"batery", "hip_vel"};
+  EXPECT_TRUE(Taken(table, of_many).ok());
+}
+
+TEST(MotionColumns, TheQuaternionIsBroughtIntoOurOrder) {
+  const CsvTable table = TableOf(Robot("a1"), {{"base_qx", 0.1}, {"base_qy", 0.2}, {"base_qz", 0.3}, {"base_qw", 0.9}});
+  ImportOptions options;
+  EXPECT_EQ(Taken(table, {}, options)->quaternion[0], Eigen::Vector4d(0.1, 0.2, 0.3, 0.9));
+  options.quaternion_order = "wxyz";
+  EXPECT_EQ(Taken(table, {}, options)->quaternion[0], Eigen::Vector4d(0.2, 0.3, 0.9, 0.1));
+}
+
 TEST(MotionColumns, JointsThatFollowAreHeldAgainstTheirLeaders) {
   const RobotModel& nao = Robot("nao");
   const auto mimic = std::find_if(nao.joints.begin(), nao.joints.end(), [](const Joint& j) { return j.is_mimic; });
@@ -208,6 +230,17 @@ TEST(Ocs2Columns, AreTakenAsTheyAre) {
   for (int f = 0; f < 4; ++f)
     EXPECT_EQ(Contains(motion->contact[0], f), a1.feet[static_cast<std::size_t>(f)].link != "FR_foot");
   EXPECT_EQ(motion->unused_columns.size(), 6U);
+}
+
+TEST(Ocs2Columns, MayLackWhatIsNotNeeded) {
+  CsvTable table = Ocs2Table();
+  for (std::string& column : table.columns) {
+    if (column.starts_with("contact")) column = "other_" + column;
+  }
+  std::vector<DerivedPart> derived;
+  const Result<ColumnNames> names = Ocs2ColumnNames(Robot("a1"), table, derived);
+  ASSERT_TRUE(names.ok()) << names.failure().message;
+  EXPECT_TRUE(Taken(table, *names).ok());
 }
 
 TEST(Ocs2Columns, NeedALeggedRobotOfThatKind) {

@@ -124,6 +124,19 @@ std::string CsvOf(const OtherWalk& walk) {
   return text;
 }
 
+std::string CsvOf(const RobotModel& model, const OtherStance& stance) {
+  std::string text = "time_s,base_x_m,base_y_m,base_z_m," + stance.turn_columns;
+  for (const std::string& name : model.dof_names) text += "," + name;
+  for (int row = 0; row < stance.rows; ++row) {
+    text += fmt::format("\n{:.12g},0,0,{},{}", row * stance.step_s, stance.base_z_m, stance.turn);
+    for (int d = 0; d < model.num_dofs(); ++d) {
+      const auto said = stance.joints.find(model.dof_names[static_cast<std::size_t>(d)]);
+      text += fmt::format(",{}", said == stance.joints.end() ? model.standing_joints[d] : said->second);
+    }
+  }
+  return text + "\n";
+}
+
 std::string TrajectoryOf(const OtherWalk& walk) {
   const Writer writer(walk);
   std::string text = "header: {frame_id: ''}\njoint_names:\n";

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
+
+#include "kinematics/model/robot_model.h"
 
 namespace gaitwright {
 
@@ -24,6 +27,17 @@ struct OtherWalk {
 
 /// The text of its CSV, for the A1.
 std::string CsvOf(const OtherWalk& walk);
+
+/// A robot that stands, or is put anywhere in whatever posture.
+struct OtherStance {
+  double step_s = 0.02, base_z_m = 0.0;
+  int rows = 50;
+  std::string turn_columns = "base_qx,base_qy,base_qz,base_qw", turn = "0,0,0,1";
+  std::map<std::string, double> joints = {};  ///< those that are not as in the standing posture
+};
+
+/// The text of its CSV.
+std::string CsvOf(const RobotModel& model, const OtherStance& stance);
 
 /// The same walk as a joint trajectory of ROS.
 std::string TrajectoryOf(const OtherWalk& walk);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/exchange/csv_motion.h"
+
+#include <fmt/format.h>
+
+#include "workflows/exchange/check_motion_table.h"
+#include "workflows/exchange/motion_columns.h"
+#include "workflows/exchange/ocs2_columns.h"
+
+namespace gaitwright {
+
+Result<MotionTable> MotionOfCsv(const RobotModel& model, const CsvTable& table, CsvReading& reading) {
+  std::vector<DerivedPart> derived;
+  Result<ColumnNames> names = ColumnNames{};
+  const bool ocs2 = reading.columns_file.empty() && IsOcs2Motion(table);
+  if (!reading.columns_file.empty()) names = ReadColumnNames(reading.columns_file, reading.options);
+  if (ocs2) names = Ocs2ColumnNames(model, table, derived);
+  if (!names) return names.failure();
+  names->elsewhere = reading.elsewhere;
+  Result<MotionTable> motion = MotionFromCsv(model, table, *names, reading.options);
+  if (!motion) return motion;
+  if (ocs2) motion->format = "ocs2-csv";
+  motion->derived.insert(motion->derived.begin(), derived.begin(), derived.end());
+  return motion;
+}
+
+Result<ComparedMotion> ComparedCsv(const RobotModel& model, const CsvTable& table, CsvReading reading) {
+  const Result<MotionTable> motion = MotionOfCsv(model, table, reading);
+  if (!motion) return motion.failure();
+  try {
+    CheckComparedTable(model, reading.options, *motion);
+    return ComparedTable(model, *motion, table.source);
+  } catch (const InvalidArgument& error) {
+    return Failure{
+        FailureKind::kBadInput, "motion", "ReadCompareInput", fmt::format("'{}': {}", table.source, error.what()), {}};
+  }
+}
+
+}  // namespace gaitwright
