@@ -96,8 +96,16 @@ void Judge(const PreflightInput& input, Preflight& preflight) {
     preflight.reasons.push_back(ViolationText(broken[i]));
   if (broken.size() > kMost)
     preflight.reasons.push_back(fmt::format("and {} more broken limits, see the audit", broken.size() - kMost));
-  const bool jumps = std::any_of(broken.begin(), broken.end(), [](const auto& v) { return v.law == "start_posture"; });
-  if (jumps) {
+  const auto starts = [&](bool moving) {
+    return std::any_of(broken.begin(), broken.end(), [&](const Violation& v) {
+      return v.law == "start_posture" && v.where.ends_with(kStartSpeed) == moving;
+    });
+  };
+  if (starts(true)) {
+    preflight.remarks.push_back(
+        "the first command moves, and the robot that was measured does not: begin the plan at rest");
+  }
+  if (starts(false)) {
     preflight.remarks.push_back(
         input.approach.empty()
             ? "the first command is a jump: plan a way to it with --approach FILE, go it, and measure again"

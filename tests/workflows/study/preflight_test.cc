@@ -90,6 +90,19 @@ TEST(PreflightOfAGoodPlan, StandsOnTheOptionsThatAreGiven) {
   EXPECT_FALSE(jumps.go());
   EXPECT_TRUE(Says(jumps.reasons, "start posture: " + AWalk().model.dof_names[3]));
   EXPECT_TRUE(Says(jumps.remarks, "--approach"));
+  EXPECT_FALSE(Says(jumps.remarks, "begin the plan at rest"));
+}
+
+TEST(PreflightOfAPlanThatBeginsInMotion, AsksForOneThatBeginsAtRest) {
+  Walked moving = AWalk();
+  moving.plan.whole_body.v.front()[8] = 3.0;
+  PreflightInput input;
+  input.audit.start = StartPosture{moving.plan.whole_body.q.front().tail(moving.model.num_dofs()), {}};
+  const Preflight preflight = Of(input, moving);
+  EXPECT_FALSE(preflight.go());
+  EXPECT_TRUE(Says(preflight.reasons, ", speed at"));
+  EXPECT_TRUE(Says(preflight.remarks, "begin the plan at rest"));
+  EXPECT_FALSE(Says(preflight.remarks, "--approach")) << "no way there mends it";
 }
 
 TEST(PreflightWithTrials, IsNoGoWhereTooFewSurvived) {
