@@ -16,6 +16,7 @@ namespace {
 class MotorLaw : public testing::TestWithParam<std::string> {
  protected:
   MotorLaw() : model_(GoodPlanOf(GetParam()).model), plan_(GoodPlanOf(GetParam()).plan) {
+    for (Motor& each : model_.motors) each = Motor();  // as if nothing were known of any
     dof_ = model_.joints[static_cast<std::size_t>(model_.legs[0].knee_joint)].dof;
     for (const double time_s : SampleTimes(plan_)) {
       times_.push_back(time_s);
