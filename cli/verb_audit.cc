@@ -147,7 +147,7 @@ int Run(Arguments& a) {
   }
   std::optional<Approach> approach;
   if (!a.approach.empty()) {
-    Result<Approach> planned = PlanApproach(*model, *plan, *a.options.start, a.of_approach);
+    Result<Approach> planned = PlanApproach(*model, *plan, *a.options.start, a.of_approach, a.options);
     if (!planned) return Report(planned.failure(), a.common);
     approach = std::move(planned.value());
   }

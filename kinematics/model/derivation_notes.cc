@@ -81,6 +81,13 @@ void NoteLimits(const RobotYaml& yaml, const RobotModel& model, std::vector<std:
       notes.push_back(
           fmt::format("joint '{}': velocity limit {} is a placeholder and not used", joint.name, joint.velocity_limit));
   }
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    if (!model.MotorOf(d).has_curve() || std::isfinite(model.dof_effort_limit(d))) continue;
+    notes.push_back(fmt::format(
+        "joint '{}': its torque-speed curve has no peak to fall from, and limits nothing under the no-load speed; give "
+        "its effort in 'limits' of robot.yaml",
+        model.dof_names[static_cast<std::size_t>(d)]));
+  }
 }
 
 }  // namespace

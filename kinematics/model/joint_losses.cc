@@ -15,6 +15,13 @@ JointLosses LossesOf(const RobotModel& model, int dof) {
   return losses;
 }
 
+RobotModel WithoutLosses(const RobotModel& model) {
+  RobotModel lossless = model;
+  for (Joint& joint : lossless.joints) joint.damping = joint.friction = 0.0;
+  for (Motor& motor : lossless.motors) motor.rotor_inertia = 0.0;
+  return lossless;
+}
+
 void AddRotorInertia(const RobotModel& model, MatrixX& M) {
   for (int dof = 0; dof < model.num_dofs(); ++dof) M(6 + dof, 6 + dof) += model.MotorOf(dof).rotor_inertia;
 }

@@ -20,6 +20,9 @@ struct JointLosses {
 /// moves: sums of multiplier^2 * damping and of |multiplier| * friction.
 JointLosses LossesOf(const RobotModel& model, int dof);
 
+/// The robot as it would be if its joints took nothing for themselves: no damping, friction or rotor inertia.
+RobotModel WithoutLosses(const RobotModel& model);
+
 /// Adds the rotors' inertia to the diagonal of a mass matrix M(q), size nv x nv.
 void AddRotorInertia(const RobotModel& model, MatrixX& M);
 

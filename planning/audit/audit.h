@@ -20,6 +20,7 @@ struct AuditOptions {
   double derate_continuous = 1.0;
   double jerk_over_s = 0.01;
   double start_tolerance_rad = 0.05, start_tolerance_m = 0.005, start_tilt_rad = 0.1;
+  double start_speed_rad_s = 0.1, start_speed_m_s = 0.02;
   bool margins = false;               ///< report how near each law comes to its limit, self-collision and body included
   std::optional<StartPosture> start;  ///< measured before the first command: law start_posture
 
@@ -48,6 +49,20 @@ struct AuditOptions {
              0.0,
              1.0,
              "How far the measured base may be tilted from the first command's.",
+             {}},
+            {"start_speed_rad_s",
+             &start_speed_rad_s,
+             "rad/s",
+             0.0,
+             10.0,
+             "Speed that the first command may ask of a joint, or of the base's turning; what is measured is at rest.",
+             {}},
+            {"start_speed_m_s",
+             &start_speed_m_s,
+             "m/s",
+             0.0,
+             10.0,
+             "The same of a joint that slides, and of the base.",
              {}}};
   }
 };
@@ -73,7 +88,7 @@ struct AuditOptions {
 ///                  feet on footholds, along swings: 1 mm and 1e-3 rad; a foothold for each interval of contact and a
 ///                  swing for each gap between two, at their times to 1e-6 s; the goal where the command leads, to 3 %
 ///                  of the leg's length
-///   start_posture  the first command within a tolerance of the measured joints, where these are given
+///   start_posture  the first command within a tolerance of the measured joints, where these are given, and at rest
 ///   joint_...      position, velocity, acceleration, jerk and torque within limits, torque_speed inside the motor's
 ///                  curve, continuous_torque at most what it bears without end (JointWatch). Torques are those of the
 ///                  motor: what its joint and rotor take is added (MotorEffort). Limits that are not known are none

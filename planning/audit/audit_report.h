@@ -18,6 +18,9 @@ struct Violation {
   bool operator==(const Violation&) const = default;
 };
 
+/// How places of the law start_posture end that are speeds.
+inline constexpr char kStartSpeed[] = ", speed";
+
 /// How near a plan comes to the limit of a law at one place, whether or not it keeps it.
 struct AuditMargin {
   std::string law;    ///< one of AuditLaws

@@ -24,12 +24,28 @@ void Auditor::CheckStart() {
         findings_.Place("start_posture", model_.dof_names[static_cast<std::size_t>(d)], Slides(d) ? "m" : "rad");
     findings_.Hold(place, time_s, jump, limit, limit - jump);
   }
+  CheckStartSpeeds();
   if (!start.R_WB) return;
   // Only the tilt: which way an IMU calls ahead is its own affair.
   const Vector3 up = BaseRotation(q).row(2), measured = start.R_WB->toRotationMatrix().row(2);
   const double tilt = std::atan2(up.cross(measured).norm(), up.dot(measured));
   const int place = findings_.Place("start_posture", "base tilt", "rad");
   findings_.Hold(place, time_s, tilt, options_.start_tilt_rad, options_.start_tilt_rad - tilt);
+}
+
+/// A robot that was measured stands or hangs still: a first command that moves is a jump too.
+void Auditor::CheckStartSpeeds() {
+  const double time_s = plan_.whole_body.start_s;
+  const VectorX& v = plan_.whole_body.v.front();
+  const auto hold = [&](const std::string& where, double speed, bool slides) {
+    const double limit = slides ? options_.start_speed_m_s : options_.start_speed_rad_s;
+    const int place = findings_.Place("start_posture", where + kStartSpeed, slides ? "m/s" : "rad/s");
+    findings_.Hold(place, time_s, speed, limit, limit - speed);
+  };
+  for (int d = 0; d < model_.num_dofs(); ++d)
+    hold(model_.dof_names[static_cast<std::size_t>(d)], std::abs(v[6 + d]), Slides(d));
+  hold("base", v.head<3>().norm(), true);
+  hold("base turning", v.segment<3>(3).norm(), false);
 }
 
 /// In a part that hangs no foot is on the ground, and the base stays where it is held.

@@ -62,6 +62,7 @@ class Auditor {
   void CheckSchedule();
   void CheckParts();
   void CheckStart();
+  void CheckStartSpeeds();
   void CheckHanging(const MotionPart& part);
   void CheckStand(const MotionPart& part);
   void CheckCommand(const MotionPart& part, const PlanarPose& start);

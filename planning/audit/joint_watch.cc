@@ -80,12 +80,17 @@ void JointWatch::LookAtMotion(Watched& joint, double q, double v, double a, doub
   before = a;
 }
 
-/// Up to the corner of the curve the peak says it all.
+/// Up to the corner of the curve, and where it brakes, the peak says it all; how near to that it comes is told here
+/// too.
 void JointWatch::LookAtEffort(Watched& joint, const Motor& motor, double effort, double v, double time_s) {
   const double size = std::abs(effort);
   findings_.Hold(joint.torque, time_s, size, joint.effort, joint.effort - size, kRelative * joint.effort);
+  if (!motor.has_curve()) return;
   const double speed = std::abs(v) / options_.derate_speed;
-  if (!motor.has_curve() || speed <= motor.corner_speed || effort * v <= 0.0) return;
+  if (speed <= motor.corner_speed || effort * v <= 0.0) {
+    findings_.Near(joint.curve, time_s, size, joint.effort, joint.effort - size);
+    return;
+  }
   const double limit = motor.EffortAt(speed, joint.effort);
   findings_.Hold(joint.curve, time_s, size, limit, limit - size, kRelative * limit);
 }
@@ -132,6 +137,17 @@ std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
     lines.push_back(fmt::format("{} not applied{}: no robot.yaml gives {} {}", known.law,
                                 none ? "" : fmt::format(" to {}", QuotedList(without)), none ? "any" : "their",
                                 known.what));
+  }
+  std::vector<std::string> endless;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    if (model.MotorOf(d).has_curve() && !std::isfinite(model.dof_effort_limit(d)))
+      endless.push_back(model.dof_names[static_cast<std::size_t>(d)]);
+  }
+  if (!endless.empty()) {
+    lines.push_back(
+        fmt::format("torque_speed not applied to {} under the no-load speed: the peak torque that the "
+                    "curve falls from is a placeholder",
+                    QuotedList(endless)));
   }
   return lines;
 }

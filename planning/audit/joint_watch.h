@@ -52,7 +52,8 @@ class JointWatch {
   std::size_t count_ = 0;
 };
 
-/// What the model does not say of its motors, so that laws could not be applied to them; one line a law.
+/// What the model does not say of its motors, so that laws could not be applied to them; one line a law, and one for
+/// curves whose peak is a placeholder.
 std::vector<std::string> UnknownOfMotors(const RobotModel& model);
 
 }  // namespace gaitwright

@@ -47,11 +47,16 @@ int DofOf(const RobotModel& model, const YamlMap::Entry& entry) {
 double ReadPosition(const RobotModel& model, int dof, const YamlMap::Entry& entry) {
   constexpr double kRounding = 1e-6;  // [rad] or [m]
   const double q = NumberOf(entry.value, fmt::format("joint '{}'", entry.key));
+  const std::string unit = PositionUnit(model, dof);
   if (q < model.dof_lower(dof) - kRounding || q > model.dof_upper(dof) + kRounding) {
+    RefuseYaml(entry.value, fmt::format("joint '{}' is at {:.6g} {}, outside of its limits of {:.6g} to {:.6g}; mend "
+                                        "the measurement or the limits",
+                                        entry.key, q, unit, model.dof_lower(dof), model.dof_upper(dof)));
+  }
+  if (std::abs(q) > kFarthestMeasured) {
     RefuseYaml(entry.value,
-               fmt::format("joint '{}' is at {:.6g} {}, outside of its limits of {:.6g} to {:.6g}; mend the "
-                           "measurement or the limits",
-                           entry.key, q, PositionUnit(model, dof), model.dof_lower(dof), model.dof_upper(dof)));
+               fmt::format("joint '{}' is at {:.6g} {}; a joint without limits is measured within -{} to {}", entry.key,
+                           q, unit, kFarthestMeasured, kFarthestMeasured));
   }
   return q;
 }

@@ -15,6 +15,9 @@ struct StartPosture {
   std::optional<Quaternion> R_WB;  ///< of the base, where an IMU says it; its heading is of no account
 };
 
+/// How far from zero a joint without limits may be measured, some hundred turns [rad], [m].
+inline constexpr double kFarthestMeasured = 1000.0;
+
 /// A start posture from the text of a YAML file: each independent joint by name with its position in rad (a sliding one
 /// in m), at the top or under `joints`, and if wished `base_quaternion_xyzw: [x, y, z, w]`.
 ///
@@ -24,8 +27,8 @@ struct StartPosture {
 ///     base_quaternion_xyzw: [0.0, 0.01, 0.0, 0.99995]
 ///
 /// Refused, with the line: a joint that the robot does not have (the nearest is named), that follows another or is
-/// named twice, one that is missing, a position outside of its joint's limits, and a quaternion whose length is not 1
-/// to 1e-3.
+/// named twice, one that is missing, a position outside of its joint's limits, or beyond kFarthestMeasured where it has
+/// none, and a quaternion whose length is not 1 to 1e-3.
 /// @param source  names the text in messages.
 Result<StartPosture> StartPostureFromYaml(const std::string& text, const std::string& source, const RobotModel& model);
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kinematics/base/file.h"
+#include "kinematics/base/hash.h"
 #include "planning/plan/plan_reading_internal.h"
 
 namespace gaitwright {
@@ -238,6 +239,8 @@ std::string PlanToJson(const MotionPlan& plan) {
   text += "\n}\n";
   return text;
 }
+
+std::string PlanHash(const MotionPlan& plan) { return HexHash(PlanToJson(plan)); }
 
 Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& source) {
   Json j;

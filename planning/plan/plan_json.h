@@ -11,6 +11,9 @@ namespace gaitwright {
 /// The plan as JSON text (docs/plan-format.md). The same plan gives the same bytes.
 std::string PlanToJson(const MotionPlan& plan);
 
+/// Hash of the whole plan as it is written: any change of its file that is read changes it.
+std::string PlanHash(const MotionPlan& plan);
+
 /// A plan from its JSON text. Refused with the reason: text that is cut short, that is no plan, of another schema, a
 /// key that is missing or of the wrong kind, sizes that disagree. @param source names the text in messages.
 Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& source);

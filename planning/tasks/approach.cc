@@ -108,17 +108,29 @@ Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, c
                     {"move the joints by hand to near the standing posture and measure again"});
 }
 
+/// Shares of the limits that the approach may use.
+struct Shares {
+  Shares(const ApproachOptions& options, const AuditOptions& audit)
+      : speed(std::min(options.speed_share, audit.derate_speed)),
+        acceleration(std::min(options.limit_share, audit.derate_acceleration)),
+        jerk(std::min(options.limit_share, audit.derate_jerk)),
+        torque(std::min(options.limit_share, audit.derate_torque)) {}
+
+  double speed, acceleration, jerk, torque;
+};
+
 /// The time that the limits of speed, acceleration and jerk ask of a move.
-double TimeOf(const RobotModel& model, const ApproachOptions& options, const VectorX& from, const VectorX& to) {
+double TimeOf(const RobotModel& model, const ApproachOptions& options, const Shares& shares, const VectorX& from,
+              const VectorX& to) {
   constexpr double kSpeed = 1.875, kAcceleration = 5.7735026918962582, kJerk = 60.0;
   double time_s = options.least_s;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double way = std::abs(to[d] - from[d]);
     const Motor& motor = model.MotorOf(d);
     const double most = Slides(model, d) ? options.speed_m_s : options.speed_rad_s;
-    time_s = std::max({time_s, kSpeed * way / std::min(most, options.speed_share * model.dof_velocity_limit(d)),
-                       std::sqrt(kAcceleration * way / (options.limit_share * motor.acceleration_limit)),
-                       std::cbrt(kJerk * way / (options.limit_share * motor.jerk_limit))});
+    time_s = std::max({time_s, kSpeed * way / std::min(most, shares.speed * model.dof_velocity_limit(d)),
+                       std::sqrt(kAcceleration * way / (shares.acceleration * motor.acceleration_limit)),
+                       std::cbrt(kJerk * way / (shares.jerk * motor.jerk_limit))});
   }
   return time_s;
 }
@@ -172,7 +184,7 @@ struct Overload {
   bool at_rest = false;
 };
 
-std::optional<Overload> FindOverload(const RobotModel& model, const ApproachOptions& options, const MotionPlan& plan) {
+std::optional<Overload> FindOverload(const RobotModel& model, double share, const MotionPlan& plan) {
   const MotorEffort motors(model);
   const WholeBodyTrajectory& w = plan.whole_body;
   const VectorX still = VectorX::Zero(model.nv());
@@ -182,7 +194,7 @@ std::optional<Overload> FindOverload(const RobotModel& model, const ApproachOpti
   for (std::size_t k = 0; k < w.q.size(); ++k) {
     InverseDynamics(model, w.q[k], still, still, scratch, holding);
     for (int d = 0; d < model.num_dofs(); ++d) {
-      const double limit = options.limit_share * model.dof_effort_limit(d);
+      const double limit = share * model.dof_effort_limit(d);
       const double moving = std::abs(motors.Of(d, w.tau[k][d], w.v[k][6 + d], w.a[k][6 + d]));
       const double resting = std::abs(holding[6 + d]);
       if (resting > limit) return Overload{d, resting, limit, true};
@@ -223,14 +235,40 @@ void Close(const RobotModel& model, const VectorX& q_base, MotionPlan& plan) {
   plan.schedule.phases = {{0.0, end_s, 0}};
 }
 
+/// Why an approach of that time is not planned, or nothing.
+std::optional<Failure> TooLong(double time_s, double step_s) {
+  const std::vector<std::string> hints = {
+      "bring the joints nearer to the plan's first posture by hand and measure again",
+      "let it go faster: --set approach.speed_rad_s= and approach.speed_share="};
+  if (!(time_s <= kLongestApproach)) {
+    return Infeasible("too_long",
+                      fmt::format("the way to the plan's first posture takes {:.4g} s; at most {:.0f} s are planned",
+                                  time_s, kLongestApproach),
+                      hints);
+  }
+  if (time_s / step_s <= kMostApproachRows) return std::nullopt;
+  return Infeasible("too_long",
+                    fmt::format("the way to the plan's first posture takes {:.4g} s, which is {:.4g} rows of the "
+                                "plan's time step of {:.4g} s; at most {:.0f} rows are made",
+                                time_s, time_s / step_s, step_s, kMostApproachRows),
+                    hints);
+}
+
+double TimeOf(const std::vector<Move>& moves) {
+  double time_s = 0.0;
+  for (const Move& move : moves) time_s += move.duration_s;
+  return time_s;
+}
+
 /// Slows the moves down until no motor is overloaded, or says which one is however slow they are.
-std::optional<Failure> SlowDown(const RobotModel& model, const ApproachOptions& options, std::vector<Move>& moves,
+std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, std::vector<Move>& moves,
                                 const VectorX& q_base, MotionPlan& plan) {
   constexpr int kMostTries = 20;
   constexpr double kSlower = 1.3;
   for (int tries = 0;; ++tries) {
+    if (auto failure = TooLong(TimeOf(moves), plan.whole_body.step_s)) return failure;
     FillRows(model, moves, q_base, plan);
-    const auto over = FindOverload(model, options, plan);
+    const auto over = FindOverload(model, torque_share, plan);
     if (!over) return std::nullopt;
     if (over->at_rest || tries == kMostTries) {
       return Infeasible("torque", fmt::format("joint '{}' needs {:.4g} {} {} on the way to the plan's first posture, "
@@ -244,21 +282,50 @@ std::optional<Failure> SlowDown(const RobotModel& model, const ApproachOptions& 
   }
 }
 
+/// Why the way is none for this robot, or nothing.
+std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, const StartPosture& from) {
+  const auto bad = [](const std::string& message) {
+    return Failure{FailureKind::kBadInput, "misfit", kStage, message, {}};
+  };
+  if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() != model.nq() || !(plan.whole_body.step_s > 0.0) ||
+      from.joints.size() != model.num_dofs())
+    return bad(fmt::format("the plan or the start posture is not one of robot '{}'", model.name));
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    if (std::abs(from.joints[d]) <= kFarthestMeasured) continue;
+    return bad(fmt::format("joint '{}' is measured at {}; it must be within -{} to {}",
+                           model.dof_names[static_cast<std::size_t>(d)], from.joints[d], kFarthestMeasured,
+                           kFarthestMeasured));
+  }
+  return std::nullopt;
+}
+
+/// The law that a way breaks, held against what the plan is held against, but for where it starts.
+std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& way, AuditOptions reserve) {
+  reserve.start.reset();
+  reserve.margins = false;
+  const Result<AuditReport> audit = Audit(model, way, reserve);
+  if (!audit) return audit.failure();
+  if (audit->pass()) return std::nullopt;
+  const Violation& worst = audit->violations.front();
+  return Infeasible(worst.law,
+                    fmt::format("the way to the plan's first posture breaks the law '{}': {}, {} at {:.2f} s "
+                                "(limit {:.4g})",
+                                worst.law, worst.where, AuditFigure(worst.value, worst.unit), worst.at_s, worst.limit));
+}
+
 }  // namespace
 
 Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, const StartPosture& from,
-                              const ApproachOptions& given) {
+                              const ApproachOptions& given, const AuditOptions& kept) {
   ApproachOptions options = given;
+  AuditOptions reserve = kept;
   CheckOptions(options.Fields());
-  if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() != model.nq() || !(plan.whole_body.step_s > 0.0) ||
-      from.joints.size() != model.num_dofs()) {
-    return Failure{FailureKind::kBadInput,
-                   "misfit",
-                   kStage,
-                   fmt::format("the plan or the start posture is not one of robot '{}'", model.name),
-                   {}};
-  }
+  CheckOptions(reserve.Fields());
+  if (auto failure = Misfit(model, plan, from)) return *failure;
+  const Shares shares(options, reserve);
   const VectorX to = plan.whole_body.q.front().tail(model.num_dofs());
+  const double step = plan.whole_body.step_s;
+  if (auto failure = TooLong(TimeOf(model, options, shares, from.joints, to), step)) return *failure;
   const VectorX q_base = HangingBase(model, plan, from);
   WayCheck check(model, q_base);
   const Result<std::vector<VectorX>> way = FreeWay(model, check, from.joints, to);
@@ -266,25 +333,18 @@ Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, c
   Approach approach;
   approach.via_standing = way->size() > 2;
   approach.plan = EmptyPlan(model, plan, options);
-  const double step = plan.whole_body.step_s;
   std::vector<Move> moves;
   for (std::size_t i = 0; i + 1 < way->size(); ++i) {
-    const double time_s = TimeOf(model, options, (*way)[i], (*way)[i + 1]);
+    const double time_s = TimeOf(model, options, shares, (*way)[i], (*way)[i + 1]);
     moves.push_back({(*way)[i], (*way)[i + 1], std::max(2.0, std::ceil(time_s / step - 1e-9)) * step});
   }
-  if (const auto failure = SlowDown(model, options, moves, q_base, approach.plan)) return *failure;
+  if (const auto failure = SlowDown(model, shares.torque, moves, q_base, approach.plan)) return *failure;
   Close(model, q_base, approach.plan);
   int farthest = 0;
   approach.farthest_by = (to - from.joints).cwiseAbs().maxCoeff(&farthest);
   approach.farthest = model.dof_names[static_cast<std::size_t>(farthest)];
-  const Result<AuditReport> audit = Audit(model, approach.plan, AuditOptions{});
-  if (!audit) return audit.failure();
-  if (audit->pass()) return approach;
-  const Violation& worst = audit->violations.front();
-  return Infeasible(worst.law,
-                    fmt::format("the way to the plan's first posture breaks the law '{}': {}, {} at {:.2f} s "
-                                "(limit {:.4g})",
-                                worst.law, worst.where, AuditFigure(worst.value, worst.unit), worst.at_s, worst.limit));
+  if (const auto failure = WhatForbids(model, approach.plan, reserve)) return *failure;
+  return approach;
 }
 
 }  // namespace gaitwright

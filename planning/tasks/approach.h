@@ -5,10 +5,14 @@
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
-#include "planning/audit/start_posture.h"
+#include "planning/audit/audit.h"
 #include "planning/plan/motion_plan.h"
 
 namespace gaitwright {
+
+/// Longest approach [s], and most rows of the plan's own time step that it is written in.
+inline constexpr double kLongestApproach = 600.0;
+inline constexpr double kMostApproachRows = 120000.0;
 
 /// How slowly a robot is brought to its first posture.
 struct ApproachOptions {
@@ -49,12 +53,14 @@ struct Approach {
 /// The robot hangs: its base is held in the air, as on a stand, tilted as measured (level where that is not known), so
 /// that feet may move freely; then it is set down and the plan is begun. The straight way in the space of joints is
 /// held against self-collision; where it is not free, the way by the standing posture is tried, then it is refused
-/// naming the two links. The motion is slowed until torques keep their limits, and audited like any plan.
+/// naming the two links. The motion is slowed until torques keep their limits, and audited like any plan, with the
+/// reserve that `audit` keeps: its shares hold for the approach where they are less than the options' own.
 ///
-/// Failure kBadInput: sizes that disagree, a posture that is in itself at one of the ends. kInfeasible: no free way, a
+/// Failure kBadInput: sizes that disagree, positions that are not finite, a posture that is in itself at one of the
+/// ends. kInfeasible: no free way, one of more than kLongestApproach or kMostApproachRows (before any row is made), a
 /// motor too weak to hold what hangs from it (named with its torque and limit), a law that the motion breaks.
 /// @throws InvalidArgument for options out of range.
 Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, const StartPosture& from,
-                              const ApproachOptions& options = {});
+                              const ApproachOptions& options = {}, const AuditOptions& audit = {});
 
 }  // namespace gaitwright

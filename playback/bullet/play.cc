@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/base/hash.h"
 #include "kinematics/base/version.h"
 #include "planning/plan/check_motion.h"
 #include "playback/bullet/fall_watch_internal.h"
@@ -19,10 +18,6 @@ namespace {
 
 constexpr double kLongestPlan = 3600.0;   // [s]
 constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
-
-void Append(std::string& bytes, const VectorX& values) {
-  bytes.append(reinterpret_cast<const char*>(values.data()), static_cast<std::size_t>(values.size()) * sizeof(double));
-}
 
 Failure Mismatch(const std::string& code, const std::string& message, const std::string& hint) {
   return {FailureKind::kBadInput, code, "Play", message, {hint}};
@@ -298,19 +293,6 @@ class Playback {
 };
 
 }  // namespace
-
-std::string MotionHash(const MotionPlan& plan) {
-  const WholeBodyTrajectory& w = plan.whole_body;
-  std::string bytes = fmt::format("{} {} {}", plan.robot_hash, w.start_s, w.step_s);
-  for (const ContactPhase& p : plan.schedule.phases) bytes += fmt::format(" {} {} {}", p.start_s, p.end_s, p.stance);
-  for (int k = 0; k < w.size(); ++k) {
-    const auto row = static_cast<std::size_t>(k);
-    Append(bytes, w.q[row]);
-    Append(bytes, w.v[row]);
-    if (!w.tau.empty()) Append(bytes, w.tau[row]);
-  }
-  return HexHash(bytes);
-}
 
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options) {

@@ -112,7 +112,10 @@ struct PlayOptions {
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options = {});
 
-/// Hash of the motion in a plan (robot, schedule, whole-body rows): ties a log to its plan.
+/// Hash of all of a plan that a playback depends on: ties a log to its plan. That is the robot, the ground with its
+/// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. What
+/// only judges or tells (goal, parts, swings, provenance) is not in it; PlanHash has all. A plan that is written and
+/// read back has the same.
 std::string MotionHash(const MotionPlan& plan);
 
 }  // namespace gaitwright

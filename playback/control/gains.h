@@ -45,9 +45,9 @@ struct GainOptions {
          "s",
          0.0,
          0.1,
-         "Bounds the gains so that explicit PD is stable at this step even in the air; 0: the step of the playback "
-         "where "
-         "its actuation is torque, else no bound.",
+         "Bounds the gains so that explicit PD is stable at this step even in the air; 0: the step of the playback, "
+         "and "
+         "the age of a state that is sensed, where its actuation is torque, else no bound.",
          {}},
         {"stiffness_scale", &stiffness_scale, "1", 0.0, 100.0, "Factor on all stiffness, however it came about.", {}},
         {"damping_scale", &damping_scale, "1", 0.0, 100.0, "The same for damping.", {}},

@@ -50,7 +50,7 @@ struct BodyContact {
 
 /// What happened in the simulator; measured only, never copied from the plan. A pure value.
 struct PlaybackLog {
-  static constexpr int kSchema = 3;
+  static constexpr int kSchema = 4;
 
   std::string program_version;  ///< of the program that played
   std::string robot, robot_hash, plan_hash, controller;

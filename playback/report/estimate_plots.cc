@@ -41,6 +41,7 @@ std::vector<Plot> EstimatePlots(const PlotData& data) {
       ErrorPlot(data, "Place, in plan view", "mm", [](const EstimateError& e) { return 1e3 * e.horizontal_m; }),
       ErrorPlot(data, "Height", "mm", [](const EstimateError& e) { return 1e3 * e.height_m; }),
       ErrorPlot(data, "Tilt", "mrad", [](const EstimateError& e) { return 1e3 * e.tilt_rad; }),
+      ErrorPlot(data, "Heading", "mrad", [](const EstimateError& e) { return 1e3 * e.heading_rad; }),
       ErrorPlot(data, "Velocity", "mm/s", [](const EstimateError& e) { return 1e3 * e.velocity_m_s; })};
   return {
       {"estimate_error",

@@ -100,9 +100,9 @@ std::string MetricTable(const RobustnessReport& report) {
 
 std::string Origin(const TrialSubject& subject) {
   std::string html = "<h2>What made it</h2>\n";
-  html += fmt::format("<p class=\"soft\">Robot {} {}; plan {}; controller {}; seed {}.</p>\n",
+  html += fmt::format("<p class=\"soft\">Robot {} {}; plan {}, and all of its file {}; controller {}; seed {}.</p>\n",
                       EscapedXml(subject.robot), EscapedXml(subject.robot_hash), EscapedXml(subject.plan_hash),
-                      EscapedXml(subject.controller), subject.seed);
+                      EscapedXml(subject.whole_plan_hash), EscapedXml(subject.controller), subject.seed);
   html += "<details open=\"open\"><summary>Disturbances</summary><pre>" + EscapedXml(subject.disturbances) +
           "</pre></details>\n<details><summary>All options of the playback</summary><table><tbody>\n";
   for (const auto& [key, value] : subject.options) html += "<tr>" + Cell(key) + Cell(value) + "</tr>\n";

@@ -116,6 +116,7 @@ std::vector<MetricRule> EstimateRules() {
       Told("estimate_drift_m", "m", kLower, 0.0, 0.1, false, "estimated place of the base at the end, in plan view"),
       Told("estimate_height_m", "m", kLower, 0.0, 0.02, false, "estimated height of the base, largest error"),
       Told("estimate_tilt_rad", "rad", kLower, 0.0, 0.03, false, "estimated up direction of the base, largest error"),
+      Told("estimate_heading_rad", "rad", kLower, 0.0, 0.05, false, "estimated heading of the base, largest error"),
       Told("estimate_velocity_m_s", "m/s", kLower, 0.0, 0.03, false,
            "estimated velocity in the axes of the base, root mean square error"),
   };

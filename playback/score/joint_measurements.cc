@@ -49,11 +49,18 @@ struct JointExtremes {
   }
 };
 
+/// Whether anything may hold a motor back. Without a peak its continuous effort does, once it is warm, and its curve
+/// from the no-load speed on.
+bool MayBeAtALimit(const RobotModel& model, int dof) {
+  const Motor& motor = model.MotorOf(dof);
+  return HasTorqueLimit(model, dof) || std::isfinite(motor.continuous_effort) || motor.has_curve();
+}
+
 Measurement Saturated(const ScoreInputs& in) {
   const double duration = in.log.samples.back().time_s - in.log.start_s;
   Extreme largest(Extreme::Kind::kLargest);
   for (int i = 0; i < std::min(in.model.num_dofs(), static_cast<int>(in.log.saturated_s.size())); ++i) {
-    if (HasTorqueLimit(in.model, i) && duration > 0.0) largest.See(in.log.saturated_s[i] / duration, 0.0);
+    if (MayBeAtALimit(in.model, i) && duration > 0.0) largest.See(in.log.saturated_s[i] / duration, 0.0);
   }
   if (!largest.value) return {"torque_saturated_fraction", {}, {}, {}, kNoTorqueLimit};
   return {"torque_saturated_fraction", *largest.value, {}, {}, ""};

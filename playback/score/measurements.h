@@ -59,6 +59,7 @@ struct EstimateError {
   double horizontal_m = 0.0;  ///< in plan view
   double height_m = 0.0;      ///< estimate less truth
   double tilt_rad = 0.0;      ///< between the up directions, in the axes of the base
+  double heading_rad = 0.0;   ///< estimate less truth, of where the base's x points in plan view
   double velocity_m_s = 0.0;  ///< of the velocities in the axes of the base: the heading does not count
 };
 

@@ -30,6 +30,9 @@ class Encoders {
   /// Once a step. @param q  true positions of the independent joints.
   const JointReading& Read(const Eigen::Ref<const VectorX>& q);
 
+  /// How far each joint's zero is off: what a reading has over the truth beside noise, as long as it runs.
+  const VectorX& bias() const { return bias_; }
+
  private:
   void Sample(const Eigen::Ref<const VectorX>& q);
   void Track();

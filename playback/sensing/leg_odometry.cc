@@ -113,7 +113,7 @@ void LegOdometry::Predict(const ImuReading& imu) {
   p_WB_ += h * v_WB_;
   for (std::size_t f = 0; f < feet_.size(); ++f) {
     FootState& foot = feet_[f];
-    if (foot.is_held && foot.rows == 3) foot.p_WF += h * foot.w_WF.cross(model_.feet[f].radius * Vector3::UnitZ());
+    if (foot.is_held && foot.rows == 3) foot.p_WF += h * foot.w_WF.cross(model_.feet[f].radius * foot.normal_W);
   }
 }
 
@@ -233,6 +233,7 @@ void LegOdometry::PutDown(std::size_t f) {
   foot.held_s = 0.0;
   foot.p_WF = p_WB_ + R_WB_ * foot.p_BF;
   foot.R_WF = R_WB_ * foot.R_BF;
+  foot.normal_W = GroundAt(terrain_, foot.p_WF.head<2>()).normal_W;
   P_.middleRows<3>(foot.at) = P_.middleRows<3>(kRho);
   P_.middleCols<3>(foot.at) = P_.middleCols<3>(kRho);
   if (foot.rows == 6) {
@@ -243,11 +244,11 @@ void LegOdometry::PutDown(std::size_t f) {
   if (options_.terrain_height_m > 0.0) UseTerrain(f);
 }
 
-/// z = p_WF^.z - radius - height of the ground = delta.z + (phi x p_WF^).z
+/// z = p_WF^.z - radius / n.z - height of the ground under the centre = delta.z + (phi x p_WF^).z
 void LegOdometry::UseTerrain(std::size_t f) {
   const FootState& foot = feet_[f];
   const double radius = foot.rows == 3 ? model_.feet[f].radius : 0.0;
-  const double above = foot.p_WF.z() - radius - GroundAt(terrain_, foot.p_WF.head<2>()).height_m;
+  const double above = foot.p_WF.z() - radius / foot.normal_W.z() - GroundAt(terrain_, foot.p_WF.head<2>()).height_m;
   const Vector3 by_turn = -Skew(foot.p_WF).row(2).transpose();
   auto PH = PH_.col(0);
   PH = P_.col(foot.at + 2);

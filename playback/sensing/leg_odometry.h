@@ -27,7 +27,8 @@ namespace gaitwright {
 ///     delta' = -p_WF^ x R^ beta_g
 ///   Measurement    z_p = p^ + R^ p_BF(joints) - p_WF^ = rho - delta,  z_R = log(R^ R_BF(joints) R_WF^^T) = phi - psi
 ///     with noise J Q J^T from the encoders. These Jacobians hold at any state.
-/// A sphere rolls: its centre moves by w_WF x r. A foot that has just landed, or bears little, may slide (see
+/// A sphere rolls: its centre moves by w_WF x r n, n the normal of the terrain under it where it landed (up where there
+/// is none). A foot that has just landed, or bears little, may slide (see
 /// OdometryOptions); one that is farther from its place than the gate has slipped and is put down anew.
 ///
 /// Hartley, Ghaffari, Eustice and Grizzle, Contact-aided invariant extended Kalman filtering for robot state
@@ -87,7 +88,8 @@ class LegOdometry {
     Vector3 p_WF = Vector3::Zero();
     Matrix3 R_WF = Matrix3::Identity();
     Vector3 w_WF = Vector3::Zero();
-    Vector3 p_BF = Vector3::Zero();  // as the joints tell
+    Vector3 normal_W = Vector3::UnitZ();  // of the ground that it stands on
+    Vector3 p_BF = Vector3::Zero();       // as the joints tell
     Matrix3 R_BF = Matrix3::Identity();
   };
 

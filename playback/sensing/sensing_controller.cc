@@ -46,7 +46,8 @@ SensingController::SensingController(const RobotModel& model, const MotionPlan& 
       plan_(plan),
       inner_(std::move(inner)),
       options_(Checked(plan, options)),
-      source_(StateSourceOf(options.state)) {}
+      source_(StateSourceOf(options.state)),
+      loop_(DriveLoopOf(options.drive_loop)) {}
 
 SensingController::~SensingController() = default;
 
@@ -63,7 +64,22 @@ JointCommand SensingController::Update(const ControlInput& input) {
   if (!instruments_) instruments_ = std::make_unique<Instruments>(model_, plan_, options_, input.step_s);
   sensed_ = input;
   if (source_ != StateSource::kTrue) Sense(input);
-  return instruments_->commands.Push(inner_->Update(sensed_));
+  JointCommand command = inner_->Update(sensed_);
+  CloseLoop(command);
+  return instruments_->commands.Push(command);
+}
+
+/// In the drives, whose zeros may be off, or on what was sensed.
+void SensingController::CloseLoop(JointCommand& command) const {
+  if (loop_ == DriveLoop::kSensed) {
+    const Eigen::Index n = model_.num_dofs();
+    command.tau_ff += command.stiffness.cwiseProduct(command.q - sensed_.q.tail(n)) +
+                      command.damping.cwiseProduct(command.v - sensed_.v.tail(n));
+    command.stiffness.setZero();
+    command.damping.setZero();
+  } else if (source_ != StateSource::kTrue && options_.sensors.encoder_bias_rad > 0.0) {
+    command.q -= instruments_->encoders.bias();
+  }
 }
 
 void SensingController::Sense(const ControlInput& input) {

@@ -12,7 +12,9 @@ namespace gaitwright {
 
 /// A controller that has the robot through its sensors: what the inner one is told is measured or estimated, and what
 /// it commands comes late. The motors' own loops are not delayed: stiffness and damping of a JointCommand are closed in
-/// the drive, on its own encoder.
+/// the drive, on its own encoder. Of that only the zero may be off, by the bias that the controller sees too, so that
+/// what a drive holds is its target less that bias. With `drive_loop` "sensed" they are closed here instead, on the
+/// sensed state, and a torque is commanded:  tau_ff + stiffness (q - q_sensed) + damping (v - v_sensed).
 ///
 ///   true       the state as it is
 ///   measured   joints from encoders, contacts and vertical forces from the feet, the base as it is
@@ -35,6 +37,7 @@ class SensingController : public Controller {
   struct Instruments;
 
   void Sense(const ControlInput& input);
+  void CloseLoop(JointCommand& command) const;
   void TellBase();
 
   const RobotModel& model_;
@@ -42,6 +45,7 @@ class SensingController : public Controller {
   const std::unique_ptr<Controller> inner_;
   SensingOptions options_;
   const StateSource source_;
+  const DriveLoop loop_;
   std::unique_ptr<Instruments> instruments_;
   ControlInput sensed_;
   BaseEstimate estimate_;

@@ -228,4 +228,13 @@ StateSource StateSourceOf(const std::string& name) {
   return static_cast<StateSource>(PlaceOf(name, StateSourceNames(), "source of the state"));
 }
 
+const std::vector<std::string>& DriveLoopNames() {
+  static const std::vector<std::string> names = {"own", "sensed"};
+  return names;
+}
+
+DriveLoop DriveLoopOf(const std::string& name) {
+  return static_cast<DriveLoop>(PlaceOf(name, DriveLoopNames(), "loop of the drives"));
+}
+
 }  // namespace gaitwright

@@ -64,6 +64,18 @@ enum class StateSource {
   kEstimated,  ///< joints and contacts from their sensors, the base by LegOdometry
 };
 
+/// What the stiffness and damping of a command act on.
+enum class DriveLoop {
+  kOwn,     ///< the joint as the drive's own encoder has it: at once, but for a zero that is off
+  kSensed,  ///< what the controller has of it, when that is made a torque
+};
+
+/// "own", "sensed": in the order of DriveLoop.
+const std::vector<std::string>& DriveLoopNames();
+
+/// @throws InvalidArgument listing the names there are.
+DriveLoop DriveLoopOf(const std::string& name);
+
 /// "true", "measured", "estimated": in the order of StateSource.
 const std::vector<std::string>& StateSourceNames();
 

@@ -52,7 +52,10 @@ struct PushRecord {
 
 /// What a run of trials was about.
 struct TrialSubject {
-  std::string robot, robot_hash, plan_hash, controller;
+  std::string robot, robot_hash;
+  std::string plan_hash;        ///< MotionHash: that of the logs
+  std::string whole_plan_hash;  ///< PlanHash
+  std::string controller;
   std::string disturbances;                            ///< as DisturbancesText has them
   OptionTexts options;                                 ///< of playback, controller and score, before trials change them
   std::vector<std::pair<std::string, double>> limits;  ///< of metrics that have a gate, by key

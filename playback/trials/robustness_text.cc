@@ -164,6 +164,7 @@ std::string RobustnessJson(const RobustnessReport& report) {
                      {"robot", report.subject.robot},
                      {"robot_hash", report.subject.robot_hash},
                      {"plan_hash", report.subject.plan_hash},
+                     {"whole_plan_hash", report.subject.whole_plan_hash},
                      {"controller", report.subject.controller},
                      {"seed", report.subject.seed},
                      {"disturbances", report.subject.disturbances},

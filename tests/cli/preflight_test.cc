@@ -37,12 +37,15 @@ class BeforeHardware : public Stranger {
     const Json page = Run({"audit", "plan.json", "--preflight", "--json"}).json();
     return {{"n", 10},
             {"survived", survived},
+            {"passed", survived},
             {"survival", 0.1 * survived},
             {"survival_low", middle - half},
             {"survival_high", std::min(1.0, middle + half)},
             {"causes", {{"tipped over", 10 - survived}}},
             {"worst", {{{"seed", 3}}}},
+            {"options", {{"state", "true"}, {"command_delay_s", "0"}}},
             {"plan_hash", page.at("plan_hash")},
+            {"whole_plan_hash", page.at("whole_plan_hash")},
             {"robot_hash", page.at("robot_hash")}};
   }
 };
@@ -125,6 +128,19 @@ TEST_F(BeforeHardware, ThePageIsAGoOrANoGo) {
   Write("other.json", other.dump());
   ExpectRefused(Run({"audit", "plan.json", "--preflight", "--trials-result", "other.json"}), 1,
                 {"another plan", "'0123'"});
+}
+
+TEST_F(BeforeHardware, TrialsOfAPlanWhoseGroundWasChangedSinceAreRefused) {
+  const Ran trials = Run({"trials", "plan.json", "-n", "2", "--friction", "0.7", "--out", "two.json", "--quiet"});
+  EXPECT_EQ(trials.status, 0) << trials.err;
+  const Ran same = Run({"audit", "plan.json", "--preflight", "--trials-result", "two.json"});
+  EXPECT_NE(same.out.find("play.friction 0.7 (usually 0)"), std::string::npos) << same.out << same.err;
+  EXPECT_NE(same.out.find("mass_scale"), std::string::npos) << "disturbances";
+  Json plan = Json::parse(Read("plan.json"));
+  plan["terrain"]["patches"][0]["friction"] = 0.4;
+  Write("icy.json", plan.dump());
+  ExpectRefused(Run({"audit", "icy.json", "--preflight", "--trials-result", "two.json"}), 1,
+                {"another plan", "plan_hash"});
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ std::vector<Reader> StudyReaders() {
   return {{"trials_result",
            ReadResultOfTrials,
            WithJson({"\"n\"", "\"survived\"", "\"survival\"", "\"survival_low\"", "\"survival_high\"", "\"causes\"",
-                     "\"worst\"", "\"seed\"", "\"reason\"", "\"disturbances\""}),
+                     "\"worst\"", "\"seed\"", "\"reason\"", "\"disturbances\"", "\"passed\"", "\"options\""}),
            {}},
           {"axis", ReadAnyAxis, axis, {}, nullptr, 500},
           {"point", ReadPoint, WithJson({"\"point\"", "\"status\"", "\"survival\"", "\"metrics\""}), {}, MadePoints},

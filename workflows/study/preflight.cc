@@ -11,22 +11,25 @@
 #include "kinematics/collision/collision_checker.h"
 #include "planning/audit/joint_watch.h"
 #include "planning/plan/parts_text.h"
+#include "planning/plan/plan_json.h"
 #include "playback/bullet/play.h"
 
 namespace gaitwright {
 namespace {
 
-std::optional<Failure> CheckTrials(const RobotModel& model, const std::string& plan_hash, const TrialsResult& trials) {
-  const auto other = [](const std::string& what, const std::string& theirs, const std::string& ours) {
+std::optional<Failure> CheckTrials(const RobotModel& model, const Preflight& preflight, const TrialsResult& trials) {
+  const auto other = [](const std::string& what, const char* key, const std::string& theirs, const std::string& ours) {
     return Failure{FailureKind::kBadInput,
                    "trials_result",
                    "MakePreflight",
-                   fmt::format("the trials are of another {}: their {}_hash is '{}', that of this one is '{}'", what,
-                               what, theirs, ours),
+                   fmt::format("the trials are of another {}: their {} is '{}', that of this one is '{}'", what, key,
+                               theirs, ours),
                    {"run 'gaitwright trials' on this plan"}};
   };
-  if (trials.robot_hash != model.hash) return other("robot", trials.robot_hash, model.hash);
-  if (trials.plan_hash != plan_hash) return other("plan", trials.plan_hash, plan_hash);
+  if (trials.robot_hash != model.hash) return other("robot", "robot_hash", trials.robot_hash, model.hash);
+  if (trials.plan_hash != preflight.plan_hash) return other("plan", "plan_hash", trials.plan_hash, preflight.plan_hash);
+  if (trials.whole_plan_hash != preflight.whole_plan_hash)
+    return other("plan", "whole_plan_hash", trials.whole_plan_hash, preflight.whole_plan_hash);
   return std::nullopt;
 }
 
@@ -81,6 +84,11 @@ std::string ViolationText(const Violation& v) {
                      AuditFigure(v.value, v.unit), AuditFigure(v.limit, v.unit));
 }
 
+std::string ShareText(int k, int n, const char* what, const ShareInterval& interval) {
+  return fmt::format("{} of {} trials {}: {:.1f} %, and with 95 % certainty from {:.1f} to {:.1f} %", k, n, what,
+                     100.0 * interval.share, 100.0 * interval.low, 100.0 * interval.high);
+}
+
 void Judge(const PreflightInput& input, Preflight& preflight) {
   constexpr std::size_t kMost = 8;
   const std::vector<Violation>& broken = preflight.audit.violations;
@@ -88,8 +96,16 @@ void Judge(const PreflightInput& input, Preflight& preflight) {
     preflight.reasons.push_back(ViolationText(broken[i]));
   if (broken.size() > kMost)
     preflight.reasons.push_back(fmt::format("and {} more broken limits, see the audit", broken.size() - kMost));
-  const bool jumps = std::any_of(broken.begin(), broken.end(), [](const auto& v) { return v.law == "start_posture"; });
-  if (jumps) {
+  const auto starts = [&](bool moving) {
+    return std::any_of(broken.begin(), broken.end(), [&](const Violation& v) {
+      return v.law == "start_posture" && v.where.ends_with(kStartSpeed) == moving;
+    });
+  };
+  if (starts(true)) {
+    preflight.remarks.push_back(
+        "the first command moves, and the robot that was measured does not: begin the plan at rest");
+  }
+  if (starts(false)) {
     preflight.remarks.push_back(
         input.approach.empty()
             ? "the first command is a jump: plan a way to it with --approach FILE, go it, and measure again"
@@ -150,16 +166,25 @@ std::string LawWords(const std::string& law) {
 }
 
 std::string SurvivalText(const TrialsResult& trials) {
-  return fmt::format("{} of {} trials survived: {:.1f} %, and with 95 % certainty from {:.1f} to {:.1f} %",
-                     trials.survived, trials.n, 100.0 * trials.survival, 100.0 * trials.survival_low,
-                     100.0 * trials.survival_high);
+  return ShareText(trials.survived, trials.n, "survived", {trials.survival, trials.survival_low, trials.survival_high});
+}
+
+std::string PassText(const TrialsResult& trials) {
+  return ShareText(trials.passed, trials.n, "passed every gate too", trials.pass_share());
+}
+
+std::string ThresholdText(const Preflight& preflight) {
+  return fmt::format("a go asks for {:.4g} % to survive", 100.0 * preflight.least_survival);
 }
 
 Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input) {
   Preflight preflight;
   preflight.plan_hash = MotionHash(plan);
+  preflight.whole_plan_hash = PlanHash(plan);
+  preflight.least_survival = input.options.least_survival;
   if (input.trials) {
-    if (const auto failure = CheckTrials(model, preflight.plan_hash, *input.trials)) return *failure;
+    if (const auto failure = CheckTrials(model, preflight, *input.trials)) return *failure;
+    preflight.trial_conditions = TrialConditions(input.trials->options);
   }
   AuditOptions options = input.audit;
   options.margins = true;

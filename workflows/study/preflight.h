@@ -8,6 +8,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "planning/audit/audit.h"
+#include "workflows/study/trial_conditions.h"
 #include "workflows/study/trials_result.h"
 
 namespace gaitwright {
@@ -37,10 +38,14 @@ struct PreflightInput {
 
 /// The page that an engineer signs before a plan goes on a robot, as data.
 struct Preflight {
-  std::string robot, robot_hash, plan_hash, program_version, made_by, motion;
+  std::string robot, robot_hash, program_version, made_by, motion;
+  std::string plan_hash;        ///< MotionHash: that of the plan's logs
+  std::string whole_plan_hash;  ///< PlanHash: what is signed
   double duration_s = 0.0, mass_kg = 0.0;
   AuditReport audit;  ///< with margins
   std::optional<TrialsResult> trials;
+  std::vector<OptionChange> trial_conditions;  ///< TrialConditions
+  double least_survival = 0.0;                 ///< share of trials that must survive for a go
   bool start_measured = false;
   std::vector<std::string> reasons;      ///< why it is no go; empty for a go
   std::vector<std::string> remarks;      ///< what to mind though it is a go
@@ -52,7 +57,8 @@ struct Preflight {
 
 /// Audits the plan with its margins and puts everything together. It is a go where the audit passes (with the measured
 /// start posture, if one is given) and, where there is a result of trials, enough of them survived.
-/// Failure: the plan does not fit the robot; the trials are of another plan or another robot (both hashes are named).
+/// Failure: the plan does not fit the robot; the trials are of another plan, be it the ground alone that is another, or
+/// of another robot (both hashes are named).
 Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input);
 
 /// The page as text.
@@ -70,5 +76,11 @@ std::string LawWords(const std::string& law);
 
 /// "487 of 500 trials survived: 97.4 %, and with 95 % certainty from 95.6 to 98.5 %".
 std::string SurvivalText(const TrialsResult& trials);
+
+/// The same of those that passed every gate.
+std::string PassText(const TrialsResult& trials);
+
+/// "a go asks for 90 % to survive".
+std::string ThresholdText(const Preflight& preflight);
 
 }  // namespace gaitwright

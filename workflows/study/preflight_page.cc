@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "playback/report/page_style.h"
 #include "playback/report/svg_tools.h"
 #include "workflows/study/preflight.h"
+#include "workflows/study/preflight_joints.h"
 
 namespace gaitwright {
 namespace {
@@ -57,7 +57,8 @@ std::string Head(const Preflight& p) {
   row("robot", fmt::format("{}, {:.4g} kg", p.robot, p.mass_kg));
   row("robot hash", p.robot_hash, " class=\"hash\"");
   row("plan", fmt::format("{:.2f} s, made by {}", p.duration_s, p.made_by));
-  row("plan hash", p.plan_hash, " class=\"hash\"");
+  row("plan hash", p.whole_plan_hash, " class=\"hash\"");
+  row("that of its logs", p.plan_hash, " class=\"hash\"");
   row("checked by",
       fmt::format("gaitwright {}, {} samples at {:.0f} Hz", p.program_version, p.audit.samples, p.audit.rate_hz));
   return html + "</tbody></table>\n";
@@ -93,61 +94,42 @@ std::string Limits(const Preflight& p) {
   return html + "</tbody></table></div>\n";
 }
 
-/// Laws with a limit of each joint, in the order of their columns, and how these are headed.
-const std::vector<std::pair<std::string, std::string>>& JointLaws() {
-  static const std::vector<std::pair<std::string, std::string>> laws = {{"joint_position", "to its stop"},
-                                                                        {"joint_velocity", "speed"},
-                                                                        {"joint_acceleration", "acceleration"},
-                                                                        {"joint_jerk", "jerk"},
-                                                                        {"joint_torque", "torque"},
-                                                                        {"torque_speed", "torque at speed"},
-                                                                        {"continuous_torque", "continuous"}};
-  return laws;
-}
-
-/// What each joint has left, a row a joint, in the order of joints' names in the margins of the first law that has any.
+/// What each joint has left, a row a joint.
 std::string Joints(const Preflight& p) {
-  std::vector<std::string> joints;
-  std::map<std::string, std::map<std::string, const AuditMargin*>> of;
-  for (const AuditMargin& m : p.audit.margins) {
-    const auto is = [&](const auto& law) { return law.first == m.law; };
-    if (std::none_of(JointLaws().begin(), JointLaws().end(), is)) continue;
-    if (of.find(m.where) == of.end()) joints.push_back(m.where);
-    of[m.where][m.law] = &m;
-  }
-  std::sort(joints.begin(), joints.end());
+  const JointMargins table = JointMarginsOf(p.audit.margins);
   std::string html =
       "<h2>Margins of the joints</h2>\n<div class=\"scroll\"><table id=\"joints\"><thead><tr><th>joint</th>";
-  std::vector<std::string> laws;
-  for (const auto& [law, heading] : JointLaws()) {
-    const auto has = [&law = law](const AuditMargin& m) { return m.law == law; };
-    if (std::none_of(p.audit.margins.begin(), p.audit.margins.end(), has)) continue;
-    laws.push_back(law);
-    html += fmt::format("<th class=\"n\">{}</th>", heading);
-  }
+  for (const std::string& heading : table.headings) html += fmt::format("<th class=\"n\">{}</th>", heading);
   html += "</tr></thead><tbody>\n";
-  for (const std::string& joint : joints) {
-    html += fmt::format("<tr><td>{}</td>", EscapedXml(joint));
-    for (const std::string& law : laws) {
-      const auto found = of[joint].find(law);
-      const AuditMargin* m = found == of[joint].end() ? nullptr : found->second;
-      html += fmt::format("<td class=\"n{}\">{}</td>", m != nullptr && m->margin < 0.0 ? " close" : "",
-                          m == nullptr ? "\u2013"
-                          : m->share   ? fmt::format("{:.0f} %", 100.0 * *m->share)
-                                       : AuditFigure(m->margin, m->unit));
-    }
+  for (const JointMargins::Row& row : table.rows) {
+    html += fmt::format("<tr><td>{}</td>", EscapedXml(row.joint));
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+      html += fmt::format("<td class=\"n{}\">{}</td>", row.broken[i] ? " close" : "", row.cells[i]);
     html += "</tr>\n";
   }
   return html +
          "</tbody></table></div>\n<p class=\"soft\">What is left of each limit at the joint's worst moment.</p>\n";
 }
 
+/// What the trials were played under, disturbances included.
+std::string Conditions(const Preflight& p) {
+  std::string html = "<p>Played under:</p>\n<ul id=\"conditions\">\n";
+  for (const OptionChange& condition : p.trial_conditions)
+    html += "<li>" + EscapedXml(ConditionText(condition)) + "</li>\n";
+  html += "</ul>\n";
+  if (p.trials->disturbances.empty()) return html + "<p>The result does not say its disturbances.</p>\n";
+  return html + fmt::format("<p>Disturbances:</p>\n<pre>{}</pre>\n", EscapedXml(p.trials->disturbances));
+}
+
 std::string Trials(const Preflight& p) {
   if (!p.trials) {
-    return "<h2>Trials</h2>\n<p><b>None.</b> How often this plan survives disturbances is not known.</p>\n";
+    return fmt::format(
+        "<h2>Trials</h2>\n<p><b>None.</b> How often this plan survives disturbances is not known; of trials {}.</p>\n",
+        ThresholdText(p));
   }
   const std::string& controller = p.trials->controller;
-  std::string html = fmt::format("<h2>Trials</h2>\n<p>{}{}.</p>\n", EscapedXml(SurvivalText(*p.trials)),
+  std::string html = fmt::format("<h2>Trials</h2>\n<p>{}; {}. {}{}.</p>\n", SurvivalText(*p.trials), ThresholdText(p),
+                                 PassText(*p.trials),
                                  controller.empty() ? "" : fmt::format("; controller {}", EscapedXml(controller)));
   if (!p.trials->causes.empty()) {
     html += "<table id=\"causes\"><thead><tr><th>cause of falls</th><th class=\"n\">count</th></tr></thead><tbody>\n";
@@ -155,8 +137,7 @@ std::string Trials(const Preflight& p) {
       html += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td></tr>\n", EscapedXml(cause.name), cause.count);
     html += "</tbody></table>\n";
   }
-  if (!p.trials->disturbances.empty())
-    html += fmt::format("<p>Disturbances:</p>\n<pre>{}</pre>\n", EscapedXml(p.trials->disturbances));
+  html += Conditions(p);
   if (p.trials->worst.empty()) return html;
   html +=
       "<p>Worst trials, each repeated exactly by <span class=\"key\">gaitwright play --disturbances FILE --seed "

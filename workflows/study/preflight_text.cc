@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "workflows/study/preflight.h"
+#include "workflows/study/preflight_joints.h"
 
 namespace gaitwright {
 namespace {
@@ -28,15 +30,45 @@ std::string LimitsText(const Preflight& preflight) {
   return text;
 }
 
+/// The lines of a text, each set in.
+std::string SetIn(const std::string& text) {
+  std::string lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines += "      " + line + "\n";
+  return lines;
+}
+
 std::string TrialsText(const Preflight& preflight) {
-  if (!preflight.trials) return "\nTrials\n  - none: how often it survives disturbances is not known\n";
-  std::vector<std::string> lines = {SurvivalText(*preflight.trials)};
-  for (const TrialsResult::Cause& cause : preflight.trials->causes)
+  if (!preflight.trials) {
+    return fmt::format("\nTrials\n  - none: how often it survives disturbances is not known; of trials {}\n",
+                       ThresholdText(preflight));
+  }
+  const TrialsResult& trials = *preflight.trials;
+  std::vector<std::string> lines = {SurvivalText(trials), PassText(trials), ThresholdText(preflight)};
+  for (const TrialsResult::Cause& cause : trials.causes)
     lines.push_back(fmt::format("{} of the falls: {}", cause.count, cause.name));
-  for (const TrialsResult::Worst& worst : preflight.trials->worst)
+  for (const TrialsResult::Worst& worst : trials.worst)
     lines.push_back(fmt::format("worst: seed {}{}", worst.seed, worst.words.empty() ? "" : ", " + worst.words));
-  if (!preflight.trials->controller.empty()) lines.push_back("controller: " + preflight.trials->controller);
-  return Section("Trials", lines);
+  if (!trials.controller.empty()) lines.push_back("controller: " + trials.controller);
+  std::string text = Section("Trials", lines);
+  text += "  - played under:\n";
+  for (const OptionChange& condition : preflight.trial_conditions) text += SetIn(ConditionText(condition));
+  if (trials.disturbances.empty()) return text + "  - disturbances: the result does not say them\n";
+  return text + "  - disturbances:\n" + SetIn(trials.disturbances);
+}
+
+std::string JointsText(const Preflight& preflight) {
+  const JointMargins table = JointMarginsOf(preflight.audit.margins);
+  if (table.rows.empty()) return "";
+  std::string text = "\nMargins of the joints: what is left of each limit at the joint's worst moment\n";
+  const auto line = [&](const std::string& name, const std::vector<std::string>& cells) {
+    text += fmt::format("  {:<28}", name);
+    for (const std::string& cell : cells) text += fmt::format("{:>17}", cell);
+    text += "\n";
+  };
+  line("joint", table.headings);
+  for (const JointMargins::Row& row : table.rows) line(row.joint, row.cells);
+  return text;
 }
 
 Json MarginJson(const AuditMargin& m) {
@@ -44,8 +76,10 @@ Json MarginJson(const AuditMargin& m) {
           {"limit", m.limit}, {"unit", m.unit}, {"margin", m.margin}, {"share", m.share ? Json(*m.share) : Json()}};
 }
 
-Json TrialsJson(const TrialsResult& trials) {
-  Json causes = Json::object(), worst = Json::array();
+Json TrialsJson(const TrialsResult& trials, const std::vector<OptionChange>& conditions) {
+  Json causes = Json::object(), worst = Json::array(), under = Json::array();
+  for (const OptionChange& c : conditions) under.push_back({{"key", c.key}, {"value", c.value}, {"usual", c.usual}});
+  const ShareInterval passed = trials.pass_share();
   for (const TrialsResult::Cause& cause : trials.causes) causes[cause.name] = cause.count;
   for (const TrialsResult::Worst& entry : trials.worst) worst.push_back({{"seed", entry.seed}, {"words", entry.words}});
   return {{"n", trials.n},
@@ -53,7 +87,12 @@ Json TrialsJson(const TrialsResult& trials) {
           {"survival", trials.survival},
           {"survival_low", trials.survival_low},
           {"survival_high", trials.survival_high},
+          {"passed", trials.passed},
+          {"pass_share", passed.share},
+          {"pass_low", passed.low},
+          {"pass_high", passed.high},
           {"controller", trials.controller},
+          {"conditions", under},
           {"disturbances", trials.disturbances},
           {"causes", causes},
           {"worst", worst}};
@@ -64,11 +103,13 @@ Json TrialsJson(const TrialsResult& trials) {
 std::string PreflightText(const Preflight& p) {
   std::string text = fmt::format("PREFLIGHT: {}\n", p.go() ? "GO" : "NO-GO");
   text += fmt::format(
-      "  robot    {}, {:.4g} kg, hash {}\n  plan     {}, {:.2f} s, made by {}, hash {}\n  checked  by gaitwright {}, "
-      "{} samples at {:.0f} Hz\n",
-      p.robot, p.mass_kg, p.robot_hash, p.motion, p.duration_s, p.made_by, p.plan_hash, p.program_version,
-      p.audit.samples, p.audit.rate_hz);
-  text += Section("Why it is no go", p.reasons) + Section("To mind", p.remarks) + LimitsText(p) + TrialsText(p);
+      "  robot    {}, {:.4g} kg, hash {}\n  plan     {}, {:.2f} s, made by {}, hash {}, that of its logs {}\n  checked "
+      " "
+      "by gaitwright {}, {} samples at {:.0f} Hz\n",
+      p.robot, p.mass_kg, p.robot_hash, p.motion, p.duration_s, p.made_by, p.whole_plan_hash, p.plan_hash,
+      p.program_version, p.audit.samples, p.audit.rate_hz);
+  text += Section("Why it is no go", p.reasons) + Section("To mind", p.remarks) + TrialsText(p) + LimitsText(p) +
+          JointsText(p);
   text += Section("Taken for granted", p.assumptions) + Section("Not checked", p.not_checked);
   return text +
          "\nName ______________________   Signature ______________________   Date ______________\n"
@@ -85,13 +126,15 @@ std::string PreflightJson(const Preflight& p, const std::vector<std::pair<std::s
                      {"robot", p.robot},
                      {"robot_hash", p.robot_hash},
                      {"plan_hash", p.plan_hash},
+                     {"whole_plan_hash", p.whole_plan_hash},
+                     {"least_survival", p.least_survival},
                      {"program_version", p.program_version},
                      {"made_by", p.made_by},
                      {"motion", p.motion},
                      {"duration_s", p.duration_s},
                      {"limits", limits},
                      {"audit", Json::parse(AuditJson(p.audit))},
-                     {"trials", p.trials ? TrialsJson(*p.trials) : Json()},
+                     {"trials", p.trials ? TrialsJson(*p.trials, p.trial_conditions) : Json()},
                      {"assumptions", p.assumptions},
                      {"not_checked", p.not_checked},
                      {"files", written}};

@@ -92,6 +92,7 @@ TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed) {
   subject.robot = study.model.name;
   subject.robot_hash = study.model.hash;
   subject.plan_hash = MotionHash(study.plan);
+  subject.whole_plan_hash = PlanHash(study.plan);
   subject.controller = request.controller;
   subject.disturbances = DisturbancesText(study.disturbances);
   subject.options = TextsOf(request.Fields());
@@ -105,8 +106,8 @@ TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed) {
 
 std::string HashOf(const TrialStudy& study, std::uint64_t run_seed) {
   const TrialSubject subject = SubjectOf(study, run_seed);
-  std::string bytes = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", Version(), study.model.hash,
-                                  HexHash(PlanToJson(study.plan)), subject.controller, subject.disturbances, run_seed);
+  std::string bytes = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", Version(), study.model.hash, subject.whole_plan_hash,
+                                  subject.controller, subject.disturbances, run_seed);
   for (const auto& [key, text] : subject.options) bytes += key + "=" + text + "\n";
   return HexHash(bytes);
 }

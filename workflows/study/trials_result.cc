@@ -70,10 +70,22 @@ std::vector<TrialsResult::Worst> WorstOf(const JsonPart& result) {
   return worst;
 }
 
+OptionTexts OptionsOf(const JsonPart& result) {
+  const JsonPart given = Needed(result, "options");
+  if (!given.json().is_object()) given.Refuse("is no object of options");
+  OptionTexts options;
+  for (const auto& [key, value] : given.json().items()) options.emplace_back(key, given.At(key).Text());
+  return options;
+}
+
 void CheckFigures(const JsonPart& part, const TrialsResult& result) {
   if (result.survived > result.n) {
     part.Refuse(fmt::format("says that {} of {} trials survived; there are no more survivors than trials",
                             result.survived, result.n));
+  }
+  if (result.passed > result.survived) {
+    part.Refuse(fmt::format("says that {} trials passed every gate, where {} survived; no more can", result.passed,
+                            result.survived));
   }
   constexpr double kRounded = 1e-3;
   const ShareInterval is = WilsonInterval(result.survived, result.n);
@@ -95,13 +107,16 @@ TrialsResult Read(const JsonPart& part) {
   TrialsResult result;
   result.n = Needed(part, "n").Whole(1, kMost);
   result.survived = Needed(part, "survived").Whole(0, kMost);
+  result.passed = Needed(part, "passed").Whole(0, kMost);
   result.survival = Needed(part, "survival").NumberIn(0.0, 1.0);
   result.survival_low = Needed(part, "survival_low").NumberIn(0.0, 1.0);
   result.survival_high = Needed(part, "survival_high").NumberIn(0.0, 1.0);
   result.plan_hash = TextOf(Needed(part, "plan_hash"));
+  result.whole_plan_hash = TextOf(Needed(part, "whole_plan_hash"));
   result.robot_hash = TextOf(Needed(part, "robot_hash"));
   if (part.Has("controller")) result.controller = part.At("controller").Text();
   if (part.Has("disturbances")) result.disturbances = part.At("disturbances").Text();
+  result.options = OptionsOf(part);
   result.causes = CausesOf(part);
   result.worst = WorstOf(part);
   CheckFigures(part, result);

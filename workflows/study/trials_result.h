@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
+#include "playback/trials/wilson.h"
 
 namespace gaitwright {
 
@@ -22,19 +24,23 @@ struct TrialsResult {
     std::string words;  ///< its `reason` or `cause`, or ""
   };
 
-  int n = 0, survived = 0;
+  int n = 0, survived = 0, passed = 0;                             ///< `passed`: kept every gate too
   double survival = 0.0, survival_low = 0.0, survival_high = 0.0;  ///< share, and its interval
   std::vector<Cause> causes;                                       ///< of falls
   std::vector<Worst> worst;
-  std::string plan_hash, robot_hash;
+  std::string plan_hash, whole_plan_hash, robot_hash;  ///< MotionHash and PlanHash of the plan
+  OptionTexts options;                                 ///< of the playback, before trials changed them
   std::string controller, disturbances;  ///< the latter as YAML text; "" where the result does not say them
+
+  /// Of those that passed every gate.
+  ShareInterval pass_share() const { return WilsonInterval(passed, n); }
 };
 
-/// A result from its JSON text: an object with `n`, `survived`, `survival`, `survival_low`, `survival_high`,
-/// `plan_hash`, `robot_hash`; `causes` (an object of counts by name, or a list of objects with a text and a count) and
-/// `controller`, `disturbances` (texts) and `worst` (a list of objects with a `seed` and a `reason`) may be missing.
-/// Other keys are passed over. Refused: text that is no JSON, a key that is missing or of the wrong kind, figures that
-/// contradict each other. @param source names the text.
+/// A result from its JSON text: an object with `n`, `survived`, `passed`, `survival`, `survival_low`, `survival_high`,
+/// `plan_hash`, `whole_plan_hash`, `robot_hash` and `options` (texts by key); `causes` (an object of counts by name, or
+/// a list of objects with a text and a count) and `controller`, `disturbances` (texts) and `worst` (a list of objects
+/// with a `seed` and a `reason`) may be missing. Other keys are passed over. Refused: text that is no JSON, a key that
+/// is missing or of the wrong kind, figures that contradict each other. @param source names the text.
 Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::string& source);
 
 /// The result of a file.

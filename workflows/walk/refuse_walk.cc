@@ -75,7 +75,15 @@ std::vector<Violation> BrokenLimits(const AuditReport& audit) {
   std::copy_if(audit.violations.begin(), audit.violations.end(), std::back_inserter(broken), IsLimit);
   std::stable_sort(broken.begin(), broken.end(),
                    [](const Violation& a, const Violation& b) { return Passed(a) > Passed(b); });
-  return broken;
+  const auto too_fast = [&](const std::string& where) {
+    return std::any_of(broken.begin(), broken.end(),
+                       [&](const Violation& v) { return v.law == "joint_velocity" && v.where == where; });
+  };
+  std::vector<Violation> causes,
+      followers;  // a motor past its no-load speed has no torque left, however little it needs
+  for (const Violation& v : broken) (v.law == "torque_speed" && too_fast(v.where) ? followers : causes).push_back(v);
+  causes.insert(causes.end(), followers.begin(), followers.end());
+  return causes;
 }
 
 std::vector<Violation> Forbidding(const AuditReport& audit) {

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/footsteps/uneven_footsteps.h"
 #include "planning/terrain/load_terrain.h"
@@ -62,11 +63,15 @@ Result<PlannedWalk> PlanAsked(const RobotModel& model, const Terrain& terrain, c
   return PlanPartsWithin(model, terrain, request, *parts);
 }
 
-/// The gains asked for, bounded for explicit torque control at the playback's own step unless another is given.
+/// The gains asked for, bounded for explicit torque control at the playback's own step, and the age of what it acts on,
+/// unless another step is given.
 GainOptions GainsFor(const PlayRequest& request) {
+  constexpr double kLongest = 0.1;  // that explicit_step_s may be [s]
   GainOptions gains = request.gains;
-  if (request.play.world.actuation == "torque" && gains.explicit_step_s == 0.0)
-    gains.explicit_step_s = request.play.world.step_s;
+  if (request.play.world.actuation != "torque" || gains.explicit_step_s != 0.0) return gains;
+  const double delay_s =
+      DriveLoopOf(request.sensing.drive_loop) == DriveLoop::kSensed ? request.sensing.LoopDelay() : 0.0;
+  gains.explicit_step_s = std::min(request.play.world.step_s + delay_s, kLongest);
   return gains;
 }
 
@@ -114,11 +119,38 @@ std::unique_ptr<Controller> BareController(const RobotModel& model, const Motion
       fmt::format("there is no controller '{}'; there are 'joint-pd', 'stabilised'", request.controller));
 }
 
+/// A controller that takes the joints to lose nothing, whatever the robot says, with the robot it takes for true.
+class OfLosslessJoints final : public Controller {
+ public:
+  OfLosslessJoints(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request)
+      : model_(WithoutLosses(model)), inner_(BareController(model_, plan, request)) {}
+
+  JointCommand Update(const ControlInput& input) override { return inner_->Update(input); }
+  void Reset() override { inner_->Reset(); }
+  const BaseEstimate* Estimate() const override { return inner_->Estimate(); }
+  std::string Name() const override { return inner_->Name(); }
+
+ private:
+  const RobotModel model_;
+  const std::unique_ptr<Controller> inner_;
+};
+
+void CheckLoop(const PlayRequest& request) {
+  if (DriveLoopOf(request.sensing.drive_loop) == DriveLoop::kOwn || request.play.world.actuation == "torque") return;
+  throw InvalidArgument(
+      "option 'drive_loop' is 'sensed', where the controller makes torques of what it senses; that needs "
+      "play.actuation=torque");
+}
+
 }  // namespace
 
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
                                            const PlayRequest& request) {
-  return BehindSensors(model, plan, BareController(model, plan, request), request.sensing);
+  CheckLoop(request);
+  std::unique_ptr<Controller> bare = request.play.world.joint_losses
+                                         ? BareController(model, plan, request)
+                                         : std::make_unique<OfLosslessJoints>(model, plan, request);
+  return BehindSensors(model, plan, std::move(bare), request.sensing);
 }
 
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {

@@ -77,8 +77,9 @@ Result<RobotModel> RobotOf(const MotionPlan& plan);
 /// mends. A sequence is planned in one motion; a part that has no plan is named.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
-/// The controller of that name, behind the sensors asked for. @throws InvalidArgument listing those there are. The plan
-/// must outlive it.
+/// The controller of that name, behind the sensors asked for; where the joints' losses do not act (play.joint_losses)
+/// it knows of none. @throws InvalidArgument listing those there are, or for a loop of the drives that the actuation
+/// does not have. Model and plan must outlive it.
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
 /// Plays and scores. The log's options are all of the request's, not only those of the physics.

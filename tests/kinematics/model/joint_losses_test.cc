@@ -29,6 +29,21 @@ TEST(JointLosses, OfGearedJointsAddUp) {
   EXPECT_NEAR(LossesOf(model, 0).friction, 0.5 + 3.0 * 0.2, 1e-15);
 }
 
+TEST(JointLosses, CanBeTakenOut) {
+  RobotModel model = *LoadRobotFromText(FourLegs(), "");
+  model.motors.resize(model.dof_names.size());
+  model.motors[3].rotor_inertia = 0.02;
+  model.motors[3].continuous_effort = 7.0;
+  model.joints[1].friction = 0.2;
+  const RobotModel without = WithoutLosses(model);
+  for (int dof = 0; dof < model.num_dofs(); ++dof) {
+    EXPECT_FALSE(LossesOf(model, dof).none());
+    EXPECT_TRUE(LossesOf(without, dof).none());
+  }
+  EXPECT_EQ(without.motors[3].continuous_effort, 7.0) << "limits stay";
+  EXPECT_EQ(without.hash, model.hash);
+}
+
 TEST(JointLosses, RotorsAreOnTheDiagonalOfTheMassMatrix) {
   RobotModel model = *LoadRobotFromText(FourLegs(), "");
   model.motors.resize(model.dof_names.size());

@@ -78,6 +78,15 @@ TEST(RobotYaml, MotorsSayWhatTheyCan) {
                                     "rotor inertia 0.02", "damping 0.3, friction 0.7"});
 }
 
+TEST(RobotYaml, ACurveWithoutAPeakIsNoted) {
+  const char* curve = "motors: {A_knee: {corner_velocity_rad_s: 4, no_load_velocity_rad_s: 8}}";
+  const char* note = "joint 'A_knee': its torque-speed curve has no peak to fall from";
+  const Result<RobotModel> endless = LoadRobotFromText(Replaced(FourLegs(), "effort='30'", "effort='1e6'"), curve);
+  ASSERT_TRUE(endless.ok()) << endless.failure().message;
+  ExpectSays(NotesOf(*endless), {note, "'limits' of robot.yaml"});
+  EXPECT_EQ(NotesOf(With(curve)).find(note), std::string::npos);
+}
+
 TEST(RobotYaml, RefusesMotorsThatContradictThemselves) {
   ExpectSays(WhyNot("motors: {A_knee: {corner_velocity_rad_s: 8, no_load_velocity_rad_s: 4}}"),
              {"line 1", "'A_knee' has a corner velocity of 8, which is not below its no-load velocity of 4"});

@@ -16,6 +16,7 @@ namespace {
 class MotorLaw : public testing::TestWithParam<std::string> {
  protected:
   MotorLaw() : model_(GoodPlanOf(GetParam()).model), plan_(GoodPlanOf(GetParam()).plan) {
+    for (Motor& each : model_.motors) each = Motor();  // as if nothing were known of any
     dof_ = model_.joints[static_cast<std::size_t>(model_.legs[0].knee_joint)].dof;
     for (const double time_s : SampleTimes(plan_)) {
       times_.push_back(time_s);
@@ -87,6 +88,43 @@ TEST_P(MotorLaw, DeratingNarrowsTheCurve) {
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Violation& each) {
     return each.law == "torque_speed" && each.where == name() && each.limit == 0.0;
   }));
+}
+
+TEST_P(MotorLaw, TorqueSpeedTellsItsMarginWhereTheWholePeakHoldsToo) {
+  const auto fastest = Largest([&](std::size_t k) { return std::abs(v(k)); });
+  motor().corner_speed = 10.0 * fastest.first;
+  motor().no_load_speed = 20.0 * fastest.first;
+  AuditOptions options;
+  options.margins = true;
+  options.derate_torque = 0.9;
+  const AuditReport report = Audit(model_, plan_, options).value();
+  EXPECT_TRUE(report.pass()) << AuditText(report);
+  const auto found = std::find_if(report.margins.begin(), report.margins.end(),
+                                  [](const AuditMargin& m) { return m.law == "torque_speed"; });
+  ASSERT_NE(found, report.margins.end()) << "a curve that is kept is a law that was looked at";
+  EXPECT_EQ(found->where, name());
+  const auto [most, at_s] = Largest([&](std::size_t k) { return std::abs(tau(k)); });
+  EXPECT_EQ(std::pair(found->value, found->at_s), std::pair(most, at_s));
+  EXPECT_NEAR(found->limit, 0.9 * model_.dof_effort_limit(dof_), 1e-12) << "the limit in force";
+  joint().effort_limit = 0.5 * most;
+  EXPECT_EQ(Only().law, "joint_torque") << "below the corner that law says it alone";
+}
+
+TEST_P(MotorLaw, ACurveWhosePeakIsAPlaceholderIsNotTakenForKnown) {
+  motor().corner_speed = 1.0;
+  motor().no_load_speed = 1000.0;
+  const auto says = [&](const std::string& part) {
+    const std::vector<std::string> lines = UnknownOfMotors(model_);
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const std::string& line) { return line.find(part) != std::string::npos; });
+  };
+  EXPECT_FALSE(says("torque_speed not applied to '" + name() + "'"));
+  joint().effort_limit_is_placeholder = true;
+  EXPECT_TRUE(says("torque_speed not applied to '" + name() + "' under the no-load speed: the peak torque"));
+  AuditOptions options;
+  options.margins = true;
+  const AuditReport report = Audit(model_, plan_, options).value();
+  for (const AuditMargin& margin : report.margins) EXPECT_NE(margin.law, "torque_speed");
 }
 
 TEST_P(MotorLaw, AccelerationFindsALimitPassed) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/planning/audit/good_plan.h"
 
 namespace gaitwright {
@@ -92,6 +94,48 @@ TEST_F(StartPostures, AJumpOfTheFirstCommandIsNamedWithItsSize) {
   EXPECT_EQ(found[0].at_s, plan().whole_body.start_s);
   options.start_tolerance_rad = 0.31;
   EXPECT_TRUE(Audit(model(), plan(), options)->pass());
+}
+
+TEST_F(StartPostures, AFirstCommandThatMovesIsAJumpForARobotAtRest) {
+  MotionPlan moving = plan();
+  AuditOptions options;
+  options.start = StartPosture{First(), {}};
+  const auto speeds = [&] {
+    std::vector<Violation> found = Audit(model(), moving, options)->violations;
+    std::erase_if(found, [](const Violation& v) { return v.law != "start_posture"; });
+    return found;
+  };
+  EXPECT_TRUE(speeds().empty());
+  moving.whole_body.v.front()[6 + 4] = -3.0;
+  ASSERT_EQ(speeds().size(), 1U);
+  EXPECT_EQ(speeds()[0].where, model().dof_names[4] + ", speed");
+  EXPECT_EQ(speeds()[0].value, 3.0);
+  EXPECT_EQ(speeds()[0].limit, 0.1);
+  EXPECT_EQ(speeds()[0].unit, "rad/s");
+  options.start_speed_rad_s = 3.1;
+  EXPECT_TRUE(speeds().empty());
+  moving.whole_body.v.front().head<3>() = Vector3(0.3, 0.0, 0.4);
+  ASSERT_EQ(speeds().size(), 1U);
+  EXPECT_EQ(speeds()[0].where, "base, speed");
+  EXPECT_NEAR(speeds()[0].value, 0.5, 1e-12);
+  options.start.reset();
+  EXPECT_TRUE(speeds().empty()) << "only where the robot was measured";
+}
+
+TEST_F(StartPostures, OfJointsWithoutLimitsAreBounded) {
+  RobotModel endless = model();
+  for (Joint& joint : endless.joints) {
+    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.upper = std::numeric_limits<double>::infinity();
+  }
+  const std::string knee = model().dof_names[2];
+  for (const char* far : {"1001", "-1e9", "1e300"}) {
+    const auto read = StartPostureFromYaml(FileOf(First(), knee) + knee + ": " + far + "\n", "start.yaml", endless);
+    ASSERT_FALSE(read) << far;
+    EXPECT_NE(read.failure().message.find("'" + knee + "'"), std::string::npos);
+    EXPECT_NE(read.failure().message.find("within -1000 to 1000"), std::string::npos) << read.failure().message;
+  }
+  EXPECT_TRUE(StartPostureFromYaml(FileOf(First(), knee) + knee + ": 999\n", "start.yaml", endless));
 }
 
 TEST_F(StartPostures, TheBaseMayBeTurnedButNotTilted) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/dynamics/dynamics.h"
@@ -103,6 +104,66 @@ TEST_P(Approaching, AMotorTooWeakToHoldIsNamed) {
   EXPECT_NE(approach.failure().message.find("'" + weak.dof_names[static_cast<std::size_t>(knee)] + "' needs"),
             std::string::npos)
       << approach.failure().message;
+}
+
+TEST_P(Approaching, KeepsTheReserveThatThePlanIsHeldAgainst) {
+  const StartPosture start = Off(0.3);
+  AuditOptions reserve;
+  reserve.derate_speed = 0.02;
+  const auto slow = PlanApproach(model(), plan(), start, {}, reserve);
+  ASSERT_TRUE(slow) << slow.failure().message;
+  for (const VectorX& v : slow->plan.whole_body.v) {
+    for (int d = 0; d < n(); ++d) EXPECT_LE(std::abs(v[6 + d]), 0.02 * model().dof_velocity_limit(d) * (1.0 + 1e-9));
+  }
+  EXPECT_FALSE(Audit(model(), PlanApproach(model(), plan(), start)->plan, reserve)->pass()) << "without being told it";
+  EXPECT_TRUE(Audit(model(), slow->plan, reserve)->pass());
+  // Whoever is left hardly any torque cannot even hold its legs up, and is told so.
+  reserve.derate_torque = 0.01;
+  const auto weak = PlanApproach(model(), plan(), start, {}, reserve);
+  ASSERT_FALSE(weak);
+  EXPECT_EQ(weak.failure().code, "torque");
+  // What no motion of the approach can mend, its audit finds.
+  RobotModel warm = model();
+  for (Motor& motor : warm.motors) motor.continuous_effort = 1.0;
+  reserve = {};
+  reserve.derate_continuous = 0.01;
+  const auto hot = PlanApproach(warm, plan(), start, {}, reserve);
+  ASSERT_FALSE(hot);
+  EXPECT_EQ(hot.failure().code, "continuous_torque");
+}
+
+TEST_P(Approaching, OneThatTakesTooLongIsRefusedBeforeItsRowsAreMade) {
+  RobotModel endless = model();
+  MotionPlan far = plan();
+  const int d = endless.joints[static_cast<std::size_t>(endless.legs[0].knee_joint)].dof;
+  for (Joint& joint : endless.joints) {
+    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.upper = std::numeric_limits<double>::infinity();
+  }
+  for (const double way : {500.0, 1e9, 1e300}) {
+    far.whole_body.q.front()[7 + d] = way;
+    const auto refused = PlanApproach(endless, far, StartPosture{First(), {}});
+    ASSERT_FALSE(refused) << way;
+    EXPECT_EQ(refused.failure().code, "too_long");
+    EXPECT_NE(refused.failure().message.find("at most 600 s"), std::string::npos) << refused.failure().message;
+    EXPECT_FALSE(refused.failure().hints.empty());
+  }
+  MotionPlan fine = plan();
+  fine.whole_body.step_s = 1e-9;
+  const auto rows = PlanApproach(model(), fine, Off(0.3));
+  ASSERT_FALSE(rows);
+  EXPECT_NE(rows.failure().message.find("at most 120000 rows"), std::string::npos) << rows.failure().message;
+}
+
+TEST_P(Approaching, PositionsThatCannotBeAreRefused) {
+  for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity(), -1e6}) {
+    StartPosture start = Off(0.0);
+    start.joints[1] = wrong;
+    const auto refused = PlanApproach(model(), plan(), start);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.failure().code, "misfit");
+    EXPECT_NE(refused.failure().message.find("'" + model().dof_names[1] + "'"), std::string::npos);
+  }
 }
 
 TEST_P(Approaching, WhatDoesNotFitIsRefused) {

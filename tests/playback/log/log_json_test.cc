@@ -114,7 +114,7 @@ TEST(LogJson, RefusesWithTheReason) {
   EXPECT_NE(Why("[1,2]").find("no playback log"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "gaitwright-playback-log", "something-else")).find("no playback log"),
             std::string::npos);
-  EXPECT_NE(Why(Replaced(text, "\"schema\":3", "\"schema\":4")).find("schema 4; this program reads schema 3"),
+  EXPECT_NE(Why(Replaced(text, "\"schema\":4", "\"schema\":3")).find("schema 3; this program reads schema 4"),
             std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"controller\"", "\"kontroller\"")).find("controller"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"contact\": [3,3,3]", "\"contact\": [3,3]")).find("'contact' has 2"),

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "kinematics/spatial/rotation.h"
 #include "playback/report/plots.h"
@@ -31,7 +32,19 @@ TEST(EstimateMeasurements, TellHowFarTheEstimateWasFromTheTruth) {
   EXPECT_NEAR(played.Value("estimate_drift_m"), 0.05, 1e-12);
   EXPECT_NEAR(played.Value("estimate_height_m"), 0.02, 1e-12);
   EXPECT_NEAR(played.Value("estimate_tilt_rad"), 0.1, 1e-9) << "the heading does not count";
+  EXPECT_NEAR(played.Value("estimate_heading_rad"), 0.3, 1e-9);
   EXPECT_NEAR(played.Value("estimate_velocity_m_s"), 0.1, 1e-9);
+}
+
+TEST(EstimateMeasurements, HaveHeadingsThatGoAroundTheCircle) {
+  synthetic::Played played = Off(Vector3::Zero(), 0.0, Vector3::Zero());
+  for (LogSample& sample : played.log.samples) {
+    sample.q.segment<4>(3) = Quaternion(YawRotation(3.1)).coeffs();
+    sample.estimate->R_WB = Quaternion(YawRotation(-3.1));
+  }
+  const EstimateError error = ErrorOf(played.log.samples.back());
+  EXPECT_NEAR(error.heading_rad, 2.0 * std::numbers::pi - 6.2, 1e-9);
+  EXPECT_NEAR(error.tilt_rad, 0.0, 1e-9);
 }
 
 TEST(EstimateMeasurements, NeitherScoreNorFailAndAreAbsentWithoutAnEstimate) {
@@ -49,7 +62,9 @@ TEST(EstimateMeasurements, ArePlottedWhereThereAreAny) {
   const auto has = [](const synthetic::Played& played) {
     const std::vector<Plot> plots =
         MakePlots(played.model, played.plan, played.log, Score(played.model, played.plan, played.log));
-    return std::any_of(plots.begin(), plots.end(), [](const Plot& plot) { return plot.name == "estimate_error"; });
+    return std::any_of(plots.begin(), plots.end(), [](const Plot& plot) {
+      return plot.name == "estimate_error" && plot.svg.find("Heading") != std::string::npos;
+    });
   };
   EXPECT_TRUE(has(Off({0.01, 0.0, 0.0}, 0.1, Vector3::Zero())));
   EXPECT_FALSE(has(synthetic::Walked(4)));

@@ -204,6 +204,23 @@ TEST(Score, SaturationSpeedAndLimitsAreSharesOfTheUrdfsLimits) {
   EXPECT_NEAR(*report.At("joint_limit_margin_min_rad").planned, 0.5, 1e-9);
 }
 
+TEST(Score, AMotorWithoutAPeakMaySaturateAtItsContinuousEffort) {
+  RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = SteppingPlan(model);
+  PlaybackLog log = PerfectLog(model, plan);
+  for (Joint& joint : model.joints) joint.effort_limit_is_placeholder = true;
+  log.saturated_s[4] = 0.5 * plan.duration_s();
+  EXPECT_FALSE(Score(model, plan, log).At("torque_saturated_fraction").value) << "nothing can hold a motor back";
+  model.motors.resize(model.dof_names.size());
+  model.motors[4].continuous_effort = 20.0;
+  EXPECT_NEAR(Value(Score(model, plan, log), "torque_saturated_fraction"), 0.5, 1e-12);
+  EXPECT_FALSE(Score(model, plan, log).At("torque_saturated_fraction").pass);
+  model.motors[4] = Motor();
+  model.motors[4].corner_speed = 1.0;
+  model.motors[4].no_load_speed = 2.0;
+  EXPECT_NEAR(Value(Score(model, plan, log), "torque_saturated_fraction"), 0.5, 1e-12);
+}
+
 TEST(Score, AJointParkedAtItsLimitIsNotHeldAgainstThePlayback) {
   RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);

@@ -185,21 +185,29 @@ TEST(LegOdometry, AFootThatSlipsIsTakenAnew) {
   EXPECT_LT((c.Off().tail<3>() - before).norm(), 0.01);
 }
 
-TEST(LegOdometry, ASphereRolls) {
+/// A plane through the origin that rises ahead, without end.
+Terrain SlopeOf(double angle_rad) {
+  Terrain ground = FlatTerrain();
+  ground.patches.front().X_WT.linear() = RotationExp(-angle_rad * Vector3::UnitY());
+  return ground;
+}
+
+/// Error of the place and of the velocity of a ball that rolls up a slope, as shares of how far it went and how fast.
+/// All of the robot turns as one about its centre. The filter trusts the ball more than the IMU.
+Vector2 RollingErrors(double slope_rad, const Terrain& ground) {
   constexpr double kRadius = 0.05, kRate = 1.0;
   RobotModel model = LoadNamedRobot("a1").value();
   for (Foot& foot : model.feet) {
     foot.type = FootType::kSphere;
     foot.radius = kRadius;
   }
-  const Terrain ground;
-  // All of it turns as one about the centre of a ball, which rolls ahead. The filter trusts the ball more than the IMU.
   LegOdometry odometry(model, ground, {{}, Hobby(0), kStep});
   const VectorX start = StandingConfiguration(model);
   odometry.Start(start);
   DynamicsScratch scratch(model);
   ForwardKinematics(model, start, scratch);
   const Vector3 ball = FramePose(scratch, model.feet[0].body, model.feet[0].X_BF).translation();
+  const Vector3 ahead = RotationExp(-slope_rad * Vector3::UnitY()) * Vector3::UnitX();
   Encoders encoders(model.num_dofs(), {}, kStep);
   Imu imu({}, kStep);
   VectorX q = start, v = VectorX::Zero(model.nv());
@@ -209,7 +217,7 @@ TEST(LegOdometry, ASphereRolls) {
     const double t = kStep * k, angle = kRate * t * t;  // from rest
     const VectorX before = q;
     const Matrix3 R = RotationExp(angle * Vector3::UnitY()), R_before = BaseRotation(before);
-    rolled = ball + kRadius * angle * Vector3::UnitX();
+    rolled = ball + kRadius * angle * ahead;
     q.head<3>() = rolled + R * (start.head<3>() - ball);
     q.segment<4>(3) = Quaternion(R).coeffs();
     v.head<3>() = (q - before).head<3>() / kStep;
@@ -217,8 +225,43 @@ TEST(LegOdometry, ASphereRolls) {
     odometry.Update(imu.Read(q, v), encoders.Read(q.tail(model.num_dofs())), feet);
   }
   EXPECT_GT((rolled - ball).norm(), 1e-3);
-  EXPECT_LT((odometry.p_WF(0) - rolled).norm(), 0.1 * (rolled - ball).norm());
-  EXPECT_LT((odometry.v_WB() - v.head<3>()).norm(), 0.1 * v.head<3>().norm());
+  return {(odometry.p_WF(0) - rolled).norm() / (rolled - ball).norm(),
+          (odometry.v_WB() - v.head<3>()).norm() / v.head<3>().norm()};
+}
+
+TEST(LegOdometry, ASphereRolls) {
+  const Vector2 errors = RollingErrors(0.0, Terrain());
+  EXPECT_LT(errors[0], 0.1);
+  EXPECT_LT(errors[1], 0.1);
+}
+
+TEST(LegOdometry, ASphereRollsAlongTheSlopeThatItStandsOn) {
+  for (const double slope_rad : {0.5, -0.5}) {
+    const Vector2 told = RollingErrors(slope_rad, SlopeOf(slope_rad));
+    EXPECT_LT(told[0], 0.1);
+    EXPECT_LT(told[1], 0.1);
+    EXPECT_GT(RollingErrors(slope_rad, FlatTerrain())[0], 0.2) << "it matters";
+  }
+}
+
+TEST(LegOdometry, ASphereOnAKnownSlopeIsAtItsHeight) {
+  constexpr double kSlope = 0.4;
+  RobotModel model = LoadNamedRobot("a1").value();
+  OdometryOptions knows;
+  knows.terrain_height_m = 1e-4;
+  const Terrain ground = SlopeOf(kSlope);
+  LegOdometry odometry(model, ground, {knows, Hobby(1), kStep});
+  VectorX q = StandingConfiguration(model);
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, q, scratch);
+  const Foot& foot = model.feet[0];
+  const Vector3 centre = FramePose(scratch, foot.body, foot.X_BF).translation();
+  const double rests = std::tan(kSlope) * centre.x() + foot.radius / std::cos(kSlope);
+  q[2] += rests - centre.z();
+  odometry.Start(q);
+  odometry.Predict({Vector3::Zero(), Vector3(0.0, 0.0, kGravity)});
+  odometry.Correct({q.tail(12), q.tail(12), VectorX::Zero(12), true}, {FootBit(0), std::vector<double>(4, 30.0)});
+  EXPECT_NEAR(odometry.p_WF(0).z(), rests, 1e-5) << "nothing to correct";
 }
 
 TEST(LegOdometry, GroundThatIsKnownHoldsTheHeight) {

@@ -8,10 +8,12 @@
 
 #include "kinematics/base/result.h"
 #include "playback/bullet/play.h"
+#include "playback/bullet/world.h"
 #include "playback/control/joint_pd.h"
 #include "playback/control/stabilised.h"
 #include "playback/log/log_json.h"
 #include "playback/score/stability_report.h"
+#include "tests/playback/one_joint.h"
 #include "tests/playback/short_walk.h"
 #include "tests/playback/standing_plan.h"
 
@@ -103,6 +105,89 @@ TEST(SensingController, TellsWhatIsMeasured) {
   EXPECT_EQ(measured->Estimate(), nullptr);
 }
 
+/// A hinge in free fall that shall be held at 0.5 rad, and what its controller is told.
+struct Held {
+  explicit Held(const SensingOptions& options) {
+    VectorX q = VectorX::Zero(8);
+    q[2] = 1000.0;
+    q[6] = 1.0;
+    plan.terrain = FlatTerrain();
+    plan.whole_body.step_s = 0.005;
+    for (int k = 0; k < 2; ++k) {
+      q[7] = kTarget;
+      plan.whole_body.q.push_back(q);
+      plan.whole_body.v.emplace_back(VectorX::Zero(7));
+      plan.whole_body.a.emplace_back(VectorX::Zero(7));
+      plan.whole_body.tau.emplace_back(VectorX::Zero(1));
+    }
+    WorldOptions world;
+    world.actuation = options.drive_loop == "sensed" ? "torque" : "implicit-pd";
+    BulletWorld hinge(model, plan.terrain, q, world);
+    GainOptions soft;
+    soft.free_frequency_rad_s = 20.0;
+    const auto controller = BehindSensors(model, plan, std::make_unique<JointPd>(model, plan, soft), options);
+    controller->Reset();
+    ControlInput input;
+    for (int k = 0; k < 3000; ++k) {
+      input.q = hinge.q();
+      input.v = hinge.v();
+      hinge.Step(controller->Update(input));
+    }
+    at = hinge.q()[7];
+    torque = hinge.tau()[0];
+  }
+
+  static constexpr double kTarget = 0.5;
+  RobotModel model = one_joint::Make(JointType::kRevolute);
+  MotionPlan plan;
+  double at = 0.0, torque = 0.0;
+};
+
+TEST(SensingController, AZeroThatIsOffMovesWhatADriveHolds) {
+  SensingOptions options = With("measured", "ideal", 0.0);
+  EXPECT_NEAR(Held(options).at, Held::kTarget, 1e-6);
+  options.sensors.encoder_bias_rad = 0.05;
+  Encoders same(1, options.sensors, 0.001);
+  const double bias = same.bias()[0];
+  ASSERT_GT(std::abs(bias), 1e-3);
+  EXPECT_NEAR(Held(options).at, Held::kTarget - bias, 1e-6) << "the drive's encoder reads the target";
+  options.drive_loop = "sensed";
+  EXPECT_NEAR(Held(options).at, Held::kTarget - bias, 1e-6) << "and so does the controller's";
+  options = With("true", "ideal", 0.001);
+  options.sensors.encoder_bias_rad = 0.05;
+  EXPECT_NEAR(Held(options).at, Held::kTarget, 1e-6) << "with the true state no sensor counts";
+}
+
+TEST(SensingController, TheLoopIsTheDrivesOwnUnlessItIsAskedToBeTheControllers) {
+  const RobotModel model = one_joint::Make(JointType::kRevolute);
+  MotionPlan plan = Held(With("measured", "ideal", 0.0)).plan;
+  const auto update = [&](const char* loop) {
+    SensingOptions options = With("measured", "ideal", 0.0);
+    options.drive_loop = loop;
+    const auto controller = BehindSensors(model, plan, std::make_unique<JointPd>(model, plan), options);
+    ControlInput input;
+    input.q = plan.whole_body.q.front();
+    input.v = VectorX::Zero(7);
+    input.q[7] += 0.1;
+    return controller->Update(input);
+  };
+  const JointCommand own = update("own"), sensed = update("sensed");
+  EXPECT_GT(own.stiffness[0], 0.0);
+  EXPECT_EQ(own.tau_ff[0], 0.0);
+  EXPECT_EQ(sensed.stiffness[0], 0.0);
+  EXPECT_EQ(sensed.damping[0], 0.0);
+  EXPECT_NEAR(sensed.tau_ff[0], -0.1 * own.stiffness[0], 1e-9);
+}
+
+TEST(SensingOptions, SayHowOldSpeedsAreInASensedLoop) {
+  SensingOptions options = With("true", "hobby", 0.004);
+  EXPECT_EQ(options.LoopDelay(), 0.004);
+  options.state = "measured";
+  options.sensors.encoder_delay_s = 0.002;
+  options.sensors.encoder_rate_hz = 500.0;
+  EXPECT_NEAR(options.LoopDelay(), 0.004 + 0.002 + 0.002 + 2.0 / (2.0 * 3.14159265358979 * 50.0), 1e-12);
+}
+
 TEST(SensingController, RefusesOptionsOutOfRange) {
   const RobotModel model = standing::Load("a1");
   const MotionPlan plan = standing::Plan(model, 0.1);
@@ -112,6 +197,9 @@ TEST(SensingController, RefusesOptionsOutOfRange) {
   };
   refused(With("true", "ideal", 0.2), plan);
   refused(With("guessed", "ideal", 0.0), plan);
+  SensingOptions loop = With("measured", "ideal", 0.0);
+  loop.drive_loop = "mine";
+  refused(loop, plan);
   refused(With("estimated", "ideal", 0.0), MotionPlan{});
 }
 

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "planning/plan/plan_json.h"
 #include "playback/bullet/play.h"
 #include "tests/playback/xml_check.h"
+#include "workflows/study/preflight_joints.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
@@ -39,7 +44,11 @@ TrialsResult ResultOf(const Walked& walked, int n, int survived, double low, dou
   trials.survival_high = high;
   trials.causes = {{"tipped <over>", n - survived}};
   trials.worst = {{18446744073709551615U, "base under 0.4 of its height"}};
+  trials.passed = survived - 4;
+  trials.options = {{"state", "true"}, {"command_delay_s", "0"}, {"play.friction", "0.4"}, {"sensors.seed", "0"}};
+  trials.disturbances = "mass_scale: 1.1\nfriction: <0.5>\n";
   trials.plan_hash = MotionHash(walked.plan);
+  trials.whole_plan_hash = PlanHash(walked.plan);
   trials.robot_hash = walked.model.hash;
   return trials;
 }
@@ -58,6 +67,7 @@ TEST(PreflightOfAGoodPlan, IsAGoThatSaysWhatNobodyChecked) {
   EXPECT_TRUE(preflight.go());
   EXPECT_EQ(preflight.robot_hash, AWalk().model.hash);
   EXPECT_EQ(preflight.plan_hash, MotionHash(AWalk().plan));
+  EXPECT_EQ(preflight.whole_plan_hash, PlanHash(AWalk().plan));
   EXPECT_TRUE(Says(preflight.remarks, "no trials"));
   for (const char* law : {"torque_speed", "continuous_torque", "joint_acceleration", "joint_jerk", "start_posture",
                           "survival under disturbances", "self_collision"})
@@ -80,6 +90,19 @@ TEST(PreflightOfAGoodPlan, StandsOnTheOptionsThatAreGiven) {
   EXPECT_FALSE(jumps.go());
   EXPECT_TRUE(Says(jumps.reasons, "start posture: " + AWalk().model.dof_names[3]));
   EXPECT_TRUE(Says(jumps.remarks, "--approach"));
+  EXPECT_FALSE(Says(jumps.remarks, "begin the plan at rest"));
+}
+
+TEST(PreflightOfAPlanThatBeginsInMotion, AsksForOneThatBeginsAtRest) {
+  Walked moving = AWalk();
+  moving.plan.whole_body.v.front()[8] = 3.0;
+  PreflightInput input;
+  input.audit.start = StartPosture{moving.plan.whole_body.q.front().tail(moving.model.num_dofs()), {}};
+  const Preflight preflight = Of(input, moving);
+  EXPECT_FALSE(preflight.go());
+  EXPECT_TRUE(Says(preflight.reasons, ", speed at"));
+  EXPECT_TRUE(Says(preflight.remarks, "begin the plan at rest"));
+  EXPECT_FALSE(Says(preflight.remarks, "--approach")) << "no way there mends it";
 }
 
 TEST(PreflightWithTrials, IsNoGoWhereTooFewSurvived) {
@@ -113,6 +136,66 @@ TEST(PreflightWithTrials, RefusesThoseOfAnotherPlanOrRobot) {
   const auto of_robot = MakePreflight(AWalk().model, AWalk().plan, input);
   ASSERT_FALSE(of_robot);
   EXPECT_TRUE(Says(of_robot.failure().message, "another robot"));
+}
+
+/// The trials' plan with one thing changed in it, which makes the trials another plan's.
+void ExpectOther(const std::function<void(MotionPlan&)>& change, const std::string& part) {
+  Walked changed = AWalk();
+  change(changed.plan);
+  PreflightInput input;
+  input.trials = ResultOf(AWalk(), 500, 487, 0.9558, 0.9846);
+  const auto refused = MakePreflight(changed.model, changed.plan, input);
+  ASSERT_FALSE(refused) << part;
+  EXPECT_TRUE(Says(refused.failure().message, "another plan: their " + part)) << refused.failure().message;
+}
+
+TEST(PreflightWithTrials, HoldsThemAgainstTheWholePlan) {
+  ExpectOther([](MotionPlan& plan) { plan.terrain.patches.front().friction = 0.4; }, "plan_hash");
+  ExpectOther([](MotionPlan& plan) { plan.footsteps.footholds.back().X_WF.translation().x() += 1e-9; }, "plan_hash");
+  ExpectOther([](MotionPlan& plan) { plan.whole_body.wrenches[7][0].force_W.z() += 1e-9; }, "plan_hash");
+  ExpectOther([](MotionPlan& plan) { plan.goal.x_m += 0.1; }, "whole_plan_hash");
+  ExpectOther([](MotionPlan& plan) { plan.swings.front().lift_m += 0.01; }, "whole_plan_hash");
+}
+
+TEST(PreflightWithTrials, SaysWhatTheyWerePlayedUnderAndWhatAGoAsksFor) {
+  PreflightInput input;
+  input.options.least_survival = 0.85;
+  input.trials = ResultOf(AWalk(), 500, 487, 0.9558, 0.9846);
+  const Preflight preflight = Of(input);
+  const std::string text = PreflightText(preflight), page = PreflightPage(preflight);
+  const Json json = Json::parse(PreflightJson(preflight)), trials = json.at("trials");
+  for (const char* part : {"483 of 500 trials passed every gate too: 96.6 %", "a go asks for 85 % to survive",
+                           "state true", "sensors not used", "command_delay_s 0", "play.friction 0.4 (usually 0)"}) {
+    EXPECT_TRUE(Says(text, part)) << part;
+    EXPECT_TRUE(Says(page, part)) << part;
+  }
+  EXPECT_TRUE(Says(text, "      friction: <0.5>\n")) << "disturbances";
+  EXPECT_TRUE(Says(page, "friction: &lt;0.5&gt;"));
+  EXPECT_EQ(json.at("least_survival"), 0.85);
+  EXPECT_EQ(trials.at("passed"), 483);
+  EXPECT_NEAR(trials.at("pass_share"), 0.966, 1e-12);
+  EXPECT_EQ(trials.at("conditions").back(), (Json{{"key", "play.friction"}, {"value", "0.4"}, {"usual", "0"}}));
+  EXPECT_TRUE(Says(PreflightText(Of({})), "a go asks for 90 % to survive")) << "whether or not there are trials";
+  EXPECT_TRUE(Says(PreflightPage(Of({})), "a go asks for 90 % to survive"));
+  EXPECT_EQ(Json::parse(PreflightJson(Of({}))).at("least_survival"), 0.9);
+}
+
+TEST(PreflightAsText, HasTheMarginsOfEachJointAsThePageDoes) {
+  const Preflight preflight = Of({});
+  const JointMargins table = JointMarginsOf(preflight.audit.margins);
+  EXPECT_EQ(table.headings, (std::vector<std::string>{"to its stop", "speed", "torque"}));
+  ASSERT_EQ(table.rows.size(), AWalk().model.dof_names.size());
+  std::istringstream lines(PreflightText(preflight));
+  std::map<std::string, std::string> found;
+  for (std::string line; std::getline(lines, line);) {
+    for (const JointMargins::Row& row : table.rows) {
+      if (line.starts_with("  " + row.joint + " ")) found[row.joint] = line;
+    }
+  }
+  for (const JointMargins::Row& row : table.rows) {
+    for (const std::string& cell : row.cells) EXPECT_TRUE(Says(found[row.joint], cell)) << row.joint;
+    EXPECT_FALSE(row.broken[2]);
+  }
 }
 
 TEST(PreflightOfABrokenPlan, NamesWhatForbidsItFirst) {

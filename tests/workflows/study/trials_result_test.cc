@@ -8,11 +8,12 @@
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 Json Good() {
   return {{"n", 20},
           {"survived", 19},
+          {"passed", 17},
           {"survival", 0.95},
           {"survival_low", 0.7639},
           {"survival_high", 0.9911},
@@ -21,7 +22,9 @@ Json Good() {
           {"worst", {{{"seed", 7}, {"cause", "tipped"}, {"reason", "tipped at 2 s"}}, {{"seed", 9}, {"cause", ""}}}},
           {"controller", "stabilised"},
           {"disturbances", "friction: 0.5\n"},
+          {"options", {{"state", "true"}, {"play.friction", "0.4"}}},
           {"plan_hash", "p"},
+          {"whole_plan_hash", "w"},
           {"robot_hash", "r"}};
 }
 
@@ -45,6 +48,11 @@ TEST(TrialsResults, AreReadWithCausesAndWorst) {
   EXPECT_EQ(read->n, 20);
   EXPECT_EQ(read->survived, 19);
   EXPECT_EQ(read->survival_low, 0.7639);
+  EXPECT_EQ(read->passed, 17);
+  EXPECT_EQ(read->pass_share(), WilsonInterval(17, 20));
+  EXPECT_EQ(read->plan_hash, "p");
+  EXPECT_EQ(read->whole_plan_hash, "w");
+  EXPECT_EQ(read->options, (OptionTexts{{"state", "true"}, {"play.friction", "0.4"}})) << "in their order";
   EXPECT_EQ(read->controller, "stabilised");
   EXPECT_EQ(read->disturbances, "friction: 0.5\n");
   ASSERT_EQ(read->causes.size(), 1U);
@@ -60,7 +68,8 @@ TEST(TrialsResults, AreReadWithCausesAndWorst) {
 }
 
 TEST(TrialsResults, ThatSayNonsenseAreRefused) {
-  for (const char* key : {"n", "survived", "survival", "survival_low", "survival_high", "plan_hash", "robot_hash"}) {
+  for (const char* key : {"n", "survived", "passed", "survival", "survival_low", "survival_high", "plan_hash",
+                          "whole_plan_hash", "robot_hash", "options"}) {
     Json json = Good();
     json.erase(key);
     ExpectNo(json, "'" + std::string(key) + "'");
@@ -76,6 +85,10 @@ TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   ExpectNo(With("survival_high", nullptr), "'survival_high'");
   ExpectNo(With("plan_hash", 3), "'plan_hash'");
   ExpectNo(With("plan_hash", ""), "is empty");
+  ExpectNo(With("passed", 20), "20 trials passed every gate, where 19 survived");
+  ExpectNo(With("whole_plan_hash", ""), "is empty");
+  ExpectNo(With("options", "many"), "'options'");
+  ExpectNo(With("options", {{"play.friction", 0.4}}), "play.friction");
   ExpectNo(With("causes", "many"), "'causes'");
   ExpectNo(With("causes", {{"tipped", -1}}), "tipped");
   ExpectNo(With("causes", {{{"count", 1}}}), "name and count");

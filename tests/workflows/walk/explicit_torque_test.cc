@@ -2,7 +2,10 @@
 // Motors that are told a torque at the start of a step, as on hardware: the gains have to know the step.
 #include <gtest/gtest.h>
 
+#include "kinematics/base/result.h"
+#include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
+#include "playback/trials/trial_outcome.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
@@ -63,6 +66,60 @@ TEST(GainsOfARequest, ReachBothControllers) {
     EXPECT_LT(MakeController(model, plan, request)->Update(input).damping.maxCoeff(), 0.5 * halved.maxCoeff()) << name;
     SetOption(fields, "gains.explicit_step_s", "1e-5");
     EXPECT_GT(MakeController(model, plan, request)->Update(input).damping.minCoeff(), 0.99 * halved.minCoeff()) << name;
+  }
+}
+
+TEST(LoopOfTheDrives, OnWhatIsSensedHasGainsForTheAgeOfThatAndNeedsTorques) {
+  const RobotModel model = *LoadNamedRobot("a1");
+  const MotionPlan plan = ShortWalk(model).motion.plan;
+  ControlInput input;
+  input.q = plan.whole_body.q.front();
+  input.v = plan.whole_body.v.front();
+  input.q.tail(12).array() += 0.1;
+  const auto push = [&](double delay_s) {  // what a joint that is off is pushed back with
+    PlayRequest request;
+    request.controller = "joint-pd";
+    request.play.world.actuation = "torque";
+    request.sensing.drive_loop = "sensed";
+    request.sensing.command_delay_s = delay_s;
+    const auto controller = MakeController(model, plan, request);
+    return (controller->Update(input).tau_ff - plan.whole_body.tau.front()).norm();
+  };
+  EXPECT_GT(push(0.0), 1.0);
+  EXPECT_LT(push(0.009), 0.5 * push(0.0)) << "an older loop has to be softer";
+  PlayRequest implicit;
+  implicit.sensing.drive_loop = "sensed";
+  EXPECT_THROW(MakeController(model, plan, implicit), InvalidArgument);
+}
+
+TEST(LoopOfTheDrives, OnTheTrueStateAtOnceIsTheDrivesOwn) {
+  const RobotModel model = *LoadNamedRobot("nao");
+  const MotionPlan plan = ShortWalk(model).motion.plan;
+  PlayRequest request;
+  request.play.world.actuation = "torque";
+  const PlaybackLog own = PlayWalk(model, plan, request)->log;
+  request.sensing.drive_loop = "sensed";
+  const PlaybackLog sensed = PlayWalk(model, plan, request)->log;
+  ASSERT_EQ(own.samples.size(), sensed.samples.size());
+  EXPECT_LT((own.samples.back().q - sensed.samples.back().q).lpNorm<Eigen::Infinity>(), 1e-6);
+}
+
+/// Where losses do not act, nobody makes up for them: a robot that has some then plays as one that has none.
+TEST(JointLosses, ThatDoNotActAreNotMadeUpFor) {
+  const RobotModel plain = *LoadNamedRobot("a1");
+  RobotModel lossy = plain;
+  lossy.motors.resize(plain.dof_names.size());
+  for (Joint& joint : lossy.joints) joint.damping = 0.3, joint.friction = 0.4;
+  for (Motor& motor : lossy.motors) motor.rotor_inertia = 0.02;
+  EXPECT_EQ(WithoutLosses(lossy).joints.back().damping, 0.0);
+  const MotionPlan plan = ShortWalk(plain).motion.plan;
+  for (const char* controller : {"joint-pd", "stabilised"}) {
+    PlayRequest request;
+    request.controller = controller;
+    const std::string without = SamplesHash(PlayWalk(WithoutLosses(lossy), plan, request)->log);
+    EXPECT_NE(SamplesHash(PlayWalk(lossy, plan, request)->log), without) << controller;
+    request.play.world.joint_losses = false;
+    EXPECT_EQ(SamplesHash(PlayWalk(lossy, plan, request)->log), without) << controller;
   }
 }
 

@@ -2,6 +2,8 @@
 // Walks that are within what the robot can do pass their audit; others are refused with what is possible.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "kinematics/model/load_robot.h"
 #include "tests/unusual_robots.h"
 #include "workflows/walk/refuse_walk.h"
@@ -60,6 +62,18 @@ TEST(Limits, AGivenTimeOfSteppingStays) {
   EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
   request.motion.pipeline.allow_limits = true;
   EXPECT_FALSE(PlanWalk(nao, request)->audit.pass());
+}
+
+TEST(Limits, AMotorThatTurnsTooFastIsNamedForThatRatherThanForTheTorqueThatItHasLeft) {
+  const RobotModel nao = *LoadNamedRobot("nao");
+  WalkRequest request = Asked(0.15, 0.0, 0.0);
+  request.command.distance_m = 1.0;
+  const Result<PlannedWalk> planned = PlanWalk(nao, request);
+  ASSERT_FALSE(planned.ok());
+  EXPECT_NE(planned.failure().message.find("' moves at "), std::string::npos) << planned.failure().message;
+  request.motion.pipeline.allow_limits = true;
+  const std::vector<Violation> broken = BrokenLimits(PlanWalk(nao, request)->audit);
+  EXPECT_TRUE(std::any_of(broken.begin(), broken.end(), [](const auto& v) { return v.law == "torque_speed"; }));
 }
 
 TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {

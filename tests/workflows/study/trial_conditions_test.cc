@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/trial_conditions.h"
+
+#include <gtest/gtest.h>
+
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+/// What is told of a request, a line each.
+std::vector<std::string> Told(PlayRequest request) {
+  std::vector<std::string> lines;
+  for (const OptionChange& condition : TrialConditions(TextsOf(request.Fields())))
+    lines.push_back(ConditionText(condition));
+  return lines;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(TrialConditions, TellOfStateSensorsAndDelayWhateverTheyAre) {
+  EXPECT_EQ(Told({}), (Lines{"state true", "sensors not used", "command_delay_s 0"}));
+  PlayRequest request;
+  request.sensing.sensors = SensorsOfKind("hobby");
+  EXPECT_EQ(Told(request), (Lines{"state true", "sensors not used", "command_delay_s 0"})) << "with the true state";
+  request.sensing.state = "estimated";
+  request.sensing.command_delay_s = 0.004;
+  EXPECT_EQ(Told(request), (Lines{"state estimated (usually true)", "sensors hobby (usually ideal)",
+                                  "command_delay_s 0.004 (usually 0)"}));
+}
+
+TEST(TrialConditions, NameFiguresOfSensorsThatAreNotThoseOfTheNearestSet) {
+  PlayRequest request;
+  request.sensing.state = "measured";
+  EXPECT_EQ(Told(request)[1], "sensors ideal");
+  request.sensing.sensors = SensorsOfKind("good");
+  request.sensing.sensors.encoder_bias_rad = 0.01;
+  request.sensing.sensors.seed = 7;
+  EXPECT_EQ(Told(request), (Lines{"state measured (usually true)", "sensors good (usually ideal)",
+                                  "sensors.encoder_bias_rad 0.01 (usually 0)", "command_delay_s 0"}));
+}
+
+TEST(TrialConditions, NameEveryOptionThatIsNotAtItsUsualValue) {
+  PlayRequest request;
+  request.play.world.friction = 0.4;
+  request.stabilised.dcm_gain = 1.5;
+  request.play.world.seed = 3;
+  EXPECT_EQ(Told(request), (Lines{"state true", "sensors not used", "command_delay_s 0",
+                                  "play.friction 0.4 (usually 0)", "stabilised.dcm_gain 1.5 (usually 1.3)"}));
+}
+
+TEST(TrialConditions, SayWhatTheResultDoesNotSayOrTheProgramNotKnow) {
+  const std::vector<OptionChange> conditions = TrialConditions({{"play.magic", "on"}});
+  ASSERT_EQ(conditions.size(), 4U);
+  EXPECT_EQ(conditions[0].value, "not said");
+  EXPECT_EQ(conditions[1].value, "not said");
+  EXPECT_EQ(conditions[2].value, "not said");
+  EXPECT_EQ(ConditionText(conditions[3]), "play.magic on (not known to this program)");
+}
+
+}  // namespace
+}  // namespace gaitwright

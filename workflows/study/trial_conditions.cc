@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/study/trial_conditions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr char kState[] = "state", kDelay[] = "command_delay_s", kSensors[] = "sensors";
+constexpr char kNotSaid[] = "not said";
+
+bool IsSeed(const std::string& key) { return key.ends_with(".seed"); }
+bool IsOfSensors(const std::string& key) { return key.starts_with("sensors."); }
+
+/// One of the options that are told in any case.
+OptionChange Always(const OptionTexts& options, const OptionFields& usual, const std::string& key) {
+  const auto field = std::find_if(usual.begin(), usual.end(), [&](const OptionField& f) { return f.key == key; });
+  const auto said =
+      std::find_if(options.begin(), options.end(), [&](const auto& option) { return option.first == key; });
+  return {key, said == options.end() ? kNotSaid : said->second, OptionText(*field)};
+}
+
+/// The figures that are not those of a ready-made set.
+std::vector<OptionChange> UnlikeKind(const std::string& kind, const OptionTexts& options) {
+  SensorOptions of_kind = SensorsOfKind(kind);
+  std::vector<OptionChange> unlike = ChangesFrom(Prefixed(kSensors, of_kind.Fields()), options);
+  std::erase_if(unlike, [](const OptionChange& change) { return IsSeed(change.key); });
+  return unlike;
+}
+
+void AddSensors(const OptionTexts& options, const std::string& state, std::vector<OptionChange>& conditions) {
+  const bool said = std::any_of(options.begin(), options.end(), [](const auto& o) { return IsOfSensors(o.first); });
+  if (state == StateSourceNames().front() || !said) {
+    const std::string value = said ? "not used" : kNotSaid;
+    conditions.push_back({kSensors, value, value});
+    return;
+  }
+  std::string nearest;
+  std::vector<OptionChange> unlike;
+  for (const std::string& kind : SensorKinds()) {
+    std::vector<OptionChange> other = UnlikeKind(kind, options);
+    if (!nearest.empty() && other.size() >= unlike.size()) continue;
+    nearest = kind;
+    unlike = std::move(other);
+  }
+  conditions.push_back({kSensors, nearest, SensorKinds().front()});
+  conditions.insert(conditions.end(), unlike.begin(), unlike.end());
+}
+
+}  // namespace
+
+std::vector<OptionChange> TrialConditions(const OptionTexts& options) {
+  PlayRequest request;
+  const OptionFields usual = request.Fields();
+  std::vector<OptionChange> conditions = {Always(options, usual, kState)};
+  AddSensors(options, conditions.front().value, conditions);
+  conditions.push_back(Always(options, usual, kDelay));
+  for (const OptionChange& change : ChangesFrom(usual, options)) {
+    const bool told = change.key == kState || change.key == kDelay || IsOfSensors(change.key) || IsSeed(change.key);
+    if (!told) conditions.push_back(change);
+  }
+  for (const auto& [key, value] : options) {
+    const auto is = [&key = key](const OptionField& field) { return field.key == key; };
+    if (std::none_of(usual.begin(), usual.end(), is)) conditions.push_back({key, value, ""});
+  }
+  return conditions;
+}
+
+std::string ConditionText(const OptionChange& condition) {
+  const std::string text = fmt::format("{} {}", condition.key, condition.value);
+  if (condition.value == condition.usual) return text;
+  return text +
+         (condition.usual.empty() ? " (not known to this program)" : fmt::format(" (usually {})", condition.usual));
+}
+
+}  // namespace gaitwright
