@@ -70,8 +70,7 @@ void Paths::AddSequence(const std::string& sequence) {
 }
 
 void Paths::AddTerrain(const std::string& terrain) {
-  const std::string file = TerrainFileOf(terrain);
-  if (!file.empty()) read.push_back({"the terrain", file});
+  for (const std::string& file : TerrainFilesOf(terrain)) read.push_back({"the terrain", file});
 }
 
 void CheckPaths(const Paths& paths) {

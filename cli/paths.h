@@ -20,7 +20,7 @@ struct Paths {
   void AddRobotAndGait(const std::string& urdf, const std::string& gait);
   /// Adds the file of `sequence` when it names one.
   void AddSequence(const std::string& sequence);
-  /// Adds the file of `terrain` when it names one.
+  /// Adds the files of `terrain` when it names any.
   void AddTerrain(const std::string& terrain);
 };
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "workflows/study/job_journal.h"
 
 namespace gaitwright::cli {
 
@@ -44,6 +45,9 @@ int Guarded(const Common& common, const std::function<int()>& verb) {
     return verb();
   } catch (const InvalidArgument& error) {
     return Report({FailureKind::kBadInput, "invalid_argument", "program", error.what(), {}}, common);
+  } catch (const CannotKeep& error) {
+    const std::vector<std::string> hints = {"make room on the disk", "the same command with --resume goes on"};
+    return Report({FailureKind::kBadInput, "so_far", "JobJournal", error.what(), hints}, common);
   } catch (const std::exception& error) {
     const std::string message = fmt::format("the program failed, which is its own fault: {}", error.what());
     return Report({FailureKind::kBadInput, "internal", "program", message, {}}, common);

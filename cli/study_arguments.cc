@@ -83,11 +83,11 @@ Result<RobotModel> StudyArguments::FinishFor(const std::vector<StudyAxis>& axes)
 
 TrialPlayer PlayerOf(const Disturbances& disturbances, int run_seed) {
   return [disturbances, run_seed](const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
-                                  int number) -> TrialWorth {
+                                  int number) -> Result<TrialWorth> {
     const std::uint64_t seed = SeedOfTrial(static_cast<std::uint64_t>(run_seed), number);
     const Result<PlayedTrial> trial = PlayTrial({model, plan, request, disturbances}, number, seed);
-    if (!trial) throw InvalidArgument(trial.failure().message);
-    return {trial->outcome.score, trial->outcome.survived};
+    if (!trial) return trial.failure();
+    return TrialWorth{trial->outcome.score, trial->outcome.survived};
   };
 }
 

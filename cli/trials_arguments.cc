@@ -15,8 +15,12 @@ void DisturbanceArguments::AddPathTo(Paths& paths) const {
 }
 
 Result<Disturbances> DisturbanceArguments::Load(const RobotModel& model, PlayRequest request) const {
-  if (file.empty() || file == "standard") return StandardDisturbances(model);
-  return LoadDisturbances(file, SensorFields(request));
+  const bool standard = file.empty() || file == "standard";
+  Result<Disturbances> disturbances =
+      standard ? Result<Disturbances>(StandardDisturbances(model)) : LoadDisturbances(file, SensorFields(request));
+  if (!disturbances) return disturbances;
+  if (auto failure = WhyNotSampled(model, request, *disturbances)) return *failure;
+  return disturbances;
 }
 
 }  // namespace gaitwright::cli

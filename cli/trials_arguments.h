@@ -16,7 +16,7 @@ struct DisturbanceArguments {
 
   void AddTo(CLI::App& verb, const std::string& otherwise = "the standard set, scaled to the robot");
   void AddPathTo(Paths& paths) const;
-  /// What the file says, or the standard set.
+  /// What the file says, or the standard set; a failure where some of it could not be played.
   Result<Disturbances> Load(const RobotModel& model, PlayRequest request) const;
 };
 

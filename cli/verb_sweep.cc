@@ -138,6 +138,7 @@ void Print(const Arguments& a, const Study& study, const std::vector<PointOutcom
 
 /// What the other ranks of an MPI run do: they write and print nothing. What went wrong rank 0 tells.
 int Help(Arguments& a, SharedWork& work) {
+  const Undisturbed undisturbed;
   std::string problem;
   try {
     const Result<SweepInputs> sweep = ReadAll(a);

@@ -117,6 +117,7 @@ Result<TrialInputs> ReadAll(Arguments& a) {
 
 /// What the other ranks of an MPI run do: they write and print nothing. What went wrong rank 0 tells.
 int Help(Arguments& a, SharedWork& work) {
+  const Undisturbed undisturbed;
   std::string problem;
   try {
     const Result<TrialInputs> read = ReadAll(a);

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/base/file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
 #include <utf8cpp/utf8.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "kinematics/base/same_file.h"
@@ -26,6 +29,16 @@ Failure FileFailure(const std::string& code, const std::string& message) {
 
 Failure Unwritable(const std::string& path, const std::error_code& error) {
   return FileFailure("unwritable_file", fmt::format("cannot write '{}': {}", path, error.message()));
+}
+
+/// Waits until a file, or a folder with the names in it, is on the disk, so that it is there after a power cut too.
+/// Some disks have no such thing (EINVAL), and a folder that may be written into but not read cannot be asked.
+std::error_code Sync(const fs::path& path) {
+  const int handle = ::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (handle < 0) return {errno == EACCES ? 0 : errno, std::generic_category()};
+  const int error = ::fsync(handle) != 0 && errno != EINVAL ? errno : 0;
+  ::close(handle);
+  return {error, std::generic_category()};
 }
 
 /// Holds back what asks the program to end (Ctrl-C and its kin) until files are whole, in the thread that writes them.
@@ -72,10 +85,11 @@ class Transaction {
     stream.write(file.text.data(), static_cast<std::streamsize>(file.text.size()));
     stream.close();
     if (!stream) return FileFailure("unwritable_file", fmt::format("cannot write '{}'", file.path));
+    if (const std::error_code unsafe = Sync(steps_.back().temporary)) return Unwritable(file.path, unsafe);
     return std::nullopt;
   }
 
-  /// Puts all in place; the former files are kept until that is done.
+  /// Puts all in place, for good; the former files are kept until that is done.
   std::optional<Failure> Commit() {
     std::error_code error;
     for (Step& step : steps_) {
@@ -83,6 +97,9 @@ class Transaction {
       fs::rename(step.temporary, step.target, error);
       if (error) return Unwritable(step.target.string(), error);
       step.placed = true;
+    }
+    for (const fs::path& folder : FoldersWithNewNames()) {
+      if (const std::error_code unsafe = Sync(folder)) return Unwritable(folder.string(), unsafe);
     }
     done_ = true;
     for (const Step& step : steps_) {
@@ -111,6 +128,13 @@ class Transaction {
       if (error) return false;
     }
     return true;
+  }
+
+  std::set<fs::path> FoldersWithNewNames() const {
+    std::set<fs::path> changed;
+    for (const Step& step : steps_) changed.insert(step.target.parent_path());
+    for (const fs::path& made : folders_) changed.insert(made.parent_path());
+    return changed;
   }
 
   /// A second name, or a copy where the disk has no such thing, so that there is a whole file under the target all the

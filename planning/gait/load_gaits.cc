@@ -64,16 +64,6 @@ GaitEntry ParseGait(const std::string& name, const YAML::Node& node) {
   return entry;
 }
 
-std::string BuiltInFile() {
-  if (const char* file = std::getenv("GAITWRIGHT_GAITS")) return file;
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (fs::exists(GAITWRIGHT_SOURCE_GAITS, error)) return GAITWRIGHT_SOURCE_GAITS;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path beside = program.parent_path().parent_path() / "share/gaitwright/gaits.yaml";
-  return !error && fs::exists(beside, error) ? beside.string() : GAITWRIGHT_INSTALLED_GAITS;
-}
-
 GaitEntry Wave(int num_feet) {
   constexpr double kShareOfTurn = 0.6, kLegTimesPerFoot = 2.0;  // those of the crawl
   GaitEntry wave;
@@ -123,7 +113,17 @@ Result<std::vector<GaitEntry>> LoadGaits(const std::string& path) {
   return gaits;
 }
 
-Result<std::vector<GaitEntry>> BuiltInGaits() { return LoadGaits(BuiltInFile()); }
+std::string BuiltInGaitsFile() {
+  if (const char* file = std::getenv("GAITWRIGHT_GAITS")) return file;
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::exists(GAITWRIGHT_SOURCE_GAITS, error)) return GAITWRIGHT_SOURCE_GAITS;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path beside = program.parent_path().parent_path() / "share/gaitwright/gaits.yaml";
+  return !error && fs::exists(beside, error) ? beside.string() : GAITWRIGHT_INSTALLED_GAITS;
+}
+
+Result<std::vector<GaitEntry>> BuiltInGaits() { return LoadGaits(BuiltInGaitsFile()); }
 
 std::vector<GaitEntry> GeneratedGaits(int num_feet) {
   std::vector<GaitEntry> gaits;

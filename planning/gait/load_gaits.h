@@ -24,6 +24,9 @@ Result<std::vector<GaitEntry>> LoadGaits(const std::string& path);
 /// The gaits that come with the program.
 Result<std::vector<GaitEntry>> BuiltInGaits();
 
+/// The file that they stand in.
+std::string BuiltInGaitsFile();
+
 /// Gaits that are made for any number of feet: "wave" for three or more, the crawl's timing with each foot alone in the
 /// air, from rear to front on the left and then on the right (from the last foot to the first when they are odd); and
 /// "alternating" for an even number of six or more, two sets that are neighbours to each other. Feet stand in the

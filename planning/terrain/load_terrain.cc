@@ -83,6 +83,16 @@ std::string TerrainFileOf(const std::string& name_or_file) {
   return !file.kind.empty() || before.find_first_of("./") != std::string::npos ? file.path : "";
 }
 
+std::vector<std::string> TerrainFilesOf(const std::string& name_or_file) {
+  const FileText file = Part(name_or_file);
+  if (TerrainFileOf(name_or_file).empty()) return {};
+  std::vector<std::string> files = {file.path};
+  if (file.kind == ".yaml" || file.kind == ".yml") {
+    for (const std::string& named : FilesOfTerrainYaml(file.path)) files.push_back(TerrainFileOf(named));
+  }
+  return files;
+}
+
 Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale& scale) {
   if (TerrainFileOf(name_or_file).empty()) return MakeTerrain(name_or_file, scale);
   const FileText file = Part(name_or_file);

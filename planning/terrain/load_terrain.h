@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "kinematics/base/result.h"
 #include "planning/plan/terrain.h"
@@ -18,5 +19,9 @@ Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale&
 
 /// The path of the file that a text names, without parameters; "" for a built-in ground.
 std::string TerrainFileOf(const std::string& name_or_file);
+
+/// The paths of all files that a ground is read from: the one that the text names and, where that is YAML, those that
+/// it names itself; none for a built-in ground.
+std::vector<std::string> TerrainFilesOf(const std::string& name_or_file);
 
 }  // namespace gaitwright

@@ -167,12 +167,17 @@ void Append(const Terrain& from, Terrain& to) {
   to.obstacles.insert(to.obstacles.end(), from.obstacles.begin(), from.obstacles.end());
 }
 
+/// A file as it is named in another one, which lies in that folder.
+std::string BesideIt(const std::string& folder, const std::string& text) {
+  return (std::filesystem::path(folder) / text).string();
+}
+
 /// A ground named at a node. A file that names another of its own kind could go round and round, so it may not.
 Terrain Named(const YAML::Node& node, const std::string& folder, const TerrainScale& scale, bool file) {
   std::string text = TextOf(node, file ? "a file" : "builtin");
   if (file && (text.find(".yaml") != std::string::npos || text.find(".yml") != std::string::npos))
     RefuseYaml(node, fmt::format("'{}' is YAML too; a height map or a mesh is needed", text));
-  if (file) text = (std::filesystem::path(folder) / text).string();
+  if (file) text = BesideIt(folder, text);
   const Result<Terrain> terrain = file ? LoadTerrain(text, scale) : MakeTerrain(text, scale);
   if (!terrain) RefuseYaml(node, terrain.failure().message);
   return *terrain;
@@ -214,6 +219,24 @@ Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& sca
   } catch (const InvalidArgument& error) {
     return bad(error.what());
   }
+}
+
+std::vector<std::string> FilesOfTerrainYaml(const std::string& path) {
+  const Result<std::string> text = ReadFile(path);
+  if (!text) return {};
+  std::vector<std::string> files;
+  try {
+    const YAML::Node root = LoadYaml(*text);
+    if (!root.IsMap() || !root["files"]) return {};
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    for (const YAML::Node& node : ListOf(root["files"], "files"))
+      files.push_back(BesideIt(folder, TextOf(node, "a file")));
+  } catch (const YAML::Exception&) {  // what is wrong with it, who reads it as a ground says
+    return {};
+  } catch (const InvalidArgument&) {
+    return {};
+  }
+  return files;
 }
 
 }  // namespace gaitwright

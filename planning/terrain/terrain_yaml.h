@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "kinematics/base/result.h"
 #include "planning/plan/terrain.h"
@@ -14,5 +15,9 @@ namespace gaitwright {
 /// Failure kBadInput with file and line: text that is no YAML, keys that are unknown (the nearest is named), missing or
 /// there twice, values of the wrong kind, numbers out of range, shapes that cannot be, and no ground at all.
 Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& scale);
+
+/// The grounds that such a file names under `files`, with their parameters, from its own folder; none where it is
+/// not to be read.
+std::vector<std::string> FilesOfTerrainYaml(const std::string& path);
 
 }  // namespace gaitwright

@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "kinematics/base/result.h"
-#include "kinematics/trajectory/swing_curve.h"
-#include "planning/plan/value_noise.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/robot_body_internal.h"
 #include "playback/bullet/world.h"
@@ -24,18 +22,20 @@ constexpr double kObstacleFriction = 0.8;
 
 }  // namespace
 
-double Bumps::HeightAt(const Vector2& p_W) const {
-  const double rise = std::clamp(((p_W - start).norm() - free_radius) / (0.5 * wavelength), 0.0, 1.0);
-  return amplitude * ValueNoise(p_W - start, wavelength, seed) * SmoothStep(rise).value;
+void CheckBumps(const WorldOptions& options) {
+  const Vector2 extent = options.bumps_to_W - options.bumps_from_W;
+  if (options.ground_bumps_m <= 0.0 || (extent.minCoeff() > 0.0 && (extent / kCell).prod() <= kMostCells)) return;
+  throw InvalidArgument(
+      fmt::format("ground_bumps_m: bumpy ground of {:.6g} m by {:.6g} m is too large, {:.6g} m^2 are the most; play a "
+                  "shorter way, or without bumps",
+                  extent.x(), extent.y(), kMostCells * kCell * kCell));
 }
 
-Ground::Ground(const Terrain& terrain, const WorldOptions& options, const Vector2& start)
-    : X_tilt_(GroundTilt(terrain, options, start)) {
+Ground::Ground(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps)
+    : X_tilt_(GroundTilt(terrain, options, bumps.start)) {
   const auto friction = [&](double own) { return options.friction > 0.0 ? options.friction : own; };
   for (const Obstacle& obstacle : terrain.obstacles) AddObstacle(obstacle, friction(kObstacleFriction));
-  if (options.ground_bumps_m > 0.0) {
-    const Bumps bumps{start, options.ground_bumps_m, options.bump_wavelength_m, options.bump_free_radius_m,
-                      static_cast<std::uint64_t>(options.seed)};
+  if (bumps.amplitude > 0.0) {
     AddBumps(terrain, options, bumps);
     return;
   }
@@ -95,13 +95,8 @@ void Ground::AddObstacle(const Obstacle& obstacle, double friction) {
 }
 
 void Ground::AddBumps(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps) {
+  CheckBumps(options);
   const Vector2 extent = options.bumps_to_W - options.bumps_from_W;
-  if (!(extent.minCoeff() > 0.0 && (extent / kCell).prod() <= kMostCells)) {
-    throw InvalidArgument(fmt::format(
-        "ground_bumps_m: bumpy ground of {:.6g} m by {:.6g} m is too large, {:.6g} m^2 are the most; play a "
-        "shorter way, or without bumps",
-        extent.x(), extent.y(), kMostCells * kCell * kCell));
-  }
   HeightField field;
   field.origin_W = options.bumps_from_W;
   field.resolution_m = kCell;

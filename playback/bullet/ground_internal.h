@@ -8,26 +8,19 @@
 #include <vector>
 
 #include "planning/plan/terrain.h"
-#include "playback/bullet/world_options.h"
+#include "playback/bullet/bumps.h"
 
 namespace gaitwright::bullet {
 
-/// Bumps: ValueNoise about `start` within [-amplitude, amplitude], times a rise from zero at `free_radius` from there
-/// to one half a wavelength further.
-struct Bumps {
-  Vector2 start = Vector2::Zero();
-  double amplitude = 0.0, wavelength = 0.4, free_radius = 0.0;
-  std::uint64_t seed = 1;
-
-  double HeightAt(const Vector2& p_W) const;
-};
+/// @throws InvalidArgument where there are bumps, over more ground than there may be.
+void CheckBumps(const WorldOptions& options);
 
 /// The terrain as static bodies: planes without end, convex blocks under bounded patches, height fields, obstacles; or
 /// obstacles and one height field of all ground when there are bumps.
 class Ground {
  public:
-  /// @param start  where the slope turns and where bumps are zero.
-  Ground(const Terrain& terrain, const WorldOptions& options, const Vector2& start);
+  /// @param bumps  begin where the slope turns.
+  Ground(const Terrain& terrain, const WorldOptions& options, const Bumps& bumps);
 
   void AddTo(btCollisionWorld& world);
   /// True when contact happens on edges too, so that soles must be plates too.

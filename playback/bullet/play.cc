@@ -7,79 +7,44 @@
 #include <cmath>
 
 #include "kinematics/base/version.h"
-#include "planning/plan/check_motion.h"
 #include "playback/bullet/fall_watch_internal.h"
 #include "playback/bullet/off_plan_internal.h"
+#include "playback/bullet/playable_internal.h"
 #include "playback/bullet/stance_recorder_internal.h"
 #include "playback/bullet/world.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kLongestPlan = 3600.0;   // [s]
-constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
+constexpr double kMostOfState = 1e6;  // beyond it numbers are no physics any more [m], [rad], [m/s], [rad/s]
+constexpr double kMostForce = 1e12;   // likewise [N], [N m]
 
-Failure Mismatch(const std::string& code, const std::string& message, const std::string& hint) {
-  return {FailureKind::kBadInput, code, "Play", message, {hint}};
+// Why a playback broke off.
+constexpr char kNoPhysics[] = "the physics gave a state that is not finite, or beyond all bounds";
+constexpr char kNoCommand[] = "the controller gave a command that is not finite";
+constexpr char kNoEstimate[] = "the controller's estimate of the base is not finite, or beyond all bounds";
+
+/// Whether all numbers are finite and not beyond a bound.
+template <class Numbers>
+bool Within(const Numbers& numbers, double most) {
+  return (numbers.array().abs() <= most).all();  // which what is no number is not
 }
 
-/// Why the plan cannot be played by this robot; empty code when it can.
-Failure Misfit(const RobotModel& model, const MotionPlan& plan) {
-  const WholeBodyTrajectory& w = plan.whole_body;
-  if (w.size() == 0 || w.step_s <= 0.0) {
-    return Mismatch("plan_without_motion", "the plan has no whole-body motion to play", "plan it again");
-  }
-  if (!(plan.duration_s() <= kLongestPlan) || !std::isfinite(w.start_s)) {
-    return Mismatch("plan_too_long",
-                    fmt::format("the plan lasts {:.6g} s from {:.6g} s on; at most {} s are played", plan.duration_s(),
-                                w.start_s, kLongestPlan),
-                    "see that its 'step_s' is right");
-  }
-  if (!model.hash.empty() && !plan.robot_hash.empty() && plan.robot_hash != model.hash) {
-    return Mismatch("plan_of_other_robot",
-                    fmt::format("the plan was made for robot '{}' ({}), and this is '{}' ({})", plan.robot,
-                                plan.robot_hash, model.name, model.hash),
-                    "play it with the robot in the plan itself, or plan again");
-  }
-  try {
-    CheckMotion(model, w);
-  } catch (const InvalidArgument& error) {
-    return Mismatch("plan_of_other_robot", error.what(), "plan again for this robot");
-  }
-  return {};
+bool IsPhysical(const BulletWorld& world) {
+  return Within(world.q(), kMostOfState) && Within(world.v(), kMostOfState) && Within(world.tau(), kMostForce) &&
+         std::all_of(world.feet().begin(), world.feet().end(), [](const FootContact& foot) {
+           return Within(foot.wrench.force_W, kMostForce) && Within(foot.wrench.moment_W, kMostForce);
+         });
 }
 
-/// Why a push of the options never comes; empty code when all do, or none is asked for.
-Failure LatePush(const MotionPlan& plan, const PlayOptions& options) {
-  const double end_s = plan.whole_body.end_s() + options.hold_s;
-  for (const TimedPush& push : bullet::PushesOf(options)) {
-    if (push.at_s < end_s) continue;
-    return Mismatch(
-        "late_push",
-        fmt::format("the push begins at {} s, when the playback has ended: it ends at {:.3f} s", push.at_s, end_s),
-        "push earlier");
-  }
-  return {};
+bool IsPhysical(const BaseEstimate& estimate) {
+  return Within(estimate.p_WB, kMostOfState) && Within(estimate.R_WB.coeffs(), kMostOfState) &&
+         Within(estimate.v_WB, kMostOfState) && Within(estimate.w_WB, kMostOfState);
 }
 
-/// The world's options with what the plan says: which joints never move, and where it goes.
-WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
-  WorldOptions world = options.world;
-  Vector2 low = plan.whole_body.q.front().head<2>(), high = low;
-  for (const VectorX& q : plan.whole_body.q) {
-    low = low.cwiseMin(q.head<2>());
-    high = high.cwiseMax(q.head<2>());
-  }
-  world.bumps_from_W = low - Vector2::Constant(kBumpsBeyondPlan);
-  world.bumps_to_W = high + Vector2::Constant(kBumpsBeyondPlan);
-  if (!options.lock_unmoved) return world;
-  const VectorX& first = plan.whole_body.q.front();
-  for (Eigen::Index i = 7; i < first.size(); ++i) {
-    const bool still = std::all_of(plan.whole_body.q.begin(), plan.whole_body.q.end(),
-                                   [&](const VectorX& q) { return std::abs(q[i] - first[i]) < 1e-9; });
-    if (still) world.locked_dofs.push_back(static_cast<int>(i) - 7);
-  }
-  return world;
+bool IsFinite(const JointCommand& command) {
+  return command.q.allFinite() && command.v.allFinite() && command.tau_ff.allFinite() &&
+         command.stiffness.allFinite() && command.damping.allFinite();
 }
 
 /// A state turned rigidly by X.
@@ -144,9 +109,9 @@ class Playback {
         plan_(plan),
         controller_(controller),
         options_(options),
-        world_options_(WorldOf(plan, options)),
+        world_options_(bullet::WorldOf(plan, options)),
         step_s_(options.world.step_s),
-        stride_(StrideOf(options)),
+        stride_(bullet::StepsPerSample(options)),
         world_(model, plan.terrain, plan.whole_body.q.front(), world_options_),
         stances_(static_cast<int>(model.feet.size()), world_.total_mass_kg() * kGravity, step_s_,
                  1.0 / options.log_rate_hz),
@@ -168,36 +133,13 @@ class Playback {
     }
     controller_.Reset();
     StartLog(start_W);
-    Settle();
-    const long steps = std::lround((plan_.duration_s() + options_.hold_s) / step_s_);
-    fall_.Start(log_.start_s);
-    double end_s = log_.start_s;
-    for (long k = 0; k < steps; ++k) {
-      const double time_s = log_.start_s + static_cast<double>(k) * step_s_;
-      if (!OneStep(time_s)) break;
-      Record(time_s);
-      end_s = log_.start_s + static_cast<double>(k + 1) * step_s_;
-      if ((k + 1) % stride_ == 0) log_.samples.push_back(interval_.Take(end_s, world_));
-      if (fall_.Over(end_s)) break;
-    }
+    const double end_s = Settle() ? FollowPlan() : log_.start_s;
     FinishEstimates(end_s);
     log_.stances = stances_.Finish(end_s);
     return std::move(log_);
   }
 
  private:
-  static long StrideOf(const PlayOptions& options) {
-    const double steps = 1.0 / (options.log_rate_hz * options.world.step_s);
-    if (std::abs(steps - std::round(steps)) > 1e-6 || steps < 0.5) {
-      const double per_second = 1.0 / options.world.step_s, nearest = per_second / std::max(1.0, std::round(steps));
-      throw InvalidArgument(
-          fmt::format("option 'log_rate_hz' is {} Hz, which does not divide the {} steps per second; "
-                      "the nearest that does is {:.6g}",
-                      options.log_rate_hz, per_second, nearest));
-    }
-    return std::lround(steps);
-  }
-
   void StartLog(const Vector2& start_W) {
     log_.program_version = Version();
     log_.robot = model_.name;
@@ -214,10 +156,27 @@ class Playback {
     log_.options = TextsOf(Prefixed("play", copy.Fields()));
   }
 
-  /// The clock stands at the plan's start.
-  void Settle() {
+  /// The clock stands at the plan's start. @return whether it can go on.
+  bool Settle() {
     const long steps = std::lround(options_.settle_s / step_s_);
-    for (long k = 0; k < steps; ++k) OneStep(log_.start_s, false);
+    for (long k = 0; k < steps; ++k) {
+      if (!OneStep(log_.start_s, false)) return false;
+    }
+    return true;
+  }
+
+  /// @return when it ended.
+  double FollowPlan() {
+    const long steps = std::lround((plan_.duration_s() + options_.hold_s) / step_s_);
+    fall_.Start(log_.start_s);
+    double end_s = log_.start_s;
+    for (long k = 0; k < steps && !fall_.Over(end_s); ++k) {
+      if (!OneStep(end_s)) break;
+      Record(end_s);
+      end_s = log_.start_s + static_cast<double>(k + 1) * step_s_;
+      if ((k + 1) % stride_ == 0) log_.samples.push_back(interval_.Take(end_s, world_));
+    }
+    return end_s;
   }
 
   void ReadState(double time_s) {
@@ -230,14 +189,26 @@ class Playback {
     ReadState(time_s);
     if (may_push) Push(time_s);
     const JointCommand command = controller_.Update(input_);
-    LogEstimate();
+    if (!LogEstimate()) return BreakOff(kNoEstimate);
+    if (!IsFinite(command)) return BreakOff(kNoCommand);
     world_.Step(command);
+    if (!IsPhysical(world_)) return BreakOff(kNoPhysics);
     input_.contact = 0;
     for (std::size_t i = 0; i < world_.feet().size(); ++i) {
       input_.wrenches[i] = world_.feet()[i].wrench;
       if (world_.feet()[i].touching) input_.contact |= FootBit(static_cast<int>(i));
     }
-    return world_.q().allFinite() && world_.v().allFinite();
+    return true;
+  }
+
+  /// The log says why, and has one sample at the least: the last state that was one. @return false
+  bool BreakOff(const char* why) {
+    log_.broke_off = why;
+    if (!log_.samples.empty()) return false;
+    const VectorX none = VectorX::Zero(model_.num_dofs());
+    log_.samples.push_back({input_.time_s, input_.q, input_.v, none, none, input_.wrenches, input_.contact, {}});
+    LogEstimate();
+    return false;
   }
 
   void Push(double time_s) {
@@ -248,18 +219,27 @@ class Playback {
     }
   }
 
-  /// What a controller makes of the state that was logged last, it tells when it is asked the next time.
-  void LogEstimate() {
+  /// What a controller makes of the state that was logged last, it tells when it is asked the next time. A sample after
+  /// which it makes nothing of it is dropped, unless there is no other. @return whether there is an estimate, or none
+  /// is made
+  bool LogEstimate() {
     const BaseEstimate* estimate = controller_.Estimate();
-    if (estimate != nullptr && !log_.samples.empty() && !log_.samples.back().estimate)
-      log_.samples.back().estimate = *estimate;
+    if (estimate == nullptr) return true;
+    const bool waits = !log_.samples.empty() && !log_.samples.back().estimate;
+    if (IsPhysical(*estimate)) {
+      if (waits) log_.samples.back().estimate = *estimate;
+      return true;
+    }
+    if (waits && log_.samples.size() > 1) log_.samples.pop_back();
+    return false;
   }
 
   void FinishEstimates(double end_s) {
-    if (controller_.Estimate() == nullptr || log_.samples.empty() || log_.samples.back().estimate) return;
+    if (!log_.broke_off.empty() || controller_.Estimate() == nullptr) return;
+    if (log_.samples.empty() || log_.samples.back().estimate) return;
     ReadState(end_s);
-    if (input_.q.allFinite() && input_.v.allFinite()) controller_.Update(input_);
-    LogEstimate();
+    controller_.Update(input_);
+    if (!LogEstimate()) BreakOff(kNoEstimate);
   }
 
   void Record(double time_s) {
@@ -296,11 +276,7 @@ class Playback {
 
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options) {
-  PlayOptions checked = options;
-  CheckOptions(checked.Fields());
-  Failure misfit = Misfit(model, plan);
-  if (misfit.code.empty()) misfit = LatePush(plan, options);
-  if (!misfit.code.empty()) return misfit;
+  if (auto failure = WhyNotPlayed(model, plan, options)) return *failure;
   return Playback(model, plan, controller, options).Run();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "playback/bullet/controller.h"
@@ -98,7 +100,9 @@ struct PlayOptions {
 ///
 /// Ends early, after another 0.3 s, when the robot has clearly fallen: its up axis is over 1 rad off, a body that is
 /// no foot stays on the ground for 0.2 s, or its base is below `fall_height_lowest` of the plan's height (each over the
-/// mean height of the feet that stand, the measured ones where they touch); at once when the state is no longer finite.
+/// mean height of the feet that stand, the measured ones where they touch). It breaks off at once, while it settles
+/// too, when the state or the command is no longer finite, or the state beyond all bounds (1e6): then the log says so,
+/// and has one sample at the least, which may be before the first interval's end.
 ///
 /// The log has one sample per 1 / log_rate_hz from the plan's start, each at its interval's end. A foot's stance begins
 /// with the first step that carries force, and ends with the first that does not, unless force comes back within 15 ms
@@ -111,6 +115,9 @@ struct PlayOptions {
 /// there is not, `start_joints` of a wrong size, or bumps over more than 10,000 m^2 of ground.
 Result<PlaybackLog> Play(const RobotModel& model, const MotionPlan& plan, Controller& controller,
                          const PlayOptions& options = {});
+
+/// What Play would refuse all of this for, without playing it; nothing where it would play it. @throws as Play does.
+std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options);
 
 /// Hash of all of a plan that a playback depends on: ties a log to its plan. That is the robot, the ground with its
 /// friction and obstacles (not their names), the schedule, the footholds, and every column of the whole-body rows. What

@@ -20,19 +20,6 @@
 namespace gaitwright {
 namespace {
 
-/// A circle about the base that takes in all feet, with 2 cm to spare.
-double StanceRadius(const RobotModel& model, const VectorX& q) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, q, scratch);
-  double radius = 0.0;
-  for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot) {
-    for (const Vector3& p_W : ContactPoints(model, scratch, foot)) {
-      radius = std::max(radius, (p_W.head<2>() - q.head<2>()).norm());
-    }
-  }
-  return radius + 0.02;
-}
-
 WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions options) {
   CheckOptions(options.Fields());
   if (q.size() != model.nq()) {
@@ -45,7 +32,6 @@ WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions opt
                                         model.num_dofs() - 1));
     }
   }
-  if (options.bump_free_radius_m == 0.0) options.bump_free_radius_m = StanceRadius(model, q);
   return options;
 }
 
@@ -118,7 +104,7 @@ struct BulletWorld::Impl {
   Impl(const RobotModel& robot, const Terrain& terrain, const VectorX& q0, const WorldOptions& wanted)
       : model(robot),
         options(Checked(robot, q0, wanted)),
-        ground(terrain, options, q0.head<2>()),
+        ground(terrain, options, BumpsOf(robot, q0, options)),
         body(robot, BodyOptionsOf(options, q0, ground)),
         dispatcher(&configuration),
         world(&dispatcher, &broadphase, &solver, &configuration),

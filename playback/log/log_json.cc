@@ -47,22 +47,24 @@ Json HeadJson(const PlaybackLog& log) {
   for (const BodyContact& c : log.body_contacts) contacts.push_back({{"time_s", c.time_s}, {"link", c.link}});
   Json options = Json::object();
   for (const auto& [key, value] : log.options) options[key] = value;
-  return {{"format", kFormat},
-          {"schema", PlaybackLog::kSchema},
-          {"program_version", log.program_version},
-          {"robot", log.robot},
-          {"robot_hash", log.robot_hash},
-          {"plan_hash", log.plan_hash},
-          {"controller", log.controller},
-          {"start_s", log.start_s},
-          {"log_rate_hz", log.log_rate_hz},
-          {"step_s", log.step_s},
-          {"total_mass_kg", log.total_mass_kg},
-          {"friction", log.friction},
-          {"options", options},
-          {"saturated_s", ToJson(log.saturated_s)},
-          {"stances", StancesJson(log.stances)},
-          {"body_contacts", contacts}};
+  Json head = {{"format", kFormat},
+               {"schema", PlaybackLog::kSchema},
+               {"program_version", log.program_version},
+               {"robot", log.robot},
+               {"robot_hash", log.robot_hash},
+               {"plan_hash", log.plan_hash},
+               {"controller", log.controller},
+               {"start_s", log.start_s},
+               {"log_rate_hz", log.log_rate_hz},
+               {"step_s", log.step_s},
+               {"total_mass_kg", log.total_mass_kg},
+               {"friction", log.friction},
+               {"options", options},
+               {"saturated_s", ToJson(log.saturated_s)},
+               {"stances", StancesJson(log.stances)},
+               {"body_contacts", contacts}};
+  if (!log.broke_off.empty()) head["broke_off"] = log.broke_off;
+  return head;
 }
 
 /// One row a sample and a line; written by hand since most of a log is these.
@@ -188,6 +190,7 @@ PlaybackLog ReadLog(const Json& j) {
   for (const Json& c : j.at("body_contacts")) {
     log.body_contacts.push_back({c.at("time_s").get<double>(), c.at("link").get<std::string>()});
   }
+  if (j.contains("broke_off")) log.broke_off = j.at("broke_off").get<std::string>();
   ReadSamples(j, log);
   CheckLog(log);
   return log;

@@ -61,7 +61,8 @@ struct PlaybackLog {
   std::vector<BodyContact> body_contacts;  ///< first contact of each link
   VectorX saturated_s;                     ///< time each independent joint spent at its effort limit [s]
   std::vector<std::pair<std::string, std::string>>
-      options;  ///< every option of the playback, "play." before those of Play
+      options;            ///< every option of the playback, "play." before those of Play
+  std::string broke_off;  ///< why it could not go on, such as a state that is not finite; "" where it could
 };
 
 }  // namespace gaitwright

@@ -28,6 +28,11 @@ std::string Cards(const RobustnessReport& r) {
   std::string html = "<div class=\"cards\">\n";
   html += Card("survive to the plan's end", Percent(r.survival.share), Interval(r.survival));
   html += Card("keep every gate", Percent(r.pass_share.share), Interval(r.pass_share));
+  const GaitSensitivity& gait = r.gait_sensitivity;
+  if (gait.norm) {
+    html += Card("gait sensitivity norm", fmt::format("{:.3g}", *gait.norm),
+                 fmt::format("standard error {:.2g}", gait.standard_error.value_or(0.0)));
+  }
   html += Card("trials", fmt::format("{}", r.n), fmt::format("{} fell", r.n - r.survived));
   return html + "</div>\n";
 }

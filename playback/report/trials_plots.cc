@@ -12,12 +12,18 @@
 namespace gaitwright {
 namespace {
 
-/// Where a push is drawn: ahead is up, left is left.
-Vector2 Place(double ahead_n, double left_n) { return {-left_n, ahead_n}; }
+using Fate = PushRecord::Outcome;
 
+/// Where a push is drawn: ahead is up, left is left.
 Vector2 PlaceOf(double direction_deg, double size_n) {
   const double angle = direction_deg * std::numbers::pi / 180.0;
-  return Place(size_n * std::cos(angle), size_n * std::sin(angle));
+  return {-size_n * std::sin(angle), size_n * std::cos(angle)};
+}
+
+/// One straight up or down is in the middle.
+Vector2 PlaceOf(const PushRecord& push) {
+  const std::optional<double> direction = push.direction_deg();
+  return direction ? PlaceOf(*direction, push.size_n()) : Vector2(0.0, 0.0);
 }
 
 std::vector<Vector2> Ring(double radius) {
@@ -48,18 +54,24 @@ Plot PolarPlot(const RobustnessReport& report) {
     if (radius > 0.0) plot.Line(Ring(radius), Ink::kMuted, Stroke::kDashed);
   }
   for (const PushRecord& push : report.pushes) {
-    if (!push.fatal) plot.Dot(Place(push.ahead_n, push.left_n), Ink::kFoot, 2.2, "survived");
+    if (push.outcome == Fate::kUnknown) plot.Dot(PlaceOf(push), Ink::kMuted, 1.5, "cannot be told");
   }
   for (const PushRecord& push : report.pushes) {
-    if (push.fatal) plot.Cross(Place(push.ahead_n, push.left_n), Ink::kBad, "fell");
+    if (push.outcome == Fate::kRecovered) plot.Dot(PlaceOf(push), Ink::kFoot, 2.2, "survived");
+  }
+  for (const PushRecord& push : report.pushes) {
+    if (push.outcome == Fate::kFatal) plot.Cross(PlaceOf(push), Ink::kBad, "fell");
   }
   plot.Line(Border(report.push_bins, &PushBin::largest_survived_n), Ink::kFoot, Stroke::kMeasured, "largest survived");
   plot.Line(Border(report.push_bins, &PushBin::smallest_fatal_n), Ink::kBad, Stroke::kMeasured, "smallest fatal");
-  return {
-      "pushes",
-      "Every push of every trial as an arrow's head, seen from above with the robot's heading up: its direction and "
-      "its size. A robot may have fallen for another reason than its push; pushes after a fall are left out.",
-      plot.Svg()};
+  return {"pushes",
+          fmt::format(
+              "Every push of every trial as an arrow's head, seen from above with the robot's heading up: its "
+              "direction and its size, with its part upward. Fatal is one after which the robot fell within {:g} s, "
+              "before another one came; survived, one after which it stood for {:g} s. It may have fallen for "
+              "another reason than its push.",
+              kPushWindow, kPushWatched),
+          plot.Svg()};
 }
 
 /// A figure of each trial with whether it survived, by the figure.

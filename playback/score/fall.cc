@@ -65,6 +65,7 @@ Fall FindFall(const MotionPlan& plan, const PlaybackLog& log, const MotionSeries
   for (const BodyContact& contact : log.body_contacts) {
     Earlier(contact.time_s, fmt::format("'{}', which is no foot, touched the ground", contact.link), fall);
   }
+  if (!log.broke_off.empty() && (!fall.fell || fall.time_s >= log_end)) fall = {true, log_end, log.broke_off};
   if (series.measured.size() < log.samples.size()) {
     Earlier(log.samples[series.measured.size()].time_s, "the physics gave a state that is not finite", fall);
   }

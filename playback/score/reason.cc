@@ -132,6 +132,10 @@ std::string CauseOf(const ScoreInputs& in, const std::vector<Metric>& metrics) {
   const auto broken = std::find_if(metrics.begin(), metrics.end(), [](const Metric& m) { return !m.pass; });
   if (broken == metrics.end()) return "";
   if (!in.fall.fell) return broken->key;
+  if (!in.log.broke_off.empty() && in.fall.what == in.log.broke_off) {
+    const bool by_controller = in.fall.what.starts_with("the controller");
+    return by_controller ? "the controller came to no number" : "the physics came to no number";
+  }
   for (const FailureEvent& event : FailureEvents(in)) {
     if (event.time_s >= in.fall.time_s - kLast) return WordsOf(event.kind);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "planning/plan/sample_plan.h"
 
@@ -63,10 +64,11 @@ bool Has(const DisturbedPush& push, const std::string& key) {
   return std::any_of(push.begin(), push.end(), [&](const Disturbance& d) { return d.key == key; });
 }
 
-/// Draws one trial.
+/// Draws one trial, or has everything at one end.
 class Sampler {
  public:
-  Sampler(const RobotModel& model, const MotionPlan& plan, std::uint64_t seed) : model_(model), plan_(plan) {
+  Sampler(const RobotModel& model, const MotionPlan& plan, std::uint64_t seed, std::optional<RangeEnd> end)
+      : model_(model), plan_(plan), end_(end) {
     trial_.seed = seed;
     trial_.noise_seed = NamedRandom(seed, "noise").Whole();
   }
@@ -116,12 +118,30 @@ class Sampler {
     trial_.pushes.push_back({Eigen::AngleAxisd(HeadingAt(at_s), Vector3::UnitZ()) * force, at_s, for_s, place});
   }
 
+  /// After all figures: the parts of a slope's direction.
+  void SlopeParts() {
+    const std::optional<double> direction = Value("ground_slope_direction_deg"), slope = Value("ground_slope_deg");
+    if (!direction) return;
+    const std::string name = slope ? "ground_slope_" : "ground_slope_direction_", ending = slope ? "_deg" : "";
+    const std::string unit = slope ? "deg" : "1";
+    Record(name + "x" + ending, unit, slope.value_or(1.0) * std::cos(*direction * kRadian));
+    Record(name + "y" + ending, unit, slope.value_or(1.0) * std::sin(*direction * kRadian));
+  }
+
   SampledTrial Take() { return std::move(trial_); }
 
  private:
   double Drawn(const std::string& name, const Distribution& distribution) const {
+    if (end_) return *end_ == RangeEnd::kHighest ? distribution.highest : distribution.lowest;
     NamedRandom random(trial_.seed, name);
     return Draw(distribution, random);
+  }
+
+  std::optional<double> Value(const std::string& name) const {
+    for (const SampledValue& one : trial_.values) {
+      if (one.name == name) return one.value;
+    }
+    return std::nullopt;
   }
 
   void Record(const std::string& name, const std::string& unit, double value) {
@@ -134,7 +154,8 @@ class Sampler {
     NamedRandom random(trial_.seed, "com_shift_direction");
     const double z = 2.0 * random.Uniform() - 1.0, angle = 2.0 * std::numbers::pi * random.Uniform();
     const double level = std::sqrt(std::max(0.0, 1.0 - z * z));
-    const Vector3 shift = radius * Vector3(level * std::cos(angle), level * std::sin(angle), z);
+    Vector3 shift = radius * Vector3(level * std::cos(angle), level * std::sin(angle), z);
+    if (end_) shift.setConstant((*end_ == RangeEnd::kHighest ? 1.0 : -1.0) * figure.distribution.highest);
     Record(figure.key, "m", radius);
     const char* names[] = {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"};
     for (int axis = 0; axis < 3; ++axis) {
@@ -165,14 +186,23 @@ class Sampler {
 
   const RobotModel& model_;
   const MotionPlan& plan_;
+  const std::optional<RangeEnd> end_;
   SampledTrial trial_;
 };
 
-/// @throws InvalidArgument for a push on nothing.
-void CheckPlaces(const Disturbances& disturbances, const RobotModel& model) {
+constexpr double kHardestPush = 1e5;  // [N]
+
+/// @throws InvalidArgument for a push on nothing, or too hard a one.
+void CheckPushes(const Disturbances& disturbances, const RobotModel& model) {
   std::vector<std::string> places = {"base", "robot"};
   for (const Frame& frame : model.frames) places.push_back(frame.name);
   for (const DisturbedPush& push : disturbances.pushes) {
+    const double hardest =
+        std::max(OfPush(push, "size_n", {}).highest, model.weight_n() * OfPush(push, "size_of_weight", {}).highest);
+    if (hardest > kHardestPush) {
+      throw InvalidArgument(
+          fmt::format("a push may be as hard as {:.6g} N; at most {} N are accepted", hardest, kHardestPush));
+    }
     for (const std::string& word : OfPush(push, "place", {}).words) {
       if (std::find(places.begin(), places.end(), word) != places.end()) continue;
       throw InvalidArgument(
@@ -180,6 +210,15 @@ void CheckPlaces(const Disturbances& disturbances, const RobotModel& model) {
                       word, model.name, NearestName(word, places)));
     }
   }
+}
+
+SampledTrial Sampled(const Disturbances& disturbances, const RobotModel& model, Sampler sampler) {
+  CheckPushes(disturbances, model);
+  for (const Disturbance& figure : disturbances.figures) sampler.Figure(figure);
+  sampler.SlopeParts();
+  for (std::size_t i = 0; i < disturbances.pushes.size(); ++i)
+    sampler.Push(disturbances.pushes[i], fmt::format("push{}", i + 1));
+  return sampler.Take();
 }
 
 }  // namespace
@@ -195,7 +234,7 @@ const std::vector<DisturbanceRule>& DisturbanceRules() {
 
 const std::vector<DisturbanceRule>& PushRules() {
   static const std::vector<DisturbanceRule> rules = {
-      {"size_n", "", "N", 0.0, 1e5, "how hard"},
+      {"size_n", "", "N", 0.0, kHardestPush, "how hard"},
       {"size_of_weight", "", "1", 0.0, 100.0, "how hard, as a share of the robot's weight"},
       {"direction_deg", "", "deg", -360.0, 360.0,
        "where it pushes to, as the planned base heads then: 0 ahead, 90 to the left; any way where it is not said"},
@@ -212,12 +251,12 @@ const std::vector<DisturbanceRule>& PushRules() {
 
 SampledTrial SampleTrial(const Disturbances& disturbances, const RobotModel& model, const MotionPlan& plan,
                          std::uint64_t seed) {
-  CheckPlaces(disturbances, model);
-  Sampler sampler(model, plan, seed);
-  for (const Disturbance& figure : disturbances.figures) sampler.Figure(figure);
-  for (std::size_t i = 0; i < disturbances.pushes.size(); ++i)
-    sampler.Push(disturbances.pushes[i], fmt::format("push{}", i + 1));
-  return sampler.Take();
+  return Sampled(disturbances, model, Sampler(model, plan, seed, std::nullopt));
+}
+
+SampledTrial ExtremeTrial(const Disturbances& disturbances, const RobotModel& model, const MotionPlan& plan,
+                          RangeEnd end) {
+  return Sampled(disturbances, model, Sampler(model, plan, 0, end));
 }
 
 }  // namespace gaitwright

@@ -92,8 +92,20 @@ struct SampledTrial {
 };
 
 /// Draws a trial: a pure function of its arguments. Directions of pushes are as the planned base heads when they begin.
-/// @throws InvalidArgument when a push is on a link that the robot does not have.
+/// A direction that is drawn is told by its parts too, which can be ranked where an angle cannot: of pushes `ahead_n`
+/// and `left_n`, of the ground's slope `ground_slope_x_deg` and `ground_slope_y_deg`, how steeply it rises along x and
+/// y of W; where only the direction of a slope is drawn, its cosine and sine.
+/// @throws InvalidArgument when a push is on a link that the robot does not have, or could be over 1e5 N.
 SampledTrial SampleTrial(const Disturbances& disturbances, const RobotModel& model, const MotionPlan& plan,
                          std::uint64_t seed);
+
+/// Which end of all distributions.
+enum class RangeEnd { kLowest, kHighest };
+
+/// The trial in which everything is as low, or as high, as it can come out: what can be played with both, can be played
+/// with any seed. A plan without motion leaves the times of pushes at their shares of nothing.
+/// @throws InvalidArgument as SampleTrial does.
+SampledTrial ExtremeTrial(const Disturbances& disturbances, const RobotModel& model, const MotionPlan& plan,
+                          RangeEnd end);
 
 }  // namespace gaitwright

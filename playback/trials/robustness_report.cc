@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 
 #include "kinematics/base/result.h"
 #include "playback/score/gates.h"
@@ -14,7 +12,6 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kDirections = 8;
 constexpr std::size_t kWorstTold = 10;
 
 /// Between the two nearest of sorted values, as share of the way from first to last.
@@ -69,7 +66,7 @@ void CountCauses(RobustnessReport& report) {
   report.broken_gates = Sorted(gates);
 }
 
-/// Values of every name that all trials have, in their order; a push's direction is left to its parts.
+/// Values of every name that all trials have, in their order; a direction is left to its parts.
 std::vector<SampledColumn> ColumnsOf(const std::vector<TrialOutcome>& outcomes) {
   std::vector<SampledColumn> columns;
   for (const SampledValue& first : outcomes.front().sampled) {
@@ -87,43 +84,12 @@ std::vector<SampledColumn> ColumnsOf(const std::vector<TrialOutcome>& outcomes) 
   return columns;
 }
 
-std::vector<PushRecord> PushesOf(const TrialOutcome& outcome) {
-  std::vector<PushRecord> pushes;
-  std::string name;
-  for (const SampledValue& one : outcome.sampled) {
-    const std::size_t dot = one.name.find('.');
-    if (!one.name.starts_with("push") || dot == std::string::npos) continue;
-    if (one.name.substr(0, dot) != name) pushes.emplace_back();
-    name = one.name.substr(0, dot);
-    const std::string part = one.name.substr(dot + 1);
-    if (part == "ahead_n") pushes.back().ahead_n = one.value;
-    if (part == "left_n") pushes.back().left_n = one.value;
-    if (part == "at_s") pushes.back().at_s = one.value;
-    if (part == "duration_s") pushes.back().duration_s = one.value;
+GaitSensitivity GaitSensitivityOf(const TrialSubject& subject, const std::vector<TrialOutcome>& outcomes) {
+  std::vector<std::vector<GaitStep>> steps;
+  for (const TrialOutcome& outcome : outcomes) {
+    if (outcome.survived) steps.push_back(outcome.steps);
   }
-  std::erase_if(pushes, [&](const PushRecord& p) { return !outcome.survived && p.at_s > outcome.ended_s; });
-  for (PushRecord& push : pushes) push.fatal = !outcome.survived;
-  return pushes;
-}
-
-void BinPushes(RobustnessReport& report) {
-  constexpr double kWidth = 360.0 / kDirections;
-  for (const TrialOutcome& outcome : report.outcomes) {
-    for (const PushRecord& push : PushesOf(outcome)) report.pushes.push_back(push);
-  }
-  if (report.pushes.empty()) return;
-  for (int i = 0; i < kDirections; ++i) report.push_bins.push_back({kWidth * i, 0, 0, {}, {}});
-  for (const PushRecord& push : report.pushes) {
-    const double size = push.size_n();
-    if (size == 0.0) continue;
-    const double direction = std::atan2(push.left_n, push.ahead_n) * 180.0 / std::numbers::pi;
-    const int i = (static_cast<int>(std::lround(direction / kWidth)) + kDirections) % kDirections;
-    PushBin& bin = report.push_bins[static_cast<std::size_t>(i)];
-    ++bin.n;
-    bin.fell += push.fatal ? 1 : 0;
-    if (push.fatal) bin.smallest_fatal_n = std::min(bin.smallest_fatal_n.value_or(size), size);
-    if (!push.fatal) bin.largest_survived_n = std::max(bin.largest_survived_n.value_or(size), size);
-  }
+  return EstimateGaitSensitivity(steps, subject.gait_scale);
 }
 
 /// Falls, the earliest first, then failures by their score; passes are not bad.
@@ -142,8 +108,6 @@ std::vector<int> WorstOf(const std::vector<TrialOutcome>& outcomes) {
 }
 
 }  // namespace
-
-double PushRecord::size_n() const { return std::hypot(ahead_n, left_n); }
 
 RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutcome> outcomes) {
   RobustnessReport report;
@@ -164,7 +128,11 @@ RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutc
   std::vector<char> fell;
   for (const TrialOutcome& outcome : report.outcomes) fell.push_back(outcome.survived ? 0 : 1);
   report.sensitivity = RankDisturbances(ColumnsOf(report.outcomes), fell);
-  BinPushes(report);
+  for (const TrialOutcome& outcome : report.outcomes) {
+    for (const PushRecord& push : PushesOf(outcome)) report.pushes.push_back(push);
+  }
+  report.push_bins = PushBins(report.pushes);
+  report.gait_sensitivity = GaitSensitivityOf(subject, report.outcomes);
   report.worst = WorstOf(report.outcomes);
   return report;
 }

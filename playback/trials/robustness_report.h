@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "kinematics/base/options.h"
+#include "playback/trials/gait_sensitivity.h"
+#include "playback/trials/push_record.h"
 #include "playback/trials/sensitivity.h"
 #include "playback/trials/trial_outcome.h"
 #include "playback/trials/wilson.h"
@@ -32,24 +34,6 @@ struct Tally {
   bool operator==(const Tally&) const = default;
 };
 
-/// Pushes to about one direction.
-struct PushBin {
-  double direction_deg = 0.0;  ///< of its middle; 0 ahead, 90 to the left, as the planned base headed
-  int n = 0, fell = 0;
-  std::optional<double> largest_survived_n = {}, smallest_fatal_n = {};
-
-  bool operator==(const PushBin&) const = default;
-};
-
-/// One push of one trial. Those after which a robot fell are fatal; pushes that came after a fall are left out.
-struct PushRecord {
-  double ahead_n = 0.0, left_n = 0.0, at_s = 0.0, duration_s = 0.0;
-  bool fatal = false;
-
-  double size_n() const;
-  bool operator==(const PushRecord&) const = default;
-};
-
 /// What a run of trials was about.
 struct TrialSubject {
   std::string robot, robot_hash;
@@ -60,6 +44,7 @@ struct TrialSubject {
   OptionTexts options;                                 ///< of playback, controller and score, before trials change them
   std::vector<std::pair<std::string, double>> limits;  ///< of metrics that have a gate, by key
   std::uint64_t seed = 0;                              ///< of the run
+  GaitScale gait_scale;                                ///< of robot and plan
 
   bool operator==(const TrialSubject&) const = default;
 };
@@ -74,6 +59,7 @@ struct RobustnessReport {
   std::vector<Tally> causes;          ///< of falls, the most frequent first
   std::vector<Tally> broken_gates;    ///< of trials that did not fall and did not pass, likewise
   std::vector<Sensitivity> sensitivity;
+  GaitSensitivity gait_sensitivity;
   std::vector<PushBin> push_bins;  ///< empty where nothing pushes
   std::vector<PushRecord> pushes;
   std::vector<int> worst;  ///< numbers of the worst trials, the worst first: falls before failures, by score

@@ -53,10 +53,31 @@ Json PushesJson(const RobustnessReport& report) {
     list.push_back({{"direction_deg", bin.direction_deg},
                     {"n", bin.n},
                     {"fell", bin.fell},
+                    {"unknown", bin.unknown},
                     {"largest_survived_n", OrNull(bin.largest_survived_n)},
                     {"smallest_fatal_n", OrNull(bin.smallest_fatal_n)}});
   }
   return list;
+}
+
+Json GaitSensitivityJson(const GaitSensitivity& gait) {
+  Json response = Json::array();
+  for (const GaitSensitivity::Response& matrix : gait.response) {
+    Json rows = Json::array();
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+      rows.push_back(Json::array());
+      for (Eigen::Index column = 0; column < matrix.cols(); ++column) rows.back().push_back(matrix(row, column));
+    }
+    response.push_back(std::move(rows));
+  }
+  return {{"standard_error", OrNull(gait.standard_error)},
+          {"missing", gait.missing},
+          {"trials", gait.trials},
+          {"steps", gait.steps},
+          {"indicators", kStepIndicators},
+          {"disturbances", kStepDisturbances},
+          {"varied", gait.varied},
+          {"response", response}};
 }
 
 Json SampledJson(const TrialOutcome& outcome) {
@@ -120,13 +141,29 @@ std::string SensitivityLines(const RobustnessReport& report) {
   return text;
 }
 
+/// "ground_height and push_left" of what varied.
+std::string VariedWords(const GaitSensitivity& gait) {
+  std::string words;
+  for (std::size_t d = 0; d < gait.varied.size(); ++d) {
+    if (gait.varied[d]) words += (words.empty() ? "" : ", ") + std::string(kStepDisturbances[d]);
+  }
+  return words;
+}
+
+std::string GaitSensitivityLine(const GaitSensitivity& gait) {
+  if (!gait.norm) return fmt::format("\ngait sensitivity norm: none, {}\n", gait.missing);
+  return fmt::format("\ngait sensitivity norm {:.3g}, standard error {:.2g}, of step time and foot placement to {}\n",
+                     *gait.norm, *gait.standard_error, VariedWords(gait));
+}
+
 std::string PushLines(const RobustnessReport& report) {
   if (report.push_bins.empty()) return "";
   std::string text = "\npushes by direction (0 ahead, 90 to the left)\n";
   for (const PushBin& bin : report.push_bins) {
     const auto size = [](const std::optional<double>& n) { return n ? fmt::format("{:.1f} N", *n) : std::string("-"); };
-    text += fmt::format("  {:>3.0f} deg  {:>4} pushes, {:>3} fell; largest survived {:>8}, smallest fatal {:>8}\n",
-                        bin.direction_deg, bin.n, bin.fell, size(bin.largest_survived_n), size(bin.smallest_fatal_n));
+    text += fmt::format("  {:>3.0f} deg  {:>4} pushes, {:>3} fell; largest survived {:>8}, smallest fatal {:>8}{}\n",
+                        bin.direction_deg, bin.n, bin.fell, size(bin.largest_survived_n), size(bin.smallest_fatal_n),
+                        bin.unknown > 0 ? fmt::format("; of {} more it cannot be told", bin.unknown) : "");
   }
   return text;
 }
@@ -158,6 +195,8 @@ std::string RobustnessJson(const RobustnessReport& report) {
                      {"metrics", MetricsJson(report)},
                      {"causes", TallyJson(report.causes)},
                      {"broken_gates", TallyJson(report.broken_gates)},
+                     {"gait_sensitivity_norm", OrNull(report.gait_sensitivity.norm)},
+                     {"gait_sensitivity", GaitSensitivityJson(report.gait_sensitivity)},
                      {"sensitivity", SensitivityJson(report)},
                      {"pushes", PushesJson(report)},
                      {"worst", WorstJson(report)},
@@ -180,7 +219,7 @@ std::string RobustnessText(const RobustnessReport& report) {
   for (const Tally& tally : report.causes) text += fmt::format("  {:>4}  {}\n", tally.count, tally.what);
   if (!report.broken_gates.empty()) text += "\ngates broken without a fall\n";
   for (const Tally& tally : report.broken_gates) text += fmt::format("  {:>4}  {}\n", tally.count, tally.what);
-  text += SensitivityLines(report) + PushLines(report);
+  text += GaitSensitivityLine(report.gait_sensitivity) + SensitivityLines(report) + PushLines(report);
   if (!report.worst.empty()) text += "\nthe worst (repeat one with --seed)\n";
   for (const int number : report.worst) {
     const TrialOutcome& o = report.Outcome(number);

@@ -35,6 +35,30 @@ std::vector<SampledValue> SampledFrom(const Json& list) {
   return sampled;
 }
 
+/// A list a step: three numbers of what disturbed it, and three of how it landed where it did.
+Json StepsJson(const std::vector<GaitStep>& steps) {
+  Json list = Json::array();
+  for (const GaitStep& s : steps) {
+    list.push_back({s.ground_m, s.push_ahead_n_s, s.push_left_n_s});
+    if (s.landed) list.back().insert(list.back().end(), {s.late_s, s.ahead_m, s.left_m});
+  }
+  return list;
+}
+
+std::vector<GaitStep> StepsFrom(const Json& list) {
+  std::vector<GaitStep> steps;
+  for (const Json& one : list) {
+    const auto number = [&](std::size_t i) { return one.at(i).get<double>(); };
+    steps.push_back({number(0), number(1), number(2), one.size() > 3, 0.0, 0.0, 0.0});
+    GaitStep& step = steps.back();
+    if (!step.landed) continue;
+    step.late_s = number(3);
+    step.ahead_m = number(4);
+    step.left_m = number(5);
+  }
+  return steps;
+}
+
 }  // namespace
 
 std::string SamplesHash(const PlaybackLog& log) {
@@ -76,12 +100,13 @@ TrialOutcome OutcomeOf(int number, const SampledTrial& trial, const PlaybackLog&
 std::string OutcomeToLine(const TrialOutcome& o) {
   Json metrics = Json::array();
   for (const auto& [key, value] : o.metrics) metrics.push_back({key, value ? Json(*value) : Json()});
-  const Json line = {{"number", o.number},     {"seed", o.seed},
-                     {"survived", o.survived}, {"passed", o.passed},
-                     {"score", o.score},       {"ended_s", o.ended_s},
-                     {"cause", o.cause},       {"reason", o.reason},
-                     {"log_hash", o.log_hash}, {"sampled", SampledJson(o.sampled)},
-                     {"metrics", metrics},     {"broken_gates", o.broken_gates}};
+  const Json line = {{"number", o.number},         {"seed", o.seed},
+                     {"survived", o.survived},     {"passed", o.passed},
+                     {"score", o.score},           {"ended_s", o.ended_s},
+                     {"cause", o.cause},           {"reason", o.reason},
+                     {"log_hash", o.log_hash},     {"sampled", SampledJson(o.sampled)},
+                     {"metrics", metrics},         {"broken_gates", o.broken_gates},
+                     {"steps", StepsJson(o.steps)}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -105,6 +130,7 @@ TrialOutcome OutcomeFromLine(const std::string& line) {
                              value.is_null() ? std::nullopt : std::optional<double>(value.get<double>()));
     }
     o.broken_gates = j.at("broken_gates").get<std::vector<std::string>>();
+    o.steps = StepsFrom(j.at("steps"));
     return o;
   } catch (const Json::exception& error) {
     throw InvalidArgument(fmt::format("a line is no outcome of a trial: {}", error.what()));

@@ -10,6 +10,7 @@
 #include "playback/log/playback_log.h"
 #include "playback/score/stability_report.h"
 #include "playback/trials/disturbances.h"
+#include "playback/trials/gait_steps.h"
 
 namespace gaitwright {
 
@@ -27,11 +28,12 @@ struct TrialOutcome {
   std::vector<SampledValue> sampled;
   std::vector<std::pair<std::string, std::optional<double>>> metrics;  ///< by key, in the order of MetricRules
   std::vector<std::string> broken_gates;                               ///< keys
+  std::vector<GaitStep> steps;                                         ///< of a trial that survived, else none
 
   bool operator==(const TrialOutcome&) const = default;
 };
 
-/// The outcome of a playback that was scored.
+/// The outcome of a playback that was scored, without its steps.
 TrialOutcome OutcomeOf(int number, const SampledTrial& trial, const PlaybackLog& log, const StabilityReport& report);
 
 /// Hash of times, states, torques and contact forces of all samples.

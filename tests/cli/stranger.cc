@@ -66,6 +66,10 @@ Ran Stranger::Run(const std::vector<std::string>& arguments) const {
 Ran Stranger::RunUntil(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& now) const {
   std::vector<std::string> words = {GAITWRIGHT_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  return RunWords(words, signal, now);
+}
+
+Ran Stranger::RunWords(std::vector<std::string> words, int signal, const std::function<bool()>& now) const {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -73,6 +77,7 @@ Ran Stranger::RunUntil(const std::vector<std::string>& arguments, int signal, co
   const pid_t child = ::fork();
   if (child == 0) {
     const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
     ::dup2(::open(out.c_str(), flags, 0600), STDOUT_FILENO);
     ::dup2(::open(err.c_str(), flags, 0600), STDERR_FILENO);
     if (::chdir(folder_.c_str()) == 0) ::execv(argv[0], argv.data());
@@ -80,7 +85,7 @@ Ran Stranger::RunUntil(const std::vector<std::string>& arguments, int signal, co
   }
   int status = 0;
   pid_t ended = 0;
-  for (bool sent = false; ended == 0; ended = ::waitpid(child, &status, WNOHANG)) {
+  for (bool sent = signal == 0; ended == 0; ended = ::waitpid(child, &status, WNOHANG)) {
     if (!sent && now()) sent = ::kill(child, signal) == 0;
     ::usleep(2000);
   }

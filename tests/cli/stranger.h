@@ -31,6 +31,8 @@ class Stranger : public testing::Test {
   Ran Run(const std::vector<std::string>& arguments) const;
   /// The same, sent `signal` as soon as `now` says so. Its status is 128 and the signal's number where that ended it.
   Ran RunUntil(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& now) const;
+  /// Any program, by its words; sent the signal where there is one.
+  Ran RunWords(std::vector<std::string> words, int signal = 0, const std::function<bool()>& now = {}) const;
 
   std::filesystem::path In(const std::string& name) const { return folder_ / name; }
   /// Names of what lies in the folder, sorted.

@@ -77,6 +77,23 @@ TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
   ExpectRefused(Run(Grid({"--resume"})), 1, {"is of other work"});
 }
 
+TEST_F(Sweep, AGroundThatWasChangedMeanwhileIsOtherWork) {
+  const std::string lawn = "patches:\n  - {name: lawn, height_m: 0, friction: 0.8}\n";
+  Write("yard.yaml", lawn);
+  const std::vector<std::string> sweep = Grid({"--terrain", "yard.yaml", "--threads", "1", "--quiet"});
+  std::vector<std::string> resume = sweep;
+  resume.push_back("--resume");
+  const Ran cut = RunUntil(sweep, SIGKILL, [&] {
+    const std::string so_far = std::filesystem::exists(In("sweep.csv.so-far")) ? Read("sweep.csv.so-far") : "";
+    return std::count(so_far.begin(), so_far.end(), '\n') >= 2;
+  });
+  EXPECT_EQ(cut.status, 128 + SIGKILL);
+  Write("yard.yaml", "patches:\n  - {name: lawn, height_m: 0, friction: 0.3}\n");
+  ExpectRefused(Run(resume), 1, {"sweep.csv.so-far", "is of other work"});
+  Write("yard.yaml", lawn);
+  EXPECT_EQ(Run(resume).status, 0);
+}
+
 TEST_F(Sweep, SamplesAreTakenBetweenTheEnds) {
   const Ran ran = Run({"sweep", "--distance", "0.3", "--over", "speed=0.2:0.4", "--over", "gait.cycle_s=0.4:0.6",
                        "--samples", "2", "--seed", "3", "--json", "--metrics", "distance_m"});

@@ -81,6 +81,35 @@ TEST_F(Trials, WhatIsSampledIsShownAndReadsBack) {
   EXPECT_EQ(Run({"trials", "plan.json", "--show-disturbances", "--json"}).json().at("disturbances"), shown.out);
 }
 
+TEST_F(Trials, ADiskThatIsFullIsSaidSoAndTheRunGoesOnLater) {
+  const std::vector<std::string> run = {"trials",    "plan.json", "-n", "6",      "--disturbances",
+                                        "calm.yaml", "--threads", "1",  "--quiet"};
+  std::string command = std::string("trap '' XFSZ; ulimit -f 16; exec ") + GAITWRIGHT_PROGRAM;  // 8 KiB a file
+  for (const std::string& word : run) command += " " + word;
+  const Ran full = RunWords({"/bin/sh", "-c", command});
+  ExpectRefused(full, 1, {"cannot keep what is done so far in 'trials.json.so-far'", "--resume"});
+  EXPECT_EQ(full.err.find("its own fault"), std::string::npos) << full.err;
+  EXPECT_TRUE(Read("trials.json.so-far").ends_with("\n")) << "no line is left half written";
+  std::vector<std::string> resume = run;
+  resume.push_back("--resume");
+  EXPECT_EQ(Run(resume).status, 0);
+}
+
+TEST_F(Trials, WhatCannotBePlayedIsRefusedAtOnceAndLeavesNothing) {
+  Write("late.yaml", "pushes:\n  - {size_n: 10, at_s: {uniform: [0, 100]}}\n");
+  Write("nowhere.yaml", "pushes:\n  - {size_n: 10, place: {choice: [base, FR_claf]}}\n");
+  Write("loud.yaml", "sensor_noise_scale: {uniform: [0, 100]}\n");
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "late.yaml"}), 1,
+                {"some trials", "the push begins at 100 s", "narrow what is sampled"});
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "nowhere.yaml"}), 1, {"'FR_claf'", "'FR_calf'"});
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "loud.yaml", "--sensors", "hobby"}), 1,
+                {"'sensors.", "where sensor_noise_scale is 100"});
+  ExpectRefused(Run({"sweep", "--over", "speed=0.1,0.2", "--trials", "1", "--disturbances", "nowhere.yaml"}), 1,
+                {"'FR_claf'"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"calm.yaml", "hard.yaml", "late.yaml", "loud.yaml", "nowhere.yaml",
+                                               "plan.json"}));
+}
+
 TEST_F(Trials, AKilledRunIsResumedToTheSameBytes) {
   const std::vector<std::string> start = {"trials",         "plan.json", "-n",    "6",       "--threads", "1",
                                           "--disturbances", "calm.yaml", "--out", "it.json", "--quiet"};

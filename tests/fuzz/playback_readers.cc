@@ -126,6 +126,7 @@ std::vector<std::string> MadeOutcomes() {
   outcome.cause = "a foot slid";
   outcome.sampled = {{"mass_scale", "1", 0.9, ""}, {"push1.place", "", 0.0, "base"}};
   outcome.metrics = {{"fell", 0.0}, {"goal_error_m", std::nullopt}};
+  outcome.steps = {{0.001, 2.5, -1.0, true, 0.012, 0.003, -0.002}, {0.0, 0.0, 0.0, false, 0.0, 0.0, 0.0}};
   return {OutcomeToLine(outcome)};
 }
 

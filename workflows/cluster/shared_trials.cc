@@ -1,9 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/cluster/shared_trials.h"
 
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace gaitwright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How the answer of a trial that could not be played begins.
+constexpr char kFailure[] = "{\"failure\":";
+
+}  // namespace
+
+std::string AnswerOf(const Result<TrialOutcome>& trial) {
+  if (trial) return OutcomeToLine(*trial);
+  const Failure& failure = trial.failure();
+  Json answer = Json::object();
+  answer["failure"] = {{"infeasible", failure.kind == FailureKind::kInfeasible},
+                       {"code", failure.code},
+                       {"stage", failure.stage},
+                       {"message", failure.message},
+                       {"hints", failure.hints}};
+  return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<TrialOutcome> TrialOfAnswer(const std::string& answer) {
+  if (!answer.starts_with(kFailure)) return OutcomeFromLine(answer);
+  try {
+    const Json of = Json::parse(answer).at("failure");
+    return Failure{of.at("infeasible").get<bool>() ? FailureKind::kInfeasible : FailureKind::kBadInput,
+                   of.at("code").get<std::string>(), of.at("stage").get<std::string>(),
+                   of.at("message").get<std::string>(), of.at("hints").get<std::vector<std::string>>()};
+  } catch (const Json::exception& error) {
+    throw InvalidArgument(fmt::format("an answer is neither the outcome of a trial nor a failure: {}", error.what()));
+  }
+}
 
 Result<RobustnessReport> RunSharedTrials(SharedWork& work, const TrialStudy& study, const TrialOptions& options,
                                          TrialBook& book) {
@@ -12,7 +47,7 @@ Result<RobustnessReport> RunSharedTrials(SharedWork& work, const TrialStudy& stu
   if (!runners) return runners.failure();
   std::vector<TrialRunner> elsewhere;
   for (const PieceRunner& run : *runners) {
-    elsewhere.emplace_back([&run](int number) { return OutcomeFromLine(run(number)); });
+    elsewhere.emplace_back([&run](int number) { return TrialOfAnswer(run(number)); });
   }
   TrialOptions here = options;
   if (!elsewhere.empty() && here.threads == 0) here.threads = 1;
@@ -23,8 +58,7 @@ void ServeTrials(SharedWork& work, const TrialStudy& study, const TrialOptions& 
   const auto run_seed = static_cast<std::uint64_t>(options.seed);
   work.Serve({.work = HashOf(study, run_seed), .problem = ""}, [&](int number) {
     Result<PlayedTrial> trial = PlayTrial(study, number, SeedOfTrial(run_seed, number));
-    if (!trial) throw InvalidArgument(trial.failure().message);
-    return OutcomeToLine(trial->outcome);
+    return AnswerOf(trial ? Result<TrialOutcome>(std::move(trial->outcome)) : trial.failure());
   });
 }
 

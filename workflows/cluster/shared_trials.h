@@ -12,6 +12,12 @@ namespace gaitwright {
 Result<RobustnessReport> RunSharedTrials(SharedWork& work, const TrialStudy& study, const TrialOptions& options,
                                          TrialBook& book);
 
+/// What came of a trial as a rank tells it: its outcome, or all of the failure.
+std::string AnswerOf(const Result<TrialOutcome>& trial);
+
+/// The same again. @throws InvalidArgument for a text that is neither.
+Result<TrialOutcome> TrialOfAnswer(const std::string& answer);
+
 /// What the other ranks do meanwhile: trials, one at a time, until rank 0 has enough.
 void ServeTrials(SharedWork& work, const TrialStudy& study, const TrialOptions& options);
 

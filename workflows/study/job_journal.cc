@@ -4,108 +4,201 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <stdexcept>
+#include <fstream>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "kinematics/base/file.h"
-
 namespace gaitwright {
 namespace {
 
-constexpr char kHead[] = "gaitwright journal of ";
+constexpr std::string_view kHead = "gaitwright journal of ";
+constexpr std::size_t kLongestLine = std::size_t{16} << 20;
 
 Failure Refused(const std::string& path, const std::string& why, const std::vector<std::string>& hints = {}) {
   return {FailureKind::kBadInput, "so_far", "JobJournal", fmt::format("'{}' {}", path, why), hints};
 }
 
-void WriteAll(int file, std::string_view text) {
+std::string Anew(const std::string& path) { return fmt::format("delete '{}' to begin anew", path); }
+
+/// @return 0, or the error.
+int WriteAll(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0)
-      throw std::runtime_error(fmt::format("cannot keep what is done so far: {}", std::strerror(errno)));
+    if (written <= 0) return written < 0 ? errno : EIO;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (::fsync(file) != 0 && errno != EINVAL)
-    throw std::runtime_error(fmt::format("cannot keep what is done so far: {}", std::strerror(errno)));
+  return ::fsync(file) != 0 && errno != EINVAL ? errno : 0;
 }
 
-/// Lines with their end; what follows the last end was cut off.
-std::vector<std::string> WholeLines(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
-    lines.push_back(text.substr(at, end - at));
-  return lines;
+/// Sees to it that a folder knows of a new file in it after a power cut too, where the disk can do that.
+void SyncFolder(const std::filesystem::path& folder) {
+  const int handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0) return;
+  ::fsync(handle);
+  ::close(handle);
+}
+
+/// Whether a file that is open is still the one of that path: who held it may have deleted it in between.
+bool IsAt(int file, const std::string& path) {
+  struct stat open = {}, there = {};
+  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &there) == 0 && open.st_ino == there.st_ino &&
+         open.st_dev == there.st_dev;
+}
+
+/// The number with which a line begins; nothing where it has none and a blank after it.
+std::optional<std::size_t> JobOf(std::string_view line) {
+  std::size_t job = 0;
+  const char* end = line.data() + line.size();
+  const auto [after, problem] = std::from_chars(line.data(), end, job);
+  if (problem != std::errc{} || after == end || *after != ' ') return std::nullopt;
+  return job;
 }
 
 }  // namespace
 
+/// Goes through a file line by line, with only one of them in memory.
+class JobJournal::Reader {
+ public:
+  explicit Reader(const std::string& path)
+      : stream_(path, std::ios::binary), room_(std::make_unique_for_overwrite<char[]>(kRoom)) {}
+
+  /// The next whole line, without its end; nothing at the file's end, and before what was cut short or is too long.
+  std::optional<std::string_view> Next() {
+    at_ += length_;
+    length_ = 0;
+    stream_.getline(room_.get(), static_cast<std::streamsize>(kRoom));
+    const auto size = static_cast<std::size_t>(stream_.gcount());
+    too_long_ = stream_.fail() && !stream_.eof();
+    rest_ = std::string_view(room_.get(), size);
+    if (stream_.fail() || stream_.eof()) return std::nullopt;
+    length_ = static_cast<std::int64_t>(size);
+    return rest_.substr(0, size - 1);
+  }
+
+  bool too_long() const { return too_long_; }
+  /// What follows the last whole line.
+  std::string_view rest() const { return rest_; }
+  /// Where the present line begins; after the last one, where what is whole ends.
+  std::int64_t at() const { return at_; }
+
+ private:
+  static constexpr std::size_t kRoom = kLongestLine + 1;
+
+  std::ifstream stream_;
+  std::unique_ptr<char[]> room_;
+  std::string_view rest_;
+  std::int64_t at_ = 0, length_ = 0;
+  bool too_long_ = false;
+};
+
 JobJournal::JobJournal(JobJournal&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), lines_(std::move(other.lines_)) {}
+    : path_(std::move(other.path_)),
+      file_(std::exchange(other.file_, -1)),
+      lines_(std::move(other.lines_)),
+      length_(other.length_),
+      empty_(std::exchange(other.empty_, false)),
+      spoilt_(other.spoilt_) {}
 
 JobJournal::~JobJournal() {
+  if (empty_) Remove();
   if (file_ >= 0) ::close(file_);
 }
 
 Result<JobJournal> JobJournal::Open(const std::string& path, const std::string& identity, bool resume) {
-  namespace fs = std::filesystem;
-  const std::string anew = fmt::format("delete '{}' to begin anew", path), head = kHead + identity;
-  std::error_code error;
-  if (fs::path(path).has_parent_path()) fs::create_directories(fs::path(path).parent_path(), error);
-  const bool there = fs::exists(path, error) && fs::file_size(path, error) > 0;
-  if (there && !resume) return Refused(path, "holds work that was not finished", {"--resume to go on with it", anew});
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
   JobJournal journal;
   journal.path_ = path;
-  journal.file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (journal.file_ < 0) return Refused(path, fmt::format("cannot be written: {}", std::strerror(errno)));
-  if (::flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
-    return Refused(path, "is being written by another process", {"let that finish, or name another output"});
-  const Result<std::string> text = there ? ReadFile(path) : Result<std::string>(std::string());
-  if (!text) return text.failure();
-  const std::vector<std::string> lines = WholeLines(*text);
-  if (!lines.empty() && !lines.front().starts_with(kHead))
-    return Refused(path, "is no journal of this program", {anew});
-  if (!lines.empty() && lines.front() != head) {
-    return Refused(path, "is of other work: another robot, command, option, seed or version of the program",
-                   {"repeat the command line of that work", anew});
+  const std::string head = std::string(kHead) + identity;
+  if (auto failure = journal.Hold()) return *failure;
+  if (auto failure = journal.Read(head, resume)) return *failure;
+  if (journal.lines_.empty()) {
+    if (auto failure = journal.Begin(head)) return *failure;
   }
-  std::size_t length = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (i > 0 && !journal.Keep(lines[i])) return Refused(path, fmt::format("is broken in line {}", i + 1), {anew});
-    length += lines[i].size() + 1;
-  }
-  if (::ftruncate(journal.file_, static_cast<off_t>(length)) != 0 || ::lseek(journal.file_, 0, SEEK_END) < 0)
-    return Refused(path, fmt::format("cannot be written: {}", std::strerror(errno)));
-  if (length == 0) WriteAll(journal.file_, head + "\n");
   return journal;
 }
 
-bool JobJournal::Keep(const std::string& line) {
-  std::size_t job = 0;
-  const char* end = line.data() + line.size();
-  const auto [after, problem] = std::from_chars(line.data(), end, job);
-  if (problem != std::errc{} || after == end || *after != ' ') return false;
-  lines_[job] = std::string(after + 1, end);
-  return true;
+std::optional<Failure> JobJournal::Hold() {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) return Refused(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
+  if (::flock(file_, LOCK_EX | LOCK_NB) == 0 && IsAt(file_, path_)) return std::nullopt;
+  return Refused(path_, "is being written by another process", {"let that finish, or name another output"});
+}
+
+std::optional<Failure> JobJournal::Read(const std::string& head, bool resume) {
+  Reader reader(path_);
+  const std::optional<std::string_view> first = reader.Next();
+  const std::string_view begin = first ? *first : reader.rest();
+  if (!begin.starts_with(kHead) && (first || !kHead.starts_with(begin)))
+    return Refused(path_, "is no journal of this program", {Anew(path_)});
+  const bool same = begin == head;
+  for (std::size_t number = 2; const std::optional<std::string_view> line = reader.Next(); ++number) {
+    if (!resume) return Refused(path_, "holds work that was not finished", {"--resume to go on with it", Anew(path_)});
+    if (!same) {
+      return Refused(path_, "is of other work: another robot, command, option, file, seed or version of the program",
+                     {"repeat the command line of that work", Anew(path_)});
+    }
+    const std::optional<std::size_t> job = JobOf(*line);
+    if (!job) return Refused(path_, fmt::format("is broken in line {}", number), {Anew(path_)});
+    const std::size_t before = line->find(' ') + 1;
+    lines_[*job] = {reader.at() + static_cast<std::int64_t>(before), line->size() - before};
+  }
+  if (reader.too_long())
+    return Refused(path_, fmt::format("has a line of more than {} bytes", kLongestLine), {Anew(path_)});
+  length_ = reader.at();
+  if (::ftruncate(file_, length_) == 0 && ::lseek(file_, 0, SEEK_END) >= 0) return std::nullopt;
+  return Refused(path_, fmt::format("cannot be written: {}", std::strerror(errno)));
+}
+
+std::optional<Failure> JobJournal::Begin(const std::string& head) {
+  int error = ::ftruncate(file_, 0) == 0 && ::lseek(file_, 0, SEEK_SET) == 0 ? 0 : errno;
+  if (error == 0) error = WriteAll(file_, head + "\n");
+  if (error != 0) return Refused(path_, fmt::format("cannot be written: {}", std::strerror(error)));
+  SyncFolder(std::filesystem::path(path_).parent_path());
+  length_ = static_cast<std::int64_t>(head.size()) + 1;
+  empty_ = true;
+  return std::nullopt;
 }
 
 std::optional<std::string> JobJournal::Find(std::size_t job) const {
-  const auto line = lines_.find(job);
-  return line == lines_.end() ? std::nullopt : std::optional<std::string>(line->second);
+  const auto found = lines_.find(job);
+  if (found == lines_.end()) return std::nullopt;
+  const auto& [at, length] = found->second;
+  std::string line(length, '\0');
+  for (std::size_t read = 0; read < length;) {
+    const ssize_t more = ::pread(file_, &line[read], length - read, at + static_cast<std::int64_t>(read));
+    if (more < 0 && errno == EINTR) continue;
+    if (more <= 0) throw std::runtime_error(fmt::format("cannot read '{}' any more", path_));
+    read += static_cast<std::size_t>(more);
+  }
+  return line;
 }
 
 void JobJournal::Add(std::size_t job, const std::string& line) {
   if (file_ < 0) return;
   const std::lock_guard lock(mutex_);
-  WriteAll(file_, fmt::format("{} {}\n", job, line));
+  if (spoilt_) throw CannotKeep(fmt::format("'{}' could not be written, so no more is kept in it", path_));
+  const std::string text = fmt::format("{} {}\n", job, line);
+  if (const int error = WriteAll(file_, text); error != 0) {
+    spoilt_ = true;
+    std::string why = std::strerror(error);
+    // What stays of the line has no end, and is dropped when it is read.
+    if (::ftruncate(file_, length_) != 0) why += ", and its last line is cut short";
+    throw CannotKeep(fmt::format("cannot keep what is done so far in '{}': {}", path_, why));
+  }
+  length_ += static_cast<std::int64_t>(text.size());
+  empty_ = false;
 }
 
 void JobJournal::Remove() {
@@ -113,6 +206,7 @@ void JobJournal::Remove() {
   std::error_code ignored;
   std::filesystem::remove(path_, ignored);
   ::close(std::exchange(file_, -1));
+  empty_ = false;
 }
 
 }  // namespace gaitwright

@@ -47,13 +47,14 @@ void Judge(PointOutcome& outcome, const PlannedWalk& planned, const StabilityRep
   outcome.reason = fmt::format("the plan fails its audit: {}; in physics: {}", outcome.code, report.reason);
 }
 
-PointSurvival TryOften(const Study& study, const MotionPlan& plan, const PlayRequest& play) {
+Result<PointSurvival> TryOften(const Study& study, const MotionPlan& plan, const PlayRequest& play) {
   double score_sum = 0.0;
   int survived = 0;
   for (int number = 0; number < study.trials; ++number) {
-    const TrialWorth worth = study.play_trial(study.model, plan, play, number);
-    score_sum += worth.score;
-    survived += worth.survived ? 1 : 0;
+    const Result<TrialWorth> worth = study.play_trial(study.model, plan, play, number);
+    if (!worth) return worth.failure();
+    score_sum += worth->score;
+    survived += worth->survived ? 1 : 0;
   }
   return SurvivalOf(study.trials, survived, score_sum / study.trials);
 }
@@ -132,7 +133,10 @@ PointOutcome RunPoint(const Study& study, std::size_t point, StudyPlans& plans) 
     outcome.point = point;
     Judge(outcome, planned->value(), played->report);
     for (const std::string& key : study.metrics) outcome.metrics.push_back(played->report.At(key).value);
-    if (study.trials > 0 && outcome.audit_pass()) outcome.survival = TryOften(study, plan, play);
+    if (study.trials == 0 || !outcome.audit_pass()) return outcome;
+    const Result<PointSurvival> survival = TryOften(study, plan, play);
+    if (!survival) return Refused(point, survival.failure());
+    outcome.survival = *survival;
     return outcome;
   } catch (const InvalidArgument& error) {
     return Refused(point, AsFailure(error));

@@ -24,9 +24,9 @@ struct TrialWorth {
 };
 
 /// Plays trial `number`, from 0, of a plan: a pure function, to be called from any thread. Trials of one number see the
-/// same disturbances whatever the plan.
-using TrialPlayer =
-    std::function<TrialWorth(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request, int number)>;
+/// same disturbances whatever the plan. Fails where trials of the plan cannot be played, whatever the number.
+using TrialPlayer = std::function<Result<TrialWorth>(const RobotModel& model, const MotionPlan& plan,
+                                                     const PlayRequest& request, int number)>;
 
 /// What is varied about which walk, and what is asked of each point.
 struct Study {

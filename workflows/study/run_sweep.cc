@@ -5,6 +5,7 @@
 
 #include "kinematics/base/hash.h"
 #include "kinematics/base/version.h"
+#include "workflows/walk/walk_files.h"
 
 namespace gaitwright {
 namespace {
@@ -20,9 +21,9 @@ std::string CommandText(const WalkCommand& c) {
 std::string StudyIdentity(const Study& study, const std::string& trials) {
   WalkRequest walk = study.walk;
   PlayRequest play = study.play;
-  std::string text =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n", Version(), study.model.hash, walk.gait, walk.terrain,
-                  walk.sequence, walk.seed, CommandText(walk.command), play.controller, study.trials);
+  std::string text = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n", Version(), study.model.hash, walk.gait,
+                                 walk.terrain, walk.sequence, ContentsHash(walk), walk.seed, CommandText(walk.command),
+                                 play.controller, study.trials);
   for (const auto& [key, value] : TextsOf(StudyFields(walk, play))) text += key + "=" + value + "\n";
   for (const StudyPoint& point : study.points) text += PointText(study.axes, point) + "\n";
   for (const std::string& key : study.metrics) text += key + "\n";

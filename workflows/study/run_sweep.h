@@ -11,8 +11,8 @@
 
 namespace gaitwright {
 
-/// Hash of all that shapes a study's outcomes: version, robot, command, options, axes, points, metrics and `trials`, a
-/// text that says what the trials are.
+/// Hash of all that shapes a study's outcomes: version, robot, command, options, axes, points, metrics, what stands in
+/// the files of gaits, sequence and ground, and `trials`, a text that says what the trials are.
 std::string StudyIdentity(const Study& study, const std::string& trials);
 
 /// Does one point by its number somewhere else, and waits for it: the outcome as PointToLine writes it. May throw.

@@ -31,6 +31,42 @@ bool HasField(const OptionFields& fields, const std::string& key) {
   return std::any_of(fields.begin(), fields.end(), [&](const OptionField& f) { return f.key == key; });
 }
 
+/// A delay in whole time steps, the nearest that may be.
+double InSteps(double delay_s, double step_s) {
+  const double most = std::floor(kLongestDelay / step_s * (1.0 + 1e-9));
+  return step_s * std::min(std::round(delay_s / step_s), most);
+}
+
+Failure CannotBePlayed(const std::string& code, const std::string& why) {
+  return {FailureKind::kBadInput,
+          code,
+          "PlayTrial",
+          fmt::format("some trials that the disturbances may draw cannot be played: {}", why),
+          {"narrow what is sampled"}};
+}
+
+/// What `check` has to say of the request at either end of the disturbances; options out of range are a failure too.
+template <class Check>
+std::optional<Failure> AtBothEnds(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                                  const Disturbances& disturbances, Check check) {
+  double noise_scale = 1.0;
+  try {
+    for (const RangeEnd end : {RangeEnd::kLowest, RangeEnd::kHighest}) {
+      const SampledTrial trial = ExtremeTrial(disturbances, model, plan, end);
+      noise_scale = trial.sensor_noise_scale;
+      PlayRequest at_end = DisturbedRequest(request, trial);
+      CheckOptions(at_end.Fields());
+      if (const std::optional<Failure> failure = check(at_end)) return CannotBePlayed(failure->code, failure->message);
+    }
+  } catch (const InvalidArgument& error) {
+    const std::string why = error.what();
+    const bool scaled = noise_scale > 1.0 && why.find(std::string("'") + kSensors) != std::string::npos;
+    return CannotBePlayed("disturbances",
+                          why + (scaled ? fmt::format(", where sensor_noise_scale is {}", noise_scale) : ""));
+  }
+  return std::nullopt;
+}
+
 void AddPushes(const std::vector<TimedPush>& pushes, PlayOptions& play) {
   auto next = pushes.begin();
   if (next != pushes.end() && play.push_force_W.isZero(0.0)) {  // the one that words of the log speak of
@@ -62,8 +98,7 @@ PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& tri
     if (HasField(fields, seed)) SetNumber(fields, seed, trial.noise_seed);
   }
   for (const auto& [key, value] : trial.options) {
-    const double step = disturbed.play.world.step_s;
-    SetNumber(fields, key, key == "command_delay_s" ? step * std::round(value / step) : value);
+    SetNumber(fields, key, key == "command_delay_s" ? InSteps(value, disturbed.play.world.step_s) : value);
   }
   for (const OptionField& field : fields) {
     if (IsNoise(field.key) && std::holds_alternative<double*>(field.target))
@@ -74,14 +109,33 @@ PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& tri
   return disturbed;
 }
 
+std::optional<Failure> WhyNotSampled(const RobotModel& model, const PlayRequest& request,
+                                     const Disturbances& disturbances) {
+  PlayRequest undisturbed = request;
+  CheckOptions(undisturbed.Fields());
+  return AtBothEnds(model, MotionPlan(), request, disturbances,
+                    [](const PlayRequest&) -> std::optional<Failure> { return std::nullopt; });
+}
+
+std::optional<Failure> WhyNotTried(const TrialStudy& study) {
+  PlayRequest undisturbed = study.request;
+  CheckOptions(undisturbed.Fields());
+  if (auto failure = WhyNotPlayed(study.model, study.plan, study.request.play)) return failure;
+  return AtBothEnds(study.model, study.plan, study.request, study.disturbances,
+                    [&](const PlayRequest& at_end) { return WhyNotPlayed(study.model, study.plan, at_end.play); });
+}
+
 Result<PlayedTrial> PlayTrial(const TrialStudy& study, int number, std::uint64_t seed) {
+  if (auto failure = WhyNotTried(study)) return *failure;
   const SampledTrial trial = SampleTrial(study.disturbances, study.model, study.plan, seed);
-  Result<PlayedWalk> played = PlayWalk(study.model, study.plan, DisturbedRequest(study.request, trial));
+  const PlayRequest disturbed = DisturbedRequest(study.request, trial);
+  Result<PlayedWalk> played = PlayWalk(study.model, study.plan, disturbed);
   if (!played) return played.failure();
   for (const SampledValue& one : trial.values)
     played->log.options.emplace_back("trial." + one.name, one.word.empty() ? fmt::format("{}", one.value) : one.word);
   PlayedTrial result;
   result.outcome = OutcomeOf(number, trial, played->log, played->report);
+  if (result.outcome.survived) result.outcome.steps = GaitStepsOf(study.model, study.plan, disturbed.play, played->log);
   result.played = std::move(*played);
   return result;
 }
@@ -97,6 +151,7 @@ TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed) {
   subject.disturbances = DisturbancesText(study.disturbances);
   subject.options = TextsOf(request.Fields());
   subject.seed = run_seed;
+  subject.gait_scale = GaitScaleOf(study.model, study.plan);
   const GateScale scale = ScaleOf(study.model, study.plan);
   for (const MetricRule& rule : MetricRules()) {
     if (const auto limit = LimitOf(rule, scale)) subject.limits.emplace_back(rule.key, *limit);

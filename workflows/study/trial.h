@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "playback/trials/robustness_report.h"
@@ -27,9 +28,20 @@ struct PlayedTrial {
 /// @throws InvalidArgument when a trial sets an option that playback does not have.
 PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& trial);
 
+/// Why some trial that disturbances can draw could not be played, whatever the plan; nothing where all could. It is an
+/// option that they set out of its range, by itself or together with what the request says (the noise of a sensor times
+/// `sensor_noise_scale`), or a push on nothing: code `disturbances`. @throws InvalidArgument where the request itself
+/// has an option out of its range.
+std::optional<Failure> WhyNotSampled(const RobotModel& model, const PlayRequest& request,
+                                     const Disturbances& disturbances);
+
+/// The same with the plan: a push that may come after its end too (code `late_push`), and all else that Play refuses.
+std::optional<Failure> WhyNotTried(const TrialStudy& study);
+
 /// Plays and scores one trial: a pure function of the study and the seed, so that any machine and thread has the same
 /// log to the byte. The log says in `options` what was sampled, as "trial.NAME". `number` is for the record only.
-/// @return a failure where Play refuses. @throws InvalidArgument as Play and SampleTrial do.
+/// @return the failure of WhyNotTried: of a study either every trial is played, or none. @throws InvalidArgument for
+/// what no disturbance changes, as MakeController and Play do.
 Result<PlayedTrial> PlayTrial(const TrialStudy& study, int number, std::uint64_t seed);
 
 /// What a report says of its run.

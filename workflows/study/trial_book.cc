@@ -23,6 +23,7 @@ TrialBook::TrialBook(const TrialStudy& study, const TrialOptions& options, Trial
 Result<TrialBook> TrialBook::Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks) {
   TrialOptions checked = options;
   CheckOptions(checked.Fields());
+  if (auto failure = WhyNotTried(study)) return *failure;
   Result<JobJournal> journal = JournalOf(study, options, hooks);
   if (!journal) return journal.failure();
   TrialBook book(study, options, hooks, std::move(*journal));
@@ -37,7 +38,7 @@ std::optional<Failure> TrialBook::Restore() {
     try {
       TrialOutcome outcome = OutcomeFromLine(*line);
       if (outcome.number != number) throw InvalidArgument(fmt::format("it is of trial {}", outcome.number));
-      outcomes_.emplace(number, std::move(outcome));
+      Count(number, outcomes_.emplace(number, std::move(outcome)).first->second);
     } catch (const InvalidArgument& error) {
       return Failure{FailureKind::kBadInput,
                      "journal_line",
@@ -58,20 +59,33 @@ std::optional<int> TrialBook::Next() {
   return next_++;
 }
 
+void TrialBook::Count(int number, const TrialOutcome& outcome) {
+  if (number >= end_) return;
+  ++done_;
+  survived_ += outcome.survived ? 1 : 0;
+}
+
+void TrialBook::EndAt(int end) {
+  end_ = end;
+  done_ = survived_ = 0;
+  for (const auto& [number, outcome] : outcomes_) Count(number, outcome);
+}
+
 void TrialBook::Advance() {
   for (auto at = outcomes_.find(prefix_); at != outcomes_.end() && at->first == prefix_ && prefix_ < end_; ++at) {
     ++prefix_;
     prefix_survived_ += at->second.survived ? 1 : 0;
     const bool narrow = options_.until_width > 0.0 && prefix_ >= options_.until_least &&
                         WilsonInterval(prefix_survived_, prefix_).width() < options_.until_width;
-    if (narrow) end_ = prefix_;
+    if (narrow) EndAt(prefix_);
   }
 }
 
 void TrialBook::Add(TrialOutcome outcome) {
   const int number = outcome.number;
   journal_.Add(static_cast<std::size_t>(number), OutcomeToLine(outcome));
-  outcomes_.emplace(number, std::move(outcome));
+  const auto [added, is_new] = outcomes_.emplace(number, std::move(outcome));
+  if (is_new) Count(number, added->second);
   Advance();
   if (hooks_.progress) hooks_.progress(progress());
 }
@@ -79,15 +93,7 @@ void TrialBook::Add(TrialOutcome outcome) {
 void TrialBook::Fail(int number, const Failure& failure) { failures_.emplace(number, failure); }
 
 TrialProgress TrialBook::progress() const {
-  TrialProgress progress;
-  progress.wanted = end_;
-  progress.restored = restored_;
-  for (const auto& [number, outcome] : outcomes_) {
-    if (number >= end_) break;
-    ++progress.done;
-    progress.survived += outcome.survived ? 1 : 0;
-  }
-  return progress;
+  return {.done = done_, .restored = restored_, .wanted = end_, .survived = survived_};
 }
 
 Result<RobustnessReport> TrialBook::Report() {

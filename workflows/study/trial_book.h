@@ -62,15 +62,15 @@ struct TrialHooks {
 /// that who was quick does not matter.
 class TrialBook {
  public:
-  /// @return a failure as JobJournal::Open, or for an outcome there that is broken. @throws InvalidArgument for an
-  /// option out of range.
+  /// @return a failure as WhyNotTried, before a journal is there, as JobJournal::Open, or for an outcome there that is
+  /// broken. @throws InvalidArgument for an option out of range.
   static Result<TrialBook> Open(const TrialStudy& study, const TrialOptions& options, const TrialHooks& hooks);
 
   /// The next trial that nobody has; nothing when all are handed out.
   std::optional<int> Next();
   /// Its seed.
   std::uint64_t SeedOf(int number) const { return SeedOfTrial(static_cast<std::uint64_t>(options_.seed), number); }
-  /// Takes what came of a trial. @throws std::runtime_error when the journal cannot be written.
+  /// Takes what came of a trial. @throws CannotKeep when the journal cannot be written.
   void Add(TrialOutcome outcome);
   /// Takes a trial that could not be played: then no more are handed out, and the run fails with the failure of the
   /// trial of the lowest number.
@@ -89,6 +89,8 @@ class TrialBook {
   TrialBook(const TrialStudy& study, const TrialOptions& options, TrialHooks hooks, JobJournal journal);
   std::optional<Failure> Restore();
   void Advance();
+  void Count(int number, const TrialOutcome& outcome);
+  void EndAt(int end);
 
   TrialSubject subject_;
   TrialOptions options_;
@@ -97,6 +99,7 @@ class TrialBook {
   std::map<int, TrialOutcome> outcomes_;
   std::map<int, Failure> failures_;
   int next_ = 0, end_ = 0, restored_ = 0;
+  int done_ = 0, survived_ = 0;           ///< outcomes below end_
   int prefix_ = 0, prefix_survived_ = 0;  ///< outcomes without a gap from 0 on
 };
 

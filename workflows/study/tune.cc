@@ -55,8 +55,11 @@ CandidateWorth JudgeOver(const Study& study, const StudyPoint& values, const Pla
                          int count) {
   CandidateWorth worth;
   const PlayRequest play = PlaybackOf(study, values);
-  for (int number = first; number < first + count; ++number)
-    worth.trials.push_back(study.play_trial(study.model, planned.motion.plan, play, number));
+  for (int number = first; number < first + count; ++number) {
+    const Result<TrialWorth> trial = study.play_trial(study.model, planned.motion.plan, play, number);
+    if (!trial) return {trial.failure().message, {}};
+    worth.trials.push_back(*trial);
+  }
   return worth;
 }
 
@@ -149,8 +152,10 @@ Result<TuneReport> Tune(const Study& study, const TuneOptions& options, JobJourn
 }
 
 std::string TunedOptions(const Study& study, const TuneResult& result) {
-  std::string yaml = result.better() ? "# Tuned; better on held-out trials.\n"
-                                     : "# Not better than these usual values on held-out trials, so they are kept.\n";
+  const bool alone = result.proof && !result.proof->no_before.empty();
+  std::string yaml = alone             ? "# Tuned; the usual values have no plan.\n"
+                     : result.better() ? "# Tuned; better on held-out trials.\n"
+                                       : "# Not better than these usual values on held-out trials, so they are kept.\n";
   for (std::size_t k = 0; k < study.axes.size(); ++k)
     yaml += study.axes[k].key + ": " + result.candidates[result.chosen].values[k] + "\n";
   return yaml;

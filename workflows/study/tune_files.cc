@@ -35,8 +35,22 @@ Json CandidateJson(const Study& study, const TuneCandidate& candidate, std::size
           {"refusal", candidate.worth.refusal}};
 }
 
-Json DifferenceJson(const PairedDifference& d) {
-  return {{"before", d.before}, {"after", d.after}, {"difference", d.mean}, {"low", d.low}, {"high", d.high}};
+Json DifferenceJson(const PairedDifference& d, bool has_before) {
+  const auto compared = [&](double value) { return has_before ? Json(value) : Json(); };
+  return {{"before", compared(d.before)},
+          {"after", d.after},
+          {"difference", compared(d.mean)},
+          {"low", compared(d.low)},
+          {"high", compared(d.high)}};
+}
+
+Json ProofJson(const HeldOutProof& proof) {
+  const bool has_before = proof.no_before.empty();
+  return {{"trials", proof.trials},
+          {"value", DifferenceJson(proof.value, has_before)},
+          {"score", DifferenceJson(proof.score, has_before)},
+          {"survival", DifferenceJson(proof.survival, has_before)},
+          {"no_before", proof.no_before}};
 }
 
 Json MetricsJson(const TuneReport& report) {
@@ -53,6 +67,11 @@ Json MetricsJson(const TuneReport& report) {
 std::string VerdictOf(const TuneResult& result) {
   if (!result.proof) return "no better: no candidate is worth more than the usual values, which are kept";
   const PairedDifference& d = result.proof->value;
+  if (!result.proof->no_before.empty()) {
+    return fmt::format(
+        "better: the usual values cannot be walked ({}), the favourite is worth {:.2f} on {} held-out trials",
+        result.proof->no_before, d.after, result.proof->trials);
+  }
   const std::string figures = fmt::format(
       "{:.2f} to {:.2f} on {} held-out trials, difference {:.2f} (95 % interval "
       "{:.2f} to {:.2f})",
@@ -68,12 +87,7 @@ std::string TuneJson(const Study& study, const TuneReport& report, const TuneOpt
     ranges.push_back({{"key", axis.key}, {"unit", axis.unit}, {"from", axis.low}, {"to", axis.high}});
   for (std::size_t i = 0; i < result.candidates.size(); ++i)
     candidates.push_back(CandidateJson(study, result.candidates[i], i));
-  if (result.proof) {
-    proof = {{"trials", result.proof->trials},
-             {"value", DifferenceJson(result.proof->value)},
-             {"score", DifferenceJson(result.proof->score)},
-             {"survival", DifferenceJson(result.proof->survival)}};
-  }
+  if (result.proof) proof = ProofJson(*result.proof);
   for (const auto& [kind, path] : files) written[kind] = path;
   const Json json = {{"robot", study.model.name},
                      {"better", result.better()},
@@ -105,6 +119,10 @@ std::string TuneText(const Study& study, const TuneReport& report, const TuneOpt
   }
   if (!result.proof) return text;
   const PairedDifference &score = result.proof->score, &survival = result.proof->survival;
+  if (!result.proof->no_before.empty()) {
+    return text + fmt::format("held-out score     {:6.2f}\nheld-out survival  {:5.1f} %\n", score.after,
+                              100.0 * survival.after);
+  }
   text += fmt::format("held-out score     {:6.2f} -> {:6.2f}, difference {:.2f} ({:.2f} to {:.2f})\n", score.before,
                       score.after, score.mean, score.low, score.high);
   text += fmt::format("held-out survival  {:5.1f} % -> {:5.1f} %, difference {:.1f} % ({:.1f} to {:.1f})\n",

@@ -42,7 +42,9 @@ std::string Values(const Study& study, const TuneResult& result) {
 std::string Proof(const TuneResult& result) {
   if (!result.proof)
     return "<p>No candidate was worth more than the usual values, so that there is nothing to prove.</p>\n";
-  const auto row = [](const char* what, const PairedDifference& d, double scale) -> std::vector<std::string> {
+  const bool has_before = result.proof->no_before.empty();
+  const auto row = [&](const char* what, const PairedDifference& d, double scale) -> std::vector<std::string> {
+    if (!has_before) return {what, "\u2013", fmt::format("{:.2f}", scale * d.after), "\u2013", "\u2013"};
     return {what, fmt::format("{:.2f}", scale * d.before), fmt::format("{:.2f}", scale * d.after),
             fmt::format("{:+.2f}", scale * d.mean), fmt::format("{:+.2f} to {:+.2f}", scale * d.low, scale * d.high)};
   };
@@ -50,10 +52,10 @@ std::string Proof(const TuneResult& result) {
                   row("value", result.proof->value, 1.0),
                   row("score", result.proof->score, 1.0),
                   row("survival [%]", result.proof->survival, 100.0)}) +
-         fmt::format(
-             "<p class=\"soft\">{} trials that no candidate was tried on before, the same for both, compared "
-             "pair by pair.</p>\n",
-             result.proof->trials);
+         fmt::format("<p class=\"soft\">{} trials that no candidate was tried on before, {}.</p>\n",
+                     result.proof->trials,
+                     has_before ? "the same for both, compared pair by pair"
+                                : "of the favourite alone: " + EscapedXml(result.proof->no_before));
 }
 
 std::string Metrics(const TuneReport& report) {

@@ -25,6 +25,19 @@ struct TuneJob {
   int first = 0, count = 0;
 };
 
+/// What came of held-out trials, in their order.
+struct HeldOutTrials {
+  std::vector<double> value, score, survival;
+
+  void Add(const std::vector<TrialWorth>& trials, double survival_weight) {
+    for (const TrialWorth& trial : trials) {
+      value.push_back(ValueOf(trial, survival_weight));
+      score.push_back(trial.score);
+      survival.push_back(trial.survived ? 1.0 : 0.0);
+    }
+  }
+};
+
 class TuneSearch {
  public:
   TuneSearch(const TuneProblem& problem, const TuneOptions& options, std::uint64_t seed, JobJournal& journal,
@@ -36,13 +49,15 @@ class TuneSearch {
 
   Result<TuneResult> Search() {
     Try({problem_.usual}, "usual");
-    Try(Samples(static_cast<std::size_t>(std::max(Left() / 3, 1))), "sample");
+    if (!stopped_) Try(Samples(static_cast<std::size_t>(std::max(Left() / 3, 1))), "sample");
     FollowSurfaces();
     FollowCmaEs();
-    if (const auto fitted = Fitted(VectorX(), 0)) result_.surface = *fitted;
-    ChooseFavourite();
-    if (result_.favourite != 0) Prove();
+    if (!stopped_) ChooseFavourite();
+    std::optional<Failure> refused;
+    if (!stopped_ && result_.favourite != 0) refused = Prove();
     if (stopped_) return Interrupted("SearchTuning");
+    if (refused) return *refused;
+    if (const auto fitted = Fitted(VectorX(), 0)) result_.surface = *fitted;
     return std::move(result_);
   }
 
@@ -155,7 +170,7 @@ class TuneSearch {
   }
 
   void FollowSurfaces() {
-    while (options_.method != "cma-es" && Left() > 0) {
+    while (!stopped_ && options_.method != "cma-es" && Left() > 0) {
       const std::optional<FittedSurface> whole = Fitted(VectorX(), 0);
       if (!whole && options_.method == "auto") return;
       if (whole && options_.method == "auto" && whole->foretold < options_.smooth_above) return;
@@ -176,9 +191,9 @@ class TuneSearch {
   }
 
   void FollowCmaEs() {
-    if (Left() <= 0) return;
+    if (stopped_ || Left() <= 0) return;
     CmaEs search(BestShares(), seed_ + 1);
-    while (Left() > 0) {
+    while (!stopped_ && Left() > 0) {
       std::vector<StudyPoint> points;
       for (const VectorX& shares : search.Ask()) points.push_back(ValuesAt(shares));
       std::vector<std::optional<double>> costs = Try(points, "cma-es");
@@ -213,29 +228,56 @@ class TuneSearch {
     result_.favourite = finals.front().second;
   }
 
-  void Prove() {
+  /// Blocks of held-out trials of the usual values, where these have a plan, with even numbers, and of the favourite.
+  std::vector<TuneJob> ProofJobs() const {
+    const TuneCandidate &usual = result_.candidates.front(), &favourite = result_.candidates[result_.favourite];
     std::vector<TuneJob> jobs;
-    const int from = 3 * options_.trials;
-    for (int at = 0; at < options_.held_out; at += kBlock) {
-      for (const std::size_t candidate : {std::size_t{0}, result_.favourite}) {
-        jobs.push_back({kProofJobs + jobs.size(), result_.candidates[candidate].values, from + at,
-                        std::min(kBlock, options_.held_out - at)});
-      }
+    std::size_t number = kProofJobs;
+    for (int at = 0; at < options_.held_out; at += kBlock, number += 2) {
+      const int first = 3 * options_.trials + at, count = std::min(kBlock, options_.held_out - at);
+      if (usual.value) jobs.push_back({number, usual.values, first, count});
+      jobs.push_back({number + 1, favourite.values, first, count});
     }
+    return jobs;
+  }
+
+  /// @return a failure where one of the trials cannot be played, since the others would be no proof any more.
+  std::optional<Failure> Prove() {
+    const std::vector<TuneJob> jobs = ProofJobs();
     const std::vector<CandidateWorth> worths = Judge(jobs);
-    std::vector<double> value[2], score[2], survival[2];
+    if (stopped_) return std::nullopt;
+    HeldOutTrials before, after;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      for (int k = 0; k < jobs[i].count; ++k) {
-        const bool played = worths[i].trials.size() > static_cast<std::size_t>(k);
-        const TrialWorth trial = played ? worths[i].trials[static_cast<std::size_t>(k)] : TrialWorth{};
-        value[i % 2].push_back(ValueOf(trial, options_.survival_weight));
-        score[i % 2].push_back(trial.score);
-        survival[i % 2].push_back(trial.survived ? 1.0 : 0.0);
-      }
+      const bool of_usual = jobs[i].number % 2 == 0;
+      if (worths[i].trials.size() != static_cast<std::size_t>(jobs[i].count)) return NotProved(of_usual, worths[i]);
+      (of_usual ? before : after).Add(worths[i].trials, options_.survival_weight);
     }
-    result_.proof = HeldOutProof{options_.held_out, DifferenceOf(value[0], value[1]), DifferenceOf(score[0], score[1]),
-                                 DifferenceOf(survival[0], survival[1])};
-    if (result_.proof->value.better()) result_.chosen = result_.favourite;
+    const TuneCandidate& usual = result_.candidates.front();
+    result_.proof = usual.value ? Compared(before, after) : Alone(after, usual.worth.refusal);
+    if (!usual.value || result_.proof->value.better()) result_.chosen = result_.favourite;
+    return std::nullopt;
+  }
+
+  static Failure NotProved(bool of_usual, const CandidateWorth& worth) {
+    return {FailureKind::kBadInput,
+            "held_out",
+            "SearchTuning",
+            fmt::format("the proof failed: held-out trials of the {} values could not be played: {}",
+                        of_usual ? "usual" : "favourite", worth.refusal.empty() ? "some are missing" : worth.refusal),
+            {}};
+  }
+
+  HeldOutProof Compared(const HeldOutTrials& before, const HeldOutTrials& after) const {
+    return {options_.held_out, DifferenceOf(before.value, after.value), DifferenceOf(before.score, after.score),
+            DifferenceOf(before.survival, after.survival), ""};
+  }
+
+  HeldOutProof Alone(const HeldOutTrials& after, const std::string& refusal) const {
+    const auto mean = [](const std::vector<double>& values) {
+      return PairedDifference{.after = std::accumulate(values.begin(), values.end(), 0.0) /
+                                       static_cast<double>(values.size())};
+    };
+    return {options_.held_out, mean(after.value), mean(after.score), mean(after.survival), refusal};
   }
 
   const TuneProblem& problem_;

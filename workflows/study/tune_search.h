@@ -90,11 +90,14 @@ struct TuneCandidate {
 struct HeldOutProof {
   int trials = 0;
   PairedDifference value, score, survival;
+  /// Why the usual values could not be tried, such as that they have no plan; "" where they were. Then there is nothing
+  /// to compare with: of the differences `after` alone is told.
+  std::string no_before = {};
 };
 
 /// What a tuning found.
 /// Always true: candidate 0 is the usual one; `chosen` is 0 unless the difference in value on the held-out trials is
-/// above zero with its whole 95 % interval.
+/// above zero with its whole 95 % interval, or the usual values have no plan at all.
 struct TuneResult {
   std::vector<TuneCandidate> candidates;  ///< in the order in which they were tried
   std::vector<std::size_t> finalists;     ///< numbers of candidates, the best first
@@ -115,9 +118,12 @@ VectorX SharesOf(const std::vector<StudyAxis>& axes, const StudyPoint& values);
 ///      in the whole of the ranges, and in boxes of a half, a quarter and an eighth of them about the best so far;
 ///   3. otherwise CMA-ES about the best so far; candidates that are refused rank last;
 ///   4. the finalists are tried on twice as many trials again, which with the first ones decide;
-///   5. the favourite and the usual values are held against each other on held-out trials, pair by pair.
+///   5. the favourite and the usual values are held against each other on held-out trials, pair by pair; where the
+///      usual ones have no plan, the favourite is tried alone.
 /// Trial numbers: the search has those below `trials`, the finalists the next 2 `trials`, the proof those after them.
 /// Deterministic for a seed, for any number of threads and whether or not it was resumed.
+/// @return a failure `interrupted` when it was stopped, which it heeds before each job, or `held_out` where the proof's
+/// trials could not be played.
 /// @throws InvalidArgument for options out of range, axes that are no ranges of numbers, or usual values for others.
 Result<TuneResult> SearchTuning(const TuneProblem& problem, const TuneOptions& options, std::uint64_t seed,
                                 JobJournal& journal, const JobOptions& jobs);

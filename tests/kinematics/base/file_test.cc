@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "tests/kinematics/base/synced_files.h"
 #include "tests/scratch_folder.h"
 
 namespace gaitwright {
@@ -50,6 +51,19 @@ TEST_F(Files, AreWrittenTogetherWithTheirFolders) {
   ASSERT_TRUE(WriteFilesTogether({{In("two"), "new"}, {In("three"), "3"}}));
   EXPECT_EQ(*ReadFile(In("two")), "new");
   EXPECT_EQ(Found(), (std::vector<std::string>{"a", "a/b", "a/b/one", "three", "two"}));
+}
+
+TEST_F(Files, AreOnTheDiskBeforeTheyTakeTheirNamesAndTheirNamesWhenItIsDone) {
+  const fs::path folder = fs::canonical(In("."));
+  (void)TakeSyncedFiles();
+  ASSERT_TRUE(WriteFilesTogether({{In("a/one"), "1"}, {In("two"), "2"}}));
+  const std::vector<std::string> synced = TakeSyncedFiles();
+  ASSERT_EQ(synced.size(), 4U);
+  const std::string one = (folder / "a/one").string(), two = (folder / "two").string();
+  EXPECT_TRUE(synced[0].starts_with(one + ".") && synced[0].ends_with(".part")) << synced[0];
+  EXPECT_TRUE(synced[1].starts_with(two + ".") && synced[1].ends_with(".part")) << synced[1];
+  EXPECT_EQ((std::vector<std::string>{synced[2], synced[3]}),
+            (std::vector<std::string>{folder.string(), (folder / "a").string()}));
 }
 
 TEST_F(Files, OneThatCannotBeWrittenLeavesAllAsItWas) {

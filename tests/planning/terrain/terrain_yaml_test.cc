@@ -109,5 +109,18 @@ TEST(LoadTerrain, TellsFilesFromBuiltInGrounds) {
   EXPECT_EQ(Loaded("flat").name, "flat");
 }
 
+TEST(TerrainYaml, AllFilesThatAGroundIsReadFromAreKnown) {
+  using Files = std::vector<std::string>;
+  const std::string bed = terrain_files::Folder() + "bed.csv", yard = Written("yard.YAML", kGood);
+  EXPECT_EQ(TerrainFilesOf(yard), (Files{yard, bed}));
+  EXPECT_EQ(TerrainFilesOf(bed + ":resolution_m=0.1"), (Files{bed}));
+  EXPECT_EQ(TerrainFilesOf("stairs:rise_m=0.05"), Files());
+  for (const char* broken : {"files: {", "files: 3", "- a", "files: [{a: b}]"}) {
+    const std::string path = Written("wrong.yaml", broken);
+    EXPECT_EQ(TerrainFilesOf(path), (Files{path})) << broken;
+  }
+  EXPECT_EQ(TerrainFilesOf("none.yml"), (Files{"none.yml"}));
+}
+
 }  // namespace
 }  // namespace gaitwright

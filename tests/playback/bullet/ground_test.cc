@@ -8,7 +8,7 @@ namespace gaitwright {
 namespace {
 
 TEST(Bumps, AreZeroUnderTheStartBoundedAndSmooth) {
-  const bullet::Bumps bumps{{1.0, 2.0}, 0.01, 0.4, 0.5, 3};
+  const Bumps bumps{{1.0, 2.0}, 0.01, 0.4, 0.5, 3};
   double highest = 0.0, lowest = 0.0, steepest = 0.0;
   for (double x = -3.0; x < 5.0; x += 0.013) {
     for (double y = -2.0; y < 6.0; y += 0.17) {
@@ -29,7 +29,7 @@ TEST(Bumps, AreZeroUnderTheStartBoundedAndSmooth) {
 }
 
 TEST(Bumps, DependOnTheSeedAlone) {
-  const bullet::Bumps one{{0.0, 0.0}, 0.01, 0.4, 0.0, 1}, same{{0.0, 0.0}, 0.01, 0.4, 0.0, 1},
+  const Bumps one{{0.0, 0.0}, 0.01, 0.4, 0.0, 1}, same{{0.0, 0.0}, 0.01, 0.4, 0.0, 1},
       other{{0.0, 0.0}, 0.01, 0.4, 0.0, 2};
   EXPECT_EQ(one.HeightAt({1.3, 0.4}), same.HeightAt({1.3, 0.4}));
   EXPECT_NE(one.HeightAt({1.3, 0.4}), other.HeightAt({1.3, 0.4}));

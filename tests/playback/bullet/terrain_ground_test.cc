@@ -22,7 +22,7 @@ class RayWorld {
   explicit RayWorld(const Terrain& terrain)
       : dispatcher_(&configuration_),
         world_(&dispatcher_, &broadphase_, &configuration_),
-        ground_(terrain, WorldOptions{}, Vector2::Zero()) {
+        ground_(terrain, WorldOptions{}, Bumps()) {
     ground_.AddTo(world_);
   }
   ~RayWorld() {

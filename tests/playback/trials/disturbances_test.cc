@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/playback/standing_plan.h"
 
@@ -129,6 +130,69 @@ TEST_F(DisturbancesTest, AShiftAnyWayHasItsLengthAndEveryDirection) {
     mean += p / kTrials;
   }
   EXPECT_LT(mean.norm(), 0.002);
+}
+
+TEST_F(DisturbancesTest, ADirectionOfASlopeIsToldByItsPartsToo) {
+  const std::string direction = "ground_slope_direction_deg: {uniform: [0, 360]}\n";
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const SampledTrial both = Sample(Read(direction + "ground_slope_deg: {uniform: [-3, 3]}\n"), seed);
+    const double slope = Value(both, "ground_slope_deg");
+    const double angle = Value(both, "ground_slope_direction_deg") * std::numbers::pi / 180.0;
+    EXPECT_NEAR(Value(both, "ground_slope_x_deg"), slope * std::cos(angle), 1e-12);
+    EXPECT_NEAR(Value(both, "ground_slope_y_deg"), slope * std::sin(angle), 1e-12);
+    const SampledTrial alone = Sample(Read(direction), seed);
+    EXPECT_NEAR(Value(alone, "ground_slope_direction_x"), std::cos(angle), 1e-12);
+    EXPECT_NEAR(Value(alone, "ground_slope_direction_y"), std::sin(angle), 1e-12);
+  }
+  EXPECT_EQ(Sample(Read("ground_slope_deg: {uniform: [-3, 3]}\n"), 1).values.size(), 1U) << "its sign says it all";
+}
+
+TEST_F(DisturbancesTest, ExtremesAreWhatCanComeOut) {
+  const Disturbances wide = Read(
+      "mass_scale: {uniform: [0.9, 1.1]}\nfriction: {normal: {mean: 0.7, std: 0.1}}\nlatency_s: {choice: [0.02, "
+      "0.01]}\n"
+      "com_shift_m: {uniform: [0.01, 0.02]}\nstart: {joints_rad: {uniform: [-0.01, 0.02]}}\n"
+      "pushes:\n  - {size_n: {uniform: [5, 50]}, at_s: {uniform: [0.5, 1.5]}, place: {choice: [base, robot]}}\n");
+  const SampledTrial low = ExtremeTrial(wide, model_, plan_, RangeEnd::kLowest);
+  const SampledTrial high = ExtremeTrial(wide, model_, plan_, RangeEnd::kHighest);
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const SampledTrial any = Sample(wide, seed);
+    ASSERT_EQ(any.options.size(), low.options.size());
+    for (std::size_t i = 0; i < any.options.size(); ++i) {
+      EXPECT_EQ(any.options[i].first, low.options[i].first);
+      EXPECT_LE(low.options[i].second, any.options[i].second) << any.options[i].first;
+      EXPECT_GE(high.options[i].second, any.options[i].second) << any.options[i].first;
+    }
+    EXPECT_GE(high.start_joints.minCoeff(), any.start_joints.maxCoeff());
+  }
+  ASSERT_EQ(high.pushes.size(), 1U);
+  EXPECT_EQ(high.pushes[0].at_s, 1.5);
+  EXPECT_NEAR(high.pushes[0].force_W.norm(), 50.0, 1e-9);
+  EXPECT_NEAR(Value(high, "com_shift_x_m"), 0.02, 1e-12);
+  EXPECT_NEAR(Value(low, "com_shift_z_m"), -0.02, 1e-12);
+}
+
+TEST_F(DisturbancesTest, APushBeyondAllBoundsIsRefused) {
+  Disturbances hard;
+  hard.pushes = {{{"size_of_weight", Distribution::Uniform(0.0, 2e5 / model_.weight_n())}}};
+  EXPECT_THROW((void)Sample(hard, 1), InvalidArgument);
+  hard.pushes = {{{"size_n", Distribution::Fixed(1e5)}}};
+  EXPECT_EQ(Sample(hard, 1).pushes.size(), 1U);
+}
+
+TEST_F(DisturbancesTest, EveryRuleIsWithinTheOptionThatItSets) {
+  PlayOptions play;
+  const OptionFields fields = Prefixed("play", play.Fields());
+  int compared = 0;
+  for (const DisturbanceRule& rule : DisturbanceRules()) {
+    for (const OptionField& field : fields) {
+      if (field.key != rule.option) continue;
+      EXPECT_GE(rule.lowest, field.lowest) << rule.key;
+      EXPECT_LE(rule.highest, field.highest) << rule.key;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 15);
 }
 
 TEST_F(DisturbancesTest, JointsStartEachByItsOwn) {

@@ -20,7 +20,7 @@ inline std::vector<TrialOutcome> Outcomes(int n, double fatal_n) {
     o.survived = std::abs(left) <= fatal_n;
     o.passed = o.survived && i % 7 != 0;
     o.score = o.passed ? 70.0 + mass : (o.survived ? 40.0 : 10.0 + mass);
-    o.ended_s = o.survived ? 5.0 : 3.0 + 0.01 * i;
+    o.ended_s = o.survived ? 5.0 : 2.2 + 0.005 * i;  // soon after the push
     o.cause = o.survived ? (o.passed ? "" : "goal_error_m") : "a foot slid";
     o.reason = "under <a push> it \"fell\" & more";
     o.log_hash = "0123456789abcdef";

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kinematics/base/result.h"
+#include "kinematics/spatial/pose.h"
 #include "tests/playback/trials/made_outcomes.h"
 
 namespace gaitwright {
@@ -68,6 +69,31 @@ TEST(RobustnessReportTest, PushesByDirection) {
   for (const PushBin& bin : ReduceTrials(made::Subject(), outcomes).push_bins) EXPECT_EQ(bin.fell, 0);
 }
 
+TEST(RobustnessReportTest, ASlopeThatFellsOnlyDownhillShows) {
+  std::vector<TrialOutcome> outcomes;
+  const Disturbances slopes = ReadDisturbances(
+                                  "ground_slope_deg: {uniform: [0, 6]}\n"
+                                  "ground_slope_direction_deg: {uniform: [0, 360]}\n",
+                                  {}, "test")
+                                  .value();
+  for (int i = 0; i < 200; ++i) {
+    const SampledTrial trial = SampleTrial(slopes, RobotModel(), MotionPlan(), SeedOfTrial(0, i));
+    double up_ahead_deg = 0.0;
+    for (const SampledValue& one : trial.values)
+      up_ahead_deg = one.name == "ground_slope_x_deg" ? one.value : up_ahead_deg;
+    TrialOutcome o;
+    o.number = i;
+    o.sampled = trial.values;
+    o.survived = up_ahead_deg > -2.0;
+    outcomes.push_back(o);
+  }
+  const RobustnessReport report = ReduceTrials(made::Subject(), outcomes);
+  ASSERT_FALSE(report.sensitivity.empty());
+  EXPECT_EQ(report.sensitivity[0].name, "ground_slope_x_deg");
+  EXPECT_EQ(report.sensitivity[0].how, "less");
+  EXPECT_EQ(report.sensitivity[0].effect, 1.0);
+}
+
 TEST(RobustnessReportTest, OutcomesMustBeInOrder) {
   std::vector<TrialOutcome> outcomes = made::Outcomes(3, 25.0);
   std::swap(outcomes[0], outcomes[1]);
@@ -91,6 +117,39 @@ TEST(RobustnessReportTest, JsonHasTheStablePart) {
   EXPECT_EQ(json.at("metrics").at("goal_error_m").at("limit"), 0.05);
 }
 
+/// Steps of which each lands late by twice the push to the left, scaled.
+std::vector<TrialOutcome> Stepping(int trials, const GaitScale& scale) {
+  std::vector<TrialOutcome> outcomes = made::Outcomes(trials, 25.0);
+  const double impulse = scale.mass_kg * std::sqrt(kGravity * scale.leg_length_m);
+  for (TrialOutcome& outcome : outcomes) {
+    NamedRandom random(outcome.seed, "steps");
+    for (int n = 0; n < 20 && outcome.survived; ++n) {
+      const double push = random.Normal();
+      outcome.steps.push_back({0.0, 0.0, push, true, 2.0 * push / impulse * scale.step_s, 0.0, 0.0});
+    }
+  }
+  return outcomes;
+}
+
+TEST(RobustnessReportTest, TheGaitSensitivityNormIsOfTheTrialsThatSurvived) {
+  TrialSubject subject = made::Subject();
+  subject.gait_scale = {.leg_length_m = 0.4, .mass_kg = 10.0, .step_s = 0.3};
+  const RobustnessReport report = ReduceTrials(subject, Stepping(60, subject.gait_scale));
+  ASSERT_TRUE(report.gait_sensitivity.norm) << report.gait_sensitivity.missing;
+  EXPECT_NEAR(*report.gait_sensitivity.norm, 2.0, 1e-9);
+  EXPECT_EQ(report.gait_sensitivity.trials, report.survived);
+  const auto json = nlohmann::json::parse(RobustnessJson(report));
+  EXPECT_NEAR(json.at("gait_sensitivity_norm").get<double>(), 2.0, 1e-9);
+  const auto& details = json.at("gait_sensitivity");
+  EXPECT_EQ(details.at("varied"), (nlohmann::json{false, false, true}));
+  EXPECT_EQ(details.at("disturbances").at(2), "push_left");
+  EXPECT_NEAR(details.at("response").at(0).at(0).at(2).get<double>(), 2.0, 1e-9) << details.at("indicators").at(0);
+  EXPECT_NE(RobustnessText(report).find("gait sensitivity norm 2, standard error"), std::string::npos);
+  const RobustnessReport none = ReduceTrials(subject, made::Outcomes(60, 25.0));
+  EXPECT_TRUE(nlohmann::json::parse(RobustnessJson(none)).at("gait_sensitivity_norm").is_null());
+  EXPECT_NE(RobustnessText(none).find("gait sensitivity norm: none, the plan has no steps"), std::string::npos);
+}
+
 TEST(RobustnessReportTest, WordsNameWhatMatters) {
   const std::string text = RobustnessText(ReduceTrials(made::Subject(), made::Outcomes(100, 25.0)));
   for (const char* part :
@@ -99,7 +158,8 @@ TEST(RobustnessReportTest, WordsNameWhatMatters) {
 }
 
 TEST(TrialOutcomeTest, ALineReadsBackTheSame) {
-  for (const TrialOutcome& outcome : made::Outcomes(20, 25.0)) {
+  for (TrialOutcome outcome : made::Outcomes(20, 25.0)) {
+    outcome.steps = {{0.001, 2.5, -1.0, true, 0.012, 1.0 / 3.0, -0.002}, {0.0, 0.1, 0.0, false, 0.0, 0.0, 0.0}};
     const std::string line = OutcomeToLine(outcome);
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_EQ(OutcomeFromLine(line), outcome);

@@ -5,9 +5,12 @@
 
 #include <atomic>
 #include <filesystem>
+#include <fstream>
 
+#include "kinematics/base/file.h"
 #include "kinematics/model/load_robot.h"
 #include "tests/scratch_folder.h"
+#include "workflows/study/tune.h"
 
 namespace gaitwright {
 namespace {
@@ -104,6 +107,36 @@ TEST(RunSweep, TheIdentityIsThatOfTheWork) {
   other = study;
   other.points.pop_back();
   EXPECT_NE(identity, StudyIdentity(other, ""));
+}
+
+TEST(RunSweep, TheIdentityIsOfWhatStandsInFilesToo) {
+  const auto in = [](const std::string& name) { return ScratchFile(name); };
+  const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(in(name)) << text; };
+  Study study = ShortStudy();
+  study.walk.terrain = in("yard.yaml");
+  study.walk.gait = in("own.yaml:hop");
+  study.walk.sequence = in("parts.yaml");
+  write("bed.csv", "0,0\n0,0\n");
+  write("yard.yaml", "builtin: flat\nfiles: ['bed.csv:resolution_m=0.1']\n");
+  write("own.yaml", "hop: {feet: 4, cycle_s: 0.5, duty_factor: 0.6, phase: [0, 0.5, 0.5, 0]}\n");
+  write("others.yaml", "skip: {feet: 4, cycle_s: 0.5, duty_factor: 0.6, phase: [0, 0.5, 0.5, 0]}\n");
+  write("parts.yaml", "- {gait: 'others.yaml:skip', duration: 1}\n");
+  const std::string identity = StudyIdentity(study, "");
+  EXPECT_EQ(identity, StudyIdentity(study, ""));
+  TuneOptions tune;
+  const std::string of_tuning = TuneIdentity(study, tune, "");
+  for (const std::string name : {"bed.csv", "yard.yaml", "own.yaml", "others.yaml", "parts.yaml"}) {
+    const std::string before = ReadFile(in(name)).value();
+    write(name, before + (name == "bed.csv" ? "0,0.01\n" : "# another word\n"));
+    EXPECT_NE(identity, StudyIdentity(study, "")) << name;
+    EXPECT_NE(of_tuning, TuneIdentity(study, tune, "")) << name;
+    std::filesystem::remove(in(name));
+    EXPECT_NE(identity, StudyIdentity(study, "")) << name;
+    write(name, before);
+    EXPECT_EQ(identity, StudyIdentity(study, "")) << name;
+  }
+  for (const std::string name : {"bed.csv", "yard.yaml", "own.yaml", "others.yaml", "parts.yaml"})
+    std::filesystem::remove(in(name));
 }
 
 TEST(RunSweep, WhatACallerGetsWrongAtAPointIsItsRefusal) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -195,16 +196,88 @@ TEST_F(RunTrialsTest, TheBookEndsInOrderWhateverArrivesFirst) {
   EXPECT_EQ(book.Report().value().n, 4);
 }
 
-TEST_F(RunTrialsTest, ATrialThatCannotBePlayedFailsTheRun) {
-  disturbances_.pushes[0][1].distribution = Distribution::Fixed(5.0);  // after the end
-  const auto report = RunTrials(Study(), Some(4, 2));
-  ASSERT_FALSE(report.ok());
-  EXPECT_EQ(report.failure().code, "late_push");
+TEST_F(RunTrialsTest, WhatCannotBePlayedIsRefusedBeforeTheFirstTrial) {
+  const auto refusal = [&] {
+    TrialHooks hooks{.journal = Journal()};
+    hooks.progress = [](const TrialProgress&) { ADD_FAILURE() << "a trial was played"; };
+    const auto report = RunTrials(Study(), Some(4, 2), hooks);
+    EXPECT_FALSE(report.ok());
+    EXPECT_FALSE(fs::exists(Journal()));
+    EXPECT_FALSE(PlayTrial(Study(), 0, 1).ok()) << "nor is one by itself";
+    return report.ok() ? Failure() : report.failure();
+  };
+  const Disturbances before = disturbances_;
+  disturbances_.pushes[0][1].distribution = Distribution::Uniform(0.1, 1.0);  // most are in time
+  EXPECT_EQ(refusal().code, "late_push");
+  EXPECT_NE(refusal().message.find("the push begins at 1 s"), std::string::npos) << refusal().message;
   disturbances_.pushes[0] = {{"size_n", Distribution::Fixed(1.0)},
-                             {"place", Distribution::OneOf(std::vector<std::string>{"nowhere"})}};
-  EXPECT_THROW((void)RunTrials(Study(), Some(4, 2)), InvalidArgument);
+                             {"place", Distribution::OneOf(std::vector<std::string>{"base", "nowhere"})}};
+  EXPECT_EQ(refusal().code, "disturbances");
+  EXPECT_NE(refusal().message.find("'nowhere'"), std::string::npos) << refusal().message;
+  disturbances_ = before;
+  disturbances_.figures.push_back({"sensor_noise_scale", Distribution::Uniform(0.0, 3.0)});
+  request_.sensing.sensors.contact_noise = 0.4;
+  EXPECT_NE(refusal().message.find("'sensors.contact_noise'"), std::string::npos) << refusal().message;
+  EXPECT_NE(refusal().message.find("where sensor_noise_scale is 3"), std::string::npos) << refusal().message;
+  request_.sensing.sensors.contact_noise = 0.3;
+  disturbances_.figures.push_back({"sensors.contact_noise", Distribution::Uniform(0.0, 0.5)});
+  EXPECT_NE(refusal().message.find("'sensors.contact_noise' is 1.5"), std::string::npos) << refusal().message;
+  disturbances_.figures.back().distribution = Distribution::Uniform(0.0, 0.3);
+  EXPECT_TRUE(RunTrials(Study(), Some(1)).ok()) << "as large as it may be";
   TrialOptions none = Some(0);
   EXPECT_THROW((void)RunTrials(Study(), none), InvalidArgument);
+}
+
+TEST_F(RunTrialsTest, ADelayIsRoundedToWhatMayBe) {
+  SampledTrial late;
+  late.options = {{"command_delay_s", 0.1}};
+  request_.play.world.step_s = 0.008;
+  EXPECT_NEAR(DisturbedRequest(request_, late).sensing.command_delay_s, 0.096, 1e-12) << "thirteen steps are too many";
+  request_.play.world.step_s = 0.001;
+  EXPECT_NEAR(DisturbedRequest(request_, late).sensing.command_delay_s, 0.1, 1e-12);
+}
+
+TEST_F(RunTrialsTest, PhysicsThatBlowsUpIsAFallAndNotTheEndOfTheRun) {
+  for (const double at_s : {0.0, 0.3}) {
+    request_.play.more_pushes = {{Vector3(0.0, std::nan(""), 0.0), at_s, 0.1, "base"}};
+    const auto report = RunTrials(Study(), Some(3, 2));
+    ASSERT_TRUE(report.ok()) << report.failure().message;
+    EXPECT_EQ(report->survived, 0);
+    ASSERT_EQ(report->causes.size(), 1U);
+    EXPECT_EQ(report->causes[0].what, "the physics came to no number");
+    for (const TrialOutcome& outcome : report->outcomes) {
+      EXPECT_NEAR(outcome.ended_s, at_s, 0.01);
+      EXPECT_NE(outcome.reason.find("the physics gave a state that is not finite"), std::string::npos)
+          << outcome.reason;
+      EXPECT_EQ(OutcomeFromLine(OutcomeToLine(outcome)), outcome);
+    }
+  }
+}
+
+TEST_F(RunTrialsTest, TheBookCountsWhatItHas) {
+  TrialOptions options = Some(10);
+  options.until_width = 0.6;
+  options.until_least = 4;
+  TrialProgress last;
+  TrialHooks hooks;
+  hooks.progress = [&](const TrialProgress& p) { last = p; };
+  TrialBook book = TrialBook::Open(Study(), options, hooks).value();
+  const auto add = [&](int number, bool survived) {
+    TrialOutcome o;
+    o.number = number;
+    o.survived = survived;
+    book.Add(o);
+  };
+  for (const int i : {9, 5, 3, 2, 1}) add(i, i != 2);
+  EXPECT_EQ(last.done, 5);
+  EXPECT_EQ(last.survived, 4);
+  EXPECT_EQ(last.wanted, 10);
+  add(0, true);
+  add(4, true);
+  const int end = book.progress().wanted;
+  EXPECT_LT(end, 10) << "narrow enough";
+  EXPECT_EQ(book.progress().done, end);
+  EXPECT_EQ(book.progress().survived, end - 1);
 }
 
 }  // namespace

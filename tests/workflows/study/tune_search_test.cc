@@ -8,10 +8,12 @@
 #include <cmath>
 #include <filesystem>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "optimisation/numerics/split_mix.h"
 #include "tests/scratch_folder.h"
+#include "workflows/study/tune_files.h"
 
 namespace gaitwright {
 namespace {
@@ -196,6 +198,72 @@ TEST(TuneSearch, GoesOnWhereItWasCutOff) {
   EXPECT_TRUE(SameCandidates(whole, *resumed));
   EXPECT_EQ(judged - before, 40 - 25 + 5 + 30) << "the rest of the candidates, the finalists, the proof in blocks";
   journal->Remove();
+}
+
+TEST(TuneSearch, WhenStoppedItTriesNothingMore) {
+  const TuneProblem problem = Problem(Hill, 10.0, 3.0);
+  for (const char* method : {"auto", "surface", "cma-es"}) {
+    TuneOptions options{.evaluations = 60};
+    options.method = method;
+    JobJournal none;
+    int asked = 0, told = 0;  // told to stop
+    const auto stop = [&] { return ++asked > 30 && ++told > 0; };
+    const Result<TuneResult> cut = SearchTuning(problem, options, 1, none, {1, {}, stop});
+    ASSERT_FALSE(cut);
+    EXPECT_EQ(cut.failure().code, "interrupted");
+    EXPECT_EQ(told, 1) << method << ": it asks no more once it was told";
+  }
+}
+
+/// Refuses the usual values, or the favourite, from a trial on.
+TuneProblem RefusingFrom(int first_refused, bool usual) {
+  TuneProblem problem = Problem(Hill, 5.0, 0.5);
+  const auto judge = problem.judge;
+  problem.judge = [=](const StudyPoint& values, int first, int count) -> CandidateWorth {
+    const bool is_usual = values == StudyPoint{"0.2", "0.8"};
+    if (is_usual == usual && first >= first_refused) return {"no such ground", {}};
+    return judge(values, first, count);
+  };
+  return problem;
+}
+
+TEST(TuneSearch, HeldOutTrialsThatCannotBePlayedAreNoZeros) {
+  const TuneOptions options{.evaluations = 20, .trials = 4, .held_out = 30};
+  for (const bool usual : {true, false}) {
+    JobJournal none;
+    const Result<TuneResult> result = SearchTuning(RefusingFrom(3 * 4 + 10, usual), options, 1, none, {1});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.failure().code, "held_out");
+    EXPECT_NE(result.failure().message.find(usual ? "of the usual values" : "of the favourite values"),
+              std::string::npos)
+        << result.failure().message;
+    EXPECT_NE(result.failure().message.find("no such ground"), std::string::npos);
+  }
+}
+
+TEST(TuneSearch, UsualValuesWithoutAPlanAreNotCountedAsZero) {
+  TuneReport report{Searched(RefusingFrom(0, true), {.evaluations = 20, .trials = 4, .held_out = 30}), {}, {}, {}};
+  const TuneResult& result = report.result;
+  EXPECT_FALSE(result.candidates.front().value);
+  ASSERT_NE(result.favourite, 0U);
+  EXPECT_EQ(result.chosen, result.favourite);
+  ASSERT_TRUE(result.proof);
+  EXPECT_EQ(result.proof->no_before, "no such ground");
+  EXPECT_NEAR(result.proof->value.after, Hill(result.candidates[result.favourite].values) + 50.0, 5.0);
+  Study study;
+  study.axes = {Range("a", 0.0, 1.0), Range("b", 0.0, 1.0)};
+  EXPECT_NE(VerdictOf(result).find("the usual values cannot be walked (no such ground)"), std::string::npos)
+      << VerdictOf(result);
+  const auto json = nlohmann::json::parse(TuneJson(study, report, {}, {}));
+  for (const char* figure : {"value", "score", "survival"}) {
+    for (const char* key : {"before", "difference", "low", "high"})
+      EXPECT_TRUE(json.at("held_out").at(figure).at(key).is_null()) << figure << " " << key;
+    EXPECT_TRUE(json.at("held_out").at(figure).at("after").is_number());
+  }
+  EXPECT_EQ(json.at("held_out").at("no_before"), "no such ground");
+  for (const std::string& text : {TuneText(study, report, {}), TunePage(study, report, {}), VerdictOf(result)})
+    EXPECT_EQ(text.find(" 0.00 "), std::string::npos) << text;
+  EXPECT_NE(TunedOptions(study, result).find("the usual values have no plan"), std::string::npos);
 }
 
 TEST(TuneSearch, WhatCannotBeSearchedIsRefused) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "kinematics/model/robot_model.h"
+#include "playback/bullet/world_options.h"
+
+namespace gaitwright {
+
+/// Bumps: ValueNoise about `start` within [-amplitude, amplitude], times a rise from zero at `free_radius` from there
+/// to one half a wavelength further.
+struct Bumps {
+  Vector2 start = Vector2::Zero();
+  double amplitude = 0.0, wavelength = 0.4, free_radius = 0.0;
+  std::uint64_t seed = 1;
+
+  /// At a place of the ground before a slope turns it [m].
+  double HeightAt(const Vector2& p_W) const;
+};
+
+/// The bumps of a playback that starts with the configuration q; of amplitude zero where there are none.
+Bumps BumpsOf(const RobotModel& model, const VectorX& q, const WorldOptions& options);
+
+}  // namespace gaitwright

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planning/plan/check_motion.h"
+#include "playback/bullet/ground_internal.h"
+#include "playback/bullet/off_plan_internal.h"
+#include "playback/bullet/playable_internal.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kLongestPlan = 3600.0;   // [s]
+constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
+
+Failure Mismatch(const std::string& code, const std::string& message, const std::string& hint) {
+  return {FailureKind::kBadInput, code, "Play", message, {hint}};
+}
+
+/// Why the plan cannot be played by this robot; nothing when it can.
+std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
+  const WholeBodyTrajectory& w = plan.whole_body;
+  if (w.size() == 0 || w.step_s <= 0.0) {
+    return Mismatch("plan_without_motion", "the plan has no whole-body motion to play", "plan it again");
+  }
+  if (!(plan.duration_s() <= kLongestPlan) || !std::isfinite(w.start_s)) {
+    return Mismatch("plan_too_long",
+                    fmt::format("the plan lasts {:.6g} s from {:.6g} s on; at most {} s are played", plan.duration_s(),
+                                w.start_s, kLongestPlan),
+                    "see that its 'step_s' is right");
+  }
+  if (!model.hash.empty() && !plan.robot_hash.empty() && plan.robot_hash != model.hash) {
+    return Mismatch("plan_of_other_robot",
+                    fmt::format("the plan was made for robot '{}' ({}), and this is '{}' ({})", plan.robot,
+                                plan.robot_hash, model.name, model.hash),
+                    "play it with the robot in the plan itself, or plan again");
+  }
+  try {
+    CheckMotion(model, w);
+  } catch (const InvalidArgument& error) {
+    return Mismatch("plan_of_other_robot", error.what(), "plan again for this robot");
+  }
+  return std::nullopt;
+}
+
+/// Why a push of the options never comes; nothing when all do, or none is asked for.
+std::optional<Failure> LatePush(const MotionPlan& plan, const PlayOptions& options) {
+  const double end_s = plan.whole_body.end_s() + options.hold_s;
+  for (const TimedPush& push : bullet::PushesOf(options)) {
+    if (push.at_s < end_s) continue;
+    return Mismatch(
+        "late_push",
+        fmt::format("the push begins at {} s, when the playback has ended: it ends at {:.3f} s", push.at_s, end_s),
+        "push earlier");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+namespace bullet {
+
+WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
+  WorldOptions world = options.world;
+  Vector2 low = plan.whole_body.q.front().head<2>(), high = low;
+  for (const VectorX& q : plan.whole_body.q) {
+    low = low.cwiseMin(q.head<2>());
+    high = high.cwiseMax(q.head<2>());
+  }
+  world.bumps_from_W = low - Vector2::Constant(kBumpsBeyondPlan);
+  world.bumps_to_W = high + Vector2::Constant(kBumpsBeyondPlan);
+  if (!options.lock_unmoved) return world;
+  const VectorX& first = plan.whole_body.q.front();
+  for (Eigen::Index i = 7; i < first.size(); ++i) {
+    const bool still = std::all_of(plan.whole_body.q.begin(), plan.whole_body.q.end(),
+                                   [&](const VectorX& q) { return std::abs(q[i] - first[i]) < 1e-9; });
+    if (still) world.locked_dofs.push_back(static_cast<int>(i) - 7);
+  }
+  return world;
+}
+
+long StepsPerSample(const PlayOptions& options) {
+  const double steps = 1.0 / (options.log_rate_hz * options.world.step_s);
+  if (std::abs(steps - std::round(steps)) > 1e-6 || steps < 0.5) {
+    const double per_second = 1.0 / options.world.step_s, nearest = per_second / std::max(1.0, std::round(steps));
+    throw InvalidArgument(
+        fmt::format("option 'log_rate_hz' is {} Hz, which does not divide the {} steps per second; "
+                    "the nearest that does is {:.6g}",
+                    options.log_rate_hz, per_second, nearest));
+  }
+  return std::lround(steps);
+}
+
+}  // namespace bullet
+
+std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options) {
+  PlayOptions checked = options;
+  CheckOptions(checked.Fields());
+  if (auto failure = Misfit(model, plan)) return failure;
+  if (auto failure = LatePush(plan, options)) return failure;
+  for (const TimedPush& push : bullet::PushesOf(options)) (void)bullet::PushedBody(model, push.on);
+  (void)bullet::StepsPerSample(options);
+  bullet::CheckBumps(bullet::WorldOf(plan, options));
+  return std::nullopt;
+}
+
+}  // namespace gaitwright

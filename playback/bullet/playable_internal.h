@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "playback/bullet/play.h"
+
+namespace gaitwright::bullet {
+
+/// The world's options with what the plan says: which joints never move, and where it goes.
+WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options);
+
+/// Time steps from one sample of the log to the next. @throws InvalidArgument where that is no whole number.
+long StepsPerSample(const PlayOptions& options);
+
+}  // namespace gaitwright::bullet

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// trials, sweep and tune under mpirun: the same bytes as in one process, and what signals do.
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+
+#include "tests/cli/stranger.h"
+
+namespace gaitwright::cli {
+namespace {
+
+#ifdef GAITWRIGHT_MPIRUN
+
+using Words = std::vector<std::string>;
+
+class Cluster : public Stranger {
+ protected:
+  Cluster() {
+    ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+  }
+
+  static Words UnderMpi(const Words& arguments) {
+    Words words = {GAITWRIGHT_MPIRUN, "--oversubscribe", "-np", "2", GAITWRIGHT_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return words;
+  }
+
+  /// So many outcomes are in the journal.
+  bool Holds(const std::string& journal, std::ptrdiff_t outcomes) const {
+    const std::string text = std::filesystem::exists(In(journal)) ? Read(journal) : "";
+    return std::count(text.begin(), text.end(), '\n') > outcomes;
+  }
+};
+
+TEST_F(Cluster, TrialsAreThoseOfOneProcess) {
+  MakePlan("plan.json");
+  const Words trials = {"trials", "plan.json", "-n", "4", "--quiet", "--out"};
+  const auto to = [&](const std::string& file) {
+    Words words = trials;
+    words.push_back(file);
+    return words;
+  };
+  ASSERT_EQ(Run(to("one.json")).status, 0);
+  const Ran shared = RunWords(UnderMpi(to("two.json")));
+  ASSERT_EQ(shared.status, 0) << shared.err;
+  EXPECT_EQ(shared.out, "pass\n") << "one rank speaks";
+  EXPECT_TRUE(Read("one.json") == Read("two.json"));
+  EXPECT_EQ(Found(), (Words{"one.json", "plan.json", "two.json"}));
+}
+
+TEST_F(Cluster, ASweepIsThatOfOneProcess) {
+  const auto to = [](const std::string& file) {
+    return Words{"sweep",    "--distance", "0.3",    "--over", "speed=0.2:0.4:2", "--over", "stabilised.dcm_gain=1,1.5",
+                 "--trials", "1",          "--seed", "5",      "--out",           file,     "--json"};
+  };
+  const Ran alone = Run(to("one.csv"));
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  const Ran shared = RunWords(UnderMpi(to("two.csv")));
+  ASSERT_EQ(shared.status, 0) << shared.err;
+  EXPECT_TRUE(Read("one.csv") == Read("two.csv"));
+  Json one = alone.json(), two = shared.json();
+  one.erase("files");
+  two.erase("files");
+  EXPECT_EQ(one, two);
+}
+
+TEST_F(Cluster, TuneIsRefusedPlainlyAndByOneRank) {
+  const Ran refused = RunWords(UnderMpi({"tune", "--over", "stabilised.dcm_gain=1:2"}));
+  EXPECT_EQ(refused.status, 1) << refused.err;
+  const std::string words = "gaitwright: tune runs in one process, and MPI has started 2";
+  const std::size_t first = refused.err.find(words);
+  ASSERT_NE(first, std::string::npos) << refused.err;
+  EXPECT_EQ(refused.err.find("gaitwright: ", first + 1), std::string::npos) << refused.err;
+  EXPECT_TRUE(Found().empty());
+}
+
+/// A run of many trials, which a signal to mpirun ends after three, and what goes on with it.
+class Interrupted : public Cluster {
+ protected:
+  Interrupted() { MakePlan("plan.json"); }
+
+  Ran SignalAfterThree(int signal) const {
+    return RunWords(UnderMpi(trials_), signal, [&] { return Holds("it.json.so-far", 3); });
+  }
+
+  void ExpectGoesOn() const {
+    EXPECT_TRUE(Holds("it.json.so-far", 3));
+    EXPECT_FALSE(std::filesystem::exists(In("it.json")));
+    Words few = trials_;
+    few[3] = "6";
+    few.push_back("--resume");
+    ASSERT_EQ(Run(few).status, 0);
+    Words alone = few;
+    alone.pop_back();
+    alone[5] = "alone.json";
+    ASSERT_EQ(Run(alone).status, 0);
+    EXPECT_TRUE(Read("it.json") == Read("alone.json"));
+    EXPECT_FALSE(std::filesystem::exists(In("it.json.so-far")));
+  }
+
+ private:
+  const Words trials_ = {"trials", "plan.json", "-n", "100000", "--out", "it.json", "--quiet"};
+};
+
+TEST_F(Interrupted, BySigusr1AllRanksFinishWhatTheyHave) {
+  const Ran ended = SignalAfterThree(SIGUSR1);
+  EXPECT_EQ(ended.status, 130) << ended.err;
+  EXPECT_NE(ended.err.find("gaitwright: interrupted after "), std::string::npos) << ended.err;
+  ExpectGoesOn();
+}
+
+TEST_F(Interrupted, BySigintNothingThatIsDoneIsLost) {
+  const Ran ended = SignalAfterThree(SIGINT);
+  EXPECT_NE(ended.status, 0) << "mpirun ends the ranks by SIGTERM and, soon after, SIGKILL";
+  ExpectGoesOn();
+}
+
+#endif
+
+}  // namespace
+}  // namespace gaitwright::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gaitwright {
+
+/// The paths of files and folders that this program had put on the disk by fsync since the last call, in order.
+std::vector<std::string> TakeSyncedFiles();
+
+}  // namespace gaitwright
