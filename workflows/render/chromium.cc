@@ -81,6 +81,15 @@ class Chromium::Pipe {
  public:
   Pipe(DevtoolsPipe pipe, std::unique_ptr<TemporaryFolder> profile, double timeout_s)
       : profile_(std::move(profile)), pipe_(std::move(pipe)), timeout_s_(timeout_s) {}
+  /// Asks the browser to end, so that none of its processes writes to the profile any more; else it is killed.
+  ~Pipe() {
+    constexpr double kLongest = 5.0;  // [s]
+    if (!pipe_.Send({{"id", ++last_id_}, {"method", "Browser.close"}})) return;
+    while (pipe_.Receive(kLongest)) {
+    }
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
 
   /// Calls a method and waits for its answer; events that come before it are looked at.
   Result<json> Call(const std::string& method, const json& parameters = json::object()) {

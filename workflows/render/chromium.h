@@ -9,6 +9,7 @@
 
 namespace gaitwright {
 
+/// Which browser, and how large its page is.
 struct ChromiumOptions {
   std::string program =
       {};  ///< its path; "" takes GAITWRIGHT_CHROMIUM, else the first of Chromium's usual names on PATH

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "workflows/render/devtools_pipe_internal.h"
@@ -61,6 +62,17 @@ int Spawn(const std::string& program, const std::vector<std::string>& arguments,
   return error;
 }
 
+/// Gives it some time to end by itself, as it does once its pipes are closed. It is not yet reaped then.
+void WaitForEnd(pid_t process) {
+  constexpr int kLooks = 200;
+  for (int look = 0; look < kLooks; ++look) {
+    siginfo_t ended{};
+    if (waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid != 0)
+      return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 }  // namespace
 
 Result<DevtoolsPipe> DevtoolsPipe::Start(const std::string& program, const std::vector<std::string>& arguments) {
@@ -89,7 +101,8 @@ DevtoolsPipe::~DevtoolsPipe() {
   for (const int end : {to_, from_})
     if (end >= 0) close(end);
   if (process_ <= 0) return;
-  kill(-process_, SIGKILL);
+  WaitForEnd(process_);
+  kill(-process_, SIGKILL);  // and what it left of its own processes
   while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }

@@ -10,6 +10,7 @@ namespace gaitwright {
 
 /// What each joint has left of each of its limits, as a table.
 struct JointMargins {
+  /// What one joint has left.
   struct Row {
     std::string joint;
     std::vector<std::string> cells;  ///< by heading: "12 %", a figure with its unit, or a dash where there is no limit

@@ -36,7 +36,7 @@ TEST(GaitFigure, ShowsSoManyCyclesFromTheFirstStep) {
   synthetic::Played c = synthetic::Walked(2, {.count = 12});
   c.plan.swings.push_back({.foot = 0, .start_s = 0.9, .end_s = 1.3});
   const auto polygons = [&](int cycles) {
-    return Count(GaitFigure(c.model, c.plan, nullptr, {.cycles = cycles}), "<path class=\"support");
+    return Count(GaitFigure(c.model, c.plan, nullptr, {.cycles = cycles}), "class=\"support filled\"");
   };
   const std::size_t two = polygons(2), four = polygons(4);
   EXPECT_GE(two, 3U);

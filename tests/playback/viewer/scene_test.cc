@@ -76,9 +76,15 @@ TEST(Scene, HasAllOfAPlaybackInColumnsOfOneLength) {
 }
 
 TEST(Scene, SwingsGoFromFootholdToFoothold) {
-  const synthetic::Played c = synthetic::Walked(2, {.count = 4});
+  synthetic::Played c = synthetic::Walked(2, {.count = 4});
+  SwingTrajectory swing;
+  swing.start_s = 1.0;
+  swing.end_s = 1.4;
+  swing.X_WF_start.translation() = Vector3(0.1, 0.2, 0.0);
+  swing.X_WF_end.translation() = Vector3(0.3, 0.2, 0.05);
+  swing.lift_m = 0.04;
+  c.plan.swings = {swing};
   const Json motion = SceneOf(c);
-  ASSERT_FALSE(c.plan.swings.empty());
   const auto points = Floats(motion["swings"][0]["points_m"]);
   for (Eigen::Index i = 0; i < 3; ++i) {
     EXPECT_NEAR(points[static_cast<std::size_t>(i)], c.plan.swings[0].X_WF_start.translation()[i], 1e-6);

@@ -27,8 +27,9 @@ export class Timeline {
     Object.assign(this.slider, { type: "range", min: String(clock.start), max: String(clock.end), step: "0.005" });
     this.slider.setAttribute("aria-label", "time [s]");
     this.slider.addEventListener("input", () => {
+      const wanted = Number(this.slider.value);  // pausing moves the slider to the time that is
       clock.pause();
-      clock.set(Number(this.slider.value));
+      clock.set(wanted);
     });
     this.bars.setAttribute("aria-hidden", "true");
     this.track.append(this.bars, this.needle);
