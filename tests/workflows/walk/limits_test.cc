@@ -65,7 +65,8 @@ TEST(Limits, AGivenTimeOfSteppingStays) {
 }
 
 TEST(Limits, AMotorThatTurnsTooFastIsNamedForThatRatherThanForTheTorqueThatItHasLeft) {
-  const RobotModel nao = *LoadNamedRobot("nao");
+  const std::string root = GAITWRIGHT_SOURCE_DIR;
+  const RobotModel nao = *LoadRobot(root + "/robots/nao/robot.urdf", root + "/examples/motors/nao.yaml");
   WalkRequest request = Asked(0.15, 0.0, 0.0);
   request.command.distance_m = 1.0;
   const Result<PlannedWalk> planned = PlanWalk(nao, request);
