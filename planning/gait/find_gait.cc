@@ -110,6 +110,8 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
     }
   }
   if (options.cycle_s > 0.0) gait.cycle_s = options.cycle_s;
+  const double step_s = options.cycle_step_s;
+  if (step_s > 0.0) gait.cycle_s = step_s * std::max(1.0, std::round(gait.cycle_s / step_s));
   return gait;
 }
 

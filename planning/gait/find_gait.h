@@ -15,6 +15,7 @@ struct GaitOptions {
   double cycle_s = 0.0;
   double duty_factor = 0.0;
   double stance_travel = 0.42;
+  double cycle_step_s = 0.0;
 
   OptionFields Fields() {
     return {
@@ -32,6 +33,14 @@ struct GaitOptions {
          0.05,
          1.0,
          "Farthest that the body moves over a foot, as a share of the leg length; faster walking shortens the cycle.",
+         {}},
+        {"cycle_step_s",
+         &cycle_step_s,
+         "s",
+         0.0,
+         0.05,
+         "The cycle is rounded to a whole number of these, so that a gait repeats itself on the plan's grid; 0 leaves "
+         "it.",
          {}}};
   }
 };

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "planning/plan/joined_plans.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// A stretch of a plan in which a gait repeats itself: after each cycle the robot does the same again, farther along.
+struct SteadyStretch {
+  double start_s = 0.0, cycle_s = 0.0;
+  int cycles = 0;  ///< whole ones, one or more
+
+  double end_s() const { return start_s + cycles * cycle_s; }
+};
+
+/// How far states a cycle apart may differ and be the same.
+inline constexpr Seam kSteady = {
+    .height_m = 0.001, .tilt_rad = 0.005, .joints = 0.01, .base_rates = 0.02, .joint_rates = 0.2};
+
+/// The longest such stretch of a part; nothing where it has none, as where its cycle is no multiple of the plan's time
+/// step, or where it gains speed to its end.
+/// @throws InvalidArgument for a part that there is not.
+std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t part, const Seam& within = kSteady);
+
+/// When in a steady stretch `of` the robot does what it does at a time of another plan, as nearly as there is: the same
+/// feet are on the ground just before and after. Nothing where none has them so.
+std::optional<double> SameMoment(const MotionPlan& plan, double time_s, const MotionPlan& in, const SteadyStretch& of);
+
+}  // namespace gaitwright

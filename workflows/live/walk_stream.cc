@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/live/walk_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "kinematics/spatial/rotation.h"
+#include "planning/plan/carried_plan.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kTime = 1e-6;
+
+/// Rows at rest after a motion's last one, up to a time.
+void Rest(MotionPlan& plan, double until_s) {
+  WholeBodyTrajectory& w = plan.whole_body;
+  CentroidalTrajectory& c = plan.centroidal;
+  const auto repeat = [](auto& column) {
+    if (!column.empty()) column.push_back(column.back());
+  };
+  while (w.end_s() < until_s - kTime) {
+    repeat(w.q);
+    repeat(w.v);
+    repeat(w.a);
+    repeat(w.tau);
+    repeat(w.wrenches);
+    repeat(c.p_WC);
+    repeat(c.v_WC);
+    repeat(c.a_WC);
+    repeat(c.p_WZ);
+  }
+  const double end_s = w.end_s();
+  for (Foothold& foothold : plan.footsteps.footholds) {
+    if (foothold.liftoff_s >= plan.schedule.end_s() - kTime) foothold.liftoff_s = end_s;
+  }
+  plan.schedule.phases.back().end_s = end_s;
+  plan.parts.back().end_s = end_s;
+}
+
+Failure NotFromHere() {
+  return {FailureKind::kBadInput, "misfit", "WalkStream", "the plan does not begin with what the robot does now", {}};
+}
+
+}  // namespace
+
+WalkStream::WalkStream(const MotionPlan& stand) : plan_(stand) {
+  const double start_s = plan_.whole_body.start_s;
+  WholeBodyTrajectory& w = plan_.whole_body;
+  CentroidalTrajectory& c = plan_.centroidal;
+  const auto first = [](auto& column) {
+    if (!column.empty()) column.resize(1);
+  };
+  first(w.q), first(w.v), first(w.a), first(w.tau), first(w.wrenches);
+  first(c.p_WC), first(c.v_WC), first(c.a_WC), first(c.p_WZ);
+  const int num_feet = plan_.parts.front().gait.num_feet();
+  plan_.schedule.phases = {{start_s, start_s, AllFeet(num_feet)}};
+  MotionPart part;
+  part.gait = StandingGait(num_feet);
+  part.goal = {w.q[0][0], w.q[0][1], YawOf(BaseRotation(w.q[0]))};
+  part.start_s = part.end_s = start_s;
+  part.command.extent = WalkCommand::Extent::kDuration;
+  plan_.parts = {part};
+  plan_.goal = part.goal;
+  plan_.swings.clear();
+  std::erase_if(plan_.footsteps.footholds, [&](const Foothold& f) { return f.touchdown_s > start_s + kTime; });
+  for (Foothold& foothold : plan_.footsteps.footholds) foothold.liftoff_s = start_s;
+  Rest(plan_, start_s + 2.0 * w.step_s);
+}
+
+double WalkStream::MomentFrom(double earliest_s) const {
+  if (steady_.cycles == 0) return std::max(earliest_s, plan_.whole_body.end_s());
+  const double cycles = std::ceil((earliest_s - steady_.start_s - kTime) / steady_.cycle_s);
+  return steady_.start_s + std::clamp(cycles, 0.0, static_cast<double>(steady_.cycles)) * steady_.cycle_s;
+}
+
+/// A robot that has stood for long is as one that has just come to rest.
+void WalkStream::Stand(double until_s) {
+  constexpr double kLong = 1.0;
+  const double step_s = plan_.whole_body.step_s, end_s = plan_.whole_body.end_s();
+  if (until_s - end_s > kLong) {
+    const double steps = std::floor((until_s - kLong - end_s) / step_s);
+    plan_ = CarriedPlan(Pose::Identity(), steps * step_s, PlanFrom(std::move(plan_), end_s - step_s));
+  }
+  Rest(plan_, until_s);
+}
+
+std::optional<Failure> WalkStream::GoOver(double earliest_s, const Pace& pace, const PacePlan& next) {
+  if (next.before.has_value() == stops()) return NotFromHere();
+  double from_s = next.plan.whole_body.start_s;
+  if (stops()) {
+    Stand(earliest_s);
+  } else if (const auto same = SameMoment(plan_, MomentFrom(earliest_s), next.plan, *next.before)) {
+    from_s = *same;
+  } else {
+    return NotFromHere();
+  }
+  const double at_s = MomentFrom(earliest_s);
+  Result<MotionPlan> joined = JoinedPlans(plan_, at_s, next.plan, from_s);
+  if (!joined) return joined.failure();
+  plan_ = std::move(*joined);
+  pace_ = pace;
+  source_ = next;
+  steady_ = next.stretch;
+  steady_.start_s += at_s - from_s;
+  return std::nullopt;
+}
+
+void WalkStream::Stop(double earliest_s) {
+  if (stops()) return;
+  const double at_s = MomentFrom(earliest_s);
+  Result<MotionPlan> joined = JoinedPlans(plan_, at_s, source_->plan, source_->stretch.end_s());
+  if (joined) plan_ = std::move(*joined);
+  pace_ = {.gait = "stand"};
+  source_.reset();
+  steady_.cycles = 0;
+}
+
+bool WalkStream::GoOn(double until_s) {
+  if (stops() || steady_.end_s() >= until_s - kTime) return false;
+  while (steady_.end_s() < until_s - kTime) {
+    Result<MotionPlan> joined = JoinedPlans(plan_, steady_.end_s(), source_->plan, source_->stretch.start_s);
+    if (!joined) throw std::logic_error("a steady stretch does not meet itself: " + joined.failure().message);
+    plan_ = std::move(*joined);
+    steady_.cycles += source_->stretch.cycles;
+  }
+  return true;
+}
+
+void WalkStream::Forget(double before_s) {
+  const WholeBodyTrajectory& w = plan_.whole_body;
+  const double rows = std::min(std::floor((before_s - w.start_s) / w.step_s), w.size() - 3.0);
+  if (rows < 1.0) return;
+  plan_ = PlanFrom(std::move(plan_), w.start_s + rows * w.step_s);
+  if (steady_.cycles == 0) return;
+  const double gone = std::floor((plan_.whole_body.start_s - steady_.start_s) / steady_.cycle_s);
+  if (gone < 1.0) return;
+  steady_.start_s += gone * steady_.cycle_s;
+  steady_.cycles -= static_cast<int>(gone);
+}
+
+void WalkStream::Shift(const Vector2& by_W) {
+  Pose X = Pose::Identity();
+  X.translation().head<2>() = by_W;
+  plan_ = CarriedPlan(X, 0.0, std::move(plan_));
+}
+
+}  // namespace gaitwright

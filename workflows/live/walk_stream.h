@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "kinematics/base/result.h"
+#include "planning/plan/steady_stretch.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+
+/// How the robot is to go on, until it is told otherwise.
+struct Pace {
+  std::string gait;  ///< as FindGait takes it; "stand" for standing still
+  double speed_m_s = 0.0, lateral_speed_m_s = 0.0, yaw_rate_rad_s = 0.0;  ///< as in WalkCommand
+
+  bool stands() const { return gait == "stand"; }
+  bool operator==(const Pace&) const = default;
+};
+
+/// A plan with a stretch of one pace that can be walked for ever, on the way from another pace to rest.
+struct PacePlan {
+  MotionPlan plan;
+  std::optional<SteadyStretch> before;  ///< of the pace that it comes from; nothing where that is standing
+  SteadyStretch stretch;                ///< of its own
+};
+
+/// Plans a walk that goes over from one pace into another, keeps that for a while, and stops. The cycle of a gait is
+/// the nearest whole number of the plan's time steps, so that it can repeat itself.
+/// Failure: what PlanWalk refuses; kInfeasible `not_steady` where either pace does not become steady.
+Result<PacePlan> PlanPace(const RobotModel& model, const Pace& from, const Pace& to, const WalkRequest& usual);
+
+/// A walk without an end made of plans that have one. At any time its plan leads to rest: if nothing comes after it
+/// the robot stops and stands.
+class WalkStream {
+ public:
+  /// Stands as the first state of a plan does.
+  /// @param stand  a plan that begins at rest.
+  explicit WalkStream(const MotionPlan& stand);
+
+  /// From some time before now to rest, on the clock of the stream.
+  const MotionPlan& plan() const { return plan_; }
+  /// The pace that it goes over to or keeps.
+  const Pace& pace() const { return pace_; }
+  /// Whether it comes to rest with nothing after it.
+  bool stops() const { return !source_; }
+
+  /// Goes over into another pace at the first moment that serves, not before `earliest_s`.
+  /// @param next  planned from the present pace. Failure kBadInput `misfit` where it is not.
+  std::optional<Failure> GoOver(double earliest_s, const Pace& pace, const PacePlan& next);
+  /// Stops at the first moment that serves, not before `earliest_s`.
+  void Stop(double earliest_s);
+  /// Goes on with the present pace, where its plan would begin to stop before `until_s`. @return whether it did.
+  bool GoOn(double until_s);
+  /// Forgets what was before a time, but for the row at it or before.
+  void Forget(double before_s);
+  /// The same on another place of the ground: all is moved in plan view.
+  void Shift(const Vector2& by_W);
+
+ private:
+  double MomentFrom(double earliest_s) const;
+  void Stand(double until_s);
+
+  MotionPlan plan_;
+  Pace pace_ = {.gait = "stand"};
+  std::optional<PacePlan> source_;  ///< what it goes on with; nothing where it stops
+  SteadyStretch steady_;            ///< of plan_, on its clock; of no cycles where it stands or stops
+};
+
+}  // namespace gaitwright
