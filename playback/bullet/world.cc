@@ -239,6 +239,7 @@ BulletWorld::BulletWorld(const RobotModel& model, const Terrain& terrain, const 
     : impl_(std::make_unique<Impl>(model, terrain, q, options)) {}
 BulletWorld::~BulletWorld() = default;
 BulletWorld::BulletWorld(BulletWorld&&) noexcept = default;
+BulletWorld& BulletWorld::operator=(BulletWorld&&) noexcept = default;
 
 void BulletWorld::SetState(const VectorX& q, const VectorX& v) {
   impl_->body.SetState(q, v);
@@ -260,11 +261,15 @@ VectorX BulletWorld::mean_square_effort() const {
 const std::vector<FootContact>& BulletWorld::feet() const { return impl_->reader.feet(); }
 const std::vector<std::string>& BulletWorld::body_contacts() const { return impl_->reader.body_contacts(); }
 
-void BulletWorld::Push(const Vector3& force_W, const Vector3& p_W) {
-  const Vector3 p_WM = impl_->after.p_WB[0] + impl_->after.R_WB[0] * impl_->body.X_BM(0).translation();
-  btMultiBody& body = impl_->body.multibody();
-  body.addBaseForce(bullet::ToBullet(force_W));
-  body.addBaseTorque(bullet::ToBullet(Vector3((p_W - p_WM).cross(force_W))));
+void BulletWorld::Push(const Vector3& force_W, const Vector3& p_W) { PushAt(0, force_W, p_W); }
+
+void BulletWorld::PushAt(int body, const Vector3& force_W, const Vector3& p_W) {
+  const auto b = static_cast<std::size_t>(body);
+  const Vector3 p_WM = impl_->after.p_WB[b] + impl_->after.R_WB[b] * impl_->body.X_BM(body).translation();
+  const btVector3 moment = bullet::ToBullet(Vector3((p_W - p_WM).cross(force_W)));
+  PushBody(body, force_W);
+  btMultiBody& robot = impl_->body.multibody();
+  body == 0 ? robot.addBaseTorque(moment) : robot.addLinkTorque(body - 1, moment);
 }
 
 void BulletWorld::PushBase(const Vector3& force_W) { impl_->body.multibody().addBaseForce(bullet::ToBullet(force_W)); }

@@ -41,6 +41,7 @@ class BulletWorld {
   BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options);
   ~BulletWorld();
   BulletWorld(BulletWorld&&) noexcept;
+  BulletWorld& operator=(BulletWorld&&) noexcept;
 
   /// Puts the robot there, sizes nq and nv; forces and contacts are those of the last step still.
   void SetState(const VectorX& q, const VectorX& v);
@@ -55,6 +56,9 @@ class BulletWorld {
   void PushRobot(const Vector3& force_W);
   /// The same on a body (see RobotModel::bodies), at its own centre of mass.
   void PushBody(int body, const Vector3& force_W);
+
+  /// Adds a force at a point in W for the coming step, on a body.
+  void PushAt(int body, const Vector3& force_W, const Vector3& p_W);
 
   /// Lifts the robot as it stands until nothing of it is deeper in the ground than 0.01 mm, and no foot lower than
   /// where it is with q = `as_planned`. @return by how much [m].

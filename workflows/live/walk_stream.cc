@@ -142,9 +142,9 @@ void WalkStream::Forget(double before_s) {
   steady_.cycles -= static_cast<int>(gone);
 }
 
-void WalkStream::Shift(const Vector2& by_W) {
+void WalkStream::Shift(const Vector3& by_W) {
   Pose X = Pose::Identity();
-  X.translation().head<2>() = by_W;
+  X.translation() = by_W;
   plan_ = CarriedPlan(X, 0.0, std::move(plan_));
 }
 

@@ -55,8 +55,8 @@ class WalkStream {
   bool GoOn(double until_s);
   /// Forgets what was before a time, but for the row at it or before.
   void Forget(double before_s);
-  /// The same on another place of the ground: all is moved in plan view.
-  void Shift(const Vector2& by_W);
+  /// The same elsewhere: all is moved, and with it where the ground is taken to be.
+  void Shift(const Vector3& by_W);
 
  private:
   double MomentFrom(double earliest_s) const;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/live/live_world.h"
+
+#include <gtest/gtest.h>
+
+namespace gaitwright {
+namespace {
+
+class Live : public testing::Test {
+ protected:
+  explicit Live(const std::string& robot = "a1") : model_(ChooseRobot(robot, "").value()) {
+    Result<std::unique_ptr<LiveWorld>> made = LiveWorld::Make(model_, {}, {});
+    EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.failure().message);
+    live_ = std::move(*made);
+  }
+
+  void Run(double seconds) {
+    for (const double end = live_->time_s() + seconds; live_->time_s() < end - 1e-9;) live_->Step();
+  }
+  void Ask(const Pace& pace) {
+    live_->Ask(pace);
+    live_->WaitForPlan();
+    live_->Step();
+    EXPECT_FALSE(live_->wanted()) << pace.gait;
+    for (const std::string& note : live_->TakeNotes()) std::cout << note << "\n";
+  }
+  double x() const { return live_->world().q()[0]; }
+
+  const RobotModel model_;
+  std::unique_ptr<LiveWorld> live_;
+};
+
+TEST_F(Live, StandsWalksChangesItsPaceAndStops) {
+  Run(0.5);
+  EXPECT_EQ(live_->mode(), LiveMode::kStands);
+  Ask({.gait = "trot", .speed_m_s = 0.3});
+  Run(4.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kWalks);
+  const double before = x();
+  Run(2.0);
+  EXPECT_NEAR(x() - before, 0.6, 0.1);
+  Ask({.gait = "trot", .speed_m_s = 0.8});
+  Run(4.0);
+  const double fast = x();
+  Run(2.0);
+  EXPECT_NEAR(x() - fast, 1.6, 0.2);
+  Ask({.gait = "bound", .speed_m_s = 0.8});
+  Run(6.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kWalks);
+  Ask({.gait = "trot", .speed_m_s = 0.3, .yaw_rate_rad_s = 0.3});
+  Run(6.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kWalks);
+  live_->Ask({.gait = "stand"});
+  Run(6.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kStands);
+  const double still = x();
+  Run(1.0);
+  EXPECT_NEAR(x(), still, 0.01);
+}
+
+TEST_F(Live, IsPulledAboutAndRecovers) {
+  Ask({.gait = "trot", .speed_m_s = 0.3});
+  Run(4.0);
+  const double y = live_->world().q()[1];
+  live_->Pull(0, Vector3::Zero(), live_->world().q().head<3>() + Vector3(0.0, 0.08, 0.0));
+  Run(0.3);
+  EXPECT_TRUE(live_->pull_W());
+  live_->LetGo();
+  Run(4.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kWalks);
+  EXPECT_GT(live_->world().q()[1] - y, 0.005) << "it was moved";
+  EXPECT_THROW(live_->Pull(99, Vector3::Zero(), Vector3::Zero()), InvalidArgument);
+}
+
+TEST_F(Live, FallsWhenItIsPulledOverAndStandsUp) {
+  live_->Pull(0, Vector3::Zero(), Vector3(0.0, 3.0, 0.3));
+  Run(1.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kFallen);
+  live_->LetGo();
+  Run(1.0);
+  live_->StandUp();
+  Run(1.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kStands);
+  live_->Reset();
+  EXPECT_EQ(x(), 0.0);
+  Ask({.gait = "trot", .speed_m_s = 0.3});
+  Run(3.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kWalks);
+}
+
+TEST_F(Live, WhatHasNoPlanIsSaidAndChangesNothing) {
+  live_->Ask({.gait = "trot", .speed_m_s = 30.0});
+  live_->WaitForPlan();
+  live_->Step();
+  EXPECT_EQ(live_->mode(), LiveMode::kStands);
+  const auto notes = live_->TakeNotes();
+  ASSERT_FALSE(notes.empty());
+  EXPECT_NE(notes.front().find("trot at 30 m/s"), std::string::npos) << notes.front();
+}
+
+}  // namespace
+}  // namespace gaitwright

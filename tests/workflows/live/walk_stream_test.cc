@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/live/walk_stream.h"
+
+#include <gtest/gtest.h>
+
+#include "planning/audit/audit.h"
+#include "planning/plan/carried_plan.h"
+
+namespace gaitwright {
+namespace {
+
+const Pace kStand = {.gait = "stand"};
+
+RobotModel Robot(const std::string& name) { return ChooseRobot(name, "").value(); }
+
+PacePlan Planned(const RobotModel& model, const Pace& from, const Pace& to) {
+  Result<PacePlan> plan = PlanPace(model, from, to, {});
+  EXPECT_TRUE(plan.ok()) << (plan.ok() ? "" : plan.failure().message);
+  return std::move(plan).value();
+}
+
+/// The first broken law, or nothing.
+std::string Broken(const RobotModel& model, const MotionPlan& plan) {
+  const AuditReport report = Audit(model, plan, {}).value();
+  if (report.pass()) return "";
+  const Violation& v = report.violations.front();
+  return v.law + ", " + v.where + " at " + std::to_string(v.at_s) + " s: " + std::to_string(v.value) + " against " +
+         std::to_string(v.limit);
+}
+
+TEST(PacePlans, HaveAStretchThatRepeatsItself) {
+  for (const auto& [name, gait, speed] :
+       {std::tuple("a1", "trot", 0.3), {"a1", "crawl", 0.05}, {"a1", "bound", 0.8}, {"nao", "walk", 0.08}}) {
+    SCOPED_TRACE(std::string(name) + " " + gait);
+    const PacePlan plan = Planned(Robot(name), kStand, {.gait = gait, .speed_m_s = speed});
+    EXPECT_FALSE(plan.before);
+    EXPECT_GE(plan.stretch.cycles, 1);
+    const Seam seam = SeamBetween(plan.plan, plan.stretch.start_s, plan.plan, plan.stretch.end_s());
+    EXPECT_LE(seam.joints, kSteady.joints);
+    EXPECT_LE(seam.height_m, kSteady.height_m);
+    const auto row = [&](double t) {
+      return plan.plan.whole_body
+          .q[static_cast<std::size_t>(std::lround((t - plan.plan.whole_body.start_s) / plan.plan.whole_body.step_s))];
+    };
+    EXPECT_NEAR(row(plan.stretch.end_s())[0] - row(plan.stretch.start_s)[0],
+                speed * plan.stretch.cycles * plan.stretch.cycle_s, 0.05 * plan.stretch.cycles * plan.stretch.cycle_s);
+  }
+}
+
+TEST(WalkStream, OfOnePaceGoesOnForEverAndKeepsAllLaws) {
+  for (const auto& [name, gait, speed] : {std::tuple("a1", "trot", 0.3), {"nao", "walk", 0.08}}) {
+    SCOPED_TRACE(name);
+    const RobotModel model = Robot(name);
+    const Pace pace = {.gait = gait, .speed_m_s = speed};
+    const PacePlan plan = Planned(model, kStand, pace);
+    WalkStream stream(plan.plan);
+    EXPECT_TRUE(stream.stops());
+    ASSERT_EQ(stream.GoOver(0.5, pace, plan), std::nullopt);
+    for (double until = 2.0; until < 20.0; until += 1.0) stream.GoOn(until);
+    EXPECT_GE(stream.plan().whole_body.end_s(), 20.0);
+    EXPECT_EQ(Broken(model, stream.plan()), "");
+    EXPECT_GT(stream.plan().whole_body.q.back()[0], 15.0 * speed);
+    stream.Stop(10.0);
+    EXPECT_TRUE(stream.stops());
+    EXPECT_LT(stream.plan().whole_body.end_s(), 15.0);
+    EXPECT_EQ(Broken(model, stream.plan()), "");
+    EXPECT_LT(stream.plan().whole_body.v.back().norm(), 1e-6) << "at rest";
+  }
+}
+
+TEST(WalkStream, GoesOverIntoOtherPacesWithoutAStand) {
+  const RobotModel model = Robot("a1");
+  const Pace slow = {.gait = "trot", .speed_m_s = 0.3}, fast = {.gait = "trot", .speed_m_s = 0.8},
+             turning = {.gait = "trot", .speed_m_s = 0.3, .yaw_rate_rad_s = 0.4};
+  WalkStream stream(Planned(model, kStand, slow).plan);
+  ASSERT_EQ(stream.GoOver(0.0, slow, Planned(model, kStand, slow)), std::nullopt);
+  ASSERT_EQ(stream.GoOver(4.0, fast, Planned(model, slow, fast)), std::nullopt);
+  stream.GoOn(8.0);
+  ASSERT_EQ(stream.GoOver(8.5, turning, Planned(model, fast, turning)), std::nullopt);
+  stream.GoOn(16.0);
+  EXPECT_EQ(stream.pace(), turning);
+  EXPECT_EQ(Broken(model, stream.plan()), "");
+  EXPECT_GE(stream.plan().parts.size(), 4U);
+  EXPECT_NE(stream.GoOver(17.0, fast, Planned(model, kStand, fast)), std::nullopt) << "it does not stand";
+}
+
+TEST(WalkStream, ForgetsWithoutAChangeOfWhatComes) {
+  const RobotModel model = Robot("a1");
+  const Pace pace = {.gait = "trot", .speed_m_s = 0.3};
+  const PacePlan plan = Planned(model, kStand, pace);
+  WalkStream whole(plan.plan), short_of(plan.plan);
+  for (WalkStream* stream : {&whole, &short_of}) ASSERT_EQ(stream->GoOver(0.5, pace, plan), std::nullopt);
+  for (double until = 2.0; until < 60.0; until += 1.0) {
+    whole.GoOn(until + 1.0);
+    short_of.GoOn(until + 1.0);
+    short_of.Forget(until - 2.0);
+    EXPECT_LT(short_of.plan().whole_body.size(), 4000);
+  }
+  WholeBodySample a, b;
+  for (const double t : {57.0, 58.5, 60.0}) {
+    SampleWholeBody(whole.plan().whole_body, t, a);
+    SampleWholeBody(short_of.plan().whole_body, t, b);
+    EXPECT_LT((a.q - b.q).norm(), 1e-9) << t;
+  }
+  short_of.Stop(61.0);
+  ASSERT_EQ(short_of.GoOver(4000.0, pace, plan), std::nullopt) << "after having stood for an hour";
+  EXPECT_LT(short_of.plan().whole_body.size(), 8000);
+  EXPECT_GT(short_of.plan().whole_body.end_s(), 4000.0);
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/live/live_world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/rotation.h"
+#include "planning/plan/carried_plan.h"
+#include "planning/plan/sample_plan.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kLead = 0.25;          // from being asked to the earliest change [s]
+constexpr double kAhead = 1.0;          // so long before a stop it is settled whether it comes [s]
+constexpr double kFallenTilt = 1.0;     // [rad]
+constexpr double kFallenContact = 0.2;  // a body on the ground for this long is a fall [s]
+constexpr double kFallenHeight = 0.4;   // of the standing height
+
+/// How long a new controller is shown what the robot did: until each foot has stood and swung.
+double Shown(const MotionPlan& plan) {
+  constexpr double kLeast = 0.5, kCycles = 1.5;
+  double shown = kLeast;
+  for (const MotionPart& part : plan.parts) {
+    if (!StandsStill(part.gait)) shown = std::max(shown, kCycles * part.gait.cycle_s);
+  }
+  return shown;
+}
+
+/// A spring that pulls hard where the robot is heavy, and never harder than twice its weight.
+Vector3 PullOf(const RobotModel& model, const Vector3& way_W) {
+  constexpr double kPerLeg = 2.0, kMost = 2.0;  // weights by leg length, weights
+  const Vector3 force = kPerLeg * model.weight_n() / model.leg_length_m() * way_W;
+  const double most = kMost * model.weight_n();
+  return force.norm() > most ? Vector3(most / force.norm() * force) : force;
+}
+
+Pace Usual(const RobotModel& model) {
+  Pace pace;
+  pace.speed_m_s = model.nominal_speed_m_s;
+  return pace;
+}
+
+}  // namespace
+
+std::string NameOf(LiveMode mode) {
+  switch (mode) {
+    case LiveMode::kStands:
+      return "stands";
+    case LiveMode::kWalks:
+      return "walks";
+    case LiveMode::kPosed:
+      return "posed";
+    case LiveMode::kFallen:
+      return "fallen";
+  }
+  return "";
+}
+
+Result<std::unique_ptr<LiveWorld>> LiveWorld::Make(const RobotModel& model, const WalkRequest& usual,
+                                                   const PlayRequest& play) {
+  PlayRequest checked = play;
+  CheckOptions(checked.Fields());
+  Result<PacePlan> first = PlanPace(model, {.gait = "stand"}, Usual(model), usual);
+  if (!first) return first.failure();
+  return std::unique_ptr<LiveWorld>(new LiveWorld(model, usual, play, std::move(*first)));
+}
+
+LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first)
+    : model_(model),
+      usual_(usual),
+      play_(play),
+      first_(std::move(first)),
+      stream_(first_.plan),
+      world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world) {
+  Reset();
+}
+
+LiveWorld::~LiveWorld() {
+  if (planning_.valid()) planning_.wait();
+}
+
+void LiveWorld::Reset() {
+  const VectorX& q = first_.plan.whole_body.q.front();
+  world_ = BulletWorld(model_, first_.plan.terrain, q, play_.play.world);
+  world_.SetState(q, VectorX::Zero(model_.nv()));
+  stream_ = WalkStream(first_.plan);
+  time_s_ = down_since_s_ = stream_.plan().whole_body.start_s;
+  history_.clear();
+  wanted_.reset();
+  pulled_.reset();
+  mode_ = LiveMode::kStands;
+  TakeControl();
+}
+
+void LiveWorld::Step() {
+  pull_W_.reset();
+  if (mode_ == LiveMode::kPosed) return;
+  if (mode_ != LiveMode::kFallen) {
+    TakeUpPlan();
+    GoOn();
+  }
+  history_.push_back(Measured());
+  const auto most = static_cast<std::size_t>(std::lround(Shown(stream_.plan()) / step_s()));
+  while (history_.size() > most) history_.pop_front();
+  command_ = mode_ == LiveMode::kFallen ? Damping() : controller_->Update(history_.back());
+  ApplyPull();
+  world_.Step(command_);
+  time_s_ += step_s();
+  Watch();
+}
+
+ControlInput LiveWorld::Measured() const {
+  ControlInput input;
+  input.time_s = time_s_;
+  input.step_s = step_s();
+  input.q = world_.q();
+  input.v = world_.v();
+  for (std::size_t i = 0; i < world_.feet().size(); ++i) {
+    input.wrenches.push_back(world_.feet()[i].wrench);
+    if (world_.feet()[i].touching) input.contact |= FootBit(static_cast<int>(i));
+  }
+  input.wrenches.resize(model_.feet.size());
+  return input;
+}
+
+void LiveWorld::Ask(const Pace& pace) {
+  if (mode_ == LiveMode::kFallen || mode_ == LiveMode::kPosed) return;
+  wanted_ = pace;
+  if (!pace.stands()) return StartPlanning();
+  wanted_.reset();
+  if (stream_.stops()) return;
+  stream_.Stop(time_s_ + kLead);
+  TakeControl();
+}
+
+void LiveWorld::StartPlanning() {
+  if (planning_.valid() || !wanted_) return;
+  if (*wanted_ == stream_.pace()) return wanted_.reset();
+  planned_from_ = stream_.pace();
+  planned_to_ = *wanted_;
+  planning_ = std::async(std::launch::async,
+                         [this, from = planned_from_, to = planned_to_] { return PlanPace(model_, from, to, usual_); });
+}
+
+void LiveWorld::TakeUpPlan() {
+  if (!planning_.valid() || planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  const Result<PacePlan> next = planning_.get();
+  if (!wanted_) return;
+  if (*wanted_ != planned_to_ || stream_.pace() != planned_from_) return StartPlanning();
+  if (!next) {
+    notes_.push_back(fmt::format("{} at {:.3g} m/s: {}", wanted_->gait, wanted_->speed_m_s, next.failure().message));
+    return wanted_.reset();
+  }
+  if (const auto failure = stream_.GoOver(time_s_ + kLead, planned_to_, *next)) {
+    notes_.push_back(failure->message);
+  } else {
+    notes_.push_back(fmt::format("goes over to {} at {:.3g} m/s", planned_to_.gait, planned_to_.speed_m_s));
+    mode_ = LiveMode::kWalks;
+    TakeControl();
+  }
+  wanted_.reset();
+}
+
+void LiveWorld::GoOn() {
+  if (stream_.stops()) {
+    if (mode_ == LiveMode::kWalks && time_s_ > stream_.plan().whole_body.end_s()) {
+      mode_ = LiveMode::kStands;
+      notes_.emplace_back("stands");
+    }
+    return;
+  }
+  if (!stream_.GoOn(time_s_ + kAhead)) return;
+  stream_.Forget(time_s_ - 2.0 * Shown(stream_.plan()));
+  TakeControl();
+}
+
+/// A controller of the present plan that knows what the robot did lately. The plan is moved to where the robot went.
+void LiveWorld::TakeControl() {
+  if (mode_ == LiveMode::kWalks) stream_.Shift(FootOffset());
+  followed_ = std::make_unique<MotionPlan>(stream_.plan());
+  controller_ = MakeController(model_, *followed_, play_);
+  controller_->Reset();
+  for (const ControlInput& input : history_) controller_->Update(input);
+}
+
+/// How far the feet that stand are from where the plan has them, in the mean.
+Vector3 LiveWorld::FootOffset() const {
+  if (history_.empty()) return Vector3::Zero();
+  const ControlInput& last = history_.back();
+  WholeBodySample sample;
+  SampleWholeBody(stream_.plan().whole_body, last.time_s, sample);
+  DynamicsScratch measured(model_), planned(model_);
+  ForwardKinematics(model_, last.q, measured);
+  ForwardKinematics(model_, sample.q, planned);
+  const ContactSchedule& schedule = stream_.plan().schedule;
+  const FootSet stance =
+      last.contact & schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, last.time_s))].stance;
+  Vector3 sum = Vector3::Zero();
+  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+    if (Contains(stance, f))
+      sum += ContactFrame(model_, measured, f).translation() - ContactFrame(model_, planned, f).translation();
+  }
+  return stance == 0 ? sum : Vector3(sum / std::popcount(stance));
+}
+
+JointCommand LiveWorld::Damping() const {
+  const auto n = static_cast<Eigen::Index>(model_.num_dofs());
+  const VectorX none = VectorX::Zero(n);
+  return {world_.q().tail(n), none, none, none, DeriveGains(model_, play_.gains).damping};
+}
+
+void LiveWorld::Watch() {
+  if (mode_ == LiveMode::kFallen) return;
+  const double up = std::clamp(BaseRotation(world_.q())(2, 2), -1.0, 1.0);
+  const double standing = first_.plan.whole_body.q.front()[2];
+  double ground = 0.0;
+  int touching = 0;
+  for (const FootContact& foot : world_.feet()) {
+    if (!foot.touching) continue;
+    ground += foot.p_W.z();
+    ++touching;
+  }
+  const bool sunk = touching > 0 && world_.q()[2] - ground / touching < kFallenHeight * standing;
+  if (world_.body_contacts().empty()) down_since_s_ = time_s_;
+  const bool broken = !world_.q().allFinite();
+  if (std::acos(up) < kFallenTilt && !sunk && !broken && time_s_ - down_since_s_ < kFallenContact) return;
+  mode_ = LiveMode::kFallen;
+  notes_.push_back(fmt::format("fell at {:.2f} s", time_s_));
+  wanted_.reset();
+  if (broken) Reset();
+}
+
+void LiveWorld::ApplyPull() {
+  if (!pulled_) return;
+  DynamicsScratch scratch(model_);
+  ForwardKinematics(model_, world_.q(), scratch);
+  const auto body = static_cast<std::size_t>(pulled_->body);
+  const Vector3 p_W = scratch.p_WB[body] + scratch.R_WB[body] * pulled_->p_Body;
+  pull_W_ = PullOf(model_, pulled_->to_W - p_W);
+  world_.PushAt(pulled_->body, *pull_W_, p_W);
+}
+
+void LiveWorld::Pull(int body, const Vector3& p_Body, const Vector3& to_W) {
+  if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !to_W.allFinite())
+    throw InvalidArgument(fmt::format("there is nothing to pull at body {}", body));
+  pulled_ = Pulled{body, p_Body, to_W};
+}
+
+void LiveWorld::PutInPose(const VectorX& q) {
+  if (q.size() != model_.nq() || !q.allFinite())
+    throw InvalidArgument(fmt::format("a posture has {} numbers, {} are needed", q.size(), model_.nq()));
+  world_.SetState(q, VectorX::Zero(model_.nv()));
+  wanted_.reset();
+  mode_ = LiveMode::kPosed;
+}
+
+void LiveWorld::StandUp() {
+  const VectorX q = world_.q();
+  const double yaw = YawOf(BaseRotation(q));
+  const Vector2 place = q.head<2>();
+  Reset();
+  const VectorX& origin = first_.plan.whole_body.q.front();
+  const Pose X = PoseOf({place.x(), place.y(), yaw}) * PoseOf({origin[0], origin[1], 0.0}).inverse();
+  const VectorX standing = CarriedState(X, origin);
+  world_ = BulletWorld(model_, first_.plan.terrain, standing, play_.play.world);
+  world_.SetState(standing, VectorX::Zero(model_.nv()));
+  stream_ = WalkStream(CarriedPlan(X, 0.0, first_.plan));
+  TakeControl();
+}
+
+void LiveWorld::SetGround(double friction, double slope_deg, double slope_direction_deg) {
+  WorldOptions changed = play_.play.world;
+  changed.friction = friction;
+  changed.ground_slope_deg = slope_deg;
+  changed.ground_slope_direction_deg = slope_direction_deg;
+  CheckOptions(changed.Fields());
+  const VectorX q = world_.q(), v = world_.v();
+  play_.play.world = changed;
+  world_ = BulletWorld(model_, first_.plan.terrain, q, changed);
+  world_.SetState(q, v);
+  world_.LiftOutOfGround(q);
+}
+
+void LiveWorld::SetControl(const StabilisedOptions& stabilised, const GainOptions& gains) {
+  PlayRequest changed = play_;
+  changed.stabilised = stabilised;
+  changed.gains = gains;
+  CheckOptions(changed.Fields());
+  play_ = std::move(changed);
+  if (mode_ == LiveMode::kWalks || mode_ == LiveMode::kStands) TakeControl();
+}
+
+std::vector<std::string> LiveWorld::TakeNotes() { return std::exchange(notes_, {}); }
+
+void LiveWorld::WaitForPlan() {
+  if (planning_.valid()) planning_.wait();
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playback/bullet/world.h"
+#include "workflows/live/walk_stream.h"
+
+namespace gaitwright {
+
+/// What the robot does at present.
+enum class LiveMode {
+  kStands,
+  kWalks,
+  kPosed,   ///< its joints and base are held where they were put
+  kFallen,  ///< its motors only damp
+};
+
+/// "stands", "walks", "posed", "fallen".
+std::string NameOf(LiveMode mode);
+
+/// A robot in physics that can be told how to go while it does.
+///
+/// Paces are planned in a thread of their own while the robot goes on; a pace that has no plan is told in `Notes` and
+/// changes nothing. Where a new plan takes over, its controller has been shown what the robot did lately, so that it
+/// goes on with what it has learnt of the ground and of its own footholds.
+class LiveWorld {
+ public:
+  /// Stands at the origin.
+  /// @param usual  what shapes plans.  @param play  physics and controller, `play.world` and `play.stabilised` first of
+  /// all. Failure: no plan for the robot's usual gait; an option out of range throws InvalidArgument.
+  static Result<std::unique_ptr<LiveWorld>> Make(const RobotModel& model, const WalkRequest& usual,
+                                                 const PlayRequest& play);
+  ~LiveWorld();
+  LiveWorld(const LiveWorld&) = delete;
+  LiveWorld& operator=(const LiveWorld&) = delete;
+
+  /// One time step of physics.
+  void Step();
+
+  /// Goes over into that pace as soon as it is planned; a later one takes the place of one that is being planned.
+  void Ask(const Pace& pace);
+  /// Stands at the origin again, at time 0.
+  void Reset();
+  /// A force [N] at a point of a body that goes with it, until it is let go: a spring to where it is pulled.
+  void Pull(int body, const Vector3& p_Body, const Vector3& to_W);
+  void LetGo() { pulled_.reset(); }
+  /// Holds joints and base there, without physics. @throws InvalidArgument for a wrong size.
+  void PutInPose(const VectorX& q);
+  /// Stands up from where it is: lifted and put down upright, its heading kept.
+  void StandUp();
+  /// Another ground under the robot: friction (0 for the plan's) and slope.
+  void SetGround(double friction, double slope_deg, double slope_direction_deg);
+  /// Another controller.
+  void SetControl(const StabilisedOptions& stabilised, const GainOptions& gains);
+
+  const RobotModel& model() const { return model_; }
+  double time_s() const { return time_s_; }
+  double step_s() const { return play_.play.world.step_s; }
+  LiveMode mode() const { return mode_; }
+  const Pace& pace() const { return stream_.pace(); }
+  /// The pace that is being planned, if any.
+  const std::optional<Pace>& wanted() const { return wanted_; }
+  const BulletWorld& world() const { return world_; }
+  const MotionPlan& plan() const { return stream_.plan(); }
+  const JointCommand& command() const { return command_; }
+  const std::optional<Vector3>& pull_W() const { return pull_W_; }
+  const PlayRequest& play() const { return play_; }
+  /// What happened since the last call, in words.
+  std::vector<std::string> TakeNotes();
+  /// Waits until what is being planned is there and taken up at the next step: for tests.
+  void WaitForPlan();
+
+ private:
+  struct Pulled {
+    int body = 0;
+    Vector3 p_Body, to_W;
+  };
+
+  LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first);
+  void StartPlanning();
+  void TakeUpPlan();
+  void GoOn();
+  void TakeControl();
+  void Watch();
+  void ApplyPull();
+  JointCommand Damping() const;
+  ControlInput Measured() const;
+  Vector3 FootOffset() const;
+
+  const RobotModel& model_;
+  const WalkRequest usual_;
+  PlayRequest play_;
+  const PacePlan first_;  ///< of the robot's usual gait: where it stands is its beginning
+  WalkStream stream_;
+  BulletWorld world_;
+  std::unique_ptr<MotionPlan> followed_;  ///< what the controller follows
+  std::unique_ptr<Controller> controller_;
+  JointCommand command_;
+  std::deque<ControlInput> history_;  ///< the latest
+  LiveMode mode_ = LiveMode::kStands;
+  double time_s_ = 0.0, down_since_s_ = 0.0;
+  std::optional<Pulled> pulled_;
+  std::optional<Vector3> pull_W_;  ///< force of the last step [N]
+  std::optional<Pace> wanted_;
+  Pace planned_from_;
+  Pace planned_to_;
+  std::future<Result<PacePlan>> planning_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace gaitwright
