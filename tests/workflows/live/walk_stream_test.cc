@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "planning/audit/audit.h"
-#include "planning/plan/carried_plan.h"
+#include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
 namespace {
