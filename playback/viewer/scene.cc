@@ -102,4 +102,10 @@ std::string SceneJson(const std::vector<ShownMotion>& motions) {
   return ForPage(scene.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
+std::string RobotAndGroundJson(const RobotModel& model, const Terrain& terrain,
+                               const std::optional<std::string>& mesh_folder) {
+  const Json both = {{"robot", RobotScene(model, mesh_folder)}, {"terrain", TerrainScene(terrain)}};
+  return both.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace gaitwright

@@ -31,4 +31,8 @@ inline constexpr double kSceneRateHz = 200.0;
 /// @throws InvalidArgument as MakeMotionSeries and Score do, and without motions.
 std::string SceneJson(const std::vector<ShownMotion>& motions);
 
+/// The robot and the ground of such a scene alone: an object of `robot` and `terrain`.
+std::string RobotAndGroundJson(const RobotModel& model, const Terrain& terrain,
+                               const std::optional<std::string>& mesh_folder = {});
+
 }  // namespace gaitwright

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+
+/// Where a server listens.
+struct LiveAddress {
+  std::string host = "127.0.0.1";  ///< an address of this machine; the loopback one is reached from it alone
+  int port = 0;                    ///< 0 for any that is free
+};
+
+/// A page over HTTP, and its WebSocket, in a thread of its own: pages are sent pictures of how things stand, and send
+/// what people do.
+///
+/// It takes at most kMostPages at once and messages of kLongestLiveMessage. A page that reads slowly misses pictures
+/// and holds nobody up; one that says nothing and answers no ping for half a minute is let go. Requests whose Host is
+/// not this server, where it is on loopback, and WebSockets whose Origin is another page are refused (403): so no page
+/// of the web can reach the robot through the browser of somebody.
+class LiveServer {
+ public:
+  static constexpr int kMostPages = 64;
+
+  /// @param page  the HTML that `/` gives. Failure kBadInput `address`: not of this machine, or taken.
+  static Result<std::unique_ptr<LiveServer>> Start(const LiveAddress& address, const std::string& page);
+  /// Lets all pages go.
+  ~LiveServer();
+  LiveServer(const LiveServer&) = delete;
+  LiveServer& operator=(const LiveServer&) = delete;
+
+  int port() const;
+  /// "http://127.0.0.1:8080/"
+  std::string url() const;
+  /// What each page is told first from now on.
+  void Greet(const std::string& greeting);
+  /// Sends a picture to every page; it takes the place of one that a slow page has not been sent yet.
+  void Publish(const std::string& picture);
+  /// What pages have said since the last call, in that order. Beyond kMostLiveMessages the oldest are dropped.
+  std::vector<std::string> Take();
+  /// How many pages are open.
+  int pages() const;
+
+ private:
+  struct Impl;
+  explicit LiveServer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gaitwright
