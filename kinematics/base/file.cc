@@ -47,7 +47,7 @@ class EndingsHeldBack {
   EndingsHeldBack() {
     sigset_t endings;
     sigemptyset(&endings);
-    for (const int ending : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&endings, ending);
+    for (const int ending : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) sigaddset(&endings, ending);
     pthread_sigmask(SIG_BLOCK, &endings, &former_);
   }
   EndingsHeldBack(const EndingsHeldBack&) = delete;

@@ -213,9 +213,10 @@ class Playback {
 
   void Push(double time_s) {
     for (const auto& [push, body] : pushes_) {
-      const double since_s = time_s - push.at_s;
-      if (since_s <= -0.5 * step_s_ || since_s >= push.for_s - 0.5 * step_s_) continue;
-      body == bullet::kWholeRobot ? world_.PushRobot(push.force_W) : world_.PushBody(body, push.force_W);
+      const double share = bullet::ShareOfStep(push, time_s, step_s_);
+      if (share == 0.0) continue;
+      const Vector3 force_W = share * push.force_W;
+      body == bullet::kWholeRobot ? world_.PushRobot(force_W) : world_.PushBody(body, force_W);
     }
   }
 

@@ -45,6 +45,7 @@ struct TrialSubject {
   std::vector<std::pair<std::string, double>> limits;  ///< of metrics that have a gate, by key
   std::uint64_t seed = 0;                              ///< of the run
   GaitScale gait_scale;                                ///< of robot and plan
+  std::optional<double> own_push_s = {};               ///< when the push of the options begins, in each trial
 
   bool operator==(const TrialSubject&) const = default;
 };

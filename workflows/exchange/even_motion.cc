@@ -251,16 +251,17 @@ class Resampler {
 
 double GridStepOf(const std::vector<double>& time_s, const ImportOptions& options) {
   constexpr double kFinest = 0.001, kCoarsest = 0.01, kEven = 1e-3;
+  constexpr double kRounding = 1e-9;  // [s]
   if (options.grid_step_s > 0.0) return options.grid_step_s;
   if (time_s.size() < 2) return kUsualStep;
   const double step = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
-  if (step < kFinest * (1.0 - kEven) || step > kCoarsest * (1.0 + kEven)) return kUsualStep;
+  if (step < kFinest * (1.0 - kEven) || step > kCoarsest + kRounding) return kUsualStep;
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     if (std::abs(time_s[i] - time_s.front() - static_cast<double>(i) * step) > kEven * step) return kUsualStep;
   }
   // A step that was meant to be round is so, whatever the times' last digits.
   const double round = 1e-6 * std::round(1e6 * step);
-  return std::abs(round - step) * static_cast<double>(time_s.size()) < kEven * step ? round : step;
+  return std::min(kCoarsest, std::abs(round - step) * static_cast<double>(time_s.size()) < kEven * step ? round : step);
 }
 
 EvenMotion Resample(const RobotModel& model, const MotionTable& table, const ImportOptions& options,

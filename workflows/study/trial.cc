@@ -152,6 +152,7 @@ TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed) {
   subject.options = TextsOf(request.Fields());
   subject.seed = run_seed;
   subject.gait_scale = GaitScaleOf(study.model, study.plan);
+  if (!request.play.push_force_W.isZero(0.0)) subject.own_push_s = request.play.push_at_s;
   const GateScale scale = ScaleOf(study.model, study.plan);
   for (const MetricRule& rule : MetricRules()) {
     if (const auto limit = LimitOf(rule, scale)) subject.limits.emplace_back(rule.key, *limit);

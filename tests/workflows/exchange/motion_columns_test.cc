@@ -157,7 +157,6 @@ std::string FileWithNames(const std::string& text) {
 
 TEST(ColumnNamesFile, SaysNamesScalesAndUnits) {
   ImportOptions options;
-  options.angle_unit = "deg";  // said by the caller, who is right
   const Result<ColumnNames> names = ReadColumnNames(
       FileWithNames("columns: {t: time_s, hip: q_FL_hip_joint_rad}\nscale: {hip: -1}\nignore: [battery]\n"
                     "quaternion_order: wxyz\nangle_unit: rad\nlength_unit: mm\n"),
@@ -167,8 +166,22 @@ TEST(ColumnNamesFile, SaysNamesScalesAndUnits) {
   EXPECT_EQ(names->scale.at("hip"), -1.0);
   EXPECT_EQ(names->ignored, std::vector<std::string>{"battery"});
   EXPECT_EQ(options.quaternion_order, "wxyz");
-  EXPECT_EQ(options.angle_unit, "deg");
+  EXPECT_EQ(options.angle_unit, "rad");
   EXPECT_EQ(options.length_unit, "mm");
+}
+
+TEST(ColumnNamesFile, AndCommandLineMayNotContradictEachOther) {
+  ImportOptions options;
+  options.angle_unit = "deg";
+  EXPECT_TRUE(ReadColumnNames(FileWithNames("angle_unit: deg\n"), options).ok());
+  EXPECT_TRUE(ReadColumnNames(FileWithNames("angle_unit: detect\n"), options).ok());
+  EXPECT_EQ(options.angle_unit, "deg");
+  const Result<ColumnNames> other = ReadColumnNames(FileWithNames("ignore: []\nangle_unit: rad\n"), options);
+  ASSERT_FALSE(other.ok());
+  EXPECT_NE(other.failure().message.find("line 2: 'angle_unit' is 'rad' here and 'deg' on the command line"),
+            std::string::npos)
+      << other.failure().message;
+  EXPECT_FALSE(ReadColumnNames(FileWithNames("angle_unit: furlong\n"), options).ok()) << "though it is said elsewhere";
 }
 
 TEST(ColumnNamesFile, IsReadStrictly) {
