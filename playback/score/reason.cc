@@ -12,13 +12,26 @@
 namespace gaitwright {
 namespace {
 
-/// An option of the playback, see PlayOptions.
-double Option(const PlaybackLog& log, const std::string& key, double otherwise) {
-  for (const auto& [name, text] : log.options) {
-    if (name == "play." + key) return std::strtod(text.c_str(), nullptr);
+/// Options of a playback that are numbers.
+class Options {
+ public:
+  explicit Options(const PlaybackLog& log) : log_(log) {}
+
+  double At(const std::string& key, double otherwise = 0.0) const {
+    const std::string text = Text(key);
+    return text.empty() ? otherwise : std::strtod(text.c_str(), nullptr);
   }
-  return otherwise;
-}
+
+  std::string Text(const std::string& key) const {
+    for (const auto& [name, text] : log_.options) {
+      if (name == key) return text;
+    }
+    return "";
+  }
+
+ private:
+  const PlaybackLog& log_;
+};
 
 /// Where a push in W goes, in words.
 std::string PushWords(const Vector3& force) {
@@ -26,6 +39,68 @@ std::string PushWords(const Vector3& force) {
   Eigen::Index axis = 0;
   force.cwiseAbs().maxCoeff(&axis);
   return fmt::format("{:.4g} N {}", force.norm(), names[axis][force[axis] > 0.0]);
+}
+
+std::vector<std::string> PushesBefore(const PlaybackLog& log, double before_s) {
+  constexpr std::size_t kMost = 2;
+  std::vector<std::string> words;
+  for (const TimedPush& push : log.pushes) {
+    if (push.at_s >= before_s) continue;
+    if (words.size() == kMost) words.erase(words.begin());
+    words.push_back(
+        fmt::format("a push of {} from {:.2f} s for {:.2f} s", PushWords(push.force_W), push.at_s, push.for_s));
+  }
+  return words;
+}
+
+std::vector<std::string> OfTheGround(const Options& options) {
+  std::vector<std::string> words;
+  const double slope = options.At("play.ground_slope_deg"), bumps = options.At("play.ground_bumps_m");
+  const double friction = options.At("play.friction");
+  if (slope != 0.0) words.push_back(fmt::format("a slope of {:.3g} degrees", slope));
+  if (bumps != 0.0) words.push_back(fmt::format("bumps of {:.3g} mm", 1e3 * bumps));
+  if (friction > 0.0) words.push_back(fmt::format("a friction of {:.3g}", friction));
+  return words;
+}
+
+std::vector<std::string> OfTheBody(const Options& options) {
+  std::vector<std::string> words;
+  const double mass = options.At("play.mass_scale", 1.0), inertia = options.At("play.inertia_scale", 1.0);
+  const Vector3 shift(options.At("play.com_shift_x_m"), options.At("play.com_shift_y_m"),
+                      options.At("play.com_shift_z_m"));
+  if (mass != 1.0) words.push_back(fmt::format("{:.3g} times the mass", mass));
+  if (inertia != 1.0) words.push_back(fmt::format("{:.3g} times the moments of inertia", inertia));
+  if (!shift.isZero(0.0)) words.push_back(fmt::format("the base's centre of mass {:.3g} mm off", 1e3 * shift.norm()));
+  return words;
+}
+
+std::vector<std::string> OfTheDrives(const Options& options) {
+  std::vector<std::string> words;
+  const auto factor = [&](const char* key, const char* what) {
+    const double scale = options.At(key, 1.0);
+    if (scale != 1.0) words.push_back(fmt::format("{:.3g} times {}", scale, what));
+  };
+  const double late = options.At("command_delay_s"), friction = options.At("play.joint_friction_nm");
+  if (late != 0.0) words.push_back(fmt::format("commands late by {:.3g} ms", 1e3 * late));
+  factor("play.motor_strength", "the motors' strength");
+  factor("play.torque_scale", "the motors' torque");
+  factor("gains.stiffness_scale", "the joints' stiffness");
+  factor("gains.damping_scale", "the joints' damping");
+  if (friction != 0.0) words.push_back(fmt::format("{:.3g} N m of friction more in each joint", friction));
+  if (options.At("play.rotor_inertia_kg_m2") != 0.0) words.emplace_back("rotors of more inertia");
+  const std::string state = options.Text("state");
+  if (!state.empty() && state != "true") words.push_back("the state as it is " + state);
+  return words;
+}
+
+std::vector<std::string> OfTheStart(const Options& options) {
+  const auto at = [&](const char* part) { return options.At(std::string("play.start_") + part); };
+  const double off = Vector3(at("x_m"), at("y_m"), at("z_m")).norm();
+  const double turned = Vector3(at("roll_rad"), at("pitch_rad"), at("yaw_rad")).norm();
+  std::vector<std::string> words;
+  if (off != 0.0) words.push_back(fmt::format("a start {:.3g} mm off", 1e3 * off));
+  if (turned != 0.0) words.push_back(fmt::format("a start turned by {:.3g} rad", turned));
+  return words;
 }
 
 std::string First(const std::vector<FailureEvent>& events, std::size_t most) {
@@ -98,20 +173,11 @@ std::string Joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::vector<std::string> DisturbancesOf(const PlaybackLog& log) {
-  std::vector<std::string> words;
-  const Vector3 push(Option(log, "push_force_x_n", 0.0), Option(log, "push_force_y_n", 0.0),
-                     Option(log, "push_force_z_n", 0.0));
-  if (push.norm() > 0.0) {
-    words.push_back(fmt::format("a push of {} from {:.2f} s for {:.2f} s", PushWords(push),
-                                Option(log, "push_at_s", 0.0), Option(log, "push_for_s", 0.0)));
-  }
-  const double slope = Option(log, "ground_slope_deg", 0.0), bumps = Option(log, "ground_bumps_m", 0.0);
-  const double mass = Option(log, "mass_scale", 1.0), friction = Option(log, "friction", 0.0);
-  if (slope != 0.0) words.push_back(fmt::format("a slope of {:.3g} degrees", slope));
-  if (bumps != 0.0) words.push_back(fmt::format("bumps of {:.3g} mm", 1e3 * bumps));
-  if (mass != 1.0) words.push_back(fmt::format("{:.3g} times the mass", mass));
-  if (friction > 0.0) words.push_back(fmt::format("a friction of {:.3g}", friction));
+std::vector<std::string> DisturbancesOf(const PlaybackLog& log, double before_s) {
+  const Options options(log);
+  std::vector<std::string> words = PushesBefore(log, before_s);
+  for (const auto& list : {OfTheGround(options), OfTheBody(options), OfTheDrives(options), OfTheStart(options)})
+    words.insert(words.end(), list.begin(), list.end());
   return words;
 }
 
@@ -119,7 +185,7 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) 
   const bool pass = std::all_of(metrics.begin(), metrics.end(), [](const Metric& m) { return m.pass; });
   if (pass) return Tightest(metrics);
   const std::vector<FailureEvent> events = FailureEvents(in);
-  const std::string under = Joined(DisturbancesOf(in.log));
+  const std::string under = Joined(in.fall.fell ? DisturbancesOf(in.log, in.fall.time_s) : DisturbancesOf(in.log));
   std::string text = under.empty() ? "" : "under " + under + " ";
   text += in.fall.fell ? fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what)
                        : "it did not fall, but " + BrokenGates(metrics);
