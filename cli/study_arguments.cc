@@ -55,7 +55,8 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
           fmt::format("--over {}: the speeds of a --sequence stand in its parts; vary other options", axis.key));
     }
   }
-  play.Finish();
+  const std::vector<std::string> varied = KeysOf(axes);
+  play.Finish(std::find(varied.begin(), varied.end(), "state") != varied.end());
   return texts;
 }
 

@@ -64,7 +64,7 @@ Result<Study> StudyOf(Arguments& a) {
 }
 
 Result<Disturbances> PrepareTrials(const Arguments& a, Study& study) {
-  const Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play);
+  const Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play, KeysOf(study.axes));
   if (disturbances) study.play_trial = PlayerOf(*disturbances, a.common.seed);
   return disturbances;
 }

@@ -77,7 +77,7 @@ int Run(Arguments& a) {
   CheckPathsOf(a);
   Result<Study> study = StudyOf(a);
   if (!study) return Report(study.failure(), a.common);
-  const Result<Disturbances> disturbances = a.study.disturbances.Load(study->model, study->play);
+  const Result<Disturbances> disturbances = a.study.disturbances.Load(study->model, study->play, KeysOf(study->axes));
   if (!disturbances) return Report(disturbances.failure(), a.common);
   study->play_trial = PlayerOf(*disturbances, a.common.seed);
   const std::string identity = TuneIdentity(*study, a.tune, DisturbancesText(*disturbances));

@@ -112,12 +112,14 @@ void PlayArguments::AddTo(CLI::App& verb) {
   verb.option_defaults()->group("Playback, and what the plan does not know");
   AddText(verb, "--controller", "NAME", request.controller, "stabilised or joint-pd; default stabilised.");
   AddField(verb, "--state", fields, "state");
-  verb.add_option_function<std::string>(
-          "--sensors", [this](const std::string& kind) { request.sensing.sensors = SensorsOfKind(kind); },
-          "Figures of the sensors that --state measured and estimated have: ideal, good or hobby, see docs/sensing.md; "
-          "--set sensors.* changes single ones; default ideal.")
-      ->type_name("KIND")
-      ->check(NotAKind);
+  only_with_sensors =
+      verb.add_option_function<std::string>(
+              "--sensors", [this](const std::string& kind) { request.sensing.sensors = SensorsOfKind(kind); },
+              "Figures of the sensors that --state measured and estimated have: ideal, good or hobby, see "
+              "docs/sensing.md; "
+              "--set sensors.* changes single ones; default ideal.")
+          ->type_name("KIND")
+          ->check(NotAKind);
   AddField(verb, "--command-delay", fields, "command_delay_s");
   AddText(verb, "--push", "fx,fy,fz", push,
           "Push on the base in N, world axes: x ahead, y to the left, z up; default none.");
@@ -131,7 +133,9 @@ void PlayArguments::AddTo(CLI::App& verb) {
   verb.option_defaults()->group("Options");
 }
 
-void PlayArguments::Finish() {
+void PlayArguments::Finish(bool state_varies) {
+  if (only_with_sensors->count() > 0 && !state_varies && request.sensing.state == StateSourceNames().front())
+    throw InvalidArgument("--sensors is for --state measured or estimated: the true state reads no sensor");
   if (!push.empty()) {
     const std::vector<double> force = ParseNumbers("--push", push, 3);
     request.play.push_force_W = Vector3(force[0], force[1], force[2]);

@@ -31,10 +31,13 @@ struct PlayArguments {
   PlayRequest request;
   std::string push;
   std::vector<CLI::Option*> only_with_push;
+  CLI::Option* only_with_sensors = nullptr;
 
   void AddTo(CLI::App& verb);
-  /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given.
-  void Finish();
+  /// @param state_varies  whether `state` is given one value after another.
+  /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given, and for --sensors
+  /// where none is read.
+  void Finish(bool state_varies = false);
 };
 
 }  // namespace gaitwright::cli

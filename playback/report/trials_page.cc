@@ -84,8 +84,9 @@ std::string WorstTable(const RobustnessReport& report) {
   return Table("The worst trials", "<th class=\"n\">seed</th><th class=\"n\">until</th><th>cause</th><th>why</th>",
                rows) +
          (rows.empty() ? ""
-                       : "<p class=\"soft\">gaitwright play PLAN --disturbances FILE --seed SEED repeats one exactly, "
-                         "with a report of its own.</p>\n");
+                       : "<p class=\"soft\"><span class=\"key\">" + EscapedXml(report.subject.repeat) +
+                             "</span> repeats one exactly, "
+                             "with a report of its own.</p>\n");
 }
 
 std::string MetricTable(const RobustnessReport& report) {

@@ -46,6 +46,7 @@ struct TrialSubject {
   std::uint64_t seed = 0;                              ///< of the run
   GaitScale gait_scale;                                ///< of robot and plan
   std::optional<double> own_push_s = {};               ///< when the push of the options begins, in each trial
+  std::string repeat = {};                             ///< the command that repeats one, with PLAN and SEED in it
 
   bool operator==(const TrialSubject&) const = default;
 };
