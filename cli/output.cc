@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -38,6 +39,18 @@ std::vector<std::pair<std::string, std::string>> DrawnOf(const PlaybackLog& log)
     if (key.starts_with(kTrial)) drawn.emplace_back(key.substr(sizeof(kTrial) - 1), text);
   }
   return drawn;
+}
+
+/// "mass_scale 0.9079, friction 0.5676"; the single joints of a start are told by --json and the log alone.
+std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& drawn) {
+  std::string line;
+  for (const auto& [name, text] : drawn) {
+    if (name.starts_with("start.joint.")) continue;
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", name, *end == 0 ? fmt::format("{:.4g}", value) : text);
+  }
+  return line;
 }
 
 std::string AuditReason(const AuditReport& audit) {
@@ -117,9 +130,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common)
   fmt::print("\n{}", AuditText(judged.audit));
   for (const std::string& warning : judged.plan.warnings) fmt::print("warning: {}\n", warning);
   if (const auto drawn = DrawnOf(judged.played.log); !drawn.empty()) {
-    fmt::print("drawn:");
-    for (const auto& [name, text] : drawn) fmt::print("{} {} {}", &name == &drawn.front().first ? "" : ",", name, text);
-    fmt::print("\nlog hash {}\n", SamplesHash(judged.played.log));
+    fmt::print("drawn: {}\nlog hash {}\n", DrawnText(drawn), SamplesHash(judged.played.log));
   }
   if (judged.planning_cpu_s > 0.0) fmt::print("planned in {:.2f} s of CPU, ", judged.planning_cpu_s);
   fmt::print("played at {:.1f} times real time\n", judged.played.realtime_factor);
