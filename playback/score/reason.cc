@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "playback/score/report_text.h"
 #include "playback/score/why_it_fell.h"
@@ -41,66 +43,101 @@ std::string PushWords(const Vector3& force) {
   return fmt::format("{:.4g} N {}", force.norm(), names[axis][force[axis] > 0.0]);
 }
 
-std::vector<std::string> PushesBefore(const PlaybackLog& log, double before_s) {
+/// Something that the plan did not know, in words, and how large it is against what trials usually draw.
+struct Unforeseen {
+  std::string words;
+  double size = 0.0;
+};
+
+std::vector<Unforeseen> PushesBefore(const PlaybackLog& log, double before_s) {
   constexpr std::size_t kMost = 2;
-  std::vector<std::string> words;
+  constexpr double kUsual = 0.1;  // of the weight
+  std::vector<Unforeseen> told;
   for (const TimedPush& push : log.pushes) {
     if (push.at_s >= before_s) continue;
-    if (words.size() == kMost) words.erase(words.begin());
-    words.push_back(
-        fmt::format("a push of {} from {:.2f} s for {:.2f} s", PushWords(push.force_W), push.at_s, push.for_s));
+    if (told.size() == kMost) told.erase(told.begin());
+    told.push_back(
+        {fmt::format("a push of {} from {:.2f} s for {:.2f} s", PushWords(push.force_W), push.at_s, push.for_s),
+         push.force_W.norm() / std::max(kUsual * log.total_mass_kg * kGravity, 1e-9)});
   }
-  return words;
+  return told;
 }
 
-std::vector<std::string> OfTheGround(const Options& options) {
-  std::vector<std::string> words;
+std::vector<Unforeseen> OfTheGround(const Options& options) {
+  std::vector<Unforeseen> told;
   const double slope = options.At("play.ground_slope_deg"), bumps = options.At("play.ground_bumps_m");
   const double friction = options.At("play.friction");
-  if (slope != 0.0) words.push_back(fmt::format("a slope of {:.3g} degrees", slope));
-  if (bumps != 0.0) words.push_back(fmt::format("bumps of {:.3g} mm", 1e3 * bumps));
-  if (friction > 0.0) words.push_back(fmt::format("a friction of {:.3g}", friction));
-  return words;
+  if (slope != 0.0) told.push_back({fmt::format("a slope of {:.3g} degrees", slope), std::abs(slope) / 2.0});
+  if (bumps != 0.0) told.push_back({fmt::format("bumps of {:.3g} mm", 1e3 * bumps), bumps / 0.003});
+  if (friction > 0.0) told.push_back({fmt::format("a friction of {:.3g}", friction), 0.5 / friction});
+  return told;
 }
 
-std::vector<std::string> OfTheBody(const Options& options) {
-  std::vector<std::string> words;
-  const double mass = options.At("play.mass_scale", 1.0), inertia = options.At("play.inertia_scale", 1.0);
-  const Vector3 shift(options.At("play.com_shift_x_m"), options.At("play.com_shift_y_m"),
-                      options.At("play.com_shift_z_m"));
-  if (mass != 1.0) words.push_back(fmt::format("{:.3g} times the mass", mass));
-  if (inertia != 1.0) words.push_back(fmt::format("{:.3g} times the moments of inertia", inertia));
-  if (!shift.isZero(0.0)) words.push_back(fmt::format("the base's centre of mass {:.3g} mm off", 1e3 * shift.norm()));
-  return words;
+/// Adds a factor that is not one.
+void AddFactor(const Options& options, const char* key, const char* what, std::vector<Unforeseen>& told) {
+  constexpr double kUsual = 0.1;
+  const double scale = options.At(key, 1.0);
+  if (scale != 1.0)
+    told.push_back({fmt::format("{:.3g} times {}", scale, what), std::abs(std::log(std::max(scale, 1e-9))) / kUsual});
 }
 
-std::vector<std::string> OfTheDrives(const Options& options) {
-  std::vector<std::string> words;
-  const auto factor = [&](const char* key, const char* what) {
-    const double scale = options.At(key, 1.0);
-    if (scale != 1.0) words.push_back(fmt::format("{:.3g} times {}", scale, what));
-  };
-  const double late = options.At("command_delay_s"), friction = options.At("play.joint_friction_nm");
-  if (late != 0.0) words.push_back(fmt::format("commands late by {:.3g} ms", 1e3 * late));
-  factor("play.motor_strength", "the motors' strength");
-  factor("play.torque_scale", "the motors' torque");
-  factor("gains.stiffness_scale", "the joints' stiffness");
-  factor("gains.damping_scale", "the joints' damping");
-  if (friction != 0.0) words.push_back(fmt::format("{:.3g} N m of friction more in each joint", friction));
-  if (options.At("play.rotor_inertia_kg_m2") != 0.0) words.emplace_back("rotors of more inertia");
+std::vector<Unforeseen> OfTheBody(const Options& options) {
+  std::vector<Unforeseen> told;
+  AddFactor(options, "play.mass_scale", "the mass", told);
+  AddFactor(options, "play.inertia_scale", "the moments of inertia", told);
+  const double shift_m =
+      Vector3(options.At("play.com_shift_x_m"), options.At("play.com_shift_y_m"), options.At("play.com_shift_z_m"))
+          .norm();
+  if (shift_m != 0.0)
+    told.push_back({fmt::format("the base's centre of mass {:.3g} mm off", 1e3 * shift_m), shift_m / 0.01});
+  return told;
+}
+
+std::vector<Unforeseen> OfTheDrives(const Options& options) {
+  std::vector<Unforeseen> told;
+  const double late_s = options.At("command_delay_s"), friction = options.At("play.joint_friction_nm");
+  if (late_s != 0.0) told.push_back({fmt::format("commands late by {:.3g} ms", 1e3 * late_s), late_s / 0.004});
+  AddFactor(options, "play.motor_strength", "the motors' strength", told);
+  AddFactor(options, "play.torque_scale", "the motors' torque", told);
+  AddFactor(options, "gains.stiffness_scale", "the joints' stiffness", told);
+  AddFactor(options, "gains.damping_scale", "the joints' damping", told);
+  if (friction != 0.0) told.push_back({fmt::format("{:.3g} N m of friction more in each joint", friction), 1.0});
+  if (options.At("play.rotor_inertia_kg_m2") != 0.0) told.push_back({"rotors of more inertia", 1.0});
   const std::string state = options.Text("state");
-  if (!state.empty() && state != "true") words.push_back("the state as it is " + state);
-  return words;
+  if (!state.empty() && state != "true") told.push_back({"the state as it is " + state, 1.0});
+  return told;
 }
 
-std::vector<std::string> OfTheStart(const Options& options) {
+std::vector<Unforeseen> OfTheStart(const Options& options) {
   const auto at = [&](const char* part) { return options.At(std::string("play.start_") + part); };
-  const double off = Vector3(at("x_m"), at("y_m"), at("z_m")).norm();
+  const double off_m = Vector3(at("x_m"), at("y_m"), at("z_m")).norm();
   const double turned = Vector3(at("roll_rad"), at("pitch_rad"), at("yaw_rad")).norm();
+  std::vector<Unforeseen> told;
+  if (off_m != 0.0) told.push_back({fmt::format("a start {:.3g} mm off", 1e3 * off_m), off_m / 0.01});
+  if (turned != 0.0) told.push_back({fmt::format("a start turned by {:.3g} rad", turned), turned / 0.05});
+  return told;
+}
+
+std::vector<Unforeseen> AllUnforeseen(const PlaybackLog& log, double before_s) {
+  const Options options(log);
+  std::vector<Unforeseen> all = PushesBefore(log, before_s);
+  for (const auto& list : {OfTheGround(options), OfTheBody(options), OfTheDrives(options), OfTheStart(options)})
+    all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+/// The largest of them in their order, and how many more there are.
+std::string MostOf(const std::vector<Unforeseen>& all) {
+  constexpr std::size_t kMost = 5;
+  std::vector<double> sizes;
+  for (const Unforeseen& one : all) sizes.push_back(one.size);
+  std::sort(sizes.rbegin(), sizes.rend());
   std::vector<std::string> words;
-  if (off != 0.0) words.push_back(fmt::format("a start {:.3g} mm off", 1e3 * off));
-  if (turned != 0.0) words.push_back(fmt::format("a start turned by {:.3g} rad", turned));
-  return words;
+  for (const Unforeseen& one : all) {
+    if (words.size() < kMost && (all.size() <= kMost || one.size >= sizes[kMost - 1])) words.push_back(one.words);
+  }
+  if (all.size() > words.size()) words.push_back(fmt::format("{} smaller disturbances", all.size() - words.size()));
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string First(const std::vector<FailureEvent>& events, std::size_t most) {
@@ -165,19 +202,11 @@ const char* WordsOf(FailureEvent::Kind kind) {
   return "";
 }
 
-std::string Joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> DisturbancesOf(const PlaybackLog& log, double before_s) {
-  const Options options(log);
-  std::vector<std::string> words = PushesBefore(log, before_s);
-  for (const auto& list : {OfTheGround(options), OfTheBody(options), OfTheDrives(options), OfTheStart(options)})
-    words.insert(words.end(), list.begin(), list.end());
+  std::vector<std::string> words;
+  for (const Unforeseen& one : AllUnforeseen(log, before_s)) words.push_back(one.words);
   return words;
 }
 
@@ -185,7 +214,8 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) 
   const bool pass = std::all_of(metrics.begin(), metrics.end(), [](const Metric& m) { return m.pass; });
   if (pass) return Tightest(metrics);
   const std::vector<FailureEvent> events = FailureEvents(in);
-  const std::string under = Joined(in.fall.fell ? DisturbancesOf(in.log, in.fall.time_s) : DisturbancesOf(in.log));
+  const double before_s = in.fall.fell ? in.fall.time_s : std::numeric_limits<double>::infinity();
+  const std::string under = MostOf(AllUnforeseen(in.log, before_s));
   std::string text = under.empty() ? "" : "under " + under + " ";
   text += in.fall.fell ? fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what)
                        : "it did not fall, but " + BrokenGates(metrics);
