@@ -216,7 +216,7 @@ TEST_F(Refusals, OutputsOverTheRobotOrTheGait) {
   ExpectRefused(plan("mine/../gaits.yaml"), 1, {"--gait", "'gaits.yaml'", "read"});
   std::filesystem::rename(In("mine/robot.urdf"), In("mine/log.json"));
   ExpectRefused(Run({"walk", "--urdf", "mine/log.json", "--out-dir", "mine"}), 1,
-                {"the log 'mine/log.json'", "--urdf"});
+                {"the log of --out-dir 'mine/log.json'", "--urdf"});
   EXPECT_EQ(Read("mine/log.json"), urdf);
   EXPECT_EQ(Read("mine/robot.yaml"), "description: mine\n");
   EXPECT_EQ(Found(), (std::vector<std::string>{"gaits.yaml", "mine"}));
@@ -230,6 +230,35 @@ TEST_F(Refusals, FoldersThatAreFiles) {
   }
   EXPECT_EQ(Read("file"), "text");
   EXPECT_EQ(Found(), std::vector<std::string>{"file"});
+}
+
+/// Before anything is read or done: the motion that each would begin with is not there.
+TEST_F(Refusals, OutputsThatCannotBeWrittenAreSeenBeforeTheWork) {
+  Write("file", "text");
+  const std::vector<std::pair<std::string, std::string>> wrong = {{"file/x", "'file' is a file, not a folder"},
+                                                                  {".", "it is a folder"},
+                                                                  {"new/", "the name of a folder"},
+                                                                  {"/dev/null", "no regular file"}};
+  const std::vector<std::vector<std::string>> verbs = {
+      {"play", "none.json", "--log"},      {"play", "none.json", "--report"},
+      {"trials", "none.json", "--out"},    {"view", "none.json", "--out"},
+      {"trials", "none.json", "--report"}, {"render", "none.json", "--figure"},
+      {"export", "none.json", "--out"},    {"compare", "none.json", "none.json", "--report"}};
+  for (const auto& [path, why] : wrong) {
+    for (std::vector<std::string> arguments : verbs) {
+      const std::string flag = arguments.back();
+      arguments.push_back(path);
+      ExpectRefused(Run(arguments), 1, {flag + " '" + path + "' cannot be written: ", why});
+    }
+    for (const std::string flag : {"--out", "--report", "--map", "--best"}) {
+      ExpectRefused(Run({"sweep", "--robot", "none", "--over", "speed=0.1,0.2", flag, path}), 1,
+                    {flag + " '" + path + "' cannot be written: ", why});
+    }
+  }
+  ExpectRefused(Run({"walk", "--robot", "none", "--out-dir", "file"}), 1, {"the plan of --out-dir 'file/plan.json'"});
+  std::filesystem::create_directories(In("t.json.so-far"));
+  ExpectRefused(Run({"trials", "none.json", "--out", "t.json"}), 1, {"the run so far 't.json.so-far'", "a folder"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"file", "t.json.so-far"}));
 }
 
 TEST_F(Refusals, JsonHasTheErrorObject) {

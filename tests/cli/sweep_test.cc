@@ -77,6 +77,20 @@ TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
   ExpectRefused(Run(Grid({"--resume"})), 1, {"is of other work"});
 }
 
+TEST_F(Sweep, AMapThatCannotBeWrittenInTheEndIsNotLost) {
+  const std::vector<std::string> start = Grid({"--threads", "1", "--quiet", "--report", "map.html"});
+  const Ran ran = RunUntil(start, SIGCONT, [&] {  // which does nothing to who runs
+    return std::filesystem::exists(In("sweep.csv.so-far")) && std::filesystem::create_directory(In("map.html"));
+  });
+  ExpectRefused(ran, 1, {"cannot write 'map.html': it is a folder", "--resume", "'sweep.csv.so-far' keeps all"});
+  EXPECT_FALSE(std::filesystem::exists(In("sweep.csv")));
+  std::filesystem::remove(In("map.html"));
+  std::vector<std::string> resume = start;
+  resume.push_back("--resume");
+  EXPECT_EQ(Run(resume).out, "4 of 4 pass\n");
+  EXPECT_EQ(Found(), (std::vector<std::string>{"map.html", "sweep.csv"}));
+}
+
 TEST_F(Sweep, AGroundThatWasChangedMeanwhileIsOtherWork) {
   const std::string lawn = "patches:\n  - {name: lawn, height_m: 0, friction: 0.8}\n";
   Write("yard.yaml", lawn);
@@ -124,6 +138,17 @@ TEST_F(Sweep, RefusalsSayWhatIsAccepted) {
 }
 
 using Tuned = Sweep;
+
+TEST_F(Tuned, OptionsThatCannotBeWrittenInTheEndAreNotLost) {
+  const Ran ran = RunUntil({"tune", "--gait", "trot", "--distance", "0.3", "--over", "stabilised.dcm_gain=1:2",
+                            "--evaluations", "3", "--trials", "1", "--held-out", "6", "--quiet"},
+                           SIGCONT, [&] {
+                             return std::filesystem::exists(In("tuned.yaml.so-far")) &&
+                                    std::filesystem::create_directory(In("tuned.yaml"));
+                           });
+  ExpectRefused(ran, 1, {"cannot write 'tuned.yaml': it is a folder", "--resume", "'tuned.yaml.so-far' keeps all"});
+  EXPECT_TRUE(std::filesystem::exists(In("tuned.yaml.so-far")));
+}
 
 TEST_F(Tuned, OptionsAreWrittenProvedAndTaken) {
   const std::vector<std::string> tune = {"tune",
