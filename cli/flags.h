@@ -37,6 +37,12 @@ CLI::Option* AddWholeNumber(CLI::App& verb, const std::string& flag, std::int64_
   return verb.add_option(flag, target, help)->type_name("N")->check(check);
 }
 
+/// A flag that gives the option of that key.
+struct KeyedFlag {
+  const CLI::Option* flag;
+  std::string key;
+};
+
 /// A flag for one field of `fields`, which gives its unit, range, default and meaning. @throws InvalidArgument when no
 /// field has that key.
 CLI::Option* AddField(CLI::App& verb, const std::string& flag, const OptionFields& fields, const std::string& key);
