@@ -92,6 +92,11 @@ TEST_F(Refusals, Command) {
   }
   ExpectRefused(Run({"robots", "show", ""}), 1, {"ROBOT", "empty"});
   ExpectRefused(Walk({"--seed", "-1"}), 1, {"--seed", "-1", "0 or more"});
+  const std::string huge = "99999999999999999999";  // more than 64 bits hold
+  for (const std::string& seed : {std::string("2147483648"), std::string("99999999999"), huge})
+    ExpectRefused(Walk({"--seed", seed}), 1, {"--seed: " + seed + " is too much; accepted: 0 to 2147483647"});
+  ExpectRefused(Walk({"--seed", "-" + huge}), 1, {"--seed: -" + huge + " is too little; 0 or more is accepted"});
+  ExpectRefused(Walk({"--steps", huge}), 1, {"--steps: " + huge + " is too much; accepted: 1 to 2147483647"});
   ExpectNothingWritten();
 }
 
