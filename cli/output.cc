@@ -106,6 +106,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common)
   if (common.json) {
     auto json = nlohmann::ordered_json::parse(ReportJson(judged.played.report));
     json["audit"] = nlohmann::ordered_json::parse(AuditJson(judged.audit));
+    json["warnings"] = judged.plan.warnings;
     if (judged.played.report.pass && !judged.pass()) {
       json["verdict"] = "fail";
       json["reason"] = AuditReason(judged.audit);

@@ -79,8 +79,8 @@ Result<std::vector<OutputFile>> Render(Arguments& a, const MotionToShow& motion)
   if (!a.wants_page()) return files;
   const std::optional<std::string> meshes = a.meshes.empty() ? std::nullopt : std::optional(a.meshes);
   const std::string page = ViewerPage(motion.title, {motion.Shown(meshes)});
-  ProgressBar bar(!a.common.json && !a.common.quiet);
-  a.picture.progress = [&](int done, int all) { bar.Show(done, all, 0, "pictures"); };
+  ProgressBar bar(!a.common.json && !a.common.quiet, "pictures");
+  a.picture.progress = [&](int done, int all) { bar.Show({done, all, 0}); };
   if (!a.png.empty()) {
     if (auto failure = add(a.png, RenderPng(page, a.at_s.value_or(motion.plan.whole_body.start_s), a.picture)))
       return *failure;

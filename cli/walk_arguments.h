@@ -17,6 +17,7 @@ struct WalkArguments {
   WalkRequest request;
   std::optional<double> distance_m, duration_s, step_length_m;
   std::optional<int> steps;
+  std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
 
   void AddTo(CLI::App& verb);
   /// Puts the flags into the request. @throws InvalidArgument for flags that contradict each other or do not parse.
@@ -32,6 +33,7 @@ struct PlayArguments {
   std::string push;
   std::vector<CLI::Option*> only_with_push;
   CLI::Option* only_with_sensors = nullptr;
+  std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
 
   void AddTo(CLI::App& verb);
   /// @param state_varies  whether `state` is given one value after another.

@@ -93,6 +93,28 @@ TEST_F(BeforeHardware, AJumpIsNamedAndAWayThereIsPlanned) {
   EXPECT_EQ(way.json().at("verdict"), "pass");
 }
 
+TEST_F(BeforeHardware, ThatARobotHangsIsSaidWhereverItsWayIsLookedAt) {
+  Measure("off.yaml", Knee(), -0.3);
+  EXPECT_EQ(Run({"audit", "plan.json", "--start-posture", "off.yaml", "--approach", "way.json", "--quiet"}).status, 3);
+  const std::string warning = "robot 'a1' hangs: its base is taken to be held in the air";
+  const Ran audit = Run({"audit", "way.json"});
+  EXPECT_EQ(audit.status, 0) << audit.err;
+  EXPECT_NE(audit.out.find("\nwarning: " + warning), std::string::npos) << audit.out;
+  const std::size_t note = audit.out.find("\nnote: from 0 to ");
+  ASSERT_NE(note, std::string::npos) << audit.out;
+  EXPECT_NE(audit.out.find("the base is held from outside", note), std::string::npos) << audit.out;
+  EXPECT_EQ(Run({"audit", "way.json", "--quiet"}).out, "pass\n");
+  const Ran played = Run({"play", "way.json"});
+  EXPECT_EQ(played.status, 3) << "nobody holds it in physics";
+  EXPECT_NE(played.out.find("\nwarning: " + warning), std::string::npos) << played.out;
+  for (const char* verb : {"audit", "play"}) {
+    const Json warnings = Run({verb, "way.json", "--json"}).json().at("warnings");
+    ASSERT_EQ(warnings.size(), 1U) << verb;
+    EXPECT_TRUE(warnings.at(0).get<std::string>().starts_with(warning)) << warnings;
+    EXPECT_EQ(Run({verb, "plan.json", "--json"}).json().at("warnings"), Json::array()) << verb;
+  }
+}
+
 TEST_F(BeforeHardware, WrongFilesAreRefusedAndNothingIsWritten) {
   Measure("off.yaml", Knee(), -9.0);
   ExpectRefused(Run({"audit", "plan.json", "--start-posture", "off.yaml"}), 1, {"'off.yaml'", Knee(), "limits of"});

@@ -132,6 +132,30 @@ TEST_F(Trials, ADiskThatIsFullIsSaidSoAndTheRunGoesOnLater) {
   EXPECT_EQ(Run(resume).status, 0);
 }
 
+TEST_F(Trials, AResultThatCannotBeWrittenInTheEndIsNotLost) {
+  const std::vector<std::string> start = {"trials",    "plan.json", "-n",     "4",       "--disturbances",
+                                          "calm.yaml", "--threads", "1",      "--quiet", "--out",
+                                          "it.json",   "--report",  "it.html"};
+  const Ran ran = RunUntil(start, SIGCONT, [&] {  // which does nothing to who runs
+    const std::string so_far = std::filesystem::exists(In("it.json.so-far")) ? Read("it.json.so-far") : "";
+    return std::count(so_far.begin(), so_far.end(), '\n') >= 2 && std::filesystem::create_directory(In("it.html"));
+  });
+  ExpectRefused(ran, 1, {"cannot write 'it.html': it is a folder", "--resume", "'it.json.so-far' keeps all"});
+  EXPECT_FALSE(std::filesystem::exists(In("it.json")));
+  std::filesystem::remove(In("it.html"));
+  std::vector<std::string> resume = start;
+  resume.push_back("--resume");
+  EXPECT_EQ(Run(resume).out, "pass\n");
+  EXPECT_EQ(Json::parse(Read("it.json")).at("n"), 4);
+  EXPECT_FALSE(std::filesystem::exists(In("it.json.so-far")));
+}
+
+TEST_F(Trials, WhatIsOnlyShownNeedsNoPlaceForAResult) {
+  std::filesystem::create_directory(In("trials.json"));
+  EXPECT_EQ(Run({"trials", "plan.json", "--show-disturbances"}).status, 0);
+  ExpectRefused(Run({"trials", "plan.json", "-n", "1"}), 1, {"--out 'trials.json' cannot be written: it is a folder"});
+}
+
 TEST_F(Trials, WhatCannotBePlayedIsRefusedAtOnceAndLeavesNothing) {
   Write("late.yaml", "pushes:\n  - {size_n: 10, at_s: {uniform: [0, 100]}}\n");
   Write("nowhere.yaml", "pushes:\n  - {size_n: 10, place: {choice: [base, FR_claf]}}\n");
