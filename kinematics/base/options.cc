@@ -102,6 +102,12 @@ std::string NearestName(const std::string& word, const std::vector<std::string>&
   return nearest == nullptr ? std::string{} : *nearest;
 }
 
+std::string NearName(const std::string& word, const std::vector<std::string>& candidates, std::size_t most) {
+  const std::string nearest = NearestName(word, candidates);
+  if (nearest.size() > word.size() + most || EditDistance(word, nearest) > most) return "";
+  return nearest;
+}
+
 std::string QuotedList(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";

@@ -37,6 +37,9 @@ using OptionFields = std::vector<OptionField>;
 /// The member of `candidates` nearest to `word` (edit distance), or empty when there is none.
 std::string NearestName(const std::string& word, const std::vector<std::string>& candidates);
 
+/// The same where it is at most `most` edits away, else empty.
+std::string NearName(const std::string& word, const std::vector<std::string>& candidates, std::size_t most);
+
 /// "'a', 'b', 'c'": for messages that list what exists.
 std::string QuotedList(const std::vector<std::string>& names);
 

@@ -8,6 +8,13 @@
 namespace gaitwright {
 namespace {
 
+TEST(NearName, IsNoneWhereAllAreFar) {
+  EXPECT_EQ(NearName("lenght", {"width", "length"}, 2), "length");
+  EXPECT_EQ(NearName("lenght", {"width", "length"}, 1), "");
+  EXPECT_EQ(NearName("word", {std::string(1000, 'w')}, 3), "");
+  EXPECT_EQ(NearName("word", {}, 3), "");
+}
+
 /// The distance of two words goes with the product of their lengths: of a million letters each it would take hours.
 TEST(NearestName, OfWordsOfAnyLengthIsFoundAtOnce) {
   const std::string long_word(1000000, 'a');
