@@ -101,6 +101,7 @@ void Judge(const PreflightInput& input, Preflight& preflight) {
       return v.law == "start_posture" && v.where.ends_with(kStartSpeed) == moving;
     });
   };
+  for (const std::string& remark : preflight.audit.remarks) preflight.remarks.push_back(remark);
   if (starts(true)) {
     preflight.remarks.push_back(
         "the first command moves, and the robot that was measured does not: begin the plan at rest");

@@ -93,6 +93,19 @@ TEST(PreflightOfAGoodPlan, StandsOnTheOptionsThatAreGiven) {
   EXPECT_FALSE(Says(jumps.remarks, "begin the plan at rest"));
 }
 
+TEST(PreflightOfAGoodPlan, SaysWhereAMeasuredQuaternionLikelyHasWFirst) {
+  PreflightInput input;
+  const VectorX first = AWalk().plan.whole_body.q.front().tail(AWalk().model.num_dofs());
+  input.audit.start = StartPosture{first, Quaternion(0.0, 1.0, 0.0, 0.0)};  // 1, 0, 0, 0 taken for x, y, z, w
+  const Preflight preflight = Of(input);
+  EXPECT_TRUE(Says(preflight.reasons, "start posture: base tilt"));
+  EXPECT_TRUE(Says(preflight.remarks, "seems to have w first"));
+  EXPECT_TRUE(Says(PreflightText(preflight), "seems to have w first"));
+  input.audit.start->R_WB = Quaternion(1.0, 0.0, 0.0, 0.0);
+  EXPECT_TRUE(Of(input).go());
+  EXPECT_FALSE(Says(Of(input).remarks, "w first"));
+}
+
 TEST(PreflightOfAPlanThatBeginsInMotion, AsksForOneThatBeginsAtRest) {
   Walked moving = AWalk();
   moving.plan.whole_body.v.front()[8] = 3.0;
