@@ -222,7 +222,7 @@ class Playback {
     for (auto& [push, body, began] : pushes_) {
       const double share = bullet::ShareOfStep(push, time_s, step_s_);
       if (share == 0.0) continue;
-      if (!began) log_.pushes.push_back(push);
+      if (!began && push.force_W.allFinite()) log_.pushes.push_back(push);
       began = true;
       const Vector3 force_W = share * push.force_W;
       body == bullet::kWholeRobot ? world_.PushRobot(force_W) : world_.PushBody(body, force_W);
