@@ -122,7 +122,8 @@ StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const Pla
   ScoreOptions options;
   OptionFields fields = Prefixed("score", options.Fields());
   for (const auto& [key, text] : log.options) {
-    const bool known = std::any_of(fields.begin(), fields.end(), [&](const OptionField& f) { return f.key == key; });
+    const bool known =
+        std::any_of(fields.begin(), fields.end(), [&key = key](const OptionField& f) { return f.key == key; });
     if (known) SetOption(fields, key, text);
   }
   return Score(model, plan, log, options);
