@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
 #include "playback/log/log_json.h"
 #include "workflows/exchange/csv_motion.h"
+#include "workflows/exchange/joint_trajectory.h"
 #include "workflows/exchange/motion_file.h"
 
 namespace gaitwright::cli {
@@ -17,7 +20,9 @@ struct SideFile {
   std::string path, text;
   MotionFileKind kind = MotionFileKind::kTable;
   std::optional<CsvTable> table = {};  ///< of columns of numbers
-  CsvReading reading = {};             ///< how those are read
+  CsvReading reading = {};             ///< how those are read, or a joint trajectory
+
+  bool has_units() const { return table || kind == MotionFileKind::kTrajectory; }
 };
 
 Failure Refused(const std::string& code, const std::string& message, std::vector<std::string> hints = {}) {
@@ -29,11 +34,20 @@ Result<SideFile> ReadSide(const std::string& path) {
   if (!text) return text.failure();
   SideFile side{path, *text, KindOfText(*text)};
   if (side.kind == MotionFileKind::kJson) {
-    return Refused("no_motion", fmt::format("'{}' is JSON, but no plan, log or report", path),
-                   {"name a plan.json, a log.json, what 'walk --json' prints, or a CSV of a motion"});
+    return Refused(
+        "no_motion", fmt::format("'{}' is JSON, but no plan, log or report", path),
+        {"name a plan.json, a log.json, what 'walk --json' prints, a CSV of a motion, or a joint trajectory"});
   }
+  if (side.kind == MotionFileKind::kTrials)
+    return Refused("no_motion", fmt::format("'{}' is {}, ; these are not compared", path, NameOf(side.kind)),
+                   {"'trials --report FILE' makes a page of each"});
   if (side.kind != MotionFileKind::kTable) return side;
   Result<CsvTable> table = ParseCsvTable(side.text, path);
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (!table && (extension == ".yaml" || extension == ".yml")) {
+    return Refused("no_motion", fmt::format("'{}' is no joint trajectory, and other YAML is not compared", path),
+                   {"'import' makes a plan of footsteps, which is compared"});
+  }
   if (!table) return table.failure();
   side.table = std::move(*table);
   return side;
@@ -68,6 +82,7 @@ Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* mod
     return Refused("no_robot", fmt::format("'{}' does not say whose motion it is", side.path),
                    {"--robot NAME", "--urdf FILE", "--plan FILE, the plan that was played"});
   }
+  if (!side.table) return ComparedTrajectory(*model, side.text, side.path, side.reading.options);
   return ComparedCsv(*model, *side.table, side.reading);
 }
 
@@ -79,8 +94,8 @@ void SayHowToRead(const CompareFiles& files, SideFile& a, SideFile& b) {
     throw InvalidArgument(fmt::format("--columns-b is given, but '{}' is no CSV", b.path));
   if (!files.columns.empty() && !a.table && (!b.table || !files.columns_b.empty()))
     throw InvalidArgument("--columns is given, but neither file is a CSV that it is for");
-  if (units && !a.table && !b.table)
-    throw InvalidArgument("units or an order of quaternions are given, but neither file is a CSV");
+  if (units && !a.has_units() && !b.has_units())
+    throw InvalidArgument("units or an order of quaternions are given, but neither file is a CSV or a trajectory");
   a.reading = {files.columns, files.units};
   b.reading = {files.columns_b.empty() ? files.columns : files.columns_b, files.units};
   if (!a.table || !b.table || !files.columns_b.empty()) return;

@@ -12,12 +12,18 @@
 namespace gaitwright::cli {
 namespace {
 
-/// The whole text as a number; false when it is none.
+/// Reads the whole text as a number. @return how that went: no error, beyond what the type holds, or no number.
 template <class Number>
-bool Read(const std::string& text, Number& value) {
+std::errc ReadWhole(const std::string& text, Number& value) {
   const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
   const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size();
+  return end == text.data() + text.size() ? error : std::errc::invalid_argument;
+}
+
+/// The same; false for what the type does not hold too.
+template <class Number>
+bool Read(const std::string& text, Number& value) {
+  return ReadWhole(text, value) == std::errc{};
 }
 
 const OptionField& FieldOf(const OptionFields& fields, const std::string& key) {
@@ -75,10 +81,14 @@ std::string NotANumber(const std::string& text) {
   return Read(text, value) && std::isfinite(value) ? "" : fmt::format("'{}' is not a finite number", text);
 }
 
-std::string NotAWholeNumber(const std::string& text, std::int64_t lowest) {
+std::string NotAWholeNumber(const std::string& text, std::int64_t lowest, std::int64_t highest) {
   std::int64_t value = 0;
-  if (!Read(text, value)) return fmt::format("'{}' is not a whole number", text);
-  return value >= lowest ? "" : fmt::format("{} is too little; {} or more is accepted", value, lowest);
+  const std::errc error = ReadWhole(text, value);
+  if (error == std::errc::invalid_argument) return fmt::format("'{}' is not a whole number", text);
+  const bool beyond = error == std::errc::result_out_of_range;
+  if (beyond ? text.front() == '-' : value < lowest)
+    return fmt::format("{} is too little; {} or more is accepted", text, lowest);
+  return beyond || value > highest ? fmt::format("{} is too much; accepted: {} to {}", text, lowest, highest) : "";
 }
 
 CLI::Option* AddField(CLI::App& verb, const std::string& flag, const OptionFields& fields, const std::string& key) {

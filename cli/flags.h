@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "kinematics/base/options.h"
@@ -19,8 +21,9 @@ CLI::Option* AddText(CLI::App& verb, const std::string& flag, const std::string&
 /// Why a text is no finite number, or "" when it is one.
 std::string NotANumber(const std::string& text);
 
-/// Why a text is no whole number from `lowest` up, or "" when it is one.
-std::string NotAWholeNumber(const std::string& text, std::int64_t lowest);
+/// Why a text is no whole number from `lowest` to `highest`, or "" when it is one.
+std::string NotAWholeNumber(const std::string& text, std::int64_t lowest,
+                            std::int64_t highest = std::numeric_limits<std::int64_t>::max());
 
 /// A flag with a finite number; `unit` stands after it in the help. Target: double or std::optional<double>.
 template <class Target>
@@ -29,13 +32,22 @@ CLI::Option* AddNumber(CLI::App& verb, const std::string& flag, const std::strin
   return verb.add_option(flag, target, help)->type_name(unit)->check(NotANumber);
 }
 
-/// A flag with a whole number. Target: an integer or std::optional of one.
+/// A flag with a whole number from `lowest` up. Target: an int or std::optional of one.
 template <class Target>
-CLI::Option* AddWholeNumber(CLI::App& verb, const std::string& flag, std::int64_t lowest, Target& target,
+CLI::Option* AddWholeNumber(CLI::App& verb, const std::string& flag, int lowest, Target& target,
                             const std::string& help) {
-  const auto check = [lowest](const std::string& text) { return NotAWholeNumber(text, lowest); };
+  static_assert(std::is_same_v<Target, int> || std::is_same_v<Target, std::optional<int>>);
+  const auto check = [lowest](const std::string& text) {
+    return NotAWholeNumber(text, lowest, std::numeric_limits<int>::max());
+  };
   return verb.add_option(flag, target, help)->type_name("N")->check(check);
 }
+
+/// A flag that gives the option of that key.
+struct KeyedFlag {
+  const CLI::Option* flag;
+  std::string key;
+};
 
 /// A flag for one field of `fields`, which gives its unit, range, default and meaning. @throws InvalidArgument when no
 /// field has that key.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -17,6 +18,7 @@
 #include "playback/report/plots.h"
 #include "playback/report/report_page.h"
 #include "playback/score/report_text.h"
+#include "playback/trials/trial_outcome.h"
 #include "playback/viewer/viewer_page.h"
 
 namespace gaitwright::cli {
@@ -27,6 +29,28 @@ std::vector<std::string> Lines(const std::string& text) {
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
+}
+
+/// What one trial drew, by name; nothing of a playback that is none.
+std::vector<std::pair<std::string, std::string>> DrawnOf(const PlaybackLog& log) {
+  constexpr char kTrial[] = "trial.";
+  std::vector<std::pair<std::string, std::string>> drawn;
+  for (const auto& [key, text] : log.options) {
+    if (key.starts_with(kTrial)) drawn.emplace_back(key.substr(sizeof(kTrial) - 1), text);
+  }
+  return drawn;
+}
+
+/// "mass_scale 0.9079, friction 0.5676"; the single joints of a start are told by --json and the log alone.
+std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& drawn) {
+  std::string line;
+  for (const auto& [name, text] : drawn) {
+    if (name.starts_with("start.joint.")) continue;
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", name, *end == 0 ? fmt::format("{:.4g}", value) : text);
+  }
+  return line;
 }
 
 std::string AuditReason(const AuditReport& audit) {
@@ -82,10 +106,14 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common)
   if (common.json) {
     auto json = nlohmann::ordered_json::parse(ReportJson(judged.played.report));
     json["audit"] = nlohmann::ordered_json::parse(AuditJson(judged.audit));
+    json["warnings"] = judged.plan.warnings;
     if (judged.played.report.pass && !judged.pass()) {
       json["verdict"] = "fail";
       json["reason"] = AuditReason(judged.audit);
     }
+    const auto drawn = DrawnOf(judged.played.log);
+    for (const auto& [name, text] : drawn) json["drawn"][name] = text;
+    json["log_hash"] = SamplesHash(judged.played.log);
     json["planning_cpu_s"] = judged.planning_cpu_s;
     json["playback_realtime_factor"] = judged.played.realtime_factor;
     json["files"] = nlohmann::ordered_json::object();
@@ -102,6 +130,9 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common)
   if (const std::string parts = PartsText(judged.plan.parts); !parts.empty()) fmt::print("\nparts: {}\n", parts);
   fmt::print("\n{}", AuditText(judged.audit));
   for (const std::string& warning : judged.plan.warnings) fmt::print("warning: {}\n", warning);
+  if (const auto drawn = DrawnOf(judged.played.log); !drawn.empty()) {
+    fmt::print("drawn: {}\nlog hash {}\n", DrawnText(drawn), SamplesHash(judged.played.log));
+  }
   if (judged.planning_cpu_s > 0.0) fmt::print("planned in {:.2f} s of CPU, ", judged.planning_cpu_s);
   fmt::print("played at {:.1f} times real time\n", judged.played.realtime_factor);
   for (const auto& [kind, path] : files) fmt::print("{:<7} {}\n", kind, path);

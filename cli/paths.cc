@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <system_error>
 
 #include "kinematics/base/result.h"
 #include "kinematics/base/same_file.h"
+#include "kinematics/base/writable.h"
 #include "planning/gait/find_gait.h"
 #include "planning/gait/read_sequence.h"
 #include "planning/terrain/load_terrain.h"
@@ -17,23 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @throws InvalidArgument where a folder cannot be or be made, since a file stands in its way.
-void CheckFolder(const std::string& what, const std::string& path, const fs::path& folder) {
-  std::error_code error;
-  fs::path at = folder;
-  while (!at.empty() && at != at.parent_path() && !fs::exists(at, error)) at = at.parent_path();
-  if (at.empty() || !fs::exists(at, error) || fs::is_directory(at, error)) return;
-  throw InvalidArgument(
-      fmt::format("{} '{}' cannot be written: '{}' is a file, not a folder; name a folder", what, path, at.string()));
+/// @throws InvalidArgument with the reason, where there is one.
+void CheckWritable(const std::string& what, const std::string& path, const std::string& why_not) {
+  if (!why_not.empty()) throw InvalidArgument(fmt::format("{} '{}' cannot be written: {}", what, path, why_not));
 }
 
 void CheckOutput(const NamedPath& output, const Paths& paths) {
-  std::error_code error;
-  if (fs::is_directory(output.path, error)) {
-    throw InvalidArgument(
-        fmt::format("{} '{}' cannot be written: it is a folder; name a file", output.name, output.path));
-  }
-  CheckFolder(output.name, output.path, fs::path(output.path).parent_path());
+  CheckWritable(output.name, output.path, WhyNotWritable(output.path));
   for (const NamedPath& input : paths.read) {
     if (input.path.empty() || !IsSameFile(output.path, input.path)) continue;
     throw InvalidArgument(fmt::format("{} '{}' would be written over {} '{}', which is read: name another file",
@@ -43,7 +33,7 @@ void CheckOutput(const NamedPath& output, const Paths& paths) {
 
 /// Plots have names of their own, all of which end in .svg.
 void CheckPlots(const Paths& paths) {
-  CheckFolder("--plot-dir", paths.plot_folder, paths.plot_folder);
+  CheckWritable("--plot-dir", paths.plot_folder, WhyNoNewFiles(paths.plot_folder));
   for (const NamedPath& input : paths.read) {
     const fs::path path(input.path), folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (path.extension() != ".svg" || !IsSameFile(folder.string(), paths.plot_folder)) continue;

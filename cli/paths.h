@@ -24,8 +24,9 @@ struct Paths {
   void AddTerrain(const std::string& terrain);
 };
 
-/// Sees to it that nothing is written over what is read, nor twice to one file, and that folders are folders; by `./`
-/// or links too. Call it before the work is done. @throws InvalidArgument naming both.
+/// Sees to it that what is written can be, as far as that is seen without making anything, and that nothing is written
+/// over what is read, nor twice to one file; by `./` or links too. Call it before the work is done.
+/// @throws InvalidArgument naming what is wrong: the flag, the path and why, or both of two.
 void CheckPaths(const Paths& paths);
 
 }  // namespace gaitwright::cli

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "kinematics/base/file.h"
@@ -81,6 +82,15 @@ Result<MotionToShow> ReadMotionToShow(const std::string& path, const std::string
   shown->log = std::move(*log);
   shown->report = Score(shown->model, shown->plan, *shown->log);
   return shown;
+}
+
+void CheckShown(const std::vector<MotionToShow>& motions, const std::string& plan_path,
+                const std::string& mesh_folder) {
+  const bool any_log = std::any_of(motions.begin(), motions.end(), [](const auto& m) { return m.log.has_value(); });
+  if (!plan_path.empty() && !any_log)
+    throw InvalidArgument(fmt::format("--plan '{}' is for a log, and what is shown is a plan itself", plan_path));
+  if (!mesh_folder.empty() && !std::filesystem::is_directory(mesh_folder))
+    throw InvalidArgument(fmt::format("--meshes '{}' is no folder", mesh_folder));
 }
 
 }  // namespace gaitwright::cli

@@ -9,6 +9,30 @@
 #include "workflows/study/trial.h"
 
 namespace gaitwright::cli {
+namespace {
+
+/// @throws InvalidArgument where --set or a flag gives what the axis varies, and so would count for nothing. Of --push
+/// a component that is zero gives nothing.
+void CheckGivenOnce(const StudyAxis& axis, const StudyArguments& a, const std::vector<std::string>& sets) {
+  std::vector<std::string> given;
+  for (const std::string& set : sets) {
+    if (set.starts_with(axis.key + "=")) given.push_back("--set " + set);
+  }
+  for (const std::vector<KeyedFlag>* flags : {&a.walk.keyed, &a.play.keyed}) {
+    for (const auto& [flag, key] : *flags) {
+      if (key == axis.key && flag->count() > 0) given.push_back(flag->get_name());
+    }
+  }
+  const char* const push[] = {"play.push_force_x_n", "play.push_force_y_n", "play.push_force_z_n"};
+  for (int i = 0; i < 3; ++i) {
+    if (axis.key == push[i] && !a.play.push.empty() && a.play.request.play.push_force_W[i] != 0.0)
+      given.emplace_back("--push");
+  }
+  if (given.empty()) return;
+  throw InvalidArgument(fmt::format("{} gives what --over {} varies: leave one of them out", given.front(), axis.key));
+}
+
+}  // namespace
 
 void StudyArguments::AddTo(CLI::App& verb, const std::string& over_help) {
   walk.AddTo(verb);
@@ -42,12 +66,10 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
   Result<OptionTexts> texts = options.Apply(Fields(), common);
   if (!texts) return texts;
   ApplySets("--set", common.sets, Fields());
+  const std::vector<std::string> varied = KeysOf(axes);
+  play.Finish(std::find(varied.begin(), varied.end(), "state") != varied.end());
   for (const StudyAxis& axis : axes) {
-    for (const std::string& set : common.sets) {
-      if (set.starts_with(axis.key + "="))
-        throw InvalidArgument(
-            fmt::format("--set {} gives what --over {} varies: leave one of them out", set, axis.key));
-    }
+    CheckGivenOnce(axis, *this, common.sets);
     if (axis.key == "step_length" && !walk.steps)
       throw InvalidArgument("--over step_length is of counted steps: give --steps too");
     if (!walk.request.sequence.empty() && IsOfCommand(axis.key)) {
@@ -55,7 +77,6 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
           fmt::format("--over {}: the speeds of a --sequence stand in its parts; vary other options", axis.key));
     }
   }
-  play.Finish();
   return texts;
 }
 

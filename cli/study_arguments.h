@@ -28,8 +28,8 @@ struct StudyArguments {
   /// What it reads.
   Paths PathsToRead() const;
   OptionFields Fields() { return Joined({walk.request.Fields(), play.request.Fields()}); }
-  /// Puts options, --set and flags into the requests. @throws InvalidArgument when --set gives what is varied too, and
-  /// for axes that the flags leave no room for.
+  /// Puts options, --set and flags into the requests. @throws InvalidArgument when --set or a flag gives what is
+  /// varied too, and for axes that the flags leave no room for.
   Result<OptionTexts> Finish(const std::vector<StudyAxis>& axes, const Common& common);
   /// The robot, with the flags of the walk put in for it. The axes count as given: where a speed is varied, one is
   /// given.

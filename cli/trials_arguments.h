@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/flags.h"
 #include "cli/paths.h"
@@ -16,8 +17,11 @@ struct DisturbanceArguments {
 
   void AddTo(CLI::App& verb, const std::string& otherwise = "the standard set, scaled to the robot");
   void AddPathTo(Paths& paths) const;
-  /// What the file says, or the standard set; a failure where some of it could not be played.
-  Result<Disturbances> Load(const RobotModel& model, PlayRequest request) const;
+  /// What the file says, or the standard set but for what else says it; a failure where some of it could not be played,
+  /// or would act on nothing.
+  /// @param varied  options that a study gives one value after another.
+  Result<Disturbances> Load(const RobotModel& model, PlayRequest request,
+                            const std::vector<std::string>& varied = {}) const;
 };
 
 }  // namespace gaitwright::cli

@@ -111,6 +111,13 @@ int RunPreflight(Arguments& a, const Subject& about) {
   return preflight->go() ? kPass : kVerdictFail;
 }
 
+/// The verdict in words, what the plan itself warns of, and what the audit did not look at.
+void PrintAudit(const AuditReport& report, const MotionPlan& plan) {
+  fmt::print("{}", AuditText(report));
+  for (const std::string& warning : plan.warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& note : report.notes) fmt::print("note: {}\n", note);
+}
+
 int RunAudit(Arguments& a, const Subject& about) {
   const Result<AuditReport> report = Audit(about.model, about.plan, a.options);
   if (!report) return Report(report.failure(), a.common);
@@ -120,12 +127,13 @@ int RunAudit(Arguments& a, const Subject& about) {
   }
   if (a.common.json) {
     auto json = nlohmann::ordered_json::parse(AuditJson(*report));
+    json["warnings"] = about.plan.warnings;
     if (about.approach) json["approach"] = ApproachJson(*about.approach, a.approach);
     fmt::print("{}\n", json.dump(2));
   } else if (a.common.quiet) {
     fmt::print("{}\n", report->pass() ? "pass" : "fail");
   } else {
-    fmt::print("{}", AuditText(*report));
+    PrintAudit(*report, about.plan);
     if (about.approach) fmt::print("{}: {}\n", ApproachText(about.model, *about.approach), a.approach);
   }
   return report->pass() ? kPass : kVerdictFail;

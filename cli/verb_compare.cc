@@ -82,7 +82,8 @@ void AddCompare(CLI::App& app, int& status) {
   CLI::App& verb =
       *app.add_subcommand("compare", "Set two plans, logs or reports side by side, or a robot's log and its plan");
   AddText(verb, "A", "FILE", a->files.a,
-          "A plan, a log, a report (what 'walk --json' and 'play --json' print) or a CSV of a motion.")
+          "A plan, a log, a report (what 'walk --json' and 'play --json' print), a CSV of a motion or a joint "
+          "trajectory of ROS.")
       ->required();
   AddText(verb, "B", "FILE", a->files.b, "What it is compared with; differences are B - A.")->required();
   const OptionFields fields = a->Fields();

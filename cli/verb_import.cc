@@ -16,7 +16,7 @@ namespace {
 struct Arguments {
   Common common;
   ImportRequest request;
-  std::string robot = "a1", urdf, goal, out = "plan.json";
+  std::string robot = "a1", urdf, goal, out = "imported.json";
 };
 
 nlohmann::ordered_json JsonOf(const ImportedMotion& imported, const std::string& path) {
@@ -98,9 +98,9 @@ void AddImport(CLI::App& app, int& status) {
   AddText(verb, "--goal", "x,y,yaw", a->goal,
           "Where it was to end, in m, m and rad from its start; default: where it ends.");
   verb.option_defaults()->group("What is written");
-  AddText(verb, "--out", "FILE", a->out, "The plan, its folder made if need be; default plan.json.");
+  AddText(verb, "--out", "FILE", a->out, "The plan, its folder made if need be; default imported.json.");
   AddCommon(verb, a->common,
-            {"import motion.csv --robot a1 --out imported.json", "import motion.csv --set velocities=derived --json"});
+            {"import motion.csv --robot a1 --out theirs.json", "import motion.csv --set velocities=derived --json"});
   AddOptionList(verb, a->request.Fields(), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }

@@ -43,6 +43,26 @@ void Check(const Arguments& a) {
     throw InvalidArgument(fmt::format("--figure '{}' ends in '{}'; a figure is .svg or .pdf", a.figure, ending));
 }
 
+/// Nothing that is said is passed over: a flag of pictures or figures that are not made is refused.
+void CheckFlags(const Arguments& a, const CLI::App& verb) {
+  const bool film = !a.gif.empty() || !a.mp4.empty(), page = a.wants_page(), figure = !a.figure.empty();
+  struct Use {
+    std::vector<std::string> flags;
+    bool used;
+    const char* with;
+  };
+  const Use uses[] = {
+      {{"--at"}, !a.png.empty(), "--png"},
+      {{"--to-s", "--speed", "--fps"}, film, "--gif or --mp4"},
+      {{"--from-s"}, film || figure, "--gif, --mp4 or --figure"},
+      {{"--width", "--height", "--view", "--hide", "--dark", "--meshes"}, page, "--png, --gif or --mp4"},
+      {{"--cycles"}, figure, "--figure"}};
+  for (const Use& use : uses) {
+    for (const std::string& flag : use.flags)
+      if (!use.used && verb.count(flag) > 0) throw InvalidArgument(fmt::format("{} goes with {}", flag, use.with));
+  }
+}
+
 /// Everything that is asked for, before any of it is written.
 Result<std::vector<OutputFile>> Render(Arguments& a, const MotionToShow& motion) {
   std::vector<OutputFile> files;
@@ -59,8 +79,8 @@ Result<std::vector<OutputFile>> Render(Arguments& a, const MotionToShow& motion)
   if (!a.wants_page()) return files;
   const std::optional<std::string> meshes = a.meshes.empty() ? std::nullopt : std::optional(a.meshes);
   const std::string page = ViewerPage(motion.title, {motion.Shown(meshes)});
-  ProgressBar bar(!a.common.json && !a.common.quiet);
-  a.picture.progress = [&](int done, int all) { bar.Show(done, all, 0, "pictures"); };
+  ProgressBar bar(!a.common.json && !a.common.quiet, "pictures");
+  a.picture.progress = [&](int done, int all) { bar.Show({done, all, 0}); };
   if (!a.png.empty()) {
     if (auto failure = add(a.png, RenderPng(page, a.at_s.value_or(motion.plan.whole_body.start_s), a.picture)))
       return *failure;
@@ -91,9 +111,11 @@ void Print(const Arguments& a) {
 int Run(Arguments& a) {
   ApplySets("--set", a.common.sets, {});
   Check(a);
-  const Result<MotionToShow> motion = ReadMotionToShow(a.motion, a.plan);
+  Result<MotionToShow> motion = ReadMotionToShow(a.motion, a.plan);
   if (!motion) return Report(motion.failure(), a.common);
-  const Result<std::vector<OutputFile>> files = Render(a, *motion);
+  const std::vector<MotionToShow> shown = {std::move(*motion)};
+  CheckShown(shown, a.plan, a.meshes);
+  const Result<std::vector<OutputFile>> files = Render(a, shown.front());
   if (!files) return Report(files.failure(), a.common);
   const auto written = WriteFilesTogether(*files);
   if (!written) return Report(written.failure(), a.common);
@@ -105,7 +127,7 @@ void AddPictureFlags(CLI::App& verb, Arguments& a) {
   verb.option_defaults()->group("How pictures are made");
   AddNumber(verb, "--at", "s", a.at_s, "Time of the still picture, on the plan's clock; default: its start.");
   AddNumber(verb, "--from-s", "s", a.picture.from_s,
-            "Where moving pictures, and the figure's cycles, begin; default: at the start.");
+            "Where moving pictures, and the figure's cycles, begin; default: at the start, and at the first step.");
   AddNumber(verb, "--to-s", "s", a.picture.to_s, "Where moving pictures end; default: at the end.");
   AddNumber(verb, "--speed", "factor", a.picture.speed, "Of the motion in moving pictures; default 1.");
   AddNumber(verb, "--fps", "1/s", a.picture.frames_per_s, "Pictures a second of moving pictures; default 30.");
@@ -117,7 +139,7 @@ void AddPictureFlags(CLI::App& verb, Arguments& a) {
       ->type_name("NAME,...")
       ->delimiter(',');
   verb.add_flag("--dark", a.picture.dark, "Light on dark; default: dark on light.");
-  AddWholeNumber(verb, "--cycles", 1, a.cycles.cycles, "Cycles of the gait in the figure; default 10.");
+  AddWholeNumber(verb, "--cycles", 1, a.cycles.cycles, "Cycles of the gait in the figure, at most 1000; default 10.");
 }
 
 }  // namespace
@@ -142,8 +164,9 @@ void AddRender(CLI::App& app, int& status) {
             {"render out/log.json --png trot.png --at 1.5 --view side",
              "render out/log.json --mp4 steps.mp4 --from-s 1 --to-s 1.5 --speed 0.5",
              "render out/log.json --figure gait.pdf --cycles 10"});
-  verb.callback([a, &status] {
+  verb.callback([a, &status, &verb] {
     status = Guarded(a->common, [&] {
+      CheckFlags(*a, verb);
       a->cycles.from_s = a->picture.from_s;
       return Run(*a);
     });

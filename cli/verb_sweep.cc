@@ -7,7 +7,7 @@
 #include "cli/interruptible.h"
 #include "cli/progress_bar.h"
 #include "cli/study_arguments.h"
-#include "kinematics/base/file.h"
+#include "cli/write_results.h"
 #include "planning/plan/plan_json.h"
 #include "playback/score/gates.h"
 #include "workflows/cluster/shared_sweep.h"
@@ -25,6 +25,8 @@ struct Arguments {
   std::string metrics =
       "goal_error_m, zmp_margin_p05_m, dcm_capture_margin_min_m, slip_max_step_m, torque_use_max, cost_of_transport";
   std::string out = "sweep.csv", report, map, best;
+
+  std::string SoFar() const { return out + ".so-far"; }
 };
 
 /// The keys of --metrics. @throws InvalidArgument naming the nearest to one that there is not.
@@ -39,13 +41,11 @@ std::vector<std::string> MetricsOf(const std::string& text) {
   return keys;
 }
 
+/// Of the one process that writes: where the others of an MPI run are, the folders may not be.
 void CheckPathsOf(const Arguments& a) {
   Paths paths = a.study.PathsToRead();
-  paths.written = {{"--out", a.out},
-                   {"--report", a.report},
-                   {"--map", a.map},
-                   {"--best", a.best},
-                   {"the sweep so far", a.out + ".so-far"}};
+  paths.written = {
+      {"--out", a.out}, {"--report", a.report}, {"--map", a.map}, {"--best", a.best}, {"the sweep so far", a.SoFar()}};
   CheckPaths(paths);
 }
 
@@ -64,7 +64,7 @@ Result<Study> StudyOf(Arguments& a) {
 }
 
 Result<Disturbances> PrepareTrials(const Arguments& a, Study& study) {
-  const Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play);
+  const Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play, KeysOf(study.axes));
   if (disturbances) study.play_trial = PlayerOf(*disturbances, a.common.seed);
   return disturbances;
 }
@@ -78,7 +78,6 @@ struct SweepInputs {
 Result<SweepInputs> ReadAll(Arguments& a) {
   if (a.trials == 0 && !a.study.disturbances.file.empty())
     throw InvalidArgument("--disturbances says what trials sample: give --trials too");
-  CheckPathsOf(a);
   Result<Study> study = StudyOf(a);
   if (!study) return study.failure();
   std::string trials;
@@ -94,11 +93,11 @@ Result<SweepInputs> ReadAll(Arguments& a) {
 Result<std::vector<PointOutcome>> RunWithBar(const Arguments& a, const SweepInputs& sweep, JobJournal& journal,
                                              SharedWork& work) {
   const Interruptible interruptible;
-  ProgressBar bar(!a.common.quiet);
+  ProgressBar bar(!a.common.quiet, "points");
   const int before = static_cast<int>(journal.found());
   const auto show = [&](std::size_t done, std::size_t of) {
-    bar.Show(before + static_cast<int>(done), before + static_cast<int>(of), before,
-             Interruptible::asked() ? "ending" : "points");
+    bar.Show({before + static_cast<int>(done), before + static_cast<int>(of), before},
+             Interruptible::asked() ? "ending" : "");
   };
   return RunSharedSweep(work, sweep.study, sweep.identity, journal, {a.study.threads, show, Interruptible::asked});
 }
@@ -118,7 +117,7 @@ Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const std:
     if (!planned) return planned.failure();
     add("best", a.best, PlanToJson(planned->motion.plan));
   }
-  const auto written = WriteFilesTogether(texts);
+  const auto written = WriteResults(texts, a.SoFar());
   if (!written) return written.failure();
   return files;
 }
@@ -157,9 +156,10 @@ int Help(Arguments& a, SharedWork& work) {
 int Run(Arguments& a) {
   SharedWork work(Ranks::Join());
   if (!work.ranks().leads()) return Help(a, work);
+  CheckPathsOf(a);
   const Result<SweepInputs> sweep = ReadAll(a);
   if (!sweep) return Report(sweep.failure(), a.common);
-  Result<JobJournal> journal = JobJournal::Open(a.out + ".so-far", sweep->identity, a.study.resume);
+  Result<JobJournal> journal = JobJournal::Open(a.SoFar(), sweep->identity, a.study.resume);
   if (!journal) return Report(journal.failure(), a.common);
   const Result<std::vector<PointOutcome>> outcomes = RunWithBar(a, *sweep, *journal, work);
   if (!outcomes) {

@@ -10,7 +10,7 @@
 #include "cli/progress_bar.h"
 #include "cli/trials_arguments.h"
 #include "cli/walk_arguments.h"
-#include "kinematics/base/file.h"
+#include "cli/write_results.h"
 #include "planning/plan/plan_json.h"
 #include "playback/report/trials_page.h"
 #include "workflows/cluster/shared_trials.h"
@@ -28,6 +28,7 @@ struct Arguments {
   std::optional<double> require_survival;
   bool resume = false, show = false;
 
+  std::string SoFar() const { return out + ".so-far"; }
   OptionFields Fields() { return Joined({Prefixed("trials", trials.Fields()), play.request.Fields()}); }
 };
 
@@ -60,13 +61,13 @@ void Print(const Arguments& a, const RobustnessReport& report, bool enough) {
 /// The run, with its journal beside the result and a bar on a terminal.
 Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study, SharedWork& work) {
   const Interruptible interruptible;
-  ProgressBar bar(!a.common.quiet);
+  ProgressBar bar(!a.common.quiet, "trials");
   TrialHooks hooks;
-  hooks.journal = a.out + ".so-far";
+  hooks.journal = a.SoFar();
   hooks.resume = a.resume;
   hooks.stop = [] { return Interruptible::asked(); };
   hooks.progress = [&](const TrialProgress& p) {
-    bar.Show(p.done, p.wanted, p.restored,
+    bar.Show({p.done, p.wanted, p.restored},
              Interruptible::asked() ? "ending" : fmt::format("{} fell", p.done - p.survived));
   };
   Result<TrialBook> book = TrialBook::Open(study, a.trials, hooks);
@@ -75,10 +76,19 @@ Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study,
   if (!report) return report;
   std::vector<OutputFile> files = {{a.out, RobustnessJson(*report)}};
   if (!a.report.empty()) files.push_back({a.report, TrialsPage(*report)});
-  const auto written = WriteFilesTogether(files);
+  const auto written = WriteResults(files, a.SoFar());
   if (!written) return written.failure();
   book->Close();
   return report;
+}
+
+/// Of the one process that writes: where the others of an MPI run are, the folders may not be.
+void CheckPathsOf(const Arguments& a) {
+  Paths paths{{{"the plan", a.plan}}, {}, ""};
+  if (!a.show) paths.written = {{"--out", a.out}, {"--report", a.report}, {"the run so far", a.SoFar()}};
+  a.disturbances.AddPathTo(paths);
+  a.options.AddPathTo(paths);
+  CheckPaths(paths);
 }
 
 void CheckShare(const Arguments& a) {
@@ -101,11 +111,6 @@ Result<TrialInputs> ReadAll(Arguments& a) {
   ApplySets("--set", a.common.sets, a.Fields());
   a.play.Finish();
   CheckShare(a);
-  Paths paths{
-      {{"the plan", a.plan}}, {{"--out", a.out}, {"--report", a.report}, {"the run so far", a.out + ".so-far"}}, {}};
-  a.disturbances.AddPathTo(paths);
-  a.options.AddPathTo(paths);
-  CheckPaths(paths);
   Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return plan.failure();
   Result<RobotModel> model = RobotOf(*plan);
@@ -134,6 +139,7 @@ int Help(Arguments& a, SharedWork& work) {
 int Run(Arguments& a) {
   SharedWork work(Ranks::Join());
   if (!work.ranks().leads()) return Help(a, work);
+  CheckPathsOf(a);
   const Result<TrialInputs> read = ReadAll(a);
   if (!read) return Report(read.failure(), a.common);
   if (a.show) return ShowDisturbances(a, read->disturbances);

@@ -6,7 +6,7 @@
 #include "cli/interruptible.h"
 #include "cli/progress_bar.h"
 #include "cli/study_arguments.h"
-#include "kinematics/base/file.h"
+#include "cli/write_results.h"
 #include "workflows/cluster/ranks.h"
 #include "workflows/study/tune_files.h"
 
@@ -18,12 +18,13 @@ struct Arguments {
   StudyArguments study;
   TuneOptions tune;
   std::string out = "tuned.yaml", result, report;
+
+  std::string SoFar() const { return out + ".so-far"; }
 };
 
 void CheckPathsOf(const Arguments& a) {
   Paths paths = a.study.PathsToRead();
-  paths.written = {
-      {"--out", a.out}, {"--result", a.result}, {"--report", a.report}, {"the tuning so far", a.out + ".so-far"}};
+  paths.written = {{"--out", a.out}, {"--result", a.result}, {"--report", a.report}, {"the tuning so far", a.SoFar()}};
   CheckPaths(paths);
 }
 
@@ -39,11 +40,11 @@ Result<Study> StudyOf(Arguments& a) {
 
 Result<TuneReport> RunWithBar(const Arguments& a, const Study& study, JobJournal& journal) {
   const Interruptible interruptible;
-  ProgressBar bar(!a.common.quiet);
+  ProgressBar bar(!a.common.quiet, "jobs");
   const int before = static_cast<int>(journal.found());
   const auto show = [&](std::size_t done, std::size_t of) {
-    bar.Show(static_cast<int>(std::min(done, of)), static_cast<int>(of), before,
-             Interruptible::asked() ? "ending" : "jobs");
+    bar.Show({static_cast<int>(std::min(done, of)), static_cast<int>(of), before},
+             Interruptible::asked() ? "ending" : "");
   };
   return Tune(study, a.tune, journal, {a.study.threads, show, Interruptible::asked});
 }
@@ -55,7 +56,7 @@ Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const Tune
   std::vector<OutputFile> texts = {{a.out, TunedOptions(study, report.result)}};
   if (!a.result.empty()) texts.push_back({a.result, TuneJson(study, report, a.tune, files)});
   if (!a.report.empty()) texts.push_back({a.report, TunePage(study, report, a.tune)});
-  const auto written = WriteFilesTogether(texts);
+  const auto written = WriteResults(texts, a.SoFar());
   if (!written) return written.failure();
   return files;
 }
@@ -77,11 +78,11 @@ int Run(Arguments& a) {
   CheckPathsOf(a);
   Result<Study> study = StudyOf(a);
   if (!study) return Report(study.failure(), a.common);
-  const Result<Disturbances> disturbances = a.study.disturbances.Load(study->model, study->play);
+  const Result<Disturbances> disturbances = a.study.disturbances.Load(study->model, study->play, KeysOf(study->axes));
   if (!disturbances) return Report(disturbances.failure(), a.common);
   study->play_trial = PlayerOf(*disturbances, a.common.seed);
   const std::string identity = TuneIdentity(*study, a.tune, DisturbancesText(*disturbances));
-  Result<JobJournal> journal = JobJournal::Open(a.out + ".so-far", identity, a.study.resume);
+  Result<JobJournal> journal = JobJournal::Open(a.SoFar(), identity, a.study.resume);
   if (!journal) return Report(journal.failure(), a.common);
   const Result<TuneReport> report = RunWithBar(a, *study, *journal);
   if (!report) {

@@ -41,6 +41,7 @@ int Run(const Arguments& a) {
     if (!motion) return Report(motion.failure(), a.common);
     motions.push_back(std::move(*motion));
   }
+  CheckShown(motions, a.plan, a.meshes);
   if (motions.size() == 2 && motions[0].title == motions[1].title) {
     motions[0].title += ", " + a.motion;
     motions[1].title += ", " + a.beside;

@@ -19,10 +19,11 @@ struct Arguments {
 
 void CheckPathsOf(const Arguments& a) {
   const Outputs& out = a.outputs;
-  Paths paths{
-      {},
-      {{"the plan", out.PathOf(out.plan)}, {"the log", out.PathOf(out.log)}, {"the report", out.PathOf(out.report)}},
-      out.plot_folder};
+  Paths paths{{},
+              {{"the plan of --out-dir", out.PathOf(out.plan)},
+               {"the log of --out-dir", out.PathOf(out.log)},
+               {"the report of --out-dir", out.PathOf(out.report)}},
+              out.plot_folder};
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);

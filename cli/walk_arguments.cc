@@ -25,9 +25,10 @@ void WalkArguments::AddTo(CLI::App& verb) {
           "file of one (YAML, CSV, PNG, OBJ, STL); default flat.");
   AddCommandTo(verb);
   verb.option_defaults()->group("How it is planned");
-  AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
-          "How the centre of mass is planned: optimised, closed-form, preview or rigid-body; "
-          "default optimised, and rigid-body for gaits that fly.");
+  CLI::Option* method = AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
+                                "How the centre of mass is planned: optimised, closed-form, preview or rigid-body; "
+                                "default optimised, and rigid-body for gaits that fly.");
+  keyed.push_back({method, "centre_of_mass.method"});
   verb.option_defaults()->group("Options");
 }
 
@@ -63,11 +64,13 @@ void WalkArguments::AddCommandTo(CLI::App& verb) {
   CLI::Option* count = AddWholeNumber(verb, "--steps", 1, steps,
                                       "So many footfalls at the commanded speeds, the last ones closing the stance; 1 "
                                       "or more.");
-  AddNumber(verb, "--step-length", "m", step_length_m,
-            "Advance of the robot in a footfall, with --steps and instead of --speed; 0 steps on the spot, negative "
-            "goes back; default: speed times the time of a footfall.")
-      ->needs(count)
-      ->excludes(ahead);
+  CLI::Option* length =
+      AddNumber(verb, "--step-length", "m", step_length_m,
+                "Advance of the robot in a footfall, with --steps and instead of --speed; 0 steps on the spot, "
+                "negative goes back; default: speed times the time of a footfall.")
+          ->needs(count)
+          ->excludes(ahead);
+  keyed = {{ahead, "speed"}, {aside, "lateral_speed"}, {turning, "yaw_rate"}, {length, "step_length"}};
   verb.option_defaults()->group("Several gaits one after the other, instead of all these");
   CLI::Option* parts =
       AddText(verb, "--sequence", "PARTS", request.sequence,
@@ -109,29 +112,36 @@ void WalkArguments::Finish(const RobotModel& model) {
 
 void PlayArguments::AddTo(CLI::App& verb) {
   const OptionFields fields = request.Fields();
+  const auto add = [&](const std::string& flag, const std::string& key) {
+    CLI::Option* option = AddField(verb, flag, fields, key);
+    keyed.push_back({option, key});
+    return option;
+  };
   verb.option_defaults()->group("Playback, and what the plan does not know");
   AddText(verb, "--controller", "NAME", request.controller, "stabilised or joint-pd; default stabilised.");
-  AddField(verb, "--state", fields, "state");
-  verb.add_option_function<std::string>(
-          "--sensors", [this](const std::string& kind) { request.sensing.sensors = SensorsOfKind(kind); },
-          "Figures of the sensors that --state measured and estimated have: ideal, good or hobby, see docs/sensing.md; "
-          "--set sensors.* changes single ones; default ideal.")
-      ->type_name("KIND")
-      ->check(NotAKind);
-  AddField(verb, "--command-delay", fields, "command_delay_s");
+  add("--state", "state");
+  only_with_sensors =
+      verb.add_option_function<std::string>(
+              "--sensors", [this](const std::string& kind) { request.sensing.sensors = SensorsOfKind(kind); },
+              "Figures of the sensors that --state measured and estimated have: ideal, good or hobby, see "
+              "docs/sensing.md; --set sensors.* changes single ones; default ideal.")
+          ->type_name("KIND")
+          ->check(NotAKind);
+  add("--command-delay", "command_delay_s");
   AddText(verb, "--push", "fx,fy,fz", push,
           "Push on the base in N, world axes: x ahead, y to the left, z up; default none.");
-  only_with_push = {AddField(verb, "--push-at", fields, "play.push_at_s"),
-                    AddField(verb, "--push-for", fields, "play.push_for_s")};
-  AddField(verb, "--ground-slope-deg", fields, "play.ground_slope_deg");
-  AddField(verb, "--ground-bumps", fields, "play.ground_bumps_m");
-  AddField(verb, "--friction", fields, "play.friction");
-  AddField(verb, "--mass-scale", fields, "play.mass_scale");
-  AddField(verb, "--log-rate-hz", fields, "play.log_rate_hz");
+  only_with_push = {add("--push-at", "play.push_at_s"), add("--push-for", "play.push_for_s")};
+  add("--ground-slope-deg", "play.ground_slope_deg");
+  add("--ground-bumps", "play.ground_bumps_m");
+  add("--friction", "play.friction");
+  add("--mass-scale", "play.mass_scale");
+  add("--log-rate-hz", "play.log_rate_hz");
   verb.option_defaults()->group("Options");
 }
 
-void PlayArguments::Finish() {
+void PlayArguments::Finish(bool state_varies) {
+  if (only_with_sensors->count() > 0 && !state_varies && request.sensing.state == StateSourceNames().front())
+    throw InvalidArgument("--sensors is for --state measured or estimated: the true state reads no sensor");
   if (!push.empty()) {
     const std::vector<double> force = ParseNumbers("--push", push, 3);
     request.play.push_force_W = Vector3(force[0], force[1], force[2]);

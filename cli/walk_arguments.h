@@ -17,6 +17,7 @@ struct WalkArguments {
   WalkRequest request;
   std::optional<double> distance_m, duration_s, step_length_m;
   std::optional<int> steps;
+  std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
 
   void AddTo(CLI::App& verb);
   /// Puts the flags into the request. @throws InvalidArgument for flags that contradict each other or do not parse.
@@ -31,10 +32,14 @@ struct PlayArguments {
   PlayRequest request;
   std::string push;
   std::vector<CLI::Option*> only_with_push;
+  CLI::Option* only_with_sensors = nullptr;
+  std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
 
   void AddTo(CLI::App& verb);
-  /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given.
-  void Finish();
+  /// @param state_varies  whether `state` is given one value after another.
+  /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given, and for --sensors
+  /// where none is read.
+  void Finish(bool state_varies = false);
 };
 
 }  // namespace gaitwright::cli

@@ -26,10 +26,36 @@ ctest_in() {
   ctest --test-dir "$root/build/$preset" -j2 --output-on-failure --no-tests=error "$@"
 }
 
+# in_two_shards PROGRAM: a program of tests, its two halves at a time, each in one process, so that what its tests share,
+# such as a plan, is made once.
+in_two_shards() {
+  local shard halves=() failed=0
+  for shard in 0 1; do
+    (cd "$(dirname "$1")" && GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=$shard "$1" --gtest_brief=1) &
+    halves+=($!)
+  done
+  for shard in "${halves[@]}"; do wait "$shard" || failed=1; done
+  return $failed
+}
+
+# All but the long ones; single tests where arguments of ctest say which.
 sanitized_tests() {
+  local program failed=0 log=$logs/sanitized-programs.log
+  export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
   configure sanitize
   build sanitize
-  ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 ctest_in sanitize -LE '^long$' "$@"
+  if [ $# -gt 0 ]; then
+    ctest_in sanitize -LE '^long$' "$@"
+    return
+  fi
+  : >"$log"
+  for program in "$root"/build/sanitize/tests/*_tests; do
+    [[ $program != *_long_tests ]] || continue
+    in_two_shards "$program" 2>&1 | tee -a "$log" || failed=1
+  done
+  ctest_in sanitize -LE "^(long|${rooms// /|}|golden|architecture)$" 2>&1 | tee -a "$log" || failed=1
+  echo "$(grep -oE '\[  PASSED  \] [0-9]+' "$log" | awk '{ sum += $4 } END { print sum + 0 }') tests passed in programs as a whole"
+  return $failed
 }
 
 # Those programs that have threads, under the thread sanitizer; passes where no test is of threads yet.

@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "kinematics/base/same_file.h"
+#include "kinematics/base/writable.h"
 
 namespace gaitwright {
 namespace {
@@ -27,9 +28,11 @@ Failure FileFailure(const std::string& code, const std::string& message) {
   return {FailureKind::kBadInput, code, "File", message, {}};
 }
 
-Failure Unwritable(const std::string& path, const std::error_code& error) {
-  return FileFailure("unwritable_file", fmt::format("cannot write '{}': {}", path, error.message()));
+Failure Unwritable(const std::string& path, const std::string& why) {
+  return FileFailure("unwritable_file", fmt::format("cannot write '{}': {}", path, why));
 }
+
+Failure Unwritable(const std::string& path, const std::error_code& error) { return Unwritable(path, error.message()); }
 
 /// Waits until a file, or a folder with the names in it, is on the disk, so that it is there after a power cut too.
 /// Some disks have no such thing (EINVAL), and a folder that may be written into but not read cannot be asked.
@@ -47,7 +50,7 @@ class EndingsHeldBack {
   EndingsHeldBack() {
     sigset_t endings;
     sigemptyset(&endings);
-    for (const int ending : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&endings, ending);
+    for (const int ending : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) sigaddset(&endings, ending);
     pthread_sigmask(SIG_BLOCK, &endings, &former_);
   }
   EndingsHeldBack(const EndingsHeldBack&) = delete;
@@ -70,21 +73,19 @@ class Transaction {
 
   /// Makes the folder and writes the text beside the target.
   std::optional<Failure> Prepare(const OutputFile& file) {
+    if (const std::string why = WhyNotWritable(file.path); !why.empty()) return Unwritable(file.path, why);
     std::error_code error;
     const fs::path target(file.path);
     if (!MakeFolder(target.parent_path(), error)) {
       return FileFailure("unwritable_file", fmt::format("cannot make the folder '{}' for '{}': {}",
                                                         target.parent_path().string(), file.path, error.message()));
     }
-    if (fs::is_directory(target, error)) return Unwritable(file.path, std::make_error_code(std::errc::is_a_directory));
-    if (fs::exists(target, error) && !fs::is_regular_file(target, error))
-      return FileFailure("unwritable_file",
-                         fmt::format("cannot write '{}': it is there and no regular file", file.path));
     steps_.push_back({target, file.path + fmt::format(".{}.part", ::getpid()), {}, false});
+    errno = 0;
     std::ofstream stream(steps_.back().temporary, std::ios::binary | std::ios::trunc);
     stream.write(file.text.data(), static_cast<std::streamsize>(file.text.size()));
     stream.close();
-    if (!stream) return FileFailure("unwritable_file", fmt::format("cannot write '{}'", file.path));
+    if (!stream) return Unwritable(file.path, {errno != 0 ? errno : EIO, std::generic_category()});
     if (const std::error_code unsafe = Sync(steps_.back().temporary)) return Unwritable(file.path, unsafe);
     return std::nullopt;
   }
@@ -118,10 +119,6 @@ class Transaction {
     std::vector<fs::path> missing;
     for (fs::path at = folder; !at.empty() && !fs::exists(at, error); at = at.parent_path()) missing.push_back(at);
     error.clear();
-    if (missing.empty() && !folder.empty() && !fs::is_directory(folder, error)) {
-      error = std::make_error_code(std::errc::not_a_directory);
-      return false;
-    }
     std::reverse(missing.begin(), missing.end());
     for (const fs::path& at : missing) {
       if (fs::create_directory(at, error)) folders_.push_back(at);

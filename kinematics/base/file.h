@@ -32,7 +32,8 @@ struct OutputFile {
 /// Writes all of the files or none: each to a temporary beside its path, then all are renamed. Upon a failure every
 /// file and folder is again as it was found; files that were there before keep their old text. Parent folders are made.
 /// Signals that ask the program to end wait until that is done.
-/// @return the paths in their order; a failure that names the file that cannot be written, or that is named twice.
+/// @return the paths in their order; a failure that names the file that cannot be written and the system's reason, or
+/// that is named twice.
 Result<std::vector<std::string>> WriteFilesTogether(const std::vector<OutputFile>& files);
 
 }  // namespace gaitwright

@@ -97,8 +97,7 @@ std::optional<double> YamlMap::Number(const std::string& key) const {
 std::optional<double> YamlMap::Positive(const std::string& key) const {
   const std::optional<double> value = Number(key);
   if (value && *value <= 0.0) {
-    RefuseYaml(*Find(key),
-               fmt::format("'{}' is {}; it must be over zero (leave it out to have it derived)", key, *value));
+    RefuseYaml(*Find(key), fmt::format("'{}' is {}; it must be over zero", key, *value));
   }
   return value;
 }

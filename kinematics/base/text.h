@@ -8,6 +8,9 @@ namespace gaitwright {
 /// The text without spaces, tabs and ends of lines before and after it.
 std::string Trimmed(const std::string& text);
 
+/// The text with small letters for capital ones, as far as they are ASCII.
+std::string LowerCase(std::string text);
+
 /// Whether a text is UTF-8 without control characters other than tabs and ends of lines, so that it can be shown and
 /// written to any file.
 bool IsPlainText(const std::string& text);

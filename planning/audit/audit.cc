@@ -160,6 +160,7 @@ AuditReport Auditor::Run() {
   CheckFootholds();
   CheckSwings();
   report.violations = findings_.Sorted();
+  report.remarks = remarks_;
   if (options_.margins) report.margins = findings_.Margins();
   NoteUnknown(report);
   return report;

@@ -68,6 +68,7 @@ std::string AuditText(const AuditReport& report) {
     text += fmt::format("  {:<18} at {:6.3f} s  {}: {} (limit {:.4g})\n", v.law, v.at_s, v.where,
                         AuditFigure(v.value, v.unit), v.limit);
   }
+  for (const std::string& remark : report.remarks) text += "  note: " + remark + "\n";
   return text + MarginsText(report.margins);
 }
 
@@ -85,6 +86,7 @@ std::string AuditJson(const AuditReport& report) {
                                  {"violations", violations},
                                  {"samples", report.samples},
                                  {"notes", report.notes}};
+  if (!report.remarks.empty()) json["remarks"] = report.remarks;
   if (!report.margins.empty()) json["margins"] = MarginsJson(report.margins);
   return json.dump(2);
 }

@@ -38,6 +38,7 @@ struct AuditMargin {
 struct AuditReport {
   std::vector<Violation> violations;  ///< by law in a fixed order, then worst first
   std::vector<std::string> notes;     ///< limits that are placeholders and laws that could not be applied
+  std::vector<std::string> remarks;   ///< what is likely amiss where a law is broken, with its cure
   int samples = 0;
   double rate_hz = 1000.0;
   std::vector<AuditMargin> margins;  ///< by law in the same order, then least first; as far as asked for
@@ -56,11 +57,11 @@ std::vector<AuditMargin> TightestOfEachLaw(const std::vector<AuditMargin>& margi
 /// A figure with its unit, four digits; "1" is shown as nothing.
 std::string AuditFigure(double value, const std::string& unit);
 
-/// A verdict and a line for each violation; then a line for each margin that the report has.
+/// A verdict and a line for each violation; then a line for each remark and margin that the report has.
 std::string AuditText(const AuditReport& report);
 
-/// {"verdict", "violations": [{"law", "at_s", "where", "value", "limit", "unit"}], "samples", "notes"}, and "margins"
-/// where the report has them: the same keys, with "margin" and "share".
+/// {"verdict", "violations": [{"law", "at_s", "where", "value", "limit", "unit"}], "samples", "notes"}, and "remarks"
+/// and "margins" where the report has them; of margins the same keys, with "margin" and "share".
 std::string AuditJson(const AuditReport& report);
 
 }  // namespace gaitwright

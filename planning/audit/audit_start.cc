@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Law `start_posture`, and `consistency` of a base that is held from outside.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,6 +12,17 @@
 namespace gaitwright {
 
 using namespace tolerance;
+
+namespace {
+
+/// The angle between what is up for a posture and for a measured base. Only the tilt: which way an IMU calls ahead is
+/// its own affair.
+double TiltBetween(const VectorX& q, const Quaternion& R_WB) {
+  const Vector3 up = BaseRotation(q).row(2), measured = R_WB.toRotationMatrix().row(2);
+  return std::atan2(up.cross(measured).norm(), up.dot(measured));
+}
+
+}  // namespace
 
 /// The first command against where the robot was measured: what a joint would have to jump.
 void Auditor::CheckStart() {
@@ -25,12 +38,22 @@ void Auditor::CheckStart() {
     findings_.Hold(place, time_s, jump, limit, limit - jump);
   }
   CheckStartSpeeds();
-  if (!start.R_WB) return;
-  // Only the tilt: which way an IMU calls ahead is its own affair.
-  const Vector3 up = BaseRotation(q).row(2), measured = start.R_WB->toRotationMatrix().row(2);
-  const double tilt = std::atan2(up.cross(measured).norm(), up.dot(measured));
+  if (start.R_WB) CheckStartTilt(*start.R_WB);
+}
+
+/// A robot that is measured far from upright likely is not: its quaternion has w first.
+void Auditor::CheckStartTilt(const Quaternion& R_WB) {
+  constexpr double kFarFromUpright = 1.0;  // [rad]
+  const VectorX& q = plan_.whole_body.q.front();
+  const double tilt = TiltBetween(q, R_WB), limit = options_.start_tilt_rad;
   const int place = findings_.Place("start_posture", "base tilt", "rad");
-  findings_.Hold(place, time_s, tilt, options_.start_tilt_rad, options_.start_tilt_rad - tilt);
+  findings_.Hold(place, plan_.whole_body.start_s, tilt, limit, limit - tilt);
+  const double w_first = TiltBetween(q, Quaternion(R_WB.x(), R_WB.y(), R_WB.z(), R_WB.w()));
+  if (tilt <= kFarFromUpright || w_first > limit) return;
+  remarks_.push_back(
+      fmt::format("the start posture's quaternion seems to have w first: as w, x, y, z it is {:.3g} rad from the first "
+                  "command's tilt, as x, y, z, w {:.3g} rad; write it as base_quaternion_xyzw: [x, y, z, w]",
+                  w_first, tilt));
 }
 
 /// A robot that was measured stands or hangs still: a first command that moves is a jump too.

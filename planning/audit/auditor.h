@@ -63,6 +63,7 @@ class Auditor {
   void CheckParts();
   void CheckStart();
   void CheckStartSpeeds();
+  void CheckStartTilt(const Quaternion& R_WB);
   void CheckHanging(const MotionPart& part);
   void CheckStand(const MotionPart& part);
   void CheckCommand(const MotionPart& part, const PlanarPose& start);
@@ -110,6 +111,7 @@ class Auditor {
   std::vector<int> foothold_;     // by foot: the one last stood on
   int samples_;
   Findings findings_;
+  std::vector<std::string> remarks_;
   JointWatch joints_;
   /// Numbers of places in findings_.
   struct Places {

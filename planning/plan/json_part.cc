@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <utility>
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
+#include "kinematics/base/text.h"
 #include "planning/plan/json_part_internal.h"
 
 namespace gaitwright {
@@ -106,8 +108,7 @@ std::string WordAt(const std::string& text, std::size_t at) {
 }
 
 bool IsNoFiniteNumber(std::string word) {
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  word = LowerCase(std::move(word));
   if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.erase(0, 1);
   if (word == "nan" || word == "inf" || word == "infinity") return true;
   // A number too large to be held, such as 1e999.

@@ -205,7 +205,7 @@ std::optional<Overload> FindOverload(const RobotModel& model, double share, cons
   return worst;
 }
 
-MotionPlan EmptyPlan(const RobotModel& model, const MotionPlan& to, const ApproachOptions& options) {
+MotionPlan EmptyPlan(const RobotModel& model, const MotionPlan& to, ApproachOptions options, AuditOptions reserve) {
   MotionPlan plan;
   plan.robot = to.robot;
   plan.robot_hash = to.robot_hash;
@@ -213,8 +213,10 @@ MotionPlan EmptyPlan(const RobotModel& model, const MotionPlan& to, const Approa
   plan.yaml_text = to.yaml_text;
   plan.meshes = to.meshes;
   plan.provenance = {Version(), kStage, {{"approach.base", "hanging"}}, 0};
-  ApproachOptions copy = options;
-  for (const auto& [key, text] : TextsOf(copy.Fields())) plan.provenance.options.emplace_back("approach." + key, text);
+  OptionTexts& shaped = plan.provenance.options;
+  for (const auto& [key, text] : TextsOf(options.Fields())) shaped.emplace_back("approach." + key, text);
+  for (const auto& [key, text] : TextsOf(reserve.Fields()))
+    if (key.starts_with("derate_")) shaped.emplace_back("audit." + key, text);
   plan.terrain = FlatTerrain();
   plan.whole_body.step_s = to.whole_body.step_s;
   plan.warnings = {fmt::format(
@@ -332,7 +334,7 @@ Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, c
   if (!way) return way.failure();
   Approach approach;
   approach.via_standing = way->size() > 2;
-  approach.plan = EmptyPlan(model, plan, options);
+  approach.plan = EmptyPlan(model, plan, options, reserve);
   std::vector<Move> moves;
   for (std::size_t i = 0; i + 1 < way->size(); ++i) {
     const double time_s = TimeOf(model, options, shares, (*way)[i], (*way)[i + 1]);

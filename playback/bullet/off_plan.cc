@@ -28,6 +28,14 @@ int PushedBody(const RobotModel& model, const std::string& on) {
                   on, model.name, NearestName(on, names)));
 }
 
+double ShareOfStep(const TimedPush& push, double time_s, double step_s) {
+  constexpr double kRounding = 1e-6;
+  const double begin_s = std::max(time_s, push.at_s), end_s = std::min(time_s + step_s, push.at_s + push.for_s);
+  const double share = (end_s - begin_s) / step_s;
+  if (share < kRounding) return 0.0;
+  return share > 1.0 - kRounding ? 1.0 : share;
+}
+
 bool StartsOff(const PlayOptions& o) {
   return o.start_x_m != 0.0 || o.start_y_m != 0.0 || o.start_z_m != 0.0 || o.start_roll_rad != 0.0 ||
          o.start_pitch_rad != 0.0 || o.start_yaw_rad != 0.0 ||

@@ -16,6 +16,10 @@ std::vector<TimedPush> PushesOf(const PlayOptions& options);
 int PushedBody(const RobotModel& model, const std::string& on);
 inline constexpr int kWholeRobot = -1;
 
+/// The share of the step from `time_s` on in which a push acts, so that its impulse is what it says however short it
+/// is; a whole step but for rounding is one.
+double ShareOfStep(const TimedPush& push, double time_s, double step_s);
+
 /// Whether a robot starts off its plan.
 bool StartsOff(const PlayOptions& options);
 

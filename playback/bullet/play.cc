@@ -101,6 +101,13 @@ class Interval {
   LogSample sample_;
 };
 
+/// A push, the body that it acts on, and whether it has begun to.
+struct PushToCome {
+  TimedPush push;
+  int body = 0;
+  bool began = false;
+};
+
 /// One playback from start to end.
 class Playback {
  public:
@@ -119,7 +126,7 @@ class Playback {
     input_.step_s = step_s_;
     input_.wrenches.resize(model.feet.size());
     for (const TimedPush& push : bullet::PushesOf(options))
-      pushes_.emplace_back(push, bullet::PushedBody(model, push.on));
+      pushes_.push_back({push, bullet::PushedBody(model, push.on)});
   }
 
   PlaybackLog Run() {
@@ -212,10 +219,13 @@ class Playback {
   }
 
   void Push(double time_s) {
-    for (const auto& [push, body] : pushes_) {
-      const double since_s = time_s - push.at_s;
-      if (since_s <= -0.5 * step_s_ || since_s >= push.for_s - 0.5 * step_s_) continue;
-      body == bullet::kWholeRobot ? world_.PushRobot(push.force_W) : world_.PushBody(body, push.force_W);
+    for (auto& [push, body, began] : pushes_) {
+      const double share = bullet::ShareOfStep(push, time_s, step_s_);
+      if (share == 0.0) continue;
+      if (!began && push.force_W.allFinite()) log_.pushes.push_back(push);
+      began = true;
+      const Vector3 force_W = share * push.force_W;
+      body == bullet::kWholeRobot ? world_.PushRobot(force_W) : world_.PushBody(body, force_W);
     }
   }
 
@@ -267,7 +277,7 @@ class Playback {
   bullet::StanceRecorder stances_;
   bullet::FallWatch fall_;
   Interval interval_;
-  std::vector<std::pair<TimedPush, int>> pushes_;  ///< with the body they act on
+  std::vector<PushToCome> pushes_;
   ControlInput input_;
   PlaybackLog log_;
 };

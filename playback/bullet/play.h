@@ -11,15 +11,6 @@
 
 namespace gaitwright {
 
-/// A force on the robot for a while.
-struct TimedPush {
-  Vector3 force_W = Vector3::Zero();  ///< [N]
-  double at_s = 0.0, for_s = 0.1;     ///< on the plan's clock
-  std::string on = "base";            ///< see PlayOptions::push_on
-
-  bool operator==(const TimedPush&) const = default;
-};
-
 /// How a plan is played.
 struct PlayOptions {
   WorldOptions world;

@@ -83,10 +83,11 @@ WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
 
 long StepsPerSample(const PlayOptions& options) {
   const double steps = 1.0 / (options.log_rate_hz * options.world.step_s);
-  if (std::abs(steps - std::round(steps)) > 1e-6 || steps < 0.5) {
+  constexpr double kRounded = 1e-4;  // of a step more or less in a sample, as in a rate of six digits
+  if (std::abs(steps - std::round(steps)) > kRounded * steps || steps < 0.5) {
     const double per_second = 1.0 / options.world.step_s, nearest = per_second / std::max(1.0, std::round(steps));
     throw InvalidArgument(
-        fmt::format("option 'log_rate_hz' is {} Hz, which does not divide the {} steps per second; "
+        fmt::format("option 'log_rate_hz' is {} Hz, which does not divide the {:.6g} steps per second; "
                     "the nearest that does is {:.6g}",
                     options.log_rate_hz, per_second, nearest));
   }

@@ -41,6 +41,12 @@ void CheckHead(const PlaybackLog& log) {
   for (const BodyContact& contact : log.body_contacts) CheckIn("body_contacts, time_s", contact.time_s, -kMost, kMost);
 }
 
+void CheckPush(const TimedPush& push) {
+  CheckIn("pushes, at_s", push.at_s, -kMost, kMost);
+  CheckIn("pushes, for_s", push.for_s, 0.0, kMost);
+  for (const double force : push.force_W) CheckIn("pushes, force_n", force, -kMost, kMost);
+}
+
 void CheckEstimate(const BaseEstimate& estimate, std::size_t k) {
   CheckRow("estimate", k, estimate.p_WB);
   CheckRow("estimate", k, estimate.R_WB.coeffs());
@@ -94,6 +100,7 @@ void CheckLog(const PlaybackLog& log) {
     throw InvalidArgument(fmt::format("'contact_wrenches' has {} feet; at most {} are accepted", feet, kMostFeet));
   for (std::size_t k = 0; k < log.samples.size(); ++k) CheckSample(log, k, feet);
   for (const StanceRecord& stance : log.stances) CheckStance(stance, feet);
+  for (const TimedPush& push : log.pushes) CheckPush(push);
 }
 
 }  // namespace gaitwright

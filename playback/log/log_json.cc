@@ -42,6 +42,13 @@ Json StancesJson(const std::vector<StanceRecord>& stances) {
   return list;
 }
 
+Json PushesJson(const std::vector<TimedPush>& pushes) {
+  Json list = Json::array();
+  for (const TimedPush& p : pushes)
+    list.push_back({{"at_s", p.at_s}, {"for_s", p.for_s}, {"force_n", ToJson(p.force_W)}, {"on", p.on}});
+  return list;
+}
+
 Json HeadJson(const PlaybackLog& log) {
   Json contacts = Json::array();
   for (const BodyContact& c : log.body_contacts) contacts.push_back({{"time_s", c.time_s}, {"link", c.link}});
@@ -63,6 +70,7 @@ Json HeadJson(const PlaybackLog& log) {
                {"saturated_s", ToJson(log.saturated_s)},
                {"stances", StancesJson(log.stances)},
                {"body_contacts", contacts}};
+  if (!log.pushes.empty()) head["pushes"] = PushesJson(log.pushes);
   if (!log.broke_off.empty()) head["broke_off"] = log.broke_off;
   return head;
 }
@@ -172,6 +180,17 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
   }
 }
 
+std::vector<TimedPush> ToPushes(const Json& list) {
+  std::vector<TimedPush> pushes;
+  for (const Json& push : list) {
+    const VectorX force_W = ToVector(push.at("force_n"));
+    if (force_W.size() != 3) throw InvalidArgument("'force_n' of a push needs three numbers");
+    pushes.push_back(
+        {force_W, push.at("at_s").get<double>(), push.at("for_s").get<double>(), push.at("on").get<std::string>()});
+  }
+  return pushes;
+}
+
 PlaybackLog ReadLog(const Json& j) {
   PlaybackLog log;
   log.program_version = j.at("program_version").get<std::string>();
@@ -190,6 +209,7 @@ PlaybackLog ReadLog(const Json& j) {
   for (const Json& c : j.at("body_contacts")) {
     log.body_contacts.push_back({c.at("time_s").get<double>(), c.at("link").get<std::string>()});
   }
+  if (j.contains("pushes")) log.pushes = ToPushes(j.at("pushes"));
   if (j.contains("broke_off")) log.broke_off = j.at("broke_off").get<std::string>();
   ReadSamples(j, log);
   CheckLog(log);

@@ -48,6 +48,15 @@ struct BodyContact {
   bool operator==(const BodyContact&) const = default;
 };
 
+/// A force on the robot for a while.
+struct TimedPush {
+  Vector3 force_W = Vector3::Zero();  ///< [N]
+  double at_s = 0.0, for_s = 0.1;     ///< on the plan's clock
+  std::string on = "base";            ///< see PlayOptions::push_on
+
+  bool operator==(const TimedPush&) const = default;
+};
+
 /// What happened in the simulator; measured only, never copied from the plan. A pure value.
 struct PlaybackLog {
   static constexpr int kSchema = 4;
@@ -59,6 +68,7 @@ struct PlaybackLog {
   std::vector<LogSample> samples;
   std::vector<StanceRecord> stances;       ///< sorted by touch-down
   std::vector<BodyContact> body_contacts;  ///< first contact of each link
+  std::vector<TimedPush> pushes;           ///< that began while it was played, in that order
   VectorX saturated_s;                     ///< time each independent joint spent at its effort limit [s]
   std::vector<std::pair<std::string, std::string>>
       options;            ///< every option of the playback, "play." before those of Play

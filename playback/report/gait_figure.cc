@@ -24,7 +24,7 @@ struct Window {
 Window WindowOf(const MotionPlan& plan, const GaitFigureOptions& options) {
   if (options.cycles < 1 || options.cycles > kMostCycles) {
     throw InvalidArgument(
-        fmt::format("GaitFigure: {} cycles were asked for; 1 to {} can be shown", options.cycles, kMostCycles));
+        fmt::format("{} cycles of the gait were asked for; 1 to {} can be shown", options.cycles, kMostCycles));
   }
   double first_step_s = plan.whole_body.start_s;
   for (const SwingTrajectory& swing : plan.swings) {
@@ -70,7 +70,8 @@ std::string GaitFigure(const RobotModel& model, const MotionPlan& plan, const Pl
       log == nullptr ? MakePlannedSeries(model, plan, kRateHz, {}) : MakeMotionSeries(model, plan, *log, {}), window);
   if (series.planned.size() < 2) {
     throw InvalidArgument(
-        fmt::format("GaitFigure: the motion has nothing between {} and {} s", window.from_s, window.to_s));
+        fmt::format("the figure is of {:.3f} to {:.3f} s, and the motion lasts from {:.3f} to {:.3f} s", window.from_s,
+                    window.to_s, plan.whole_body.start_s, plan.whole_body.end_s()));
   }
   SvgPlot above(SvgPlot::ToScale("From above", "x [m]", "y [m]"));
   DrawSupports(plan.schedule, series.measured.empty() ? series.planned : series.measured, above);

@@ -53,6 +53,13 @@ void Widen(double& lowest, double& highest, double share) {
   highest += room;
 }
 
+/// Whether so many points that are finite follow each other.
+bool HasRun(const std::vector<Vector2>& points, int length) {
+  int run = 0;
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Vector2& p) { return (run = p.allFinite() ? run + 1 : 0) >= length; });
+}
+
 }  // namespace
 
 Vector2 SvgPlot::Frame::Pixel(const Vector2& p) const {
@@ -87,7 +94,7 @@ void SvgPlot::Add(Shape shape, const std::string& label, bool in_scale) {
   }
   const bool known =
       std::any_of(legend_.begin(), legend_.end(), [&](const LegendEntry& e) { return e.label == label; });
-  if (!label.empty() && !known) {
+  if (!label.empty() && !known && HasRun(shape.points, shape.kind == Shape::Kind::kLine ? 2 : 1)) {
     legend_.push_back({label, shape});
     legend_.back().shape.points.clear();
   }
@@ -288,18 +295,21 @@ std::string SvgPlot::Draw(const Shape& shape, const Frame& f) const {
   return fmt::format("<path d=\"{}Z\" class=\"{} {}\"/>", PathOf(outline), ink, css);
 }
 
+/// Lines across end at the axes; a mark over an edge of them is whole where its middle is within.
+bool SvgPlot::IsUncut(const Shape& shape, const Frame& f) {
+  using Kind = Shape::Kind;
+  if (shape.kind == Kind::kAcrossX || shape.kind == Kind::kAcrossY) return true;
+  if (shape.kind != Kind::kDot && shape.kind != Kind::kCross) return false;
+  constexpr double kRounding = 0.05, kInk = 1.0;  // [px]
+  const Vector2 at = f.Pixel(shape.points[0]);
+  const double inside = std::min({at.x() - f.left, f.right - at.x(), at.y() - f.top, f.bottom - at.y()});
+  return inside >= -kRounding && inside <= shape.radius_px + kInk;
+}
+
 std::string SvgPlot::Svg(const Vector2& at) const {
   const Frame frame = MakeFrame();
-  std::string body;
-  for (const Shape& shape : shapes_) {
-    const bool across = shape.kind == Shape::Kind::kAcrossX || shape.kind == Shape::Kind::kAcrossY;
-    if (!across) body += Draw(shape, frame) + "\n";
-  }
-  std::string over;
-  for (const Shape& shape : shapes_) {
-    const bool across = shape.kind == Shape::Kind::kAcrossX || shape.kind == Shape::Kind::kAcrossY;
-    if (across) over += Draw(shape, frame) + "\n";
-  }
+  std::string body, over;
+  for (const Shape& shape : shapes_) (IsUncut(shape, frame) ? over : body) += Draw(shape, frame) + "\n";
   const double w = frame.right - frame.left, h = frame.bottom - frame.top;
   std::string svg = fmt::format(
       "<svg class=\"gw\" x=\"{2:.0f}\" y=\"{3:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "

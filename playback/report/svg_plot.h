@@ -33,7 +33,8 @@ class SvgPlot {
 
   explicit SvgPlot(Options options);
 
-  /// A line; a point that is not finite breaks it. The label, when there is one, goes to the legend once.
+  /// A line; a point that is not finite breaks it. The label, when there is one, goes to the legend once, here and
+  /// below, where there is something to be drawn.
   void Line(const std::vector<Vector2>& points, Ink ink, Stroke stroke, const std::string& label = "");
 
   /// The area between two lines over x. @throws InvalidArgument unless all have one length.
@@ -47,7 +48,7 @@ class SvgPlot {
   /// A bar in a row (see Options::rows), from x0 to x1; a planned one is tall and pale.
   void Bar(int row, double x0, double x1, Ink ink, Stroke stroke, const std::string& label = "");
 
-  /// A filled circle.
+  /// A filled circle; like a cross it is whole, and not cut at the axes, where its middle is within them.
   void Dot(const Vector2& at, Ink ink, double radius_px, const std::string& label = "");
   /// A small x.
   void Cross(const Vector2& at, Ink ink, const std::string& label = "");
@@ -99,6 +100,7 @@ class SvgPlot {
   int LegendLines(double available_px) const;  ///< 0 when it fits beside the title
   std::string Axes(const Frame& frame) const;
   std::string Draw(const Shape& shape, const Frame& frame) const;
+  static bool IsUncut(const Shape& shape, const Frame& frame);
   std::string DrawAcross(const Shape& shape, const Frame& frame) const;
   std::string Legend(const Frame& frame) const;
   std::string DrawEntry(const LegendEntry& entry, double x_px, double y_px) const;

@@ -84,8 +84,9 @@ std::string WorstTable(const RobustnessReport& report) {
   return Table("The worst trials", "<th class=\"n\">seed</th><th class=\"n\">until</th><th>cause</th><th>why</th>",
                rows) +
          (rows.empty() ? ""
-                       : "<p class=\"soft\">gaitwright play PLAN --disturbances FILE --seed SEED repeats one exactly, "
-                         "with a report of its own.</p>\n");
+                       : "<p class=\"soft\"><span class=\"key\">" + EscapedXml(report.subject.repeat) +
+                             "</span> repeats one exactly, "
+                             "with a report of its own.</p>\n");
 }
 
 std::string MetricTable(const RobustnessReport& report) {
@@ -103,13 +104,18 @@ std::string MetricTable(const RobustnessReport& report) {
                rows);
 }
 
-std::string Origin(const TrialSubject& subject) {
-  std::string html = "<h2>What made it</h2>\n";
-  html += fmt::format("<p class=\"soft\">Robot {} {}; plan {}, and all of its file {}; controller {}; seed {}.</p>\n",
-                      EscapedXml(subject.robot), EscapedXml(subject.robot_hash), EscapedXml(subject.plan_hash),
-                      EscapedXml(subject.whole_plan_hash), EscapedXml(subject.controller), subject.seed);
-  html += "<details open=\"open\"><summary>Disturbances</summary><pre>" + EscapedXml(subject.disturbances) +
-          "</pre></details>\n<details><summary>All options of the playback</summary><table><tbody>\n";
+/// What was tried, named as a preflight names it.
+std::string SubjectLine(const TrialSubject& subject) {
+  return fmt::format(
+      "<p class=\"soft\">Robot {}, robot hash {}; plan hash {}, that of its logs {}; controller {}; seed {}.</p>\n",
+      EscapedXml(subject.robot), EscapedXml(subject.robot_hash), EscapedXml(subject.whole_plan_hash),
+      EscapedXml(subject.plan_hash), EscapedXml(subject.controller), subject.seed);
+}
+
+std::string Conditions(const TrialSubject& subject) {
+  std::string html = "<h2>What it was played under</h2>\n<details open=\"open\"><summary>Disturbances</summary><pre>" +
+                     EscapedXml(subject.disturbances) +
+                     "</pre></details>\n<details><summary>All options of the playback</summary><table><tbody>\n";
   for (const auto& [key, value] : subject.options) html += "<tr>" + Cell(key) + Cell(value) + "</tr>\n";
   return html + "</tbody></table></details>\n";
 }
@@ -123,14 +129,14 @@ std::string TrialsPage(const RobustnessReport& report) {
       "content=\"width=device-width,initial-scale=1\"/><title>{0}</title>\n<style>{1}{2}</style></head>\n<body><main>\n"
       "<h1>{0}</h1>\n",
       title, PageStyle(), PlotStyle());
-  html += Cards(report);
+  html += SubjectLine(report.subject) + Cards(report);
   for (const Plot& plot : TrialPlots(report)) {
     html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
                         plot.name, plot.svg, EscapedXml(plot.caption));
   }
   html += TallyTable("Causes of falls", report.causes) +
           TallyTable("Gates broken without a fall", report.broken_gates) + SensitivityTable(report) +
-          WorstTable(report) + MetricTable(report) + Origin(report.subject);
+          WorstTable(report) + MetricTable(report) + Conditions(report.subject);
   return html + "</main></body></html>\n";
 }
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "playback/score/report_text.h"
 #include "playback/score/why_it_fell.h"
@@ -12,13 +14,26 @@
 namespace gaitwright {
 namespace {
 
-/// An option of the playback, see PlayOptions.
-double Option(const PlaybackLog& log, const std::string& key, double otherwise) {
-  for (const auto& [name, text] : log.options) {
-    if (name == "play." + key) return std::strtod(text.c_str(), nullptr);
+/// Options of a playback that are numbers.
+class Options {
+ public:
+  explicit Options(const PlaybackLog& log) : log_(log) {}
+
+  double At(const std::string& key, double otherwise = 0.0) const {
+    const std::string text = Text(key);
+    return text.empty() ? otherwise : std::strtod(text.c_str(), nullptr);
   }
-  return otherwise;
-}
+
+  std::string Text(const std::string& key) const {
+    for (const auto& [name, text] : log_.options) {
+      if (name == key) return text;
+    }
+    return "";
+  }
+
+ private:
+  const PlaybackLog& log_;
+};
 
 /// Where a push in W goes, in words.
 std::string PushWords(const Vector3& force) {
@@ -26,6 +41,103 @@ std::string PushWords(const Vector3& force) {
   Eigen::Index axis = 0;
   force.cwiseAbs().maxCoeff(&axis);
   return fmt::format("{:.4g} N {}", force.norm(), names[axis][force[axis] > 0.0]);
+}
+
+/// Something that the plan did not know, in words, and how large it is against what trials usually draw.
+struct Unforeseen {
+  std::string words;
+  double size = 0.0;
+};
+
+std::vector<Unforeseen> PushesBefore(const PlaybackLog& log, double before_s) {
+  constexpr std::size_t kMost = 2;
+  constexpr double kUsual = 0.1;  // of the weight
+  std::vector<Unforeseen> told;
+  for (const TimedPush& push : log.pushes) {
+    if (push.at_s >= before_s) continue;
+    if (told.size() == kMost) told.erase(told.begin());
+    told.push_back(
+        {fmt::format("a push of {} from {:.2f} s for {:.2f} s", PushWords(push.force_W), push.at_s, push.for_s),
+         push.force_W.norm() / std::max(kUsual * log.total_mass_kg * kGravity, 1e-9)});
+  }
+  return told;
+}
+
+std::vector<Unforeseen> OfTheGround(const Options& options) {
+  std::vector<Unforeseen> told;
+  const double slope = options.At("play.ground_slope_deg"), bumps = options.At("play.ground_bumps_m");
+  const double friction = options.At("play.friction");
+  if (slope != 0.0) told.push_back({fmt::format("a slope of {:.3g} degrees", slope), std::abs(slope) / 2.0});
+  if (bumps != 0.0) told.push_back({fmt::format("bumps of {:.3g} mm", 1e3 * bumps), bumps / 0.003});
+  if (friction > 0.0) told.push_back({fmt::format("a friction of {:.3g}", friction), 0.5 / friction});
+  return told;
+}
+
+/// Adds a factor that is not one.
+void AddFactor(const Options& options, const char* key, const char* what, std::vector<Unforeseen>& told) {
+  constexpr double kUsual = 0.1;
+  const double scale = options.At(key, 1.0);
+  if (scale != 1.0)
+    told.push_back({fmt::format("{:.3g} times {}", scale, what), std::abs(std::log(std::max(scale, 1e-9))) / kUsual});
+}
+
+std::vector<Unforeseen> OfTheBody(const Options& options) {
+  std::vector<Unforeseen> told;
+  AddFactor(options, "play.mass_scale", "the mass", told);
+  AddFactor(options, "play.inertia_scale", "the moments of inertia", told);
+  const double shift_m =
+      Vector3(options.At("play.com_shift_x_m"), options.At("play.com_shift_y_m"), options.At("play.com_shift_z_m"))
+          .norm();
+  if (shift_m != 0.0)
+    told.push_back({fmt::format("the base's centre of mass {:.3g} mm off", 1e3 * shift_m), shift_m / 0.01});
+  return told;
+}
+
+std::vector<Unforeseen> OfTheDrives(const Options& options) {
+  std::vector<Unforeseen> told;
+  const double late_s = options.At("command_delay_s"), friction = options.At("play.joint_friction_nm");
+  if (late_s != 0.0) told.push_back({fmt::format("commands late by {:.3g} ms", 1e3 * late_s), late_s / 0.004});
+  AddFactor(options, "play.motor_strength", "the motors' strength", told);
+  AddFactor(options, "play.torque_scale", "the motors' torque", told);
+  AddFactor(options, "gains.stiffness_scale", "the joints' stiffness", told);
+  AddFactor(options, "gains.damping_scale", "the joints' damping", told);
+  if (friction != 0.0) told.push_back({fmt::format("{:.3g} N m of friction more in each joint", friction), 1.0});
+  if (options.At("play.rotor_inertia_kg_m2") != 0.0) told.push_back({"rotors of more inertia", 1.0});
+  const std::string state = options.Text("state");
+  if (!state.empty() && state != "true") told.push_back({"the state as it is " + state, 1.0});
+  return told;
+}
+
+std::vector<Unforeseen> OfTheStart(const Options& options) {
+  const auto at = [&](const char* part) { return options.At(std::string("play.start_") + part); };
+  const double off_m = Vector3(at("x_m"), at("y_m"), at("z_m")).norm();
+  const double turned = Vector3(at("roll_rad"), at("pitch_rad"), at("yaw_rad")).norm();
+  std::vector<Unforeseen> told;
+  if (off_m != 0.0) told.push_back({fmt::format("a start {:.3g} mm off", 1e3 * off_m), off_m / 0.01});
+  if (turned != 0.0) told.push_back({fmt::format("a start turned by {:.3g} rad", turned), turned / 0.05});
+  return told;
+}
+
+std::vector<Unforeseen> AllUnforeseen(const PlaybackLog& log, double before_s) {
+  const Options options(log);
+  std::vector<Unforeseen> all = PushesBefore(log, before_s);
+  for (const auto& list : {OfTheGround(options), OfTheBody(options), OfTheDrives(options), OfTheStart(options)})
+    all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+/// The largest of them in their order, and how many more there are.
+std::string MostOf(const std::vector<Unforeseen>& all) {
+  constexpr std::size_t kMost = 5;
+  std::vector<double> sizes;
+  for (const Unforeseen& one : all) sizes.push_back(one.size);
+  std::sort(sizes.rbegin(), sizes.rend());
+  std::vector<std::string> words;
+  for (const Unforeseen& one : all) {
+    if (words.size() < kMost && (all.size() <= kMost || one.size >= sizes[kMost - 1])) words.push_back(one.words);
+  }
+  if (all.size() > words.size()) words.push_back(fmt::format("{} smaller disturbances", all.size() - words.size()));
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string First(const std::vector<FailureEvent>& events, std::size_t most) {
@@ -90,28 +202,11 @@ const char* WordsOf(FailureEvent::Kind kind) {
   return "";
 }
 
-std::string Joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 }  // namespace
 
-std::vector<std::string> DisturbancesOf(const PlaybackLog& log) {
+std::vector<std::string> DisturbancesOf(const PlaybackLog& log, double before_s) {
   std::vector<std::string> words;
-  const Vector3 push(Option(log, "push_force_x_n", 0.0), Option(log, "push_force_y_n", 0.0),
-                     Option(log, "push_force_z_n", 0.0));
-  if (push.norm() > 0.0) {
-    words.push_back(fmt::format("a push of {} from {:.2f} s for {:.2f} s", PushWords(push),
-                                Option(log, "push_at_s", 0.0), Option(log, "push_for_s", 0.0)));
-  }
-  const double slope = Option(log, "ground_slope_deg", 0.0), bumps = Option(log, "ground_bumps_m", 0.0);
-  const double mass = Option(log, "mass_scale", 1.0), friction = Option(log, "friction", 0.0);
-  if (slope != 0.0) words.push_back(fmt::format("a slope of {:.3g} degrees", slope));
-  if (bumps != 0.0) words.push_back(fmt::format("bumps of {:.3g} mm", 1e3 * bumps));
-  if (mass != 1.0) words.push_back(fmt::format("{:.3g} times the mass", mass));
-  if (friction > 0.0) words.push_back(fmt::format("a friction of {:.3g}", friction));
+  for (const Unforeseen& one : AllUnforeseen(log, before_s)) words.push_back(one.words);
   return words;
 }
 
@@ -119,7 +214,8 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) 
   const bool pass = std::all_of(metrics.begin(), metrics.end(), [](const Metric& m) { return m.pass; });
   if (pass) return Tightest(metrics);
   const std::vector<FailureEvent> events = FailureEvents(in);
-  const std::string under = Joined(DisturbancesOf(in.log));
+  const double before_s = in.fall.fell ? in.fall.time_s : std::numeric_limits<double>::infinity();
+  const std::string under = MostOf(AllUnforeseen(in.log, before_s));
   std::string text = under.empty() ? "" : "under " + under + " ";
   text += in.fall.fell ? fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what)
                        : "it did not fall, but " + BrokenGates(metrics);

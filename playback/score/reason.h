@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,11 @@
 
 namespace gaitwright {
 
-/// What a playback was put through that its plan did not know, in words, from the options in its log: "a push of 60 N
-/// to the left from 3.00 s for 0.10 s", "a slope of 2 degrees". Empty for a plain playback.
-std::vector<std::string> DisturbancesOf(const PlaybackLog& log);
+/// What a playback was put through that its plan did not know, in words, from its log: "a push of 60 N to the left from
+/// 3.00 s for 0.10 s", "a slope of 2 degrees". Pushes that began after a time are left out, and of those before it all
+/// but the last two. Empty for a plain playback.
+std::vector<std::string> DisturbancesOf(const PlaybackLog& log,
+                                        double before_s = std::numeric_limits<double>::infinity());
 
 /// The reason for the verdict in one plain sentence: for a fall what ended it and up to three events that came before,
 /// for a failure without a fall the gates that broke, for a pass the gate that is nearest to its limit.

@@ -118,4 +118,15 @@ StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const Pla
   return report;
 }
 
+StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log) {
+  ScoreOptions options;
+  OptionFields fields = Prefixed("score", options.Fields());
+  for (const auto& [key, text] : log.options) {
+    const bool known =
+        std::any_of(fields.begin(), fields.end(), [&key = key](const OptionField& f) { return f.key == key; });
+    if (known) SetOption(fields, key, text);
+  }
+  return Score(model, plan, log, options);
+}
+
 }  // namespace gaitwright

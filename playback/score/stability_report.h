@@ -35,6 +35,9 @@ struct StabilityReport {
 /// @throws InvalidArgument when the options are out of range, the plan has no rows, the log no samples, or either does
 /// not fit the robot.
 StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,
-                      const ScoreOptions& options = {});
+                      const ScoreOptions& options);
+
+/// The same as it was scored when it was played: with the log's own options, so far as it has any.
+StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log);
 
 }  // namespace gaitwright

@@ -44,6 +44,10 @@ Distribution Distribution::Uniform(double lowest, double highest) {
 
 Distribution Distribution::Normal(double mean, double std, double lowest, double highest) {
   if (!(std > 0.0)) throw InvalidArgument(fmt::format("a normal distribution with std {}; over zero is needed", std));
+  if (!(lowest < highest)) {
+    throw InvalidArgument(
+        fmt::format("a normal distribution from {} to {}; the second must be over the first", lowest, highest));
+  }
   const double share = BellBelow((highest - mean) / std) - BellBelow((lowest - mean) / std);
   if (!(share >= kLeastOfBell)) {
     throw InvalidArgument(

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "planning/plan/sample_plan.h"
+#include "playback/sensing/sensor_options.h"
 
 namespace gaitwright {
 namespace {
@@ -17,12 +18,14 @@ constexpr double kRadian = std::numbers::pi / 180.0;
 
 std::vector<DisturbanceRule> BodyAndGround() {
   return {
-      {"mass_scale", "play.mass_scale", "1", 0.1, 10.0, "factor on all masses, and inertias with them"},
-      {"inertia_scale", "play.inertia_scale", "1", 0.1, 10.0, "factor on all moments of inertia besides"},
+      {"mass_scale", "play.mass_scale", "1", 0.1, 10.0, "factor on all masses, and inertias with them",
+       DisturbanceEffect::kFactor},
+      {"inertia_scale", "play.inertia_scale", "1", 0.1, 10.0, "factor on all moments of inertia besides",
+       DisturbanceEffect::kFactor},
       {"com_shift_m", "", "m", 0.0, 1.0, "the base's own centre of mass is moved this far, in any direction"},
-      {"com_shift_x_m", "play.com_shift_x_m", "m", -1.0, 1.0, "it is moved ahead"},
-      {"com_shift_y_m", "play.com_shift_y_m", "m", -1.0, 1.0, "it is moved to the left"},
-      {"com_shift_z_m", "play.com_shift_z_m", "m", -1.0, 1.0, "it is moved up"},
+      {"com_shift_x_m", "play.com_shift_x_m", "m", -1.0, 1.0, "it is moved ahead", DisturbanceEffect::kOffset},
+      {"com_shift_y_m", "play.com_shift_y_m", "m", -1.0, 1.0, "it is moved to the left", DisturbanceEffect::kOffset},
+      {"com_shift_z_m", "play.com_shift_z_m", "m", -1.0, 1.0, "it is moved up", DisturbanceEffect::kOffset},
       {"friction", "play.friction", "1", 0.01, 10.0, "coefficient of all ground"},
       {"ground_slope_deg", "play.ground_slope_deg", "deg", -45.0, 45.0, "the ground is inclined by this"},
       {"ground_slope_direction_deg", "play.ground_slope_direction_deg", "deg", -360.0, 360.0,
@@ -35,21 +38,28 @@ std::vector<DisturbanceRule> BodyAndGround() {
 
 std::vector<DisturbanceRule> MotorsAndStart() {
   return {
-      {"latency_s", "command_delay_s", "s", 0.0, 0.1, "commands take effect this late, to the nearest time step"},
+      {"latency_s", "command_delay_s", "s", 0.0, 0.1, "commands take effect this late, to the nearest time step",
+       DisturbanceEffect::kOffset},
       {"sensor_noise_scale", "", "1", 0.0, 100.0, "factor on noise, biases and their walk of all sensors that are set"},
-      {"motor_strength", "play.motor_strength", "1", 0.01, 10.0, "factor on the effort limits of all joints"},
-      {"torque_scale", "play.torque_scale", "1", 0.01, 2.0, "share of each motor's torque that reaches its joint"},
-      {"joint_friction_nm", "play.joint_friction_nm", "N m", 0.0, 1000.0, "dry friction added to every joint"},
+      {"motor_strength", "play.motor_strength", "1", 0.01, 10.0, "factor on the effort limits of all joints",
+       DisturbanceEffect::kFactor},
+      {"torque_scale", "play.torque_scale", "1", 0.01, 2.0, "share of each motor's torque that reaches its joint",
+       DisturbanceEffect::kFactor},
+      {"joint_friction_nm", "play.joint_friction_nm", "N m", 0.0, 1000.0, "dry friction added to every joint",
+       DisturbanceEffect::kOffset},
       {"rotor_inertia_kg_m2", "play.rotor_inertia_kg_m2", "kg m^2", 0.0, 100.0,
-       "rotor inertia added to every motor as felt at its joint"},
-      {"stiffness_scale", "gains.stiffness_scale", "1", 0.0, 100.0, "factor on the stiffness of all joints"},
-      {"damping_scale", "gains.damping_scale", "1", 0.0, 100.0, "factor on the damping of all joints"},
-      {"start.x_m", "play.start_x_m", "m", -10.0, 10.0, "the base starts off the plan's pose: along x of W"},
-      {"start.y_m", "play.start_y_m", "m", -10.0, 10.0, "along y of W"},
-      {"start.z_m", "play.start_z_m", "m", -10.0, 10.0, "upward"},
-      {"start.roll_rad", "play.start_roll_rad", "rad", -3.2, 3.2, "about the base's x"},
-      {"start.pitch_rad", "play.start_pitch_rad", "rad", -3.2, 3.2, "about the base's y"},
-      {"start.yaw_rad", "play.start_yaw_rad", "rad", -3.2, 3.2, "about z of W"},
+       "rotor inertia added to every motor as felt at its joint", DisturbanceEffect::kOffset},
+      {"stiffness_scale", "gains.stiffness_scale", "1", 0.0, 100.0, "factor on the stiffness of all joints",
+       DisturbanceEffect::kFactor},
+      {"damping_scale", "gains.damping_scale", "1", 0.0, 100.0, "factor on the damping of all joints",
+       DisturbanceEffect::kFactor},
+      {"start.x_m", "play.start_x_m", "m", -10.0, 10.0, "the base starts off the plan's pose: along x of W",
+       DisturbanceEffect::kOffset},
+      {"start.y_m", "play.start_y_m", "m", -10.0, 10.0, "along y of W", DisturbanceEffect::kOffset},
+      {"start.z_m", "play.start_z_m", "m", -10.0, 10.0, "upward", DisturbanceEffect::kOffset},
+      {"start.roll_rad", "play.start_roll_rad", "rad", -3.2, 3.2, "about the base's x", DisturbanceEffect::kOffset},
+      {"start.pitch_rad", "play.start_pitch_rad", "rad", -3.2, 3.2, "about the base's y", DisturbanceEffect::kOffset},
+      {"start.yaw_rad", "play.start_yaw_rad", "rad", -3.2, 3.2, "about z of W", DisturbanceEffect::kOffset},
       {"start.joints_rad", "", "rad", -3.2, 3.2, "each joint by a number of its own (of a sliding one metres)"},
   };
 }
@@ -62,6 +72,14 @@ Distribution OfPush(const DisturbedPush& push, const std::string& key, const Dis
 
 bool Has(const DisturbedPush& push, const std::string& key) {
   return std::any_of(push.begin(), push.end(), [&](const Disturbance& d) { return d.key == key; });
+}
+
+std::string UnitOfSensor(const std::string& key) {
+  SensorOptions sensors;
+  for (const OptionField& field : Prefixed("sensors", sensors.Fields())) {
+    if (field.key == key) return field.unit;
+  }
+  return "";
 }
 
 /// Draws one trial, or has everything at one end.
@@ -80,11 +98,13 @@ class Sampler {
     const auto rule = std::find_if(DisturbanceRules().begin(), DisturbanceRules().end(),
                                    [&](const DisturbanceRule& r) { return r.key == figure.key; });
     const bool of_sensor = rule == DisturbanceRules().end();
-    Record(figure.key, of_sensor ? "" : rule->unit, value);
+    Record(figure.key, of_sensor ? UnitOfSensor(figure.key) : rule->unit, value);
     if (figure.key == "sensor_noise_scale") {
       trial_.sensor_noise_scale = value;
+    } else if (of_sensor) {
+      trial_.options.push_back({figure.key, value});
     } else {
-      trial_.options.emplace_back(of_sensor ? figure.key : rule->option, value);
+      trial_.options.push_back({rule->option, value, rule->effect});
     }
   }
 
@@ -160,7 +180,7 @@ class Sampler {
     const char* names[] = {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"};
     for (int axis = 0; axis < 3; ++axis) {
       Record(names[axis], "m", shift[axis]);
-      trial_.options.emplace_back(std::string("play.") + names[axis], shift[axis]);
+      trial_.options.push_back({std::string("play.") + names[axis], shift[axis], DisturbanceEffect::kOffset});
     }
   }
 
@@ -247,6 +267,19 @@ const std::vector<DisturbanceRule>& PushRules() {
       {"duration_s", "", "s", 0.0, 100.0, "how long it lasts; 0.1 s where it is not said"},
   };
   return rules;
+}
+
+std::vector<std::string> DrawnInPlaceOf(const Disturbances& disturbances, const std::vector<std::string>& options) {
+  std::vector<std::string> keys;
+  for (const Disturbance& figure : disturbances.figures) {
+    const auto rule = std::find_if(DisturbanceRules().begin(), DisturbanceRules().end(),
+                                   [&](const DisturbanceRule& r) { return r.key == figure.key; });
+    const bool of_sensor = rule == DisturbanceRules().end();
+    if (!of_sensor && rule->effect != DisturbanceEffect::kValue) continue;
+    const std::string& option = of_sensor ? figure.key : rule->option;
+    if (std::find(options.begin(), options.end(), option) != options.end()) keys.push_back(figure.key);
+  }
+  return keys;
 }
 
 SampledTrial SampleTrial(const Disturbances& disturbances, const RobotModel& model, const MotionPlan& plan,

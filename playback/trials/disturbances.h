@@ -15,6 +15,13 @@
 
 namespace gaitwright {
 
+/// How what is drawn goes together with the value that its option has besides.
+enum class DisturbanceEffect {
+  kFactor,  ///< multiplies it
+  kOffset,  ///< is added to it
+  kValue,   ///< takes its place: then only one of them may be said
+};
+
 /// A figure that may be disturbed: what its key means and what values it may take.
 struct DisturbanceRule {
   std::string key;     ///< ends in its SI unit; start.*, sensors.* and of pushes their own part of it
@@ -22,6 +29,7 @@ struct DisturbanceRule {
   std::string unit;
   double lowest = 0.0, highest = 0.0;
   std::string meaning;
+  DisturbanceEffect effect = DisturbanceEffect::kValue;
 };
 
 /// Every figure but those of pushes and of sensors, in the order in which they are written.
@@ -63,6 +71,9 @@ Result<Disturbances> LoadDisturbances(const std::string& path, const OptionField
 /// As YAML that ReadDisturbances reads to the same. The same disturbances give the same bytes.
 std::string DisturbancesText(const Disturbances& disturbances);
 
+/// The keys of the figures that are drawn in place of one of these options of the playback.
+std::vector<std::string> DrawnInPlaceOf(const Disturbances& disturbances, const std::vector<std::string>& options);
+
 /// What trials sample when nobody says: the robot's uncertainties and pushes, scaled to its legs and its weight.
 ///   mass, inertia, gains within 10 %, motors down to 90 %, centre of mass of the base within 3 % of the leg's length,
 ///   friction 0.5 to 1.0, slope to 2 degrees any way, bumps to 1 % of the leg's length, commands late by up to 4 ms,
@@ -80,12 +91,21 @@ struct SampledValue {
   bool operator==(const SampledValue&) const = default;
 };
 
+/// A drawn value and the option of the playback that it goes into.
+struct DrawnOption {
+  std::string key;
+  double value = 0.0;
+  DisturbanceEffect effect = DisturbanceEffect::kValue;
+
+  bool operator==(const DrawnOption&) const = default;
+};
+
 /// What one trial is put through.
 struct SampledTrial {
   std::uint64_t seed = 0;
-  std::vector<SampledValue> values;                     ///< all that was drawn, for the record
-  std::vector<std::pair<std::string, double>> options;  ///< of the playback, that are set to what was drawn
-  double sensor_noise_scale = 1.0;                      ///< on noise, bias and walk of the sensors that are set
+  std::vector<SampledValue> values;  ///< all that was drawn, for the record
+  std::vector<DrawnOption> options;
+  double sensor_noise_scale = 1.0;  ///< on noise, bias and walk of the sensors that are set
   std::vector<TimedPush> pushes;
   VectorX start_joints;  ///< see PlayOptions; empty where no joint is moved
   int noise_seed = 0;    ///< of bumps and of sensors

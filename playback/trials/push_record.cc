@@ -48,12 +48,16 @@ std::optional<double> PushRecord::direction_deg() const {
   return std::atan2(left_n, ahead_n) * 180.0 / std::numbers::pi;
 }
 
-std::vector<PushRecord> PushesOf(const TrialOutcome& outcome) {
+std::vector<PushRecord> PushesOf(const TrialOutcome& outcome, std::optional<double> other_s) {
   std::vector<PushRecord> pushes = SampledPushes(outcome);
   std::erase_if(pushes, [&](const PushRecord& p) { return p.at_s > outcome.ended_s || p.size_n() == 0.0; });
   for (std::size_t i = 0; i < pushes.size(); ++i) {
-    const bool last = i + 1 == pushes.size();
-    const double until_s = last ? outcome.ended_s : pushes[i + 1].at_s;
+    double until_s = i + 1 < pushes.size() ? pushes[i + 1].at_s : outcome.ended_s;
+    bool last = i + 1 == pushes.size();
+    if (other_s && *other_s >= pushes[i].at_s && *other_s < until_s) {
+      until_s = *other_s;
+      last = false;
+    }
     pushes[i].outcome = Judged(pushes[i], until_s, last, outcome.survived);
   }
   return pushes;

@@ -43,8 +43,9 @@ struct PushBin {
   bool operator==(const PushBin&) const = default;
 };
 
-/// The pushes of a trial in the order of their beginning; those without force, or after a fall, are left out.
-std::vector<PushRecord> PushesOf(const TrialOutcome& outcome);
+/// The sampled pushes of a trial in the order of their beginning; those without force, or after a fall, are left out.
+/// @param other_s  when a push that was not sampled begins, the same in each trial: what comes after it is its.
+std::vector<PushRecord> PushesOf(const TrialOutcome& outcome, std::optional<double> other_s = std::nullopt);
 
 /// Pushes by eight directions, the first ahead; empty where nothing pushes.
 std::vector<PushBin> PushBins(const std::vector<PushRecord>& pushes);

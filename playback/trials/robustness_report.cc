@@ -129,7 +129,7 @@ RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutc
   for (const TrialOutcome& outcome : report.outcomes) fell.push_back(outcome.survived ? 0 : 1);
   report.sensitivity = RankDisturbances(ColumnsOf(report.outcomes), fell);
   for (const TrialOutcome& outcome : report.outcomes) {
-    for (const PushRecord& push : PushesOf(outcome)) report.pushes.push_back(push);
+    for (const PushRecord& push : PushesOf(outcome, report.subject.own_push_s)) report.pushes.push_back(push);
   }
   report.push_bins = PushBins(report.pushes);
   report.gait_sensitivity = GaitSensitivityOf(subject, report.outcomes);

@@ -45,6 +45,8 @@ struct TrialSubject {
   std::vector<std::pair<std::string, double>> limits;  ///< of metrics that have a gate, by key
   std::uint64_t seed = 0;                              ///< of the run
   GaitScale gait_scale;                                ///< of robot and plan
+  std::optional<double> own_push_s = {};               ///< when the push of the options begins, in each trial
+  std::string repeat = {};                             ///< the command that repeats one, with PLAN and SEED in it
 
   bool operator==(const TrialSubject&) const = default;
 };

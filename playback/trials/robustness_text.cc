@@ -131,7 +131,7 @@ std::string SensitivityLines(const RobustnessReport& report) {
   std::string text = "\nwhat falls go with (effect 0 to 1, p-value; small p: surely)\n";
   for (std::size_t i = 0; i < std::min(kMostTold, report.sensitivity.size()); ++i) {
     const Sensitivity& s = report.sensitivity[i];
-    text += fmt::format("  {:<28}{:<10} effect {:.2f}  p {:.2g}", s.name, s.how, s.effect, s.p);
+    text += fmt::format("  {:<36} {:<10} effect {:.2f}  p {:.2g}", s.name, s.how, s.effect, s.p);
     if (!s.how.starts_with("is")) {
       text +=
           fmt::format("  median {:.4g} where it fell, {:.4g} where not [{}]", s.median_fell, s.median_survived, s.unit);
@@ -208,6 +208,7 @@ std::string RobustnessJson(const RobustnessReport& report) {
                      {"seed", report.subject.seed},
                      {"disturbances", report.subject.disturbances},
                      {"options", options},
+                     {"repeat", report.subject.repeat},
                      {"trials", TrialsJson(report)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -220,7 +221,7 @@ std::string RobustnessText(const RobustnessReport& report) {
   if (!report.broken_gates.empty()) text += "\ngates broken without a fall\n";
   for (const Tally& tally : report.broken_gates) text += fmt::format("  {:>4}  {}\n", tally.count, tally.what);
   text += GaitSensitivityLine(report.gait_sensitivity) + SensitivityLines(report) + PushLines(report);
-  if (!report.worst.empty()) text += "\nthe worst (repeat one with --seed)\n";
+  if (!report.worst.empty()) text += fmt::format("\nthe worst; {} repeats one exactly\n", report.subject.repeat);
   for (const int number : report.worst) {
     const TrialOutcome& o = report.Outcome(number);
     text += fmt::format("  seed {:>10}  {} {:>6.2f} s  {}\n", o.seed, o.survived ? "failed" : "fell at", o.ended_s,

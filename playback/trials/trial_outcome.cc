@@ -24,12 +24,23 @@ Json SampledJson(const std::vector<SampledValue>& sampled) {
   return list;
 }
 
+/// @throws InvalidArgument for a figure that no trial has.
+double In(const char* what, double value, double lowest, double highest) {
+  if (value >= lowest && value <= highest) return value;
+  throw InvalidArgument(
+      fmt::format("a line is no outcome of a trial: its {} is {}; accepted: {} to {}", what, value, lowest, highest));
+}
+
+constexpr double kMost = 1e30;   // of any figure, in its unit
+constexpr double kLatest = 1e7;  // on a plan's clock [s]
+constexpr double kMostTrials = 1e9;
+
 std::vector<SampledValue> SampledFrom(const Json& list) {
   std::vector<SampledValue> sampled;
   for (const Json& one : list) {
     SampledValue value{one.at(0).get<std::string>(), one.at(1).get<std::string>()};
     one.at(2).is_string() ? void(value.word = one.at(2).get<std::string>())
-                          : void(value.value = one.at(2).get<double>());
+                          : void(value.value = In("drawn value", one.at(2).get<double>(), -kMost, kMost));
     sampled.push_back(std::move(value));
   }
   return sampled;
@@ -48,7 +59,7 @@ Json StepsJson(const std::vector<GaitStep>& steps) {
 std::vector<GaitStep> StepsFrom(const Json& list) {
   std::vector<GaitStep> steps;
   for (const Json& one : list) {
-    const auto number = [&](std::size_t i) { return one.at(i).get<double>(); };
+    const auto number = [&](std::size_t i) { return In("step", one.at(i).get<double>(), -kMost, kMost); };
     steps.push_back({number(0), number(1), number(2), one.size() > 3, 0.0, 0.0, 0.0});
     GaitStep& step = steps.back();
     if (!step.landed) continue;
@@ -114,20 +125,23 @@ TrialOutcome OutcomeFromLine(const std::string& line) {
   try {
     const Json j = Json::parse(line);
     TrialOutcome o;
-    o.number = j.at("number").get<int>();
+    o.number = static_cast<int>(In("number", j.at("number").get<double>(), 0.0, kMostTrials - 1.0));
     o.seed = j.at("seed").get<std::uint64_t>();
     o.survived = j.at("survived").get<bool>();
     o.passed = j.at("passed").get<bool>();
-    o.score = j.at("score").get<double>();
-    o.ended_s = j.at("ended_s").get<double>();
+    if (o.passed && !o.survived)
+      throw InvalidArgument("a line is no outcome of a trial: it passed, and did not survive");
+    o.score = In("score", j.at("score").get<double>(), 0.0, 100.0);
+    o.ended_s = In("end", j.at("ended_s").get<double>(), -kLatest, kLatest);
     o.cause = j.at("cause").get<std::string>();
     o.reason = j.at("reason").get<std::string>();
     o.log_hash = j.at("log_hash").get<std::string>();
     o.sampled = SampledFrom(j.at("sampled"));
     for (const Json& metric : j.at("metrics")) {
       const Json& value = metric.at(1);
-      o.metrics.emplace_back(metric.at(0).get<std::string>(),
-                             value.is_null() ? std::nullopt : std::optional<double>(value.get<double>()));
+      o.metrics.emplace_back(
+          metric.at(0).get<std::string>(),
+          value.is_null() ? std::nullopt : std::optional<double>(In("metric", value.get<double>(), -kMost, kMost)));
     }
     o.broken_gates = j.at("broken_gates").get<std::vector<std::string>>();
     o.steps = StepsFrom(j.at("steps"));

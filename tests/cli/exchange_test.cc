@@ -145,6 +145,25 @@ TEST_F(Exchange, TrajectoriesComeBackFromBothLanguages) {
   ExpectRefused(Run({"import", "broken.json", "--robot", "a1"}), 1, {"broken.json", "its JSON is cut short"});
 }
 
+TEST_F(Exchange, AJointTrajectoryIsComparedAsItIs) {
+  for (const char* language : {"yaml", "json"}) {
+    SCOPED_TRACE(language);
+    const std::string file = std::string("trajectory.") + language,
+                      format = std::string("joint-trajectory-") + language;
+    ASSERT_EQ(Run({"export", "out/plan.json", "--format", format, "--out", file, "--quiet"}).status, 0);
+    const Ran ran = Run({"compare", "out/plan.json", file, "--time-unit", "s", "--require-same", "--json"});
+    ASSERT_EQ(ran.status, 0) << ran.out.substr(0, 600) << ran.err;
+    EXPECT_EQ(ran.json().at("b").at("kind"), "trajectory");
+    EXPECT_NEAR(ran.json().at("alignment").at("offset_s").get<double>(), 0.0, 1e-3);
+    EXPECT_EQ(ran.json().at("joints").size(), 12U);
+    EXPECT_EQ(Run({"compare", file, "slow.json", "--quiet"}).out, "different\n");
+    ExpectRefused(Run({"compare", file, file}), 1, {"does not say whose motion it is", "--robot NAME"});
+  }
+  Write("steps.yaml", "swing_s: 0.4\nfootsteps:\n- {foot: FL_foot, x_m: 0.22, y_m: 0.13}\n");
+  ExpectRefused(Run({"compare", "out/plan.json", "steps.yaml"}), 1,
+                {"'steps.yaml' is no joint trajectory", "'import' makes a plan of footsteps"});
+}
+
 TEST_F(Exchange, ComparesReports) {
   Write("one.json", Run({"play", "out/plan.json", "--json"}).out);
   Write("two.json", Run({"play", "out/plan.json", "--json", "--mass-scale", "1.1"}).out);
@@ -159,9 +178,11 @@ TEST_F(Exchange, ComparesReports) {
 TEST_F(Exchange, CompareRefusesWhatDoesNotBelongTogether) {
   Write("report.json", Run({"play", "out/plan.json", "--json"}).out);
   Write("empty.json", "{}");
+  Write("trials.json", R"({"n": 2, "survived": 2, "survival": 1.0})");
   Write("part.csv", "time_s,q_FL_hip_joint_rad\n0,1\n");
   ExpectRefused(Run({"compare", "report.json", "out/plan.json"}), 1, {"report.json", "a plan", "with a report"});
   ExpectRefused(Run({"compare", "empty.json", "out/plan.json"}), 1, {"empty.json", "no plan, log or report"});
+  ExpectRefused(Run({"compare", "trials.json", "out/plan.json"}), 1, {"trials.json", "a result of trials"});
   ExpectRefused(Run({"compare", "out/log.json", "out/log.json"}), 1, {"a log of robot 'a1'", "--plan FILE"});
   ExpectRefused(Run({"compare", "part.csv", "part.csv"}), 1, {"does not say whose motion", "--robot NAME"});
   ExpectRefused(Run({"compare", "out/plan.json", "part.csv"}), 1, {"part.csv", "_joint"});

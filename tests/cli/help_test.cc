@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The help is a promise: every example in it works, and every flag says what it takes.
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "tests/cli/stranger.h"
@@ -136,6 +138,21 @@ TEST_F(Help, EveryOptionOfTheListCanBeSetToItsDefault) {
     EXPECT_TRUE(without == (verb == "plan" ? Read("plan.json") : ran.out)) << "the defaults change nothing";
   }
   EXPECT_NE(Run({"walk", "--list-options"}).out.find("swing.height_m = 0 m  (0 to 1)"), std::string::npos);
+}
+
+TEST_F(Help, TheReadmeNamesTheVerbsThatListTheirOptions) {
+  std::ifstream file(std::string(GAITWRIGHT_SOURCE_DIR) + "/README.md");
+  const std::string readme(std::istreambuf_iterator<char>(file), {});
+  const std::size_t begin = readme.find("have such options (");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string named = readme.substr(begin, readme.find(')', begin) - begin);
+  for (const auto& verb : kVerbs) {
+    std::string name;
+    for (const std::string& word : verb) name += (name.empty() ? "`" : " ") + word;
+    std::vector<std::string> arguments = verb;
+    arguments.push_back("--list-options");
+    EXPECT_EQ(named.find(name + "`") != std::string::npos, Run(arguments).status == 0) << name;
+  }
 }
 
 TEST_F(Help, VersionIsANumber) {

@@ -47,6 +47,33 @@ TEST_F(Import, MakesAPlanThatAuditAndPlayTake) {
   EXPECT_EQ(Run({"import", "motion.csv", "--quiet"}).out, "pass\n");
 }
 
+TEST_F(Import, AMotionThatWasExportedAtAnyRatePassesAgain) {
+  ASSERT_EQ(Run({"plan", "--robot", "a1", "--distance", "0.4", "--out", "plan.json", "--quiet"}).status, 0);
+  for (const char* rate_hz : {"300", "500", "1000"}) {  // of which the first two do not meet its end
+    SCOPED_TRACE(rate_hz);
+    ASSERT_EQ(Run({"export", "plan.json", "--rate-hz", rate_hz, "--out", "motion.csv", "--quiet"}).status, 0);
+    const Ran ran = Run({"import", "motion.csv", "--out", "again.json", "--json"});
+    EXPECT_EQ(ran.status, 0) << ran.out.substr(0, 2000) << ran.err;
+    for (const Json& part : ran.json().at("derived")) EXPECT_NE(part.at("what"), "rows") << part;
+    EXPECT_EQ(Run({"audit", "again.json", "--quiet"}).out, "pass\n");
+  }
+}
+
+TEST_F(Import, LeavesAPlanThatLiesThereAlone) {
+  Motion();
+  const std::string plan = Read("plan.json");
+  EXPECT_EQ(Run({"import", "motion.csv", "--quiet"}).out, "pass\n");
+  EXPECT_TRUE(Read("plan.json") == plan);
+  EXPECT_TRUE(std::filesystem::is_regular_file(In("imported.json")));
+}
+
+TEST_F(Import, TellsAPlanOfItsOwnAndAFolder) {
+  MakePlan("plan.json");
+  ExpectRefused(Run({"import", "plan.json"}), 1, {"'plan.json': is a plan of this program", "'audit', 'play'"});
+  ExpectRefused(Run({"import", "."}), 1, {"'.': is a folder"});
+  EXPECT_EQ(Found(), std::vector<std::string>{"plan.json"});
+}
+
 TEST_F(Import, RefusesWithTheReasonAndWritesNothing) {
   const std::string motion = Motion();
   Write("names.csv", With(motion, "q_FL_hip_joint_rad", "q_FL_hop_joint_rad"));

@@ -31,17 +31,17 @@ class BeforeHardware : public Stranger {
   }
   Json Trials(int survived) const {
     // Wilson's interval of 95 %.
-    const double z2 = 3.8414588, p = 0.1 * survived;
-    const double middle = (p + z2 / 20.0) / (1.0 + z2 / 10.0);
-    const double half = std::sqrt(z2 * (p * (1.0 - p) / 10.0 + z2 / 400.0)) / (1.0 + z2 / 10.0);
+    const double n = 100.0, z2 = 3.8414588, p = survived / n;
+    const double middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
+    const double half = std::sqrt(z2 * (p * (1.0 - p) / n + z2 / (4.0 * n * n))) / (1.0 + z2 / n);
     const Json page = Run({"audit", "plan.json", "--preflight", "--json"}).json();
-    return {{"n", 10},
+    return {{"n", 100},
             {"survived", survived},
             {"passed", survived},
-            {"survival", 0.1 * survived},
+            {"survival", p},
             {"survival_low", middle - half},
             {"survival_high", std::min(1.0, middle + half)},
-            {"causes", {{"tipped over", 10 - survived}}},
+            {"causes", {{"tipped over", 100 - survived}}},
             {"worst", {{{"seed", 3}}}},
             {"options", {{"state", "true"}, {"command_delay_s", "0"}}},
             {"plan_hash", page.at("plan_hash")},
@@ -93,6 +93,28 @@ TEST_F(BeforeHardware, AJumpIsNamedAndAWayThereIsPlanned) {
   EXPECT_EQ(way.json().at("verdict"), "pass");
 }
 
+TEST_F(BeforeHardware, ThatARobotHangsIsSaidWhereverItsWayIsLookedAt) {
+  Measure("off.yaml", Knee(), -0.3);
+  EXPECT_EQ(Run({"audit", "plan.json", "--start-posture", "off.yaml", "--approach", "way.json", "--quiet"}).status, 3);
+  const std::string warning = "robot 'a1' hangs: its base is taken to be held in the air";
+  const Ran audit = Run({"audit", "way.json"});
+  EXPECT_EQ(audit.status, 0) << audit.err;
+  EXPECT_NE(audit.out.find("\nwarning: " + warning), std::string::npos) << audit.out;
+  const std::size_t note = audit.out.find("\nnote: from 0 to ");
+  ASSERT_NE(note, std::string::npos) << audit.out;
+  EXPECT_NE(audit.out.find("the base is held from outside", note), std::string::npos) << audit.out;
+  EXPECT_EQ(Run({"audit", "way.json", "--quiet"}).out, "pass\n");
+  const Ran played = Run({"play", "way.json"});
+  EXPECT_EQ(played.status, 3) << "nobody holds it in physics";
+  EXPECT_NE(played.out.find("\nwarning: " + warning), std::string::npos) << played.out;
+  for (const char* verb : {"audit", "play"}) {
+    const Json warnings = Run({verb, "way.json", "--json"}).json().at("warnings");
+    ASSERT_EQ(warnings.size(), 1U) << verb;
+    EXPECT_TRUE(warnings.at(0).get<std::string>().starts_with(warning)) << warnings;
+    EXPECT_EQ(Run({verb, "plan.json", "--json"}).json().at("warnings"), Json::array()) << verb;
+  }
+}
+
 TEST_F(BeforeHardware, WrongFilesAreRefusedAndNothingIsWritten) {
   Measure("off.yaml", Knee(), -9.0);
   ExpectRefused(Run({"audit", "plan.json", "--start-posture", "off.yaml"}), 1, {"'off.yaml'", Knee(), "limits of"});
@@ -112,18 +134,18 @@ TEST_F(BeforeHardware, ThePageIsAGoOrANoGo) {
   EXPECT_NE(alone.out.find("PREFLIGHT: GO"), std::string::npos);
   EXPECT_NE(alone.out.find("no trials"), std::string::npos);
   EXPECT_NE(Read("page.html").find("signature"), std::string::npos);
-  Write("good.json", Trials(10).dump());
-  Write("bad.json", Trials(5).dump());
+  Write("good.json", Trials(100).dump());
+  Write("bad.json", Trials(50).dump());
   EXPECT_EQ(Run({"audit", "plan.json", "--preflight", "--trials-result", "good.json", "--quiet"}).out, "go\n");
   const Ran bad = Run({"audit", "plan.json", "--preflight", "--trials-result", "bad.json", "--json"});
   EXPECT_EQ(bad.status, 3) << bad.err;
   EXPECT_EQ(bad.json().at("verdict"), "no-go");
-  EXPECT_EQ(bad.json().at("trials").at("survived"), 5);
+  EXPECT_EQ(bad.json().at("trials").at("survived"), 50);
   const std::vector<std::string> lenient = {
-      "audit",  "plan.json", "--preflight", "--trials-result", "bad.json", "--set", "preflight.least_survival=0.5",
+      "audit",  "plan.json", "--preflight", "--trials-result", "bad.json", "--set", "preflight.least_survival=0.4",
       "--quiet"};
   EXPECT_EQ(Run(lenient).out, "go\n");
-  Json other = Trials(10);
+  Json other = Trials(100);
   other["plan_hash"] = "0123";
   Write("other.json", other.dump());
   ExpectRefused(Run({"audit", "plan.json", "--preflight", "--trials-result", "other.json"}), 1,

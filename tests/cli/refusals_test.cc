@@ -92,6 +92,11 @@ TEST_F(Refusals, Command) {
   }
   ExpectRefused(Run({"robots", "show", ""}), 1, {"ROBOT", "empty"});
   ExpectRefused(Walk({"--seed", "-1"}), 1, {"--seed", "-1", "0 or more"});
+  const std::string huge = "99999999999999999999";  // more than 64 bits hold
+  for (const std::string& seed : {std::string("2147483648"), std::string("99999999999"), huge})
+    ExpectRefused(Walk({"--seed", seed}), 1, {"--seed: " + seed + " is too much; accepted: 0 to 2147483647"});
+  ExpectRefused(Walk({"--seed", "-" + huge}), 1, {"--seed: -" + huge + " is too little; 0 or more is accepted"});
+  ExpectRefused(Walk({"--steps", huge}), 1, {"--steps: " + huge + " is too much; accepted: 1 to 2147483647"});
   ExpectNothingWritten();
 }
 
@@ -216,7 +221,7 @@ TEST_F(Refusals, OutputsOverTheRobotOrTheGait) {
   ExpectRefused(plan("mine/../gaits.yaml"), 1, {"--gait", "'gaits.yaml'", "read"});
   std::filesystem::rename(In("mine/robot.urdf"), In("mine/log.json"));
   ExpectRefused(Run({"walk", "--urdf", "mine/log.json", "--out-dir", "mine"}), 1,
-                {"the log 'mine/log.json'", "--urdf"});
+                {"the log of --out-dir 'mine/log.json'", "--urdf"});
   EXPECT_EQ(Read("mine/log.json"), urdf);
   EXPECT_EQ(Read("mine/robot.yaml"), "description: mine\n");
   EXPECT_EQ(Found(), (std::vector<std::string>{"gaits.yaml", "mine"}));
@@ -230,6 +235,35 @@ TEST_F(Refusals, FoldersThatAreFiles) {
   }
   EXPECT_EQ(Read("file"), "text");
   EXPECT_EQ(Found(), std::vector<std::string>{"file"});
+}
+
+/// Before anything is read or done: the motion that each would begin with is not there.
+TEST_F(Refusals, OutputsThatCannotBeWrittenAreSeenBeforeTheWork) {
+  Write("file", "text");
+  const std::vector<std::pair<std::string, std::string>> wrong = {{"file/x", "'file' is a file, not a folder"},
+                                                                  {".", "it is a folder"},
+                                                                  {"new/", "the name of a folder"},
+                                                                  {"/dev/null", "no regular file"}};
+  const std::vector<std::vector<std::string>> verbs = {
+      {"play", "none.json", "--log"},      {"play", "none.json", "--report"},
+      {"trials", "none.json", "--out"},    {"view", "none.json", "--out"},
+      {"trials", "none.json", "--report"}, {"render", "none.json", "--figure"},
+      {"export", "none.json", "--out"},    {"compare", "none.json", "none.json", "--report"}};
+  for (const auto& [path, why] : wrong) {
+    for (std::vector<std::string> arguments : verbs) {
+      const std::string flag = arguments.back();
+      arguments.push_back(path);
+      ExpectRefused(Run(arguments), 1, {flag + " '" + path + "' cannot be written: ", why});
+    }
+    for (const std::string flag : {"--out", "--report", "--map", "--best"}) {
+      ExpectRefused(Run({"sweep", "--robot", "none", "--over", "speed=0.1,0.2", flag, path}), 1,
+                    {flag + " '" + path + "' cannot be written: ", why});
+    }
+  }
+  ExpectRefused(Run({"walk", "--robot", "none", "--out-dir", "file"}), 1, {"the plan of --out-dir 'file/plan.json'"});
+  std::filesystem::create_directories(In("t.json.so-far"));
+  ExpectRefused(Run({"trials", "none.json", "--out", "t.json"}), 1, {"the run so far 't.json.so-far'", "a folder"});
+  EXPECT_EQ(Found(), (std::vector<std::string>{"file", "t.json.so-far"}));
 }
 
 TEST_F(Refusals, JsonHasTheErrorObject) {

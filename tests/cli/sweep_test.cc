@@ -77,6 +77,20 @@ TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
   ExpectRefused(Run(Grid({"--resume"})), 1, {"is of other work"});
 }
 
+TEST_F(Sweep, AMapThatCannotBeWrittenInTheEndIsNotLost) {
+  const std::vector<std::string> start = Grid({"--threads", "1", "--quiet", "--report", "map.html"});
+  const Ran ran = RunUntil(start, SIGCONT, [&] {  // which does nothing to who runs
+    return std::filesystem::exists(In("sweep.csv.so-far")) && std::filesystem::create_directory(In("map.html"));
+  });
+  ExpectRefused(ran, 1, {"cannot write 'map.html': it is a folder", "--resume", "'sweep.csv.so-far' keeps all"});
+  EXPECT_FALSE(std::filesystem::exists(In("sweep.csv")));
+  std::filesystem::remove(In("map.html"));
+  std::vector<std::string> resume = start;
+  resume.push_back("--resume");
+  EXPECT_EQ(Run(resume).out, "4 of 4 pass\n");
+  EXPECT_EQ(Found(), (std::vector<std::string>{"map.html", "sweep.csv"}));
+}
+
 TEST_F(Sweep, AGroundThatWasChangedMeanwhileIsOtherWork) {
   const std::string lawn = "patches:\n  - {name: lawn, height_m: 0, friction: 0.8}\n";
   Write("yard.yaml", lawn);
@@ -108,6 +122,37 @@ TEST_F(Sweep, SamplesAreTakenBetweenTheEnds) {
   }
 }
 
+TEST_F(Sweep, AFlagThatGivesWhatIsVariedIsRefusedAsSetIs) {
+  struct Case {
+    std::string flag, value, axis;
+  };
+  const std::vector<Case> cases = {{"--speed", "0.2", "speed=0.1,0.2"},
+                                   {"--lateral-speed", "0.1", "lateral_speed=0,0.1"},
+                                   {"--yaw-rate", "0", "yaw_rate=0,0.2"},
+                                   {"--com-method", "preview", "centre_of_mass.method=preview,optimised"},
+                                   {"--state", "measured", "state=measured,estimated"},
+                                   {"--command-delay", "0.002", "command_delay_s=0,0.004"},
+                                   {"--push", "0,20,0", "play.push_force_y_n=10,20"},
+                                   {"--ground-slope-deg", "2", "play.ground_slope_deg=0,4"},
+                                   {"--ground-bumps", "0.01", "play.ground_bumps_m=0,0.01"},
+                                   {"--friction", "0.5", "play.friction=0.4,0.6"},
+                                   {"--mass-scale", "1.1", "play.mass_scale=0.9,1.1"},
+                                   {"--log-rate-hz", "200", "play.log_rate_hz=100,200"}};
+  for (const auto& [flag, value, axis] : cases) {
+    const std::string key = axis.substr(0, axis.find('='));
+    ExpectRefused(Run({"sweep", "--over", axis, flag, value}), 1,
+                  {flag + " gives what --over " + key + " varies: leave one of them out"});
+  }
+  ExpectRefused(Run({"sweep", "--over", "step_length=0.05,0.06", "--steps", "4", "--step-length", "0.05"}), 1,
+                {"--step-length gives what --over step_length varies"});
+  ExpectRefused(Run({"sweep", "--over", "play.push_at_s=1,2", "--push", "0,20,0", "--push-at", "1"}), 1,
+                {"--push-at gives what --over play.push_at_s varies"});
+  EXPECT_TRUE(Found().empty());
+  const Ran other = Run({"sweep", "--distance", "0.3", "--over", "play.push_force_y_n=0,5", "--push", "5,0,0",
+                         "--push-at", "1", "--friction", "0.7", "--quiet"});
+  EXPECT_EQ(other.status, 0) << "another component, and another option: " << other.err;
+}
+
 TEST_F(Sweep, RefusalsSayWhatIsAccepted) {
   ExpectRefused(Run({"sweep"}), 1, {"--over"});
   ExpectRefused(Run({"sweep", "--over", "sped=1:2:3"}), 1, {"no option 'sped'", "'speed'"});
@@ -124,6 +169,17 @@ TEST_F(Sweep, RefusalsSayWhatIsAccepted) {
 }
 
 using Tuned = Sweep;
+
+TEST_F(Tuned, OptionsThatCannotBeWrittenInTheEndAreNotLost) {
+  const Ran ran = RunUntil({"tune", "--gait", "trot", "--distance", "0.3", "--over", "stabilised.dcm_gain=1:2",
+                            "--evaluations", "3", "--trials", "1", "--held-out", "6", "--quiet"},
+                           SIGCONT, [&] {
+                             return std::filesystem::exists(In("tuned.yaml.so-far")) &&
+                                    std::filesystem::create_directory(In("tuned.yaml"));
+                           });
+  ExpectRefused(ran, 1, {"cannot write 'tuned.yaml': it is a folder", "--resume", "'tuned.yaml.so-far' keeps all"});
+  EXPECT_TRUE(std::filesystem::exists(In("tuned.yaml.so-far")));
+}
 
 TEST_F(Tuned, OptionsAreWrittenProvedAndTaken) {
   const std::vector<std::string> tune = {"tune",

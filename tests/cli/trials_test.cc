@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What `gaitwright trials` and `play --disturbances` say, write and end with.
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 
@@ -49,6 +50,42 @@ TEST_F(Trials, TheWorstIsRepeatedBySeed) {
   EXPECT_EQ(played.json().at("score"), worst.at("score"));
 }
 
+TEST_F(Trials, AndEachByTheCommandThatIsGiven) {
+  const Ran ran = Run({"trials", "plan.json", "-n", "2", "--disturbances", "calm.yaml", "--state", "estimated",
+                       "--sensors", "hobby", "--command-delay", "0.004", "--set", "stabilised.dcm_gain=1.4", "--json"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const Json json = ran.json(), trials = json.at("trials");
+  const auto of_last = [&](const char* column) {
+    const auto& columns = trials.at("columns");
+    const auto at = std::find(columns.begin(), columns.end(), column) - columns.begin();
+    return trials.at("rows").at(1).at(static_cast<std::size_t>(at));
+  };
+  std::string command = json.at("repeat").get<std::string>() + " --json";
+  for (const auto& [word, with] : {std::pair<std::string, std::string>("gaitwright", GAITWRIGHT_PROGRAM),
+                                   {"PLAN", "plan.json"},
+                                   {"FILE", "calm.yaml"},
+                                   {"SEED", of_last("seed").dump()}})
+    command.replace(command.find(word), word.size(), with);
+  const Ran again = RunWords({"/bin/sh", "-c", command});
+  EXPECT_EQ(again.json().at("log_hash"), of_last("log_hash")) << command << again.err;
+  EXPECT_EQ(std::stod(again.json().at("drawn").at("mass_scale").get<std::string>()), of_last("mass_scale"));
+}
+
+TEST_F(Trials, WhatWouldActOnNothingIsRefused) {
+  Write("imu.yaml", "mass_scale: 1\nsensors: {gyroscope_bias_rad_s: {uniform: [0, 0.01]}}\n");
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "imu.yaml"}), 1,
+                {"'sensors.gyroscope_bias_rad_s'", "no sensor is read", "--state estimated"});
+  EXPECT_EQ(Run({"trials", "plan.json", "-n", "1", "--disturbances", "imu.yaml", "--state", "measured", "--quiet"}).out,
+            "pass\n");
+  ExpectRefused(Run({"play", "plan.json", "--sensors", "hobby"}), 1, {"--sensors is for --state measured"});
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
+  ExpectRefused(Run({"play", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
+  ExpectRefused(Run({"sweep", "--over", "play.friction=0.4,0.8", "--trials", "1", "--disturbances", "calm.yaml"}), 1,
+                {"'friction'", "--over"});
+  const Ran shown = Run({"trials", "plan.json", "--show-disturbances", "--friction", "0.4"});
+  EXPECT_EQ(shown.out.find("friction"), std::string::npos) << "the standard set leaves it to whom says it";
+}
+
 TEST_F(Trials, StatusThreeOnlyWhenSurvivalIsRequired) {
   const std::vector<std::string> hard = {"trials", "plan.json", "-n", "2", "--disturbances", "hard.yaml", "--quiet"};
   EXPECT_EQ(Run(hard).out, "pass\n");
@@ -95,6 +132,30 @@ TEST_F(Trials, ADiskThatIsFullIsSaidSoAndTheRunGoesOnLater) {
   EXPECT_EQ(Run(resume).status, 0);
 }
 
+TEST_F(Trials, AResultThatCannotBeWrittenInTheEndIsNotLost) {
+  const std::vector<std::string> start = {"trials",    "plan.json", "-n",     "4",       "--disturbances",
+                                          "calm.yaml", "--threads", "1",      "--quiet", "--out",
+                                          "it.json",   "--report",  "it.html"};
+  const Ran ran = RunUntil(start, SIGCONT, [&] {  // which does nothing to who runs
+    const std::string so_far = std::filesystem::exists(In("it.json.so-far")) ? Read("it.json.so-far") : "";
+    return std::count(so_far.begin(), so_far.end(), '\n') >= 2 && std::filesystem::create_directory(In("it.html"));
+  });
+  ExpectRefused(ran, 1, {"cannot write 'it.html': it is a folder", "--resume", "'it.json.so-far' keeps all"});
+  EXPECT_FALSE(std::filesystem::exists(In("it.json")));
+  std::filesystem::remove(In("it.html"));
+  std::vector<std::string> resume = start;
+  resume.push_back("--resume");
+  EXPECT_EQ(Run(resume).out, "pass\n");
+  EXPECT_EQ(Json::parse(Read("it.json")).at("n"), 4);
+  EXPECT_FALSE(std::filesystem::exists(In("it.json.so-far")));
+}
+
+TEST_F(Trials, WhatIsOnlyShownNeedsNoPlaceForAResult) {
+  std::filesystem::create_directory(In("trials.json"));
+  EXPECT_EQ(Run({"trials", "plan.json", "--show-disturbances"}).status, 0);
+  ExpectRefused(Run({"trials", "plan.json", "-n", "1"}), 1, {"--out 'trials.json' cannot be written: it is a folder"});
+}
+
 TEST_F(Trials, WhatCannotBePlayedIsRefusedAtOnceAndLeavesNothing) {
   Write("late.yaml", "pushes:\n  - {size_n: 10, at_s: {uniform: [0, 100]}}\n");
   Write("nowhere.yaml", "pushes:\n  - {size_n: 10, place: {choice: [base, FR_claf]}}\n");
@@ -102,8 +163,9 @@ TEST_F(Trials, WhatCannotBePlayedIsRefusedAtOnceAndLeavesNothing) {
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "late.yaml"}), 1,
                 {"some trials", "the push begins at 100 s", "narrow what is sampled"});
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "nowhere.yaml"}), 1, {"'FR_claf'", "'FR_calf'"});
-  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "loud.yaml", "--sensors", "hobby"}), 1,
-                {"'sensors.", "where sensor_noise_scale is 100"});
+  ExpectRefused(
+      Run({"trials", "plan.json", "--disturbances", "loud.yaml", "--sensors", "hobby", "--state", "measured"}), 1,
+      {"'sensors.", "where sensor_noise_scale is 100"});
   ExpectRefused(Run({"sweep", "--over", "speed=0.1,0.2", "--trials", "1", "--disturbances", "nowhere.yaml"}), 1,
                 {"'FR_claf'"});
   EXPECT_EQ(Found(), (std::vector<std::string>{"calm.yaml", "hard.yaml", "late.yaml", "loud.yaml", "nowhere.yaml",

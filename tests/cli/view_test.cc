@@ -70,6 +70,13 @@ TEST_F(View, RenderRefusesWhatItCannotMake) {
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--hide", "gost"}), 1, {"'gost'", "'ghost'"});
   ExpectRefused(Run({"render", "out/log.json", "--gif", "p.gif", "--fps", "0"}), 1, {"pictures a second", "1"});
   ExpectRefused(Run({"render", "out/log.json", "--gif", "p.gif", "--from-s", "2", "--to-s", "1"}), 1, {"2", "1"});
+  ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--at", "1"}), 1, {"--at goes with --png"});
+  ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--fps", "9"}), 1, {"--fps goes with --gif or --mp4"});
+  ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--cycles", "2"}), 1, {"--cycles", "--figure"});
+  ExpectRefused(Run({"render", "out/plan.json", "--png", "p.png", "--plan", "out/log.json"}), 1, {"is for a log"});
+  ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--meshes", "out/log.json"}), 1, {"no folder"});
+  ExpectRefused(Run({"view", "out/plan.json", "--plan", "out/plan.json"}), 1, {"is for a log"});
+  ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--from-s", "99"}), 1, {"99.000", "lasts from"});
   EXPECT_EQ(Found(), (std::vector<std::string>{"out"})) << "nothing was written";
 }
 

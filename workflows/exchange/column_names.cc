@@ -14,6 +14,28 @@ namespace {
 /// The keys that are options too.
 const std::vector<std::string> kUnits = {"quaternion_order", "angle_unit", "length_unit", "time_unit"};
 
+/// What the file says of order or units, which nothing else may contradict.
+void TakeUnit(const std::string& key, const YAML::Node& value, ImportOptions& options) {
+  ImportOptions usual, filed;
+  OptionFields of_file = filed.UnitFields();
+  try {
+    SetOption(of_file, key, TextOf(value, key));
+  } catch (const InvalidArgument& error) {
+    RefuseYaml(value, error.what());
+  }
+  const OptionTexts defaults = TextsOf(usual.UnitFields()), said = TextsOf(of_file),
+                    given = TextsOf(options.UnitFields());
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    if (said[i].first != key || said[i] == defaults[i] || given[i] == said[i]) continue;
+    if (given[i] != defaults[i]) {
+      RefuseYaml(value, fmt::format("'{}' is '{}' here and '{}' on the command line; say it once", key, said[i].second,
+                                    given[i].second));
+    }
+    OptionFields fields = options.UnitFields();
+    SetOption(fields, key, said[i].second);
+  }
+}
+
 ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
   const YamlMap map(root, "the file",
                     {"columns", "scale", "ignore", "quaternion_order", "angle_unit", "length_unit", "time_unit"});
@@ -36,20 +58,8 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
   if (const YAML::Node* ignore = map.Find("ignore")) {
     for (const YAML::Node& name : ListOf(*ignore, "ignore")) names.ignored.push_back(TextOf(name, "a name in ignore"));
   }
-  OptionFields fields = options.Fields();
-  ImportOptions usual;
-  const OptionTexts defaults = TextsOf(usual.Fields());
   for (const std::string& key : kUnits) {
-    const YAML::Node* value = map.Find(key);
-    if (value == nullptr) continue;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (fields[i].key != key || OptionText(fields[i]) != defaults[i].second) continue;
-      try {
-        SetOption(fields, key, TextOf(*value, key));
-      } catch (const InvalidArgument& error) {
-        RefuseYaml(*value, error.what());
-      }
-    }
+    if (const YAML::Node* value = map.Find(key)) TakeUnit(key, *value, options);
   }
   return names;
 }

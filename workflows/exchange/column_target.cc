@@ -35,18 +35,21 @@ class Names {
     for (int i = 0; i < 4; ++i) Add(std::string("base_q") + "xyzw"[i], ColumnKind::kQuaternion, i, 1.0);
   }
 
+  void AddBareName(const Joint& joint, int index) {
+    Add(joint.name, ColumnKind::kPosition, index, joint.is_prismatic() ? length_ : angle_);
+  }
+
   void AddJoint(const Joint& joint, int index) {
     const std::string position = "q_" + joint.name, rate = "v_" + joint.name, effort = "tau_" + joint.name;
     if (joint.is_prismatic()) {
-      AddLength(position, "", ColumnKind::kPosition, index);
+      for (const std::string& name : {position, joint.name}) AddLength(name, "", ColumnKind::kPosition, index);
       AddLength(rate, "_s", ColumnKind::kVelocity, index);
       Add(effort + "_n", ColumnKind::kTorque, index, 1.0);
     } else {
-      AddAngle(position, "", ColumnKind::kPosition, index);
+      for (const std::string& name : {position, joint.name}) AddAngle(name, "", ColumnKind::kPosition, index);
       AddAngle(rate, "_s", ColumnKind::kVelocity, index);
       Add(effort + "_nm", ColumnKind::kTorque, index, 1.0);
     }
-    Add(joint.name, ColumnKind::kPosition, index, joint.is_prismatic() ? length_ : angle_);
   }
 
   void AddFoot(const Foot& foot, int index) {
@@ -79,6 +82,8 @@ std::map<std::string, ColumnTarget> ColumnTargets(const RobotModel& model, const
   Names names(options);
   names.AddTime();
   names.AddBase();
+  // First of all joints: one's name with a unit may be another's name.
+  for (std::size_t j = 0; j < model.joints.size(); ++j) names.AddBareName(model.joints[j], static_cast<int>(j));
   for (std::size_t j = 0; j < model.joints.size(); ++j) names.AddJoint(model.joints[j], static_cast<int>(j));
   for (std::size_t f = 0; f < model.feet.size(); ++f) names.AddFoot(model.feet[f], static_cast<int>(f));
   return names.targets;

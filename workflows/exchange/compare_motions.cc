@@ -34,7 +34,7 @@ std::vector<std::string> OnlyIn(const std::vector<std::string>& names, const std
 void Align(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options,
            const std::vector<NamedPair>& joints, MotionComparison& comparison) {
   comparison.best_offset = BestOffset(a, b, joints);
-  const bool foreign = a.kind == "csv" || b.kind == "csv";
+  const bool foreign = a.foreign() || b.foreign();
   comparison.aligned_by = options.align != "auto" ? options.align : foreign ? "best" : "none";
   if (comparison.aligned_by == "start") comparison.offset_s = b.start_s() - a.start_s();
   if (comparison.aligned_by != "best") return;
@@ -69,7 +69,9 @@ std::vector<double> MomentsOf(const ComparedMotion& a, const ComparedMotion& b, 
   std::vector<double> times;
   if (a.plan && b.plan) {
     const double rate_hz = std::clamp(1.0 / std::min(StepOf(a), StepOf(b)), kLowestRate, kHighestRate);
-    return TimesAtRate(shared.start_s, shared.end_s, rate_hz);
+    times = TimesAtRate(shared.start_s, shared.end_s, rate_hz);
+    if (shared.end_s - times.back() > kRounding) times.push_back(shared.end_s);
+    return times;
   }
   const bool by_b = a.plan.has_value();
   for (const double own_s : by_b ? b.rows.time_s : a.rows.time_s) {
@@ -106,13 +108,16 @@ void CompareEnds(const ComparedMotion& a, const ComparedMotion& b, const SharedT
 
 void Order(const std::vector<SeriesDifference>& differences, std::vector<FirstDifference>& beyond) {
   for (const SeriesDifference& one : differences) {
-    if (one.first_s) beyond.push_back({one.quantity, one.unit, *one.first_s, one.first_a, one.first_b, one.tolerance});
+    if (!one.first_s) continue;
+    beyond.push_back(
+        {one.quantity, one.unit, *one.first_s, one.first_a, one.first_b, one.first_tolerance, one.derived});
   }
   const auto excess = [](const FirstDifference& one) {
     return one.tolerance > 0.0 ? std::abs(one.b - one.a) / one.tolerance : INFINITY;
   };
   std::stable_sort(beyond.begin(), beyond.end(), [&](const FirstDifference& one, const FirstDifference& other) {
     if (std::abs(one.time_s - other.time_s) > kRounding) return one.time_s < other.time_s;
+    if (one.derived != other.derived) return other.derived;
     return excess(one) > excess(other);
   });
   std::vector<FirstDifference> once;
@@ -136,6 +141,28 @@ void TakeApart(const std::vector<SeriesDifference>& differences, const SharedTim
     const bool of_base = differences[next].quantity.ends_with("of the base");
     (of_base ? comparison.base : comparison.balance).push_back(differences[next]);
   }
+}
+
+/// How speeds that are worked out are held against each other.
+void NoteDerivedSpeeds(const ComparedMotion& a, const ComparedMotion& b, MotionComparison& comparison) {
+  const JointDifference* noisiest = nullptr;
+  for (const JointDifference& joint : comparison.joints) {
+    if (joint.speed.derived && (noisiest == nullptr || joint.speed.noise > noisiest->speed.noise)) noisiest = &joint;
+  }
+  if (noisiest == nullptr) return;
+  const auto derives = [](const ComparedMotion& motion) {
+    return std::find(motion.derived_speeds.begin(), motion.derived_speeds.end(), true) != motion.derived_speeds.end();
+  };
+  const SeriesDifference& speed = noisiest->speed;
+  std::string note =
+      fmt::format("speeds of {} are worked out from positions", !derives(b) ? "A" : (derives(a) ? "A and B" : "B"));
+  if (speed.noise > 0.0) {
+    note += fmt::format(
+        ", whose noise makes them differ: {:.0f} standard deviations of that, up to {:.3g} {} ('{}'), are let pass "
+        "beside the tolerance",
+        kNoiseWidth, kNoiseWidth * speed.noise, speed.unit, noisiest->joint);
+  }
+  comparison.notes.push_back(std::move(note));
 }
 
 /// What is to be said of one side, each once: both may be one file.
@@ -184,7 +211,7 @@ MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b
   comparison.samples = static_cast<int>(shared.time_s.size());
   const double leg_m = std::max(a.model.leg_length_m(), b.model.leg_length_m());
   const std::vector<SeriesDifference> differences =
-      DifferencesOf(SeriesOf(a, b, shared), shared, leg_m, options.tolerance);
+      DifferencesOf(SeriesOf(a, b, shared), shared, leg_m, options.tolerance, a.foreign() || b.foreign());
   TakeApart(differences, shared, comparison);
   comparison.feet = FeetDifferences(a, b, shared, options.tolerance, comparison.in_order);
   CompareEnds(a, b, shared, options.tolerance, comparison.in_order);
@@ -193,6 +220,7 @@ MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b
   comparison.words = WordsOf(a, b);
   AddNotes(a, comparison.notes);
   AddNotes(b, comparison.notes);
+  NoteDerivedSpeeds(a, b, comparison);
   if (comparison.joints.empty()) comparison.notes.emplace_back("the robots have no joint of the same name");
   if (comparison.base.empty()) comparison.notes.emplace_back("the base is not compared: one side says nothing of it");
   if (comparison.feet.empty())

@@ -24,9 +24,11 @@ struct SeriesDifference {
   std::string quantity, unit;                   ///< "position of FL_hip_joint", "rad"
   int samples = 0;                              ///< at which both have it; 0 for none
   double rms = 0.0, largest = 0.0, at_s = 0.0;  ///< largest magnitude, and when on A's clock
-  double tolerance = 0.0;                       ///< beyond it the two differ
-  std::optional<double> first_s = {};           ///< when it first does; nothing where it never does
-  double first_a = 0.0, first_b = 0.0;          ///< what both have then
+  double tolerance = 0.0;                       ///< beyond it the two differ, where noise is as in most rows
+  double noise = 0.0;                           ///< standard deviation of what is measured; it widens the tolerance
+  bool derived = false;                         ///< a speed that is worked out from positions
+  std::optional<double> first_s = {};           ///< when it first differs; nothing where it never does
+  double first_a = 0.0, first_b = 0.0, first_tolerance = 0.0;  ///< what both have then, and what is let pass there
 };
 
 /// A joint that both have.
@@ -43,11 +45,13 @@ struct FootDifference {
   SeriesDifference timing;           ///< of touch-downs and lift-offs, B - A [s]
 };
 
-/// What differed first: of several at one time the one furthest beyond its tolerance.
+/// What differed first: of several at one time what is measured before what is worked out from it, then the one
+/// furthest beyond its tolerance.
 struct FirstDifference {
   std::string quantity, unit;
   double time_s = 0.0;  ///< on A's clock
   double a = 0.0, b = 0.0, tolerance = 0.0;
+  bool derived = false;  ///< a speed that is worked out from positions
 };
 
 /// A figure of each side; nothing where a side has none.

@@ -17,6 +17,7 @@ struct ComparedSeries {
   std::string quantity, unit;
   SeriesScale scale = SeriesScale::kLength;
   std::vector<double> a, b;
+  std::vector<double> noise_gain = {};  ///< of a speed that is worked out: by what the noise of positions counts [1/s]
 };
 
 /// The moments at which two motions are compared, and which joints and feet are held against each other.
@@ -31,8 +32,12 @@ struct SharedTime {
 std::vector<ComparedSeries> SeriesOf(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared);
 
 /// How each series differs; tolerances are `tolerance` times scales that docs/compare.md names.
+/// @param noisy  a side was measured: what noise does within kNoiseWidth standard deviations of it is no difference.
 std::vector<SeriesDifference> DifferencesOf(const std::vector<ComparedSeries>& series, const SharedTime& shared,
-                                            double leg_length_m, double tolerance);
+                                            double leg_length_m, double tolerance, bool noisy);
+
+/// By how many standard deviations of the noise tolerances are widened.
+inline constexpr double kNoiseWidth = 5.0;
 
 /// How the times of contact differ, by foot; appends what is beyond the tolerance.
 std::vector<FootDifference> FeetDifferences(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared,

@@ -10,6 +10,8 @@
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/sample_plan.h"
 #include "workflows/exchange/compare_parts_internal.h"
+#include "workflows/exchange/knot_spline.h"
+#include "workflows/exchange/median_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -41,11 +43,14 @@ class Side {
       now_.tau = before_.tau;
     }
     time_s_ = time_s;
+    if (!motion_.derived_speeds.empty()) noise_gain_ = NoiseGain(motion_.rows.time_s, time_s);
   }
 
   double Position(int dof) const { return now_.q[7 + dof]; }
   double Speed(int dof) const { return now_.v[6 + dof]; }
   double Torque(int dof) const { return dof < now_.tau.size() ? now_.tau[dof] : kNone; }
+  /// 0 of a speed that is given.
+  double NoiseGainOf(int dof) const { return motion_.derives_speed(dof) ? noise_gain_ : 0.0; }
   const VectorX& q() const { return now_.q; }
 
   Vector3 Centre() {
@@ -62,7 +67,7 @@ class Side {
   const ComparedMotion& motion_;
   DynamicsScratch scratch_;
   RowSample now_, before_;
-  double time_s_ = 0.0;
+  double time_s_ = 0.0, noise_gain_ = 0.0;
 };
 
 std::vector<ComparedSeries> EmptySeries(const RobotModel& model, const SharedTime& shared) {
@@ -113,8 +118,23 @@ double ScaleOf(const ComparedSeries& one, const std::vector<ComparedSeries>& all
   return Weight(one.scale) * std::max(SpanOf(one), kLeastOfSpan * largest);
 }
 
-SeriesDifference DifferenceOf(const ComparedSeries& series, const std::vector<double>& time_s, double tolerance) {
-  SeriesDifference difference{.quantity = series.quantity, .unit = series.unit, .tolerance = tolerance};
+/// The noise on B - A, as far as the two go together.
+double NoiseBetween(const ComparedSeries& series) {
+  std::vector<double> gaps;
+  for (std::size_t k = 0; k < series.a.size(); ++k) {
+    const double gap = series.b[k] - series.a[k];
+    if (std::isfinite(gap)) gaps.push_back(gap);
+  }
+  return NoiseOf(gaps);
+}
+
+/// @param noise  standard deviation; of a speed that is worked out that of the positions.
+SeriesDifference DifferenceOf(const ComparedSeries& series, const std::vector<double>& time_s, double tolerance,
+                              double noise) {
+  const bool derived = !series.noise_gain.empty();
+  SeriesDifference difference{.quantity = series.quantity, .unit = series.unit, .derived = derived};
+  difference.noise = derived ? noise * MedianOf(series.noise_gain) : noise;
+  difference.tolerance = tolerance + kNoiseWidth * difference.noise;
   double sum = 0.0;
   for (std::size_t k = 0; k < time_s.size(); ++k) {
     const double gap = std::abs(series.b[k] - series.a[k]);
@@ -125,8 +145,11 @@ SeriesDifference DifferenceOf(const ComparedSeries& series, const std::vector<do
       difference.largest = gap;
       difference.at_s = time_s[k];
     }
-    if (gap > tolerance && !difference.first_s) {
-      difference.first_s = time_s[k];
+    const double let_pass = tolerance + kNoiseWidth * noise * (derived ? series.noise_gain[k] : 1.0);
+    if (gap > let_pass && !difference.first_s) {
+      // What is worked out from the next row too shows there, not before.
+      difference.first_s = time_s[derived ? std::min(k + 1, time_s.size() - 1) : k];
+      difference.first_tolerance = let_pass;
       difference.first_a = series.a[k];
       difference.first_b = series.b[k];
     }
@@ -151,6 +174,8 @@ std::vector<ComparedSeries> SeriesOf(const ComparedMotion& a, const ComparedMoti
     next = 0;
     for (const NamedPair& joint : shared.joints) {
       add(of_a.Position(joint.a), of_b.Position(joint.b));
+      const bool derived = a.derives_speed(joint.a) || b.derives_speed(joint.b);
+      if (derived) series[next].noise_gain.push_back(std::max(of_a.NoiseGainOf(joint.a), of_b.NoiseGainOf(joint.b)));
       add(of_a.Speed(joint.a), of_b.Speed(joint.b));
       add(of_a.Torque(joint.a), of_b.Torque(joint.b));
     }
@@ -165,11 +190,15 @@ std::vector<ComparedSeries> SeriesOf(const ComparedMotion& a, const ComparedMoti
 }
 
 std::vector<SeriesDifference> DifferencesOf(const std::vector<ComparedSeries>& series, const SharedTime& shared,
-                                            double leg_length_m, double tolerance) {
+                                            double leg_length_m, double tolerance, bool noisy) {
   std::vector<SeriesDifference> differences;
+  double of_positions = 0.0;  // of the joint whose speeds come next
   for (const ComparedSeries& one : series) {
     const double scale = IsOfAJoint(one.scale) || leg_length_m > 0.0 ? ScaleOf(one, series, leg_length_m) : 1.0;
-    differences.push_back(DifferenceOf(one, shared.time_s, std::max(tolerance * scale, kRounding)));
+    const double noise = noisy && tolerance > 0.0 ? NoiseBetween(one) : 0.0;
+    if (one.scale == SeriesScale::kPosition) of_positions = noise;
+    differences.push_back(DifferenceOf(one, shared.time_s, std::max(tolerance * scale, kRounding),
+                                       one.noise_gain.empty() ? noise : of_positions));
   }
   return differences;
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,6 +11,7 @@
 #include "kinematics/base/result.h"
 #include "planning/plan/sample_plan.h"
 #include "playback/score/contact_timing.h"
+#include "workflows/exchange/check_motion_table.h"
 
 namespace gaitwright {
 namespace {
@@ -29,14 +31,32 @@ std::vector<ContactInterval> IntervalsOfRows(const MotionRows& rows, int foot) {
   return intervals;
 }
 
-/// The rate at the middle of three rows, or of two at an end.
-VectorX RateAt(const std::vector<double>& t, const std::vector<VectorX>& q, std::size_t k) {
-  const std::size_t last = q.size() - 1;
-  if (last == 0) return VectorX::Zero(q[0].size());
-  if (k == 0) return (q[1] - q[0]) / (t[1] - t[0]);
-  if (k == last) return (q[k] - q[k - 1]) / (t[k] - t[k - 1]);
+/// What the steps before and after a row are multiplied with to be the rate there [1/s].
+struct RateWeights {
+  double before = 0.0, after = 0.0;
+};
+
+/// Of the parabola through three rows, or the line through two at an end.
+RateWeights WeightsAt(const std::vector<double>& t, std::size_t k) {
+  const std::size_t last = t.size() - 1;
+  if (last == 0) return {};
+  if (k == 0) return {0.0, 1.0 / (t[1] - t[0])};
+  if (k == last) return {1.0 / (t[k] - t[k - 1]), 0.0};
   const double before = t[k] - t[k - 1], after = t[k + 1] - t[k];
-  return ((q[k + 1] - q[k]) / after * before + (q[k] - q[k - 1]) / before * after) / (before + after);
+  return {after / before / (before + after), before / after / (before + after)};
+}
+
+VectorX RateAt(const std::vector<double>& t, const std::vector<VectorX>& q, std::size_t k) {
+  const RateWeights weights = WeightsAt(t, k);
+  VectorX rate = VectorX::Zero(q[k].size());
+  if (weights.before != 0.0) rate += weights.before * (q[k] - q[k - 1]);
+  if (weights.after != 0.0) rate += weights.after * (q[k + 1] - q[k]);
+  return rate;
+}
+
+double GainAt(const std::vector<double>& t, std::size_t k) {
+  const RateWeights weights = WeightsAt(t, k);
+  return std::hypot(weights.before, weights.before - weights.after, weights.after);
 }
 
 void CheckTable(const RobotModel& model, const MotionTable& table) {
@@ -97,7 +117,8 @@ ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, cons
 
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name) {
   CheckTable(model, table);
-  ComparedMotion motion{.name = name, .kind = "csv", .model = model, .notes = NotesOf(table, name)};
+  const char* const kind = table.format == "joint-trajectory" ? "trajectory" : "csv";
+  ComparedMotion motion{.name = name, .kind = kind, .model = model, .notes = NotesOf(table, name)};
   MotionRows& rows = motion.rows;
   rows.time_s = table.time_s;
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
@@ -109,12 +130,32 @@ ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, 
     rows.q.push_back(std::move(q));
     rows.v.push_back(std::move(v));
   }
+  motion.derived_speeds.assign(static_cast<std::size_t>(model.num_dofs()), table.v.empty());
+  for (int d = 0; d < model.num_dofs() && !table.v.empty(); ++d)
+    motion.derived_speeds[static_cast<std::size_t>(d)] = !std::isfinite(table.v.front()[d]);
   rows.tau = table.tau;
   rows.contact = table.contact;
   if (rows.contact.empty()) return motion;
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot)
     motion.stances.push_back(IntervalsOfRows(rows, foot));
   return motion;
+}
+
+Result<ComparedMotion> CheckedTable(const RobotModel& model, const ImportOptions& options, const MotionTable& table,
+                                    const std::string& name) {
+  try {
+    CheckComparedTable(model, options, table);
+    return ComparedTable(model, table, name);
+  } catch (const InvalidArgument& error) {
+    return Failure{
+        FailureKind::kBadInput, "motion", "ReadCompareInput", fmt::format("'{}': {}", name, error.what()), {}};
+  }
+}
+
+double NoiseGain(const std::vector<double>& time_s, double at_s) {
+  const auto after = std::upper_bound(time_s.begin(), time_s.end(), at_s);
+  const auto right = std::min(static_cast<std::size_t>(after - time_s.begin()), time_s.size() - 1);
+  return std::max(GainAt(time_s, right > 0 ? right - 1 : 0), GainAt(time_s, right));
 }
 
 void SampleCompared(const ComparedMotion& motion, double time_s, RowSample& sample) {

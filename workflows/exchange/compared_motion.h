@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/result.h"
 #include "workflows/exchange/motion_rows.h"
 #include "workflows/exchange/motion_table.h"
 
@@ -13,26 +14,39 @@ namespace gaitwright {
 /// One side of a comparison: a plan, a log, or columns of numbers such as a robot's own log.
 struct ComparedMotion {
   std::string name;                                        ///< what it is called: the file, as it was given
-  std::string kind;                                        ///< "plan", "log" or "csv"
+  std::string kind;                                        ///< "plan", "log", "csv" or "trajectory"
   RobotModel model;                                        ///< whose orders its rows have
   std::optional<MotionPlan> plan = {};                     ///< of a plan
   std::optional<PlaybackLog> log = {};                     ///< of a log
   MotionRows rows = {};                                    ///< on its own clock; what it does not say is not a number
   std::vector<std::vector<ContactInterval>> stances = {};  ///< by foot; empty where nothing is known of contacts
   double torque_age_s = 0.0;                               ///< how far before a row its torque holds: means are late
+  std::vector<bool> derived_speeds = {};                   ///< by dof: worked out from positions; empty for none
   std::vector<std::string> notes = {};                     ///< how it was understood, where that is not plain
 
   double start_s() const { return rows.time_s.front(); }
   double end_s() const { return rows.time_s.back(); }
+  /// Whether it was measured, on a clock of its own and with noise, rather than planned or played here.
+  bool foreign() const { return !plan && !log; }
+  bool derives_speed(int dof) const { return !derived_speeds.empty() && derived_speeds[static_cast<std::size_t>(dof)]; }
 };
 
 /// @throws InvalidArgument where plan, log or table do not fit the robot, or have no rows.
 ComparedMotion ComparedPlan(const RobotModel& model, const MotionPlan& plan, const std::string& name);
 ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, const std::string& name);
 
-/// Columns of numbers. Speeds that are not given are those of the parabola through each row and its neighbours; one
-/// that comes out beyond kLargestDerived is refused.
+/// Columns of numbers. Speeds that are not given are those of the parabola through each row and its neighbours, at an
+/// end of the line through two; one that comes out beyond kLargestDerived is refused.
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name);
+
+/// The same of a table that somebody else wrote, checked. Failure kBadInput `motion`, naming the file, for what
+/// CheckComparedTable and ComparedTable refuse.
+Result<ComparedMotion> CheckedTable(const RobotModel& model, const ImportOptions& options, const MotionTable& table,
+                                    const std::string& name);
+
+/// The standard deviation of a speed that ComparedTable works out at a time, by that of the positions [1/s]:
+///   sqrt(1 / 2) / h  between rows h apart, twice as much at an end; the larger one of the rows on either side.
+double NoiseGain(const std::vector<double>& time_s, double at_s);
 
 /// The motion at a time of its own clock: a plan between its nodes as SampleWholeBody has it, all else as SampleRows
 /// does. The torque is the one that holds then, as far as rows tell. No allocation once `sample` has its sizes.

@@ -15,9 +15,13 @@ Json OrNull(const std::optional<double>& value) {
 
 Json SeriesJson(const SeriesDifference& one) {
   if (one.samples == 0) return nullptr;
-  return {{"unit", one.unit},           {"rms", one.rms},
-          {"largest", one.largest},     {"at_s", one.at_s},
-          {"tolerance", one.tolerance}, {"first_beyond_s", OrNull(one.first_s)}};
+  return {{"unit", one.unit},
+          {"rms", one.rms},
+          {"largest", one.largest},
+          {"at_s", one.at_s},
+          {"tolerance", one.tolerance},
+          {"noise", one.noise},
+          {"first_beyond_s", OrNull(one.first_s)}};
 }
 
 Json NamedSeries(const std::vector<SeriesDifference>& series) {

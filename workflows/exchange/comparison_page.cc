@@ -86,6 +86,21 @@ std::string Words(const std::vector<WordDifference>& words) {
   return Table("What is not the same in words", {"key", "A", "B"}, rows);
 }
 
+/// Whether a motion has the figures that the plot of that name draws, see MotionPlots.
+bool HasFor(const std::string& plot, const MotionRows& rows) {
+  if (plot == "contacts") return !rows.contact.empty();
+  if (plot == "joint_torques") return !rows.tau.empty();
+  if (plot == "base_attitude") return rows.q.front().segment<4>(3).allFinite();
+  return (plot != "top_view" && plot != "base_position") || rows.q.front().head<3>().allFinite();
+}
+
+/// What a plot shows, and whose motion it is alone where the other file has no such figures.
+std::string CaptionOf(const Plot& plot, const MotionRows& a, const MotionRows& b) {
+  const bool in_a = HasFor(plot.name, a), in_b = HasFor(plot.name, b);
+  if (in_a == in_b) return plot.caption;
+  return fmt::format("{} Of {} alone: {} says nothing of it.", plot.caption, in_a ? "A" : "B", in_a ? "B" : "A");
+}
+
 }  // namespace
 
 std::string ComparisonPage(const ComparedMotion& a, const ComparedMotion& b, const MotionComparison& c,
@@ -103,7 +118,7 @@ std::string ComparisonPage(const ComparedMotion& a, const ComparedMotion& b, con
   for (const Plot& plot :
        MotionPlots({{"A", &a.model, &a.rows}, {"B", &b.model, &b.rows, c.offset_s}}, mark, "differs first")) {
     html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
-                        plot.name, plot.svg, EscapedXml(plot.caption));
+                        plot.name, plot.svg, EscapedXml(CaptionOf(plot, a.rows, b.rows)));
   }
   html += Differences(c) + Figures(c.figures) + Metrics(metrics) + Words(c.words);
   return html + "</main></body></html>\n";

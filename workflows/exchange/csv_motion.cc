@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/exchange/csv_motion.h"
 
-#include <fmt/format.h>
-
-#include "workflows/exchange/check_motion_table.h"
 #include "workflows/exchange/motion_columns.h"
 #include "workflows/exchange/ocs2_columns.h"
 
@@ -27,13 +24,7 @@ Result<MotionTable> MotionOfCsv(const RobotModel& model, const CsvTable& table, 
 Result<ComparedMotion> ComparedCsv(const RobotModel& model, const CsvTable& table, CsvReading reading) {
   const Result<MotionTable> motion = MotionOfCsv(model, table, reading);
   if (!motion) return motion.failure();
-  try {
-    CheckComparedTable(model, reading.options, *motion);
-    return ComparedTable(model, *motion, table.source);
-  } catch (const InvalidArgument& error) {
-    return Failure{
-        FailureKind::kBadInput, "motion", "ReadCompareInput", fmt::format("'{}': {}", table.source, error.what()), {}};
-  }
+  return CheckedTable(model, reading.options, *motion, table.source);
 }
 
 }  // namespace gaitwright

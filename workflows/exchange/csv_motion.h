@@ -23,8 +23,7 @@ struct CsvReading {
 /// Failures of ReadColumnNames, Ocs2ColumnNames and MotionFromCsv.
 Result<MotionTable> MotionOfCsv(const RobotModel& model, const CsvTable& table, CsvReading& reading);
 
-/// The same as one side of a comparison, checked. Failure kBadInput `motion` for what CheckComparedTable and
-/// ComparedTable refuse.
+/// The same as one side of a comparison. Failures of CheckedTable too.
 Result<ComparedMotion> ComparedCsv(const RobotModel& model, const CsvTable& table, CsvReading reading);
 
 }  // namespace gaitwright

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -104,8 +103,7 @@ std::optional<double> ValueOf(const std::string& cell) {
   const auto [end, error] = std::from_chars(first, last, value);
   if (error == std::errc{} && end == last) return std::isfinite(value) ? std::optional(value) : std::nullopt;
   if (cell.size() > 5) return std::nullopt;
-  std::string lower = cell;
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string lower = LowerCase(cell);
   if (lower == "true") return 1.0;
   if (lower == "false") return 0.0;
   return std::nullopt;

@@ -7,12 +7,15 @@
 #include <cmath>
 
 #include "kinematics/base/result.h"
+#include "kinematics/model/dof_units.h"
 #include "workflows/exchange/knot_spline.h"
+#include "workflows/exchange/median_internal.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kUsualStep = 0.005;
+constexpr double kUsualStep = 0.005;  // [s]
+constexpr double kOnGrid = 1e-3;      // of a step: what is nearer to a row of the grid is there
 
 /// The quintic over a unit of time with value, rate and acceleration at both ends, these by that unit.
 Motion1 Quintic(const Motion1& a, const Motion1& b, double u) {
@@ -41,6 +44,7 @@ class Resampler {
       even_.a.push_back(VectorX::Zero(model_.nv()));
     }
     SayGrid();
+    SayHoles();
     MoveBase();
     TurnBase();
     for (int d = 0; d < model_.num_dofs(); ++d) MoveJoint(d);
@@ -53,7 +57,7 @@ class Resampler {
   double TimeOf(int row) const { return std::min(row * even_.step_s, time_s_.back()); }
 
   int RowsOfGrid() const {
-    const double rows = 1.0 + std::floor(time_s_.back() / even_.step_s + 1e-6);
+    const double rows = 1.0 + std::floor(time_s_.back() / even_.step_s + kOnGrid);
     if (rows <= kMostGridRows) return static_cast<int>(rows);
     throw InvalidArgument(
         fmt::format("its {:.6g} s at steps of {} s would be {:.0f} rows; at most {} are made: a larger grid_step_s "
@@ -64,17 +68,39 @@ class Resampler {
   void SayGrid() {
     if (table_.time_s.front() != 0.0)
       derived_.push_back({"time", fmt::format("from the file's {:.6g} s on, as 0", table_.time_s.front())});
-    if (on_grid()) return;
-    derived_.push_back(
-        {"rows", fmt::format("{} rows every {:.3g} ms from the file's {}, along smooth curves through them",
-                             even_.size(), 1e3 * even_.step_s, table_.rows())});
+    if (!on_grid()) {
+      derived_.push_back(
+          {"rows", fmt::format("{} rows every {:.3g} ms from the file's {}, along smooth curves through them",
+                               even_.size(), 1e3 * even_.step_s, table_.rows())});
+    } else if (even_.size() < table_.rows()) {
+      derived_.push_back(
+          {"end", fmt::format("the last {:.3g} ms are left out: a shorter step than the others of {:.3g} ms",
+                              1e3 * (time_s_.back() - even_.TimeOf(even_.size() - 1)), 1e3 * even_.step_s)});
+    }
   }
 
-  /// Whether the grid's rows are the file's.
+  /// Where rows are missing. Points of a joint trajectory may be far apart: a curve through them is what they mean.
+  void SayHoles() {
+    constexpr double kUsualSteps = 3.0, kLeast = 0.03;  // [1], [s]
+    if (table_.format == "joint-trajectory" || time_s_.size() < 3) return;
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < time_s_.size(); ++i) steps.push_back(time_s_[i] - time_s_[i - 1]);
+    const double usual = MedianOf(steps), most = std::max(kUsualSteps * usual, kLeast);
+    const auto holes = std::count_if(steps.begin(), steps.end(), [&](double step) { return step > most; });
+    if (holes == 0) return;
+    const auto longest = std::max_element(steps.begin(), steps.end());
+    warnings_.push_back(fmt::format(
+        "rows are missing{}: for {:.3g} s from the file's {:.6g} s on there is none, where they usually come every "
+        "{:.3g} ms; the motion in there is a smooth curve, not what was measured",
+        holes == 1 ? "" : fmt::format(" in {} places, of which this is the longest", holes), *longest,
+        table_.time_s[static_cast<std::size_t>(longest - steps.begin())], 1e3 * usual));
+  }
+
+  /// Whether the grid's rows are the file's, of which one may stand behind them.
   bool on_grid() const {
-    if (even_.size() != table_.rows()) return false;
+    if (even_.size() != table_.rows() && even_.size() + 1 != table_.rows()) return false;
     for (int k = 0; k < even_.size(); ++k) {
-      if (std::abs(time_s_[static_cast<std::size_t>(k)] - k * even_.step_s) > 1e-3 * even_.step_s) return false;
+      if (std::abs(time_s_[static_cast<std::size_t>(k)] - k * even_.step_s) > kOnGrid * even_.step_s) return false;
     }
     return true;
   }
@@ -92,7 +118,7 @@ class Resampler {
   }
 
   /// Notes what the noise of a column does to accelerations.
-  void Watch(const std::string& what, const std::vector<double>& values, double most, const char* unit) {
+  void Watch(const std::string& what, const std::vector<double>& values, double most, const std::string& unit) {
     if (options_.smoothing_hz > 0.0 || time_s_.size() < 9) return;
     const double step = time_s_.back() / static_cast<double>(time_s_.size() - 1);
     const double rough = std::sqrt(6.0) * NoiseOf(values) / (step * step);
@@ -161,7 +187,7 @@ class Resampler {
     const auto values = ColumnOf([&](std::size_t row) { return table_.q[row][dof]; });
     if (!HasRates(dof)) {
       const std::string& name = model_.dof_names[static_cast<std::size_t>(dof)];
-      Watch("joint '" + name + "'", values, kMost, "rad/s^2");
+      Watch("joint '" + name + "'", values, kMost, std::string(SpeedUnit(model_, dof)) + "^2");
       const KnotSpline spline = SplineOf(values);
       for (int k = 0; k < even_.size(); ++k) Set(k, 7 + dof, 6 + dof, spline.At(TimeOf(k)));
       return;
@@ -190,17 +216,20 @@ class Resampler {
     constexpr double kShare = 0.2, kSlight = 0.05;
     const KnotSpline spline(time_s_, values);
     double fastest = 0.0, apart = 0.0;
+    std::size_t row = 0;
     for (std::size_t i = 0; i < rates.size(); ++i) {
       const double rate = spline.At(time_s_[i]).rate;
       fastest = std::max(fastest, std::abs(rate));
-      apart = std::max(apart, std::abs(rate - rates[i]));
+      if (std::abs(rate - rates[i]) <= apart) continue;
+      apart = std::abs(rate - rates[i]);
+      row = i;
     }
     if (apart <= kSlight + kShare * fastest || apart <= farthest_) return;
     farthest_ = apart;
     farthest_text_ = fmt::format(
-        "the velocities of joint '{}' differ from those of its positions by up to {:.3g}, where it moves with up to "
-        "{:.3g}; velocities=derived takes those of the positions",
-        model_.dof_names[static_cast<std::size_t>(dof)], apart, fastest);
+        "the velocities of joint '{0}' differ from those of its positions by up to {1:.3g} {4}, at {2:.6g} s; it moves "
+        "with up to {3:.3g} {4}; velocities=derived takes those of the positions",
+        model_.dof_names[static_cast<std::size_t>(dof)], apart, table_.time_s[row], fastest, SpeedUnit(model_, dof));
   }
 
   void SayRates() {
@@ -222,7 +251,7 @@ class Resampler {
   void TakeLoads() {
     std::size_t i = 0;
     for (int k = 0; k < even_.size(); ++k) {
-      const double t = TimeOf(k), slack = 1e-3 * even_.step_s;
+      const double t = TimeOf(k), slack = kOnGrid * even_.step_s;
       while (i + 2 < time_s_.size() && time_s_[i + 1] <= t) ++i;
       const double u = (t - time_s_[i]) / (time_s_[i + 1] - time_s_[i]);
       if (!table_.tau.empty()) even_.tau.push_back((1.0 - u) * table_.tau[i] + u * table_.tau[i + 1]);
@@ -247,20 +276,27 @@ class Resampler {
   EvenMotion even_;
 };
 
+/// Whether the last step is shorter than the one before, as where a writer of even rows added the motion's end.
+bool EndsShort(const std::vector<double>& time_s) {
+  const std::size_t n = time_s.size();
+  return n > 3 && time_s[n - 1] - time_s[n - 2] < (1.0 - kOnGrid) * (time_s[n - 2] - time_s[n - 3]);
+}
+
 }  // namespace
 
 double GridStepOf(const std::vector<double>& time_s, const ImportOptions& options) {
-  constexpr double kFinest = 0.001, kCoarsest = 0.01, kEven = 1e-3;
+  constexpr double kFinest = 0.001, kCoarsest = 0.01, kRounding = 1e-9;  // [s]
   if (options.grid_step_s > 0.0) return options.grid_step_s;
   if (time_s.size() < 2) return kUsualStep;
-  const double step = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
-  if (step < kFinest * (1.0 - kEven) || step > kCoarsest * (1.0 + kEven)) return kUsualStep;
-  for (std::size_t i = 0; i < time_s.size(); ++i) {
-    if (std::abs(time_s[i] - time_s.front() - static_cast<double>(i) * step) > kEven * step) return kUsualStep;
+  const std::size_t last = time_s.size() - 1 - (EndsShort(time_s) ? 1 : 0);
+  const double step = (time_s[last] - time_s.front()) / static_cast<double>(last);
+  if (step < kFinest * (1.0 - kOnGrid) || step > kCoarsest + kRounding) return kUsualStep;
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (std::abs(time_s[i] - time_s.front() - static_cast<double>(i) * step) > kOnGrid * step) return kUsualStep;
   }
   // A step that was meant to be round is so, whatever the times' last digits.
   const double round = 1e-6 * std::round(1e6 * step);
-  return std::abs(round - step) * static_cast<double>(time_s.size()) < kEven * step ? round : step;
+  return std::min(kCoarsest, std::abs(round - step) * static_cast<double>(last + 1) < kOnGrid * step ? round : step);
 }
 
 EvenMotion Resample(const RobotModel& model, const MotionTable& table, const ImportOptions& options,

@@ -25,13 +25,14 @@ struct EvenMotion {
 /// quaternion, joints likewise; or, where their velocities are given and taken, along the quintic that has the file's
 /// positions and velocities, and for accelerations the derivative of a spline through the velocities. Torques and
 /// forces are linear in between; contacts hold from the row on that has them, to the grid.
-/// What is done, and noise that would spoil accelerations, is said in `derived`, and in `warnings`.
+/// What is left behind the grid's last row, less than a step, is left out: a curve that went on to rest there would
+/// jump. What is done is said in `derived`; noise that would spoil accelerations, and holes, in `warnings`.
 /// @param table  checked, with base and quaternions.  @throws InvalidArgument for options out of their range, and more
 /// than kMostGridRows rows.
 EvenMotion Resample(const RobotModel& model, const MotionTable& table, const ImportOptions& options,
                     std::vector<DerivedPart>& derived, std::vector<std::string>& warnings);
 
-/// The step of the grid that a table gets [s].
+/// The step of the grid that a table gets [s]: its own where it is even, whatever its last step, if that is shorter.
 double GridStepOf(const std::vector<double>& time_s, const ImportOptions& options);
 
 }  // namespace gaitwright

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "kinematics/base/options.h"
@@ -21,7 +22,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSameStep = 1e-6;  // share of a step
+constexpr double kSameStep = 2e-6;  // share of a step
 
 void AddPlots(const std::vector<Plot>& plots, const std::string& folder, ExportedMotion& exported) {
   for (const Plot& plot : plots) {
@@ -77,13 +78,17 @@ void AddNotes(const MotionRows& rows, ExportFormat format, ExportedMotion& expor
     exported.notes.emplace_back("there are no accelerations: a log measures none");
   if (rows.tau.empty() && format != ExportFormat::kSvg)
     exported.notes.emplace_back("there are no torques: the plan has none");
-  const std::size_t n = rows.time_s.size();
-  const double step_s = 1.0 / exported.rate_hz;
-  const double last_s = n > 1 ? rows.time_s[n - 1] - rows.time_s[n - 2] : step_s;
-  if (last_s < step_s * (1.0 - kSameStep)) {
-    exported.notes.push_back(
-        fmt::format("the last step is {:.6g} s instead of {:.6g} s, so that the end is there", last_s, step_s));
-  }
+}
+
+/// Where the last row is not the motion's end, since all steps are alike.
+void AddEndNote(double motion_end_s, ExportedMotion& exported) {
+  const double beyond_s = exported.end_s - motion_end_s;
+  if (std::abs(beyond_s) * exported.rate_hz < kSameStep) return;
+  exported.notes.push_back(
+      beyond_s > 0.0 ? fmt::format("the last row is {:.6g} s after the plan's end, so that all steps are alike: it has "
+                                   "the last posture, at rest",
+                                   beyond_s)
+                     : fmt::format("the last {:.6g} s are left out, so that all steps are alike", -beyond_s));
 }
 
 ExportedMotion ExportRows(const RobotModel& model, const MotionRows& rows, ExportFormat format, double rate_hz,
@@ -134,7 +139,9 @@ ExportFormat ExportFormatOf(const std::string& name) {
 ExportedMotion ExportPlan(const RobotModel& model, const MotionPlan& plan, ExportFormat format, double rate_hz,
                           const std::string& out) {
   const double rate = rate_hz != 0.0 ? rate_hz : UsualRate(plan);
-  return ExportRows(model, RowsOfPlan(model, plan, rate), format, rate, out);
+  ExportedMotion exported = ExportRows(model, RowsOfPlan(model, plan, rate), format, rate, out);
+  AddEndNote(plan.whole_body.end_s(), exported);
+  return exported;
 }
 
 ExportedMotion ExportLog(const RobotModel& model, const PlaybackLog& log, const MotionPlan* plan, ExportFormat format,
@@ -142,7 +149,10 @@ ExportedMotion ExportLog(const RobotModel& model, const PlaybackLog& log, const 
   CheckBelongs(model, log, plan);
   const double rate = rate_hz != 0.0 ? rate_hz : log.log_rate_hz;
   ExportedMotion exported = ExportRows(model, RowsOfLog(model, log, rate), format, rate, out);
-  if (format != ExportFormat::kSvg || plan == nullptr) return exported;
+  if (format != ExportFormat::kSvg || plan == nullptr) {
+    AddEndNote(log.samples.back().time_s, exported);
+    return exported;
+  }
   exported.files.clear();
   AddPlots(MakePlots(model, *plan, log, Score(model, *plan, log)), out, exported);
   return exported;

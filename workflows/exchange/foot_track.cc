@@ -13,6 +13,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/bspline.h"
 #include "planning/plan/sample_plan.h"
+#include "workflows/exchange/median_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -57,12 +58,6 @@ std::vector<ContactInterval> IntervalsOfRows(const std::vector<bool>& stands, co
     begin = end;
   }
   return intervals;
-}
-
-double MedianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// By component the median of where a foot's contact frame is over some rows, less what it rolls from the first on.

@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
+#include "kinematics/base/text.h"
 #include "kinematics/base/version.h"
 #include "planning/terrain/load_terrain.h"
 #include "workflows/exchange/check_motion_table.h"
@@ -18,6 +19,7 @@
 #include "workflows/exchange/even_motion.h"
 #include "workflows/exchange/footstep_file.h"
 #include "workflows/exchange/joint_trajectory.h"
+#include "workflows/exchange/motion_file.h"
 
 namespace gaitwright {
 namespace {
@@ -26,11 +28,7 @@ Failure Refused(const std::string& file, const std::string& why) {
   return {FailureKind::kBadInput, "import", "ImportMotion", fmt::format("'{}': {}", file, why), {}};
 }
 
-std::string ExtensionOf(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
+std::string ExtensionOf(const std::string& file) { return LowerCase(std::filesystem::path(file).extension().string()); }
 
 /// The table of a CSV. `request` gets the units of the file of names.
 Result<MotionTable> ReadCsvMotion(const RobotModel& model, const std::string& text, ImportRequest& request) {
@@ -50,6 +48,23 @@ Result<MotionTable> ReadTrajectory(const RobotModel& model, const std::string& t
 /// Whether a text of YAML holds footsteps rather than a joint trajectory.
 bool HoldsFootsteps(const std::string& text) {
   return text.find("joint_names") == std::string::npos && text.find("footsteps") != std::string::npos;
+}
+
+/// What to do with a file of this program's own, which needs no import; empty for others.
+std::string InsteadOfImport(MotionFileKind kind) {
+  switch (kind) {
+    case MotionFileKind::kPlan:
+      return "'audit', 'play' and 'compare' take it as it is, and 'export' writes its motion for other programs";
+    case MotionFileKind::kLog:
+      return "'compare' and 'view' take it as it is; 'export LOG --plan PLAN --out motion.csv' makes a CSV of what was "
+             "measured, which is imported";
+    case MotionFileKind::kReport:
+      return "it holds no motion: 'compare' sets two reports side by side, and the plan that it is of needs no import";
+    case MotionFileKind::kTrials:
+      return "it holds no motion: 'audit PLAN --preflight --trials-result FILE' takes it";
+    default:
+      return "";
+  }
 }
 
 /// The whole way from a table to a plan.
@@ -91,6 +106,9 @@ Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest
   ImportRequest request = asked;
   CheckOptions(request.Fields());
   CheckImportOptions(request.options);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(request.file, ignored))
+    return Refused(request.file, "is a folder; a motion is one file in there, as a .csv or .yaml");
   const std::string extension = ExtensionOf(request.file);
   const bool csv = extension == ".csv" || extension == ".tsv" || extension == ".txt";
   const bool yaml = extension == ".yaml" || extension == ".yml" || extension == ".json";
@@ -105,6 +123,9 @@ Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest
   if (!terrain) return terrain.failure();
   const Result<std::string> text = ReadFile(request.file);
   if (!text) return text.failure();
+  const MotionFileKind kind = KindOfText(*text);
+  if (const std::string instead = InsteadOfImport(kind); !instead.empty())
+    return Refused(request.file, fmt::format("is {} of this program: {}", NameOf(kind), instead));
   ImportedMotion imported;
   try {
     if (yaml && HoldsFootsteps(*text)) {

@@ -12,6 +12,7 @@
 #include "planning/plan/support_plane.h"
 #include "workflows/exchange/foot_track.h"
 #include "workflows/exchange/given_forces.h"
+#include "workflows/exchange/median_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -56,9 +57,7 @@ class Builder {
       for (const FootTrack& foot : feet_) least = std::min(least, foot.height_m[k]);
       lowest.push_back(least);
     }
-    const auto middle = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 2);
-    std::nth_element(lowest.begin(), middle, lowest.end());
-    const double height = *middle, lift_m = options_.lift_m - height;
+    const double height = MedianOf(std::move(lowest)), lift_m = options_.lift_m - height;
     if (!(std::abs(height) <= kFar * model_.leg_length_m())) {
       throw InvalidArgument(fmt::format(
           "the robot's lowest foot is {:.3f} m {} the ground in most rows; up to {:.3f} m is taken. base_z_m is of the "
@@ -203,11 +202,7 @@ class Builder {
       gait.phase.push_back(intervals.size() > 1 ? intervals[1].start_s : 0.0);
       gait.duty_factor.push_back(std::min(stands_s / duration_s, kNearlyAll));
     }
-    gait.cycle_s = duration_s;
-    if (!cycles.empty()) {
-      std::nth_element(cycles.begin(), cycles.begin() + static_cast<std::ptrdiff_t>(cycles.size() / 2), cycles.end());
-      gait.cycle_s = cycles[cycles.size() / 2];
-    }
+    gait.cycle_s = cycles.empty() ? duration_s : MedianOf(std::move(cycles));
     for (double& phase : gait.phase) phase = phase / gait.cycle_s - std::floor(phase / gait.cycle_s);
     return gait;
   }

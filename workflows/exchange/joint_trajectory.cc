@@ -228,4 +228,14 @@ Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std:
   }
 }
 
+Result<ComparedMotion> ComparedTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
+                                          const ImportOptions& options) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool json = first != std::string::npos && text[first] == '{';
+  const Result<MotionTable> table = json ? ParseJointTrajectoryJson(model, text, source, options)
+                                         : ParseJointTrajectory(model, text, source, options);
+  if (!table) return table.failure();
+  return CheckedTable(model, options, *table, source);
+}
+
 }  // namespace gaitwright

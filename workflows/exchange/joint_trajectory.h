@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kinematics/base/result.h"
+#include "workflows/exchange/compared_motion.h"
 #include "workflows/exchange/motion_table.h"
 
 namespace gaitwright {
@@ -26,5 +27,9 @@ Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::str
 /// The same in JSON; failures name the way to the value.
 Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std::string& text,
                                              const std::string& source, const ImportOptions& options);
+
+/// Either of them, JSON by its first character, as one side of a comparison. Failures of the above and of CheckedTable.
+Result<ComparedMotion> ComparedTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
+                                          const ImportOptions& options);
 
 }  // namespace gaitwright

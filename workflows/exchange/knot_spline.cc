@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kinematics/base/result.h"
+#include "workflows/exchange/median_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -118,9 +119,7 @@ double NoiseOf(const std::vector<double>& values) {
     differences.push_back(
         std::abs(values[i] - 4.0 * values[i - 1] + 6.0 * values[i - 2] - 4.0 * values[i - 3] + values[i - 4]));
   }
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return *middle / (kMedianOfNormal * spread);
+  return MedianOf(std::move(differences)) / (kMedianOfNormal * spread);
 }
 
 }  // namespace gaitwright

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "kinematics/base/text.h"
 #include "kinematics/spatial/rotation.h"
 #include "workflows/exchange/column_target.h"
 
@@ -135,10 +136,23 @@ class Mapper {
 
   double Value(int row, const Source& source) const { return source.scale * table_.At(row, source.column); }
 
+  /// The column that is likely meant for the times, or empty.
+  std::string LikelyTime() const {
+    constexpr std::size_t kLong = 8;  // letters of what may be a slip of "time_s"
+    for (const std::string& name : table_.columns) {
+      const std::string lower = LowerCase(name);
+      if (lower.find("time") != std::string::npos || lower.find("stamp") != std::string::npos) return name;
+    }
+    const std::string nearest = NearestName("time_s", table_.columns);
+    return nearest.starts_with("t") && nearest.size() <= kLong ? nearest : "";
+  }
+
   void TakeTime() {
     if (time_.column < 0) {
-      throw InvalidArgument(fmt::format("has no column of times: 'time_s' is needed; the nearest to it is '{}'",
-                                        NearestName("time_s", table_.columns)));
+      const std::string likely = LikelyTime();
+      throw InvalidArgument(fmt::format("has no column of times: 'time_s' is needed{}",
+                                        likely.empty() ? ", or 'time' or 't', and no column is called nearly so"
+                                                       : fmt::format("; the nearest to it is '{}'", likely)));
     }
     for (int row = 0; row < table_.rows(); ++row) {
       motion_.time_s.push_back(Value(row, time_));

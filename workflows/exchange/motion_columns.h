@@ -28,7 +28,8 @@ Result<ColumnNames> ReadColumnNames(const std::string& path, ImportOptions& opti
 /// The columns of a motion as a header says them, see docs/import.md: time_s, base_x_m, ... base_qw (or base_roll_rad,
 /// base_pitch_rad, base_yaw_rad with R_WB = Rz Ry Rx), and by joint q_<joint>_rad, v_<joint>_rad_s, tau_<joint>_nm, by
 /// foot link contact_<link>, force_<link>_x_n; of slides _m, _m_s, _n. `_deg` and `_mm` are taken as they say. A
-/// column that has only a joint's name holds its position. The quaternion is brought into the order x y z w.
+/// joint's name without the q_, with its unit or alone, is its position too. The quaternion is brought into the order x
+/// y z w.
 ///
 /// Others are named in `unused_columns`, unless they begin like one of ours: then they are refused, with the nearest.
 /// Failure kBadInput `columns`, naming column and what would be taken: no times, no position of some joint, only a part

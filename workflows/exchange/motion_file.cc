@@ -10,7 +10,7 @@ namespace {
 class Keys : public nlohmann::json_sax<nlohmann::json> {
  public:
   std::string format;
-  bool metrics = false, verdict = false;
+  bool metrics = false, verdict = false, n = false, survived = false, survival = false, joint_names = false;
 
   bool null() override { return Value(); }
   bool boolean(bool /*value*/) override { return Value(); }
@@ -42,12 +42,16 @@ class Keys : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool key(string_t& name) override {
+    joint_names = name == "joint_names" && (depth_ == 1 || (depth_ == 2 && key_ == "trajectory"));
     if (depth_ == 1) {
       key_ = name;
       metrics = metrics || name == "metrics";
       verdict = verdict || name == "verdict";
+      n = n || name == "n";
+      survived = survived || name == "survived";
+      survival = survival || name == "survival";
     }
-    return true;
+    return !joint_names;
   }
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
                    const nlohmann::json::exception& /*why*/) override {
@@ -61,15 +65,27 @@ class Keys : public nlohmann::json_sax<nlohmann::json> {
   std::string key_;
 };
 
+/// Whether some line of a YAML text begins with a key.
+bool BeginsALine(const std::string& text, const std::string& key) {
+  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
+    const std::size_t before = text.find_last_not_of(" \t", at == 0 ? std::string::npos : at - 1);
+    if (at == 0 || before == std::string::npos || text[before] == '\n') return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 MotionFileKind KindOfText(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos || text[first] != '{') return MotionFileKind::kTable;
+  if (first == std::string::npos || text[first] != '{')
+    return BeginsALine(text, "joint_names:") ? MotionFileKind::kTrajectory : MotionFileKind::kTable;
   Keys keys;
   nlohmann::json::sax_parse(text, &keys);
   if (keys.format == "gaitwright-motion-plan") return MotionFileKind::kPlan;
   if (keys.format == "gaitwright-playback-log") return MotionFileKind::kLog;
+  if (keys.joint_names) return MotionFileKind::kTrajectory;
+  if (keys.n && keys.survived && keys.survival) return MotionFileKind::kTrials;
   return keys.format.empty() && keys.metrics && keys.verdict ? MotionFileKind::kReport : MotionFileKind::kJson;
 }
 
@@ -81,8 +97,12 @@ const char* NameOf(MotionFileKind kind) {
       return "a log";
     case MotionFileKind::kReport:
       return "a report";
+    case MotionFileKind::kTrials:
+      return "a result of trials";
     case MotionFileKind::kJson:
       return "JSON of another kind";
+    case MotionFileKind::kTrajectory:
+      return "a joint trajectory";
     case MotionFileKind::kTable:
       break;
   }

@@ -94,13 +94,13 @@ Place PlaceOf(const std::vector<double>& times, double time_s) {
 
 }  // namespace
 
-std::vector<double> TimesAtRate(double start_s, double end_s, double rate_hz) {
+std::vector<double> TimesAtRate(double start_s, double end_s, double rate_hz, LastTime last) {
   CheckRate(rate_hz);
-  const double rate = Rounded(rate_hz);
-  const auto steps = static_cast<long>(std::floor((end_s - start_s) * rate + kRounding));
+  const double rate = Rounded(rate_hz), steps = (end_s - start_s) * rate;
+  const auto most =
+      static_cast<long>(last == LastTime::kBeforeEnd ? std::floor(steps + kRounding) : std::ceil(steps - kRounding));
   std::vector<double> times;
-  for (long k = 0; k <= steps; ++k) times.push_back(start_s + static_cast<double>(k) / rate);
-  if (end_s - times.back() > kRounding / rate) times.push_back(end_s);
+  for (long k = 0; k <= most; ++k) times.push_back(start_s + static_cast<double>(k) / rate);
   return times;
 }
 
@@ -114,7 +114,7 @@ MotionRows RowsOfPlan(const RobotModel& model, const MotionPlan& plan, double ra
   CheckMotion(model, plan.whole_body);
   const WholeBodyTrajectory& motion = plan.whole_body;
   MotionRows rows;
-  rows.time_s = TimesAtRate(motion.start_s, motion.end_s(), rate_hz);
+  rows.time_s = TimesAtRate(motion.start_s, motion.end_s(), rate_hz, LastTime::kBehindEnd);
   WholeBodySample sample;
   for (const double time_s : rows.time_s) {
     SampleWholeBody(motion, time_s, sample);

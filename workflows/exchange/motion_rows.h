@@ -25,19 +25,23 @@ struct MotionRows {
 /// The rates at which a motion may be sampled [Hz].
 inline constexpr double kLowestRate = 0.1, kHighestRate = 10000.0;
 
-/// The times start + k / rate up to the end, and the end itself, whose step may be a shorter one.
-/// @throws InvalidArgument for a rate out of range.
-std::vector<double> TimesAtRate(double start_s, double end_s, double rate_hz);
+/// Which of even times is the last one: the last that is not after an end, or the first that is not before it.
+enum class LastTime { kBeforeEnd, kBehindEnd };
+
+/// The times start + k / rate to an end; all steps are alike. @throws InvalidArgument for a rate out of range.
+std::vector<double> TimesAtRate(double start_s, double end_s, double rate_hz, LastTime last = LastTime::kBeforeEnd);
 
 /// The rate of the plan's own grid; where that is coarser than 200 Hz, the least multiple of it that is not.
 double UsualRate(const MotionPlan& plan);
 
 /// The plan at TimesAtRate: between its nodes as SampleWholeBody has it, contacts as scheduled (a foot that touches
-/// down at the time stands). @throws InvalidArgument where the plan does not fit the robot.
+/// down at the time stands). Where its end is not among the times, one row more has its last posture at rest.
+/// @throws InvalidArgument where the plan does not fit the robot.
 MotionRows RowsOfPlan(const RobotModel& model, const MotionPlan& plan, double rate_hz);
 
 /// The log's samples as they are at its own rate. At a lower rate postures, speeds, torques and forces are interpolated
-/// linearly between samples (the base's rotation by the shortest turn), contacts are those of the sample before.
+/// linearly between samples (the base's rotation by the shortest turn), contacts are those of the sample before; what
+/// is left behind the last whole step is left out, since a log does not say how it would go on.
 /// @throws InvalidArgument for a rate above the log's, since nothing is known between its samples, and where the log
 /// does not fit the robot.
 MotionRows RowsOfLog(const RobotModel& model, const PlaybackLog& log, double rate_hz);

@@ -25,6 +25,21 @@ MatrixX SpeedsOf(const ComparedMotion& motion, const std::vector<int>& joints) {
   return speeds.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
 }
 
+/// How large speeds may count, by joint: where they are worked out as large as the other side's, since a jump of a
+/// position would outweigh the motion.
+VectorX LimitsOf(const ComparedMotion& motion, const std::vector<int>& joints, const MatrixX& of_other) {
+  VectorX limits = of_other.cwiseAbs().colwise().maxCoeff().transpose();
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (!motion.derives_speed(joints[j])) limits[static_cast<Eigen::Index>(j)] = INFINITY;
+  }
+  return limits;
+}
+
+MatrixX Limited(const MatrixX& speeds, const VectorX& limits) {
+  const MatrixX most = limits.transpose().replicate(speeds.rows(), 1);
+  return speeds.cwiseMin(most).cwiseMax(-most);
+}
+
 std::vector<double> RunningEnergy(const MatrixX& speeds) {
   std::vector<double> sum(static_cast<std::size_t>(speeds.rows()) + 1, 0.0);
   for (Eigen::Index k = 0; k < speeds.rows(); ++k)
@@ -86,8 +101,9 @@ std::optional<Eigen::Index> BestShift(const MatrixX& a, const MatrixX& b) {
 /// The agreement at an offset that is no multiple of the step.
 class Agreement {
  public:
-  Agreement(const ComparedMotion& a, const ComparedMotion& b, const std::vector<NamedPair>& joints)
-      : a_(a), b_(b), joints_(joints) {}
+  Agreement(const ComparedMotion& a, const ComparedMotion& b, const std::vector<NamedPair>& joints,
+            const VectorX& limits_a, const VectorX& limits_b)
+      : a_(a), b_(b), joints_(joints), limits_a_(limits_a), limits_b_(limits_b) {}
 
   double At(double offset_s) {
     const double first = std::max(a_.start_s(), b_.start_s() - offset_s),
@@ -96,9 +112,12 @@ class Agreement {
     for (double time_s = first; time_s <= end + 1e-9; time_s += kStep) {
       SampleCompared(a_, std::min(time_s, end), of_a_);
       SampleCompared(b_, std::min(time_s, end) + offset_s, of_b_);
-      for (const NamedPair& joint : joints_) {
-        const double v = of_a_.v[6 + joint.a], w = of_b_.v[6 + joint.b];
+      for (std::size_t j = 0; j < joints_.size(); ++j) {
+        double v = of_a_.v[6 + joints_[j].a], w = of_b_.v[6 + joints_[j].b];
         if (!std::isfinite(v) || !std::isfinite(w)) continue;
+        const double most_a = limits_a_[static_cast<Eigen::Index>(j)], most_b = limits_b_[static_cast<Eigen::Index>(j)];
+        v = std::clamp(v, -most_a, most_a);
+        w = std::clamp(w, -most_b, most_b);
         product += v * w;
         energy += v * v + w * w;
       }
@@ -109,6 +128,7 @@ class Agreement {
  private:
   const ComparedMotion &a_, &b_;
   const std::vector<NamedPair>& joints_;
+  const VectorX &limits_a_, &limits_b_;
   RowSample of_a_, of_b_;
 };
 
@@ -131,9 +151,11 @@ std::optional<ClockOffset> BestOffset(const ComparedMotion& a, const ComparedMot
     of_b.push_back(joint.b);
   }
   if (joints.empty()) return std::nullopt;
-  const std::optional<Eigen::Index> shift = BestShift(SpeedsOf(a, of_a), SpeedsOf(b, of_b));
+  const MatrixX speeds_a = SpeedsOf(a, of_a), speeds_b = SpeedsOf(b, of_b);
+  const VectorX limits_a = LimitsOf(a, of_a, speeds_b), limits_b = LimitsOf(b, of_b, speeds_a);
+  const std::optional<Eigen::Index> shift = BestShift(Limited(speeds_a, limits_a), Limited(speeds_b, limits_b));
   if (!shift) return std::nullopt;
-  Agreement agreement(a, b, joints);
+  Agreement agreement(a, b, joints, limits_a, limits_b);
   ClockOffset best{b.start_s() - a.start_s() + kStep * static_cast<double>(*shift), 0.0};
   best.agreement = agreement.At(best.offset_s);
   for (const double finer : {kStep / 10.0, kStep / 50.0}) {

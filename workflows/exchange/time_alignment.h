@@ -29,8 +29,9 @@ struct ClockOffset {
 /// over the joints that both have and the times at which both move, that is a cross-correlation that a motion of
 /// another size lowers too. All offsets are tried that leave half of the shorter motion and, on either side, a third of
 /// what moves (sum of squared speeds) in the motion that moves less, so that a short piece of a motion is found in the
-/// whole of it; at 5 ms by Fourier transforms, then about the best to 0.1 ms. Nothing where no joint that both have
-/// moves in both.
+/// whole of it; at 5 ms by Fourier transforms, then about the best to 0.1 ms. Speeds that are worked out count at most
+/// as large as the other side's largest of that joint: a position that jumps is no motion. Nothing where no joint that
+/// both have moves in both.
 std::optional<ClockOffset> BestOffset(const ComparedMotion& a, const ComparedMotion& b,
                                       const std::vector<NamedPair>& joints);
 

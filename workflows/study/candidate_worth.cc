@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -44,8 +45,9 @@ Result<CandidateWorth> WorthFromLine(const std::string& line) {
     CandidateWorth worth{json.at("refusal").get<std::string>()};
     for (const Json& trial : json.at("trials"))
       worth.trials.push_back({trial.at(0).get<double>(), trial.at(1).get<bool>()});
-    const bool finite = std::isfinite(MeanValue(worth, 0.0).value_or(0.0));
-    if (!finite || (!worth.refusal.empty() && !worth.trials.empty()))
+    const bool scored = std::all_of(worth.trials.begin(), worth.trials.end(),
+                                    [](const TrialWorth& trial) { return trial.score >= 0.0 && trial.score <= 100.0; });
+    if (!scored || (!worth.refusal.empty() && !worth.trials.empty()))
       throw InvalidArgument("its trials are not those of a candidate");
     return worth;
   } catch (const std::exception& error) {  // of the reader of JSON

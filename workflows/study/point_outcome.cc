@@ -14,8 +14,14 @@ using Json = nlohmann::ordered_json;
 
 Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-std::optional<double> OrNothing(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
+constexpr double kMost = 1e30;  // of any figure, in its unit
+
+/// @throws InvalidArgument for a figure that no point has.
+std::optional<double> OrNothing(const Json& json, double lowest = -kMost, double highest = kMost) {
+  if (json.is_null()) return std::nullopt;
+  const double value = json.get<double>();
+  if (value >= lowest && value <= highest) return value;
+  throw InvalidArgument(fmt::format("a figure is {}; accepted: {} to {}", value, lowest, highest));
 }
 
 PointStatus StatusOf(const std::string& name) {
@@ -31,14 +37,14 @@ PointOutcome FromJson(const Json& json) {
   o.status = StatusOf(json.at("status").get<std::string>());
   o.code = json.at("code").get<std::string>();
   o.reason = json.at("reason").get<std::string>();
-  o.score = OrNothing(json.at("score"));
+  o.score = OrNothing(json.at("score"), 0.0, 100.0);
   o.fell_at_s = OrNothing(json.at("fell_at_s"));
   for (const Json& value : json.at("metrics")) o.metrics.push_back(OrNothing(value));
   if (const Json& s = json.at("survival"); !s.is_null()) {
     o.survival = PointSurvival{s.at(0).get<int>(),    s.at(1).get<int>(),    s.at(2).get<double>(),
                                s.at(3).get<double>(), s.at(4).get<double>(), s.at(5).get<double>()};
-    const bool counted =
-        o.survival->trials > 0 && o.survival->survived >= 0 && o.survival->survived <= o.survival->trials;
+    const bool counted = OrNothing(s.at(5), 0.0, 100.0) && o.survival->trials > 0 && o.survival->survived >= 0 &&
+                         o.survival->survived <= o.survival->trials;
     if (!counted || SurvivalOf(o.survival->trials, o.survival->survived, o.survival->score_mean) != *o.survival)
       throw InvalidArgument("its survival is not what its trials give");
   }

@@ -101,6 +101,7 @@ void Judge(const PreflightInput& input, Preflight& preflight) {
       return v.law == "start_posture" && v.where.ends_with(kStartSpeed) == moving;
     });
   };
+  for (const std::string& remark : preflight.audit.remarks) preflight.remarks.push_back(remark);
   if (starts(true)) {
     preflight.remarks.push_back(
         "the first command moves, and the robot that was measured does not: begin the plan at rest");
@@ -120,9 +121,8 @@ void Judge(const PreflightInput& input, Preflight& preflight) {
   if (trials.survival < least) {
     preflight.reasons.push_back(fmt::format("{}; at least {:.4g} % is asked for", SurvivalText(trials), 100.0 * least));
   } else if (trials.survival_low < least) {
-    preflight.remarks.push_back(
-        fmt::format("the trials leave open whether {:.4g} % survive: their interval begins at {:.1f} %", 100.0 * least,
-                    100.0 * trials.survival_low));
+    preflight.reasons.push_back(fmt::format("the trials leave open whether {:.4g} % survive: {}; more of them may tell",
+                                            100.0 * least, SurvivalText(trials)));
   }
 }
 
@@ -174,7 +174,7 @@ std::string PassText(const TrialsResult& trials) {
 }
 
 std::string ThresholdText(const Preflight& preflight) {
-  return fmt::format("a go asks for {:.4g} % to survive", 100.0 * preflight.least_survival);
+  return fmt::format("a go asks that {:.4g} % survive, with 95 % certainty", 100.0 * preflight.least_survival);
 }
 
 Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input) {
@@ -184,7 +184,7 @@ Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan,
   preflight.least_survival = input.options.least_survival;
   if (input.trials) {
     if (const auto failure = CheckTrials(model, preflight, *input.trials)) return *failure;
-    preflight.trial_conditions = TrialConditions(input.trials->options);
+    preflight.trial_conditions = TrialConditions(input.trials->options, input.trials->disturbances);
   }
   AuditOptions options = input.audit;
   options.margins = true;

@@ -23,7 +23,7 @@ struct PreflightOptions {
              "1",
              0.0,
              1.0,
-             "Share of trials that must survive for a go, where there are trials.",
+             "Share that must survive for a go, where there are trials: the lower end of its 95 % interval.",
              {}}};
   }
 };
@@ -56,7 +56,7 @@ struct Preflight {
 };
 
 /// Audits the plan with its margins and puts everything together. It is a go where the audit passes (with the measured
-/// start posture, if one is given) and, where there is a result of trials, enough of them survived.
+/// start posture, if one is given) and, where there is a result of trials, these leave no doubt that enough survive.
 /// Failure: the plan does not fit the robot; the trials are of another plan, be it the ground alone that is another, or
 /// of another robot (both hashes are named).
 Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input);
@@ -80,7 +80,7 @@ std::string SurvivalText(const TrialsResult& trials);
 /// The same of those that passed every gate.
 std::string PassText(const TrialsResult& trials);
 
-/// "a go asks for 90 % to survive".
+/// "a go asks that 90 % survive, with 95 % certainty".
 std::string ThresholdText(const Preflight& preflight);
 
 }  // namespace gaitwright

@@ -139,9 +139,11 @@ std::string Trials(const Preflight& p) {
   }
   html += Conditions(p);
   if (p.trials->worst.empty()) return html;
-  html +=
-      "<p>Worst trials, each repeated exactly by <span class=\"key\">gaitwright play --disturbances FILE --seed "
-      "SEED</span>:</p>\n<ul>\n";
+  html += p.trials->repeat.empty() ? "<p>Worst trials:</p>\n<ul>\n"
+                                   : fmt::format(
+                                         "<p>Worst trials; <span class=\"key\">{}</span> repeats one "
+                                         "exactly:</p>\n<ul>\n",
+                                         EscapedXml(p.trials->repeat));
   for (std::size_t i = 0; i < std::min(kMostWorst, p.trials->worst.size()); ++i) {
     const TrialsResult::Worst& worst = p.trials->worst[i];
     html += fmt::format("<li>seed {}{}</li>\n", worst.seed, worst.words.empty() ? "" : ": " + EscapedXml(worst.words));

@@ -103,9 +103,8 @@ Json TrialsJson(const TrialsResult& trials, const std::vector<OptionChange>& con
 std::string PreflightText(const Preflight& p) {
   std::string text = fmt::format("PREFLIGHT: {}\n", p.go() ? "GO" : "NO-GO");
   text += fmt::format(
-      "  robot    {}, {:.4g} kg, hash {}\n  plan     {}, {:.2f} s, made by {}, hash {}, that of its logs {}\n  checked "
-      " "
-      "by gaitwright {}, {} samples at {:.0f} Hz\n",
+      "  robot    {}, {:.4g} kg, hash {}\n  plan     {}, {:.2f} s, made by {}, hash {}, that of its logs {}\n"
+      "  checked  by gaitwright {}, {} samples at {:.0f} Hz\n",
       p.robot, p.mass_kg, p.robot_hash, p.motion, p.duration_s, p.made_by, p.whole_plan_hash, p.plan_hash,
       p.program_version, p.audit.samples, p.audit.rate_hz);
   text += Section("Why it is no go", p.reasons) + Section("To mind", p.remarks) + TrialsText(p) + LimitsText(p) +

@@ -161,6 +161,12 @@ std::vector<StudyAxis> ParseAxes(const std::vector<std::string>& texts, StudyLay
 
 double NumberOfValue(const std::string& value) { return ReadNumber("axis", value); }
 
+std::vector<std::string> KeysOf(const std::vector<StudyAxis>& axes) {
+  std::vector<std::string> keys;
+  for (const StudyAxis& axis : axes) keys.push_back(axis.key);
+  return keys;
+}
+
 std::vector<StudyPoint> GridPoints(const std::vector<StudyAxis>& axes) {
   std::vector<StudyPoint> points = {{}};
   for (const StudyAxis& axis : axes) {

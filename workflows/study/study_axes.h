@@ -51,6 +51,9 @@ StudyAxis ParseAxis(const std::string& text, StudyLayout layout);
 /// The axes of a study. @throws InvalidArgument as ParseAxis, when there is none, or a key is given twice.
 std::vector<StudyAxis> ParseAxes(const std::vector<std::string>& texts, StudyLayout layout);
 
+/// What the axes vary.
+std::vector<std::string> KeysOf(const std::vector<StudyAxis>& axes);
+
 /// One value for each axis, as text that the option reads.
 using StudyPoint = std::vector<std::string>;
 

@@ -10,6 +10,7 @@
 #include "kinematics/base/version.h"
 #include "planning/plan/plan_json.h"
 #include "playback/score/gates.h"
+#include "workflows/study/trial_conditions.h"
 
 namespace gaitwright {
 namespace {
@@ -31,10 +32,47 @@ bool HasField(const OptionFields& fields, const std::string& key) {
   return std::any_of(fields.begin(), fields.end(), [&](const OptionField& f) { return f.key == key; });
 }
 
-/// A delay in whole time steps, the nearest that may be.
+double NumberOf(const OptionFields& fields, const std::string& key) {
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const OptionField& f) { return f.key == key; });
+  if (field == fields.end()) return 0.0;  // which SetNumber refuses
+  const auto* whole = std::get_if<int*>(&field->target);
+  return whole != nullptr ? static_cast<double>(**whole) : *std::get<double*>(field->target);
+}
+
+/// A drawn value together with the one that its option has.
+double Together(double own, const DrawnOption& drawn) {
+  if (drawn.effect == DisturbanceEffect::kFactor) return own * drawn.value;
+  return drawn.effect == DisturbanceEffect::kOffset ? own + drawn.value : drawn.value;
+}
+
+/// A delay in whole time steps, the nearest that may be; one that is too long stays so.
 double InSteps(double delay_s, double step_s) {
-  const double most = std::floor(kLongestDelay / step_s * (1.0 + 1e-9));
+  constexpr double kRounding = 1e-9;
+  if (delay_s > kLongestDelay * (1.0 + kRounding)) return delay_s;
+  const double most = std::floor(kLongestDelay / step_s * (1.0 + kRounding));
   return step_s * std::min(std::round(delay_s / step_s), most);
+}
+
+/// The options of a playback that are not at their usual values.
+std::vector<std::string> ChangedKeys(PlayRequest request) {
+  PlayRequest usual;
+  std::vector<std::string> keys;
+  for (const OptionChange& change : ChangesFrom(usual.Fields(), TextsOf(request.Fields()))) keys.push_back(change.key);
+  return keys;
+}
+
+/// What is both drawn and set; nothing where all is said once. Of sensors single figures of a set may be drawn, and
+/// each trial has its own seed.
+std::optional<Failure> SaidTwice(const PlayRequest& request, const Disturbances& disturbances) {
+  std::vector<std::string> keys = ChangedKeys(request);
+  std::erase_if(keys, [](const std::string& key) { return key.starts_with(kSensors) || key == "play.seed"; });
+  const std::vector<std::string> twice = DrawnInPlaceOf(disturbances, keys);
+  if (twice.empty()) return std::nullopt;
+  return Failure{FailureKind::kBadInput,
+                 "said_twice",
+                 "PlayTrial",
+                 fmt::format("the disturbances draw {}, which an option of the playback says too", QuotedList(twice)),
+                 {"leave one of them out"}};
 }
 
 Failure CannotBePlayed(const std::string& code, const std::string& why) {
@@ -49,6 +87,7 @@ Failure CannotBePlayed(const std::string& code, const std::string& why) {
 template <class Check>
 std::optional<Failure> AtBothEnds(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
                                   const Disturbances& disturbances, Check check) {
+  if (auto failure = SaidTwice(request, disturbances)) return failure;
   double noise_scale = 1.0;
   try {
     for (const RangeEnd end : {RangeEnd::kLowest, RangeEnd::kHighest}) {
@@ -97,8 +136,9 @@ PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& tri
   for (const char* seed : {"play.seed", "sensors.seed"}) {
     if (HasField(fields, seed)) SetNumber(fields, seed, trial.noise_seed);
   }
-  for (const auto& [key, value] : trial.options) {
-    SetNumber(fields, key, key == "command_delay_s" ? InSteps(value, disturbed.play.world.step_s) : value);
+  for (const DrawnOption& drawn : trial.options) {
+    const double value = Together(NumberOf(fields, drawn.key), drawn);
+    SetNumber(fields, drawn.key, drawn.key == "command_delay_s" ? InSteps(value, disturbed.play.world.step_s) : value);
   }
   for (const OptionField& field : fields) {
     if (IsNoise(field.key) && std::holds_alternative<double*>(field.target))
@@ -107,6 +147,22 @@ PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& tri
   AddPushes(trial.pushes, disturbed.play);
   disturbed.play.start_joints = trial.start_joints;
   return disturbed;
+}
+
+Disturbances StandardBesides(const RobotModel& model, const PlayRequest& request,
+                             const std::vector<std::string>& varied) {
+  const std::string slope = "play.ground_slope_deg", direction = "play.ground_slope_direction_deg";
+  std::vector<std::string> said = ChangedKeys(request);
+  said.insert(said.end(), varied.begin(), varied.end());
+  for (const auto& [one, other] : {std::pair(slope, direction), std::pair(direction, slope)}) {
+    if (std::find(said.begin(), said.end(), one) != said.end()) said.push_back(other);
+  }
+  Disturbances standard = StandardDisturbances(model);
+  const std::vector<std::string> twice = DrawnInPlaceOf(standard, said);
+  std::erase_if(standard.figures, [&](const Disturbance& figure) {
+    return std::find(twice.begin(), twice.end(), figure.key) != twice.end();
+  });
+  return standard;
 }
 
 std::optional<Failure> WhyNotSampled(const RobotModel& model, const PlayRequest& request,
@@ -151,7 +207,12 @@ TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed) {
   subject.disturbances = DisturbancesText(study.disturbances);
   subject.options = TextsOf(request.Fields());
   subject.seed = run_seed;
+  const bool standard = study.disturbances == StandardBesides(study.model, request);
+  const std::string flags = FlagsOf(request.controller, subject.options);
+  subject.repeat = fmt::format("gaitwright play PLAN --disturbances {} --seed SEED{}{}", standard ? "standard" : "FILE",
+                               flags.empty() ? "" : " ", flags);
   subject.gait_scale = GaitScaleOf(study.model, study.plan);
+  if (!request.play.push_force_W.isZero(0.0)) subject.own_push_s = request.play.push_at_s;
   const GateScale scale = ScaleOf(study.model, study.plan);
   for (const MetricRule& rule : MetricRules()) {
     if (const auto limit = LimitOf(rule, scale)) subject.limits.emplace_back(rule.key, *limit);

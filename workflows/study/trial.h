@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "playback/trials/robustness_report.h"
 #include "workflows/walk/walk.h"
@@ -28,9 +29,14 @@ struct PlayedTrial {
 /// @throws InvalidArgument when a trial sets an option that playback does not have.
 PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& trial);
 
-/// Why some trial that disturbances can draw could not be played, whatever the plan; nothing where all could. It is an
-/// option that they set out of its range, by itself or together with what the request says (the noise of a sensor times
-/// `sensor_noise_scale`), or a push on nothing: code `disturbances`. @throws InvalidArgument where the request itself
+/// The standard set but for what the request, or a study that varies those options, says itself.
+Disturbances StandardBesides(const RobotModel& model, const PlayRequest& request,
+                             const std::vector<std::string>& varied = {});
+
+/// Why some trial that disturbances can draw could not be played, whatever the plan; nothing where all could. It is a
+/// figure that is drawn and set (code `said_twice`); or an option that they put out of its range, by itself or together
+/// with what the request says (the noise of a sensor times `sensor_noise_scale`), or a push on nothing: code
+/// `disturbances`. @throws InvalidArgument where the request itself
 /// has an option out of its range.
 std::optional<Failure> WhyNotSampled(const RobotModel& model, const PlayRequest& request,
                                      const Disturbances& disturbances);

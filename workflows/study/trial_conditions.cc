@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "workflows/walk/walk.h"
+#include "workflows/study/trial.h"
 
 namespace gaitwright {
 namespace {
@@ -54,7 +54,7 @@ void AddSensors(const OptionTexts& options, const std::string& state, std::vecto
 
 }  // namespace
 
-std::vector<OptionChange> TrialConditions(const OptionTexts& options) {
+std::vector<OptionChange> TrialConditions(const OptionTexts& options, const std::string& disturbances) {
   PlayRequest request;
   const OptionFields usual = request.Fields();
   std::vector<OptionChange> conditions = {Always(options, usual, kState)};
@@ -68,7 +68,20 @@ std::vector<OptionChange> TrialConditions(const OptionTexts& options) {
     const auto is = [&key = key](const OptionField& field) { return field.key == key; };
     if (std::none_of(usual.begin(), usual.end(), is)) conditions.push_back({key, value, ""});
   }
+  if (const Result<Disturbances> drawn = ReadDisturbances(disturbances, SensorFields(request), "the result")) {
+    std::erase_if(conditions, [&](const OptionChange& c) { return !DrawnInPlaceOf(*drawn, {c.key}).empty(); });
+  }
   return conditions;
+}
+
+std::string FlagsOf(const std::string& controller, const OptionTexts& options) {
+  std::string flags = controller == PlayRequest().controller ? "" : " --controller " + controller;
+  for (const OptionChange& condition : TrialConditions(options)) {
+    if (condition.value == condition.usual || condition.usual.empty() || condition.value == kNotSaid) continue;
+    flags += condition.key == kSensors ? fmt::format(" --sensors {}", condition.value)
+                                       : fmt::format(" --set {}={}", condition.key, condition.value);
+  }
+  return flags.empty() ? "" : flags.substr(1);
 }
 
 std::string ConditionText(const OptionChange& condition) {

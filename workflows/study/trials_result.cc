@@ -116,6 +116,7 @@ TrialsResult Read(const JsonPart& part) {
   result.robot_hash = TextOf(Needed(part, "robot_hash"));
   if (part.Has("controller")) result.controller = part.At("controller").Text();
   if (part.Has("disturbances")) result.disturbances = part.At("disturbances").Text();
+  if (part.Has("repeat")) result.repeat = part.At("repeat").Text();
   result.options = OptionsOf(part);
   result.causes = CausesOf(part);
   result.worst = WorstOf(part);

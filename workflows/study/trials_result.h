@@ -31,6 +31,7 @@ struct TrialsResult {
   std::string plan_hash, whole_plan_hash, robot_hash;  ///< MotionHash and PlanHash of the plan
   OptionTexts options;                                 ///< of the playback, before trials changed them
   std::string controller, disturbances;  ///< the latter as YAML text; "" where the result does not say them
+  std::string repeat;                    ///< the command that repeats one trial, likewise
 
   /// Of those that passed every gate.
   ShareInterval pass_share() const { return WilsonInterval(passed, n); }
@@ -38,9 +39,9 @@ struct TrialsResult {
 
 /// A result from its JSON text: an object with `n`, `survived`, `passed`, `survival`, `survival_low`, `survival_high`,
 /// `plan_hash`, `whole_plan_hash`, `robot_hash` and `options` (texts by key); `causes` (an object of counts by name, or
-/// a list of objects with a text and a count) and `controller`, `disturbances` (texts) and `worst` (a list of objects
-/// with a `seed` and a `reason`) may be missing. Other keys are passed over. Refused: text that is no JSON, a key that
-/// is missing or of the wrong kind, figures that contradict each other. @param source names the text.
+/// a list of objects with a text and a count) and `controller`, `disturbances`, `repeat` (texts) and `worst` (a list of
+/// objects with a `seed` and a `reason`) may be missing. Other keys are passed over. Refused: text that is no JSON, a
+/// key that is missing or of the wrong kind, figures that contradict each other. @param source names the text.
 Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::string& source);
 
 /// The result of a file.

@@ -152,10 +152,9 @@ Result<TuneReport> Tune(const Study& study, const TuneOptions& options, JobJourn
 }
 
 std::string TunedOptions(const Study& study, const TuneResult& result) {
-  const bool alone = result.proof && !result.proof->no_before.empty();
-  std::string yaml = alone             ? "# Tuned; the usual values have no plan.\n"
-                     : result.better() ? "# Tuned; better on held-out trials.\n"
-                                       : "# Not better than these usual values on held-out trials, so they are kept.\n";
+  std::string yaml = result.better() ? "# Tuned; better on held-out trials.\n"
+                                     : "# Not better than these usual values on held-out trials, so they are kept.\n";
+  if (result.proof && !result.proof->no_before.empty()) yaml = "# Tuned; the usual values cannot be walked.\n";
   for (std::size_t k = 0; k < study.axes.size(); ++k)
     yaml += study.axes[k].key + ": " + result.candidates[result.chosen].values[k] + "\n";
   return yaml;

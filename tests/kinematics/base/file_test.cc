@@ -83,6 +83,14 @@ TEST_F(Files, OneThatCannotBeWrittenLeavesAllAsItWas) {
   EXPECT_EQ(Found(), before);
 }
 
+TEST_F(Files, TheSystemsReasonIsSaidOfOneThatCannotBeMade) {
+  const auto written = WriteFileAtomically("/proc/none", "text");  // where nobody can make files
+  ASSERT_FALSE(written);
+  const std::string begin = "cannot write '/proc/none': ";
+  EXPECT_TRUE(written.failure().message.starts_with(begin)) << written.failure().message;
+  EXPECT_GT(written.failure().message.size(), begin.size());
+}
+
 TEST_F(Files, OneNamedTwiceIsRefused) {
   const auto written = WriteFilesTogether({{In("a"), "1"}, {In("./a"), "2"}});
   ASSERT_FALSE(written);

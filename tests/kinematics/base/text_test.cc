@@ -13,5 +13,11 @@ TEST(Text, TrimmedHasNoBlanksAtItsEnds) {
   EXPECT_EQ(Trimmed(""), "");
 }
 
+TEST(Text, LowerCaseTouchesNothingButCapitals) {
+  EXPECT_EQ(LowerCase("Time [S]_9"), "time [s]_9");
+  EXPECT_EQ(LowerCase("\xc3\x84"), "\xc3\x84") << "of other letters it knows nothing";
+  EXPECT_EQ(LowerCase(""), "");
+}
+
 }  // namespace
 }  // namespace gaitwright

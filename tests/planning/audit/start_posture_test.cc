@@ -149,5 +149,24 @@ TEST_F(StartPostures, TheBaseMayBeTurnedButNotTilted) {
   EXPECT_NEAR(found[0].value, 0.2, 0.02) << "the plan's first posture is all but level";
 }
 
+TEST_F(StartPostures, AQuaternionThatLikelyHasWFirstIsSaidToHaveIt) {
+  AuditOptions options;
+  const auto measured = [&](const std::string& numbers) {
+    options.start = *StartPostureFromYaml(FileOf(First()) + "base_quaternion_xyzw: " + numbers, "start.yaml", model());
+    return *Audit(model(), plan(), options);
+  };
+  const AuditReport first = measured("[1, 0, 0, 0]\n");
+  EXPECT_FALSE(first.pass());
+  ASSERT_EQ(first.remarks.size(), 1U);
+  for (const std::string& text : {AuditText(first), AuditJson(first)}) {
+    EXPECT_NE(text.find("the start posture's quaternion seems to have w first"), std::string::npos) << text;
+    EXPECT_NE(text.find("write it as base_quaternion_xyzw: [x, y, z, w]"), std::string::npos) << text;
+  }
+  EXPECT_TRUE(measured("[0, 0, 0, 1]\n").remarks.empty());
+  EXPECT_FALSE(measured("[0, 0.68164, 0, 0.73169]\n").pass()) << "it lies on its nose";
+  EXPECT_TRUE(measured("[0, 0.68164, 0, 0.73169]\n").remarks.empty()) << "in that order it would not be upright either";
+  EXPECT_TRUE(measured("[0, 0.1, 0, 0.994987]\n").remarks.empty()) << "a little off is no other order";
+}
+
 }  // namespace
 }  // namespace gaitwright

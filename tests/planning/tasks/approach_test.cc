@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -117,6 +118,9 @@ TEST_P(Approaching, KeepsTheReserveThatThePlanIsHeldAgainst) {
   }
   EXPECT_FALSE(Audit(model(), PlanApproach(model(), plan(), start)->plan, reserve)->pass()) << "without being told it";
   EXPECT_TRUE(Audit(model(), slow->plan, reserve)->pass());
+  const OptionTexts& shaped = slow->plan.provenance.options;
+  EXPECT_EQ(std::count(shaped.begin(), shaped.end(), std::pair<std::string, std::string>("audit.derate_speed", "0.02")),
+            1);
   // Whoever is left hardly any torque cannot even hold its legs up, and is told so.
   reserve.derate_torque = 0.01;
   const auto weak = PlanApproach(model(), plan(), start, {}, reserve);

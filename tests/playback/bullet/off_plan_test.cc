@@ -77,6 +77,22 @@ TEST_F(OffPlanTest, SlopesRiseWhereTheyAreToldTo) {
   }
 }
 
+TEST_F(OffPlanTest, AShortPushHasItsImpulseAndOneForNoTimeNone) {
+  const auto pushed = [&](double force_n, double at_s, double for_s) {
+    PlayOptions options;
+    options.push_force_W.y() = force_n;
+    options.push_at_s = at_s;
+    options.push_for_s = for_s;
+    return Stand(options).samples.back().q;
+  };
+  const VectorX plain = Stand({}).samples.back().q, step = pushed(200.0, 0.1, 0.001);
+  EXPECT_NE(plain, step);
+  EXPECT_LT((pushed(500.0, 0.1, 0.0004) - step).norm(), 1e-9) << "0.4 of a step";
+  EXPECT_LT((pushed(500.0, 0.1004, 0.0004) - step).norm(), 1e-9);
+  EXPECT_LT((pushed(200.0, 0.1005, 0.001) - step).norm(), 0.05 * (plain - step).norm()) << "over two steps";
+  EXPECT_EQ(pushed(200.0, 0.1, 0.0), plain);
+}
+
 TEST_F(OffPlanTest, StartsOutOfTheGroundAndSettles) {
   PlayOptions options;
   options.start_x_m = 0.03;

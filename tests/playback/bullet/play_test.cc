@@ -224,6 +224,9 @@ TEST_P(PlayTest, RefusesPlansOfOthersAndBadRates) {
   PlayOptions options;
   options.log_rate_hz = 300.0;
   EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);
+  options.world.step_s = 0.003;
+  options.log_rate_hz = 166.667;  // as a refusal names it
+  EXPECT_EQ(WhyNotPlayed(model_, plan_, options), std::nullopt);
   options = {};
   options.world.step_s = -1.0;
   EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);

@@ -24,6 +24,7 @@ PlaybackLog Example() {
   log.saturated_s = Vector2(0.1, 1.0 / 3.0);
   log.stances = {{1, 0.1, 0.7, Vector3(1.0 / 3.0, 2.0, 3.0), 0.2, 1e-7, 55.5, 2e-6, 0.3}};
   log.body_contacts = {{0.55, "trunk"}};
+  log.pushes = {{Vector3(1.0, -2.0, 0.5), 0.25, 0.125, "robot"}};
   std::srand(1);
   for (int k = 0; k < 3; ++k) {
     LogSample sample;
@@ -61,6 +62,7 @@ TEST(LogJson, ReadsBackExactlyWhatItWrote) {
   EXPECT_EQ(back.robot, log.robot);
   EXPECT_EQ(back.options, log.options);
   EXPECT_EQ(back.body_contacts, log.body_contacts);
+  EXPECT_EQ(back.pushes, log.pushes);
   EXPECT_EQ(back.saturated_s, log.saturated_s);
   ASSERT_EQ(back.samples.size(), 3U);
   EXPECT_EQ(back.samples[2].q, log.samples[2].q);
@@ -138,6 +140,7 @@ TEST(LogJson, ValuesThatCannotBeAreRefused) {
   expect("\"foot\":1", "\"foot\":2", "'stances, foot' is 2; accepted: 0 to 1");
   expect("\"foot\":1", "\"foot\":1e300", "a whole number is needed");
   expect("\"touchdown_s\":0.1", "\"touchdown_s\":0.8", "'stances, liftoff_s' is 0.7; accepted: 0.8 to");
+  expect("\"for_s\":0.125", "\"for_s\":-1", "'pushes, for_s' is -1; accepted: 0 to");
   expect("\"peak_normal_n\":55.5", "\"peak_normal_n\":1e300", "accepted: -1000000000000 to");
   PlaybackLog backward = Example();
   std::swap(backward.samples[0].time_s, backward.samples[1].time_s);

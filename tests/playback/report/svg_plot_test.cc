@@ -108,6 +108,48 @@ TEST(SvgPlot, RowsGoDownwardsAndDotsLieOnTheirBars) {
   EXPECT_GT(dots[2], dots[1] + 10.0);
 }
 
+TEST(SvgPlot, TheLegendNamesOnlyWhatIsDrawn) {
+  const double none = std::nan("");
+  SvgPlot plot{SvgPlot::Options{}};
+  plot.Line({{0.0, none}, {1.0, none}}, Ink::kBad, Stroke::kMeasured, "nowhere");
+  plot.Line({{0.0, 1.0}, {1.0, none}, {2.0, 1.0}}, Ink::kBad, Stroke::kMeasured, "single points");
+  plot.Line({}, Ink::kBad, Stroke::kMeasured, "no points");
+  plot.Dot({none, 0.0}, Ink::kFoot, 2.0, "no dot");
+  plot.Line({{0.0, none}, {1.0, 1.0}, {2.0, 2.0}}, Ink::kZmp, Stroke::kMeasured, "drawn");
+  plot.Dot({1.0, 1.0}, Ink::kFoot, 2.0, "a dot");
+  const std::string svg = plot.Svg();
+  for (const char* label : {"nowhere", "single points", "no points", "no dot"}) EXPECT_FALSE(Has(svg, label)) << label;
+  for (const char* label : {">drawn<", ">a dot<"}) EXPECT_TRUE(Has(svg, label)) << label;
+}
+
+/// What the inner picture holds is cut at the axes, what follows its end is not.
+TEST(SvgPlot, MarksAtTheEdgeAreWholeAndThoseOutsideAreNotThere) {
+  SvgPlot::Options options;
+  options.x_lowest = options.y_lowest = 0.0;
+  options.x_highest = options.y_highest = 1.0;
+  SvgPlot plot(options);
+  plot.Dot({0.5, 0.5}, Ink::kFoot, 1.5);
+  plot.Dot({1.5, 0.5}, Ink::kFoot, 2.5);
+  plot.Line({{-1.0, 0.0}, {2.0, 1.0}}, Ink::kZmp, Stroke::kMeasured);
+  for (const double end : {0.0, 1.0}) {
+    plot.Dot({end, 0.5}, Ink::kFoot, 3.5);
+    plot.Dot({0.5, end}, Ink::kFoot, 3.5);
+    plot.Cross({end, end}, Ink::kBad);
+  }
+  const std::string svg = plot.Svg();
+  const std::size_t end = svg.find("</svg>");
+  const std::string cut = svg.substr(0, end), whole = svg.substr(end);
+  const auto count = [](const std::string& text, const std::string& part) {
+    int times = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++times;
+    return times;
+  };
+  EXPECT_EQ(count(whole, "r=\"3.5\""), 4);
+  EXPECT_EQ(count(whole, "bad heavy"), 4) << "two strokes of each cross";
+  EXPECT_EQ(count(cut, "r=\"3.5\"") + count(cut, "bad heavy"), 0);
+  for (const char* part : {"r=\"1.5\"", "r=\"2.5\"", "zmp measured"}) EXPECT_EQ(count(cut, part), 1) << part;
+}
+
 TEST(SvgPlot, BoundsOfOtherLengthAreRefused) {
   SvgPlot plot{SvgPlot::Options{}};
   EXPECT_THROW(plot.Band({0.0, 1.0}, {0.0}, {1.0, 1.0}, Ink::kSupport), InvalidArgument);

@@ -22,6 +22,25 @@ TEST(TrialsPageTest, IsWellFormedAndShowsWhatMatters) {
   EXPECT_EQ(page, TrialsPage(report));
 }
 
+TEST(TrialsPageTest, SaysAtItsHeadWhatWasTried) {
+  TrialSubject subject = made::Subject();
+  subject.robot_hash = "9cec4752cb17175f";
+  subject.plan_hash = "fffa398efbc33624";
+  subject.whole_plan_hash = "14acbd1094d2bceb";
+  subject.seed = 5;
+  const std::string page = TrialsPage(ReduceTrials(subject, made::Outcomes(20, 25.0)));
+  const std::string head = page.substr(0, page.find("class=\"cards\""));
+  for (const char* part : {"robot hash 9cec4752cb17175f", "plan hash 14acbd1094d2bceb", "logs fffa398efbc33624",
+                           "controller stabilised", "seed 5"})
+    EXPECT_NE(head.find(part), std::string::npos) << part;
+}
+
+TEST(TrialsPageTest, TheLegendHasNoLineThatIsNotDrawn) {
+  const std::string page = TrialsPage(ReduceTrials(made::Subject(), made::Outcomes(40, 1000.0)));
+  EXPECT_NE(page.find(">largest survived<"), std::string::npos);
+  EXPECT_EQ(page.find("smallest fatal"), std::string::npos) << "no push was";
+}
+
 TEST(TrialsPageTest, HasNothingToShowOfWhatThereWasNot) {
   std::vector<TrialOutcome> calm = made::Outcomes(5, 1000.0);
   for (TrialOutcome& outcome : calm) outcome.sampled.resize(1);

@@ -99,5 +99,15 @@ TEST(Fall, BoundsAreOptions) {
   EXPECT_TRUE(FindFall(c.plan, c.log, MakeMotionSeries(c.model, c.plan, c.log, strict), strict).fell);
 }
 
+TEST(Fall, IsLookedForWithTheLogsOwnOptions) {
+  Case c;
+  Turn(c.log.samples[50].q, 0.5, Vector3::UnitX());
+  EXPECT_EQ(Score(c.model, c.plan, c.log).At("fell").value, 0.0);
+  c.log.options = {{"play.step_s", "0.001"}, {"score.fall_tilt_rad", "0.4"}, {"score.of_another_version", "1"}};
+  EXPECT_EQ(Score(c.model, c.plan, c.log).At("fell").value, 1.0);
+  c.log.options = {{"score.fall_tilt_rad", "40"}};
+  EXPECT_THROW(Score(c.model, c.plan, c.log), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace gaitwright

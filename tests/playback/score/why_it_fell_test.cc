@@ -132,16 +132,41 @@ TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
   const MotionPlan plan = SteppingPlan(model);
   PlaybackLog log = PerfectLog(model, plan);
   EXPECT_TRUE(DisturbancesOf(log).empty());
-  log.options = {{"play.push_force_y_n", "-60"}, {"play.push_at_s", "3"},         {"play.push_for_s", "0.1"},
-                 {"play.ground_slope_deg", "2"}, {"play.ground_bumps_m", "0.01"}, {"play.mass_scale", "1.2"},
-                 {"play.friction", "0.3"}};
+  log.options = {{"play.ground_slope_deg", "2"}, {"play.ground_bumps_m", "0.01"}, {"play.friction", "0.3"},
+                 {"play.mass_scale", "1.2"},     {"play.com_shift_y_m", "0.08"},  {"command_delay_s", "0.03"},
+                 {"play.motor_strength", "0.3"}, {"state", "estimated"},          {"play.start_roll_rad", "-0.1"}};
+  log.pushes = {{Vector3(0.0, -60.0, 0.0), 3.0, 0.1, "base"}};
   const std::vector<std::string> expected = {"a push of 60 N to the right from 3.00 s for 0.10 s",
-                                             "a slope of 2 degrees", "bumps of 10 mm", "1.2 times the mass",
-                                             "a friction of 0.3"};
+                                             "a slope of 2 degrees",
+                                             "bumps of 10 mm",
+                                             "a friction of 0.3",
+                                             "1.2 times the mass",
+                                             "the base's centre of mass 80 mm off",
+                                             "commands late by 30 ms",
+                                             "0.3 times the motors' strength",
+                                             "the state as it is estimated",
+                                             "a start turned by 0.1 rad"};
   EXPECT_EQ(DisturbancesOf(log), expected);
   log.body_contacts = {{3.5, "trunk"}};
-  EXPECT_TRUE(
-      Says(Score(model, plan, log).reason, "under a push of 60 N to the right from 3.00 s for 0.10 s, a slope"));
+  const std::string reason = Score(model, plan, log).reason;
+  EXPECT_TRUE(Says(reason, "under a push of 60 N to the right from 3.00 s for 0.10 s, ")) << reason;
+  EXPECT_TRUE(Says(reason, "commands late by 30 ms, 0.3 times the motors' strength, 5 smaller disturbances it fell"))
+      << reason;
+}
+
+TEST(WhyItFell, APushThatCameAfterTheFallIsNotItsCause) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = SteppingPlan(model);
+  PlaybackLog log = PerfectLog(model, plan);
+  log.pushes = {{Vector3(1.0, 0.0, 0.0), 0.1, 0.1, "base"},
+                {Vector3(2.0, 0.0, 0.0), 0.5, 0.1, "base"},
+                {Vector3(260.0, 0.0, 0.0), 1.0, 0.1, "base"},
+                {Vector3(4.0, 0.0, 0.0), 1.6, 0.1, "base"}};
+  log.body_contacts = {{1.5, "trunk"}};
+  const std::string reason = Score(model, plan, log).reason;
+  EXPECT_TRUE(Says(reason, "under a push of 2 N ahead from 0.50 s for 0.10 s, a push of 260 N ahead from 1.00 s"))
+      << reason;
+  EXPECT_FALSE(Says(reason, "4 N")) << reason;
 }
 
 }  // namespace

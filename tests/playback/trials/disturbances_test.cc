@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "playback/sensing/sensor_options.h"
 #include "tests/playback/standing_plan.h"
 
 namespace gaitwright {
@@ -159,9 +160,9 @@ TEST_F(DisturbancesTest, ExtremesAreWhatCanComeOut) {
     const SampledTrial any = Sample(wide, seed);
     ASSERT_EQ(any.options.size(), low.options.size());
     for (std::size_t i = 0; i < any.options.size(); ++i) {
-      EXPECT_EQ(any.options[i].first, low.options[i].first);
-      EXPECT_LE(low.options[i].second, any.options[i].second) << any.options[i].first;
-      EXPECT_GE(high.options[i].second, any.options[i].second) << any.options[i].first;
+      EXPECT_EQ(any.options[i].key, low.options[i].key);
+      EXPECT_LE(low.options[i].value, any.options[i].value) << any.options[i].key;
+      EXPECT_GE(high.options[i].value, any.options[i].value) << any.options[i].key;
     }
     EXPECT_GE(high.start_joints.minCoeff(), any.start_joints.maxCoeff());
   }
@@ -170,6 +171,38 @@ TEST_F(DisturbancesTest, ExtremesAreWhatCanComeOut) {
   EXPECT_NEAR(high.pushes[0].force_W.norm(), 50.0, 1e-9);
   EXPECT_NEAR(Value(high, "com_shift_x_m"), 0.02, 1e-12);
   EXPECT_NEAR(Value(low, "com_shift_z_m"), -0.02, 1e-12);
+}
+
+TEST_F(DisturbancesTest, FactorsAndOffsetsGoTogetherWithWhatIsSetAndValuesTakeItsPlace) {
+  SensorOptions sensors;
+  const Disturbances some =
+      ReadDisturbances(
+          "mass_scale: 1.1\nlatency_s: 0.002\nfriction: 0.5\nground_slope_deg: 2\ncom_shift_m: 0.01\n"
+          "stiffness_scale: 0.9\nsensors: {encoder_noise_rad: 0.001}\n",
+          sensors.Fields(), "test")
+          .value();
+  EXPECT_EQ(DrawnInPlaceOf(some, {"play.mass_scale", "command_delay_s", "play.com_shift_x_m", "gains.stiffness_scale"}),
+            std::vector<std::string>());
+  EXPECT_EQ(DrawnInPlaceOf(some, {"sensors.encoder_noise_rad", "play.friction", "play.ground_bumps_m"}),
+            (std::vector<std::string>{"friction", "sensors.encoder_noise_rad"}));
+  const SampledTrial trial = Sample(some, 1);
+  const auto effect = [&](const std::string& key) {
+    for (const DrawnOption& option : trial.options) {
+      if (option.key == key) return option.effect;
+    }
+    ADD_FAILURE() << key;
+    return DisturbanceEffect::kValue;
+  };
+  EXPECT_EQ(effect("play.mass_scale"), DisturbanceEffect::kFactor);
+  EXPECT_EQ(effect("gains.stiffness_scale"), DisturbanceEffect::kFactor);
+  EXPECT_EQ(effect("command_delay_s"), DisturbanceEffect::kOffset);
+  EXPECT_EQ(effect("play.com_shift_y_m"), DisturbanceEffect::kOffset);
+  EXPECT_EQ(effect("play.friction"), DisturbanceEffect::kValue);
+  for (const SampledValue& one : trial.values) {
+    if (one.name == "sensors.encoder_noise_rad") {
+      EXPECT_EQ(one.unit, "rad");
+    }
+  }
 }
 
 TEST_F(DisturbancesTest, APushBeyondAllBoundsIsRefused) {

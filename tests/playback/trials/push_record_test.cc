@@ -64,6 +64,17 @@ TEST(PushRecordTest, AFallIsLaidAtTheDoorOfTheLastPushAlone) {
       << "one without force is none";
 }
 
+TEST(PushRecordTest, WhatComesAfterAPushThatWasNotSampledIsNotTheirs) {
+  const TrialOutcome fell = Trial({{10.0, 0.0, 1.0}, {10.0, 0.0, 4.0}}, 4.9, false);
+  const auto with = [&](double other_s) { return PushesOf(fell, other_s); };
+  EXPECT_EQ(with(4.5)[1].outcome, Outcome::kUnknown) << "the other one came in between";
+  EXPECT_EQ(with(0.5)[1].outcome, Outcome::kFatal);
+  EXPECT_EQ(with(1.5)[0].outcome, Outcome::kUnknown);
+  EXPECT_EQ(with(3.0)[0].outcome, Outcome::kRecovered);
+  EXPECT_EQ(with(3.0)[1].outcome, Outcome::kFatal);
+  EXPECT_EQ(with(6.0)[1].outcome, Outcome::kFatal) << "it never came";
+}
+
 TEST(PushRecordTest, ThePartUpwardCounts) {
   const std::vector<PushRecord> pushes = PushesOf(Trial({{30.0, 0.0, 1.0, 40.0}, {0.0, 0.0, 3.0, 20.0}}, 9.0, true));
   ASSERT_EQ(pushes.size(), 2U);

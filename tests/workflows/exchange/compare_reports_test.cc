@@ -93,6 +93,19 @@ TEST(MotionFileKinds, AreToldByContentAlone) {
   EXPECT_EQ(KindOfText("{\"format\": 3}"), MotionFileKind::kJson);
   EXPECT_EQ(KindOfText("time_s,q_hip_rad\n0,1\n"), MotionFileKind::kTable);
   EXPECT_EQ(KindOfText(""), MotionFileKind::kTable);
+  EXPECT_EQ(KindOfText("{\"n\": 20, \"survived\": 19, \"survival\": 0.95, \"metrics\": {}}"), MotionFileKind::kTrials);
+}
+
+TEST(MotionFileKinds, AJointTrajectoryIsToldInBothLanguages) {
+  for (const char* text : {"joint_names: [a]\npoints: []\n", "# a comment\nheader: {}\njoint_names:\n- a\n",
+                           "trajectory:\n  joint_names: [a]\n", "{\"joint_names\": [\"a\"], \"poin",
+                           "{\"trajectory\": {\"header\": null, \"joint_names\": []}}"})
+    EXPECT_EQ(KindOfText(text), MotionFileKind::kTrajectory) << text;
+  for (const char* text : {"time_s,joint_names:\n0,1\n", "my_joint_names: [a]\n"})
+    EXPECT_EQ(KindOfText(text), MotionFileKind::kTable) << text;
+  EXPECT_EQ(KindOfText("{\"other\": {\"joint_names\": []}}"), MotionFileKind::kJson);
+  EXPECT_EQ(KindOfText("{\"robot\": {\"joint_names\": []}, \"format\": \"gaitwright-motion-plan\"}"),
+            MotionFileKind::kPlan);
 }
 
 }  // namespace

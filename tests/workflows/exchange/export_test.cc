@@ -55,14 +55,36 @@ TEST(MotionRows, OfAPlanAreItsOwnRowsAtItsOwnRateAndInterpolatedBetween) {
   EXPECT_GT((fine.q[777] - own.q[777 / 5]).norm(), 1e-6) << "between two nodes it is neither";
 }
 
-TEST(MotionRows, EndWithTheEndAtRatesThatDoNotMeetIt) {
-  const std::vector<double> times = TimesAtRate(1.0, 2.05, 10.0);
-  ASSERT_EQ(times.size(), 12U);
-  EXPECT_EQ(times[3], 1.3);
-  EXPECT_EQ(times.back(), 2.05);
-  EXPECT_EQ(TimesAtRate(0.0, 0.3, 10.0).size(), 4U) << "no second row for the same end";
+TEST(MotionRows, AreEvenlySpacedAtRatesThatDoNotMeetTheEndToo) {
+  const std::vector<double> before = TimesAtRate(1.0, 2.05, 10.0),
+                            behind = TimesAtRate(1.0, 2.05, 10.0, LastTime::kBehindEnd);
+  ASSERT_EQ(before.size(), 11U);
+  EXPECT_EQ(before[3], 1.3);
+  EXPECT_DOUBLE_EQ(before.back(), 2.0);
+  ASSERT_EQ(behind.size(), 12U);
+  EXPECT_DOUBLE_EQ(behind.back(), 2.1);
+  for (const LastTime last : {LastTime::kBeforeEnd, LastTime::kBehindEnd})
+    EXPECT_EQ(TimesAtRate(0.0, 0.3, 10.0, last).size(), 4U) << "no second row for the same end";
   EXPECT_EQ(Refusal([] { TimesAtRate(0.0, 1.0, 0.0); }),
             "a rate of 0 Hz is out of range; 0.1 to 10000 Hz are accepted");
+}
+
+TEST(MotionRows, OfAPlanGoOnToRestBehindItsEndAndOfALogEndBeforeIt) {
+  const Walker walker;  // of 2.7 s
+  const MotionRows plan = RowsOfPlan(walker.model, walker.plan, 333.0),
+                   log = RowsOfLog(walker.model, walker.log, 155.0);
+  ASSERT_EQ(plan.size(), 901);
+  ASSERT_EQ(log.size(), 419);
+  EXPECT_NEAR(plan.time_s.back(), 900.0 / 333.0, 1e-12);
+  EXPECT_NEAR(log.time_s.back(), 418.0 / 155.0, 1e-12);
+  EXPECT_TRUE(Same(plan.q.back(), walker.plan.whole_body.q.back()));
+  EXPECT_EQ(plan.v.back().norm(), 0.0);
+  EXPECT_EQ(plan.contact.back(), walker.plan.schedule.phases.back().stance);
+  for (const MotionRows* rows : {&plan, &log}) {
+    const double step_s = rows->time_s[1] - rows->time_s[0];
+    for (std::size_t k = 1; k < rows->time_s.size(); ++k)
+      ASSERT_NEAR(rows->time_s[k] - rows->time_s[k - 1], step_s, 1e-9) << k;
+  }
 }
 
 TEST(MotionRows, OfALogAreItsSamplesAndAreNotMadeDenser) {
@@ -191,8 +213,11 @@ TEST(ExportMotion, SaysWhatAFormatLeavesOut) {
   EXPECT_EQ(yaml.notes[0], "the motion of the base is left out: a joint trajectory has none");
   const ExportedMotion odd = ExportPlan(walker.model, walker.plan, ExportFormat::kCsv, 7.0, "a.csv");
   ASSERT_EQ(odd.notes.size(), 1U);
-  EXPECT_TRUE(odd.notes[0].starts_with("the last step is ")) << odd.notes[0];
-  EXPECT_EQ(odd.end_s, walker.plan.whole_body.end_s());
+  EXPECT_TRUE(odd.notes[0].starts_with("the last row is 0.0142857 s after the plan's end")) << odd.notes[0];
+  EXPECT_NEAR(odd.end_s, 19.0 / 7.0, 1e-12);
+  const ExportedMotion log = ExportLog(walker.model, walker.log, nullptr, ExportFormat::kCsv, 7.0, "a.csv");
+  ASSERT_EQ(log.notes.size(), 1U);
+  EXPECT_EQ(log.notes[0], "the last 0.128571 s are left out, so that all steps are alike");
 }
 
 TEST(ExportMotion, SaysWhatIsTooLongToBeReadBack) {

@@ -172,6 +172,17 @@ TEST(ImportOthers, OtherRatesAreBroughtOntoTheGrid) {
   EXPECT_EQ(fine->plan.whole_body.step_s, 0.002);
 }
 
+TEST(ImportOthers, RowsALittleOverTheCoarsestStepApartAreBroughtOntoTheGridToo) {
+  OtherWalk walk;
+  walk.with_base = false;
+  for (const auto& [step_s, grid_s] : {std::pair(0.01, 0.01), std::pair(0.010005, 0.005)}) {
+    walk.step_s = step_s;
+    const Result<ImportedMotion> imported = Imported("nearly.csv", CsvOf(walk));
+    ASSERT_TRUE(imported.ok()) << imported.failure().message;
+    EXPECT_EQ(imported->plan.whole_body.step_s, grid_s);
+  }
+}
+
 TEST(ImportRefusals, QuaternionWithWFirstIsFoundByTheMotion) {
   OtherWalk walk;
   walk.w_first = true;

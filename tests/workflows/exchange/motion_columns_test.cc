@@ -10,6 +10,7 @@
 
 #include "kinematics/base/file.h"
 #include "tests/scratch_folder.h"
+#include "workflows/exchange/column_target.h"
 #include "workflows/exchange/ocs2_columns.h"
 #include "workflows/walk/walk.h"
 
@@ -73,6 +74,51 @@ TEST(MotionColumns, AnglesOfTheBaseAreARotation) {
   const Matrix3 R = Quaternion(c[3], c[0], c[1], c[2]).toRotationMatrix();
   EXPECT_LT((R * Vector3::UnitY() - Vector3::UnitZ()).norm(), 1e-12);  // y goes up by the roll, where yaw leaves it
   EXPECT_LT((R * Vector3::UnitX() - Vector3::UnitY()).norm(), 1e-12);
+}
+
+TEST(MotionColumns, AJointsNameMayStandWithItsUnitAndWithoutItsQ) {
+  const RobotModel& a1 = Robot("a1");
+  const CsvTable ours = TableOf(a1);
+  for (const auto& [unit, scale] : {std::pair{"", 1.0}, {"_rad", 1.0}, {"_deg", kDegree}}) {
+    CsvTable theirs = ours;
+    for (int d = 0; d < a1.num_dofs(); ++d)
+      theirs.columns[static_cast<std::size_t>(d) + 1] = a1.LeaderOf(d).name + unit;
+    const Result<MotionTable> motion = Taken(theirs);
+    ASSERT_TRUE(motion.ok()) << motion.failure().message;
+    EXPECT_LT((motion->q[1] - scale * Taken(ours)->q[1]).norm(), 1e-12) << unit;
+  }
+}
+
+TEST(MotionColumns, OfASlideTheUnitIsALength) {
+  RobotModel model = Robot("a1");
+  model.joints[static_cast<std::size_t>(model.dof_joint[2])].type = JointType::kPrismatic;
+  const std::string& name = model.dof_names[2];
+  const auto targets = ColumnTargets(model, {});
+  EXPECT_EQ(targets.at(name + "_mm").scale, 1e-3);
+  EXPECT_EQ(targets.at(name + "_m").index, model.dof_joint[2]);
+  EXPECT_EQ(targets.count(name + "_rad"), 0U);
+}
+
+TEST(MotionColumns, AJointThatIsCalledLikeAnothersUnitKeepsItsName) {
+  RobotModel model = Robot("a1");
+  const int arm = model.dof_joint[0], other = model.dof_joint[1];
+  model.joints[static_cast<std::size_t>(arm)].name = "arm";
+  model.joints[static_cast<std::size_t>(other)].name = "arm_rad";
+  const auto targets = ColumnTargets(model, {});
+  EXPECT_EQ(targets.at("arm_rad").index, other);
+  EXPECT_EQ(targets.at("q_arm_rad").index, arm);
+  EXPECT_EQ(targets.at("arm_deg").index, arm);
+}
+
+TEST(MotionColumns, TheTimeIsNamedWhereSomeColumnIsLikelyIt) {
+  CsvTable table = TableOf(Robot("a1"));
+  for (const char* likely : {"Time [s]", "timestamp_ms", "tims", "Stamp"}) {
+    table.columns[0] = likely;
+    ExpectRefusal(Taken(table),
+                  fmt::format("has no column of times: 'time_s' is needed; the nearest to it is '{}'", likely));
+  }
+  table.columns[0] = "clock";
+  ExpectRefusal(Taken(table), "'time_s' is needed, or 'time' or 't', and no column is called nearly so");
 }
 
 TEST(MotionColumns, UnitsScaleWhatHasNone) {
@@ -157,7 +203,6 @@ std::string FileWithNames(const std::string& text) {
 
 TEST(ColumnNamesFile, SaysNamesScalesAndUnits) {
   ImportOptions options;
-  options.angle_unit = "deg";  // said by the caller, who is right
   const Result<ColumnNames> names = ReadColumnNames(
       FileWithNames("columns: {t: time_s, hip: q_FL_hip_joint_rad}\nscale: {hip: -1}\nignore: [battery]\n"
                     "quaternion_order: wxyz\nangle_unit: rad\nlength_unit: mm\n"),
@@ -167,8 +212,22 @@ TEST(ColumnNamesFile, SaysNamesScalesAndUnits) {
   EXPECT_EQ(names->scale.at("hip"), -1.0);
   EXPECT_EQ(names->ignored, std::vector<std::string>{"battery"});
   EXPECT_EQ(options.quaternion_order, "wxyz");
-  EXPECT_EQ(options.angle_unit, "deg");
+  EXPECT_EQ(options.angle_unit, "rad");
   EXPECT_EQ(options.length_unit, "mm");
+}
+
+TEST(ColumnNamesFile, AndCommandLineMayNotContradictEachOther) {
+  ImportOptions options;
+  options.angle_unit = "deg";
+  EXPECT_TRUE(ReadColumnNames(FileWithNames("angle_unit: deg\n"), options).ok());
+  EXPECT_TRUE(ReadColumnNames(FileWithNames("angle_unit: detect\n"), options).ok());
+  EXPECT_EQ(options.angle_unit, "deg");
+  const Result<ColumnNames> other = ReadColumnNames(FileWithNames("ignore: []\nangle_unit: rad\n"), options);
+  ASSERT_FALSE(other.ok());
+  EXPECT_NE(other.failure().message.find("line 2: 'angle_unit' is 'rad' here and 'deg' on the command line"),
+            std::string::npos)
+      << other.failure().message;
+  EXPECT_FALSE(ReadColumnNames(FileWithNames("angle_unit: furlong\n"), options).ok()) << "though it is said elsewhere";
 }
 
 TEST(ColumnNamesFile, IsReadStrictly) {

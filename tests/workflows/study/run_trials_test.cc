@@ -230,11 +230,60 @@ TEST_F(RunTrialsTest, WhatCannotBePlayedIsRefusedBeforeTheFirstTrial) {
 
 TEST_F(RunTrialsTest, ADelayIsRoundedToWhatMayBe) {
   SampledTrial late;
-  late.options = {{"command_delay_s", 0.1}};
+  late.options = {{"command_delay_s", 0.1, DisturbanceEffect::kOffset}};
   request_.play.world.step_s = 0.008;
   EXPECT_NEAR(DisturbedRequest(request_, late).sensing.command_delay_s, 0.096, 1e-12) << "thirteen steps are too many";
   request_.play.world.step_s = 0.001;
   EXPECT_NEAR(DisturbedRequest(request_, late).sensing.command_delay_s, 0.1, 1e-12);
+}
+
+TEST_F(RunTrialsTest, WhatIsDrawnGoesTogetherWithWhatIsSet) {
+  request_.play.world.mass_scale = 1.5;
+  request_.sensing.command_delay_s = 0.03;
+  SampledTrial drawn;
+  drawn.options = {{"play.mass_scale", 0.8, DisturbanceEffect::kFactor},
+                   {"command_delay_s", 0.004, DisturbanceEffect::kOffset},
+                   {"play.friction", 0.5}};
+  const PlayRequest disturbed = DisturbedRequest(request_, drawn);
+  EXPECT_DOUBLE_EQ(disturbed.play.world.mass_scale, 1.2);
+  EXPECT_NEAR(disturbed.sensing.command_delay_s, 0.034, 1e-12);
+  EXPECT_EQ(disturbed.play.world.friction, 0.5);
+  EXPECT_TRUE(RunTrials(Study(), Some(1)).ok());
+  request_.sensing.command_delay_s = 0.1;
+  disturbances_.figures.push_back({"latency_s", Distribution::Uniform(0.0, 0.004)});
+  EXPECT_EQ(RunTrials(Study(), Some(1)).failure().code, "disturbances") << "too late in all";
+}
+
+TEST_F(RunTrialsTest, WhatIsSaidTwiceIsRefusedAndLeftOutOfTheStandardSet) {
+  request_.play.world.ground_bumps_m = 0.01;
+  const auto twice = RunTrials(Study(), Some(1));
+  ASSERT_FALSE(twice.ok());
+  EXPECT_EQ(twice.failure().code, "said_twice");
+  EXPECT_NE(twice.failure().message.find("'ground_bumps_m'"), std::string::npos) << twice.failure().message;
+  const auto has = [](const Disturbances& d, const std::string& key) {
+    return std::any_of(d.figures.begin(), d.figures.end(), [&](const Disturbance& f) { return f.key == key; });
+  };
+  EXPECT_EQ(StandardBesides(model_, {}), StandardDisturbances(model_));
+  const Disturbances besides = StandardBesides(model_, request_, {"play.ground_slope_deg", "play.mass_scale"});
+  EXPECT_FALSE(has(besides, "ground_bumps_m"));
+  EXPECT_FALSE(has(besides, "ground_slope_deg"));
+  EXPECT_FALSE(has(besides, "ground_slope_direction_deg")) << "it would turn the slope that is said";
+  EXPECT_TRUE(has(besides, "mass_scale")) << "it multiplies";
+  EXPECT_TRUE(has(besides, "friction"));
+  disturbances_ = besides;
+  EXPECT_TRUE(RunTrials(Study(), Some(1)).ok());
+}
+
+TEST_F(RunTrialsTest, TheReportSaysHowToRepeatOne) {
+  request_.play.world.friction = 0.7;
+  request_.sensing.state = "estimated";
+  request_.sensing.sensors = SensorsOfKind("hobby");
+  EXPECT_EQ(SubjectOf(Study(), 3).repeat,
+            "gaitwright play PLAN --disturbances FILE --seed SEED --controller joint-pd --set state=estimated "
+            "--sensors hobby --set play.solver_iterations=20 --set play.friction=0.7");
+  request_ = {};
+  disturbances_ = StandardBesides(model_, request_);
+  EXPECT_EQ(SubjectOf(Study(), 3).repeat, "gaitwright play PLAN --disturbances standard --seed SEED");
 }
 
 TEST_F(RunTrialsTest, PhysicsThatBlowsUpIsAFallAndNotTheEndOfTheRun) {

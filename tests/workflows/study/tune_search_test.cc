@@ -42,7 +42,7 @@ TuneProblem Problem(const std::function<double(const StudyPoint&)>& mean, double
   problem.judge = [=](const StudyPoint& values, int first, int count) {
     CandidateWorth worth;
     for (int number = first; number < first + count; ++number)
-      worth.trials.push_back({mean(values) + Noise(values, number, shared, own), true});
+      worth.trials.push_back({std::clamp(mean(values) + Noise(values, number, shared, own), 0.0, 100.0), true});
     return worth;
   };
   return problem;
@@ -263,7 +263,7 @@ TEST(TuneSearch, UsualValuesWithoutAPlanAreNotCountedAsZero) {
   EXPECT_EQ(json.at("held_out").at("no_before"), "no such ground");
   for (const std::string& text : {TuneText(study, report, {}), TunePage(study, report, {}), VerdictOf(result)})
     EXPECT_EQ(text.find(" 0.00 "), std::string::npos) << text;
-  EXPECT_NE(TunedOptions(study, result).find("the usual values have no plan"), std::string::npos);
+  EXPECT_NE(TunedOptions(study, result).find("the usual values cannot be walked"), std::string::npos);
 }
 
 TEST(TuneSearch, WhatCannotBeSearchedIsRefused) {
