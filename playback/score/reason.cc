@@ -136,8 +136,9 @@ std::string MostOf(const std::vector<Unforeseen>& all) {
   for (const Unforeseen& one : all) {
     if (words.size() < kMost && (all.size() <= kMost || one.size >= sizes[kMost - 1])) words.push_back(one.words);
   }
-  if (all.size() > words.size()) words.push_back(fmt::format("{} smaller disturbances", all.size() - words.size()));
-  return fmt::format("{}", fmt::join(words, ", "));
+  const std::string most = fmt::format("{}", fmt::join(words, ", "));
+  if (all.size() == words.size()) return most;
+  return most + fmt::format(" and {} smaller disturbances", all.size() - words.size());
 }
 
 std::string First(const std::vector<FailureEvent>& events, std::size_t most) {
@@ -216,7 +217,7 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) 
   const std::vector<FailureEvent> events = FailureEvents(in);
   const double before_s = in.fall.fell ? in.fall.time_s : std::numeric_limits<double>::infinity();
   const std::string under = MostOf(AllUnforeseen(in.log, before_s));
-  std::string text = under.empty() ? "" : "under " + under + " ";
+  std::string text = under.empty() ? "" : "under " + under + ": ";
   text += in.fall.fell ? fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what)
                        : "it did not fall, but " + BrokenGates(metrics);
   if (!events.empty()) text += "; " + First(events, in.fall.fell ? 3 : 1);

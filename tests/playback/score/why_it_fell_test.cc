@@ -150,7 +150,8 @@ TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
   log.body_contacts = {{3.5, "trunk"}};
   const std::string reason = Score(model, plan, log).reason;
   EXPECT_TRUE(Says(reason, "under a push of 60 N to the right from 3.00 s for 0.10 s, ")) << reason;
-  EXPECT_TRUE(Says(reason, "commands late by 30 ms, 0.3 times the motors' strength, 5 smaller disturbances it fell"))
+  EXPECT_TRUE(
+      Says(reason, "commands late by 30 ms, 0.3 times the motors' strength and 5 smaller disturbances: it fell"))
       << reason;
 }
 
