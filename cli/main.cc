@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   AddImport(app, status);
   AddView(app, status);
   AddRender(app, status);
+  AddLive(app, status);
   LayOutHelp(app);
   try {
     app.parse(argc, argv);

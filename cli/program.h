@@ -57,5 +57,6 @@ void AddCompare(CLI::App& app, int& status);
 void AddImport(CLI::App& app, int& status);
 void AddView(CLI::App& app, int& status);
 void AddRender(CLI::App& app, int& status);
+void AddLive(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

@@ -117,6 +117,11 @@ Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const
   return support;
 }
 
+double PlaneHeight(const Support& support, const Vector2& p_W) {
+  const Vector3& n = support.normal_W;
+  return support.reference_W.z() - n.head<2>().dot(p_W - support.reference_W.head<2>()) / n.z();
+}
+
 bool HasArea(const Polygon& polygon) {
   double perimeter = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) perimeter += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();

@@ -31,6 +31,9 @@ struct Support {
 /// @pre ForwardKinematics of `scratch`.
 Support SupportOf(const RobotModel& model, const DynamicsScratch& scratch, const Terrain& terrain, FootSet stance);
 
+/// The height of a support's plane over a point in plan view.
+double PlaneHeight(const Support& support, const Vector2& p_W);
+
 /// True when the polygon is wider than 1 mm on average: else it is a line or a point, and margins to it are never
 /// positive.
 bool HasArea(const Polygon& polygon);

@@ -16,12 +16,6 @@ constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 constexpr int kSwingPoints = 25, kCirclePoints = 16;
 constexpr double kPointFoot = 0.04;  // radius that a foot without a sole is drawn with, share of the leg's length
 
-/// The height of a support's plane over a point in plan view.
-double PlaneHeight(const Support& support, const Vector2& p_W) {
-  const Vector3& n = support.normal_W;
-  return support.reference_W.z() - n.head<2>().dot(p_W - support.reference_W.head<2>()) / n.z();
-}
-
 /// One side of a motion, planned or measured, as columns.
 class Columns {
  public:

@@ -10,12 +10,26 @@
 namespace gaitwright {
 namespace {
 
-/// The viewer's element, what it shows, and the script; sections of characters keep the page well-formed XML.
-std::string Parts(const std::string& classes, const std::string& scene) {
+/// Style and script around an element; sections of characters keep the page well-formed XML.
+std::string Parts(const std::string& element) {
+  return fmt::format("<style>/*<![CDATA[*/\n{}\n/*]]>*/</style>\n{}<script>//<![CDATA[\n{}\n//]]></script>\n",
+                     ViewerStyle(), element, ViewerScript());
+}
+
+/// The viewer's element and what it shows.
+std::string SceneElement(const std::string& classes, const std::string& scene) {
   return fmt::format(
-      "<style>/*<![CDATA[*/\n{}\n/*]]>*/</style>\n<div class=\"{}\" data-scene=\"scene\"></div>\n"
-      "<script type=\"application/json\" id=\"scene\">{}</script>\n<script>//<![CDATA[\n{}\n//]]></script>\n",
-      ViewerStyle(), classes, scene, ViewerScript());
+      "<div class=\"{}\" data-scene=\"scene\"></div>\n<script type=\"application/json\" id=\"scene\">{}</script>\n",
+      classes, scene);
+}
+
+std::string Page(const std::string& title, const std::string& element) {
+  if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
+      "content=\"width=device-width,initial-scale=1\"/><title>{}</title>\n<style>body{{margin:0}}</style></head>\n"
+      "<body>\n{}</body></html>\n",
+      EscapedXml(title), Parts(element));
 }
 
 }  // namespace
@@ -23,16 +37,15 @@ std::string Parts(const std::string& classes, const std::string& scene) {
 bool HasViewer() { return !ViewerScript().empty(); }
 
 std::string ViewerPage(const std::string& title, const std::vector<ShownMotion>& motions) {
-  if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
-      "content=\"width=device-width,initial-scale=1\"/><title>{}</title>\n<style>body{{margin:0}}</style></head>\n"
-      "<body>\n{}</body></html>\n",
-      EscapedXml(title), Parts("gw-page", SceneJson(motions)));
+  return Page(title, SceneElement("gw-page", SceneJson(motions)));
+}
+
+std::string LivePage(const std::string& title) {
+  return Page(title, fmt::format("<div class=\"gw-page\" data-live=\"{}\"></div>\n", kLivePath));
 }
 
 std::string ViewerPart(const std::vector<ShownMotion>& motions) {
-  return HasViewer() ? Parts("gw-part", SceneJson(motions)) : "";
+  return HasViewer() ? Parts(SceneElement("gw-part", SceneJson(motions))) : "";
 }
 
 }  // namespace gaitwright

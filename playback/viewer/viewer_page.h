@@ -18,4 +18,11 @@ std::string ViewerPage(const std::string& title, const std::vector<ShownMotion>&
 /// The same as a part of another page: an element, the scene and what shows it. Empty without the viewer.
 std::string ViewerPart(const std::vector<ShownMotion>& motions);
 
+/// Where the server of a page that shows a robot as it goes has its WebSocket.
+inline constexpr char kLivePath[] = "/live";
+
+/// A page that is told what to show by the server that it is from (docs/live.md). @throws InvalidArgument without the
+/// viewer.
+std::string LivePage(const std::string& title);
+
 }  // namespace gaitwright

@@ -104,6 +104,7 @@ inline const std::vector<Owner> kOwners = {
     {"Bullet", {"playback/bullet"}},
     {"LinearMath/", {"playback/bullet"}},
     {"minizip/", {"workflows/exchange"}},
+    {"boost/", {"workflows/live"}},
     {"mpi.h", {"workflows/cluster"}},
     {"CLI/", {"cli", "examples"}, true},
     // Of the operating system: atomic writing and terminals.

@@ -8,7 +8,9 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
+#include "kinematics/spatial/rotation.h"
 #include "planning/gait/load_gaits.h"
 #include "planning/plan/json_part_internal.h"
 #include "playback/score/motion_series.h"
@@ -36,32 +38,48 @@ Json PaceJson(const Pace& pace) {
           {"yaw_rate_rad_s", pace.yaw_rate_rad_s}};
 }
 
-/// Plan and measurement at this moment, as the viewer has them.
-MotionSeries Now(const LiveWorld& live) {
+/// Plan and measurement at this moment, as the viewer has them; the forces are means since the last picture.
+MotionSeries Now(LiveWorld& live) {
   PlaybackLog log;
   log.log_rate_hz = 1.0 / live.step_s();
   log.start_s = live.time_s() - live.step_s();
-  LogSample sample;
-  sample.time_s = live.time_s();
-  sample.q = live.world().q();
-  sample.v = live.world().v();
-  sample.tau = sample.tau_peak = live.world().tau();
-  for (std::size_t i = 0; i < live.world().feet().size(); ++i) {
-    sample.wrenches.push_back(live.world().feet()[i].wrench);
-    if (live.world().feet()[i].touching) sample.contact |= FootBit(static_cast<int>(i));
-  }
-  log.samples.push_back(std::move(sample));
+  log.samples.push_back(live.TakeSample());
   return MakeMotionSeries(live.model(), live.plan(), log, {});
 }
 
-Json BalanceJson(const MotionSample& sample) {
+/// Where a point of plan view lies on what carries the robot, in flight on the ground.
+Vector3 OnGround(const Vector2& p_W, const MotionSample& sample, const Terrain& terrain) {
+  const bool flies = sample.support.empty();
+  return {p_W.x(), p_W.y(), flies ? GroundAt(terrain, p_W).height_m : PlaneHeight(sample.support, p_W)};
+}
+
+Json BalanceJson(const MotionSample& sample, const Terrain& terrain) {
   Json support = Json::array();
-  for (const Vector2& corner : sample.support.polygon) support.push_back(List(corner));
+  for (const Vector2& corner : sample.support.polygon) support.push_back(List(OnGround(corner, sample, terrain)));
   return {{"com", List(sample.p_WC)},
-          {"dcm", List(sample.dcm_W)},
-          {"zmp", sample.has_zmp ? List(sample.p_WZ) : Json()},
+          {"dcm", List(OnGround(sample.dcm_W, sample, terrain))},
+          {"zmp", sample.has_zmp ? List(OnGround(sample.p_WZ, sample, terrain)) : Json()},
           {"margin_m", sample.has_zmp ? Json(Short(sample.zmp_margin_m())) : Json()},
           {"support", support}};
+}
+
+Json GroundJson(const LiveWorld& live) {
+  const WorldOptions& world = live.play().play.world;
+  const Pose X = live.ground_tilt();
+  const Eigen::Quaterniond turn(X.linear());
+  Json pose = List(Vector3(X.translation()));
+  for (const double number : {turn.x(), turn.y(), turn.z(), turn.w()}) pose.push_back(Short(number));
+  return {{"friction", Short(FrictionOf(live.plan().terrain, world, live.world().q().head<2>()))},
+          {"slope_deg", world.ground_slope_deg},
+          {"slope_direction_deg", world.ground_slope_direction_deg},
+          {"pose", pose}};
+}
+
+/// Those that pages may change: numbers of the controller and its gains.
+OptionFields ChangeableFields(StabilisedOptions& stabilised, GainOptions& gains) {
+  OptionFields fields = ChangeableFields(stabilised, gains);
+  std::erase_if(fields, [](const OptionField& field) { return !std::holds_alternative<double*>(field.target); });
+  return fields;
 }
 
 std::vector<std::string> GaitsFor(int feet) {
@@ -105,7 +123,7 @@ void SetOptions(const JsonPart& m, LiveWorld& live, LiveClock&) {
   m.Object({"do", "options"});
   StabilisedOptions stabilised = live.play().stabilised;
   GainOptions gains = live.play().gains;
-  OptionFields fields = Joined({Prefixed("stabilised", stabilised.Fields()), Prefixed("gains", gains.Fields())});
+  OptionFields fields = ChangeableFields(stabilised, gains);
   const JsonPart options = m.At("options");
   if (!options.json().is_object()) options.Refuse("is no object of options");
   for (const auto& [key, value] : options.json().items())
@@ -123,6 +141,17 @@ void SetPose(const JsonPart& m, LiveWorld& live, LiveClock&) {
     q[7 + d] = held;
   }
   live.PutInPose(q);
+}
+
+void SetHeading(const JsonPart& m, LiveWorld& live, LiveClock&) {
+  constexpr double kMostTurns = 36000.0;
+  m.Object({"do", "heading_deg"});
+  live.AskHeading(m.At("heading_deg").NumberIn(-kMostTurns, kMostTurns) * std::numbers::pi / 180.0);
+}
+
+void Nudge(const JsonPart& m, LiveWorld& live, LiveClock&) {
+  m.Object({"do", "dof", "by", "for_s"});
+  live.Nudge(m.At("dof").Whole(0, live.model().num_dofs() - 1), m.At("by").Number(), m.At("for_s").Number());
 }
 
 void SetClock(const JsonPart& m, LiveWorld&, LiveClock& clock) {
@@ -150,65 +179,71 @@ const std::map<std::string, Doing>& Doings() {
                                                       {"ground", SetGround},
                                                       {"options", SetOptions},
                                                       {"pose", SetPose},
+                                                      {"heading", SetHeading},
+                                                      {"nudge", Nudge},
                                                       {"clock", SetClock}};
   return doings;
 }
 
 }  // namespace
 
-std::string LiveGreeting(const LiveWorld& live) {
-  const RobotModel& model = live.model();
+std::string LiveGreeting(const LiveWorld& live, const std::optional<std::string>& mesh_folder) {
   PlayRequest play = live.play();
   Json options = Json::object();
-  for (const OptionField& field :
-       Joined({Prefixed("stabilised", play.stabilised.Fields()), Prefixed("gains", play.gains.Fields())})) {
-    const auto* number = std::get_if<double*>(&field.target);
-    if (number == nullptr) continue;
-    options[field.key] = {{"value", **number},
-                          {"lowest", field.lowest},
-                          {"highest", field.highest},
+  for (const OptionField& field : ChangeableFields(play.stabilised, play.gains)) {
+    options[field.key] = {{"value", *std::get<double*>(field.target)},
+                          {"lowest", std::isfinite(field.lowest) ? Json(field.lowest) : Json()},
+                          {"highest", std::isfinite(field.highest) ? Json(field.highest) : Json()},
                           {"unit", field.unit},
                           {"meaning", field.meaning}};
   }
   const Json json = {{"format", "gaitwright-live"},
                      {"schema", 1},
-                     {"scene", Json::parse(RobotAndGroundJson(model, live.plan().terrain))},
-                     {"gaits", GaitsFor(static_cast<int>(model.feet.size()))},
-                     {"nominal_speed_m_s", model.nominal_speed_m_s},
-                     {"weight_n", model.weight_n()},
-                     {"friction", FrictionOf(live.plan().terrain, live.play().play.world, Vector2::Zero())},
+                     {"scene", Json::parse(RobotAndGroundJson(live.model(), live.plan().terrain, mesh_folder))},
+                     {"gaits", GaitsFor(static_cast<int>(live.model().feet.size()))},
+                     {"usual_pace", PaceJson(live.usual_pace())},
                      {"step_s", live.step_s()},
                      {"options", options}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string LiveFrame(LiveWorld& live, const LiveClock& clock, double behind_s, const std::vector<std::string>& notes) {
+std::string LiveFrame(LiveWorld& live, const LiveStatus& status) {
   const MotionSeries now = Now(live);
+  const Terrain& terrain = live.plan().terrain;
   Json feet = Json::array();
   for (const FootContact& foot : live.world().feet()) {
     feet.push_back({{"p", List(foot.p_W)},
                     {"f", foot.touching ? List(foot.wrench.force_W) : Json()},
                     {"touching", foot.touching}});
   }
-  Json said = Json::array();
-  for (const std::string& note : live.TakeNotes()) said.push_back(note);
-  for (const std::string& note : notes) said.push_back(note);
+  Json notes = Json::array(), options = Json::array();
+  for (const auto& [number, note] : status.notes) notes.push_back({number, note});
+  PlayRequest play = live.play();
+  for (const OptionField& field : ChangeableFields(play.stabilised, play.gains))
+    options.push_back(*std::get<double*>(field.target));
   const Json json = {{"t", live.time_s()},
                      {"mode", NameOf(live.mode())},
-                     {"paused", clock.paused},
-                     {"behind_s", Short(behind_s)},
+                     {"paused", status.clock.paused},
+                     {"behind_s", Short(status.behind_s)},
                      {"pace", PaceJson(live.pace())},
                      {"wanted", live.wanted() ? PaceJson(*live.wanted()) : Json()},
+                     {"heading_deg", Short(YawOf(BaseRotation(live.world().q())) * 180.0 / std::numbers::pi)},
                      {"q", List(live.world().q())},
                      {"tau", List(live.world().tau())},
                      {"target", List(live.command().q)},
-                     {"ghost", now.plan.empty() ? Json() : List(now.plan.front().q)},
-                     {"measured", now.measured.empty() ? Json() : BalanceJson(now.measured.front())},
-                     {"planned", now.planned.empty() ? Json() : BalanceJson(now.planned.front())},
+                     {"ghost", List(now.plan.front().q)},
+                     {"measured", BalanceJson(now.measured.front(), terrain)},
+                     {"planned", BalanceJson(now.planned.front(), terrain)},
                      {"feet", feet},
                      {"pull_n", live.pull_W() ? List(*live.pull_W()) : Json()},
-                     {"notes", said}};
+                     {"ground", GroundJson(live)},
+                     {"options", options},
+                     {"notes", notes}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string LiveRefusal(const std::string& why) {
+  return Json({{"refused", why}}).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 void ApplyLiveMessage(const std::string& message, LiveWorld& live, LiveClock& clock) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "workflows/live/live_world.h"
@@ -14,17 +16,25 @@ struct LiveClock {
   int steps = 0;  ///< to be done though it is paused
 };
 
+/// What a picture tells beside the world.
+struct LiveStatus {
+  LiveClock clock;
+  double behind_s = 0.0;                                ///< how far the simulated clock is behind the wall's
+  std::vector<std::pair<int, std::string>> notes = {};  ///< the latest of what happened, by number
+};
+
 /// Longest message that is taken [byte], and most that are kept for one picture.
 inline constexpr std::size_t kLongestLiveMessage = 65536, kMostLiveMessages = 256;
 
-/// What the page is told first, as JSON: robot and ground as the viewer has them, gaits, limits, options
-/// (docs/live.md).
-std::string LiveGreeting(const LiveWorld& live);
+/// What the page is told first, as JSON: robot and ground as the viewer has them, gaits, options (docs/live.md).
+/// @param mesh_folder  of the URDF, to look for visual meshes.
+std::string LiveGreeting(const LiveWorld& live, const std::optional<std::string>& mesh_folder = {});
 
-/// How things stand now, as JSON: state, plan beside it, forces, balance, targets, and what happened since the last
-/// one.
-/// @param behind_s  how far the simulated clock is behind the wall's.
-std::string LiveFrame(LiveWorld& live, const LiveClock& clock, double behind_s, const std::vector<std::string>& notes);
+/// How things stand now, as JSON: state, plan beside it, forces as means since the last one, balance, targets, notes.
+std::string LiveFrame(LiveWorld& live, const LiveStatus& status);
+
+/// What a page is told whose message was refused, as JSON.
+std::string LiveRefusal(const std::string& why);
 
 /// Does what a message of a page says.
 /// @throws InvalidArgument, in words for people, for what is no such message or out of range; then nothing is done.

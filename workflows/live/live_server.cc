@@ -6,17 +6,18 @@
 #include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/strand.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <thread>
 #include <utility>
 
+#include "playback/viewer/viewer_page.h"
 #include "workflows/live/live_messages.h"
 
 namespace gaitwright {
@@ -28,30 +29,30 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using tcp = asio::ip::tcp;
 
-constexpr char kSocketPath[] = "/live";
 constexpr std::chrono::seconds kPatience{10};  // for a request
-constexpr std::size_t kLongestRequest = 16384;
+constexpr std::size_t kLongestRequest = 16384, kMostWaiting = 32;
+constexpr std::chrono::milliseconds kPause{100};  // where no connection can be taken
 
 using Text = std::shared_ptr<const std::string>;
 
 /// What pages have said, on its way from one thread to the other.
 class Inbox {
  public:
-  void Put(std::string message) {
+  void Put(LiveSaying message) {
     const std::lock_guard lock(mutex_);
     messages_.push_back(std::move(message));
     if (messages_.size() > kMostLiveMessages) messages_.pop_front();
   }
-  std::vector<std::string> Take() {
+  std::vector<LiveSaying> Take() {
     const std::lock_guard lock(mutex_);
-    std::vector<std::string> taken(messages_.begin(), messages_.end());
+    std::vector<LiveSaying> taken(messages_.begin(), messages_.end());
     messages_.clear();
     return taken;
   }
 
  private:
   std::mutex mutex_;
-  std::deque<std::string> messages_;
+  std::deque<LiveSaying> messages_;
 };
 
 class Page;
@@ -64,19 +65,21 @@ struct Shared {
   int port = 0;
   bool loopback = true;
   Inbox inbox;
-  std::set<Page*> pages;
+  std::map<std::uint64_t, Page*> pages;  ///< by number
+  std::uint64_t opened = 0;
   std::atomic<int> count{0};
 };
 
 /// The WebSocket of one open page.
 class Page : public std::enable_shared_from_this<Page> {
  public:
-  Page(beast::tcp_stream&& stream, Shared& shared) : socket_(std::move(stream)), shared_(shared) {
-    shared_.pages.insert(this);
+  Page(beast::tcp_stream&& stream, Shared& shared)
+      : socket_(std::move(stream)), shared_(shared), number_(++shared.opened) {
+    shared_.pages.emplace(number_, this);
     ++shared_.count;
   }
   ~Page() {
-    shared_.pages.erase(this);
+    shared_.pages.erase(number_);
     --shared_.count;
   }
   Page(const Page&) = delete;
@@ -96,10 +99,12 @@ class Page : public std::enable_shared_from_this<Page> {
     });
   }
 
-  /// The latest picture takes the place of one that waits; a greeting does not.
+  /// The latest picture takes the place of one that waits; other texts do not, and a page that reads none of them is
+  /// not told more.
   void Send(const Text& text, bool replaceable = false) {
     if (!socket_.is_open()) return;
     if (replaceable && !waiting_.empty() && waiting_.back().second) waiting_.pop_back();
+    if (waiting_.size() >= kMostWaiting) return;
     waiting_.emplace_back(text, replaceable);
     if (!writing_) Write();
   }
@@ -110,11 +115,13 @@ class Page : public std::enable_shared_from_this<Page> {
   void Read() {
     socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error) return;  // closed, lost, silent, too long, or no frame of the protocol
-      if (self->socket_.got_text()) self->shared_.inbox.Put(beast::buffers_to_string(self->buffer_.data()));
+      if (self->socket_.got_text()) self->Hear();
       self->buffer_.consume(self->buffer_.size());
       self->Read();
     });
   }
+
+  void Hear() { shared_.inbox.Put({number_, beast::buffers_to_string(buffer_.data())}); }
 
   void Write() {
     writing_ = true;
@@ -129,6 +136,7 @@ class Page : public std::enable_shared_from_this<Page> {
 
   websocket::stream<beast::tcp_stream> socket_;
   Shared& shared_;
+  const std::uint64_t number_;
   beast::flat_buffer buffer_{kLongestLiveMessage + 1024};
   std::deque<std::pair<Text, bool>> waiting_;
   bool writing_ = false;
@@ -154,7 +162,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     if (!IsForUs(request)) return Say(request, http::status::forbidden, "text/plain", Plain("not of this page\n"));
     const auto target = request.target();
     if (websocket::is_upgrade(request)) {
-      if (target != kSocketPath) return Say(request, http::status::not_found, "text/plain", Plain("no such place\n"));
+      if (target != kLivePath) return Say(request, http::status::not_found, "text/plain", Plain("no such place\n"));
       if (shared_.count >= LiveServer::kMostPages)
         return Say(request, http::status::service_unavailable, "text/plain", Plain("too many pages are open\n"));
       return std::make_shared<Page>(std::move(stream_), shared_)->Open(request);
@@ -212,13 +220,18 @@ struct LiveServer::Impl {
   Shared shared;  ///< outlives what waits in the context
   asio::io_context context{1};
   tcp::acceptor acceptor{context};
+  asio::steady_timer pause{context};
   std::thread thread;
 
   void Accept() {
     acceptor.async_accept([this](beast::error_code error, tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
-      if (!error) std::make_shared<Visit>(std::move(socket), shared)->Read();
-      Accept();
+      if (!error) {
+        std::make_shared<Visit>(std::move(socket), shared)->Read();
+        return Accept();
+      }
+      pause.expires_after(kPause);
+      pause.async_wait([this](beast::error_code) { Accept(); });
     });
   }
 };
@@ -267,11 +280,18 @@ void LiveServer::Greet(const std::string& greeting) {
 
 void LiveServer::Publish(const std::string& picture) {
   asio::post(impl_->context, [impl = impl_.get(), text = std::make_shared<const std::string>(picture)] {
-    for (Page* page : impl->shared.pages) page->Send(text, true);
+    for (const auto& [number, page] : impl->shared.pages) page->Send(text, true);
   });
 }
 
-std::vector<std::string> LiveServer::Take() { return impl_->shared.inbox.Take(); }
+std::vector<LiveSaying> LiveServer::Take() { return impl_->shared.inbox.Take(); }
+
+void LiveServer::Tell(std::uint64_t page, const std::string& text) {
+  asio::post(impl_->context, [impl = impl_.get(), page, text = std::make_shared<const std::string>(text)] {
+    const auto found = impl->shared.pages.find(page);
+    if (found != impl->shared.pages.end()) found->second->Send(text);
+  });
+}
 
 int LiveServer::pages() const { return impl_->shared.count; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,12 @@ namespace gaitwright {
 struct LiveAddress {
   std::string host = "127.0.0.1";  ///< an address of this machine; the loopback one is reached from it alone
   int port = 0;                    ///< 0 for any that is free
+};
+
+/// A message of a page.
+struct LiveSaying {
+  std::uint64_t page = 0;
+  std::string text;
 };
 
 /// A page over HTTP, and its WebSocket, in a thread of its own: pages are sent pictures of how things stand, and send
@@ -41,7 +48,9 @@ class LiveServer {
   /// Sends a picture to every page; it takes the place of one that a slow page has not been sent yet.
   void Publish(const std::string& picture);
   /// What pages have said since the last call, in that order. Beyond kMostLiveMessages the oldest are dropped.
-  std::vector<std::string> Take();
+  std::vector<LiveSaying> Take();
+  /// Answers one page, where it is still open.
+  void Tell(std::uint64_t page, const std::string& text);
   /// How many pages are open.
   int pages() const;
 

@@ -7,10 +7,12 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/dof_units.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/sample_plan.h"
@@ -20,6 +22,7 @@ namespace {
 
 constexpr double kLead = 0.25;          // from being asked to the earliest change [s]
 constexpr double kAhead = 1.0;          // so long before a stop it is settled whether it comes [s]
+constexpr double kSameHeading = 0.01;   // [rad]
 constexpr double kFallenTilt = 1.0;     // [rad]
 constexpr double kFallenContact = 0.2;  // a body on the ground for this long is a fall [s]
 constexpr double kFallenHeight = 0.4;   // of the standing height
@@ -40,6 +43,15 @@ Vector3 PullOf(const RobotModel& model, const Vector3& way_W) {
   const Vector3 force = kPerLeg * model.weight_n() / model.leg_length_m() * way_W;
   const double most = kMost * model.weight_n();
   return force.norm() > most ? Vector3(most / force.norm() * force) : force;
+}
+
+std::string TextOf(const PaceChange& change) {
+  std::string text = fmt::format("{} at {:.3g} m/s", change.to.gait, change.to.speed_m_s);
+  if (change.to.lateral_speed_m_s != 0.0) text += fmt::format(", {:.3g} m/s aside", change.to.lateral_speed_m_s);
+  if (change.to.yaw_rate_rad_s != 0.0) text += fmt::format(", turning at {:.3g} rad/s", change.to.yaw_rate_rad_s);
+  if (change.turn_rad != 0.0)
+    text += fmt::format(", after a turn of {:.0f} degrees", change.turn_rad * 180.0 / std::numbers::pi);
+  return text;
 }
 
 Pace Usual(const RobotModel& model) {
@@ -68,7 +80,7 @@ Result<std::unique_ptr<LiveWorld>> LiveWorld::Make(const RobotModel& model, cons
                                                    const PlayRequest& play) {
   PlayRequest checked = play;
   CheckOptions(checked.Fields());
-  Result<PacePlan> first = PlanPace(model, {.gait = "stand"}, Usual(model), usual);
+  Result<PacePlan> first = PlanPace(model, {.from = {.gait = "stand"}, .to = Usual(model)}, usual);
   if (!first) return first.failure();
   return std::unique_ptr<LiveWorld>(new LiveWorld(model, usual, play, std::move(*first)));
 }
@@ -77,6 +89,7 @@ LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const Pl
     : model_(model),
       usual_(usual),
       play_(play),
+      usual_pace_(Usual(model)),
       first_(std::move(first)),
       stream_(first_.plan),
       world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world) {
@@ -94,8 +107,10 @@ void LiveWorld::Reset() {
   stream_ = WalkStream(first_.plan);
   time_s_ = down_since_s_ = stream_.plan().whole_body.start_s;
   history_.clear();
-  wanted_.reset();
+  Want({});
   pulled_.reset();
+  nudged_.reset();
+  ground_from_ = q.head<2>();
   mode_ = LiveMode::kStands;
   TakeControl();
 }
@@ -111,8 +126,10 @@ void LiveWorld::Step() {
   const auto most = static_cast<std::size_t>(std::lround(Shown(stream_.plan()) / step_s()));
   while (history_.size() > most) history_.pop_front();
   command_ = mode_ == LiveMode::kFallen ? Damping() : controller_->Update(history_.back());
+  ApplyNudge();
   ApplyPull();
   world_.Step(command_);
+  AddToMeans();
   time_s_ += step_s();
   Watch();
 }
@@ -131,42 +148,62 @@ ControlInput LiveWorld::Measured() const {
   return input;
 }
 
+/// What the robot is to do next; nothing for what it does.
+void LiveWorld::Want(const std::optional<Pace>& pace, const std::optional<double>& heading_rad) {
+  wanted_ = pace;
+  wanted_heading_rad_ = heading_rad;
+}
+
 void LiveWorld::Ask(const Pace& pace) {
   if (mode_ == LiveMode::kFallen || mode_ == LiveMode::kPosed) return;
-  wanted_ = pace;
+  Want(pace);
   if (!pace.stands()) return StartPlanning();
-  wanted_.reset();
+  Want({});
   if (stream_.stops()) return;
   stream_.Stop(time_s_ + kLead);
   TakeControl();
 }
 
+void LiveWorld::AskHeading(double heading_rad) {
+  if (mode_ != LiveMode::kWalks || stream_.stops()) {
+    notes_.emplace_back("turns to a heading while it walks");
+    return;
+  }
+  Pace straight = stream_.pace();
+  straight.yaw_rate_rad_s = 0.0;
+  Want(straight, heading_rad);
+  StartPlanning();
+}
+
 void LiveWorld::StartPlanning() {
   if (planning_.valid() || !wanted_) return;
-  if (*wanted_ == stream_.pace()) return wanted_.reset();
-  planned_from_ = stream_.pace();
-  planned_to_ = *wanted_;
-  planning_ = std::async(std::launch::async,
-                         [this, from = planned_from_, to = planned_to_] { return PlanPace(model_, from, to, usual_); });
+  planned_ = {.from = stream_.pace(), .to = *wanted_};
+  // While it turns its heading is not that of the end of the turn: it goes straight first.
+  if (wanted_heading_rad_ && planned_.from.yaw_rate_rad_s == 0.0)
+    planned_.turn_rad = std::remainder(*wanted_heading_rad_ - stream_.heading_rad(), 2.0 * std::numbers::pi);
+  if (planned_.from == planned_.to && std::abs(planned_.turn_rad) < kSameHeading) return Want({});
+  planning_ = std::async(std::launch::async, [this, change = planned_] { return PlanPace(model_, change, usual_); });
 }
 
 void LiveWorld::TakeUpPlan() {
   if (!planning_.valid() || planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   const Result<PacePlan> next = planning_.get();
   if (!wanted_) return;
-  if (*wanted_ != planned_to_ || stream_.pace() != planned_from_) return StartPlanning();
+  if (*wanted_ != planned_.to || stream_.pace() != planned_.from) return StartPlanning();
   if (!next) {
-    notes_.push_back(fmt::format("{} at {:.3g} m/s: {}", wanted_->gait, wanted_->speed_m_s, next.failure().message));
-    return wanted_.reset();
+    notes_.push_back(fmt::format("{}: {}", TextOf(planned_), next.failure().message));
+    return Want({});
   }
-  if (const auto failure = stream_.GoOver(time_s_ + kLead, planned_to_, *next)) {
+  if (const auto failure = stream_.GoOver(time_s_ + kLead, planned_.to, *next)) {
     notes_.push_back(failure->message);
-  } else {
-    notes_.push_back(fmt::format("goes over to {} at {:.3g} m/s", planned_to_.gait, planned_to_.speed_m_s));
-    mode_ = LiveMode::kWalks;
-    TakeControl();
+    return Want({});
   }
-  wanted_.reset();
+  notes_.push_back("goes over to " + TextOf(planned_));
+  mode_ = LiveMode::kWalks;
+  TakeControl();
+  const bool straight_first = wanted_heading_rad_ && planned_.turn_rad == 0.0;
+  if (!straight_first) return Want({});
+  StartPlanning();
 }
 
 void LiveWorld::GoOn() {
@@ -234,7 +271,7 @@ void LiveWorld::Watch() {
   if (std::acos(up) < kFallenTilt && !sunk && !broken && time_s_ - down_since_s_ < kFallenContact) return;
   mode_ = LiveMode::kFallen;
   notes_.push_back(fmt::format("fell at {:.2f} s", time_s_));
-  wanted_.reset();
+  Want({});
   if (broken) Reset();
 }
 
@@ -248,6 +285,54 @@ void LiveWorld::ApplyPull() {
   world_.PushAt(pulled_->body, *pull_W_, p_W);
 }
 
+void LiveWorld::Nudge(int dof, double by, double for_s) {
+  constexpr double kMostTurn = 1.0, kMostShift = 0.3, kLongest = 10.0;
+  if (dof < 0 || dof >= model_.num_dofs()) throw InvalidArgument(fmt::format("there is no joint {} to be moved", dof));
+  const double most = std::string(PositionUnit(model_, dof)) == "m" ? kMostShift : kMostTurn;
+  if (!(std::abs(by) <= most) || !(for_s > 0.0 && for_s <= kLongest))
+    throw InvalidArgument(fmt::format("a joint is moved by {} at most, for {} s", most, kLongest));
+  nudged_ = Nudged{dof, by, time_s_ + for_s};
+}
+
+void LiveWorld::ApplyNudge() {
+  if (nudged_ && time_s_ >= nudged_->until_s) nudged_.reset();
+  if (nudged_) command_.q[nudged_->dof] += nudged_->by;
+}
+
+void LiveWorld::AddToMeans() {
+  const std::vector<FootContact>& feet = world_.feet();
+  if (summed_ == 0) {
+    sums_.tau = VectorX::Zero(static_cast<Eigen::Index>(model_.num_dofs()));
+    sums_.wrenches.assign(model_.feet.size(), {});
+  }
+  sums_.tau += world_.tau();
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    sums_.wrenches[i].force_W += feet[i].wrench.force_W;
+    sums_.wrenches[i].moment_W += feet[i].wrench.moment_W;
+  }
+  ++summed_;
+}
+
+LogSample LiveWorld::TakeSample() {
+  if (summed_ == 0) AddToMeans();
+  LogSample sample = std::exchange(sums_, {});
+  const double share = 1.0 / std::exchange(summed_, 0);
+  sample.tau *= share;
+  sample.tau_peak = sample.tau;
+  for (ContactWrench& wrench : sample.wrenches) {
+    wrench.force_W *= share;
+    wrench.moment_W *= share;
+  }
+  const ControlInput now = Measured();
+  sample.time_s = now.time_s;
+  sample.q = now.q;
+  sample.v = now.v;
+  sample.contact = now.contact;
+  return sample;
+}
+
+Pose LiveWorld::ground_tilt() const { return GroundTilt(first_.plan.terrain, play_.play.world, ground_from_); }
+
 void LiveWorld::Pull(int body, const Vector3& p_Body, const Vector3& to_W) {
   if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !to_W.allFinite())
     throw InvalidArgument(fmt::format("there is nothing to pull at body {}", body));
@@ -258,7 +343,7 @@ void LiveWorld::PutInPose(const VectorX& q) {
   if (q.size() != model_.nq() || !q.allFinite())
     throw InvalidArgument(fmt::format("a posture has {} numbers, {} are needed", q.size(), model_.nq()));
   world_.SetState(q, VectorX::Zero(model_.nv()));
-  wanted_.reset();
+  Want({});
   mode_ = LiveMode::kPosed;
 }
 
@@ -270,6 +355,7 @@ void LiveWorld::StandUp() {
   const VectorX& origin = first_.plan.whole_body.q.front();
   const Pose X = PoseOf({place.x(), place.y(), yaw}) * PoseOf({origin[0], origin[1], 0.0}).inverse();
   const VectorX standing = CarriedState(X, origin);
+  ground_from_ = place;
   world_ = BulletWorld(model_, first_.plan.terrain, standing, play_.play.world);
   world_.SetState(standing, VectorX::Zero(model_.nv()));
   stream_ = WalkStream(CarriedPlan(X, 0.0, first_.plan));
@@ -284,6 +370,7 @@ void LiveWorld::SetGround(double friction, double slope_deg, double slope_direct
   CheckOptions(changed.Fields());
   const VectorX q = world_.q(), v = world_.v();
   play_.play.world = changed;
+  ground_from_ = q.head<2>();
   world_ = BulletWorld(model_, first_.plan.terrain, q, changed);
   world_.SetState(q, v);
   world_.LiftOutOfGround(q);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "playback/bullet/world.h"
+#include "playback/log/playback_log.h"
 #include "workflows/live/walk_stream.h"
 
 namespace gaitwright {
@@ -45,11 +46,16 @@ class LiveWorld {
 
   /// Goes over into that pace as soon as it is planned; a later one takes the place of one that is being planned.
   void Ask(const Pace& pace);
+  /// Turns to that heading and goes on straight, as fast as now. Standing or down it does nothing but say so.
+  void AskHeading(double heading_rad);
   /// Stands at the origin again, at time 0.
   void Reset();
   /// A force [N] at a point of a body that goes with it, until it is let go: a spring to where it is pulled.
   void Pull(int body, const Vector3& p_Body, const Vector3& to_W);
   void LetGo() { pulled_.reset(); }
+  /// Moves what a joint is told by so much [rad] or [m] for a while: to see how it answers.
+  /// @throws InvalidArgument for no such joint, and for more than a radian or 0.3 m, or 10 s.
+  void Nudge(int dof, double by, double for_s);
   /// Holds joints and base there, without physics. @throws InvalidArgument for a wrong size.
   void PutInPose(const VectorX& q);
   /// Stands up from where it is: lifted and put down upright, its heading kept.
@@ -66,11 +72,17 @@ class LiveWorld {
   const Pace& pace() const { return stream_.pace(); }
   /// The pace that is being planned, if any.
   const std::optional<Pace>& wanted() const { return wanted_; }
+  /// The robot's own.
+  const Pace& usual_pace() const { return usual_pace_; }
+  /// How the present slope turns the ground.
+  Pose ground_tilt() const;
   const BulletWorld& world() const { return world_; }
   const MotionPlan& plan() const { return stream_.plan(); }
   const JointCommand& command() const { return command_; }
   const std::optional<Vector3>& pull_W() const { return pull_W_; }
   const PlayRequest& play() const { return play_; }
+  /// The state now, with torques and contact forces as means since the last call.
+  LogSample TakeSample();
   /// What happened since the last call, in words.
   std::vector<std::string> TakeNotes();
   /// Waits until what is being planned is there and taken up at the next step: for tests.
@@ -82,13 +94,21 @@ class LiveWorld {
     Vector3 p_Body, to_W;
   };
 
+  struct Nudged {
+    int dof = 0;
+    double by = 0.0, until_s = 0.0;
+  };
+
   LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first);
+  void Want(const std::optional<Pace>& pace, const std::optional<double>& heading_rad = {});
   void StartPlanning();
   void TakeUpPlan();
   void GoOn();
   void TakeControl();
   void Watch();
   void ApplyPull();
+  void ApplyNudge();
+  void AddToMeans();
   JointCommand Damping() const;
   ControlInput Measured() const;
   Vector3 FootOffset() const;
@@ -96,20 +116,25 @@ class LiveWorld {
   const RobotModel& model_;
   const WalkRequest usual_;
   PlayRequest play_;
-  const PacePlan first_;  ///< of the robot's usual gait: where it stands is its beginning
+  const Pace usual_pace_;
+  const PacePlan first_;  ///< of that: where it stands is its beginning
   WalkStream stream_;
   BulletWorld world_;
   std::unique_ptr<MotionPlan> followed_;  ///< what the controller follows
   std::unique_ptr<Controller> controller_;
   JointCommand command_;
   std::deque<ControlInput> history_;  ///< the latest
+  LogSample sums_;                    ///< of torques and forces since the last sample
+  int summed_ = 0;
+  Vector2 ground_from_ = Vector2::Zero();  ///< where a slope turns the ground
   LiveMode mode_ = LiveMode::kStands;
   double time_s_ = 0.0, down_since_s_ = 0.0;
   std::optional<Pulled> pulled_;
   std::optional<Vector3> pull_W_;  ///< force of the last step [N]
+  std::optional<Nudged> nudged_;
   std::optional<Pace> wanted_;
-  Pace planned_from_;
-  Pace planned_to_;
+  std::optional<double> wanted_heading_rad_;
+  PaceChange planned_;
   std::future<Result<PacePlan>> planning_;
   std::vector<std::string> notes_;
 };

@@ -9,6 +9,7 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
+#include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
 namespace {
@@ -75,6 +76,12 @@ double WalkStream::MomentFrom(double earliest_s) const {
   if (steady_.cycles == 0) return std::max(earliest_s, plan_.whole_body.end_s());
   const double cycles = std::ceil((earliest_s - steady_.start_s - kTime) / steady_.cycle_s);
   return steady_.start_s + std::clamp(cycles, 0.0, static_cast<double>(steady_.cycles)) * steady_.cycle_s;
+}
+
+double WalkStream::heading_rad() const {
+  WholeBodySample sample;
+  SampleWholeBody(plan_.whole_body, steady_.cycles == 0 ? plan_.whole_body.end_s() : steady_.start_s, sample);
+  return YawOf(BaseRotation(sample.q));
 }
 
 /// A robot that has stood for long is as one that has just come to rest.

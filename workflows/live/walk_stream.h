@@ -26,10 +26,16 @@ struct PacePlan {
   SteadyStretch stretch;                ///< of its own
 };
 
+/// From one pace to another, with a turn between.
+struct PaceChange {
+  Pace from, to;
+  double turn_rad = 0.0;
+};
+
 /// Plans a walk that goes over from one pace into another, keeps that for a while, and stops. The cycle of a gait is
 /// the nearest whole number of the plan's time steps, so that it can repeat itself.
 /// Failure: what PlanWalk refuses; kInfeasible `not_steady` where either pace does not become steady.
-Result<PacePlan> PlanPace(const RobotModel& model, const Pace& from, const Pace& to, const WalkRequest& usual);
+Result<PacePlan> PlanPace(const RobotModel& model, const PaceChange& change, const WalkRequest& usual);
 
 /// A walk without an end made of plans that have one. At any time its plan leads to rest: if nothing comes after it
 /// the robot stops and stands.
@@ -45,6 +51,8 @@ class WalkStream {
   const Pace& pace() const { return pace_; }
   /// Whether it comes to rest with nothing after it.
   bool stops() const { return !source_; }
+  /// Where the present pace heads, which is the same in each of its cycles where it does not turn.
+  double heading_rad() const;
 
   /// Goes over into another pace at the first moment that serves, not before `earliest_s`.
   /// @param next  planned from the present pace. Failure kBadInput `misfit` where it is not.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics/spatial/rotation.h"
+
 namespace gaitwright {
 namespace {
 
@@ -56,6 +58,48 @@ TEST_F(Live, StandsWalksChangesItsPaceAndStops) {
   const double still = x();
   Run(1.0);
   EXPECT_NEAR(x(), still, 0.01);
+}
+
+TEST_F(Live, TurnsToAHeading) {
+  live_->AskHeading(1.0);
+  EXPECT_FALSE(live_->wanted()) << "it stands";
+  EXPECT_EQ(live_->TakeNotes().size(), 1U);
+  Ask({.gait = "trot", .speed_m_s = 0.3, .yaw_rate_rad_s = 0.3});
+  Run(3.0);
+  live_->AskHeading(-2.0);
+  live_->WaitForPlan();
+  live_->Step();
+  EXPECT_TRUE(live_->wanted()) << "it goes straight first, and then turns";
+  live_->WaitForPlan();
+  Run(15.0);
+  EXPECT_FALSE(live_->wanted());
+  EXPECT_EQ(live_->mode(), LiveMode::kWalks);
+  EXPECT_NEAR(YawOf(BaseRotation(live_->world().q())), -2.0, 0.1);
+}
+
+TEST_F(Live, AnswersANudgeOfAJoint) {
+  Run(0.5);
+  const double before = live_->world().q()[7 + 2];
+  live_->Nudge(2, 0.1, 0.3);
+  Run(0.3);
+  EXPECT_GT(live_->world().q()[7 + 2] - before, 0.02);
+  Run(1.0);
+  EXPECT_NEAR(live_->world().q()[7 + 2], before, 0.01);
+  EXPECT_EQ(live_->mode(), LiveMode::kStands);
+  EXPECT_THROW(live_->Nudge(12, 0.1, 0.3), InvalidArgument);
+  EXPECT_THROW(live_->Nudge(2, 4.0, 0.3), InvalidArgument);
+  EXPECT_THROW(live_->Nudge(2, NAN, 0.3), InvalidArgument);
+}
+
+TEST_F(Live, SamplesAreMeansSinceTheLast) {
+  Run(1.0);
+  live_->TakeSample();
+  Run(0.05);
+  const LogSample sample = live_->TakeSample();
+  double up = 0.0;
+  for (const ContactWrench& wrench : sample.wrenches) up += wrench.force_W.z();
+  EXPECT_NEAR(up, model_.weight_n(), 0.05 * model_.weight_n());
+  EXPECT_NEAR(sample.time_s, live_->time_s(), 1e-12);
 }
 
 TEST_F(Live, IsPulledAboutAndRecovers) {

@@ -14,7 +14,7 @@ const Pace kStand = {.gait = "stand"};
 RobotModel Robot(const std::string& name) { return ChooseRobot(name, "").value(); }
 
 PacePlan Planned(const RobotModel& model, const Pace& from, const Pace& to) {
-  Result<PacePlan> plan = PlanPace(model, from, to, {});
+  Result<PacePlan> plan = PlanPace(model, {.from = from, .to = to}, {});
   EXPECT_TRUE(plan.ok()) << (plan.ok() ? "" : plan.failure().message);
   return std::move(plan).value();
 }
@@ -82,6 +82,23 @@ TEST(WalkStream, GoesOverIntoOtherPacesWithoutAStand) {
   EXPECT_EQ(Broken(model, stream.plan()), "");
   EXPECT_GE(stream.plan().parts.size(), 4U);
   EXPECT_NE(stream.GoOver(17.0, fast, Planned(model, kStand, fast)), std::nullopt) << "it does not stand";
+}
+
+TEST(WalkStream, TurnsToAHeadingAndGoesOnStraight) {
+  for (const auto& [name, gait, speed] : {std::tuple("a1", "trot", 0.3), {"nao", "walk", 0.08}}) {
+    SCOPED_TRACE(name);
+    const RobotModel model = Robot(name);
+    const Pace pace = {.gait = gait, .speed_m_s = speed};
+    WalkStream stream(Planned(model, kStand, pace).plan);
+    ASSERT_EQ(stream.GoOver(0.0, pace, Planned(model, kStand, pace)), std::nullopt);
+    EXPECT_NEAR(stream.heading_rad(), 0.0, 0.01);
+    const auto turning = PlanPace(model, {.from = pace, .to = pace, .turn_rad = 1.0}, {});
+    ASSERT_TRUE(turning.ok()) << turning.failure().message;
+    ASSERT_EQ(stream.GoOver(5.0, pace, *turning), std::nullopt);
+    stream.GoOn(20.0);
+    EXPECT_NEAR(stream.heading_rad(), 1.0, 0.05);
+    EXPECT_EQ(Broken(model, stream.plan()), "");
+  }
 }
 
 TEST(WalkStream, ForgetsWithoutAChangeOfWhatComes) {

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "cli/flags.h"
+#include "cli/interruptible.h"
+#include "cli/options_file.h"
+#include "cli/paths.h"
+#include "cli/program.h"
+#include "cli/walk_arguments.h"
+#include "playback/viewer/viewer_page.h"
+#include "workflows/live/live_session.h"
+
+namespace gaitwright::cli {
+namespace {
+
+/// What can be set: what shapes plans, the world and the controller. Sensors, delays and timed pushes are for 'play'.
+OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
+  return Joined({walk.Fields(), Prefixed("play", play.play.world.Fields()),
+                 Prefixed("stabilised", play.stabilised.Fields()), Prefixed("gains", play.gains.Fields())});
+}
+
+struct Arguments {
+  Common common;
+  std::string robot = "a1", urdf;
+  WalkRequest walk;
+  PlayRequest play;
+  OptionsFile options;
+  LiveAddress address{.port = 8017};
+  double for_s = 0.0;
+  bool debug = false, no_open = false;
+};
+
+/// Opens a page in the browser that the desktop has; without a desktop nothing happens.
+void OpenInBrowser(const std::string& url) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  const int ignored = std::system(("xdg-open '" + url + "' >/dev/null 2>&1 &").c_str());
+  (void)ignored;
+}
+
+int Run(Arguments& a) {
+  a.play.play.world.seed = a.common.seed;
+  const OptionFields fields = FieldsOf(a.walk, a.play);
+  const Result<OptionTexts> options = a.options.Apply(fields, a.common);
+  if (!options) return Report(options.failure(), a.common);
+  ApplySets("--set", a.common.sets, fields);
+  if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
+  Paths paths;
+  paths.AddRobotAndGait(a.urdf, "");
+  a.options.AddPathTo(paths);
+  CheckPaths(paths);
+  const Result<RobotModel> model = ChooseRobot(a.robot, a.urdf);
+  if (!model) return Report(model.failure(), a.common);
+  Result<std::unique_ptr<LiveServer>> server = LiveServer::Start(a.address, LivePage(model->name + ", live"));
+  if (!server) return Report(server.failure(), a.common);
+  if (!a.common.quiet) fmt::print(stderr, "plans how {} walks\n", model->name);
+  Result<std::unique_ptr<LiveWorld>> live = LiveWorld::Make(*model, a.walk, a.play);
+  if (!live) return Report(live.failure(), a.common);
+  const std::optional<std::string> meshes =
+      a.urdf.empty() ? std::nullopt : std::optional(std::filesystem::path(a.urdf).parent_path().string());
+  (*server)->Greet(LiveGreeting(**live, meshes));
+  const std::string url = (*server)->url();
+  fmt::print("{}\n", a.common.json ? fmt::format("{{\"url\": \"{}\"}}", url)
+                                   : (a.common.quiet ? url : url + "  open it in a browser; Ctrl-C ends"));
+  std::fflush(stdout);
+  if (!a.no_open) OpenInBrowser(url);
+  LiveListener listener;
+  if (!a.common.quiet && !a.common.json) listener.note = [](const std::string& note) { fmt::print("{}\n", note); };
+  if (a.debug) listener.phase = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  LiveSession session(**live, **server, listener);
+  const Interruptible interruptible;
+  const auto begun = std::chrono::steady_clock::now();
+  session.Run([&] {
+    const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return Interruptible::asked() || (a.for_s > 0.0 && passed > a.for_s);
+  });
+  return kPass;
+}
+
+}  // namespace
+
+void AddLive(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb =
+      *app.add_subcommand("live", "Serve a page on a robot in physics that walks, is pushed and tuned as you watch");
+  verb.option_defaults()->group("Robot");
+  CLI::Option* named =
+      AddText(verb, "--robot", "NAME", a->robot, "Robot by name, see 'gaitwright robots'; default a1.");
+  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
+  AddText(verb, "--controller", "NAME", a->play.controller, "stabilised or joint-pd; default stabilised.");
+  verb.option_defaults()->group("Where the page is");
+  AddText(
+      verb, "--host", "ADDRESS", a->address.host,
+      "Address of this machine to listen at; the default 127.0.0.1 is reached from this machine alone, with another "
+      "one whoever reaches it moves the robot.");
+  AddWholeNumber(verb, "--port", 0, a->address.port, "Port; 0 takes any that is free; default 8017.");
+  verb.add_flag("--no-open", a->no_open, "Do not open the page in this desktop's browser.");
+  AddNumber(verb, "--for", "s", a->for_s, "End after so long; default 0: by Ctrl-C.");
+  verb.add_flag("--debug", a->debug, "Print each change of contact, planned and measured, on standard error.");
+  a->options.AddTo(verb);
+  AddCommon(
+      verb, a->common,
+      {"live --robot a1", "live --urdf my_robot.urdf --port 0 --debug", "live --robot nao --set play.friction=0.6"});
+  AddOptionList(verb, FieldsOf(a->walk, a->play), a->common.json);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/live/live_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "kinematics/base/result.h"
+#include "planning/plan/sample_plan.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr std::size_t kNotesShown = 12;
+constexpr double kSayEvery = 5.0;  // [s]
+constexpr double kOnePicture = 1.0 / LiveSession::kPictures_hz;
+
+std::string NamesOf(const RobotModel& model, FootSet feet) {
+  std::string names;
+  for (std::size_t i = 0; i < model.feet.size(); ++i) {
+    if (Contains(feet, static_cast<int>(i))) names += (names.empty() ? "" : "+") + model.feet[i].name;
+  }
+  return names.empty() ? "none" : names;
+}
+
+FootSet TouchingOf(const BulletWorld& world) {
+  FootSet feet = 0;
+  for (std::size_t i = 0; i < world.feet().size(); ++i) {
+    if (world.feet()[i].touching) feet |= FootBit(static_cast<int>(i));
+  }
+  return feet;
+}
+
+}  // namespace
+
+LiveSession::LiveSession(LiveWorld& live, LiveServer& server, LiveListener listener)
+    : live_(live), server_(server), listener_(std::move(listener)) {}
+
+void LiveSession::Turn(double wall_s) {
+  Hear();
+  const double step_s = live_.step_s();
+  if (status_.clock.paused) {
+    due_s_ = 0.0;
+    for (; status_.clock.steps > 0; --status_.clock.steps) StepOnce();
+  } else {
+    status_.clock.steps = 0;
+    due_s_ += wall_s;
+    const auto begun = std::chrono::steady_clock::now();
+    const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(); };
+    while (due_s_ >= step_s && spent() < kOnePicture) {
+      StepOnce();
+      due_s_ -= step_s;
+    }
+  }
+  const double beyond = std::max(0.0, due_s_ - kMostBehind);
+  due_s_ -= beyond;
+  let_go_s_ += beyond;
+  unsaid_for_s_ += wall_s;
+  if (let_go_s_ > 0.0 && unsaid_for_s_ > kSayEvery) {
+    Note(fmt::format("behind real time: this machine is too slow by {:.1f} s in {:.1f} s", let_go_s_, unsaid_for_s_));
+    let_go_s_ = unsaid_for_s_ = 0.0;
+  }
+  for (const std::string& note : live_.TakeNotes()) Note(note);
+  status_.behind_s = due_s_ >= kOnePicture ? due_s_ : 0.0;
+  if (server_.pages() > 0) server_.Publish(LiveFrame(live_, status_));
+}
+
+void LiveSession::Run(const std::function<bool()>& stop) {
+  using Clock = std::chrono::steady_clock;
+  const auto picture = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kOnePicture));
+  Clock::time_point last = Clock::now(), next = last;
+  while (!stop()) {
+    const Clock::time_point now = Clock::now();
+    Turn(std::chrono::duration<double>(now - last).count());
+    last = now;
+    next = std::max(next + picture, Clock::now());
+    std::this_thread::sleep_until(next);
+  }
+}
+
+void LiveSession::Hear() {
+  for (const LiveSaying& saying : server_.Take()) {
+    try {
+      ApplyLiveMessage(saying.text, live_, status_.clock);
+    } catch (const InvalidArgument& refused) {
+      server_.Tell(saying.page, LiveRefusal(refused.what()));
+    }
+  }
+}
+
+void LiveSession::StepOnce() {
+  live_.Step();
+  TellPhase();
+}
+
+void LiveSession::TellPhase() {
+  const ContactSchedule& schedule = live_.plan().schedule;
+  const FootSet planned = schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, live_.time_s()))].stance;
+  const FootSet touching = TouchingOf(live_.world());
+  if (planned == planned_stance_ && touching == touching_) return;
+  planned_stance_ = planned;
+  touching_ = touching;
+  listener_.phase(fmt::format("{:9.3f} s  {:7}  planned {:12} touching {:12} base {:+.3f} {:+.3f} m/s", live_.time_s(),
+                              NameOf(live_.mode()), NamesOf(live_.model(), planned), NamesOf(live_.model(), touching),
+                              live_.world().v()[0], live_.world().v()[1]));
+}
+
+void LiveSession::Note(const std::string& text) {
+  status_.notes.emplace_back(++noted_, text);
+  if (status_.notes.size() > kNotesShown) status_.notes.erase(status_.notes.begin());
+  listener_.note(text);
+}
+
+}  // namespace gaitwright
