@@ -49,5 +49,5 @@ gaitwright_fuzz_room(planning PARTS plan_laws READERS gaits sequence_text sequen
 gaitwright_fuzz_room(playback READERS log disturbances outcome)
 gaitwright_fuzz_room(workflows PARTS exchange_readers plan_laws READERS motion_csv compare_csv column_names joint_trajectory
                      joint_trajectory_json footsteps report trials_result axis point candidate journal
-                     centroidal_problems options_file)
+                     centroidal_problems options_file live_request)
 gaitwright_fuzz_room(cli READERS numbers)

@@ -6,10 +6,12 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/options_file.h"
+#include "kinematics/model/load_robot.h"
 #include "playback/trials/trial_outcome.h"
 #include "tests/fuzz/exchange_readers.h"
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/plan_laws.h"
+#include "workflows/live/live_requests.h"
 #include "workflows/study/candidate_worth.h"
 #include "workflows/study/centroidal_problems.h"
 #include "workflows/study/job_journal.h"
@@ -102,6 +104,29 @@ std::vector<std::string> MadePoints() {
   return {PointToLine(good), PointToLine(refused)};
 }
 
+/// Reading does nothing yet, so that no robot has to walk here.
+Verdict ReadLive(const std::string& input) {
+  static const RobotModel model = LoadNamedRobot("a1").value();
+  try {
+    Require(static_cast<bool>(ReadLiveRequest(model, input)), "what is accepted can be done");
+  } catch (const InvalidArgument&) {
+    return Verdict::kRefused;
+  }
+  return Verdict::kAccepted;
+}
+
+std::vector<std::string> MadeRequests() {
+  return {R"({"do":"pace","gait":"trot","speed_m_s":0.4,"yaw_rate_rad_s":-0.2})",
+          R"({"do":"heading","heading_deg":90})",
+          R"({"do":"pull","body":3,"at_m":[0,0,0.1],"to_m":[1,0,0.3]})",
+          R"({"do":"ground","friction":0.6,"slope_deg":3,"slope_direction_deg":90})",
+          R"({"do":"options","options":{"gains.stiffness_scale":1.2}})",
+          R"({"do":"pose","q":[0,0,0.3,0,0,0,1,0,0.7,-1.4,0,0.7,-1.4,0,0.7,-1.4,0,0.7,-1.4]})",
+          R"({"do":"nudge","dof":3,"by":0.1,"for_s":0.5})",
+          R"({"do":"clock","paused":true,"steps":3})",
+          R"({"do":"stand_up"})"};
+}
+
 /// What was found is found again, with what is added.
 Verdict ReadJournal(const std::string& input) {
   const std::string path = InFile(input, ".so-far");
@@ -192,7 +217,13 @@ std::vector<Reader> StudyReaders() {
            {"tests/benchmarks/centroidal_problems.json"},
            nullptr,
            300},
-          {"options_file", ReadOptionsOfFile, options, {}, nullptr, 500}};
+          {"options_file", ReadOptionsOfFile, options, {}, nullptr, 500},
+          {"live_request",
+           ReadLive,
+           WithJson({"\"do\"", "\"pace\"", "\"gait\"", "\"pull\"", "\"at_m\"", "\"pose\"", "\"q\"", "\"clock\"",
+                     "\"steps\"", "\"options\"", "\"gains.stance_damping\"", "\"ground\"", "\"nudge\"", "\"reset\""}),
+           {},
+           MadeRequests}};
 }
 
 }  // namespace

@@ -6,15 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "workflows/live/live_world.h"
+#include "workflows/live/live_requests.h"
 
 namespace gaitwright {
-
-/// What people do to time.
-struct LiveClock {
-  bool paused = false;
-  int steps = 0;  ///< to be done though it is paused
-};
 
 /// What a picture tells beside the world.
 struct LiveStatus {
@@ -22,9 +16,6 @@ struct LiveStatus {
   double behind_s = 0.0;                                ///< how far the simulated clock is behind the wall's
   std::vector<std::pair<int, std::string>> notes = {};  ///< the latest of what happened, by number
 };
-
-/// Longest message that is taken [byte], and most that are kept for one picture.
-inline constexpr std::size_t kLongestLiveMessage = 65536, kMostLiveMessages = 256;
 
 /// What the page is told first, as JSON: robot and ground as the viewer has them, gaits, options (docs/live.md).
 /// @param mesh_folder  of the URDF, to look for visual meshes.
@@ -35,9 +26,5 @@ std::string LiveFrame(LiveWorld& live, const LiveStatus& status);
 
 /// What a page is told whose message was refused, as JSON.
 std::string LiveRefusal(const std::string& why);
-
-/// Does what a message of a page says.
-/// @throws InvalidArgument, in words for people, for what is no such message or out of range; then nothing is done.
-void ApplyLiveMessage(const std::string& message, LiveWorld& live, LiveClock& clock);
 
 }  // namespace gaitwright

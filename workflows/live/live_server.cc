@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "playback/viewer/viewer_page.h"
-#include "workflows/live/live_messages.h"
+#include "workflows/live/live_requests.h"
 
 namespace gaitwright {
 namespace {

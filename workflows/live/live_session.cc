@@ -84,7 +84,7 @@ void LiveSession::Run(const std::function<bool()>& stop) {
 void LiveSession::Hear() {
   for (const LiveSaying& saying : server_.Take()) {
     try {
-      ApplyLiveMessage(saying.text, live_, status_.clock);
+      ReadLiveRequest(live_.model(), saying.text)(live_, status_.clock);
     } catch (const InvalidArgument& refused) {
       server_.Tell(saying.page, LiveRefusal(refused.what()));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import * as THREE from "three";
+import { ArrowMaker, type Arrow } from "./arrows";
 import type { Ink, Theme } from "./colours";
+import { Palette, seenThrough } from "./palette";
 import { mainTrack, row, unpack, type Motion, type Table, type Track } from "./scene";
 
 /** What can be shown over the robot, in the order of the legend. */
@@ -26,40 +28,6 @@ export const kOverlayInk: Record<Overlay, Ink> = {
 const kLift = 0.003;
 const kTrailSeconds = 1.0;
 const kMostCorners = 64;
-
-type Painted = THREE.Material & { color: THREE.Color };
-
-/** Materials by what they stand for, painted anew when the theme changes. */
-class Palette {
-  private readonly all: { material: Painted; ink: Ink }[] = [];
-
-  line(ink: Ink, opacity = 1): THREE.LineBasicMaterial {
-    return this.keep(new THREE.LineBasicMaterial({ transparent: opacity < 1, opacity }), ink);
-  }
-
-  solid(ink: Ink, opacity = 1): THREE.MeshBasicMaterial {
-    return this.keep(
-      new THREE.MeshBasicMaterial({ transparent: opacity < 1, opacity, depthWrite: opacity === 1, side: THREE.DoubleSide }),
-      ink,
-    );
-  }
-
-  paint(theme: Theme): void {
-    for (const { material, ink } of this.all) material.color.set(theme.ink[ink]);
-  }
-
-  private keep<M extends Painted>(material: M, ink: Ink): M {
-    this.all.push({ material, ink });
-    return material;
-  }
-}
-
-/** Drawn over what is before it: a centre of mass is within a trunk, a ZMP below a sole. */
-function seenThrough(object: THREE.Mesh | THREE.Line, material: THREE.Material): void {
-  object.renderOrder = 2;
-  material.depthTest = false;
-  material.transparent = true;
-}
 
 /** A geometry whose points change with time. */
 function movingPoints(most: number): THREE.BufferGeometry {
@@ -131,12 +99,12 @@ export class Overlays {
   private readonly supportFill: THREE.Mesh;
   private readonly supportEdge: THREE.LineLoop;
   private readonly drop: THREE.Line;
-  private readonly arrows: THREE.Group[] = [];
+  private readonly arrows: Arrow[] = [];
   private readonly soles: { line: THREE.LineLoop; from: number; to: number }[] = [];
   private readonly soleNow: THREE.LineBasicMaterial;
   private readonly soleOther: THREE.LineBasicMaterial;
-  private readonly up = new THREE.Vector3(0, 0, 1);
   private readonly force = new THREE.Vector3();
+  private readonly at = new THREE.Vector3();
 
   constructor(private readonly motion: Motion) {
     this.track = mainTrack(motion);
@@ -210,17 +178,11 @@ export class Overlays {
   }
 
   private addArrows(): void {
-    const material = this.palette.solid("foot", 0.9);
-    const shaft = new THREE.CylinderGeometry(0.012 * this.size, 0.012 * this.size, 1, 12).translate(0, 0.5, 0).rotateX(Math.PI / 2);
-    const head = new THREE.ConeGeometry(0.04 * this.size, 0.1 * this.size, 16).translate(0, 0.05 * this.size, 0).rotateX(Math.PI / 2);
+    const maker = new ArrowMaker(this.size, this.palette.solid("foot", 0.9));
     for (let i = 0; i < this.motion.file.robot.feet.length; ++i) {
-      const arrow = new THREE.Group();
-      for (const part of [new THREE.Mesh(shaft, material), new THREE.Mesh(head, material)]) {
-        seenThrough(part, material);
-        arrow.add(part);
-      }
+      const arrow = maker.make();
       this.arrows.push(arrow);
-      this.group("forces").add(arrow);
+      this.group("forces").add(arrow.root);
     }
   }
 
@@ -282,12 +244,8 @@ export class Overlays {
     this.arrows.forEach((arrow, i) => {
       this.force.fromArray(forces, 3 * i);
       const length = this.force.length() * metresPerNewton;
-      arrow.visible = Number.isFinite(length) && length > 0.02 * this.size;
-      if (!arrow.visible) return;
-      arrow.position.fromArray(feet, 3 * i);
-      arrow.quaternion.setFromUnitVectors(this.up, this.force.normalize());
-      arrow.children[0].scale.set(1, 1, length);
-      arrow.children[1].position.set(0, 0, length);
+      arrow.root.visible = Number.isFinite(length) && length > 0.02 * this.size;
+      if (arrow.root.visible) arrow.show(this.at.fromArray(feet, 3 * i), this.force, length);
     });
   }
 }

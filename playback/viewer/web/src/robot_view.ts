@@ -108,6 +108,22 @@ export class RobotView {
     return this.bodies[body].getWorldPosition(new THREE.Vector3());
   }
 
+  /** What of the robot a ray meets first, if anything. */
+  hit(ray: THREE.Raycaster): { body: number; p_W: THREE.Vector3 } | null {
+    const [first] = ray.intersectObject(this.root);
+    return first ? { body: this.bodies.indexOf(first.object.parent as THREE.Group), p_W: first.point } : null;
+  }
+
+  /** A point of W in a body's frame. */
+  toBody(body: number, p_W: THREE.Vector3): THREE.Vector3 {
+    return this.bodies[body].worldToLocal(p_W.clone());
+  }
+
+  /** A point of a body's frame in W. */
+  fromBody(body: number, p_Body: THREE.Vector3): THREE.Vector3 {
+    return this.bodies[body].localToWorld(p_Body.clone());
+  }
+
   paint(theme: Theme): void {
     for (const { material, part } of this.materials) {
       material.color.set(this.ghost ? theme.ink.com : theme[part]);

@@ -3,8 +3,8 @@ import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Theme } from "./colours";
 import { Overlays, type Overlay } from "./overlays";
-import { RobotView } from "./robot_view";
-import { mainTrack, row, sampleAt, type Motion } from "./scene";
+import { RobotView, setPose } from "./robot_view";
+import { mainTrack, row, sampleAt, type Motion, type PoseRow } from "./scene";
 import { TerrainView } from "./terrain_view";
 
 export type View = "corner" | "side" | "front" | "top";
@@ -33,9 +33,11 @@ export class Stage {
   private readonly sun = new THREE.DirectionalLight(0xffffff, 2.1);
   private readonly sky = new THREE.HemisphereLight(0xffffff, 0x98a4b0, 1.5);
   private readonly centre = new THREE.Vector3();
+  private readonly ray = new THREE.Raycaster();
   /** Of the robot from its middle, as it stands first. */
   private readonly reach: number;
-  private shown = -1;
+  private shown = 0;
+  private shownAt = 0;
   private dirty = true;
   follow = true;
 
@@ -80,8 +82,7 @@ export class Stage {
 
   setVisible(overlay: Overlay, visible: boolean): void {
     this.overlays.setVisible(overlay, visible);
-    this.shown = -1;
-    this.dirty = true;
+    this.showSample(this.shown, this.shownAt);
   }
 
   /** A camera from that side at the robot, as far off as shows all of it. */
@@ -99,6 +100,47 @@ export class Stage {
     const k = sampleAt(this.motion.time, t);
     if (k === this.shown) return;
     this.showSample(k, t);
+  }
+
+  /** Shows the last sample anew: for a motion that rolls on. */
+  showLast(): void {
+    const last = this.motion.time.length - 1;
+    this.showSample(last, this.motion.time[last]);
+  }
+
+  /** Something more to be shown. */
+  add(object: THREE.Object3D): void {
+    this.scene.add(object);
+  }
+
+  /** What was added is another now. */
+  touch(): void {
+    this.dirty = true;
+  }
+
+  /** Where the ground has been moved to. */
+  placeGround(pose: PoseRow): void {
+    setPose(this.terrain.root, pose);
+    this.dirty = true;
+  }
+
+  /** What of the robot is seen at a place of the window. */
+  hit(x: number, y: number): { body: number; p_W: THREE.Vector3 } | null {
+    this.aim(x, y);
+    return this.robot.hit(this.ray);
+  }
+
+  /** The point at a place of the window that is as far before the camera as another. */
+  pointAt(x: number, y: number, asFarAs_W: THREE.Vector3): THREE.Vector3 {
+    this.aim(x, y);
+    const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(new THREE.Vector3()), asFarAs_W);
+    return this.ray.ray.intersectPlane(plane, new THREE.Vector3()) ?? asFarAs_W.clone();
+  }
+
+  /** Where a point is seen, in pixels from the left and the top of the picture. */
+  seenAt(p_W: THREE.Vector3): { x: number; y: number } {
+    const p = p_W.clone().project(this.camera);
+    return { x: 0.5 * (1 + p.x) * this.canvas.clientWidth, y: 0.5 * (1 - p.y) * this.canvas.clientHeight };
   }
 
   /** The camera goes after the robot, at once where `seconds` is infinite. */
@@ -119,8 +161,16 @@ export class Stage {
     this.dirty = false;
     this.sun.target.position.copy(this.centre);
     this.sun.position.copy(this.centre).add(new THREE.Vector3(1.6, -1.1, 4).multiplyScalar(this.reach));
+    this.terrain.goWith(this.centre);
     this.renderer.render(this.scene, this.camera);
     return true;
+  }
+
+  /** Gives back what the browser holds for it; it shows nothing any more. */
+  dispose(): void {
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   /** Draw calls and triangles of the last picture. */
@@ -130,14 +180,26 @@ export class Stage {
 
   private showSample(k: number, t: number): void {
     this.shown = k;
+    this.shownAt = t;
     this.robot.pose(row(mainTrack(this.motion).q, k));
-    if (this.ghost && this.motion.planned) this.ghost.pose(row(this.motion.planned.q, k));
+    if (this.ghost && this.motion.planned) this.showGhost(this.ghost, row(this.motion.planned.q, k));
     this.overlays.show(k, t);
     this.dirty = true;
   }
 
+  private showGhost(ghost: RobotView, q: Float32Array): void {
+    ghost.root.visible = Number.isFinite(q[0]);
+    if (ghost.root.visible) ghost.pose(q);
+  }
+
+  /** The ray of sight through a place of the window. */
+  private aim(x: number, y: number): void {
+    const box = this.canvas.getBoundingClientRect();
+    this.ray.setFromCamera(new THREE.Vector2((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height), this.camera);
+  }
+
   private robotCentre(): THREE.Vector3 {
-    const q = row(mainTrack(this.motion).q, Math.max(this.shown, 0));
+    const q = row(mainTrack(this.motion).q, this.shown);
     return new THREE.Vector3(q[0], q[1], q[2] - 0.25 * this.reach);
   }
 

@@ -7,6 +7,8 @@ import { unpack, type TerrainFile } from "./scene";
 const kSolidDepth = 1.0;
 const kPlaneSize = 60;
 const kTile = 0.5;
+/** So far off the middle of a plane's piece the robot may go before the piece goes after it. */
+const kAstray = 10;
 
 /** A square tile with an edge, over and over. */
 class Tiles {
@@ -36,6 +38,7 @@ class Tiles {
 /** The ground and what stands on it. */
 export class TerrainView {
   readonly root = new THREE.Group();
+  private readonly planes: THREE.Mesh[] = [];
   private readonly tiles = new Tiles();
   private readonly ground = new THREE.MeshStandardMaterial({ roughness: 0.95, map: this.tiles.texture });
   private readonly block = new THREE.MeshStandardMaterial({ roughness: 0.95, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
@@ -66,6 +69,14 @@ export class TerrainView {
     this.line.color.set(theme.groundLine);
   }
 
+  /** Where planes have no end, the pieces of them that are shown go with the robot, by whole tiles. */
+  goWith(p_W: THREE.Vector3): void {
+    for (const plane of this.planes) {
+      const p = (plane.parent as THREE.Object3D).worldToLocal(p_W.clone()).setZ(0);
+      if (p.distanceTo(plane.position) > kAstray) plane.position.copy(p.divideScalar(kTile).round().multiplyScalar(kTile));
+    }
+  }
+
   private add(mesh: THREE.Mesh): void {
     mesh.receiveShadow = true;
     this.root.add(mesh);
@@ -81,8 +92,11 @@ export class TerrainView {
   /** A plane without end: a large piece of it, in tiles of half a metre to see motion by. */
   private addPlane(patch: TerrainFile["patches"][number]): void {
     const plane = new THREE.Mesh(new THREE.PlaneGeometry(kPlaneSize, kPlaneSize), this.ground);
-    setPose(plane, patch.pose);
-    this.add(plane);
+    plane.receiveShadow = true;
+    const frame = new THREE.Group().add(plane);
+    setPose(frame, patch.pose);
+    this.planes.push(plane);
+    this.root.add(frame);
   }
 
   /** A bounded piece of plane and the solid straight below it. */

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Clock } from "./clock";
+import { make } from "./elements";
 import { mainTrack, sampleAt, type MarkFile, type Motion } from "./scene";
 
 const kRow = 9;
 
-function element<K extends keyof HTMLElementTagNameMap>(tag: K, className: string, text = ""): HTMLElementTagNameMap[K] {
-  const made = document.createElement(tag);
-  made.className = className;
-  made.textContent = text;
-  return made;
-}
-
 /** The bar to scrub on: which feet bear when, what happened, and a slider that the keyboard moves too. */
 export class Timeline {
-  readonly root = element("div", "gw-timeline");
+  readonly root = make("div", "gw-timeline");
   private readonly bars = document.createElement("canvas");
-  private readonly slider = element("input", "gw-slider");
-  private readonly needle = element("div", "gw-now");
-  private readonly track = element("div", "gw-track");
-  private readonly names = element("div", "gw-feet");
+  private readonly slider = make("input", "gw-slider");
+  private readonly needle = make("div", "gw-now");
+  private readonly track = make("div", "gw-track");
+  private readonly names = make("div", "gw-feet");
 
   constructor(
     private readonly motions: Motion[],
@@ -34,7 +28,7 @@ export class Timeline {
     this.bars.setAttribute("aria-hidden", "true");
     this.track.append(this.bars, this.needle);
     for (const motion of motions) {
-      for (const foot of motion.file.robot.feet) this.names.append(element("span", "", foot.name));
+      for (const foot of motion.file.robot.feet) this.names.append(make("span", "", foot.name));
       for (const mark of motion.file.marks) this.addMark(mark);
     }
     this.track.addEventListener("pointerdown", (event) => this.press(event));
@@ -89,7 +83,7 @@ export class Timeline {
   }
 
   private addMark(mark: MarkFile): void {
-    const flag = element("button", `gw-mark gw-${mark.kind}`, mark.kind === "fall" ? "fall" : "");
+    const flag = make("button", `gw-mark gw-${mark.kind}`, mark.kind === "fall" ? "fall" : "");
     flag.style.left = `${100 * this.share(mark.at_s)}%`;
     flag.title = `${mark.at_s.toFixed(2)} s: ${mark.text}`;
     flag.setAttribute("aria-label", flag.title);

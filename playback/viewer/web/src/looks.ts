@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { themeOf, type Theme } from "./colours";
+import { button, make, tickBox } from "./elements";
+import { kOverlayInk, kOverlayNames, type Overlay } from "./overlays";
+import type { Stage, View } from "./stage";
+
+const kViewKeys: Record<string, View> = { "1": "corner", "2": "side", "3": "front", "4": "top" };
+
+/** The keys of this file, for a line of help. */
+export const kLooksHelp = "1 2 3 4 views \u00b7 F follow \u00b7 G ghost \u00b7 T light or dark \u00b7 drag turns, wheel zooms, right drag shifts";
+
+/** How a page looks at its stages: from where, with what over the robot, light or dark; by button, box and key. */
+export class Looks {
+  /** Of cameras and theme, to be put in a bar. */
+  readonly controls: HTMLElement[];
+  readonly legend = make("div", "gw-legend");
+  private readonly follow = tickBox("follow");
+  private readonly overlayBoxes = new Map<Overlay, HTMLInputElement>();
+  private dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
+
+  /**
+   * @param root  gets `data-theme`.
+   * @param stages  of the page; others may come later, and are then to be told by `apply`.
+   * @param onPaint  told when the colours are others.
+   */
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly stages: readonly Stage[],
+    overlays: readonly Overlay[],
+    private readonly onPaint: (theme: Theme) => void,
+  ) {
+    const views = make("span", "gw-group");
+    for (const [key, view] of Object.entries(kViewKeys)) views.append(button(view, `view from there (${key})`, () => this.look(view)));
+    this.follow.label.title = "the camera goes with the robot (F)";
+    this.follow.box.addEventListener("change", () => this.setFollow(this.follow.box.checked));
+    this.controls = [views, this.follow.label, button("\u25d0", "light or dark (T)", () => this.setDark(!this.dark))];
+    for (const overlay of overlays) this.addToLegend(overlay);
+    this.legend.append(make("span", "gw-note", "rings and broad pale lines: planned; filled and thin lines: measured"));
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (event) => this.setDark(event.matches));
+  }
+
+  get theme(): Theme {
+    return themeOf(this.dark);
+  }
+
+  look(view: View): void {
+    for (const stage of this.stages) stage.look(view);
+  }
+
+  setDark(dark: boolean): void {
+    this.dark = dark;
+    this.paint();
+  }
+
+  setOverlay(overlay: Overlay, visible: boolean): void {
+    const box = this.overlayBoxes.get(overlay);
+    if (box) box.checked = visible;
+    for (const stage of this.stages) stage.setVisible(overlay, visible);
+  }
+
+  setFollow(follow: boolean): void {
+    this.follow.box.checked = follow;
+    for (const stage of this.stages) stage.follow = follow;
+  }
+
+  paint(): void {
+    this.root.dataset.theme = this.dark ? "dark" : "light";
+    for (const stage of this.stages) stage.paint(this.theme);
+    this.onPaint(this.theme);
+  }
+
+  /** Tells stages that are new what is chosen. */
+  apply(): void {
+    for (const [overlay, box] of this.overlayBoxes) this.setOverlay(overlay, box.checked);
+    this.setFollow(this.follow.box.checked);
+    this.paint();
+  }
+
+  /** Does what a key asks for, if that is of this. */
+  press(key: string): boolean {
+    const view = kViewKeys[key];
+    if (view) this.look(view);
+    else if (key === "f" || key === "F") this.setFollow(!this.follow.box.checked);
+    else if (key === "g" || key === "G") this.setOverlay("ghost", !this.overlayBoxes.get("ghost")?.checked);
+    else if (key === "t" || key === "T") this.setDark(!this.dark);
+    else return false;
+    return true;
+  }
+
+  private addToLegend(overlay: Overlay): void {
+    const { label, box } = tickBox(kOverlayNames[overlay], `gw-ink-${kOverlayInk[overlay]}`);
+    box.addEventListener("change", () => this.setOverlay(overlay, box.checked));
+    this.overlayBoxes.set(overlay, box);
+    this.legend.append(label);
+  }
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/live/live_session.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/workflows/live/socket_client.h"
+
+namespace gaitwright {
+namespace {
+
+using Json = nlohmann::json;
+
+RobotModel Robot() { return ChooseRobot("a1", "").value(); }
+
+/// A world that stands, made once: what changes it begins with a reset.
+LiveWorld& World() {
+  static const RobotModel model = Robot();
+  static const std::unique_ptr<LiveWorld> live = std::move(LiveWorld::Make(model, {}, {}).value());
+  return *live;
+}
+
+class Session : public testing::Test {
+ protected:
+  Session()
+      : live_(World()),
+        server_(std::move(LiveServer::Start({}, "").value())),
+        session_(live_, *server_,
+                 {[this](const std::string& note) { notes_.push_back(note); },
+                  [this](const std::string& line) { phases_.push_back(line); }}) {
+    live_.Reset();
+    live_.SetGround(0.0, 0.0, 0.0);
+    live_.TakeNotes();
+    server_->Greet(LiveGreeting(live_));
+    const std::string host = "127.0.0.1:" + std::to_string(server_->port());
+    page_ = std::make_unique<SocketClient>(server_->port());
+    EXPECT_EQ(page_->Open("/live", "http://" + host, host), 101);
+    greeting_ = Json::parse(page_->Hear().value_or("null"));
+  }
+
+  /// The next picture after so much of the wall's time.
+  Json Picture(double wall_s) {
+    session_.Turn(wall_s);
+    return Json::parse(page_->Hear().value_or("null"));
+  }
+  /// What the page is told next after having said that: a refusal, or a picture in which it is done.
+  Json Say(const Json& message) {
+    page_->Say(message.dump());
+    for (int tries = 0; tries < 200; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      session_.Turn(0.0);
+      const Json told = Json::parse(page_->Hear().value_or("null"));
+      if (told.contains("refused") || tries > 3) return told;
+    }
+    return {};
+  }
+
+  LiveWorld& live_;
+  std::unique_ptr<LiveServer> server_;
+  LiveSession session_;
+  std::unique_ptr<SocketClient> page_;
+  Json greeting_;
+  std::vector<std::string> notes_, phases_;
+};
+
+TEST_F(Session, GreetsWithRobotGaitsAndOptions) {
+  EXPECT_EQ(greeting_["format"], "gaitwright-live");
+  EXPECT_EQ(greeting_["scene"]["robot"]["name"], live_.model().name);
+  EXPECT_EQ(greeting_["scene"]["robot"]["dofs"].size(), 12U);
+  EXPECT_EQ(greeting_["gaits"][0], "stand");
+  EXPECT_NE(std::find(greeting_["gaits"].begin(), greeting_["gaits"].end(), "trot"), greeting_["gaits"].end());
+  EXPECT_EQ(greeting_["options"]["gains.stance_damping"]["value"], 0.7);
+}
+
+TEST_F(Session, GoesAsFastAsTheWallsClock) {
+  const double begun = live_.time_s();
+  for (int i = 0; i < 60; ++i) Picture(0.0166667);
+  EXPECT_NEAR(live_.time_s() - begun, 1.0, 0.02);
+  const Json picture = Picture(0.01);
+  EXPECT_EQ(picture["mode"], "stands");
+  EXPECT_EQ(picture["q"].size(), 19U);
+  EXPECT_EQ(picture["feet"].size(), 4U);
+  EXPECT_NEAR(picture["measured"]["margin_m"].get<double>(), 0.1, 0.1);
+  EXPECT_EQ(picture["measured"]["support"].size(), 4U);
+  EXPECT_EQ(picture["options"].size(), greeting_["options"].size());
+}
+
+TEST_F(Session, SaysThatItFallsBehindAndNeverRushesAfter) {
+  double before = live_.time_s();
+  Json picture;
+  for (int i = 0; i < 8; ++i) picture = Picture(30.0);  // far more than can be done in one picture
+  EXPECT_GT(picture["behind_s"].get<double>(), 0.1);
+  EXPECT_LE(picture["behind_s"].get<double>(), LiveSession::kMostBehind);
+  ASSERT_FALSE(notes_.empty());
+  EXPECT_NE(notes_.back().find("behind real time"), std::string::npos) << notes_.back();
+  EXPECT_LT(live_.time_s() - before, 10.0);
+  EXPECT_EQ(picture["notes"].back()[1], notes_.back());
+}
+
+TEST_F(Session, PausesStepsAndResets) {
+  Picture(0.1);
+  EXPECT_TRUE(Say({{"do", "clock"}, {"paused", true}})["paused"].get<bool>());
+  const double paused = live_.time_s();
+  Picture(1.0);
+  EXPECT_EQ(live_.time_s(), paused);
+  Say({{"do", "clock"}, {"steps", 3}});
+  EXPECT_NEAR(live_.time_s() - paused, 3.0 * live_.step_s(), 1e-9);
+  Say({{"do", "reset"}});
+  EXPECT_EQ(live_.time_s(), live_.plan().whole_body.start_s);
+  EXPECT_FALSE(Say({{"do", "clock"}, {"paused", false}})["paused"].get<bool>());
+}
+
+TEST_F(Session, PosesHoldJointsWithinTheirLimits) {
+  std::vector<double> q(19, 0.0);
+  q[2] = 0.5;
+  q[6] = 2.0;  // a quaternion of any length
+  q[7] = 100.0;
+  const Json picture = Say({{"do", "pose"}, {"q", q}});
+  EXPECT_EQ(picture["mode"], "posed");
+  EXPECT_NEAR(picture["q"][7].get<double>(), live_.model().dof_upper(0), 1e-6);
+  EXPECT_EQ(picture["q"][6], 1.0);
+  EXPECT_EQ(Say({{"do", "stand_up"}})["mode"], "stands");
+}
+
+TEST_F(Session, PullsGroundOptionsAndNudges) {
+  Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"to_m", {0.0, 1.0, 0.3}}});
+  EXPECT_GT(Picture(0.005)["pull_n"][1].get<double>(), 10.0);
+  Say({{"do", "let_go"}});
+  EXPECT_TRUE(Picture(0.005)["pull_n"].is_null());
+  const Json ground = Say({{"do", "ground"}, {"friction", 0.5}, {"slope_deg", 5.0}, {"slope_direction_deg", 90.0}});
+  EXPECT_EQ(ground["ground"]["friction"], 0.5);
+  EXPECT_EQ(ground["ground"]["slope_deg"], 5.0);
+  EXPECT_GT(std::abs(ground["ground"]["pose"][3].get<double>()), 0.03) << "turned about x";
+  const Json options = Say({{"do", "options"}, {"options", {{"gains.stance_damping", 1.25}}}});
+  EXPECT_NE(std::find(options["options"].begin(), options["options"].end(), 1.25), options["options"].end());
+  EXPECT_FALSE(Say({{"do", "nudge"}, {"dof", 2}, {"by", 0.1}, {"for_s", 0.3}}).contains("refused"));
+}
+
+TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
+  for (const auto& [message, word] : std::vector<std::pair<std::string, std::string>>{
+           {"", "JSON"},
+           {"{", "JSON"},
+           {"[1]", "do"},
+           {R"({"do":7})", "do"},
+           {R"({"do":"dance"})", "dance"},
+           {R"({"do":"reset","now":true})", "now"},
+           {R"({"do":"clock","paused":1})", "paused"},
+           {R"({"do":"clock","steps":-1})", "steps"},
+           {R"({"do":"pull","body":99,"at_m":[0,0,0],"to_m":[0,0,0]})", "body"},
+           {R"({"do":"pull","body":0,"at_m":[0,0],"to_m":[0,0,0]})", "at_m"},
+           {R"({"do":"pull","body":0,"at_m":[0,0,1e9],"to_m":[0,0,0]})", "far"},
+           {R"({"do":"ground","friction":-1,"slope_deg":0,"slope_direction_deg":0})", "friction"},
+           {R"({"do":"ground","friction":1,"slope_deg":89,"slope_direction_deg":0})", "slope"},
+           {R"({"do":"options","options":{"gains.nothing":1}})", "nothing"},
+           {R"({"do":"options","options":{"gains.stance_damping":-1}})", "stance_damping"},
+           {R"({"do":"options","options":[1]})", "options"},
+           {R"({"do":"pose","q":[1,2,3]})", "q"},
+           {R"({"do":"pose","q":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]})", "base"},
+           {R"({"do":"pace","gait":"trot","speed_m_s":1e9})", "speed_m_s"},
+           {R"({"do":"pace"})", "gait"},
+           {R"({"do":"heading","heading_deg":"north"})", "heading_deg"},
+           {R"({"do":"nudge","dof":12,"by":0.1,"for_s":0.5})", "dof"},
+           {R"({"do":"nudge","dof":1,"by":3,"for_s":0.5})", "moved"}}) {
+    LiveClock clock;
+    const VectorX q = live_.world().q();
+    try {
+      ReadLiveRequest(live_.model(), message)(live_, clock);
+      ADD_FAILURE() << message << " was taken";
+    } catch (const InvalidArgument& refused) {
+      EXPECT_NE(std::string(refused.what()).find(word), std::string::npos) << message << ": " << refused.what();
+    }
+    EXPECT_EQ(live_.world().q(), q);
+    EXPECT_EQ(clock.steps, 0);
+  }
+  EXPECT_NE(Say({{"do", "dance"}})["refused"].get<std::string>().find("dance"), std::string::npos);
+}
+
+TEST_F(Session, TellsEachChangeOfContact) {
+  live_.Ask({.gait = "trot", .speed_m_s = 0.3});
+  live_.WaitForPlan();
+  for (int i = 0; i < 200; ++i) Picture(0.01);
+  EXPECT_EQ(live_.mode(), LiveMode::kWalks);
+  ASSERT_GT(phases_.size(), 6U);
+  EXPECT_NE(phases_.back().find("walks"), std::string::npos) << phases_.back();
+  EXPECT_NE(phases_.back().find("planned"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gaitwright

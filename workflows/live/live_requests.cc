@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/live/live_requests.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "planning/plan/json_part_internal.h"
+
+namespace gaitwright {
+namespace {
+
+LiveRequest ReadPace(const JsonPart& m, const RobotModel&) {
+  constexpr double kFastest = 20.0, kQuickestTurn = 20.0;
+  m.Object({"do", "gait"}, {"speed_m_s", "lateral_speed_m_s", "yaw_rate_rad_s"});
+  const auto number = [&](const char* key, double most) { return m.Has(key) ? m.At(key).NumberIn(-most, most) : 0.0; };
+  const Pace pace = {.gait = m.At("gait").Text(),
+                     .speed_m_s = number("speed_m_s", kFastest),
+                     .lateral_speed_m_s = number("lateral_speed_m_s", kFastest),
+                     .yaw_rate_rad_s = number("yaw_rate_rad_s", kQuickestTurn)};
+  return [pace](LiveWorld& live, LiveClock&) { live.Ask(pace); };
+}
+
+LiveRequest ReadHeading(const JsonPart& m, const RobotModel&) {
+  constexpr double kMost_deg = 36000.0;
+  m.Object({"do", "heading_deg"});
+  const double heading_rad = m.At("heading_deg").NumberIn(-kMost_deg, kMost_deg) * std::numbers::pi / 180.0;
+  return [heading_rad](LiveWorld& live, LiveClock&) { live.AskHeading(heading_rad); };
+}
+
+LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
+  constexpr double kFarthest = 1e3;
+  m.Object({"do", "body", "at_m", "to_m"});
+  const int body = m.At("body").Whole(0, static_cast<int>(model.bodies.size()) - 1);
+  const Vector3 at = m.At("at_m").Vector(3), to = m.At("to_m").Vector(3);
+  if (at.norm() > kFarthest || to.norm() > kFarthest) m.Refuse("pulls too far away");
+  return [body, at, to](LiveWorld& live, LiveClock&) { live.Pull(body, at, to); };
+}
+
+LiveRequest ReadGround(const JsonPart& m, const RobotModel&) {
+  m.Object({"do", "friction", "slope_deg", "slope_direction_deg"});
+  const double friction = m.At("friction").Number(), slope = m.At("slope_deg").Number();
+  const double direction = m.At("slope_direction_deg").Number();
+  return [=](LiveWorld& live, LiveClock&) { live.SetGround(friction, slope, direction); };
+}
+
+LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
+  m.Object({"do", "options"});
+  const JsonPart options = m.At("options");
+  if (!options.json().is_object()) options.Refuse("is no object of options");
+  OptionTexts texts;
+  PlayRequest tried;
+  OptionFields fields = LiveOptions(tried);
+  for (const auto& [key, value] : options.json().items()) {
+    texts.emplace_back(key, fmt::format("{}", options.At(key).Number()));
+    SetOption(fields, key, texts.back().second);
+  }
+  return [texts](LiveWorld& live, LiveClock&) {
+    PlayRequest changed = live.play();
+    OptionFields changing = LiveOptions(changed);
+    for (const auto& [key, text] : texts) SetOption(changing, key, text);
+    live.SetControl(changed.stabilised, changed.gains);
+  };
+}
+
+LiveRequest ReadPose(const JsonPart& m, const RobotModel& model) {
+  constexpr double kFarthest = 100.0, kShortest = 0.1;
+  m.Object({"do", "q"});
+  VectorX q = m.At("q").Vector(static_cast<std::size_t>(model.nq()));
+  const double length = q.segment<4>(3).norm();
+  if (!(q.head<3>().norm() < kFarthest) || !(length > kShortest && length < kFarthest))
+    m.Refuse("puts the base where it cannot be");
+  q.segment<4>(3) /= length;
+  for (int d = 0; d < model.num_dofs(); ++d)
+    q[7 + d] = std::min(std::max(q[7 + d], model.dof_lower(d)), model.dof_upper(d));
+  return [q](LiveWorld& live, LiveClock&) { live.PutInPose(q); };
+}
+
+LiveRequest ReadNudge(const JsonPart& m, const RobotModel& model) {
+  m.Object({"do", "dof", "by", "for_s"});
+  const int dof = m.At("dof").Whole(0, model.num_dofs() - 1);
+  const double by = m.At("by").Number(), for_s = m.At("for_s").Number();
+  return [=](LiveWorld& live, LiveClock&) { live.Nudge(dof, by, for_s); };
+}
+
+LiveRequest ReadClock(const JsonPart& m, const RobotModel&) {
+  constexpr int kMostSteps = 10000;
+  m.Object({"do"}, {"paused", "steps"});
+  std::optional<bool> paused;
+  if (m.Has("paused")) {
+    if (!m.At("paused").json().is_boolean()) m.At("paused").Refuse("is neither true nor false");
+    paused = m.At("paused").json().get<bool>();
+  }
+  const int steps = m.Has("steps") ? m.At("steps").Whole(0, kMostSteps) : 0;
+  return [paused, steps](LiveWorld&, LiveClock& clock) {
+    clock.paused = paused.value_or(clock.paused);
+    clock.steps = std::min(clock.steps + steps, kMostSteps);
+  };
+}
+
+/// What acts on the robot and says no more.
+template <void (LiveWorld::*Act)()>
+LiveRequest ReadPlain(const JsonPart& m, const RobotModel&) {
+  m.Object({"do"});
+  return [](LiveWorld& live, LiveClock&) { (live.*Act)(); };
+}
+
+using Reader = LiveRequest (*)(const JsonPart& message, const RobotModel& model);
+
+const std::map<std::string, Reader>& Readers() {
+  static const std::map<std::string, Reader> readers = {{"pace", ReadPace},
+                                                        {"heading", ReadHeading},
+                                                        {"pull", ReadPull},
+                                                        {"let_go", ReadPlain<&LiveWorld::LetGo>},
+                                                        {"reset", ReadPlain<&LiveWorld::Reset>},
+                                                        {"stand_up", ReadPlain<&LiveWorld::StandUp>},
+                                                        {"ground", ReadGround},
+                                                        {"options", ReadOptions},
+                                                        {"pose", ReadPose},
+                                                        {"nudge", ReadNudge},
+                                                        {"clock", ReadClock}};
+  return readers;
+}
+
+std::vector<std::string> NamesOfRequests() {
+  std::vector<std::string> names;
+  for (const auto& [name, reader] : Readers()) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+OptionFields LiveOptions(PlayRequest& play) {
+  OptionFields fields =
+      Joined({Prefixed("stabilised", play.stabilised.Fields()), Prefixed("gains", play.gains.Fields())});
+  std::erase_if(fields, [](const OptionField& field) { return !std::holds_alternative<double*>(field.target); });
+  return fields;
+}
+
+LiveRequest ReadLiveRequest(const RobotModel& model, const std::string& message) {
+  using Json = JsonPart::Json;
+  if (message.size() > kLongestLiveMessage) throw InvalidArgument("the message is too long");
+  try {
+    const Json json = ParseJsonOnce(message);
+    const JsonPart part(json);
+    if (!json.is_object() || !part.Has("do")) throw InvalidArgument("the message does not say what to 'do'");
+    const std::string what = part.At("do").Text();
+    const auto reader = Readers().find(what);
+    if (reader == Readers().end())
+      throw InvalidArgument(
+          fmt::format("there is nothing called '{}' to do; there are {}", what, QuotedList(NamesOfRequests())));
+    return reader->second(part, model);
+  } catch (const Json::exception&) {
+    throw InvalidArgument(fmt::format("the message is no JSON: {}", WhyNoJson(message)));
+  }
+}
+
+}  // namespace gaitwright
