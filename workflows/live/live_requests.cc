@@ -14,6 +14,8 @@
 namespace gaitwright {
 namespace {
 
+constexpr int kMostSteps = 10000;  // at once, of a clock that is paused
+
 LiveRequest ReadPace(const JsonPart& m, const RobotModel&) {
   constexpr double kFastest = 20.0, kQuickestTurn = 20.0;
   m.Object({"do", "gait"}, {"speed_m_s", "lateral_speed_m_s", "yaw_rate_rad_s"});
@@ -88,7 +90,6 @@ LiveRequest ReadNudge(const JsonPart& m, const RobotModel& model) {
 }
 
 LiveRequest ReadClock(const JsonPart& m, const RobotModel&) {
-  constexpr int kMostSteps = 10000;
   m.Object({"do"}, {"paused", "steps"});
   std::optional<bool> paused;
   if (m.Has("paused")) {

@@ -27,10 +27,7 @@ export class Viewer {
   private readonly frameRate = new FrameRate();
   private lastFrame = 0;
 
-  constructor(
-    private readonly root: HTMLElement,
-    scene: SceneFile,
-  ) {
+  constructor(root: HTMLElement, scene: SceneFile) {
     this.motions = scene.motions.map(unpackMotion);
     const ends = this.motions.map((m) => m.time[m.time.length - 1]);
     this.clock = new Clock(Math.min(...this.motions.map((m) => m.time[0])), Math.max(...ends));

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Motion, MotionFile, RobotFile, Table, TerrainFile, Track } from "../scene";
+import type { Balance, Frame, Numbers } from "./messages";
+
+/** At 60 pictures a second, a second and the moment itself. */
+const kRows = 61;
+const kWindow_s = 1.0;
+const kMostCorners = 64;
+
+function emptyTable(columns: number, rows = kRows): Table {
+  return { columns, rows, values: new Float32Array(columns * rows).fill(Number.NaN) };
+}
+
+function emptyTrack(robot: RobotFile): Track {
+  const feet = robot.feet.length;
+  return {
+    q: emptyTable(7 + robot.dofs.length),
+    tau: emptyTable(robot.dofs.length),
+    com: emptyTable(3),
+    dcm: emptyTable(3),
+    zmp: emptyTable(3),
+    margin: emptyTable(1),
+    foot: emptyTable(3 * feet),
+    force: emptyTable(3 * feet),
+    footHeight: emptyTable(feet),
+    contact: { columns: feet, rows: kRows, values: new Uint8Array(feet * kRows) },
+    supportFirst: { columns: 1, rows: kRows + 1, values: new Uint32Array(kRows + 1) },
+    support: emptyTable(3, kMostCorners),
+  };
+}
+
+/** Writes numbers to a row from some column on; NaN for what is not there. */
+function put(table: Table, row: number, numbers: Numbers | null | undefined, from = 0, count = table.columns): void {
+  for (let i = 0; i < count; ++i) table.values[row * table.columns + from + i] = numbers?.[i] ?? Number.NaN;
+}
+
+function putBalance(track: Track, row: number, balance: Balance | null): void {
+  put(track.com, row, balance?.com);
+  put(track.dcm, row, balance?.dcm);
+  put(track.zmp, row, balance?.zmp);
+  put(track.margin, row, balance ? [balance.margin_m] : null);
+  const corners = Math.min(balance?.support.length ?? 0, kMostCorners);
+  for (let i = 0; i < corners; ++i) put(track.support, i, balance?.support[i]);
+  // All corners are those of the last row.
+  track.supportFirst.values[row + 1] = corners;
+}
+
+/** The last second of a robot that goes on, as a motion whose last row is now. */
+export class RollingMotion {
+  readonly motion: Motion;
+  readonly now = kRows - 1;
+  private readonly planned: Track;
+  private readonly measured: Track;
+  /** Of each row; kept apart since a motion's time has too few digits for hours. */
+  private readonly times: Float64Array;
+  private readonly shifted: Table[];
+
+  constructor(robot: RobotFile, terrain: TerrainFile, first: Frame) {
+    this.planned = emptyTrack(robot);
+    this.measured = emptyTrack(robot);
+    this.shifted = [this.planned, this.measured].flatMap((t) => [t.q, t.tau, t.com, t.dcm, t.zmp, t.margin, t.foot, t.force, t.contact]);
+    this.times = new Float64Array(kRows).fill(Number.NEGATIVE_INFINITY);
+    const time = Float32Array.from(this.times, (_, i) => (i - this.now) / this.now);
+    const file: MotionFile = {
+      title: robot.name, verdict: null, robot, terrain, planned: null, measured: null, footholds: [], swings: [], marks: [],
+      time_s: { columns: 1 },
+    };
+    this.motion = { file, time, planned: this.planned, measured: this.measured };
+    for (let row = 0; row < kRows; ++row) put(this.measured.q, row, first.q);
+    this.push(first);
+  }
+
+  /** Takes in what is newest. Where time stands still it takes the place of the last; where time jumps the rest is forgotten. */
+  push(frame: Frame): void {
+    const last = this.times[this.now];
+    if (frame.t < last || frame.t > last + kWindow_s) this.forget();
+    if (frame.t !== last) this.shift();
+    this.times[this.now] = frame.t;
+    put(this.planned.q, this.now, frame.ghost);
+    put(this.measured.q, this.now, frame.q);
+    put(this.measured.tau, this.now, frame.tau);
+    putBalance(this.planned, this.now, frame.planned);
+    putBalance(this.measured, this.now, frame.measured);
+    frame.feet.forEach((foot, i) => {
+      put(this.measured.foot, this.now, foot.p, 3 * i, 3);
+      put(this.measured.force, this.now, foot.f, 3 * i, 3);
+      this.measured.contact.values[this.now * frame.feet.length + i] = foot.touching ? 1 : 0;
+    });
+    for (let row = 0; this.times[row] < frame.t - kWindow_s; ++row) this.erase(row);
+  }
+
+  private shift(): void {
+    this.times.copyWithin(0, 1);
+    for (const table of this.shifted) table.values.copyWithin(0, table.columns);
+  }
+
+  private forget(): void {
+    for (let row = 0; row < this.now; ++row) this.erase(row);
+    this.times.fill(Number.NEGATIVE_INFINITY);
+  }
+
+  /** What leaves a trail. */
+  private erase(row: number): void {
+    for (const track of [this.planned, this.measured]) for (const table of [track.com, track.dcm, track.zmp]) put(table, row, null);
+  }
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Mode, Pace } from "./messages";
+
+export const kModeWords: Record<Mode, string> = {
+  stands: "stands",
+  walks: "walks",
+  posed: "held in a pose",
+  fallen: "has fallen",
+};
+
+/** The name of a gait; the robot's own has none in the program. */
+export function gaitName(gait: string): string {
+  return gait || "its own gait";
+}
+
+/** A figure with its side, left where it is positive. */
+export function sided(value: number, digits: number, unit: string): string {
+  const figure = Math.abs(value).toFixed(digits);
+  return `${figure} ${unit}${Number(figure) === 0 ? "" : value > 0 ? " left" : " right"}`;
+}
+
+export function paceWords(pace: Pace): string {
+  if (pace.gait === "stand") return "stand";
+  const parts = [`${gaitName(pace.gait)} at ${pace.speed_m_s.toFixed(2)} m/s`];
+  if (pace.lateral_speed_m_s !== 0) parts.push(`sideways ${sided(pace.lateral_speed_m_s, 2, "m/s")}`);
+  if (pace.yaw_rate_rad_s !== 0) parts.push(`turning ${sided(pace.yaw_rate_rad_s, 2, "rad/s")}`);
+  return parts.join(", ");
+}
