@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /** What a colour stands for; the same as in the report's plots. Told apart by people who are colour-blind (Okabe and Ito). */
-export type Ink = "zmp" | "com" | "dcm" | "foot" | "joint" | "limit" | "support" | "bad" | "muted";
+export type Ink = "zmp" | "com" | "dcm" | "foot" | "joint" | "limit" | "support" | "bad" | "muted" | "pull";
 
 export interface Theme {
   dark: boolean;
@@ -25,7 +25,7 @@ const kLight: Theme = {
   dark: false,
   ink: {
     zmp: "#d55e00", com: "#0072b2", dcm: "#b0568c", foot: "#009e73", joint: "#0072b2",
-    limit: "#8a4b00", support: "#7a9ab0", bad: "#c2185b", muted: "#6b7580",
+    limit: "#8a4b00", support: "#7a9ab0", bad: "#c2185b", muted: "#6b7580", pull: "#1f2730",
   },
   paper: "#ffffff", text: "#1f2730", soft: "#56616d", rule: "#e4e8ec",
   sky: "#eef2f5", ground: "#dfe5ea", groundLine: "#aeb9c3", block: "#c9d3db", obstacle: "#b7a58f",
@@ -36,7 +36,7 @@ const kDark: Theme = {
   dark: true,
   ink: {
     zmp: "#ff8c42", com: "#5ab4f0", dcm: "#e39ac4", foot: "#2fd0a2", joint: "#5ab4f0",
-    limit: "#e6a94a", support: "#6f8fa8", bad: "#ff6f9f", muted: "#9aa5b1",
+    limit: "#e6a94a", support: "#6f8fa8", bad: "#ff6f9f", muted: "#9aa5b1", pull: "#ffffff",
   },
   paper: "#14181d", text: "#dfe5ec", soft: "#a3adb8", rule: "#2c343d",
   sky: "#171c22", ground: "#222a32", groundLine: "#3d4955", block: "#2e3842", obstacle: "#5b5145",

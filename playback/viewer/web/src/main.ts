@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every element with `data-scene="ID"` becomes a viewer of the scene in the script element of that id.
+// Every element with `data-scene="ID"` becomes a viewer of the scene in the script element of that id; every element
+// with `data-live="PATH"` the page of a robot that is live behind the WebSocket at that path.
 import "uplot/dist/uPlot.min.css";
 import "./viewer.css";
+import "./live/live.css";
+import { LivePage } from "./live/live_page";
 import type { SceneFile } from "./scene";
 import { Viewer } from "./viewer";
 
 declare global {
   interface Window {
-    /** The viewers of the page, in its order: for scripts that make pictures, and for tests. */
-    gaitwright: { viewers: Viewer[]; opened_ms: number };
+    /** The viewers and live pages of the page, in its order: for scripts that make pictures, and for tests. */
+    gaitwright: { viewers: Viewer[]; live: LivePage[]; opened_ms: number };
   }
 }
 
@@ -23,7 +26,8 @@ function start(): void {
   for (const element of document.querySelectorAll<HTMLElement>("[data-scene]")) {
     viewers.push(new Viewer(element, sceneOf(element.dataset.scene ?? "")));
   }
-  window.gaitwright = { viewers, opened_ms: performance.now() };
+  const live = Array.from(document.querySelectorAll<HTMLElement>("[data-live]"), (element) => new LivePage(element));
+  window.gaitwright = { viewers, live, opened_ms: performance.now() };
 }
 
 if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", start);

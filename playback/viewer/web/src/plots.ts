@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import type { Clock } from "./clock";
 import { kFootColours, type Ink, type Theme } from "./colours";
+import { plotAxis } from "./plot_axis";
 import { mainTrack, type Motion, type Table } from "./scene";
 
 interface Line {
@@ -155,19 +156,13 @@ export class Plots {
   }
 
   private options(panel: Panel, box: HTMLElement): uPlot.Options {
-    const axis: uPlot.Axis = {
-      stroke: this.theme.soft,
-      grid: { stroke: this.theme.rule, width: 1 },
-      ticks: { stroke: this.theme.rule, width: 1 },
-      font: "12px system-ui, sans-serif",
-    };
     return {
       width: Math.max(box.clientWidth, 200),
       height: kPlotHeight,
       cursor: { sync: { key: "gaitwright" }, drag: { setScale: false, x: false, y: false }, y: false },
       legend: { live: true },
       scales: { x: { time: false } },
-      axes: [{ ...axis, size: 28 }, { ...axis, size: 54 }],
+      axes: [plotAxis(this.theme, 28), plotAxis(this.theme, 54)],
       bands: panel.lines.flatMap((l, i) => (l.band ? [{ series: [i + 1, i] as [number, number], fill: this.theme.ink.support + "44" }] : [])),
       series: [
         { label: "time [s]", value: (_, v) => (v == null ? "" : v.toFixed(3)) },

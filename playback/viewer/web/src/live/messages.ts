@@ -93,7 +93,8 @@ export type Saying =
   | { do: "pose"; q: number[] }
   | { do: "nudge"; dof: number; by: number; for_s: number };
 
-export type Send = (saying: Saying) => void;
+/** @return whether it could be sent. */
+export type Send = (saying: Saying) => boolean;
 
 export type Heard = { greeting: Greeting } | { frame: Frame } | { refused: string };
 

@@ -13,16 +13,22 @@ export function gaitName(gait: string): string {
   return gait || "its own gait";
 }
 
-/** A figure with its side, left where it is positive. */
+/** A figure with so many digits after its point, and no sign where it is nought. */
+export function rounded(value: number, digits: number): string {
+  const figure = value.toFixed(digits);
+  return Number(figure) === 0 ? (0).toFixed(digits) : figure;
+}
+
+/** A figure, its unit as it is written after it, and its side: left where it is positive. */
 export function sided(value: number, digits: number, unit: string): string {
   const figure = Math.abs(value).toFixed(digits);
-  return `${figure} ${unit}${Number(figure) === 0 ? "" : value > 0 ? " left" : " right"}`;
+  return `${figure}${unit}${Number(figure) === 0 ? "" : value > 0 ? " left" : " right"}`;
 }
 
 export function paceWords(pace: Pace): string {
   if (pace.gait === "stand") return "stand";
   const parts = [`${gaitName(pace.gait)} at ${pace.speed_m_s.toFixed(2)} m/s`];
-  if (pace.lateral_speed_m_s !== 0) parts.push(`sideways ${sided(pace.lateral_speed_m_s, 2, "m/s")}`);
-  if (pace.yaw_rate_rad_s !== 0) parts.push(`turning ${sided(pace.yaw_rate_rad_s, 2, "rad/s")}`);
+  if (pace.lateral_speed_m_s !== 0) parts.push(`sideways ${sided(pace.lateral_speed_m_s, 2, " m/s")}`);
+  if (pace.yaw_rate_rad_s !== 0) parts.push(`turning ${sided(pace.yaw_rate_rad_s, 2, " rad/s")}`);
   return parts.join(", ");
 }

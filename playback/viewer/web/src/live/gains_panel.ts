@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { button, make } from "../elements";
+import type { Frame, OptionFile, Send } from "./messages";
+import { OptionRow } from "./option_row";
+
+/** Known groups of options, in the order in which they are shown. */
+const kGroups: Record<string, string> = { gains: "Gains of the joints", stabilised: "Balance" };
+
+/** All options of the controller, in groups that can be folded. */
+export class GainsPanel {
+  readonly root = make("section", "gw-section gw-gains");
+  private readonly rows: OptionRow[];
+  private readonly meaning = make("p", "gw-note gw-meaning", "What an option means is told here.");
+
+  constructor(
+    options: Record<string, OptionFile>,
+    private readonly send: Send,
+  ) {
+    this.rows = Object.entries(options).map(([key, option]) => new OptionRow(key, option));
+    const head = make("div", "gw-beside");
+    head.append(make("h2", "", "Gains"), button("Back to usual", "all options as they were at first", () => this.backToUsual()));
+    this.root.append(head);
+    const prefixes = [...new Set([...Object.keys(kGroups), ...this.rows.map((row) => prefixOf(row))])];
+    for (const prefix of prefixes) this.addGroup(prefix);
+    this.root.append(this.meaning);
+  }
+
+  show(frame: Frame): void {
+    this.rows.forEach((row, i) => row.follow(frame.options[i]));
+  }
+
+  private addGroup(prefix: string): void {
+    const rows = this.rows.filter((row) => prefixOf(row) === prefix);
+    if (rows.length === 0) return;
+    const group = Object.assign(make("details"), { open: true });
+    group.append(make("summary", "", kGroups[prefix] ?? prefix));
+    for (const row of rows) {
+      row.onSet = (value) => this.send({ do: "options", options: { [row.key]: value } });
+      for (const look of ["focusin", "pointerenter"]) row.root.addEventListener(look, () => (this.meaning.textContent = row.option.meaning));
+      group.append(row.root);
+    }
+    this.root.append(group);
+  }
+
+  private backToUsual(): void {
+    const changed = this.rows.filter((row) => !row.isUsual);
+    if (changed.length === 0) return;
+    for (const row of changed) row.show(row.option.value);
+    this.send({ do: "options", options: Object.fromEntries(changed.map((row) => [row.key, row.option.value])) });
+  }
+}
+
+function prefixOf(row: OptionRow): string {
+  return row.key.slice(0, Math.max(row.key.indexOf("."), 0));
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import * as THREE from "three";
+import type { Stage } from "../stage";
+import type { Pull } from "./pull";
+
+const kLookEvery_ms = 50;
+
+/**
+ * Takes hold of the robot with mouse or finger, and pulls.
+ *
+ * Presses on the robot do not reach the canvas, so that the camera stays; all others turn it.
+ */
+export class Grip {
+  /** When the robot has been taken hold of. */
+  onTake: () => void = () => {};
+  private pointer = -1;
+  private x = 0;
+  private y = 0;
+  private looked_ms = 0;
+
+  /** @param box  around the canvas: it hears of presses first. */
+  constructor(
+    private readonly box: HTMLElement,
+    private readonly stage: Stage,
+    private readonly pull: Pull,
+  ) {
+    box.addEventListener("pointerdown", (event) => this.take(event), { capture: true });
+    box.addEventListener("pointermove", (event) => this.move(event));
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"] as const) box.addEventListener(end, (event) => this.end(event));
+    window.addEventListener("blur", this.letGo);
+    window.addEventListener("pagehide", this.letGo);
+  }
+
+  get holds(): boolean {
+    return this.pointer >= 0;
+  }
+
+  /** The robot and the camera have moved on, so that the pointer is elsewhere beside them. */
+  goOn(): void {
+    const { hold } = this.pull;
+    if (this.holds && hold) this.pullFrom(hold.body, hold.at_Body);
+  }
+
+  readonly letGo = (): void => {
+    if (!this.holds) return;
+    const { pointer } = this;
+    this.pointer = -1;
+    if (this.box.hasPointerCapture(pointer)) this.box.releasePointerCapture(pointer);
+    this.box.classList.remove("gw-holds");
+    this.pull.letGo();
+  };
+
+  dispose(): void {
+    this.letGo();
+    window.removeEventListener("blur", this.letGo);
+    window.removeEventListener("pagehide", this.letGo);
+  }
+
+  private take(event: PointerEvent): void {
+    if (this.holds || event.button !== 0 || event.target !== this.stage.canvas) return;
+    const hit = this.stage.hit(event.clientX, event.clientY);
+    if (!hit) return;
+    event.stopPropagation();
+    event.preventDefault();
+    [this.pointer, this.x, this.y] = [event.pointerId, event.clientX, event.clientY];
+    this.box.setPointerCapture(event.pointerId);
+    this.box.classList.add("gw-holds");
+    this.onTake();
+    this.pullFrom(hit.body, this.stage.robot.toBody(hit.body, hit.p_W));
+  }
+
+  private move(event: PointerEvent): void {
+    if (event.pointerId === this.pointer) [this.x, this.y] = [event.clientX, event.clientY];
+    else if (!this.holds && event.buttons === 0) this.look(event);
+  }
+
+  private end(event: PointerEvent): void {
+    if (event.pointerId === this.pointer) this.letGo();
+  }
+
+  /** A hand over the robot tells that it can be taken. */
+  private look(event: PointerEvent): void {
+    if (event.timeStamp - this.looked_ms < kLookEvery_ms) return;
+    this.looked_ms = event.timeStamp;
+    this.box.classList.toggle("gw-can-hold", event.target === this.stage.canvas && this.stage.hit(event.clientX, event.clientY) !== null);
+  }
+
+  private pullFrom(body: number, at_Body: THREE.Vector3): void {
+    const from_W = this.stage.robot.fromBody(body, at_Body);
+    this.pull.to({ body, at_Body, to_W: this.stage.pointAt(this.x, this.y, from_W) });
+  }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Theme } from "../colours";
+import { make } from "../elements";
+import { fitCanvas } from "./fit_canvas";
+
+/** An angle in degrees, between -180 and 180. */
+export function wrapped(angle_deg: number): number {
+  return angle_deg - 360 * Math.round(angle_deg / 360);
+}
+
+/** A compass seen from above: ahead of the world is up, the robot's heading a needle, the wanted one a mark at the rim. */
+export class HeadingDial {
+  readonly canvas = make("canvas", "gw-dial");
+  /** While a person turns it [degrees]. */
+  onTurn: (heading_deg: number) => void = () => {};
+  onSet: (heading_deg: number) => void = () => {};
+  private heading_deg = 0;
+  private wanted_deg = 0;
+  private theme: Theme | null = null;
+
+  constructor() {
+    this.canvas.setAttribute("aria-hidden", "true");
+    this.canvas.title = "press where it is to head";
+    this.canvas.addEventListener("pointerdown", (event) => {
+      this.canvas.setPointerCapture(event.pointerId);
+      this.onTurn(this.angleAt(event));
+    });
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (event.buttons & 1) this.onTurn(this.angleAt(event));
+    });
+    this.canvas.addEventListener("pointerup", (event) => this.onSet(this.angleAt(event)));
+  }
+
+  show(heading_deg: number, wanted_deg: number): void {
+    if (heading_deg === this.heading_deg && wanted_deg === this.wanted_deg) return;
+    this.heading_deg = heading_deg;
+    this.wanted_deg = wanted_deg;
+    this.draw();
+  }
+
+  paint(theme: Theme): void {
+    this.theme = theme;
+    this.draw();
+  }
+
+  private angleAt(event: PointerEvent): number {
+    const box = this.canvas.getBoundingClientRect();
+    const ahead = 0.5 * (box.top + box.bottom) - event.clientY;
+    const left = 0.5 * (box.left + box.right) - event.clientX;
+    return Math.round((Math.atan2(left, ahead) * 180) / Math.PI);
+  }
+
+  private draw(): void {
+    const context = fitCanvas(this.canvas);
+    const { theme } = this;
+    if (!context || !theme) return;
+    const r = 0.5 * Math.min(this.canvas.clientWidth, this.canvas.clientHeight) - 3;
+    context.translate(0.5 * this.canvas.clientWidth, 0.5 * this.canvas.clientHeight);
+    context.strokeStyle = theme.soft;
+    for (let i = 0; i < 8; ++i) {
+      context.rotate(Math.PI / 4);
+      context.beginPath();
+      context.moveTo(0, -r);
+      context.lineTo(0, -r * (i % 2 === 1 ? 0.8 : 0.9));
+      context.stroke();
+    }
+    context.beginPath();
+    context.arc(0, 0, r, 0, 2 * Math.PI);
+    context.stroke();
+    this.needle(context, this.heading_deg, theme.ink.com, (0.72 * r) / 10);
+    this.mark(context, this.wanted_deg, theme.text, r);
+  }
+
+  private needle(context: CanvasRenderingContext2D, angle_deg: number, colour: string, scale: number): void {
+    context.save();
+    context.rotate((-angle_deg * Math.PI) / 180);
+    context.scale(scale, scale);
+    context.fillStyle = colour;
+    context.fill(new Path2D("M0 -10 L5 8 L0 5 L-5 8 Z"));
+    context.restore();
+  }
+
+  private mark(context: CanvasRenderingContext2D, angle_deg: number, colour: string, r: number): void {
+    context.save();
+    context.rotate((-angle_deg * Math.PI) / 180);
+    context.fillStyle = colour;
+    context.beginPath();
+    context.arc(0, -r, 3, 0, 2 * Math.PI);
+    context.fill();
+    context.restore();
+  }
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { isForPage, make } from "../elements";
+import { FrameRate } from "../frame_rate";
+import { kLooksHelp, Looks } from "../looks";
+import { kOverlays, type Overlay } from "../overlays";
+import type { Stage, View } from "../stage";
+import { Connection, socketUrl } from "./connection";
+import { heard, type Frame, type Greeting, type Heard, type Saying } from "./messages";
+import { NoteList } from "./note_list";
+import { Session } from "./session";
+import { kTimeHelp, TimeBar } from "./time_bar";
+
+/** A program that says nothing for so long has stopped. */
+const kSilence_ms = 3000;
+const kLongestStep_s = 0.1;
+const kHelp = `${kTimeHelp} \u00b7 Shift + arrows push \u00b7 ${kLooksHelp}`;
+
+/** The page of a robot that is live: it shows what the program tells, and tells it what is done here. */
+export class LivePage {
+  /** What was told first, and last. */
+  greeting: Greeting | null = null;
+  frame: Frame | null = null;
+  session: Session | null = null;
+  readonly notes = new NoteList();
+  private readonly stages: Stage[] = [];
+  private readonly connection: Connection;
+  private readonly looks: Looks;
+  private readonly timeBar = new TimeBar((saying) => this.send(saying));
+  private readonly bar = make("div", "gw-bar");
+  private readonly help = make("p", "gw-help", kHelp);
+  private readonly banner = make("p", "gw-banner", "connecting");
+  private readonly frameRate = new FrameRate();
+  private greeted = "";
+  private lastFrame = "";
+  private lastDraw_ms = 0;
+
+  /** @param root  its attribute `data-live` is the path of the WebSocket. */
+  constructor(private readonly root: HTMLElement) {
+    root.classList.add("gw-viewer", "gw-live");
+    root.tabIndex = -1;
+    const overlays = kOverlays.filter((overlay) => overlay !== "footsteps" && overlay !== "swings");
+    this.looks = new Looks(root, this.stages, overlays, (theme) => this.session?.paint(theme));
+    this.bar.append(...this.timeBar.buttons, ...this.looks.controls);
+    this.banner.setAttribute("role", "alert");
+    root.append(this.banner);
+    this.looks.paint();
+    this.connection = new Connection(socketUrl(root.dataset.live ?? ""), {
+      opened: () => this.session?.pull.goOn(),
+      told: (text) => this.hear(text),
+      lost: () => this.say("connection lost, trying again"),
+    });
+    document.addEventListener("keydown", (event) => this.press(event));
+    requestAnimationFrame((now) => this.draw(now));
+  }
+
+  get connected(): boolean {
+    return this.connection.connected;
+  }
+
+  /** The robot in 3D, as soon as there is one. */
+  get stage(): Stage | null {
+    return this.session?.stage ?? null;
+  }
+
+  send(saying: Saying): boolean {
+    return this.connection.send(saying);
+  }
+
+  look(view: View): void {
+    this.looks.look(view);
+  }
+
+  setDark(dark: boolean): void {
+    this.looks.setDark(dark);
+  }
+
+  setOverlay(overlay: Overlay, visible: boolean): void {
+    this.looks.setOverlay(overlay, visible);
+  }
+
+  /** Pictures a second of late, and what one costs. */
+  rate(): { frames_per_s: number; calls: number; triangles: number } {
+    return { frames_per_s: this.frameRate.perSecond(), ...(this.stage?.cost() ?? { calls: 0, triangles: 0 }) };
+  }
+
+  private hear(text: string): void {
+    if (text === this.lastFrame) return;
+    const message = this.understood(text);
+    if (!message) return;
+    if ("greeting" in message) this.greet(message.greeting, text);
+    else if ("frame" in message) this.take(message.frame, text);
+    else this.notes.add(message.refused, "gw-refused");
+  }
+
+  /** What is no message of this version is told over the page, and what comes after it is left. */
+  private understood(text: string): Heard | null {
+    try {
+      return heard(text);
+    } catch (error) {
+      this.greeting = null;
+      this.say(error instanceof Error ? error.message : String(error));
+      return null;
+    }
+  }
+
+  /** The same greeting after a lost connection leaves all as it is. */
+  private greet(greeting: Greeting, text: string): void {
+    this.say("");
+    this.greeting = greeting;
+    if (text === this.greeted) return;
+    this.greeted = text;
+    this.lastFrame = "";
+    this.session?.dispose();
+    this.session = null;
+  }
+
+  private take(frame: Frame, text: string): void {
+    if (!this.greeting) return;
+    this.lastFrame = text;
+    this.frame = frame;
+    if (this.session) this.session.take(frame);
+    else this.begin(this.greeting, frame);
+    this.timeBar.show(frame);
+    this.notes.show(frame.notes);
+  }
+
+  private begin(greeting: Greeting, frame: Frame): void {
+    const session = new Session(greeting, frame, (saying) => this.send(saying));
+    this.session = session;
+    this.stages.splice(0, 1, ...(session.stage ? [session.stage] : []));
+    const controls = make("div", "gw-controls");
+    controls.append(session.tabs.root, this.notes.root);
+    this.root.replaceChildren(this.banner, session.stageBox, this.bar, this.looks.legend, controls, session.plots, this.help);
+    this.looks.apply();
+  }
+
+  /** Tells what is wrong over the page; nothing where all is well. */
+  private say(text: string): void {
+    if (this.banner.textContent === text) return;
+    this.banner.textContent = text;
+    this.banner.hidden = text === "";
+    this.root.classList.toggle("gw-lost", text !== "");
+  }
+
+  private press(event: KeyboardEvent): void {
+    if (!isForPage(event)) return;
+    const done = this.timeBar.press(event) || this.session?.pushes.press(event) || this.looks.press(event.key);
+    if (done) event.preventDefault();
+  }
+
+  private draw(now_ms: number): void {
+    const seconds = this.lastDraw_ms > 0 ? Math.min((now_ms - this.lastDraw_ms) / 1000, kLongestStep_s) : 0;
+    this.lastDraw_ms = now_ms;
+    if (this.session?.draw(now_ms, seconds)) this.frameRate.note(now_ms);
+    if (this.connected && this.greeting) this.say(this.connection.silent_ms > kSilence_ms ? "the program does not answer" : "");
+    requestAnimationFrame((next) => this.draw(next));
+  }
+}

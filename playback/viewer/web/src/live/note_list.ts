@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { make } from "../elements";
+
+const kMostNotes = 30;
+
+/** What happened, newest first. */
+export class NoteList {
+  readonly root = make("section", "gw-section gw-notes");
+  private readonly list = make("ol");
+  private last = 0;
+
+  constructor() {
+    this.list.setAttribute("aria-live", "polite");
+    this.list.setAttribute("aria-label", "what happened");
+    this.list.tabIndex = 0;
+    this.root.append(make("h2", "", "Notes"), this.list);
+  }
+
+  /** Takes in those of the program that are new, by their numbers. */
+  show(notes: [number, string][]): void {
+    const newest = notes.length > 0 ? notes[notes.length - 1][0] : 0;
+    if (newest < this.last) this.beginAnew();
+    for (const [number, text] of notes) {
+      if (number <= this.last) continue;
+      this.last = number;
+      this.add(text);
+    }
+  }
+
+  add(text: string, className = ""): void {
+    this.list.prepend(make("li", className, text));
+    while (this.list.childElementCount > kMostNotes) this.list.lastElementChild?.remove();
+  }
+
+  /** The program is another, and counts anew. */
+  private beginAnew(): void {
+    this.last = 0;
+    this.list.replaceChildren();
+  }
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { button, make } from "../elements";
+import type { OptionFile } from "./messages";
+import { Slider } from "./slider";
+
+/** A slider's end is no farther from the usual value than this many times. */
+const kFarthest = 4;
+const kFarthestLogarithmic = 100;
+const kWideRange = 100;
+const kSteps = 200;
+
+/** What of an option's range its slider has: all of it, but for what is far from the usual value. */
+export function sliderRange(option: OptionFile): { least: number; most: number; logarithmic: boolean } {
+  const lowest = option.lowest ?? Number.NEGATIVE_INFINITY, highest = option.highest ?? Number.POSITIVE_INFINITY;
+  const usual = option.value, size = Math.abs(usual) || 1;
+  const logarithmic = lowest > 0 && usual > 0 && highest / lowest > kWideRange;
+  if (logarithmic) {
+    const [near, far] = [usual / kFarthestLogarithmic, usual * kFarthestLogarithmic];
+    return { least: Math.max(lowest, near), most: Math.min(highest, far), logarithmic };
+  }
+  return { least: Math.max(lowest, usual - kFarthest * size), most: Math.min(highest, usual + kFarthest * size), logarithmic };
+}
+
+/** A number with as many digits as tell it. */
+export function figure(value: number): string {
+  return String(Number(value.toPrecision(4)));
+}
+
+/** "swing_acceleration_m_s2" as words; the unit stands by itself. */
+function words(name: string): string {
+  return name.replace(/(_rad_s2?|_m_s2?|_rad|_deg|_s|_m|_n)$/, "").replaceAll("_", " ").replace("dcm", "DCM");
+}
+
+/** One option of the controller: slider, number field, and a way back to its usual value. */
+export class OptionRow {
+  readonly root = make("div", "gw-option");
+  onSet: (value: number) => void = () => {};
+  private readonly slider: Slider;
+  private readonly field = make("input");
+  private readonly back = button("\u21ba", "", () => this.set(this.option.value));
+
+  constructor(
+    readonly key: string,
+    readonly option: OptionFile,
+  ) {
+    const range = sliderRange(option), step = (range.most - range.least) / kSteps;
+    this.slider = new Slider({
+      name: key, label: words(key.slice(key.indexOf(".") + 1)), title: `${key}: ${option.meaning}`, ...range, step,
+      value: option.value, words: figure,
+    });
+    this.slider.input.setAttribute("aria-description", option.meaning);
+    this.slider.onMove = () => this.tell();
+    this.slider.onSet = (value) => this.set(Number(value.toPrecision(3)));
+    Object.assign(this.field, { type: "number", name: key, step: "any", min: String(option.lowest ?? ""), max: String(option.highest ?? "") });
+    this.field.setAttribute("aria-label", key);
+    this.field.addEventListener("change", () => {
+      if (this.field.value !== "" && this.field.checkValidity()) this.set(this.field.valueAsNumber);
+      else this.tell();
+    });
+    this.back.title = `back to usual: ${figure(option.value)}`;
+    this.back.setAttribute("aria-label", `${key}: ${this.back.title}`);
+    this.root.append(this.slider.root, this.field, make("small", "", option.unit === "1" ? "" : option.unit), this.back);
+    this.tell();
+  }
+
+  get isUsual(): boolean {
+    return Math.abs(this.slider.value - this.option.value) <= 1e-6 * Math.abs(this.option.value);
+  }
+
+  follow(value: number | null): void {
+    if (document.activeElement === this.field) return;
+    this.slider.follow(value);
+    this.tell();
+  }
+
+  /** Shows a value without asking for it. */
+  show(value: number): void {
+    this.slider.put(value);
+    this.tell();
+  }
+
+  private set(value: number): void {
+    this.show(value);
+    this.onSet(value);
+  }
+
+  private tell(): void {
+    const value = figure(this.slider.value);
+    if (this.field.value !== value) this.field.value = value;
+    this.back.classList.toggle("gw-idle", this.isUsual);
+    this.back.disabled = this.isUsual;
+  }
+}

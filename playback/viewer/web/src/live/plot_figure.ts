@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Ink } from "../colours";
+import { make } from "../elements";
+
+/** What a mark in a title looks like: a line, a broad pale one, a ring, a filled circle. */
+export type Mark = "\u2014" | "\u25ac" | "\u25cb" | "\u25cf";
+
+/** A plot with its title and with what its colours stand for. */
+export function plotFigure(title: string, marks: [Mark, Ink, string][], plot: HTMLElement, ...beside: HTMLElement[]): HTMLElement {
+  const figure = make("figure", "gw-live-plot");
+  const head = make("figcaption");
+  head.append(make("b", "", title), ...beside);
+  for (const [mark, ink, text] of marks) head.append(make("span", `gw-ink-${ink}`, `${mark} ${text}`));
+  figure.append(head, plot);
+  return figure;
+}

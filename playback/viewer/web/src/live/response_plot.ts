@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Theme } from "../colours";
+import { button, make } from "../elements";
+import type { DofFile, RobotFile } from "../scene";
+import type { Frame, Send } from "./messages";
+import { plotFigure } from "./plot_figure";
+import { RollingPlot } from "./rolling_plot";
+
+const kDegrees = 180 / Math.PI;
+const kMillimetres = 1000;
+const kKnock_rad = 0.1;
+const kKnock_m = 0.02;
+const kKnock_s = 0.5;
+const kLeastSpan = 2;
+const kLeastEffort = 2;
+
+/** The joint that carries the first foot: one that has much to do. */
+function nextToFoot(robot: RobotFile): number {
+  const body = robot.feet[0]?.body ?? 0;
+  return robot.joints[body - 1]?.dof ?? 0;
+}
+
+/** How one joint answers: what it is told, where it is and its torque, over the last seconds. */
+export class ResponsePlot {
+  readonly root: HTMLElement;
+  private readonly plot = new RollingPlot(
+    [
+      { label: "torque", ink: "limit", right: true },
+      { label: "target", ink: "joint", planned: true },
+      { label: "position", ink: "joint" },
+    ],
+    [kLeastSpan, kLeastEffort],
+  );
+  private readonly dofs: DofFile[];
+  private readonly menu = make("select");
+  private readonly unit = make("span", "gw-note");
+
+  constructor(
+    robot: RobotFile,
+    private readonly send: Send,
+  ) {
+    this.dofs = robot.dofs;
+    const first = nextToFoot(robot);
+    robot.dofs.forEach((dof, i) => this.menu.add(new Option(dof.name, String(i), i === first, i === first)));
+    this.menu.name = "response_joint";
+    this.menu.setAttribute("aria-label", "joint whose response is plotted");
+    this.menu.addEventListener("change", () => this.choose());
+    const knock = button("knock", `moves its target for ${kKnock_s} s`, () => this.knock());
+    knock.name = "knock";
+    this.root = plotFigure(
+      "Response", [["\u25ac", "joint", "target"], ["\u2014", "joint", "position"], ["\u2014", "limit", "torque"]], this.plot.root,
+      this.menu, knock, this.unit,
+    );
+    this.choose();
+  }
+
+  push(frame: Frame): void {
+    const dof = this.dof, scale = this.dofs[dof]?.unit === "m" ? kMillimetres : kDegrees;
+    const scaled = (value: number | null | undefined) => (value == null ? null : scale * value);
+    this.plot.push(frame.t, [frame.tau[dof] ?? null, scaled(frame.target[dof]), scaled(frame.q[7 + dof])]);
+  }
+
+  draw(now_ms: number): void {
+    this.plot.draw(now_ms);
+  }
+
+  paint(theme: Theme): void {
+    this.plot.paint(theme);
+  }
+
+  dispose(): void {
+    this.plot.dispose();
+  }
+
+  private get dof(): number {
+    return Number(this.menu.value);
+  }
+
+  private choose(): void {
+    this.unit.textContent = this.dofs[this.dof]?.unit === "m" ? "[mm, N]" : "[degrees, N m]";
+    this.plot.clear();
+  }
+
+  private knock(): void {
+    this.send({ do: "nudge", dof: this.dof, by: this.dofs[this.dof].unit === "m" ? kKnock_m : kKnock_rad, for_s: kKnock_s });
+  }
+}

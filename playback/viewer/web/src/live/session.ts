@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Theme } from "../colours";
+import { make } from "../elements";
+import type { PoseRow } from "../scene";
+import { Stage } from "../stage";
+import { GainsPanel } from "./gains_panel";
+import { Grip } from "./grip";
+import { GroundPanel } from "./ground_panel";
+import { MarginPlot } from "./margin_plot";
+import type { Frame, Greeting, Send } from "./messages";
+import { PlanView } from "./plan_view";
+import { PosePanel } from "./pose_panel";
+import { Pull } from "./pull";
+import { PullArrow } from "./pull_arrow";
+import { PushPanel } from "./push_panel";
+import { ResponsePlot } from "./response_plot";
+import { RollingMotion } from "./rolling_motion";
+import { StatusLine } from "./status_line";
+import { Tabs } from "./tabs";
+import { WalkPanel } from "./walk_panel";
+
+const kPanelsEvery_ms = 66;
+
+/** All that a page shows of one robot, from its greeting on. */
+export class Session {
+  readonly stage: Stage | null;
+  readonly pull: Pull;
+  readonly pushes: PushPanel;
+  readonly stageBox = make("figure", "gw-stage");
+  readonly plots = make("div", "gw-strip");
+  readonly tabs: Tabs;
+  private readonly rolling: RollingMotion;
+  private readonly status: StatusLine;
+  private readonly walk: WalkPanel;
+  private readonly panels: { root: HTMLElement; show(frame: Frame): void }[];
+  private readonly margin = new MarginPlot();
+  private readonly response: ResponsePlot;
+  private readonly plan: PlanView;
+  private readonly grip: Grip | null = null;
+  private readonly arrow: PullArrow | null = null;
+  private frame: Frame;
+  private ground = "";
+  private fresh = true;
+  private panels_ms = 0;
+
+  constructor(greeting: Greeting, first: Frame, send: Send) {
+    const { robot, terrain } = greeting.scene;
+    this.frame = first;
+    this.rolling = new RollingMotion(robot, terrain, first);
+    this.pull = new Pull(send);
+    this.status = new StatusLine(robot);
+    this.walk = new WalkPanel(greeting, send);
+    this.pushes = new PushPanel(robot, this.pull);
+    this.response = new ResponsePlot(robot, send);
+    this.plan = new PlanView(this.rolling.motion);
+    const others = [new GroundPanel(send), new PosePanel(robot, send), new GainsPanel(greeting.options, send)];
+    const walking = make("div", "gw-panel");
+    walking.append(this.walk.root, this.pushes.root);
+    this.panels = [{ root: walking, show: (frame) => this.walk.show(frame) }, ...others];
+    this.tabs = new Tabs("controls", ["Walk", "Ground", "Pose", "Gains"].map((title, i) => ({ title, root: this.panels[i].root })));
+    this.tabs.onShow = () => this.showPanels();
+    this.plots.append(this.plan.root, this.margin.root, this.response.root);
+    this.stage = this.makeStage(robot.name);
+    if (this.stage) {
+      this.grip = new Grip(this.stageBox, this.stage, this.pull);
+      this.grip.onTake = () => this.pushes.stop();
+      this.arrow = new PullArrow(this.stage, this.pull);
+      this.stageBox.append(this.arrow.label);
+    }
+    this.pushes.show(first);
+    this.showPanels();
+  }
+
+  /** Takes in how things stand now; it is drawn with the next picture. */
+  take(frame: Frame): void {
+    this.frame = frame;
+    this.rolling.push(frame);
+    this.margin.push(frame);
+    this.response.push(frame);
+    this.pushes.show(frame);
+    this.fresh = true;
+  }
+
+  /** Draws what is new. @return whether the picture of the robot was drawn. */
+  draw(now_ms: number, seconds: number): boolean {
+    if (this.fresh) this.showFrame();
+    if (now_ms - this.panels_ms > kPanelsEvery_ms) this.showPanels(now_ms);
+    this.margin.draw(now_ms);
+    this.response.draw(now_ms);
+    if (!this.stage) return false;
+    if (this.grip?.holds) {
+      this.grip.goOn();
+      this.arrow?.show(this.frame);
+    }
+    this.stage.goAfter(seconds);
+    const drawn = this.stage.draw();
+    if (drawn) this.arrow?.place();
+    return drawn;
+  }
+
+  paint(theme: Theme): void {
+    this.walk.paint(theme);
+    this.arrow?.paint(theme);
+    this.margin.paint(theme);
+    this.response.paint(theme);
+    this.plan.paint(theme);
+    this.fresh = true;
+  }
+
+  dispose(): void {
+    this.grip?.dispose();
+    this.margin.dispose();
+    this.response.dispose();
+    this.stage?.dispose();
+  }
+
+  private makeStage(name: string): Stage | null {
+    const canvas = make("canvas");
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", `${name}, in 3D`);
+    this.stageBox.append(canvas, this.status.root);
+    try {
+      return new Stage(canvas, this.rolling.motion);
+    } catch (error) {
+      canvas.replaceWith(make("p", "gw-sorry", `This browser shows no 3D here (${String(error)}). Controls and plots work.`));
+      return null;
+    }
+  }
+
+  private showFrame(): void {
+    this.fresh = false;
+    this.placeGround(this.frame.ground.pose);
+    this.stage?.showLast();
+    this.arrow?.show(this.frame);
+    this.plan.draw(this.frame, this.rolling.now);
+    this.status.show(this.frame);
+  }
+
+  private placeGround(pose: PoseRow): void {
+    const text = pose.join();
+    if (text === this.ground) return;
+    this.ground = text;
+    this.stage?.placeGround(pose);
+  }
+
+  /** What can be seen of the controls; all of the time, since those that were held follow again after a while. */
+  private showPanels(now_ms = performance.now()): void {
+    this.panels_ms = now_ms;
+    for (const panel of this.panels) if (!panel.root.hidden) panel.show(this.frame);
+  }
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { make } from "../elements";
+
+/** So long after it was moved a slider does not follow the program: its answer is on the way. */
+const kQuiet_ms = 500;
+const kLogarithmicSteps = 400;
+
+export interface SliderOptions {
+  /** Of the input, for scripts and tests. */
+  name: string;
+  label: string;
+  title?: string;
+  least: number;
+  most: number;
+  step: number;
+  value: number;
+  /** The figure as it is read. */
+  words: (value: number) => string;
+  logarithmic?: boolean;
+  /** What is more is on the left, as what turns and shifts a robot to the left is. */
+  leftward?: boolean;
+  /** The range goes along where what it follows leaves it. */
+  wanders?: boolean;
+}
+
+/** A figure that a person sets and the program may change too: label, slider and readout. */
+export class Slider {
+  readonly root = make("label", "gw-slide");
+  readonly input = make("input");
+  /** While it is moved. */
+  onMove: (value: number) => void = () => {};
+  /** When it has been let go. */
+  onSet: (value: number) => void = () => {};
+  private readonly readout = make("output");
+  private now: number;
+  private held = false;
+  private moved_ms = Number.NEGATIVE_INFINITY;
+
+  constructor(private readonly options: SliderOptions) {
+    this.now = options.value;
+    const ends = options.logarithmic ? { min: "0", max: String(kLogarithmicSteps), step: "1" } : { step: String(options.step) };
+    Object.assign(this.input, { type: "range", name: options.name, ...ends });
+    if (options.leftward) this.input.dir = "rtl";
+    this.root.title = options.title ?? "";
+    this.root.append(make("span", "gw-name", options.label), this.input, this.readout);
+    this.setRange(options.least, options.most);
+    this.input.addEventListener("pointerdown", () => this.holdUntilLetGo());
+    this.input.addEventListener("input", () => this.move());
+    this.input.addEventListener("change", () => {
+      this.move();
+      this.onSet(this.now);
+    });
+  }
+
+  get value(): number {
+    return this.now;
+  }
+
+  /** Whether a person is at it. */
+  get busy(): boolean {
+    return this.held || performance.now() - this.moved_ms < kQuiet_ms;
+  }
+
+  set disabled(disabled: boolean) {
+    if (this.input.disabled !== disabled) this.input.disabled = disabled;
+  }
+
+  /** Shows a value that comes from elsewhere, unless a person is at it. */
+  follow(value: number | null | undefined): void {
+    if (value == null || value === this.now || this.busy) return;
+    this.set(value);
+  }
+
+  /** Shows a value that has been asked for otherwise. */
+  put(value: number): void {
+    this.moved_ms = performance.now();
+    this.set(value);
+  }
+
+  private set(value: number): void {
+    this.now = value;
+    const { least, most } = this.options;
+    if (this.options.wanders && (value < least || value > most)) {
+      const middle = Number(value.toPrecision(2));
+      this.setRange(middle - 0.5 * (most - least), middle + 0.5 * (most - least));
+    }
+    this.show();
+  }
+
+  private setRange(least: number, most: number): void {
+    Object.assign(this.options, { least, most });
+    if (!this.options.logarithmic) Object.assign(this.input, { min: String(least), max: String(most) });
+    this.show();
+  }
+
+  /** Wherever it is let go. */
+  private holdUntilLetGo(): void {
+    this.held = true;
+    const ended = new AbortController();
+    const letGo = () => {
+      this.held = false;
+      ended.abort();
+    };
+    for (const end of ["pointerup", "pointercancel", "blur"]) window.addEventListener(end, letGo, { signal: ended.signal });
+  }
+
+  private move(): void {
+    this.moved_ms = performance.now();
+    this.now = this.fromThumb(Number(this.input.value));
+    this.tell();
+    this.onMove(this.now);
+  }
+
+  private show(): void {
+    this.input.value = String(this.toThumb(this.now));
+    this.tell();
+  }
+
+  private tell(): void {
+    const words = this.options.words(this.now);
+    if (this.readout.value === words) return;
+    this.readout.value = words;
+    this.input.setAttribute("aria-valuetext", words);
+  }
+
+  private toThumb(value: number): number {
+    const { logarithmic, least, most } = this.options;
+    return logarithmic ? (kLogarithmicSteps * Math.log(value / least)) / Math.log(most / least) : value;
+  }
+
+  /** With three digits where it is logarithmic. */
+  private fromThumb(thumb: number): number {
+    const { logarithmic, least, most } = this.options;
+    if (!logarithmic) return thumb;
+    if (thumb <= 0 || thumb >= kLogarithmicSteps) return thumb <= 0 ? least : most;
+    return Number((least * (most / least) ** (thumb / kLogarithmicSteps)).toPrecision(3));
+  }
+}

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Theme } from "../colours";
+import { button, make } from "../elements";
+import { HeadingDial, wrapped } from "./heading_dial";
+import { isWalk, kStand, paceAhead, type Frame, type Greeting, type Pace, type Send } from "./messages";
+import { Slider } from "./slider";
+import { gaitName, sided } from "./words";
+
+/** Of the robot's own speed. */
+const kFastest = 4;
+const kFastestAside = 1;
+const kQuickestTurn_rad_s = 1;
+/** A heading is reached where it is as near as this. */
+const kReached_deg = 3;
+/** A heading that is not reached by then is not waited for. */
+const kLongestTurn_s = 30;
+/** So long the menu does not follow the program: while it may be open, and until an answer is there. */
+const kMenuOpen_ms = 4000;
+const kQuiet_ms = 500;
+
+/** An end of a slider that is easy to read. */
+function oneDigit(value: number): number {
+  return Number(value.toPrecision(1));
+}
+
+/** How the robot is to walk: gait, speeds and heading. What is changed while it walks is asked for at once. */
+export class WalkPanel {
+  readonly root = make("section", "gw-section");
+  private readonly gait = make("select");
+  private readonly walk = button("Walk", "", () => this.toggle(), "gw-main");
+  private readonly speed: Slider;
+  private readonly aside: Slider;
+  private readonly turn: Slider;
+  private readonly heading: Slider;
+  private readonly dial = new HeadingDial();
+  /** The heading that was asked for and is not reached. */
+  private asked: { heading_deg: number; at_s: number } | null = null;
+  private now_s = 0;
+  private menuBusyUntil_ms = 0;
+  private walking = false;
+
+  constructor(
+    greeting: Greeting,
+    private readonly send: Send,
+  ) {
+    const usual = greeting.usual_pace;
+    const gaits = greeting.gaits.filter((gait) => gait !== "stand");
+    if (!gaits.includes(usual.gait)) gaits.unshift(usual.gait);
+    for (const gait of gaits) this.gait.add(new Option(gaitName(gait), gait, gait === usual.gait, gait === usual.gait));
+    const fastest = oneDigit(kFastest * usual.speed_m_s), aside = oneDigit(kFastestAside * usual.speed_m_s);
+    const metres = (value: number) => `${value.toFixed(2)} m/s`;
+    const leftward = (unit: string) => (value: number) => sided(value, 2, unit);
+    this.speed = new Slider({ name: "speed_m_s", label: "Speed", least: 0, most: fastest, step: 0.01, value: usual.speed_m_s, words: metres });
+    this.aside = new Slider({
+      name: "lateral_speed_m_s", label: "Sideways", least: -aside, most: aside, step: 0.01, value: usual.lateral_speed_m_s,
+      words: leftward(" m/s"), leftward: true,
+    });
+    this.turn = new Slider({
+      name: "yaw_rate_rad_s", label: "Turning", least: -kQuickestTurn_rad_s, most: kQuickestTurn_rad_s, step: 0.02,
+      value: usual.yaw_rate_rad_s, words: leftward(" rad/s"), leftward: true,
+    });
+    this.heading = new Slider({
+      name: "heading_deg", label: "Heading", title: "it turns to that heading while it walks, and goes on straight", least: -180, most: 180,
+      step: 1, value: 0, words: (value) => sided(value, 0, "\u00b0"), leftward: true,
+    });
+    this.fill();
+    this.listen();
+  }
+
+  paint(theme: Theme): void {
+    this.dial.paint(theme);
+  }
+
+  show(frame: Frame): void {
+    const ahead = paceAhead(frame);
+    const down = frame.mode === "fallen" || frame.mode === "posed";
+    this.walking = !down && isWalk(ahead);
+    this.now_s = frame.t;
+    this.walk.textContent = this.walking ? "Stop (stand)" : "Walk";
+    this.walk.classList.toggle("gw-on", this.walking);
+    this.walk.disabled = down;
+    this.walk.title = down ? "stand it up first (U)" : "";
+    if (this.walking) this.follow(ahead);
+    this.showHeading(frame);
+  }
+
+  private fill(): void {
+    this.gait.name = "gait";
+    this.walk.name = "walk";
+    const gait = make("label", "gw-slide");
+    gait.append(make("span", "gw-name", "Gait"), this.gait, this.walk);
+    const turning = make("div", "gw-heading");
+    turning.append(this.heading.root, this.dial.canvas);
+    this.root.append(make("h2", "", "Walk"), gait, this.speed.root, this.aside.root, this.turn.root, turning);
+  }
+
+  private listen(): void {
+    const ask = () => {
+      if (this.walking) this.send({ do: "pace", ...this.pace() });
+    };
+    const leaveMenu = (for_ms: number) => (this.menuBusyUntil_ms = performance.now() + for_ms);
+    for (const start of ["pointerdown", "keydown"]) this.gait.addEventListener(start, () => leaveMenu(kMenuOpen_ms));
+    this.gait.addEventListener("change", () => {
+      leaveMenu(kQuiet_ms);
+      ask();
+    });
+    for (const slider of [this.speed, this.aside, this.turn]) slider.onSet = ask;
+    this.heading.onSet = (value) => this.askHeading(value);
+    this.dial.onTurn = (value) => {
+      if (!this.heading.input.disabled) this.turnTo(value);
+    };
+    this.dial.onSet = (value) => {
+      if (!this.heading.input.disabled) this.askHeading(value);
+    };
+  }
+
+  private pace(): Pace {
+    return {
+      gait: this.gait.value,
+      speed_m_s: this.speed.value,
+      lateral_speed_m_s: this.aside.value,
+      yaw_rate_rad_s: this.turn.value,
+    };
+  }
+
+  private toggle(): void {
+    this.send({ do: "pace", ...(this.walking ? kStand : this.pace()) });
+  }
+
+  private turnTo(heading_deg: number): void {
+    this.asked = { heading_deg, at_s: this.now_s };
+    this.heading.put(heading_deg);
+  }
+
+  private askHeading(heading_deg: number): void {
+    this.turnTo(heading_deg);
+    this.send({ do: "heading", heading_deg });
+  }
+
+  private follow(pace: Pace): void {
+    if (this.gait.value !== pace.gait && performance.now() > this.menuBusyUntil_ms) this.gait.value = pace.gait;
+    this.speed.follow(pace.speed_m_s);
+    this.aside.follow(pace.lateral_speed_m_s);
+    this.turn.follow(pace.yaw_rate_rad_s);
+  }
+
+  private showHeading(frame: Frame): void {
+    const now_deg = frame.heading_deg ?? 0;
+    this.heading.disabled = frame.mode !== "walks";
+    if (this.asked && (frame.mode !== "walks" || this.isDone(this.asked, now_deg))) this.asked = null;
+    if (!this.asked) this.heading.follow(Math.round(now_deg));
+    this.dial.show(now_deg, this.heading.value);
+  }
+
+  private isDone(asked: { heading_deg: number; at_s: number }, now_deg: number): boolean {
+    const since_s = this.now_s - asked.at_s;
+    return Math.abs(wrapped(asked.heading_deg - now_deg)) < kReached_deg || since_s > kLongestTurn_s || since_s < 0;
+  }
+}
