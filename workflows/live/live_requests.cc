@@ -43,6 +43,13 @@ LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
   return [body, at, to](LiveWorld& live, LiveClock&) { live.Pull(body, at, to); };
 }
 
+LiveRequest ReadPush(const JsonPart& m, const RobotModel&) {
+  m.Object({"do", "force_n", "for_s"});
+  const Vector3 force_W = m.At("force_n").Vector(3);
+  const double for_s = m.At("for_s").Number();
+  return [force_W, for_s](LiveWorld& live, LiveClock&) { live.Push(force_W, for_s); };
+}
+
 LiveRequest ReadGround(const JsonPart& m, const RobotModel&) {
   m.Object({"do", "friction", "slope_deg", "slope_direction_deg"});
   const double friction = m.At("friction").Number(), slope = m.At("slope_deg").Number();
@@ -116,6 +123,7 @@ const std::map<std::string, Reader>& Readers() {
   static const std::map<std::string, Reader> readers = {{"pace", ReadPace},
                                                         {"heading", ReadHeading},
                                                         {"pull", ReadPull},
+                                                        {"push", ReadPush},
                                                         {"let_go", ReadPlain<&LiveWorld::LetGo>},
                                                         {"reset", ReadPlain<&LiveWorld::Reset>},
                                                         {"stand_up", ReadPlain<&LiveWorld::StandUp>},

@@ -79,6 +79,7 @@ class Page : public std::enable_shared_from_this<Page> {
     ++shared_.count;
   }
   ~Page() {
+    shared_.inbox.Put({number_, "", true});
     shared_.pages.erase(number_);
     --shared_.count;
   }

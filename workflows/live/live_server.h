@@ -20,6 +20,7 @@ struct LiveAddress {
 struct LiveSaying {
   std::uint64_t page = 0;
   std::string text;
+  bool left = false;  ///< it says no more: it was closed, or lost
 };
 
 /// A page over HTTP, and its WebSocket, in a thread of its own: pages are sent pictures of how things stand, and send

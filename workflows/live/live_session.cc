@@ -83,11 +83,17 @@ void LiveSession::Run(const std::function<bool()>& stop) {
 
 void LiveSession::Hear() {
   for (const LiveSaying& saying : server_.Take()) {
+    if (saying.left) {
+      if (saying.page == pulling_page_) live_.LetGo();
+      continue;
+    }
+    const bool pulled = live_.pulled();
     try {
       ReadLiveRequest(live_.model(), saying.text)(live_, status_.clock);
     } catch (const InvalidArgument& refused) {
       server_.Tell(saying.page, LiveRefusal(refused.what()));
     }
+    if (live_.pulled() && !pulled) pulling_page_ = saying.page;
   }
 }
 

@@ -54,8 +54,10 @@ std::string TextOf(const PaceChange& change) {
   return text;
 }
 
-Pace Usual(const RobotModel& model) {
+Pace Usual(const RobotModel& model, const GaitOptions& options) {
   Pace pace;
+  const Result<Gait> gait = FindGait(model, "", model.nominal_speed_m_s, options);
+  if (gait) pace.gait = gait->name;
   pace.speed_m_s = model.nominal_speed_m_s;
   return pace;
 }
@@ -80,7 +82,7 @@ Result<std::unique_ptr<LiveWorld>> LiveWorld::Make(const RobotModel& model, cons
                                                    const PlayRequest& play) {
   PlayRequest checked = play;
   CheckOptions(checked.Fields());
-  Result<PacePlan> first = PlanPace(model, {.from = {.gait = "stand"}, .to = Usual(model)}, usual);
+  Result<PacePlan> first = PlanPace(model, {.from = {.gait = "stand"}, .to = Usual(model, usual.gait_options)}, usual);
   if (!first) return first.failure();
   return std::unique_ptr<LiveWorld>(new LiveWorld(model, usual, play, std::move(*first)));
 }
@@ -89,7 +91,7 @@ LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const Pl
     : model_(model),
       usual_(usual),
       play_(play),
-      usual_pace_(Usual(model)),
+      usual_pace_(Usual(model, usual.gait_options)),
       first_(std::move(first)),
       stream_(first_.plan),
       world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world) {
@@ -108,7 +110,8 @@ void LiveWorld::Reset() {
   time_s_ = down_since_s_ = stream_.plan().whole_body.start_s;
   history_.clear();
   Want({});
-  pulled_.reset();
+  LetGo();
+  push_.reset();
   nudged_.reset();
   ground_from_ = q.head<2>();
   mode_ = LiveMode::kStands;
@@ -276,13 +279,19 @@ void LiveWorld::Watch() {
 }
 
 void LiveWorld::ApplyPull() {
+  if (push_ && time_s_ >= push_->until_s) push_.reset();
+  if (push_) {
+    world_.PushBase(push_->force_W);
+    pull_W_ = push_->force_W;
+  }
   if (!pulled_) return;
   DynamicsScratch scratch(model_);
   ForwardKinematics(model_, world_.q(), scratch);
   const auto body = static_cast<std::size_t>(pulled_->body);
   const Vector3 p_W = scratch.p_WB[body] + scratch.R_WB[body] * pulled_->p_Body;
-  pull_W_ = PullOf(model_, pulled_->to_W - p_W);
-  world_.PushAt(pulled_->body, *pull_W_, p_W);
+  const Vector3 force_W = PullOf(model_, pulled_->to_W - p_W);
+  world_.PushAt(pulled_->body, force_W, p_W);
+  pull_W_ = pull_W_.value_or(Vector3::Zero()) + force_W;
 }
 
 void LiveWorld::Nudge(int dof, double by, double for_s) {
@@ -292,6 +301,18 @@ void LiveWorld::Nudge(int dof, double by, double for_s) {
   if (!(std::abs(by) <= most) || !(for_s > 0.0 && for_s <= kLongest))
     throw InvalidArgument(fmt::format("a joint is moved by {} at most, for {} s", most, kLongest));
   nudged_ = Nudged{dof, by, time_s_ + for_s};
+}
+
+void LiveWorld::LetGo() {
+  pulled_.reset();
+  pull_W_.reset();
+}
+
+void LiveWorld::Push(const Vector3& force_W, double for_s) {
+  constexpr double kMostWeights = 10.0, kLongest = 10.0;
+  if (!(force_W.norm() <= kMostWeights * model_.weight_n()) || !(for_s > 0.0 && for_s <= kLongest))
+    throw InvalidArgument(fmt::format("a push has {} weights at most, for {} s", kMostWeights, kLongest));
+  push_ = LivePush{force_W, time_s_ + for_s};
 }
 
 void LiveWorld::ApplyNudge() {

@@ -50,9 +50,12 @@ class LiveWorld {
   void AskHeading(double heading_rad);
   /// Stands at the origin again, at time 0.
   void Reset();
-  /// A force [N] at a point of a body that goes with it, until it is let go: a spring to where it is pulled.
+  /// A force at a point of a body that goes with it, until it is let go: a spring to where it is pulled.
   void Pull(int body, const Vector3& p_Body, const Vector3& to_W);
-  void LetGo() { pulled_.reset(); }
+  void LetGo();
+  bool pulled() const { return pulled_.has_value(); }
+  /// A force [N] on the base for a while. @throws InvalidArgument for more than ten weights, or 10 s.
+  void Push(const Vector3& force_W, double for_s);
   /// Moves what a joint is told by so much [rad] or [m] for a while: to see how it answers.
   /// @throws InvalidArgument for no such joint, and for more than a radian or 0.3 m, or 10 s.
   void Nudge(int dof, double by, double for_s);
@@ -94,6 +97,10 @@ class LiveWorld {
     Vector3 p_Body, to_W;
   };
 
+  struct LivePush {
+    Vector3 force_W;
+    double until_s = 0.0;
+  };
   struct Nudged {
     int dof = 0;
     double by = 0.0, until_s = 0.0;
@@ -131,6 +138,7 @@ class LiveWorld {
   double time_s_ = 0.0, down_since_s_ = 0.0;
   std::optional<Pulled> pulled_;
   std::optional<Vector3> pull_W_;  ///< force of the last step [N]
+  std::optional<LivePush> push_;
   std::optional<Nudged> nudged_;
   std::optional<Pace> wanted_;
   std::optional<double> wanted_heading_rad_;

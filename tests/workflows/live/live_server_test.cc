@@ -82,6 +82,17 @@ TEST_F(Server, TakesWhatPagesSayAndAnswersTheOneThatSaidIt) {
   EXPECT_EQ(other->Hear(), "for all");
 }
 
+TEST_F(Server, TellsWhichPageLeft) {
+  auto page = Opened();
+  page->Say("here");
+  const auto number = Taken()[0].page;
+  page.reset();
+  const auto taken = Taken();
+  ASSERT_EQ(taken.size(), 1U);
+  EXPECT_TRUE(taken[0].left);
+  EXPECT_EQ(taken[0].page, number);
+}
+
 TEST_F(Server, GarbageAndWhatIsTooLongCloseTheirOwnPageAlone) {
   const auto good = Opened(), garbage = Opened(), large = Opened(), cut = Opened();
   garbage->SendRaw(std::string(300, '\xff'));

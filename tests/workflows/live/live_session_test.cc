@@ -128,6 +128,9 @@ TEST_F(Session, PullsGroundOptionsAndNudges) {
   EXPECT_GT(Picture(0.005)["pull_n"][1].get<double>(), 10.0);
   Say({{"do", "let_go"}});
   EXPECT_TRUE(Picture(0.005)["pull_n"].is_null());
+  Say({{"do", "push"}, {"force_n", {0.0, 12.0, 0.0}}, {"for_s", 0.05}});
+  EXPECT_EQ(Picture(0.02)["pull_n"][1], 12.0);
+  EXPECT_TRUE(Picture(0.05)["pull_n"].is_null());
   const Json ground = Say({{"do", "ground"}, {"friction", 0.5}, {"slope_deg", 5.0}, {"slope_direction_deg", 90.0}});
   EXPECT_EQ(ground["ground"]["friction"], 0.5);
   EXPECT_EQ(ground["ground"]["slope_deg"], 5.0);
@@ -135,6 +138,17 @@ TEST_F(Session, PullsGroundOptionsAndNudges) {
   const Json options = Say({{"do", "options"}, {"options", {{"gains.stance_damping", 1.25}}}});
   EXPECT_NE(std::find(options["options"].begin(), options["options"].end(), 1.25), options["options"].end());
   EXPECT_FALSE(Say({{"do", "nudge"}, {"dof", 2}, {"by", 0.1}, {"for_s", 0.3}}).contains("refused"));
+}
+
+TEST_F(Session, APageThatIsLostWhileItPullsLetsGo) {
+  Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"to_m", {0.0, 0.1, 0.3}}});
+  EXPECT_TRUE(live_.pulled());
+  page_.reset();
+  for (int tries = 0; tries < 500 && live_.pulled(); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    session_.Turn(0.0);
+  }
+  EXPECT_FALSE(live_.pulled());
 }
 
 TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
@@ -160,6 +174,7 @@ TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
            {R"({"do":"pace","gait":"trot","speed_m_s":1e9})", "speed_m_s"},
            {R"({"do":"pace"})", "gait"},
            {R"({"do":"heading","heading_deg":"north"})", "heading_deg"},
+           {R"({"do":"push","force_n":[0,1e5,0],"for_s":0.1})", "weights"},
            {R"({"do":"nudge","dof":12,"by":0.1,"for_s":0.5})", "dof"},
            {R"({"do":"nudge","dof":1,"by":3,"for_s":0.5})", "moved"}}) {
     LiveClock clock;

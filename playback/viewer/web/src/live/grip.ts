@@ -11,8 +11,6 @@ const kLookEvery_ms = 50;
  * Presses on the robot do not reach the canvas, so that the camera stays; all others turn it.
  */
 export class Grip {
-  /** When the robot has been taken hold of. */
-  onTake: () => void = () => {};
   private pointer = -1;
   private x = 0;
   private y = 0;
@@ -65,7 +63,6 @@ export class Grip {
     [this.pointer, this.x, this.y] = [event.pointerId, event.clientX, event.clientY];
     this.box.setPointerCapture(event.pointerId);
     this.box.classList.add("gw-holds");
-    this.onTake();
     this.pullFrom(hit.body, this.stage.robot.toBody(hit.body, hit.p_W));
   }
 

@@ -86,6 +86,7 @@ export type Saying =
   | ({ do: "pace" } & Pace)
   | { do: "heading"; heading_deg: number }
   | { do: "pull"; body: number; at_m: number[]; to_m: number[] }
+  | { do: "push"; force_n: number[]; for_s: number }
   | { do: "let_go" | "reset" | "stand_up" }
   | { do: "clock"; paused?: boolean; steps?: number }
   | { do: "ground"; friction: number; slope_deg: number; slope_direction_deg: number }

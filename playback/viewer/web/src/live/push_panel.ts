@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import * as THREE from "three";
 import { button, make } from "../elements";
 import type { RobotFile } from "../scene";
-import type { Frame } from "./messages";
-import type { Pull } from "./pull";
+import type { Frame, Send } from "./messages";
 import { Slider } from "./slider";
-import { kMostWeights, reachOf } from "./spring";
+import { kMostWeights } from "./spring";
 
 const kPush_s = 0.15;
 const kUsualWeights = 0.5;
@@ -20,12 +18,11 @@ const kSideKeys: Record<string, Side> = { ArrowUp: "ahead", ArrowLeft: "left", A
 export class PushPanel {
   readonly root = make("section", "gw-section");
   private readonly force: Slider;
-  private push: { direction: [number, number]; from_s: number } | null = null;
   private frame: Frame | null = null;
 
   constructor(
-    private readonly robot: RobotFile,
-    private readonly pull: Pull,
+    robot: RobotFile,
+    private readonly send: Send,
   ) {
     const step = Number((0.05 * robot.weight_n).toPrecision(1));
     const usual = step * Math.round((kUsualWeights * robot.weight_n) / step);
@@ -45,17 +42,11 @@ export class PushPanel {
     this.root.append(make("h2", "", "Push"), this.force.root, beside);
   }
 
-  /** Pushes while the robot goes on for so long; where it is paused the push waits for its steps. */
   start(side: Side): void {
-    const held = this.pull.hold !== null && this.push === null;
-    if (!this.frame || this.frame.mode === "posed" || held) return;
-    this.push = { direction: kSides[side], from_s: this.frame.t };
-    this.goOn();
-  }
-
-  /** Somebody else pulls now. */
-  stop(): void {
-    this.push = null;
+    if (!this.frame || this.frame.mode === "posed") return;
+    const [ahead, left] = kSides[side], yaw = ((this.frame.heading_deg ?? 0) * Math.PI) / 180, force = this.force.value;
+    const x = Math.cos(yaw) * ahead - Math.sin(yaw) * left, y = Math.sin(yaw) * ahead + Math.cos(yaw) * left;
+    this.send({ do: "push", force_n: [force * x, force * y, 0], for_s: kPush_s });
   }
 
   /** Does what a key asks for, if that is of this. */
@@ -68,22 +59,5 @@ export class PushPanel {
 
   show(frame: Frame): void {
     this.frame = frame;
-    this.goOn();
-  }
-
-  /** The base is pulled to a place that goes with it, so that the force stays. */
-  private goOn(): void {
-    const { push, frame } = this;
-    if (!push || !frame) return;
-    const since_s = frame.t - push.from_s;
-    if (since_s >= kPush_s || since_s < 0 || frame.mode === "posed") {
-      this.push = null;
-      this.pull.letGo();
-      return;
-    }
-    const yaw = ((frame.heading_deg ?? 0) * Math.PI) / 180, reach = reachOf(this.robot, this.force.value);
-    const way = new THREE.Vector3(push.direction[0], push.direction[1], 0).applyAxisAngle(new THREE.Vector3(0, 0, 1), yaw).multiplyScalar(reach);
-    const p_W = new THREE.Vector3(frame.q[0] ?? 0, frame.q[1] ?? 0, frame.q[2] ?? 0);
-    this.pull.to({ body: 0, at_Body: new THREE.Vector3(), to_W: p_W.add(way) });
   }
 }

@@ -50,7 +50,7 @@ export class Session {
     this.pull = new Pull(send);
     this.status = new StatusLine(robot);
     this.walk = new WalkPanel(greeting, send);
-    this.pushes = new PushPanel(robot, this.pull);
+    this.pushes = new PushPanel(robot, send);
     this.response = new ResponsePlot(robot, send);
     this.plan = new PlanView(this.rolling.motion);
     const others = [new GroundPanel(send), new PosePanel(robot, send), new GainsPanel(greeting.options, send)];
@@ -63,7 +63,6 @@ export class Session {
     this.stage = this.makeStage(robot.name);
     if (this.stage) {
       this.grip = new Grip(this.stageBox, this.stage, this.pull);
-      this.grip.onTake = () => this.pushes.stop();
       this.arrow = new PullArrow(this.stage, this.pull);
       this.stageBox.append(this.arrow.label);
     }
