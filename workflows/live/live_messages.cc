@@ -131,7 +131,7 @@ std::string LiveFrame(LiveWorld& live, const LiveStatus& status) {
                      {"measured", BalanceJson(now.measured.front(), terrain)},
                      {"planned", BalanceJson(now.planned.front(), terrain)},
                      {"feet", feet},
-                     {"pull_n", live.pull_W() ? List(*live.pull_W()) : Json()},
+                     {"pull_n", live.hands().force_W() ? List(*live.hands().force_W()) : Json()},
                      {"ground", GroundJson(live)},
                      {"options", options},
                      {"notes", notes}};

@@ -14,7 +14,8 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kMostSteps = 10000;  // at once, of a clock that is paused
+constexpr double kLongest_s = 10.0;  // of a push, or a nudge
+constexpr int kMostSteps = 10000;    // at once, of a clock that is paused
 
 LiveRequest ReadPace(const JsonPart& m, const RobotModel&) {
   constexpr double kFastest = 20.0, kQuickestTurn = 20.0;
@@ -40,14 +41,19 @@ LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
   const int body = m.At("body").Whole(0, static_cast<int>(model.bodies.size()) - 1);
   const Vector3 at = m.At("at_m").Vector(3), to = m.At("to_m").Vector(3);
   if (at.norm() > kFarthest || to.norm() > kFarthest) m.Refuse("pulls too far away");
-  return [body, at, to](LiveWorld& live, LiveClock&) { live.Pull(body, at, to); };
+  return [body, at, to](LiveWorld& live, LiveClock&) { live.hands().Pull(body, at, to); };
+}
+
+LiveRequest ReadLetGo(const JsonPart& m, const RobotModel&) {
+  m.Object({"do"});
+  return [](LiveWorld& live, LiveClock&) { live.hands().LetGo(); };
 }
 
 LiveRequest ReadPush(const JsonPart& m, const RobotModel&) {
   m.Object({"do", "force_n", "for_s"});
   const Vector3 force_W = m.At("force_n").Vector(3);
-  const double for_s = m.At("for_s").Number();
-  return [force_W, for_s](LiveWorld& live, LiveClock&) { live.Push(force_W, for_s); };
+  const double for_s = m.At("for_s").NumberIn(0.0, kLongest_s);
+  return [force_W, for_s](LiveWorld& live, LiveClock&) { live.hands().Push(force_W, live.time_s() + for_s); };
 }
 
 LiveRequest ReadGround(const JsonPart& m, const RobotModel&) {
@@ -92,8 +98,8 @@ LiveRequest ReadPose(const JsonPart& m, const RobotModel& model) {
 LiveRequest ReadNudge(const JsonPart& m, const RobotModel& model) {
   m.Object({"do", "dof", "by", "for_s"});
   const int dof = m.At("dof").Whole(0, model.num_dofs() - 1);
-  const double by = m.At("by").Number(), for_s = m.At("for_s").Number();
-  return [=](LiveWorld& live, LiveClock&) { live.Nudge(dof, by, for_s); };
+  const double by = m.At("by").Number(), for_s = m.At("for_s").NumberIn(0.0, kLongest_s);
+  return [=](LiveWorld& live, LiveClock&) { live.hands().Nudge(dof, by, live.time_s() + for_s); };
 }
 
 LiveRequest ReadClock(const JsonPart& m, const RobotModel&) {
@@ -124,7 +130,7 @@ const std::map<std::string, Reader>& Readers() {
                                                         {"heading", ReadHeading},
                                                         {"pull", ReadPull},
                                                         {"push", ReadPush},
-                                                        {"let_go", ReadPlain<&LiveWorld::LetGo>},
+                                                        {"let_go", ReadLetGo},
                                                         {"reset", ReadPlain<&LiveWorld::Reset>},
                                                         {"stand_up", ReadPlain<&LiveWorld::StandUp>},
                                                         {"ground", ReadGround},

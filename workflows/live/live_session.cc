@@ -84,16 +84,16 @@ void LiveSession::Run(const std::function<bool()>& stop) {
 void LiveSession::Hear() {
   for (const LiveSaying& saying : server_.Take()) {
     if (saying.left) {
-      if (saying.page == pulling_page_) live_.LetGo();
+      if (saying.page == pulling_page_) live_.hands().LetGo();
       continue;
     }
-    const bool pulled = live_.pulled();
+    const bool pulled = live_.hands().pulls();
     try {
       ReadLiveRequest(live_.model(), saying.text)(live_, status_.clock);
     } catch (const InvalidArgument& refused) {
       server_.Tell(saying.page, LiveRefusal(refused.what()));
     }
-    if (live_.pulled() && !pulled) pulling_page_ = saying.page;
+    if (live_.hands().pulls() && !pulled) pulling_page_ = saying.page;
   }
 }
 

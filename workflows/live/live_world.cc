@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "kinematics/dynamics/foot_contact.h"
-#include "kinematics/model/dof_units.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/sample_plan.h"
@@ -35,14 +34,6 @@ double Shown(const MotionPlan& plan) {
     if (!StandsStill(part.gait)) shown = std::max(shown, kCycles * part.gait.cycle_s);
   }
   return shown;
-}
-
-/// A spring that pulls hard where the robot is heavy, and never harder than twice its weight.
-Vector3 PullOf(const RobotModel& model, const Vector3& way_W) {
-  constexpr double kPerLeg = 2.0, kMost = 2.0;  // weights by leg length, weights
-  const Vector3 force = kPerLeg * model.weight_n() / model.leg_length_m() * way_W;
-  const double most = kMost * model.weight_n();
-  return force.norm() > most ? Vector3(most / force.norm() * force) : force;
 }
 
 std::string TextOf(const PaceChange& change) {
@@ -94,7 +85,8 @@ LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const Pl
       usual_pace_(Usual(model, usual.gait_options)),
       first_(std::move(first)),
       stream_(first_.plan),
-      world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world) {
+      world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world),
+      hands_(model) {
   Reset();
 }
 
@@ -110,16 +102,13 @@ void LiveWorld::Reset() {
   time_s_ = down_since_s_ = stream_.plan().whole_body.start_s;
   history_.clear();
   Want({});
-  LetGo();
-  push_.reset();
-  nudged_.reset();
+  hands_.Off();
   ground_from_ = q.head<2>();
   mode_ = LiveMode::kStands;
   TakeControl();
 }
 
 void LiveWorld::Step() {
-  pull_W_.reset();
   if (mode_ == LiveMode::kPosed) return;
   if (mode_ != LiveMode::kFallen) {
     TakeUpPlan();
@@ -129,8 +118,7 @@ void LiveWorld::Step() {
   const auto most = static_cast<std::size_t>(std::lround(Shown(stream_.plan()) / step_s()));
   while (history_.size() > most) history_.pop_front();
   command_ = mode_ == LiveMode::kFallen ? Damping() : controller_->Update(history_.back());
-  ApplyNudge();
-  ApplyPull();
+  hands_.Apply(time_s_, world_, command_);
   world_.Step(command_);
   AddToMeans();
   time_s_ += step_s();
@@ -278,48 +266,6 @@ void LiveWorld::Watch() {
   if (broken) Reset();
 }
 
-void LiveWorld::ApplyPull() {
-  if (push_ && time_s_ >= push_->until_s) push_.reset();
-  if (push_) {
-    world_.PushBase(push_->force_W);
-    pull_W_ = push_->force_W;
-  }
-  if (!pulled_) return;
-  DynamicsScratch scratch(model_);
-  ForwardKinematics(model_, world_.q(), scratch);
-  const auto body = static_cast<std::size_t>(pulled_->body);
-  const Vector3 p_W = scratch.p_WB[body] + scratch.R_WB[body] * pulled_->p_Body;
-  const Vector3 force_W = PullOf(model_, pulled_->to_W - p_W);
-  world_.PushAt(pulled_->body, force_W, p_W);
-  pull_W_ = pull_W_.value_or(Vector3::Zero()) + force_W;
-}
-
-void LiveWorld::Nudge(int dof, double by, double for_s) {
-  constexpr double kMostTurn = 1.0, kMostShift = 0.3, kLongest = 10.0;
-  if (dof < 0 || dof >= model_.num_dofs()) throw InvalidArgument(fmt::format("there is no joint {} to be moved", dof));
-  const double most = std::string(PositionUnit(model_, dof)) == "m" ? kMostShift : kMostTurn;
-  if (!(std::abs(by) <= most) || !(for_s > 0.0 && for_s <= kLongest))
-    throw InvalidArgument(fmt::format("a joint is moved by {} at most, for {} s", most, kLongest));
-  nudged_ = Nudged{dof, by, time_s_ + for_s};
-}
-
-void LiveWorld::LetGo() {
-  pulled_.reset();
-  pull_W_.reset();
-}
-
-void LiveWorld::Push(const Vector3& force_W, double for_s) {
-  constexpr double kMostWeights = 10.0, kLongest = 10.0;
-  if (!(force_W.norm() <= kMostWeights * model_.weight_n()) || !(for_s > 0.0 && for_s <= kLongest))
-    throw InvalidArgument(fmt::format("a push has {} weights at most, for {} s", kMostWeights, kLongest));
-  push_ = LivePush{force_W, time_s_ + for_s};
-}
-
-void LiveWorld::ApplyNudge() {
-  if (nudged_ && time_s_ >= nudged_->until_s) nudged_.reset();
-  if (nudged_) command_.q[nudged_->dof] += nudged_->by;
-}
-
 void LiveWorld::AddToMeans() {
   const std::vector<FootContact>& feet = world_.feet();
   if (summed_ == 0) {
@@ -353,12 +299,6 @@ LogSample LiveWorld::TakeSample() {
 }
 
 Pose LiveWorld::ground_tilt() const { return GroundTilt(first_.plan.terrain, play_.play.world, ground_from_); }
-
-void LiveWorld::Pull(int body, const Vector3& p_Body, const Vector3& to_W) {
-  if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !to_W.allFinite())
-    throw InvalidArgument(fmt::format("there is nothing to pull at body {}", body));
-  pulled_ = Pulled{body, p_Body, to_W};
-}
 
 void LiveWorld::PutInPose(const VectorX& q) {
   if (q.size() != model_.nq() || !q.allFinite())

@@ -10,6 +10,7 @@
 
 #include "playback/bullet/world.h"
 #include "playback/log/playback_log.h"
+#include "workflows/live/hands_on.h"
 #include "workflows/live/walk_stream.h"
 
 namespace gaitwright {
@@ -50,15 +51,9 @@ class LiveWorld {
   void AskHeading(double heading_rad);
   /// Stands at the origin again, at time 0.
   void Reset();
-  /// A force at a point of a body that goes with it, until it is let go: a spring to where it is pulled.
-  void Pull(int body, const Vector3& p_Body, const Vector3& to_W);
-  void LetGo();
-  bool pulled() const { return pulled_.has_value(); }
-  /// A force [N] on the base for a while. @throws InvalidArgument for more than ten weights, or 10 s.
-  void Push(const Vector3& force_W, double for_s);
-  /// Moves what a joint is told by so much [rad] or [m] for a while: to see how it answers.
-  /// @throws InvalidArgument for no such joint, and for more than a radian or 0.3 m, or 10 s.
-  void Nudge(int dof, double by, double for_s);
+  /// What people do to it by hand.
+  HandsOn& hands() { return hands_; }
+  const HandsOn& hands() const { return hands_; }
   /// Holds joints and base there, without physics. @throws InvalidArgument for a wrong size.
   void PutInPose(const VectorX& q);
   /// Stands up from where it is: lifted and put down upright, its heading kept.
@@ -82,7 +77,6 @@ class LiveWorld {
   const BulletWorld& world() const { return world_; }
   const MotionPlan& plan() const { return stream_.plan(); }
   const JointCommand& command() const { return command_; }
-  const std::optional<Vector3>& pull_W() const { return pull_W_; }
   const PlayRequest& play() const { return play_; }
   /// The state now, with torques and contact forces as means since the last call.
   LogSample TakeSample();
@@ -92,20 +86,6 @@ class LiveWorld {
   void WaitForPlan();
 
  private:
-  struct Pulled {
-    int body = 0;
-    Vector3 p_Body, to_W;
-  };
-
-  struct LivePush {
-    Vector3 force_W;
-    double until_s = 0.0;
-  };
-  struct Nudged {
-    int dof = 0;
-    double by = 0.0, until_s = 0.0;
-  };
-
   LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first);
   void Want(const std::optional<Pace>& pace, const std::optional<double>& heading_rad = {});
   void StartPlanning();
@@ -113,8 +93,6 @@ class LiveWorld {
   void GoOn();
   void TakeControl();
   void Watch();
-  void ApplyPull();
-  void ApplyNudge();
   void AddToMeans();
   JointCommand Damping() const;
   ControlInput Measured() const;
@@ -127,6 +105,7 @@ class LiveWorld {
   const PacePlan first_;  ///< of that: where it stands is its beginning
   WalkStream stream_;
   BulletWorld world_;
+  HandsOn hands_;
   std::unique_ptr<MotionPlan> followed_;  ///< what the controller follows
   std::unique_ptr<Controller> controller_;
   JointCommand command_;
@@ -136,10 +115,6 @@ class LiveWorld {
   Vector2 ground_from_ = Vector2::Zero();  ///< where a slope turns the ground
   LiveMode mode_ = LiveMode::kStands;
   double time_s_ = 0.0, down_since_s_ = 0.0;
-  std::optional<Pulled> pulled_;
-  std::optional<Vector3> pull_W_;  ///< force of the last step [N]
-  std::optional<LivePush> push_;
-  std::optional<Nudged> nudged_;
   std::optional<Pace> wanted_;
   std::optional<double> wanted_heading_rad_;
   PaceChange planned_;

@@ -142,13 +142,13 @@ TEST_F(Session, PullsGroundOptionsAndNudges) {
 
 TEST_F(Session, APageThatIsLostWhileItPullsLetsGo) {
   Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"to_m", {0.0, 0.1, 0.3}}});
-  EXPECT_TRUE(live_.pulled());
+  EXPECT_TRUE(live_.hands().pulls());
   page_.reset();
-  for (int tries = 0; tries < 500 && live_.pulled(); ++tries) {
+  for (int tries = 0; tries < 500 && live_.hands().pulls(); ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     session_.Turn(0.0);
   }
-  EXPECT_FALSE(live_.pulled());
+  EXPECT_FALSE(live_.hands().pulls());
 }
 
 TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {

@@ -80,15 +80,15 @@ TEST_F(Live, TurnsToAHeading) {
 TEST_F(Live, AnswersANudgeOfAJoint) {
   Run(0.5);
   const double before = live_->world().q()[7 + 2];
-  live_->Nudge(2, 0.1, 0.3);
+  live_->hands().Nudge(2, 0.1, live_->time_s() + 0.3);
   Run(0.3);
   EXPECT_GT(live_->world().q()[7 + 2] - before, 0.02);
   Run(1.0);
   EXPECT_NEAR(live_->world().q()[7 + 2], before, 0.01);
   EXPECT_EQ(live_->mode(), LiveMode::kStands);
-  EXPECT_THROW(live_->Nudge(12, 0.1, 0.3), InvalidArgument);
-  EXPECT_THROW(live_->Nudge(2, 4.0, 0.3), InvalidArgument);
-  EXPECT_THROW(live_->Nudge(2, NAN, 0.3), InvalidArgument);
+  EXPECT_THROW(live_->hands().Nudge(12, 0.1, 0.3), InvalidArgument);
+  EXPECT_THROW(live_->hands().Nudge(2, 4.0, 0.3), InvalidArgument);
+  EXPECT_THROW(live_->hands().Nudge(2, NAN, 0.3), InvalidArgument);
 }
 
 TEST_F(Live, SamplesAreMeansSinceTheLast) {
@@ -106,21 +106,21 @@ TEST_F(Live, IsPulledAboutAndRecovers) {
   Ask({.gait = "trot", .speed_m_s = 0.3});
   Run(4.0);
   const double y = live_->world().q()[1];
-  live_->Pull(0, Vector3::Zero(), live_->world().q().head<3>() + Vector3(0.0, 0.08, 0.0));
+  live_->hands().Pull(0, Vector3::Zero(), live_->world().q().head<3>() + Vector3(0.0, 0.08, 0.0));
   Run(0.3);
-  EXPECT_TRUE(live_->pull_W());
-  live_->LetGo();
+  EXPECT_TRUE(live_->hands().force_W());
+  live_->hands().LetGo();
   Run(4.0);
   EXPECT_EQ(live_->mode(), LiveMode::kWalks);
   EXPECT_GT(live_->world().q()[1] - y, 0.005) << "it was moved";
-  EXPECT_THROW(live_->Pull(99, Vector3::Zero(), Vector3::Zero()), InvalidArgument);
+  EXPECT_THROW(live_->hands().Pull(99, Vector3::Zero(), Vector3::Zero()), InvalidArgument);
 }
 
 TEST_F(Live, FallsWhenItIsPulledOverAndStandsUp) {
-  live_->Pull(0, Vector3::Zero(), Vector3(0.0, 3.0, 0.3));
+  live_->hands().Pull(0, Vector3::Zero(), Vector3(0.0, 3.0, 0.3));
   Run(1.0);
   EXPECT_EQ(live_->mode(), LiveMode::kFallen);
-  live_->LetGo();
+  live_->hands().LetGo();
   Run(1.0);
   live_->StandUp();
   Run(1.0);
