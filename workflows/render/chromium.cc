@@ -225,6 +225,20 @@ Result<std::string> Chromium::Press(const std::string& key) {
   return key;
 }
 
+Result<std::string> Chromium::Point(Mouse does, double x_px, double y_px) {
+  const bool moves = does == Mouse::kMove || does == Mouse::kDrag, down = does == Mouse::kDrag || does == Mouse::kPress;
+  const char* const type = moves ? "mouseMoved" : (down ? "mousePressed" : "mouseReleased");
+  const json parameters = {{"type", type},
+                           {"x", x_px},
+                           {"y", y_px},
+                           {"button", does == Mouse::kMove ? "none" : "left"},
+                           {"buttons", down ? 1 : 0},
+                           {"clickCount", moves ? 0 : 1}};
+  const Result<json> done = pipe_->Call("Input.dispatchMouseEvent", parameters);
+  if (!done) return done.failure();
+  return std::string(type);
+}
+
 const std::vector<std::string>& Chromium::complaints() const { return pipe_->complaints; }
 
 std::string FileUrl(const std::string& path) {

@@ -40,6 +40,10 @@ class Chromium {
   /// Presses a key, by its name in KeyboardEvent.key.
   Result<std::string> Press(const std::string& key);
 
+  /// What a mouse does at a place in the page: goes there with its left button up or down, or presses or releases it.
+  enum class Mouse { kMove, kDrag, kPress, kRelease };
+  Result<std::string> Point(Mouse does, double x_px, double y_px);
+
   /// Errors that the page wrote to its console, and exceptions that nobody caught, so far.
   const std::vector<std::string>& complaints() const;
 
