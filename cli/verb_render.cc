@@ -133,9 +133,10 @@ void AddPictureFlags(CLI::App& verb, Arguments& a) {
   AddNumber(verb, "--fps", "1/s", a.picture.frames_per_s, "Pictures a second of moving pictures; default 30.");
   AddWholeNumber(verb, "--width", 64, a.picture.width_px, "Of a picture in pixels; default 1280.");
   AddWholeNumber(verb, "--height", 64, a.picture.height_px, "Of a picture in pixels; default 720.");
-  AddText(verb, "--view", "NAME", a.picture.view, "corner, side, front or top; default corner.");
+  AddText(verb, "--view", "NAME", a.picture.view,
+          fmt::format("One of {}; default corner.", fmt::join(ViewNames(), ", ")));
   verb.add_option("--hide", a.picture.hidden,
-                  "What is left out: ghost, support, zmp, com, dcm, forces, footsteps, swings; default: nothing.")
+                  fmt::format("What is left out: {}; default: nothing.", fmt::join(OverlayNames(), ", ")))
       ->type_name("NAME,...")
       ->delimiter(',');
   verb.add_flag("--dark", a.picture.dark, "Light on dark; default: dark on light.");

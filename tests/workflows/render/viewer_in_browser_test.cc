@@ -6,6 +6,7 @@
 #include "playback/report/report_page.h"
 #include "playback/viewer/viewer_page.h"
 #include "tests/workflows/render/shown_page.h"
+#include "workflows/render/render_pictures.h"
 
 namespace gaitwright {
 namespace {
@@ -82,6 +83,8 @@ void ExpectAllWorks(const ShownWalk& walk) {
   ExpectBodiesAreWhereTheyAre(page, walk);
   ExpectScrubbingWorks(page);
   ExpectPicturesAreNotEmpty(page);
+  EXPECT_EQ(page.Ask("v.stages[0].overlays.root.children.map((group) => group.name)"), nlohmann::json(OverlayNames()))
+      << "what pictures may leave out is what the page has";
   ExpectNoComplaint(page);
 }
 
