@@ -73,7 +73,10 @@ Result<std::unique_ptr<LiveWorld>> LiveWorld::Make(const RobotModel& model, cons
                                                    const PlayRequest& play) {
   PlayRequest checked = play;
   CheckOptions(checked.Fields());
-  Result<PacePlan> first = PlanPace(model, {.from = {.gait = "stand"}, .to = Usual(model, usual.gait_options)}, usual);
+  PaceChange begins;
+  begins.from.gait = "stand";
+  begins.to = Usual(model, usual.gait_options);
+  Result<PacePlan> first = PlanPace(model, begins, usual);
   if (!first) return first.failure();
   return std::unique_ptr<LiveWorld>(new LiveWorld(model, usual, play, std::move(*first)));
 }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/workflows/live/made_world.h"
 #include "tests/workflows/live/socket_client.h"
 #include "workflows/live/live_session.h"
 
@@ -24,7 +25,7 @@ double Memory_mb() {
 TEST(LiveMemory, IsFlatOverTenMinutes) {
   constexpr double kPicture_s = 1.0 / 60.0;
   const RobotModel model = ChooseRobot("a1", "").value();
-  const std::unique_ptr<LiveWorld> live = std::move(LiveWorld::Make(model, {}, {}).value());
+  const std::unique_ptr<LiveWorld> live = MadeWorld(model);
   const std::unique_ptr<LiveServer> server = std::move(LiveServer::Start({}, "").value());
   server->Greet(LiveGreeting(*live));
   const std::string host = "127.0.0.1:" + std::to_string(server->port());

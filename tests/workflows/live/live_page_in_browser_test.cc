@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "playback/viewer/viewer_page.h"
+#include "tests/workflows/live/made_world.h"
 #include "workflows/live/live_session.h"
 #include "workflows/render/chromium.h"
 
@@ -21,7 +22,7 @@ class LivePageTest : public testing::Test {
  protected:
   void SetUp() override {
     if (!HasViewer()) GTEST_SKIP() << "built without the viewer";
-    live_ = std::move(LiveWorld::Make(model_, {}, {}).value());
+    live_ = MadeWorld(model_);
     server_ = std::move(LiveServer::Start({}, LivePage("a1, live")).value());
     server_->Greet(LiveGreeting(*live_));
     runs_ = std::thread([this] { LiveSession(*live_, *server_, {}).Run([this] { return stop_.load(); }); });

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/workflows/live/made_world.h"
 #include "tests/workflows/live/socket_client.h"
 
 namespace gaitwright {
@@ -17,7 +18,7 @@ RobotModel Robot() { return ChooseRobot("a1", "").value(); }
 /// A world that stands, made once: what changes it begins with a reset.
 LiveWorld& World() {
   static const RobotModel model = Robot();
-  static const std::unique_ptr<LiveWorld> live = std::move(LiveWorld::Make(model, {}, {}).value());
+  static const std::unique_ptr<LiveWorld> live = MadeWorld(model);
   return *live;
 }
 

@@ -4,17 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/spatial/rotation.h"
+#include "tests/workflows/live/made_world.h"
 
 namespace gaitwright {
 namespace {
 
 class Live : public testing::Test {
  protected:
-  explicit Live(const std::string& robot = "a1") : model_(ChooseRobot(robot, "").value()) {
-    Result<std::unique_ptr<LiveWorld>> made = LiveWorld::Make(model_, {}, {});
-    EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.failure().message);
-    live_ = std::move(*made);
-  }
+  explicit Live(const std::string& robot = "a1") : model_(ChooseRobot(robot, "").value()) { live_ = MadeWorld(model_); }
 
   void Run(double seconds) {
     for (const double end = live_->time_s() + seconds; live_->time_s() < end - 1e-9;) live_->Step();

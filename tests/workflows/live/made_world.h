@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+
+#include "workflows/live/live_world.h"
+
+namespace gaitwright {
+
+/// A world with usual options. @throws std::runtime_error where the robot has no usual walk.
+inline std::unique_ptr<LiveWorld> MadeWorld(const RobotModel& model) {
+  const WalkRequest walk;
+  const PlayRequest play;
+  Result<std::unique_ptr<LiveWorld>> made = LiveWorld::Make(model, walk, play);
+  if (!made) throw std::runtime_error(made.failure().message);
+  return std::move(*made);
+}
+
+}  // namespace gaitwright
