@@ -119,19 +119,37 @@ GaitStint StintOf(const RobotModel& model, const PartCourse& course) {
   return stint;
 }
 
-/// The base's way over a schedule. Times of the feet are kept, so that a part that goes over into the next one takes
-/// up to a footfall longer than at the speed asked for.
+/// When the base of a part begins its way: with its feet, or before them where it has to be slower first.
+double StartOf(const std::vector<PartCourse>& courses, const JoinedSchedule& joined, double first_s, std::size_t k) {
+  return (k == 0 ? first_s : joined.start_s[k]) - courses[k].early_s;
+}
+
+/// A part that lasts for a time and goes over into the next one lasts up to a footfall longer, until its last feet are
+/// down: it goes so much farther, at the speed asked for.
+void KeepSpeeds(const JoinedSchedule& joined, double first_s, std::vector<PartCourse>& courses) {
+  for (std::size_t k = 0; k + 1 < courses.size(); ++k) {
+    PartCourse& course = courses[k];
+    if (!course.goes_on || course.part.command.extent != Extent::kDuration) continue;
+    const double duration_s = joined.start_s[k + 1] + course.outlasts_s - StartOf(courses, joined, first_s, k);
+    const double full_s = duration_s - 0.5 * (course.start_ramp_s + course.stop_ramp_s);
+    const double more = full_s / course.full_s;
+    course.twist = {more * course.twist.x_m, more * course.twist.y_m, more * course.twist.yaw_rad};
+    course.full_s = full_s;
+  }
+}
+
+/// The base's way over a schedule. Times of the feet are kept, so that a part of a given distance that goes over into
+/// the next one takes up to a footfall longer than at the speed asked for.
 BasePath PathOf(const std::vector<PartCourse>& courses, const JoinedSchedule& joined, double first_s) {
   const ContactSchedule& schedule = joined.schedule;
-  const auto lifts = [&](std::size_t k) { return k == 0 ? first_s : joined.start_s[k]; };
   std::vector<PathPiece> path;
   for (std::size_t k = 0; k < courses.size(); ++k) {
     const PartCourse& course = courses[k];
     if (course.stands) continue;
-    PathPiece way{course.twist, lifts(k) - course.early_s, course.duration_s(), course.start_ramp_s,
+    PathPiece way{course.twist, StartOf(courses, joined, first_s, k), course.duration_s(), course.start_ramp_s,
                   course.stop_ramp_s};
     if (course.goes_on) {
-      way.duration_s = lifts(k + 1) + course.outlasts_s - way.start_s;
+      way.duration_s = joined.start_s[k + 1] + course.outlasts_s - way.start_s;
     } else if (course.counted()) {
       const double down_s = k + 1 < courses.size() ? joined.start_s[k + 1] : schedule.phases.back().start_s;
       way.duration_s = down_s - way.start_s;
@@ -158,8 +176,8 @@ std::vector<PathStretch> AddParts(const std::vector<PartCourse>& courses, const 
   return stretches;
 }
 
-Result<FootstepSkeleton> AlongCourses(const RobotModel& model, const Terrain& terrain,
-                                      const std::vector<PartCourse>& courses, const FootstepOptions& options) {
+Result<FootstepSkeleton> AlongCourses(const RobotModel& model, const Terrain& terrain, std::vector<PartCourse> courses,
+                                      const FootstepOptions& options) {
   std::vector<GaitStint> stints;
   for (const PartCourse& course : courses) stints.push_back(StintOf(model, course));
   if (courses.front().stands) stints.front().time_s += options.settling_s;
@@ -168,6 +186,7 @@ Result<FootstepSkeleton> AlongCourses(const RobotModel& model, const Terrain& te
   const Result<JoinedSchedule> joined =
       JoinSchedules(stints, {first_s, options.final_stand_s + options.settling_s, options.grid_s});
   if (!joined) return joined.failure();
+  KeepSpeeds(*joined, first_s, courses);
   FootstepSkeleton skeleton;
   skeleton.schedule = joined->schedule;
   skeleton.path = PathOf(courses, *joined, first_s);
@@ -198,7 +217,7 @@ Result<FootstepSkeleton> PlanSequence(const RobotModel& model, const Terrain& te
     return BadPart("no part of the sequence walks: one or more must have a gait");
   if (!IsLevelGround(terrain)) return BadPart("a sequence of gaits is planned on level ground only");
   Couple(courses);
-  return AlongCourses(model, terrain, courses, options);
+  return AlongCourses(model, terrain, std::move(courses), options);
 }
 
 }  // namespace gaitwright

@@ -11,6 +11,7 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
+#include "planning/plan/closed_seam_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -123,7 +124,7 @@ void JoinFootholds(FootstepPlan& plan, double at_s, const FootstepPlan& then) {
     const auto stands = std::find_if(plan.footholds.begin(), plan.footholds.end(), [&](const Foothold& f) {
       return f.foot == next.foot && f.liftoff_s >= at_s - kTime;
     });
-    if (next.touchdown_s >= at_s - kTime || stands == plan.footholds.end()) {
+    if (next.touchdown_s > at_s + kTime || stands == plan.footholds.end()) {
       plan.footholds.push_back(next);
       continue;
     }
@@ -226,6 +227,7 @@ Result<MotionPlan> JoinedPlans(const MotionPlan& before, double before_s, const 
   const MotionPlan then = CarriedPlan(X, later_s, after);
   MotionPlan joined = before;
   JoinParts(joined, at_s, then);
+  CloseSeam(joined, ka, then, kb);
   ForColumns(joined, then, [&](auto& column, const auto& next) { JoinColumn(column, ka, next, kb); });
   joined.centroidal.omega_rad_s = then.centroidal.omega_rad_s;
   ContactSchedule schedule;

@@ -28,7 +28,8 @@ MotionPlan PlanFrom(MotionPlan plan, double from_s);
 
 /// One motion: `before` up to `before_s`, and then what `after` does from `after_s` on, turned about z, moved in plan
 /// view and in time so that its base goes on where that of `before` is. The ground is that of `before`.
-/// What is left of the seam stays in it: states that differ make a jump of that size. A part that the seam cuts in two
+/// What differs at the seam is bent away in the last 0.4 s of `before`; its torques and forces stay, so that it has to
+/// be little. A part that the seam cuts in two
 /// is one that lasts so long as it does (WalkCommand::Extent::kDuration); two of the same gait and command that meet
 /// become one.
 /// Failure kBadInput `misfit`: plans of different robots or time steps, times that are not of rows, feet that stand in

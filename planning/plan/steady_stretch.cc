@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 namespace gaitwright {
 namespace {
@@ -18,6 +20,26 @@ bool Within(const Seam& seam, const Seam& limit) {
 double Worth(const Seam& seam) {
   return seam.height_m / kSteady.height_m + seam.tilt_rad / kSteady.tilt_rad + seam.joints / kSteady.joints +
          seam.base_rates / kSteady.base_rates + seam.joint_rates / kSteady.joint_rates;
+}
+
+/// The same stretch from the middle of that phase in its first cycle in which the most feet stand, the longest of
+/// these: there the seam between two cycles cuts the fewest swings, and feet that stand do so on both sides of it.
+SteadyStretch AtItsStance(const MotionPlan& plan, const SteadyStretch& stretch, double last_s) {
+  constexpr double kTime = 1e-6;
+  const WholeBodyTrajectory& w = plan.whole_body;
+  SteadyStretch best = stretch;
+  std::pair<int, double> most = {-1, 0.0};
+  for (const ContactPhase& phase : plan.schedule.phases) {
+    const double middle_s = 0.5 * (phase.start_s + phase.end_s);
+    const double start_s = w.start_s + std::round((middle_s - w.start_s) / w.step_s) * w.step_s;
+    const int cycles = static_cast<int>(std::floor((last_s - start_s + kTime) / stretch.cycle_s));
+    if (start_s < stretch.start_s - kTime || start_s > stretch.start_s + stretch.cycle_s || cycles < 1) continue;
+    const std::pair<int, double> here = {std::popcount(phase.stance), phase.end_s - phase.start_s - kTime};
+    if (here <= most) continue;
+    most = {here.first, phase.end_s - phase.start_s};
+    best = {start_s, stretch.cycle_s, cycles};
+  }
+  return best;
 }
 
 }  // namespace
@@ -37,7 +59,7 @@ std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t
   const int last = std::min(w.size() - 1, static_cast<int>(std::floor((asked.end_s - w.start_s + kTime) / w.step_s)));
   const auto time = [&](int row) { return w.start_s + row * w.step_s; };
   SteadyStretch longest;
-  int begun = first;
+  int begun = first, last_row = first;
   for (int row = first; row + count <= last; ++row) {
     const bool repeats = SameStance(plan, time(row), plan, time(row + count)) &&
                          Within(SeamBetween(plan, time(row), plan, time(row + count)), within);
@@ -47,8 +69,19 @@ std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t
     }
     const int cycles = (row - begun) / count + 1;
     if (cycles > longest.cycles) longest = {time(begun), cycle_s, cycles};
+    if (longest.start_s == time(begun)) last_row = row + count;
   }
-  return longest.cycles == 0 ? std::nullopt : std::optional<SteadyStretch>(longest);
+  if (longest.cycles == 0) return std::nullopt;
+  return AtItsStance(plan, longest, time(last_row));
+}
+
+double LastLikeStart(const MotionPlan& plan, const SteadyStretch& stretch, const Seam& within) {
+  double last_s = stretch.end_s();
+  for (double at_s = last_s; at_s < plan.whole_body.end_s(); at_s += stretch.cycle_s) {
+    if (SameStance(plan, stretch.start_s, plan, at_s) && Within(SeamBetween(plan, stretch.start_s, plan, at_s), within))
+      last_s = at_s;
+  }
+  return last_s;
 }
 
 std::optional<double> SameMoment(const MotionPlan& plan, double time_s, const MotionPlan& in, const SteadyStretch& of) {
@@ -56,7 +89,7 @@ std::optional<double> SameMoment(const MotionPlan& plan, double time_s, const Mo
   std::optional<double> same;
   double least = 0.0;
   for (int row = 0; row < static_cast<int>(std::lround(of.cycle_s / step_s)); ++row) {
-    const double at_s = of.start_s + row * step_s;
+    const double at_s = of.end_s() - of.cycle_s + row * step_s;
     if (!SameStance(plan, time_s, in, at_s)) continue;
     const double worth = Worth(SeamBetween(plan, time_s, in, at_s));
     if (same && worth >= least) continue;

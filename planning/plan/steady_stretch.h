@@ -16,17 +16,21 @@ struct SteadyStretch {
   double end_s() const { return start_s + cycles * cycle_s; }
 };
 
-/// How far states a cycle apart may differ and be the same.
+/// How far states a cycle apart may differ and be the same: so little that a seam between them breaks no law.
 inline constexpr Seam kSteady = {
-    .height_m = 0.001, .tilt_rad = 0.005, .joints = 0.01, .base_rates = 0.02, .joint_rates = 0.2};
+    .height_m = 2e-4, .tilt_rad = 1e-3, .joints = 1e-3, .base_rates = 5e-3, .joint_rates = 0.05};
 
-/// The longest such stretch of a part; nothing where it has none, as where its cycle is no multiple of the plan's time
-/// step, or where it gains speed to its end.
+/// The longest such stretch of a part, from a moment at which as many feet stand as ever do; nothing where it has none,
+/// as where its cycle is no multiple of the plan's time step, or where it gains speed to its end.
 /// @throws InvalidArgument for a part that there is not.
 std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t part, const Seam& within = kSteady);
 
-/// When in a steady stretch `of` the robot does what it does at a time of another plan, as nearly as there is: the same
-/// feet are on the ground just before and after. Nothing where none has them so.
+/// The last moment of a plan, whole cycles after the start of a steady stretch of it, at which all is as it was there,
+/// as nearly as `within`: from which it is the least way to what comes next.
+double LastLikeStart(const MotionPlan& plan, const SteadyStretch& stretch, const Seam& within = kSteady);
+
+/// When in the last cycle of a steady stretch `of` the robot does what it does at a time of another plan, as nearly as
+/// there is: the same feet are on the ground just before and after. Nothing where none has them so.
 std::optional<double> SameMoment(const MotionPlan& plan, double time_s, const MotionPlan& in, const SteadyStretch& of);
 
 }  // namespace gaitwright

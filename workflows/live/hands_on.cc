@@ -47,7 +47,7 @@ void HandsOn::Nudge(int dof, double by, double until_s) {
   const std::string unit = PositionUnit(model_, dof);
   const double most = unit == "m" ? kMostShift : kMostTurn;
   if (!(std::abs(by) <= most)) throw InvalidArgument(fmt::format("this joint is moved by {} {} at most", most, unit));
-  nudged_ = Nudged{dof, by, until_s};
+  nudged_ = Nudged{dof, by, until_s, {}};
 }
 
 void HandsOn::Off() {
@@ -58,10 +58,20 @@ void HandsOn::Off() {
 
 void HandsOn::Add(const Vector3& force_W) { force_W_ = force_W_.value_or(Vector3::Zero()) + force_W; }
 
-void HandsOn::Apply(double time_s, BulletWorld& world, JointCommand& command) {
+/// Legs that stand are moved by torques alone: the joint is held by its own gains for so long.
+void HandsOn::Apply(Nudged& nudged, const BulletWorld& world, const Gains& gains, JointCommand& command) {
+  const int d = nudged.dof;
+  if (!nudged.from) nudged.from = world.q()[7 + d];
+  command.q[d] = *nudged.from + nudged.by;
+  command.v[d] = 0.0;
+  command.stiffness[d] = gains.stiffness[d];
+  command.damping[d] = gains.damping[d];
+}
+
+void HandsOn::Apply(double time_s, const Gains& gains, BulletWorld& world, JointCommand& command) {
   force_W_.reset();
   if (nudged_ && time_s >= nudged_->until_s) nudged_.reset();
-  if (nudged_) command.q[nudged_->dof] += nudged_->by;
+  if (nudged_) Apply(*nudged_, world, gains, command);
   if (pushed_ && time_s >= pushed_->until_s) pushed_.reset();
   if (pushed_) {
     world.PushBase(pushed_->force_W);

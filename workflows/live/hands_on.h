@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "playback/bullet/world.h"
+#include "playback/control/gains.h"
 
 namespace gaitwright {
 
@@ -21,14 +22,14 @@ class HandsOn {
   bool pulls() const { return pulled_.has_value(); }
   /// A force [N] on the base up to a time. @throws InvalidArgument for more than ten weights.
   void Push(const Vector3& force_W, double until_s);
-  /// Moves what a joint is told by so much [rad] or [m] up to a time: to see how it answers.
+  /// Tells a joint to be so much [rad] or [m] elsewhere up to a time, and holds it by its gains: to see how it answers.
   /// @throws InvalidArgument for no such joint, and for more than a radian or 0.3 m.
   void Nudge(int dof, double by, double until_s);
   /// Nothing of all that any more.
   void Off();
 
   /// Adds all of it to the coming step.
-  void Apply(double time_s, BulletWorld& world, JointCommand& command);
+  void Apply(double time_s, const Gains& gains, BulletWorld& world, JointCommand& command);
   /// The force of pull and push in the last step [N]; nothing where there was none.
   const std::optional<Vector3>& force_W() const { return force_W_; }
 
@@ -44,7 +45,9 @@ class HandsOn {
   struct Nudged {
     int dof = 0;
     double by = 0.0, until_s = 0.0;
+    std::optional<double> from;  ///< where it was, once it has begun
   };
+  static void Apply(Nudged& nudged, const BulletWorld& world, const Gains& gains, JointCommand& command);
   void Add(const Vector3& force_W);
 
   const RobotModel& model_;

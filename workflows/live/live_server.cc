@@ -93,6 +93,7 @@ class Page : public std::enable_shared_from_this<Page> {
     beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(patience);
     socket_.read_message_max(kLongestLiveMessage);
+    socket_.auto_fragment(false);
     socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
       if (error) return;
       if (self->shared_.greeting) self->Send(self->shared_.greeting);

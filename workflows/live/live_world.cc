@@ -89,7 +89,8 @@ LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const Pl
       first_(std::move(first)),
       stream_(first_.plan),
       world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world),
-      hands_(model) {
+      hands_(model),
+      gains_(DeriveGains(model, play.gains)) {
   Reset();
 }
 
@@ -121,7 +122,7 @@ void LiveWorld::Step() {
   const auto most = static_cast<std::size_t>(std::lround(Shown(stream_.plan()) / step_s()));
   while (history_.size() > most) history_.pop_front();
   command_ = mode_ == LiveMode::kFallen ? Damping() : controller_->Update(history_.back());
-  hands_.Apply(time_s_, world_, command_);
+  hands_.Apply(time_s_, gains_, world_, command_);
   world_.Step(command_);
   AddToMeans();
   time_s_ += step_s();
@@ -245,7 +246,7 @@ Vector3 LiveWorld::FootOffset() const {
 JointCommand LiveWorld::Damping() const {
   const auto n = static_cast<Eigen::Index>(model_.num_dofs());
   const VectorX none = VectorX::Zero(n);
-  return {world_.q().tail(n), none, none, none, DeriveGains(model_, play_.gains).damping};
+  return {world_.q().tail(n), none, none, none, gains_.damping};
 }
 
 void LiveWorld::Watch() {
@@ -346,6 +347,7 @@ void LiveWorld::SetControl(const StabilisedOptions& stabilised, const GainOption
   changed.gains = gains;
   CheckOptions(changed.Fields());
   play_ = std::move(changed);
+  gains_ = DeriveGains(model_, play_.gains);
   if (mode_ == LiveMode::kWalks || mode_ == LiveMode::kStands) TakeControl();
 }
 

@@ -106,6 +106,7 @@ class LiveWorld {
   WalkStream stream_;
   BulletWorld world_;
   HandsOn hands_;
+  Gains gains_;
   std::unique_ptr<MotionPlan> followed_;  ///< what the controller follows
   std::unique_ptr<Controller> controller_;
   JointCommand command_;

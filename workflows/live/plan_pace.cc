@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "kinematics/spatial/rotation.h"
 #include "planning/gait/read_sequence.h"
 #include "planning/plan/built_in_terrain.h"
+#include "planning/plan/sample_plan.h"
 #include "workflows/live/walk_stream.h"
 #include "workflows/walk/plan_parts.h"
 
@@ -25,9 +29,10 @@ AskedPart PartOf(const Pace& pace, double duration_s) {
 }
 
 /// A turn in whole cycles, no quicker than that.
-AskedPart TurnOf(Pace pace, double turn_rad, double quickest_rad_s, double cycle_s) {
+/// @param asked_rad  what is asked for so that it turns by `turn_rad`.
+AskedPart TurnOf(Pace pace, double turn_rad, double asked_rad, double quickest_rad_s, double cycle_s) {
   const double cycles = std::ceil(std::abs(turn_rad) / (quickest_rad_s * cycle_s));
-  pace.yaw_rate_rad_s = turn_rad / (cycles * cycle_s);
+  pace.yaw_rate_rad_s = asked_rad / (cycles * cycle_s);
   return PartOf(pace, cycles * cycle_s);
 }
 
@@ -39,32 +44,64 @@ std::optional<PacePlan> Steady(MotionPlan plan, bool from_stand) {
   return PacePlan{std::move(plan), before, *stretch};
 }
 
+/// Parts of the walk: the pace that it comes from, the turn, and its own.
+/// @param asked_rad  of the turn.
+Result<std::vector<AskedPart>> PartsOf(const RobotModel& model, const PaceChange& change, double asked_rad,
+                                       double scale, const GaitOptions& options) {
+  constexpr double kBefore = 8.0, kCycles = 10.0;
+  constexpr double kQuickTurn = 0.7;  // of the robot's own speed at a leg's length
+  const double quickest = kQuickTurn * model.nominal_speed_m_s / model.leg_length_m();
+  std::vector<AskedPart> parts;
+  for (const bool first : {true, false}) {
+    const Pace& pace = first ? change.from : change.to;
+    if (pace.stands()) continue;
+    const double speed = std::hypot(pace.speed_m_s, pace.lateral_speed_m_s);
+    const Result<Gait> gait = FindGait(model, pace.gait, speed, options);
+    if (!gait) return gait.failure();
+    if (!first && change.turn_rad != 0.0)
+      parts.push_back(TurnOf(pace, change.turn_rad, asked_rad, quickest, gait->cycle_s));
+    parts.push_back(PartOf(pace, scale * (first ? kBefore : kCycles) * gait->cycle_s));
+  }
+  return parts;
+}
+
+double HeadingAt(const MotionPlan& plan, double time_s) {
+  WholeBodySample sample;
+  SampleWholeBody(plan.whole_body, time_s, sample);
+  return YawOf(BaseRotation(sample.q));
+}
+
+/// By how much a plan turns less than it was to.
+double MissingTurn(const PacePlan& pace, double turn_rad) {
+  const double from_s = pace.before ? pace.before->start_s : pace.plan.whole_body.start_s;
+  const double turned = HeadingAt(pace.plan, pace.stretch.start_s) - HeadingAt(pace.plan, from_s);
+  return std::remainder(turn_rad - turned, 2.0 * std::numbers::pi);
+}
+
 }  // namespace
 
 Result<PacePlan> PlanPace(const RobotModel& model, const PaceChange& change, const WalkRequest& usual) {
-  constexpr double kBefore = 8.0, kCycles = 10.0, kMore = 2.0;
-  constexpr double kQuickTurn = 0.7;  // of the robot's own speed at a leg's length
-  constexpr int kTries = 2;
+  constexpr int kTries = 4;
+  constexpr double kMore = 1.7, kTurned = 0.01;  // cycles of the next try, [rad]
   WalkRequest request = usual;
   request.gait_options.cycle_step_s = request.motion.pipeline.grid_step_s;
   const Result<Terrain> level = MakeTerrain("flat", {});
   if (!level) return level.failure();
-  const double quickest = kQuickTurn * model.nominal_speed_m_s / model.leg_length_m();
-  double scale = 1.0;
-  for (int tries = 0; tries < kTries; ++tries, scale *= kMore) {
-    std::vector<AskedPart> parts;
-    for (const bool first : {true, false}) {
-      const Pace& pace = first ? change.from : change.to;
-      if (pace.stands()) continue;
-      const double speed = std::hypot(pace.speed_m_s, pace.lateral_speed_m_s);
-      const Result<Gait> gait = FindGait(model, pace.gait, speed, request.gait_options);
-      if (!gait) return gait.failure();
-      if (!first && change.turn_rad != 0.0) parts.push_back(TurnOf(pace, change.turn_rad, quickest, gait->cycle_s));
-      parts.push_back(PartOf(pace, scale * (first ? kBefore : kCycles) * gait->cycle_s));
-    }
-    Result<PlannedWalk> planned = PlanPartsWithin(model, *level, request, parts);
+  double scale = 1.0, asked_rad = change.turn_rad;
+  for (int tries = 0; tries < kTries; ++tries) {
+    const Result<std::vector<AskedPart>> parts = PartsOf(model, change, asked_rad, scale, request.gait_options);
+    if (!parts) return parts.failure();
+    Result<PlannedWalk> planned = PlanPartsWithin(model, *level, request, *parts);
     if (!planned) return planned.failure();
-    if (auto steady = Steady(std::move(planned->motion.plan), change.from.stands())) return std::move(*steady);
+    auto steady = Steady(std::move(planned->motion.plan), change.from.stands());
+    if (!steady) {
+      scale *= kMore;
+      continue;
+    }
+    // Turning begins and ends gently, so that a part turns less than its rate times its time.
+    const double missing = change.turn_rad == 0.0 ? 0.0 : MissingTurn(*steady, change.turn_rad);
+    if (std::abs(missing) < kTurned) return std::move(*steady);
+    asked_rad += missing;
   }
   return Failure{FailureKind::kInfeasible,
                  "not_steady",

@@ -119,7 +119,7 @@ std::optional<Failure> WalkStream::GoOver(double earliest_s, const Pace& pace, c
 void WalkStream::Stop(double earliest_s) {
   if (stops()) return;
   const double at_s = MomentFrom(earliest_s);
-  Result<MotionPlan> joined = JoinedPlans(plan_, at_s, source_->plan, source_->stretch.end_s());
+  Result<MotionPlan> joined = JoinedPlans(plan_, at_s, source_->plan, LastLikeStart(source_->plan, source_->stretch));
   if (joined) plan_ = std::move(*joined);
   pace_ = {.gait = "stand"};
   source_.reset();

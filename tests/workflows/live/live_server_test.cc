@@ -26,10 +26,12 @@ class Server : public testing::Test {
     EXPECT_EQ(client->Hear(), "hello");
     return client;
   }
-  /// What was said, once something was.
-  std::vector<LiveSaying> Taken() const {
+  /// What was said, once something was; or which page left.
+  std::vector<LiveSaying> Taken(bool left = false) const {
     for (int tries = 0; tries < 500; ++tries) {
-      if (auto taken = server_->Take(); !taken.empty()) return taken;
+      auto taken = server_->Take();
+      std::erase_if(taken, [&](const LiveSaying& saying) { return saying.left != left; });
+      if (!taken.empty()) return taken;
       std::this_thread::sleep_for(milliseconds(10));
     }
     return {};
@@ -87,14 +89,14 @@ TEST_F(Server, TellsWhichPageLeft) {
   page->Say("here");
   const auto number = Taken()[0].page;
   page.reset();
-  const auto taken = Taken();
+  const auto taken = Taken(true);
   ASSERT_EQ(taken.size(), 1U);
-  EXPECT_TRUE(taken[0].left);
   EXPECT_EQ(taken[0].page, number);
 }
 
 TEST_F(Server, GarbageAndWhatIsTooLongCloseTheirOwnPageAlone) {
-  const auto good = Opened(), garbage = Opened(), large = Opened(), cut = Opened();
+  const auto good = Opened(), cut = Opened();
+  auto garbage = Opened(), large = Opened();
   garbage->SendRaw(std::string(300, '\xff'));
   EXPECT_EQ(garbage->Hear(), std::nullopt);
   large->Say(std::string(kLongestLiveMessage + 1, 'a'));
@@ -102,6 +104,8 @@ TEST_F(Server, GarbageAndWhatIsTooLongCloseTheirOwnPageAlone) {
   cut->SendRaw("\x81");
   SocketClient(server_->port()).SendRaw("no HTTP at all\r\n\r\n");
   SocketClient(server_->port()).SendRaw("GET / HTTP/1.1\r\nX: " + std::string(100000, 'x'));
+  garbage.reset();
+  large.reset();
   WaitForPages(2);
   good->Say(std::string(kLongestLiveMessage, 'b'));
   const auto taken = Taken();

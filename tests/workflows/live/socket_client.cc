@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 namespace gaitwright {
 namespace {
@@ -69,16 +70,17 @@ std::string SocketClient::Get(const std::string& path, const std::string& header
   SendRaw("GET " + path + " HTTP/1.1\r\n" + header + "\r\n");
   const auto until = Clock::now() + std::chrono::seconds(10);
   std::size_t end;
-  while ((end = read_.find("\r\n\r\n")) == std::string::npos && Fill(until)) {
-  }
+  while ((end = read_.find("\r\n\r\n")) == std::string::npos && Fill(until)) continue;
   if (read_.find(" 101 ") < 20) {
     const std::string answer = read_.substr(0, end + 4);
     read_.erase(0, end + 4);
     return answer;
   }
-  while (Fill(until)) {
-  }
-  return std::move(read_);
+  const std::size_t length = read_.find("Content-Length: ");
+  const std::size_t whole =
+      end + 4 + (length < end ? static_cast<std::size_t>(std::stoul(read_.substr(length + 16, 20))) : 0);
+  while (read_.size() < whole && Fill(until)) continue;
+  return std::exchange(read_, "");
 }
 
 int SocketClient::Open(const std::string& path, const std::string& origin, const std::string& host) {

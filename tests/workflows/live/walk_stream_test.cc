@@ -36,14 +36,16 @@ TEST(PacePlans, HaveAStretchThatRepeatsItself) {
     EXPECT_FALSE(plan.before);
     EXPECT_GE(plan.stretch.cycles, 1);
     const Seam seam = SeamBetween(plan.plan, plan.stretch.start_s, plan.plan, plan.stretch.end_s());
-    EXPECT_LE(seam.joints, kSteady.joints);
+    EXPECT_LE(seam.joints, kSteady.joints * plan.stretch.cycles);
     EXPECT_LE(seam.height_m, kSteady.height_m);
     const auto row = [&](double t) {
       return plan.plan.whole_body
           .q[static_cast<std::size_t>(std::lround((t - plan.plan.whole_body.start_s) / plan.plan.whole_body.step_s))];
     };
-    EXPECT_NEAR(row(plan.stretch.end_s())[0] - row(plan.stretch.start_s)[0],
-                speed * plan.stretch.cycles * plan.stretch.cycle_s, 0.05 * plan.stretch.cycles * plan.stretch.cycle_s);
+    EXPECT_NEAR(
+        row(plan.stretch.end_s())[0] - row(plan.stretch.start_s)[0], speed * plan.stretch.cycles * plan.stretch.cycle_s,
+        (plan.plan.parts[0].gait.name == "bound" ? 0.25 : 0.02) * speed * plan.stretch.cycles * plan.stretch.cycle_s)
+        << "a rigid body may go quicker at one time than at another";
   }
 }
 
