@@ -25,16 +25,18 @@ std::vector<MetricSpread> Spreads(const TrialSubject& subject, const std::vector
   std::vector<MetricSpread> spreads;
   for (const MetricRule& rule : MetricRules()) {
     std::vector<double> values;
+    bool gated = false;
     MetricSpread spread{rule.key, rule.unit};
     for (const TrialOutcome& outcome : outcomes) {
       for (const auto& [key, value] : outcome.metrics) {
         if (key == rule.key && value) values.push_back(*value);
       }
+      gated |= std::count(outcome.gates.begin(), outcome.gates.end(), rule.key) > 0;
       spread.broken += static_cast<int>(std::count(outcome.broken_gates.begin(), outcome.broken_gates.end(), rule.key));
     }
     if (values.empty()) continue;
     for (const auto& [key, limit] : subject.limits) {
-      if (key == rule.key) spread.limit = limit;
+      if (gated && key == rule.key) spread.limit = limit;
     }
     std::sort(values.begin(), values.end());
     spread.n = static_cast<int>(values.size());

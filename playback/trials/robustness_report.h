@@ -20,7 +20,7 @@ struct MetricSpread {
   std::string key = {}, unit = {};
   int n = 0;  ///< trials that have it
   double lowest = 0.0, p05 = 0.0, median = 0.0, p95 = 0.0, highest = 0.0;
-  std::optional<double> limit = {};  ///< of its gate
+  std::optional<double> limit = {};  ///< of its gate, where it applied in any trial
   int broken = 0;                    ///< trials that broke the gate
 
   bool operator==(const MetricSpread&) const = default;

@@ -103,6 +103,7 @@ TrialOutcome OutcomeOf(int number, const SampledTrial& trial, const PlaybackLog&
   outcome.sampled = trial.values;
   for (const Metric& metric : report.metrics) {
     outcome.metrics.emplace_back(metric.key, metric.value);
+    if (metric.applied) outcome.gates.push_back(metric.key);
     if (!metric.pass) outcome.broken_gates.push_back(metric.key);
   }
   return outcome;
@@ -111,12 +112,19 @@ TrialOutcome OutcomeOf(int number, const SampledTrial& trial, const PlaybackLog&
 std::string OutcomeToLine(const TrialOutcome& o) {
   Json metrics = Json::array();
   for (const auto& [key, value] : o.metrics) metrics.push_back({key, value ? Json(*value) : Json()});
-  const Json line = {{"number", o.number},         {"seed", o.seed},
-                     {"survived", o.survived},     {"passed", o.passed},
-                     {"score", o.score},           {"ended_s", o.ended_s},
-                     {"cause", o.cause},           {"reason", o.reason},
-                     {"log_hash", o.log_hash},     {"sampled", SampledJson(o.sampled)},
-                     {"metrics", metrics},         {"broken_gates", o.broken_gates},
+  const Json line = {{"number", o.number},
+                     {"seed", o.seed},
+                     {"survived", o.survived},
+                     {"passed", o.passed},
+                     {"score", o.score},
+                     {"ended_s", o.ended_s},
+                     {"cause", o.cause},
+                     {"reason", o.reason},
+                     {"log_hash", o.log_hash},
+                     {"sampled", SampledJson(o.sampled)},
+                     {"metrics", metrics},
+                     {"gates", o.gates},
+                     {"broken_gates", o.broken_gates},
                      {"steps", StepsJson(o.steps)}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -143,6 +151,7 @@ TrialOutcome OutcomeFromLine(const std::string& line) {
           metric.at(0).get<std::string>(),
           value.is_null() ? std::nullopt : std::optional<double>(In("metric", value.get<double>(), -kMost, kMost)));
     }
+    o.gates = j.at("gates").get<std::vector<std::string>>();
     o.broken_gates = j.at("broken_gates").get<std::vector<std::string>>();
     o.steps = StepsFrom(j.at("steps"));
     return o;

@@ -27,7 +27,8 @@ struct TrialOutcome {
   std::string log_hash;  ///< of all samples of its log: the same again when it is repeated
   std::vector<SampledValue> sampled;
   std::vector<std::pair<std::string, std::optional<double>>> metrics;  ///< by key, in the order of MetricRules
-  std::vector<std::string> broken_gates;                               ///< keys
+  std::vector<std::string> gates;                                      ///< keys of those that applied
+  std::vector<std::string> broken_gates;                               ///< and of these, keys of those not kept
   std::vector<GaitStep> steps;                                         ///< of a trial that survived, else none
 
   bool operator==(const TrialOutcome&) const = default;

@@ -17,6 +17,7 @@ struct ComparedSeries {
   std::string quantity, unit;
   SeriesScale scale = SeriesScale::kLength;
   std::vector<double> a, b;
+  double resolution = 0.0;              ///< the coarser of the two sides', of a position that is measured
   std::vector<double> noise_gain = {};  ///< of a speed that is worked out: by what the noise of positions counts [1/s]
 };
 

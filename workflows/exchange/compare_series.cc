@@ -70,10 +70,12 @@ class Side {
   double time_s_ = 0.0, noise_gain_ = 0.0;
 };
 
-std::vector<ComparedSeries> EmptySeries(const RobotModel& model, const SharedTime& shared) {
+std::vector<ComparedSeries> EmptySeries(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared) {
+  const RobotModel& model = a.model;
   std::vector<ComparedSeries> series;
   for (const NamedPair& joint : shared.joints) {
     series.push_back({"position of " + joint.name, PositionUnit(model, joint.a), SeriesScale::kPosition, {}, {}});
+    series.back().resolution = std::max(a.ResolutionOf(joint.a), b.ResolutionOf(joint.b));
     series.push_back({"speed of " + joint.name, SpeedUnit(model, joint.a), SeriesScale::kSpeed, {}, {}});
     series.push_back({"torque of " + joint.name, EffortUnit(model, joint.a), SeriesScale::kTorque, {}, {}});
   }
@@ -118,14 +120,15 @@ double ScaleOf(const ComparedSeries& one, const std::vector<ComparedSeries>& all
   return Weight(one.scale) * std::max(SpanOf(one), kLeastOfSpan * largest);
 }
 
-/// The noise on B - A, as far as the two go together.
+/// The noise on B - A, as far as the two go together; at least that of rounding to the steps of an encoder, which a
+/// joint that mostly stands still does not show.
 double NoiseBetween(const ComparedSeries& series) {
   std::vector<double> gaps;
   for (std::size_t k = 0; k < series.a.size(); ++k) {
     const double gap = series.b[k] - series.a[k];
     if (std::isfinite(gap)) gaps.push_back(gap);
   }
-  return NoiseOf(gaps);
+  return std::max(NoiseOf(gaps), series.resolution / std::sqrt(12.0));
 }
 
 /// @param noise  standard deviation; of a speed that is worked out that of the positions.
@@ -161,7 +164,7 @@ SeriesDifference DifferenceOf(const ComparedSeries& series, const std::vector<do
 }  // namespace
 
 std::vector<ComparedSeries> SeriesOf(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared) {
-  std::vector<ComparedSeries> series = EmptySeries(a.model, shared);
+  std::vector<ComparedSeries> series = EmptySeries(a, b, shared);
   Side of_a(a), of_b(b);
   std::size_t next = 0;
   const auto add = [&](double value_a, double value_b) {

@@ -133,12 +133,38 @@ ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, 
   motion.derived_speeds.assign(static_cast<std::size_t>(model.num_dofs()), table.v.empty());
   for (int d = 0; d < model.num_dofs() && !table.v.empty(); ++d)
     motion.derived_speeds[static_cast<std::size_t>(d)] = !std::isfinite(table.v.front()[d]);
+  motion.resolution = VectorX::Zero(model.num_dofs());
+  for (Eigen::Index d = 0; d < motion.resolution.size(); ++d) {
+    std::vector<double> positions;
+    for (const VectorX& q : table.q) positions.push_back(q[d]);
+    motion.resolution[d] = ResolutionOf(positions);
+  }
   rows.tau = table.tau;
   rows.contact = table.contact;
   if (rows.contact.empty()) return motion;
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot)
     motion.stances.push_back(IntervalsOfRows(rows, foot));
   return motion;
+}
+
+double ResolutionOf(const std::vector<double>& positions) {
+  constexpr std::size_t kFewest = 16;
+  constexpr double kAligned = 1e-3;  // of a step
+  std::vector<double> steps;
+  double lowest = INFINITY, highest = -INFINITY;
+  for (std::size_t k = 1; k < positions.size(); ++k) {
+    const double step = std::abs(positions[k] - positions[k - 1]);
+    if (!std::isfinite(step) || step == 0.0) continue;
+    steps.push_back(step);
+    lowest = std::min(lowest, positions[k]);
+    highest = std::max(highest, positions[k]);
+  }
+  if (steps.size() < kFewest) return 0.0;
+  const double least = *std::min_element(steps.begin(), steps.end());
+  for (const double step : steps) {
+    if (std::abs(step / least - std::round(step / least)) > kAligned) return 0.0;
+  }
+  return highest - lowest > kFewest * least ? least : 0.0;
 }
 
 Result<ComparedMotion> CheckedTable(const RobotModel& model, const ImportOptions& options, const MotionTable& table,

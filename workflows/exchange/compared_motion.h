@@ -21,6 +21,7 @@ struct ComparedMotion {
   MotionRows rows = {};                                    ///< on its own clock; what it does not say is not a number
   std::vector<std::vector<ContactInterval>> stances = {};  ///< by foot; empty where nothing is known of contacts
   double torque_age_s = 0.0;                               ///< how far before a row its torque holds: means are late
+  VectorX resolution = {};                                 ///< by dof: steps of the encoder; 0 for none that is seen
   std::vector<bool> derived_speeds = {};                   ///< by dof: worked out from positions; empty for none
   std::vector<std::string> notes = {};                     ///< how it was understood, where that is not plain
 
@@ -28,12 +29,17 @@ struct ComparedMotion {
   double end_s() const { return rows.time_s.back(); }
   /// Whether it was measured, on a clock of its own and with noise, rather than planned or played here.
   bool foreign() const { return !plan && !log; }
+  double ResolutionOf(int dof) const { return dof < resolution.size() ? resolution[dof] : 0.0; }
   bool derives_speed(int dof) const { return !derived_speeds.empty() && derived_speeds[static_cast<std::size_t>(dof)]; }
 };
 
 /// @throws InvalidArgument where plan, log or table do not fit the robot, or have no rows.
 ComparedMotion ComparedPlan(const RobotModel& model, const MotionPlan& plan, const std::string& name);
 ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, const std::string& name);
+
+/// The step [rad or m] that measured positions are whole multiples of; 0 for fewer than 16 steps, or positions that
+/// span fewer, as of a joint that stands still but for a jump.
+double ResolutionOf(const std::vector<double>& positions);
 
 /// Columns of numbers. Speeds that are not given are those of the parabola through each row and its neighbours, at an
 /// end of the line through two; one that comes out beyond kLargestDerived is refused.

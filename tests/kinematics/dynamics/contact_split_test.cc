@@ -8,6 +8,7 @@
 #include <random>
 
 #include "kinematics/base/result.h"
+#include "tests/kinematics/drawn.h"
 
 namespace gaitwright {
 namespace {
@@ -137,12 +138,13 @@ TEST(ContactSplit, ComesAsNearAsForcesInTheConesCan) {
     std::vector<ContactPoint> contacts;
     const int count = trial % 3 == 0 ? 2 : trial % 3 == 1 ? 4 : 8;
     for (int i = 0; i < count; ++i) {
-      contacts.push_back({0.2 * Vector3(normal(engine), normal(engine), 0.1 * normal(engine)), Vector3::UnitZ(), 0.6,
-                          std::pow(10.0, 2.0 * uniform(engine))});
+      const Vector3 place = Vector3(0.2, 0.2, 0.02).cwiseProduct(Drawn<Vector3>(normal, engine));
+      contacts.push_back({place, Vector3::UnitZ(), 0.6, std::pow(10.0, 2.0 * uniform(engine))});
     }
-    const PointWrench wanted = {0.1 * Vector3(normal(engine), normal(engine), 3.0),
-                                Vector3(20.0 * normal(engine), 20.0 * normal(engine), 100.0 * uniform(engine)),
-                                3.0 * Vector3(normal(engine), normal(engine), normal(engine))};
+    const Vector2 place = 0.1 * Drawn<Vector2>(normal, engine), sideways = 20.0 * Drawn<Vector2>(normal, engine);
+    const PointWrench wanted = {Vector3(place.x(), place.y(), 0.3),
+                                Vector3(sideways.x(), sideways.y(), 100.0 * uniform(engine)),
+                                3.0 * Drawn<Vector3>(normal, engine)};
     ContactSplit split;
     ContactSplitter().Solve(contacts, wanted, split);
     const Nearest nearest(contacts);

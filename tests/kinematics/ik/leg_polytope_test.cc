@@ -10,6 +10,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/spatial/rotation.h"
+#include "tests/kinematics/drawn.h"
 #include "tests/kinematics/made_robots.h"
 #include "tests/unusual_robots.h"
 
@@ -134,7 +135,7 @@ TEST(LegPolytope, TheKneeStaysAboveTheGround) {
     double least = tried.farthest_m;
     for (int i = 0; i < 1000; ++i) {
       Pose pose = tried.workspace.standing();
-      pose.translation() += tried.farthest_m * Vector3(unit(engine), unit(engine), unit(engine));
+      pose.translation() += tried.farthest_m * Drawn<Vector3>(unit, engine);
       if (tried.workspace.Reaches(pose)) least = std::min(least, lowest(pose));
     }
     EXPECT_LT(least, 0.0) << "the leg alone would take it there";

@@ -9,6 +9,7 @@
 
 #include "kinematics/base/result.h"
 #include "kinematics/spatial/rotation.h"
+#include "tests/kinematics/drawn.h"
 #include "tests/kinematics/made_robots.h"
 
 namespace gaitwright {
@@ -23,8 +24,8 @@ std::vector<Pose> PosesAround(const Pose& X_BF, double leg_m, int count) {
   std::vector<Pose> poses;
   for (int i = 0; i < count; ++i) {
     Pose pose = X_BF;
-    pose.translation() += leg_m / 3.0 * Vector3(unit(engine), unit(engine), unit(engine));
-    pose.linear() = RotationExp(0.25 * Vector3(unit(engine), unit(engine), 1.5 * unit(engine))) * X_BF.linear();
+    pose.translation() += leg_m / 3.0 * Drawn<Vector3>(unit, engine);
+    pose.linear() = RotationExp(Vector3(0.25, 0.25, 0.375).cwiseProduct(Drawn<Vector3>(unit, engine))) * X_BF.linear();
     poses.push_back(pose);
   }
   return poses;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "kinematics/base/result.h"
+#include "tests/kinematics/drawn.h"
 
 namespace gaitwright {
 namespace {
@@ -15,7 +16,7 @@ TEST(Polygon, HullHoldsItsPointsAndTurnsLeft) {
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<Vector2> points;
-    for (int i = 0; i < 20; ++i) points.emplace_back(normal(engine), normal(engine));
+    for (int i = 0; i < 20; ++i) points.push_back(Drawn<Vector2>(normal, engine));
     const Polygon hull = ConvexHull(points);
     ASSERT_GE(hull.size(), 3U);
     EXPECT_GT(Area(hull), 0.0);
@@ -60,7 +61,7 @@ TEST(Polygon, SegmentsAndPointsHaveNoInside) {
 Polygon RandomPolygon(std::mt19937& engine) {
   std::normal_distribution<double> normal;
   std::vector<Vector2> points;
-  for (int i = 0; i < 8; ++i) points.emplace_back(normal(engine), normal(engine));
+  for (int i = 0; i < 8; ++i) points.push_back(Drawn<Vector2>(normal, engine));
   return ConvexHull(points);
 }
 

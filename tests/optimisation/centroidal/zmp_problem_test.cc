@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "tests/kinematics/drawn.h"
 #include "tests/optimisation/centroidal/walking_problem.h"
 
 namespace gaitwright {
@@ -14,7 +15,7 @@ std::vector<Vector2> AnyZmp(const ZmpProblem& problem, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
   std::vector<Vector2> p_WZ;
-  for (int k = 0; k < problem.samples; ++k) p_WZ.emplace_back(uniform(random), uniform(random));
+  for (int k = 0; k < problem.samples; ++k) p_WZ.push_back(Drawn<Vector2>(uniform, random));
   return p_WZ;
 }
 

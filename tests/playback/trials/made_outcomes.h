@@ -33,6 +33,7 @@ inline std::vector<TrialOutcome> Outcomes(int n, double fatal_n) {
                  {"push1.duration_s", "s", 0.1, ""},
                  {"push1.place", "", 0.0, i % 2 == 0 ? "base" : "robot"}};
     o.metrics = {{"fell", o.survived ? 0.0 : 1.0}, {"goal_error_m", 0.001 * i}, {"slip_max_step_m", std::nullopt}};
+    o.gates = {"fell", "goal_error_m"};
     if (!o.passed) o.broken_gates = {o.survived ? "goal_error_m" : "fell"};
     outcomes.push_back(o);
   }

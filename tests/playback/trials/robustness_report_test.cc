@@ -52,6 +52,14 @@ TEST(RobustnessReportTest, SpreadsAreThoseOfTheValues) {
   EXPECT_EQ(goal.broken, report.broken_gates[0].count);
 }
 
+TEST(RobustnessReportTest, AGateThatNoTrialHadHasNoLimit) {
+  std::vector<TrialOutcome> outcomes = made::Outcomes(21, 25.0);
+  for (TrialOutcome& outcome : outcomes) std::erase(outcome.gates, "goal_error_m");
+  EXPECT_EQ(ReduceTrials(made::Subject(), outcomes).metrics[1].limit, std::nullopt);
+  outcomes[4].gates.push_back("goal_error_m");
+  EXPECT_EQ(ReduceTrials(made::Subject(), outcomes).metrics[1].limit, 0.05);
+}
+
 TEST(RobustnessReportTest, PushesByDirection) {
   std::vector<TrialOutcome> outcomes = made::Outcomes(200, 25.0);
   const RobustnessReport report = ReduceTrials(made::Subject(), outcomes);

@@ -21,6 +21,7 @@ struct Logger {
   double rate_hz = 200.0, ahead_s = 0.0;
   double noise_m = 0.0;           ///< of positions, standard deviation
   double fault_m = 0.0;           ///< by which one joint is off from kFault_s on
+  double step_m = 0.0;            ///< to which positions are rounded
   bool gives_speeds = false;      ///< with noise of their own
   double speed_noise_m_s = 0.05;  ///< standard deviation
 };
@@ -44,6 +45,7 @@ ComparedMotion RobotSide(const synthetic::Played& walker, const Logger& logger) 
       v[d] += logger.speed_noise_m_s * normal(random);
     }
     if (rows.time_s[k] > kFault_s - 1e-9) q[kFaulty] += logger.fault_m;
+    if (logger.step_m > 0.0) q = logger.step_m * (q / logger.step_m).array().round();
     table.q.push_back(q);
     if (logger.gives_speeds) table.v.push_back(v);
   }
@@ -70,6 +72,33 @@ TEST(CompareNoise, OfARobotThatDoesAsPlannedIsNoDifference) {
     EXPECT_FALSE(CompareMotions(PlanSide(walker), RobotSide(walker, logger), {.tolerance = 0.0}).same())
         << "without a tolerance nothing is let pass";
   }
+}
+
+TEST(CompareNoise, StepsOfEncodersAreNoDifference) {
+  const synthetic::Played walker = Walker();
+  const Logger logger{.ahead_s = 37.25, .step_m = 0.002};
+  const ComparedMotion robot = RobotSide(walker, logger);
+  EXPECT_NEAR(robot.ResolutionOf(kFaulty), 0.002, 1e-12);
+  const MotionComparison c = CompareMotions(PlanSide(walker), robot);
+  EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
+  EXPECT_GE(c.joints[kFaulty].position.noise, 0.002 / std::sqrt(12.0) - 1e-12);
+}
+
+TEST(Resolution, IsTheStepThatPositionsAreMultiplesOf) {
+  std::vector<double> steps, noisy, jump(100, 0.3), flaps(100, 0.3);
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 1e-4);
+  for (int k = 0; k < 100; ++k) {
+    steps.push_back(0.002 * std::round(std::max(0.0, 0.1 * std::sin(0.1 * k)) / 0.002));
+    noisy.push_back(steps.back() + noise(random));
+    if (k > 60) jump[static_cast<std::size_t>(k)] = 0.4;
+    if (k % 4 < 2) flaps[static_cast<std::size_t>(k)] = 0.4;
+  }
+  EXPECT_NEAR(ResolutionOf(steps), 0.002, 1e-12);
+  EXPECT_EQ(ResolutionOf(noisy), 0.0);
+  EXPECT_EQ(ResolutionOf(jump), 0.0) << "a fault is no step of an encoder";
+  EXPECT_EQ(ResolutionOf(flaps), 0.0);
+  EXPECT_EQ(ResolutionOf({}), 0.0);
 }
 
 TEST(CompareNoise, AFaultIsNamedBeforeWhatNoiseAndDerivativesMakeOfIt) {
