@@ -27,7 +27,7 @@ Json List(const Numbers& numbers) {
   return list;
 }
 
-Json PaceJson(const Pace& pace) {
+Json PaceJson(const WalkPace& pace) {
   return {{"gait", pace.gait},
           {"speed_m_s", pace.speed_m_s},
           {"lateral_speed_m_s", pace.lateral_speed_m_s},

@@ -21,10 +21,10 @@ LiveRequest ReadPace(const JsonPart& m, const RobotModel&) {
   constexpr double kFastest = 20.0, kQuickestTurn = 20.0;
   m.Object({"do", "gait"}, {"speed_m_s", "lateral_speed_m_s", "yaw_rate_rad_s"});
   const auto number = [&](const char* key, double most) { return m.Has(key) ? m.At(key).NumberIn(-most, most) : 0.0; };
-  const Pace pace = {.gait = m.At("gait").Text(),
-                     .speed_m_s = number("speed_m_s", kFastest),
-                     .lateral_speed_m_s = number("lateral_speed_m_s", kFastest),
-                     .yaw_rate_rad_s = number("yaw_rate_rad_s", kQuickestTurn)};
+  const WalkPace pace = {.gait = m.At("gait").Text(),
+                         .speed_m_s = number("speed_m_s", kFastest),
+                         .lateral_speed_m_s = number("lateral_speed_m_s", kFastest),
+                         .yaw_rate_rad_s = number("yaw_rate_rad_s", kQuickestTurn)};
   return [pace](LiveWorld& live, LiveClock&) { live.Ask(pace); };
 }
 

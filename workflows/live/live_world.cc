@@ -45,8 +45,8 @@ std::string TextOf(const PaceChange& change) {
   return text;
 }
 
-Pace Usual(const RobotModel& model, const GaitOptions& options) {
-  Pace pace;
+WalkPace Usual(const RobotModel& model, const GaitOptions& options) {
+  WalkPace pace;
   const Result<Gait> gait = FindGait(model, "", model.nominal_speed_m_s, options);
   if (gait) pace.gait = gait->name;
   pace.speed_m_s = model.nominal_speed_m_s;
@@ -144,12 +144,12 @@ ControlInput LiveWorld::Measured() const {
 }
 
 /// What the robot is to do next; nothing for what it does.
-void LiveWorld::Want(const std::optional<Pace>& pace, const std::optional<double>& heading_rad) {
+void LiveWorld::Want(const std::optional<WalkPace>& pace, const std::optional<double>& heading_rad) {
   wanted_ = pace;
   wanted_heading_rad_ = heading_rad;
 }
 
-void LiveWorld::Ask(const Pace& pace) {
+void LiveWorld::Ask(const WalkPace& pace) {
   if (mode_ == LiveMode::kFallen || mode_ == LiveMode::kPosed) return;
   Want(pace);
   if (!pace.stands()) return StartPlanning();
@@ -164,7 +164,7 @@ void LiveWorld::AskHeading(double heading_rad) {
     notes_.emplace_back("turns to a heading while it walks");
     return;
   }
-  Pace straight = stream_.pace();
+  WalkPace straight = stream_.pace();
   straight.yaw_rate_rad_s = 0.0;
   Want(straight, heading_rad);
   StartPlanning();

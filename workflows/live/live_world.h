@@ -46,7 +46,7 @@ class LiveWorld {
   void Step();
 
   /// Goes over into that pace as soon as it is planned; a later one takes the place of one that is being planned.
-  void Ask(const Pace& pace);
+  void Ask(const WalkPace& pace);
   /// Turns to that heading and goes on straight, as fast as now. Standing or down it does nothing but say so.
   void AskHeading(double heading_rad);
   /// Stands at the origin again, at time 0.
@@ -67,11 +67,11 @@ class LiveWorld {
   double time_s() const { return time_s_; }
   double step_s() const { return play_.play.world.step_s; }
   LiveMode mode() const { return mode_; }
-  const Pace& pace() const { return stream_.pace(); }
+  const WalkPace& pace() const { return stream_.pace(); }
   /// The pace that is being planned, if any.
-  const std::optional<Pace>& wanted() const { return wanted_; }
+  const std::optional<WalkPace>& wanted() const { return wanted_; }
   /// The robot's own.
-  const Pace& usual_pace() const { return usual_pace_; }
+  const WalkPace& usual_pace() const { return usual_pace_; }
   /// How the present slope turns the ground.
   Pose ground_tilt() const;
   const BulletWorld& world() const { return world_; }
@@ -87,7 +87,7 @@ class LiveWorld {
 
  private:
   LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first);
-  void Want(const std::optional<Pace>& pace, const std::optional<double>& heading_rad = {});
+  void Want(const std::optional<WalkPace>& pace, const std::optional<double>& heading_rad = {});
   void StartPlanning();
   void TakeUpPlan();
   void GoOn();
@@ -101,7 +101,7 @@ class LiveWorld {
   const RobotModel& model_;
   const WalkRequest usual_;
   PlayRequest play_;
-  const Pace usual_pace_;
+  const WalkPace usual_pace_;
   const PacePlan first_;  ///< of that: where it stands is its beginning
   WalkStream stream_;
   BulletWorld world_;
@@ -116,7 +116,7 @@ class LiveWorld {
   Vector2 ground_from_ = Vector2::Zero();  ///< where a slope turns the ground
   LiveMode mode_ = LiveMode::kStands;
   double time_s_ = 0.0, down_since_s_ = 0.0;
-  std::optional<Pace> wanted_;
+  std::optional<WalkPace> wanted_;
   std::optional<double> wanted_heading_rad_;
   PaceChange planned_;
   std::future<Result<PacePlan>> planning_;

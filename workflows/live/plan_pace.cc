@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-AskedPart PartOf(const Pace& pace, double duration_s) {
+AskedPart PartOf(const WalkPace& pace, double duration_s) {
   AskedPart part;
   part.gait = pace.gait;
   part.command.extent = WalkCommand::Extent::kDuration;
@@ -30,7 +30,7 @@ AskedPart PartOf(const Pace& pace, double duration_s) {
 
 /// A turn in whole cycles, no quicker than that.
 /// @param asked_rad  what is asked for so that it turns by `turn_rad`.
-AskedPart TurnOf(Pace pace, double turn_rad, double asked_rad, double quickest_rad_s, double cycle_s) {
+AskedPart TurnOf(WalkPace pace, double turn_rad, double asked_rad, double quickest_rad_s, double cycle_s) {
   const double cycles = std::ceil(std::abs(turn_rad) / (quickest_rad_s * cycle_s));
   pace.yaw_rate_rad_s = asked_rad / (cycles * cycle_s);
   return PartOf(pace, cycles * cycle_s);
@@ -53,7 +53,7 @@ Result<std::vector<AskedPart>> PartsOf(const RobotModel& model, const PaceChange
   const double quickest = kQuickTurn * model.nominal_speed_m_s / model.leg_length_m();
   std::vector<AskedPart> parts;
   for (const bool first : {true, false}) {
-    const Pace& pace = first ? change.from : change.to;
+    const WalkPace& pace = first ? change.from : change.to;
     if (pace.stands()) continue;
     const double speed = std::hypot(pace.speed_m_s, pace.lateral_speed_m_s);
     const Result<Gait> gait = FindGait(model, pace.gait, speed, options);

@@ -95,7 +95,7 @@ void WalkStream::Stand(double until_s) {
   Rest(plan_, until_s);
 }
 
-std::optional<Failure> WalkStream::GoOver(double earliest_s, const Pace& pace, const PacePlan& next) {
+std::optional<Failure> WalkStream::GoOver(double earliest_s, const WalkPace& pace, const PacePlan& next) {
   if (next.before.has_value() == stops()) return NotFromHere();
   double from_s = next.plan.whole_body.start_s;
   if (stops()) {

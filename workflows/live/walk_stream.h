@@ -11,12 +11,12 @@
 namespace gaitwright {
 
 /// How the robot is to go on, until it is told otherwise.
-struct Pace {
+struct WalkPace {
   std::string gait;  ///< as FindGait takes it; "stand" for standing still
   double speed_m_s = 0.0, lateral_speed_m_s = 0.0, yaw_rate_rad_s = 0.0;  ///< as in WalkCommand
 
   bool stands() const { return gait == "stand"; }
-  bool operator==(const Pace&) const = default;
+  bool operator==(const WalkPace&) const = default;
 };
 
 /// A plan with a stretch of one pace that can be walked for ever, on the way from another pace to rest.
@@ -28,7 +28,7 @@ struct PacePlan {
 
 /// From one pace to another, with a turn between.
 struct PaceChange {
-  Pace from, to;
+  WalkPace from, to;
   double turn_rad = 0.0;
 };
 
@@ -48,7 +48,7 @@ class WalkStream {
   /// From some time before now to rest, on the clock of the stream.
   const MotionPlan& plan() const { return plan_; }
   /// The pace that it goes over to or keeps.
-  const Pace& pace() const { return pace_; }
+  const WalkPace& pace() const { return pace_; }
   /// Whether it comes to rest with nothing after it.
   bool stops() const { return !source_; }
   /// Where the present pace heads, which is the same in each of its cycles where it does not turn.
@@ -56,7 +56,7 @@ class WalkStream {
 
   /// Goes over into another pace at the first moment that serves, not before `earliest_s`.
   /// @param next  planned from the present pace. Failure kBadInput `misfit` where it is not.
-  std::optional<Failure> GoOver(double earliest_s, const Pace& pace, const PacePlan& next);
+  std::optional<Failure> GoOver(double earliest_s, const WalkPace& pace, const PacePlan& next);
   /// Stops at the first moment that serves, not before `earliest_s`.
   void Stop(double earliest_s);
   /// Goes on with the present pace, where its plan would begin to stop before `until_s`. @return whether it did.
@@ -71,7 +71,7 @@ class WalkStream {
   void Stand(double until_s);
 
   MotionPlan plan_;
-  Pace pace_ = {.gait = "stand"};
+  WalkPace pace_ = {.gait = "stand"};
   std::optional<PacePlan> source_;  ///< what it goes on with; nothing where it stops
   SteadyStretch steady_;            ///< of plan_, on its clock; of no cycles where it stands or stops
 };

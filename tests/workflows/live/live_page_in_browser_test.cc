@@ -96,10 +96,10 @@ TEST_F(LivePageTest, WalksAndChangesItsGaitSpeedAndHeadingAndStops) {
   const double t = Ask("L.frame.t").get<double>();
   Await("L.frame.t > " + std::to_string(t + 3.0));
   Await("L.frame.q[0] > 0.3");
-  Set("input[name=speed_m_s]", "0.6");
-  Await("L.frame.pace.speed_m_s > 0.55 && L.frame.wanted === null");
-  Set("select[name=gait]", "bound");
-  Await("L.frame.pace.gait === 'bound' && L.frame.wanted === null");
+  Set("input[name=speed_m_s]", "0.5");
+  Await("L.frame.pace.speed_m_s > 0.45 && L.frame.wanted === null");
+  Set("select[name=gait]", "amble");
+  Await("L.frame.pace.gait === 'amble' && L.frame.wanted === null");
   Set("select[name=gait]", "trot");
   Await("L.frame.pace.gait === 'trot' && L.frame.wanted === null");
   Set("input[name=heading_deg]", "40");

@@ -16,7 +16,7 @@ class Live : public testing::Test {
   void Run(double seconds) {
     for (const double end = live_->time_s() + seconds; live_->time_s() < end - 1e-9;) live_->Step();
   }
-  void Ask(const Pace& pace) {
+  void Ask(const WalkPace& pace) {
     live_->Ask(pace);
     live_->WaitForPlan();
     live_->Step();

@@ -9,11 +9,11 @@
 namespace gaitwright {
 namespace {
 
-const Pace kStand = {.gait = "stand"};
+const WalkPace kStand = {.gait = "stand"};
 
 RobotModel Robot(const std::string& name) { return ChooseRobot(name, "").value(); }
 
-PacePlan Planned(const RobotModel& model, const Pace& from, const Pace& to) {
+PacePlan Planned(const RobotModel& model, const WalkPace& from, const WalkPace& to) {
   Result<PacePlan> plan = PlanPace(model, {.from = from, .to = to}, {});
   EXPECT_TRUE(plan.ok()) << (plan.ok() ? "" : plan.failure().message);
   return std::move(plan).value();
@@ -53,7 +53,7 @@ TEST(WalkStream, OfOnePaceGoesOnForEverAndKeepsAllLaws) {
   for (const auto& [name, gait, speed] : {std::tuple("a1", "trot", 0.3), {"nao", "walk", 0.08}}) {
     SCOPED_TRACE(name);
     const RobotModel model = Robot(name);
-    const Pace pace = {.gait = gait, .speed_m_s = speed};
+    const WalkPace pace = {.gait = gait, .speed_m_s = speed};
     const PacePlan plan = Planned(model, kStand, pace);
     WalkStream stream(plan.plan);
     EXPECT_TRUE(stream.stops());
@@ -72,8 +72,8 @@ TEST(WalkStream, OfOnePaceGoesOnForEverAndKeepsAllLaws) {
 
 TEST(WalkStream, GoesOverIntoOtherPacesWithoutAStand) {
   const RobotModel model = Robot("a1");
-  const Pace slow = {.gait = "trot", .speed_m_s = 0.3}, fast = {.gait = "trot", .speed_m_s = 0.8},
-             turning = {.gait = "trot", .speed_m_s = 0.3, .yaw_rate_rad_s = 0.4};
+  const WalkPace slow = {.gait = "trot", .speed_m_s = 0.3}, fast = {.gait = "trot", .speed_m_s = 0.8},
+                 turning = {.gait = "trot", .speed_m_s = 0.3, .yaw_rate_rad_s = 0.4};
   WalkStream stream(Planned(model, kStand, slow).plan);
   ASSERT_EQ(stream.GoOver(0.0, slow, Planned(model, kStand, slow)), std::nullopt);
   ASSERT_EQ(stream.GoOver(4.0, fast, Planned(model, slow, fast)), std::nullopt);
@@ -90,7 +90,7 @@ TEST(WalkStream, TurnsToAHeadingAndGoesOnStraight) {
   for (const auto& [name, gait, speed] : {std::tuple("a1", "trot", 0.3), {"nao", "walk", 0.08}}) {
     SCOPED_TRACE(name);
     const RobotModel model = Robot(name);
-    const Pace pace = {.gait = gait, .speed_m_s = speed};
+    const WalkPace pace = {.gait = gait, .speed_m_s = speed};
     WalkStream stream(Planned(model, kStand, pace).plan);
     ASSERT_EQ(stream.GoOver(0.0, pace, Planned(model, kStand, pace)), std::nullopt);
     EXPECT_NEAR(stream.heading_rad(), 0.0, 0.01);
@@ -105,7 +105,7 @@ TEST(WalkStream, TurnsToAHeadingAndGoesOnStraight) {
 
 TEST(WalkStream, ForgetsWithoutAChangeOfWhatComes) {
   const RobotModel model = Robot("a1");
-  const Pace pace = {.gait = "trot", .speed_m_s = 0.3};
+  const WalkPace pace = {.gait = "trot", .speed_m_s = 0.3};
   const PacePlan plan = Planned(model, kStand, pace);
   WalkStream whole(plan.plan), short_of(plan.plan);
   for (WalkStream* stream : {&whole, &short_of}) ASSERT_EQ(stream->GoOver(0.5, pace, plan), std::nullopt);
