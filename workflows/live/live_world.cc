@@ -99,15 +99,12 @@ LiveWorld::~LiveWorld() {
 }
 
 void LiveWorld::Reset() {
-  const VectorX& q = first_.plan.whole_body.q.front();
-  world_ = BulletWorld(model_, first_.plan.terrain, q, play_.play.world);
-  world_.SetState(q, VectorX::Zero(model_.nv()));
+  PutOnGround(first_.plan.whole_body.q.front(), VectorX::Zero(model_.nv()));
   stream_ = WalkStream(first_.plan);
   time_s_ = down_since_s_ = stream_.plan().whole_body.start_s;
   history_.clear();
   Want({});
   hands_.Off();
-  ground_from_ = q.head<2>();
   mode_ = LiveMode::kStands;
   TakeControl();
 }
@@ -320,9 +317,7 @@ void LiveWorld::StandUp() {
   const VectorX& origin = first_.plan.whole_body.q.front();
   const Pose X = PoseOf({place.x(), place.y(), yaw}) * PoseOf({origin[0], origin[1], 0.0}).inverse();
   const VectorX standing = CarriedState(X, origin);
-  ground_from_ = place;
-  world_ = BulletWorld(model_, first_.plan.terrain, standing, play_.play.world);
-  world_.SetState(standing, VectorX::Zero(model_.nv()));
+  PutOnGround(standing, VectorX::Zero(model_.nv()));
   stream_ = WalkStream(CarriedPlan(X, 0.0, first_.plan));
   TakeControl();
 }
@@ -333,12 +328,21 @@ void LiveWorld::SetGround(double friction, double slope_deg, double slope_direct
   changed.ground_slope_deg = slope_deg;
   changed.ground_slope_direction_deg = slope_direction_deg;
   CheckOptions(changed.Fields());
-  const VectorX q = world_.q(), v = world_.v();
+  const VectorX q = world_.q();
+  const Pose level = ground_tilt().inverse();
   play_.play.world = changed;
-  ground_from_ = q.head<2>();
-  world_ = BulletWorld(model_, first_.plan.terrain, q, changed);
-  world_.SetState(q, v);
-  world_.LiftOutOfGround(q);
+  PutOnGround(CarriedState(level, q), CarriedRates(level, world_.v()));
+  stream_.Shift(world_.q().head<3>() - q.head<3>());
+  history_.clear();
+  if (mode_ == LiveMode::kWalks || mode_ == LiveMode::kStands) TakeControl();
+}
+
+/// In a world of its own, on the ground as it is now: a slope turns it along, about where it is.
+void LiveWorld::PutOnGround(const VectorX& level_q, const VectorX& level_v) {
+  ground_from_ = level_q.head<2>();
+  world_ = BulletWorld(model_, first_.plan.terrain, level_q, play_.play.world);
+  const Pose X = ground_tilt();
+  world_.SetState(CarriedState(X, level_q), CarriedRates(X, level_v));
 }
 
 void LiveWorld::SetControl(const StabilisedOptions& stabilised, const GainOptions& gains) {

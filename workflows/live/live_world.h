@@ -58,7 +58,8 @@ class LiveWorld {
   void PutInPose(const VectorX& q);
   /// Stands up from where it is: lifted and put down upright, its heading kept.
   void StandUp();
-  /// Another ground under the robot: friction (0 for the plan's) and slope.
+  /// Another ground under the robot: friction (0 for the plan's) and slope, which turns the robot along, about where it
+  /// is.
   void SetGround(double friction, double slope_deg, double slope_direction_deg);
   /// Another controller.
   void SetControl(const StabilisedOptions& stabilised, const GainOptions& gains);
@@ -92,6 +93,7 @@ class LiveWorld {
   void TakeUpPlan();
   void GoOn();
   void TakeControl();
+  void PutOnGround(const VectorX& level_q, const VectorX& level_v);
   void Watch();
   void AddToMeans();
   JointCommand Damping() const;

@@ -123,6 +123,26 @@ TEST_F(Live, IsPulledAboutAndRecovers) {
   EXPECT_THROW(live_->hands().Pull(99, Vector3::Zero(), Vector3::Zero()), InvalidArgument);
 }
 
+TEST_F(Live, StandsAndWalksOnASlopeAndFrictionThatItDoesNotKnow) {
+  for (const double slope_deg : {1.0, 4.0}) {
+    SCOPED_TRACE(slope_deg);
+    Run(1.0);
+    live_->SetGround(0.7, slope_deg, 0.0);
+    Run(2.0);
+    EXPECT_EQ(live_->mode(), LiveMode::kStands);
+    live_->Reset();
+    Run(1.0);
+    EXPECT_EQ(live_->mode(), LiveMode::kStands);
+    Ask({.gait = "trot", .speed_m_s = 0.3});
+    Run(5.0);
+    EXPECT_EQ(live_->mode(), LiveMode::kWalks);
+    live_->SetGround(0.0, 0.0, 0.0);
+    Run(3.0);
+    EXPECT_EQ(live_->mode(), LiveMode::kWalks);
+    live_->Reset();
+  }
+}
+
 TEST_F(Live, FallsWhenItIsPulledOverAndStandsUp) {
   live_->hands().Pull(0, Vector3::Zero(), Vector3(0.0, 3.0, 0.3));
   Run(1.0);
