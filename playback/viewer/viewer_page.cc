@@ -27,8 +27,7 @@ std::string Page(const std::string& title, const std::string& element) {
   if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
-      "content=\"width=device-width,initial-scale=1\"/><link rel=\"icon\" "
-      "href=\"data:,\"/><title>{}</title>\n<style>body{{margin:0}}</style></head>\n"
+      "content=\"width=device-width,initial-scale=1\"/><title>{}</title>\n<style>body{{margin:0}}</style></head>\n"
       "<body>\n{}</body></html>\n",
       EscapedXml(title), Parts(element));
 }

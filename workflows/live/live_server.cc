@@ -172,6 +172,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       return Say(request, http::status::method_not_allowed, "text/plain", Plain("GET alone\n"));
     if (target == "/") return Say(request, http::status::ok, "text/html; charset=utf-8", shared_.html);
+    if (target == "/favicon.ico") return Say(request, http::status::no_content, "image/x-icon", Plain(""));
     Say(request, http::status::not_found, "text/plain", Plain("no such place\n"));
   }
 

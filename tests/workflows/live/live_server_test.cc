@@ -51,6 +51,7 @@ TEST_F(Server, GivesItsPageAndNothingElse) {
   EXPECT_EQ(page.substr(0, 15), "HTTP/1.1 200 OK") << page;
   EXPECT_NE(page.find("<p>the page</p>"), std::string::npos);
   EXPECT_NE(page.find("X-Content-Type-Options: nosniff"), std::string::npos);
+  EXPECT_EQ(SocketClient(server_->port()).Get("/favicon.ico", Header()).substr(9, 3), "204") << "browsers ask for it";
   EXPECT_EQ(SocketClient(server_->port()).Get("/etc/passwd", Header()).substr(9, 3), "404");
   SocketClient poster(server_->port());
   poster.SendRaw("POST / HTTP/1.1\r\nContent-Length: 0\r\n" + Header() + "\r\n");
