@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "planning/gait/find_gait.h"
 #include "planning/plan/json_part_internal.h"
 
 namespace gaitwright {
@@ -17,11 +18,21 @@ namespace {
 constexpr double kLongest_s = 10.0;  // of a push, or a nudge
 constexpr int kMostSteps = 10000;    // at once, of a clock that is paused
 
-LiveRequest ReadPace(const JsonPart& m, const RobotModel&) {
+/// A gait by its own name. Files are not for pages to name.
+std::string GaitOf(const JsonPart& part, const RobotModel& model) {
+  const std::string name = part.Text();
+  if (WalkPace{.gait = name}.stands()) return name;
+  if (!GaitFileOf(name).empty()) part.Refuse("is a file; a gait by its name is needed");
+  const Result<Gait> gait = FindGait(model, name, 0.0, {});
+  if (!gait) throw InvalidArgument(gait.failure().message);
+  return gait->name;
+}
+
+LiveRequest ReadPace(const JsonPart& m, const RobotModel& model) {
   constexpr double kFastest = 20.0, kQuickestTurn = 20.0;
   m.Object({"do", "gait"}, {"speed_m_s", "lateral_speed_m_s", "yaw_rate_rad_s"});
   const auto number = [&](const char* key, double most) { return m.Has(key) ? m.At(key).NumberIn(-most, most) : 0.0; };
-  const WalkPace pace = {.gait = m.At("gait").Text(),
+  const WalkPace pace = {.gait = GaitOf(m.At("gait"), model),
                          .speed_m_s = number("speed_m_s", kFastest),
                          .lateral_speed_m_s = number("lateral_speed_m_s", kFastest),
                          .yaw_rate_rad_s = number("yaw_rate_rad_s", kQuickestTurn)};

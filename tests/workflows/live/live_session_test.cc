@@ -141,6 +141,15 @@ TEST_F(Session, PullsGroundOptionsAndNudges) {
   EXPECT_FALSE(Say({{"do", "nudge"}, {"dof", 2}, {"by", 0.1}, {"for_s", 0.3}}).contains("refused"));
 }
 
+TEST_F(Session, GaitsGoByTheirOwnNames) {
+  for (const char* name : {"walk", "crawl"}) {
+    Say({{"do", "pace"}, {"gait", name}, {"speed_m_s", 0.1}});
+    ASSERT_TRUE(live_.wanted()) << name;
+    EXPECT_EQ(live_.wanted()->gait, "crawl");
+    live_.Reset();
+  }
+}
+
 TEST_F(Session, APageThatIsLostWhileItPullsLetsGo) {
   Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"to_m", {0.0, 0.1, 0.3}}});
   EXPECT_TRUE(live_.hands().pulls());
@@ -174,6 +183,9 @@ TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
            {R"({"do":"pose","q":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]})", "base"},
            {R"({"do":"pace","gait":"trot","speed_m_s":1e9})", "speed_m_s"},
            {R"({"do":"pace"})", "gait"},
+           {R"({"do":"pace","gait":"dance"})", "dance"},
+           {R"({"do":"pace","gait":"biped"})", "biped"},
+           {R"({"do":"pace","gait":"../gaits.yaml:trot"})", "file"},
            {R"({"do":"heading","heading_deg":"north"})", "heading_deg"},
            {R"({"do":"push","force_n":[0,1e5,0],"for_s":0.1})", "weights"},
            {R"({"do":"nudge","dof":12,"by":0.1,"for_s":0.5})", "dof"},
