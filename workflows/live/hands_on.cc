@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,25 +14,34 @@
 namespace gaitwright {
 namespace {
 
-/// A spring that pulls hard where the robot is heavy, and never harder than twice its weight.
-Vector3 SpringForce(const RobotModel& model, const Vector3& way_W) {
-  constexpr double kPerLeg = 2.0, kMost = 2.0;  // weights by leg length, weights
-  const Vector3 force = kPerLeg * model.weight_n() / model.leg_length_m() * way_W;
-  const double most = kMost * model.weight_n();
-  return force.norm() > most ? Vector3(most / force.norm() * force) : force;
+/// A spring's force, cut to the most that it has.
+Vector3 ForceOf(const PullSpring& spring, const Vector3& way_W) {
+  const Vector3 force = spring.n_per_m * way_W;
+  return force.norm() > spring.most_n ? Vector3(spring.most_n / force.norm() * force) : force;
 }
 
 }  // namespace
 
-void HandsOn::Pull(int body, const Vector3& p_Body, const Vector3& to_W) {
-  if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !to_W.allFinite())
-    throw InvalidArgument(fmt::format("there is nothing to pull at body {}", body));
-  pulled_ = Pulled{body, p_Body, to_W};
+PullSpring PullSpringFor(const RobotModel& model) {
+  constexpr double kPerLeg = 2.0, kMost = 2.0;  // weights
+  return {kPerLeg * model.weight_n() / model.leg_length_m(), kMost * model.weight_n()};
 }
 
-void HandsOn::LetGo() {
-  pulled_.reset();
-  force_W_.reset();
+void HandsOn::Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& to_W) {
+  if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !to_W.allFinite())
+    throw InvalidArgument(fmt::format("there is nothing to pull at body {}", body));
+  auto grip = std::find_if(grips_.begin(), grips_.end(), [hand](const Grip& g) { return g.hand == hand; });
+  if (grip == grips_.end()) {
+    if (grips_.size() >= kMostGrips) throw InvalidArgument(fmt::format("{} hands pull at most", kMostGrips));
+    grip = grips_.insert(grips_.end(), Grip{.hand = hand});
+  }
+  grip->body = body;
+  grip->p_Body = p_Body;
+  grip->to_W = to_W;
+}
+
+void HandsOn::LetGo(HandId hand) {
+  std::erase_if(grips_, [hand](const Grip& grip) { return grip.hand == hand; });
 }
 
 void HandsOn::Push(const Vector3& force_W, double until_s) {
@@ -51,12 +61,10 @@ void HandsOn::Nudge(int dof, double by, double until_s) {
 }
 
 void HandsOn::Off() {
-  LetGo();
+  grips_.clear();
   pushed_.reset();
   nudged_.reset();
 }
-
-void HandsOn::Add(const Vector3& force_W) { force_W_ = force_W_.value_or(Vector3::Zero()) + force_W; }
 
 /// Legs that stand are moved by torques alone: the joint is held by its own gains for so long.
 void HandsOn::Apply(Nudged& nudged, const BulletWorld& world, const Gains& gains, JointCommand& command) {
@@ -69,22 +77,19 @@ void HandsOn::Apply(Nudged& nudged, const BulletWorld& world, const Gains& gains
 }
 
 void HandsOn::Apply(double time_s, const Gains& gains, BulletWorld& world, JointCommand& command) {
-  force_W_.reset();
   if (nudged_ && time_s >= nudged_->until_s) nudged_.reset();
   if (nudged_) Apply(*nudged_, world, gains, command);
   if (pushed_ && time_s >= pushed_->until_s) pushed_.reset();
-  if (pushed_) {
-    world.PushBase(pushed_->force_W);
-    Add(pushed_->force_W);
-  }
-  if (!pulled_) return;
+  if (pushed_) world.PushBase(pushed_->force_W);
+  if (grips_.empty()) return;
   DynamicsScratch scratch(model_);
   ForwardKinematics(model_, world.q(), scratch);
-  const auto body = static_cast<std::size_t>(pulled_->body);
-  const Vector3 p_W = scratch.p_WB[body] + scratch.R_WB[body] * pulled_->p_Body;
-  const Vector3 force_W = SpringForce(model_, pulled_->to_W - p_W);
-  world.PushAt(pulled_->body, force_W, p_W);
-  Add(force_W);
+  for (Grip& grip : grips_) {
+    const auto body = static_cast<std::size_t>(grip.body);
+    const Vector3 p_W = scratch.p_WB[body] + scratch.R_WB[body] * grip.p_Body;
+    grip.force_W = ForceOf(spring_, grip.to_W - p_W);
+    world.PushAt(grip.body, grip.force_W, p_W);
+  }
 }
 
 }  // namespace gaitwright

@@ -1,25 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "playback/bullet/world.h"
 #include "playback/control/gains.h"
 
 namespace gaitwright {
 
+/// Whose hand it is: the number of a page.
+using HandId = std::uint64_t;
+
+/// How hands pull.
+struct PullSpring {
+  double n_per_m = 0.0;
+  double most_n = 0.0;  ///< never harder than that
+};
+
+/// Two weights of the robot for each leg length, and at most two weights.
+PullSpring PullSpringFor(const RobotModel& model);
+
+/// A hand that holds the robot and pulls.
+struct Grip {
+  HandId hand = 0;
+  int body = 0;
+  Vector3 p_Body = Vector3::Zero();   ///< where it holds
+  Vector3 to_W = Vector3::Zero();     ///< where it pulls to
+  Vector3 force_W = Vector3::Zero();  ///< in the last step [N]
+};
+
 /// What people do to a robot by hand while it goes on: pulling at it, pushing it, moving what a joint is told.
 class HandsOn {
  public:
-  /// The model must outlive it.
-  explicit HandsOn(const RobotModel& model) : model_(model) {}
+  static constexpr std::size_t kMostGrips = 8;
 
-  /// A force at a point of a body that goes with it, until it is let go: a spring to where it is pulled, two weights of
-  /// the robot for each leg length and never more than two weights.
-  /// @throws InvalidArgument for no such body, and numbers that are none.
-  void Pull(int body, const Vector3& p_Body, const Vector3& to_W);
-  void LetGo();
-  bool pulls() const { return pulled_.has_value(); }
+  /// The model must outlive it.
+  explicit HandsOn(const RobotModel& model) : model_(model), spring_(PullSpringFor(model)) {}
+
+  /// A spring from a point of a body, which goes with it, to where it is pulled, until that hand lets go. A hand pulls
+  /// at one place at a time.
+  /// @throws InvalidArgument for no such body, numbers that are none, and more hands than kMostGrips.
+  void Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& to_W);
+  void LetGo(HandId hand);
+  const std::vector<Grip>& grips() const { return grips_; }
   /// A force [N] on the base up to a time. @throws InvalidArgument for more than ten weights.
   void Push(const Vector3& force_W, double until_s);
   /// Tells a joint to be so much [rad] or [m] elsewhere up to a time, and holds it by its gains: to see how it answers.
@@ -30,14 +55,10 @@ class HandsOn {
 
   /// Adds all of it to the coming step.
   void Apply(double time_s, const Gains& gains, BulletWorld& world, JointCommand& command);
-  /// The force of pull and push in the last step [N]; nothing where there was none.
-  const std::optional<Vector3>& force_W() const { return force_W_; }
+  /// The force of a push in the last step [N]; nothing where there was none.
+  std::optional<Vector3> push_W() const { return pushed_ ? std::optional(pushed_->force_W) : std::nullopt; }
 
  private:
-  struct Pulled {
-    int body = 0;
-    Vector3 p_Body, to_W;
-  };
   struct Pushed {
     Vector3 force_W;
     double until_s = 0.0;
@@ -48,13 +69,12 @@ class HandsOn {
     std::optional<double> from;  ///< where it was, once it has begun
   };
   static void Apply(Nudged& nudged, const BulletWorld& world, const Gains& gains, JointCommand& command);
-  void Add(const Vector3& force_W);
 
   const RobotModel& model_;
-  std::optional<Pulled> pulled_;
+  const PullSpring spring_;
+  std::vector<Grip> grips_;
   std::optional<Pushed> pushed_;
   std::optional<Nudged> nudged_;
-  std::optional<Vector3> force_W_;
 };
 
 }  // namespace gaitwright

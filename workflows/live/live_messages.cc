@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <random>
 
 #include "kinematics/spatial/rotation.h"
 #include "planning/gait/load_gaits.h"
@@ -71,6 +72,22 @@ Json GroundJson(const LiveWorld& live) {
           {"pose", pose}};
 }
 
+Json Degrees(double angle_rad) { return Short(angle_rad * 180.0 / std::numbers::pi); }
+
+Json PullsJson(const HandsOn& hands) {
+  Json pulls = Json::array();
+  for (const Grip& grip : hands.grips())
+    pulls.push_back(
+        {{"page", grip.hand}, {"body", grip.body}, {"at_m", List(grip.p_Body)}, {"force_n", List(grip.force_W)}});
+  return pulls;
+}
+
+/// Tells one start of the program from another.
+std::string RunName() {
+  std::random_device device;
+  return fmt::format("{:08x}{:08x}", device(), device());
+}
+
 std::vector<std::string> GaitsFor(int feet) {
   std::vector<std::string> names = {"stand"};
   if (const Result<std::vector<GaitEntry>> gaits = BuiltInGaits()) {
@@ -94,12 +111,15 @@ std::string LiveGreeting(const LiveWorld& live, const std::optional<std::string>
                           {"unit", field.unit},
                           {"meaning", field.meaning}};
   }
+  const PullSpring spring = PullSpringFor(live.model());
   const Json json = {{"format", "gaitwright-live"},
                      {"schema", 1},
+                     {"run", RunName()},
                      {"scene", Json::parse(RobotAndGroundJson(live.model(), live.plan().terrain, mesh_folder))},
                      {"gaits", GaitsFor(static_cast<int>(live.model().feet.size()))},
                      {"usual_pace", PaceJson(live.usual_pace())},
                      {"step_s", live.step_s()},
+                     {"spring", {{"n_per_m", Short(spring.n_per_m)}, {"most_n", Short(spring.most_n)}}},
                      {"options", options}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -113,6 +133,8 @@ std::string LiveFrame(LiveWorld& live, const LiveStatus& status) {
                     {"f", foot.touching ? List(foot.wrench.force_W) : Json()},
                     {"touching", foot.touching}});
   }
+  const std::optional<double> wanted_heading = live.wanted_heading_rad();
+  const std::optional<Vector3> push_W = live.hands().push_W();
   Json notes = Json::array(), options = Json::array();
   for (const auto& [number, note] : status.notes) notes.push_back({number, note});
   PlayRequest play = live.play();
@@ -122,8 +144,9 @@ std::string LiveFrame(LiveWorld& live, const LiveStatus& status) {
                      {"paused", status.clock.paused},
                      {"behind_s", Short(status.behind_s)},
                      {"pace", PaceJson(live.pace())},
-                     {"wanted", live.wanted() ? PaceJson(*live.wanted()) : Json()},
-                     {"heading_deg", Short(YawOf(BaseRotation(live.world().q())) * 180.0 / std::numbers::pi)},
+                     {"wanted", live.wanted() ? PaceJson(live.wanted()->pace) : Json()},
+                     {"heading_deg", Degrees(YawOf(BaseRotation(live.world().q())))},
+                     {"wanted_heading_deg", wanted_heading ? Degrees(*wanted_heading) : Json()},
                      {"q", List(live.world().q())},
                      {"tau", List(live.world().tau())},
                      {"target", List(live.command().q)},
@@ -131,12 +154,15 @@ std::string LiveFrame(LiveWorld& live, const LiveStatus& status) {
                      {"measured", BalanceJson(now.measured.front(), terrain)},
                      {"planned", BalanceJson(now.planned.front(), terrain)},
                      {"feet", feet},
-                     {"pull_n", live.hands().force_W() ? List(*live.hands().force_W()) : Json()},
+                     {"pulls", PullsJson(live.hands())},
+                     {"push_n", push_W ? List(*push_W) : Json()},
                      {"ground", GroundJson(live)},
                      {"options", options},
                      {"notes", notes}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
+
+std::string LivePageNumber(std::uint64_t page) { return Json({{"page", page}}).dump(); }
 
 std::string LiveRefusal(const std::string& why) {
   return Json({{"refused", why}}).dump(-1, ' ', false, Json::error_handler_t::replace);

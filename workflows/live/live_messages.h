@@ -21,6 +21,9 @@ struct LiveStatus {
 /// @param mesh_folder  of the URDF, to look for visual meshes.
 std::string LiveGreeting(const LiveWorld& live, const std::optional<std::string>& mesh_folder = {});
 
+/// What a page is told after that, as JSON: its own number.
+std::string LivePageNumber(std::uint64_t page);
+
 /// How things stand now, as JSON: state, plan beside it, forces as means since the last one, balance, targets, notes.
 std::string LiveFrame(LiveWorld& live, const LiveStatus& status);
 

@@ -36,14 +36,14 @@ LiveRequest ReadPace(const JsonPart& m, const RobotModel& model) {
                          .speed_m_s = number("speed_m_s", kFastest),
                          .lateral_speed_m_s = number("lateral_speed_m_s", kFastest),
                          .yaw_rate_rad_s = number("yaw_rate_rad_s", kQuickestTurn)};
-  return [pace](LiveWorld& live, LiveClock&) { live.Ask(pace); };
+  return [pace](LiveWorld& live, LiveClock&, HandId) { live.Ask(pace); };
 }
 
 LiveRequest ReadHeading(const JsonPart& m, const RobotModel&) {
   constexpr double kMost_deg = 36000.0;
   m.Object({"do", "heading_deg"});
   const double heading_rad = m.At("heading_deg").NumberIn(-kMost_deg, kMost_deg) * std::numbers::pi / 180.0;
-  return [heading_rad](LiveWorld& live, LiveClock&) { live.AskHeading(heading_rad); };
+  return [heading_rad](LiveWorld& live, LiveClock&, HandId) { live.AskHeading(heading_rad); };
 }
 
 LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
@@ -52,26 +52,26 @@ LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
   const int body = m.At("body").Whole(0, static_cast<int>(model.bodies.size()) - 1);
   const Vector3 at = m.At("at_m").Vector(3), to = m.At("to_m").Vector(3);
   if (at.norm() > kFarthest || to.norm() > kFarthest) m.Refuse("pulls too far away");
-  return [body, at, to](LiveWorld& live, LiveClock&) { live.hands().Pull(body, at, to); };
+  return [body, at, to](LiveWorld& live, LiveClock&, HandId hand) { live.hands().Pull(hand, body, at, to); };
 }
 
 LiveRequest ReadLetGo(const JsonPart& m, const RobotModel&) {
   m.Object({"do"});
-  return [](LiveWorld& live, LiveClock&) { live.hands().LetGo(); };
+  return [](LiveWorld& live, LiveClock&, HandId hand) { live.hands().LetGo(hand); };
 }
 
 LiveRequest ReadPush(const JsonPart& m, const RobotModel&) {
   m.Object({"do", "force_n", "for_s"});
   const Vector3 force_W = m.At("force_n").Vector(3);
   const double for_s = m.At("for_s").NumberIn(0.0, kLongest_s);
-  return [force_W, for_s](LiveWorld& live, LiveClock&) { live.hands().Push(force_W, live.time_s() + for_s); };
+  return [force_W, for_s](LiveWorld& live, LiveClock&, HandId) { live.hands().Push(force_W, live.time_s() + for_s); };
 }
 
 LiveRequest ReadGround(const JsonPart& m, const RobotModel&) {
   m.Object({"do", "friction", "slope_deg", "slope_direction_deg"});
   const double friction = m.At("friction").Number(), slope = m.At("slope_deg").Number();
   const double direction = m.At("slope_direction_deg").Number();
-  return [=](LiveWorld& live, LiveClock&) { live.SetGround(friction, slope, direction); };
+  return [=](LiveWorld& live, LiveClock&, HandId) { live.SetGround(friction, slope, direction); };
 }
 
 LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
@@ -85,7 +85,7 @@ LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
     texts.emplace_back(key, fmt::format("{}", options.At(key).Number()));
     SetOption(fields, key, texts.back().second);
   }
-  return [texts](LiveWorld& live, LiveClock&) {
+  return [texts](LiveWorld& live, LiveClock&, HandId) {
     PlayRequest changed = live.play();
     OptionFields changing = LiveOptions(changed);
     for (const auto& [key, text] : texts) SetOption(changing, key, text);
@@ -103,14 +103,14 @@ LiveRequest ReadPose(const JsonPart& m, const RobotModel& model) {
   q.segment<4>(3) /= length;
   for (int d = 0; d < model.num_dofs(); ++d)
     q[7 + d] = std::min(std::max(q[7 + d], model.dof_lower(d)), model.dof_upper(d));
-  return [q](LiveWorld& live, LiveClock&) { live.PutInPose(q); };
+  return [q](LiveWorld& live, LiveClock&, HandId) { live.PutInPose(q); };
 }
 
 LiveRequest ReadNudge(const JsonPart& m, const RobotModel& model) {
   m.Object({"do", "dof", "by", "for_s"});
   const int dof = m.At("dof").Whole(0, model.num_dofs() - 1);
   const double by = m.At("by").Number(), for_s = m.At("for_s").NumberIn(0.0, kLongest_s);
-  return [=](LiveWorld& live, LiveClock&) { live.hands().Nudge(dof, by, live.time_s() + for_s); };
+  return [=](LiveWorld& live, LiveClock&, HandId) { live.hands().Nudge(dof, by, live.time_s() + for_s); };
 }
 
 LiveRequest ReadClock(const JsonPart& m, const RobotModel&) {
@@ -121,7 +121,7 @@ LiveRequest ReadClock(const JsonPart& m, const RobotModel&) {
     paused = m.At("paused").json().get<bool>();
   }
   const int steps = m.Has("steps") ? m.At("steps").Whole(0, kMostSteps) : 0;
-  return [paused, steps](LiveWorld&, LiveClock& clock) {
+  return [paused, steps](LiveWorld&, LiveClock& clock, HandId) {
     clock.paused = paused.value_or(clock.paused);
     clock.steps = std::min(clock.steps + steps, kMostSteps);
   };
@@ -131,7 +131,7 @@ LiveRequest ReadClock(const JsonPart& m, const RobotModel&) {
 template <void (LiveWorld::*Act)()>
 LiveRequest ReadPlain(const JsonPart& m, const RobotModel&) {
   m.Object({"do"});
-  return [](LiveWorld& live, LiveClock&) { (live.*Act)(); };
+  return [](LiveWorld& live, LiveClock&, HandId) { (live.*Act)(); };
 }
 
 using Reader = LiveRequest (*)(const JsonPart& message, const RobotModel& model);

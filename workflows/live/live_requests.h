@@ -17,9 +17,9 @@ struct LiveClock {
 /// Longest message that is taken [byte], and most that are kept for one picture.
 inline constexpr std::size_t kLongestLiveMessage = 65536, kMostLiveMessages = 256;
 
-/// What a page asks for. @throws InvalidArgument, in words for people, for what this world refuses; then nothing is
-/// done.
-using LiveRequest = std::function<void(LiveWorld&, LiveClock&)>;
+/// What a page, which the number tells, asks for. @throws InvalidArgument, in words for people, for what this world
+/// refuses; then nothing is done.
+using LiveRequest = std::function<void(LiveWorld&, LiveClock&, HandId)>;
 
 /// Reads what a page says about that robot (docs/live.md).
 /// @throws InvalidArgument, in words for people, for what is no such message or out of range.

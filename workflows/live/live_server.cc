@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -18,7 +19,7 @@
 #include <utility>
 
 #include "playback/viewer/viewer_page.h"
-#include "workflows/live/live_requests.h"
+#include "workflows/live/live_messages.h"
 
 namespace gaitwright {
 namespace {
@@ -40,19 +41,24 @@ class Inbox {
  public:
   void Put(LiveSaying message) {
     const std::lock_guard lock(mutex_);
+    const bool said = !message.left;
     messages_.push_back(std::move(message));
-    if (messages_.size() > kMostLiveMessages) messages_.pop_front();
+    if (!said || ++said_ <= kMostLiveMessages) return;
+    messages_.erase(std::find_if(messages_.begin(), messages_.end(), [](const LiveSaying& m) { return !m.left; }));
+    --said_;
   }
   std::vector<LiveSaying> Take() {
     const std::lock_guard lock(mutex_);
     std::vector<LiveSaying> taken(messages_.begin(), messages_.end());
     messages_.clear();
+    said_ = 0;
     return taken;
   }
 
  private:
   std::mutex mutex_;
   std::deque<LiveSaying> messages_;
+  std::size_t said_ = 0;  ///< of these, without those that tell who left
 };
 
 class Page;
@@ -96,15 +102,23 @@ class Page : public std::enable_shared_from_this<Page> {
     socket_.auto_fragment(false);
     socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
       if (error) return;
-      if (self->shared_.greeting) self->Send(self->shared_.greeting);
+      self->accepted_ = true;
+      self->Greet();
       self->Read();
     });
+  }
+
+  /// What the page is told first, where there is something to tell yet.
+  void Greet() {
+    if (!shared_.greeting) return;
+    Send(shared_.greeting);
+    Send(std::make_shared<const std::string>(LivePageNumber(number_)));
   }
 
   /// The latest picture takes the place of one that waits; other texts do not, and a page that reads none of them is
   /// not told more.
   void Send(const Text& text, bool replaceable = false) {
-    if (!socket_.is_open()) return;
+    if (!accepted_ || !socket_.is_open()) return;
     if (replaceable && !waiting_.empty() && waiting_.back().second) waiting_.pop_back();
     if (waiting_.size() >= kMostWaiting) return;
     waiting_.emplace_back(text, replaceable);
@@ -141,7 +155,7 @@ class Page : public std::enable_shared_from_this<Page> {
   const std::uint64_t number_;
   beast::flat_buffer buffer_{kLongestLiveMessage + 1024};
   std::deque<std::pair<Text, bool>> waiting_;
-  bool writing_ = false;
+  bool accepted_ = false, writing_ = false;
 };
 
 /// One connection until it is answered or becomes a page.
@@ -278,6 +292,7 @@ std::string LiveServer::url() const { return fmt::format("http://{}:{}/", impl_-
 void LiveServer::Greet(const std::string& greeting) {
   asio::post(impl_->context, [impl = impl_.get(), text = std::make_shared<const std::string>(greeting)] {
     impl->shared.greeting = text;
+    for (const auto& [number, page] : impl->shared.pages) page->Greet();
   });
 }
 

@@ -44,11 +44,12 @@ class LiveServer {
   int port() const;
   /// "http://127.0.0.1:8080/"
   std::string url() const;
-  /// What each page is told first from now on.
+  /// What each page is told first, and then its number; those that are open already are told now.
   void Greet(const std::string& greeting);
   /// Sends a picture to every page; it takes the place of one that a slow page has not been sent yet.
   void Publish(const std::string& picture);
-  /// What pages have said since the last call, in that order. Beyond kMostLiveMessages the oldest are dropped.
+  /// What pages have said since the last call, in that order. Beyond kMostLiveMessages the oldest are
+  /// dropped, though not who left.
   std::vector<LiveSaying> Take();
   /// Answers one page, where it is still open.
   void Tell(std::uint64_t page, const std::string& text);

@@ -84,16 +84,14 @@ void LiveSession::Run(const std::function<bool()>& stop) {
 void LiveSession::Hear() {
   for (const LiveSaying& saying : server_.Take()) {
     if (saying.left) {
-      if (saying.page == pulling_page_) live_.hands().LetGo();
+      live_.hands().LetGo(saying.page);
       continue;
     }
-    const bool pulled = live_.hands().pulls();
     try {
-      ReadLiveRequest(live_.model(), saying.text)(live_, status_.clock);
+      ReadLiveRequest(live_.model(), saying.text)(live_, status_.clock, saying.page);
     } catch (const InvalidArgument& refused) {
       server_.Tell(saying.page, LiveRefusal(refused.what()));
     }
-    if (live_.hands().pulls() && !pulled) pulling_page_ = saying.page;
   }
 }
 

@@ -49,7 +49,6 @@ class LiveSession {
   double let_go_s_ = 0.0;      ///< of that, since it was said last
   double unsaid_for_s_ = 0.0;  ///< for so long it was not said
   int noted_ = 0;
-  std::uint64_t pulling_page_ = 0;
   FootSet planned_stance_ = 0, touching_ = 0;
 };
 

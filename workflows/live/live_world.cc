@@ -103,7 +103,7 @@ void LiveWorld::Reset() {
   stream_ = WalkStream(first_.plan);
   time_s_ = down_since_s_ = stream_.plan().whole_body.start_s;
   history_.clear();
-  Want({});
+  GiveUpWishes();
   hands_.Off();
   mode_ = LiveMode::kStands;
   TakeControl();
@@ -140,17 +140,23 @@ ControlInput LiveWorld::Measured() const {
   return input;
 }
 
-/// What the robot is to do next; nothing for what it does.
-void LiveWorld::Want(const std::optional<WalkPace>& pace, const std::optional<double>& heading_rad) {
-  wanted_ = pace;
-  wanted_heading_rad_ = heading_rad;
+void LiveWorld::GiveUpWishes() {
+  wanted_.reset();
+  turns_to_rad_.reset();
+}
+
+std::optional<double> LiveWorld::wanted_heading_rad() const {
+  return wanted_ && wanted_->heading_rad ? wanted_->heading_rad : turns_to_rad_;
 }
 
 void LiveWorld::Ask(const WalkPace& pace) {
   if (mode_ == LiveMode::kFallen || mode_ == LiveMode::kPosed) return;
-  Want(pace);
-  if (!pace.stands()) return StartPlanning();
-  Want({});
+  if (!pace.stands()) {
+    const bool keeps_heading = wanted_ && pace.yaw_rate_rad_s == 0.0;
+    wanted_ = {pace, keeps_heading ? wanted_->heading_rad : std::nullopt};
+    return StartPlanning();
+  }
+  GiveUpWishes();
   if (stream_.stops()) return;
   stream_.Stop(time_s_ + kLead);
   TakeControl();
@@ -161,19 +167,21 @@ void LiveWorld::AskHeading(double heading_rad) {
     notes_.emplace_back("turns to a heading while it walks");
     return;
   }
-  WalkPace straight = stream_.pace();
+  WalkPace straight = wanted_ ? wanted_->pace : stream_.pace();
   straight.yaw_rate_rad_s = 0.0;
-  Want(straight, heading_rad);
+  wanted_ = {straight, heading_rad};
   StartPlanning();
 }
 
 void LiveWorld::StartPlanning() {
   if (planning_.valid() || !wanted_) return;
-  planned_ = {.from = stream_.pace(), .to = *wanted_};
+  planned_wish_ = *wanted_;
+  planned_ = {.from = stream_.pace(), .to = wanted_->pace};
   // While it turns its heading is not that of the end of the turn: it goes straight first.
-  if (wanted_heading_rad_ && planned_.from.yaw_rate_rad_s == 0.0)
-    planned_.turn_rad = std::remainder(*wanted_heading_rad_ - stream_.heading_rad(), 2.0 * std::numbers::pi);
-  if (planned_.from == planned_.to && std::abs(planned_.turn_rad) < kSameHeading) return Want({});
+  if (wanted_->heading_rad && planned_.from.yaw_rate_rad_s == 0.0)
+    planned_.turn_rad = std::remainder(*wanted_->heading_rad - stream_.heading_rad(), 2.0 * std::numbers::pi);
+  if (std::abs(planned_.turn_rad) < kSameHeading) planned_.turn_rad = 0.0;
+  if (planned_.from == planned_.to && planned_.turn_rad == 0.0) return wanted_.reset();
   planning_ = std::async(std::launch::async, [this, change = planned_] { return PlanPace(model_, change, usual_); });
 }
 
@@ -181,24 +189,26 @@ void LiveWorld::TakeUpPlan() {
   if (!planning_.valid() || planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   const Result<PacePlan> next = planning_.get();
   if (!wanted_) return;
-  if (*wanted_ != planned_.to || stream_.pace() != planned_.from) return StartPlanning();
+  if (*wanted_ != planned_wish_ || stream_.pace() != planned_.from) return StartPlanning();
   if (!next) {
     notes_.push_back(fmt::format("{}: {}", TextOf(planned_), next.failure().message));
-    return Want({});
+    return wanted_.reset();
   }
   if (const auto failure = stream_.GoOver(time_s_ + kLead, planned_.to, *next)) {
     notes_.push_back(failure->message);
-    return Want({});
+    return wanted_.reset();
   }
   notes_.push_back("goes over to " + TextOf(planned_));
   mode_ = LiveMode::kWalks;
   TakeControl();
-  const bool straight_first = wanted_heading_rad_ && planned_.turn_rad == 0.0;
-  if (!straight_first) return Want({});
-  StartPlanning();
+  const bool straight_first = wanted_->heading_rad && planned_.from.yaw_rate_rad_s != 0.0;
+  if (straight_first) return StartPlanning();
+  turns_to_rad_ = wanted_->heading_rad;
+  wanted_.reset();
 }
 
 void LiveWorld::GoOn() {
+  if (turns_to_rad_ && time_s_ > stream_.steady_from_s()) turns_to_rad_.reset();
   if (stream_.stops()) {
     if (mode_ == LiveMode::kWalks && time_s_ > stream_.plan().whole_body.end_s()) {
       mode_ = LiveMode::kStands;
@@ -263,7 +273,7 @@ void LiveWorld::Watch() {
   if (std::acos(up) < kFallenTilt && !sunk && !broken && time_s_ - down_since_s_ < kFallenContact) return;
   mode_ = LiveMode::kFallen;
   notes_.push_back(fmt::format("fell at {:.2f} s", time_s_));
-  Want({});
+  GiveUpWishes();
   if (broken) Reset();
 }
 
@@ -305,7 +315,8 @@ void LiveWorld::PutInPose(const VectorX& q) {
   if (q.size() != model_.nq() || !q.allFinite())
     throw InvalidArgument(fmt::format("a posture has {} numbers, {} are needed", q.size(), model_.nq()));
   world_.SetState(q, VectorX::Zero(model_.nv()));
-  Want({});
+  GiveUpWishes();
+  hands_.Off();
   mode_ = LiveMode::kPosed;
 }
 

@@ -23,6 +23,14 @@ enum class LiveMode {
   kFallen,  ///< its motors only damp
 };
 
+/// What it has been asked for and has no plan for yet.
+struct WalkWish {
+  WalkPace pace;
+  std::optional<double> heading_rad;  ///< to turn to before
+
+  bool operator==(const WalkWish&) const = default;
+};
+
 /// "stands", "walks", "posed", "fallen".
 std::string NameOf(LiveMode mode);
 
@@ -45,9 +53,11 @@ class LiveWorld {
   /// One time step of physics.
   void Step();
 
-  /// Goes over into that pace as soon as it is planned; a later one takes the place of one that is being planned.
+  /// Goes over into that pace as soon as it is planned; a later one takes the place of one that is being planned. A
+  /// heading that it is to turn to stays so where the pace is straight.
   void Ask(const WalkPace& pace);
-  /// Turns to that heading and goes on straight, as fast as now. Standing or down it does nothing but say so.
+  /// Turns to that heading and goes on straight, as fast as asked for last. Standing or down it does nothing but say
+  /// so.
   void AskHeading(double heading_rad);
   /// Stands at the origin again, at time 0.
   void Reset();
@@ -69,8 +79,9 @@ class LiveWorld {
   double step_s() const { return play_.play.world.step_s; }
   LiveMode mode() const { return mode_; }
   const WalkPace& pace() const { return stream_.pace(); }
-  /// The pace that is being planned, if any.
-  const std::optional<WalkPace>& wanted() const { return wanted_; }
+  const std::optional<WalkWish>& wanted() const { return wanted_; }
+  /// The heading that it turns to, or is asked to turn to.
+  std::optional<double> wanted_heading_rad() const;
   /// The robot's own.
   const WalkPace& usual_pace() const { return usual_pace_; }
   /// How the present slope turns the ground.
@@ -88,7 +99,7 @@ class LiveWorld {
 
  private:
   LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first);
-  void Want(const std::optional<WalkPace>& pace, const std::optional<double>& heading_rad = {});
+  void GiveUpWishes();
   void StartPlanning();
   void TakeUpPlan();
   void GoOn();
@@ -118,9 +129,10 @@ class LiveWorld {
   Vector2 ground_from_ = Vector2::Zero();  ///< where a slope turns the ground
   LiveMode mode_ = LiveMode::kStands;
   double time_s_ = 0.0, down_since_s_ = 0.0;
-  std::optional<WalkPace> wanted_;
-  std::optional<double> wanted_heading_rad_;
-  PaceChange planned_;
+  std::optional<WalkWish> wanted_;
+  WalkWish planned_wish_;
+  PaceChange planned_;                  ///< for that
+  std::optional<double> turns_to_rad_;  ///< the heading that it is on its way to
   std::future<Result<PacePlan>> planning_;
   std::vector<std::string> notes_;
 };

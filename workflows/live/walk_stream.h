@@ -53,6 +53,8 @@ class WalkStream {
   bool stops() const { return !source_; }
   /// Where the present pace heads, which is the same in each of its cycles where it does not turn.
   double heading_rad() const;
+  /// From when the present pace repeats itself: what leads to it, a turn for one, is over.
+  double steady_from_s() const { return steady_.start_s; }
 
   /// Goes over into another pace at the first moment that serves, not before `earliest_s`.
   /// @param next  planned from the present pace. Failure kBadInput `misfit` where it is not.

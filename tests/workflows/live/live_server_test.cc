@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "tests/workflows/live/socket_client.h"
-#include "workflows/live/live_requests.h"
+#include "workflows/live/live_messages.h"
 
 namespace gaitwright {
 namespace {
@@ -24,6 +24,7 @@ class Server : public testing::Test {
     auto client = std::make_unique<SocketClient>(server_->port());
     EXPECT_EQ(client->Open("/live", "http://" + host(), host()), 101);
     EXPECT_EQ(client->Hear(), "hello");
+    EXPECT_EQ(client->Hear().value_or("").substr(0, 8), "{\"page\":");
     return client;
   }
   /// What was said, once something was; or which page left.
@@ -83,6 +84,16 @@ TEST_F(Server, TakesWhatPagesSayAndAnswersTheOneThatSaidIt) {
   server_->Publish("for all");
   EXPECT_EQ(one->Hear(), "for all");
   EXPECT_EQ(other->Hear(), "for all");
+}
+
+TEST_F(Server, PagesThatCameTooEarlyAreGreetedToo) {
+  const auto server = std::move(LiveServer::Start({}, "").value());
+  SocketClient early(server->port());
+  const std::string here = "127.0.0.1:" + std::to_string(server->port());
+  EXPECT_EQ(early.Open("/live", "http://" + here, here), 101);
+  server->Greet("hello");
+  EXPECT_EQ(early.Hear(), "hello");
+  EXPECT_EQ(early.Hear(), LivePageNumber(1));
 }
 
 TEST_F(Server, TellsWhichPageLeft) {

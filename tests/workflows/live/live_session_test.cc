@@ -38,6 +38,7 @@ class Session : public testing::Test {
     page_ = std::make_unique<SocketClient>(server_->port());
     EXPECT_EQ(page_->Open("/live", "http://" + host, host), 101);
     greeting_ = Json::parse(page_->Hear().value_or("null"));
+    number_ = Json::parse(page_->Hear().value_or("null"))["page"];
   }
 
   /// The next picture after so much of the wall's time.
@@ -62,6 +63,7 @@ class Session : public testing::Test {
   LiveSession session_;
   std::unique_ptr<SocketClient> page_;
   Json greeting_;
+  HandId number_ = 0;
   std::vector<std::string> notes_, phases_;
 };
 
@@ -126,12 +128,16 @@ TEST_F(Session, PosesHoldJointsWithinTheirLimits) {
 
 TEST_F(Session, PullsGroundOptionsAndNudges) {
   Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"to_m", {0.0, 1.0, 0.3}}});
-  EXPECT_GT(Picture(0.005)["pull_n"][1].get<double>(), 10.0);
+  const Json pulls = Picture(0.005)["pulls"];
+  ASSERT_EQ(pulls.size(), 1U);
+  EXPECT_EQ(pulls[0]["page"], number_);
+  EXPECT_GT(pulls[0]["force_n"][1].get<double>(), 10.0);
+  EXPECT_LE(pulls[0]["force_n"][1].get<double>(), greeting_["spring"]["most_n"].get<double>());
   Say({{"do", "let_go"}});
-  EXPECT_TRUE(Picture(0.005)["pull_n"].is_null());
+  EXPECT_TRUE(Picture(0.005)["pulls"].empty());
   Say({{"do", "push"}, {"force_n", {0.0, 12.0, 0.0}}, {"for_s", 0.05}});
-  EXPECT_EQ(Picture(0.02)["pull_n"][1], 12.0);
-  EXPECT_TRUE(Picture(0.05)["pull_n"].is_null());
+  EXPECT_EQ(Picture(0.02)["push_n"][1], 12.0);
+  EXPECT_TRUE(Picture(0.05)["push_n"].is_null());
   const Json ground = Say({{"do", "ground"}, {"friction", 0.5}, {"slope_deg", 5.0}, {"slope_direction_deg", 90.0}});
   EXPECT_EQ(ground["ground"]["friction"], 0.5);
   EXPECT_EQ(ground["ground"]["slope_deg"], 5.0);
@@ -145,20 +151,20 @@ TEST_F(Session, GaitsGoByTheirOwnNames) {
   for (const char* name : {"walk", "crawl"}) {
     Say({{"do", "pace"}, {"gait", name}, {"speed_m_s", 0.1}});
     ASSERT_TRUE(live_.wanted()) << name;
-    EXPECT_EQ(live_.wanted()->gait, "crawl");
+    EXPECT_EQ(live_.wanted()->pace.gait, "crawl");
     live_.Reset();
   }
 }
 
 TEST_F(Session, APageThatIsLostWhileItPullsLetsGo) {
   Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"to_m", {0.0, 0.1, 0.3}}});
-  EXPECT_TRUE(live_.hands().pulls());
+  EXPECT_EQ(live_.hands().grips().size(), 1U);
   page_.reset();
-  for (int tries = 0; tries < 500 && live_.hands().pulls(); ++tries) {
+  for (int tries = 0; tries < 500 && !live_.hands().grips().empty(); ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     session_.Turn(0.0);
   }
-  EXPECT_FALSE(live_.hands().pulls());
+  EXPECT_TRUE(live_.hands().grips().empty());
 }
 
 TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
@@ -193,7 +199,7 @@ TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
     LiveClock clock;
     const VectorX q = live_.world().q();
     try {
-      ReadLiveRequest(live_.model(), message)(live_, clock);
+      ReadLiveRequest(live_.model(), message)(live_, clock, number_);
       ADD_FAILURE() << message << " was taken";
     } catch (const InvalidArgument& refused) {
       EXPECT_NE(std::string(refused.what()).find(word), std::string::npos) << message << ": " << refused.what();

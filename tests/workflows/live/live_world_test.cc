@@ -73,15 +73,37 @@ TEST_F(Live, TurnsToAHeading) {
   EXPECT_EQ(live_->TakeNotes().size(), 1U);
   Ask({.gait = "trot", .speed_m_s = 0.3, .yaw_rate_rad_s = 0.3});
   Run(3.0);
+  live_->AskHeading(2.0);
   live_->AskHeading(-2.0);
   live_->WaitForPlan();
   live_->Step();
   EXPECT_TRUE(live_->wanted()) << "it goes straight first, and then turns";
   live_->WaitForPlan();
-  Run(15.0);
+  Run(1.0);
   EXPECT_FALSE(live_->wanted());
+  EXPECT_EQ(live_->wanted_heading_rad(), -2.0) << "it is on its way";
+  Run(14.0);
+  EXPECT_FALSE(live_->wanted_heading_rad());
   EXPECT_EQ(live_->mode(), LiveMode::kWalks);
   EXPECT_NEAR(YawOf(BaseRotation(live_->world().q())), -2.0, 0.1);
+}
+
+TEST_F(Live, AskedForMoreThanOneThingWhileItPlansItDoesThemAll) {
+  Ask({.gait = "trot", .speed_m_s = 0.3});
+  Run(2.0);
+  live_->Ask({.gait = "trot", .speed_m_s = 0.4});
+  live_->AskHeading(0.5);
+  EXPECT_EQ(live_->wanted(), (WalkWish{{.gait = "trot", .speed_m_s = 0.4}, 0.5}));
+  live_->AskHeading(0.7);
+  live_->Ask({.gait = "trot", .speed_m_s = 0.35});
+  EXPECT_EQ(live_->wanted(), (WalkWish{{.gait = "trot", .speed_m_s = 0.35}, 0.7}));
+  while (live_->wanted()) {
+    live_->WaitForPlan();
+    live_->Step();
+  }
+  Run(8.0);
+  EXPECT_EQ(live_->pace().speed_m_s, 0.35);
+  EXPECT_NEAR(YawOf(BaseRotation(live_->world().q())), 0.7, 0.1);
 }
 
 TEST_F(Live, AnswersANudgeOfAJoint) {
@@ -113,14 +135,14 @@ TEST_F(Live, IsPulledAboutAndRecovers) {
   Ask({.gait = "trot", .speed_m_s = 0.3});
   Run(4.0);
   const double y = live_->world().q()[1];
-  live_->hands().Pull(0, Vector3::Zero(), live_->world().q().head<3>() + Vector3(0.0, 0.08, 0.0));
+  live_->hands().Pull(1, 0, Vector3::Zero(), live_->world().q().head<3>() + Vector3(0.0, 0.08, 0.0));
   Run(0.3);
-  EXPECT_TRUE(live_->hands().force_W());
+  EXPECT_GT(live_->hands().grips().at(0).force_W.norm(), 0.0);
   EXPECT_GT(live_->world().q()[1] - y, 0.003) << "it was moved";
-  live_->hands().LetGo();
+  live_->hands().LetGo(1);
   Run(4.0);
   EXPECT_EQ(live_->mode(), LiveMode::kWalks);
-  EXPECT_THROW(live_->hands().Pull(99, Vector3::Zero(), Vector3::Zero()), InvalidArgument);
+  EXPECT_THROW(live_->hands().Pull(1, 99, Vector3::Zero(), Vector3::Zero()), InvalidArgument);
 }
 
 TEST_F(Live, StandsAndWalksOnASlopeAndFrictionThatItDoesNotKnow) {
@@ -143,11 +165,28 @@ TEST_F(Live, StandsAndWalksOnASlopeAndFrictionThatItDoesNotKnow) {
   }
 }
 
+TEST_F(Live, SeveralHandsPullAndEachLetsGoOfItsOwn) {
+  const Vector3 base = live_->world().q().head<3>();
+  for (const HandId hand : {1, 2}) live_->hands().Pull(hand, 0, Vector3::Zero(), base + Vector3(0.0, 0.01, 0.0));
+  live_->hands().Pull(2, 0, Vector3::Zero(), base - Vector3(0.0, 0.01, 0.0));
+  Run(0.01);
+  ASSERT_EQ(live_->hands().grips().size(), 2U);
+  EXPECT_NEAR((live_->hands().grips()[0].force_W + live_->hands().grips()[1].force_W).y(), 0.0, 0.1);
+  live_->hands().LetGo(1);
+  live_->hands().LetGo(1);
+  ASSERT_EQ(live_->hands().grips().size(), 1U);
+  EXPECT_EQ(live_->hands().grips()[0].hand, 2U);
+  for (HandId hand = 3; hand < 2 + HandsOn::kMostGrips; ++hand) live_->hands().Pull(hand, 0, Vector3::Zero(), base);
+  EXPECT_THROW(live_->hands().Pull(99, 0, Vector3::Zero(), base), InvalidArgument);
+  live_->PutInPose(live_->world().q());
+  EXPECT_TRUE(live_->hands().grips().empty()) << "what is posed is not pulled";
+}
+
 TEST_F(Live, FallsWhenItIsPulledOverAndStandsUp) {
-  live_->hands().Pull(0, Vector3::Zero(), Vector3(0.0, 3.0, 0.3));
+  live_->hands().Pull(1, 0, Vector3::Zero(), Vector3(0.0, 3.0, 0.3));
   Run(1.0);
   EXPECT_EQ(live_->mode(), LiveMode::kFallen);
-  live_->hands().LetGo();
+  live_->hands().LetGo(1);
   Run(1.0);
   live_->StandUp();
   Run(1.0);
