@@ -41,7 +41,7 @@ Pose PoseOf(const PlanarPose& pose) {
 VectorX CarriedState(const Pose& X, VectorX q) {
   const Quaternion R_WB(q[6], q[3], q[4], q[5]);
   q.head<3>() = X * Vector3(q.head<3>());
-  q.segment<4>(3) = (Quaternion(X.linear()) * R_WB).coeffs();
+  q.segment<4>(3) = (Quaternion(X.linear()) * R_WB).normalized().coeffs();
   return q;
 }
 

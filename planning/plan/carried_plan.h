@@ -8,7 +8,7 @@ namespace gaitwright {
 /// The transform that turns about z and moves in the plane: a pose of plan view as one of space.
 Pose PoseOf(const PlanarPose& pose);
 
-/// A configuration, or the velocities or accelerations of one, of the whole robot turned about z and moved by X.
+/// A configuration, or the velocities or accelerations of one, of the whole robot moved rigidly by X.
 VectorX CarriedState(const Pose& X, VectorX q);
 VectorX CarriedRates(const Pose& X, VectorX v);
 

@@ -31,6 +31,12 @@ struct JointCommand {
   VectorX stiffness, damping;  ///< [N m/rad], [N m s/rad]; not negative
 };
 
+/// Whether all of it is numbers.
+inline bool IsFinite(const JointCommand& command) {
+  return command.q.allFinite() && command.v.allFinite() && command.tau_ff.allFinite() &&
+         command.stiffness.allFinite() && command.damping.allFinite();
+}
+
 /// State in, command out: the only thing that the simulator knows of a controller, and the only thing that a user's own
 /// has to be. It must be deterministic, and must not keep time by itself: `time_s` may stand still while a robot
 /// settles.

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "kinematics/base/version.h"
+#include "planning/plan/carried_plan.h"
+#include "playback/bullet/bounds_internal.h"
 #include "playback/bullet/fall_watch_internal.h"
 #include "playback/bullet/off_plan_internal.h"
 #include "playback/bullet/playable_internal.h"
@@ -16,49 +18,15 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kMostOfState = 1e6;  // beyond it numbers are no physics any more [m], [rad], [m/s], [rad/s]
-constexpr double kMostForce = 1e12;   // likewise [N], [N m]
-
 // Why a playback broke off.
 constexpr char kNoPhysics[] = "the physics gave a state that is not finite, or beyond all bounds";
 constexpr char kNoCommand[] = "the controller gave a command that is not finite";
 constexpr char kNoEstimate[] = "the controller's estimate of the base is not finite, or beyond all bounds";
 
-/// Whether all numbers are finite and not beyond a bound.
-template <class Numbers>
-bool Within(const Numbers& numbers, double most) {
-  return (numbers.array().abs() <= most).all();  // which what is no number is not
-}
-
-bool IsPhysical(const BulletWorld& world) {
-  return Within(world.q(), kMostOfState) && Within(world.v(), kMostOfState) && Within(world.tau(), kMostForce) &&
-         std::all_of(world.feet().begin(), world.feet().end(), [](const FootContact& foot) {
-           return Within(foot.wrench.force_W, kMostForce) && Within(foot.wrench.moment_W, kMostForce);
-         });
-}
-
 bool IsPhysical(const BaseEstimate& estimate) {
+  using bullet::kMostOfState, bullet::Within;
   return Within(estimate.p_WB, kMostOfState) && Within(estimate.R_WB.coeffs(), kMostOfState) &&
          Within(estimate.v_WB, kMostOfState) && Within(estimate.w_WB, kMostOfState);
-}
-
-bool IsFinite(const JointCommand& command) {
-  return command.q.allFinite() && command.v.allFinite() && command.tau_ff.allFinite() &&
-         command.stiffness.allFinite() && command.damping.allFinite();
-}
-
-/// A state turned rigidly by X.
-VectorX Moved(const Pose& X, VectorX q) {
-  const Quaternion turn(X.linear());
-  q.head<3>() = X * Vector3(q.head<3>());
-  q.segment<4>(3) = (turn * Quaternion(q[6], q[3], q[4], q[5])).normalized().coeffs();
-  return q;
-}
-
-VectorX MovedVelocity(const Pose& X, VectorX v) {
-  v.head<3>() = X.linear() * Vector3(v.head<3>());
-  v.segment<3>(3) = X.linear() * Vector3(v.segment<3>(3));
-  return v;
 }
 
 /// Means and peaks since the last sample.
@@ -132,8 +100,8 @@ class Playback {
   PlaybackLog Run() {
     const Vector2 start_W = plan_.whole_body.q.front().head<2>();
     const Pose X_tilt = GroundTilt(plan_.terrain, world_options_, start_W);
-    const VectorX q_start = Moved(X_tilt, plan_.whole_body.q.front());
-    world_.SetState(q_start, MovedVelocity(X_tilt, plan_.whole_body.v.front()));
+    const VectorX q_start = CarriedState(X_tilt, plan_.whole_body.q.front());
+    world_.SetState(q_start, CarriedRates(X_tilt, plan_.whole_body.v.front()));
     if (bullet::StartsOff(options_)) {
       world_.SetState(bullet::MovedOff(model_, options_, q_start), world_.v());
       world_.LiftOutOfGround(q_start);

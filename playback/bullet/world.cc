@@ -10,6 +10,7 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/joint_losses.h"
 #include "planning/plan/sole_support.h"
+#include "playback/bullet/bounds_internal.h"
 #include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/contact_reader_internal.h"
 #include "playback/bullet/drive_internal.h"
@@ -343,6 +344,14 @@ Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vecto
 
 double FrictionOf(const Terrain& terrain, const WorldOptions& options, const Vector2& p_W) {
   return options.friction > 0.0 ? options.friction : GroundAt(terrain, p_W).friction;
+}
+
+bool IsPhysical(const BulletWorld& world) {
+  using bullet::kMostForce, bullet::kMostOfState, bullet::Within;
+  return Within(world.q(), kMostOfState) && Within(world.v(), kMostOfState) && Within(world.tau(), kMostForce) &&
+         std::all_of(world.feet().begin(), world.feet().end(), [](const FootContact& foot) {
+           return Within(foot.wrench.force_W, kMostForce) && Within(foot.wrench.moment_W, kMostForce);
+         });
 }
 
 }  // namespace gaitwright

@@ -97,4 +97,7 @@ Pose GroundTilt(const Terrain& terrain, const WorldOptions& options, const Vecto
 /// Coefficient of friction at a place, with the option's override.
 double FrictionOf(const Terrain& terrain, const WorldOptions& options, const Vector2& p_W);
 
+/// Whether state, torques and forces are finite and not beyond all bounds (1e6, and 1e12 for forces): else it blew up.
+bool IsPhysical(const BulletWorld& world);
+
 }  // namespace gaitwright
