@@ -158,12 +158,26 @@ FootSet ScheduledAt(const ContactSchedule& schedule, double time_s) {
   return schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, time_s))].stance;
 }
 
-/// The plan's rows; where there are no torques or wrenches, each row has empty ones.
-WholeBodyTrajectory WithAllRows(WholeBodyTrajectory motion) {
-  motion.tau.resize(motion.q.size());
-  motion.wrenches.resize(motion.q.size());
-  return motion;
-}
+/// The plan's rows; where there are no torques or wrenches, each row has empty ones. Rows that are all there are not
+/// copied.
+class AllRows {
+ public:
+  explicit AllRows(const WholeBodyTrajectory& motion) : rows_(&motion) {
+    if (motion.tau.size() == motion.q.size() && motion.wrenches.size() == motion.q.size()) return;
+    filled_ = motion;
+    filled_.tau.resize(motion.q.size());
+    filled_.wrenches.resize(motion.q.size());
+    rows_ = &filled_;
+  }
+  AllRows(const AllRows&) = delete;
+  AllRows& operator=(const AllRows&) = delete;
+
+  const WholeBodyTrajectory& operator*() const { return *rows_; }
+
+ private:
+  WholeBodyTrajectory filled_;
+  const WholeBodyTrajectory* rows_;
+};
 
 WholeBodySample At(const WholeBodyTrajectory& motion, double time_s) {
   WholeBodySample sample;
@@ -186,7 +200,8 @@ MotionSeries MakeMotionSeries(const RobotModel& model, const MotionPlan& plan, c
   CheckMotion(model, plan.whole_body);
   CheckLog(model, log);
   Sampler sampler(model, plan, options);
-  const WholeBodyTrajectory motion = WithAllRows(plan.whole_body);
+  const AllRows rows(plan.whole_body);
+  const WholeBodyTrajectory& motion = *rows;
   MotionSeries series;
   const double half_interval = 0.5 / log.log_rate_hz;
   for (const LogSample& row : log.samples) {
@@ -208,7 +223,8 @@ MotionSeries MakePlannedSeries(const RobotModel& model, const MotionPlan& plan, 
     throw InvalidArgument(fmt::format("MakePlannedSeries: the rate is {} Hz; it must be positive and finite", rate_hz));
   CheckMotion(model, plan.whole_body);
   Sampler sampler(model, plan, options);
-  const WholeBodyTrajectory motion = WithAllRows(plan.whole_body);
+  const AllRows rows(plan.whole_body);
+  const WholeBodyTrajectory& motion = *rows;
   MotionSeries series;
   const int intervals = static_cast<int>(std::floor(plan.duration_s() * rate_hz + 1e-6));
   for (int k = 0; k <= intervals; ++k) {
