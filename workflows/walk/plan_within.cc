@@ -44,11 +44,13 @@ struct Cycles {
   static constexpr int kQuickest = 6, kSlowest = -4;
   Gait fitted;
   double shortest_s = 0.0, longest_s = 0.0;
+  double step_s = 0.0;  ///< each is a whole number of these; 0 for any
 
   Gait At(int number) const {
     Gait gait = fitted;
     const double last = number > 0 ? std::min(shortest_s, gait.cycle_s) : std::max(longest_s, gait.cycle_s);
     gait.cycle_s *= std::pow(last / gait.cycle_s, static_cast<double>(number) / (number > 0 ? kQuickest : kSlowest));
+    if (step_s > 0.0) gait.cycle_s = step_s * std::max(1.0, std::round(gait.cycle_s / step_s));
     return gait;
   }
 };
@@ -232,7 +234,7 @@ class Search {
     if (!shortest || !longest) return shortest ? longest.failure() : shortest.failure();
     const bool quicker =
         PaceOf(command) != Pace::kStepLength;  // steps as long as they are asked for gain nothing by it
-    return Cycles{*gait, quicker ? *shortest : gait->cycle_s, *longest};
+    return Cycles{*gait, quicker ? *shortest : gait->cycle_s, *longest, request_.gait_options.cycle_step_s};
   }
 
   /// Plans and audits; a plan past limits is not audited where only one that passes is of interest.

@@ -63,8 +63,8 @@ Result<PlannedWalk> PlanAsked(const RobotModel& model, const Terrain& terrain, c
   return PlanPartsWithin(model, terrain, request, *parts);
 }
 
-/// The gains asked for, bounded for explicit torque control at the playback's own step, and the age of what it acts on,
-/// unless another step is given.
+}  // namespace
+
 GainOptions GainsFor(const PlayRequest& request) {
   constexpr double kLongest = 0.1;  // that explicit_step_s may be [s]
   GainOptions gains = request.gains;
@@ -74,8 +74,6 @@ GainOptions GainsFor(const PlayRequest& request) {
   gains.explicit_step_s = std::min(request.play.world.step_s + delay_s, kLongest);
   return gains;
 }
-
-}  // namespace
 
 Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_path) {
   return urdf_path.empty() ? LoadNamedRobot(name) : LoadRobot(urdf_path);

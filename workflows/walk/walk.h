@@ -77,6 +77,10 @@ Result<RobotModel> RobotOf(const MotionPlan& plan);
 /// mends. A sequence is planned in one motion; a part that has no plan is named.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
+/// The gains asked for, bounded for explicit torque control at the playback's own step, and the age of what it acts on,
+/// unless another step is given.
+GainOptions GainsFor(const PlayRequest& request);
+
 /// The controller of that name, behind the sensors asked for; where the joints' losses do not act (play.joint_losses)
 /// it knows of none. @throws InvalidArgument listing those there are, or for a loop of the drives that the actuation
 /// does not have. Model and plan must outlive it.
