@@ -17,10 +17,13 @@
 namespace gaitwright::cli {
 namespace {
 
-/// What can be set: what shapes plans, the world and the controller. Sensors, delays and timed pushes are for 'play'.
+/// What can be set: what shapes plans, the world and the controller. Sensors, delays and timed pushes are for 'play',
+/// as are bumps, which end somewhere where this walk does not.
 OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
-  return Joined({walk.Fields(), Prefixed("play", play.play.world.Fields()),
-                 Prefixed("stabilised", play.stabilised.Fields()), Prefixed("gains", play.gains.Fields())});
+  OptionFields world = play.play.world.Fields();
+  std::erase_if(world, [](const OptionField& field) { return field.key.find("bump") != std::string::npos; });
+  return Joined({walk.Fields(), Prefixed("play", world), Prefixed("stabilised", play.stabilised.Fields()),
+                 Prefixed("gains", play.gains.Fields())});
 }
 
 struct Arguments {

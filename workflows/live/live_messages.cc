@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/gait/load_gaits.h"
 #include "playback/score/motion_series.h"
@@ -35,13 +36,29 @@ Json PaceJson(const WalkPace& pace) {
           {"yaw_rate_rad_s", pace.yaw_rate_rad_s}};
 }
 
-/// Plan and measurement at this moment, as the viewer has them; the forces are means since the last picture.
-MotionSeries Now(LiveWorld& live) {
+/// Plan and measurement at this moment, as the viewer has them.
+MotionSeries Now(const LiveWorld& live, const LogSample& sample) {
   PlaybackLog log;
   log.log_rate_hz = 1.0 / live.step_s();
   log.start_s = live.time_s() - live.step_s();
-  log.samples.push_back(live.TakeSample());
+  log.samples.push_back(sample);
   return MakeMotionSeries(live.model(), live.plan(), log, {});
+}
+
+/// Where feet are, those that touch with where they do and the forces that they carry.
+Json FeetJson(const LiveWorld& live, const LogSample& sample) {
+  const RobotModel& model = live.model();
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, sample.q, scratch);
+  Json feet = Json::array();
+  for (std::size_t i = 0; i < model.feet.size(); ++i) {
+    const bool touching = Contains(sample.contact, static_cast<int>(i));
+    const Vector3 p_W = touching ? live.world().feet()[i].p_W
+                                 : Vector3(ContactFrame(model, scratch, static_cast<int>(i)).translation());
+    feet.push_back(
+        {{"p", List(p_W)}, {"f", touching ? List(sample.wrenches[i].force_W) : Json()}, {"touching", touching}});
+  }
+  return feet;
 }
 
 /// Where a point of plan view lies on what carries the robot, in flight on the ground.
@@ -125,14 +142,9 @@ std::string LiveGreeting(const LiveWorld& live, const std::optional<std::string>
 }
 
 std::string LiveFrame(LiveWorld& live, const LiveStatus& status) {
-  const MotionSeries now = Now(live);
+  const LogSample sample = live.TakeSample();
+  const MotionSeries now = Now(live, sample);
   const Terrain& terrain = live.plan().terrain;
-  Json feet = Json::array();
-  for (const FootContact& foot : live.world().feet()) {
-    feet.push_back({{"p", List(foot.p_W)},
-                    {"f", foot.touching ? List(foot.wrench.force_W) : Json()},
-                    {"touching", foot.touching}});
-  }
   const std::optional<double> wanted_heading = live.wanted_heading_rad();
   const std::optional<Vector3> push_W = live.hands().push_W();
   Json notes = Json::array(), options = Json::array();
@@ -153,7 +165,7 @@ std::string LiveFrame(LiveWorld& live, const LiveStatus& status) {
                      {"ghost", List(now.plan.front().q)},
                      {"measured", BalanceJson(now.measured.front(), terrain)},
                      {"planned", BalanceJson(now.planned.front(), terrain)},
-                     {"feet", feet},
+                     {"feet", FeetJson(live, sample)},
                      {"pulls", PullsJson(live.hands())},
                      {"push_n", push_W ? List(*push_W) : Json()},
                      {"ground", GroundJson(live)},

@@ -51,8 +51,11 @@ LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
   m.Object({"do", "body", "at_m", "to_m"});
   const int body = m.At("body").Whole(0, static_cast<int>(model.bodies.size()) - 1);
   const Vector3 at = m.At("at_m").Vector(3), to = m.At("to_m").Vector(3);
-  if (at.norm() > kFarthest || to.norm() > kFarthest) m.Refuse("pulls too far away");
-  return [body, at, to](LiveWorld& live, LiveClock&, HandId hand) { live.hands().Pull(hand, body, at, to); };
+  if (at.norm() > kFarthest) m.Refuse("holds the robot too far away");
+  return [body, at, to](LiveWorld& live, LiveClock&, HandId hand) {
+    if (!((to - live.world().q().head<3>()).norm() < kFarthest)) throw InvalidArgument("that pulls too far away");
+    live.hands().Pull(hand, body, at, to);
+  };
 }
 
 LiveRequest ReadLetGo(const JsonPart& m, const RobotModel&) {
@@ -94,15 +97,20 @@ LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
 }
 
 LiveRequest ReadPose(const JsonPart& m, const RobotModel& model) {
-  constexpr double kFarthest = 100.0, kShortest = 0.1;
+  constexpr double kShortest = 0.1, kLongest = 10.0;  // of a quaternion
+  constexpr double kRounding = 1e-4;                  // of what pages send
   m.Object({"do", "q"});
   VectorX q = m.At("q").Vector(static_cast<std::size_t>(model.nq()));
   const double length = q.segment<4>(3).norm();
-  if (!(q.head<3>().norm() < kFarthest) || !(length > kShortest && length < kFarthest))
-    m.Refuse("puts the base where it cannot be");
+  if (!(length > kShortest && length < kLongest)) m.Refuse("turns the base by no quaternion");
   q.segment<4>(3) /= length;
-  for (int d = 0; d < model.num_dofs(); ++d)
-    q[7 + d] = std::min(std::max(q[7 + d], model.dof_lower(d)), model.dof_upper(d));
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double lower = model.dof_lower(d), upper = model.dof_upper(d);
+    if (q[7 + d] < lower - kRounding || q[7 + d] > upper + kRounding)
+      m.Refuse(fmt::format("has {} for {}, whose limits are {} and {}", q[7 + d],
+                           model.dof_names[static_cast<std::size_t>(d)], lower, upper));
+    q[7 + d] = std::clamp(q[7 + d], lower, upper);
+  }
   return [q](LiveWorld& live, LiveClock&, HandId) { live.PutInPose(q); };
 }
 

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <boost/asio/ip/host_name.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <boost/beast/http/span_body.hpp>
 #include <boost/beast/websocket.hpp>
 #include <deque>
 #include <map>
@@ -32,6 +34,7 @@ using tcp = asio::ip::tcp;
 
 constexpr std::chrono::seconds kPatience{10};  // for a request
 constexpr std::size_t kLongestRequest = 16384, kMostWaiting = 32;
+constexpr int kMostVisits = 256;
 constexpr std::chrono::milliseconds kPause{100};  // where no connection can be taken
 
 using Text = std::shared_ptr<const std::string>;
@@ -41,24 +44,42 @@ class Inbox {
  public:
   void Put(LiveSaying message) {
     const std::lock_guard lock(mutex_);
+    const std::uint64_t page = message.page;
     const bool said = !message.left;
     messages_.push_back(std::move(message));
-    if (!said || ++said_ <= kMostLiveMessages) return;
-    messages_.erase(std::find_if(messages_.begin(), messages_.end(), [](const LiveSaying& m) { return !m.left; }));
-    --said_;
+    if (!said) return;
+    ++said_[page];
+    if (++all_said_ > kMostLiveMessages) DropOne();
   }
-  std::vector<LiveSaying> Take() {
+  std::optional<LiveSaying> Next() {
     const std::lock_guard lock(mutex_);
-    std::vector<LiveSaying> taken(messages_.begin(), messages_.end());
-    messages_.clear();
-    said_ = 0;
-    return taken;
+    if (messages_.empty()) return std::nullopt;
+    LiveSaying next = std::move(messages_.front());
+    messages_.pop_front();
+    if (!next.left) Forget(next.page);
+    return next;
   }
 
  private:
+  /// The oldest of the page that said most.
+  void DropOne() {
+    const auto most = std::max_element(said_.begin(), said_.end(),
+                                       [](const auto& one, const auto& other) { return one.second < other.second; });
+    const std::uint64_t page = most->first;
+    messages_.erase(std::find_if(messages_.begin(), messages_.end(),
+                                 [page](const LiveSaying& saying) { return saying.page == page && !saying.left; }));
+    Forget(page);
+  }
+  void Forget(std::uint64_t page) {
+    --all_said_;
+    const auto said = said_.find(page);
+    if (--said->second == 0) said_.erase(said);
+  }
+
   std::mutex mutex_;
   std::deque<LiveSaying> messages_;
-  std::size_t said_ = 0;  ///< of these, without those that tell who left
+  std::map<std::uint64_t, std::size_t> said_;  ///< how many of these each page said, who has left or not
+  std::size_t all_said_ = 0;
 };
 
 class Page;
@@ -67,12 +88,13 @@ class Page;
 struct Shared {
   Text html;
   Text greeting;
-  std::string host;
+  std::string host, machine;  ///< the address, and the name of this machine without its domain
   int port = 0;
   bool loopback = true;
   Inbox inbox;
   std::map<std::uint64_t, Page*> pages;  ///< by number
   std::uint64_t opened = 0;
+  int visits = 0;  ///< connections that are no pages
   std::atomic<int> count{0};
 };
 
@@ -125,19 +147,20 @@ class Page : public std::enable_shared_from_this<Page> {
     if (!writing_) Write();
   }
 
-  void Close() { beast::get_lowest_layer(socket_).close(); }
-
  private:
   void Read() {
     socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error) return;  // closed, lost, silent, too long, or no frame of the protocol
-      if (self->socket_.got_text()) self->Hear();
+      self->Hear();
       self->buffer_.consume(self->buffer_.size());
       self->Read();
     });
   }
 
-  void Hear() { shared_.inbox.Put({number_, beast::buffers_to_string(buffer_.data())}); }
+  /// What is no text is as a text of nothing: refused.
+  void Hear() {
+    shared_.inbox.Put({number_, socket_.got_text() ? beast::buffers_to_string(buffer_.data()) : std::string()});
+  }
 
   void Write() {
     writing_ = true;
@@ -161,7 +184,10 @@ class Page : public std::enable_shared_from_this<Page> {
 /// One connection until it is answered or becomes a page.
 class Visit : public std::enable_shared_from_this<Visit> {
  public:
-  Visit(tcp::socket&& socket, Shared& shared) : stream_(std::move(socket)), shared_(shared) {}
+  Visit(tcp::socket&& socket, Shared& shared) : stream_(std::move(socket)), shared_(shared) { ++shared_.visits; }
+  ~Visit() { --shared_.visits; }
+  Visit(const Visit&) = delete;
+  Visit& operator=(const Visit&) = delete;
 
   void Read() {
     parser_.emplace();
@@ -192,37 +218,50 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
   static Text Plain(const std::string& text) { return std::make_shared<const std::string>(text); }
 
-  /// A browser says which page a WebSocket is of; a page of elsewhere is not ours. On loopback the name that it is
-  /// asked for must be this machine's too, since other names may be made to lead here.
+  /// A browser says which page a WebSocket is of; a page of elsewhere is not ours. The name that it is asked for must
+  /// be this machine's too, since other names may be made to lead here.
   bool IsForUs(const http::request<http::empty_body>& request) const {
     const std::string host(request[http::field::host]);
-    if (shared_.loopback) {
-      bool known = false;
-      for (const std::string& name :
-           {shared_.host, std::string("localhost"), std::string("127.0.0.1"), std::string("[::1]")})
-        known = known || host == fmt::format("{}:{}", name, shared_.port);
-      if (!known) return false;
-    }
+    if (!IsOurs(host)) return false;
     const auto origin = request.find(http::field::origin);
     return origin == request.end() || origin->value() == "http://" + host;
   }
 
+  bool IsOurs(const std::string& host) const {
+    constexpr int kUsualPort = 80;  // which browsers leave out
+    const std::string port = fmt::format(":{}", shared_.port);
+    const bool told = host.size() > port.size() && host.ends_with(port);
+    if (!told && shared_.port != kUsualPort) return false;
+    const std::string name = told ? host.substr(0, host.size() - port.size()) : host;
+    if (name == shared_.host || name == "localhost" || name == "127.0.0.1" || name == "[::1]") return true;
+    return !shared_.loopback && (IsAddress(name) || name.substr(0, name.find('.')) == shared_.machine);
+  }
+
+  static bool IsAddress(const std::string& name) {
+    const bool bracketed = name.starts_with('[') && name.ends_with(']');
+    beast::error_code error;
+    asio::ip::make_address(bracketed ? name.substr(1, name.size() - 2) : name, error);
+    return !error;
+  }
+
   void Say(const http::request<http::empty_body>& request, http::status status, const char* type, Text text) {
     const bool head = request.method() == http::verb::head;
-    auto response = std::make_shared<http::response<http::string_body>>(status, request.version());
+    using Body = http::span_body<const char>;
+    auto response = std::make_shared<http::response<Body>>(status, request.version());
     response->set(http::field::content_type, type);
     response->set(http::field::cache_control, "no-store");
     response->set("X-Content-Type-Options", "nosniff");
     response->set("X-Frame-Options", "DENY");
     response->keep_alive(request.keep_alive());
-    if (!head) response->body() = *text;
+    if (!head) response->body() = {text->data(), text->size()};
     response->content_length(text->size());
     stream_.expires_after(kPatience);
-    http::async_write(stream_, *response, [self = shared_from_this(), response](beast::error_code error, std::size_t) {
-      if (!error && response->keep_alive()) return self->Read();
-      beast::error_code ignored;
-      self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
-    });
+    http::async_write(stream_, *response,
+                      [self = shared_from_this(), response, text](beast::error_code error, std::size_t) {
+                        if (!error && response->keep_alive()) return self->Read();
+                        beast::error_code ignored;
+                        self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+                      });
   }
 
   beast::tcp_stream stream_;
@@ -244,7 +283,7 @@ struct LiveServer::Impl {
     acceptor.async_accept([this](beast::error_code error, tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
       if (!error) {
-        std::make_shared<Visit>(std::move(socket), shared)->Read();
+        if (shared.visits < kMostVisits) std::make_shared<Visit>(std::move(socket), shared)->Read();
         return Accept();
       }
       pause.expires_after(kPause);
@@ -257,6 +296,14 @@ LiveServer::LiveServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address, const std::string& page) {
   auto impl = std::make_unique<Impl>();
+  constexpr int kHighestPort = 65535;
+  if (address.port < 0 || address.port > kHighestPort) {
+    return Failure{FailureKind::kBadInput,
+                   "address",
+                   "LiveServer",
+                   fmt::format("there is no port {}; accepted: 0 to {}", address.port, kHighestPort),
+                   {"--port 0 takes any port that is free"}};
+  }
   try {
     const asio::ip::address ip = asio::ip::make_address(address.host == "localhost" ? "127.0.0.1" : address.host);
     const tcp::endpoint endpoint(ip, static_cast<unsigned short>(address.port));
@@ -266,6 +313,8 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
     impl->acceptor.listen();
     impl->shared.loopback = ip.is_loopback();
     impl->shared.host = ip.is_v6() ? fmt::format("[{}]", ip.to_string()) : ip.to_string();
+    const std::string machine = asio::ip::host_name();
+    impl->shared.machine = machine.substr(0, machine.find('.'));
     impl->shared.port = impl->acceptor.local_endpoint().port();
   } catch (const boost::system::system_error& error) {
     return Failure{FailureKind::kBadInput,
@@ -302,7 +351,7 @@ void LiveServer::Publish(const std::string& picture) {
   });
 }
 
-std::vector<LiveSaying> LiveServer::Take() { return impl_->shared.inbox.Take(); }
+std::optional<LiveSaying> LiveServer::Next() { return impl_->shared.inbox.Next(); }
 
 void LiveServer::Tell(std::uint64_t page, const std::string& text) {
   asio::post(impl_->context, [impl = impl_.get(), page, text = std::make_shared<const std::string>(text)] {

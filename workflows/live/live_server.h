@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "kinematics/base/result.h"
 
@@ -27,9 +27,9 @@ struct LiveSaying {
 /// what people do.
 ///
 /// It takes at most kMostPages at once and messages of kLongestLiveMessage. A page that reads slowly misses pictures
-/// and holds nobody up; one that says nothing and answers no ping for half a minute is let go. Requests whose Host is
-/// not this server, where it is on loopback, and WebSockets whose Origin is another page are refused (403): so no page
-/// of the web can reach the robot through the browser of somebody.
+/// and holds nobody up; one that says nothing and answers no ping for half a minute is let go. Requests for
+/// another name than this machine's or an address, and WebSockets whose Origin is another page are refused (403): so no
+/// page of the web can reach the robot through the browser of somebody.
 class LiveServer {
  public:
   static constexpr int kMostPages = 64;
@@ -48,9 +48,9 @@ class LiveServer {
   void Greet(const std::string& greeting);
   /// Sends a picture to every page; it takes the place of one that a slow page has not been sent yet.
   void Publish(const std::string& picture);
-  /// What pages have said since the last call, in that order. Beyond kMostLiveMessages the oldest are
-  /// dropped, though not who left.
-  std::vector<LiveSaying> Take();
+  /// What pages have said, in that order; nothing where all has been taken. Beyond kMostLiveMessages the oldest of the
+  /// page that said most are dropped; who left never is.
+  std::optional<LiveSaying> Next();
   /// Answers one page, where it is still open.
   void Tell(std::uint64_t page, const std::string& text);
   /// How many pages are open.

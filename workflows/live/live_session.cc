@@ -40,16 +40,16 @@ LiveSession::LiveSession(LiveWorld& live, LiveServer& server, LiveListener liste
     : live_(live), server_(server), listener_(std::move(listener)) {}
 
 void LiveSession::Turn(double wall_s) {
-  Hear();
+  const auto begun = std::chrono::steady_clock::now();
+  const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(); };
+  Hear(spent);
   const double step_s = live_.step_s();
   if (status_.clock.paused) {
     due_s_ = 0.0;
-    for (; status_.clock.steps > 0; --status_.clock.steps) StepOnce();
+    for (; status_.clock.steps > 0 && spent() < kOnePicture; --status_.clock.steps) StepOnce();
   } else {
     status_.clock.steps = 0;
     due_s_ += wall_s;
-    const auto begun = std::chrono::steady_clock::now();
-    const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(); };
     while (due_s_ >= step_s && spent() < kOnePicture) {
       StepOnce();
       due_s_ -= step_s;
@@ -81,17 +81,20 @@ void LiveSession::Run(const std::function<bool()>& stop) {
   }
 }
 
-void LiveSession::Hear() {
-  for (const LiveSaying& saying : server_.Take()) {
-    if (saying.left) {
-      live_.hands().LetGo(saying.page);
+template <class Spent>
+void LiveSession::Hear(const Spent& spent) {
+  constexpr double kShare = 0.5;  // of the time between two pictures
+  while (const std::optional<LiveSaying> saying = server_.Next()) {
+    if (saying->left) {
+      live_.hands().LetGo(saying->page);
       continue;
     }
     try {
-      ReadLiveRequest(live_.model(), saying.text)(live_, status_.clock, saying.page);
+      ReadLiveRequest(live_.model(), saying->text)(live_, status_.clock, saying->page);
     } catch (const InvalidArgument& refused) {
-      server_.Tell(saying.page, LiveRefusal(refused.what()));
+      server_.Tell(saying->page, LiveRefusal(refused.what()));
     }
+    if (spent() > kShare * kOnePicture) return;
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <string>
 #include <utility>
@@ -29,14 +28,16 @@ class LiveSession {
   /// Both must outlive it.
   LiveSession(LiveWorld& live, LiveServer& server, LiveListener listener);
 
-  /// What was to be done `wall_s` after the last call: messages, steps, a picture.
+  /// What was to be done `wall_s` after the last call: messages, steps, a picture. What takes longer than a picture may
+  /// is gone on with at the next call.
   /// @param wall_s  of the machine's clock [s].
   void Turn(double wall_s);
   /// In real time until `stop` says so.
   void Run(const std::function<bool()>& stop);
 
  private:
-  void Hear();
+  template <class Spent>
+  void Hear(const Spent& spent);
   void StepOnce();
   void TellPhase();
   void Note(const std::string& text);

@@ -19,7 +19,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLead = 0.25;          // from being asked to the earliest change [s]
+constexpr double kLead = 0.45;          // from being asked to the earliest change, longer than a seam bends [s]
 constexpr double kAhead = 1.0;          // so long before a stop it is settled whether it comes [s]
 constexpr double kSameHeading = 0.01;   // [rad]
 constexpr double kFallenTilt = 1.0;     // [rad]
@@ -90,7 +90,7 @@ LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const Pl
       stream_(first_.plan),
       world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world),
       hands_(model),
-      gains_(DeriveGains(model, play.gains)) {
+      gains_(DeriveGains(model, GainsFor(play))) {
   Reset();
 }
 
@@ -98,10 +98,14 @@ LiveWorld::~LiveWorld() {
   if (planning_.valid()) planning_.wait();
 }
 
-void LiveWorld::Reset() {
-  PutOnGround(first_.plan.whole_body.q.front(), VectorX::Zero(model_.nv()));
-  stream_ = WalkStream(first_.plan);
-  time_s_ = down_since_s_ = stream_.plan().whole_body.start_s;
+void LiveWorld::Reset() { Stand(Pose::Identity(), 0.0); }
+
+/// Stands as the first plan begins, moved by X in plan view, at a time.
+void LiveWorld::Stand(const Pose& X, double time_s) {
+  const MotionPlan& stands = first_.plan;
+  PutOnGround(CarriedState(X, stands.whole_body.q.front()), VectorX::Zero(model_.nv()));
+  stream_ = WalkStream(CarriedPlan(X, time_s - stands.whole_body.start_s, stands));
+  time_s_ = down_since_s_ = time_s;
   history_.clear();
   GiveUpWishes();
   hands_.Off();
@@ -120,7 +124,9 @@ void LiveWorld::Step() {
   while (history_.size() > most) history_.pop_front();
   command_ = mode_ == LiveMode::kFallen ? Damping() : controller_->Update(history_.back());
   hands_.Apply(time_s_, gains_, world_, command_);
+  if (!IsFinite(command_)) return Fall(true);
   world_.Step(command_);
+  if (!IsPhysical(world_)) return Fall(true);
   AddToMeans();
   time_s_ += step_s();
   Watch();
@@ -150,7 +156,7 @@ std::optional<double> LiveWorld::wanted_heading_rad() const {
 }
 
 void LiveWorld::Ask(const WalkPace& pace) {
-  if (mode_ == LiveMode::kFallen || mode_ == LiveMode::kPosed) return;
+  if (!may_walk()) return notes_.emplace_back("walks once it stands up"), void();
   if (!pace.stands()) {
     const bool keeps_heading = wanted_ && pace.yaw_rate_rad_s == 0.0;
     wanted_ = {pace, keeps_heading ? wanted_->heading_rad : std::nullopt};
@@ -158,7 +164,7 @@ void LiveWorld::Ask(const WalkPace& pace) {
   }
   GiveUpWishes();
   if (stream_.stops()) return;
-  stream_.Stop(time_s_ + kLead);
+  if (const auto failure = stream_.Stop(time_s_ + kLead)) notes_.push_back(failure->message);
   TakeControl();
 }
 
@@ -169,6 +175,10 @@ void LiveWorld::AskHeading(double heading_rad) {
   }
   WalkPace straight = wanted_ ? wanted_->pace : stream_.pace();
   straight.yaw_rate_rad_s = 0.0;
+  if (straight.stands()) {
+    notes_.emplace_back("turns to a heading while it walks ahead or aside, not on the spot");
+    return;
+  }
   wanted_ = {straight, heading_rad};
   StartPlanning();
 }
@@ -185,9 +195,17 @@ void LiveWorld::StartPlanning() {
   planning_ = std::async(std::launch::async, [this, change = planned_] { return PlanPace(model_, change, usual_); });
 }
 
+Result<PacePlan> LiveWorld::Planned() {
+  try {
+    return planning_.get();
+  } catch (const std::exception& error) {
+    return Failure{FailureKind::kInfeasible, "planning", "PlanPace", error.what(), {}};
+  }
+}
+
 void LiveWorld::TakeUpPlan() {
   if (!planning_.valid() || planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-  const Result<PacePlan> next = planning_.get();
+  const Result<PacePlan> next = Planned();
   if (!wanted_) return;
   if (*wanted_ != planned_wish_ || stream_.pace() != planned_.from) return StartPlanning();
   if (!next) {
@@ -224,10 +242,12 @@ void LiveWorld::GoOn() {
 /// A controller of the present plan that knows what the robot did lately. The plan is moved to where the robot went.
 void LiveWorld::TakeControl() {
   if (mode_ == LiveMode::kWalks) stream_.Shift(FootOffset());
-  followed_ = std::make_unique<MotionPlan>(stream_.plan());
-  controller_ = MakeController(model_, *followed_, play_);
-  controller_->Reset();
-  for (const ControlInput& input : history_) controller_->Update(input);
+  auto followed = std::make_unique<MotionPlan>(stream_.plan());
+  auto controller = MakeController(model_, *followed, play_);
+  controller->Reset();
+  for (const ControlInput& input : history_) controller->Update(input);
+  controller_ = std::move(controller);  // before the plan that the one before it follows
+  followed_ = std::move(followed);
 }
 
 /// How far the feet that stand are from where the plan has them, in the mean.
@@ -269,12 +289,15 @@ void LiveWorld::Watch() {
   }
   const bool sunk = touching > 0 && world_.q()[2] - ground / touching < kFallenHeight * standing;
   if (world_.body_contacts().empty()) down_since_s_ = time_s_;
-  const bool broken = !world_.q().allFinite();
-  if (std::acos(up) < kFallenTilt && !sunk && !broken && time_s_ - down_since_s_ < kFallenContact) return;
+  if (std::acos(up) > kFallenTilt || sunk || time_s_ - down_since_s_ > kFallenContact) Fall(false);
+}
+
+/// @param broken  the physics, or the controller, gave what is no number: it begins anew.
+void LiveWorld::Fall(bool broken) {
+  notes_.push_back(fmt::format("{} at {:.2f} s", broken ? "the physics broke" : "fell", time_s_));
+  if (broken) return Reset();
   mode_ = LiveMode::kFallen;
-  notes_.push_back(fmt::format("fell at {:.2f} s", time_s_));
   GiveUpWishes();
-  if (broken) Reset();
 }
 
 void LiveWorld::AddToMeans() {
@@ -312,8 +335,14 @@ LogSample LiveWorld::TakeSample() {
 Pose LiveWorld::ground_tilt() const { return GroundTilt(first_.plan.terrain, play_.play.world, ground_from_); }
 
 void LiveWorld::PutInPose(const VectorX& q) {
+  constexpr double kFarthest = 100.0;  // [m]
   if (q.size() != model_.nq() || !q.allFinite())
     throw InvalidArgument(fmt::format("a posture has {} numbers, {} are needed", q.size(), model_.nq()));
+  if ((q.head<3>() - world_.q().head<3>()).norm() > kFarthest)
+    throw InvalidArgument(fmt::format("the base is put {} m away at most", kFarthest));
+  VectorX level = q;
+  level.head<2>() = ground_from_;
+  world_ = BulletWorld(model_, first_.plan.terrain, level, play_.play.world);
   world_.SetState(q, VectorX::Zero(model_.nv()));
   GiveUpWishes();
   hands_.Off();
@@ -321,16 +350,9 @@ void LiveWorld::PutInPose(const VectorX& q) {
 }
 
 void LiveWorld::StandUp() {
-  const VectorX q = world_.q();
-  const double yaw = YawOf(BaseRotation(q));
-  const Vector2 place = q.head<2>();
-  Reset();
+  const VectorX& q = world_.q();
   const VectorX& origin = first_.plan.whole_body.q.front();
-  const Pose X = PoseOf({place.x(), place.y(), yaw}) * PoseOf({origin[0], origin[1], 0.0}).inverse();
-  const VectorX standing = CarriedState(X, origin);
-  PutOnGround(standing, VectorX::Zero(model_.nv()));
-  stream_ = WalkStream(CarriedPlan(X, 0.0, first_.plan));
-  TakeControl();
+  Stand(PoseOf({q[0], q[1], YawOf(BaseRotation(q))}) * PoseOf({origin[0], origin[1], 0.0}).inverse(), time_s_);
 }
 
 void LiveWorld::SetGround(double friction, double slope_deg, double slope_direction_deg) {
@@ -345,7 +367,7 @@ void LiveWorld::SetGround(double friction, double slope_deg, double slope_direct
   PutOnGround(CarriedState(level, q), CarriedRates(level, world_.v()));
   stream_.Shift(world_.q().head<3>() - q.head<3>());
   history_.clear();
-  if (mode_ == LiveMode::kWalks || mode_ == LiveMode::kStands) TakeControl();
+  if (may_walk()) TakeControl();
 }
 
 /// In a world of its own, on the ground as it is now: a slope turns it along, about where it is.
@@ -362,8 +384,8 @@ void LiveWorld::SetControl(const StabilisedOptions& stabilised, const GainOption
   changed.gains = gains;
   CheckOptions(changed.Fields());
   play_ = std::move(changed);
-  gains_ = DeriveGains(model_, play_.gains);
-  if (mode_ == LiveMode::kWalks || mode_ == LiveMode::kStands) TakeControl();
+  gains_ = DeriveGains(model_, GainsFor(play_));
+  if (may_walk()) TakeControl();
 }
 
 std::vector<std::string> LiveWorld::TakeNotes() { return std::exchange(notes_, {}); }

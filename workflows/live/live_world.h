@@ -78,7 +78,8 @@ class LiveWorld {
   double time_s() const { return time_s_; }
   double step_s() const { return play_.play.world.step_s; }
   LiveMode mode() const { return mode_; }
-  const WalkPace& pace() const { return stream_.pace(); }
+  /// Standing, where it is posed or has fallen.
+  const WalkPace& pace() const { return may_walk() ? stream_.pace() : kNone; }
   const std::optional<WalkWish>& wanted() const { return wanted_; }
   /// The heading that it turns to, or is asked to turn to.
   std::optional<double> wanted_heading_rad() const;
@@ -98,8 +99,14 @@ class LiveWorld {
   void WaitForPlan();
 
  private:
+  inline static const WalkPace kNone = {.gait = "stand"};
+
   LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first);
+  bool may_walk() const { return mode_ == LiveMode::kStands || mode_ == LiveMode::kWalks; }
+  void Stand(const Pose& X, double time_s);
+  void Fall(bool broken);
   void GiveUpWishes();
+  Result<PacePlan> Planned();
   void StartPlanning();
   void TakeUpPlan();
   void GoOn();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinematics/spatial/rotation.h"
+#include "planning/footsteps/course.h"
 #include "planning/gait/read_sequence.h"
 #include "planning/plan/built_in_terrain.h"
 #include "planning/plan/sample_plan.h"
@@ -55,8 +56,8 @@ Result<std::vector<AskedPart>> PartsOf(const RobotModel& model, const PaceChange
   for (const bool first : {true, false}) {
     const WalkPace& pace = first ? change.from : change.to;
     if (pace.stands()) continue;
-    const double speed = std::hypot(pace.speed_m_s, pace.lateral_speed_m_s);
-    const Result<Gait> gait = FindGait(model, pace.gait, speed, options);
+    const AskedPart lasts = PartOf(pace, 0.0);
+    const Result<Gait> gait = FindGait(model, pace.gait, CommandedSpeed(model, lasts.command), options);
     if (!gait) return gait.failure();
     if (!first && change.turn_rad != 0.0)
       parts.push_back(TurnOf(pace, change.turn_rad, asked_rad, quickest, gait->cycle_s));

@@ -116,14 +116,16 @@ std::optional<Failure> WalkStream::GoOver(double earliest_s, const WalkPace& pac
   return std::nullopt;
 }
 
-void WalkStream::Stop(double earliest_s) {
-  if (stops()) return;
+std::optional<Failure> WalkStream::Stop(double earliest_s) {
+  if (stops()) return std::nullopt;
   const double at_s = MomentFrom(earliest_s);
   Result<MotionPlan> joined = JoinedPlans(plan_, at_s, source_->plan, LastLikeStart(source_->plan, source_->stretch));
-  if (joined) plan_ = std::move(*joined);
+  if (!joined) return joined.failure();
+  plan_ = std::move(*joined);
   pace_ = {.gait = "stand"};
   source_.reset();
   steady_.cycles = 0;
+  return std::nullopt;
 }
 
 bool WalkStream::GoOn(double until_s) {

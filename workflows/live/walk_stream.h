@@ -13,9 +13,12 @@ namespace gaitwright {
 /// How the robot is to go on, until it is told otherwise.
 struct WalkPace {
   std::string gait;  ///< as FindGait takes it; "stand" for standing still
-  double speed_m_s = 0.0, lateral_speed_m_s = 0.0, yaw_rate_rad_s = 0.0;  ///< as in WalkCommand
+  double speed_m_s = 0.0, lateral_speed_m_s = 0.0, yaw_rate_rad_s = 0.0;  ///< as in WalkCommand, but for 0 of all
 
-  bool stands() const { return gait == "stand"; }
+  /// A walk that goes nowhere is none: a command of that would be one at the robot's own speed.
+  bool stands() const {
+    return gait == "stand" || (speed_m_s == 0.0 && lateral_speed_m_s == 0.0 && yaw_rate_rad_s == 0.0);
+  }
   bool operator==(const WalkPace&) const = default;
 };
 
@@ -59,8 +62,8 @@ class WalkStream {
   /// Goes over into another pace at the first moment that serves, not before `earliest_s`.
   /// @param next  planned from the present pace. Failure kBadInput `misfit` where it is not.
   std::optional<Failure> GoOver(double earliest_s, const WalkPace& pace, const PacePlan& next);
-  /// Stops at the first moment that serves, not before `earliest_s`.
-  void Stop(double earliest_s);
+  /// Stops at the first moment that serves, not before `earliest_s`. Failure as of JoinedPlans; then it goes on.
+  std::optional<Failure> Stop(double earliest_s);
   /// Goes on with the present pace, where its plan would begin to stop before `until_s`. @return whether it did.
   bool GoOn(double until_s);
   /// Forgets what was before a time, but for the row at it or before.

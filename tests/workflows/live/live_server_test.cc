@@ -30,7 +30,8 @@ class Server : public testing::Test {
   /// What was said, once something was; or which page left.
   std::vector<LiveSaying> Taken(bool left = false) const {
     for (int tries = 0; tries < 500; ++tries) {
-      auto taken = server_->Take();
+      std::vector<LiveSaying> taken;
+      while (auto saying = server_->Next()) taken.push_back(*saying);
       std::erase_if(taken, [&](const LiveSaying& saying) { return saying.left != left; });
       if (!taken.empty()) return taken;
       std::this_thread::sleep_for(milliseconds(10));
@@ -84,6 +85,26 @@ TEST_F(Server, TakesWhatPagesSayAndAnswersTheOneThatSaidIt) {
   server_->Publish("for all");
   EXPECT_EQ(one->Hear(), "for all");
   EXPECT_EQ(other->Hear(), "for all");
+}
+
+TEST(ServerOfAllAddresses, KnowsItsMachineAndAddressesAndNoOtherName) {
+  const auto server = std::move(LiveServer::Start({.host = "0.0.0.0"}, "").value());
+  const auto status = [&](const std::string& name) {
+    const std::string host = name + ":" + std::to_string(server->port());
+    return SocketClient(server->port()).Open("/live", "http://" + host, host);
+  };
+  EXPECT_EQ(status("192.168.7.7"), 101);
+  EXPECT_EQ(status("[fe80::1]"), 101);
+  EXPECT_EQ(status("localhost"), 101);
+  EXPECT_EQ(status("evil.example"), 403) << "a name that was made to lead here";
+}
+
+TEST(ServerOfAPort, IsOneThatThereIs) {
+  for (const int port : {-1, 65536, 70000}) {
+    const auto server = LiveServer::Start({.port = port}, "");
+    ASSERT_FALSE(server) << port;
+    EXPECT_EQ(server.failure().code, "address");
+  }
 }
 
 TEST_F(Server, PagesThatCameTooEarlyAreGreetedToo) {
@@ -163,6 +184,21 @@ TEST_F(Server, WhatIsSaidFasterThanItIsTakenIsBounded) {
   const auto taken = Taken();
   ASSERT_EQ(taken.size(), kMostLiveMessages);
   EXPECT_EQ(taken.back().text, std::to_string(3 * kMostLiveMessages - 1));
+}
+
+TEST_F(Server, APageThatSaysMuchDropsNobodyElsesWordsNorWhoLeft) {
+  const auto loud = Opened();
+  auto quiet = Opened();
+  quiet->Say("the quiet one");
+  std::this_thread::sleep_for(milliseconds(200));
+  quiet.reset();
+  WaitForPages(1);
+  for (std::size_t i = 0; i < 2 * kMostLiveMessages; ++i) loud->Say("noise");
+  std::this_thread::sleep_for(milliseconds(500));
+  const auto first = server_->Next(), second = server_->Next();
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->text, "the quiet one");
+  EXPECT_TRUE(second->left);
 }
 
 TEST(LiveServerStart, SaysWhereItCannotListen) {

@@ -32,6 +32,7 @@ class Session : public testing::Test {
                   [this](const std::string& line) { phases_.push_back(line); }}) {
     live_.Reset();
     live_.SetGround(0.0, 0.0, 0.0);
+    live_.SetControl({}, {});
     live_.TakeNotes();
     server_->Greet(LiveGreeting(live_));
     const std::string host = "127.0.0.1:" + std::to_string(server_->port());
@@ -114,15 +115,18 @@ TEST_F(Session, PausesStepsAndResets) {
   EXPECT_FALSE(Say({{"do", "clock"}, {"paused", false}})["paused"].get<bool>());
 }
 
-TEST_F(Session, PosesHoldJointsWithinTheirLimits) {
+TEST_F(Session, PosesAreWithinTheLimitsOfJoints) {
   std::vector<double> q(19, 0.0);
   q[2] = 0.5;
   q[6] = 2.0;  // a quaternion of any length
-  q[7] = 100.0;
+  for (int d = 0; d < 12; ++d) q[static_cast<std::size_t>(7 + d)] = live_.model().dof_lower(d) - 1e-5;  // rounded
   const Json picture = Say({{"do", "pose"}, {"q", q}});
   EXPECT_EQ(picture["mode"], "posed");
-  EXPECT_NEAR(picture["q"][7].get<double>(), live_.model().dof_upper(0), 1e-6);
+  EXPECT_NEAR(picture["q"][7].get<double>(), live_.model().dof_lower(0), 1e-6);
   EXPECT_EQ(picture["q"][6], 1.0);
+  EXPECT_EQ(picture["feet"].size(), 4U);
+  q[7] = 100.0;
+  EXPECT_NE(Say({{"do", "pose"}, {"q", q}})["refused"].get<std::string>().find("FL_hip"), std::string::npos);
   EXPECT_EQ(Say({{"do", "stand_up"}})["mode"], "stands");
 }
 
@@ -186,7 +190,8 @@ TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
            {R"({"do":"options","options":{"gains.stance_damping":-1}})", "stance_damping"},
            {R"({"do":"options","options":[1]})", "options"},
            {R"({"do":"pose","q":[1,2,3]})", "q"},
-           {R"({"do":"pose","q":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]})", "base"},
+           {R"({"do":"pose","q":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]})", "quaternion"},
+           {R"({"do":"options","options":{"gains.stance_damping":1,"gains.nothing":1}})", "nothing"},
            {R"({"do":"pace","gait":"trot","speed_m_s":1e9})", "speed_m_s"},
            {R"({"do":"pace"})", "gait"},
            {R"({"do":"pace","gait":"dance"})", "dance"},
@@ -198,6 +203,7 @@ TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
            {R"({"do":"nudge","dof":1,"by":3,"for_s":0.5})", "moved"}}) {
     LiveClock clock;
     const VectorX q = live_.world().q();
+    const PlayRequest play = live_.play();
     try {
       ReadLiveRequest(live_.model(), message)(live_, clock, number_);
       ADD_FAILURE() << message << " was taken";
@@ -206,6 +212,14 @@ TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
     }
     EXPECT_EQ(live_.world().q(), q);
     EXPECT_EQ(clock.steps, 0);
+    EXPECT_FALSE(clock.paused);
+    EXPECT_EQ(live_.mode(), LiveMode::kStands);
+    EXPECT_FALSE(live_.wanted());
+    EXPECT_TRUE(live_.hands().grips().empty());
+    EXPECT_FALSE(live_.hands().push_W());
+    EXPECT_EQ(live_.play().gains.stance_damping, play.gains.stance_damping);
+    EXPECT_EQ(live_.play().play.world.friction, play.play.world.friction);
+    EXPECT_EQ(live_.play().play.world.ground_slope_deg, play.play.world.ground_slope_deg);
   }
   EXPECT_NE(Say({{"do", "dance"}})["refused"].get<std::string>().find("dance"), std::string::npos);
 }

@@ -88,6 +88,44 @@ TEST_F(Live, TurnsToAHeading) {
   EXPECT_NEAR(YawOf(BaseRotation(live_->world().q())), -2.0, 0.1);
 }
 
+TEST_F(Live, AWalkToNowhereIsStanding) {
+  Ask({.gait = "trot", .speed_m_s = 0.3});
+  Run(2.0);
+  live_->Ask({.gait = "trot"});
+  Run(4.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kStands);
+  const double stands_at = x();
+  Run(1.0);
+  EXPECT_NEAR(x(), stands_at, 1e-3);
+  Ask({.gait = "trot", .yaw_rate_rad_s = 0.4});
+  Run(2.0);
+  live_->TakeNotes();
+  live_->AskHeading(0.0);
+  EXPECT_FALSE(live_->wanted()) << "there is no straight walk on the spot";
+  EXPECT_EQ(live_->TakeNotes().size(), 1U);
+}
+
+TEST_F(Live, PosesAreNearAndTellNoOldForces) {
+  Run(0.5);
+  VectorX q = live_->world().q();
+  q[2] += 0.3;
+  live_->PutInPose(q);
+  for (const FootContact& foot : live_->world().feet()) EXPECT_FALSE(foot.touching);
+  EXPECT_TRUE(live_->pace().stands());
+  q[0] += 99.0;
+  live_->PutInPose(q);
+  q[0] += 99.0;
+  live_->PutInPose(q);  // as far from where it is
+  q[0] += 101.0;
+  EXPECT_THROW(live_->PutInPose(q), InvalidArgument);
+  const double time_s = live_->time_s();
+  live_->StandUp();
+  EXPECT_EQ(live_->time_s(), time_s);
+  EXPECT_NEAR(x(), 198.0, 0.1);
+  Run(1.0);
+  EXPECT_EQ(live_->mode(), LiveMode::kStands);
+}
+
 TEST_F(Live, AskedForMoreThanOneThingWhileItPlansItDoesThemAll) {
   Ask({.gait = "trot", .speed_m_s = 0.3});
   Run(2.0);
