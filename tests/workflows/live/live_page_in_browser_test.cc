@@ -103,7 +103,9 @@ TEST_F(LivePageTest, WalksAndChangesItsGaitSpeedAndHeadingAndStops) {
   Set("select[name=gait]", "trot");
   Await("L.frame.pace.gait === 'trot' && L.frame.wanted === null");
   Set("input[name=heading_deg]", "40");
+  Await("Math.abs(L.frame.wanted_heading_deg - 40) < 0.01");
   Await("Math.abs(L.frame.heading_deg - 40) < 5");
+  Await("L.frame.wanted_heading_deg === null");
   EXPECT_EQ(Ask("L.frame.mode"), "walks");
   Click("walk");  // which is Stop now
   Await("L.frame.mode === 'stands'");
@@ -120,9 +122,9 @@ TEST_F(LivePageTest, AMouseThatDragsTheRobotMovesItAndItRecovers) {
   for (const auto& [does, dx] :
        {std::pair(Mouse::kMove, 0.0), {Mouse::kPress, 0.0}, {Mouse::kDrag, 20.0}, {Mouse::kDrag, 40.0}})
     ASSERT_TRUE(browser_->Point(does, x + dx, y).ok());
-  Await("L.frame.pull_n !== null && Math.hypot(...L.frame.pull_n) > 5");
+  Await("L.frame.pulls.length === 1 && Math.hypot(...L.frame.pulls[0].force_n) > 5");
   ASSERT_TRUE(browser_->Point(Mouse::kRelease, x + 40.0, y).ok());
-  Await("L.frame.pull_n === null");
+  Await("L.frame.pulls.length === 0");
   const double t = Ask("L.frame.t").get<double>();
   Await("L.frame.t > " + std::to_string(t + 3.0));
   EXPECT_EQ(Ask("L.frame.mode"), "walks");

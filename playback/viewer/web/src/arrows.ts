@@ -8,18 +8,20 @@ const kUp = new THREE.Vector3(0, 0, 1);
 export class ArrowMaker {
   private readonly shaft: THREE.BufferGeometry;
   private readonly head: THREE.BufferGeometry;
+  private readonly headLength: number;
 
   /** @param size  of the robot [m]: a head is a tenth of it long. */
   constructor(
     size: number,
     private readonly material: THREE.Material,
   ) {
+    this.headLength = 0.1 * size;
     this.shaft = new THREE.CylinderGeometry(0.012 * size, 0.012 * size, 1, 12).translate(0, 0.5, 0).rotateX(Math.PI / 2);
-    this.head = new THREE.ConeGeometry(0.04 * size, 0.1 * size, 16).translate(0, 0.05 * size, 0).rotateX(Math.PI / 2);
+    this.head = new THREE.ConeGeometry(0.04 * size, this.headLength, 16).translate(0, 0.5 * this.headLength, 0).rotateX(Math.PI / 2);
   }
 
   make(): Arrow {
-    return new Arrow(new THREE.Mesh(this.shaft, this.material), new THREE.Mesh(this.head, this.material), this.material);
+    return new Arrow(new THREE.Mesh(this.shaft, this.material), new THREE.Mesh(this.head, this.material), this.headLength, this.material);
   }
 }
 
@@ -31,6 +33,7 @@ export class Arrow {
   constructor(
     private readonly shaft: THREE.Mesh,
     private readonly head: THREE.Mesh,
+    private readonly headLength: number,
     material: THREE.Material,
   ) {
     for (const part of [shaft, head]) {
@@ -39,11 +42,14 @@ export class Arrow {
     }
   }
 
-  /** Points along a vector, its head beyond so much length. */
+  /** Points along a vector, so long from end to tip. One that is shorter than two heads is smaller in all. */
   show(from: THREE.Vector3, direction: THREE.Vector3, length: number): void {
     this.root.position.copy(from);
     this.root.quaternion.setFromUnitVectors(kUp, this.along.copy(direction).normalize());
-    this.shaft.scale.set(1, 1, length);
-    this.head.position.set(0, 0, length);
+    const scale = Math.min(1, length / (2 * this.headLength));
+    const shaft = length - scale * this.headLength;
+    this.shaft.scale.set(scale, scale, shaft);
+    this.head.scale.setScalar(scale);
+    this.head.position.set(0, 0, shaft);
   }
 }

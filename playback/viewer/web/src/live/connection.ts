@@ -6,7 +6,6 @@ const kLongestWait_ms = 5000;
 const kLongerEachTime = 1.6;
 
 export interface ConnectionListener {
-  opened(): void;
   told(text: string): void;
   lost(): void;
 }
@@ -46,7 +45,6 @@ export class Connection {
     socket.addEventListener("open", () => {
       this.wait_ms = kFirstWait_ms;
       this.lastTold_ms = performance.now();
-      this.listener.opened();
     });
     socket.addEventListener("message", (event) => {
       this.lastTold_ms = performance.now();

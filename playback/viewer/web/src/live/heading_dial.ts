@@ -14,6 +14,8 @@ export class HeadingDial {
   /** While a person turns it [degrees]. */
   onTurn: (heading_deg: number) => void = () => {};
   onSet: (heading_deg: number) => void = () => {};
+  /** Which turns it; -1 where none does. */
+  private pointer = -1;
   private heading_deg = 0;
   private wanted_deg = 0;
   private theme: Theme | null = null;
@@ -21,14 +23,18 @@ export class HeadingDial {
   constructor() {
     this.canvas.setAttribute("aria-hidden", "true");
     this.canvas.title = "press where it is to head";
-    this.canvas.addEventListener("pointerdown", (event) => {
-      this.canvas.setPointerCapture(event.pointerId);
-      this.onTurn(this.angleAt(event));
-    });
+    this.canvas.addEventListener("pointerdown", (event) => this.take(event));
     this.canvas.addEventListener("pointermove", (event) => {
-      if (event.buttons & 1) this.onTurn(this.angleAt(event));
+      if (event.pointerId === this.pointer) this.onTurn(this.angleAt(event));
     });
-    this.canvas.addEventListener("pointerup", (event) => this.onSet(this.angleAt(event)));
+    this.canvas.addEventListener("pointerup", (event) => {
+      if (this.release(event)) this.onSet(this.angleAt(event));
+    });
+    for (const end of ["pointercancel", "lostpointercapture"] as const) this.canvas.addEventListener(end, (event) => this.release(event));
+  }
+
+  get held(): boolean {
+    return this.pointer >= 0;
   }
 
   show(heading_deg: number, wanted_deg: number): void {
@@ -41,6 +47,20 @@ export class HeadingDial {
   paint(theme: Theme): void {
     this.theme = theme;
     this.draw();
+  }
+
+  private take(event: PointerEvent): void {
+    if (this.held || event.button !== 0) return;
+    this.pointer = event.pointerId;
+    this.canvas.setPointerCapture(event.pointerId);
+    this.onTurn(this.angleAt(event));
+  }
+
+  /** @return whether that pointer turned it. */
+  private release(event: PointerEvent): boolean {
+    if (event.pointerId !== this.pointer) return false;
+    this.pointer = -1;
+    return true;
   }
 
   private angleAt(event: PointerEvent): number {

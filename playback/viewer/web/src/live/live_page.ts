@@ -20,6 +20,8 @@ export class LivePage {
   /** What was told first, and last. */
   greeting: Greeting | null = null;
   frame: Frame | null = null;
+  /** The number of this page at the program. */
+  page: number | null = null;
   session: Session | null = null;
   readonly notes = new NoteList();
   private readonly stages: Stage[] = [];
@@ -31,6 +33,7 @@ export class LivePage {
   private readonly banner = make("p", "gw-banner", "connecting");
   private readonly frameRate = new FrameRate();
   private greeted = "";
+  private run = "";
   private lastFrame = "";
   private lastDraw_ms = 0;
 
@@ -45,9 +48,8 @@ export class LivePage {
     root.append(this.banner);
     this.looks.paint();
     this.connection = new Connection(socketUrl(root.dataset.live ?? ""), {
-      opened: () => this.session?.pull.goOn(),
       told: (text) => this.hear(text),
-      lost: () => this.say("connection lost, trying again"),
+      lost: () => this.lose(),
     });
     document.addEventListener("keydown", (event) => this.press(event));
     requestAnimationFrame((now) => this.draw(now));
@@ -87,7 +89,8 @@ export class LivePage {
     if (text === this.lastFrame) return;
     const message = this.understood(text);
     if (!message) return;
-    if ("greeting" in message) this.greet(message.greeting, text);
+    if ("greeting" in message) this.greet(message.greeting);
+    else if ("page" in message) this.number(message.page);
     else if ("frame" in message) this.take(message.frame, text);
     else this.notes.add(message.refused, "gw-refused");
   }
@@ -103,15 +106,32 @@ export class LivePage {
     }
   }
 
-  /** The same greeting after a lost connection leaves all as it is. */
-  private greet(greeting: Greeting, text: string): void {
+  /** The same greeting after a lost connection leaves all as it is; the same robot in a program that was started anew, controls and cameras. */
+  private greet(greeting: Greeting): void {
     this.say("");
     this.greeting = greeting;
-    if (text === this.greeted) return;
-    this.greeted = text;
     this.lastFrame = "";
+    if (greeting.run !== this.run) {
+      this.run = greeting.run;
+      this.notes.clear();
+      this.session?.beginAnew();
+    }
+    const robot = JSON.stringify({ ...greeting, run: "" });
+    if (robot === this.greeted) return;
+    this.greeted = robot;
     this.session?.dispose();
     this.session = null;
+  }
+
+  private number(page: number | null): void {
+    this.page = page;
+    if (this.session) this.session.page = page;
+  }
+
+  private lose(): void {
+    this.say("connection lost, trying again");
+    this.session?.letGo();
+    this.number(null);
   }
 
   private take(frame: Frame, text: string): void {
@@ -127,6 +147,7 @@ export class LivePage {
   private begin(greeting: Greeting, frame: Frame): void {
     const session = new Session(greeting, frame, (saying) => this.send(saying));
     this.session = session;
+    session.page = this.page;
     this.stages.splice(0, 1, ...(session.stage ? [session.stage] : []));
     const controls = make("div", "gw-controls");
     controls.append(session.tabs.root, this.notes.root);

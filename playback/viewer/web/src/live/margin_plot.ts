@@ -30,6 +30,10 @@ export class MarginPlot {
     this.plot.push(frame.t, [inMillimetres(frame.planned?.margin_m), inMillimetres(frame.measured?.margin_m)]);
   }
 
+  clear(): void {
+    this.plot.clear();
+  }
+
   draw(now_ms: number): void {
     this.plot.draw(now_ms);
   }

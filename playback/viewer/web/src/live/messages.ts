@@ -25,14 +25,23 @@ export interface OptionFile {
   meaning: string;
 }
 
+/** How a pull acts: by its length, and never harder than its most. */
+export interface Spring {
+  n_per_m: number;
+  most_n: number;
+}
+
 /** The first message, and again where the robot is another. */
 export interface Greeting {
   format: "gaitwright-live";
   schema: 1;
+  /** Of one start of the program, and of no other. */
+  run: string;
   scene: { robot: RobotFile; terrain: TerrainFile };
   gaits: string[];
   usual_pace: Pace;
   step_s: number;
+  spring: Spring;
   options: Record<string, OptionFile>;
 }
 
@@ -55,6 +64,14 @@ export interface Ground {
   pose: PoseRow;
 }
 
+/** A page that pulls at a point of a body, and how hard. */
+export interface PullFile {
+  page: number;
+  body: number;
+  at_m: [number, number, number];
+  force_n: [number, number, number];
+}
+
 /** How things stand at a moment. */
 export interface Frame {
   t: number;
@@ -65,6 +82,8 @@ export interface Frame {
   /** The pace that is being planned. */
   wanted: Pace | null;
   heading_deg: number | null;
+  /** The heading that was asked for, until it is reached or given up. */
+  wanted_heading_deg: number | null;
   q: Numbers;
   tau: Numbers;
   /** What the joints are told. */
@@ -73,7 +92,10 @@ export interface Frame {
   measured: Balance | null;
   planned: Balance | null;
   feet: { p: Numbers; f: Numbers | null; touching: boolean }[];
-  pull_n: Numbers | null;
+  /** Of all pages, one each. */
+  pulls: PullFile[];
+  /** On the base. */
+  push_n: [number, number, number] | null;
   ground: Ground;
   /** In the order of the greeting's. */
   options: Numbers;
@@ -97,13 +119,15 @@ export type Saying =
 /** @return whether it could be sent. */
 export type Send = (saying: Saying) => boolean;
 
-export type Heard = { greeting: Greeting } | { frame: Frame } | { refused: string };
+/** After the greeting a page is told its own number. */
+export type Heard = { greeting: Greeting } | { page: number } | { frame: Frame } | { refused: string };
 
 /** @throws for what is no message of this version. */
 export function heard(text: string): Heard {
-  const message = JSON.parse(text) as Partial<Greeting & Frame & { refused: string }>;
+  const message = JSON.parse(text) as Partial<Greeting & Frame & { refused: string; page: number }>;
   if (message.refused !== undefined) return { refused: message.refused };
   if (message.q !== undefined) return { frame: message as Frame };
+  if (message.page !== undefined) return { page: message.page };
   if (message.format === "gaitwright-live" && message.schema === 1) return { greeting: message as Greeting };
   throw new Error("the program is of another version than this page: load the page again");
 }

@@ -18,8 +18,6 @@ export class NoteList {
 
   /** Takes in those of the program that are new, by their numbers. */
   show(notes: [number, string][]): void {
-    const newest = notes.length > 0 ? notes[notes.length - 1][0] : 0;
-    if (newest < this.last) this.beginAnew();
     for (const [number, text] of notes) {
       if (number <= this.last) continue;
       this.last = number;
@@ -32,8 +30,8 @@ export class NoteList {
     while (this.list.childElementCount > kMostNotes) this.list.lastElementChild?.remove();
   }
 
-  /** The program is another, and counts anew. */
-  private beginAnew(): void {
+  /** Where the program was started anew it counts anew. */
+  clear(): void {
     this.last = 0;
     this.list.replaceChildren();
   }

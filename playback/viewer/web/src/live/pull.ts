@@ -15,8 +15,6 @@ export interface Hold {
 /** The one pull of this page, whoever does it. */
 export class Pull {
   private held: Hold | null = null;
-  /** Whether the program has not been told that it was let go. */
-  private owed = false;
   private readonly say: AtMost<Hold>;
 
   constructor(private readonly send: Send) {
@@ -34,15 +32,11 @@ export class Pull {
     this.say.put(hold);
   }
 
+  /** Where this cannot be said the program knows: it lets go for a page that is lost. */
   letGo(): void {
     if (!this.held) return;
     this.held = null;
     this.say.drop();
-    this.owed = !this.send({ do: "let_go" });
-  }
-
-  /** The connection is there again: says what could not be said. */
-  goOn(): void {
-    if (this.owed) this.owed = !this.send({ do: "let_go" });
+    this.send({ do: "let_go" });
   }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { button, make } from "../elements";
 import type { RobotFile } from "../scene";
-import type { Frame, Send } from "./messages";
+import type { Frame, Send, Spring } from "./messages";
 import { Slider } from "./slider";
-import { kMostWeights } from "./spring";
+import { newtons } from "./words";
 
 const kPush_s = 0.15;
 const kUsualWeights = 0.5;
@@ -22,13 +22,14 @@ export class PushPanel {
 
   constructor(
     robot: RobotFile,
+    spring: Spring,
     private readonly send: Send,
   ) {
     const step = Number((0.05 * robot.weight_n).toPrecision(1));
     const usual = step * Math.round((kUsualWeights * robot.weight_n) / step);
     this.force = new Slider({
-      name: "push_n", label: "Force", title: `of the pushes; the robot weighs ${robot.weight_n.toFixed(0)} N`, least: step,
-      most: kMostWeights * robot.weight_n, step, value: usual, words: (value) => `${value.toFixed(0)} N`,
+      name: "push_n", label: "Force", title: `of the pushes; the robot weighs ${newtons(robot.weight_n)}`, least: step,
+      most: spring.most_n, step, value: usual, words: newtons,
     });
     const cross = make("div", "gw-cross");
     for (const side of Object.keys(kSides) as Side[]) {

@@ -60,6 +60,10 @@ export class ResponsePlot {
     this.plot.push(frame.t, [frame.tau[dof] ?? null, scaled(frame.target[dof]), scaled(frame.q[7 + dof])]);
   }
 
+  clear(): void {
+    this.plot.clear();
+  }
+
   draw(now_ms: number): void {
     this.plot.draw(now_ms);
   }

@@ -94,7 +94,8 @@ export class RollingMotion {
     for (const table of this.shifted) table.values.copyWithin(0, table.columns);
   }
 
-  private forget(): void {
+  /** Nothing was before now. */
+  forget(): void {
     for (let row = 0; row < this.now; ++row) this.erase(row);
     this.times.fill(Number.NEGATIVE_INFINITY);
   }

@@ -11,7 +11,7 @@ import type { Frame, Greeting, Send } from "./messages";
 import { PlanView } from "./plan_view";
 import { PosePanel } from "./pose_panel";
 import { Pull } from "./pull";
-import { PullArrow } from "./pull_arrow";
+import { PullArrows } from "./pull_arrows";
 import { PushPanel } from "./push_panel";
 import { ResponsePlot } from "./response_plot";
 import { RollingMotion } from "./rolling_motion";
@@ -29,6 +29,8 @@ export class Session {
   readonly stageBox = make("figure", "gw-stage");
   readonly plots = make("div", "gw-strip");
   readonly tabs: Tabs;
+  /** The number of this page at the program. */
+  page: number | null = null;
   private readonly rolling: RollingMotion;
   private readonly status: StatusLine;
   private readonly walk: WalkPanel;
@@ -37,7 +39,7 @@ export class Session {
   private readonly response: ResponsePlot;
   private readonly plan: PlanView;
   private readonly grip: Grip | null = null;
-  private readonly arrow: PullArrow | null = null;
+  private readonly arrows: PullArrows | null = null;
   private frame: Frame;
   private ground = "";
   private fresh = true;
@@ -50,7 +52,7 @@ export class Session {
     this.pull = new Pull(send);
     this.status = new StatusLine(robot);
     this.walk = new WalkPanel(greeting, send);
-    this.pushes = new PushPanel(robot, send);
+    this.pushes = new PushPanel(robot, greeting.spring, send);
     this.response = new ResponsePlot(robot, send);
     this.plan = new PlanView(this.rolling.motion);
     const others = [new GroundPanel(send), new PosePanel(robot, send), new GainsPanel(greeting.options, send)];
@@ -63,8 +65,8 @@ export class Session {
     this.stage = this.makeStage(robot.name);
     if (this.stage) {
       this.grip = new Grip(this.stageBox, this.stage, this.pull);
-      this.arrow = new PullArrow(this.stage, this.pull);
-      this.stageBox.append(this.arrow.label);
+      this.arrows = new PullArrows(this.stage, this.pull, greeting.spring);
+      this.stageBox.append(this.arrows.root);
     }
     this.pushes.show(first);
     this.showPanels();
@@ -80,6 +82,18 @@ export class Session {
     this.fresh = true;
   }
 
+  /** The program is another, though the robot is the same: what was before is no part of what comes. */
+  beginAnew(): void {
+    this.rolling.forget();
+    this.margin.clear();
+    this.response.clear();
+  }
+
+  /** Takes its hand off the robot, as the program does for a page that is lost. */
+  letGo(): void {
+    this.grip?.letGo();
+  }
+
   /** Draws what is new. @return whether the picture of the robot was drawn. */
   draw(now_ms: number, seconds: number): boolean {
     if (this.fresh) this.showFrame();
@@ -89,17 +103,17 @@ export class Session {
     if (!this.stage) return false;
     if (this.grip?.holds) {
       this.grip.goOn();
-      this.arrow?.show(this.frame);
+      this.arrows?.show(this.frame, this.page);
     }
     this.stage.goAfter(seconds);
     const drawn = this.stage.draw();
-    if (drawn) this.arrow?.place();
+    if (drawn) this.arrows?.place();
     return drawn;
   }
 
   paint(theme: Theme): void {
     this.walk.paint(theme);
-    this.arrow?.paint(theme);
+    this.arrows?.paint(theme);
     this.margin.paint(theme);
     this.response.paint(theme);
     this.plan.paint(theme);
@@ -130,7 +144,7 @@ export class Session {
     this.fresh = false;
     this.placeGround(this.frame.ground.pose);
     this.stage?.showLast();
-    this.arrow?.show(this.frame);
+    this.arrows?.show(this.frame, this.page);
     this.plan.draw(this.frame, this.rolling.now);
     this.status.show(this.frame);
   }

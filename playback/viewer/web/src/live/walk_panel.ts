@@ -4,16 +4,12 @@ import { button, make } from "../elements";
 import { HeadingDial, wrapped } from "./heading_dial";
 import { isWalk, kStand, paceAhead, type Frame, type Greeting, type Pace, type Send } from "./messages";
 import { Slider } from "./slider";
-import { gaitName, sided } from "./words";
+import { sided } from "./words";
 
 /** Of the robot's own speed. */
 const kFastest = 4;
 const kFastestAside = 1;
 const kQuickestTurn_rad_s = 1;
-/** A heading is reached where it is as near as this. */
-const kReached_deg = 3;
-/** A heading that is not reached by then is not waited for. */
-const kLongestTurn_s = 30;
 /** So long the menu does not follow the program: while it may be open, and until an answer is there. */
 const kMenuOpen_ms = 4000;
 const kQuiet_ms = 500;
@@ -33,9 +29,6 @@ export class WalkPanel {
   private readonly turn: Slider;
   private readonly heading: Slider;
   private readonly dial = new HeadingDial();
-  /** The heading that was asked for and is not reached. */
-  private asked: { heading_deg: number; at_s: number } | null = null;
-  private now_s = 0;
   private menuBusyUntil_ms = 0;
   private walking = false;
 
@@ -44,9 +37,8 @@ export class WalkPanel {
     private readonly send: Send,
   ) {
     const usual = greeting.usual_pace;
-    const gaits = greeting.gaits.filter((gait) => gait !== "stand");
-    if (!gaits.includes(usual.gait)) gaits.unshift(usual.gait);
-    for (const gait of gaits) this.gait.add(new Option(gaitName(gait), gait, gait === usual.gait, gait === usual.gait));
+    for (const gait of greeting.gaits) if (gait !== "stand") this.offer(gait);
+    this.choose(usual.gait);
     const fastest = oneDigit(kFastest * usual.speed_m_s), aside = oneDigit(kFastestAside * usual.speed_m_s);
     const metres = (value: number) => `${value.toFixed(2)} m/s`;
     const leftward = (unit: string) => (value: number) => sided(value, 2, unit);
@@ -75,7 +67,6 @@ export class WalkPanel {
     const ahead = paceAhead(frame);
     const down = frame.mode === "fallen" || frame.mode === "posed";
     this.walking = !down && isWalk(ahead);
-    this.now_s = frame.t;
     this.walk.textContent = this.walking ? "Stop (stand)" : "Walk";
     this.walk.classList.toggle("gw-on", this.walking);
     this.walk.disabled = down;
@@ -107,7 +98,7 @@ export class WalkPanel {
     for (const slider of [this.speed, this.aside, this.turn]) slider.onSet = ask;
     this.heading.onSet = (value) => this.askHeading(value);
     this.dial.onTurn = (value) => {
-      if (!this.heading.input.disabled) this.turnTo(value);
+      if (!this.heading.input.disabled) this.heading.put(value);
     };
     this.dial.onSet = (value) => {
       if (!this.heading.input.disabled) this.askHeading(value);
@@ -127,33 +118,34 @@ export class WalkPanel {
     this.send({ do: "pace", ...(this.walking ? kStand : this.pace()) });
   }
 
-  private turnTo(heading_deg: number): void {
-    this.asked = { heading_deg, at_s: this.now_s };
-    this.heading.put(heading_deg);
-  }
-
   private askHeading(heading_deg: number): void {
-    this.turnTo(heading_deg);
+    this.heading.put(heading_deg);
     this.send({ do: "heading", heading_deg });
   }
 
   private follow(pace: Pace): void {
-    if (this.gait.value !== pace.gait && performance.now() > this.menuBusyUntil_ms) this.gait.value = pace.gait;
+    if (this.gait.value !== pace.gait && performance.now() > this.menuBusyUntil_ms) this.choose(pace.gait);
     this.speed.follow(pace.speed_m_s);
     this.aside.follow(pace.lateral_speed_m_s);
     this.turn.follow(pace.yaw_rate_rad_s);
   }
 
+  /** The heading that is wanted, else the one that is. */
   private showHeading(frame: Frame): void {
     const now_deg = frame.heading_deg ?? 0;
     this.heading.disabled = frame.mode !== "walks";
-    if (this.asked && (frame.mode !== "walks" || this.isDone(this.asked, now_deg))) this.asked = null;
-    if (!this.asked) this.heading.follow(Math.round(now_deg));
+    if (!this.dial.held) this.heading.follow(Math.round(wrapped(frame.wanted_heading_deg ?? now_deg)));
     this.dial.show(now_deg, this.heading.value);
   }
 
-  private isDone(asked: { heading_deg: number; at_s: number }, now_deg: number): boolean {
-    const since_s = this.now_s - asked.at_s;
-    return Math.abs(wrapped(asked.heading_deg - now_deg)) < kReached_deg || since_s > kLongestTurn_s || since_s < 0;
+  private offer(gait: string): void {
+    this.gait.add(new Option(gait, gait));
+  }
+
+  /** Shows a gait in the menu, which may not have had it. */
+  private choose(gait: string): void {
+    if (!gait) return;
+    if (!Array.from(this.gait.options).some((option) => option.value === gait)) this.offer(gait);
+    this.gait.value = gait;
   }
 }

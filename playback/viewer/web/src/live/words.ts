@@ -8,15 +8,16 @@ export const kModeWords: Record<Mode, string> = {
   fallen: "has fallen",
 };
 
-/** The name of a gait; the robot's own has none in the program. */
-export function gaitName(gait: string): string {
-  return gait || "its own gait";
-}
-
 /** A figure with so many digits after its point, and no sign where it is nought. */
 export function rounded(value: number, digits: number): string {
   const figure = value.toFixed(digits);
   return Number(figure) === 0 ? (0).toFixed(digits) : figure;
+}
+
+/** A force as it is read: light robots are pushed by less than a newton. */
+export function newtons(force_n: number): string {
+  const size = Math.abs(force_n);
+  return `${rounded(force_n, size < 1 ? 2 : size < 10 ? 1 : 0)} N`;
 }
 
 /** A figure, its unit as it is written after it, and its side: left where it is positive. */
@@ -27,7 +28,7 @@ export function sided(value: number, digits: number, unit: string): string {
 
 export function paceWords(pace: Pace): string {
   if (pace.gait === "stand") return "stand";
-  const parts = [`${gaitName(pace.gait)} at ${pace.speed_m_s.toFixed(2)} m/s`];
+  const parts = [`${pace.gait} at ${pace.speed_m_s.toFixed(2)} m/s`];
   if (pace.lateral_speed_m_s !== 0) parts.push(`sideways ${sided(pace.lateral_speed_m_s, 2, " m/s")}`);
   if (pace.yaw_rate_rad_s !== 0) parts.push(`turning ${sided(pace.yaw_rate_rad_s, 2, " rad/s")}`);
   return parts.join(", ");
