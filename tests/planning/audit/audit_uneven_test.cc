@@ -43,17 +43,17 @@ Obstacle Box(const Vector3& middle_W, const Vector3& size_m) {
 }
 
 TEST_P(AuditUneven, APlanIsAsGoodOnAPlateau) {
-  MotionPlan plan = CarriedPlan(Elsewhere(), good());
+  MotionPlan plan = CarriedWithGround(Elsewhere(), good());
   EXPECT_TRUE(Audit(model(), plan, {})->pass()) << Text(plan);
   CutToSlab(plan, 2.0);
   EXPECT_TRUE(Audit(model(), plan, {})->pass()) << Text(plan);
 }
 
 TEST_P(AuditUneven, APlanIsAsGoodOnALevelField) {
-  MotionPlan plan = CarriedPlan(Elsewhere(), good());
+  MotionPlan plan = CarriedWithGround(Elsewhere(), good());
   ReplaceByField(plan, 0.45);
   EXPECT_TRUE(Audit(model(), plan, {})->pass()) << Text(plan);
-  ReplaceByField(plan = CarriedPlan(Elsewhere(), good()), 0.45 + 0.012);
+  ReplaceByField(plan = CarriedWithGround(Elsewhere(), good()), 0.45 + 0.012);
   const auto found = ViolationsOf(model(), plan);
   EXPECT_NEAR(At(found, foot() + " foothold off its patch").value, 0.012, 1e-4);
   const auto sunk = std::find_if(found.begin(), found.end(), [](const auto& v) { return v.law == "foot_clearance"; });

@@ -27,8 +27,9 @@ const GoodPlan& GoodPlanOf(const std::string& robot) {
   return found != plans.end() ? found->second : plans.emplace(robot, Make(robot)).first->second;
 }
 
-MotionPlan PlanOf(const RobotModel& model, const std::string& gait, const WalkCommand& command) {
-  const Gait fitted = FindGait(model, gait, CommandedSpeed(model, command), {}).value();
+MotionPlan PlanOf(const RobotModel& model, const std::string& gait, const WalkCommand& command,
+                  const GaitOptions& options) {
+  const Gait fitted = FindGait(model, gait, CommandedSpeed(model, command), options).value();
   return PlanMotion(model, FlatTerrain(), fitted, command, {}).value().plan;
 }
 

@@ -7,6 +7,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "planning/audit/audit.h"
+#include "planning/gait/find_gait.h"
 #include "planning/plan/sample_plan.h"
 
 namespace gaitwright {
@@ -20,7 +21,8 @@ struct GoodPlan {
 const GoodPlan& GoodPlanOf(const std::string& robot);
 
 /// The plan of a command. @throws std::logic_error when there is none.
-MotionPlan PlanOf(const RobotModel& model, const std::string& gait, const WalkCommand& command);
+MotionPlan PlanOf(const RobotModel& model, const std::string& gait, const WalkCommand& command,
+                  const GaitOptions& options = {});
 
 /// The violations at the audit's own options.
 std::vector<Violation> ViolationsOf(const RobotModel& model, const MotionPlan& plan);

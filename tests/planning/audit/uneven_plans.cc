@@ -2,60 +2,21 @@
 #include "tests/planning/audit/uneven_plans.h"
 
 #include <cmath>
+#include <utility>
 
 #include "kinematics/dynamics/contact_split.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
-#include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/zero_moment_point.h"
+#include "planning/plan/carried_plan.h"
 #include "planning/plan/support_plane.h"
 
 namespace gaitwright {
-namespace {
 
-VectorX CarriedState(const Pose& X, VectorX q) {
-  q.head<3>() = X * Vector3(q.head<3>());
-  q.segment<4>(3) = Quaternion(X.linear() * BaseRotation(q)).coeffs();
-  return q;
-}
-
-VectorX CarriedRate(const Pose& X, VectorX v) {
-  v.head<3>() = X.linear() * Vector3(v.head<3>());
-  v.segment<3>(3) = X.linear() * Vector3(v.segment<3>(3));
-  return v;
-}
-
-Vector2 CarriedPoint(const Pose& X, const Vector2& p) { return (X * Vector3(p.x(), p.y(), 0.0)).head<2>(); }
-
-}  // namespace
-
-MotionPlan CarriedPlan(const Pose& X, MotionPlan plan) {
-  const Matrix3& R = X.linear();
-  for (VectorX& q : plan.whole_body.q) q = CarriedState(X, q);
-  for (VectorX& v : plan.whole_body.v) v = CarriedRate(X, v);
-  for (VectorX& a : plan.whole_body.a) a = CarriedRate(X, a);
-  for (auto& wrenches : plan.whole_body.wrenches) {
-    for (ContactWrench& wrench : wrenches) wrench = {R * wrench.force_W, R * wrench.moment_W};
-  }
-  for (Foothold& foothold : plan.footsteps.footholds) {
-    foothold.X_WF = X * foothold.X_WF;
-    foothold.roll_W = R * foothold.roll_W;
-  }
-  for (SwingTrajectory& swing : plan.swings) {
-    swing.X_WF_start = X * swing.X_WF_start;
-    swing.X_WF_end = X * swing.X_WF_end;
-    for (Vector3& point : swing.detour_W) point = R * point;
-  }
-  CentroidalTrajectory& c = plan.centroidal;
-  for (Vector3& p : c.p_WC) p = X * p;
-  for (Vector3& v : c.v_WC) v = R * v;
-  for (Vector3& a : c.a_WC) a = R * a;
-  for (Vector2& p : c.p_WZ) p = CarriedPoint(X, p);
-  const Vector2 goal = CarriedPoint(X, {plan.goal.x_m, plan.goal.y_m});
-  plan.goal = {goal.x(), goal.y(), plan.goal.yaw_rad + YawOf(R)};
-  plan.parts.back().goal = plan.goal;
-  for (TerrainPatch& patch : plan.terrain.patches) patch.X_WT = X * patch.X_WT;
-  return plan;
+MotionPlan CarriedWithGround(const Pose& X, MotionPlan plan) {
+  MotionPlan carried = CarriedPlan(X, 0.0, std::move(plan));
+  for (TerrainPatch& patch : carried.terrain.patches) patch.X_WT = X * patch.X_WT;
+  return carried;
 }
 
 void CutToSlab(MotionPlan& plan, double half_m) {
@@ -78,7 +39,7 @@ void ReplaceByField(MotionPlan& plan, double height_m) {
 MotionPlan StandOnSlope(const RobotModel& model, const MotionPlan& plan, const Matrix3& tilt) {
   Pose X = Pose::Identity();
   X.linear() = tilt;
-  MotionPlan still = CarriedPlan(X, plan);
+  MotionPlan still = CarriedWithGround(X, plan);
   still.swings.clear();
   const double end_s = still.whole_body.start_s + 0.1;
   const FootSet all = AllFeet(static_cast<int>(model.feet.size()));

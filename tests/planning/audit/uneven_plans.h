@@ -7,7 +7,7 @@
 namespace gaitwright {
 
 /// The same motion elsewhere, turned about z at most, with its ground.
-MotionPlan CarriedPlan(const Pose& X, MotionPlan plan);
+MotionPlan CarriedWithGround(const Pose& X, MotionPlan plan);
 
 /// A plan's ground cut to a slab about the origin of its patches, with an edge at each side this far away.
 void CutToSlab(MotionPlan& plan, double half_m);
