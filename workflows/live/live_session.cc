@@ -34,23 +34,29 @@ FootSet TouchingOf(const BulletWorld& world) {
   return feet;
 }
 
+double MachineSeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 }  // namespace
 
-LiveSession::LiveSession(LiveWorld& live, LiveServer& server, LiveListener listener)
-    : live_(live), server_(server), listener_(std::move(listener)) {}
+LiveSession::LiveSession(LiveWorld& live, LiveServer& server, LiveListener listener, std::function<double()> spent_s)
+    : live_(live), server_(server), listener_(std::move(listener)), spent_s_(std::move(spent_s)) {
+  if (!spent_s_) spent_s_ = MachineSeconds;
+}
 
 void LiveSession::Turn(double wall_s) {
-  const auto begun = std::chrono::steady_clock::now();
-  const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(); };
-  Hear(spent);
+  constexpr double kToHear = 0.5;  // of the time between two pictures
+  const double begun_s = spent_s_(), until_s = begun_s + kOnePicture;
+  Hear(begun_s + kToHear * kOnePicture);
   const double step_s = live_.step_s();
   if (status_.clock.paused) {
     due_s_ = 0.0;
-    for (; status_.clock.steps > 0 && spent() < kOnePicture; --status_.clock.steps) StepOnce();
+    for (; status_.clock.steps > 0 && spent_s_() < until_s; --status_.clock.steps) StepOnce();
   } else {
     status_.clock.steps = 0;
     due_s_ += wall_s;
-    while (due_s_ >= step_s && spent() < kOnePicture) {
+    while (due_s_ >= step_s && spent_s_() < until_s) {
       StepOnce();
       due_s_ -= step_s;
     }
@@ -81,9 +87,7 @@ void LiveSession::Run(const std::function<bool()>& stop) {
   }
 }
 
-template <class Spent>
-void LiveSession::Hear(const Spent& spent) {
-  constexpr double kShare = 0.5;  // of the time between two pictures
+void LiveSession::Hear(double until_s) {
   while (const std::optional<LiveSaying> saying = server_.Next()) {
     if (saying->left) {
       live_.hands().LetGo(saying->page);
@@ -94,7 +98,7 @@ void LiveSession::Hear(const Spent& spent) {
     } catch (const InvalidArgument& refused) {
       server_.Tell(saying->page, LiveRefusal(refused.what()));
     }
-    if (spent() > kShare * kOnePicture) return;
+    if (spent_s_() > until_s) return;
   }
 }
 

@@ -25,8 +25,9 @@ class LiveSession {
   static constexpr double kMostBehind = 0.5;  ///< [s]
   static constexpr double kPictures_hz = 60.0;
 
-  /// Both must outlive it.
-  LiveSession(LiveWorld& live, LiveServer& server, LiveListener listener);
+  /// World and server must outlive it.
+  /// @param spent_s  a clock that tells how long work takes [s]; the machine's where there is none.
+  LiveSession(LiveWorld& live, LiveServer& server, LiveListener listener, std::function<double()> spent_s = {});
 
   /// What was to be done `wall_s` after the last call: messages, steps, a picture. What takes longer than a picture may
   /// is gone on with at the next call.
@@ -36,8 +37,7 @@ class LiveSession {
   void Run(const std::function<bool()>& stop);
 
  private:
-  template <class Spent>
-  void Hear(const Spent& spent);
+  void Hear(double until_s);
   void StepOnce();
   void TellPhase();
   void Note(const std::string& text);
@@ -45,6 +45,7 @@ class LiveSession {
   LiveWorld& live_;
   LiveServer& server_;
   LiveListener listener_;
+  std::function<double()> spent_s_;
   LiveStatus status_;
   double due_s_ = 0.0;         ///< what the world has still to go to be where the wall's clock is
   double let_go_s_ = 0.0;      ///< of that, since it was said last
