@@ -9,6 +9,7 @@
 #include "kinematics/stability/polygon.h"
 #include "planning/audit/auditor.h"
 #include "planning/audit/tolerances.h"
+#include "planning/plan/carried_plan.h"
 #include "planning/plan/sole_support.h"
 
 namespace gaitwright {
@@ -51,8 +52,7 @@ void Auditor::CheckSchedule() {
 /// that stands still no foot leaves the ground.
 void Auditor::CheckParts() {
   const WholeBodyTrajectory& w = plan_.whole_body;
-  const VectorX& q = w.q.front();
-  PlanarPose from = {q[0], q[1], YawOf(BaseRotation(q))};
+  PlanarPose from = BaseInPlan(w.q.front());
   double since_s = w.start_s;
   for (const MotionPart& part : plan_.parts) {
     Expect("start of a part", part.start_s, std::abs(part.start_s - since_s), w.step_s, "s");

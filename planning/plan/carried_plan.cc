@@ -38,6 +38,8 @@ Pose PoseOf(const PlanarPose& pose) {
   return X;
 }
 
+PlanarPose BaseInPlan(const VectorX& q) { return {q[0], q[1], YawOf(BaseRotation(q))}; }
+
 VectorX CarriedState(const Pose& X, VectorX q) {
   const Quaternion R_WB(q[6], q[3], q[4], q[5]);
   q.head<3>() = X * Vector3(q.head<3>());

@@ -8,6 +8,9 @@ namespace gaitwright {
 /// The transform that turns about z and moves in the plane: a pose of plan view as one of space.
 Pose PoseOf(const PlanarPose& pose);
 
+/// Where the base of a configuration is in plan view.
+PlanarPose BaseInPlan(const VectorX& q);
+
 /// A configuration, or the velocities or accelerations of one, of the whole robot moved rigidly by X.
 VectorX CarriedState(const Pose& X, VectorX q);
 VectorX CarriedRates(const Pose& X, VectorX v);

@@ -30,8 +30,6 @@ std::size_t RowAt(const WholeBodyTrajectory& w, double time_s) {
 
 double TimeOf(const WholeBodyTrajectory& w, std::size_t row) { return w.start_s + static_cast<double>(row) * w.step_s; }
 
-PlanarPose BaseOf(const VectorX& q) { return {q[0], q[1], YawOf(BaseRotation(q))}; }
-
 /// The first rows up to that one of a column, and those after another one of a second column.
 template <class T>
 void JoinColumn(std::vector<T>& column, std::size_t last, const std::vector<T>& then, std::size_t after) {
@@ -100,7 +98,7 @@ void JoinParts(MotionPlan& plan, double at_s, const MotionPlan& then) {
   for (const MotionPart& part : plan.parts) {
     if (part.start_s >= at_s - kTime) continue;
     parts.push_back(Clipped(part, part.start_s, at_s));
-    if (part.end_s > at_s + kTime) parts.back().goal = BaseOf(plan.whole_body.q[RowAt(plan.whole_body, at_s)]);
+    if (part.end_s > at_s + kTime) parts.back().goal = BaseInPlan(plan.whole_body.q[RowAt(plan.whole_body, at_s)]);
   }
   for (const MotionPart& part : then.parts) {
     if (part.end_s <= at_s + kTime) continue;
@@ -178,7 +176,7 @@ Seam SeamBetween(const MotionPlan& before, double before_s, const MotionPlan& af
   const WholeBodyTrajectory &a = before.whole_body, &b = after.whole_body;
   const std::size_t ka = RowAt(a, before_s), kb = RowAt(b, after_s);
   if (a.q[ka].size() != b.q[kb].size()) throw InvalidArgument("the plans are of different robots");
-  const Pose X = PoseOf(BaseOf(a.q[ka])) * PoseOf(BaseOf(b.q[kb])).inverse();
+  const Pose X = PoseOf(BaseInPlan(a.q[ka])) * PoseOf(BaseInPlan(b.q[kb])).inverse();
   const VectorX q = CarriedState(X, b.q[kb]), v = CarriedRates(X, b.v[kb]);
   const Vector3 up_a = BaseRotation(a.q[ka]).col(2), up_b = BaseRotation(q).col(2);
   const auto largest = [](const VectorX& x) { return x.size() == 0 ? 0.0 : x.cwiseAbs().maxCoeff(); };
@@ -223,7 +221,7 @@ Result<MotionPlan> JoinedPlans(const MotionPlan& before, double before_s, const 
   if (auto failure = WhyNotJoined(before, before_s, after, after_s)) return *failure;
   const std::size_t ka = RowAt(before.whole_body, before_s), kb = RowAt(after.whole_body, after_s);
   const double at_s = TimeOf(before.whole_body, ka), later_s = at_s - TimeOf(after.whole_body, kb);
-  const Pose X = PoseOf(BaseOf(before.whole_body.q[ka])) * PoseOf(BaseOf(after.whole_body.q[kb])).inverse();
+  const Pose X = PoseOf(BaseInPlan(before.whole_body.q[ka])) * PoseOf(BaseInPlan(after.whole_body.q[kb])).inverse();
   const MotionPlan then = CarriedPlan(X, later_s, after);
   MotionPlan joined = before;
   JoinParts(joined, at_s, then);

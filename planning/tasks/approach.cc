@@ -16,6 +16,7 @@
 #include "kinematics/stability/zero_moment_point.h"
 #include "planning/audit/audit.h"
 #include "planning/audit/motor_effort.h"
+#include "planning/plan/carried_plan.h"
 
 namespace gaitwright {
 namespace {
@@ -230,7 +231,7 @@ void Close(const RobotModel& model, const VectorX& q_base, MotionPlan& plan) {
   part.gait = HangingGait(static_cast<int>(model.feet.size()));
   part.command.extent = WalkCommand::Extent::kDuration;
   part.command.duration_s = end_s;
-  part.goal = {q_base[0], q_base[1], YawOf(BaseRotation(q_base))};
+  part.goal = BaseInPlan(q_base);
   part.end_s = end_s;
   plan.parts = {part};
   plan.goal = part.goal;

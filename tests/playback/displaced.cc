@@ -2,8 +2,10 @@
 #include "tests/playback/displaced.h"
 
 #include <Eigen/QR>
+#include <utility>
 
 #include "kinematics/spatial/rotation.h"
+#include "planning/plan/carried_plan.h"
 #include "planning/plan/sample_plan.h"
 
 namespace gaitwright::displaced {
@@ -54,41 +56,17 @@ VectorX BaseMoved(const RobotModel& model, const VectorX& q, const Vector3& way_
   return FeetAt(model, X_WF, moved);
 }
 
-VectorX Carried(const Pose& X, VectorX q) {
-  const Quaternion R_WB(q[6], q[3], q[4], q[5]);
-  q.head<3>() = X * Vector3(q.head<3>());
-  q.segment<4>(3) = (Quaternion(X.linear()) * R_WB).coeffs();
-  return q;
-}
-
-VectorX CarriedVelocity(const Pose& X, VectorX v) {
-  v.head<3>() = X.linear() * Vector3(v.head<3>());
-  v.segment<3>(3) = X.linear() * Vector3(v.segment<3>(3));
-  return v;
-}
-
-void CarryWrenches(const Pose& X, std::vector<ContactWrench>& wrenches) {
-  for (ContactWrench& wrench : wrenches) {
-    wrench.force_W = X.linear() * wrench.force_W;
-    wrench.moment_W = X.linear() * wrench.moment_W;
-  }
-}
-
 ControlInput Carried(const Pose& X, ControlInput input) {
-  input.q = Carried(X, input.q);
-  input.v = CarriedVelocity(X, input.v);
-  CarryWrenches(X, input.wrenches);
+  input.q = CarriedState(X, input.q);
+  input.v = CarriedRates(X, input.v);
+  for (ContactWrench& wrench : input.wrenches) wrench = {X.linear() * wrench.force_W, X.linear() * wrench.moment_W};
   return input;
 }
 
 MotionPlan Carried(const Pose& X, MotionPlan plan) {
-  for (VectorX& q : plan.whole_body.q) q = Carried(X, q);
-  for (VectorX& v : plan.whole_body.v) v = CarriedVelocity(X, v);
-  for (VectorX& a : plan.whole_body.a) a = CarriedVelocity(X, a);
-  for (auto& wrenches : plan.whole_body.wrenches) CarryWrenches(X, wrenches);
-  for (Foothold& foothold : plan.footsteps.footholds) foothold.X_WF = X * foothold.X_WF;
-  for (TerrainPatch& patch : plan.terrain.patches) patch.X_WT = X * patch.X_WT;
-  return plan;
+  MotionPlan there = CarriedPlan(X, 0.0, std::move(plan));
+  for (TerrainPatch& patch : there.terrain.patches) patch.X_WT = X * patch.X_WT;
+  return there;
 }
 
 }  // namespace gaitwright::displaced

@@ -21,11 +21,7 @@ VectorX FeetAt(const RobotModel& model, const std::vector<Pose>& X_WF, VectorX q
 /// The base moved and turned (rotation vector, W, about its origin), the feet where they were.
 VectorX BaseMoved(const RobotModel& model, const VectorX& q, const Vector3& way_W, const Vector3& turn_W);
 
-/// The whole robot, or its velocities, turned about z and moved.
-VectorX Carried(const Pose& X, VectorX q);
-VectorX CarriedVelocity(const Pose& X, VectorX v);
-void CarryWrenches(const Pose& X, std::vector<ContactWrench>& wrenches);
-
+/// What is measured of a robot that is elsewhere.
 ControlInput Carried(const Pose& X, ControlInput input);
 
 /// The same motion elsewhere, with its ground.

@@ -9,6 +9,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/whole_body/solve_whole_body.h"
+#include "planning/plan/carried_plan.h"
 #include "planning/plan/support_plane.h"
 #include "workflows/exchange/foot_track.h"
 #include "workflows/exchange/given_forces.h"
@@ -158,10 +159,8 @@ class Builder {
     return PlaneThrough(places, AllFeet(static_cast<int>(places.size())));
   }
 
-  static PlanarPose PoseOf(const VectorX& q) { return {q[0], q[1], YawOf(BaseRotation(q))}; }
-
   void AddPart(const std::optional<PlanarPose>& goal) {
-    const PlanarPose start = PoseOf(motion_.q.front()), end = PoseOf(motion_.q.back());
+    const PlanarPose start = BaseInPlan(motion_.q.front()), end = BaseInPlan(motion_.q.back());
     const double c = std::cos(start.yaw_rad), s = std::sin(start.yaw_rad);
     MotionPart part;
     part.command.extent = WalkCommand::Extent::kGoal;

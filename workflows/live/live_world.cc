@@ -352,7 +352,7 @@ void LiveWorld::PutInPose(const VectorX& q) {
 void LiveWorld::StandUp() {
   const VectorX& q = world_.q();
   const VectorX& origin = first_.plan.whole_body.q.front();
-  Stand(PoseOf({q[0], q[1], YawOf(BaseRotation(q))}) * PoseOf({origin[0], origin[1], 0.0}).inverse(), time_s_);
+  Stand(PoseOf(BaseInPlan(q)) * PoseOf({origin[0], origin[1], 0.0}).inverse(), time_s_);
 }
 
 void LiveWorld::SetGround(double friction, double slope_deg, double slope_direction_deg) {

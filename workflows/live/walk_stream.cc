@@ -61,7 +61,7 @@ WalkStream::WalkStream(const MotionPlan& stand) : plan_(stand) {
   plan_.schedule.phases = {{start_s, start_s, AllFeet(num_feet)}};
   MotionPart part;
   part.gait = StandingGait(num_feet);
-  part.goal = {w.q[0][0], w.q[0][1], YawOf(BaseRotation(w.q[0]))};
+  part.goal = BaseInPlan(w.q[0]);
   part.start_s = part.end_s = start_s;
   part.command.extent = WalkCommand::Extent::kDuration;
   plan_.parts = {part};

@@ -8,6 +8,7 @@
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
+#include "planning/plan/carried_plan.h"
 #include "tests/kinematics/ik/synthetic_legs.h"
 #include "tests/kinematics/random_state.h"
 #include "tests/playback/displaced.h"
@@ -91,7 +92,7 @@ TEST_P(LegTargetsTest, AFootMovedByACentimetreIsReachedWithItsSoleLevel) {
 TEST_P(LegTargetsTest, TheBaseIsWhereItIsAndOnlyTheLegsOwnJointsMove) {
   const MotionPlan plan = Walk();
   const VectorX q0 = plan.whole_body.q.front();
-  const VectorX measured = displaced::Carried(Pose(RotationExp({0.05, -0.03, 0.1})), q0);
+  const VectorX measured = CarriedState(Pose(RotationExp({0.05, -0.03, 0.1})), q0);
   for (int leg = 0; leg < static_cast<int>(model_.legs.size()); ++leg) {
     const FootMotion wanted = MotionOf(model_, leg, q0, rest_);
     VectorX q = measured, v = rest_;
