@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import * as THREE from "three";
+import type { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { ArrowMaker, type Arrow } from "./arrows";
 import type { Ink, Theme } from "./colours";
-import { Palette, seenThrough } from "./palette";
-import { mainTrack, row, unpack, type Motion, type Table, type Track } from "./scene";
+import { Footsteps } from "./footsteps";
+import { Palette, seenThrough, standStill } from "./palette";
+import { kMostCorners, mainTrack, row, unpack, type Motion, type Table, type Track } from "./scene";
 
 /** What can be shown over the robot, in the order of the legend. */
 export const kOverlays = ["ghost", "support", "zmp", "com", "dcm", "forces", "footsteps", "swings"] as const;
@@ -27,7 +31,9 @@ export const kOverlayInk: Record<Overlay, Ink> = {
 /** Over the ground, so that nothing flickers. */
 const kLift = 0.003;
 const kTrailSeconds = 1.0;
-const kMostCorners = 64;
+/** Of trails, in pixels: of what was planned and of what was measured. */
+const kBroad = 4.5;
+const kThin = 1.5;
 
 /** A geometry whose points change with time. */
 function movingPoints(most: number): THREE.BufferGeometry {
@@ -46,7 +52,9 @@ function upload(geometry: THREE.BufferGeometry, points: number): void {
 class Trace {
   readonly root = new THREE.Group();
   private readonly marker: THREE.Mesh;
-  private readonly trail: THREE.Line;
+  private readonly trail = new LineSegmentsGeometry();
+  /** Of each piece of the trail both ends. */
+  private readonly ends: THREE.InstancedInterleavedBuffer;
   private readonly most: number;
 
   constructor(
@@ -54,37 +62,39 @@ class Trace {
     private readonly table: Table,
     geometry: THREE.BufferGeometry,
     material: THREE.Material,
-    trail: THREE.LineBasicMaterial,
+    trail: LineMaterial,
     private readonly lift: number,
   ) {
     const step = motion.time.length > 1 ? motion.time[1] - motion.time[0] : 1;
     this.most = Math.max(2, Math.min(motion.time.length, Math.ceil(kTrailSeconds / step) + 1));
     this.marker = new THREE.Mesh(geometry, material);
-    this.trail = new THREE.Line(movingPoints(this.most), trail);
-    this.trail.frustumCulled = false;
+    this.trail.setPositions(new Float32Array(6 * (this.most - 1)));
+    this.ends = (this.trail.attributes.instanceStart as THREE.InterleavedBufferAttribute).data as THREE.InstancedInterleavedBuffer;
+    this.ends.setUsage(THREE.DynamicDrawUsage);
+    const line = new LineSegments2(this.trail, trail);
+    line.frustumCulled = false;
     seenThrough(this.marker, material);
-    seenThrough(this.trail, trail);
-    this.root.add(this.marker, this.trail);
+    seenThrough(line, trail);
+    this.root.add(this.marker, standStill(line));
   }
 
   show(k: number): void {
     const at = row(this.table, k);
     this.marker.visible = Number.isFinite(at[0]);
     if (this.marker.visible) this.marker.position.set(at[0], at[1], at[2] + this.lift);
-    const positions = this.trail.geometry.attributes.position.array as Float32Array;
-    let n = 0;
-    for (let i = Math.max(0, k - this.most + 1); i <= k; ++i) {
-      const p = row(this.table, i);
-      if (!Number.isFinite(p[0])) {
-        n = 0;
-        continue;
-      }
-      positions[3 * n] = p[0];
-      positions[3 * n + 1] = p[1];
-      positions[3 * n + 2] = p[2] + this.lift;
-      ++n;
-    }
-    upload(this.trail.geometry, n > 1 ? n : 0);
+    let pieces = 0;
+    for (let i = Math.max(0, k - this.most + 1); i < k; ++i) if (this.addPiece(pieces, i)) ++pieces;
+    this.trail.instanceCount = pieces;
+    this.ends.needsUpdate = true;
+  }
+
+  /** From one sample to the next. @return whether it is at both. */
+  private addPiece(piece: number, i: number): boolean {
+    const { values } = this.table, from = 3 * i;
+    if (!Number.isFinite(values[from]) || !Number.isFinite(values[from + 3])) return false;
+    const ends = this.ends.array as Float32Array;
+    for (let c = 0; c < 6; ++c) ends[6 * piece + c] = values[from + c] + (c % 3 === 2 ? this.lift : 0);
+    return true;
   }
 }
 
@@ -100,9 +110,7 @@ export class Overlays {
   private readonly supportEdge: THREE.LineLoop;
   private readonly drop: THREE.Line;
   private readonly arrows: Arrow[] = [];
-  private readonly soles: { line: THREE.LineLoop; from: number; to: number }[] = [];
-  private readonly soleNow: THREE.LineBasicMaterial;
-  private readonly soleOther: THREE.LineBasicMaterial;
+  private readonly footsteps: Footsteps;
   private readonly force = new THREE.Vector3();
   private readonly at = new THREE.Vector3();
 
@@ -123,9 +131,8 @@ export class Overlays {
     this.drop.frustumCulled = false;
     this.addPoints();
     this.addArrows();
-    this.soleNow = this.palette.line("foot");
-    this.soleOther = this.palette.line("muted", 0.55);
-    this.addFootsteps();
+    this.footsteps = new Footsteps(motion.file.footholds, this.palette, kLift);
+    this.group("footsteps").add(this.footsteps.root);
     this.addSwings();
   }
 
@@ -146,33 +153,32 @@ export class Overlays {
     for (const trace of this.traces) if (trace.root.parent?.visible) trace.show(k);
     if (this.group("com").visible) this.showDrop(k);
     if (this.group("forces").visible) this.showForces(k);
-    for (const sole of this.soles) {
-      sole.line.material = t >= sole.from && t < sole.to ? this.soleNow : this.soleOther;
-    }
+    if (this.group("footsteps").visible) this.footsteps.show(t);
   }
 
-  /** Planned points are rings, measured ones are filled. */
+  /** Planned points are rings with broad pale trails, measured ones are filled, with thin ones. */
   private addPoints(): void {
     const r = 0.05 * this.size;
     const disc = new THREE.CircleGeometry(r, 32);
     const ring = new THREE.RingGeometry(1.1 * r, 1.6 * r, 40);
     const ball = new THREE.SphereGeometry(0.9 * r, 24, 16);
     const { planned, measured } = this.motion;
-    const add = (overlay: Overlay, table: Table, shape: THREE.BufferGeometry, opacity: number, lift: number) => {
-      const ink = kOverlayInk[overlay];
-      const trace = new Trace(this.motion, table, shape, this.palette.solid(ink, opacity), this.palette.line(ink, opacity), lift);
+    const add = (overlay: Overlay, table: Table, shape: THREE.BufferGeometry, isPlan: boolean, lift: number) => {
+      const ink = kOverlayInk[overlay], opacity = isPlan && measured ? 0.6 : 0.95;
+      const trail = isPlan ? this.palette.wide(ink, kBroad, 0.4) : this.palette.wide(ink, kThin, 0.95);
+      const trace = new Trace(this.motion, table, shape, this.palette.solid(ink, opacity), trail, lift);
       this.traces.push(trace);
       this.group(overlay).add(trace.root);
     };
     if (planned) {
-      add("zmp", planned.zmp, ring, measured ? 0.6 : 0.95, 2 * kLift);
-      add("dcm", planned.dcm, ring, measured ? 0.6 : 0.95, 3 * kLift);
-      if (!measured) add("com", planned.com, ball, 0.95, 0);
+      add("zmp", planned.zmp, ring, true, 2 * kLift);
+      add("dcm", planned.dcm, ring, true, 3 * kLift);
+      if (!measured) add("com", planned.com, ball, true, 0);
     }
     if (measured) {
-      add("zmp", measured.zmp, disc, 0.95, 4 * kLift);
-      add("dcm", measured.dcm, disc, 0.95, 5 * kLift);
-      add("com", measured.com, ball, 0.95, 0);
+      add("zmp", measured.zmp, disc, false, 4 * kLift);
+      add("dcm", measured.dcm, disc, false, 5 * kLift);
+      add("com", measured.com, ball, false, 0);
     }
     this.group("com").add(this.drop);
   }
@@ -186,23 +192,15 @@ export class Overlays {
     }
   }
 
-  private addFootsteps(): void {
-    for (const foothold of this.motion.file.footholds) {
-      const points = foothold.outline_m.map((p) => new THREE.Vector3(p[0], p[1], p[2] + kLift));
-      const line = new THREE.LineLoop(new THREE.BufferGeometry().setFromPoints(points), this.soleOther);
-      this.soles.push({ line, from: foothold.touchdown_s, to: foothold.liftoff_s });
-      this.group("footsteps").add(line);
-    }
-  }
-
   private addSwings(): void {
-    const material = this.palette.line("foot", 0.7);
+    const points: number[] = [];
     for (const swing of this.motion.file.swings) {
-      const table = unpack(swing.points_m);
-      const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute("position", new THREE.BufferAttribute(table.values as Float32Array, 3));
-      this.group("swings").add(new THREE.Line(geometry, material));
+      const { values, rows } = unpack(swing.points_m);
+      for (let i = 0; i + 1 < rows; ++i) for (let c = 0; c < 6; ++c) points.push(values[3 * i + c]);
     }
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
+    this.group("swings").add(standStill(new THREE.LineSegments(geometry, this.palette.line("foot", 0.7))));
   }
 
   private showSupport(k: number): void {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import * as THREE from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import type { Ink, Theme } from "./colours";
 
 type Painted = THREE.Material & { color: THREE.Color };
@@ -19,6 +20,11 @@ export class Palette {
     );
   }
 
+  /** For lines of any width in pixels. */
+  wide(ink: Ink, width: number, opacity: number): LineMaterial {
+    return this.keep(new LineMaterial({ linewidth: width, transparent: true, opacity, depthWrite: false }), ink);
+  }
+
   paint(theme: Theme): void {
     for (const { material, ink } of this.all) material.color.set(theme.ink[ink]);
   }
@@ -27,6 +33,13 @@ export class Palette {
     this.all.push({ material, ink });
     return material;
   }
+}
+
+/** What is put in its place once and stays there, within its parent. */
+export function standStill<O extends THREE.Object3D>(object: O): O {
+  object.updateMatrix();
+  object.matrixAutoUpdate = false;
+  return object;
 }
 
 /** Drawn over what is before it: a centre of mass is within a trunk, a ZMP below a sole. */

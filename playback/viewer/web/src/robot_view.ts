@@ -1,55 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import * as THREE from "three";
-import { ConvexGeometry } from "three/addons/geometries/ConvexGeometry.js";
 import type { Theme } from "./colours";
-import { unpack, type PackedColumns, type PoseRow, type RobotFile, type ShapeFile } from "./scene";
+import { standStill } from "./palette";
+import type { PoseRow, RobotFile, ShapeFile } from "./scene";
+import { shapesOf } from "./shapes";
 
 export function setPose(object: THREE.Object3D, pose: PoseRow): void {
   object.position.set(pose[0], pose[1], pose[2]);
   object.quaternion.set(pose[3], pose[4], pose[5], pose[6]);
 }
 
-export function pointsOf(packed: PackedColumns): THREE.Vector3[] {
-  const table = unpack(packed);
-  const points: THREE.Vector3[] = [];
-  for (let i = 0; i < table.rows; ++i) points.push(new THREE.Vector3().fromArray(table.values, 3 * i));
-  return points;
-}
-
-/** Cylinders and capsules lie along z, in three.js along y. */
-function alongZ(geometry: THREE.BufferGeometry): THREE.BufferGeometry {
-  return geometry.rotateX(Math.PI / 2);
-}
-
-function meshGeometry(robot: RobotFile, shape: ShapeFile): THREE.BufferGeometry {
-  const mesh = robot.meshes[shape.mesh ?? 0];
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(unpack(mesh.vertices_m).values as Float32Array, 3));
-  geometry.setIndex(new THREE.BufferAttribute(unpack(mesh.triangles).values as Uint32Array, 1));
-  const flat = geometry.toNonIndexed();
-  flat.scale(shape.size_m[0], shape.size_m[1], shape.size_m[2]);
-  flat.computeVertexNormals();
-  return flat;
-}
-
-export function shapeGeometry(
-  type: ShapeFile["type"],
-  size: number[],
-  points: PackedColumns | undefined,
-): THREE.BufferGeometry {
-  switch (type) {
-    case "box":
-      return new THREE.BoxGeometry(size[0], size[1], size[2]);
-    case "cylinder":
-      return alongZ(new THREE.CylinderGeometry(size[0], size[0], size[1], 32));
-    case "capsule":
-      return alongZ(new THREE.CapsuleGeometry(size[0], size[1], 8, 24));
-    case "sphere":
-      return new THREE.SphereGeometry(size[0], 24, 16);
-    default:
-      return points ? new ConvexGeometry(pointsOf(points)) : new THREE.BufferGeometry();
-  }
-}
+type Part = "trunk" | "limb" | "limbAlternate" | "sole";
 
 /** A robot in the scene, moved by its q. */
 export class RobotView {
@@ -57,7 +18,7 @@ export class RobotView {
   private readonly bodies: THREE.Group[] = [];
   private readonly axes: THREE.Vector3[];
   private readonly rest: { p: THREE.Vector3; R: THREE.Quaternion }[];
-  private readonly materials: { material: THREE.MeshStandardMaterial; part: "trunk" | "limb" | "limbAlternate" | "sole" }[] = [];
+  private readonly materials: { material: THREE.MeshStandardMaterial; part: Part }[] = [];
   private readonly turn = new THREE.Quaternion();
   private readonly shift = new THREE.Vector3();
 
@@ -79,10 +40,12 @@ export class RobotView {
     }));
     const depths = this.depths();
     const feet = new Set(robot.feet.map((foot) => foot.body));
-    for (const shape of robot.shapes) {
-      const part = shape.body === 0 ? "trunk" : feet.has(shape.body) && shape.type === "sphere" ? "sole" : depths[shape.body] % 2 === 1 ? "limb" : "limbAlternate";
-      this.addShape(shape, part);
-    }
+    const geometries = shapesOf(robot);
+    robot.shapes.forEach((shape, i) => {
+      const limb = depths[shape.body] % 2 === 1 ? "limb" : "limbAlternate";
+      const part = shape.body === 0 ? "trunk" : feet.has(shape.body) && shape.type === "sphere" ? "sole" : limb;
+      this.addShape(shape, geometries[i], part);
+    });
   }
 
   /** Puts base and joints where a q has them: place, quaternion x y z w, joints. */
@@ -138,7 +101,7 @@ export class RobotView {
     return depths;
   }
 
-  private addShape(shape: ShapeFile, part: "trunk" | "limb" | "limbAlternate" | "sole"): void {
+  private addShape(shape: ShapeFile, geometry: THREE.BufferGeometry, part: Part): void {
     const material = new THREE.MeshStandardMaterial({
       roughness: 0.75,
       metalness: 0.05,
@@ -151,11 +114,10 @@ export class RobotView {
       polygonOffsetUnits: 16,
     });
     this.materials.push({ material, part });
-    const geometry = shape.type === "mesh" ? meshGeometry(this.robot, shape) : shapeGeometry(shape.type, shape.size_m, shape.points_m);
     const mesh = new THREE.Mesh(geometry, material);
     setPose(mesh, shape.pose);
     mesh.castShadow = !this.ghost;
     mesh.receiveShadow = !this.ghost;
-    this.bodies[shape.body].add(mesh);
+    this.bodies[shape.body].add(standStill(mesh));
   }
 }

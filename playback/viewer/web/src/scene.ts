@@ -146,10 +146,17 @@ export interface Track {
 /** A motion ready to be shown. */
 export interface Motion {
   file: MotionFile;
-  time: Float32Array;
+  /** Of each sample. */
+  time: Float64Array;
   planned: Track | null;
   measured: Track | null;
 }
+
+/** Corners of a support polygon, at most. */
+export const kMostCorners = 64;
+
+/** Times that differ by less are the same: samples are far more apart. */
+const kSameTime_s = 1e-5;
 
 function bytesOf(base64: string): ArrayBuffer {
   const text = atob(base64);
@@ -184,13 +191,40 @@ function unpackTrack(file: TrackFile): Track {
   };
 }
 
+/** Times as they were before they were packed: 32 bits hold seven digits, and what comes after them is not the time's. */
+function unpackTimes(packed: PackedColumns): Float64Array {
+  return Float64Array.from(unpack(packed).values, (t) => Number(t.toPrecision(7)));
+}
+
+/** Takes the columns out of a file: their texts are let go. */
 export function unpackMotion(file: MotionFile): Motion {
-  return {
+  const motion = {
     file,
-    time: unpack(file.time_s).values as Float32Array,
+    time: unpackTimes(file.time_s),
     planned: file.planned && unpackTrack(file.planned),
     measured: file.measured && unpackTrack(file.measured),
   };
+  file.time_s = { columns: 1 };
+  file.planned = file.measured = null;
+  return motion;
+}
+
+/** Motions of one robot share it, so that its shapes are made once. */
+export function unpackScene(scene: SceneFile): Motion[] {
+  const robots = new Map<string, RobotFile>();
+  for (const motion of scene.motions) {
+    const key = scene.motions.length > 1 ? JSON.stringify(motion.robot) : "";
+    motion.robot = robots.get(key) ?? motion.robot;
+    robots.set(key, motion.robot);
+  }
+  return scene.motions.map(unpackMotion);
+}
+
+/** What tells each of several motions from the others; nothing where there is one. */
+export function namesOf(motions: readonly Motion[]): string[] {
+  const titles = motions.map((motion) => motion.file.title);
+  if (titles.length < 2) return titles.map(() => "");
+  return titles.map((title, i) => (titles.indexOf(title) === titles.lastIndexOf(title) ? title : `${title} (${i + 1})`));
 }
 
 /** What happened where that is known, else what was planned. */
@@ -205,13 +239,14 @@ export function row(table: Table, k: number): Float32Array {
   return (table.values as Float32Array).subarray(k * table.columns, (k + 1) * table.columns);
 }
 
-/** Number of the last sample at or before a time; 0 before the first. */
-export function sampleAt(time: Float32Array, t: number): number {
+/** Number of the last sample at or before a time, but for what rounding leaves; 0 before the first. */
+export function sampleAt(time: Float64Array, t: number): number {
+  const until = t + kSameTime_s;
   let low = 0;
   let high = time.length - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
-    if (time[middle] <= t) low = middle;
+    if (time[middle] <= until) low = middle;
     else high = middle - 1;
   }
   return low;

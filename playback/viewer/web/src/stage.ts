@@ -17,6 +17,11 @@ const kViews: Record<View, [number, number, number]> = {
   top: [-0.001, 0, 1.4],
 };
 
+/** Of the camera's distance from the robot, in reaches: near enough for a foot, and not in the fog. */
+const kNearest = 0.3;
+const kFarthest = 24;
+const kMostPixels = 2;
+
 /** Share of the way to the robot that the camera makes up in a second, as e to the minus this. */
 const kFollowRate = 6;
 
@@ -48,7 +53,6 @@ export class Stage {
   ) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.camera.up.set(0, 0, 1);
     this.robot = new RobotView(motion.file.robot, false);
     this.terrain = new TerrainView(motion.file.terrain);
@@ -64,6 +68,8 @@ export class Stage {
     this.controls.addEventListener("change", () => (this.dirty = true));
     this.showSample(0, motion.time[0]);
     this.reach = new THREE.Box3().setFromObject(this.robot.root).getBoundingSphere(new THREE.Sphere()).radius;
+    this.controls.minDistance = kNearest * this.reach;
+    this.controls.maxDistance = kFarthest * this.reach;
     this.setUpSun();
     this.centre.copy(this.robotCentre());
     this.look("corner");
@@ -217,8 +223,9 @@ export class Stage {
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
     if (width === 0 || height === 0) return;
-    const ratio = this.renderer.getPixelRatio();
-    if (this.canvas.width === Math.floor(width * ratio) && this.canvas.height === Math.floor(height * ratio)) return;
+    const ratio = Math.min(window.devicePixelRatio, kMostPixels);
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
+    else if (this.canvas.width === Math.floor(width * ratio) && this.canvas.height === Math.floor(height * ratio)) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();

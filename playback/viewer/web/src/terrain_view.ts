@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import * as THREE from "three";
 import type { Theme } from "./colours";
-import { setPose, shapeGeometry } from "./robot_view";
+import { standStill } from "./palette";
+import { setPose } from "./robot_view";
 import { unpack, type TerrainFile } from "./scene";
+import { shapeGeometry } from "./shapes";
 
 const kSolidDepth = 1.0;
 const kPlaneSize = 60;
@@ -41,7 +43,9 @@ export class TerrainView {
   private readonly planes: THREE.Mesh[] = [];
   private readonly tiles = new Tiles();
   private readonly ground = new THREE.MeshStandardMaterial({ roughness: 0.95, map: this.tiles.texture });
-  private readonly block = new THREE.MeshStandardMaterial({ roughness: 0.95, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  private readonly block = new THREE.MeshStandardMaterial({
+    roughness: 0.95, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+  });
   private readonly obstacle = new THREE.MeshStandardMaterial({ roughness: 0.9 });
   private readonly line = new THREE.LineBasicMaterial({ transparent: true, opacity: 0.9 });
 
@@ -79,14 +83,14 @@ export class TerrainView {
 
   private add(mesh: THREE.Mesh): void {
     mesh.receiveShadow = true;
-    this.root.add(mesh);
+    this.root.add(standStill(mesh));
   }
 
   private addEdges(mesh: THREE.Mesh): void {
     const edges = new THREE.LineSegments(new THREE.EdgesGeometry(mesh.geometry, 20), this.line);
     edges.position.copy(mesh.position);
     edges.quaternion.copy(mesh.quaternion);
-    this.root.add(edges);
+    this.root.add(standStill(edges));
   }
 
   /** A plane without end: a large piece of it, in tiles of half a metre to see motion by. */
@@ -96,7 +100,7 @@ export class TerrainView {
     const frame = new THREE.Group().add(plane);
     setPose(frame, patch.pose);
     this.planes.push(plane);
-    this.root.add(frame);
+    this.root.add(standStill(frame));
   }
 
   /** A bounded piece of plane and the solid straight below it. */
@@ -119,7 +123,7 @@ export class TerrainView {
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(positions, 3));
     geometry.computeVertexNormals();
     this.add(new THREE.Mesh(geometry, this.block));
-    this.root.add(new THREE.LineLoop(new THREE.BufferGeometry().setFromPoints(top), this.line));
+    this.root.add(standStill(new THREE.LineLoop(new THREE.BufferGeometry().setFromPoints(top), this.line)));
   }
 
   private addField(field: TerrainFile["height_fields"][number]): void {
@@ -128,22 +132,27 @@ export class TerrainView {
     for (let j = 0; j < field.rows; ++j) {
       for (let i = 0; i < field.columns; ++i) {
         const k = j * field.columns + i;
-        positions.set(
-          [field.origin_m[0] + i * field.resolution_m, field.origin_m[1] + j * field.resolution_m, heights[k]],
-          3 * k,
-        );
+        positions[3 * k] = field.origin_m[0] + i * field.resolution_m;
+        positions[3 * k + 1] = field.origin_m[1] + j * field.resolution_m;
+        positions[3 * k + 2] = heights[k];
       }
     }
-    const triangles: number[] = [];
+    const triangles = new Uint32Array(6 * Math.max(field.rows - 1, 0) * Math.max(field.columns - 1, 0));
+    let n = 0;
     for (let j = 0; j + 1 < field.rows; ++j) {
       for (let i = 0; i + 1 < field.columns; ++i) {
         const k = j * field.columns + i;
-        triangles.push(k, k + 1, k + field.columns + 1, k, k + field.columns + 1, k + field.columns);
+        triangles[n++] = k;
+        triangles[n++] = k + 1;
+        triangles[n++] = k + field.columns + 1;
+        triangles[n++] = k;
+        triangles[n++] = k + field.columns + 1;
+        triangles[n++] = k + field.columns;
       }
     }
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-    geometry.setIndex(triangles);
+    geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
     geometry.computeVertexNormals();
     this.add(new THREE.Mesh(geometry, this.block));
   }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { Motion, MotionFile, RobotFile, Table, TerrainFile, Track } from "../scene";
+import { kMostCorners, type Motion, type MotionFile, type RobotFile, type Table, type TerrainFile, type Track } from "../scene";
 import type { Balance, Frame, Numbers } from "./messages";
 
 /** At 60 pictures a second, a second and the moment itself. */
 const kRows = 61;
 const kWindow_s = 1.0;
-const kMostCorners = 64;
 
 function emptyTable(columns: number, rows = kRows): Table {
   return { columns, rows, values: new Float32Array(columns * rows).fill(Number.NaN) };
@@ -51,7 +50,7 @@ export class RollingMotion {
   readonly now = kRows - 1;
   private readonly planned: Track;
   private readonly measured: Track;
-  /** Of each row; kept apart since a motion's time has too few digits for hours. */
+  /** Of each row; the motion's own are counted from now. */
   private readonly times: Float64Array;
   private readonly shifted: Table[];
 
@@ -60,7 +59,7 @@ export class RollingMotion {
     this.measured = emptyTrack(robot);
     this.shifted = [this.planned, this.measured].flatMap((t) => [t.q, t.tau, t.com, t.dcm, t.zmp, t.margin, t.foot, t.force, t.contact]);
     this.times = new Float64Array(kRows).fill(Number.NEGATIVE_INFINITY);
-    const time = Float32Array.from(this.times, (_, i) => (i - this.now) / this.now);
+    const time = Float64Array.from(this.times, (_, i) => (i - this.now) / this.now);
     const file: MotionFile = {
       title: robot.name, verdict: null, robot, terrain, planned: null, measured: null, footholds: [], swings: [], marks: [],
       time_s: { columns: 1 },
