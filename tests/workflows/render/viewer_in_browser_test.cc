@@ -53,7 +53,7 @@ void ExpectBodiesAreWhereTheyAre(const ShownPage& page, const ShownWalk& walk) {
 /// Moving the slider moves the robot and the cursors of timeline and plots.
 void ExpectScrubbingWorks(const ShownPage& page) {
   const std::string state =
-      "[v.stages[0].robot.bodyPosition(0).x, document.querySelector('.gw-track .gw-now').style.left, "
+      "[v.stages[0].robot.bodyPosition(0).x, document.querySelector('.gw-track .gw-now').style.transform, "
       "document.querySelector('.gw-plot .gw-now').style.transform, v.clock.time]";
   page.Ask("v.showNow(0) ?? 0");
   const auto before = page.Ask(state);
@@ -141,6 +141,10 @@ TEST_F(ViewerInBrowser, IsDrivenByTheKeyboard) {
   EXPECT_EQ(page.Ask("v.clock.time === v.clock.start"), true);
   press("ArrowRight");
   EXPECT_NEAR(page.Ask("v.clock.time - v.clock.start").get<double>(), 0.005, 1e-6);
+  for (int k = 1; k < 12; ++k) {
+    EXPECT_EQ(page.Ask("v.stages[0].shown"), k) << "each press goes on by one sample";
+    press("ArrowRight");
+  }
   press(" ");
   EXPECT_EQ(page.Ask("v.clock.playing"), true);
   press(" ");
@@ -159,6 +163,12 @@ TEST_F(ViewerInBrowser, IsPartOfTheReport) {
   words.viewer = ViewerPart({Shown(walk)});
   const ShownPage page(ReportPage(walk.model, walk.plan, walk.played.log, walk.played.report, words));
   ExpectScrubbingWorks(page);
+  page.Ask("v.showNow(0.2) ?? 0");
+  ASSERT_TRUE(page.browser().Press("End").ok());
+  EXPECT_EQ(page.Ask("v.clock.time"), 0.2) << "keys are the report's until the part has the focus";
+  page.Ask("document.querySelector('.gw-part').focus() ?? 0");
+  ASSERT_TRUE(page.browser().Press("End").ok());
+  EXPECT_EQ(page.Ask("v.clock.time === v.clock.end"), true);
   ExpectNoComplaint(page);
 }
 

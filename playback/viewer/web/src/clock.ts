@@ -2,9 +2,9 @@
 
 /** The one time that everything on the page shows. */
 export class Clock {
-  playing = false;
   speed = 1;
   private now: number;
+  private runs = false;
   private readonly listeners: ((t: number) => void)[] = [];
 
   constructor(
@@ -18,32 +18,40 @@ export class Clock {
     return this.now;
   }
 
+  get playing(): boolean {
+    return this.runs;
+  }
+
+  /** Told now, and whenever time or playing is another. */
   onChange(listener: (t: number) => void): void {
     this.listeners.push(listener);
     listener(this.now);
   }
 
   set(t: number): void {
-    this.now = Math.min(Math.max(t, this.start), this.end);
-    for (const listener of this.listeners) listener(this.now);
+    this.change(t, this.runs);
   }
 
   toggle(): void {
-    this.playing = !this.playing;
-    if (this.playing && this.now >= this.end) this.now = this.start;
-    this.set(this.now);
+    this.change(!this.runs && this.now >= this.end ? this.start : this.now, !this.runs);
   }
 
   pause(): void {
-    this.playing = false;
-    this.set(this.now);
+    this.change(this.now, false);
   }
 
   /** Goes on by so many seconds of the reader's time; stops at the end. */
   advance(seconds: number): void {
-    if (!this.playing) return;
+    if (!this.runs) return;
     const next = this.now + seconds * this.speed;
-    if (next >= this.end) this.playing = false;
-    this.set(next);
+    this.change(next, next < this.end);
+  }
+
+  private change(t: number, runs: boolean): void {
+    const now = Math.min(Math.max(t, this.start), this.end);
+    if (now === this.now && runs === this.runs) return;
+    this.now = now;
+    this.runs = runs;
+    for (const listener of this.listeners) listener(now);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { themeOf, type Theme } from "./colours";
+import { inkVariable, kInks, themeOf, wordColour, type Theme } from "./colours";
 import { button, make, tickBox } from "./elements";
 import { kOverlayInk, kOverlayNames, type Overlay } from "./overlays";
 import type { Stage, View } from "./stage";
@@ -17,9 +17,11 @@ export class Looks {
   private readonly follow = tickBox("follow");
   private readonly overlayBoxes = new Map<Overlay, HTMLInputElement>();
   private dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
+  /** Whether light or dark was chosen: then the system's is not followed any more. */
+  private chosen = false;
 
   /**
-   * @param root  gets `data-theme`.
+   * @param root  gets `data-theme`, and the theme's colours as variables.
    * @param stages  of the page; others may come later, and are then to be told by `apply`.
    * @param onPaint  told when the colours are others.
    */
@@ -36,7 +38,7 @@ export class Looks {
     this.controls = [views, this.follow.label, button("\u25d0", "light or dark (T)", () => this.setDark(!this.dark))];
     for (const overlay of overlays) this.addToLegend(overlay);
     this.legend.append(make("span", "gw-note", "rings and broad pale lines: planned; filled and thin lines: measured"));
-    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (event) => this.setDark(event.matches));
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (event) => this.goWithSystem(event.matches));
   }
 
   get theme(): Theme {
@@ -48,6 +50,7 @@ export class Looks {
   }
 
   setDark(dark: boolean): void {
+    this.chosen = true;
     this.dark = dark;
     this.paint();
   }
@@ -64,9 +67,13 @@ export class Looks {
   }
 
   paint(): void {
+    const { theme } = this;
     this.root.dataset.theme = this.dark ? "dark" : "light";
-    for (const stage of this.stages) stage.paint(this.theme);
-    this.onPaint(this.theme);
+    const variables = { "--gw-paper": theme.paper, "--gw-ink": theme.text, "--gw-soft": theme.soft };
+    for (const [name, colour] of Object.entries(variables)) this.root.style.setProperty(name, colour);
+    for (const ink of kInks) this.root.style.setProperty(inkVariable(ink), wordColour(theme, ink));
+    for (const stage of this.stages) stage.paint(theme);
+    this.onPaint(theme);
   }
 
   /** Tells stages that are new what is chosen. */
@@ -87,8 +94,15 @@ export class Looks {
     return true;
   }
 
+  private goWithSystem(dark: boolean): void {
+    if (this.chosen) return;
+    this.dark = dark;
+    this.paint();
+  }
+
   private addToLegend(overlay: Overlay): void {
-    const { label, box } = tickBox(kOverlayNames[overlay], `gw-ink-${kOverlayInk[overlay]}`);
+    const { label, box } = tickBox(kOverlayNames[overlay]);
+    label.style.color = `var(${inkVariable(kOverlayInk[overlay])})`;
     box.addEventListener("change", () => this.setOverlay(overlay, box.checked));
     this.overlayBoxes.set(overlay, box);
     this.legend.append(label);

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import uPlot from "uplot";
 import type { Clock } from "./clock";
-import { kFootColours, type Ink, type Theme } from "./colours";
+import { kFootDashes, type Ink, type Theme } from "./colours";
+import { make, menu } from "./elements";
+import { rounded } from "./figures";
 import { plotAxis } from "./plot_axis";
-import { mainTrack, type Motion, type Table } from "./scene";
+import { mainTrack, type Motion, type Table, type Track } from "./scene";
 
 interface Line {
   label: string;
-  values: (theme: Theme) => string;
-  data: Float32Array | number[];
+  colour: (theme: Theme) => string;
+  data: Column;
   planned: boolean;
   width?: number;
+  dash?: number[];
   /** Shaded down to the line before. */
   band?: boolean;
 }
@@ -21,28 +24,50 @@ interface Panel {
   lines: Line[];
 }
 
-const kPlotHeight = 150;
+/** uPlot takes null for what is not there. */
+type Column = (number | null)[];
 
-function column(table: Table, c: number, scale = 1): Float32Array {
-  const values = new Float32Array(table.rows);
-  for (let k = 0; k < table.rows; ++k) values[k] = scale * table.values[k * table.columns + c];
-  return values;
+/** A panel in the page; what it shows may become another. */
+interface Shown {
+  panel: Panel;
+  box: HTMLElement;
+  name: HTMLElement;
+  unit: HTMLElement;
+  plot: uPlot | null;
+  cursor: HTMLElement;
 }
 
-function line(label: string, ink: Ink, planned: boolean, data: Float32Array): Line {
-  return { label, values: (theme) => theme.ink[ink], data, planned };
+const kPlotHeight = 150;
+/** Figures after the point, by unit; one more where all forces are below 10 N. */
+const kDigits: Record<string, number> = { m: 4, rad: 4, mm: 1, N: 0, "N m": 2 };
+const kSmallForce_n = 10;
+
+function column(table: Table, c: number, scale = 1): Column {
+  return Array.from({ length: table.rows }, (_, k) => {
+    const value = scale * table.values[k * table.columns + c];
+    return Number.isFinite(value) ? value : null;
+  });
+}
+
+function line(label: string, ink: Ink, planned: boolean, data: Column): Line {
+  return { label, colour: (theme) => theme.ink[ink], data, planned };
+}
+
+function digitsOf({ unit, lines }: Panel): number {
+  const small = unit === "N" && lines.every(({ data }) => data.every((value) => value === null || Math.abs(value) < kSmallForce_n));
+  return (kDigits[unit] ?? 3) + (small ? 1 : 0);
 }
 
 /** Least and largest coordinate of the support at each sample. */
-function supportExtent(motion: Motion, axis: number): [Float32Array, Float32Array] {
+function supportExtent(motion: Motion, axis: number): [Column, Column] {
   const { supportFirst, support } = mainTrack(motion);
-  const low = new Float32Array(motion.time.length).fill(Number.NaN);
-  const high = new Float32Array(motion.time.length).fill(Number.NaN);
+  const low: Column = new Array<number | null>(motion.time.length).fill(null);
+  const high: Column = [...low];
   for (let k = 0; k < motion.time.length; ++k) {
     for (let i = supportFirst.values[k]; i < supportFirst.values[k + 1]; ++i) {
       const at = support.values[i * support.columns + axis];
-      if (!(low[k] <= at)) low[k] = at;
-      if (!(high[k] >= at)) high[k] = at;
+      low[k] = Math.min(low[k] ?? at, at);
+      high[k] = Math.max(high[k] ?? at, at);
     }
   }
   return [low, high];
@@ -52,8 +77,8 @@ function balancePanel(motion: Motion, axis: number): Panel {
   const name = axis === 0 ? "x" : "y";
   const [low, high] = supportExtent(motion, axis);
   const lines: Line[] = [
-    { label: "support from", values: (theme) => theme.ink.support, data: low, planned: true, width: 0.5 },
-    { label: "support to", values: (theme) => theme.ink.support, data: high, planned: true, width: 0.5, band: true },
+    { label: "support from", colour: (theme) => theme.ink.support, data: low, planned: true, width: 0.5 },
+    { label: "support to", colour: (theme) => theme.ink.support, data: high, planned: true, width: 0.5, band: true },
   ];
   for (const [track, planned] of [[motion.planned, true], [motion.measured, false]] as const) {
     if (!track) continue;
@@ -65,17 +90,18 @@ function balancePanel(motion: Motion, axis: number): Panel {
   return { title: `Balance, ${name}`, unit: "m", lines };
 }
 
-function figurePanel(motion: Motion, title: string, unit: string, ink: Ink, of: (track: NonNullable<Motion["planned"]>) => Float32Array): Panel {
+function figurePanel(motion: Motion, title: string, unit: string, ink: Ink, of: (track: Track) => Column): Panel {
   const lines: Line[] = [];
   if (motion.planned) lines.push(line("planned", ink, true, of(motion.planned)));
   if (motion.measured) lines.push(line("measured", ink, false, of(motion.measured)));
   return { title, unit, lines };
 }
 
-function footPanel(motion: Motion, title: string, unit: string, of: (foot: number) => Float32Array): Panel {
+function footPanel(motion: Motion, title: string, unit: string, of: (foot: number) => Column): Panel {
   const lines = motion.file.robot.feet.map((foot, i) => ({
     label: foot.name,
-    values: () => kFootColours[i % kFootColours.length],
+    colour: (theme: Theme) => theme.feet[i % theme.feet.length],
+    dash: kFootDashes[i % kFootDashes.length],
     data: of(i),
     planned: false,
   }));
@@ -84,34 +110,36 @@ function footPanel(motion: Motion, title: string, unit: string, of: (foot: numbe
 
 /** The plots beside the 3D view; all share the page's time. */
 export class Plots {
-  private readonly plots: { plot: uPlot; cursor: HTMLElement }[] = [];
-  private readonly jointMenu = document.createElement("select");
-  private theme: Theme;
+  private readonly plots: Shown[];
+  private readonly jointMenu = menu("joint that is plotted");
+  private readonly time: number[];
+  private theme: Theme | null = null;
 
+  /** They are drawn as soon as they are painted. */
   constructor(
-    private readonly root: HTMLElement,
+    root: HTMLElement,
     private readonly motion: Motion,
     private readonly clock: Clock,
-    theme: Theme,
   ) {
-    this.theme = theme;
     motion.file.robot.dofs.forEach((dof, i) => this.jointMenu.add(new Option(dof.name, String(i))));
-    this.jointMenu.setAttribute("aria-label", "joint that is plotted");
-    this.jointMenu.addEventListener("change", () => this.build());
-    this.build();
+    this.time = Array.from(motion.time);
+    this.plots = [...this.panels(), ...this.jointPanels()].map((panel) => this.makeBox(panel));
+    root.append(...this.plots.map(({ box }) => box));
+    this.plots[this.plots.length - 2].name.append(this.jointMenu);
+    this.jointMenu.addEventListener("change", () => this.changeJoint());
+    this.nameJoint();
     new ResizeObserver(() => this.fit()).observe(root);
     clock.onChange((t) => this.showTime(t));
   }
 
   paint(theme: Theme): void {
     this.theme = theme;
-    this.build();
+    for (const shown of this.plots) this.draw(shown, theme);
+    this.showTime(this.clock.time);
   }
 
   private panels(): Panel[] {
     const track = mainTrack(this.motion);
-    const joint = Number(this.jointMenu.value || 0);
-    const dof = this.motion.file.robot.dofs[joint];
     return [
       balancePanel(this.motion, 0),
       balancePanel(this.motion, 1),
@@ -119,60 +147,80 @@ export class Plots {
       figurePanel(this.motion, "Base height", "m", "com", (t) => column(t.q, 2)),
       footPanel(this.motion, "Vertical force of the feet", "N", (i) => column(track.force, 3 * i + 2)),
       footPanel(this.motion, "Height of the feet over the ground", "mm", (i) => column(track.footHeight, i, 1e3)),
-      figurePanel(this.motion, "Position of", dof.unit, "joint", (t) => column(t.q, 7 + joint)),
-      figurePanel(this.motion, "Torque of", dof.unit === "m" ? "N" : "N m", "limit", (t) => column(t.tau, joint)),
     ];
   }
 
-  private build(): void {
-    for (const { plot } of this.plots) plot.destroy();
-    this.plots.length = 0;
-    this.root.replaceChildren();
-    for (const panel of this.panels()) this.add(panel);
+  /** Of the joint that is chosen. */
+  private jointPanels(): Panel[] {
+    const joint = Number(this.jointMenu.value || 0);
+    const unit = this.motion.file.robot.dofs[joint]?.unit ?? "rad";
+    return [
+      figurePanel(this.motion, "Position of", unit, "joint", (t) => column(t.q, 7 + joint)),
+      figurePanel(this.motion, "Torque of", unit === "m" ? "N" : "N m", "limit", (t) => column(t.tau, joint)),
+    ];
+  }
+
+  /** Their plots go on with other figures; all else in the page stays. */
+  private changeJoint(): void {
+    const shown = this.plots.slice(-2);
+    this.jointPanels().forEach((panel, i) => {
+      const digits = digitsOf(shown[i].panel);
+      shown[i].panel = panel;
+      if (this.theme && digits !== digitsOf(panel)) this.draw(shown[i], this.theme);
+      else shown[i].plot?.setData(this.dataOf(panel));
+    });
+    this.nameJoint();
     this.showTime(this.clock.time);
   }
 
-  private add(panel: Panel): void {
-    const box = document.createElement("section");
-    box.className = "gw-plot";
-    const title = document.createElement("h3");
-    title.textContent = `${panel.title} `;
-    if (panel.title === "Position of") title.append(this.jointMenu);
-    if (panel.title === "Torque of") title.append(this.jointMenu.selectedOptions[0]?.text ?? "");
-    title.append(Object.assign(document.createElement("small"), { textContent: ` [${panel.unit}]` }));
+  private nameJoint(): void {
+    const [position, torque] = this.plots.slice(-2);
+    torque.name.textContent = this.jointMenu.selectedOptions[0]?.text ?? "";
+    for (const { unit, panel } of [position, torque]) unit.textContent = ` [${panel.unit}]`;
+  }
+
+  private makeBox(panel: Panel): Shown {
+    const box = make("section", "gw-plot"), title = make("h3", "", `${panel.title} `);
+    const name = make("span"), unit = make("small", "", ` [${panel.unit}]`);
+    title.append(name, unit);
     box.append(title);
-    this.root.append(box);
-    const plot = new uPlot(this.options(panel, box), [Array.from(this.motion.time), ...panel.lines.map((l) => this.gapped(l.data))], box);
-    const cursor = document.createElement("div");
-    cursor.className = "gw-now";
-    plot.over.append(cursor);
+    return { panel, box, name, unit, plot: null, cursor: make("div", "gw-now") };
+  }
+
+  /** The new plot comes before the old one goes, so that the page keeps its place. */
+  private draw(shown: Shown, theme: Theme): void {
+    const old = shown.plot;
+    const plot = new uPlot(this.options(shown, theme), this.dataOf(shown.panel), shown.box);
+    plot.over.append(shown.cursor);
     this.seekBy(plot);
-    this.plots.push({ plot, cursor });
+    shown.plot = plot;
+    old?.destroy();
   }
 
-  /** uPlot takes null for what is not there. */
-  private gapped(data: ArrayLike<number>): (number | null)[] {
-    return Array.from(data, (value) => (Number.isFinite(value) ? value : null));
+  private dataOf(panel: Panel): uPlot.AlignedData {
+    return [this.time, ...panel.lines.map(({ data }) => data)];
   }
 
-  private options(panel: Panel, box: HTMLElement): uPlot.Options {
+  private options({ panel, box }: Shown, theme: Theme): uPlot.Options {
+    const digits = digitsOf(panel);
     return {
       width: Math.max(box.clientWidth, 200),
       height: kPlotHeight,
       cursor: { sync: { key: "gaitwright" }, drag: { setScale: false, x: false, y: false }, y: false },
-      legend: { live: true },
+      legend: { live: true, markers: { dash: (_, i) => (panel.lines[i - 1]?.dash?.length ? "dashed" : "solid") } },
       scales: { x: { time: false } },
-      axes: [plotAxis(this.theme, 28), plotAxis(this.theme, 54)],
-      bands: panel.lines.flatMap((l, i) => (l.band ? [{ series: [i + 1, i] as [number, number], fill: this.theme.ink.support + "44" }] : [])),
+      axes: [plotAxis(theme, 28), plotAxis(theme, 54)],
+      bands: panel.lines.flatMap((l, i) => (l.band ? [{ series: [i + 1, i] as [number, number], fill: theme.ink.support + "44" }] : [])),
       series: [
         { label: "time [s]", value: (_, v) => (v == null ? "" : v.toFixed(3)) },
         ...panel.lines.map((l): uPlot.Series => ({
           label: l.label,
-          stroke: l.values(this.theme) + (l.planned ? "99" : ""),
+          stroke: l.colour(theme) + (l.planned ? "99" : ""),
           width: l.width ?? (l.planned ? 3 : 1.25),
+          dash: l.dash,
           points: { show: false },
           spanGaps: false,
-          value: (_, v) => (v == null ? "\u2013" : v.toPrecision(4)),
+          value: (_, v) => (v == null ? "\u2013" : rounded(v, digits)),
         })),
       ],
     };
@@ -195,13 +243,13 @@ export class Plots {
   }
 
   private showTime(t: number): void {
-    for (const { plot, cursor } of this.plots) cursor.style.transform = `translateX(${plot.valToPos(t, "x")}px)`;
+    for (const { plot, cursor } of this.plots) if (plot) cursor.style.transform = `translateX(${plot.valToPos(t, "x")}px)`;
   }
 
   private fit(): void {
-    for (const { plot } of this.plots) {
-      const width = plot.root.parentElement?.clientWidth ?? 0;
-      if (width > 0 && width !== plot.width) plot.setSize({ width, height: kPlotHeight });
+    for (const { plot, box } of this.plots) {
+      const width = box.clientWidth;
+      if (plot && width > 0 && width !== plot.width) plot.setSize({ width, height: kPlotHeight });
     }
     this.showTime(this.clock.time);
   }

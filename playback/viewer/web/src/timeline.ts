@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Clock } from "./clock";
-import { make } from "./elements";
-import { mainTrack, sampleAt, type MarkFile, type Motion } from "./scene";
+import { make, tell } from "./elements";
+import { mainTrack, namesOf, sampleAt, type MarkFile, type Motion } from "./scene";
 
-const kRow = 9;
+/** Of a foot, as in the style sheet. */
+const kRow = 13;
+const kLine = 10;
 
 /** The bar to scrub on: which feet bear when, what happened, and a slider that the keyboard moves too. */
 export class Timeline {
@@ -13,6 +15,7 @@ export class Timeline {
   private readonly needle = make("div", "gw-now");
   private readonly track = make("div", "gw-track");
   private readonly names = make("div", "gw-feet");
+  private width = 0;
 
   constructor(
     private readonly motions: Motion[],
@@ -27,25 +30,25 @@ export class Timeline {
     });
     this.bars.setAttribute("aria-hidden", "true");
     this.track.append(this.bars, this.needle);
-    for (const motion of motions) {
-      for (const foot of motion.file.robot.feet) this.names.append(make("span", "", foot.name));
-      for (const mark of motion.file.marks) this.addMark(mark);
-    }
+    namesOf(motions).forEach((name, i) => {
+      const { robot, marks } = motions[i].file;
+      for (const foot of robot.feet) this.addName(name, foot.name);
+      for (const mark of marks) this.addMark(name, mark);
+    });
     this.track.addEventListener("pointerdown", (event) => this.press(event));
     this.track.addEventListener("pointermove", (event) => {
       if (event.buttons & 1) this.press(event);
     });
     this.root.append(this.names, this.track, this.slider);
     new ResizeObserver(() => this.draw()).observe(this.track);
-    clock.onChange((t) => {
-      this.slider.value = String(t);
-      this.needle.style.left = `${100 * this.share(t)}%`;
-    });
+    clock.onChange((t) => this.showTime(t));
   }
 
   /** Draws the bars in the colours that the page has now. */
   draw(): void {
     const width = this.track.clientWidth;
+    this.width = width;
+    this.placeNeedle(this.clock.time);
     const height = this.motions.reduce((sum, m) => sum + m.file.robot.feet.length * kRow, 0);
     const ratio = window.devicePixelRatio;
     this.bars.width = width * ratio;
@@ -59,15 +62,27 @@ export class Timeline {
     for (const motion of this.motions) {
       const { planned, measured } = motion;
       for (let foot = 0; foot < motion.file.robot.feet.length; ++foot, top += kRow) {
-        if (planned) this.bar(context, motion, planned.contact.values, foot, top, kRow - 2, style.getPropertyValue("--gw-planned"));
-        if (measured) this.bar(context, motion, measured.contact.values, foot, top + 2, kRow - 6, style.getPropertyValue("--gw-ink"));
+        if (planned) this.bar(context, motion, planned.contact.values, foot, top, kLine, style.getPropertyValue("--gw-planned"));
+        if (measured) this.bar(context, motion, measured.contact.values, foot, top + 3, kLine - 6, style.getPropertyValue("--gw-ink"));
       }
     }
   }
 
-  private bar(context: CanvasRenderingContext2D, motion: Motion, contact: ArrayLike<number>, foot: number, top: number, height: number, colour: string): void {
+  private showTime(t: number): void {
+    this.slider.value = String(t);
+    tell(this.slider, "aria-valuetext", `${t.toFixed(this.clock.playing ? 1 : 3)} s`);
+    this.placeNeedle(t);
+  }
+
+  private placeNeedle(t: number): void {
+    this.needle.style.transform = `translateX(${this.width * this.share(t)}px)`;
+  }
+
+  private bar(
+    context: CanvasRenderingContext2D, motion: Motion, contact: ArrayLike<number>, foot: number, top: number, height: number, colour: string,
+  ): void {
     const feet = mainTrack(motion).contact.columns;
-    const width = this.track.clientWidth;
+    const { width } = this;
     context.fillStyle = colour;
     let from = -1;
     for (let k = 0; k <= motion.time.length; ++k) {
@@ -82,10 +97,23 @@ export class Timeline {
     }
   }
 
-  private addMark(mark: MarkFile): void {
+  /** @param motion  nothing where there is but one. */
+  private addName(motion: string, foot: string): void {
+    const name = make("span");
+    if (motion) {
+      const which = make("small");
+      which.append(make("bdi", "", motion));
+      name.append(which);
+    }
+    name.append(make("b", "", foot));
+    name.title = [motion, foot].filter(Boolean).join(": ");
+    this.names.append(name);
+  }
+
+  private addMark(motion: string, mark: MarkFile): void {
     const flag = make("button", `gw-mark gw-${mark.kind}`, mark.kind === "fall" ? "fall" : "");
     flag.style.left = `${100 * this.share(mark.at_s)}%`;
-    flag.title = `${mark.at_s.toFixed(2)} s: ${mark.text}`;
+    flag.title = `${motion ? `${motion}, ` : ""}${mark.at_s.toFixed(2)} s: ${mark.text}`;
     flag.setAttribute("aria-label", flag.title);
     flag.addEventListener("pointerdown", (event) => event.stopPropagation());
     flag.addEventListener("click", () => {

@@ -1,52 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { Clock } from "./clock";
-import { button, isForPage, make } from "./elements";
-import { FrameRate } from "./frame_rate";
-import { kLooksHelp, Looks } from "./looks";
-import { kOverlays, type Overlay } from "./overlays";
+import { button, isForPage, make, menu, tell, write } from "./elements";
+import { kLooksHelp } from "./looks";
+import { kOverlays } from "./overlays";
 import { Plots } from "./plots";
-import { unpackMotion, type Motion, type SceneFile } from "./scene";
-import { Stage, type View } from "./stage";
+import { namesOf, unpackScene, type Motion, type SceneFile } from "./scene";
+import { ShownPage } from "./shown_page";
+import { Stage } from "./stage";
 import { bearingFeet, Timeline } from "./timeline";
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
+const kStep_s = 0.005;
+const kBigStep_s = 0.1;
+const kMicro = 1e6;
 const kHelp =
   "Space play or pause \u00b7 \u2190 \u2192 5 ms (Shift 0.1 s) \u00b7 Home End \u00b7 + \u2212 speed \u00b7 " + kLooksHelp;
 
 /** The whole of what the page shows and does. */
-export class Viewer {
+export class Viewer extends ShownPage {
   readonly clock: Clock;
   readonly motions: Motion[];
-  readonly stages: Stage[] = [];
   private readonly plots: Plots[] = [];
   private readonly timeline: Timeline;
-  private readonly looks: Looks;
-  private readonly playButton = button("", "play or pause (Space)", () => this.togglePlay(), "gw-play");
-  private readonly speedMenu = make("select");
-  private readonly readout = make("output", "gw-readout");
-  private readonly frameRate = new FrameRate();
-  private lastFrame = 0;
+  private readonly playButton = button("", "play or pause (Space)", () => this.clock.toggle(), "gw-play");
+  private readonly speedMenu = menu("speed");
+  private readonly readout = make("span", "gw-readout");
 
-  constructor(root: HTMLElement, scene: SceneFile) {
-    this.motions = scene.motions.map(unpackMotion);
-    const ends = this.motions.map((m) => m.time[m.time.length - 1]);
-    this.clock = new Clock(Math.min(...this.motions.map((m) => m.time[0])), Math.max(...ends));
-    this.timeline = new Timeline(this.motions, this.clock);
-    root.classList.add("gw-viewer");
-    root.tabIndex = -1;
-    const hasGhost = this.motions.some((m) => m.planned && m.measured);
-    const overlays = kOverlays.filter((overlay) => hasGhost || overlay !== "ghost");
-    this.looks = new Looks(root, this.stages, overlays, (theme) => {
+  /** @param root  a page of its own where it has the class `gw-page`, else a part of one. */
+  constructor(
+    private readonly root: HTMLElement,
+    scene: SceneFile,
+  ) {
+    const motions = unpackScene(scene);
+    const hasGhost = motions.some((m) => m.planned && m.measured);
+    super(root, kOverlays.filter((overlay) => hasGhost || overlay !== "ghost"), (theme) => {
       for (const plots of this.plots) plots.paint(theme);
       this.timeline.draw();
     });
+    this.motions = motions;
+    const ends = motions.map((m) => m.time[m.time.length - 1]);
+    this.clock = new Clock(Math.min(...motions.map((m) => m.time[0])), Math.max(...ends));
+    this.timeline = new Timeline(motions, this.clock);
     root.append(this.stageArea(), this.transport(), this.timeline.root, this.looks.legend, this.plotArea());
     root.append(make("p", "gw-help", kHelp));
     for (const stage of this.stages) this.clock.onChange((t) => stage.show(t));
     this.clock.onChange((t) => this.showReadout(t));
     this.looks.paint();
-    document.addEventListener("keydown", (event) => this.press(event));
-    requestAnimationFrame((now) => this.frame(now));
+    this.takeKeys();
+    this.begin();
   }
 
   /** Shows a time, with the cameras where they belong, at once: for pictures and tests. */
@@ -59,22 +60,30 @@ export class Viewer {
     }
   }
 
-  look(view: View): void {
-    this.looks.look(view);
+  protected step(_: number, seconds: number): boolean {
+    this.clock.advance(seconds);
+    let drawn = false;
+    for (const stage of this.stages) {
+      stage.goAfter(seconds);
+      drawn = stage.draw() || drawn;
+    }
+    return drawn;
   }
 
-  setDark(dark: boolean): void {
-    this.looks.setDark(dark);
-  }
-
-  setOverlay(overlay: Overlay, visible: boolean): void {
-    this.looks.setOverlay(overlay, visible);
-  }
-
-  /** Pictures a second of late, and what one costs. */
-  rate(): { frames_per_s: number; calls: number; triangles: number } {
-    const cost = this.stages[0]?.cost() ?? { calls: 0, triangles: 0 };
-    return { frames_per_s: this.frameRate.perSecond(), ...cost };
+  /** All keys of a page of its own; of a part those while it has the focus, which a press anywhere in it gives it. */
+  private takeKeys(): void {
+    const whole = this.root.classList.contains("gw-page");
+    this.root.tabIndex = whole ? -1 : 0;
+    (whole ? document : this.root).addEventListener("keydown", (event) => this.press(event as KeyboardEvent));
+    if (whole) return;
+    this.root.setAttribute("aria-label", "motion in 3D");
+    this.root.setAttribute("role", "group");
+    this.root.addEventListener("pointerdown", (event) => {
+      if (!(event.target as HTMLElement).closest("button, input, select, label, a")) this.root.focus({ preventScroll: true });
+    }, { capture: true });
+    this.root.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !this.root.contains(document.activeElement)) event.stopPropagation();
+    }, { capture: true, passive: true });
   }
 
   private stageArea(): HTMLElement {
@@ -108,30 +117,27 @@ export class Viewer {
     const bar = make("div", "gw-bar");
     for (const speed of kSpeeds) this.speedMenu.add(new Option(`${speed}\u00d7`, String(speed), speed === 1, speed === 1));
     this.speedMenu.title = "speed (+ and \u2212)";
-    this.speedMenu.setAttribute("aria-label", "speed");
     this.speedMenu.addEventListener("change", () => (this.clock.speed = Number(this.speedMenu.value)));
-    bar.append(this.playButton, button("\u25c2", "back (\u2190)", () => this.step(-0.005)), button("\u25b8", "on (\u2192)", () => this.step(0.005)));
+    bar.append(this.playButton, button("\u25c2", "back (\u2190)", () => this.goOn(-kStep_s)), button("\u25b8", "on (\u2192)", () => this.goOn(kStep_s)));
     bar.append(this.speedMenu, ...this.looks.controls, this.readout);
     return bar;
   }
 
   private plotArea(): HTMLElement {
     const area = make("div", "gw-plots");
-    for (const motion of this.motions) {
+    namesOf(this.motions).forEach((name, i) => {
       const column = make("div", "gw-column");
+      if (name) column.append(make("h2", "gw-title", name));
       area.append(column);
-      this.plots.push(new Plots(column, motion, this.clock, this.looks.theme));
-    }
+      this.plots.push(new Plots(column, this.motions[i], this.clock));
+    });
     return area;
   }
 
-  private togglePlay(): void {
-    this.clock.toggle();
-  }
-
-  private step(seconds: number): void {
+  /** By whole microseconds, so that many small steps are as long as a large one. */
+  private goOn(seconds: number): void {
     this.clock.pause();
-    this.clock.set(this.clock.time + seconds);
+    this.clock.set(Math.round((this.clock.time + seconds) * kMicro) / kMicro);
   }
 
   private changeSpeed(by: number): void {
@@ -142,34 +148,29 @@ export class Viewer {
 
   private press(event: KeyboardEvent): void {
     if (!isForPage(event)) return;
-    const big = event.shiftKey ? 0.1 : 0.005;
-    if (event.key === " " && !(event.target as HTMLElement).closest("button, input")) this.togglePlay();
-    else if (event.key === "ArrowLeft") this.step(-big);
-    else if (event.key === "ArrowRight") this.step(big);
-    else if (event.key === "Home") this.step(Number.NEGATIVE_INFINITY);
-    else if (event.key === "End") this.step(Number.POSITIVE_INFINITY);
+    const step_s = event.shiftKey ? kBigStep_s : kStep_s;
+    if (event.key === " ") this.pressSpace(event);
+    else if (event.key === "ArrowLeft") this.goOn(-step_s);
+    else if (event.key === "ArrowRight") this.goOn(step_s);
+    else if (event.key === "Home") this.goOn(Number.NEGATIVE_INFINITY);
+    else if (event.key === "End") this.goOn(Number.POSITIVE_INFINITY);
     else if (event.key === "+" || event.key === "=") this.changeSpeed(1);
     else if (event.key === "-") this.changeSpeed(-1);
     else if (!this.looks.press(event.key)) return;
     event.preventDefault();
   }
 
-  private showReadout(t: number): void {
-    this.playButton.textContent = this.clock.playing ? "\u275a\u275a" : "\u25b6";
-    const bearing = this.motions.length === 1 ? bearingFeet(this.motions[0], t) : [];
-    this.readout.textContent = `${t.toFixed(3)} s` + (this.motions.length === 1 ? `, on ${bearing.join(", ") || "no foot"}` : "");
+  private pressSpace(event: KeyboardEvent): void {
+    if (!event.repeat) this.clock.toggle();
   }
 
-  private frame(now: number): void {
-    const seconds = this.lastFrame > 0 ? Math.min((now - this.lastFrame) / 1000, 0.1) : 0;
-    this.lastFrame = now;
-    this.clock.advance(seconds);
-    let drawn = false;
-    for (const stage of this.stages) {
-      stage.goAfter(seconds);
-      drawn = stage.draw() || drawn;
-    }
-    if (drawn) this.frameRate.note(now);
-    requestAnimationFrame((next) => this.frame(next));
+  private showReadout(t: number): void {
+    const { playing } = this.clock;
+    write(this.playButton, playing ? "\u275a\u275a" : "\u25b6");
+    tell(this.playButton, "aria-label", playing ? "pause" : "play");
+    const bearing = this.motions.length === 1 ? `, on ${bearingFeet(this.motions[0], t).join(", ") || "no foot"}` : "";
+    const text = `${t.toFixed(3)} s${bearing}`;
+    write(this.readout, text);
+    tell(this.readout, "title", text);
   }
 }

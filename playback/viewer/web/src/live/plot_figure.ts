@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { Ink } from "../colours";
+import { inkVariable, type Ink } from "../colours";
 import { make } from "../elements";
 
 /** What a mark in a title looks like: a line, a broad pale one, a ring, a filled circle. */
@@ -10,7 +10,11 @@ export function plotFigure(title: string, marks: [Mark, Ink, string][], plot: HT
   const figure = make("figure", "gw-live-plot");
   const head = make("figcaption");
   head.append(make("b", "", title), ...beside);
-  for (const [mark, ink, text] of marks) head.append(make("span", `gw-ink-${ink}`, `${mark} ${text}`));
+  for (const [mark, ink, text] of marks) {
+    const words = make("span", "", `${mark} ${text}`);
+    words.style.color = `var(${inkVariable(ink)})`;
+    head.append(words);
+  }
   figure.append(head, plot);
   return figure;
 }

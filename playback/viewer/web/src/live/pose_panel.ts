@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import * as THREE from "three";
 import { button, make } from "../elements";
+import { rounded } from "../figures";
 import type { DofFile, RobotFile } from "../scene";
 import { AtMost } from "./at_most";
 import type { Frame, Numbers, Send } from "./messages";
 import { Slider } from "./slider";
-import { rounded } from "./words";
+import { kDegrees, scaleOf } from "./units";
 
 const kPosesPerSecond = 30;
-const kDegrees = 180 / Math.PI;
-const kMillimetres = 1000;
 /** Where a joint has no limits. */
 const kFreeTurn_deg = 180;
 const kFreeShift_mm = 1000;
@@ -17,7 +16,7 @@ const kBaseShift_m = 1;
 
 function jointSlider(dof: DofFile): Slider {
   const turns = dof.unit === "rad";
-  const scale = turns ? kDegrees : kMillimetres, free = turns ? kFreeTurn_deg : kFreeShift_mm;
+  const scale = scaleOf(dof), free = turns ? kFreeTurn_deg : kFreeShift_mm;
   return new Slider({
     name: `joint:${dof.name}`, label: dof.name, title: dof.name, least: dof.lower === null ? -free : scale * dof.lower,
     most: dof.upper === null ? free : scale * dof.upper, step: 0.1, value: 0, words: (value) => rounded(value, 1) + (turns ? "\u00b0" : " mm"),
@@ -58,7 +57,7 @@ export class PosePanel {
     const roots = (sliders: Slider[]) => sliders.map((slider) => slider.root);
     this.root.append(make("h2", "", "Pose"), beside, ...roots([height, ...this.turns, x, y]), make("h3", "", "Joints"), ...roots(this.joints));
     this.places.forEach((slider, i) => (slider.onMove = (value) => this.change((q) => (q[i] = value))));
-    this.joints.forEach((slider, i) => (slider.onMove = (value) => this.change((q) => (q[7 + i] = value / this.scale(i)))));
+    this.joints.forEach((slider, i) => (slider.onMove = (value) => this.change((q) => (q[7 + i] = value / scaleOf(robot.dofs[i])))));
     for (const slider of this.turns) slider.onMove = () => this.change((q) => this.putTurn(q));
   }
 
@@ -67,7 +66,7 @@ export class PosePanel {
     if (this.busy()) return;
     this.q = [];
     this.places.forEach((slider, i) => slider.follow(frame.q[i]));
-    this.joints.forEach((slider, i) => slider.follow(this.scale(i) * (frame.q[7 + i] ?? 0)));
+    this.joints.forEach((slider, i) => slider.follow(scaleOf(this.robot.dofs[i]) * (frame.q[7 + i] ?? 0)));
     this.turn.fromArray(frame.q.slice(3, 7).map((x) => x ?? 0));
     const { x, y, z } = this.angles.setFromQuaternion(this.turn, "ZYX");
     this.turns.forEach((slider, i) => slider.follow(kDegrees * [x, y, z][i]));
@@ -77,16 +76,19 @@ export class PosePanel {
     return [this.places, this.turns, this.joints].some((sliders) => sliders.some((slider) => slider.busy));
   }
 
-  private scale(dof: number): number {
-    return this.robot.dofs[dof].unit === "rad" ? kDegrees : kMillimetres;
-  }
-
   /** While it is being posed it goes on from what was asked for last, not from what has come back of it. */
   private change(put: (q: number[]) => void): void {
     if (this.latest.length === 0) return;
-    if (this.q.length === 0) this.q = this.latest.map((x) => x ?? 0);
+    if (this.q.length === 0) this.q = this.start();
     put(this.q);
     this.say.put([...this.q]);
+  }
+
+  /** As it is; physics may have a joint a little beyond its limits, where no pose may be. */
+  private start(): number[] {
+    const q = this.latest.map((x) => x ?? 0);
+    this.robot.dofs.forEach(({ lower, upper }, i) => (q[7 + i] = Math.min(Math.max(q[7 + i], lower ?? -Infinity), upper ?? Infinity)));
+    return q;
   }
 
   private putTurn(q: number[]): void {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { rounded } from "../figures";
 import type { Mode, Pace } from "./messages";
 
 export const kModeWords: Record<Mode, string> = {
@@ -7,12 +8,6 @@ export const kModeWords: Record<Mode, string> = {
   posed: "held in a pose",
   fallen: "has fallen",
 };
-
-/** A figure with so many digits after its point, and no sign where it is nought. */
-export function rounded(value: number, digits: number): string {
-  const figure = value.toFixed(digits);
-  return Number(figure) === 0 ? (0).toFixed(digits) : figure;
-}
 
 /** A force as it is read: light robots are pushed by less than a newton. */
 export function newtons(force_n: number): string {
