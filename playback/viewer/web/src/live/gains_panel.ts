@@ -11,6 +11,7 @@ export class GainsPanel {
   readonly root = make("section", "gw-section gw-gains");
   private readonly rows: OptionRow[];
   private readonly meaning = make("p", "gw-note gw-meaning", "What an option means is told here.");
+  private readonly refusal = make("p", "gw-refused");
 
   constructor(
     options: Record<string, OptionFile>,
@@ -22,7 +23,10 @@ export class GainsPanel {
     this.root.append(head);
     const prefixes = [...new Set([...Object.keys(kGroups), ...this.rows.map((row) => prefixOf(row))])];
     for (const prefix of prefixes) this.addGroup(prefix);
-    this.root.append(this.meaning);
+    this.refusal.setAttribute("role", "alert");
+    const foot = make("div", "gw-told");
+    foot.append(this.refusal, this.meaning);
+    this.root.append(foot);
   }
 
   show(frame: Frame): void {
@@ -35,7 +39,8 @@ export class GainsPanel {
     const group = Object.assign(make("details"), { open: true });
     group.append(make("summary", "", kGroups[prefix] ?? prefix));
     for (const row of rows) {
-      row.onSet = (value) => this.send({ do: "options", options: { [row.key]: value } });
+      row.onSet = (value) => this.ask({ [row.key]: value });
+      row.onRefuse = (why) => (this.refusal.textContent = why);
       for (const look of ["focusin", "pointerenter"]) row.root.addEventListener(look, () => (this.meaning.textContent = row.option.meaning));
       group.append(row.root);
     }
@@ -46,7 +51,12 @@ export class GainsPanel {
     const changed = this.rows.filter((row) => !row.isUsual);
     if (changed.length === 0) return;
     for (const row of changed) row.show(row.option.value);
-    this.send({ do: "options", options: Object.fromEntries(changed.map((row) => [row.key, row.option.value])) });
+    this.ask(Object.fromEntries(changed.map((row) => [row.key, row.option.value])));
+  }
+
+  private ask(options: Record<string, number>): void {
+    this.refusal.textContent = "";
+    this.send({ do: "options", options });
   }
 }
 

@@ -15,6 +15,8 @@ export class Grip {
   private x = 0;
   private y = 0;
   private looked_ms = 0;
+  /** Whether it can be taken now. */
+  allowed = true;
 
   /** @param box  around the canvas: it hears of presses first. */
   constructor(
@@ -55,7 +57,7 @@ export class Grip {
   }
 
   private take(event: PointerEvent): void {
-    if (this.holds || event.button !== 0 || event.target !== this.stage.canvas) return;
+    if (!this.allowed || this.holds || event.button !== 0 || event.target !== this.stage.canvas) return;
     const hit = this.stage.hit(event.clientX, event.clientY);
     if (!hit) return;
     event.stopPropagation();
@@ -79,7 +81,8 @@ export class Grip {
   private look(event: PointerEvent): void {
     if (event.timeStamp - this.looked_ms < kLookEvery_ms) return;
     this.looked_ms = event.timeStamp;
-    this.box.classList.toggle("gw-can-hold", event.target === this.stage.canvas && this.stage.hit(event.clientX, event.clientY) !== null);
+    const can = this.allowed && event.target === this.stage.canvas && this.stage.hit(event.clientX, event.clientY) !== null;
+    this.box.classList.toggle("gw-can-hold", can);
   }
 
   private pullFrom(body: number, at_Body: THREE.Vector3): void {

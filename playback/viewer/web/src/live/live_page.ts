@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { isForPage, make } from "../elements";
-import { FrameRate } from "../frame_rate";
-import { kLooksHelp, Looks } from "../looks";
-import { kOverlays, type Overlay } from "../overlays";
-import type { Stage, View } from "../stage";
+import { kLooksHelp } from "../looks";
+import { kOverlays } from "../overlays";
+import { ShownPage } from "../shown_page";
+import type { Stage } from "../stage";
 import { Connection, socketUrl } from "./connection";
 import { heard, type Frame, type Greeting, type Heard, type Saying } from "./messages";
 import { NoteList } from "./note_list";
@@ -12,11 +12,10 @@ import { kTimeHelp, TimeBar } from "./time_bar";
 
 /** A program that says nothing for so long has stopped. */
 const kSilence_ms = 3000;
-const kLongestStep_s = 0.1;
 const kHelp = `${kTimeHelp} \u00b7 Shift + arrows push \u00b7 ${kLooksHelp}`;
 
 /** The page of a robot that is live: it shows what the program tells, and tells it what is done here. */
-export class LivePage {
+export class LivePage extends ShownPage {
   /** What was told first, and last. */
   greeting: Greeting | null = null;
   frame: Frame | null = null;
@@ -24,26 +23,22 @@ export class LivePage {
   page: number | null = null;
   session: Session | null = null;
   readonly notes = new NoteList();
-  private readonly stages: Stage[] = [];
   private readonly connection: Connection;
-  private readonly looks: Looks;
   private readonly timeBar = new TimeBar((saying) => this.send(saying));
   private readonly bar = make("div", "gw-bar");
   private readonly help = make("p", "gw-help", kHelp);
   private readonly banner = make("p", "gw-banner", "connecting");
-  private readonly frameRate = new FrameRate();
   private greeted = "";
   private run = "";
   private lastFrame = "";
-  private lastDraw_ms = 0;
 
   /** @param root  its attribute `data-live` is the path of the WebSocket. */
   constructor(private readonly root: HTMLElement) {
-    root.classList.add("gw-viewer", "gw-live");
-    root.tabIndex = -1;
     const overlays = kOverlays.filter((overlay) => overlay !== "footsteps" && overlay !== "swings");
-    this.looks = new Looks(root, this.stages, overlays, (theme) => this.session?.paint(theme));
-    this.bar.append(...this.timeBar.buttons, ...this.looks.controls);
+    super(root, overlays, (theme) => this.session?.paint(theme));
+    root.classList.add("gw-live");
+    root.tabIndex = -1;
+    this.bar.append(this.timeBar.root, ...this.looks.controls);
     this.banner.setAttribute("role", "alert");
     root.append(this.banner);
     this.looks.paint();
@@ -52,7 +47,7 @@ export class LivePage {
       lost: () => this.lose(),
     });
     document.addEventListener("keydown", (event) => this.press(event));
-    requestAnimationFrame((now) => this.draw(now));
+    this.begin();
   }
 
   get connected(): boolean {
@@ -68,21 +63,9 @@ export class LivePage {
     return this.connection.send(saying);
   }
 
-  look(view: View): void {
-    this.looks.look(view);
-  }
-
-  setDark(dark: boolean): void {
-    this.looks.setDark(dark);
-  }
-
-  setOverlay(overlay: Overlay, visible: boolean): void {
-    this.looks.setOverlay(overlay, visible);
-  }
-
-  /** Pictures a second of late, and what one costs. */
-  rate(): { frames_per_s: number; calls: number; triangles: number } {
-    return { frames_per_s: this.frameRate.perSecond(), ...(this.stage?.cost() ?? { calls: 0, triangles: 0 }) };
+  protected step(now_ms: number, seconds: number): boolean {
+    if (this.connected && this.greeting) this.say(this.connection.silent_ms > kSilence_ms ? "the program does not answer" : "");
+    return this.session?.draw(now_ms, seconds) ?? false;
   }
 
   private hear(text: string): void {
@@ -101,6 +84,7 @@ export class LivePage {
       return heard(text);
     } catch (error) {
       this.greeting = null;
+      this.setConnected(false);
       this.say(error instanceof Error ? error.message : String(error));
       return null;
     }
@@ -111,6 +95,7 @@ export class LivePage {
     this.say("");
     this.greeting = greeting;
     this.lastFrame = "";
+    this.setConnected(true);
     if (greeting.run !== this.run) {
       this.run = greeting.run;
       this.notes.clear();
@@ -130,8 +115,8 @@ export class LivePage {
 
   private lose(): void {
     this.say("connection lost, trying again");
-    this.session?.letGo();
     this.number(null);
+    this.setConnected(false);
   }
 
   private take(frame: Frame, text: string): void {
@@ -139,20 +124,26 @@ export class LivePage {
     this.lastFrame = text;
     this.frame = frame;
     if (this.session) this.session.take(frame);
-    else this.begin(this.greeting, frame);
+    else this.open(this.greeting, frame);
     this.timeBar.show(frame);
     this.notes.show(frame.notes);
   }
 
-  private begin(greeting: Greeting, frame: Frame): void {
+  private open(greeting: Greeting, frame: Frame): void {
     const session = new Session(greeting, frame, (saying) => this.send(saying));
     this.session = session;
     session.page = this.page;
+    session.pushes.onRefuse = (why) => this.notes.add(why, "gw-refused");
     this.stages.splice(0, 1, ...(session.stage ? [session.stage] : []));
     const controls = make("div", "gw-controls");
     controls.append(session.tabs.root, this.notes.root);
     this.root.replaceChildren(this.banner, session.stageBox, this.bar, this.looks.legend, controls, session.plots, this.help);
     this.looks.apply();
+  }
+
+  private setConnected(connected: boolean): void {
+    this.timeBar.root.inert = !connected;
+    this.session?.setConnected(connected);
   }
 
   /** Tells what is wrong over the page; nothing where all is well. */
@@ -165,15 +156,8 @@ export class LivePage {
 
   private press(event: KeyboardEvent): void {
     if (!isForPage(event)) return;
-    const done = this.timeBar.press(event) || this.session?.pushes.press(event) || this.looks.press(event.key);
+    const asked = this.connected && this.greeting && (this.timeBar.press(event) || this.session?.pushes.press(event));
+    const done = asked || this.looks.press(event.key);
     if (done) event.preventDefault();
-  }
-
-  private draw(now_ms: number): void {
-    const seconds = this.lastDraw_ms > 0 ? Math.min((now_ms - this.lastDraw_ms) / 1000, kLongestStep_s) : 0;
-    this.lastDraw_ms = now_ms;
-    if (this.session?.draw(now_ms, seconds)) this.frameRate.note(now_ms);
-    if (this.connected && this.greeting) this.say(this.connection.silent_ms > kSilence_ms ? "the program does not answer" : "");
-    requestAnimationFrame((next) => this.draw(next));
   }
 }

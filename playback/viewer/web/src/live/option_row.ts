@@ -35,6 +35,8 @@ function words(name: string): string {
 export class OptionRow {
   readonly root = make("div", "gw-option");
   onSet: (value: number) => void = () => {};
+  /** When it is given what it does not take. */
+  onRefuse: (why: string) => void = () => {};
   private readonly slider: Slider;
   private readonly field = make("input");
   private readonly back = button("\u21ba", "", () => this.set(this.option.value));
@@ -45,7 +47,7 @@ export class OptionRow {
   ) {
     const range = sliderRange(option), step = (range.most - range.least) / kSteps;
     this.slider = new Slider({
-      name: key, label: words(key.slice(key.indexOf(".") + 1)), title: `${key}: ${option.meaning}`, ...range, step,
+      name: key, label: words(key.slice(key.indexOf(".") + 1)), title: `${key}: ${option.meaning}`, spoken: key, ...range, step,
       value: option.value, words: figure,
     });
     this.slider.input.setAttribute("aria-description", option.meaning);
@@ -53,10 +55,7 @@ export class OptionRow {
     this.slider.onSet = (value) => this.set(Number(value.toPrecision(3)));
     Object.assign(this.field, { type: "number", name: key, step: "any", min: String(option.lowest ?? ""), max: String(option.highest ?? "") });
     this.field.setAttribute("aria-label", key);
-    this.field.addEventListener("change", () => {
-      if (this.field.value !== "" && this.field.checkValidity()) this.set(this.field.valueAsNumber);
-      else this.tell();
-    });
+    this.field.addEventListener("change", () => this.take());
     this.back.title = `back to usual: ${figure(option.value)}`;
     this.back.setAttribute("aria-label", `${key}: ${this.back.title}`);
     this.root.append(this.slider.root, this.field, make("small", "", option.unit === "1" ? "" : option.unit), this.back);
@@ -77,6 +76,19 @@ export class OptionRow {
   show(value: number): void {
     this.slider.put(value);
     this.tell();
+  }
+
+  private take(): void {
+    const { value } = this.field;
+    if (value !== "" && this.field.checkValidity()) return this.set(this.field.valueAsNumber);
+    this.tell();
+    this.onRefuse(`${this.key}: ${value === "" ? "no number" : `${value} is not taken`}; it goes ${this.limits()}`);
+  }
+
+  private limits(): string {
+    const { lowest, highest, unit } = this.option;
+    const ends = [lowest === null ? "" : `from ${figure(lowest)}`, highest === null ? "" : `to ${figure(highest)}`].filter(Boolean);
+    return `${ends.join(" ") || "anywhere"}${unit === "1" ? "" : ` ${unit}`}`;
   }
 
   private set(value: number): void {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { button, make } from "../elements";
+import { button, disable, make } from "../elements";
 import type { RobotFile } from "../scene";
 import type { Frame, Send, Spring } from "./messages";
 import { Slider } from "./slider";
@@ -14,10 +14,18 @@ export type Side = "ahead" | "left" | "right" | "back";
 const kSides: Record<Side, [number, number]> = { ahead: [1, 0], left: [0, 1], right: [0, -1], back: [-1, 0] };
 const kSideKeys: Record<string, Side> = { ArrowUp: "ahead", ArrowLeft: "left", ArrowRight: "right", ArrowDown: "back" };
 
+/** Why a push does nothing; "" where it does. */
+function whyNot(frame: Frame): string {
+  return frame.mode === "posed" ? "no push while it is held in a pose: stand it up first (U)" : "";
+}
+
 /** Short pushes at the base, by button and key, of a force that can be chosen. */
 export class PushPanel {
   readonly root = make("section", "gw-section");
+  /** When a key asks for what cannot be done. */
+  onRefuse: (why: string) => void = () => {};
   private readonly force: Slider;
+  private readonly buttons: HTMLButtonElement[] = [];
   private frame: Frame | null = null;
 
   constructor(
@@ -35,6 +43,7 @@ export class PushPanel {
     for (const side of Object.keys(kSides) as Side[]) {
       const push = button(side, `push it ${side} for ${kPush_s} s (Shift + arrow)`, () => this.start(side), `gw-${side}`);
       push.name = `push_${side}`;
+      this.buttons.push(push);
       cross.append(push);
     }
     const words = make("p", "gw-note", "Or drag the robot in the picture: it is pulled as by a rubber band.");
@@ -44,7 +53,8 @@ export class PushPanel {
   }
 
   start(side: Side): void {
-    if (!this.frame || this.frame.mode === "posed") return;
+    if (!this.frame) return;
+    if (whyNot(this.frame)) return this.onRefuse(whyNot(this.frame));
     const [ahead, left] = kSides[side], yaw = ((this.frame.heading_deg ?? 0) * Math.PI) / 180, force = this.force.value;
     const x = Math.cos(yaw) * ahead - Math.sin(yaw) * left, y = Math.sin(yaw) * ahead + Math.cos(yaw) * left;
     this.send({ do: "push", force_n: [force * x, force * y, 0], for_s: kPush_s });
@@ -53,12 +63,13 @@ export class PushPanel {
   /** Does what a key asks for, if that is of this. */
   press(event: KeyboardEvent): boolean {
     const side = kSideKeys[event.key];
-    if (!side || !event.shiftKey || (event.target as HTMLElement).closest("input")) return false;
+    if (!side || !event.shiftKey) return false;
     if (!event.repeat) this.start(side);
     return true;
   }
 
   show(frame: Frame): void {
     this.frame = frame;
+    for (const push of this.buttons) disable(push, whyNot(frame));
   }
 }

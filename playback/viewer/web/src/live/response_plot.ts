@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Theme } from "../colours";
-import { button, make } from "../elements";
+import { button, disable, make, menu } from "../elements";
 import type { DofFile, RobotFile } from "../scene";
 import type { Frame, Send } from "./messages";
 import { plotFigure } from "./plot_figure";
 import { RollingPlot } from "./rolling_plot";
+import { scaleOf } from "./units";
 
-const kDegrees = 180 / Math.PI;
-const kMillimetres = 1000;
 const kKnock_rad = 0.1;
 const kKnock_m = 0.02;
 const kKnock_s = 0.5;
@@ -32,7 +31,8 @@ export class ResponsePlot {
     [kLeastSpan, kLeastEffort],
   );
   private readonly dofs: DofFile[];
-  private readonly menu = make("select");
+  private readonly menu = menu("joint whose response is plotted");
+  private readonly knocker = button("knock", `moves its target for ${kKnock_s} s`, () => this.knock());
   private readonly unit = make("span", "gw-note");
 
   constructor(
@@ -43,21 +43,21 @@ export class ResponsePlot {
     const first = nextToFoot(robot);
     robot.dofs.forEach((dof, i) => this.menu.add(new Option(dof.name, String(i), i === first, i === first)));
     this.menu.name = "response_joint";
-    this.menu.setAttribute("aria-label", "joint whose response is plotted");
     this.menu.addEventListener("change", () => this.choose());
-    const knock = button("knock", `moves its target for ${kKnock_s} s`, () => this.knock());
-    knock.name = "knock";
+    this.knocker.name = "knock";
     this.root = plotFigure(
       "Response", [["\u25ac", "joint", "target"], ["\u2014", "joint", "position"], ["\u2014", "limit", "torque"]], this.plot.root,
-      this.menu, knock, this.unit,
+      this.menu, this.knocker, this.unit,
     );
     this.choose();
   }
 
   push(frame: Frame): void {
-    const dof = this.dof, scale = this.dofs[dof]?.unit === "m" ? kMillimetres : kDegrees;
+    const dof = this.dof, scale = this.dofs[dof] ? scaleOf(this.dofs[dof]) : 1;
     const scaled = (value: number | null | undefined) => (value == null ? null : scale * value);
     this.plot.push(frame.t, [frame.tau[dof] ?? null, scaled(frame.target[dof]), scaled(frame.q[7 + dof])]);
+    const down = frame.mode === "posed" || frame.mode === "fallen";
+    disable(this.knocker, down ? "its joints follow no target now: stand it up first (U)" : "");
   }
 
   clear(): void {

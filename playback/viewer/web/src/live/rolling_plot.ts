@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import type { Ink, Theme } from "../colours";
 import { make } from "../elements";
 import { plotAxis } from "../plot_axis";
+import { CalmRange } from "./calm_range";
 
 const kWindow_s = 4;
 /** At 60 pictures a second, and some more. */
@@ -20,21 +21,13 @@ export interface RollingLine {
   right?: boolean;
 }
 
-/** The ends of an axis: what there is with some air, and no less than a span about it. */
-function roomy(span: number, withZero: boolean): uPlot.Range.Function {
-  return (_, low, high) => {
-    let least = low ?? 0, most = high ?? 0;
-    if (withZero) [least, most] = [Math.min(least, 0), Math.max(most, 0)];
-    const air = Math.max(0.5 * (span - (most - least)), 0.06 * (most - least));
-    return [least - air, most + air];
-  };
-}
-
 /** Lines over the last seconds. */
 export class RollingPlot {
   readonly root = make("div", "gw-rolling");
   private readonly data: (number | null)[][];
   private readonly times = new Float64Array(kRows);
+  /** Of the left and of the right axis. */
+  private readonly ranges: CalmRange[];
   private plot: uPlot | null = null;
   private theme: Theme | null = null;
   private fresh = false;
@@ -43,9 +36,10 @@ export class RollingPlot {
   /** @param spans  least span of the left and of the right axis. */
   constructor(
     private readonly lines: RollingLine[],
-    private readonly spans: [number, number?],
-    private readonly withZero = false,
+    spans: [number, number?],
+    withZero = false,
   ) {
+    this.ranges = spans.map((span) => new CalmRange(span ?? 1, withZero));
     this.data = [Array.from(this.times), ...lines.map(() => new Array<number | null>(kRows).fill(null))];
     this.clear(0);
     new ResizeObserver(() => this.fit()).observe(this.root);
@@ -67,6 +61,7 @@ export class RollingPlot {
     for (let i = 0; i < kRows; ++i) this.times[i] = t - kWindow_s - 0.001 * (kRows - i);
     this.times[kRows - 1] = t;
     for (let i = 1; i < this.data.length; ++i) this.data[i].fill(null);
+    for (const range of this.ranges) range.clear();
     this.fresh = true;
   }
 
@@ -99,9 +94,10 @@ export class RollingPlot {
   }
 
   private options(theme: Theme): Omit<uPlot.Options, "width" | "height"> {
-    const right = this.spans[1] !== undefined;
-    const scales: uPlot.Scales = { x: { time: false, range: [-kWindow_s, 0] }, y: { range: roomy(this.spans[0], this.withZero) } };
-    if (right) scales.right = { range: roomy(this.spans[1] ?? 1, this.withZero) };
+    const [left, right] = this.ranges;
+    const rangeOf = (ends: CalmRange): uPlot.Scale => ({ range: (_, low, high) => ends.around(low, high, performance.now()) });
+    const scales: uPlot.Scales = { x: { time: false, range: [-kWindow_s, 0] }, y: rangeOf(left) };
+    if (right) scales.right = rangeOf(right);
     return {
       cursor: { show: false },
       legend: { show: false },

@@ -40,6 +40,7 @@ export class Session {
   private readonly plan: PlanView;
   private readonly grip: Grip | null = null;
   private readonly arrows: PullArrows | null = null;
+  private connected = true;
   private frame: Frame;
   private ground = "";
   private fresh = true;
@@ -79,6 +80,7 @@ export class Session {
     this.margin.push(frame);
     this.response.push(frame);
     this.pushes.show(frame);
+    this.allowGrip();
     this.fresh = true;
   }
 
@@ -89,9 +91,11 @@ export class Session {
     this.response.clear();
   }
 
-  /** Takes its hand off the robot, as the program does for a page that is lost. */
-  letGo(): void {
-    this.grip?.letGo();
+  /** While the page is lost nothing can be asked for, and its hand is off the robot, as the program has it. */
+  setConnected(connected: boolean): void {
+    this.connected = connected;
+    for (const part of [this.tabs.root, this.plots]) part.inert = !connected;
+    this.allowGrip();
   }
 
   /** Draws what is new. @return whether the picture of the robot was drawn. */
@@ -125,6 +129,13 @@ export class Session {
     this.margin.dispose();
     this.response.dispose();
     this.stage?.dispose();
+  }
+
+  /** What is held in a pose is not pulled. */
+  private allowGrip(): void {
+    if (!this.grip) return;
+    this.grip.allowed = this.connected && this.frame.mode !== "posed";
+    if (!this.grip.allowed) this.grip.letGo();
   }
 
   private makeStage(name: string): Stage | null {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { make } from "../elements";
+import { disable, make, write } from "../elements";
 
 /** So long after it was moved a slider does not follow the program: its answer is on the way. */
 const kQuiet_ms = 500;
@@ -10,6 +10,8 @@ export interface SliderOptions {
   name: string;
   label: string;
   title?: string;
+  /** Where its words say less than it must be called. */
+  spoken?: string;
   least: number;
   most: number;
   step: number;
@@ -31,7 +33,7 @@ export class Slider {
   onMove: (value: number) => void = () => {};
   /** When it has been let go. */
   onSet: (value: number) => void = () => {};
-  private readonly readout = make("output");
+  private readonly readout = make("span", "gw-value");
   private now: number;
   private held = false;
   private moved_ms = Number.NEGATIVE_INFINITY;
@@ -42,6 +44,7 @@ export class Slider {
     Object.assign(this.input, { type: "range", name: options.name, ...ends });
     if (options.leftward) this.input.dir = "rtl";
     this.root.title = options.title ?? "";
+    this.input.setAttribute("aria-label", options.spoken ?? options.label);
     this.root.append(make("span", "gw-name", options.label), this.input, this.readout);
     this.setRange(options.least, options.most);
     this.input.addEventListener("pointerdown", () => this.holdUntilLetGo());
@@ -61,8 +64,13 @@ export class Slider {
     return this.held || performance.now() - this.moved_ms < kQuiet_ms;
   }
 
-  set disabled(disabled: boolean) {
-    if (this.input.disabled !== disabled) this.input.disabled = disabled;
+  get disabled(): boolean {
+    return this.input.disabled;
+  }
+
+  /** @param why  where it can do nothing. */
+  disable(why: string): void {
+    disable(this.input, why);
   }
 
   /** Shows a value that comes from elsewhere, unless a person is at it. */
@@ -118,8 +126,8 @@ export class Slider {
 
   private tell(): void {
     const words = this.options.words(this.now);
-    if (this.readout.value === words) return;
-    this.readout.value = words;
+    if (this.readout.textContent === words) return;
+    write(this.readout, words);
     this.input.setAttribute("aria-valuetext", words);
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { make } from "../elements";
+import { make, write } from "../elements";
 import type { RobotFile } from "../scene";
 import type { Frame } from "./messages";
 import { kModeWords, paceWords } from "./words";
@@ -22,16 +22,12 @@ export class StatusLine {
 
   show(frame: Frame): void {
     this.mode.dataset.mode = frame.mode;
-    this.write(this.mode, kModeWords[frame.mode] + (frame.paused ? ", paused" : ""));
-    this.write(this.time, `${frame.t.toFixed(frame.paused ? 3 : 1)} s`);
-    this.write(this.pace, frame.mode === "walks" ? paceWords(frame.pace) : "");
-    this.write(this.wanted, frame.wanted ? `planning: ${paceWords(frame.wanted)}` : "");
-    this.write(this.behind, frame.behind_s > kBehind_s ? `behind real time by ${frame.behind_s.toFixed(1)} s` : "");
+    write(this.mode, kModeWords[frame.mode] + (frame.paused ? ", paused" : ""));
+    write(this.time, `${frame.t.toFixed(frame.paused ? 3 : 1)} s`);
+    write(this.pace, frame.mode === "walks" ? paceWords(frame.pace) : "");
+    write(this.wanted, frame.wanted ? `planning: ${paceWords(frame.wanted)}` : "");
+    write(this.behind, frame.behind_s > kBehind_s ? `behind real time by ${frame.behind_s.toFixed(1)} s` : "");
     const touching = this.robot.feet.filter((_, i) => frame.feet[i]?.touching).map((foot) => foot.name);
-    this.write(this.feet, `on ${touching.join(", ") || "no foot"}`);
-  }
-
-  private write(element: HTMLElement, text: string): void {
-    if (element.textContent !== text) element.textContent = text;
+    write(this.feet, `on ${touching.join(", ") || "no foot"}`);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Theme } from "../colours";
-import { button, make } from "../elements";
+import { button, disable, make, menu, write } from "../elements";
 import { HeadingDial, wrapped } from "./heading_dial";
 import { isWalk, kStand, paceAhead, type Frame, type Greeting, type Pace, type Send } from "./messages";
 import { Slider } from "./slider";
@@ -14,6 +14,8 @@ const kQuickestTurn_rad_s = 1;
 const kMenuOpen_ms = 4000;
 const kQuiet_ms = 500;
 
+let made = 0;
+
 /** An end of a slider that is easy to read. */
 function oneDigit(value: number): number {
   return Number(value.toPrecision(1));
@@ -22,7 +24,7 @@ function oneDigit(value: number): number {
 /** How the robot is to walk: gait, speeds and heading. What is changed while it walks is asked for at once. */
 export class WalkPanel {
   readonly root = make("section", "gw-section");
-  private readonly gait = make("select");
+  private readonly gait = menu("gait");
   private readonly walk = button("Walk", "", () => this.toggle(), "gw-main");
   private readonly speed: Slider;
   private readonly aside: Slider;
@@ -67,10 +69,9 @@ export class WalkPanel {
     const ahead = paceAhead(frame);
     const down = frame.mode === "fallen" || frame.mode === "posed";
     this.walking = !down && isWalk(ahead);
-    this.walk.textContent = this.walking ? "Stop (stand)" : "Walk";
+    write(this.walk, this.walking ? "Stop (stand)" : "Walk");
     this.walk.classList.toggle("gw-on", this.walking);
-    this.walk.disabled = down;
-    this.walk.title = down ? "stand it up first (U)" : "";
+    disable(this.walk, down ? "stand it up first (U)" : "");
     if (this.walking) this.follow(ahead);
     this.showHeading(frame);
   }
@@ -78,8 +79,9 @@ export class WalkPanel {
   private fill(): void {
     this.gait.name = "gait";
     this.walk.name = "walk";
-    const gait = make("label", "gw-slide");
-    gait.append(make("span", "gw-name", "Gait"), this.gait, this.walk);
+    const gait = make("div", "gw-slide"), name = make("label", "gw-name", "Gait");
+    name.htmlFor = this.gait.id = `gw-gait-${++made}`;
+    gait.append(name, this.gait, this.walk);
     const turning = make("div", "gw-heading");
     turning.append(this.heading.root, this.dial.canvas);
     this.root.append(make("h2", "", "Walk"), gait, this.speed.root, this.aside.root, this.turn.root, turning);
@@ -98,10 +100,10 @@ export class WalkPanel {
     for (const slider of [this.speed, this.aside, this.turn]) slider.onSet = ask;
     this.heading.onSet = (value) => this.askHeading(value);
     this.dial.onTurn = (value) => {
-      if (!this.heading.input.disabled) this.heading.put(value);
+      if (!this.heading.disabled) this.heading.put(value);
     };
     this.dial.onSet = (value) => {
-      if (!this.heading.input.disabled) this.askHeading(value);
+      if (!this.heading.disabled) this.askHeading(value);
     };
   }
 
@@ -133,7 +135,7 @@ export class WalkPanel {
   /** The heading that is wanted, else the one that is. */
   private showHeading(frame: Frame): void {
     const now_deg = frame.heading_deg ?? 0;
-    this.heading.disabled = frame.mode !== "walks";
+    this.heading.disable(frame.mode === "walks" ? "" : "it turns to a heading while it walks");
     if (!this.dial.held) this.heading.follow(Math.round(wrapped(frame.wanted_heading_deg ?? now_deg)));
     this.dial.show(now_deg, this.heading.value);
   }
