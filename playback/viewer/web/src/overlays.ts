@@ -126,7 +126,7 @@ export class Overlays {
     this.supportFill = new THREE.Mesh(movingPoints(3 * kMostCorners), this.palette.solid("support", 0.45));
     this.supportEdge = new THREE.LineLoop(movingPoints(kMostCorners), this.palette.line("support"));
     this.supportFill.frustumCulled = this.supportEdge.frustumCulled = false;
-    this.group("support").add(this.supportFill, this.supportEdge);
+    this.group("support").add(standStill(this.supportFill), standStill(this.supportEdge));
     this.drop = new THREE.Line(movingPoints(2), this.palette.line("com", 0.6));
     this.drop.frustumCulled = false;
     this.addPoints();
@@ -180,7 +180,7 @@ export class Overlays {
       add("dcm", measured.dcm, disc, false, 5 * kLift);
       add("com", measured.com, ball, false, 0);
     }
-    this.group("com").add(this.drop);
+    this.group("com").add(standStill(this.drop));
   }
 
   private addArrows(): void {

@@ -118,8 +118,8 @@ export class Viewer extends ShownPage {
     for (const speed of kSpeeds) this.speedMenu.add(new Option(`${speed}\u00d7`, String(speed), speed === 1, speed === 1));
     this.speedMenu.title = "speed (+ and \u2212)";
     this.speedMenu.addEventListener("change", () => (this.clock.speed = Number(this.speedMenu.value)));
-    bar.append(this.playButton, button("\u25c2", "back (\u2190)", () => this.goOn(-kStep_s)), button("\u25b8", "on (\u2192)", () => this.goOn(kStep_s)));
-    bar.append(this.speedMenu, ...this.looks.controls, this.readout);
+    const back = button("\u25c2", "back (\u2190)", () => this.goOn(-kStep_s)), on = button("\u25b8", "on (\u2192)", () => this.goOn(kStep_s));
+    bar.append(this.playButton, back, on, this.speedMenu, ...this.looks.controls, this.readout);
     return bar;
   }
 
