@@ -11,11 +11,6 @@
 namespace gaitwright {
 namespace {
 
-bool Within(const Seam& seam, const Seam& limit) {
-  return seam.height_m <= limit.height_m && seam.tilt_rad <= limit.tilt_rad && seam.joints <= limit.joints &&
-         seam.base_rates <= limit.base_rates && seam.joint_rates <= limit.joint_rates;
-}
-
 /// How many times what repeats itself it is, summed over what is told.
 double Worth(const Seam& seam) {
   return seam.height_m / kSteady.height_m + seam.tilt_rad / kSteady.tilt_rad + seam.joints / kSteady.joints +
@@ -43,6 +38,11 @@ SteadyStretch AtItsStance(const MotionPlan& plan, const SteadyStretch& stretch, 
 }
 
 }  // namespace
+
+bool Within(const Seam& seam, const Seam& limit) {
+  return seam.height_m <= limit.height_m && seam.tilt_rad <= limit.tilt_rad && seam.joints <= limit.joints &&
+         seam.base_rates <= limit.base_rates && seam.joint_rates <= limit.joint_rates;
+}
 
 std::optional<SteadyStretch> SteadyStretchOf(const MotionPlan& plan, std::size_t part, const Seam& within) {
   if (part >= plan.parts.size())

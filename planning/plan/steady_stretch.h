@@ -20,6 +20,9 @@ struct SteadyStretch {
 inline constexpr Seam kSteady = {
     .height_m = 2e-4, .tilt_rad = 1e-3, .joints = 1e-3, .base_rates = 5e-3, .joint_rates = 0.05};
 
+/// Whether no component of a seam is more than that of a limit.
+bool Within(const Seam& seam, const Seam& limit);
+
 /// The longest such stretch of a part, from a moment at which as many feet stand as ever do; nothing where it has none,
 /// as where its cycle is no multiple of the plan's time step, or where it gains speed to its end.
 /// @throws InvalidArgument for a part that there is not.

@@ -22,6 +22,7 @@ namespace {
 constexpr double kLead = 0.45;          // from being asked to the earliest change, longer than a seam bends [s]
 constexpr double kAhead = 1.0;          // so long before a stop it is settled whether it comes [s]
 constexpr double kSameHeading = 0.01;   // [rad]
+constexpr double kSameHeight = 1e-3;    // [m]
 constexpr double kFallenTilt = 1.0;     // [rad]
 constexpr double kFallenContact = 0.2;  // a body on the ground for this long is a fall [s]
 constexpr double kFallenHeight = 0.4;   // of the standing height
@@ -34,6 +35,12 @@ double Shown(const MotionPlan& plan) {
     if (!StandsStill(part.gait)) shown = std::max(shown, kCycles * part.gait.cycle_s);
   }
   return shown;
+}
+
+/// How high a motion carries the centre of mass over its feet.
+double CentreOverFeet(const MotionPlan& plan) {
+  if (plan.centroidal.p_WC.empty() || plan.footsteps.footholds.empty()) return 0.0;
+  return plan.centroidal.p_WC.back().z() - plan.footsteps.footholds.back().X_WF.translation().z();
 }
 
 std::string TextOf(const PaceChange& change) {
@@ -190,6 +197,9 @@ void LiveWorld::StartPlanning() {
   // While it turns its heading is not that of the end of the turn: it goes straight first.
   if (wanted_->heading_rad && planned_.from.yaw_rate_rad_s == 0.0)
     planned_.turn_rad = std::remainder(*wanted_->heading_rad - stream_.heading_rad(), 2.0 * std::numbers::pi);
+  // Once a pace has needed it lower it stays so: each change of height is one of posture while it walks.
+  const double lower = CentreOverFeet(first_.plan) - CentreOverFeet(stream_.plan());
+  if (lower > kSameHeight) planned_.com_height_m = first_.plan.centroidal.p_WC.back().z() - lower;
   if (std::abs(planned_.turn_rad) < kSameHeading) planned_.turn_rad = 0.0;
   if (planned_.from == planned_.to && planned_.turn_rad == 0.0) return wanted_.reset();
   planning_ = std::async(std::launch::async, [this, change = planned_] { return PlanPace(model_, change, usual_); });

@@ -79,13 +79,12 @@ double MissingTurn(const PacePlan& pace, double turn_rad) {
   return std::remainder(turn_rad - turned, 2.0 * std::numbers::pi);
 }
 
-}  // namespace
-
-Result<PacePlan> PlanPace(const RobotModel& model, const PaceChange& change, const WalkRequest& usual) {
+Result<PacePlan> PlanAtHeight(const RobotModel& model, const PaceChange& change, const WalkRequest& usual) {
   constexpr int kTries = 4;
   constexpr double kMore = 1.7, kTurned = 0.01;  // cycles of the next try, [rad]
   WalkRequest request = usual;
   request.gait_options.cycle_step_s = request.motion.pipeline.grid_step_s;
+  if (change.com_height_m > 0.0) request.motion.pipeline.com_height_m = change.com_height_m;
   const Result<Terrain> level = MakeTerrain("flat", {});
   if (!level) return level.failure();
   double scale = 1.0, asked_rad = change.turn_rad;
@@ -109,6 +108,17 @@ Result<PacePlan> PlanPace(const RobotModel& model, const PaceChange& change, con
                  "PlanPace",
                  fmt::format("{} at {:.4g} m/s does not come to repeat itself", change.to.gait, change.to.speed_m_s),
                  {"a slower pace"}};
+}
+
+}  // namespace
+
+Result<PacePlan> PlanPace(const RobotModel& model, const PaceChange& change, const WalkRequest& usual) {
+  if (change.com_height_m > 0.0) {
+    if (Result<PacePlan> plan = PlanAtHeight(model, change, usual)) return plan;
+  }
+  PaceChange free = change;
+  free.com_height_m = 0.0;
+  return PlanAtHeight(model, free, usual);
 }
 
 }  // namespace gaitwright

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/live/walk_stream.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -40,6 +42,20 @@ void Rest(MotionPlan& plan, double until_s) {
   }
   plan.schedule.phases.back().end_s = end_s;
   plan.parts.back().end_s = end_s;
+}
+
+/// What a seam bends away at most: in 0.4 s, as another height of the body does it.
+constexpr Seam kMostAtOnce = {
+    .height_m = 0.03, .tilt_rad = 0.05, .joints = 0.6, .base_rates = 0.15, .joint_rates = 1.5};
+
+Failure TooFarApart(const Seam& seam) {
+  return {FailureKind::kInfeasible,
+          "misfit",
+          "WalkStream",
+          fmt::format("that pace needs another posture ({:.3g} m higher or lower, joints by up to {:.3g}) than can be "
+                      "gone over to while walking",
+                      seam.height_m, seam.joints),
+          {"stop first"}};
 }
 
 Failure NotFromHere() {
@@ -106,6 +122,10 @@ std::optional<Failure> WalkStream::GoOver(double earliest_s, const WalkPace& pac
     return NotFromHere();
   }
   const double at_s = MomentFrom(earliest_s);
+  if (SameStance(plan_, at_s, next.plan, from_s)) {
+    const Seam seam = SeamBetween(plan_, at_s, next.plan, from_s);
+    if (!Within(seam, kMostAtOnce)) return TooFarApart(seam);
+  }
   Result<MotionPlan> joined = JoinedPlans(plan_, at_s, next.plan, from_s);
   if (!joined) return joined.failure();
   plan_ = std::move(*joined);

@@ -33,11 +33,13 @@ struct PacePlan {
 struct PaceChange {
   WalkPace from, to;
   double turn_rad = 0.0;
+  double com_height_m = 0.0;  ///< as of PipelineOptions; 0 for what serves
 };
 
-/// Plans a walk that goes over from one pace into another, keeps that for a while, and stops. The cycle of a gait is
-/// the nearest whole number of the plan's time steps, so that it can repeat itself.
-/// Failure: what PlanWalk refuses; kInfeasible `not_steady` where either pace does not become steady.
+/// Plans a walk that goes over from one pace into another at the height given, or where that does not serve at another,
+/// keeps that for a while, and stops. The cycle of a gait is the nearest whole number of the plan's time steps, so that
+/// it can repeat itself. Failure: what PlanWalk refuses; kInfeasible `not_steady` where either pace does not become
+/// steady.
 Result<PacePlan> PlanPace(const RobotModel& model, const PaceChange& change, const WalkRequest& usual);
 
 /// A walk without an end made of plans that have one. At any time its plan leads to rest: if nothing comes after it
@@ -60,7 +62,8 @@ class WalkStream {
   double steady_from_s() const { return steady_.start_s; }
 
   /// Goes over into another pace at the first moment that serves, not before `earliest_s`.
-  /// @param next  planned from the present pace. Failure kBadInput `misfit` where it is not.
+  /// @param next  planned from the present pace. Failure kBadInput `misfit` where it is not,
+  /// kInfeasible where its posture is too far from the present one.
   std::optional<Failure> GoOver(double earliest_s, const WalkPace& pace, const PacePlan& next);
   /// Stops at the first moment that serves, not before `earliest_s`. Failure as of JoinedPlans; then it goes on.
   std::optional<Failure> Stop(double earliest_s);

@@ -29,11 +29,6 @@ const MotionPlan& Even() {
   return plan;
 }
 
-bool Within(const Seam& seam, const Seam& limit) {
-  return seam.height_m <= limit.height_m && seam.tilt_rad <= limit.tilt_rad && seam.joints <= limit.joints &&
-         seam.base_rates <= limit.base_rates && seam.joint_rates <= limit.joint_rates;
-}
-
 TEST(SteadyStretch, RepeatsItselfAfterEachCycle) {
   const auto stretch = SteadyStretchOf(Even(), 0);
   ASSERT_TRUE(stretch);

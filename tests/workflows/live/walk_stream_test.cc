@@ -70,6 +70,33 @@ TEST(WalkStream, OfOnePaceGoesOnForEverAndKeepsAllLaws) {
   }
 }
 
+TEST(WalkStream, StaysAsLowAsAPaceHasNeededItAndGoesNoFartherAtOnce) {
+  const RobotModel model = Robot("nao");
+  const WalkPace slow = {.gait = "biped", .speed_m_s = 0.05}, fast = {.gait = "biped", .speed_m_s = 0.12};
+  const PacePlan first = Planned(model, kStand, slow), lower = Planned(model, slow, fast);
+  const double height = lower.plan.centroidal.p_WC.back().z();
+  ASSERT_LT(height, first.plan.centroidal.p_WC.back().z() - 0.005);
+  const PaceChange back = {.from = fast, .to = slow, .turn_rad = 0.0, .com_height_m = height};
+  const Result<PacePlan> again = PlanPace(model, back, {});
+  ASSERT_TRUE(again);
+  EXPECT_NEAR(again->plan.centroidal.p_WC.back().z(), height, 1e-6);
+  WalkStream stream(first.plan);
+  ASSERT_EQ(stream.GoOver(0.5, slow, first), std::nullopt);
+  stream.GoOn(6.0);
+  PacePlan too_low = lower;
+  for (VectorX& q : too_low.plan.whole_body.q) q[2] -= 0.03;
+  const auto failure = stream.GoOver(5.0, fast, too_low);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
+  ASSERT_EQ(stream.GoOver(5.0, fast, lower), std::nullopt);
+  stream.GoOn(stream.steady_from_s() + 1.0);
+  const MotionPlan after = PlanFrom(stream.plan(), stream.steady_from_s());
+  ASSERT_EQ(stream.GoOver(stream.steady_from_s() + 0.5, slow, *again), std::nullopt);
+  stream.GoOn(stream.steady_from_s() + 1.0);
+  const MotionPlan joined = PlanFrom(stream.plan(), after.whole_body.start_s);
+  EXPECT_EQ(Broken(model, joined), "") << "there is no step in its height";
+}
+
 TEST(WalkStream, GoesOverIntoOtherPacesWithoutAStand) {
   const RobotModel model = Robot("a1");
   const WalkPace slow = {.gait = "trot", .speed_m_s = 0.3}, fast = {.gait = "trot", .speed_m_s = 0.8},
