@@ -106,7 +106,7 @@ std::string RunName() {
 }
 
 std::vector<std::string> GaitsFor(int feet) {
-  std::vector<std::string> names = {"stand"};
+  std::vector<std::string> names = {kStanding};
   if (const Result<std::vector<GaitEntry>> gaits = BuiltInGaits()) {
     for (const GaitEntry& entry : *gaits) {
       if (entry.gait.num_feet() == feet) names.push_back(entry.gait.name);

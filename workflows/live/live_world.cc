@@ -81,7 +81,7 @@ Result<std::unique_ptr<LiveWorld>> LiveWorld::Make(const RobotModel& model, cons
   PlayRequest checked = play;
   CheckOptions(checked.Fields());
   PaceChange begins;
-  begins.from.gait = "stand";
+  begins.from.gait = kStanding;
   begins.to = Usual(model, usual.gait_options);
   Result<PacePlan> first = PlanPace(model, begins, usual);
   if (!first) return first.failure();

@@ -99,7 +99,7 @@ class LiveWorld {
   void WaitForPlan();
 
  private:
-  inline static const WalkPace kNone = {.gait = "stand"};
+  inline static const WalkPace kNone = {.gait = kStanding};
 
   LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first);
   bool may_walk() const { return mode_ == LiveMode::kStands || mode_ == LiveMode::kWalks; }

@@ -142,7 +142,7 @@ std::optional<Failure> WalkStream::Stop(double earliest_s) {
   Result<MotionPlan> joined = JoinedPlans(plan_, at_s, source_->plan, LastLikeStart(source_->plan, source_->stretch));
   if (!joined) return joined.failure();
   plan_ = std::move(*joined);
-  pace_ = {.gait = "stand"};
+  pace_ = {.gait = kStanding};
   source_.reset();
   steady_.cycles = 0;
   return std::nullopt;

@@ -10,14 +10,17 @@
 
 namespace gaitwright {
 
+/// The name of the gait of standing still.
+inline constexpr char kStanding[] = "stand";
+
 /// How the robot is to go on, until it is told otherwise.
 struct WalkPace {
-  std::string gait;  ///< as FindGait takes it; "stand" for standing still
+  std::string gait;  ///< as FindGait takes it, or kStanding
   double speed_m_s = 0.0, lateral_speed_m_s = 0.0, yaw_rate_rad_s = 0.0;  ///< as in WalkCommand, but for 0 of all
 
   /// A walk that goes nowhere is none: a command of that would be one at the robot's own speed.
   bool stands() const {
-    return gait == "stand" || (speed_m_s == 0.0 && lateral_speed_m_s == 0.0 && yaw_rate_rad_s == 0.0);
+    return gait == kStanding || (speed_m_s == 0.0 && lateral_speed_m_s == 0.0 && yaw_rate_rad_s == 0.0);
   }
   bool operator==(const WalkPace&) const = default;
 };
@@ -79,7 +82,7 @@ class WalkStream {
   void Stand(double until_s);
 
   MotionPlan plan_;
-  WalkPace pace_ = {.gait = "stand"};
+  WalkPace pace_ = {.gait = kStanding};
   std::optional<PacePlan> source_;  ///< what it goes on with; nothing where it stops
   SteadyStretch steady_;            ///< of plan_, on its clock; of no cycles where it stands or stops
 };
