@@ -43,15 +43,6 @@ double CentreOverFeet(const MotionPlan& plan) {
   return plan.centroidal.p_WC.back().z() - plan.footsteps.footholds.back().X_WF.translation().z();
 }
 
-std::string TextOf(const PaceChange& change) {
-  std::string text = fmt::format("{} at {:.3g} m/s", change.to.gait, change.to.speed_m_s);
-  if (change.to.lateral_speed_m_s != 0.0) text += fmt::format(", {:.3g} m/s aside", change.to.lateral_speed_m_s);
-  if (change.to.yaw_rate_rad_s != 0.0) text += fmt::format(", turning at {:.3g} rad/s", change.to.yaw_rate_rad_s);
-  if (change.turn_rad != 0.0)
-    text += fmt::format(", after a turn of {:.0f} degrees", change.turn_rad * 180.0 / std::numbers::pi);
-  return text;
-}
-
 WalkPace Usual(const RobotModel& model, const GaitOptions& options) {
   WalkPace pace;
   const Result<Gait> gait = FindGait(model, "", model.nominal_speed_m_s, options);

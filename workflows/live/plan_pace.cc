@@ -112,6 +112,15 @@ Result<PacePlan> PlanAtHeight(const RobotModel& model, const PaceChange& change,
 
 }  // namespace
 
+std::string TextOf(const PaceChange& change) {
+  std::string text = fmt::format("{} at {:.3g} m/s", change.to.gait, change.to.speed_m_s);
+  if (change.to.lateral_speed_m_s != 0.0) text += fmt::format(", {:.3g} m/s aside", change.to.lateral_speed_m_s);
+  if (change.to.yaw_rate_rad_s != 0.0) text += fmt::format(", turning at {:.3g} rad/s", change.to.yaw_rate_rad_s);
+  if (change.turn_rad != 0.0)
+    text += fmt::format(", after a turn of {:.0f} degrees", change.turn_rad * 180.0 / std::numbers::pi);
+  return text;
+}
+
 Result<PacePlan> PlanPace(const RobotModel& model, const PaceChange& change, const WalkRequest& usual) {
   if (change.com_height_m > 0.0) {
     if (Result<PacePlan> plan = PlanAtHeight(model, change, usual)) return plan;

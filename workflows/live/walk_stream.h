@@ -15,7 +15,7 @@ inline constexpr char kStanding[] = "stand";
 
 /// How the robot is to go on, until it is told otherwise.
 struct WalkPace {
-  std::string gait;  ///< as FindGait takes it, or kStanding
+  std::string gait;                                                       ///< as FindGait takes it, or kStanding
   double speed_m_s = 0.0, lateral_speed_m_s = 0.0, yaw_rate_rad_s = 0.0;  ///< as in WalkCommand, but for 0 of all
 
   /// A walk that goes nowhere is none: a command of that would be one at the robot's own speed.
@@ -38,6 +38,9 @@ struct PaceChange {
   double turn_rad = 0.0;
   double com_height_m = 0.0;  ///< as of PipelineOptions; 0 for what serves
 };
+
+/// A pace to go over to, in words, such as "trot at 0.3 m/s, turning at 0.4 rad/s".
+std::string TextOf(const PaceChange& change);
 
 /// Plans a walk that goes over from one pace into another at the height given, or where that does not serve at another,
 /// keeps that for a while, and stops. The cycle of a gait is the nearest whole number of the plan's time steps, so that

@@ -100,8 +100,8 @@ TEST(JoinedPlans, ThatDoNotFitAreRefused) {
     const Result<MotionPlan> joined = JoinedPlans(before, before_s, after, after_s);
     return joined ? "" : joined.failure().code;
   };
-  EXPECT_EQ(refused(Trot(), steady.start_s, Trot(), steady.start_s + 0.5 * steady.cycle_s), "misfit")
-      << "the other feet stand";
+  const double step_s = Trot().whole_body.step_s, quarter_s = std::round(0.25 * steady.cycle_s / step_s) * step_s;
+  EXPECT_EQ(refused(Trot(), steady.start_s, Trot(), steady.start_s + quarter_s), "misfit") << "the other feet stand";
   MotionPlan other = Trot();
   other.robot_hash = "another";
   EXPECT_EQ(refused(Trot(), steady.start_s, other, steady.start_s), "misfit");
