@@ -32,7 +32,7 @@ export class Timeline {
     this.track.append(this.bars, this.needle);
     namesOf(motions).forEach((name, i) => {
       const { robot, marks } = motions[i].file;
-      for (const foot of robot.feet) this.addName(name, foot.name);
+      robot.feet.forEach((foot, k) => this.addName(k === 0 ? name : "", foot.name));
       for (const mark of marks) this.addMark(name, mark);
     });
     this.track.addEventListener("pointerdown", (event) => this.press(event));
