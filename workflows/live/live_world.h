@@ -81,6 +81,8 @@ class LiveWorld {
   /// Standing, where it is posed or has fallen.
   const WalkPace& pace() const { return may_walk() ? stream_.pace() : kNone; }
   const std::optional<WalkWish>& wanted() const { return wanted_; }
+  /// Whether a pace is being planned. The destructor waits for it.
+  bool plans() const { return planning_.valid(); }
   /// The heading that it turns to, or is asked to turn to.
   std::optional<double> wanted_heading_rad() const;
   /// The robot's own.
