@@ -20,8 +20,10 @@ class Cluster : public Stranger {
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   }
 
+  /// Where a sanitizer looks for leaks it finds some of Open MPI's own at the end of a rank.
   static Words UnderMpi(const Words& arguments) {
-    Words words = {GAITWRIGHT_MPIRUN, "--oversubscribe", "-np", "2", GAITWRIGHT_PROGRAM};
+    Words words = {GAITWRIGHT_MPIRUN, "--oversubscribe", "-np", "2", "-x", "ASAN_OPTIONS=detect_leaks=0",
+                   GAITWRIGHT_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     return words;
   }
