@@ -73,7 +73,7 @@ threaded_tests() {
 fuzz_reader() {
   local bin=$root/build/sanitize/tests corpus=$root/build/sanitize/corpus/$2 found=$root/build/sanitize/found
   mkdir -p "$corpus" "$found"
-  "$bin/fuzz_$1" "$2" --write "$corpus"
+  "$bin/fuzz_$1" "$2" --write "$corpus" || return
   "$bin/libfuzzer_$1" "--reader=$2" "$corpus" "-runs=$3" -seed=1 -max_len=65536 -timeout=20 -rss_limit_mb=4096 \
     -print_final_stats=1 "-artifact_prefix=$found/$2-"
 }

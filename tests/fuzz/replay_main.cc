@@ -19,6 +19,7 @@
 
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/mutate.h"
+#include "tests/sanitized.h"
 
 namespace gaitwright::fuzz {
 namespace {
@@ -59,7 +60,7 @@ void StandGuard() {
     action.sa_flags = SA_ONSTACK;
     sigaction(signal, &action, nullptr);
   }
-#ifndef __SANITIZE_ADDRESS__
+#ifndef GAITWRIGHT_SANITIZED
   const rlimit memory{kMostMemory, kMostMemory};
   setrlimit(RLIMIT_AS, &memory);
 #endif

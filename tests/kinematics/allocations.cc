@@ -4,20 +4,13 @@
 #include <atomic>
 #include <cstddef>
 
+#include "tests/sanitized.h"
+
 namespace {
 std::atomic<long> allocations{0};
 }  // namespace
 
-// GCC says by macros what it sanitizes, clang by features.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GAITWRIGHT_SANITIZED_MALLOC 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define GAITWRIGHT_SANITIZED_MALLOC 1
-#endif
-#endif
-
-#ifdef GAITWRIGHT_SANITIZED_MALLOC
+#ifdef GAITWRIGHT_SANITIZED
 // The sanitizer has malloc for itself, and tells of each call (sanitizer/allocator_interface.h).
 extern "C" int __sanitizer_install_malloc_and_free_hooks(  // NOLINT(bugprone-reserved-identifier): not ours to name
     void (*on_malloc)(const volatile void*, std::size_t), void (*on_free)(const volatile void*));
