@@ -14,6 +14,7 @@
 
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/urdf_pose_internal.h"
+#include "kinematics/spatial/symmetric_matrix.h"
 
 namespace gaitwright {
 namespace {
@@ -27,10 +28,9 @@ Matrix3 Steiner(double mass, const Vector3& d) {
 
 void AddInertia(Body& body, const urdf::Inertial& inertial, const Pose& X_BL) {
   const Pose X_BI = X_BL * FromUrdf(inertial.origin);
-  Matrix3 I;
-  I << inertial.ixx, inertial.ixy, inertial.ixz, inertial.ixy, inertial.iyy, inertial.iyz, inertial.ixz, inertial.iyz,
-      inertial.izz;
-  I = (X_BI.linear() * I * X_BI.linear().transpose()).eval();
+  const Matrix3 I_I =
+      SymmetricMatrix(inertial.ixx, inertial.ixy, inertial.ixz, inertial.iyy, inertial.iyz, inertial.izz);
+  const Matrix3 I = X_BI.linear() * I_I * X_BI.linear().transpose();
   const double mass = body.mass + inertial.mass;
   const Vector3 p = X_BI.translation();
   const Vector3 centre = mass > 0.0 ? Vector3((body.mass * body.p_BC + inertial.mass * p) / mass) : Vector3::Zero();

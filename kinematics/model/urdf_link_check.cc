@@ -10,7 +10,7 @@
 
 #include "kinematics/base/text.h"
 #include "kinematics/model/urdf_xml_internal.h"
-#include "kinematics/spatial/pose.h"
+#include "kinematics/spatial/symmetric_matrix.h"
 
 namespace gaitwright {
 namespace {
@@ -45,9 +45,7 @@ void CheckInertial(const XMLElement& link, const std::string& owner) {
   const double m = Number(*mass, "value", owner, kHeaviest);
   if (m < 0.0) Refuse("negative_mass", fmt::format("{}: its mass is {} kg; zero or more is accepted", owner, m));
   const auto I = [&](const char* name) { return Number(*inertia, name, owner, kHeaviest); };
-  Matrix3 tensor;
-  tensor << I("ixx"), I("ixy"), I("ixz"), I("ixy"), I("iyy"), I("iyz"), I("ixz"), I("iyz"), I("izz");
-  CheckMoments(tensor, owner);
+  CheckMoments(SymmetricMatrix(I("ixx"), I("ixy"), I("ixz"), I("iyy"), I("iyz"), I("izz")), owner);
 }
 
 void CheckMesh(const XMLElement& mesh, const std::string& owner) {

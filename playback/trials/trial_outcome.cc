@@ -7,6 +7,7 @@
 
 #include "kinematics/base/hash.h"
 #include "kinematics/base/result.h"
+#include "planning/plan/json_part_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -134,7 +135,7 @@ TrialOutcome OutcomeFromLine(const std::string& line) {
     const Json j = Json::parse(line);
     TrialOutcome o;
     o.number = static_cast<int>(In("number", j.at("number").get<double>(), 0.0, kMostTrials - 1.0));
-    o.seed = j.at("seed").get<std::uint64_t>();
+    o.seed = JsonPart(j.at("seed")).Natural();
     o.survived = j.at("survived").get<bool>();
     o.passed = j.at("passed").get<bool>();
     if (o.passed && !o.survived)

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "kinematics/base/file.h"
+#include "kinematics/spatial/symmetric_matrix.h"
 #include "planning/plan/json_part_internal.h"
 
 namespace gaitwright {
@@ -18,8 +19,7 @@ constexpr double kLeast = 1e-6, kMost = 1e6;  // of what must be over zero, in i
 
 Matrix3 ToInertia(const JsonPart& part) {
   const auto at = [&](const char* key) { return part.At(key).NumberIn(-kMost, kMost); };
-  Matrix3 inertia;
-  inertia << at("xx"), at("xy"), at("xz"), at("xy"), at("yy"), at("yz"), at("xz"), at("yz"), at("zz");
+  const Matrix3 inertia = SymmetricMatrix(at("xx"), at("xy"), at("xz"), at("yy"), at("yz"), at("zz"));
   const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments[0] > 0.0) || moments[0] + moments[1] < (1.0 - 1e-6) * moments[2])
     part.Refuse(fmt::format("has principal moments of {:.4g}, {:.4g} and {:.4g} kg m^2, which no body has", moments[0],

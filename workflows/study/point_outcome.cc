@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "planning/plan/json_part_internal.h"
 #include "playback/trials/wilson.h"
 
 namespace gaitwright {
@@ -33,7 +35,7 @@ PointStatus StatusOf(const std::string& name) {
 
 PointOutcome FromJson(const Json& json) {
   PointOutcome o;
-  o.point = json.at("point").get<std::size_t>();
+  o.point = JsonPart(json.at("point")).Natural();
   o.status = StatusOf(json.at("status").get<std::string>());
   o.code = json.at("code").get<std::string>();
   o.reason = json.at("reason").get<std::string>();
@@ -41,11 +43,15 @@ PointOutcome FromJson(const Json& json) {
   o.fell_at_s = OrNothing(json.at("fell_at_s"));
   for (const Json& value : json.at("metrics")) o.metrics.push_back(OrNothing(value));
   if (const Json& s = json.at("survival"); !s.is_null()) {
-    o.survival = PointSurvival{s.at(0).get<int>(),    s.at(1).get<int>(),    s.at(2).get<double>(),
-                               s.at(3).get<double>(), s.at(4).get<double>(), s.at(5).get<double>()};
-    const bool counted = OrNothing(s.at(5), 0.0, 100.0) && o.survival->trials > 0 && o.survival->survived >= 0 &&
-                         o.survival->survived <= o.survival->trials;
-    if (!counted || SurvivalOf(o.survival->trials, o.survival->survived, o.survival->score_mean) != *o.survival)
+    const int trials = JsonPart(s.at(0)).Whole(1, std::numeric_limits<int>::max()),
+              survived = JsonPart(s.at(1)).Whole(0, trials);
+    o.survival = PointSurvival{trials,
+                               survived,
+                               s.at(2).get<double>(),
+                               s.at(3).get<double>(),
+                               s.at(4).get<double>(),
+                               JsonPart(s.at(5)).NumberIn(0.0, 100.0)};
+    if (SurvivalOf(o.survival->trials, o.survival->survived, o.survival->score_mean) != *o.survival)
       throw InvalidArgument("its survival is not what its trials give");
   }
   return o;
