@@ -343,8 +343,9 @@ void LiveWorld::PutInPose(const VectorX& q) {
     throw InvalidArgument(fmt::format("the base is put {} m away at most", kFarthest));
   VectorX level = q;
   level.head<2>() = ground_from_;
-  world_ = BulletWorld(model_, first_.plan.terrain, level, play_.play.world);
-  world_.SetState(q, VectorX::Zero(model_.nv()));
+  BulletWorld posed(model_, first_.plan.terrain, level, play_.play.world);
+  posed.SetState(q, VectorX::Zero(model_.nv()));  // which may be of the world as it was
+  world_ = std::move(posed);
   GiveUpWishes();
   hands_.Off();
   mode_ = LiveMode::kPosed;

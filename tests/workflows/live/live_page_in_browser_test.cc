@@ -145,7 +145,7 @@ TEST_F(LivePageTest, PausesStepsAndResetsByKeys) {
   Await("L.frame.paused");
   const double t = Ask("L.frame.t").get<double>();
   ASSERT_TRUE(browser_->Press(".").ok());
-  Await("L.frame.t > " + std::to_string(t));
+  Await("L.frame.t > " + std::to_string(t + 0.5 * live_->step_s()));
   EXPECT_NEAR(Ask("L.frame.t").get<double>(), t + live_->step_s(), 1e-9);
   ASSERT_TRUE(browser_->Press("r").ok());
   Await("L.frame.t < " + std::to_string(t));

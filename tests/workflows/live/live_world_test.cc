@@ -217,7 +217,9 @@ TEST_F(Live, SeveralHandsPullAndEachLetsGoOfItsOwn) {
   EXPECT_EQ(live_->hands().grips()[0].hand, 2U);
   for (HandId hand = 3; hand < 2 + HandsOn::kMostGrips; ++hand) live_->hands().Pull(hand, 0, Vector3::Zero(), base);
   EXPECT_THROW(live_->hands().Pull(99, 0, Vector3::Zero(), base), InvalidArgument);
+  const VectorX q = live_->world().q();
   live_->PutInPose(live_->world().q());
+  EXPECT_LT((live_->world().q() - q).norm(), 1e-12);
   EXPECT_TRUE(live_->hands().grips().empty()) << "what is posed is not pulled";
 }
 
