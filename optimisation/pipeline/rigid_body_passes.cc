@@ -52,20 +52,13 @@ std::vector<std::vector<double>> LoadsOf(const RigidBodyProblem& problem, const 
   return loads;
 }
 
-/// The centres of pressure, where hardly anything presses those of the nearest row at which something does.
-std::vector<Vector2> PressureOf(const std::vector<Vector2>& pressure_W, const std::vector<std::vector<double>>& loads) {
+/// Rows at which something presses on the ground.
+std::vector<bool> PressingIn(const std::vector<std::vector<double>>& loads) {
   constexpr double kPresses = 0.02;  // of the weight
-  std::vector<std::size_t> pressing;
-  for (std::size_t k = 0; k < loads.size(); ++k) {
-    if (std::accumulate(loads[k].begin(), loads[k].end(), 0.0) > kPresses) pressing.push_back(k);
-  }
-  std::vector<Vector2> nearest = pressure_W;
-  std::size_t i = 0;
-  for (std::size_t k = 0; k < nearest.size() && !pressing.empty(); ++k) {
-    while (i + 1 < pressing.size() && pressing[i + 1] + pressing[i] <= 2 * k) ++i;
-    nearest[k] = pressure_W[pressing[i]];
-  }
-  return nearest;
+  std::vector<bool> presses;
+  for (const std::vector<double>& row : loads)
+    presses.push_back(std::accumulate(row.begin(), row.end(), 0.0) > kPresses);
+  return presses;
 }
 
 /// The robot as it stands, or crouches, with its feet no farther below it than legs are fast enough for.
@@ -268,7 +261,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   Result<WholeBodySolution> solution = SolveWholeBody(model_, problem, expected_roll_, task_.options.whole_body);
   if (!solution) return solution.failure();
   pass.solution = std::move(*solution);
-  pass.centroidal.p_WZ = PressureOf(pass.solution.pressure_W, loads);
+  pass.centroidal.p_WZ = HeldOverFlights(pass.solution.pressure_W, PressingIn(loads));
   pass.error_m = Largest(pass.solution.residual_W, model_.weight_n());
   pass.excess = TotalExcess(model_, pass.solution.trajectory, kOffStops);
   pass.lacks_m = clearance_.Look(pass.solution.trajectory, samples_);

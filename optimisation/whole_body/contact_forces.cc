@@ -138,4 +138,18 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
   }
 }
 
+std::vector<Vector2> HeldOverFlights(const std::vector<Vector2>& p_W, const std::vector<bool>& presses) {
+  std::vector<std::size_t> pressing;
+  for (std::size_t k = 0; k < presses.size(); ++k) {
+    if (presses[k]) pressing.push_back(k);
+  }
+  std::vector<Vector2> held = p_W;
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < held.size() && !pressing.empty(); ++k) {
+    while (i + 1 < pressing.size() && pressing[i + 1] + pressing[i] <= 2 * k) ++i;
+    held[k] = p_W[pressing[i]];
+  }
+  return held;
+}
+
 }  // namespace gaitwright

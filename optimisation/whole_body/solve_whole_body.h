@@ -74,4 +74,8 @@ Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBod
 void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, const WholeBodyOptions& options,
                       WholeBodySolution& solution);
 
+/// Points by row, where nothing presses those of the nearest row at which something does: so a reference of the ZMP is
+/// inside of the supports on both sides of a flight.
+std::vector<Vector2> HeldOverFlights(const std::vector<Vector2>& p_W, const std::vector<bool>& presses);
+
 }  // namespace gaitwright

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "kinematics/base/result.h"
+#include "kinematics/model/likely_degrees.h"
 #include "workflows/exchange/median_internal.h"
 #include "workflows/exchange/quaternion_order.h"
 
@@ -64,34 +67,24 @@ void CheckSizes(const MotionTable& table) {
     if (!table.base_m.empty()) check("the base's position", row, table.base_m[row]);
     if (!table.q.empty()) check("a joint's position", row, table.q[row]);
     if (!table.v.empty()) check("a joint's speed", row, table.v[row]);
+    if (!table.a.empty()) check("a joint's acceleration", row, table.a[row]);
+    if (!table.base_rate.empty()) check("the base's speed", row, table.base_rate[row]);
+    if (!table.base_acceleration.empty()) check("the base's acceleration", row, table.base_acceleration[row]);
     if (!table.tau.empty()) check("a joint's torque", row, table.tau[row]);
     if (table.force_W.empty()) continue;
     for (const Vector3& force : table.force_W[row]) check("a foot's force", row, force);
   }
 }
 
-/// Joints past their limits by far that are within them as degrees.
 void CheckAngles(const RobotModel& model, const MotionTable& table, const ImportOptions& options) {
-  constexpr double kFar = 0.5, kNear = 0.1, kDegree = std::numbers::pi / 180.0;  // [rad]
   if (options.angle_unit != "detect") return;
-  int farthest = -1, farthest_row = 0;
-  double most = kFar;
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    if (model.LeaderOf(d).is_prismatic()) continue;
-    const double lower = model.dof_lower(d), upper = model.dof_upper(d);
-    for (int row = 0; row < table.rows(); ++row) {
-      const double q = table.q[static_cast<std::size_t>(row)][d];
-      if (q * kDegree < lower - kNear || q * kDegree > upper + kNear) return;
-      const double past = std::max(lower - q, q - upper);
-      if (past > most) most = past, farthest = d, farthest_row = row;
-    }
-  }
-  if (farthest < 0) return;
+  const std::optional<PastLimit> past = LikelyDegrees(model, table.q);
+  if (!past) return;
   throw InvalidArgument(fmt::format(
       "joint '{}' is at {:.4g} rad in row {}, its limits are {:.4g} and {:.4g} rad, and all joints would be within "
       "theirs as degrees: --angle-unit deg takes them so, --angle-unit rad as they are",
-      model.dof_names[static_cast<std::size_t>(farthest)], table.q[static_cast<std::size_t>(farthest_row)][farthest],
-      farthest_row + 1, model.dof_lower(farthest), model.dof_upper(farthest)));
+      model.dof_names[static_cast<std::size_t>(past->dof)], table.q[static_cast<std::size_t>(past->row)][past->dof],
+      past->row + 1, model.dof_lower(past->dof), model.dof_upper(past->dof)));
 }
 
 void CheckLengths(const RobotModel& model, const MotionTable& table, const ImportOptions& options) {
@@ -118,6 +111,24 @@ void CheckNorms(const MotionTable& table) {
   }
 }
 
+/// Which joints are past their limits in most rows, in words; nothing where none is.
+std::string JointsPastLimits(const RobotModel& model, const MotionTable& table) {
+  constexpr double kPast = 0.01;  // [rad], [m]
+  std::vector<std::string> past;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const auto rows = std::count_if(table.q.begin(), table.q.end(), [&](const VectorX& q) {
+      return q[d] < model.dof_lower(d) - kPast || q[d] > model.dof_upper(d) + kPast;
+    });
+    if (2 * rows > table.rows()) past.push_back(model.dof_names[static_cast<std::size_t>(d)]);
+  }
+  if (past.empty()) return "";
+  const bool one = past.size() == 1;
+  return fmt::format(
+      "joint '{}'{} past {} limits in most rows: is a sign, a zero or a unit another one? A file for "
+      "--columns can turn signs ('scale'). What comes of it: ",
+      past[0], one ? " is" : fmt::format(" and {} more are", past.size() - 1), one ? "its" : "their");
+}
+
 void Check(const RobotModel& model, const Terrain* ground, const ImportOptions& options, const MotionTable& table) {
   CheckTimes(table, options);
   CheckSizes(table);
@@ -125,7 +136,7 @@ void Check(const RobotModel& model, const Terrain* ground, const ImportOptions& 
   CheckLengths(model, table, options);
   CheckNorms(table);
   const bool asked = options.quaternion_order == "detect" && !table.quaternion.empty() && !table.turned_by_angles;
-  if (asked) CheckQuaternionOrder(model, ground, options.lift_m, table);
+  if (asked) BlameJoints(model, table, [&] { CheckQuaternionOrder(model, ground, options.lift_m, table); });
 }
 
 }  // namespace
@@ -137,6 +148,14 @@ void CheckMotionTable(const RobotModel& model, const Terrain& terrain, const Imp
 
 void CheckComparedTable(const RobotModel& model, const ImportOptions& options, const MotionTable& table) {
   Check(model, nullptr, options, table);
+}
+
+void BlameJoints(const RobotModel& model, const MotionTable& table, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(JointsPastLimits(model, table) + error.what());
+  }
 }
 
 }  // namespace gaitwright

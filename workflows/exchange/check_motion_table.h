@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+
 #include "planning/plan/terrain.h"
 #include "workflows/exchange/motion_table.h"
 
@@ -20,5 +22,9 @@ void CheckMotionTable(const RobotModel& model, const Terrain& terrain, const Imp
 /// The same for a motion that is compared and not played: its world may be its own, so that the height of the feet says
 /// nothing of the order of its quaternions.
 void CheckComparedTable(const RobotModel& model, const ImportOptions& options, const MotionTable& table);
+
+/// Does something with a table. What it throws as InvalidArgument has joints before it that are past their limits in
+/// most rows: signs, zeros and units that differ show in much else.
+void BlameJoints(const RobotModel& model, const MotionTable& table, const std::function<void()>& work);
 
 }  // namespace gaitwright

@@ -29,8 +29,10 @@ class Names {
       Add("base_" + axis + "_m", ColumnKind::kBasePosition, i, length_);
       Add("base_" + axis + "_mm", ColumnKind::kBasePosition, i, 1e-3);
       AddAngle("base_" + turns[static_cast<std::size_t>(i)], "", ColumnKind::kEuler, i);
-      for (const char* rate : {"_m_s", "_mm_s"}) Add("base_v" + axis + rate, ColumnKind::kUnused, 0, 1.0);
-      for (const char* rate : {"_rad_s", "_deg_s"}) Add("base_w" + axis + rate, ColumnKind::kUnused, 0, 1.0);
+      AddLength("base_v" + axis, "_s", ColumnKind::kBaseRate, i);
+      AddAngle("base_w" + axis, "_s", ColumnKind::kBaseRate, 3 + i);
+      AddLength("base_a" + axis, "_s2", ColumnKind::kBaseAcceleration, i);
+      AddAngle("base_alpha" + axis, "_s2", ColumnKind::kBaseAcceleration, 3 + i);
     }
     for (int i = 0; i < 4; ++i) Add(std::string("base_q") + "xyzw"[i], ColumnKind::kQuaternion, i, 1.0);
   }
@@ -40,14 +42,17 @@ class Names {
   }
 
   void AddJoint(const Joint& joint, int index) {
-    const std::string position = "q_" + joint.name, rate = "v_" + joint.name, effort = "tau_" + joint.name;
+    const std::string position = "q_" + joint.name, rate = "v_" + joint.name, acceleration = "a_" + joint.name,
+                      effort = "tau_" + joint.name;
     if (joint.is_prismatic()) {
       for (const std::string& name : {position, joint.name}) AddLength(name, "", ColumnKind::kPosition, index);
       AddLength(rate, "_s", ColumnKind::kVelocity, index);
+      AddLength(acceleration, "_s2", ColumnKind::kAcceleration, index);
       Add(effort + "_n", ColumnKind::kTorque, index, 1.0);
     } else {
       for (const std::string& name : {position, joint.name}) AddAngle(name, "", ColumnKind::kPosition, index);
       AddAngle(rate, "_s", ColumnKind::kVelocity, index);
+      AddAngle(acceleration, "_s2", ColumnKind::kAcceleration, index);
       Add(effort + "_nm", ColumnKind::kTorque, index, 1.0);
     }
   }

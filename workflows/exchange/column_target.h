@@ -16,17 +16,19 @@ enum class ColumnKind {
   kBasePosition,
   kQuaternion,  ///< index: x y z w
   kEuler,       ///< index: roll, pitch, yaw
-  kPosition,    ///< index: joint
+  kBaseRate,    ///< index: v_WB, w_WB by axis
+  kBaseAcceleration,
+  kPosition,  ///< index: joint
   kVelocity,
+  kAcceleration,
   kTorque,
   kContact,  ///< index: foot
   kForce,    ///< index: 3 foot + axis
-  kUnused,   ///< known, and of no use: velocities of the base, which follow from its pose
 };
 
 /// A column with the factor that brings it into SI units.
 struct ColumnTarget {
-  ColumnKind kind = ColumnKind::kUnused;
+  ColumnKind kind = ColumnKind::kTime;
   int index = 0;
   double scale = 1.0;
 };

@@ -10,6 +10,7 @@
 #include "kinematics/model/dof_units.h"
 #include "workflows/exchange/knot_spline.h"
 #include "workflows/exchange/median_internal.h"
+#include "workflows/exchange/missing_rows.h"
 
 namespace gaitwright {
 namespace {
@@ -44,10 +45,11 @@ class Resampler {
       even_.a.push_back(VectorX::Zero(model_.nv()));
     }
     SayGrid();
-    SayHoles();
+    SayTimes();
     MoveBase();
     TurnBase();
     for (int d = 0; d < model_.num_dofs(); ++d) MoveJoint(d);
+    TakeRates();
     SayRates();
     TakeLoads();
     return std::move(even_);
@@ -79,21 +81,33 @@ class Resampler {
     }
   }
 
-  /// Where rows are missing. Points of a joint trajectory may be far apart: a curve through them is what they mean.
-  void SayHoles() {
-    constexpr double kUsualSteps = 3.0, kLeast = 0.03;  // [1], [s]
+  /// Points of a joint trajectory may be far apart: a curve through them is what they mean.
+  void SayTimes() {
     if (table_.format == "joint-trajectory" || time_s_.size() < 3) return;
     std::vector<double> steps;
     for (std::size_t i = 1; i < time_s_.size(); ++i) steps.push_back(time_s_[i] - time_s_[i - 1]);
-    const double usual = MedianOf(steps), most = std::max(kUsualSteps * usual, kLeast);
-    const auto holes = std::count_if(steps.begin(), steps.end(), [&](double step) { return step > most; });
-    if (holes == 0) return;
-    const auto longest = std::max_element(steps.begin(), steps.end());
-    warnings_.push_back(fmt::format(
-        "rows are missing{}: for {:.3g} s from the file's {:.6g} s on there is none, where they usually come every "
-        "{:.3g} ms; the motion in there is a smooth curve, not what was measured",
-        holes == 1 ? "" : fmt::format(" in {} places, of which this is the longest", holes), *longest,
-        table_.time_s[static_cast<std::size_t>(longest - steps.begin())], 1e3 * usual));
+    const double usual = MedianOf(steps);
+    if (const std::string missing = MissingRowsText(table_.time_s); !missing.empty())
+      warnings_.push_back(missing + "; the motion in there is a smooth curve, not what was measured");
+    SayUneven(steps, usual);
+  }
+
+  /// Rows that are few, or whose times are likely those of a message's arrival.
+  void SayUneven(const std::vector<double>& steps, double usual) {
+    constexpr double kFew = 0.04, kUneven = 0.05;  // [s], of the usual step
+    if (usual > kFew) {
+      warnings_.push_back(fmt::format(
+          "rows come every {:.3g} ms only: between them the motion is a smooth curve, not what was measured",
+          1e3 * usual));
+    }
+    std::vector<double> off;
+    for (const double step : steps) off.push_back(std::abs(step - usual));
+    if (const double uneven = MedianOf(std::move(off)); uneven > kUneven * usual) {
+      warnings_.push_back(fmt::format(
+          "rows come unevenly, every {:.3g} ms give or take {:.2g}: where these are times of arrival and not "
+          "of measuring, speeds and accelerations come out rough; even times or smoothing_hz help",
+          1e3 * usual, 1e3 * uneven));
+    }
   }
 
   /// Whether the grid's rows are the file's, of which one may stand behind them.
@@ -232,6 +246,47 @@ class Resampler {
         model_.dof_names[static_cast<std::size_t>(dof)], apart, table_.time_s[row], fastest, SpeedUnit(model_, dof));
   }
 
+  /// Rates of the base, and accelerations, where rows of the grid are the file's and the motion agrees with them:
+  /// curves through positions and speeds smooth over the jumps that accelerations have at touch-down and lift-off.
+  void TakeRates() {
+    if (options_.velocities != "given" || options_.smoothing_hz > 0.0 || !on_grid()) return;
+    const bool linear = TakeRate("velocity of the base", table_.base_rate, even_.v, {0, 1, 2}, 0);
+    const bool angular = TakeRate("angular velocity of the base", table_.base_rate, even_.v, {3, 4, 5}, 0);
+    rates_of_base_ = linear && angular;
+    accelerations_ = linear && TakeRate("acceleration of the base", table_.base_acceleration, even_.a, {0, 1, 2}, 0);
+    accelerations_ &=
+        angular && TakeRate("angular acceleration of the base", table_.base_acceleration, even_.a, {3, 4, 5}, 0);
+    for (int d = 0; d < model_.num_dofs(); ++d) {
+      const std::string& name = model_.dof_names[static_cast<std::size_t>(d)];
+      accelerations_ &= HasRates(d) && TakeRate("acceleration of joint '" + name + "'", table_.a, even_.a, {d}, 6);
+    }
+  }
+
+  /// @param worked_out  what curves give, which the file's are put in place of.  @return whether they were.
+  template <class Row>
+  bool TakeRate(const std::string& what, const std::vector<Row>& given, std::vector<VectorX>& worked_out,
+                const std::vector<int>& columns, int behind) {
+    constexpr double kAgrees = 0.5, kSlight = 0.1;  // of the root mean square, in the unit of the rate
+    if (given.empty()) return false;
+    double apart = 0.0, size = 0.0;
+    for (std::size_t k = 0; k < worked_out.size(); ++k) {
+      for (const int i : columns) {
+        if (!std::isfinite(given[k][i])) return false;
+        const double curve = worked_out[k][behind + i];
+        apart += std::pow(given[k][i] - curve, 2), size += std::pow(curve, 2);
+      }
+    }
+    const double rows = static_cast<double>(worked_out.size());
+    if (std::sqrt(apart / rows) > kSlight + kAgrees * std::sqrt(size / rows)) {
+      not_of_motion_.push_back(what);
+      return false;
+    }
+    for (std::size_t k = 0; k < worked_out.size(); ++k) {
+      for (const int i : columns) worked_out[k][behind + i] = given[k][i];
+    }
+    return true;
+  }
+
   void SayRates() {
     if (!roughest_text_.empty()) warnings_.push_back(roughest_text_);
     if (!farthest_text_.empty()) warnings_.push_back(farthest_text_);
@@ -244,8 +299,17 @@ class Resampler {
           {given == 0 ? "joint velocities" : fmt::format("{} of the joint velocities", model_.num_dofs() - given),
            "cubic splines through the positions" + smoothly});
     }
-    derived_.push_back({"velocities of the base", "cubic splines through its positions and quaternions" + smoothly});
-    derived_.push_back({"accelerations", given == 0 ? "the same splines" : "splines through positions and velocities"});
+    if (!rates_of_base_)
+      derived_.push_back({"velocities of the base", "cubic splines through its positions and quaternions" + smoothly});
+    if (!accelerations_) {
+      derived_.push_back(
+          {"accelerations", given == 0 ? "the same splines" : "splines through positions and velocities"});
+    }
+    if (not_of_motion_.empty()) return;
+    warnings_.push_back(
+        fmt::format("the {}{} in the file {} not what positions give, and {} left out", not_of_motion_.front(),
+                    not_of_motion_.size() == 1 ? "" : fmt::format(" and {} more rates", not_of_motion_.size() - 1),
+                    not_of_motion_.size() == 1 ? "is" : "are", not_of_motion_.size() == 1 ? "is" : "are"));
   }
 
   void TakeLoads() {
@@ -271,6 +335,8 @@ class Resampler {
   std::vector<DerivedPart>& derived_;
   std::vector<std::string>& warnings_;
   std::vector<double> time_s_;
+  bool rates_of_base_ = false, accelerations_ = false;  ///< all taken from the file
+  std::vector<std::string> not_of_motion_;
   double roughest_ = 0.0, farthest_ = 0.0;
   std::string roughest_text_, farthest_text_;
   EvenMotion even_;

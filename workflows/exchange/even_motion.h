@@ -23,10 +23,11 @@ struct EvenMotion {
 
 /// Brings a table onto a uniform grid. The base goes along cubic splines through its positions and the parts of its
 /// quaternion, joints likewise; or, where their velocities are given and taken, along the quintic that has the file's
-/// positions and velocities, and for accelerations the derivative of a spline through the velocities. Torques and
-/// forces are linear in between; contacts hold from the row on that has them, to the grid.
-/// What is left behind the grid's last row, less than a step, is left out: a curve that went on to rest there would
-/// jump. What is done is said in `derived`; noise that would spoil accelerations, and holes, in `warnings`.
+/// positions and velocities, and for accelerations the derivative of a spline through the velocities. Where the grid is
+/// the file's own, its velocities of the base and its accelerations are taken if they are those of the motion. Torques
+/// and forces are linear in between; contacts hold from the row on that has them, to the grid. What is left behind the
+/// grid's last row, less than a step, is left out: a curve that went on to rest there would jump. What is done is said
+/// in `derived`; noise that would spoil accelerations, and holes, in `warnings`.
 /// @param table  checked, with base and quaternions.  @throws InvalidArgument for options out of their range, and more
 /// than kMostGridRows rows.
 EvenMotion Resample(const RobotModel& model, const MotionTable& table, const ImportOptions& options,

@@ -14,7 +14,7 @@ namespace {
 
 /// What a row may lack.
 struct Has {
-  bool torques = true, contacts = true;
+  bool accelerations = true, torques = true, contacts = true;
 };
 
 std::vector<std::string> ColumnsOf(const RobotModel& model, const Has& has) {
@@ -26,8 +26,18 @@ std::vector<std::string> ColumnsOf(const RobotModel& model, const Has& has) {
                                   Slides(model, i) ? sliding : turning));
     }
   };
+  const auto by_axis = [&](const char* kind, const char* unit) {
+    for (const char axis : {'x', 'y', 'z'}) names.push_back(fmt::format("base_{}{}_{}", kind, axis, unit));
+  };
   by_joint("q", "rad", "m");
   by_joint("v", "rad_s", "m_s");
+  by_axis("v", "m_s");
+  by_axis("w", "rad_s");
+  if (has.accelerations) {
+    by_joint("a", "rad_s2", "m_s2");
+    by_axis("a", "m_s2");
+    by_axis("alpha", "rad_s2");
+  }
   if (has.torques) by_joint("tau", "nm", "n");
   if (has.contacts) {
     for (const Foot& foot : model.feet) names.push_back("contact_" + foot.link);
@@ -79,7 +89,7 @@ class RowWriter {
 std::vector<std::string> MotionCsvColumns(const RobotModel& model) { return ColumnsOf(model, {}); }
 
 std::string MotionCsv(const RobotModel& model, const MotionRows& rows) {
-  const Has has{!rows.tau.empty(), !rows.contact.empty()};
+  const Has has{!rows.a.empty(), !rows.tau.empty(), !rows.contact.empty()};
   const std::vector<std::string> names = ColumnsOf(model, has);
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ",") + Cell(names[i]);
@@ -89,6 +99,11 @@ std::string MotionCsv(const RobotModel& model, const MotionRows& rows) {
     line.Add(rows.time_s[k]);
     line.AddAll(rows.q[k]);
     line.AddAll(rows.v[k].tail(model.num_dofs()));
+    line.AddAll(rows.v[k].head<6>());
+    if (has.accelerations) {
+      line.AddAll(rows.a[k].tail(model.num_dofs()));
+      line.AddAll(rows.a[k].head<6>());
+    }
     if (has.torques) line.AddAll(rows.tau[k]);
     for (std::size_t f = 0; has.contacts && f < model.feet.size(); ++f)
       line.Add(Contains(rows.contact[k], static_cast<int>(f)) ? 1.0 : 0.0);

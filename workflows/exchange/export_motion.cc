@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 #include "planning/plan/json_part_internal.h"
 #include "playback/bullet/play.h"
@@ -130,8 +131,8 @@ ExportFormat ExportFormatOf(const std::string& name) {
   const std::vector<std::string>& names = ExportFormatNames();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    throw InvalidArgument(fmt::format("there is no format '{}', the nearest is '{}'; there are {}", name,
-                                      NearestName(name, names), QuotedList(names)));
+    throw InvalidArgument(
+        fmt::format("there is no format '{}'{}; there are {}", name, NearestHint(name, names), QuotedList(names)));
   }
   return static_cast<ExportFormat>(found - names.begin());
 }

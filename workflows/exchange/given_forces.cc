@@ -38,9 +38,9 @@ class ForceTaker {
       SolveFree(k, wrenches);
       if (DropUnloaded(wrenches)) {
         needed_ = before;
-        if (!columns_.empty()) SolveFree(k, wrenches);
+        SolveFree(k, wrenches);
       }
-      KeepInCones(time_s, wrenches);
+      if (motion_.force_W.empty()) KeepInCones(k, before, wrenches);
     }
     VectorX& tau = plan_.whole_body.tau[k];
     for (int d = 0; d < model_.num_dofs(); ++d) tau[d] = HasTorque(k, d) ? motion_.tau[k][d] : needed_[6 + d];
@@ -89,26 +89,51 @@ class ForceTaker {
     return true;
   }
 
-  /// Takes out what is outside of a friction cone by no more than rounding makes of it: a thousandth of the weight.
-  void KeepInCones(double time_s, std::vector<ContactWrench>& wrenches) const {
-    constexpr double kRounding = 1e-3;
-    if (!motion_.force_W.empty()) return;
-    for (std::size_t f = 0; f < wrenches.size(); ++f) {
-      const Vector3 normal_W = NormalUnder(plan_.footsteps, static_cast<int>(f), time_s);
-      Vector3& force_W = wrenches[f].force_W;
-      const double normal = std::max(0.0, force_W.dot(normal_W));
-      const double cone = normal * FrictionUnder(plan_.terrain, plan_.footsteps, static_cast<int>(f), time_s);
-      const Vector3 across_W = force_W - force_W.dot(normal_W) * normal_W;
-      const double outside = across_W.norm() - cone;
-      if (outside > 0.0 && outside < kRounding * model_.weight_n())
-        force_W = normal * normal_W + cone / across_W.norm() * across_W;
+  /// Puts forces on their friction cones that are outside of them by no more than derived accelerations are off by, and
+  /// solves for the other feet's once more. What the base then lacks is within what an audit lets pass.
+  void KeepInCones(std::size_t k, VectorX before, std::vector<ContactWrench>& wrenches) {
+    constexpr double kRounding = 0.015;  // of the weight
+    const double time_s = motion_.TimeOf(static_cast<int>(k));
+    for (bool more = true; more;) {
+      more = false;
+      for (std::size_t f = 0; f < wrenches.size(); ++f) {
+        const Vector3 inside_W = NearestInCone(f, time_s, wrenches[f].force_W);
+        const double outside = (wrenches[f].force_W - inside_W).norm();
+        if (!(outside > 0.0 && outside < kRounding * model_.weight_n()) || !Settle(f, inside_W, before)) continue;
+        wrenches[f].force_W = inside_W;
+        more = true;
+      }
+      if (!more) break;
+      needed_ = before;
+      SolveFree(k, wrenches);
     }
+  }
+
+  /// With no more pull along the ground than its normal force allows, and no pull off it.
+  Vector3 NearestInCone(std::size_t f, double time_s, const Vector3& force_W) const {
+    const int foot = static_cast<int>(f);
+    const Vector3 normal_W = NormalUnder(plan_.footsteps, foot, time_s);
+    const double normal = std::max(0.0, force_W.dot(normal_W));
+    const double cone = normal * FrictionUnder(plan_.terrain, plan_.footsteps, foot, time_s);
+    const Vector3 across_W = force_W - force_W.dot(normal_W) * normal_W;
+    if (normal == 0.0) return Vector3::Zero();
+    return across_W.norm() <= cone ? force_W : Vector3(normal * normal_W + cone / across_W.norm() * across_W);
+  }
+
+  /// Takes a foot's force out of what is open, and out of what is needed. @return whether it was open.
+  bool Settle(std::size_t f, const Vector3& force_W, VectorX& needed) {
+    const auto settled = [&](const Free& part) { return part.foot == f && part.axis < 3; };
+    for (const Free& part : columns_) {
+      if (settled(part)) needed -= force_W[part.axis] * part.column;
+    }
+    return std::erase_if(columns_, settled) > 0;
   }
 
   /// The open parts in the least squares over the rows that have no torque to make up for them; a little weight on the
   /// wrenches themselves settles what the motion leaves open.
   void SolveFree(std::size_t k, std::vector<ContactWrench>& wrenches) {
     constexpr double kSlight = 1e-5;
+    if (columns_.empty()) return;
     const auto n = static_cast<Eigen::Index>(columns_.size());
     MatrixX A = MatrixX::Zero(model_.nv() + n, n);
     VectorX b = VectorX::Zero(model_.nv() + n);

@@ -79,8 +79,10 @@ void MakePlan(const RobotModel& model, const Terrain& terrain, const ImportReque
   if (!placed) table.base_m.assign(table.time_s.size(), Vector3::Zero());
   if (!turned) table.quaternion.assign(table.time_s.size(), Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
   EvenMotion motion = Resample(model, table, request.options, imported.notes.derived, imported.notes.warnings);
-  if (!placed) DeriveBase(model, terrain, request.options, turned, motion, imported.notes.derived);
-  imported.plan = PlanOfMotion(model, terrain, std::move(motion), request.options, request.goal, imported.notes);
+  BlameJoints(model, table, [&] {
+    if (!placed) DeriveBase(model, terrain, request.options, turned, motion, imported.notes.derived);
+    imported.plan = PlanOfMotion(model, terrain, std::move(motion), request.options, request.goal, imported.notes);
+  });
 }
 
 Provenance ProvenanceOf(ImportRequest request, const ImportedMotion& imported, const std::string& text) {

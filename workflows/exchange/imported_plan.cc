@@ -40,6 +40,7 @@ class Builder {
     plan_.schedule = ScheduleOf(model_, motion_, feet_, options_, notes_.derived);
     plan_.footsteps = FootholdsOf(model_, plan_.terrain, plan_.schedule, motion_, feet_);
     notes_.derived.push_back({"footholds", "where feet are in the median of each stance, put on the ground"});
+    NoteRolling();
     AddSwings();
     AddForces();
     AddCentroidal();
@@ -70,6 +71,36 @@ class Builder {
           fmt::format("the robot's lowest foot is {:.1f} mm {} the ground in most rows; lift_m={} would mend that",
                       1e3 * std::abs(height), height > 0.0 ? "over" : "under", Metres(lift_m)));
     }
+  }
+
+  /// A foot whose middle stays where it is while it turns was a point to who made the motion; here it is a sphere.
+  void NoteRolling() {
+    constexpr double kSlides = 1e-3, kStays = 0.3;  // [m], of the slide
+    double farthest = kSlides;
+    std::string where;
+    for (const Foothold& foothold : plan_.footsteps.footholds) {
+      const FootTrack& foot = feet_[static_cast<std::size_t>(foothold.foot)];
+      const auto first = RowAt(foothold.touchdown_s), last = RowAt(foothold.liftoff_s);
+      double slide = 0.0, stray = 0.0;
+      for (std::size_t k = first; k <= last; ++k) {
+        const Vector3 moved = foot.X_WF[k].translation() - foot.X_WF[first].translation();
+        stray = std::max(stray, moved.norm());
+        slide = std::max(slide, (moved - (foot.rolled_W[k] - foot.rolled_W[first])).norm());
+      }
+      if (slide <= farthest || stray > kStays * slide) continue;
+      farthest = slide;
+      const Foot& described = model_.feet[static_cast<std::size_t>(foothold.foot)];
+      where =
+          fmt::format("foot '{}', a sphere of {:.3g} mm, turns on the spot from {:.3f} s on and so slides by {:.1f} mm",
+                      described.name, 1e3 * described.radius, foothold.touchdown_s, 1e3 * slide);
+    }
+    if (where.empty()) return;
+    notes_.warnings.push_back("the file's feet are points, which do not roll: " + where +
+                              "; the audit counts that, and a robot's foot rolls instead");
+  }
+
+  std::size_t RowAt(double time_s) const {
+    return static_cast<std::size_t>(std::clamp<long>(std::lround(time_s / motion_.step_s), 0, motion_.size() - 1));
   }
 
   void AddSwings() {
@@ -113,8 +144,20 @@ class Builder {
     problem.footsteps = &plan_.footsteps;
     AddContactForces(model_, problem, {options_.load_ramp_s, options_.friction_use}, solution);
     plan_.whole_body = std::move(solution.trajectory);
-    plan_.centroidal.p_WZ = std::move(solution.zmp_W);
+    plan_.centroidal.p_WZ = HeldOverFlights(solution.zmp_W, Pressing());
     TakeGivenForces(model_, motion_, plan_, notes_.derived);
+  }
+
+  /// Rows at which the ground bears some of the weight.
+  std::vector<bool> Pressing() const {
+    constexpr double kPresses = 0.02;  // of the weight
+    std::vector<bool> presses;
+    for (const std::vector<ContactWrench>& row : plan_.whole_body.wrenches) {
+      double normal = 0.0;
+      for (const ContactWrench& wrench : row) normal += wrench.force_W.z();
+      presses.push_back(normal > kPresses * model_.weight_n());
+    }
+    return presses;
   }
 
   void AddCentroidal() {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/strict_yaml_internal.h"
 #include "planning/plan/json_part_internal.h"
 #include "workflows/exchange/csv_table.h"
@@ -66,7 +67,8 @@ struct Slot {
 template <class Part>
 class Parser {
  public:
-  Parser(const RobotModel& model, const ImportOptions& options) : model_(model), options_(options) {}
+  Parser(const RobotModel& model, const ImportOptions& options, bool some_joints)
+      : model_(model), options_(options), some_joints_(some_joints) {}
 
   MotionTable Parse(const Part& root) {
     const Part message = root.Has("trajectory") ? root.At("trajectory") : root;
@@ -89,8 +91,8 @@ class Parser {
       const std::string name = entry.Text();
       const auto found = std::find(joints.begin(), joints.end(), name);
       if (found == joints.end()) {
-        entry.Refuse(fmt::format("is no joint: robot '{}' has no joint '{}'; the nearest is '{}'", model_.name, name,
-                                 NearestName(name, joints)));
+        entry.Refuse(
+            fmt::format("is no joint: robot '{}' has no joint '{}'{}", model_.name, name, NearestOrAll(name, joints)));
       }
       const auto j = static_cast<std::size_t>(found - joints.begin());
       if (has[j]) entry.Refuse(fmt::format("is there before: joint '{}' stands there twice", name));
@@ -115,11 +117,12 @@ class Parser {
         missing.push_back(model_.dof_names[static_cast<std::size_t>(d)]);
     }
     if (missing.empty()) return;
-    if (options_.missing_joints == "refuse") {
+    const bool none = missing.size() == static_cast<std::size_t>(model_.num_dofs());
+    if (some_joints_ ? none : options_.missing_joints == "refuse") {
       names.Refuse(fmt::format("lacks {} of {} joints of robot '{}': {}", missing.size(), model_.num_dofs(),
                                model_.name, QuotedList(missing)));
     }
-    motion_.derived.push_back({"position of " + QuotedList(missing), "as in the standing posture"});
+    if (!some_joints_) motion_.derived.push_back({"position of " + QuotedList(missing), "as in the standing posture"});
   }
 
   static double WholeOf(const Part& part, double highest) {
@@ -156,12 +159,10 @@ class Parser {
     }
     motion_.time_s.push_back(time_s);
     const VectorX none = VectorX::Constant(model_.num_dofs(), std::numeric_limits<double>::quiet_NaN());
-    TakeRow(point, "positions", model_.standing_joints, true, motion_.q);
+    TakeRow(point, "positions", some_joints_ ? none : model_.standing_joints, true, motion_.q);
     TakeRow(point, "velocities", none, true, motion_.v);
+    TakeRow(point, "accelerations", none, true, motion_.a);
     TakeRow(point, "effort", none, false, motion_.tau);
-    const bool first = motion_.time_s.size() == 1;
-    if (first && Holds(point, "accelerations") && !point.At("accelerations").List().empty())
-      motion_.unused_columns.emplace_back("accelerations");
   }
 
   static bool Holds(const Part& point, const std::string& key) { return point.Has(key) && !IsNull(point.At(key)); }
@@ -187,6 +188,7 @@ class Parser {
 
   const RobotModel& model_;
   const ImportOptions& options_;
+  const bool some_joints_;
   std::vector<Slot> slots_;
   MotionTable motion_;
 };
@@ -205,10 +207,10 @@ Failure Refused(const std::string& source, const std::string& why) {
 }  // namespace
 
 Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
-                                         const ImportOptions& options) {
+                                         const ImportOptions& options, bool some_joints) {
   constexpr YamlBounds kBounds{kLargestTrajectoryYaml, kMostTrajectoryYamlValues};
   try {
-    return Parser<YamlPart>(model, options).Parse(YamlPart(LoadYaml(WithoutLastSeparator(text), kBounds)));
+    return Parser<YamlPart>(model, options, some_joints).Parse(YamlPart(LoadYaml(WithoutLastSeparator(text), kBounds)));
   } catch (const InvalidArgument& error) {
     return Refused(source, error.what());
   } catch (const YAML::Exception& error) {
@@ -217,10 +219,11 @@ Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::str
 }
 
 Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std::string& text,
-                                             const std::string& source, const ImportOptions& options) {
+                                             const std::string& source, const ImportOptions& options,
+                                             bool some_joints) {
   try {
     const JsonPart::Json json = ParseJsonOnce(text);
-    return Parser<JsonPart>(model, options).Parse(JsonPart(json));
+    return Parser<JsonPart>(model, options, some_joints).Parse(JsonPart(json));
   } catch (const InvalidArgument& error) {
     return Refused(source, error.what());
   } catch (const JsonPart::Json::exception&) {
@@ -232,8 +235,8 @@ Result<ComparedMotion> ComparedTrajectory(const RobotModel& model, const std::st
                                           const ImportOptions& options) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool json = first != std::string::npos && text[first] == '{';
-  const Result<MotionTable> table = json ? ParseJointTrajectoryJson(model, text, source, options)
-                                         : ParseJointTrajectory(model, text, source, options);
+  const Result<MotionTable> table = json ? ParseJointTrajectoryJson(model, text, source, options, true)
+                                         : ParseJointTrajectory(model, text, source, options, true);
   if (!table) return table.failure();
   return CheckedTable(model, options, *table, source);
 }

@@ -20,15 +20,19 @@ inline constexpr std::size_t kLargestTrajectoryYaml = std::size_t{48} << 20, kMo
 /// also with secs and nsecs, with a number in the unit of times, and within `trajectory:`. Velocities and efforts may
 /// be left out or empty, in all points alike; accelerations are not used. Joints that the robot does not have are
 /// refused with the nearest; those it has and the file lacks as `missing_joints` says. It has no base and no contacts.
-/// Failure kBadInput `joint_trajectory` naming the line. @param source  names it in messages.
+/// Failure kBadInput `joint_trajectory` naming the line.
+/// @param source  names it in messages.  @param some_joints  whatever the options say, the positions of joints that the
+/// file lacks are not a number.
 Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
-                                         const ImportOptions& options);
+                                         const ImportOptions& options, bool some_joints = false);
 
 /// The same in JSON; failures name the way to the value.
 Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std::string& text,
-                                             const std::string& source, const ImportOptions& options);
+                                             const std::string& source, const ImportOptions& options,
+                                             bool some_joints = false);
 
-/// Either of them, JSON by its first character, as one side of a comparison. Failures of the above and of CheckedTable.
+/// Either of them, JSON by its first character, as one side of a comparison, with the joints that there are. Failures
+/// of the above and of CheckedTable.
 Result<ComparedMotion> ComparedTrajectory(const RobotModel& model, const std::string& text, const std::string& source,
                                           const ImportOptions& options);
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/text.h"
 #include "kinematics/spatial/rotation.h"
 #include "workflows/exchange/column_target.h"
@@ -35,6 +36,7 @@ class Mapper {
         targets_(ColumnTargets(model, options)),
         position_(model.joints.size()),
         velocity_(model.joints.size()),
+        acceleration_(model.joints.size()),
         torque_(model.joints.size()),
         contact_(model.feet.size()),
         force_(3 * model.feet.size()) {}
@@ -61,8 +63,8 @@ class Mapper {
   void CheckNames() const {
     for (const auto& [theirs, ours] : names_.ours) {
       if (targets_.count(ours) == 0) {
-        throw InvalidArgument(fmt::format("column '{}' is to be '{}', which means nothing; the nearest is '{}'", theirs,
-                                          ours, NearestName(ours, KnownNames())));
+        throw InvalidArgument(fmt::format("column '{}' is to be '{}', which means nothing{}", theirs, ours,
+                                          NearestHint(ours, KnownNames())));
       }
     }
     for (const auto& [theirs, ours] : names_.ours) RequireColumn(theirs, "take as '" + ours + "'");
@@ -74,8 +76,8 @@ class Mapper {
     const std::vector<std::string>& other = names_.elsewhere;
     if (names_.may_lack || table_.Find(theirs) >= 0) return;
     if (std::find(other.begin(), other.end(), theirs) != other.end()) return;
-    throw InvalidArgument(fmt::format("there is no column '{}' to {}; the nearest is '{}'", theirs, use,
-                                      NearestName(theirs, table_.columns)));
+    throw InvalidArgument(
+        fmt::format("there is no column '{}' to {}{}", theirs, use, NearestOrAll(theirs, table_.columns)));
   }
 
   void Place(int column) {
@@ -89,8 +91,8 @@ class Mapper {
     const auto known = targets_.find(name);
     if (known == targets_.end()) {
       if (LooksLikeOurs(name)) {
-        throw InvalidArgument(fmt::format("column {} '{}' is unknown for robot '{}'; the nearest is '{}'", column + 1,
-                                          name, model_.name, NearestName(name, KnownNames())));
+        throw InvalidArgument(fmt::format("column {} '{}' is unknown for robot '{}'{}", column + 1, name, model_.name,
+                                          NearestHint(name, KnownNames())));
       }
       motion_.unused_columns.push_back(theirs);
       return;
@@ -98,10 +100,6 @@ class Mapper {
     const auto scale = names_.scale.find(theirs);
     const ColumnTarget& target = known->second;
     const double factor = scale == names_.scale.end() ? target.scale : scale->second;
-    if (target.kind == ColumnKind::kUnused) {
-      motion_.unused_columns.push_back(theirs);
-      return;
-    }
     Source& source = SourceOf(target);
     if (source.column >= 0) {
       throw InvalidArgument(fmt::format("columns '{}' and '{}' both are {}",
@@ -121,10 +119,16 @@ class Mapper {
         return quaternion_[i];
       case ColumnKind::kEuler:
         return euler_[i];
+      case ColumnKind::kBaseRate:
+        return base_rate_[i];
+      case ColumnKind::kBaseAcceleration:
+        return base_acceleration_[i];
       case ColumnKind::kPosition:
         return position_[i];
       case ColumnKind::kVelocity:
         return velocity_[i];
+      case ColumnKind::kAcceleration:
+        return acceleration_[i];
       case ColumnKind::kTorque:
         return torque_[i];
       case ColumnKind::kContact:
@@ -181,7 +185,25 @@ class Mapper {
     return options_.quaternion_order == "wxyz" ? Eigen::Vector4d(c[1], c[2], c[3], c[0]) : c;
   }
 
+  /// All six of the base, or what is there of them is of no use.
+  std::vector<Vector6> SixOf(const std::vector<Source>& sources) {
+    std::vector<Vector6> rows;
+    const bool all = std::all_of(sources.begin(), sources.end(), [](const Source& s) { return s.column >= 0; });
+    for (const Source& source : sources) {
+      if (!all && source.column >= 0)
+        motion_.unused_columns.push_back(table_.columns[static_cast<std::size_t>(source.column)]);
+    }
+    for (int row = 0; all && row < table_.rows(); ++row) {
+      Vector6 six;
+      for (int i = 0; i < 6; ++i) six[i] = Value(row, sources[static_cast<std::size_t>(i)]);
+      rows.push_back(six);
+    }
+    return rows;
+  }
+
   void TakeBase() {
+    motion_.base_rate = SixOf(base_rate_);
+    motion_.base_acceleration = SixOf(base_acceleration_);
     const bool placed = AllOrNone(base_, {"base_x_m", "base_y_m", "base_z_m"});
     const bool turned = AllOrNone(quaternion_, {"base_qx", "base_qy", "base_qz", "base_qw"});
     const bool by_angles = AllOrNone(euler_, {"base_roll_rad", "base_pitch_rad", "base_yaw_rad"});
@@ -210,23 +232,32 @@ class Mapper {
     return static_cast<std::size_t>(model_.dof_joint[static_cast<std::size_t>(dof)]);
   }
 
+  /// What may be meant for a column that is missing, of those that are not used.
+  std::string LikelyFor(const std::string& missing) const {
+    constexpr std::size_t kMostListed = 16;
+    const std::vector<std::string>& unused = motion_.unused_columns;
+    const std::string nearest = NearestName(missing, unused);
+    if (!nearest.empty()) return fmt::format("; the nearest to the first of them is '{}'", nearest);
+    return unused.empty() || unused.size() > kMostListed ? "" : "; columns that are not used: " + QuotedList(unused);
+  }
+
   void TakeJoints() {
     std::vector<std::string> missing;
     for (int d = 0; d < model_.num_dofs(); ++d) {
       if (position_[LeaderOf(d)].column < 0) missing.push_back(PositionColumn(model_.joints[LeaderOf(d)]));
     }
-    if (!missing.empty() &&
-        (options_.missing_joints == "refuse" || missing.size() == static_cast<std::size_t>(model_.num_dofs()))) {
-      std::string nearest = motion_.unused_columns.empty() ? "" : NearestName(missing.front(), motion_.unused_columns);
-      if (!nearest.empty()) nearest = fmt::format("; the nearest to the first of them is '{}'", nearest);
+    if (!missing.empty() && ((options_.missing_joints == "refuse" && !names_.some_joints) ||
+                             missing.size() == static_cast<std::size_t>(model_.num_dofs()))) {
       throw InvalidArgument(fmt::format("lacks {} of {} joint positions of robot '{}': {}{}", missing.size(),
-                                        model_.num_dofs(), model_.name, QuotedList(missing), nearest));
+                                        model_.num_dofs(), model_.name, QuotedList(missing),
+                                        LikelyFor(missing.front())));
     }
-    if (!missing.empty())
-      motion_.derived.push_back({"position of " + QuotedList(missing), "as in the standing posture"});
-    motion_.q = Rows(position_, model_.standing_joints);
     const VectorX none = VectorX::Constant(model_.num_dofs(), kNone);
+    if (!missing.empty() && !names_.some_joints)
+      motion_.derived.push_back({"position of " + QuotedList(missing), "as in the standing posture"});
+    motion_.q = Rows(position_, names_.some_joints ? none : model_.standing_joints);
     if (Any(velocity_)) motion_.v = Rows(velocity_, none);
+    if (Any(acceleration_)) motion_.a = Rows(acceleration_, none);
     if (Any(torque_)) motion_.tau = Rows(torque_, none);
     CheckMimics();
   }
@@ -298,7 +329,8 @@ class Mapper {
   Source time_;
   std::vector<Source> base_ = std::vector<Source>(3), quaternion_ = std::vector<Source>(4),
                       euler_ = std::vector<Source>(3);
-  std::vector<Source> position_, velocity_, torque_, contact_, force_;
+  std::vector<Source> base_rate_ = std::vector<Source>(6), base_acceleration_ = std::vector<Source>(6);
+  std::vector<Source> position_, velocity_, acceleration_, torque_, contact_, force_;
   MotionTable motion_;
 };
 

@@ -17,6 +17,7 @@ struct ColumnNames {
   std::map<std::string, double> scale;      ///< by their name: what their numbers are multiplied with
   std::vector<std::string> ignored;         ///< their names
   bool may_lack = false;                    ///< a file need not have all of these columns
+  bool some_joints = false;                 ///< nor all joints: the positions of others are not a number
   std::vector<std::string> elsewhere = {};  ///< columns of another file that the names are for too
 };
 

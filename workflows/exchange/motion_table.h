@@ -30,7 +30,9 @@ struct MotionTable {
   std::vector<Vector3> base_m;                ///< p_WB, of the URDF's root link
   std::vector<Eigen::Vector4d> quaternion;    ///< of R_WB, x y z w
   bool turned_by_angles = false;              ///< quaternions that come of roll, pitch and yaw: their order is known
-  std::vector<VectorX> q, v, tau;             ///< by dof: [rad, m], [rad/s, m/s], [N m, N]
+  std::vector<Vector6> base_rate;             ///< v_WB, w_WB: linear, then angular, in W [m/s, rad/s]
+  std::vector<Vector6> base_acceleration;     ///< their rates [m/s^2, rad/s^2]
+  std::vector<VectorX> q, v, a, tau;          ///< by dof: [rad, m], [rad/s, m/s], [rad/s^2, m/s^2], [N m, N]
   std::vector<FootSet> contact;               ///< feet on the ground
   std::vector<std::vector<Vector3>> force_W;  ///< by foot, that the ground puts on it [N]
   std::vector<DerivedPart> derived;           ///< so far

@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "workflows/exchange/column_target.h"
 
@@ -84,10 +88,22 @@ void AddLeg(const RobotModel& model, const Leg& leg, const std::string& theirs, 
   }
 }
 
+/// A column of a leg that OCS2 has not; nothing where there is none.
+std::optional<std::string> Misnamed(const CsvTable& table, const ColumnNames& names) {
+  for (const std::string& column : table.columns) {
+    for (const char* kind : {"jointAngle_", "jointVelocity_", "contactflag_", "contactForcesInWorld_"}) {
+      if (column.starts_with(kind) && names.ours.count(column) == 0) return column;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool IsOcs2Motion(const CsvTable& table) {
-  return table.Find("base_positionInWorld_x") >= 0 && table.Find("jointAngle_LF_HAA") >= 0;
+  return table.Find("base_positionInWorld_x") >= 0 &&
+         std::any_of(table.columns.begin(), table.columns.end(),
+                     [](const auto& c) { return c.starts_with("jointAngle_"); });
 }
 
 Result<ColumnNames> Ocs2ColumnNames(const RobotModel& model, const CsvTable& table, std::vector<DerivedPart>& derived) {
@@ -118,6 +134,16 @@ Result<ColumnNames> Ocs2ColumnNames(const RobotModel& model, const CsvTable& tab
   AddBase(names);
   for (std::size_t i = 0; i < kLegs.size(); ++i)
     AddLeg(model, model.legs[static_cast<std::size_t>(legs[i])], kLegs[i], names);
+  if (const auto column = Misnamed(table, names)) {
+    std::vector<std::string> known;
+    for (const auto& [theirs, ours] : names.ours) known.push_back(theirs);
+    return Failure{FailureKind::kBadInput,
+                   "ocs2",
+                   "ImportMotion",
+                   fmt::format("'{}' is a motion of OCS2's quadrupeds, which have no column '{}'{}", table.source,
+                               *column, NearestOrAll(*column, known)),
+                   {"name the columns in a file: --columns FILE"}};
+  }
   return names;
 }
 

@@ -118,6 +118,8 @@ TEST(MotionCsvText, IsReadBackExactlyAtAnyRate) {
     EXPECT_EQ(read->time_s, rows.time_s);
     for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
       ASSERT_TRUE(Same(read->q[k], rows.q[k].tail(6)) && Same(read->v[k], rows.v[k].tail(6))) << k;
+      ASSERT_TRUE(Same(read->a[k], rows.a[k].tail(6)) && Same(read->base_rate[k], rows.v[k].head(6))) << k;
+      ASSERT_TRUE(Same(read->base_acceleration[k], rows.a[k].head(6))) << k;
       ASSERT_TRUE(Same(read->tau[k], rows.tau[k]) && read->base_m[k] == rows.q[k].head<3>()) << k;
       ASSERT_EQ(read->contact[k], rows.contact[k]) << k;
     }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows that are not there, rows that are too many, and files that are no motion of others.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <sstream>
 
 #include "kinematics/base/file.h"
@@ -102,6 +104,37 @@ TEST(ImportRows, HolesAreWarnedOf) {
   EXPECT_NE(WarningOf(*of_two, "rows are missing in 2 places, of which this is the longest: for 0.305 s"), "");
   const std::vector<std::string>& warnings = of_one->plan.warnings;
   EXPECT_NE(std::find(warnings.begin(), warnings.end(), said), warnings.end()) << "the plan keeps it";
+}
+
+/// The same rows at other times.
+std::string Retimed(const std::string& csv, const std::function<double(int row, double time_s)>& time_of) {
+  std::istringstream lines(csv);
+  std::string text, line;
+  std::getline(lines, line);
+  text = line + "\n";
+  for (int row = 0; std::getline(lines, line); ++row) {
+    const std::size_t comma = line.find(',');
+    text += fmt::format("{}{}\n", time_of(row, std::stod(line.substr(0, comma))), line.substr(comma));
+  }
+  return text;
+}
+
+TEST(ImportRows, TimesOfArrivalAreWarnedOf) {
+  const std::string whole = CsvOf({});
+  const auto late = [](int row, double time_s) { return time_s + 1e-3 * std::sin(2.7 * row); };
+  const Result<ImportedMotion> even = Imported("even.csv", whole),
+                               uneven = Imported("uneven.csv", Retimed(whole, late));
+  ASSERT_TRUE(even.ok() && uneven.ok());
+  EXPECT_EQ(WarningOf(*even, "rows come"), "");
+  EXPECT_NE(WarningOf(*uneven, "rows come unevenly, every "), "");
+}
+
+TEST(ImportRows, FewRowsAreWarnedOf) {
+  OtherStance stance{.base_z_m = A1().standing_base_height_m};
+  stance.step_s = 0.03;
+  EXPECT_EQ(WarningOf(*Imported("often.csv", CsvOf(A1(), stance)), "rows come"), "");
+  stance.step_s = 0.2;
+  EXPECT_NE(WarningOf(*Imported("seldom.csv", CsvOf(A1(), stance)), "rows come every 200 ms only"), "");
 }
 
 TEST(ImportRows, VelocitiesThatAreNotThoseOfThePositionsAreWarnedOfWithUnitAndTime) {

@@ -58,7 +58,8 @@ TEST(JointTrajectory, TakesVelocitiesAndEfforts) {
   ASSERT_TRUE(motion.ok()) << motion.failure().message;
   EXPECT_EQ(motion->v[1][3], 3.0);
   EXPECT_EQ(motion->tau[1][11], 11.0);
-  EXPECT_EQ(motion->unused_columns, std::vector<std::string>{"accelerations"});
+  EXPECT_TRUE(motion->unused_columns.empty());
+  EXPECT_EQ(motion->a.size(), motion->v.size());
 }
 
 TEST(JointTrajectory, IsReadStrictly) {
@@ -76,6 +77,19 @@ TEST(JointTrajectory, IsReadStrictly) {
   ExpectWhy(Message(kFirst) + "---\n" + Message(kFirst), "a second document begins; one is needed");
   ExpectWhy("joint_names: [", "line ");
   ExpectWhy("x: " + std::string(100, '[') + std::string(100, ']'), "more than 32 lists and maps in one another");
+}
+
+TEST(JointTrajectory, IsComparedWithTheJointsThatItHas) {
+  const auto with = [](const std::string& joints, const std::string& positions) {
+    return "joint_names: [" + joints + "]\npoints:\n- {positions: [" + positions +
+           "], time_from_start: 0}\n- {positions: [" + positions + "], time_from_start: 1}\n";
+  };
+  const Result<ComparedMotion> side = ComparedTrajectory(Quadruped(), with("FL_hip_joint", "0.1"), "walk.yaml", {});
+  ASSERT_TRUE(side.ok()) << side.failure().message;
+  for (int d = 0; d < Quadruped().num_dofs(); ++d) EXPECT_EQ(side->HasJoint(d), d == 0);
+  const Result<ComparedMotion> none = ComparedTrajectory(Quadruped(), with("", ""), "walk.yaml", {});
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.failure().message.find("lacks 12 of 12 joints"), std::string::npos) << none.failure().message;
 }
 
 TEST(JointTrajectory, TimesAreSuchAsTheMessageHolds) {
@@ -139,7 +153,7 @@ TEST(JointTrajectoryJson, IsReadByTheReaderOfJson) {
   EXPECT_EQ(WhyNotJson(JsonMessage(R"({"positions": [1], "time_from_start": 0})")),
             "'walk.json': 'points[0].positions' has 1 numbers, joint_names 12 names");
   EXPECT_EQ(WhyNotJson(JsonMessage(R"({"position": [1], "time_from_start": 0})")),
-            "'walk.json': 'points[0]' has an unknown key 'position'; the nearest that is known is 'positions'");
+            "'walk.json': 'points[0]' has an unknown key 'position'; the nearest is 'positions'");
   EXPECT_NE(WhyNotJson(R"({"joint_names": )").find("its JSON is cut short"), std::string::npos);
   EXPECT_NE(WhyNotJson("joint_names: []").find("its JSON is broken"), std::string::npos);
   EXPECT_NE(WhyNotJson("[]").find("object"), std::string::npos) << WhyNotJson("[]");

@@ -58,7 +58,7 @@ TEST(MotionColumns, TakesWhatNamesSay) {
   EXPECT_TRUE(std::isnan(motion->v[0][dof == 0 ? 1 : 0])) << "one that is not there is worked out";
   EXPECT_EQ(motion->tau[0][dof], 3.0);
   EXPECT_TRUE(motion->base_m.empty() && motion->quaternion.empty() && motion->contact.empty());
-  EXPECT_EQ(motion->unused_columns, (std::vector<std::string>{"base_vx_m_s", "battery"}));
+  EXPECT_EQ(motion->unused_columns, (std::vector<std::string>{"battery", "base_vx_m_s"}));
 }
 
 TEST(MotionColumns, AnglesOfTheBaseAreARotation) {
@@ -152,8 +152,12 @@ TEST(MotionColumns, FeetAndForces) {
 TEST(MotionColumns, RefusesWhatDoesNotGoTogether) {
   const RobotModel& a1 = Robot("a1");
   ExpectRefusal(Taken(TableOf(a1, {{"v_FL_hip_joint_deg", 1}})),
-                "is unknown for robot 'a1'; the nearest is 'q_FL_hip_joint_deg'");
+                "is unknown for robot 'a1'; the nearest is 'v_FL_hip_joint_deg_s'");
   ExpectRefusal(Taken(TableOf(a1, {{"contact_FL_fot", 1}})), "the nearest is 'contact_FL_foot'");
+  CsvTable renamed = TableOf(a1);
+  std::replace(renamed.columns.begin(), renamed.columns.end(), std::string("q_FR_hip_joint_rad"),
+               std::string("FR_hip_joint_pos"));
+  ExpectRefusal(Taken(renamed), "the nearest to the first of them is 'FR_hip_joint_pos'");
   ExpectRefusal(Taken(TableOf(a1, {{"FL_hip_joint", 1}})), "both are");
   ExpectRefusal(Taken(TableOf(a1, {{"base_x_m", 1}, {"base_y_m", 1}, {"base_z_m", 1}})),
                 "has the position of the base and not how it is turned");
@@ -289,6 +293,19 @@ TEST(Ocs2Columns, AreTakenAsTheyAre) {
   for (int f = 0; f < 4; ++f)
     EXPECT_EQ(Contains(motion->contact[0], f), a1.feet[static_cast<std::size_t>(f)].link != "FR_foot");
   EXPECT_EQ(motion->unused_columns.size(), 6U);
+}
+
+TEST(Ocs2Columns, OneThatIsMisnamedIsTold) {
+  for (const char* theirs : {"jointAngle_LF_HAA", "jointAngle_RH_KFE", "jointVelocity_LH_HFE"}) {
+    CsvTable table = Ocs2Table();
+    std::replace(table.columns.begin(), table.columns.end(), std::string(theirs), theirs + std::string("x"));
+    ASSERT_TRUE(IsOcs2Motion(table));
+    std::vector<DerivedPart> derived;
+    const Result<ColumnNames> names = Ocs2ColumnNames(Robot("a1"), table, derived);
+    ASSERT_FALSE(names.ok());
+    EXPECT_NE(names.failure().message.find(fmt::format("'{0}x'; the nearest is '{0}'", theirs)), std::string::npos)
+        << names.failure().message;
+  }
 }
 
 TEST(Ocs2Columns, MayLackWhatIsNotNeeded) {
