@@ -39,7 +39,7 @@ Result<SideFile> ReadSide(const std::string& path) {
         {"name a plan.json, a log.json, what 'walk --json' prints, a CSV of a motion, or a joint trajectory"});
   }
   if (side.kind == MotionFileKind::kTrials)
-    return Refused("no_motion", fmt::format("'{}' is {}, ; these are not compared", path, NameOf(side.kind)),
+    return Refused("no_motion", fmt::format("'{}' is {}; these are not compared", path, NameOf(side.kind)),
                    {"'trials --report FILE' makes a page of each"});
   if (side.kind != MotionFileKind::kTable) return side;
   Result<CsvTable> table = ParseCsvTable(side.text, path);

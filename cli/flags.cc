@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 namespace gaitwright::cli {
@@ -107,13 +108,17 @@ CLI::Option* AddField(CLI::App& verb, const std::string& flag, const OptionField
 }
 
 void ApplySets(const std::string& flag, const std::vector<std::string>& sets, OptionFields fields) {
+  std::set<std::string> seen;
   for (const std::string& set : sets) {
     const std::size_t equals = set.find('=');
     if (equals == std::string::npos) {
       throw InvalidArgument(fmt::format("{}: '{}' has no '='; key=value is needed", flag, set));
     }
     if (fields.empty()) throw InvalidArgument(fmt::format("{} {}: this verb has no options to set", flag, set));
-    SetOption(fields, set.substr(0, equals), set.substr(equals + 1));
+    const std::string key = set.substr(0, equals);
+    if (!seen.insert(key).second)
+      throw InvalidArgument(fmt::format("{}: '{}' is given twice; leave one of them out", flag, key));
+    SetOption(fields, key, set.substr(equals + 1));
   }
 }
 

@@ -56,7 +56,8 @@ CLI::Option* AddField(CLI::App& verb, const std::string& flag, const OptionField
 /// A flag --list-options, which prints what --set can set (with --json, whose place `json` is, as an object) and ends.
 void AddOptionList(CLI::App& verb, const OptionFields& fields, const bool& json);
 
-/// Applies every `flag` key=value to the fields. @throws InvalidArgument on a key that none has (the nearest is named).
+/// Applies every `flag` key=value to the fields. @throws InvalidArgument on a key that none has (the nearest is named)
+/// and on one that is given twice.
 void ApplySets(const std::string& flag, const std::vector<std::string>& sets, OptionFields fields);
 
 /// Comma-separated numbers. @throws InvalidArgument naming the flag.

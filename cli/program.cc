@@ -17,8 +17,9 @@ void AddCommon(CLI::App& verb, Common& common, const std::vector<std::string>& e
   verb.add_flag("--quiet", common.quiet, "Print only the verdict (pass or fail), of a list only the names.");
   AddWholeNumber(verb, "--seed", 0, common.seed,
                  "Seed of whatever is random, such as --ground-bumps, 0 or more; default 0.");
-  verb.add_option("--set", common.sets,
-                  "Set one of the many options behind the flags; may be repeated. They win over flags.")
+  verb.add_option(
+          "--set", common.sets,
+          "Set one of the many options behind the flags; may be repeated, with each key once. They win over flags.")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 
 namespace gaitwright::cli {
@@ -33,25 +35,32 @@ std::vector<std::string> Verbs(const CLI::App& app) {
   return names;
 }
 
+/// Without their dashes.
 std::vector<std::string> Flags(const CLI::App& verb) {
   std::vector<std::string> names;
   for (const CLI::Option* option : verb.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
   }
   return names;
+}
+
+/// "; the nearest is '--set'", or nothing: dashes are alike in all and make nothing near.
+std::string NearestFlag(const std::string& flag, const CLI::App& verb) {
+  const std::size_t name = std::min(flag.find_first_not_of('-'), flag.size());
+  const std::string nearest = NearestName(flag.substr(name), Flags(verb));
+  return nearest.empty() ? "" : fmt::format("; the nearest is '--{}'", nearest);
 }
 
 /// A word that no verb and no flag took.
 std::string Unexpected(const CLI::App& app, const CLI::App& verb, const std::string& word) {
   if (word.starts_with("-")) {
     const std::string flag = word.substr(0, word.find('='));
-    return fmt::format("{} has no flag '{}'; the nearest is '{}'", NameOf(verb), flag, NearestName(flag, Flags(verb)));
+    return fmt::format("{} has no flag '{}'{}", NameOf(verb), flag, NearestFlag(flag, verb));
   }
   const std::vector<std::string> verbs = Verbs(verb);
   if (verbs.empty()) return fmt::format("{} does not know what to do with '{}'", NameOf(verb), word);
   const std::string list = QuotedList(verbs);
-  return &verb == &app ? fmt::format("there is no verb '{}'; the nearest is '{}'; there are {}", word,
-                                     NearestName(word, verbs), list)
+  return &verb == &app ? fmt::format("there is no verb '{}'{}; there are {}", word, NearestHint(word, verbs), list)
                        : fmt::format("there is no '{} {}'; there is {}", NameOf(verb), word, list);
 }
 

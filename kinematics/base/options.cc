@@ -6,25 +6,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
+
+#include "kinematics/base/nearest_name.h"
 
 namespace gaitwright {
 namespace {
-
-std::size_t EditDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
-    }
-  }
-  return row[b.size()];
-}
 
 void CheckNumber(const OptionField& field, double value) {
   if (!std::isfinite(value) || value < field.lowest || value > field.highest) {
@@ -87,21 +73,6 @@ struct Checker {
 
 }  // namespace
 
-std::string NearestName(const std::string& word, const std::vector<std::string>& candidates) {
-  constexpr std::size_t kCompared = 100;  // characters: the time goes with the square
-  const std::string start = word.substr(0, kCompared);
-  const std::string* nearest = nullptr;
-  std::size_t least = 0;
-  for (const std::string& candidate : candidates) {
-    const std::size_t distance = EditDistance(start, candidate.substr(0, kCompared));
-    if (nearest == nullptr || distance < least) {
-      nearest = &candidate;
-      least = distance;
-    }
-  }
-  return nearest == nullptr ? std::string{} : *nearest;
-}
-
 std::string QuotedList(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
@@ -113,7 +84,8 @@ void SetOption(OptionFields& fields, const std::string& key, const std::string& 
   if (field == fields.end()) {
     std::vector<std::string> keys;
     for (const OptionField& f : fields) keys.push_back(f.key);
-    throw InvalidArgument(fmt::format("unknown option '{}'; the nearest is '{}'", key, NearestName(key, keys)));
+    throw InvalidArgument(
+        fmt::format("unknown option '{}'{}", key, NearestOrAll(key, keys, "--list-options prints all of them")));
   }
   std::visit(Setter{*field, text}, field->target);
 }

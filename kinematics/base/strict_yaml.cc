@@ -5,7 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "kinematics/base/options.h"
+#include "kinematics/base/nearest_name.h"
+#include "kinematics/base/result.h"
 #include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/base/text.h"
 
@@ -65,8 +66,7 @@ YamlMap::YamlMap(const YAML::Node& node, const std::string& what, const std::vec
     const std::string key = TextOf(entry.first, "a key of " + what);
     if (!seen.insert(key).second) RefuseYaml(entry.first, fmt::format("{} has the key '{}' twice", what, key));
     if (!known.empty() && std::find(known.begin(), known.end(), key) == known.end()) {
-      RefuseYaml(entry.first,
-                 fmt::format("{} has the unknown key '{}'; the nearest is '{}'", what, key, NearestName(key, known)));
+      RefuseYaml(entry.first, fmt::format("{} has the unknown key '{}'{}", what, key, NearestOrAll(key, known)));
     }
     entries_.push_back({key, entry.first, entry.second});
   }

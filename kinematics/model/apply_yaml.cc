@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kinematics/base/options.h"
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/yaml_line.h"
 
@@ -24,8 +24,8 @@ auto& JointNamed(Model& model, const std::string& name, int line) {
     if (joint.name == name) return joint;
     names.push_back(joint.name);
   }
-  RefuseYamlLine(line, fmt::format("robot '{}' has no moving joint '{}'; the nearest is '{}'", model.name, name,
-                                   NearestName(name, names)));
+  RefuseYamlLine(line,
+                 fmt::format("robot '{}' has no moving joint '{}'{}", model.name, name, NearestOrAll(name, names)));
 }
 
 /// The coordinate of a joint that mimics none.
@@ -38,9 +38,10 @@ int DofNamed(const RobotModel& model, const std::string& name, int line) {
 
 void CheckUnits(const Joint& joint, bool sliding, bool any, int line) {
   if (!any || sliding == joint.is_prismatic()) return;
-  RefuseYamlLine(
-      line, sliding ? fmt::format("joint '{}' turns; its keys end in _rad, _rad_s, _nm, _nm_rad, _nm_s_rad", joint.name)
-                    : fmt::format("joint '{}' slides; its keys end in _m, _m_s, _n, _n_m, _n_s_m", joint.name));
+  RefuseYamlLine(line, fmt::format("joint '{}' {}", joint.name,
+                                   sliding ? "turns; its keys end in _rad, _rad_s, _rad_s2, _rad_s3, _nm, _nm_rad, "
+                                             "_nm_s_rad, _kg_m2"
+                                           : "slides; its keys end in _m, _m_s, _m_s2, _m_s3, _n, _n_m, _n_s_m, _kg"));
 }
 
 /// Height of a foot's lowest point in the base frame, in the standing posture [m].

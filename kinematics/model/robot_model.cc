@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kinematics/base/options.h"
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/result.h"
 
 namespace gaitwright {
@@ -78,15 +78,15 @@ int RobotModel::FrameIndex(const std::string& frame_name) const {
     if (frames[i].name == frame_name) return static_cast<int>(i);
     names.push_back(frames[i].name);
   }
-  throw InvalidArgument(fmt::format("robot '{}' has no link '{}'; the nearest is '{}'", name, frame_name,
-                                    NearestName(frame_name, names)));
+  throw InvalidArgument(
+      fmt::format("robot '{}' has no link '{}'{}", name, frame_name, NearestOrAll(frame_name, names)));
 }
 
 int RobotModel::DofIndex(const std::string& joint_name) const {
   const auto at = std::find(dof_names.begin(), dof_names.end(), joint_name);
   if (at == dof_names.end()) {
-    throw InvalidArgument(fmt::format("robot '{}' has no moving joint '{}'; the nearest is '{}'", name, joint_name,
-                                      NearestName(joint_name, dof_names)));
+    throw InvalidArgument(
+        fmt::format("robot '{}' has no moving joint '{}'{}", name, joint_name, NearestOrAll(joint_name, dof_names)));
   }
   return static_cast<int>(at - dof_names.begin());
 }

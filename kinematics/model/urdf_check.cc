@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 #include "kinematics/model/urdf_xml_internal.h"
 
@@ -59,8 +60,8 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
     if (end == nullptr) Refuse("urdf_missing", fmt::format("{}: it has no <{}>", owner, tag));
     ends[i] = Attribute(*end, "link", owner);
     if (!tree.links.contains(ends[i])) {
-      Refuse("unknown_link", fmt::format("{}: its {} '{}' is no link; the nearest is '{}'", owner, tag, ends[i],
-                                         NearestName(ends[i], tree.link_names)));
+      Refuse("unknown_link",
+             fmt::format("{}: its {} '{}' is no link{}", owner, tag, ends[i], NearestOrAll(ends[i], tree.link_names)));
     }
   }
   if (tree.parent_of.contains(ends[1])) {

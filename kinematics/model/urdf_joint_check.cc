@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "kinematics/base/options.h"
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/model/urdf_xml_internal.h"
 
 namespace gaitwright {
@@ -62,8 +62,8 @@ void CheckMimic(const XMLElement& mimic, const std::map<std::string, std::string
   }
   if (target == name) Refuse("bad_mimic", fmt::format("{}: it mimics itself; name another joint", owner));
   if (!types.contains(target)) {
-    Refuse("unknown_mimic", fmt::format("{}: it mimics '{}', which is no joint; the nearest is '{}'", owner, target,
-                                        NearestName(target, others)));
+    Refuse("unknown_mimic",
+           fmt::format("{}: it mimics '{}', which is no joint{}", owner, target, NearestOrAll(target, others)));
   }
   if (types.at(target) == "fixed") {
     Refuse("bad_mimic", fmt::format("{}: it mimics '{}', which is fixed and never moves; name a moving joint or make "

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 #include "planning/plan/terrain_kinds_internal.h"
 #include "planning/plan/terrain_spec.h"
@@ -75,8 +76,8 @@ Result<Made> MakeFrom(const std::string& spec, const TerrainScale& scale) {
       return Refused("terrain_parameter", fmt::format("terrain '{}': {}", name, error.what()));
     }
   }
-  return Refused("unknown_terrain", fmt::format("there is no terrain '{}'; the nearest is '{}', and there is {}", name,
-                                                NearestName(name, names), QuotedList(names)));
+  return Refused("unknown_terrain", fmt::format("there is no terrain '{}'{}; there is {}", name,
+                                                NearestHint(name, names), QuotedList(names)));
 }
 
 }  // namespace

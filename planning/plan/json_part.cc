@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/base/text.h"
@@ -136,7 +137,7 @@ const JsonPart& JsonPart::Object(const std::vector<std::string>& required,
   known.insert(known.end(), optional.begin(), optional.end());
   for (const auto& [key, value] : json_->items()) {
     if (std::find(known.begin(), known.end(), key) == known.end())
-      Refuse(fmt::format("has an unknown key '{}'; the nearest that is known is '{}'", key, NearestName(key, known)));
+      Refuse(fmt::format("has an unknown key '{}'{}", key, NearestOrAll(key, known)));
   }
   for (const std::string& key : required) {
     if (!json_->contains(key)) Refuse(fmt::format("lacks '{}'", key));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kinematics/base/nearest_name.h"
 #include "playback/bullet/off_plan_internal.h"
 
 namespace gaitwright::bullet {
@@ -22,10 +23,8 @@ int PushedBody(const RobotModel& model, const std::string& on) {
     if (frame.name == on) return frame.body;
     names.push_back(frame.name);
   }
-  throw InvalidArgument(
-      fmt::format("option 'push_on' is '{}'; accepted: 'base', 'robot' or a link of '{}', the "
-                  "nearest of these is '{}'",
-                  on, model.name, NearestName(on, names)));
+  throw InvalidArgument(fmt::format("option 'push_on' is '{}'; accepted: 'base', 'robot' or a link of '{}'{}", on,
+                                    model.name, NearestHint(on, names)));
 }
 
 double ShareOfStep(const TimedPush& push, double time_s, double step_s) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/base/options.h"
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/result.h"
 
 namespace gaitwright {
@@ -144,7 +144,7 @@ const MetricRule& RuleOf(const std::string& key) {
     if (rule.key == key) return rule;
     keys.push_back(rule.key);
   }
-  throw InvalidArgument(fmt::format("there is no metric '{}'; the nearest is '{}'", key, NearestName(key, keys)));
+  throw InvalidArgument(fmt::format("there is no metric '{}'{}", key, NearestHint(key, keys)));
 }
 
 GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/result.h"
 #include "playback/score/gates.h"
 #include "playback/score/measurements.h"
@@ -88,8 +89,7 @@ const Metric& StabilityReport::At(const std::string& key) const {
     if (metric.key == key) return metric;
     keys.push_back(metric.key);
   }
-  throw InvalidArgument(
-      fmt::format("StabilityReport: no metric '{}'; the nearest is '{}'", key, NearestName(key, keys)));
+  throw InvalidArgument(fmt::format("StabilityReport: no metric '{}'{}", key, NearestHint(key, keys)));
 }
 
 StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log,

@@ -43,16 +43,17 @@ void CheckTableLaws(const MotionTable& table) {
     Require(k == 0 || table.time_s[k] > table.time_s[k - 1], "times rise");
   }
   CheckLength(table, table.base_m), CheckLength(table, table.quaternion), CheckLength(table, table.q);
-  CheckLength(table, table.v), CheckLength(table, table.tau), CheckLength(table, table.contact);
-  CheckLength(table, table.force_W);
+  CheckLength(table, table.v), CheckLength(table, table.a), CheckLength(table, table.tau);
+  CheckLength(table, table.base_rate), CheckLength(table, table.base_acceleration);
+  CheckLength(table, table.contact), CheckLength(table, table.force_W);
   for (const Vector3& p : table.base_m) Require(IsSensible(p), "places of the base are finite");
   for (const VectorX& q : table.q)
     Require(q.size() == Quadruped().num_dofs() && IsSensible(q), "positions of all joints are finite");
-  for (const auto& columns : {table.v, table.tau}) {
+  for (const auto& columns : {table.v, table.a, table.tau}) {
     for (const VectorX& values : columns) {
       Require(values.size() == Quadruped().num_dofs(), "there is one for each joint");
       for (const double value : values)
-        Require(std::isnan(value) || std::abs(value) <= kMostOfAnything, "speeds and torques are finite");
+        Require(std::isnan(value) || std::abs(value) <= kMostOfAnything, "rates and torques are finite");
     }
   }
   const FootSet all = AllFeet(static_cast<int>(Quadruped().feet.size()));
@@ -105,8 +106,12 @@ void CheckComparedLaws(const ComparedMotion& motion) {
           "it is of an hour at the most");
   for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
     Require(k == 0 || rows.time_s[k] > rows.time_s[k - 1], "times rise");
-    Require(IsSensible(rows.q[k].tail(Quadruped().num_dofs())), "positions of all joints are finite");
-    Require(IsSensible(rows.v[k].tail(Quadruped().num_dofs())), "speeds of all joints are finite");
+    for (int d = 0; d < Quadruped().num_dofs(); ++d) {
+      const double q = rows.q[k][7 + d], v = rows.v[k][6 + d];
+      Require(motion.HasJoint(d) ? std::abs(q) <= kMostOfAnything : std::isnan(q),
+              "positions of the joints that it has are finite");
+      Require(std::isnan(v) || std::abs(v) <= kMostOfAnything, "speeds are finite, or not known beside missing rows");
+    }
     const auto turn = rows.q[k].segment<4>(3);
     Require(turn.array().isNaN().all() || std::abs(turn.norm() - 1.0) < 1e-9, "quaternions have length 1, or are none");
   }

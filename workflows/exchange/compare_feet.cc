@@ -68,8 +68,22 @@ class FootTimes {
     return time_s > shared_.start_s + tolerance_s_ && time_s < shared_.end_s - tolerance_s_;
   }
 
+  /// Whether rows say that an event is at a time: not in a gap of either side, nor at its end, where it may be late.
+  bool Known(double time_s) const {
+    return std::none_of(shared_.gaps.begin(), shared_.gaps.end(), [&](const TimeGap& gap) {
+      return time_s > gap.start_s - kRounding && time_s < gap.end_s + kRounding;
+    });
+  }
+
+  /// How long a stance lasts where both sides have rows.
+  double KnownPart(const ContactInterval& stance) const {
+    double part_s = stance.end_s - stance.start_s;
+    for (const TimeGap& gap : shared_.gaps) part_s -= std::max(0.0, Overlap(stance, {gap.start_s, gap.end_s}));
+    return part_s;
+  }
+
   void Event(const char* what, double a_s, double b_s) {
-    if (!Inside(a_s) && !Inside(b_s)) return;
+    if ((!Inside(a_s) && !Inside(b_s)) || !Known(a_s) || !Known(b_s)) return;
     SeriesDifference& timing = foot_.timing;
     const double late_s = b_s - a_s;
     ++timing.samples;
@@ -83,7 +97,7 @@ class FootTimes {
 
   /// A stance that the other does not have.
   void Missing(const ContactInterval& stance, double a, double b) {
-    if (stance.end_s - stance.start_s < std::max(TimingGate(), tolerance_s_)) return;
+    if (KnownPart(stance) < std::max(TimingGate(), tolerance_s_)) return;
     ++foot_.unmatched;
     const double at_s = std::max(stance.start_s, shared_.start_s);
     beyond_.push_back({"contact of " + foot_.foot, "1", at_s, a, b, 0.0});

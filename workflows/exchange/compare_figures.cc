@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "playback/bullet/play.h"
 #include "workflows/exchange/compare_parts_internal.h"
@@ -16,7 +18,11 @@ struct Figure {
   double value;
 };
 using Figures = std::vector<Figure>;
-using Words = std::vector<std::pair<std::string, std::string>>;
+
+/// What one side tells in words: what it is, then the options that it was made with.
+struct Words {
+  OptionTexts facts, options;
+};
 
 void AddBase(const MotionRows& rows, Figures& figures) {
   if (!rows.q.front().head<7>().allFinite()) return;
@@ -76,33 +82,65 @@ Figures OneSide(const ComparedMotion& motion) {
 }
 
 Words OneSideInWords(const ComparedMotion& motion) {
-  Words words = {{"robot", motion.model.name}, {"robot_hash", motion.model.hash}};
+  Words words{{{"robot", motion.model.name}, {"robot_hash", motion.model.hash}}, {}};
+  OptionTexts& facts = words.facts;
   if (motion.plan) {
     const MotionPlan& plan = *motion.plan;
-    words.emplace_back("motion_hash", MotionHash(plan));
-    words.emplace_back("program_version", plan.provenance.program_version);
-    words.emplace_back("made_by", plan.provenance.made_by);
-    words.emplace_back("seed", fmt::format("{}", plan.provenance.seed));
-    words.emplace_back("gaits", GaitNames(plan.parts));
-    words.emplace_back("ground", plan.terrain.name);
-    words.insert(words.end(), plan.provenance.options.begin(), plan.provenance.options.end());
+    facts.emplace_back("motion_hash", MotionHash(plan));
+    facts.emplace_back("program_version", plan.provenance.program_version);
+    facts.emplace_back("made_by", plan.provenance.made_by);
+    facts.emplace_back("seed", fmt::format("{}", plan.provenance.seed));
+    facts.emplace_back("gaits", GaitNames(plan.parts));
+    facts.emplace_back("ground", plan.terrain.name);
+    words.options = plan.provenance.options;
   }
   if (motion.log) {
     const PlaybackLog& log = *motion.log;
-    words.emplace_back("motion_hash", log.plan_hash);
-    words.emplace_back("program_version", log.program_version);
-    words.emplace_back("controller", log.controller);
-    words.emplace_back("total_mass_kg", fmt::format("{}", log.total_mass_kg));
-    words.emplace_back("friction", fmt::format("{}", log.friction));
-    words.emplace_back("log_rate_hz", fmt::format("{}", log.log_rate_hz));
-    words.insert(words.end(), log.options.begin(), log.options.end());
+    facts.emplace_back("motion_hash", log.plan_hash);
+    facts.emplace_back("program_version", log.program_version);
+    facts.emplace_back("controller", log.controller);
+    facts.emplace_back("total_mass_kg", fmt::format("{}", log.total_mass_kg));
+    facts.emplace_back("friction", fmt::format("{}", log.friction));
+    facts.emplace_back("log_rate_hz", fmt::format("{}", log.log_rate_hz));
+    words.options = log.options;
   }
   return words;
 }
 
-const std::string* Find(const Words& words, const std::string& key) {
+const std::string* Find(const OptionTexts& words, const std::string& key) {
   const auto found = std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.first == key; });
   return found == words.end() ? nullptr : &found->second;
+}
+
+/// "swing." of "swing.height_m"; empty for a key without a dot.
+std::string GroupOf(const std::string& key) { return key.substr(0, key.rfind('.') + 1); }
+
+/// The groups of which a side has several options and the other none of these.
+std::set<std::string> GroupsOfOne(const OptionTexts& side, const OptionTexts& other) {
+  std::map<std::string, int> sizes;
+  for (const auto& [key, value] : side) ++sizes[GroupOf(key)];
+  for (const auto& [key, value] : side) {
+    if (Find(other, key) != nullptr) sizes.erase(GroupOf(key));
+  }
+  std::set<std::string> groups;
+  for (const auto& [group, size] : sizes) {
+    if (size > 1) groups.insert(group);
+  }
+  return groups;
+}
+
+/// Appends what is not the same. @param alike  what only one side has, and is not empty, is a difference too.
+void AddDifferences(const OptionTexts& a, const OptionTexts& b, bool alike, std::vector<WordDifference>& words) {
+  const std::set<std::string> only_a = GroupsOfOne(a, b), only_b = GroupsOfOne(b, a);
+  for (const auto& [key, value] : a) {
+    const std::string* other = Find(b, key);
+    if (other == nullptr ? !alike || value.empty() : *other == value) continue;
+    words.push_back({key, value, other == nullptr ? "" : *other, only_a.contains(GroupOf(key)) ? 'a' : ' '});
+  }
+  for (const auto& [key, value] : b) {
+    if (!alike || value.empty() || Find(a, key) != nullptr) continue;
+    words.push_back({key, "", value, only_b.contains(GroupOf(key)) ? 'b' : ' '});
+  }
 }
 
 /// What a playback did that is not usual, beside a plan, which knows nothing of it.
@@ -134,13 +172,8 @@ std::vector<WordDifference> WordsOf(const ComparedMotion& a, const ComparedMotio
   const Words of_a = OneSideInWords(a), of_b = OneSideInWords(b);
   const bool alike = a.kind == b.kind;
   std::vector<WordDifference> words;
-  for (const auto& [key, value] : of_a) {
-    const std::string* other = Find(of_b, key);
-    if (other == nullptr ? alike : *other != value) words.push_back({key, value, other == nullptr ? "" : *other});
-  }
-  for (const auto& [key, value] : of_b) {
-    if (alike && Find(of_a, key) == nullptr) words.push_back({key, "", value});
-  }
+  AddDifferences(of_a.facts, of_b.facts, alike, words);
+  AddDifferences(of_a.options, of_b.options, alike, words);
   if (a.kind == "plan" && b.log) AddUnusual(b, true, words);
   if (b.kind == "plan" && a.log) AddUnusual(a, false, words);
   return words;

@@ -30,6 +30,21 @@ std::vector<std::string> OnlyIn(const std::vector<std::string>& names, const std
   return only;
 }
 
+/// The joints of which a motion says where they are.
+std::vector<std::string> JointNames(const ComparedMotion& motion) {
+  std::vector<std::string> names;
+  for (int d = 0; d < motion.model.num_dofs(); ++d) {
+    if (motion.HasJoint(d)) names.push_back(motion.model.dof_names[static_cast<std::size_t>(d)]);
+  }
+  return names;
+}
+
+std::vector<NamedPair> CommonJoints(const ComparedMotion& a, const ComparedMotion& b) {
+  std::vector<NamedPair> joints = CommonNames(a.model.dof_names, b.model.dof_names);
+  std::erase_if(joints, [&](const NamedPair& joint) { return !a.HasJoint(joint.a) || !b.HasJoint(joint.b); });
+  return joints;
+}
+
 /// Chooses the offset and says how.
 void Align(const ComparedMotion& a, const ComparedMotion& b, const CompareOptions& options,
            const std::vector<NamedPair>& joints, MotionComparison& comparison) {
@@ -64,7 +79,23 @@ double StepOf(const ComparedMotion& motion) {
   return motion.rows.size() > 1 ? (motion.end_s() - motion.start_s()) / (motion.rows.size() - 1) : 1.0;
 }
 
-/// The moments of the measured side's rows; of two plans a grid as fine as the finer one's.
+/// The gaps of both on A's clock; what they have in common is one.
+std::vector<TimeGap> GapsOf(const ComparedMotion& a, const ComparedMotion& b, double offset_s) {
+  std::vector<TimeGap> both = a.gaps, gaps;
+  for (const TimeGap& gap : b.gaps) both.push_back({gap.start_s - offset_s, gap.end_s - offset_s});
+  std::sort(both.begin(), both.end(), [](const TimeGap& x, const TimeGap& y) { return x.start_s < y.start_s; });
+  for (const TimeGap& gap : both) {
+    if (gaps.empty() || gap.start_s >= gaps.back().end_s) {
+      gaps.push_back(gap);
+    } else {
+      gaps.back().end_s = std::max(gaps.back().end_s, gap.end_s);
+    }
+  }
+  return gaps;
+}
+
+/// The moments of the measured side's rows; of two plans a grid as fine as the finer one's. None where a side has no
+/// rows.
 std::vector<double> MomentsOf(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared) {
   std::vector<double> times;
   if (a.plan && b.plan) {
@@ -76,7 +107,8 @@ std::vector<double> MomentsOf(const ComparedMotion& a, const ComparedMotion& b, 
   const bool by_b = a.plan.has_value();
   for (const double own_s : by_b ? b.rows.time_s : a.rows.time_s) {
     const double time_s = by_b ? own_s - shared.offset_s : own_s;
-    if (time_s > shared.start_s - kRounding && time_s < shared.end_s + kRounding) times.push_back(time_s);
+    const bool within = time_s > shared.start_s - kRounding && time_s < shared.end_s + kRounding;
+    if (within && !InGap(shared.gaps, time_s)) times.push_back(time_s);
   }
   return times;
 }
@@ -86,6 +118,7 @@ SharedTime Share(const ComparedMotion& a, const ComparedMotion& b, double offset
   shared.offset_s = offset_s;
   shared.start_s = std::max(a.start_s(), b.start_s() - offset_s);
   shared.end_s = std::min(a.end_s(), b.end_s() - offset_s);
+  shared.gaps = GapsOf(a, b, offset_s);
   shared.cycle_s = a.stances.empty() ? CycleOf(b) : CycleOf(a);
   if (shared.end_s > shared.start_s - kRounding) shared.time_s = MomentsOf(a, b, shared);
   if (!shared.time_s.empty()) return shared;
@@ -199,9 +232,9 @@ MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b
   comparison.kind_b = b.kind;
   comparison.robot_a = a.model.name;
   comparison.robot_b = b.model.name;
-  const std::vector<NamedPair> joints = CommonNames(a.model.dof_names, b.model.dof_names);
-  comparison.joints_only_a = OnlyIn(a.model.dof_names, b.model.dof_names);
-  comparison.joints_only_b = OnlyIn(b.model.dof_names, a.model.dof_names);
+  const std::vector<NamedPair> joints = CommonJoints(a, b);
+  comparison.joints_only_a = OnlyIn(JointNames(a), JointNames(b));
+  comparison.joints_only_b = OnlyIn(JointNames(b), JointNames(a));
   Align(a, b, options, joints, comparison);
   SharedTime shared = Share(a, b, comparison.offset_s);
   shared.joints = joints;
@@ -221,7 +254,8 @@ MotionComparison CompareMotions(const ComparedMotion& a, const ComparedMotion& b
   AddNotes(a, comparison.notes);
   AddNotes(b, comparison.notes);
   NoteDerivedSpeeds(a, b, comparison);
-  if (comparison.joints.empty()) comparison.notes.emplace_back("the robots have no joint of the same name");
+  if (comparison.joints.empty())
+    comparison.notes.emplace_back("no joint is compared: there is none of the same name on both sides");
   if (comparison.base.empty()) comparison.notes.emplace_back("the base is not compared: one side says nothing of it");
   if (comparison.feet.empty())
     comparison.notes.emplace_back("contacts are not compared: one side says nothing of them");

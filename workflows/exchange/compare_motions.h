@@ -63,6 +63,8 @@ struct FigurePair {
 /// Something that is told in words and is not the same.
 struct WordDifference {
   std::string key, a, b;
+  /// 'a' or 'b' for one of the options of a group (their keys up to the last dot) of which only that side has any.
+  char only = ' ';
 };
 
 /// Two motions side by side. Differences are B - A.

@@ -25,6 +25,7 @@ struct ComparedSeries {
 struct SharedTime {
   double offset_s = 0.0, start_s = 0.0, end_s = 0.0, cycle_s = 1.0;  ///< on A's clock; a cycle of the gait
   std::vector<double> time_s;
+  std::vector<TimeGap> gaps;  ///< in which a side has no rows, on A's clock, in order
   std::vector<NamedPair> joints, feet;
 };
 

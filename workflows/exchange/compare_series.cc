@@ -43,7 +43,7 @@ class Side {
       now_.tau = before_.tau;
     }
     time_s_ = time_s;
-    if (!motion_.derived_speeds.empty()) noise_gain_ = NoiseGain(motion_.rows.time_s, time_s);
+    if (!motion_.derived_speeds.empty()) noise_gain_ = NoiseGain(motion_.rows.time_s, time_s, motion_.longest_step_s);
   }
 
   double Position(int dof) const { return now_.q[7 + dof]; }
@@ -131,9 +131,17 @@ double NoiseBetween(const ComparedSeries& series) {
   return std::max(NoiseOf(gaps), series.resolution / std::sqrt(12.0));
 }
 
+/// When a speed that is worked out from the next row too shows: there, unless that row is missing.
+double ShownAt(const SharedTime& shared, std::size_t k) {
+  const double now_s = shared.time_s[k];
+  if (k + 1 == shared.time_s.size()) return now_s;
+  const double next_s = shared.time_s[k + 1];
+  return InGap(shared.gaps, 0.5 * (now_s + next_s)) ? now_s : next_s;
+}
+
 /// @param noise  standard deviation; of a speed that is worked out that of the positions.
-SeriesDifference DifferenceOf(const ComparedSeries& series, const std::vector<double>& time_s, double tolerance,
-                              double noise) {
+SeriesDifference DifferenceOf(const ComparedSeries& series, const SharedTime& shared, double tolerance, double noise) {
+  const std::vector<double>& time_s = shared.time_s;
   const bool derived = !series.noise_gain.empty();
   SeriesDifference difference{.quantity = series.quantity, .unit = series.unit, .derived = derived};
   difference.noise = derived ? noise * MedianOf(series.noise_gain) : noise;
@@ -150,8 +158,7 @@ SeriesDifference DifferenceOf(const ComparedSeries& series, const std::vector<do
     }
     const double let_pass = tolerance + kNoiseWidth * noise * (derived ? series.noise_gain[k] : 1.0);
     if (gap > let_pass && !difference.first_s) {
-      // What is worked out from the next row too shows there, not before.
-      difference.first_s = time_s[derived ? std::min(k + 1, time_s.size() - 1) : k];
+      difference.first_s = derived ? ShownAt(shared, k) : time_s[k];
       difference.first_tolerance = let_pass;
       difference.first_a = series.a[k];
       difference.first_b = series.b[k];
@@ -200,7 +207,7 @@ std::vector<SeriesDifference> DifferencesOf(const std::vector<ComparedSeries>& s
     const double scale = IsOfAJoint(one.scale) || leg_length_m > 0.0 ? ScaleOf(one, series, leg_length_m) : 1.0;
     const double noise = noisy && tolerance > 0.0 ? NoiseBetween(one) : 0.0;
     if (one.scale == SeriesScale::kPosition) of_positions = noise;
-    differences.push_back(DifferenceOf(one, shared.time_s, std::max(tolerance * scale, kRounding),
+    differences.push_back(DifferenceOf(one, shared, std::max(tolerance * scale, kRounding),
                                        one.noise_gain.empty() ? noise : of_positions));
   }
   return differences;

@@ -36,26 +36,27 @@ struct RateWeights {
   double before = 0.0, after = 0.0;
 };
 
-/// Of the parabola through three rows, or the line through two at an end.
-RateWeights WeightsAt(const std::vector<double>& t, std::size_t k) {
-  const std::size_t last = t.size() - 1;
-  if (last == 0) return {};
-  if (k == 0) return {0.0, 1.0 / (t[1] - t[0])};
-  if (k == last) return {1.0 / (t[k] - t[k - 1]), 0.0};
-  const double before = t[k] - t[k - 1], after = t[k + 1] - t[k];
-  return {after / before / (before + after), before / after / (before + after)};
+/// Of the parabola through three rows, or the line through two at an end and beside a longer step than is usual.
+RateWeights WeightsAt(const std::vector<double>& t, double longest_step_s, std::size_t k) {
+  const double before = k > 0 ? t[k] - t[k - 1] : INFINITY, after = k + 1 < t.size() ? t[k + 1] - t[k] : INFINITY;
+  const bool has_before = std::isfinite(before) && before <= longest_step_s,
+             has_after = std::isfinite(after) && after <= longest_step_s;
+  if (has_before && has_after) return {after / before / (before + after), before / after / (before + after)};
+  return {has_before ? 1.0 / before : 0.0, has_after ? 1.0 / after : 0.0};
 }
 
-VectorX RateAt(const std::vector<double>& t, const std::vector<VectorX>& q, std::size_t k) {
-  const RateWeights weights = WeightsAt(t, k);
-  VectorX rate = VectorX::Zero(q[k].size());
+/// Not a number for a row that has no neighbour.
+VectorX RateAt(const std::vector<double>& t, double longest_step_s, const std::vector<VectorX>& q, std::size_t k) {
+  const RateWeights weights = WeightsAt(t, longest_step_s, k);
+  const bool alone = weights.before == 0.0 && weights.after == 0.0;
+  VectorX rate = VectorX::Constant(q[k].size(), alone ? kNone : 0.0);
   if (weights.before != 0.0) rate += weights.before * (q[k] - q[k - 1]);
   if (weights.after != 0.0) rate += weights.after * (q[k + 1] - q[k]);
   return rate;
 }
 
-double GainAt(const std::vector<double>& t, std::size_t k) {
-  const RateWeights weights = WeightsAt(t, k);
+double GainAt(const std::vector<double>& t, double longest_step_s, std::size_t k) {
+  const RateWeights weights = WeightsAt(t, longest_step_s, k);
   return std::hypot(weights.before, weights.before - weights.after, weights.after);
 }
 
@@ -70,15 +71,15 @@ void CheckTable(const RobotModel& model, const MotionTable& table) {
     throw InvalidArgument(fmt::format("does not have a position of each joint of robot '{}'", model.name));
 }
 
-/// The joints' speeds in a row: those that are given, the others from the positions.
-VectorX SpeedsAt(const RobotModel& model, const MotionTable& table, std::size_t k) {
+/// The joints' speeds in a row: those that are given, the others from the positions, as far as these are known.
+VectorX SpeedsAt(const RobotModel& model, const MotionTable& table, double longest_step_s, std::size_t k) {
   VectorX v = table.v.empty() ? VectorX::Constant(model.num_dofs(), kNone) : table.v[k];
   if (v.allFinite()) return v;
-  const VectorX derived = RateAt(table.time_s, table.q, k);
+  const VectorX derived = RateAt(table.time_s, longest_step_s, table.q, k);
   for (Eigen::Index d = 0; d < v.size(); ++d) {
     if (std::isfinite(v[d])) continue;
     v[d] = derived[d];
-    if (std::abs(v[d]) <= kLargestDerived) continue;
+    if (!(std::abs(v[d]) > kLargestDerived)) continue;
     throw InvalidArgument(
         fmt::format("the speed of joint '{}' comes out at {:.3g} in row {} ({:.9g} s), which no robot has: its "
                     "position jumps there",
@@ -87,9 +88,25 @@ VectorX SpeedsAt(const RobotModel& model, const MotionTable& table, std::size_t 
   return v;
 }
 
-/// What had to be worked out, and what is in the file and of no use.
-std::vector<std::string> NotesOf(const MotionTable& table, const std::string& name) {
-  std::vector<std::string> notes;
+/// Notes where rows are missing, of what is measured at steps that are meant to be alike.
+void WatchGaps(ComparedMotion& motion) {
+  motion.longest_step_s = LongestStep(motion.rows.time_s);
+  motion.gaps = GapsOf(motion.rows.time_s, motion.longest_step_s);
+  if (!motion.gaps.empty())
+    motion.notes.push_back(
+        fmt::format("'{}', {}; nothing is compared in there", motion.name, MissingRowsText(motion.rows.time_s)));
+}
+
+/// What had to be worked out, and what is in the file and of no use, or not in it.
+std::vector<std::string> NotesOf(const RobotModel& model, const MotionTable& table, const std::string& name) {
+  std::vector<std::string> notes, lacking;
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    if (!std::isfinite(table.q.front()[d])) lacking.push_back(model.dof_names[static_cast<std::size_t>(d)]);
+  }
+  if (!lacking.empty()) {
+    notes.push_back(fmt::format("'{}' lacks {} of {} joints: {}; the others are compared, the centre of mass is not",
+                                name, lacking.size(), model.num_dofs(), QuotedList(lacking)));
+  }
   for (const DerivedPart& part : table.derived) notes.push_back(fmt::format("'{}', {}: {}", name, part.what, part.how));
   if (!table.unused_columns.empty())
     notes.push_back(fmt::format("'{}', columns that are not used: {}", name, QuotedList(table.unused_columns)));
@@ -112,27 +129,29 @@ ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, cons
   for (int foot = 0; foot < static_cast<int>(model.feet.size()); ++foot)
     motion.stances.push_back(MeasuredIntervals(log, foot, TimingGate()));
   motion.torque_age_s = 0.5 / log.log_rate_hz;
+  WatchGaps(motion);
   return motion;
 }
 
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name) {
   CheckTable(model, table);
   const char* const kind = table.format == "joint-trajectory" ? "trajectory" : "csv";
-  ComparedMotion motion{.name = name, .kind = kind, .model = model, .notes = NotesOf(table, name)};
+  ComparedMotion motion{.name = name, .kind = kind, .model = model, .notes = NotesOf(model, table, name)};
   MotionRows& rows = motion.rows;
   rows.time_s = table.time_s;
+  // Points of a trajectory may be far apart: a curve through them is what they mean.
+  if (motion.kind == "csv") WatchGaps(motion);
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
     VectorX q = VectorX::Constant(model.nq(), kNone), v = VectorX::Constant(model.nv(), kNone);
     if (!table.base_m.empty()) q.head<3>() = table.base_m[k];
     if (!table.quaternion.empty()) q.segment<4>(3) = table.quaternion[k].normalized();
     q.tail(model.num_dofs()) = table.q[k];
-    v.tail(model.num_dofs()) = SpeedsAt(model, table, k);
+    v.tail(model.num_dofs()) = SpeedsAt(model, table, motion.longest_step_s, k);
     rows.q.push_back(std::move(q));
     rows.v.push_back(std::move(v));
   }
-  motion.derived_speeds.assign(static_cast<std::size_t>(model.num_dofs()), table.v.empty());
-  for (int d = 0; d < model.num_dofs() && !table.v.empty(); ++d)
-    motion.derived_speeds[static_cast<std::size_t>(d)] = !std::isfinite(table.v.front()[d]);
+  for (int d = 0; d < model.num_dofs(); ++d)
+    motion.derived_speeds.push_back(motion.HasJoint(d) && (table.v.empty() || !std::isfinite(table.v.front()[d])));
   motion.resolution = VectorX::Zero(model.num_dofs());
   for (Eigen::Index d = 0; d < motion.resolution.size(); ++d) {
     std::vector<double> positions;
@@ -178,15 +197,17 @@ Result<ComparedMotion> CheckedTable(const RobotModel& model, const ImportOptions
   }
 }
 
-double NoiseGain(const std::vector<double>& time_s, double at_s) {
+double NoiseGain(const std::vector<double>& time_s, double at_s, double longest_step_s) {
   const auto after = std::upper_bound(time_s.begin(), time_s.end(), at_s);
   const auto right = std::min(static_cast<std::size_t>(after - time_s.begin()), time_s.size() - 1);
-  return std::max(GainAt(time_s, right > 0 ? right - 1 : 0), GainAt(time_s, right));
+  return std::max(GainAt(time_s, longest_step_s, right > 0 ? right - 1 : 0), GainAt(time_s, longest_step_s, right));
 }
 
 void SampleCompared(const ComparedMotion& motion, double time_s, RowSample& sample) {
   if (!motion.plan) {
     SampleRows(motion.rows, time_s, sample);
+    if (!InGap(motion.gaps, time_s)) return;
+    for (VectorX* const part : {&sample.q, &sample.v, &sample.tau}) part->setConstant(kNone);
     return;
   }
   WholeBodySample whole;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "kinematics/base/result.h"
+#include "workflows/exchange/missing_rows.h"
 #include "workflows/exchange/motion_rows.h"
 #include "workflows/exchange/motion_table.h"
 
@@ -23,12 +25,16 @@ struct ComparedMotion {
   double torque_age_s = 0.0;                               ///< how far before a row its torque holds: means are late
   VectorX resolution = {};                                 ///< by dof: steps of the encoder; 0 for none that is seen
   std::vector<bool> derived_speeds = {};                   ///< by dof: worked out from positions; empty for none
+  double longest_step_s = INFINITY;                        ///< between measured rows of which none is missing
+  std::vector<TimeGap> gaps = {};                          ///< where rows are farther apart
   std::vector<std::string> notes = {};                     ///< how it was understood, where that is not plain
 
   double start_s() const { return rows.time_s.front(); }
   double end_s() const { return rows.time_s.back(); }
   /// Whether it was measured, on a clock of its own and with noise, rather than planned or played here.
   bool foreign() const { return !plan && !log; }
+  /// Whether it says where a joint is.
+  bool HasJoint(int dof) const { return std::isfinite(rows.q.front()[7 + dof]); }
   double ResolutionOf(int dof) const { return dof < resolution.size() ? resolution[dof] : 0.0; }
   bool derives_speed(int dof) const { return !derived_speeds.empty() && derived_speeds[static_cast<std::size_t>(dof)]; }
 };
@@ -41,8 +47,9 @@ ComparedMotion ComparedLog(const RobotModel& model, const PlaybackLog& log, cons
 /// span fewer, as of a joint that stands still but for a jump.
 double ResolutionOf(const std::vector<double>& positions);
 
-/// Columns of numbers. Speeds that are not given are those of the parabola through each row and its neighbours, at an
-/// end of the line through two; one that comes out beyond kLargestDerived is refused.
+/// Columns of numbers; the position of a joint that they lack is not a number. Speeds that are not given are those of
+/// the parabola through each row and its neighbours, at an end and beside missing rows of the line through two; one
+/// that comes out beyond kLargestDerived is refused.
 ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, const std::string& name);
 
 /// The same of a table that somebody else wrote, checked. Failure kBadInput `motion`, naming the file, for what
@@ -51,11 +58,14 @@ Result<ComparedMotion> CheckedTable(const RobotModel& model, const ImportOptions
                                     const std::string& name);
 
 /// The standard deviation of a speed that ComparedTable works out at a time, by that of the positions [1/s]:
-///   sqrt(1 / 2) / h  between rows h apart, twice as much at an end; the larger one of the rows on either side.
-double NoiseGain(const std::vector<double>& time_s, double at_s);
+///   sqrt(1 / 2) / h  between rows h apart, twice as much at an end and beside rows farther apart than
+///   `longest_step_s`;
+/// the larger one of the rows on either side.
+double NoiseGain(const std::vector<double>& time_s, double at_s, double longest_step_s = INFINITY);
 
 /// The motion at a time of its own clock: a plan between its nodes as SampleWholeBody has it, all else as SampleRows
-/// does. The torque is the one that holds then, as far as rows tell. No allocation once `sample` has its sizes.
+/// does, and not a number where rows are missing. The torque is the one that holds then, as far as rows tell. No
+/// allocation once `sample` has its sizes.
 void SampleCompared(const ComparedMotion& motion, double time_s, RowSample& sample);
 
 }  // namespace gaitwright

@@ -82,7 +82,10 @@ std::string Figures(const std::vector<FigurePair>& figures) {
 
 std::string Words(const std::vector<WordDifference>& words) {
   std::string rows;
-  for (const WordDifference& word : words) rows += Row({word.key, word.a, word.b});
+  const FoldedWords folded = Folded(words);
+  for (const WordDifference& word : folded.each) rows += Row({word.key, word.a, word.b});
+  if (!folded.only_a.empty() || !folded.only_b.empty())
+    rows += Row({"options of one alone", folded.only_a, folded.only_b});
   return Table("What is not the same in words", {"key", "A", "B"}, rows);
 }
 

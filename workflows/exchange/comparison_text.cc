@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <iterator>
+#include <set>
+#include <utility>
 
 namespace gaitwright {
 namespace {
@@ -105,12 +107,31 @@ std::string MetricLines(const std::vector<MetricPair>& metrics) {
 std::string WordLines(const std::vector<WordDifference>& words) {
   if (words.empty()) return "";
   std::string text = "\nwhat is not the same in words\n";
-  for (const WordDifference& word : words)
+  const FoldedWords folded = Folded(words);
+  for (const WordDifference& word : folded.each)
     text += fmt::format("  {}: {} against {}\n", word.key, OrDash(word.a), OrDash(word.b));
+  if (!folded.only_a.empty()) text += fmt::format("  options of A alone: {}\n", folded.only_a);
+  if (!folded.only_b.empty()) text += fmt::format("  options of B alone: {}\n", folded.only_b);
   return text;
 }
 
 }  // namespace
+
+FoldedWords Folded(const std::vector<WordDifference>& words) {
+  FoldedWords folded;
+  std::set<std::pair<char, std::string>> told;
+  for (const WordDifference& word : words) {
+    if (word.only == ' ') {
+      folded.each.push_back(word);
+      continue;
+    }
+    const std::size_t dot = word.key.rfind('.');
+    const std::string name = dot == std::string::npos ? word.key : word.key.substr(0, dot) + ".*";
+    std::string& only = word.only == 'a' ? folded.only_a : folded.only_b;
+    if (told.insert({word.only, name}).second) only += (only.empty() ? "" : ", ") + name;
+  }
+  return folded;
+}
 
 std::string FirstDifferenceText(const MotionComparison& c) {
   if (c.same()) return "the same: nothing is beyond its tolerance";

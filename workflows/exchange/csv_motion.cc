@@ -14,6 +14,7 @@ Result<MotionTable> MotionOfCsv(const RobotModel& model, const CsvTable& table, 
   if (ocs2) names = Ocs2ColumnNames(model, table, derived);
   if (!names) return names.failure();
   names->elsewhere = reading.elsewhere;
+  names->some_joints = reading.some_joints;
   Result<MotionTable> motion = MotionFromCsv(model, table, *names, reading.options);
   if (!motion) return motion;
   if (ocs2) motion->format = "ocs2-csv";
@@ -22,6 +23,7 @@ Result<MotionTable> MotionOfCsv(const RobotModel& model, const CsvTable& table, 
 }
 
 Result<ComparedMotion> ComparedCsv(const RobotModel& model, const CsvTable& table, CsvReading reading) {
+  reading.some_joints = true;
   const Result<MotionTable> motion = MotionOfCsv(model, table, reading);
   if (!motion) return motion.failure();
   return CheckedTable(model, reading.options, *motion, table.source);

@@ -16,6 +16,7 @@ struct CsvReading {
   std::string columns_file = {};  ///< ReadColumnNames; "" for names that the header itself says
   ImportOptions options = {};
   std::vector<std::string> elsewhere = {};  ///< columns of another table that the file of names is for too
+  bool some_joints = false;                 ///< joints that the table lacks are not a number, whatever the options say
 };
 
 /// The motion in a table, whose columns are named by the file of names, or as OCS2 does, or as ours are. The units and
@@ -23,7 +24,7 @@ struct CsvReading {
 /// Failures of ReadColumnNames, Ocs2ColumnNames and MotionFromCsv.
 Result<MotionTable> MotionOfCsv(const RobotModel& model, const CsvTable& table, CsvReading& reading);
 
-/// The same as one side of a comparison. Failures of CheckedTable too.
+/// The same as one side of a comparison, with the joints that there are. Failures of CheckedTable too.
 Result<ComparedMotion> ComparedCsv(const RobotModel& model, const CsvTable& table, CsvReading reading);
 
 }  // namespace gaitwright

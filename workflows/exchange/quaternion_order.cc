@@ -60,7 +60,8 @@ class Looker {
     Vector3 p_WB = Vector3::Zero();
     if (!table_.base_m.empty()) p_WB = table_.base_m[k] + lift_m_ * Vector3::UnitZ();
     VectorX q(model_.nq());
-    q << p_WB, c, table_.q[k];
+    // A joint of which a motion says nothing is taken to stand.
+    q << p_WB, c, table_.q[k].array().isFinite().select(table_.q[k], model_.standing_joints);
     if (w_first) q.segment<4>(3) << c[1], c[2], c[3], c[0];
     R_WB_ = BaseRotation(q);
     ForwardKinematics(model_, q, scratch_);

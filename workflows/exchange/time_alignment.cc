@@ -13,16 +13,26 @@ constexpr double kStep = 0.005;            // of the search [s]
 constexpr double kLeastShare = 1.0 / 3.0;  // of the energy of the motion that has less, to be compared of each
 constexpr double kRest = 1e-9;             // energy below which nothing moves
 
-/// Speeds of the joints at even times, a column by joint.
-MatrixX SpeedsOf(const ComparedMotion& motion, const std::vector<int>& joints) {
+/// A motion's joints at even times, a row each.
+struct EvenSpeeds {
+  MatrixX v;      ///< a column by joint; zero where there are none
+  MatrixX known;  ///< one column: 1, and 0 where rows are missing
+};
+
+EvenSpeeds SpeedsOf(const ComparedMotion& motion, const std::vector<int>& joints) {
   const auto n = static_cast<Eigen::Index>(std::floor((motion.end_s() - motion.start_s()) / kStep + 1e-6)) + 1;
-  MatrixX speeds(n, static_cast<Eigen::Index>(joints.size()));
+  EvenSpeeds speeds{MatrixX(n, static_cast<Eigen::Index>(joints.size())), MatrixX(n, 1)};
   RowSample sample;
   for (Eigen::Index k = 0; k < n; ++k) {
-    SampleCompared(motion, motion.start_s() + kStep * static_cast<double>(k), sample);
-    for (std::size_t j = 0; j < joints.size(); ++j) speeds(k, static_cast<Eigen::Index>(j)) = sample.v[6 + joints[j]];
+    const double time_s = motion.start_s() + kStep * static_cast<double>(k);
+    SampleCompared(motion, time_s, sample);
+    speeds.known(k, 0) = InGap(motion.gaps, time_s) ? 0.0 : 1.0;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const double v = sample.v[6 + joints[j]];
+      speeds.v(k, static_cast<Eigen::Index>(j)) = std::isfinite(v) ? v : 0.0;
+    }
   }
-  return speeds.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
+  return speeds;
 }
 
 /// How large speeds may count, by joint: where they are worked out as large as the other side's, since a jump of a
@@ -38,13 +48,6 @@ VectorX LimitsOf(const ComparedMotion& motion, const std::vector<int>& joints, c
 MatrixX Limited(const MatrixX& speeds, const VectorX& limits) {
   const MatrixX most = limits.transpose().replicate(speeds.rows(), 1);
   return speeds.cwiseMin(most).cwiseMax(-most);
-}
-
-std::vector<double> RunningEnergy(const MatrixX& speeds) {
-  std::vector<double> sum(static_cast<std::size_t>(speeds.rows()) + 1, 0.0);
-  for (Eigen::Index k = 0; k < speeds.rows(); ++k)
-    sum[static_cast<std::size_t>(k) + 1] = sum[static_cast<std::size_t>(k)] + speeds.row(k).squaredNorm();
-  return sum;
 }
 
 /// sum over t and joints of a(t) b(t + s), for s from -(rows of a - 1) to rows of b - 1.
@@ -72,27 +75,23 @@ std::vector<double> CrossCorrelation(const MatrixX& a, const MatrixX& b) {
   return correlation;
 }
 
-/// The shift in steps that agrees best; nothing where either is at rest.
-std::optional<Eigen::Index> BestShift(const MatrixX& a, const MatrixX& b) {
-  const std::vector<double> energy_a = RunningEnergy(a), energy_b = RunningEnergy(b);
-  if (energy_a.back() < kRest || energy_b.back() < kRest) return std::nullopt;
-  const std::vector<double> correlation = CrossCorrelation(a, b);
-  const Eigen::Index least_rows = std::max<Eigen::Index>(1, std::min(a.rows(), b.rows()) / 2);
-  const double least = kLeastShare * std::min(energy_a.back(), energy_b.back());
+/// The shift in steps that agrees best; nothing where either is at rest. What counts of each side is what it does while
+/// the other has rows.
+std::optional<Eigen::Index> BestShift(const EvenSpeeds& a, const EvenSpeeds& b) {
+  const MatrixX energy_a = a.v.rowwise().squaredNorm(), energy_b = b.v.rowwise().squaredNorm();
+  const double least = kLeastShare * std::min(energy_a.sum(), energy_b.sum());
+  if (least < kLeastShare * kRest) return std::nullopt;
+  const double least_rows = std::max(1.0, std::floor(0.5 * std::min(a.known.sum(), b.known.sum())));
+  const std::vector<double> product = CrossCorrelation(a.v, b.v), in_a = CrossCorrelation(energy_a, b.known),
+                            in_b = CrossCorrelation(a.known, energy_b), rows = CrossCorrelation(a.known, b.known);
   std::optional<Eigen::Index> best;
   double best_agreement = -2.0;
-  for (Eigen::Index s = -(a.rows() - 1); s < b.rows(); ++s) {
-    const Eigen::Index first = std::max<Eigen::Index>(0, -s), end = std::min(a.rows(), b.rows() - s);
-    if (end - first < least_rows) continue;
-    const auto of = [&](const std::vector<double>& energy, Eigen::Index shift) {
-      return energy[static_cast<std::size_t>(end + shift)] - energy[static_cast<std::size_t>(first + shift)];
-    };
-    const double in_a = of(energy_a, 0), in_b = of(energy_b, s);
-    if (in_a < least || in_b < least) continue;
-    const double agreement = 2.0 * correlation[static_cast<std::size_t>(s + a.rows() - 1)] / (in_a + in_b);
+  for (std::size_t i = 0; i < product.size(); ++i) {
+    if (rows[i] + 0.5 < least_rows || in_a[i] < least || in_b[i] < least) continue;
+    const double agreement = 2.0 * product[i] / (in_a[i] + in_b[i]);
     if (agreement > best_agreement) {
       best_agreement = agreement;
-      best = s;
+      best = static_cast<Eigen::Index>(i) - (a.v.rows() - 1);
     }
   }
   return best;
@@ -151,9 +150,11 @@ std::optional<ClockOffset> BestOffset(const ComparedMotion& a, const ComparedMot
     of_b.push_back(joint.b);
   }
   if (joints.empty()) return std::nullopt;
-  const MatrixX speeds_a = SpeedsOf(a, of_a), speeds_b = SpeedsOf(b, of_b);
-  const VectorX limits_a = LimitsOf(a, of_a, speeds_b), limits_b = LimitsOf(b, of_b, speeds_a);
-  const std::optional<Eigen::Index> shift = BestShift(Limited(speeds_a, limits_a), Limited(speeds_b, limits_b));
+  EvenSpeeds speeds_a = SpeedsOf(a, of_a), speeds_b = SpeedsOf(b, of_b);
+  const VectorX limits_a = LimitsOf(a, of_a, speeds_b.v), limits_b = LimitsOf(b, of_b, speeds_a.v);
+  speeds_a.v = Limited(speeds_a.v, limits_a);
+  speeds_b.v = Limited(speeds_b.v, limits_b);
+  const std::optional<Eigen::Index> shift = BestShift(speeds_a, speeds_b);
   if (!shift) return std::nullopt;
   Agreement agreement(a, b, joints, limits_a, limits_b);
   ClockOffset best{b.start_s() - a.start_s() + kStep * static_cast<double>(*shift), 0.0};

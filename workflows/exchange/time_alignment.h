@@ -26,7 +26,7 @@ struct ClockOffset {
 
 /// The offset at which the speeds of the joints agree best:
 ///   agreement(s) = 2 sum a(t) b(t + s) / sum (a(t)^2 + b(t + s)^2)
-/// over the joints that both have and the times at which both move, that is a cross-correlation that a motion of
+/// over the joints that both have and the times at which both have rows, that is a cross-correlation that a motion of
 /// another size lowers too. All offsets are tried that leave half of the shorter motion and, on either side, a third of
 /// what moves (sum of squared speeds) in the motion that moves less, so that a short piece of a motion is found in the
 /// whole of it; at 5 ms by Fourier transforms, then about the best to 0.1 ms. Speeds that are worked out count at most

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "kinematics/base/nearest_name.h"
 #include "optimisation/numerics/halton.h"
 
 namespace gaitwright {
@@ -44,8 +45,8 @@ OptionField& FindField(OptionFields& fields, const std::string& text, const std:
   if (field != fields.end()) return *field;
   std::vector<std::string> keys;
   for (const OptionField& f : fields) keys.push_back(f.key);
-  throw InvalidArgument(
-      fmt::format("'{}': there is no option '{}'; the nearest is '{}'", text, key, NearestName(key, keys)));
+  throw InvalidArgument(fmt::format("'{}': there is no option '{}'{}", text, key,
+                                    NearestOrAll(key, keys, "--list-options prints all of them")));
 }
 
 /// The value as the option itself writes it. @throws InvalidArgument naming the axis when it does not take it.

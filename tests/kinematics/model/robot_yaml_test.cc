@@ -113,7 +113,7 @@ TEST(RobotYaml, RefusesLimitsThatCannotBe) {
   ExpectSays(WhyNot("limits:\n  A_knee: {lower_rad: 2}"),
              {"line 2", "'A_knee'", "lower limit 2 is over its upper limit 1"});
   ExpectSays(WhyNot("limits: {A_knee: {effort_nm: -3}}"), {"'effort_nm' is -3", "over zero"});
-  ExpectSays(WhyNot("limits: {A_knee: {effort: 3}}"), {"unknown key 'effort'", "nearest is 'effort_n"});
+  ExpectSays(WhyNot("limits: {A_knee: {effort: 3}}"), {"unknown key 'effort'", "nearest are 'effort_nm', 'effort_n'"});
   ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0}}"), {"'A_knee' turns", "_rad"});
   ExpectSays(WhyNot("limits: {A_knee: {lower_m: 0, effort_nm: 2}}"), {"'A_knee'", "one of both"});
   ExpectSays(MessageOf(Sliding(), "limits: {A_knee: {effort_nm: 2}}"), {"'A_knee' slides", "_n"});
@@ -262,10 +262,17 @@ TEST(RobotYaml, GainsAndOwnSpeed) {
   EXPECT_EQ(sliding->stiffness[sliding->DofIndex("A_knee")], 900.0);
 }
 
+TEST(RobotYaml, KeysOfMotorsThatAreNearAreThoseOfEitherKindOfJoint) {
+  ExpectSays(WhyNot("motors: {A_knee: {jerk: 5}}"), {"unknown key 'jerk'", "nearest are 'jerk_rad_s3', 'jerk_m_s3'"});
+  ExpectSays(WhyNot("motors: {A_knee: {jerk_m_s3: 5}}"), {"'A_knee' turns", "_rad_s3"});
+  ExpectSays(MessageOf(Sliding(), "motors: {A_knee: {jerk_rad_s3: 5}}"), {"'A_knee' slides", "_m_s3"});
+}
+
 TEST(RobotYaml, RefusesGainsAndSpeedsThatCannotBe) {
   ExpectSays(WhyNot("gains: 5"), {"'gains' is a single value"});
   ExpectSays(WhyNot("gains: {A_knee: 5}"), {"the gains of 'A_knee' is a single value"});
-  ExpectSays(WhyNot("gains: {A_knee: {stiffness: 5}}"), {"unknown key 'stiffness'", "nearest is 'stiffness_n_m'"});
+  ExpectSays(WhyNot("gains: {A_knee: {stiffness: 5}}"),
+             {"unknown key 'stiffness'", "nearest are 'stiffness_nm_rad', 'stiffness_n_m'"});
   ExpectSays(WhyNot("gains: {A_knee: {stiffness_nm_rad: -5}}"), {"'stiffness_nm_rad' is -5", "over zero"});
   ExpectSays(WhyNot("gains: {A_knee: {stiffness_n_m: 5}}"), {"'A_knee' turns"});
   ExpectSays(WhyNot("gains: {A_kneee: {stiffness_nm_rad: 5}}"), {"no moving joint 'A_kneee'", "nearest is 'A_knee'"});

@@ -137,9 +137,9 @@ TEST(PlanJson, AKeyThatStandsTwiceIsRefused) {
 
 TEST(PlanJson, KeysThatAreUnknownOrMissingAreNamed) {
   EXPECT_EQ(WhyRefused([](Json& j) { j["footholdz"] = 1; }),
-            "it has an unknown key 'footholdz'; the nearest that is known is 'footholds'");
+            "it has an unknown key 'footholdz'; the nearest is 'footholds'");
   EXPECT_EQ(WhyRefused([](Json& j) { j["swings"][2]["lift"] = 1; }),
-            "'swings[2]' has an unknown key 'lift'; the nearest that is known is 'lift_m'");
+            "'swings[2]' has an unknown key 'lift'; the nearest is 'lift_m'");
   EXPECT_EQ(WhyRefused([](Json& j) { j.erase("tau_nm"); }), "it lacks 'tau_nm'");
   EXPECT_EQ(WhyRefused([](Json& j) { j["provenance"] = Json::object(); }), "'provenance' lacks 'program_version'");
   EXPECT_EQ(WhyRefused([](Json& j) { j["footholds"][1].erase("patch"); }), "'footholds[1]' lacks 'patch'");

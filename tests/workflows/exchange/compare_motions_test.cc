@@ -204,6 +204,26 @@ TEST(CompareMotions, NamesRobotsJointsAndOptionsThatAreNotTheSame) {
   EXPECT_EQ(words.words[1].b, "0.08");
 }
 
+TEST(CompareMotions, OptionsOfOneSideAloneAreToldInOneLine) {
+  const synthetic::Played planned = Walker();
+  synthetic::Played imported = planned;
+  synthetic::Played first = planned;
+  first.plan.provenance.options = {{"gait", "trot"},           {"terrain", ""},      {"swing.height_m", "0.08"},
+                                   {"swing.clearance_m", "0"}, {"pipeline.on", "1"}, {"seed", "3"}};
+  imported.plan.provenance.options = {{"format", "csv"}, {"lift_m", "0"}, {"pipeline.on", "0"}};
+  const MotionComparison c = CompareMotions(PlanSide(first), PlanSide(imported));
+  const FoldedWords folded = Folded(c.words);
+  EXPECT_EQ(folded.only_a, "gait, swing.*, seed");
+  EXPECT_EQ(folded.only_b, "format, lift_m");
+  ASSERT_EQ(folded.each.size(), 1U) << "a group that both have is told option by option";
+  EXPECT_EQ(folded.each[0].key, "pipeline.on");
+  const std::string text = ComparisonText(c, {});
+  EXPECT_TRUE(synthetic::Says(text, "  options of A alone: gait, swing.*, seed\n")) << text;
+  EXPECT_FALSE(synthetic::Says(text, "against -")) << text;
+  EXPECT_TRUE(synthetic::Says(ComparisonJson(c, {}), "swing.clearance_m")) << "programs are told all";
+  EXPECT_TRUE(synthetic::Says(ComparisonPage(PlanSide(first), PlanSide(imported), c, {}), "gait, swing.*, seed"));
+}
+
 TEST(CompareMotions, IsToldInJsonAndDrawnOnAPage) {
   const synthetic::Played walker = Walker();
   synthetic::Played other = walker;

@@ -148,11 +148,25 @@ TEST(ComparedCsv, HowItWasUnderstoodIsAmongTheNotes) {
   EXPECT_EQ(with_more->notes.front(), "'robot.csv', columns that are not used: 'battery'");
 }
 
+TEST(ComparedCsv, JointsThatItLacksAreNotANumber) {
+  std::string text = CsvOf({});
+  text.replace(text.find("q_FR_hip_joint_rad"), 18, "shoulder");
+  const Result<ComparedMotion> side = Side(text);
+  ASSERT_TRUE(side.ok()) << side.failure().message;
+  const int dof = A1().DofIndex("FR_hip_joint");
+  for (int d = 0; d < A1().num_dofs(); ++d) EXPECT_EQ(side->HasJoint(d), d != dof);
+  EXPECT_NE(side->notes.front().find("lacks 1 of 12 joints"), std::string::npos) << side->notes.front();
+  const MotionComparison c = CompareMotions(*side, *side);
+  EXPECT_EQ(c.joints.size(), 11U);
+  EXPECT_TRUE(c.same()) << c.in_order.front().quantity;
+  ExpectWhy("time_s,battery\n0,1\n", {"lacks 12 of 12 joint positions", "not used: 'battery'"});
+}
+
 TEST(ComparedCsv, NamesMayBeForAnotherFileToo) {
   const std::string text = CsvOf(A1(), Standing());
   CsvReading reading;
   reading.columns_file = FileWith("columns: {clock: time_s}\nscale: {clock: 2}\nignore: [battery]\n");
-  ExpectWhy(text, {"there is no column 'clock' to take as 'time_s'; the nearest is '"}, reading);
+  ExpectWhy(text, {"there is no column 'clock' to take as 'time_s'"}, reading);
   reading.elsewhere = {"clock", "battery"};
   EXPECT_TRUE(Side(text, reading).ok());
 }
