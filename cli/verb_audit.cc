@@ -33,14 +33,14 @@ struct Arguments {
 /// --derate torque=0.8,speed=0.9
 void Derate(const std::string& text, AuditOptions& options) {
   std::istringstream stream(text);
-  for (std::string word; std::getline(stream, word, ',');) {
-    OptionFields fields = {{"torque", &options.derate_torque, "1", 0.01, 1.0, "", {}},
-                           {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}},
-                           {"acceleration", &options.derate_acceleration, "1", 0.01, 1.0, "", {}},
-                           {"jerk", &options.derate_jerk, "1", 0.01, 1.0, "", {}},
-                           {"continuous", &options.derate_continuous, "1", 0.01, 1.0, "", {}}};
-    ApplySets("--derate", {word}, fields);
-  }
+  std::vector<std::string> shares;
+  for (std::string word; std::getline(stream, word, ',');) shares.push_back(word);
+  ApplySets("--derate", shares,
+            {{"torque", &options.derate_torque, "1", 0.01, 1.0, "", {}},
+             {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}},
+             {"acceleration", &options.derate_acceleration, "1", 0.01, 1.0, "", {}},
+             {"jerk", &options.derate_jerk, "1", 0.01, 1.0, "", {}},
+             {"continuous", &options.derate_continuous, "1", 0.01, 1.0, "", {}}});
 }
 
 void CheckFlags(const Arguments& a) {
@@ -53,6 +53,13 @@ void CheckFlags(const Arguments& a) {
   CheckPaths({{{"the plan", a.plan}, {"--start-posture", a.start}, {"--trials-result", a.trials}},
               {{"--approach", a.approach}, {"--report", a.report}},
               ""});
+}
+
+/// Why no way is written where one was asked for.
+std::string NoWayText(const std::string& path) {
+  return fmt::format(
+      "every joint is within its tolerance of the first command: no way there is needed, and '{}' is not written",
+      path);
 }
 
 /// A sentence on the way to the plan's first posture.
@@ -81,7 +88,8 @@ struct Subject {
 
 int RunPreflight(Arguments& a, const Subject& about) {
   PreflightInput input{a.options, a.of_preflight, {}, ""};
-  if (about.approach) input.approach = ApproachText(about.model, *about.approach);
+  if (!a.approach.empty())
+    input.approach = about.approach ? ApproachText(about.model, *about.approach) : NoWayText(a.approach);
   if (!a.trials.empty()) {
     const Result<TrialsResult> trials = LoadTrialsResult(a.trials);
     if (!trials) return Report(trials.failure(), a.common);
@@ -128,13 +136,15 @@ int RunAudit(Arguments& a, const Subject& about) {
   if (a.common.json) {
     auto json = nlohmann::ordered_json::parse(AuditJson(*report));
     json["warnings"] = about.plan.warnings;
-    if (about.approach) json["approach"] = ApproachJson(*about.approach, a.approach);
+    if (!a.approach.empty())
+      json["approach"] = about.approach ? ApproachJson(*about.approach, a.approach) : nlohmann::ordered_json();
     fmt::print("{}\n", json.dump(2));
   } else if (a.common.quiet) {
     fmt::print("{}\n", report->pass() ? "pass" : "fail");
   } else {
     PrintAudit(*report, about.plan);
     if (about.approach) fmt::print("{}: {}\n", ApproachText(about.model, *about.approach), a.approach);
+    if (!a.approach.empty() && !about.approach) fmt::print("{}\n", NoWayText(a.approach));
   }
   return report->pass() ? kPass : kVerdictFail;
 }
@@ -154,7 +164,7 @@ int Run(Arguments& a) {
     a.options.start = *start;
   }
   std::optional<Approach> approach;
-  if (!a.approach.empty()) {
+  if (!a.approach.empty() && HasWayToGo(*model, *plan, *a.options.start, a.options)) {
     Result<Approach> planned = PlanApproach(*model, *plan, *a.options.start, a.of_approach, a.options);
     if (!planned) return Report(planned.failure(), a.common);
     approach = std::move(planned.value());
@@ -169,7 +179,8 @@ void AddStartAndPreflight(CLI::App& verb, Arguments& a) {
       verb, "--start-posture", "FILE", a.start,
       "Measured joint positions (YAML, see docs/audit.md), which the first command is held against; default: none.");
   AddText(verb, "--approach", "FILE", a.approach,
-          "Write a safe way from the measured posture to the plan's first one, as a plan; default: nowhere.");
+          "Write a safe way from the measured posture to the plan's first one, as a plan, where a joint is beyond its "
+          "tolerance; default: nowhere.");
   verb.add_flag("--preflight", a.preflight,
                 "Make the page that an engineer signs: margins, trials, assumptions, go or no-go; default: no.");
   a.only_with_preflight = {AddText(verb, "--trials-result", "FILE", a.trials,

@@ -42,24 +42,39 @@ int ShowDisturbances(const Arguments& a, const Disturbances& disturbances) {
   return kPass;
 }
 
-void Print(const Arguments& a, const RobustnessReport& report, bool enough) {
+/// A run, and how many trials beyond its end the journal keeps.
+struct TrialRun {
+  RobustnessReport report;
+  int beyond = 0;
+};
+
+void PrintQuietly(const Arguments& a, const RobustnessReport& report, bool enough) {
+  if (a.require_survival) {
+    fmt::print("{}\n", enough ? "pass" : "fail");
+  } else {
+    fmt::print("{} of {} survived\n", report.survived, report.n);
+  }
+}
+
+void Print(const Arguments& a, const TrialRun& run, bool enough) {
+  const RobustnessReport& report = run.report;
   if (a.common.json) {
     auto json = nlohmann::ordered_json::parse(RobustnessJson(report));
     json["files"] = {{"plan", a.plan}, {"result", a.out}};
     if (!a.report.empty()) json["files"]["report"] = a.report;
+    if (run.beyond > 0) json["files"]["so_far"] = a.SoFar();
     fmt::print("{}\n", json.dump(2));
     return;
   }
-  if (a.common.quiet) {
-    fmt::print("{}\n", enough ? "pass" : "fail");
-    return;
-  }
+  if (a.common.quiet) return PrintQuietly(a, report, enough);
   fmt::print("{}\nresult  {}\n", RobustnessText(report), a.out);
   if (!a.report.empty()) fmt::print("report  {}\n", a.report);
+  if (run.beyond > 0)
+    fmt::print("so far  {} more trials are in {}; --resume goes on with them\n", run.beyond, a.SoFar());
 }
 
 /// The run, with its journal beside the result and a bar on a terminal.
-Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study, SharedWork& work) {
+Result<TrialRun> RunWithBar(const Arguments& a, const TrialStudy& study, SharedWork& work) {
   const Interruptible interruptible;
   ProgressBar bar(!a.common.quiet, "trials");
   TrialHooks hooks;
@@ -73,13 +88,13 @@ Result<RobustnessReport> RunWithBar(const Arguments& a, const TrialStudy& study,
   Result<TrialBook> book = TrialBook::Open(study, a.trials, hooks);
   if (!book) return book.failure();
   Result<RobustnessReport> report = RunSharedTrials(work, study, a.trials, *book);
-  if (!report) return report;
+  if (!report) return report.failure();
   std::vector<OutputFile> files = {{a.out, RobustnessJson(*report)}};
   if (!a.report.empty()) files.push_back({a.report, TrialsPage(*report)});
   const auto written = WriteResults(files, a.SoFar());
   if (!written) return written.failure();
   book->Close();
-  return report;
+  return TrialRun{std::move(*report), book->beyond()};
 }
 
 /// Of the one process that writes: where the others of an MPI run are, the folders may not be.
@@ -143,14 +158,13 @@ int Run(Arguments& a) {
   const Result<TrialInputs> read = ReadAll(a);
   if (!read) return Report(read.failure(), a.common);
   if (a.show) return ShowDisturbances(a, read->disturbances);
-  const Result<RobustnessReport> report =
-      RunWithBar(a, {read->model, read->plan, a.play.request, read->disturbances}, work);
-  if (!report) {
-    const int status = Report(report.failure(), a.common);
-    return report.failure().code == "interrupted" ? kInterrupted : status;
+  const Result<TrialRun> run = RunWithBar(a, {read->model, read->plan, a.play.request, read->disturbances}, work);
+  if (!run) {
+    const int status = Report(run.failure(), a.common);
+    return run.failure().code == "interrupted" ? kInterrupted : status;
   }
-  const bool enough = !a.require_survival || report->survival.share >= *a.require_survival;
-  Print(a, *report, enough);
+  const bool enough = !a.require_survival || run->report.survival.share >= *a.require_survival;
+  Print(a, *run, enough);
   return enough ? kPass : kVerdictFail;
 }
 
@@ -165,7 +179,8 @@ void AddFlags(CLI::App& verb, Arguments& a) {
   AddWholeNumber(verb, "--threads", 0, a.trials.threads,
                  "Threads that play; the result is the same for any; default 0: one for each core.");
   AddNumber(verb, "--require-survival", "SHARE", a.require_survival,
-            "Exit status 3 where the share that survived is under this, from 0 to 1; default: none is required.");
+            "Exit status 3 where the share that survived is under this, from 0 to 1; default: none is required, and "
+            "--quiet prints how many survived.");
   a.play.AddTo(verb);
   a.options.AddTo(verb);
   verb.option_defaults()->group("What is written");

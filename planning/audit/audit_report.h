@@ -20,6 +20,8 @@ struct Violation {
 
 /// How places of the law start_posture end that are speeds.
 inline constexpr char kStartSpeed[] = ", speed";
+/// The one place of it that is no joint's and no speed: the base's tilt.
+inline constexpr char kStartTilt[] = "base tilt";
 
 /// How near a plan comes to the limit of a law at one place, whether or not it keeps it.
 struct AuditMargin {

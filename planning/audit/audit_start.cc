@@ -46,7 +46,7 @@ void Auditor::CheckStartTilt(const Quaternion& R_WB) {
   constexpr double kFarFromUpright = 1.0;  // [rad]
   const VectorX& q = plan_.whole_body.q.front();
   const double tilt = TiltBetween(q, R_WB), limit = options_.start_tilt_rad;
-  const int place = findings_.Place("start_posture", "base tilt", "rad");
+  const int place = findings_.Place("start_posture", kStartTilt, "rad");
   findings_.Hold(place, plan_.whole_body.start_s, tilt, limit, limit - tilt);
   const double w_first = TiltBetween(q, Quaternion(R_WB.x(), R_WB.y(), R_WB.z(), R_WB.w()));
   if (tilt <= kFarFromUpright || w_first > limit) return;

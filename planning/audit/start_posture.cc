@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "kinematics/base/file.h"
+#include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 #include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/model/dof_units.h"
+#include "kinematics/model/likely_degrees.h"
 
 namespace gaitwright {
 namespace {
@@ -40,35 +42,27 @@ int DofOf(const RobotModel& model, const YamlMap::Entry& entry) {
     RefuseYaml(entry.key_node, fmt::format("joint '{}' follows '{}' and has no position of its own; leave it out",
                                            joint.name, model.dof_names[static_cast<std::size_t>(joint.dof)]));
   }
-  RefuseYaml(entry.key_node, fmt::format("robot '{}' has no joint '{}'; the nearest is '{}'", model.name, entry.key,
-                                         NearestName(entry.key, model.dof_names)));
+  RefuseYaml(entry.key_node, fmt::format("robot '{}' has no joint '{}'{}", model.name, entry.key,
+                                         NearestOrAll(entry.key, model.dof_names)));
 }
 
-double ReadPosition(const RobotModel& model, int dof, const YamlMap::Entry& entry) {
+void CheckPosition(const RobotModel& model, int dof, const YamlMap::Entry& entry, double q, bool degrees) {
   constexpr double kRounding = 1e-6;  // [rad] or [m]
-  const double q = NumberOf(entry.value, fmt::format("joint '{}'", entry.key));
   const std::string unit = PositionUnit(model, dof);
   if (q < model.dof_lower(dof) - kRounding || q > model.dof_upper(dof) + kRounding) {
-    RefuseYaml(entry.value, fmt::format("joint '{}' is at {:.6g} {}, outside of its limits of {:.6g} to {:.6g}; mend "
-                                        "the measurement or the limits",
-                                        entry.key, q, unit, model.dof_lower(dof), model.dof_upper(dof)));
+    RefuseYaml(entry.value, fmt::format("joint '{}' is at {:.6g} {}, outside of its limits of {:.6g} to {:.6g}; {}",
+                                        entry.key, q, unit, model.dof_lower(dof), model.dof_upper(dof),
+                                        degrees ? "all joints would be within theirs as degrees: write them in rad"
+                                                : "mend the measurement or the limits"));
   }
   if (std::abs(q) > kFarthestMeasured) {
     RefuseYaml(entry.value,
                fmt::format("joint '{}' is at {:.6g} {}; a joint without limits is measured within -{} to {}", entry.key,
                            q, unit, kFarthestMeasured, kFarthestMeasured));
   }
-  return q;
 }
 
-void ReadJoints(const RobotModel& model, const YamlMap& map, const YAML::Node& node, VectorX& joints) {
-  std::vector<bool> given(static_cast<std::size_t>(model.num_dofs()), false);
-  for (const YamlMap::Entry& entry : map.entries()) {
-    if (entry.key == kQuaternion) continue;
-    const int dof = DofOf(model, entry);
-    joints[dof] = ReadPosition(model, dof, entry);
-    given[static_cast<std::size_t>(dof)] = true;
-  }
+void RefuseMissing(const RobotModel& model, const YAML::Node& node, const std::vector<bool>& given) {
   std::vector<std::string> missing;
   for (std::size_t d = 0; d < given.size(); ++d) {
     if (!given[d]) missing.push_back(model.dof_names[d]);
@@ -76,6 +70,23 @@ void ReadJoints(const RobotModel& model, const YamlMap& map, const YAML::Node& n
   if (missing.empty()) return;
   RefuseYaml(node, fmt::format("{} of robot '{}' {} missing; every joint is needed, with its position in rad (m)",
                                QuotedList(missing), model.name, missing.size() == 1 ? "is" : "are"));
+}
+
+void ReadJoints(const RobotModel& model, const YamlMap& map, const YAML::Node& node, VectorX& joints) {
+  std::vector<bool> given(static_cast<std::size_t>(model.num_dofs()), false);
+  for (const YamlMap::Entry& entry : map.entries()) {
+    if (entry.key == kQuaternion) continue;
+    const int dof = DofOf(model, entry);
+    joints[dof] = NumberOf(entry.value, fmt::format("joint '{}'", entry.key));
+    given[static_cast<std::size_t>(dof)] = true;
+  }
+  RefuseMissing(model, node, given);
+  const bool degrees = LikelyDegrees(model, {joints}).has_value();
+  for (const YamlMap::Entry& entry : map.entries()) {
+    if (entry.key == kQuaternion) continue;
+    const int dof = DofOf(model, entry);
+    CheckPosition(model, dof, entry, joints[dof], degrees);
+  }
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ inline constexpr double kFarthestMeasured = 1000.0;
 ///     base_quaternion_xyzw: [0.0, 0.01, 0.0, 0.99995]
 ///
 /// Refused, with the line: a joint that the robot does not have (the nearest is named), that follows another or is
-/// named twice, one that is missing, a position outside of its joint's limits, or beyond kFarthestMeasured where it has
-/// none, and a quaternion whose length is not 1 to 1e-3.
+/// named twice, one that is missing, a position outside of its joint's limits (and whether all are likely in degrees),
+/// or beyond kFarthestMeasured where it has none, and a quaternion whose length is not 1 to 1e-3.
 /// @param source  names the text in messages.
 Result<StartPosture> StartPostureFromYaml(const std::string& text, const std::string& source, const RobotModel& model);
 

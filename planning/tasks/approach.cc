@@ -318,6 +318,15 @@ std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& wa
 
 }  // namespace
 
+bool HasWayToGo(const RobotModel& model, const MotionPlan& plan, const StartPosture& from, const AuditOptions& audit) {
+  if (Misfit(model, plan, from)) return true;
+  const VectorX off = (plan.whole_body.q.front().tail(model.num_dofs()) - from.joints).cwiseAbs();
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    if (off[d] > (Slides(model, d) ? audit.start_tolerance_m : audit.start_tolerance_rad)) return true;
+  }
+  return false;
+}
+
 Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, const StartPosture& from,
                               const ApproachOptions& given, const AuditOptions& kept) {
   ApproachOptions options = given;

@@ -45,6 +45,10 @@ struct Approach {
   double farthest_by = 0.0;   ///< and how far [rad] or [m]
 };
 
+/// Whether some joint is farther from the plan's first posture than the audit takes (`start_tolerance_rad`, `_m`).
+/// Without one there is no way to go. True of a plan or posture of other joints, which PlanApproach refuses.
+bool HasWayToGo(const RobotModel& model, const MotionPlan& plan, const StartPosture& from, const AuditOptions& audit);
+
 /// A safe way from the measured joints to the first posture of a plan: all joints at once from rest to rest by
 ///   q(t) = q0 + (q1 - q0) (10 u^3 - 15 u^4 + 6 u^5),  u = t / T,
 /// the motion of least jerk (Flash and Hogan, J. Neuroscience 5(7), 1985), whose speed, acceleration and jerk are at

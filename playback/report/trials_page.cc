@@ -130,6 +130,8 @@ std::string TrialsPage(const RobustnessReport& report) {
       "<h1>{0}</h1>\n",
       title, PageStyle(), PlotStyle());
   html += SubjectLine(report.subject) + Cards(report);
+  if (const std::string repeats = RepeatsText(report); !repeats.empty())
+    html += "<p class=\"reason fail\">" + EscapedXml(repeats) + ".</p>\n";
   for (const Plot& plot : TrialPlots(report)) {
     html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
                         plot.name, plot.svg, EscapedXml(plot.caption));

@@ -14,6 +14,8 @@ namespace {
 
 using Fate = PushRecord::Outcome;
 
+constexpr std::size_t kLeastOfGroup = 10, kMostGroups = 8;  // of trials whose survival is drawn
+
 /// Where a push is drawn: ahead is up, left is left.
 Vector2 PlaceOf(double direction_deg, double size_n) {
   const double angle = direction_deg * std::numbers::pi / 180.0;
@@ -97,7 +99,7 @@ Plot SurvivalOver(const RobustnessReport& report, const Sensitivity& cause) {
   options.y_highest = 1.02;
   SvgPlot plot(options);
   const Outcomes outcomes = SortedBy(report, cause.name);
-  const std::size_t bins = std::clamp<std::size_t>(outcomes.size() / 10, 1, 8);
+  const std::size_t bins = std::min(outcomes.size() / kLeastOfGroup, kMostGroups);
   std::vector<double> x, low, high;
   std::vector<Vector2> shares;
   for (std::size_t b = 0; b < bins; ++b) {
@@ -114,16 +116,21 @@ Plot SurvivalOver(const RobustnessReport& report, const Sensitivity& cause) {
     high.push_back(share.high);
     shares.emplace_back(x.back(), share.share);
   }
-  plot.Band(x, low, high, Ink::kSupport, "95 % interval");
-  plot.Line(shares, Ink::kCom, Stroke::kMeasured, "share of groups of as many trials");
+  const bool grouped = bins > 1;
+  if (grouped) {
+    plot.Band(x, low, high, Ink::kSupport, "95 % interval");
+    plot.Line(shares, Ink::kCom, Stroke::kMeasured, "share of groups of as many trials");
+  }
   for (const auto& [value, survived] : outcomes) {
     survived ? plot.Dot({value, 1.0}, Ink::kFoot, 1.8, "survived") : plot.Cross({value, 0.0}, Ink::kBad, "fell");
   }
   return {
       "survival_by_cause",
-      fmt::format("{} goes with falls more surely than any other figure (p {:.2g}). Trials are put into groups by it; "
-                  "the line is the share of each that survived.",
-                  cause.name, cause.p),
+      fmt::format("{} goes with falls more surely than any other figure (p {:.2g}). {}", cause.name, cause.p,
+                  grouped ? "Trials are put into groups by it; the line is the share of each that survived."
+                          : fmt::format("Each trial is a mark: on top where it survived, at the bottom where it fell. "
+                                        "For the share of groups that survives, {} trials are needed.",
+                                        2 * kLeastOfGroup)),
       plot.Svg()};
 }
 

@@ -177,6 +177,11 @@ std::string Tightest(const std::vector<Metric>& metrics) {
                      FigureText(*tightest, *tightest->value), FigureText(*tightest, *tightest->limit));
 }
 
+// How a fall ended, where no event of its last second says more.
+constexpr char kControllerBroke[] = "the controller came to no number",
+               kPhysicsBroke[] = "the physics came to no number", kTilted[] = "the base tilted",
+               kLeftHeight[] = "the base left its height", kEndedEarly[] = "it ended before its plan";
+
 const char* WordsOf(FailureEvent::Kind kind) {
   using Kind = FailureEvent::Kind;
   switch (kind) {
@@ -230,16 +235,27 @@ std::string CauseOf(const ScoreInputs& in, const std::vector<Metric>& metrics) {
   if (broken == metrics.end()) return "";
   if (!in.fall.fell) return broken->key;
   if (!in.log.broke_off.empty() && in.fall.what == in.log.broke_off) {
-    const bool by_controller = in.fall.what.starts_with("the controller");
-    return by_controller ? "the controller came to no number" : "the physics came to no number";
+    return in.fall.what.starts_with("the controller") ? kControllerBroke : kPhysicsBroke;
   }
   for (const FailureEvent& event : FailureEvents(in)) {
     if (event.time_s >= in.fall.time_s - kLast) return WordsOf(event.kind);
   }
   const std::string& what = in.fall.what;
-  if (what.find("tilted") != std::string::npos) return "the base tilted";
-  if (what.find("high where") != std::string::npos) return "the base left its height";
-  return what.find("not finite") != std::string::npos ? "the physics came to no number" : "it ended before its plan";
+  if (what.find("tilted") != std::string::npos) return kTilted;
+  if (what.find("high where") != std::string::npos) return kLeftHeight;
+  return what.find("not finite") != std::string::npos ? kPhysicsBroke : kEndedEarly;
+}
+
+bool IsCauseOfFall(const std::string& cause) {
+  for (const char* ending : {kControllerBroke, kPhysicsBroke, kTilted, kLeftHeight, kEndedEarly}) {
+    if (cause == ending) return true;
+  }
+  using Kind = FailureEvent::Kind;
+  for (const Kind kind : {Kind::kPlanUnstable, Kind::kContactLost, Kind::kEarlyContact, Kind::kMissedFoothold,
+                          Kind::kSlip, Kind::kTorqueLimit, Kind::kDcmOut, Kind::kBodyContact}) {
+    if (cause == WordsOf(kind)) return true;
+  }
+  return false;
 }
 
 }  // namespace gaitwright

@@ -25,4 +25,7 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
 /// pass.
 std::string CauseOf(const ScoreInputs& in, const std::vector<Metric>& metrics);
 
+/// Whether CauseOf says so of some fall.
+bool IsCauseOfFall(const std::string& cause);
+
 }  // namespace gaitwright

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "kinematics/base/nearest_name.h"
 #include "planning/plan/sample_plan.h"
 #include "playback/sensing/sensor_options.h"
 
@@ -32,7 +33,8 @@ std::vector<DisturbanceRule> BodyAndGround() {
        "and rises that way: 0 is x of W, 90 is y"},
       {"ground_bumps_m", "play.ground_bumps_m", "m", 0.0, 0.5, "amplitude of bumps"},
       {"bump_wavelength_m", "play.bump_wavelength_m", "m", 0.02, 10.0, "twice the distance between bumps"},
-      {"bump_seed", "play.seed", "1", 0.0, 2147483647.0, "of the bumps; each trial has its own where this is not said"},
+      {"bump_seed", "play.seed", "1", 0.0, 2147483647.0, "of the bumps; each trial has its own where this is not said",
+       DisturbanceEffect::kValue, true},
   };
 }
 
@@ -94,10 +96,11 @@ class Sampler {
   void Figure(const Disturbance& figure) {
     if (figure.key == "com_shift_m") return ShiftAnyWay(figure);
     if (figure.key == "start.joints_rad") return Joints(figure);
-    const double value = Drawn(figure.key, figure.distribution);
+    double value = Drawn(figure.key, figure.distribution);
     const auto rule = std::find_if(DisturbanceRules().begin(), DisturbanceRules().end(),
                                    [&](const DisturbanceRule& r) { return r.key == figure.key; });
     const bool of_sensor = rule == DisturbanceRules().end();
+    if (!of_sensor && rule->whole) value = std::round(value);
     Record(figure.key, of_sensor ? UnitOfSensor(figure.key) : rule->unit, value);
     if (figure.key == "sensor_noise_scale") {
       trial_.sensor_noise_scale = value;
@@ -210,7 +213,8 @@ class Sampler {
   SampledTrial trial_;
 };
 
-constexpr double kHardestPush = 1e5;  // [N]
+constexpr double kHardestPush = 1e5;    // [N]
+constexpr double kShortestPush = 1e-4;  // [s]; one that takes no time has no impulse, and everybody survives it
 
 /// @throws InvalidArgument for a push on nothing, or too hard a one.
 void CheckPushes(const Disturbances& disturbances, const RobotModel& model) {
@@ -225,9 +229,8 @@ void CheckPushes(const Disturbances& disturbances, const RobotModel& model) {
     }
     for (const std::string& word : OfPush(push, "place", {}).words) {
       if (std::find(places.begin(), places.end(), word) != places.end()) continue;
-      throw InvalidArgument(
-          fmt::format("a push has the place '{}'; accepted: 'base', 'robot' or a link of '{}', the nearest is '{}'",
-                      word, model.name, NearestName(word, places)));
+      throw InvalidArgument(fmt::format("a push has the place '{}'; accepted: 'base', 'robot' or a link of '{}'{}",
+                                        word, model.name, NearestHint(word, places)));
     }
   }
 }
@@ -264,7 +267,7 @@ const std::vector<DisturbanceRule>& PushRules() {
        "said"},
       {"at_s", "", "s", 0.0, 1e5, "when it begins, on the plan's clock"},
       {"at_share", "", "1", 0.0, 1.0, "the same as a share of the plan's time; from 0.1 to 0.9 where it is not said"},
-      {"duration_s", "", "s", 0.0, 100.0, "how long it lasts; 0.1 s where it is not said"},
+      {"duration_s", "", "s", kShortestPush, 100.0, "how long it lasts; 0.1 s where it is not said"},
   };
   return rules;
 }

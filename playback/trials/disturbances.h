@@ -30,6 +30,7 @@ struct DisturbanceRule {
   double lowest = 0.0, highest = 0.0;
   std::string meaning;
   DisturbanceEffect effect = DisturbanceEffect::kValue;
+  bool whole = false;  ///< a whole number
 };
 
 /// Every figure but those of pushes and of sensors, in the order in which they are written.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "kinematics/base/file.h"
@@ -26,12 +27,19 @@ auto At(const YAML::Node& node, Make make) {
   }
 }
 
+/// A value that the figure may have.
+double ValueOf(const YAML::Node& node, const DisturbanceRule& rule) {
+  const double value = NumberOf(node, rule.key, rule.lowest, rule.highest);
+  if (rule.whole && value != std::round(value))
+    RefuseYaml(node, fmt::format("{} is {}; a whole number is needed", rule.key, value));
+  return value;
+}
+
 Distribution ReadUniform(const YAML::Node& node, const DisturbanceRule& rule) {
   const std::vector<YAML::Node> ends = ListOf(node, "'uniform' of " + rule.key);
   if (ends.size() != 2)
     RefuseYaml(node, fmt::format("'uniform' of {} has {} numbers; 2 are needed, [a, b]", rule.key, ends.size()));
-  const double low = NumberOf(ends[0], rule.key, rule.lowest, rule.highest);
-  const double high = NumberOf(ends[1], rule.key, rule.lowest, rule.highest);
+  const double low = ValueOf(ends[0], rule), high = ValueOf(ends[1], rule);
   return At(node, [&] { return Distribution::Uniform(low, high); });
 }
 
@@ -52,8 +60,7 @@ Distribution ReadChoice(const YAML::Node& node, const DisturbanceRule& rule, boo
   std::vector<double> numbers;
   std::vector<std::string> texts;
   for (const YAML::Node& one : ListOf(node, "'choice' of " + rule.key)) {
-    words ? texts.push_back(TextOf(one, rule.key))
-          : numbers.push_back(NumberOf(one, rule.key, rule.lowest, rule.highest));
+    words ? texts.push_back(TextOf(one, rule.key)) : numbers.push_back(ValueOf(one, rule));
   }
   return At(node, [&] { return words ? Distribution::OneOf(texts) : Distribution::OneOf(numbers); });
 }
@@ -62,8 +69,7 @@ Distribution ReadChoice(const YAML::Node& node, const DisturbanceRule& rule, boo
 Distribution ReadDistribution(const YAML::Node& node, const DisturbanceRule& rule) {
   const bool words = rule.key == "place";
   const auto fixed = [&](const YAML::Node& value) {
-    return words ? Distribution::OneOf({TextOf(value, rule.key)})
-                 : Distribution::Fixed(NumberOf(value, rule.key, rule.lowest, rule.highest));
+    return words ? Distribution::OneOf({TextOf(value, rule.key)}) : Distribution::Fixed(ValueOf(value, rule));
   };
   if (node.IsScalar()) return fixed(node);
   const YamlMap map(node, fmt::format("the distribution of '{}'", rule.key), kKinds);
@@ -159,6 +165,8 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
       add({{entry.key, ReadDistribution(entry.value, *rule)}});
     }
   }
+  if (disturbances.figures.empty() && disturbances.pushes.empty())
+    RefuseYaml(root, "the file holds no disturbances: its groups are empty");
   for (const char* axis : {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"})
     NotBoth(root, disturbances.figures, "com_shift_m", axis);
   return disturbances;

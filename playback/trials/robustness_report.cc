@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "kinematics/base/result.h"
 #include "playback/score/gates.h"
@@ -128,7 +129,12 @@ RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutc
   report.metrics = Spreads(subject, report.outcomes);
   CountCauses(report);
   std::vector<char> fell;
-  for (const TrialOutcome& outcome : report.outcomes) fell.push_back(outcome.survived ? 0 : 1);
+  std::set<std::string> logs;
+  for (const TrialOutcome& outcome : report.outcomes) {
+    fell.push_back(outcome.survived ? 0 : 1);
+    logs.insert(outcome.log_hash);
+  }
+  report.different = static_cast<int>(logs.size());
   report.sensitivity = RankDisturbances(ColumnsOf(report.outcomes), fell);
   for (const TrialOutcome& outcome : report.outcomes) {
     for (const PushRecord& push : PushesOf(outcome, report.subject.own_push_s)) report.pushes.push_back(push);

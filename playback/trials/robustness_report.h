@@ -56,6 +56,7 @@ struct TrialSubject {
 struct RobustnessReport {
   TrialSubject subject;
   int n = 0, survived = 0, passed = 0;
+  int different = 0;  ///< of so many no earlier one has the same `log_hash`
   ShareInterval survival, pass_share;
   std::vector<MetricSpread> metrics;  ///< in the order of MetricRules
   std::vector<Tally> causes;          ///< of falls, the most frequent first
@@ -77,6 +78,9 @@ RobustnessReport ReduceTrials(const TrialSubject& subject, std::vector<TrialOutc
 
 /// The stable object that the program writes, see docs/json-output.md; the same report gives the same bytes.
 std::string RobustnessJson(const RobustnessReport& report);
+
+/// What to mind of a report whose trials repeat one another, in a sentence; empty where each is another playback.
+std::string RepeatsText(const RobustnessReport& report);
 
 /// The report in words, for a terminal.
 std::string RobustnessText(const RobustnessReport& report);

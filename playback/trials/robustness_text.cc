@@ -119,6 +119,11 @@ Json TrialsJson(const RobustnessReport& report) {
   return {{"columns", columns}, {"rows", rows}};
 }
 
+std::vector<std::string> Remarks(const RobustnessReport& report) {
+  const std::string repeats = RepeatsText(report);
+  return repeats.empty() ? std::vector<std::string>() : std::vector<std::string>{repeats};
+}
+
 std::string Percent(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
 
 std::string Share(const char* what, int k, int n, const ShareInterval& interval) {
@@ -188,6 +193,8 @@ std::string RobustnessJson(const RobustnessReport& report) {
                      {"survival", report.survival.share},
                      {"survival_low", report.survival.low},
                      {"survival_high", report.survival.high},
+                     {"different", report.different},
+                     {"remarks", Remarks(report)},
                      {"passed", report.passed},
                      {"pass_share", report.pass_share.share},
                      {"pass_low", report.pass_share.low},
@@ -213,9 +220,20 @@ std::string RobustnessJson(const RobustnessReport& report) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string RepeatsText(const RobustnessReport& report) {
+  if (report.different == report.n) return "";
+  const std::string counted = "the interval holds for trials that differ, and a preflight counts each playback once";
+  if (report.different == 1)
+    return fmt::format("all {} trials are one and the same playback, which nothing that is drawn changes; {}", report.n,
+                       counted);
+  return fmt::format("only {} of {} trials are different playbacks, the others repeat them; {}", report.different,
+                     report.n, counted);
+}
+
 std::string RobustnessText(const RobustnessReport& report) {
   std::string text = Share("survived", report.survived, report.n, report.survival) +
                      Share("passed", report.passed, report.n, report.pass_share);
+  for (const std::string& remark : Remarks(report)) text += fmt::format("note: {}\n", remark);
   if (!report.causes.empty()) text += "\ncauses of falls\n";
   for (const Tally& tally : report.causes) text += fmt::format("  {:>4}  {}\n", tally.count, tally.what);
   if (!report.broken_gates.empty()) text += "\ngates broken without a fall\n";

@@ -179,10 +179,11 @@ TEST_F(Exchange, CompareRefusesWhatDoesNotBelongTogether) {
   Write("report.json", Run({"play", "out/plan.json", "--json"}).out);
   Write("empty.json", "{}");
   Write("trials.json", R"({"n": 2, "survived": 2, "survival": 1.0})");
-  Write("part.csv", "time_s,q_FL_hip_joint_rad\n0,1\n");
+  Write("part.csv", "time_s,battery\n0,1\n");
   ExpectRefused(Run({"compare", "report.json", "out/plan.json"}), 1, {"report.json", "a plan", "with a report"});
   ExpectRefused(Run({"compare", "empty.json", "out/plan.json"}), 1, {"empty.json", "no plan, log or report"});
-  ExpectRefused(Run({"compare", "trials.json", "out/plan.json"}), 1, {"trials.json", "a result of trials"});
+  ExpectRefused(Run({"compare", "trials.json", "out/plan.json"}), 1,
+                {"'trials.json' is a result of trials; these are not compared", "trials --report FILE"});
   ExpectRefused(Run({"compare", "out/log.json", "out/log.json"}), 1, {"a log of robot 'a1'", "--plan FILE"});
   ExpectRefused(Run({"compare", "part.csv", "part.csv"}), 1, {"does not say whose motion", "--robot NAME"});
   ExpectRefused(Run({"compare", "out/plan.json", "part.csv"}), 1, {"part.csv", "_joint"});

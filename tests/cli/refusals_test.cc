@@ -105,6 +105,9 @@ TEST_F(Refusals, Options) {
   ExpectRefused(Walk({"--set", "swing.height_m=9"}), 1, {"'swing.height_m' is 9 m", "0 to 1"});
   ExpectRefused(Walk({"--set", "swing.height_m=nan"}), 1, {"'swing.height_m'", "nan"});
   ExpectRefused(Walk({"--set", "swing.height_m"}), 1, {"--set", "key=value"});
+  ExpectRefused(Walk({"--set", "swing.height_m=0.1", "--set", "swing.height_m=0.1"}), 1,
+                {"--set: 'swing.height_m' is given twice"});
+  ExpectRefused(Walk({"--set", "com-method=preview"}), 1, {"'com-method'; --list-options prints all of them"});
   ExpectRefused(Run({"gaits", "--set", "a=1"}), 1, {"no options"});
   ExpectNothingWritten();
 }
@@ -152,6 +155,8 @@ TEST_F(Refusals, Usage) {
   ExpectRefused(Run({}), 1, {"a verb is needed", "'walk'"});
   ExpectRefused(Run({"wlk"}), 1, {"'wlk'", "nearest is 'walk'", "'audit'"});
   ExpectRefused(Walk({"--distnace", "1"}), 1, {"walk", "'--distnace'", "'--distance'"});
+  ExpectRefused(Run({"play", "plan.json", "--out", "x"}), 1,
+                {"play has no flag '--out' (try: gaitwright play --help)"});
   ExpectRefused(Walk({"more"}), 1, {"walk", "'more'"});
   ExpectRefused(Walk({"--speed"}), 1, {"walk: --speed needs a value"});
   ExpectRefused(Walk({"--speed", "0.1", "--speed", "0.2"}), 1, {"walk: --speed is given more than once"});

@@ -76,7 +76,20 @@ TEST_F(Trials, WhatWouldActOnNothingIsRefused) {
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "imu.yaml"}), 1,
                 {"'sensors.gyroscope_bias_rad_s'", "no sensor is read", "--state estimated"});
   EXPECT_EQ(Run({"trials", "plan.json", "-n", "1", "--disturbances", "imu.yaml", "--state", "measured", "--quiet"}).out,
-            "pass\n");
+            "1 of 1 survived\n");
+  Write("downhill.yaml", "ground_slope_direction_deg: 90\n");
+  Write("wave.yaml", "mass_scale: {uniform: [0.9, 1.1]}\nbump_wavelength_m: 0.2\nground_bumps_m: 0\n");
+  Write("seed.yaml", "bump_seed: 7\n");
+  for (const char* verb : {"trials", "play"}) {
+    ExpectRefused(Run({verb, "plan.json", "--disturbances", "downhill.yaml"}), 1,
+                  {"'ground_slope_direction_deg', which has no effect without 'ground_slope_deg'"});
+  }
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "wave.yaml"}), 1,
+                {"'bump_wavelength_m', which has no effect without 'ground_bumps_m'"});
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "seed.yaml"}), 1, {"'bump_seed'", "'ground_bumps_m'"});
+  EXPECT_EQ(
+      Run({"trials", "plan.json", "-n", "1", "--disturbances", "downhill.yaml", "--ground-slope-deg", "1"}).status, 0)
+      << "the slope is set";
   ExpectRefused(Run({"play", "plan.json", "--sensors", "hobby"}), 1, {"--sensors is for --state measured"});
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
   ExpectRefused(Run({"play", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
@@ -88,14 +101,31 @@ TEST_F(Trials, WhatWouldActOnNothingIsRefused) {
 
 TEST_F(Trials, StatusThreeOnlyWhenSurvivalIsRequired) {
   const std::vector<std::string> hard = {"trials", "plan.json", "-n", "2", "--disturbances", "hard.yaml", "--quiet"};
-  EXPECT_EQ(Run(hard).out, "pass\n");
+  EXPECT_EQ(Run(hard).out, "0 of 2 survived\n");
   std::vector<std::string> required = hard;
   required.insert(required.end(), {"--require-survival", "0.5"});
   const Ran failed = Run(required);
   EXPECT_EQ(failed.status, 3);
   EXPECT_EQ(failed.out, "fail\n");
-  EXPECT_EQ(Run({"trials", "plan.json", "-n", "1", "--disturbances", "calm.yaml", "--require-survival", "1"}).status,
-            0);
+  EXPECT_EQ(
+      Run({"trials", "plan.json", "-n", "1", "--disturbances", "calm.yaml", "--require-survival", "1", "--quiet"}).out,
+      "pass\n");
+}
+
+TEST_F(Trials, InWhichNothingVariesAreSaidToAndAreNoEvidence) {
+  Write("same.yaml", "mass_scale: 1\n");
+  const std::vector<std::string> run = {"trials", "plan.json", "-n", "3", "--disturbances", "same.yaml"};
+  EXPECT_NE(Run(run).out.find("note: all 3 trials are one and the same playback"), std::string::npos);
+  Json result = Json::parse(Read("trials.json"));
+  EXPECT_EQ(result.at("different"), 1);
+  const Ran page = Run({"audit", "plan.json", "--preflight", "--trials-result", "trials.json"});
+  EXPECT_EQ(page.status, 3) << page.err;
+  EXPECT_NE(page.out.find("2 only repeat others to the bit; each counted once, 1 of 1 did"), std::string::npos)
+      << page.out;
+  result["trials"]["rows"][1][1] = result["trials"]["rows"][1][2] = false;
+  Write("forged.json", result.dump());
+  ExpectRefused(Run({"audit", "plan.json", "--preflight", "--trials-result", "forged.json"}), 1,
+                {"'forged.json'", "says that 3 of 3 trials survived; of its rows 2 did"});
 }
 
 TEST_F(Trials, WrongOnesAreRefused) {
@@ -145,7 +175,11 @@ TEST_F(Trials, AResultThatCannotBeWrittenInTheEndIsNotLost) {
   std::filesystem::remove(In("it.html"));
   std::vector<std::string> resume = start;
   resume.push_back("--resume");
-  EXPECT_EQ(Run(resume).out, "pass\n");
+  std::vector<std::string> fewer = resume;
+  *std::find(fewer.begin(), fewer.end(), "4") = "1";
+  EXPECT_EQ(Run(fewer).out, "1 of 1 survived\n");
+  EXPECT_TRUE(std::filesystem::exists(In("it.json.so-far"))) << "three more are in it";
+  EXPECT_EQ(Run(resume).out, "4 of 4 survived\n");
   EXPECT_EQ(Json::parse(Read("it.json")).at("n"), 4);
   EXPECT_FALSE(std::filesystem::exists(In("it.json.so-far")));
 }

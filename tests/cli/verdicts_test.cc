@@ -100,6 +100,8 @@ TEST_F(Verdicts, DeratedLimitsFail) {
   EXPECT_EQ(ran.json().at("violations").at(0).at("law"), "joint_torque");
   ExpectRefused(Run({"audit", "plan.json", "--derate", "torqe=0.1"}), 1, {"'torqe'", "'torque'"});
   ExpectRefused(Run({"audit", "plan.json", "--derate", "torque"}), 1, {"--derate", "key=value"});
+  for (const char* twice : {"torque=0.2,torque=1", "torque=1,speed=1,torque=0.2"})
+    ExpectRefused(Run({"audit", "plan.json", "--derate", twice}), 1, {"--derate: 'torque' is given twice"});
 }
 
 TEST_F(Verdicts, AHardPushIsAFall) {

@@ -11,6 +11,7 @@
 #include "tests/fuzz/exchange_readers.h"
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/plan_laws.h"
+#include "tests/playback/trials/made_outcomes.h"
 #include "workflows/live/live_requests.h"
 #include "workflows/study/candidate_worth.h"
 #include "workflows/study/centroidal_problems.h"
@@ -18,6 +19,7 @@
 #include "workflows/study/point_outcome.h"
 #include "workflows/study/study_axes.h"
 #include "workflows/study/trials_result.h"
+#include "workflows/walk/walk.h"
 
 namespace gaitwright::fuzz {
 namespace {
@@ -31,8 +33,20 @@ Verdict ReadResultOfTrials(const std::string& input) {
   Require(IsShare(read->survival) && IsShare(read->survival_low) && IsShare(read->survival_high), "shares are shares");
   Require(read->survival_low <= read->survival && read->survival <= read->survival_high, "an interval has its share");
   for (const TrialsResult::Cause& cause : read->causes)
-    Require(cause.count >= 0 && cause.count <= read->n, "causes are counted among the trials");
+    Require(cause.count > 0 && cause.count <= read->n - read->survived, "causes are counted among the falls");
+  Require(0 < read->different && read->different <= read->n, "no more differ than were tried");
+  Require(0 <= read->different_passed && read->different_passed <= read->different_survived &&
+              read->different_survived <= read->different,
+          "of those that differ no more passed than stood");
   return Verdict::kAccepted;
+}
+
+std::vector<std::string> MadeResultsOfTrials() {
+  PlayRequest request;
+  TrialSubject subject = made::Subject();
+  subject.whole_plan_hash = "w";
+  subject.options = TextsOf(request.Fields());
+  return {RobustnessJson(ReduceTrials(subject, made::Outcomes(8, 25.0)))};
 }
 
 Verdict ReadAxis(const std::string& input, StudyLayout layout) {
@@ -201,29 +215,31 @@ std::vector<Reader> StudyReaders() {
   std::vector<std::string> axis = keys, options = keys;
   axis.insert(axis.end(), {"=", ":", ",", "0.1:1.5:20", "1,1.3,2", "1e400", "nan", "-1", "1e-300", "1000001", "true"});
   options.insert(options.end(), {": ", "\n", "&a", "*a", "---", "{", "}", "[", "]", "~", ".nan", "1e400", "-1", "'"});
-  return {{"trials_result",
-           ReadResultOfTrials,
-           WithJson({"\"n\"", "\"survived\"", "\"survival\"", "\"survival_low\"", "\"survival_high\"", "\"causes\"",
-                     "\"worst\"", "\"seed\"", "\"reason\"", "\"disturbances\"", "\"passed\"", "\"options\""}),
-           {}},
-          {"axis", ReadAnyAxis, axis, {}, nullptr, 500},
-          {"point", ReadPoint, WithJson({"\"point\"", "\"status\"", "\"survival\"", "\"metrics\""}), {}, MadePoints},
-          {"candidate", ReadCandidate, WithJson({"\"refusal\"", "\"trials\"", "[0.5,true]"}), {}, MadeCandidates},
-          {"journal", ReadJournal, {"\n", " ", "0", "-1", "18446744073709551616", "work", "{}"}, {}, MadeJournals},
-          {"centroidal_problems",
-           ReadProblems,
-           WithJson({"\"robots\"", "\"mass_kg\"", "\"inertia\"", "\"feet\"", "\"schedules\"", "\"phase_durations_s\"",
-                     "\"distance_m\"", "1e-300"}),
-           {"tests/benchmarks/centroidal_problems.json"},
-           nullptr,
-           300},
-          {"options_file", ReadOptionsOfFile, options, {}, nullptr, 500},
-          {"live_request",
-           ReadLive,
-           WithJson({"\"do\"", "\"pace\"", "\"gait\"", "\"pull\"", "\"at_m\"", "\"pose\"", "\"q\"", "\"clock\"",
-                     "\"steps\"", "\"options\"", "\"gains.stance_damping\"", "\"ground\"", "\"nudge\"", "\"reset\""}),
-           {},
-           MadeRequests}};
+  return {
+      {"trials_result",
+       ReadResultOfTrials,
+       WithJson({"\"n\"", "\"survived\"", "\"survival\"", "\"survival_low\"", "\"survival_high\"", "\"causes\"",
+                 "\"worst\"", "\"seed\"", "\"reason\"", "\"disturbances\"", "\"passed\"", "\"options\"", "\"rows\""}),
+       {},
+       MadeResultsOfTrials},
+      {"axis", ReadAnyAxis, axis, {}, nullptr, 500},
+      {"point", ReadPoint, WithJson({"\"point\"", "\"status\"", "\"survival\"", "\"metrics\""}), {}, MadePoints},
+      {"candidate", ReadCandidate, WithJson({"\"refusal\"", "\"trials\"", "[0.5,true]"}), {}, MadeCandidates},
+      {"journal", ReadJournal, {"\n", " ", "0", "-1", "18446744073709551616", "work", "{}"}, {}, MadeJournals},
+      {"centroidal_problems",
+       ReadProblems,
+       WithJson({"\"robots\"", "\"mass_kg\"", "\"inertia\"", "\"feet\"", "\"schedules\"", "\"phase_durations_s\"",
+                 "\"distance_m\"", "1e-300"}),
+       {"tests/benchmarks/centroidal_problems.json"},
+       nullptr,
+       300},
+      {"options_file", ReadOptionsOfFile, options, {}, nullptr, 500},
+      {"live_request",
+       ReadLive,
+       WithJson({"\"do\"", "\"pace\"", "\"gait\"", "\"pull\"", "\"at_m\"", "\"pose\"", "\"q\"", "\"clock\"",
+                 "\"steps\"", "\"options\"", "\"gains.stance_damping\"", "\"ground\"", "\"nudge\"", "\"reset\""}),
+       {},
+       MadeRequests}};
 }
 
 }  // namespace

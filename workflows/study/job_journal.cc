@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -169,6 +170,10 @@ std::optional<Failure> JobJournal::Begin(const std::string& head) {
   length_ = static_cast<std::int64_t>(head.size()) + 1;
   empty_ = true;
   return std::nullopt;
+}
+
+std::size_t JobJournal::found(std::size_t from) const {
+  return static_cast<std::size_t>(std::distance(lines_.lower_bound(from), lines_.end()));
 }
 
 std::optional<std::string> JobJournal::Find(std::size_t job) const {

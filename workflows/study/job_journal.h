@@ -40,8 +40,8 @@ class JobJournal {
 
   /// The result of a job that was there when it was opened. @throws std::runtime_error when it cannot be read.
   std::optional<std::string> Find(std::size_t job) const;
-  /// How many were there.
-  std::size_t found() const { return lines_.size(); }
+  /// How many were there, of the jobs from a number on.
+  std::size_t found(std::size_t from = 0) const;
   /// Adds the result of a job, one line, and waits until it is on the disk. To be called from any thread.
   /// @throws CannotKeep when it cannot be written: then the file is left as it was before, and no more is added.
   void Add(std::size_t job, const std::string& line);

@@ -84,9 +84,61 @@ std::string ViolationText(const Violation& v) {
                      AuditFigure(v.value, v.unit), AuditFigure(v.limit, v.unit));
 }
 
-std::string ShareText(int k, int n, const char* what, const ShareInterval& interval) {
-  return fmt::format("{} of {} trials {}: {:.1f} %, and with 95 % certainty from {:.1f} to {:.1f} %", k, n, what,
-                     100.0 * interval.share, 100.0 * interval.low, 100.0 * interval.high);
+/// `k` and `different_k` of all trials and of those that differ.
+std::string ShareText(const TrialsResult& trials, int k, int different_k, const char* what) {
+  const ShareInterval share = WilsonInterval(different_k, trials.different);
+  std::string text = fmt::format("{} of {} trials {}", k, trials.n, what);
+  if (trials.different < trials.n) {
+    text += fmt::format(", but {} only repeat others to the bit; each counted once, {} of {} did",
+                        trials.n - trials.different, different_k, trials.different);
+  }
+  return text + fmt::format(": {:.1f} %, and with 95 % certainty from {:.1f} to {:.1f} %", 100.0 * share.share,
+                            100.0 * share.low, 100.0 * share.high);
+}
+
+/// What whoever measured the start posture has to do about it.
+void JudgeStart(const PreflightInput& input, Preflight& preflight) {
+  bool moves = false, jumps = false;
+  for (const Violation& v : preflight.audit.violations) {
+    if (v.law != "start_posture") continue;
+    if (v.where == kStartTilt) {
+      preflight.remarks.push_back(
+          fmt::format("the measured base is tilted by {} against the first command, which no way of the joints mends: "
+                      "level the robot, or set it down as the plan begins, and measure again",
+                      AuditFigure(v.value, v.unit)));
+    } else {
+      (v.where.ends_with(kStartSpeed) ? moves : jumps) = true;
+    }
+  }
+  if (moves) {
+    preflight.remarks.push_back(
+        "the first command moves, and the robot that was measured does not: begin the plan at rest");
+  }
+  if (jumps) {
+    preflight.remarks.push_back(
+        input.approach.empty()
+            ? "the first command is a jump: plan a way to it with --approach FILE, go it, and measure again"
+            : input.approach + "; go it, and measure again");
+  } else if (!input.approach.empty()) {
+    preflight.remarks.push_back(input.approach);
+  }
+}
+
+void JudgeTrials(const PreflightInput& input, Preflight& preflight) {
+  if (!preflight.trials) {
+    preflight.remarks.push_back("no trials: how often it survives disturbances is not known");
+    return;
+  }
+  const TrialsResult& trials = *preflight.trials;
+  const ShareInterval survival = WilsonInterval(trials.different_survived, trials.different);
+  const double least = input.options.least_survival;
+  if (survival.share < least) {
+    preflight.reasons.push_back(fmt::format("{}; at least {:.4g} % is asked for", SurvivalText(trials), 100.0 * least));
+  } else if (survival.low < least) {
+    preflight.reasons.push_back(fmt::format("the trials leave open whether {:.4g} % survive: {}; more {} may tell",
+                                            100.0 * least, SurvivalText(trials),
+                                            trials.different < trials.n ? "that differ" : "of them"));
+  }
 }
 
 void Judge(const PreflightInput& input, Preflight& preflight) {
@@ -96,34 +148,9 @@ void Judge(const PreflightInput& input, Preflight& preflight) {
     preflight.reasons.push_back(ViolationText(broken[i]));
   if (broken.size() > kMost)
     preflight.reasons.push_back(fmt::format("and {} more broken limits, see the audit", broken.size() - kMost));
-  const auto starts = [&](bool moving) {
-    return std::any_of(broken.begin(), broken.end(), [&](const Violation& v) {
-      return v.law == "start_posture" && v.where.ends_with(kStartSpeed) == moving;
-    });
-  };
   for (const std::string& remark : preflight.audit.remarks) preflight.remarks.push_back(remark);
-  if (starts(true)) {
-    preflight.remarks.push_back(
-        "the first command moves, and the robot that was measured does not: begin the plan at rest");
-  }
-  if (starts(false)) {
-    preflight.remarks.push_back(
-        input.approach.empty()
-            ? "the first command is a jump: plan a way to it with --approach FILE, go it, and measure again"
-            : input.approach + "; go it, and measure again");
-  }
-  if (!preflight.trials) {
-    preflight.remarks.push_back("no trials: how often it survives disturbances is not known");
-    return;
-  }
-  const TrialsResult& trials = *preflight.trials;
-  const double least = input.options.least_survival;
-  if (trials.survival < least) {
-    preflight.reasons.push_back(fmt::format("{}; at least {:.4g} % is asked for", SurvivalText(trials), 100.0 * least));
-  } else if (trials.survival_low < least) {
-    preflight.reasons.push_back(fmt::format("the trials leave open whether {:.4g} % survive: {}; more of them may tell",
-                                            100.0 * least, SurvivalText(trials)));
-  }
+  JudgeStart(input, preflight);
+  JudgeTrials(input, preflight);
 }
 
 void Assume(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input, Preflight& preflight) {
@@ -166,11 +193,11 @@ std::string LawWords(const std::string& law) {
 }
 
 std::string SurvivalText(const TrialsResult& trials) {
-  return ShareText(trials.survived, trials.n, "survived", {trials.survival, trials.survival_low, trials.survival_high});
+  return ShareText(trials, trials.survived, trials.different_survived, "survived");
 }
 
 std::string PassText(const TrialsResult& trials) {
-  return ShareText(trials.passed, trials.n, "passed every gate too", trials.pass_share());
+  return ShareText(trials, trials.passed, trials.different_passed, "passed every gate too");
 }
 
 std::string ThresholdText(const Preflight& preflight) {

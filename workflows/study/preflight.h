@@ -33,7 +33,7 @@ struct PreflightInput {
   AuditOptions audit;  ///< margins are taken whatever it says
   PreflightOptions options;
   std::optional<TrialsResult> trials;
-  std::string approach;  ///< a sentence on the motion that was planned to the first posture, or ""
+  std::string approach;  ///< a sentence on the way to the first posture, or why there is none; "" if not asked for
 };
 
 /// The page that an engineer signs before a plan goes on a robot, as data.
@@ -56,7 +56,8 @@ struct Preflight {
 };
 
 /// Audits the plan with its margins and puts everything together. It is a go where the audit passes (with the measured
-/// start posture, if one is given) and, where there is a result of trials, these leave no doubt that enough survive.
+/// start posture, if one is given) and, where there is a result of trials, these leave no doubt that enough survive;
+/// of trials with one and the same log one counts.
 /// Failure: the plan does not fit the robot; the trials are of another plan, be it the ground alone that is another, or
 /// of another robot (both hashes are named).
 Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input);
@@ -74,7 +75,8 @@ std::string PreflightPage(const Preflight& preflight);
 /// A law in words, as "joint torque".
 std::string LawWords(const std::string& law);
 
-/// "487 of 500 trials survived: 97.4 %, and with 95 % certainty from 95.6 to 98.5 %".
+/// "487 of 500 trials survived: 97.4 %, and with 95 % certainty from 95.6 to 98.5 %"; where trials repeat others, of
+/// those that differ.
 std::string SurvivalText(const TrialsResult& trials);
 
 /// The same of those that passed every gate.

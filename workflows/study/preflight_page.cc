@@ -117,7 +117,6 @@ std::string Conditions(const Preflight& p) {
   for (const OptionChange& condition : p.trial_conditions)
     html += "<li>" + EscapedXml(ConditionText(condition)) + "</li>\n";
   html += "</ul>\n";
-  if (p.trials->disturbances.empty()) return html + "<p>The result does not say its disturbances.</p>\n";
   return html + fmt::format("<p>Disturbances:</p>\n<pre>{}</pre>\n", EscapedXml(p.trials->disturbances));
 }
 

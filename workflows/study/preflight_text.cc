@@ -53,7 +53,6 @@ std::string TrialsText(const Preflight& preflight) {
   std::string text = Section("Trials", lines);
   text += "  - played under:\n";
   for (const OptionChange& condition : preflight.trial_conditions) text += SetIn(ConditionText(condition));
-  if (trials.disturbances.empty()) return text + "  - disturbances: the result does not say them\n";
   return text + "  - disturbances:\n" + SetIn(trials.disturbances);
 }
 
@@ -76,6 +75,12 @@ Json MarginJson(const AuditMargin& m) {
           {"limit", m.limit}, {"unit", m.unit}, {"margin", m.margin}, {"share", m.share ? Json(*m.share) : Json()}};
 }
 
+Json DifferentJson(const TrialsResult& trials) {
+  const ShareInterval survival = WilsonInterval(trials.different_survived, trials.different);
+  return {{"n", trials.different},      {"survived", trials.different_survived}, {"passed", trials.different_passed},
+          {"survival", survival.share}, {"survival_low", survival.low},          {"survival_high", survival.high}};
+}
+
 Json TrialsJson(const TrialsResult& trials, const std::vector<OptionChange>& conditions) {
   Json causes = Json::object(), worst = Json::array(), under = Json::array();
   for (const OptionChange& c : conditions) under.push_back({{"key", c.key}, {"value", c.value}, {"usual", c.usual}});
@@ -91,6 +96,7 @@ Json TrialsJson(const TrialsResult& trials, const std::vector<OptionChange>& con
           {"pass_share", passed.share},
           {"pass_low", passed.low},
           {"pass_high", passed.high},
+          {"different", DifferentJson(trials)},
           {"controller", trials.controller},
           {"conditions", under},
           {"disturbances", trials.disturbances},

@@ -59,7 +59,8 @@ struct TrialHooks {
 ///
 /// A run ends at its last trial or, with `until_width`, at the first number n >= until_least at which the outcomes of
 /// the trials 0 to n - 1 have an interval that is narrow enough. What was done beyond that is not in the report, so
-/// that who was quick does not matter.
+/// that who was quick does not matter. What an earlier part did beyond the end, since it had more to do, stays in the
+/// journal.
 class TrialBook {
  public:
   /// @return a failure as WhyNotTried, before a journal is there, as JobJournal::Open, or for an outcome there that is
@@ -82,8 +83,12 @@ class TrialBook {
   /// The report; a failure when a trial failed, or when the run is not complete: code `interrupted`. The journal stays
   /// until Close.
   Result<RobustnessReport> Report();
-  /// Deletes the journal, once the report is safe.
-  void Close() { journal_.Remove(); }
+  /// Trials that an earlier part of the run did, and that are beyond its end now.
+  int beyond() const { return static_cast<int>(journal_.found(static_cast<std::size_t>(end_))); }
+  /// Deletes the journal, once the report is safe; it stays where trials are beyond the end, which are in no report.
+  void Close() {
+    if (beyond() == 0) journal_.Remove();
+  }
 
  private:
   TrialBook(const TrialStudy& study, const TrialOptions& options, TrialHooks hooks, JobJournal journal);

@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "kinematics/base/file.h"
 #include "planning/plan/json_part_internal.h"
+#include "playback/score/reason.h"
 #include "playback/trials/wilson.h"
+#include "workflows/study/trial.h"
 
 namespace gaitwright {
 namespace {
@@ -26,33 +30,48 @@ std::string TextOf(const JsonPart& part) {
   return text;
 }
 
-/// The first text and the first whole number of an object, whatever their keys.
-TrialsResult::Cause CauseOf(const JsonPart& part) {
-  TrialsResult::Cause cause;
-  bool counted = false;
-  for (const auto& [key, value] : part.json().items()) {
-    if (value.is_string() && cause.name.empty()) cause.name = value.get<std::string>();
-    if (!value.is_number_integer() || counted) continue;
-    cause.count = part.At(key).Whole(0, kMost);
-    counted = true;
-  }
-  if (cause.name.empty() || !counted) part.Refuse("has no name and count");
-  return cause;
-}
-
 std::vector<TrialsResult::Cause> CausesOf(const JsonPart& result) {
+  const JsonPart given = Needed(result, "causes");
+  if (!given.json().is_object()) given.Refuse("is no object of counts");
   std::vector<TrialsResult::Cause> causes;
-  if (!result.Has("causes")) return causes;
-  const JsonPart given = result.At("causes");
-  if (given.json().is_object()) {
-    for (const auto& [key, value] : given.json().items()) causes.push_back({key, given.At(key).Whole(0, kMost)});
-    return causes;
-  }
-  for (const JsonPart& entry : given.List()) {
-    if (!entry.json().is_object()) entry.Refuse("is no object with a name and a count");
-    causes.push_back(CauseOf(entry));
+  for (const auto& [key, value] : given.json().items()) {
+    if (!IsCauseOfFall(key)) given.Refuse(fmt::format("has '{}', which is no cause that a fall has", key));
+    causes.push_back({key, given.At(key).Whole(1, kMost)});
   }
   return causes;
+}
+
+/// What one row of `trials` says.
+struct Row {
+  bool survived = false, passed = false;
+  std::string cause, log_hash;
+};
+
+bool Truth(const JsonPart& part) {
+  if (!part.json().is_boolean()) part.Refuse("is neither true nor false");
+  return part.json().get<bool>();
+}
+
+std::vector<Row> RowsOf(const JsonPart& result) {
+  const JsonPart trials = Needed(result, "trials"), columns = Needed(trials, "columns");
+  std::vector<std::string> names;
+  for (const JsonPart& column : columns.List()) names.push_back(column.Text());
+  const auto place = [&](const char* name) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) columns.Refuse(fmt::format("lacks the column '{}'", name));
+    return static_cast<std::size_t>(at - names.begin());
+  };
+  const std::size_t survived = place("survived"), passed = place("passed"), cause = place("cause"),
+                    log_hash = place("log_hash");
+  std::vector<Row> rows;
+  for (const JsonPart& row : Needed(trials, "rows").List()) {
+    const std::vector<JsonPart> cells = row.List();
+    if (cells.size() != names.size())
+      row.Refuse(fmt::format("has {} values for {} columns", cells.size(), names.size()));
+    rows.push_back({Truth(cells[survived]), Truth(cells[passed]), cells[cause].Text(), TextOf(cells[log_hash])});
+    if (rows.back().passed && !rows.back().survived) row.Refuse("passed every gate and did not survive");
+  }
+  return rows;
 }
 
 std::vector<TrialsResult::Worst> WorstOf(const JsonPart& result) {
@@ -70,36 +89,74 @@ std::vector<TrialsResult::Worst> WorstOf(const JsonPart& result) {
   return worst;
 }
 
+/// All options of a playback, so that none is unknown to whoever signs.
 OptionTexts OptionsOf(const JsonPart& result) {
   const JsonPart given = Needed(result, "options");
   if (!given.json().is_object()) given.Refuse("is no object of options");
+  PlayRequest request;
+  for (const OptionField& field : request.Fields()) {
+    if (!given.Has(field.key))
+      given.Refuse(fmt::format("lacks '{}'; a result of this version has every option of the playback", field.key));
+  }
   OptionTexts options;
   for (const auto& [key, value] : given.json().items()) options.emplace_back(key, given.At(key).Text());
   return options;
 }
 
-void CheckFigures(const JsonPart& part, const TrialsResult& result) {
-  if (result.survived > result.n) {
-    part.Refuse(fmt::format("says that {} of {} trials survived; there are no more survivors than trials",
-                            result.survived, result.n));
+std::string DisturbancesOf(const JsonPart& result) {
+  const JsonPart given = Needed(result, "disturbances");
+  std::string text = given.Text();
+  PlayRequest request;
+  const Result<Disturbances> read = ReadDisturbances(text, SensorFields(request), "disturbances");
+  if (!read) given.Refuse(fmt::format("cannot be read: {}", read.failure().message));
+  return text;
+}
+
+/// Refuses counts that are not those of the rows.
+void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::vector<Row>& rows) {
+  const auto hold = [&](int said, const std::string& what, auto is) {
+    const auto counted = std::count_if(rows.begin(), rows.end(), is);
+    if (said != counted)
+      part.Refuse(fmt::format("says that {} of {} trials {}; of its rows {} did", said, result.n, what, counted));
+  };
+  if (static_cast<std::size_t>(result.n) != rows.size())
+    part.Refuse(fmt::format("says that there were {} trials, and has rows of {}", result.n, rows.size()));
+  hold(result.survived, "survived", [](const Row& row) { return row.survived; });
+  hold(result.passed, "passed every gate", [](const Row& row) { return row.passed; });
+  int told = 0;
+  for (const TrialsResult::Cause& cause : result.causes) {
+    hold(cause.count, fmt::format("fell as '{}'", cause.name),
+         [&](const Row& row) { return !row.survived && row.cause == cause.name; });
+    told += cause.count;
   }
-  if (result.passed > result.survived) {
-    part.Refuse(fmt::format("says that {} trials passed every gate, where {} survived; no more can", result.passed,
-                            result.survived));
-  }
+  if (told != result.n - result.survived)
+    part.Refuse(fmt::format("has causes of {} falls, where {} fell", told, result.n - result.survived));
+}
+
+/// Refuses an interval that is not that of the counts.
+void CheckInterval(const JsonPart& part, const TrialsResult& result) {
   constexpr double kRounded = 1e-3;
   const ShareInterval is = WilsonInterval(result.survived, result.n);
-  if (std::abs(is.share - result.survival) > kRounded || std::abs(is.low - result.survival_low) > kRounded ||
-      std::abs(is.high - result.survival_high) > kRounded) {
-    part.Refuse(
-        fmt::format("says a survival of {} in {} to {}, where {} of {} trials survived ({:.4g} in {:.4g} to "
-                    "{:.4g})",
-                    result.survival, result.survival_low, result.survival_high, result.survived, result.n, is.share,
-                    is.low, is.high));
+  if (std::abs(is.share - result.survival) <= kRounded && std::abs(is.low - result.survival_low) <= kRounded &&
+      std::abs(is.high - result.survival_high) <= kRounded)
+    return;
+  part.Refuse(fmt::format(
+      "says a survival of {} in {} to {}, where {} of {} trials survived ({:.4g} in {:.4g} to {:.4g})", result.survival,
+      result.survival_low, result.survival_high, result.survived, result.n, is.share, is.low, is.high));
+}
+
+/// Counts each log once, as the worst of the trials that have it.
+void CountDifferent(const std::vector<Row>& rows, TrialsResult& result) {
+  std::map<std::string, Row> logs;
+  for (const Row& row : rows) {
+    Row& counted = logs.emplace(row.log_hash, row).first->second;
+    counted.survived = counted.survived && row.survived;
+    counted.passed = counted.passed && row.passed;
   }
-  for (const TrialsResult::Cause& cause : result.causes) {
-    if (cause.count > result.n)
-      part.Refuse(fmt::format("says that {} of {} trials ended as '{}'", cause.count, result.n, cause.name));
+  result.different = static_cast<int>(logs.size());
+  for (const auto& [hash, row] : logs) {
+    result.different_survived += row.survived ? 1 : 0;
+    result.different_passed += row.passed ? 1 : 0;
   }
 }
 
@@ -115,12 +172,15 @@ TrialsResult Read(const JsonPart& part) {
   result.whole_plan_hash = TextOf(Needed(part, "whole_plan_hash"));
   result.robot_hash = TextOf(Needed(part, "robot_hash"));
   if (part.Has("controller")) result.controller = part.At("controller").Text();
-  if (part.Has("disturbances")) result.disturbances = part.At("disturbances").Text();
   if (part.Has("repeat")) result.repeat = part.At("repeat").Text();
   result.options = OptionsOf(part);
+  result.disturbances = DisturbancesOf(part);
   result.causes = CausesOf(part);
   result.worst = WorstOf(part);
-  CheckFigures(part, result);
+  const std::vector<Row> rows = RowsOf(part);
+  CheckCounts(part, result, rows);
+  CheckInterval(part, result);
+  CountDifferent(rows, result);
   return result;
 }
 

@@ -60,10 +60,20 @@ TEST_F(StartPostures, AreRefusedByNameAndLine) {
   ExpectSaid(FileOf(First(), knee) + knee + ": .nan\n", {knee, "finite"});
   ExpectSaid(FileOf(First()) + "base_quaternion_xyzw: [0, 0, 1]\n", {"3 numbers", "[x, y, z, w]"});
   ExpectSaid(FileOf(First()) + "base_quaternion_xyzw: [0, 0, 1, 1]\n", {"length of 1.414"});
-  ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "nearest"});
+  ExpectSaid("joints:\n  a: 1\nspeed: 2\n", {"'speed'", "there are 'joints'"});
   ExpectSaid("[1, 2]\n", {"a list", "a map"});
   ExpectSaid("", {"a map"});
   ExpectSaid("a: [1\n", {"no YAML"});
+}
+
+TEST_F(StartPostures, InDegreesAreSaidToBe) {
+  constexpr double kDegrees = 57.29577951308232;
+  const std::string hint = "all joints would be within theirs as degrees: write them in rad";
+  ExpectSaid(FileOf(kDegrees * First()), {"line 2", "outside of its limits", hint});
+  VectorX one = First();
+  one[2] = 1.5;
+  EXPECT_EQ(WhyNot(FileOf(one)).find("degrees"), std::string::npos) << "the others are in rad";
+  EXPECT_NE(WhyNot(FileOf(one)).find("mend the measurement"), std::string::npos);
 }
 
 TEST_F(StartPostures, JointsThatFollowOthersHaveNone) {

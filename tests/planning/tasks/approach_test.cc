@@ -56,6 +56,18 @@ TEST_P(Approaching, LeadsFromRestToRestAndPassesItsAudit) {
   EXPECT_TRUE(Audit(model(), *read, {})->pass());
 }
 
+TEST_P(Approaching, HasNoWayToGoWithinTheTolerance) {
+  AuditOptions audit;
+  StartPosture start = Off(0.0);
+  EXPECT_FALSE(HasWayToGo(model(), plan(), start, audit));
+  start.R_WB = Quaternion(Eigen::AngleAxisd(0.3, Vector3::UnitX()));
+  EXPECT_FALSE(HasWayToGo(model(), plan(), start, audit)) << "no joint levels the base";
+  start.joints[1] += 0.04;
+  EXPECT_FALSE(HasWayToGo(model(), plan(), start, audit));
+  audit.start_tolerance_rad = 0.03;
+  EXPECT_TRUE(HasWayToGo(model(), plan(), start, audit));
+}
+
 TEST_P(Approaching, KeepsToItsShareOfSpeedAndIsNoSlowerThanThatAsksFor) {
   const auto approach = PlanApproach(model(), plan(), Off(0.3));
   ASSERT_TRUE(approach) << approach.failure().message;

@@ -41,6 +41,29 @@ TEST(TrialsPageTest, TheLegendHasNoLineThatIsNotDrawn) {
   EXPECT_EQ(page.find("smallest fatal"), std::string::npos) << "no push was";
 }
 
+TEST(TrialsPageTest, SaysOfSurvivalWhatIsDrawn) {
+  const auto page = [](int trials) { return TrialsPage(ReduceTrials(made::Subject(), made::Outcomes(trials, 20.0))); };
+  const std::string line = "the line is the share of each that survived",
+                    legend = ">share of groups of as many trials<";
+  EXPECT_NE(page(20).find(line), std::string::npos);
+  EXPECT_NE(page(20).find(legend), std::string::npos);
+  const std::string few = page(19);
+  ASSERT_NE(few.find("id=\"survival_by_cause\""), std::string::npos);
+  EXPECT_EQ(few.find(line), std::string::npos);
+  EXPECT_EQ(few.find(legend), std::string::npos);
+  EXPECT_NE(few.find("Each trial is a mark"), std::string::npos);
+  EXPECT_NE(few.find("20 trials are needed"), std::string::npos);
+}
+
+TEST(TrialsPageTest, SaysWhereTrialsRepeatOthers) {
+  std::vector<TrialOutcome> outcomes = made::Outcomes(20, 25.0);
+  EXPECT_EQ(TrialsPage(ReduceTrials(made::Subject(), outcomes)).find("the same playback"), std::string::npos);
+  for (TrialOutcome& outcome : outcomes) outcome.log_hash = "same";
+  const std::string page = TrialsPage(ReduceTrials(made::Subject(), outcomes));
+  EXPECT_NE(page.find("all 20 trials are one and the same playback"), std::string::npos);
+  EXPECT_EQ(XmlFault(page), "");
+}
+
 TEST(TrialsPageTest, HasNothingToShowOfWhatThereWasNot) {
   std::vector<TrialOutcome> calm = made::Outcomes(5, 1000.0);
   for (TrialOutcome& outcome : calm) outcome.sampled.resize(1);

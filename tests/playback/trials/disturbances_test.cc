@@ -91,7 +91,31 @@ TEST_F(DisturbancesTest, RefusalsNameLineAndNearest) {
   says("pushes:\n  - {size_n: 1, place: {uniform: [0, 1]}}\n", {"words are needed"});
   says("pushes: {size_n: 1}\n", {"a list is needed"});
   says("", {"holds no disturbances"});
+  says("pushes: []\nstart: {}\n", {"holds no disturbances"});
+  says("bump_seed: 1.5\n", {"line 1", "bump_seed is 1.5", "whole number"});
+  says("bump_seed: {choice: [1, 2.5]}\n", {"2.5", "whole number"});
+  says("bump_seed: {uniform: [0, 3.5]}\n", {"3.5", "whole number"});
   says("a: [", {"no YAML"});
+}
+
+TEST_F(DisturbancesTest, APushWithoutImpulseIsNone) {
+  for (const char* duration :
+       {"0", "{uniform: [0, 0.2]}", "{choice: [0.1, 0]}", "{normal: {mean: 0, std: 1, lowest: 0}}"}) {
+    const std::string why = Refusal("pushes:\n  - {size_n: 3000, duration_s: " + std::string(duration) + "}\n");
+    EXPECT_NE(why.find("line 2: duration_s"), std::string::npos) << why;
+    EXPECT_NE(why.find(" is 0; accepted: 0.0001 to 100"), std::string::npos) << why;
+  }
+  const Disturbances bell = Read("pushes:\n  - {size_n: 30, duration_s: {normal: {mean: 0.1, std: 0.1}}}\n");
+  for (std::uint64_t seed = 0; seed < 200; ++seed) EXPECT_GT(Sample(bell, seed).pushes[0].for_s, 0.0);
+}
+
+TEST_F(DisturbancesTest, ASeedOfBumpsIsWhole) {
+  const Disturbances seeds = Read("bump_seed: {uniform: [3, 9]}\n");
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const SampledTrial trial = Sample(seeds, seed);
+    EXPECT_EQ(Value(trial, "bump_seed"), std::round(Value(trial, "bump_seed")));
+    EXPECT_EQ(trial.options.at(0).value, Value(trial, "bump_seed")) << "what is told is what is played";
+  }
 }
 
 TEST_F(DisturbancesTest, WhatIsDrawnForOneFigureDoesNotChangeWithTheOthers) {

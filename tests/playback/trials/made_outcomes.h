@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "playback/trials/robustness_report.h"
@@ -23,7 +25,7 @@ inline std::vector<TrialOutcome> Outcomes(int n, double fatal_n) {
     o.ended_s = o.survived ? 5.0 : 2.2 + 0.005 * i;  // soon after the push
     o.cause = o.survived ? (o.passed ? "" : "goal_error_m") : "a foot slid";
     o.reason = "under <a push> it \"fell\" & more";
-    o.log_hash = "0123456789abcdef";
+    o.log_hash = fmt::format("{:016x}", i);
     o.sampled = {{"mass_scale", "1", mass, ""},
                  {"push1.size_n", "N", size, ""},
                  {"push1.direction_deg", "deg", angle, ""},

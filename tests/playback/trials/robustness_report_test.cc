@@ -125,6 +125,25 @@ TEST(RobustnessReportTest, JsonHasTheStablePart) {
   EXPECT_EQ(json.at("metrics").at("goal_error_m").at("limit"), 0.05);
 }
 
+TEST(RobustnessReportTest, TrialsThatRepeatOthersAreSaidTo) {
+  std::vector<TrialOutcome> outcomes = made::Outcomes(20, 25.0);
+  const RobustnessReport all = ReduceTrials(made::Subject(), outcomes);
+  EXPECT_EQ(all.different, 20);
+  EXPECT_EQ(RepeatsText(all), "");
+  EXPECT_EQ(nlohmann::json::parse(RobustnessJson(all)).at("remarks"), nlohmann::json::array());
+  outcomes[7].log_hash = outcomes[3].log_hash;
+  EXPECT_EQ(RepeatsText(ReduceTrials(made::Subject(), outcomes)).find("only 19 of 20 trials are different playbacks"),
+            0U);
+  for (TrialOutcome& outcome : outcomes) outcome.log_hash = "same";
+  const RobustnessReport one = ReduceTrials(made::Subject(), outcomes);
+  EXPECT_EQ(one.different, 1);
+  const std::string remark = "all 20 trials are one and the same playback";
+  EXPECT_NE(RobustnessText(one).find("note: " + remark), std::string::npos);
+  const auto json = nlohmann::json::parse(RobustnessJson(one));
+  EXPECT_EQ(json.at("different"), 1);
+  EXPECT_EQ(json.at("remarks").at(0).get<std::string>().find(remark), 0U);
+}
+
 /// Steps of which each lands late by twice the push to the left, scaled.
 std::vector<TrialOutcome> Stepping(int trials, const GaitScale& scale) {
   std::vector<TrialOutcome> outcomes = made::Outcomes(trials, 25.0);

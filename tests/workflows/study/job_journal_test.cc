@@ -50,6 +50,9 @@ TEST_F(Journals, WhatWasAddedIsFoundAgain) {
   const Result<JobJournal> again = Open("work", true);
   ASSERT_TRUE(again) << again.failure().message;
   EXPECT_EQ(again->found(), 2U);
+  EXPECT_EQ(again->found(2), 2U);
+  EXPECT_EQ(again->found(3), 1U);
+  EXPECT_EQ(again->found(8), 0U);
   EXPECT_EQ(again->Find(7), "seven");
   EXPECT_EQ(again->Find(2), "{\"two\": 2}");
   EXPECT_EQ(again->Find(3), std::nullopt);

@@ -45,6 +45,9 @@ TrialsResult ResultOf(const Walked& walked, int n, int survived, double low, dou
   trials.causes = {{"tipped <over>", n - survived}};
   trials.worst = {{18446744073709551615U, "base under 0.4 of its height"}};
   trials.passed = survived - 4;
+  trials.different = n;
+  trials.different_survived = survived;
+  trials.different_passed = trials.passed;
   trials.options = {{"state", "true"}, {"command_delay_s", "0"}, {"play.friction", "0.4"}, {"sensors.seed", "0"}};
   trials.disturbances = "mass_scale: 1.1\nfriction: <0.5>\n";
   trials.plan_hash = MotionHash(walked.plan);
@@ -93,6 +96,23 @@ TEST(PreflightOfAGoodPlan, StandsOnTheOptionsThatAreGiven) {
   EXPECT_FALSE(Says(jumps.remarks, "begin the plan at rest"));
 }
 
+TEST(PreflightOfAGoodPlan, SendsNoJointAnywhereForATiltedBase) {
+  PreflightInput input;
+  const VectorX first = AWalk().plan.whole_body.q.front().tail(AWalk().model.num_dofs());
+  input.audit.start = StartPosture{first, Quaternion(Eigen::AngleAxisd(0.3, Vector3::UnitX()))};
+  const Preflight tilted = Of(input);
+  EXPECT_TRUE(Says(tilted.reasons, "start posture: base tilt"));
+  EXPECT_TRUE(Says(tilted.remarks, "the measured base is tilted by 0.3 rad"));
+  EXPECT_TRUE(Says(tilted.remarks, "level the robot"));
+  EXPECT_FALSE(Says(tilted.remarks, "--approach"));
+  input.approach = "no way is needed";
+  EXPECT_TRUE(Says(Of(input).remarks, "no way is needed"));
+  EXPECT_FALSE(Says(Of(input).remarks, "go it"));
+  input.audit.start->joints[3] += 0.2;
+  EXPECT_TRUE(Says(Of(input).remarks, "go it, and measure again")) << "both have to be mended";
+  EXPECT_TRUE(Says(Of(input).remarks, "is tilted by"));
+}
+
 TEST(PreflightOfAGoodPlan, SaysWhereAMeasuredQuaternionLikelyHasWFirst) {
   PreflightInput input;
   const VectorX first = AWalk().plan.whole_body.q.front().tail(AWalk().model.num_dofs());
@@ -136,6 +156,26 @@ TEST(PreflightWithTrials, IsNoGoWhereTooFewSurvived) {
   EXPECT_FALSE(Of(input).go());
   EXPECT_TRUE(Says(Of(input).reasons, "19 of 20 trials survived"));
   EXPECT_TRUE(Says(Of(input).reasons, "at least 96 %"));
+}
+
+TEST(PreflightWithTrials, CountsEachPlaybackOnce) {
+  PreflightInput input;
+  input.trials = ResultOf(AWalk(), 500, 500, 0.9924, 1.0);
+  EXPECT_TRUE(Of(input).go());
+  input.trials->different = input.trials->different_survived = input.trials->different_passed = 1;
+  const Preflight one = Of(input);
+  EXPECT_FALSE(one.go());
+  const std::string counted =
+      "500 of 500 trials survived, but 499 only repeat others to the bit; each counted once, 1 of 1 did: 100.0 %, and "
+      "with 95 % certainty from 20.7 to 100.0 %";
+  EXPECT_TRUE(Says(one.reasons, "the trials leave open whether 90 % survive: " + counted + "; more that differ"));
+  EXPECT_TRUE(Says(PreflightText(one), "496 of 500 trials passed every gate too, but 499 only repeat others"));
+  const Json different = Json::parse(PreflightJson(one)).at("trials").at("different");
+  EXPECT_EQ(different.at("n"), 1);
+  EXPECT_NEAR(different.at("survival_low"), 0.2065, 1e-4);
+  input.trials->different = 50;
+  input.trials->different_survived = 40;
+  EXPECT_TRUE(Says(Of(input).reasons, "40 of 50 did: 80.0 %")) << "though of all more survived";
 }
 
 TEST(PreflightWithTrials, RefusesThoseOfAnotherPlanOrRobot) {

@@ -9,6 +9,7 @@
 
 #include "kinematics/base/file.h"
 #include "playback/log/log_json.h"
+#include "playback/score/reason.h"
 #include "tests/playback/standing_plan.h"
 #include "tests/scratch_folder.h"
 
@@ -80,8 +81,10 @@ TEST_F(RunTrialsTest, SomeFallAndSomeStand) {
   EXPECT_LT(report.survived, 12);
   EXPECT_FALSE(report.causes.empty());
   EXPECT_EQ(report.subject.plan_hash, MotionHash(plan_));
-  for (const TrialOutcome& outcome : report.outcomes)
+  for (const TrialOutcome& outcome : report.outcomes) {
     EXPECT_EQ(outcome.cause.empty(), outcome.passed) << outcome.reason;
+    EXPECT_EQ(IsCauseOfFall(outcome.cause), !outcome.survived) << outcome.cause;
+  }
   ASSERT_FALSE(report.worst.empty());
   const TrialOutcome& worst = report.Outcome(report.worst[0]);
   const PlayedTrial again = PlayTrial(Study(), worst.number, worst.seed).value();
@@ -111,6 +114,27 @@ TEST_F(RunTrialsTest, AnInterruptedRunIsResumedToTheSameBytes) {
   TrialHooks hooks{.journal = Journal(), .resume = true};
   hooks.progress = [&](const TrialProgress&) { ++played; };
   EXPECT_EQ(JsonOf(Some(7, 2), hooks), whole);
+  EXPECT_EQ(played, 2);
+  EXPECT_FALSE(fs::exists(Journal()));
+}
+
+TEST_F(RunTrialsTest, WhatIsDoneBeyondTheEndOfAResumedRunIsKept) {
+  const std::string whole = JsonOf(Some(6));
+  Interrupt(Some(6), 4);
+  EXPECT_EQ(JsonOf(Some(2), {.journal = Journal(), .resume = true}), JsonOf(Some(2)));
+  ASSERT_TRUE(fs::exists(Journal()));
+  TrialOptions narrow = Some(6);
+  narrow.until_width = 0.99;
+  narrow.until_least = 1;
+  TrialBook book = TrialBook::Open(Study(), narrow, {.journal = Journal(), .resume = true}).value();
+  EXPECT_EQ(book.Report().value().n, 1) << "narrow enough";
+  EXPECT_EQ(book.beyond(), 3);
+  book.Close();
+  { const TrialBook let_go = std::move(book); }
+  int played = 0;
+  TrialHooks hooks{.journal = Journal(), .resume = true};
+  hooks.progress = [&](const TrialProgress&) { ++played; };
+  EXPECT_EQ(JsonOf(Some(6), hooks), whole);
   EXPECT_EQ(played, 2);
   EXPECT_FALSE(fs::exists(Journal()));
 }

@@ -4,11 +4,31 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+
+#include "workflows/walk/walk.h"
 
 namespace gaitwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Twenty trials: the first fell, of the others two broke a gate.
+Json Rows() {
+  Json rows = Json::array();
+  for (int i = 0; i < 20; ++i)
+    rows.push_back(
+        {i, i > 0, i > 2, i == 0 ? "a foot slid" : (i > 2 ? "" : "goal_error_m"), "log" + std::to_string(i)});
+  return rows;
+}
+
+Json Options() {
+  PlayRequest request;
+  Json options;
+  for (const auto& [key, text] : TextsOf(request.Fields())) options[key] = text;
+  options["play.friction"] = "0.4";
+  return options;
+}
 
 Json Good() {
   return {{"n", 20},
@@ -18,14 +38,15 @@ Json Good() {
           {"survival_low", 0.7639},
           {"survival_high", 0.9911},
           {"metrics", {{"goal_error_m", {{"p95", 0.1}}}}},
-          {"causes", {{"tipped over", 1}}},
+          {"causes", {{"a foot slid", 1}}},
           {"worst", {{{"seed", 7}, {"cause", "tipped"}, {"reason", "tipped at 2 s"}}, {{"seed", 9}, {"cause", ""}}}},
           {"controller", "stabilised"},
           {"disturbances", "friction: 0.5\n"},
-          {"options", {{"state", "true"}, {"play.friction", "0.4"}}},
+          {"options", Options()},
           {"plan_hash", "p"},
           {"whole_plan_hash", "w"},
-          {"robot_hash", "r"}};
+          {"robot_hash", "r"},
+          {"trials", {{"columns", {"seed", "survived", "passed", "cause", "log_hash"}}, {"rows", Rows()}}}};
 }
 
 void ExpectNo(const Json& json, const std::string& part) {
@@ -42,6 +63,13 @@ Json With(const char* key, const Json& value) {
   return json;
 }
 
+/// A good one with another value in a cell of its rows.
+Json WithCell(std::size_t row, std::size_t column, const Json& value) {
+  Json json = Good();
+  json["trials"]["rows"][row][column] = value;
+  return json;
+}
+
 TEST(TrialsResults, AreReadWithCausesAndWorst) {
   const auto read = TrialsResultFromJson(Good().dump(), "trials.json");
   ASSERT_TRUE(read) << read.failure().message;
@@ -52,24 +80,71 @@ TEST(TrialsResults, AreReadWithCausesAndWorst) {
   EXPECT_EQ(read->pass_share(), WilsonInterval(17, 20));
   EXPECT_EQ(read->plan_hash, "p");
   EXPECT_EQ(read->whole_plan_hash, "w");
-  EXPECT_EQ(read->options, (OptionTexts{{"state", "true"}, {"play.friction", "0.4"}})) << "in their order";
+  PlayRequest usual;
+  OptionTexts options = TextsOf(usual.Fields());
+  for (auto& [key, text] : options) text = key == "play.friction" ? "0.4" : text;
+  EXPECT_EQ(read->options, options) << "in their order";
   EXPECT_EQ(read->controller, "stabilised");
   EXPECT_EQ(read->disturbances, "friction: 0.5\n");
   ASSERT_EQ(read->causes.size(), 1U);
-  EXPECT_EQ(read->causes[0].name, "tipped over");
+  EXPECT_EQ(read->causes[0].name, "a foot slid");
   EXPECT_EQ(read->causes[0].count, 1);
   ASSERT_EQ(read->worst.size(), 2U);
   EXPECT_EQ(read->worst[0].seed, 7U);
   EXPECT_EQ(read->worst[0].words, "tipped at 2 s");
   EXPECT_EQ(read->worst[1].words, "");
-  const auto listed = TrialsResultFromJson(With("causes", {{{"cause", "slipped"}, {"count", 1}}}).dump(), "t");
-  ASSERT_TRUE(listed) << listed.failure().message;
-  EXPECT_EQ(listed->causes[0].name, "slipped");
+  EXPECT_EQ(read->different, 20);
+}
+
+TEST(TrialsResults, CountEachLogOnce) {
+  Json json = Good();
+  for (int i = 5; i < 20; ++i) json["trials"]["rows"][i][4] = "log5";
+  json["trials"]["rows"][1][4] = "log2";
+  const auto read = TrialsResultFromJson(json.dump(), "trials.json");
+  ASSERT_TRUE(read) << read.failure().message;
+  EXPECT_EQ(read->different, 5) << "0, 2, 3, 4, 5";
+  EXPECT_EQ(read->different_survived, 4);
+  EXPECT_EQ(read->different_passed, 3);
+}
+
+TEST(TrialsResults, ThatContradictTheirRowsAreRefused) {
+  ExpectNo(WithCell(4, 1, false), "passed every gate and did not survive");
+  ExpectNo(WithCell(1, 1, false), "19 of 20 trials survived; of its rows 18 did");
+  ExpectNo(WithCell(1, 2, true), "17 of 20 trials passed every gate; of its rows 18 did");
+  ExpectNo(WithCell(0, 3, "the base tilted"), "1 of 20 trials fell as 'a foot slid'; of its rows 0 did");
+  ExpectNo(WithCell(0, 1, 1), "neither true nor false");
+  ExpectNo(WithCell(0, 4, ""), "is empty");
+  ExpectNo(With("causes", {{"foo", 1}}), "'foo', which is no cause that a fall has");
+  ExpectNo(With("causes", Json::object()), "causes of 0 falls, where 1 fell");
+  ExpectNo(With("causes", {{"a foot slid", 21}}), "21 of 20 trials fell as 'a foot slid'; of its rows 1 did");
+  ExpectNo(With("n", 500), "there were 500 trials, and has rows of 20");
+  Json json = Good();
+  json["trials"]["rows"].erase(7);
+  ExpectNo(json, "has rows of 19");
+  json = Good();
+  json["trials"]["rows"][7].erase(4);
+  ExpectNo(json, "has 4 values for 5 columns");
+  json = Good();
+  json["trials"]["columns"][4] = "hash";
+  ExpectNo(json, "lacks the column 'log_hash'");
+}
+
+TEST(TrialsResults, ThatDoNotSayWhatTheyWerePlayedUnderAreRefused) {
+  ExpectNo(With("options", Json::object()), "'options' lacks '");
+  Json json = Good();
+  json["options"].erase("play.mass_scale");
+  ExpectNo(json, "lacks 'play.mass_scale'");
+  json["options"] = Options();
+  json["options"]["play.of_tomorrow"] = "1";
+  EXPECT_TRUE(TrialsResultFromJson(json.dump(), "t")) << "one that is not known is told as such";
+  ExpectNo(With("disturbances", "{}"), "holds no disturbances");
+  ExpectNo(With("disturbances", ""), "holds no disturbances");
+  ExpectNo(With("disturbances", "frction: 0.5\n"), "'friction'");
 }
 
 TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   for (const char* key : {"n", "survived", "passed", "survival", "survival_low", "survival_high", "plan_hash",
-                          "whole_plan_hash", "robot_hash", "options"}) {
+                          "whole_plan_hash", "robot_hash", "options", "disturbances", "causes", "trials"}) {
     Json json = Good();
     json.erase(key);
     ExpectNo(json, "'" + std::string(key) + "'");
@@ -77,7 +152,7 @@ TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   ExpectNo(With("n", 0), "'n'");
   ExpectNo(With("n", 20.5), "'n'");
   ExpectNo(With("n", 1e300), "'n'");
-  ExpectNo(With("survived", 21), "no more survivors");
+  ExpectNo(With("survived", 21), "21 of 20 trials survived; of its rows 19 did");
   ExpectNo(With("survived", -1), "'survived'");
   ExpectNo(With("survival", 0.5), "19 of 20");
   ExpectNo(With("survival_low", 0.96), "19 of 20");
@@ -85,14 +160,14 @@ TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   ExpectNo(With("survival_high", nullptr), "'survival_high'");
   ExpectNo(With("plan_hash", 3), "'plan_hash'");
   ExpectNo(With("plan_hash", ""), "is empty");
-  ExpectNo(With("passed", 20), "20 trials passed every gate, where 19 survived");
+  ExpectNo(With("passed", 20), "20 of 20 trials passed every gate; of its rows 17 did");
   ExpectNo(With("whole_plan_hash", ""), "is empty");
   ExpectNo(With("options", "many"), "'options'");
-  ExpectNo(With("options", {{"play.friction", 0.4}}), "play.friction");
+  Json options = Options();
+  options["play.friction"] = 0.4;
+  ExpectNo(With("options", options), "play.friction");
   ExpectNo(With("causes", "many"), "'causes'");
-  ExpectNo(With("causes", {{"tipped", -1}}), "tipped");
-  ExpectNo(With("causes", {{{"count", 1}}}), "name and count");
-  ExpectNo(With("causes", {{"tipped", 21}}), "21 of 20");
+  ExpectNo(With("causes", {{"a foot slid", -1}}), "a foot slid");
   ExpectNo(With("survival_low", 0.5), "19 of 20");
   ExpectNo(With("worst", {{{"number", 1}}}), "'seed'");
   ExpectNo(With("worst", {{{"seed", -1}}}), "seed");
