@@ -60,12 +60,9 @@ sanitized_tests() {
 
 # Those programs that have threads, under the thread sanitizer.
 threaded_tests() {
-  local status=0
   configure threads -DGAITWRIGHT_TESTS=ON
   build threads playback_tests workflows_tests
-  TSAN_OPTIONS=halt_on_error=1 ctest --test-dir "$root/build/threads" -j2 --output-on-failure --no-tests=ignore \
-    -R 'Trials|Sweep|Tune|Live|Session|Server' -LE '^long$' || status=$?
-  return $status
+  TSAN_OPTIONS=halt_on_error=1 ctest_in threads -R 'Trials|Sweep|Tune|Live|Session|Server' -LE '^long$'
 }
 
 # fuzz_reader ROOM NAME INPUTS: a reader under libFuzzer, from what its corpus and the source tree have. What it finds is
