@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 
@@ -54,6 +55,10 @@ Result<Study> StudyOf(Arguments& a) {
   const std::vector<StudyAxis> axes = ParseAxes(a.study.over, layout);
   const Result<OptionTexts> options = a.study.Finish(axes, a.common);
   if (!options) return options.failure();
+  for (const std::string& key : KeysOf(axes)) {
+    if (std::any_of(options->begin(), options->end(), [&](const auto& option) { return option.first == key; }))
+      throw InvalidArgument(fmt::format("--options gives what --over {} varies: leave one of them out", key));
+  }
   Result<RobotModel> model = a.study.FinishFor(axes);
   if (!model) return model.failure();
   Study study{

@@ -150,6 +150,8 @@ void PlayArguments::Finish(bool state_varies) {
     if (flag->count() > 0 && push.empty() && request.play.push_force_W.isZero(0.0))
       throw InvalidArgument(flag->get_name() + " is given without --push: how hard is missing");
   }
+  if (!request.play.push_force_W.isZero(0.0) && request.play.push_for_s == 0.0)
+    throw InvalidArgument("a push that lasts for 0 s does nothing: --push-for is to be above 0");
 }
 
 }  // namespace gaitwright::cli

@@ -5,35 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
+#include "playback/score/log_options_internal.h"
 #include "playback/score/report_text.h"
 #include "playback/score/why_it_fell.h"
 
 namespace gaitwright {
 namespace {
-
-/// Options of a playback that are numbers.
-class Options {
- public:
-  explicit Options(const PlaybackLog& log) : log_(log) {}
-
-  double At(const std::string& key, double otherwise = 0.0) const {
-    const std::string text = Text(key);
-    return text.empty() ? otherwise : std::strtod(text.c_str(), nullptr);
-  }
-
-  std::string Text(const std::string& key) const {
-    for (const auto& [name, text] : log_.options) {
-      if (name == key) return text;
-    }
-    return "";
-  }
-
- private:
-  const PlaybackLog& log_;
-};
 
 /// Where a push in W goes, in words.
 std::string PushWords(const Vector3& force) {
@@ -63,25 +42,34 @@ std::vector<Unforeseen> PushesBefore(const PlaybackLog& log, double before_s) {
   return told;
 }
 
-std::vector<Unforeseen> OfTheGround(const Options& options) {
+/// Whether all ground has this friction.
+bool HasFriction(const Terrain& terrain, double friction) {
+  for (int surface = 0; surface < terrain.num_surfaces(); ++surface) {
+    if (FrictionOf(terrain, surface) != friction) return false;
+  }
+  return true;
+}
+
+std::vector<Unforeseen> OfTheGround(const LogOptions& options, const Terrain& planned) {
   std::vector<Unforeseen> told;
   const double slope = options.At("play.ground_slope_deg"), bumps = options.At("play.ground_bumps_m");
   const double friction = options.At("play.friction");
   if (slope != 0.0) told.push_back({fmt::format("a slope of {:.3g} degrees", slope), std::abs(slope) / 2.0});
   if (bumps != 0.0) told.push_back({fmt::format("bumps of {:.3g} mm", 1e3 * bumps), bumps / 0.003});
-  if (friction > 0.0) told.push_back({fmt::format("a friction of {:.3g}", friction), 0.5 / friction});
+  if (friction > 0.0 && !HasFriction(planned, friction))
+    told.push_back({fmt::format("a friction of {:.3g}", friction), 0.5 / friction});
   return told;
 }
 
 /// Adds a factor that is not one.
-void AddFactor(const Options& options, const char* key, const char* what, std::vector<Unforeseen>& told) {
+void AddFactor(const LogOptions& options, const char* key, const char* what, std::vector<Unforeseen>& told) {
   constexpr double kUsual = 0.1;
   const double scale = options.At(key, 1.0);
   if (scale != 1.0)
     told.push_back({fmt::format("{:.3g} times {}", scale, what), std::abs(std::log(std::max(scale, 1e-9))) / kUsual});
 }
 
-std::vector<Unforeseen> OfTheBody(const Options& options) {
+std::vector<Unforeseen> OfTheBody(const LogOptions& options) {
   std::vector<Unforeseen> told;
   AddFactor(options, "play.mass_scale", "the mass", told);
   AddFactor(options, "play.inertia_scale", "the moments of inertia", told);
@@ -93,9 +81,10 @@ std::vector<Unforeseen> OfTheBody(const Options& options) {
   return told;
 }
 
-std::vector<Unforeseen> OfTheDrives(const Options& options) {
+std::vector<Unforeseen> OfTheDrives(const LogOptions& options) {
   std::vector<Unforeseen> told;
-  const double late_s = options.At("command_delay_s"), friction = options.At("play.joint_friction_nm");
+  const double step_s = options.At("play.step_s", 1e-3), friction = options.At("play.joint_friction_nm");
+  const double late_s = step_s * std::round(options.At("command_delay_s") / step_s);  // it is so in whole steps
   if (late_s != 0.0) told.push_back({fmt::format("commands late by {:.3g} ms", 1e3 * late_s), late_s / 0.004});
   AddFactor(options, "play.motor_strength", "the motors' strength", told);
   AddFactor(options, "play.torque_scale", "the motors' torque", told);
@@ -108,7 +97,7 @@ std::vector<Unforeseen> OfTheDrives(const Options& options) {
   return told;
 }
 
-std::vector<Unforeseen> OfTheStart(const Options& options) {
+std::vector<Unforeseen> OfTheStart(const LogOptions& options) {
   const auto at = [&](const char* part) { return options.At(std::string("play.start_") + part); };
   const double off_m = Vector3(at("x_m"), at("y_m"), at("z_m")).norm();
   const double turned = Vector3(at("roll_rad"), at("pitch_rad"), at("yaw_rad")).norm();
@@ -118,10 +107,11 @@ std::vector<Unforeseen> OfTheStart(const Options& options) {
   return told;
 }
 
-std::vector<Unforeseen> AllUnforeseen(const PlaybackLog& log, double before_s) {
-  const Options options(log);
+std::vector<Unforeseen> AllUnforeseen(const MotionPlan& plan, const PlaybackLog& log, double before_s) {
+  const LogOptions options(log);
   std::vector<Unforeseen> all = PushesBefore(log, before_s);
-  for (const auto& list : {OfTheGround(options), OfTheBody(options), OfTheDrives(options), OfTheStart(options)})
+  for (const auto& list :
+       {OfTheGround(options, plan.terrain), OfTheBody(options), OfTheDrives(options), OfTheStart(options)})
     all.insert(all.end(), list.begin(), list.end());
   return all;
 }
@@ -208,11 +198,19 @@ const char* WordsOf(FailureEvent::Kind kind) {
   return "";
 }
 
+/// When and how it fell; what is down within the first moment was so before the plan began to move.
+std::string FallText(const ScoreInputs& in) {
+  constexpr double kMoment = 0.05;  // [s]
+  if (in.fall.time_s - in.log.start_s < kMoment)
+    return fmt::format("it gave way while it settled, before the plan began: {}", in.fall.what);
+  return fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what);
+}
+
 }  // namespace
 
-std::vector<std::string> DisturbancesOf(const PlaybackLog& log, double before_s) {
+std::vector<std::string> DisturbancesOf(const MotionPlan& plan, const PlaybackLog& log, double before_s) {
   std::vector<std::string> words;
-  for (const Unforeseen& one : AllUnforeseen(log, before_s)) words.push_back(one.words);
+  for (const Unforeseen& one : AllUnforeseen(plan, log, before_s)) words.push_back(one.words);
   return words;
 }
 
@@ -221,10 +219,9 @@ std::string ReasonOf(const ScoreInputs& in, const std::vector<Metric>& metrics) 
   if (pass) return Tightest(metrics);
   const std::vector<FailureEvent> events = FailureEvents(in);
   const double before_s = in.fall.fell ? in.fall.time_s : std::numeric_limits<double>::infinity();
-  const std::string under = MostOf(AllUnforeseen(in.log, before_s));
+  const std::string under = MostOf(AllUnforeseen(in.plan, in.log, before_s));
   std::string text = under.empty() ? "" : "under " + under + ": ";
-  text += in.fall.fell ? fmt::format("it fell at {:.2f} s: {}", in.fall.time_s, in.fall.what)
-                       : "it did not fall, but " + BrokenGates(metrics);
+  text += in.fall.fell ? FallText(in) : "it did not fall, but " + BrokenGates(metrics);
   if (!events.empty()) text += "; " + First(events, in.fall.fell ? 3 : 1);
   return text;
 }

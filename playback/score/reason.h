@@ -13,7 +13,7 @@ namespace gaitwright {
 /// What a playback was put through that its plan did not know, in words, from its log: "a push of 60 N to the left from
 /// 3.00 s for 0.10 s", "a slope of 2 degrees". Pushes that began after a time are left out, and of those before it all
 /// but the last two. Empty for a plain playback.
-std::vector<std::string> DisturbancesOf(const PlaybackLog& log,
+std::vector<std::string> DisturbancesOf(const MotionPlan& plan, const PlaybackLog& log,
                                         double before_s = std::numeric_limits<double>::infinity());
 
 /// The reason for the verdict in one plain sentence: for a fall what ended it and up to three events that came before,

@@ -12,6 +12,7 @@
 #include "playback/score/contact_timing.h"
 #include "playback/score/failure_events_internal.h"
 #include "playback/score/gates.h"
+#include "playback/score/log_options_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -121,8 +122,9 @@ Event Slip(const ScoreInputs& in) {
 
 Event TorqueLimit(const ScoreInputs& in) {
   Event first;
+  const double strength = LogOptions(in.log).At("play.motor_strength", 1.0);
   for (int i = 0; i < in.model.num_dofs(); ++i) {
-    const double limit = in.model.dof_effort_limit(i);
+    const double limit = strength * in.model.dof_effort_limit(i);
     if (!HasTorqueLimit(in.model, i)) continue;
     const auto at = FirstPersistent(in.series.measured,
                                     [&](std::size_t k) { return in.log.samples[k].tau_peak[i] >= kAtLimit * limit; });

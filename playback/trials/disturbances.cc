@@ -132,9 +132,9 @@ class Sampler {
                         size * std::sin(elevation * kRadian));
     Record(name + ".size_n", "N", size);
     Record(name + ".direction_deg", "deg", direction);
-    Record(name + ".ahead_n", "N", force.x());
-    Record(name + ".left_n", "N", force.y());
-    if (Has(push, "elevation_deg")) Record(name + ".up_n", "N", force.z());
+    Record(name + ".ahead_n", "N", Part(force.x(), size));
+    Record(name + ".left_n", "N", Part(force.y(), size));
+    if (Has(push, "elevation_deg")) Record(name + ".up_n", "N", Part(force.z(), size));
     Record(name + ".at_s", "s", at_s);
     Record(name + ".duration_s", "s", for_s);
     trial_.values.push_back({name + ".place", "", 0.0, place});
@@ -147,13 +147,18 @@ class Sampler {
     if (!direction) return;
     const std::string name = slope ? "ground_slope_" : "ground_slope_direction_", ending = slope ? "_deg" : "";
     const std::string unit = slope ? "deg" : "1";
-    Record(name + "x" + ending, unit, slope.value_or(1.0) * std::cos(*direction * kRadian));
-    Record(name + "y" + ending, unit, slope.value_or(1.0) * std::sin(*direction * kRadian));
+    const double whole = slope.value_or(1.0);
+    Record(name + "x" + ending, unit, Part(whole * std::cos(*direction * kRadian), whole));
+    Record(name + "y" + ending, unit, Part(whole * std::sin(*direction * kRadian), whole));
   }
 
   SampledTrial Take() { return std::move(trial_); }
 
  private:
+  /// A part of something whole; none where it is what rounding leaves of a right angle, which would be ranked as a
+  /// cause.
+  static double Part(double part, double whole) { return std::abs(part) > 1e-9 * std::abs(whole) ? part : 0.0; }
+
   double Drawn(const std::string& name, const Distribution& distribution) const {
     if (end_) return *end_ == RangeEnd::kHighest ? distribution.highest : distribution.lowest;
     NamedRandom random(trial_.seed, name);

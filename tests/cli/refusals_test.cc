@@ -116,6 +116,7 @@ TEST_F(Refusals, Playback) {
   ExpectRefused(Walk({"--push", "1,2"}), 1, {"--push", "3 numbers", "has 2"});
   ExpectRefused(Walk({"--push", "1,2,x"}), 1, {"--push", "'x'"});
   ExpectRefused(Walk({"--push-at", "1"}), 1, {"--push-at", "without --push"});
+  ExpectRefused(Walk({"--push", "0,9,0", "--push-for", "0"}), 1, {"lasts for 0 s does nothing"});
   ExpectRefused(Walk({"--push", "0,9,0", "--push-at", "100"}), 1, {"100 s", "ends"});
   ExpectRefused(Walk({"--friction", "-1"}), 1, {"--friction", "-1", "0 to 10"});
   ExpectRefused(Walk({"--mass-scale", "0"}), 1, {"--mass-scale", "0.1 to 10"});

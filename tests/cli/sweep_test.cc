@@ -160,6 +160,10 @@ TEST_F(Sweep, RefusalsSayWhatIsAccepted) {
   ExpectRefused(Run({"sweep", "--over", "speed=0.1:0.2:2", "--metrics", "scor"}), 1, {"scor"});
   ExpectRefused(Run({"sweep", "--over", "gait.cycle_s=0.4,0.5", "--set", "gait.cycle_s=0.6"}), 1,
                 {"--set gait.cycle_s=0.6", "leave one of them out"});
+  Write("options.yaml", "gait.cycle_s: 0.6\n");
+  ExpectRefused(Run({"sweep", "--over", "gait.cycle_s=0.4,0.5", "--options", "options.yaml"}), 1,
+                {"--options gives what --over gait.cycle_s varies"});
+  std::filesystem::remove(In("options.yaml"));
   ExpectRefused(Run({"sweep", "--over", "step_length=0.05,0.06"}), 1, {"step_length", "--steps"});
   ExpectRefused(Run({"sweep", "--over", "speed=0.1,0.2", "--disturbances", "d.yaml"}), 1, {"--trials"});
   ExpectRefused(Run({"sweep", "--over", "speed=0.1,0.2", "--out", "a", "--report", "a"}), 1,

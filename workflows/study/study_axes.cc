@@ -64,7 +64,9 @@ std::string Accepted(OptionField& field, const std::string& text, const std::str
 void ReadRange(StudyAxis& axis, OptionField& field, const std::string& text, const std::vector<std::string>& words) {
   if (!axis.numbers) {
     throw InvalidArgument(
-        fmt::format("'{}': option '{}' is not a number; give its values as {}=a,b,c", text, axis.key, axis.key));
+        fmt::format("'{}': option '{}' is not a number and has no range; single values, as a sweep takes "
+                    "them, are {}=a,b,c",
+                    text, axis.key, axis.key));
   }
   axis.low = ReadNumber(text, words[0]);
   axis.high = ReadNumber(text, words[1]);

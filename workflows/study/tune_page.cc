@@ -135,8 +135,10 @@ std::string Response(const Study& study, const TuneResult& result, std::size_t a
   plot.AcrossY(NumberOfValue(result.candidates[result.favourite].values[axis]), Ink::kDcm, "favourite");
   std::string caption = "Each candidate's value over " + a.key + ", whatever it has of the other options.";
   if (result.surface)
-    caption += fmt::format(" The surface foretells {:.0f} % of the variance of what it was not fitted to.",
-                           100.0 * std::max(result.surface->foretold, 0.0));
+    caption += result.surface->foretold > 0.0
+                   ? fmt::format(" The surface foretells {:.0f} % of the variance of what it was not fitted to.",
+                                 100.0 * result.surface->foretold)
+                   : std::string(" The surface foretells what it was not fitted to worse than the mean does.");
   return FigureOf({"response", caption, plot.Svg()});
 }
 

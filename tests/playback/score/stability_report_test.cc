@@ -162,6 +162,16 @@ TEST(Score, ATiltedBaseHasFallenWhenItPassesTheBound) {
   EXPECT_NE(report.reason.find("tilted"), std::string::npos) << report.reason;
 }
 
+TEST(Score, WhatIsDownAtTheBeginningGaveWayWhileItSettled) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = StandingPlan(model, 1.0);
+  PlaybackLog log = PerfectLog(model, plan);
+  for (LogSample& sample : log.samples)
+    sample.q.segment<4>(3) = Quaternion(Eigen::AngleAxisd(1.0, Vector3::UnitX())).coeffs();
+  const std::string reason = Score(model, plan, log).reason;
+  EXPECT_NE(reason.find("it gave way while it settled, before the plan began: "), std::string::npos) << reason;
+}
+
 TEST(Score, AYawedBaseHasNotFallen) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);

@@ -49,6 +49,22 @@ TEST(WhyItFell, ATorqueLimitThatCameFirstIsToldFirst) {
   EXPECT_TRUE(Says(reason, "first, the torque of 'right_y' was at its limit 200.00 N from 0.30 s; then at")) << reason;
 }
 
+TEST(WhyItFell, TheTorqueLimitIsThatOfTheMotorsAsTheyWerePlayed) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = StandingPlan(model, 1.0);
+  PlaybackLog log = PerfectLog(model, plan);
+  TipToTheLeft(log);
+  for (LogSample& sample : log.samples) {
+    if (sample.time_s > 0.299) sample.tau_peak[4] = 60.0;
+  }
+  EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
+  log.options = {{"play.motor_strength", "0.3"}};
+  EXPECT_TRUE(Says(Score(model, plan, log).reason, "'right_y' was at its limit 60.00 N from 0.30 s"));
+  log.options = {{"play.motor_strength", "3"}};
+  for (LogSample& sample : log.samples) sample.tau_peak[4] = std::min(sample.tau_peak[4] * 200.0 / 60.0, 200.0);
+  EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
+}
+
 TEST(WhyItFell, AFootThatLiftsIsALostContact) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
@@ -131,7 +147,7 @@ TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = SteppingPlan(model);
   PlaybackLog log = PerfectLog(model, plan);
-  EXPECT_TRUE(DisturbancesOf(log).empty());
+  EXPECT_TRUE(DisturbancesOf(plan, log).empty());
   log.options = {{"play.ground_slope_deg", "2"}, {"play.ground_bumps_m", "0.01"}, {"play.friction", "0.3"},
                  {"play.mass_scale", "1.2"},     {"play.com_shift_y_m", "0.08"},  {"command_delay_s", "0.03"},
                  {"play.motor_strength", "0.3"}, {"state", "estimated"},          {"play.start_roll_rad", "-0.1"}};
@@ -146,13 +162,15 @@ TEST(WhyItFell, WhatThePlanDidNotKnowIsNamed) {
                                              "0.3 times the motors' strength",
                                              "the state as it is estimated",
                                              "a start turned by 0.1 rad"};
-  EXPECT_EQ(DisturbancesOf(log), expected);
+  EXPECT_EQ(DisturbancesOf(plan, log), expected);
   log.body_contacts = {{3.5, "trunk"}};
   const std::string reason = Score(model, plan, log).reason;
   EXPECT_TRUE(Says(reason, "under a push of 60 N to the right from 3.00 s for 0.10 s, ")) << reason;
   EXPECT_TRUE(
       Says(reason, "commands late by 30 ms, 0.3 times the motors' strength and 5 smaller disturbances: it fell"))
       << reason;
+  log.options = {{"play.friction", "0.8"}, {"play.step_s", "0.001"}, {"command_delay_s", "0.0004"}};
+  EXPECT_EQ(DisturbancesOf(plan, log).size(), 1U) << "the plan's own friction, and less than half a step";
 }
 
 TEST(WhyItFell, APushThatCameAfterTheFallIsNotItsCause) {

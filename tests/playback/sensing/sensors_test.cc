@@ -9,6 +9,7 @@
 #include "playback/sensing/contact_sensors.h"
 #include "playback/sensing/encoders.h"
 #include "playback/sensing/imu.h"
+#include "playback/sensing/sample_clock.h"
 
 namespace gaitwright {
 namespace {
@@ -42,6 +43,14 @@ VectorX AtRest() {
   VectorX q = VectorX::Zero(7);
   q[6] = 1.0;
   return q;
+}
+
+TEST(SampleClock, OfARateThatIsNextToNoneReadsOnce) {
+  for (const double rate_hz : {1e-9, 1e-300}) {
+    SampleClock clock(rate_hz, 1e-3);
+    EXPECT_TRUE(clock.Tick());
+    for (int i = 0; i < 10000; ++i) ASSERT_FALSE(clock.Tick()) << rate_hz;
+  }
 }
 
 TEST(NoiseStream, HasTheMomentsOfItsDistributions) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "playback/trials/disturbances.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -142,6 +143,16 @@ TEST_F(DisturbancesTest, APushIsInTheHeadingOfThePlanAtItsTime) {
   EXPECT_NEAR(Value(trial, "push1.ahead_n"), 0.1 * model_.weight_n(), 1e-9);
   EXPECT_NEAR(Value(trial, "push1.left_n"), 0.0, 1e-9);
   EXPECT_THROW(SampleTrial(Read("pushes:\n  - {size_n: 1, place: FR_claf}\n"), model_, plan_, 1), InvalidArgument);
+}
+
+TEST_F(DisturbancesTest, PartsAcrossARightAngleAreNone) {
+  for (const char* degrees : {"90", "-90", "270"}) {
+    const std::string push = fmt::format("pushes:\n  - {{size_n: 300, direction_deg: {}, at_share: 0.5}}\n", degrees);
+    EXPECT_EQ(Value(SampleTrial(Read(push), model_, plan_, 1), "push1.ahead_n"), 0.0) << degrees;
+    const std::string slope =
+        fmt::format("ground_slope_deg: {{uniform: [1, 3]}}\nground_slope_direction_deg: {}\n", degrees);
+    EXPECT_EQ(Value(SampleTrial(Read(slope), model_, plan_, 1), "ground_slope_x_deg"), 0.0) << degrees;
+  }
 }
 
 TEST_F(DisturbancesTest, AShiftAnyWayHasItsLengthAndEveryDirection) {

@@ -57,7 +57,9 @@ TEST(StudyAxes, RefusalsSayWhatIsWrongAndWhatIsAccepted) {
             "'speed=0:1:2.5': the count is 2.5; whole numbers from 2 to 10000 are accepted");
   EXPECT_EQ(Refusal("speed=0.1,0.10", kGrid), "'speed=0.1,0.10': the value 0.1 is given twice");
   EXPECT_EQ(Refusal("play.push_on=0:1", kSamples),
-            "'play.push_on=0:1': option 'play.push_on' is not a number; give its values as play.push_on=a,b,c");
+            "'play.push_on=0:1': option 'play.push_on' is not a number and has no range; single values, as a sweep "
+            "takes them, "
+            "are play.push_on=a,b,c");
   EXPECT_EQ(Refusal("play.actuation=motors", kGrid)
                 .find("'play.actuation=motors': option 'play.actuation' is 'motors'; accepted: "),
             0U);
