@@ -42,6 +42,7 @@ std::string HelpOf(const OptionField& field) {
 std::string RangeOf(const OptionField& field) {
   if (!field.choices.empty()) return fmt::format("{}", fmt::join(field.choices, ", "));
   if (std::holds_alternative<bool*>(field.target)) return "true, false";
+  if (std::holds_alternative<std::string*>(field.target)) return "text";
   return fmt::format("{} to {}", field.lowest, field.highest);
 }
 

@@ -55,6 +55,8 @@ std::string TallyTable(const std::string& title, const std::vector<Tally>& talli
 }
 
 std::string SensitivityTable(const RobustnessReport& report) {
+  if (report.survived == 0 && report.n > 1)
+    return "<p class=\"soft\">What falls go with cannot be told: every trial fell.</p>\n";
   std::string rows;
   for (const Sensitivity& s : report.sensitivity) {
     const bool word = s.how.starts_with("is");

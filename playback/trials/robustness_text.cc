@@ -132,6 +132,8 @@ std::string Share(const char* what, int k, int n, const ShareInterval& interval)
 }
 
 std::string SensitivityLines(const RobustnessReport& report) {
+  if (report.survived == 0 && report.n > 1)
+    return "\nwhat falls go with: every trial fell, so that there is none to tell them from\n";
   if (report.sensitivity.empty()) return "";
   std::string text = "\nwhat falls go with (effect 0 to 1, p-value; small p: surely)\n";
   for (std::size_t i = 0; i < std::min(kMostTold, report.sensitivity.size()); ++i) {

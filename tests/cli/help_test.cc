@@ -138,6 +138,7 @@ TEST_F(Help, EveryOptionOfTheListCanBeSetToItsDefault) {
     EXPECT_TRUE(without == (verb == "plan" ? Read("plan.json") : ran.out)) << "the defaults change nothing";
   }
   EXPECT_NE(Run({"walk", "--list-options"}).out.find("swing.height_m = 0 m  (0 to 1)"), std::string::npos);
+  EXPECT_NE(Run({"play", "--list-options"}).out.find("play.push_on = base  (text)"), std::string::npos);
 }
 
 TEST_F(Help, TheReadmeNamesTheVerbsThatListTheirOptions) {

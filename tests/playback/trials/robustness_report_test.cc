@@ -184,6 +184,12 @@ TEST(RobustnessReportTest, WordsNameWhatMatters) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST(RobustnessReportTest, WhereEveryTrialFellNothingIsRankedAndThatIsSaid) {
+  const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(20, 0.0));
+  ASSERT_EQ(report.survived, 0);
+  EXPECT_NE(RobustnessText(report).find("what falls go with: every trial fell"), std::string::npos);
+}
+
 TEST(TrialOutcomeTest, ALineReadsBackTheSame) {
   for (TrialOutcome outcome : made::Outcomes(20, 25.0)) {
     outcome.steps = {{0.001, 2.5, -1.0, true, 0.012, 1.0 / 3.0, -0.002}, {0.0, 0.1, 0.0, false, 0.0, 0.0, 0.0}};
