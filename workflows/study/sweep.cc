@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
 
 namespace gaitwright {
@@ -28,6 +30,70 @@ std::string Covered(const Study& study, std::size_t axis, const std::vector<std:
   return fmt::format("{} {}", a.key, fmt::join(each, " or "));
 }
 
+/// Points as numbers by axis, of words their place in the alphabet.
+std::vector<std::vector<double>> PlacesOf(const Study& study) {
+  std::vector<std::vector<double>> places(study.points.size(), std::vector<double>(study.axes.size()));
+  for (std::size_t k = 0; k < study.axes.size(); ++k) {
+    std::set<std::string> words;
+    for (const auto& point : study.points) words.insert(point[k]);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const std::string& value = study.points[i][k];
+      places[i][k] = study.axes[k].numbers ? NumberOfValue(value)
+                                           : static_cast<double>(std::distance(words.begin(), words.find(value)));
+    }
+  }
+  return places;
+}
+
+/// A range of each axis.
+struct Box {
+  std::vector<double> low, high;
+
+  bool Holds(const std::vector<double>& place) const {
+    for (std::size_t k = 0; k < place.size(); ++k) {
+      if (place[k] < low[k] || place[k] > high[k]) return false;
+    }
+    return true;
+  }
+  Box With(const std::vector<double>& place) const {
+    Box box = *this;
+    for (std::size_t k = 0; k < place.size(); ++k) {
+      box.low[k] = std::min(low[k], place[k]);
+      box.high[k] = std::max(high[k], place[k]);
+    }
+    return box;
+  }
+};
+
+/// Parts the points that failed in one way into such as lie in a box with no others in it: one range over all of them
+/// would tell of points that pass. After a few boxes the last part has whatever is left.
+std::vector<std::vector<std::size_t>> PartsOf(const std::vector<std::size_t>& members,
+                                              const std::vector<std::vector<double>>& places) {
+  constexpr std::size_t kMostParts = 4, kMostPoints = 10000;
+  if (places.size() > kMostPoints) return {members};  // the time goes with the square
+  const std::set<std::size_t> all(members.begin(), members.end());
+  std::vector<const std::vector<double>*> others;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (all.count(i) == 0) others.push_back(&places[i]);
+  }
+  std::vector<std::vector<std::size_t>> parts;
+  std::vector<std::size_t> left = members;
+  while (!left.empty() && parts.size() + 1 < kMostParts) {
+    Box box{places[left.front()], places[left.front()]};
+    for (const std::size_t point : left) {
+      const Box larger = box.With(places[point]);
+      if (std::none_of(others.begin(), others.end(), [&](const auto* other) { return larger.Holds(*other); }))
+        box = larger;
+    }
+    const auto rest =
+        std::stable_partition(left.begin(), left.end(), [&](std::size_t point) { return box.Holds(places[point]); });
+    parts.emplace_back(left.begin(), rest);
+    left.erase(left.begin(), rest);
+  }
+  if (!left.empty()) parts.push_back(std::move(left));
+  return parts;
+}
+
 }  // namespace
 
 SweepSummary SummaryOf(const std::vector<PointOutcome>& outcomes) {
@@ -42,21 +108,28 @@ SweepSummary SummaryOf(const std::vector<PointOutcome>& outcomes) {
 }
 
 std::vector<FailureGroup> FailureGroups(const Study& study, const std::vector<PointOutcome>& outcomes) {
-  std::vector<FailureGroup> groups;
+  std::vector<FailureGroup> ways, groups;
+  std::map<std::size_t, const std::string*> reasons;
   for (const PointOutcome& outcome : outcomes) {
     if (outcome.status == PointStatus::kPass) continue;
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const FailureGroup& g) {
+    reasons[outcome.point] = &outcome.reason;
+    auto way = std::find_if(ways.begin(), ways.end(), [&](const FailureGroup& g) {
       return g.status == outcome.status && g.code == outcome.code;
     });
-    if (group == groups.end()) {
-      groups.push_back({outcome.status, outcome.code, {}, "", outcome.reason});
-      group = groups.end() - 1;
+    if (way == ways.end()) {
+      ways.push_back({outcome.status, outcome.code, {}, "", ""});
+      way = ways.end() - 1;
     }
-    group->points.push_back(outcome.point);
+    way->points.push_back(outcome.point);
   }
-  for (FailureGroup& group : groups) {
-    for (std::size_t k = 0; k < study.axes.size(); ++k)
-      group.where += (k == 0 ? "" : ", ") + Covered(study, k, group.points);
+  const std::vector<std::vector<double>> places = PlacesOf(study);
+  for (const FailureGroup& way : ways) {
+    for (const std::vector<std::size_t>& part : PartsOf(way.points, places)) {
+      FailureGroup group{way.status, way.code, part, "", *reasons.at(part.front())};
+      for (std::size_t k = 0; k < study.axes.size(); ++k)
+        group.where += (k == 0 ? "" : ", ") + Covered(study, k, group.points);
+      groups.push_back(std::move(group));
+    }
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const auto& a, const auto& b) { return a.points.size() > b.points.size(); });

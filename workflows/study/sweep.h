@@ -22,7 +22,7 @@ struct SweepSummary {
 /// Counts outcomes and finds the best.
 SweepSummary SummaryOf(const std::vector<PointOutcome>& outcomes);
 
-/// Points that failed in one way: where they lie and an example of why.
+/// Points that failed in one way and lie together: where, and an example of why.
 struct FailureGroup {
   PointStatus status = PointStatus::kRefused;
   std::string code;
@@ -31,7 +31,8 @@ struct FailureGroup {
   std::string example;  ///< the reason of the first of them
 };
 
-/// All points that did not pass, by status and code, the largest group first.
+/// All points that did not pass, by status and code and then by where they are: in ranges without a point that came to
+/// something else, as far as a few ranges do. The largest group first.
 std::vector<FailureGroup> FailureGroups(const Study& study, const std::vector<PointOutcome>& outcomes);
 
 }  // namespace gaitwright
