@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How messages that refuse a name go on after it, by NearestName of options.h.
+// How messages that refuse a name go on after it.
 #pragma once
 
 #include <string>
 #include <vector>
 
 namespace gaitwright {
+
+/// The member of `candidates` nearest to `word`: one that begins with it, else the one that fewest letters make of it.
+/// Empty where none is near: where more than half of its letters are others.
+std::string NearestName(const std::string& word, const std::vector<std::string>& candidates);
 
 /// "; the nearest is 'trot'", or nothing where none is near. Of two to four that begin with the word and go on for more
 /// than a letter each is named: "; the nearest are 'jerk_rad_s3', 'jerk_m_s3'".

@@ -34,9 +34,6 @@ struct OptionField {
 
 using OptionFields = std::vector<OptionField>;
 
-/// The member of `candidates` nearest to `word` (edit distance), or empty when there is none.
-std::string NearestName(const std::string& word, const std::vector<std::string>& candidates);
-
 /// "'a', 'b', 'c'": for messages that list what exists.
 std::string QuotedList(const std::vector<std::string>& names);
 

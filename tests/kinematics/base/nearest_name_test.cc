@@ -3,10 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "kinematics/base/options.h"
-
 namespace gaitwright {
 namespace {
+
+/// The distance of two words goes with the product of their lengths: of a million letters each it would take hours.
+TEST(NearestName, OfWordsOfAnyLengthIsFoundAtOnce) {
+  const std::string long_word(1000000, 'a');
+  EXPECT_EQ(NearestName(long_word, {"b", long_word + "c", "d"}), long_word + "c");
+  EXPECT_EQ(NearestName("lenght", {"width", "length", "height"}), "length");
+  EXPECT_EQ(NearestName("word", {}), "");
+}
 
 TEST(NearestName, BeginsWithTheWordWhereOneDoes) {
   EXPECT_EQ(NearestName("rise", {"wise", "rise_m", "rising"}), "rise_m") << "'wise' is fewer letters away";

