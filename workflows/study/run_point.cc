@@ -87,8 +87,8 @@ Result<PlannedWalk> PlanPoint(const Study& study, const StudyPoint& point) {
   }
 }
 
-StudyPlans::StudyPlans(const Study& study, const std::vector<std::size_t>& todo) : study_(study) {
-  for (const std::size_t point : todo) ++entries_[PlanKey(study.axes, study.points[point])].left;
+StudyPlans::StudyPlans(const Study& study, const std::vector<std::size_t>& pending) : study_(study) {
+  for (const std::size_t point : pending) ++entries_[PlanKey(study.axes, study.points[point])].left;
 }
 
 StudyPlans::Shared StudyPlans::Take(std::size_t point) {
@@ -143,10 +143,10 @@ PointOutcome RunPoint(const Study& study, std::size_t point, StudyPlans& plans) 
   }
 }
 
-std::vector<std::size_t> OrderByPlan(const Study& study, const std::vector<std::size_t>& todo) {
+std::vector<std::size_t> OrderByPlan(const Study& study, const std::vector<std::size_t>& pending) {
   std::map<std::string, std::size_t> first;
-  for (const std::size_t point : todo) first.try_emplace(PlanKey(study.axes, study.points[point]), point);
-  std::vector<std::size_t> ordered = todo;
+  for (const std::size_t point : pending) first.try_emplace(PlanKey(study.axes, study.points[point]), point);
+  std::vector<std::size_t> ordered = pending;
   std::stable_sort(ordered.begin(), ordered.end(), [&](std::size_t a, std::size_t b) {
     return first.at(PlanKey(study.axes, study.points[a])) < first.at(PlanKey(study.axes, study.points[b]));
   });

@@ -46,8 +46,8 @@ class StudyPlans {
  public:
   using Shared = std::shared_ptr<const Result<PlannedWalk>>;
 
-  /// @param todo  the points that will ask, each once. The study must outlive this.
-  StudyPlans(const Study& study, const std::vector<std::size_t>& todo);
+  /// @param pending  the points that will ask, each once. The study must outlive this.
+  StudyPlans(const Study& study, const std::vector<std::size_t>& pending);
 
   /// The plan of a point; waits while another thread makes it.
   Shared Take(std::size_t point);
@@ -79,6 +79,6 @@ PlayRequest PlaybackOf(const Study& study, const StudyPoint& point);
 PointOutcome RunPoint(const Study& study, std::size_t point, StudyPlans& plans);
 
 /// An order of points in which those that share a plan follow each other.
-std::vector<std::size_t> OrderByPlan(const Study& study, const std::vector<std::size_t>& todo);
+std::vector<std::size_t> OrderByPlan(const Study& study, const std::vector<std::size_t>& pending);
 
 }  // namespace gaitwright

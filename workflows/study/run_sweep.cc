@@ -33,18 +33,18 @@ std::string StudyIdentity(const Study& study, const std::string& trials) {
 Result<std::vector<PointOutcome>> RunSweep(const Study& study, JobJournal& journal, const JobOptions& options,
                                            const std::vector<PointRunner>& elsewhere) {
   std::vector<PointOutcome> outcomes(study.points.size());
-  std::vector<std::size_t> todo;
+  std::vector<std::size_t> pending;
   for (std::size_t point = 0; point < study.points.size(); ++point) {
     const std::optional<std::string> line = journal.Find(point);
     if (!line) {
-      todo.push_back(point);
+      pending.push_back(point);
       continue;
     }
     Result<PointOutcome> outcome = PointFromLine(*line);
     if (!outcome) return outcome.failure();
     outcomes[point] = std::move(*outcome);
   }
-  StudyPlans plans(study, todo);
+  StudyPlans plans(study, pending);
   const auto run = [&](std::size_t point) {
     outcomes[point] = RunPoint(study, point, plans);
     journal.Add(point, PointToLine(outcomes[point]));
@@ -57,7 +57,7 @@ Result<std::vector<PointOutcome>> RunSweep(const Study& study, JobJournal& journ
       journal.Add(point, line);
     });
   }
-  if (!RunJobs(OrderByPlan(study, todo), run, options, others)) return Interrupted("RunSweep");
+  if (!RunJobs(OrderByPlan(study, pending), run, options, others)) return Interrupted("RunSweep");
   return outcomes;
 }
 

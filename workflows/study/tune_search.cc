@@ -91,28 +91,28 @@ class TuneSearch {
   /// Judges jobs, of which the journal may hold some, on all threads.
   std::vector<CandidateWorth> Judge(const std::vector<TuneJob>& jobs) {
     std::vector<CandidateWorth> worths(jobs.size());
-    std::vector<std::size_t> todo;
+    std::vector<std::size_t> pending;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       const std::optional<std::string> line = journal_.Find(jobs[i].number);
       const Result<CandidateWorth> read = line ? WorthFromLine(*line) : Result<CandidateWorth>(CandidateWorth{});
       if (!read) throw InvalidArgument(read.failure().message);
       worths[i] = *read;
-      if (!line) todo.push_back(i);
+      if (!line) pending.push_back(i);
     }
-    done_ += jobs.size() - todo.size();
+    done_ += jobs.size() - pending.size();
     const JobOptions each{jobs_.threads,
                           [&](std::size_t done, std::size_t) {
                             if (jobs_.progress) jobs_.progress(done_ + done, total_);
                           },
                           jobs_.stop};
     stopped_ = stopped_ || !RunJobs(
-                               todo,
+                               pending,
                                [&](std::size_t i) {
                                  worths[i] = problem_.judge(jobs[i].values, jobs[i].first, jobs[i].count);
                                  journal_.Add(jobs[i].number, WorthToLine(worths[i]));
                                },
                                each);
-    done_ += todo.size();
+    done_ += pending.size();
     return worths;
   }
 

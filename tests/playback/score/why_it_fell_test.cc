@@ -37,14 +37,20 @@ TEST(WhyItFell, ADcmThatLeavesTheSupportIsNamedWithPlaceAndDirection) {
   EXPECT_TRUE(Says(report.reason, "mm to the left")) << report.reason;
 }
 
-TEST(WhyItFell, ATorqueLimitThatCameFirstIsToldFirst) {
-  const RobotModel model = Robot(2, FootType::kSole);
-  const MotionPlan plan = StandingPlan(model, 1.0);
+/// Tips to the left, with one motor at a torque from 0.3 s on.
+PlaybackLog TippingLog(const RobotModel& model, const MotionPlan& plan, double torque) {
   PlaybackLog log = PerfectLog(model, plan);
   TipToTheLeft(log);
   for (LogSample& sample : log.samples) {
-    if (sample.time_s > 0.299) sample.tau_peak[4] = 200.0;
+    if (sample.time_s > 0.299) sample.tau_peak[4] = torque;
   }
+  return log;
+}
+
+TEST(WhyItFell, ATorqueLimitThatCameFirstIsToldFirst) {
+  const RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = StandingPlan(model, 1.0);
+  const PlaybackLog log = TippingLog(model, plan, 200.0);
   const std::string reason = Score(model, plan, log).reason;
   EXPECT_TRUE(Says(reason, "first, the torque of 'right_y' was at its limit 200.00 N from 0.30 s; then at")) << reason;
 }
@@ -52,16 +58,12 @@ TEST(WhyItFell, ATorqueLimitThatCameFirstIsToldFirst) {
 TEST(WhyItFell, TheTorqueLimitIsThatOfTheMotorsAsTheyWerePlayed) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
-  PlaybackLog log = PerfectLog(model, plan);
-  TipToTheLeft(log);
-  for (LogSample& sample : log.samples) {
-    if (sample.time_s > 0.299) sample.tau_peak[4] = 60.0;
-  }
+  PlaybackLog log = TippingLog(model, plan, 60.0);
   EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
   log.options = {{"play.motor_strength", "0.3"}};
   EXPECT_TRUE(Says(Score(model, plan, log).reason, "'right_y' was at its limit 60.00 N from 0.30 s"));
+  log = TippingLog(model, plan, 200.0);
   log.options = {{"play.motor_strength", "3"}};
-  for (LogSample& sample : log.samples) sample.tau_peak[4] = std::min(sample.tau_peak[4] * 200.0 / 60.0, 200.0);
   EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
 }
 
