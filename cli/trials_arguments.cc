@@ -7,38 +7,26 @@
 #include <optional>
 
 #include "workflows/study/trial.h"
+#include "workflows/walk/idle_options.h"
 
 namespace gaitwright::cli {
 
 namespace {
 
-/// A figure that acts through the one of an option alone, as the direction of a slope does through the slope.
-struct ActsThrough {
-  const char *key, *through;
-  double set;  ///< what the option of the latter is set to
-};
+/// The option of a playback that a figure is drawn for.
+std::string OptionOf(const Disturbance& figure) {
+  return figure.key.starts_with("sensor") ? figure.key : "play." + figure.key;
+}
 
-/// A figure that is drawn where the one through which it acts is zero throughout.
-std::optional<ActsThrough> WithoutEffect(const Disturbances& disturbances, const PlayRequest& request,
-                                         const std::vector<std::string>& varied) {
-  const WorldOptions& world = request.play.world;
-  const auto drawn = [&](const std::string& key) -> const Distribution* {
-    for (const Disturbance& figure : disturbances.figures) {
-      if (figure.key == key) return &figure.distribution;
-    }
-    return nullptr;
-  };
-  for (const ActsThrough& figure :
-       {ActsThrough{"ground_slope_direction_deg", "ground_slope_deg", world.ground_slope_deg},
-        {"bump_wavelength_m", "ground_bumps_m", world.ground_bumps_m},
-        {"bump_seed", "ground_bumps_m", world.ground_bumps_m}}) {
-    const Distribution* through = drawn(figure.through);
-    const bool acts = (through != nullptr && (through->lowest != 0.0 || through->highest != 0.0)) ||
-                      figure.set != 0.0 ||
-                      std::find(varied.begin(), varied.end(), std::string("play.") + figure.through) != varied.end();
-    if (drawn(figure.key) != nullptr && !acts) return figure;
+/// A figure that is drawn where the option through which it acts is at rest throughout.
+std::optional<IdleOption> WithoutEffect(const Disturbances& disturbances, const PlayRequest& request,
+                                        const std::vector<std::string>& varied) {
+  std::vector<std::string> drawn, open = varied;
+  for (const Disturbance& figure : disturbances.figures) {
+    drawn.push_back(OptionOf(figure));
+    if (figure.distribution.lowest != 0.0 || figure.distribution.highest != 0.0) open.push_back(drawn.back());
   }
-  return std::nullopt;
+  return FirstIdle(request, drawn, open);
 }
 
 /// What is drawn and has no effect: a figure in place of which a study has its own, one whose own ground is not there,
@@ -52,18 +40,9 @@ std::optional<Failure> InVain(const Disturbances& disturbances, const PlayReques
     return failure(fmt::format("the disturbances draw {}, which --over varies", QuotedList(twice)),
                    "leave one of them out");
   }
-  if (const std::optional<ActsThrough> idle = WithoutEffect(disturbances, request, varied)) {
-    return failure(
-        fmt::format("the disturbances draw '{}', which has no effect without '{}'", idle->key, idle->through),
-        fmt::format("draw '{}' too, or leave '{}' out", idle->through, idle->key));
-  }
-  const bool reads_state = request.sensing.state == StateSourceNames().front() &&
-                           std::find(varied.begin(), varied.end(), "state") == varied.end();
-  for (const Disturbance& figure : disturbances.figures) {
-    if (!reads_state || !figure.key.starts_with("sensor")) continue;
-    return failure(
-        fmt::format("the disturbances draw '{}', and the controller has the true state: no sensor is read", figure.key),
-        "--state estimated, or measured; or leave it out");
+  if (const std::optional<IdleOption> idle = WithoutEffect(disturbances, request, varied)) {
+    const std::string key = idle->key.starts_with("play.") ? idle->key.substr(5) : idle->key;
+    return failure(fmt::format("the disturbances draw '{}', which has no effect {}", key, idle->why), idle->hint);
   }
   return std::nullopt;
 }
@@ -77,6 +56,11 @@ void DisturbanceArguments::AddTo(CLI::App& verb, const std::string& otherwise) {
 
 void DisturbanceArguments::AddPathTo(Paths& paths) const {
   if (!file.empty() && file != "standard") paths.read.push_back({"--disturbances", file});
+}
+
+std::vector<std::string> DisturbanceArguments::MayDraw() const {
+  if (file.empty() || file == "standard") return {};
+  return {"play.ground_slope_deg", "play.ground_bumps_m"};
 }
 
 Result<Disturbances> DisturbanceArguments::Load(const RobotModel& model, PlayRequest request,

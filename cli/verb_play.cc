@@ -35,7 +35,7 @@ int Run(Arguments& a) {
   const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
   if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, a.play.request.Fields());
-  a.play.Finish();
+  a.play.Finish(a.common.sets, a.disturbances.MayDraw());
   Paths paths{
       {{"the plan", a.plan}}, {{"--log", a.outputs.log}, {"--report", a.outputs.report}}, a.outputs.plot_folder};
   a.disturbances.AddPathTo(paths);

@@ -124,7 +124,7 @@ Result<TrialInputs> ReadAll(Arguments& a) {
   const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
   if (!options) return options.failure();
   ApplySets("--set", a.common.sets, a.Fields());
-  a.play.Finish();
+  a.play.Finish(a.common.sets, a.disturbances.MayDraw());
   CheckShare(a);
   Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return plan.failure();

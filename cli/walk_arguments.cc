@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/walk_arguments.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "workflows/walk/idle_options.h"
+
 namespace gaitwright::cli {
 namespace {
 
@@ -139,7 +145,15 @@ void PlayArguments::AddTo(CLI::App& verb) {
   verb.option_defaults()->group("Options");
 }
 
-void PlayArguments::Finish(bool state_varies) {
+void PlayArguments::CheckAct(const std::string& flag, const std::vector<std::string>& keys,
+                             const std::vector<std::string>& open) const {
+  const std::optional<IdleOption> idle = FirstIdle(request, keys, open);
+  if (!idle) return;
+  throw InvalidArgument(fmt::format("{} {} has no effect {}: {}", flag, idle->key, idle->why, idle->hint));
+}
+
+void PlayArguments::Finish(const std::vector<std::string>& sets, const std::vector<std::string>& open) {
+  const bool state_varies = std::find(open.begin(), open.end(), "state") != open.end();
   if (only_with_sensors->count() > 0 && !state_varies && request.sensing.state == StateSourceNames().front())
     throw InvalidArgument("--sensors is for --state measured or estimated: the true state reads no sensor");
   if (!push.empty()) {
@@ -152,6 +166,9 @@ void PlayArguments::Finish(bool state_varies) {
   }
   if (!request.play.push_force_W.isZero(0.0) && request.play.push_for_s == 0.0)
     throw InvalidArgument("a push that lasts for 0 s does nothing: --push-for is to be above 0");
+  std::vector<std::string> keys;
+  for (const std::string& set : sets) keys.push_back(set.substr(0, set.find('=')));
+  CheckAct("--set", keys, open);
 }
 
 }  // namespace gaitwright::cli

@@ -13,6 +13,7 @@
 #include "playback/bullet/off_plan_internal.h"
 #include "playback/bullet/playable_internal.h"
 #include "playback/bullet/stance_recorder_internal.h"
+#include "playback/bullet/whole_steps.h"
 #include "playback/bullet/world.h"
 
 namespace gaitwright {
@@ -35,12 +36,13 @@ class Interval {
   void Add(const BulletWorld& world) {
     if (steps_ == 0) {
       sample_.tau = VectorX::Zero(world.tau().size());
-      sample_.tau_peak = sample_.tau;
+      sample_.tau_peak = sample_.effort_use = sample_.tau;
       sample_.wrenches.assign(world.feet().size(), {});
     }
     ++steps_;
     sample_.tau += world.tau();
     sample_.tau_peak = sample_.tau_peak.cwiseMax(world.tau().cwiseAbs());
+    sample_.effort_use = sample_.effort_use.cwiseMax(world.effort_use());
     sample_.contact = 0;
     for (std::size_t i = 0; i < world.feet().size(); ++i) {
       const FootContact& foot = world.feet()[i];
@@ -56,6 +58,8 @@ class Interval {
     sample_.q = world.q();
     sample_.v = world.v();
     sample_.tau *= share;
+    constexpr double kDigits = 1e4;  // which no limit is reached by
+    sample_.effort_use = (kDigits * sample_.effort_use).array().floor() / kDigits;
     for (ContactWrench& wrench : sample_.wrenches) {
       wrench.force_W *= share;
       wrench.moment_W *= share;
@@ -86,7 +90,7 @@ class Playback {
         options_(options),
         world_options_(bullet::WorldOf(plan, options)),
         step_s_(options.world.step_s),
-        stride_(bullet::StepsPerSample(options)),
+        stride_(WholeSteps("log_rate_hz", options.log_rate_hz, options.world.step_s)),
         world_(model, plan.terrain, plan.whole_body.q.front(), world_options_),
         stances_(static_cast<int>(model.feet.size()), world_.total_mass_kg() * kGravity, step_s_,
                  1.0 / options.log_rate_hz),
@@ -181,7 +185,7 @@ class Playback {
     log_.broke_off = why;
     if (!log_.samples.empty()) return false;
     const VectorX none = VectorX::Zero(model_.num_dofs());
-    log_.samples.push_back({input_.time_s, input_.q, input_.v, none, none, input_.wrenches, input_.contact, {}});
+    log_.samples.push_back({input_.time_s, input_.q, input_.v, none, none, none, input_.wrenches, input_.contact, {}});
     LogEstimate();
     return false;
   }
@@ -224,9 +228,7 @@ class Playback {
     interval_.Add(world_);
     stances_.Add(time_s, world_.feet());
     fall_.Add(time_s + step_s_, world_);
-    for (std::size_t i = 0; i < world_.saturated().size(); ++i) {
-      if (world_.saturated()[i] != 0) log_.saturated_s[static_cast<Eigen::Index>(i)] += step_s_;
-    }
+    log_.saturated_s += step_s_ * (world_.effort_use().array() >= 1.0).cast<double>().matrix();
     for (const std::string& link : world_.body_contacts()) {
       const bool known = std::any_of(log_.body_contacts.begin(), log_.body_contacts.end(),
                                      [&](const BodyContact& contact) { return contact.link == link; });

@@ -8,6 +8,7 @@
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/off_plan_internal.h"
 #include "playback/bullet/playable_internal.h"
+#include "playback/bullet/whole_steps.h"
 
 namespace gaitwright {
 namespace {
@@ -81,19 +82,6 @@ WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options) {
   return world;
 }
 
-long StepsPerSample(const PlayOptions& options) {
-  const double steps = 1.0 / (options.log_rate_hz * options.world.step_s);
-  constexpr double kRounded = 1e-4;  // of a step more or less in a sample, as in a rate of six digits
-  if (std::abs(steps - std::round(steps)) > kRounded * steps || steps < 0.5) {
-    const double per_second = 1.0 / options.world.step_s, nearest = per_second / std::max(1.0, std::round(steps));
-    throw InvalidArgument(
-        fmt::format("option 'log_rate_hz' is {} Hz, which does not divide the {:.6g} steps per second; "
-                    "the nearest that does is {:.6g}",
-                    options.log_rate_hz, per_second, nearest));
-  }
-  return std::lround(steps);
-}
-
 }  // namespace bullet
 
 std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& plan, const PlayOptions& options) {
@@ -102,7 +90,7 @@ std::optional<Failure> WhyNotPlayed(const RobotModel& model, const MotionPlan& p
   if (auto failure = Misfit(model, plan)) return failure;
   if (auto failure = LatePush(plan, options)) return failure;
   for (const TimedPush& push : bullet::PushesOf(options)) (void)bullet::PushedBody(model, push.on);
-  (void)bullet::StepsPerSample(options);
+  (void)WholeSteps("log_rate_hz", options.log_rate_hz, options.world.step_s);
   bullet::CheckBumps(bullet::WorldOf(plan, options));
   return std::nullopt;
 }

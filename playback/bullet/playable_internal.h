@@ -8,7 +8,4 @@ namespace gaitwright::bullet {
 /// The world's options with what the plan says: which joints never move, and where it goes.
 WorldOptions WorldOf(const MotionPlan& plan, const PlayOptions& options);
 
-/// Time steps from one sample of the log to the next. @throws InvalidArgument where that is no whole number.
-long StepsPerSample(const PlayOptions& options);
-
 }  // namespace gaitwright::bullet

@@ -73,12 +73,13 @@ bullet::Drive DriveOf(const RobotModel& model, const WorldOptions& options, int 
   return {motor, options.motor_strength * model.dof_effort_limit(dof)};
 }
 
-/// A motor that can give nothing one way is at its limit when it is asked to push that way.
-bool AtLimit(double torque, const bullet::MotorRow::Target& target) {
+/// Of the limit that way. A motor that can give nothing one way is at its limit when it is asked to push that way.
+double ShareOfLimit(double torque, const bullet::MotorRow::Target& target) {
   const double direction = torque != 0.0 ? torque : target.wanted;
-  if (direction == 0.0) return false;
+  if (direction == 0.0) return 0.0;
   const double limit = direction > 0.0 ? target.limits.highest : -target.limits.lowest;
-  return std::isfinite(limit) && std::abs(torque) >= limit * (1.0 - 1e-9);
+  if (!std::isfinite(limit)) return 0.0;
+  return std::abs(torque) >= limit * (1.0 - 1e-9) ? 1.0 : std::abs(torque) / limit;
 }
 
 void CheckSize(const VectorX& values, const char* what, int n) {
@@ -118,7 +119,7 @@ struct BulletWorld::Impl {
     AddMotors();
     tau = VectorX::Zero(model.num_dofs());
     feed_forward = tau;
-    saturated.assign(model.dof_names.size(), 0);
+    effort_use = tau;
     Refresh();
   }
 
@@ -190,7 +191,7 @@ struct BulletWorld::Impl {
       if (!motors[i]) continue;
       const double torque = motors[i]->Torque(options.step_s);
       tau[static_cast<Eigen::Index>(i)] = torque;
-      saturated[i] = AtLimit(torque, motors[i]->target()) ? 1 : 0;
+      effort_use[static_cast<Eigen::Index>(i)] = ShareOfLimit(torque, motors[i]->target());
       drives[i].Warm(torque, options.step_s);
     }
   }
@@ -232,8 +233,7 @@ struct BulletWorld::Impl {
   std::vector<std::unique_ptr<bullet::GearRow>> gears;
   bullet::ContactReader reader;
   DynamicsScratch before, after;
-  VectorX q, v, tau, feed_forward;
-  std::vector<char> saturated;
+  VectorX q, v, tau, feed_forward, effort_use;
 };
 
 BulletWorld::BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options)
@@ -250,7 +250,7 @@ void BulletWorld::SetState(const VectorX& q, const VectorX& v) {
 const VectorX& BulletWorld::q() const { return impl_->q; }
 const VectorX& BulletWorld::v() const { return impl_->v; }
 const VectorX& BulletWorld::tau() const { return impl_->tau; }
-const std::vector<char>& BulletWorld::saturated() const { return impl_->saturated; }
+const VectorX& BulletWorld::effort_use() const { return impl_->effort_use; }
 VectorX BulletWorld::mean_square_effort() const {
   VectorX squares(impl_->model.num_dofs());
   for (Eigen::Index dof = 0; dof < squares.size(); ++dof) {

@@ -69,7 +69,7 @@ class BulletWorld {
 
   // Of the last step.
   const VectorX& tau() const;                    ///< of the motors, by independent joint; zero where locked
-  const std::vector<char>& saturated() const;    ///< by independent joint: at the effort limit in force in the step
+  const VectorX& effort_use() const;             ///< share of the effort limit in force, 1 at it; 0 without one
   const std::vector<FootContact>& feet() const;  ///< by foot
   const std::vector<std::string>& body_contacts() const;  ///< links other than feet that touch the ground
 

@@ -68,6 +68,7 @@ void CheckSample(const PlaybackLog& log, std::size_t k, std::size_t feet) {
   CheckRow("v", k, sample.v);
   CheckRow("tau_nm", k, sample.tau);
   CheckRow("tau_peak_nm", k, sample.tau_peak);
+  for (const double share : sample.effort_use) CheckIn("effort_use", share, 0.0, 1.0);
   for (const ContactWrench& wrench : sample.wrenches) {
     CheckRow("contact_wrenches", k, wrench.force_W);
     CheckRow("contact_wrenches", k, wrench.moment_W);

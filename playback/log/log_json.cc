@@ -160,6 +160,7 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
   ReadRows(j, "v", samples, [](const VectorX& row, LogSample& s) { s.v = row; });
   ReadRows(j, "tau_nm", samples, [](const VectorX& row, LogSample& s) { s.tau = row; });
   ReadRows(j, "tau_peak_nm", samples, [](const VectorX& row, LogSample& s) { s.tau_peak = row; });
+  ReadRows(j, "effort_use", samples, [](const VectorX& row, LogSample& s) { s.effort_use = row; });
   ReadRows(j, "contact_wrenches", samples, [](const VectorX& row, LogSample& s) {
     if (row.size() % 6 != 0) throw InvalidArgument("'contact_wrenches' needs six numbers a foot");
     for (Eigen::Index f = 0; f < row.size(); f += 6) s.wrenches.push_back({row.segment<3>(f), row.segment<3>(f + 3)});
@@ -175,8 +176,10 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
   if (samples.empty()) return;
   const LogSample& s = samples.front();
   if (s.q.size() < 7 || s.v.size() != s.q.size() - 1 || s.tau.size() != s.v.size() - 6 ||
-      s.tau_peak.size() != s.tau.size() || log.saturated_s.size() != s.tau.size()) {
-    throw InvalidArgument("the columns of 'q', 'v', 'tau_nm', 'tau_peak_nm' and 'saturated_s' do not belong together");
+      s.tau_peak.size() != s.tau.size() || s.effort_use.size() != s.tau.size() ||
+      log.saturated_s.size() != s.tau.size()) {
+    throw InvalidArgument(
+        "the columns of 'q', 'v', 'tau_nm', 'tau_peak_nm', 'effort_use' and 'saturated_s' do not belong together");
   }
 }
 
@@ -230,6 +233,7 @@ std::string LogToJson(const PlaybackLog& log) {
   AppendRows(text, "v", log.samples, [](const LogSample& s) { return s.v; });
   AppendRows(text, "tau_nm", log.samples, [](const LogSample& s) { return s.tau; });
   AppendRows(text, "tau_peak_nm", log.samples, [](const LogSample& s) { return s.tau_peak; });
+  AppendRows(text, "effort_use", log.samples, [](const LogSample& s) { return s.effort_use; });
   AppendRows(text, "contact_wrenches", log.samples, [](const LogSample& s) { return WrenchRow(s); });
   if (HasEstimates(log)) AppendRows(text, "estimate", log.samples, [](const LogSample& s) { return EstimateRow(s); });
   text += ",\n\"contact\": [";

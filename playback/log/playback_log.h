@@ -24,6 +24,7 @@ struct LogSample {
   VectorX q, v;                         ///< in the orders of RobotModel
   VectorX tau;                          ///< applied by the independent joints, mean [N m]
   VectorX tau_peak;                     ///< largest magnitude in the interval [N m]
+  VectorX effort_use;                   ///< largest share of the effort limit in force, 1 at it; 0 without one
   std::vector<ContactWrench> wrenches;  ///< by foot: mean over the interval, moment about the contact frame origin
   FootSet contact = 0;                  ///< feet that touch at time_s
   std::optional<BaseEstimate> estimate = {};  ///< of q and v, where the controller had no more; in all samples or none
@@ -59,7 +60,7 @@ struct TimedPush {
 
 /// What happened in the simulator; measured only, never copied from the plan. A pure value.
 struct PlaybackLog {
-  static constexpr int kSchema = 4;
+  static constexpr int kSchema = 5;
 
   std::string program_version;  ///< of the program that played
   std::string robot, robot_hash, plan_hash, controller;

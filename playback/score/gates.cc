@@ -95,7 +95,7 @@ std::vector<MetricRule> ContactRules() {
 
 std::vector<MetricRule> JointRules() {
   return {
-      Told("torque_use_max", "1", kLower, 1.0, 0.6, false, "joint torque over its limit, largest"),
+      Told("torque_use_max", "1", kLower, 1.0, 0.6, false, "joint torque over its limit in force, largest"),
       Gated(Told("torque_saturated_fraction", "1", kLower, 1.0, 0.01, false,
                  "share of time at the torque limit, of the worst joint"),
             Bound::kAtMost, 0.01),

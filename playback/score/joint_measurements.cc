@@ -12,6 +12,11 @@ bool HasTorqueLimit(const RobotModel& model, int dof) {
   return !joint.effort_limit_is_placeholder && std::isfinite(limit) && limit > 0.0;
 }
 
+bool MayBeAtALimit(const RobotModel& model, int dof) {
+  const Motor& motor = model.MotorOf(dof);
+  return HasTorqueLimit(model, dof) || std::isfinite(motor.continuous_effort) || motor.has_curve();
+}
+
 namespace {
 
 const char* const kNoTorqueLimit = "no joint has a torque limit that is more than a placeholder";
@@ -35,13 +40,12 @@ bool Moves(const ScoreInputs& in, int dof) {
 
 /// The extremes over time of some figures of the joints, of plan and log alike.
 struct JointExtremes {
-  Extreme torque{Extreme::Kind::kLargest}, speed{Extreme::Kind::kLargest}, margin{Extreme::Kind::kSmallest};
+  Extreme speed{Extreme::Kind::kLargest}, margin{Extreme::Kind::kSmallest};
 
   std::vector<bool> moves;  ///< by joint
 
-  void See(const RobotModel& model, const VectorX& q, const VectorX& v, const VectorX& tau, double time_s) {
+  void See(const RobotModel& model, const VectorX& q, const VectorX& v, double time_s) {
     for (int i = 0; i < model.num_dofs(); ++i) {
-      if (tau.size() > i && HasTorqueLimit(model, i)) torque.See(std::abs(tau[i]) / model.dof_effort_limit(i), time_s);
       if (HasSpeedLimit(model, i)) speed.See(std::abs(v[6 + i]) / model.dof_velocity_limit(i), time_s);
       const double room = std::min(q[7 + i] - model.dof_lower(i), model.dof_upper(i) - q[7 + i]);
       if (moves[static_cast<std::size_t>(i)] && std::isfinite(room)) margin.See(room, time_s);
@@ -49,11 +53,19 @@ struct JointExtremes {
   }
 };
 
-/// Whether anything may hold a motor back. Without a peak its continuous effort does, once it is warm, and its curve
-/// from the no-load speed on.
-bool MayBeAtALimit(const RobotModel& model, int dof) {
-  const Motor& motor = model.MotorOf(dof);
-  return HasTorqueLimit(model, dof) || std::isfinite(motor.continuous_effort) || motor.has_curve();
+/// Measured of the limits in force, planned of the robot's own.
+Measurement TorqueUse(const ScoreInputs& in) {
+  Extreme measured(Extreme::Kind::kLargest), planned(Extreme::Kind::kLargest);
+  for (std::size_t k = 0; k < in.series.measured.size(); ++k) {
+    const LogSample& sample = in.log.samples[k];
+    const VectorX& wanted = in.series.plan[k].tau;
+    for (int i = 0; i < in.model.num_dofs(); ++i) {
+      if (MayBeAtALimit(in.model, i)) measured.See(sample.effort_use[i], sample.time_s);
+      if (HasTorqueLimit(in.model, i) && wanted.size() > i)
+        planned.See(std::abs(wanted[i]) / in.model.dof_effort_limit(i), sample.time_s);
+    }
+  }
+  return FromExtremes("torque_use_max", measured, planned, kNoTorqueLimit);
 }
 
 Measurement Saturated(const ScoreInputs& in) {
@@ -144,10 +156,10 @@ std::vector<Measurement> JointMeasurements(const ScoreInputs& in) {
   for (std::size_t k = 0; k < in.series.measured.size(); ++k) {
     const LogSample& sample = in.log.samples[k];
     const WholeBodySample& wanted = in.series.plan[k];
-    measured.See(in.model, sample.q, sample.v, sample.tau_peak, sample.time_s);
-    planned.See(in.model, wanted.q, wanted.v, wanted.tau, sample.time_s);
+    measured.See(in.model, sample.q, sample.v, sample.time_s);
+    planned.See(in.model, wanted.q, wanted.v, sample.time_s);
   }
-  return {FromExtremes("torque_use_max", measured.torque, planned.torque, kNoTorqueLimit),
+  return {TorqueUse(in),
           Saturated(in),
           FromExtremes("joint_speed_use_max", measured.speed, planned.speed,
                        "no joint has a speed limit that is more than a placeholder"),

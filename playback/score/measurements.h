@@ -68,6 +68,9 @@ EstimateError ErrorOf(const LogSample& sample);
 
 /// Whether the torque limit of an independent joint is more than a placeholder.
 bool HasTorqueLimit(const RobotModel& model, int dof);
+/// Whether anything may hold its motor back. Without a peak its continuous effort does, once it is warm, and its curve
+/// from the no-load speed on.
+bool MayBeAtALimit(const RobotModel& model, int dof);
 
 /// Share of the planned time on the ground in which the support is a line or a point.
 double ShareWithoutArea(const MotionSeries& series);

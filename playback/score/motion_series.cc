@@ -137,6 +137,7 @@ void CheckLog(const RobotModel& model, const PlaybackLog& log) {
     CheckSize("the log's v", sample.v, model.nv(), model.name);
     CheckSize("the log's tau", sample.tau, model.num_dofs(), model.name);
     CheckSize("the log's tau_peak", sample.tau_peak, model.num_dofs(), model.name);
+    CheckSize("the log's effort_use", sample.effort_use, model.num_dofs(), model.name);
     if (sample.wrenches.size() > feet) {
       throw InvalidArgument(fmt::format("Score: the log has wrenches of {} feet; robot '{}' has {}",
                                         sample.wrenches.size(), model.name, feet));

@@ -2,6 +2,7 @@
 #include "playback/score/why_it_fell.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,6 @@ namespace {
 
 using Kind = FailureEvent::Kind;
 
-constexpr double kAtLimit = 0.999;  // of the torque limit
 constexpr double kFarOff = 0.03;    // from plan or foothold, for the reference leg [m]
 
 double Scaled(const ScoreInputs& in, double length_m) { return length_m * in.leg_length_m / kReferenceLegLength; }
@@ -120,20 +120,34 @@ Event Slip(const ScoreInputs& in) {
   return first;
 }
 
+/// " of its 33.50 N m", where a motor could give less than the robot's limit, and what may have taken it.
+std::string WhatIsLeft(const ScoreInputs& in, int dof, double limit) {
+  const double whole = in.model.dof_effort_limit(dof);
+  if (limit > 0.99 * whole || !HasTorqueLimit(in.model, dof)) return "";
+  const LogOptions options(in.log);
+  const Motor& motor = in.model.MotorOf(dof);
+  std::vector<std::string> takers;
+  if (options.At("play.motor_strength", 1.0) < 1.0) takers.emplace_back("strength");
+  if (motor.has_curve() && options.Text("play.motor_curve") != "false") takers.emplace_back("speed");
+  if (motor.continuous_effort < whole && options.Text("play.thermal_limit") != "false") takers.emplace_back("warmth");
+  const std::string whole_limit = fmt::format(" of {:.2f} {}", whole, EffortUnit(in.model, dof));
+  return takers.empty() ? whole_limit
+                        : fmt::format("{} (less for the motor's {})", whole_limit, fmt::join(takers, " and "));
+}
+
 Event TorqueLimit(const ScoreInputs& in) {
   Event first;
-  const double strength = LogOptions(in.log).At("play.motor_strength", 1.0);
   for (int i = 0; i < in.model.num_dofs(); ++i) {
-    const double limit = strength * in.model.dof_effort_limit(i);
-    if (!HasTorqueLimit(in.model, i)) continue;
+    if (!MayBeAtALimit(in.model, i)) continue;
     const auto at = FirstPersistent(in.series.measured,
-                                    [&](std::size_t k) { return in.log.samples[k].tau_peak[i] >= kAtLimit * limit; });
+                                    [&](std::size_t k) { return in.log.samples[k].effort_use[i] >= 1.0; });
     if (!at || (first && first->time_s <= in.series.measured[*at].time_s)) continue;
-    const double time = in.series.measured[*at].time_s;
+    const double time = in.series.measured[*at].time_s, limit = in.log.samples[*at].tau_peak[i];
     first = FailureEvent{
         Kind::kTorqueLimit, time,
-        fmt::format("the torque of '{}' was at its limit {:.2f} {} from {:.2f} s",
-                    in.model.dof_names[static_cast<std::size_t>(i)], limit, EffortUnit(in.model, i), time)};
+        fmt::format("the torque of '{}' was at its limit {:.2f} {}{} from {:.2f} s",
+                    in.model.dof_names[static_cast<std::size_t>(i)], limit, EffortUnit(in.model, i),
+                    WhatIsLeft(in, i, limit), time)};
   }
   return first;
 }

@@ -90,6 +90,16 @@ TEST_F(Trials, WhatWouldActOnNothingIsRefused) {
   EXPECT_EQ(
       Run({"trials", "plan.json", "-n", "1", "--disturbances", "downhill.yaml", "--ground-slope-deg", "1"}).status, 0)
       << "the slope is set";
+  const auto set = [this](const char* option) { return Run({"play", "plan.json", "--set", option}); };
+  ExpectRefused(set("sensors.imu_rate_hz=500"), 1, {"--set sensors.imu_rate_hz", "no effect", "no sensor is read"});
+  ExpectRefused(set("odometry.start_tilt_rad=0.1"), 1, {"no effect with the state 'true'", "--state estimated"});
+  ExpectRefused(set("play.ground_slope_direction_deg=9"), 1, {"no effect without 'ground_slope_deg'"});
+  ExpectRefused(Run({"play", "plan.json", "--controller", "joint-pd", "--set", "stabilised.dcm_gain=1.5"}), 1,
+                {"--set stabilised.dcm_gain has no effect on the controller 'joint-pd'", "leave it out"});
+  ExpectRefused(Run({"sweep", "--over", "stabilised.dcm_gain=1,2", "--controller", "joint-pd"}), 1,
+                {"--over stabilised.dcm_gain has no effect on the controller 'joint-pd'"});
+  ExpectRefused(Run({"play", "plan.json", "--state", "measured", "--set", "sensors.imu_rate_hz=400"}), 1,
+                {"'sensors.imu_rate_hz' is 400 Hz", "the nearest that does is 333.333"});
   ExpectRefused(Run({"play", "plan.json", "--sensors", "hobby"}), 1, {"--sensors is for --state measured"});
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
   ExpectRefused(Run({"play", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});

@@ -14,6 +14,7 @@ void CheckSamples(const PlaybackLog& log) {
     const LogSample& sample = log.samples[k];
     Require(sample.q.allFinite() && sample.v.allFinite() && sample.tau.allFinite() && sample.tau_peak.allFinite(),
             "states are finite");
+    Require(sample.effort_use.minCoeff() >= 0.0 && sample.effort_use.maxCoeff() <= 1.0, "shares are 0 to 1");
     Require(std::abs(sample.q.segment<4>(3).norm() - 1.0) < 2e-3, "quaternions are of unit length");
     Require(sample.q.size() == log.samples[0].q.size() && sample.v.size() == sample.q.size() - 1,
             "sizes belong together");
@@ -62,6 +63,7 @@ std::vector<std::string> MadeLogs() {
     sample.v = VectorX::Constant(8, -0.2);
     sample.tau = Vector2(1.0, -2.0);
     sample.tau_peak = Vector2(1.5, 2.5);
+    sample.effort_use = Vector2(0.5, 1.0);
     sample.wrenches.resize(2);
     sample.contact = 3;
     log.samples.push_back(sample);

@@ -281,6 +281,8 @@ PlaybackLog PerfectLog(const RobotModel& model, const MotionPlan& plan) {
     sample.v = body.v[now];
     sample.tau = body.tau[now];
     sample.tau_peak = sample.tau.cwiseAbs();
+    sample.effort_use = VectorX::Zero(model.num_dofs());
+    for (int i = 0; i < model.num_dofs(); ++i) sample.effort_use[i] = sample.tau_peak[i] / model.dof_effort_limit(i);
     sample.wrenches = body.wrenches[now];
     for (std::size_t i = 0; i < sample.wrenches.size(); ++i) {
       sample.wrenches[i].force_W = 0.5 * (sample.wrenches[i].force_W + body.wrenches[before][i].force_W);

@@ -321,6 +321,7 @@ LogSample LiveWorld::TakeSample() {
   const double share = 1.0 / std::exchange(summed_, 0);
   sample.tau *= share;
   sample.tau_peak = sample.tau;
+  sample.effort_use = world_.effort_use();
   for (ContactWrench& wrench : sample.wrenches) {
     wrench.force_W *= share;
     wrench.moment_W *= share;

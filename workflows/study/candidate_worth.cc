@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "playback/trials/wilson.h"
+
 namespace gaitwright {
 namespace {
 
@@ -18,6 +20,41 @@ double StudentQuantile(double degrees) {
   const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
   return z + (z3 + z) / (4.0 * degrees) + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * degrees * degrees) +
          (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * degrees * degrees * degrees);
+}
+
+void CheckPairs(const char* of, const std::vector<double>& before, const std::vector<double>& after) {
+  if (before.size() == after.size() && before.size() >= 6) return;
+  throw InvalidArgument(
+      fmt::format("{}: {} values before and {} after; as many of both, six or more, are accepted", of, before.size(),
+                  after.size()));
+}
+
+/// How many pairs are so in both, before alone, after alone and in neither.
+struct PairCounts {
+  double both = 0.0, before = 0.0, after = 0.0, neither = 0.0;
+};
+
+/// Correlation of the two with Newcombe's correction for continuity; 0 where all are alike before, or after.
+double Correlation(const PairCounts& n) {
+  const double half = 0.5 * (n.both + n.before + n.after + n.neither);
+  const double product =
+      (n.both + n.before) * (n.after + n.neither) * (n.both + n.after) * (n.before + n.neither);
+  const double determinant = n.both * n.neither - n.before * n.after;
+  if (product == 0.0) return 0.0;
+  return (determinant > 0.0 ? std::max(determinant - half, 0.0) : determinant) / std::sqrt(product);
+}
+
+PairCounts CountPairs(const std::vector<double>& before, const std::vector<double>& after) {
+  PairCounts n;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    for (const double value : {before[i], after[i]}) {
+      if (value != 0.0 && value != 1.0)
+        throw InvalidArgument(fmt::format("DifferenceOfShares: {} is neither 0 nor 1", value));
+    }
+    double& count = before[i] == 1.0 ? (after[i] == 1.0 ? n.both : n.before) : (after[i] == 1.0 ? n.after : n.neither);
+    ++count;
+  }
+  return n;
 }
 
 }  // namespace
@@ -60,12 +97,7 @@ Result<CandidateWorth> WorthFromLine(const std::string& line) {
 }
 
 PairedDifference DifferenceOf(const std::vector<double>& before, const std::vector<double>& after) {
-  if (before.size() != after.size() || before.size() < 6) {
-    throw InvalidArgument(
-        fmt::format("DifferenceOf: {} values before and {} after; as many of both, six or more, are "
-                    "accepted",
-                    before.size(), after.size()));
-  }
+  CheckPairs("DifferenceOf", before, after);
   const auto n = static_cast<double>(before.size());
   PairedDifference d;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -81,6 +113,25 @@ PairedDifference DifferenceOf(const std::vector<double>& before, const std::vect
   d.low = d.mean - half;
   d.high = d.mean + half;
   return d;
+}
+
+PairedDifference DifferenceOfShares(const std::vector<double>& before, const std::vector<double>& after) {
+  CheckPairs("DifferenceOfShares", before, after);
+  const PairCounts n = CountPairs(before, after);
+  const auto share = [&](double count) {
+    return WilsonInterval(static_cast<int>(count), static_cast<int>(before.size()));
+  };
+  const ShareInterval was = share(n.both + n.before), is = share(n.both + n.after);
+  const double correlation = Correlation(n);
+  const auto distance = [&](double of_one, double of_other) {
+    return std::sqrt(std::max(0.0, of_one * of_one - 2.0 * correlation * of_one * of_other + of_other * of_other));
+  };
+  const double mean = is.share - was.share;
+  return {.before = was.share,
+          .after = is.share,
+          .mean = mean,
+          .low = std::max(-1.0, mean - distance(is.share - is.low, was.high - was.share)),
+          .high = std::min(1.0, mean + distance(is.high - is.share, was.share - was.low))};
 }
 
 }  // namespace gaitwright

@@ -53,6 +53,18 @@ double InSteps(double delay_s, double step_s) {
   return step_s * std::min(std::round(delay_s / step_s), most);
 }
 
+/// A rate with a period in whole time steps, the nearest; 0 stays 0.
+double WithPeriodInSteps(double rate_hz, double step_s) {
+  if (!(rate_hz > 0.0)) return rate_hz;
+  return 1.0 / (step_s * std::max(1.0, std::round(1.0 / (rate_hz * step_s))));
+}
+
+/// A drawn value as a playback can have it.
+double OnTheClock(const std::string& key, double value, double step_s) {
+  if (key == "command_delay_s") return InSteps(value, step_s);
+  return key.starts_with(kSensors) && key.ends_with("_rate_hz") ? WithPeriodInSteps(value, step_s) : value;
+}
+
 /// The options of a playback that are not at their usual values.
 std::vector<std::string> ChangedKeys(PlayRequest request) {
   PlayRequest usual;
@@ -138,7 +150,7 @@ PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& tri
   }
   for (const DrawnOption& drawn : trial.options) {
     const double value = Together(NumberOf(fields, drawn.key), drawn);
-    SetNumber(fields, drawn.key, drawn.key == "command_delay_s" ? InSteps(value, disturbed.play.world.step_s) : value);
+    SetNumber(fields, drawn.key, OnTheClock(drawn.key, value, disturbed.play.world.step_s));
   }
   for (const OptionField& field : fields) {
     if (IsNoise(field.key) && std::holds_alternative<double*>(field.target))

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "workflows/study/trial.h"
+#include "workflows/walk/idle_options.h"
 
 namespace gaitwright {
 namespace {
@@ -74,10 +75,28 @@ std::vector<OptionChange> TrialConditions(const OptionTexts& options, const std:
   return conditions;
 }
 
+namespace {
+
+/// A playback with such options, of those that this program knows.
+PlayRequest RequestOf(const std::string& controller, const OptionTexts& options) {
+  PlayRequest request;
+  request.controller = controller;
+  OptionFields fields = request.Fields();
+  for (const auto& [key, value] : options) {
+    const auto is = [&key = key](const OptionField& field) { return field.key == key; };
+    if (std::any_of(fields.begin(), fields.end(), is)) SetOption(fields, key, value);
+  }
+  return request;
+}
+
+}  // namespace
+
 std::string FlagsOf(const std::string& controller, const OptionTexts& options) {
+  const PlayRequest request = RequestOf(controller, options);
   std::string flags = controller == PlayRequest().controller ? "" : " --controller " + controller;
   for (const OptionChange& condition : TrialConditions(options)) {
     if (condition.value == condition.usual || condition.usual.empty() || condition.value == kNotSaid) continue;
+    if (FirstIdle(request, {condition.key}, {"play.ground_slope_deg", "play.ground_bumps_m"})) continue;  // may be drawn
     flags += condition.key == kSensors ? fmt::format(" --sensors {}", condition.value)
                                        : fmt::format(" --set {}={}", condition.key, condition.value);
   }

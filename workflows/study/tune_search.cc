@@ -269,7 +269,7 @@ class TuneSearch {
 
   HeldOutProof Compared(const HeldOutTrials& before, const HeldOutTrials& after) const {
     return {options_.held_out, DifferenceOf(before.value, after.value), DifferenceOf(before.score, after.score),
-            DifferenceOf(before.survival, after.survival), ""};
+            DifferenceOfShares(before.survival, after.survival), ""};
   }
 
   HeldOutProof Alone(const HeldOutTrials& after, const std::string& refusal) const {

@@ -11,6 +11,7 @@
 #include "kinematics/model/load_robot.h"
 #include "planning/footsteps/uneven_footsteps.h"
 #include "planning/terrain/load_terrain.h"
+#include "playback/bullet/whole_steps.h"
 #include "playback/control/joint_pd.h"
 #include "playback/sensing/sensing_controller.h"
 #include "workflows/walk/plan_parts.h"
@@ -140,11 +141,21 @@ void CheckLoop(const PlayRequest& request) {
       "play.actuation=torque");
 }
 
+/// @throws InvalidArgument for a rate at which no sensor can be read, since its period is not in whole time steps.
+void CheckRates(PlayRequest request) {
+  if (request.sensing.state == StateSourceNames().front()) return;
+  for (const OptionField& field : request.sensing.Fields()) {
+    const double* rate_hz = field.key.ends_with("_rate_hz") ? std::get<double*>(field.target) : nullptr;
+    if (rate_hz != nullptr && *rate_hz > 0.0) (void)WholeSteps(field.key, *rate_hz, request.play.world.step_s);
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
                                            const PlayRequest& request) {
   CheckLoop(request);
+  CheckRates(request);
   std::unique_ptr<Controller> bare = request.play.world.joint_losses
                                          ? BareController(model, plan, request)
                                          : std::make_unique<OfLosslessJoints>(model, plan, request);

@@ -93,6 +93,7 @@ TEST(RobotYaml, RefusesMotorsThatContradictThemselves) {
   ExpectSays(WhyNot("motors: {A_knee: {no_load_velocity_rad_s: 4}}"), {"one end of its torque-speed curve"});
   ExpectSays(WhyNot("motors: {A_knee: {continuous_nm: 31}}"),
              {"a continuous effort of 31, over the joint's limit of 30"});
+  ExpectSays(WhyNot("motors: {A_knee: {thermal_s: 3}}"), {"line 1", "'A_knee'", "'thermal_s'", "no 'continuous_nm'"});
   ExpectSays(WhyNot("motors: {A_knee: {continuous_n: 3}}"), {"joint 'A_knee' turns"});
   ExpectSays(WhyNot("motors: {A_knee: {rotor_inertia_kg_m2: 0}}"), {"rotor_inertia_kg_m2"});
 }

@@ -59,7 +59,7 @@ TEST(TorqueSpeedCurve, FullTorqueEndsAtTheNoLoadSpeed) {
         world.Step(Ask(sign * 100.0, by_gain));
         ASSERT_NEAR(world.v()[6], sign * expected, 1e-9) << k;
         ASSERT_NEAR(world.tau()[0], sign * limit, 1e-9) << k;
-        ASSERT_EQ(world.saturated()[0], 1) << k;
+        ASSERT_EQ(world.effort_use()[0], 1.0) << k;
       }
       EXPECT_NEAR(world.v()[6], sign * 5.0, 1e-6);
 
@@ -76,14 +76,14 @@ TEST(TorqueSpeedCurve, OverTheNoLoadSpeedItGivesNothing) {
   for (const bool by_gain : {false, true}) {
     world.Step(Ask(50.0, by_gain));
     EXPECT_EQ(world.tau()[0], 0.0);
-    EXPECT_EQ(world.saturated()[0], 1);
+    EXPECT_EQ(world.effort_use()[0], 1.0);
     EXPECT_NEAR(world.v()[6], 6.0, 1e-9);
   }
   world.Step(Ask(0.0));
-  EXPECT_EQ(world.saturated()[0], 0);
+  EXPECT_LT(world.effort_use()[0], 1.0);
   world.Step(Ask(-4.0));
   EXPECT_EQ(world.tau()[0], -4.0);
-  EXPECT_EQ(world.saturated()[0], 0);
+  EXPECT_NEAR(world.effort_use()[0], 4.0 / kEffort, 1e-12) << "of the whole where it brakes";
 }
 
 TEST(TorqueSpeedCurve, CanBeSwitchedOff) {
@@ -142,7 +142,7 @@ TEST(ThermalLimit, FullTorqueLastsAsLongAsTheClosedFormSays) {
       ASSERT_LT(torque, kEffort) << k;
       ASSERT_GE(torque, c - 1e-9) << k;
     }
-    ASSERT_EQ(motor.world->saturated()[0], 1);
+    ASSERT_EQ(motor.world->effort_use()[0], 1.0);
   }
 }
 

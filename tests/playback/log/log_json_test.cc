@@ -34,6 +34,7 @@ PlaybackLog Example() {
     sample.v = VectorX::Random(8);
     sample.tau = 1e-300 * VectorX::Random(2);
     sample.tau_peak = VectorX::Random(2).cwiseAbs();
+    sample.effort_use = Vector2(1.0 / 3.0, 1.0);
     sample.wrenches = {{Vector3::Random(), Vector3::Random()}, {Vector3::Random(), Vector3::Zero()}};
     sample.contact = 3;
     log.samples.push_back(sample);
@@ -67,6 +68,7 @@ TEST(LogJson, ReadsBackExactlyWhatItWrote) {
   ASSERT_EQ(back.samples.size(), 3U);
   EXPECT_EQ(back.samples[2].q, log.samples[2].q);
   EXPECT_EQ(back.samples[2].tau, log.samples[2].tau);
+  EXPECT_EQ(back.samples[2].effort_use, log.samples[2].effort_use);
   EXPECT_EQ(back.samples[2].wrenches, log.samples[2].wrenches);
   EXPECT_EQ(back.samples[2].contact, log.samples[2].contact);
   EXPECT_EQ(back.stances[0].p_touchdown_W, log.stances[0].p_touchdown_W);
@@ -116,7 +118,7 @@ TEST(LogJson, RefusesWithTheReason) {
   EXPECT_NE(Why("[1,2]").find("no playback log"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "gaitwright-playback-log", "something-else")).find("no playback log"),
             std::string::npos);
-  EXPECT_NE(Why(Replaced(text, "\"schema\":4", "\"schema\":3")).find("schema 3; this program reads schema 4"),
+  EXPECT_NE(Why(Replaced(text, "\"schema\":5", "\"schema\":4")).find("schema 4; this program reads schema 5"),
             std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"controller\"", "\"kontroller\"")).find("controller"), std::string::npos);
   EXPECT_NE(Why(Replaced(text, "\"contact\": [3,3,3]", "\"contact\": [3,3]")).find("'contact' has 2"),
@@ -140,6 +142,8 @@ TEST(LogJson, ValuesThatCannotBeAreRefused) {
   expect("\"foot\":1", "\"foot\":2", "'stances, foot' is 2; accepted: 0 to 1");
   expect("\"foot\":1", "\"foot\":1e300", "a whole number is needed");
   expect("\"touchdown_s\":0.1", "\"touchdown_s\":0.8", "'stances, liftoff_s' is 0.7; accepted: 0.8 to");
+  expect("\"effort_use\": [\n[0.3333333333333333,1]", "\"effort_use\": [\n[0.3333333333333333,1.5]",
+         "'effort_use' is 1.5; accepted: 0 to 1");
   expect("\"for_s\":0.125", "\"for_s\":-1", "'pushes, for_s' is -1; accepted: 0 to");
   expect("\"peak_normal_n\":55.5", "\"peak_normal_n\":1e300", "accepted: -1000000000000 to");
   PlaybackLog backward = Example();

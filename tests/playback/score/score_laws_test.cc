@@ -131,6 +131,8 @@ Case Mirrored(Case c) {
     swap_legs(sample.tau, 0);
     swap_legs(sample.tau_peak, 0);
     sample.tau_peak = sample.tau_peak.cwiseAbs();
+    swap_legs(sample.effort_use, 0);
+    sample.effort_use = sample.effort_use.cwiseAbs();
     swap_wrenches(sample.wrenches);
     sample.contact = swap_set(sample.contact);
   }

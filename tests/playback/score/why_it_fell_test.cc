@@ -37,12 +37,14 @@ TEST(WhyItFell, ADcmThatLeavesTheSupportIsNamedWithPlaceAndDirection) {
   EXPECT_TRUE(Says(report.reason, "mm to the left")) << report.reason;
 }
 
-/// Tips to the left, with one motor at a torque from 0.3 s on.
-PlaybackLog TippingLog(const RobotModel& model, const MotionPlan& plan, double torque) {
+/// Tips to the left, with one motor at a torque from 0.3 s on, which is a share of what it could give.
+PlaybackLog TippingLog(const RobotModel& model, const MotionPlan& plan, double torque, double share = 1.0) {
   PlaybackLog log = PerfectLog(model, plan);
   TipToTheLeft(log);
   for (LogSample& sample : log.samples) {
-    if (sample.time_s > 0.299) sample.tau_peak[4] = torque;
+    if (sample.time_s < 0.299) continue;
+    sample.tau_peak[4] = torque;
+    sample.effort_use[4] = share;
   }
   return log;
 }
@@ -58,13 +60,31 @@ TEST(WhyItFell, ATorqueLimitThatCameFirstIsToldFirst) {
 TEST(WhyItFell, TheTorqueLimitIsThatOfTheMotorsAsTheyWerePlayed) {
   const RobotModel model = Robot(2, FootType::kSole);
   const MotionPlan plan = StandingPlan(model, 1.0);
-  PlaybackLog log = TippingLog(model, plan, 60.0);
+  PlaybackLog log = TippingLog(model, plan, 60.0, 0.3);
   EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
+  log = TippingLog(model, plan, 60.0);
   log.options = {{"play.motor_strength", "0.3"}};
-  EXPECT_TRUE(Says(Score(model, plan, log).reason, "'right_y' was at its limit 60.00 N from 0.30 s"));
-  log = TippingLog(model, plan, 200.0);
+  EXPECT_TRUE(Says(Score(model, plan, log).reason,
+                   "'right_y' was at its limit 60.00 N of 200.00 N (less for the motor's strength) from 0.30 s"));
+  log = TippingLog(model, plan, 200.0, 1.0 / 3.0);
   log.options = {{"play.motor_strength", "3"}};
   EXPECT_FALSE(Says(Score(model, plan, log).reason, "at its limit"));
+}
+
+TEST(WhyItFell, WhatSpeedAndWarmthTookOfATorqueIsTold) {
+  RobotModel model = Robot(2, FootType::kSole);
+  const MotionPlan plan = StandingPlan(model, 1.0);
+  model.motors.resize(model.dof_names.size());
+  model.motors[4].corner_speed = 1.0;
+  model.motors[4].no_load_speed = 2.0;
+  PlaybackLog log = TippingLog(model, plan, 60.0);
+  EXPECT_TRUE(Says(Score(model, plan, log).reason, "limit 60.00 N of 200.00 N (less for the motor's speed) from"));
+  model.motors[4].continuous_effort = 50.0;
+  EXPECT_TRUE(Says(Score(model, plan, log).reason, "(less for the motor's speed and warmth) from"));
+  log.options = {{"play.motor_curve", "false"}};
+  EXPECT_TRUE(Says(Score(model, plan, log).reason, "(less for the motor's warmth) from"));
+  for (Joint& joint : model.joints) joint.effort_limit_is_placeholder = true;
+  EXPECT_TRUE(Says(Score(model, plan, log).reason, "'right_y' was at its limit 60.00 N from")) << "no other is known";
 }
 
 TEST(WhyItFell, AFootThatLiftsIsALostContact) {

@@ -65,7 +65,54 @@ TEST(PairedDifference, NoiseAloneIsSeldomBetter) {
   EXPECT_NEAR(better, 0.025 * 2000, 25) << "one end of a 95 % interval";
 }
 
+/// So many pairs that are so in both, after alone, before alone, in neither.
+PairedDifference Shares(int both, int after, int before, int neither) {
+  std::vector<double> first, second;
+  const auto add = [&](int count, double was, double is) {
+    first.insert(first.end(), static_cast<std::size_t>(count), was);
+    second.insert(second.end(), static_cast<std::size_t>(count), is);
+  };
+  add(both, 1.0, 1.0);
+  add(after, 0.0, 1.0);
+  add(before, 1.0, 0.0);
+  add(neither, 0.0, 0.0);
+  return DifferenceOfShares(first, second);
+}
+
+TEST(PairedDifference, OfSharesIsNewcombes) {
+  const PairedDifference table = Shares(36, 12, 2, 0);  // of his table II
+  EXPECT_NEAR(table.mean, 0.2, 1e-12);
+  EXPECT_NEAR(table.low, 0.0569, 5e-5);
+  EXPECT_NEAR(table.high, 0.3404, 5e-5);
+  const PairedDifference bentur = Shares(1, 1, 7, 12);  // Fagerland, Lydersen, Laake, Stat. Med. 33(16), 2014
+  EXPECT_NEAR(bentur.low, -0.507, 5e-4);
+  EXPECT_NEAR(bentur.high, -0.026, 5e-4);
+}
+
+TEST(PairedDifference, OfSharesHasAWidthWhereAllAreAlike) {
+  const PairedDifference all = Shares(100, 0, 0, 0);
+  EXPECT_EQ(all.before, 1.0);
+  EXPECT_EQ(all.mean, 0.0);
+  EXPECT_NEAR(all.low, -0.037, 1e-3);
+  EXPECT_EQ(all.high, -all.low);
+  const PairedDifference turned = Shares(0, 100, 0, 0);
+  EXPECT_EQ(turned.high, 1.0);
+  EXPECT_TRUE(turned.better());
+  EXPECT_LT(turned.low, 1.0);
+}
+
+/// Before and after exchanged is the same with the other sign.
+TEST(PairedDifference, OfSharesIsFair) {
+  for (const auto& [both, after, before, neither] : {std::tuple(30, 8, 3, 9), {0, 4, 4, 2}, {20, 20, 0, 20}}) {
+    const PairedDifference there = Shares(both, after, before, neither), back = Shares(both, before, after, neither);
+    EXPECT_NEAR(there.low, -back.high, 1e-12);
+    EXPECT_NEAR(there.high, -back.low, 1e-12);
+  }
+}
+
 TEST(PairedDifference, TooFewOrUnlikePairsAreRefused) {
+  EXPECT_THROW(DifferenceOfShares({1, 0, 1, 1, 1}, {1, 0, 1, 1, 1}), InvalidArgument);
+  EXPECT_THROW(DifferenceOfShares({1, 0, 1, 1, 1, 0.5}, {1, 0, 1, 1, 1, 1}), InvalidArgument);
   EXPECT_THROW(DifferenceOf({1, 2, 3, 4, 5}, {1, 2, 3, 4, 5}), InvalidArgument);
   EXPECT_THROW(DifferenceOf({1, 2, 3, 4, 5, 6}, {1, 2, 3, 4, 5}), InvalidArgument);
 }

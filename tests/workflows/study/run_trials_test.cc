@@ -298,6 +298,20 @@ TEST_F(RunTrialsTest, WhatIsSaidTwiceIsRefusedAndLeftOutOfTheStandardSet) {
   EXPECT_TRUE(RunTrials(Study(), Some(1)).ok());
 }
 
+TEST_F(RunTrialsTest, RatesThatAreDrawnAreOnesAtWhichASensorCanBeRead) {
+  SampledTrial trial;
+  trial.options = {{"sensors.imu_rate_hz", 400.0, DisturbanceEffect::kValue},
+                   {"sensors.encoder_rate_hz", 2000.0, DisturbanceEffect::kValue}};
+  const PlayRequest disturbed = DisturbedRequest(request_, trial);
+  EXPECT_NEAR(disturbed.sensing.sensors.imu_rate_hz, 1000.0 / 3.0, 1e-9);
+  EXPECT_NEAR(disturbed.sensing.sensors.encoder_rate_hz, 1000.0, 1e-9);
+  request_.sensing.state = "measured";
+  request_.sensing.sensors.imu_rate_hz = 400.0;
+  EXPECT_THROW(MakeController(model_, plan_, request_), InvalidArgument) << "what is set is to be met";
+  request_.sensing.state = "true";
+  EXPECT_NO_THROW(MakeController(model_, plan_, request_)) << "no sensor is read";
+}
+
 TEST_F(RunTrialsTest, TheReportSaysHowToRepeatOne) {
   request_.play.world.friction = 0.7;
   request_.sensing.state = "estimated";

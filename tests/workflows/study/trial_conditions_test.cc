@@ -49,6 +49,17 @@ TEST(TrialConditions, NameEveryOptionThatIsNotAtItsUsualValue) {
                                   "play.friction 0.4 (usually 0)", "stabilised.dcm_gain 1.5 (usually 1.3)"}));
 }
 
+TEST(TrialConditions, FlagsAreThoseThatAct) {
+  PlayRequest request;
+  request.controller = "joint-pd";
+  request.stabilised.dcm_gain = 1.5;
+  request.sensing.sensors = SensorsOfKind("hobby");
+  request.play.world.friction = 0.4;
+  EXPECT_EQ(FlagsOf("joint-pd", TextsOf(request.Fields())), "--controller joint-pd --set play.friction=0.4");
+  EXPECT_EQ(FlagsOf("stabilised", TextsOf(request.Fields())),
+            "--set play.friction=0.4 --set stabilised.dcm_gain=1.5");
+}
+
 TEST(TrialConditions, SayWhatTheResultDoesNotSayOrTheProgramNotKnow) {
   const std::vector<OptionChange> conditions = TrialConditions({{"play.magic", "on"}});
   ASSERT_EQ(conditions.size(), 4U);
