@@ -197,9 +197,10 @@ RobotYaml::JointMotor ParseMotor(const YamlMap::Entry& entry) {
   motor.continuous_effort = keys.Take("continuous_nm", "continuous_n", true);
   motor.thermal_s = AtMost(map, "thermal_s", kLargestValue);
   if (motor.thermal_s && !motor.continuous_effort)
-    throw InvalidArgument(fmt::format("line {}: the motor of '{}' has 'thermal_s', over which a continuous effort is "
-                                      "taken, and no 'continuous_nm'",
-                                      motor.line, motor.joint));
+    throw InvalidArgument(
+        fmt::format("line {}: the motor of '{}' has 'thermal_s', over which a continuous effort is "
+                    "taken, and no 'continuous_nm'",
+                    motor.line, motor.joint));
   motor.rotor_inertia = keys.Take("rotor_inertia_kg_m2", "rotor_mass_kg", true);
   motor.acceleration_limit = keys.Take("acceleration_rad_s2", "acceleration_m_s2", true);
   motor.jerk_limit = keys.Take("jerk_rad_s3", "jerk_m_s3", true);

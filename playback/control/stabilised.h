@@ -18,7 +18,7 @@ namespace gaitwright {
 ///   steps about without a push     lower step_gain
 ///   feet touch down early          raise hover
 ///   standing feet slide            raise stance_damping
-///   trembles with noisy sensors    lower stance_damping, raise stance_creep
+///   trembles with noisy sensors    lower sensed_damping, raise stance_creep
 struct StabilisedOptions {
   double attitude_rad_s = 10.0;
   double height_rad_s = 10.0;
@@ -31,7 +31,8 @@ struct StabilisedOptions {
   double torque_use = 0.9;
   double swing_stiffness = 1.0;
   double swing_acceleration_m_s2 = 60.0;
-  double stance_damping = 0.2;
+  double stance_damping = 1.0;
+  double sensed_damping = 0.2;
   double stance_creep = 0.02;
   double settle_s = 0.03;
   double hover = 0.004;
@@ -106,6 +107,13 @@ struct StabilisedOptions {
          0.0,
          1.0,
          "Factor on the damping of a leg that stands, which keeps its foot from sliding.",
+         {}},
+        {"sensed_damping",
+         &sensed_damping,
+         "1",
+         0.0,
+         1.0,
+         "A further factor where the state is sensed: speeds from sensors are noisy, and what damps them trembles.",
          {}},
         {"stance_creep",
          &stance_creep,

@@ -12,8 +12,8 @@ namespace gaitwright {
 ///
 /// Keys: `format` ("gaitwright-playback-log"), `schema`, what PlaybackLog says of itself, `stances`, `body_contacts`,
 /// then one row per sample in each of `time_s`, `q`, `v`, `tau_nm`, `tau_peak_nm`, `effort_use`, `contact` (bit i: foot
-/// i) and `contact_wrenches` (by foot: force [N], moment [N m]), and `estimate` where the controller estimated the base:
-/// place, quaternion x y z w, velocity, angular velocity; `broke_off` where it could not go on.
+/// i) and `contact_wrenches` (by foot: force [N], moment [N m]), and `estimate` where the controller estimated the
+/// base: place, quaternion x y z w, velocity, angular velocity; `broke_off` where it could not go on.
 std::string LogToJson(const PlaybackLog& log);
 
 /// A log from its JSON text. Refused with the reason: text that is cut short, that is no log, of another schema, a key

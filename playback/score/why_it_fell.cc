@@ -20,7 +20,7 @@ namespace {
 
 using Kind = FailureEvent::Kind;
 
-constexpr double kFarOff = 0.03;    // from plan or foothold, for the reference leg [m]
+constexpr double kFarOff = 0.03;  // from plan or foothold, for the reference leg [m]
 
 double Scaled(const ScoreInputs& in, double length_m) { return length_m * in.leg_length_m / kReferenceLegLength; }
 
@@ -139,15 +139,14 @@ Event TorqueLimit(const ScoreInputs& in) {
   Event first;
   for (int i = 0; i < in.model.num_dofs(); ++i) {
     if (!MayBeAtALimit(in.model, i)) continue;
-    const auto at = FirstPersistent(in.series.measured,
-                                    [&](std::size_t k) { return in.log.samples[k].effort_use[i] >= 1.0; });
+    const auto at =
+        FirstPersistent(in.series.measured, [&](std::size_t k) { return in.log.samples[k].effort_use[i] >= 1.0; });
     if (!at || (first && first->time_s <= in.series.measured[*at].time_s)) continue;
     const double time = in.series.measured[*at].time_s, limit = in.log.samples[*at].tau_peak[i];
-    first = FailureEvent{
-        Kind::kTorqueLimit, time,
-        fmt::format("the torque of '{}' was at its limit {:.2f} {}{} from {:.2f} s",
-                    in.model.dof_names[static_cast<std::size_t>(i)], limit, EffortUnit(in.model, i),
-                    WhatIsLeft(in, i, limit), time)};
+    first = FailureEvent{Kind::kTorqueLimit, time,
+                         fmt::format("the torque of '{}' was at its limit {:.2f} {}{} from {:.2f} s",
+                                     in.model.dof_names[static_cast<std::size_t>(i)], limit, EffortUnit(in.model, i),
+                                     WhatIsLeft(in, i, limit), time)};
   }
   return first;
 }

@@ -24,9 +24,8 @@ double StudentQuantile(double degrees) {
 
 void CheckPairs(const char* of, const std::vector<double>& before, const std::vector<double>& after) {
   if (before.size() == after.size() && before.size() >= 6) return;
-  throw InvalidArgument(
-      fmt::format("{}: {} values before and {} after; as many of both, six or more, are accepted", of, before.size(),
-                  after.size()));
+  throw InvalidArgument(fmt::format("{}: {} values before and {} after; as many of both, six or more, are accepted", of,
+                                    before.size(), after.size()));
 }
 
 /// How many pairs are so in both, before alone, after alone and in neither.
@@ -37,8 +36,7 @@ struct PairCounts {
 /// Correlation of the two with Newcombe's correction for continuity; 0 where all are alike before, or after.
 double Correlation(const PairCounts& n) {
   const double half = 0.5 * (n.both + n.before + n.after + n.neither);
-  const double product =
-      (n.both + n.before) * (n.after + n.neither) * (n.both + n.after) * (n.before + n.neither);
+  const double product = (n.both + n.before) * (n.after + n.neither) * (n.both + n.after) * (n.before + n.neither);
   const double determinant = n.both * n.neither - n.before * n.after;
   if (product == 0.0) return 0.0;
   return (determinant > 0.0 ? std::max(determinant - half, 0.0) : determinant) / std::sqrt(product);

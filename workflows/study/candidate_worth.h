@@ -44,9 +44,9 @@ struct PairedDifference {
 /// @throws InvalidArgument unless there are as many of the one as of the other, six or more.
 PairedDifference DifferenceOf(const std::vector<double>& before, const std::vector<double>& after);
 
-/// The same where each value says whether something was so, 1 or 0: the difference of two shares of the same trials, and
-/// its 95 % interval from those of Wilson of either share and their correlation, which has a width where all values are
-/// equal too. R. G. Newcombe, Stat. Med. 17(22), 1998, 2635-2650, method 10.
+/// The same where each value says whether something was so, 1 or 0: the difference of two shares of the same trials,
+/// and its 95 % interval from those of Wilson of either share and their correlation, which has a width where all values
+/// are equal too. R. G. Newcombe, Stat. Med. 17(22), 1998, 2635-2650, method 10.
 /// @throws InvalidArgument as DifferenceOf does, or where a value is neither 0 nor 1.
 PairedDifference DifferenceOfShares(const std::vector<double>& before, const std::vector<double>& after);
 

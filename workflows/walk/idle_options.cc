@@ -26,6 +26,8 @@ std::vector<Rule> RulesFor(const PlayRequest& request) {
            "as the controller has the true state: no sensor is read", "--state estimated, or measured"},
           {"odometry.", "state", state == StateSourceNames().back(), fmt::format("with the state '{}'", state),
            "--state estimated"},
+          {"stabilised.sensed_damping", "state", state != StateSourceNames().front(), "with the true state",
+           "--state estimated, or measured"},
           {"stabilised.", "controller", request.controller == "stabilised",
            fmt::format("on the controller '{}'", request.controller), "--controller stabilised"},
           {"play.ground_slope_direction_deg", "play.ground_slope_deg", slopes, "without 'ground_slope_deg'",

@@ -109,11 +109,18 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
 
 namespace {
 
+/// As the state that the controller gets asks for.
+StabilisedOptions StabilisedFor(const PlayRequest& request) {
+  StabilisedOptions options = request.stabilised;
+  if (request.sensing.state != StateSourceNames().front()) options.stance_damping *= options.sensed_damping;
+  return options;
+}
+
 std::unique_ptr<Controller> BareController(const RobotModel& model, const MotionPlan& plan,
                                            const PlayRequest& request) {
   const GainOptions gains = GainsFor(request);
   if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan, gains);
-  if (request.controller == "stabilised") return MakeStabilised(model, plan, request.stabilised, gains);
+  if (request.controller == "stabilised") return MakeStabilised(model, plan, StabilisedFor(request), gains);
   throw InvalidArgument(
       fmt::format("there is no controller '{}'; there are 'joint-pd', 'stabilised'", request.controller));
 }

@@ -56,8 +56,7 @@ TEST(TrialConditions, FlagsAreThoseThatAct) {
   request.sensing.sensors = SensorsOfKind("hobby");
   request.play.world.friction = 0.4;
   EXPECT_EQ(FlagsOf("joint-pd", TextsOf(request.Fields())), "--controller joint-pd --set play.friction=0.4");
-  EXPECT_EQ(FlagsOf("stabilised", TextsOf(request.Fields())),
-            "--set play.friction=0.4 --set stabilised.dcm_gain=1.5");
+  EXPECT_EQ(FlagsOf("stabilised", TextsOf(request.Fields())), "--set play.friction=0.4 --set stabilised.dcm_gain=1.5");
 }
 
 TEST(TrialConditions, SayWhatTheResultDoesNotSayOrTheProgramNotKnow) {

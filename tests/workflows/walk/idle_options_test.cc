@@ -35,6 +35,7 @@ TEST(IdleOptions, GroundsPushesAndGainsActWhereTheyAre) {
   EXPECT_EQ(IdleIn(request, push), push[0] + " without a push");
   EXPECT_EQ(IdleIn(request, push, {"play.push_force_y_n"}), "");
   EXPECT_EQ(IdleIn(request, gain), "");
+  EXPECT_EQ(IdleIn(request, {"stabilised.sensed_damping"}), "stabilised.sensed_damping with the true state");
   request.controller = "joint-pd";
   EXPECT_EQ(IdleIn(request, gain), gain[0] + " on the controller 'joint-pd'");
   request.play.world.ground_slope_deg = -1.0;
