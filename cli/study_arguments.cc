@@ -67,10 +67,7 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
   if (!texts) return texts;
   ApplySets("--set", common.sets, Fields());
   const std::vector<std::string> varied = KeysOf(axes);
-  std::vector<std::string> open = disturbances.MayDraw();
-  open.insert(open.end(), varied.begin(), varied.end());
-  play.Finish(common.sets, open);
-  play.CheckAct("--over", varied, open);
+  play.Finish(varied);
   for (const StudyAxis& axis : axes) {
     CheckGivenOnce(axis, *this, common.sets);
     if (axis.key == "step_length" && !walk.steps)

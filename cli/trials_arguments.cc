@@ -13,20 +13,10 @@ namespace gaitwright::cli {
 
 namespace {
 
-/// The option of a playback that a figure is drawn for.
-std::string OptionOf(const Disturbance& figure) {
-  return figure.key.starts_with("sensor") ? figure.key : "play." + figure.key;
-}
-
-/// A figure that is drawn where the option through which it acts is at rest throughout.
-std::optional<IdleOption> WithoutEffect(const Disturbances& disturbances, const PlayRequest& request,
-                                        const std::vector<std::string>& varied) {
-  std::vector<std::string> drawn, open = varied;
-  for (const Disturbance& figure : disturbances.figures) {
-    drawn.push_back(OptionOf(figure));
-    if (figure.distribution.lowest != 0.0 || figure.distribution.highest != 0.0) open.push_back(drawn.back());
-  }
-  return FirstIdle(request, drawn, open);
+/// The option that says whether a figure acts, by its own key. A file tells of a robot's sensors as a whole: they act
+/// where any is read.
+std::string ActsAs(const Disturbance& figure) {
+  return figure.key.starts_with("sensor") ? "sensors." : "play." + figure.key;
 }
 
 /// What is drawn and has no effect: a figure in place of which a study has its own, one whose own ground is not there,
@@ -40,9 +30,13 @@ std::optional<Failure> InVain(const Disturbances& disturbances, const PlayReques
     return failure(fmt::format("the disturbances draw {}, which --over varies", QuotedList(twice)),
                    "leave one of them out");
   }
-  if (const std::optional<IdleOption> idle = WithoutEffect(disturbances, request, varied)) {
-    const std::string key = idle->key.starts_with("play.") ? idle->key.substr(5) : idle->key;
-    return failure(fmt::format("the disturbances draw '{}', which has no effect {}", key, idle->why), idle->hint);
+  std::vector<std::string> open = DrawnOptions(disturbances);
+  open.insert(open.end(), varied.begin(), varied.end());
+  for (const Disturbance& figure : disturbances.figures) {
+    if (const std::optional<IdleOption> idle = FirstIdle(request, {ActsAs(figure)}, open)) {
+      return failure(fmt::format("the disturbances draw '{}', which has no effect {}", figure.key, idle->why),
+                     idle->hint);
+    }
   }
   return std::nullopt;
 }
@@ -56,11 +50,6 @@ void DisturbanceArguments::AddTo(CLI::App& verb, const std::string& otherwise) {
 
 void DisturbanceArguments::AddPathTo(Paths& paths) const {
   if (!file.empty() && file != "standard") paths.read.push_back({"--disturbances", file});
-}
-
-std::vector<std::string> DisturbanceArguments::MayDraw() const {
-  if (file.empty() || file == "standard") return {};
-  return {"play.ground_slope_deg", "play.ground_bumps_m"};
 }
 
 Result<Disturbances> DisturbanceArguments::Load(const RobotModel& model, PlayRequest request,

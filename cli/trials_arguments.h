@@ -17,8 +17,6 @@ struct DisturbanceArguments {
 
   void AddTo(CLI::App& verb, const std::string& otherwise = "the standard set, scaled to the robot");
   void AddPathTo(Paths& paths) const;
-  /// Options that single ones may act through, and that a file may draw.
-  std::vector<std::string> MayDraw() const;
   /// What the file says, or the standard set but for what else says it; a failure where some of it could not be played,
   /// or would act on nothing.
   /// @param varied  options that a study gives one value after another.

@@ -22,8 +22,10 @@ namespace {
 OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
   OptionFields world = play.play.world.Fields();
   std::erase_if(world, [](const OptionField& field) { return field.key.find("bump") != std::string::npos; });
-  return Joined({walk.Fields(), Prefixed("play", world), Prefixed("stabilised", play.stabilised.Fields()),
-                 Prefixed("gains", play.gains.Fields())});
+  OptionFields all = Joined({walk.Fields(), Prefixed("play", world), Prefixed("stabilised", play.stabilised.Fields()),
+                             Prefixed("gains", play.gains.Fields())});
+  std::erase_if(all, [](const OptionField& field) { return field.key == "stabilised.sensed_damping"; });
+  return all;
 }
 
 struct Arguments {

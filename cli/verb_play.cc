@@ -20,10 +20,11 @@ struct Arguments {
 };
 
 /// The plan as it is played: under the disturbances of one trial where those are given.
-Result<PlayedWalk> PlayAsAsked(const Arguments& a, const RobotModel& model, const MotionPlan& plan) {
+Result<PlayedWalk> PlayAsAsked(Arguments& a, const RobotModel& model, const MotionPlan& plan) {
   if (a.disturbances.file.empty()) return PlayWalk(model, plan, a.play.request);
   const Result<Disturbances> disturbances = a.disturbances.Load(model, a.play.request);
   if (!disturbances) return disturbances.failure();
+  a.play.CheckActs(a.common.sets, {}, DrawnOptions(*disturbances));
   Result<PlayedTrial> trial =
       PlayTrial({model, plan, a.play.request, *disturbances}, 0, static_cast<std::uint64_t>(a.common.seed));
   if (!trial) return trial.failure();
@@ -35,7 +36,8 @@ int Run(Arguments& a) {
   const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
   if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, a.play.request.Fields());
-  a.play.Finish(a.common.sets, a.disturbances.MayDraw());
+  a.play.Finish();
+  if (a.disturbances.file.empty()) a.play.CheckActs(a.common.sets);
   Paths paths{
       {{"the plan", a.plan}}, {{"--log", a.outputs.log}, {"--report", a.outputs.report}}, a.outputs.plot_folder};
   a.disturbances.AddPathTo(paths);

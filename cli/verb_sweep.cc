@@ -68,9 +68,11 @@ Result<Study> StudyOf(Arguments& a) {
   return study;
 }
 
-Result<Disturbances> PrepareTrials(const Arguments& a, Study& study) {
+Result<Disturbances> PrepareTrials(Arguments& a, Study& study) {
   const Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play, KeysOf(study.axes));
-  if (disturbances) study.play_trial = PlayerOf(*disturbances, a.common.seed);
+  if (!disturbances) return disturbances;
+  a.study.play.CheckActs(a.common.sets, KeysOf(study.axes), DrawnOptions(*disturbances));
+  study.play_trial = PlayerOf(*disturbances, a.common.seed);
   return disturbances;
 }
 
@@ -86,6 +88,7 @@ Result<SweepInputs> ReadAll(Arguments& a) {
   Result<Study> study = StudyOf(a);
   if (!study) return study.failure();
   std::string trials;
+  if (a.trials == 0) a.study.play.CheckActs(a.common.sets, KeysOf(study->axes));
   if (a.trials > 0) {
     const Result<Disturbances> disturbances = PrepareTrials(a, *study);
     if (!disturbances) return disturbances.failure();

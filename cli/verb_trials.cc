@@ -124,7 +124,7 @@ Result<TrialInputs> ReadAll(Arguments& a) {
   const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
   if (!options) return options.failure();
   ApplySets("--set", a.common.sets, a.Fields());
-  a.play.Finish(a.common.sets, a.disturbances.MayDraw());
+  a.play.Finish();
   CheckShare(a);
   Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return plan.failure();
@@ -132,6 +132,7 @@ Result<TrialInputs> ReadAll(Arguments& a) {
   if (!model) return model.failure();
   Result<Disturbances> disturbances = a.disturbances.Load(*model, a.play.request);
   if (!disturbances) return disturbances.failure();
+  a.play.CheckActs(a.common.sets, {}, DrawnOptions(*disturbances));
   return TrialInputs{std::move(*plan), std::move(*model), std::move(*disturbances)};
 }
 

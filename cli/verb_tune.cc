@@ -80,6 +80,7 @@ int Run(Arguments& a) {
   if (!study) return Report(study.failure(), a.common);
   const Result<Disturbances> disturbances = a.study.disturbances.Load(study->model, study->play, KeysOf(study->axes));
   if (!disturbances) return Report(disturbances.failure(), a.common);
+  a.study.play.CheckActs(a.common.sets, KeysOf(study->axes), DrawnOptions(*disturbances));
   study->play_trial = PlayerOf(*disturbances, a.common.seed);
   const std::string identity = TuneIdentity(*study, a.tune, DisturbancesText(*disturbances));
   Result<JobJournal> journal = JobJournal::Open(a.SoFar(), identity, a.study.resume);

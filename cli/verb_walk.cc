@@ -42,7 +42,8 @@ int Run(Arguments& a) {
   const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
-  a.play.Finish(a.common.sets);
+  a.play.Finish();
+  a.play.CheckActs(a.common.sets);
   const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);
   if (!planned) return Report(planned.failure(), a.common);
   const Result<PlayedWalk> played = PlayWalk(*model, planned->motion.plan, a.play.request);

@@ -20,6 +20,17 @@ std::string NotAKind(const std::string& kind) {
   }
 }
 
+/// The keys of --set that give more than the usual value.
+std::vector<std::string> ChangedBy(const std::vector<std::string>& sets, PlayRequest& request) {
+  PlayRequest usual;
+  std::vector<std::string> keys;
+  for (const OptionChange& change : ChangesFrom(usual.Fields(), TextsOf(request.Fields()))) {
+    const auto gives = [&](const std::string& set) { return set.starts_with(change.key + "="); };
+    if (std::any_of(sets.begin(), sets.end(), gives)) keys.push_back(change.key);
+  }
+  return keys;
+}
+
 }  // namespace
 
 void WalkArguments::AddTo(CLI::App& verb) {
@@ -145,30 +156,34 @@ void PlayArguments::AddTo(CLI::App& verb) {
   verb.option_defaults()->group("Options");
 }
 
-void PlayArguments::CheckAct(const std::string& flag, const std::vector<std::string>& keys,
-                             const std::vector<std::string>& open) const {
-  const std::optional<IdleOption> idle = FirstIdle(request, keys, open);
-  if (!idle) return;
-  throw InvalidArgument(fmt::format("{} {} has no effect {}: {}", flag, idle->key, idle->why, idle->hint));
-}
-
-void PlayArguments::Finish(const std::vector<std::string>& sets, const std::vector<std::string>& open) {
-  const bool state_varies = std::find(open.begin(), open.end(), "state") != open.end();
-  if (only_with_sensors->count() > 0 && !state_varies && request.sensing.state == StateSourceNames().front())
+void PlayArguments::Finish(const std::vector<std::string>& varied) {
+  const auto varies = [&](const char* begins) {
+    return std::any_of(varied.begin(), varied.end(), [&](const std::string& key) { return key.starts_with(begins); });
+  };
+  if (only_with_sensors->count() > 0 && !varies("state") && request.sensing.state == StateSourceNames().front())
     throw InvalidArgument("--sensors is for --state measured or estimated: the true state reads no sensor");
   if (!push.empty()) {
     const std::vector<double> force = ParseNumbers("--push", push, 3);
     request.play.push_force_W = Vector3(force[0], force[1], force[2]);
   }
+  const bool pushes = !request.play.push_force_W.isZero(0.0);
   for (const CLI::Option* flag : only_with_push) {
-    if (flag->count() > 0 && push.empty() && request.play.push_force_W.isZero(0.0))
+    if (flag->count() > 0 && push.empty() && !pushes && !varies("play.push_force"))
       throw InvalidArgument(flag->get_name() + " is given without --push: how hard is missing");
   }
-  if (!request.play.push_force_W.isZero(0.0) && request.play.push_for_s == 0.0)
+  if (pushes && request.play.push_for_s == 0.0)
     throw InvalidArgument("a push that lasts for 0 s does nothing: --push-for is to be above 0");
-  std::vector<std::string> keys;
-  for (const std::string& set : sets) keys.push_back(set.substr(0, set.find('=')));
-  CheckAct("--set", keys, open);
+}
+
+void PlayArguments::CheckActs(const std::vector<std::string>& sets, const std::vector<std::string>& varied,
+                              const std::vector<std::string>& drawn) {
+  std::vector<std::string> open = drawn;
+  open.insert(open.end(), varied.begin(), varied.end());
+  if (!push.empty()) open.emplace_back("play.push_force");
+  for (const auto& [flag, keys] : {std::pair("--set", ChangedBy(sets, request)), std::pair("--over", varied)}) {
+    if (const std::optional<IdleOption> idle = FirstIdle(request, keys, open))
+      throw InvalidArgument(fmt::format("{} {} has no effect {}; {}", flag, idle->key, idle->why, idle->hint));
+  }
 }
 
 }  // namespace gaitwright::cli

@@ -36,14 +36,15 @@ struct PlayArguments {
   std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
 
   void AddTo(CLI::App& verb);
-  /// @param sets  what --set gives.
-  /// @param open  options that are given one value after another, or drawn.
-  /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given, for --sensors
-  /// where none is read, and for options of --set that have no effect.
-  void Finish(const std::vector<std::string>& sets, const std::vector<std::string>& open = {});
-  /// @throws InvalidArgument naming the first option that a flag gives and that has no effect.
-  void CheckAct(const std::string& flag, const std::vector<std::string>& keys,
-                const std::vector<std::string>& open) const;
+  /// @param varied  options that are given one value after another.
+  /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given, and for --sensors
+  /// where none is read.
+  void Finish(const std::vector<std::string>& varied = {});
+  /// After Finish. Of --set what gives no more than the usual value is let pass.
+  /// @param drawn  options that disturbances draw.
+  /// @throws InvalidArgument naming the first option of --set or --over that has no effect.
+  void CheckActs(const std::vector<std::string>& sets, const std::vector<std::string>& varied = {},
+                 const std::vector<std::string>& drawn = {});
 };
 
 }  // namespace gaitwright::cli

@@ -199,7 +199,7 @@ RobotYaml::JointMotor ParseMotor(const YamlMap::Entry& entry) {
   if (motor.thermal_s && !motor.continuous_effort)
     throw InvalidArgument(
         fmt::format("line {}: the motor of '{}' has 'thermal_s', over which a continuous effort is "
-                    "taken, and no 'continuous_nm'",
+                    "taken, and no 'continuous_nm' or 'continuous_n'",
                     motor.line, motor.joint));
   motor.rotor_inertia = keys.Take("rotor_inertia_kg_m2", "rotor_mass_kg", true);
   motor.acceleration_limit = keys.Take("acceleration_rad_s2", "acceleration_m_s2", true);

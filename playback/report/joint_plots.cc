@@ -69,7 +69,7 @@ Use UseOf(const PlotData& data, int dof) {
   return {scale * use.planned, scale * use.measured};
 }
 
-/// All limits at a glance: one bar a joint, its limit being 100 %.
+/// All limits at a glance: one bar a joint, the robot's limit being 100 %.
 std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& shown) {
   constexpr double kRowHeight = 21.0, kAround = 76.0;  // [px]
   std::vector<int> limited;
@@ -78,7 +78,7 @@ std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& sh
   if (limited.empty()) return {};
   SvgPlot::Options options;
   options.title = "Largest torques against their limits";
-  options.x_label = "largest torque, share of the joint's limit [%]";
+  options.x_label = "largest torque, share of the robot's limit [%]";
   options.x_lowest = 0.0;
   options.x_highest = 105.0;
   options.height_px = kAround + kRowHeight * static_cast<double>(limited.size());

@@ -60,7 +60,7 @@ Measurement TorqueUse(const ScoreInputs& in) {
     const LogSample& sample = in.log.samples[k];
     const VectorX& wanted = in.series.plan[k].tau;
     for (int i = 0; i < in.model.num_dofs(); ++i) {
-      if (MayBeAtALimit(in.model, i)) measured.See(sample.effort_use[i], sample.time_s);
+      if (HasTorqueLimit(in.model, i) || sample.effort_use[i] > 0.0) measured.See(sample.effort_use[i], sample.time_s);
       if (HasTorqueLimit(in.model, i) && wanted.size() > i)
         planned.See(std::abs(wanted[i]) / in.model.dof_effort_limit(i), sample.time_s);
     }

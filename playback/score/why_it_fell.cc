@@ -120,16 +120,21 @@ Event Slip(const ScoreInputs& in) {
   return first;
 }
 
-/// " of its 33.50 N m", where a motor could give less than the robot's limit, and what may have taken it.
-std::string WhatIsLeft(const ScoreInputs& in, int dof, double limit) {
-  const double whole = in.model.dof_effort_limit(dof);
-  if (limit > 0.99 * whole || !HasTorqueLimit(in.model, dof)) return "";
+/// " of 33.50 N m (less for the motor's warmth)", where a motor could give less than the robot's limit.
+std::string WhatIsLeft(const ScoreInputs& in, int dof, const LogSample& sample) {
+  constexpr double kNear = 0.98;  // of a limit, since speeds are those at the end of a sample
+  const double whole = in.model.dof_effort_limit(dof), limit = sample.tau_peak[dof];
+  if (limit > kNear * whole || !HasTorqueLimit(in.model, dof)) return "";
   const LogOptions options(in.log);
   const Motor& motor = in.model.MotorOf(dof);
   std::vector<std::string> takers;
-  if (options.At("play.motor_strength", 1.0) < 1.0) takers.emplace_back("strength");
-  if (motor.has_curve() && options.Text("play.motor_curve") != "false") takers.emplace_back("speed");
-  if (motor.continuous_effort < whole && options.Text("play.thermal_limit") != "false") takers.emplace_back("warmth");
+  const double strong = options.At("play.motor_strength", 1.0) * whole;
+  if (strong < kNear * whole) takers.emplace_back("strength");
+  const double speed = std::copysign(1.0, sample.tau[dof]) * sample.v[6 + dof];
+  const double fast = options.Text("play.motor_curve") == "false" ? strong : motor.EffortAt(speed, strong);
+  if (fast < kNear * strong) takers.emplace_back("speed");
+  const bool warms = motor.continuous_effort < strong && options.Text("play.thermal_limit") != "false";
+  if (warms && limit < kNear * fast) takers.emplace_back("warmth");
   const std::string whole_limit = fmt::format(" of {:.2f} {}", whole, EffortUnit(in.model, dof));
   return takers.empty() ? whole_limit
                         : fmt::format("{} (less for the motor's {})", whole_limit, fmt::join(takers, " and "));
@@ -142,11 +147,11 @@ Event TorqueLimit(const ScoreInputs& in) {
     const auto at =
         FirstPersistent(in.series.measured, [&](std::size_t k) { return in.log.samples[k].effort_use[i] >= 1.0; });
     if (!at || (first && first->time_s <= in.series.measured[*at].time_s)) continue;
-    const double time = in.series.measured[*at].time_s, limit = in.log.samples[*at].tau_peak[i];
+    const double time = in.series.measured[*at].time_s;
     first = FailureEvent{Kind::kTorqueLimit, time,
                          fmt::format("the torque of '{}' was at its limit {:.2f} {}{} from {:.2f} s",
-                                     in.model.dof_names[static_cast<std::size_t>(i)], limit, EffortUnit(in.model, i),
-                                     WhatIsLeft(in, i, limit), time)};
+                                     in.model.dof_names[static_cast<std::size_t>(i)], in.log.samples[*at].tau_peak[i],
+                                     EffortUnit(in.model, i), WhatIsLeft(in, i, in.log.samples[*at]), time)};
   }
   return first;
 }

@@ -72,6 +72,9 @@ Result<Disturbances> LoadDisturbances(const std::string& path, const OptionField
 /// As YAML that ReadDisturbances reads to the same. The same disturbances give the same bytes.
 std::string DisturbancesText(const Disturbances& disturbances);
 
+/// The options of a playback that some trial may move off zero.
+std::vector<std::string> DrawnOptions(const Disturbances& disturbances);
+
 /// The keys of the figures that are drawn in place of one of these options of the playback.
 std::vector<std::string> DrawnInPlaceOf(const Disturbances& disturbances, const std::vector<std::string>& options);
 

@@ -98,13 +98,25 @@ TEST_F(Trials, WhatWouldActOnNothingIsRefused) {
                 {"--set stabilised.dcm_gain has no effect on the controller 'joint-pd'", "leave it out"});
   ExpectRefused(Run({"sweep", "--over", "stabilised.dcm_gain=1,2", "--controller", "joint-pd"}), 1,
                 {"--over stabilised.dcm_gain has no effect on the controller 'joint-pd'"});
-  ExpectRefused(Run({"play", "plan.json", "--state", "measured", "--set", "sensors.imu_rate_hz=400"}), 1,
+  ExpectRefused(Run({"play", "plan.json", "--state", "measured", "--set", "sensors.imu_rate_hz=500"}), 1,
+                {"no effect with the state 'measured'", "--state estimated"});
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "calm.yaml", "--set", "play.bump_wavelength_m=0.3"}), 1,
+                {"no effect without 'ground_bumps_m'"});
+  Write("noise.yaml", "sensor_noise_scale: {uniform: [1, 3]}\n");
+  ExpectRefused(Run({"trials", "plan.json", "--disturbances", "noise.yaml"}), 1,
+                {"'sensor_noise_scale'", "true state"});
+  ExpectRefused(Run({"play", "plan.json", "--state", "estimated", "--set", "sensors.imu_rate_hz=400"}), 1,
                 {"'sensors.imu_rate_hz' is 400 Hz", "the nearest that does is 333.333"});
   ExpectRefused(Run({"play", "plan.json", "--sensors", "hobby"}), 1, {"--sensors is for --state measured"});
   ExpectRefused(Run({"trials", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
   ExpectRefused(Run({"play", "plan.json", "--disturbances", "calm.yaml", "--friction", "0.4"}), 1, {"'friction'"});
   ExpectRefused(Run({"sweep", "--over", "play.friction=0.4,0.8", "--trials", "1", "--disturbances", "calm.yaml"}), 1,
                 {"'friction'", "--over"});
+  for (const char* option : {"play.bump_wavelength_m=0.3", "play.ground_slope_direction_deg=90"}) {
+    const Ran ran = Run({"trials", "plan.json", "-n", "1", "--set", option, "--json"});
+    EXPECT_EQ(ran.status, 0) << option << ": the standard set has bumps and slopes; " << ran.err;
+    EXPECT_NE(ran.out.find(std::string("--set ") + option), std::string::npos) << "the command that repeats it";
+  }
   const Ran shown = Run({"trials", "plan.json", "--show-disturbances", "--friction", "0.4"});
   EXPECT_EQ(shown.out.find("friction"), std::string::npos) << "the standard set leaves it to whom says it";
 }

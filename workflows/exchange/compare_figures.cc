@@ -48,7 +48,7 @@ void AddJoints(const RobotModel& model, const MotionRows& rows, Figures& figures
     }
   }
   figures.push_back({"joint_speed_use_max", "1", speed_use});
-  if (!rows.tau.empty()) figures.push_back({"torque_use_max", "1", torque_use});
+  if (!rows.tau.empty()) figures.push_back({"torque_of_limit_max", "1", torque_use});
 }
 
 void AddLog(const PlaybackLog& log, Figures& figures) {

@@ -171,7 +171,9 @@ std::vector<std::string> NamesOfRequests() {
 OptionFields LiveOptions(PlayRequest& play) {
   OptionFields fields =
       Joined({Prefixed("stabilised", play.stabilised.Fields()), Prefixed("gains", play.gains.Fields())});
-  std::erase_if(fields, [](const OptionField& field) { return !std::holds_alternative<double*>(field.target); });
+  std::erase_if(fields, [](const OptionField& field) {
+    return !std::holds_alternative<double*>(field.target) || field.key == "stabilised.sensed_damping";
+  });
   return fields;
 }
 

@@ -163,12 +163,10 @@ PlayRequest DisturbedRequest(const PlayRequest& request, const SampledTrial& tri
 
 Disturbances StandardBesides(const RobotModel& model, const PlayRequest& request,
                              const std::vector<std::string>& varied) {
-  const std::string slope = "play.ground_slope_deg", direction = "play.ground_slope_direction_deg";
   std::vector<std::string> said = ChangedKeys(request);
   said.insert(said.end(), varied.begin(), varied.end());
-  for (const auto& [one, other] : {std::pair(slope, direction), std::pair(direction, slope)}) {
-    if (std::find(said.begin(), said.end(), one) != said.end()) said.push_back(other);
-  }
+  if (std::find(said.begin(), said.end(), "play.ground_slope_deg") != said.end())
+    said.emplace_back("play.ground_slope_direction_deg");  // which would turn the slope that is said
   Disturbances standard = StandardDisturbances(model);
   const std::vector<std::string> twice = DrawnInPlaceOf(standard, said);
   std::erase_if(standard.figures, [&](const Disturbance& figure) {
@@ -220,7 +218,7 @@ TrialSubject SubjectOf(const TrialStudy& study, std::uint64_t run_seed) {
   subject.options = TextsOf(request.Fields());
   subject.seed = run_seed;
   const bool standard = study.disturbances == StandardBesides(study.model, request);
-  const std::string flags = FlagsOf(request.controller, subject.options);
+  const std::string flags = FlagsOf(request.controller, subject.options, DrawnOptions(study.disturbances));
   subject.repeat = fmt::format("gaitwright play PLAN --disturbances {} --seed SEED{}{}", standard ? "standard" : "FILE",
                                flags.empty() ? "" : " ", flags);
   subject.gait_scale = GaitScaleOf(study.model, study.plan);

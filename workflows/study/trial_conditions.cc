@@ -91,13 +91,12 @@ PlayRequest RequestOf(const std::string& controller, const OptionTexts& options)
 
 }  // namespace
 
-std::string FlagsOf(const std::string& controller, const OptionTexts& options) {
+std::string FlagsOf(const std::string& controller, const OptionTexts& options, const std::vector<std::string>& drawn) {
   const PlayRequest request = RequestOf(controller, options);
   std::string flags = controller == PlayRequest().controller ? "" : " --controller " + controller;
   for (const OptionChange& condition : TrialConditions(options)) {
     if (condition.value == condition.usual || condition.usual.empty() || condition.value == kNotSaid) continue;
-    if (FirstIdle(request, {condition.key}, {"play.ground_slope_deg", "play.ground_bumps_m"}))
-      continue;  // may be drawn
+    if (FirstIdle(request, {condition.key}, drawn)) continue;
     flags += condition.key == kSensors ? fmt::format(" --sensors {}", condition.value)
                                        : fmt::format(" --set {}={}", condition.key, condition.value);
   }

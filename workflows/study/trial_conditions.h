@@ -17,8 +17,10 @@ namespace gaitwright {
 std::vector<OptionChange> TrialConditions(const OptionTexts& options, const std::string& disturbances = "");
 
 /// The flags that give a playback those options, as a line of a shell: "--controller joint-pd --set state=estimated
-/// --sensors hobby". Seeds are left out.
-std::string FlagsOf(const std::string& controller, const OptionTexts& options);
+/// --sensors hobby". Seeds are left out, and what has no effect.
+/// @param drawn  options that disturbances draw, through which others may act.
+std::string FlagsOf(const std::string& controller, const OptionTexts& options,
+                    const std::vector<std::string>& drawn = {});
 
 /// "play.friction 0.4 (usually 0)", or without the bracket where it is as usual.
 std::string ConditionText(const OptionChange& condition);

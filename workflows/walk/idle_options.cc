@@ -19,23 +19,26 @@ struct Rule {
 std::vector<Rule> RulesFor(const PlayRequest& request) {
   const std::string& state = request.sensing.state;
   const WorldOptions& world = request.play.world;
-  const bool slopes = world.ground_slope_deg != 0.0, bumpy = world.ground_bumps_m != 0.0;
-  const bool pushes = !request.play.push_force_W.isZero(0.0);
-  const std::string without_bumps = "without 'ground_bumps_m'", give_bumps = "give 'ground_bumps_m' too";
-  return {{"sensors.", "state", state != StateSourceNames().front(),
-           "as the controller has the true state: no sensor is read", "--state estimated, or measured"},
-          {"odometry.", "state", state == StateSourceNames().back(), fmt::format("with the state '{}'", state),
-           "--state estimated"},
-          {"stabilised.sensed_damping", "state", state != StateSourceNames().front(), "with the true state",
-           "--state estimated, or measured"},
-          {"stabilised.", "controller", request.controller == "stabilised",
-           fmt::format("on the controller '{}'", request.controller), "--controller stabilised"},
-          {"play.ground_slope_direction_deg", "play.ground_slope_deg", slopes, "without 'ground_slope_deg'",
-           "give 'ground_slope_deg' too"},
-          {"play.bump_", "play.ground_bumps_m", bumpy, without_bumps, give_bumps},
-          {"play.push_at_s", "play.push_force", pushes, "without a push", "give --push too"},
-          {"play.push_for_s", "play.push_force", pushes, "without a push", "give --push too"},
-          {"play.push_on", "play.push_force", pushes, "without a push", "give --push too"}};
+  const bool is_true = state == StateSourceNames().front(), is_estimated = state == StateSourceNames().back();
+  std::vector<Rule> rules = {
+      {"sensors.", "state", !is_true, "since the controller has the true state and no sensor is read",
+       "give --state estimated or measured"},
+      {"stabilised.sensed_damping", "state", !is_true, "with the true state", "give --state estimated or measured"},
+      {"stabilised.", "controller", request.controller == "stabilised",
+       fmt::format("on the controller '{}'", request.controller), "give --controller stabilised"},
+      {"play.ground_slope_direction_deg", "play.ground_slope_deg", world.ground_slope_deg != 0.0,
+       "without 'ground_slope_deg'", "give 'ground_slope_deg' too"},
+      {"play.bump_", "play.ground_bumps_m", world.ground_bumps_m != 0.0, "without 'ground_bumps_m'",
+       "give 'ground_bumps_m' too"}};
+  for (const char* of_estimate : {"odometry.", "sensors.imu_", "sensors.gyroscope_", "sensors.accelerometer_"}) {
+    rules.push_back(
+        {of_estimate, "state", is_estimated, fmt::format("with the state '{}'", state), "give --state estimated"});
+  }
+  for (const char* of_push : {"play.push_at_s", "play.push_for_s", "play.push_on"}) {
+    rules.push_back(
+        {of_push, "play.push_force", !request.play.push_force_W.isZero(0.0), "without a push", "give --push too"});
+  }
+  return rules;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "playback/bullet/whole_steps.h"
 #include "playback/control/joint_pd.h"
 #include "playback/sensing/sensing_controller.h"
+#include "workflows/walk/idle_options.h"
 #include "workflows/walk/plan_parts.h"
 #include "workflows/walk/plan_within.h"
 
@@ -150,10 +151,10 @@ void CheckLoop(const PlayRequest& request) {
 
 /// @throws InvalidArgument for a rate at which no sensor can be read, since its period is not in whole time steps.
 void CheckRates(PlayRequest request) {
-  if (request.sensing.state == StateSourceNames().front()) return;
   for (const OptionField& field : request.sensing.Fields()) {
     const double* rate_hz = field.key.ends_with("_rate_hz") ? std::get<double*>(field.target) : nullptr;
-    if (rate_hz != nullptr && *rate_hz > 0.0) (void)WholeSteps(field.key, *rate_hz, request.play.world.step_s);
+    if (rate_hz != nullptr && *rate_hz > 0.0 && !FirstIdle(request, {field.key}))
+      (void)WholeSteps(field.key, *rate_hz, request.play.world.step_s);
   }
 }
 

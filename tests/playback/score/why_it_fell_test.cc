@@ -77,12 +77,22 @@ TEST(WhyItFell, WhatSpeedAndWarmthTookOfATorqueIsTold) {
   model.motors.resize(model.dof_names.size());
   model.motors[4].corner_speed = 1.0;
   model.motors[4].no_load_speed = 2.0;
-  PlaybackLog log = TippingLog(model, plan, 60.0);
-  EXPECT_TRUE(Says(Score(model, plan, log).reason, "limit 60.00 N of 200.00 N (less for the motor's speed) from"));
+  const auto reason = [&](double speed, double torque) {
+    PlaybackLog log = TippingLog(model, plan, torque);
+    for (LogSample& sample : log.samples) {
+      sample.tau[4] = torque;
+      sample.v[6 + 4] = speed;
+    }
+    return Score(model, plan, log).reason;
+  };
+  EXPECT_TRUE(Says(reason(1.7, 60.0), "limit 60.00 N of 200.00 N (less for the motor's speed) from"));
+  EXPECT_TRUE(Says(reason(0.5, 60.0), "limit 60.00 N of 200.00 N from")) << "nothing that is known";
   model.motors[4].continuous_effort = 50.0;
-  EXPECT_TRUE(Says(Score(model, plan, log).reason, "(less for the motor's speed and warmth) from"));
-  log.options = {{"play.motor_curve", "false"}};
-  EXPECT_TRUE(Says(Score(model, plan, log).reason, "(less for the motor's warmth) from"));
+  EXPECT_TRUE(Says(reason(1.7, 60.0), "(less for the motor's speed) from"));
+  EXPECT_TRUE(Says(reason(1.7, 50.0), "(less for the motor's speed and warmth) from"));
+  EXPECT_TRUE(Says(reason(0.5, 60.0), "(less for the motor's warmth) from"));
+  EXPECT_TRUE(Says(reason(-1.7, 60.0), "(less for the motor's warmth) from")) << "it brakes";
+  PlaybackLog log = TippingLog(model, plan, 60.0);
   for (Joint& joint : model.joints) joint.effort_limit_is_placeholder = true;
   EXPECT_TRUE(Says(Score(model, plan, log).reason, "'right_y' was at its limit 60.00 N from")) << "no other is known";
 }

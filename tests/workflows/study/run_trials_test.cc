@@ -305,11 +305,13 @@ TEST_F(RunTrialsTest, RatesThatAreDrawnAreOnesAtWhichASensorCanBeRead) {
   const PlayRequest disturbed = DisturbedRequest(request_, trial);
   EXPECT_NEAR(disturbed.sensing.sensors.imu_rate_hz, 1000.0 / 3.0, 1e-9);
   EXPECT_NEAR(disturbed.sensing.sensors.encoder_rate_hz, 1000.0, 1e-9);
-  request_.sensing.state = "measured";
+  request_.sensing.state = "estimated";
   request_.sensing.sensors.imu_rate_hz = 400.0;
   EXPECT_THROW(MakeController(model_, plan_, request_), InvalidArgument) << "what is set is to be met";
-  request_.sensing.state = "true";
-  EXPECT_NO_THROW(MakeController(model_, plan_, request_)) << "no sensor is read";
+  for (const char* state : {"true", "measured"}) {
+    request_.sensing.state = state;
+    EXPECT_NO_THROW(MakeController(model_, plan_, request_)) << "no IMU is read";
+  }
 }
 
 TEST_F(RunTrialsTest, TheReportSaysHowToRepeatOne) {

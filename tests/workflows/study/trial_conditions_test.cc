@@ -57,6 +57,11 @@ TEST(TrialConditions, FlagsAreThoseThatAct) {
   request.play.world.friction = 0.4;
   EXPECT_EQ(FlagsOf("joint-pd", TextsOf(request.Fields())), "--controller joint-pd --set play.friction=0.4");
   EXPECT_EQ(FlagsOf("stabilised", TextsOf(request.Fields())), "--set play.friction=0.4 --set stabilised.dcm_gain=1.5");
+  request.play.world.ground_slope_direction_deg = 90.0;
+  const OptionTexts slope = TextsOf(request.Fields());
+  EXPECT_EQ(FlagsOf("joint-pd", slope), "--controller joint-pd --set play.friction=0.4");
+  EXPECT_EQ(FlagsOf("joint-pd", slope, {"play.ground_slope_deg"}),
+            "--controller joint-pd --set play.friction=0.4 --set play.ground_slope_direction_deg=90");
 }
 
 TEST(TrialConditions, SayWhatTheResultDoesNotSayOrTheProgramNotKnow) {

@@ -15,11 +15,12 @@ std::string IdleIn(const PlayRequest& request, const std::vector<std::string>& k
 TEST(IdleOptions, SensorsAndOdometryActOnTheirStates) {
   PlayRequest request;
   EXPECT_EQ(IdleIn(request, {"play.friction", "sensors.imu_rate_hz"}),
-            "sensors.imu_rate_hz as the controller has the true state: no sensor is read");
+            "sensors.imu_rate_hz since the controller has the true state and no sensor is read");
   EXPECT_EQ(IdleIn(request, {"odometry.trust_s"}), "odometry.trust_s with the state 'true'");
   EXPECT_EQ(IdleIn(request, {"sensors.imu_rate_hz", "odometry.trust_s"}, {"state"}), "") << "it is varied";
   request.sensing.state = "measured";
-  EXPECT_EQ(IdleIn(request, {"sensors.imu_rate_hz"}), "");
+  EXPECT_EQ(IdleIn(request, {"sensors.encoder_rate_hz", "stabilised.sensed_damping"}), "");
+  EXPECT_EQ(IdleIn(request, {"sensors.imu_rate_hz"}), "sensors.imu_rate_hz with the state 'measured'");
   EXPECT_EQ(IdleIn(request, {"odometry.trust_s"}), "odometry.trust_s with the state 'measured'");
   request.sensing.state = "estimated";
   EXPECT_EQ(IdleIn(request, {"sensors.imu_rate_hz", "odometry.trust_s"}), "");
