@@ -14,6 +14,7 @@ constexpr double kShortest = 0.5, kLongest = 2.0;  // of a gait's own cycle, whe
 constexpr double kQuick = 0.57, kRunning = 0.6;
 constexpr double kLeastDuty = 0.3, kRunningDuty = 0.62;
 constexpr int kRunningFeet = 4;  // with fewer of them that is another gait
+constexpr double kLeastFlight_s = 0.005;
 
 Failure BadGait(const std::string& message) { return {FailureKind::kBadInput, "gait", "FindGait", message, {}}; }
 
@@ -93,6 +94,29 @@ double OwnCycle(const GaitEntry& entry, const RobotModel& model) {
                                   : entry.cycle_per_leg_time * std::sqrt(model.leg_length_m() / kGravity);
 }
 
+/// All feet on the ground for a share of the cycle more, or less.
+Gait WithLongerStance(Gait gait, double share) {
+  for (double& duty : gait.duty_factor) duty += share;
+  return gait;
+}
+
+/// Where feet would lift just as others land, so that forces leap from some feet to others at once, they fly for
+/// kLeastFlight_s instead.
+Gait ClearOfExchanges(const Gait& gait) {
+  const double least = kLeastFlight_s / gait.cycle_s;
+  const auto flies_still = [&](double longer) {
+    return HasFlight(WithLongerStance(gait, longer + (1.0 - 1e-6) * least));
+  };
+  if (flies_still(0.0) || !HasFlight(WithLongerStance(gait, -0.5 * least))) return gait;
+  constexpr int kHalvings = 40;
+  double clear = -2.0 * least, blurred = 0.0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (clear + blurred);
+    (flies_still(middle) ? clear : blurred) = middle;
+  }
+  return WithLongerStance(gait, clear);
+}
+
 Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, const GaitOptions& options) {
   Gait gait = entry.gait;
   if (options.duty_factor > 0.0) std::fill(gait.duty_factor.begin(), gait.duty_factor.end(), options.duty_factor);
@@ -107,6 +131,7 @@ Gait Fitted(const GaitEntry& entry, const RobotModel& model, double speed_m_s, c
       gait.cycle_s = kRunning * own;
       for (double& share : gait.duty_factor)
         share = std::max(share * wanted / gait.cycle_s, std::min(share, kLeastDuty));
+      gait = ClearOfExchanges(gait);
     }
   }
   if (options.cycle_s > 0.0) gait.cycle_s = options.cycle_s;

@@ -40,6 +40,24 @@ TEST(Gaits, FasterWalkingShortensTheCycle) {
   EXPECT_LT(fast, slow);
 }
 
+/// Where a gait begins to run, no feet lift just as others land, on which forces would leap from pair to pair.
+TEST(Gaits, RunsWithAClearFlightOrWalksWithAClearDoubleSupport) {
+  const Result<RobotModel> a1 = LoadNamedRobot("a1");
+  int flying = 0;
+  for (int i = 0; i <= 100; ++i) {
+    const Gait gait = *FindGait(*a1, "trot", 1.0 + 0.005 * i, {});
+    const Result<ContactSchedule> schedule = ScheduleContacts(gait, {});
+    ASSERT_TRUE(schedule.ok());
+    flying += HasFlight(gait) ? 1 : 0;
+    for (std::size_t k = 1; k < schedule->phases.size(); ++k) {
+      const FootSet before = schedule->phases[k - 1].stance, after = schedule->phases[k].stance;
+      EXPECT_FALSE((before & ~after) != 0 && (after & ~before) != 0) << 1.0 + 0.005 * i << " m/s, phase " << k;
+    }
+  }
+  EXPECT_GT(flying, 20);
+  EXPECT_LT(flying, 80);
+}
+
 TEST(Gaits, UnknownNameListsWhatThereIs) {
   const Result<RobotModel> nao = LoadNamedRobot("nao");
   const Result<Gait> gait = FindGait(*nao, "trot", 0.1, {});
