@@ -13,6 +13,7 @@
 #include "cli/walk_arguments.h"
 #include "playback/viewer/viewer_page.h"
 #include "workflows/live/live_session.h"
+#include "workflows/walk/idle_options.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -24,7 +25,9 @@ OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
   std::erase_if(world, [](const OptionField& field) { return field.key.find("bump") != std::string::npos; });
   OptionFields all = Joined({walk.Fields(), Prefixed("play", world), Prefixed("stabilised", play.stabilised.Fields()),
                              Prefixed("gains", play.gains.Fields())});
-  std::erase_if(all, [](const OptionField& field) { return field.key == "stabilised.sensed_damping"; });
+  std::erase_if(all, [&](const OptionField& field) {
+    return FirstIdle(play, {field.key}, {"play.ground_slope_deg"}).has_value();
+  });
   return all;
 }
 

@@ -88,8 +88,9 @@ Result<SweepInputs> ReadAll(Arguments& a) {
   Result<Study> study = StudyOf(a);
   if (!study) return study.failure();
   std::string trials;
-  if (a.trials == 0) a.study.play.CheckActs(a.common.sets, KeysOf(study->axes));
-  if (a.trials > 0) {
+  if (a.trials == 0) {
+    a.study.play.CheckActs(a.common.sets, KeysOf(study->axes));
+  } else {
     const Result<Disturbances> disturbances = PrepareTrials(a, *study);
     if (!disturbances) return disturbances.failure();
     trials = DisturbancesText(*disturbances);

@@ -11,6 +11,7 @@
 
 #include "planning/gait/find_gait.h"
 #include "planning/plan/json_part_internal.h"
+#include "workflows/walk/idle_options.h"
 
 namespace gaitwright {
 namespace {
@@ -171,8 +172,8 @@ std::vector<std::string> NamesOfRequests() {
 OptionFields LiveOptions(PlayRequest& play) {
   OptionFields fields =
       Joined({Prefixed("stabilised", play.stabilised.Fields()), Prefixed("gains", play.gains.Fields())});
-  std::erase_if(fields, [](const OptionField& field) {
-    return !std::holds_alternative<double*>(field.target) || field.key == "stabilised.sensed_damping";
+  std::erase_if(fields, [&](const OptionField& field) {
+    return !std::holds_alternative<double*>(field.target) || FirstIdle(play, {field.key}).has_value();
   });
   return fields;
 }
