@@ -15,10 +15,8 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
-pkg_check_modules(ompl REQUIRED IMPORTED_TARGET ompl)
 pkg_check_modules(minizip REQUIRED IMPORTED_TARGET minizip)
-# It asks for an older language than ours.
-set_property(TARGET PkgConfig::ompl PROPERTY INTERFACE_COMPILE_OPTIONS "")
+include("${CMAKE_CURRENT_LIST_DIR}/find_ompl.cmake")
 
 # MPI shares trials and sweeps over machines. AUTO takes it where it is installed.
 set(GAITWRIGHT_MPI AUTO CACHE STRING "Share trials and sweeps over MPI: AUTO, ON or OFF")
