@@ -33,7 +33,7 @@ add_custom_command(
   OUTPUT ${viewer_build}/packages.stamp
   COMMAND ${CMAKE_COMMAND} -E copy ${viewer_source}/package.json ${viewer_source}/package-lock.json ${viewer_source}/.npmrc
           ${viewer_build}
-  COMMAND ${GAITWRIGHT_NPM} ci --silent
+  COMMAND ${GAITWRIGHT_NPM} ci --loglevel=error
   COMMAND ${CMAKE_COMMAND} -E touch ${viewer_build}/packages.stamp
   DEPENDS ${viewer_source}/package.json ${viewer_source}/package-lock.json ${viewer_source}/.npmrc
   WORKING_DIRECTORY ${viewer_build}
