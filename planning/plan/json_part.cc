@@ -193,6 +193,11 @@ std::uint64_t JsonPart::Natural() const {
   return json_->get<std::uint64_t>();
 }
 
+bool JsonPart::Truth() const {
+  if (!json_->is_boolean()) Refuse("is neither true nor false");
+  return json_->get<bool>();
+}
+
 std::string JsonPart::Text() const {
   if (!json_->is_string()) NeedsA("a text");
   std::string text = json_->get<std::string>();

@@ -36,6 +36,7 @@ class JsonPart {
   int Whole(int lowest, int highest) const;
   std::uint64_t Natural() const;
   std::string Text() const;
+  bool Truth() const;
   /// @return the index of the text among the choices.
   int Choice(const std::vector<std::string>& choices) const;
 

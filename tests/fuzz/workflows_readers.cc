@@ -132,7 +132,7 @@ Verdict ReadLive(const std::string& input) {
 std::vector<std::string> MadeRequests() {
   return {R"({"do":"pace","gait":"trot","speed_m_s":0.4,"yaw_rate_rad_s":-0.2})",
           R"({"do":"heading","heading_deg":90})",
-          R"({"do":"pull","body":3,"at_m":[0,0,0.1],"to_m":[1,0,0.3]})",
+          R"({"do":"pull","body":3,"at_m":[0,0,0.1],"by_m":[0.1,0,0.3],"along":true})",
           R"({"do":"ground","friction":0.6,"slope_deg":3,"slope_direction_deg":90})",
           R"({"do":"options","options":{"gains.stiffness_scale":1.2}})",
           R"({"do":"pose","q":[0,0,0.3,0,0,0,1,0,0.7,-1.4,0,0.7,-1.4,0,0.7,-1.4,0,0.7,-1.4]})",

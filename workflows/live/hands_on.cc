@@ -27,21 +27,29 @@ PullSpring PullSpringFor(const RobotModel& model) {
   return {kPerLeg * model.weight_n() / model.leg_length_m(), kMost * model.weight_n()};
 }
 
-void HandsOn::Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& to_W) {
-  if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !to_W.allFinite())
+void HandsOn::Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& by_W, bool along) {
+  if (body < 0 || body >= static_cast<int>(model_.bodies.size()) || !p_Body.allFinite() || !by_W.allFinite())
     throw InvalidArgument(fmt::format("there is nothing to pull at body {}", body));
   auto grip = std::find_if(grips_.begin(), grips_.end(), [hand](const Grip& g) { return g.hand == hand; });
   if (grip == grips_.end()) {
     if (grips_.size() >= kMostGrips) throw InvalidArgument(fmt::format("{} hands pull at most", kMostGrips));
     grip = grips_.insert(grips_.end(), Grip{.hand = hand});
   }
+  if (grip->body != body || grip->p_Body != p_Body) grip->from_W.reset();
   grip->body = body;
   grip->p_Body = p_Body;
-  grip->to_W = to_W;
+  grip->by_W = by_W;
+  grip->along = along;
 }
 
 void HandsOn::LetGo(HandId hand) {
   std::erase_if(grips_, [hand](const Grip& grip) { return grip.hand == hand; });
+}
+
+void HandsOn::GoAlong(const Vector3& way_W) {
+  for (Grip& grip : grips_) {
+    if (grip.along && grip.from_W) *grip.from_W += way_W;
+  }
 }
 
 void HandsOn::Push(const Vector3& force_W, double until_s) {
@@ -87,7 +95,8 @@ void HandsOn::Apply(double time_s, const Gains& gains, BulletWorld& world, Joint
   for (Grip& grip : grips_) {
     const auto body = static_cast<std::size_t>(grip.body);
     const Vector3 p_W = scratch.p_WB[body] + scratch.R_WB[body] * grip.p_Body;
-    grip.force_W = ForceOf(spring_, grip.to_W - p_W);
+    if (!grip.from_W) grip.from_W = p_W;
+    grip.force_W = ForceOf(spring_, *grip.from_W + grip.by_W - p_W);
     world.PushAt(grip.body, grip.force_W, p_W);
   }
 }

@@ -26,9 +26,11 @@ PullSpring PullSpringFor(const RobotModel& model);
 struct Grip {
   HandId hand = 0;
   int body = 0;
-  Vector3 p_Body = Vector3::Zero();   ///< where it holds
-  Vector3 to_W = Vector3::Zero();     ///< where it pulls to
-  Vector3 force_W = Vector3::Zero();  ///< in the last step [N]
+  Vector3 p_Body = Vector3::Zero();    ///< where it holds
+  Vector3 by_W = Vector3::Zero();      ///< how far it pulls from where it took hold
+  bool along = false;                  ///< where it took hold goes with the walk that the robot is told
+  std::optional<Vector3> from_W = {};  ///< where it took hold, once it has
+  Vector3 force_W = Vector3::Zero();   ///< in the last step [N]
 };
 
 /// What people do to a robot by hand while it goes on: pulling at it, pushing it, moving what a joint is told.
@@ -39,11 +41,14 @@ class HandsOn {
   /// The model must outlive it.
   explicit HandsOn(const RobotModel& model) : model_(model), spring_(PullSpringFor(model)) {}
 
-  /// A spring from a point of a body, which goes with it, to where it is pulled, until that hand lets go. A hand pulls
-  /// at one place at a time.
+  /// A spring from a point of a body, which goes with it, to a hand that is so far from where it took hold of it, until
+  /// it lets go. A hand pulls at one place at a time, and takes hold anew where that is another.
+  /// @param along  the hand walks beside the robot, as told by `GoAlong`.
   /// @throws InvalidArgument for no such body, numbers that are none, and more hands than kMostGrips.
-  void Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& to_W);
+  void Pull(HandId hand, int body, const Vector3& p_Body, const Vector3& by_W, bool along = false);
   void LetGo(HandId hand);
+  /// The robot was told to walk so far.
+  void GoAlong(const Vector3& way_W);
   const std::vector<Grip>& grips() const { return grips_; }
   /// A force [N] on the base up to a time. @throws InvalidArgument for more than ten weights.
   void Push(const Vector3& force_W, double until_s);

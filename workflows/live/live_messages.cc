@@ -94,8 +94,11 @@ Json Degrees(double angle_rad) { return Short(angle_rad * 180.0 / std::numbers::
 Json PullsJson(const HandsOn& hands) {
   Json pulls = Json::array();
   for (const Grip& grip : hands.grips())
-    pulls.push_back(
-        {{"page", grip.hand}, {"body", grip.body}, {"at_m", List(grip.p_Body)}, {"force_n", List(grip.force_W)}});
+    pulls.push_back({{"page", grip.hand},
+                     {"body", grip.body},
+                     {"at_m", List(grip.p_Body)},
+                     {"from_m", List(grip.from_W.value_or(Vector3::Zero()))},
+                     {"force_n", List(grip.force_W)}});
   return pulls;
 }
 

@@ -49,14 +49,13 @@ LiveRequest ReadHeading(const JsonPart& m, const RobotModel&) {
 
 LiveRequest ReadPull(const JsonPart& m, const RobotModel& model) {
   constexpr double kFarthest = 1e3;
-  m.Object({"do", "body", "at_m", "to_m"});
+  m.Object({"do", "body", "at_m", "by_m"}, {"along"});
   const int body = m.At("body").Whole(0, static_cast<int>(model.bodies.size()) - 1);
-  const Vector3 at = m.At("at_m").Vector(3), to = m.At("to_m").Vector(3);
+  const Vector3 at = m.At("at_m").Vector(3), by = m.At("by_m").Vector(3);
   if (at.norm() > kFarthest) m.Refuse("holds the robot too far away");
-  return [body, at, to](LiveWorld& live, LiveClock&, HandId hand) {
-    if (!((to - live.world().q().head<3>()).norm() < kFarthest)) throw InvalidArgument("that pulls too far away");
-    live.hands().Pull(hand, body, at, to);
-  };
+  if (by.norm() > kFarthest) m.Refuse("pulls too far away");
+  const bool along = m.Has("along") && m.At("along").Truth();
+  return [=](LiveWorld& live, LiveClock&, HandId hand) { live.hands().Pull(hand, body, at, by, along); };
 }
 
 LiveRequest ReadLetGo(const JsonPart& m, const RobotModel&) {
@@ -125,10 +124,7 @@ LiveRequest ReadNudge(const JsonPart& m, const RobotModel& model) {
 LiveRequest ReadClock(const JsonPart& m, const RobotModel&) {
   m.Object({"do"}, {"paused", "steps"});
   std::optional<bool> paused;
-  if (m.Has("paused")) {
-    if (!m.At("paused").json().is_boolean()) m.At("paused").Refuse("is neither true nor false");
-    paused = m.At("paused").json().get<bool>();
-  }
+  if (m.Has("paused")) paused = m.At("paused").Truth();
   const int steps = m.Has("steps") ? m.At("steps").Whole(0, kMostSteps) : 0;
   return [paused, steps](LiveWorld&, LiveClock& clock, HandId) {
     clock.paused = paused.value_or(clock.paused);

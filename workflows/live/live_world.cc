@@ -127,7 +127,15 @@ void LiveWorld::Step() {
   if (!IsPhysical(world_)) return Fall(true);
   AddToMeans();
   time_s_ += step_s();
+  if (!hands_.grips().empty()) hands_.GoAlong(ToldWay(time_s_ - step_s()));
   Watch();
+}
+
+/// How far the centre of mass is told to go from a time up to now.
+Vector3 LiveWorld::ToldWay(double from_s) const {
+  if (!may_walk()) return Vector3::Zero();
+  const CentroidalTrajectory& told = followed_->centroidal;
+  return SampleCentroidal(told, time_s_).p_WC - SampleCentroidal(told, from_s).p_WC;
 }
 
 ControlInput LiveWorld::Measured() const {

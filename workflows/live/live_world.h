@@ -119,6 +119,7 @@ class LiveWorld {
   JointCommand Damping() const;
   ControlInput Measured() const;
   Vector3 FootOffset() const;
+  Vector3 ToldWay(double from_s) const;
 
   const RobotModel& model_;
   const WalkRequest usual_;

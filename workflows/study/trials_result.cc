@@ -47,11 +47,6 @@ struct Row {
   std::string cause, log_hash;
 };
 
-bool Truth(const JsonPart& part) {
-  if (!part.json().is_boolean()) part.Refuse("is neither true nor false");
-  return part.json().get<bool>();
-}
-
 std::vector<Row> RowsOf(const JsonPart& result) {
   const JsonPart trials = Needed(result, "trials"), columns = Needed(trials, "columns");
   std::vector<std::string> names;
@@ -68,7 +63,7 @@ std::vector<Row> RowsOf(const JsonPart& result) {
     const std::vector<JsonPart> cells = row.List();
     if (cells.size() != names.size())
       row.Refuse(fmt::format("has {} values for {} columns", cells.size(), names.size()));
-    rows.push_back({Truth(cells[survived]), Truth(cells[passed]), cells[cause].Text(), TextOf(cells[log_hash])});
+    rows.push_back({cells[survived].Truth(), cells[passed].Truth(), cells[cause].Text(), TextOf(cells[log_hash])});
     if (rows.back().passed && !rows.back().survived) row.Refuse("passed every gate and did not survive");
   }
   return rows;

@@ -143,7 +143,7 @@ TEST_F(Session, PosesAreWithinTheLimitsOfJoints) {
 }
 
 TEST_F(Session, PullsGroundOptionsAndNudges) {
-  Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"to_m", {0.0, 1.0, 0.3}}});
+  Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"by_m", {0.0, 1.0, 0.0}}});
   const Json pulls = Picture(0.005)["pulls"];
   ASSERT_EQ(pulls.size(), 1U);
   EXPECT_EQ(pulls[0]["page"], number_);
@@ -173,7 +173,7 @@ TEST_F(Session, GaitsGoByTheirOwnNames) {
 }
 
 TEST_F(Session, APageThatIsLostWhileItPullsLetsGo) {
-  Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"to_m", {0.0, 0.1, 0.3}}});
+  Say({{"do", "pull"}, {"body", 0}, {"at_m", {0.0, 0.0, 0.0}}, {"by_m", {0.0, 0.1, 0.0}}});
   EXPECT_EQ(live_.hands().grips().size(), 1U);
   page_.reset();
   for (int tries = 0; tries < 500 && !live_.hands().grips().empty(); ++tries) {
@@ -193,9 +193,11 @@ TEST_F(Session, WhatIsNoMessageIsRefusedInWordsAndChangesNothing) {
            {R"({"do":"reset","now":true})", "now"},
            {R"({"do":"clock","paused":1})", "paused"},
            {R"({"do":"clock","steps":-1})", "steps"},
-           {R"({"do":"pull","body":99,"at_m":[0,0,0],"to_m":[0,0,0]})", "body"},
-           {R"({"do":"pull","body":0,"at_m":[0,0],"to_m":[0,0,0]})", "at_m"},
-           {R"({"do":"pull","body":0,"at_m":[0,0,1e9],"to_m":[0,0,0]})", "far"},
+           {R"({"do":"pull","body":99,"at_m":[0,0,0],"by_m":[0,0,0]})", "body"},
+           {R"({"do":"pull","body":0,"at_m":[0,0,0],"by_m":[0,0,0],"along":1})", "along"},
+           {R"({"do":"pull","body":0,"at_m":[0,0,0],"by_m":[0,0,1e9]})", "far"},
+           {R"({"do":"pull","body":0,"at_m":[0,0],"by_m":[0,0,0]})", "at_m"},
+           {R"({"do":"pull","body":0,"at_m":[0,0,1e9],"by_m":[0,0,0]})", "far"},
            {R"({"do":"ground","friction":-1,"slope_deg":0,"slope_direction_deg":0})", "friction"},
            {R"({"do":"ground","friction":1,"slope_deg":89,"slope_direction_deg":0})", "slope"},
            {R"({"do":"options","options":{"gains.nothing":1}})", "nothing"},

@@ -174,7 +174,7 @@ TEST_F(Live, IsPulledAboutAndRecovers) {
   Ask({.gait = "trot", .speed_m_s = 0.3});
   Run(4.0);
   const double y = live_->world().q()[1];
-  live_->hands().Pull(1, 0, Vector3::Zero(), live_->world().q().head<3>() + Vector3(0.0, 0.08, 0.0));
+  live_->hands().Pull(1, 0, Vector3::Zero(), Vector3(0.0, 0.08, 0.0));
   Run(0.3);
   EXPECT_GT(live_->hands().grips().at(0).force_W.norm(), 0.0);
   EXPECT_GT(live_->world().q()[1] - y, 0.003) << "it was moved";
@@ -182,6 +182,23 @@ TEST_F(Live, IsPulledAboutAndRecovers) {
   Run(4.0);
   EXPECT_EQ(live_->mode(), LiveMode::kWalks);
   EXPECT_THROW(live_->hands().Pull(1, 99, Vector3::Zero(), Vector3::Zero()), InvalidArgument);
+}
+
+TEST_F(Live, AHandThatWalksAlongDoesNotHoldTheRobotBack) {
+  Ask({.gait = "trot", .speed_m_s = 0.3});
+  Run(4.0);
+  const double x = live_->world().q()[0];
+  live_->hands().Pull(1, 0, Vector3::Zero(), Vector3::Zero(), true);
+  Run(3.0);
+  EXPECT_GT(live_->world().q()[0] - x, 0.7) << "it has walked on";
+  const double held_back_n = live_->hands().grips().at(0).force_W.norm();
+  EXPECT_LT(held_back_n, 0.15 * model_.weight_n());
+  live_->hands().Pull(1, 0, Vector3::Zero(), Vector3(0.0, 0.02, 0.0), true);
+  Run(0.05);
+  EXPECT_GT(live_->hands().grips()[0].force_W.y(), 5.0) << "from where it took hold, though that has gone along";
+  live_->hands().Pull(1, 0, Vector3(0.1, 0.0, 0.0), Vector3::Zero());
+  Run(0.5);
+  EXPECT_LT(live_->hands().grips()[0].force_W.x(), -2.0 * held_back_n) << "one that stays holds it back";
 }
 
 TEST_F(Live, StandsAndWalksOnASlopeAndFrictionThatItDoesNotKnow) {
@@ -205,9 +222,9 @@ TEST_F(Live, StandsAndWalksOnASlopeAndFrictionThatItDoesNotKnow) {
 }
 
 TEST_F(Live, SeveralHandsPullAndEachLetsGoOfItsOwn) {
-  const Vector3 base = live_->world().q().head<3>();
-  for (const HandId hand : {1, 2}) live_->hands().Pull(hand, 0, Vector3::Zero(), base + Vector3(0.0, 0.01, 0.0));
-  live_->hands().Pull(2, 0, Vector3::Zero(), base - Vector3(0.0, 0.01, 0.0));
+  const Vector3 aside(0.0, 0.01, 0.0);
+  for (const HandId hand : {1, 2}) live_->hands().Pull(hand, 0, Vector3::Zero(), aside);
+  live_->hands().Pull(2, 0, Vector3::Zero(), -aside);
   Run(0.01);
   ASSERT_EQ(live_->hands().grips().size(), 2U);
   EXPECT_NEAR((live_->hands().grips()[0].force_W + live_->hands().grips()[1].force_W).y(), 0.0, 0.1);
@@ -215,8 +232,8 @@ TEST_F(Live, SeveralHandsPullAndEachLetsGoOfItsOwn) {
   live_->hands().LetGo(1);
   ASSERT_EQ(live_->hands().grips().size(), 1U);
   EXPECT_EQ(live_->hands().grips()[0].hand, 2U);
-  for (HandId hand = 3; hand < 2 + HandsOn::kMostGrips; ++hand) live_->hands().Pull(hand, 0, Vector3::Zero(), base);
-  EXPECT_THROW(live_->hands().Pull(99, 0, Vector3::Zero(), base), InvalidArgument);
+  for (HandId hand = 3; hand < 2 + HandsOn::kMostGrips; ++hand) live_->hands().Pull(hand, 0, Vector3::Zero(), aside);
+  EXPECT_THROW(live_->hands().Pull(99, 0, Vector3::Zero(), aside), InvalidArgument);
   const VectorX q = live_->world().q();
   live_->PutInPose(live_->world().q());
   EXPECT_LT((live_->world().q() - q).norm(), 1e-12);
@@ -224,7 +241,7 @@ TEST_F(Live, SeveralHandsPullAndEachLetsGoOfItsOwn) {
 }
 
 TEST_F(Live, FallsWhenItIsPulledOverAndStandsUp) {
-  live_->hands().Pull(1, 0, Vector3::Zero(), Vector3(0.0, 3.0, 0.3));
+  live_->hands().Pull(1, 0, Vector3::Zero(), Vector3(0.0, 3.0, 0.0));
   Run(1.0);
   EXPECT_EQ(live_->mode(), LiveMode::kFallen);
   live_->hands().LetGo(1);

@@ -5,8 +5,6 @@ import { Looks } from "./looks";
 import type { Overlay } from "./overlays";
 import type { Stage, View } from "./stage";
 
-const kLongestStep_s = 0.1;
-
 /** A page with stages: what scripts ask of it, and the beat of its pictures. */
 export abstract class ShownPage {
   readonly stages: Stage[] = [];
@@ -42,7 +40,7 @@ export abstract class ShownPage {
 
   protected begin(): void {
     requestAnimationFrame((now_ms) => {
-      const seconds = this.last_ms > 0 ? Math.min((now_ms - this.last_ms) / 1000, kLongestStep_s) : 0;
+      const seconds = this.last_ms > 0 ? (now_ms - this.last_ms) / 1000 : 0;
       this.last_ms = now_ms;
       if (this.step(now_ms, seconds)) this.frameRate.note(now_ms);
       this.begin();

@@ -12,6 +12,8 @@ import { bearingFeet, Timeline } from "./timeline";
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const kStep_s = 0.005;
 const kBigStep_s = 0.1;
+/** A page that was hidden goes on where it was. */
+const kLongestAdvance_s = 0.1;
 const kMicro = 1e6;
 const kHelp =
   "Space play or pause \u00b7 \u2190 \u2192 5 ms (Shift 0.1 s) \u00b7 Home End \u00b7 + \u2212 speed \u00b7 " + kLooksHelp;
@@ -61,7 +63,7 @@ export class Viewer extends ShownPage {
   }
 
   protected step(_: number, seconds: number): boolean {
-    this.clock.advance(seconds);
+    this.clock.advance(Math.min(seconds, kLongestAdvance_s));
     let drawn = false;
     for (const stage of this.stages) {
       stage.goAfter(seconds);

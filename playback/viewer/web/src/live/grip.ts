@@ -35,12 +35,6 @@ export class Grip {
     return this.pointer >= 0;
   }
 
-  /** The robot and the camera have moved on, so that the pointer is elsewhere beside them. */
-  goOn(): void {
-    const { hold } = this.pull;
-    if (this.holds && hold) this.pullFrom(hold.body, hold.at_Body);
-  }
-
   readonly letGo = (): void => {
     if (!this.holds) return;
     const { pointer } = this;
@@ -65,11 +59,12 @@ export class Grip {
     [this.pointer, this.x, this.y] = [event.pointerId, event.clientX, event.clientY];
     this.box.setPointerCapture(event.pointerId);
     this.box.classList.add("gw-holds");
-    this.pullFrom(hit.body, this.stage.robot.toBody(hit.body, hit.p_W));
+    const at_Body = this.stage.robot.toBody(hit.body, hit.p_W);
+    this.pull.to({ body: hit.body, at_Body, by_W: new THREE.Vector3(), along: this.stage.follow });
   }
 
   private move(event: PointerEvent): void {
-    if (event.pointerId === this.pointer) [this.x, this.y] = [event.clientX, event.clientY];
+    if (event.pointerId === this.pointer) this.shift(event.clientX, event.clientY);
     else if (!this.holds && event.buttons === 0) this.look(event);
   }
 
@@ -85,8 +80,16 @@ export class Grip {
     this.box.classList.toggle("gw-can-hold", can);
   }
 
-  private pullFrom(body: number, at_Body: THREE.Vector3): void {
-    const from_W = this.stage.robot.fromBody(body, at_Body);
-    this.pull.to({ body, at_Body, to_W: this.stage.pointAt(this.x, this.y, from_W) });
+  /**
+   * The hand goes as far as the pointer does in the picture. Where the camera goes changes nothing: it follows what the
+   * hand does to the robot, and late.
+   */
+  private shift(x: number, y: number): void {
+    const { hold } = this.pull;
+    if (!hold) return;
+    const held_W = this.stage.robot.fromBody(hold.body, hold.at_Body);
+    const way_W = this.stage.pointAt(x, y, held_W).sub(this.stage.pointAt(this.x, this.y, held_W));
+    [this.x, this.y] = [x, y];
+    this.pull.to({ ...hold, by_W: hold.by_W.clone().add(way_W) });
   }
 }

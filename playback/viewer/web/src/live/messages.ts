@@ -69,6 +69,8 @@ export interface PullFile {
   page: number;
   body: number;
   at_m: [number, number, number];
+  /** Where its hand took hold, which may walk along. */
+  from_m: [number, number, number];
   force_n: [number, number, number];
 }
 
@@ -107,7 +109,7 @@ export interface Frame {
 export type Saying =
   | ({ do: "pace" } & Pace)
   | { do: "heading"; heading_deg: number }
-  | { do: "pull"; body: number; at_m: number[]; to_m: number[] }
+  | { do: "pull"; body: number; at_m: number[]; by_m: number[]; along: boolean }
   | { do: "push"; force_n: number[]; for_s: number }
   | { do: "let_go" | "reset" | "stand_up" }
   | { do: "clock"; paused?: boolean; steps?: number }

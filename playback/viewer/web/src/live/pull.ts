@@ -5,11 +5,14 @@ import type { Send } from "./messages";
 
 const kPullsPerSecond = 30;
 
-/** A point of the robot that is held, and where it is pulled to. */
+/** A point of the robot that is held, and how it is pulled. */
 export interface Hold {
   body: number;
   at_Body: THREE.Vector3;
-  to_W: THREE.Vector3;
+  /** How far the hand is from where it took hold. */
+  by_W: THREE.Vector3;
+  /** Whether it walks along with the robot. */
+  along: boolean;
 }
 
 /** The one pull of this page, whoever does it. */
@@ -18,16 +21,17 @@ export class Pull {
   private readonly say: AtMost<Hold>;
 
   constructor(private readonly send: Send) {
-    this.say = new AtMost(kPullsPerSecond, ({ body, at_Body, to_W }) => send({ do: "pull", body, at_m: at_Body.toArray(), to_m: to_W.toArray() }));
+    this.say = new AtMost(kPullsPerSecond, ({ body, at_Body, by_W, along }) =>
+      send({ do: "pull", body, at_m: at_Body.toArray(), by_m: by_W.toArray(), along }),
+    );
   }
 
   get hold(): Hold | null {
     return this.held;
   }
 
-  /** Pulls, or goes on with it where the target is another. */
+  /** Takes hold, or goes on with it. */
   to(hold: Hold): void {
-    if (this.held?.body === hold.body && this.held.at_Body.equals(hold.at_Body) && this.held.to_W.equals(hold.to_W)) return;
     this.held = hold;
     this.say.put(hold);
   }

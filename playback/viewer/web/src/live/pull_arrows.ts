@@ -5,7 +5,7 @@ import type { Theme } from "../colours";
 import { make } from "../elements";
 import { Palette } from "../palette";
 import type { Stage } from "../stage";
-import type { Frame, Spring } from "./messages";
+import type { Frame, PullFile, Spring } from "./messages";
 import type { Pull } from "./pull";
 import { newtons } from "./words";
 
@@ -75,7 +75,7 @@ export class PullArrows {
     this.stage.touch();
   }
 
-  /** @param page  the number of this one: its own pull goes to where its pointer is, without waiting for an answer. */
+  /** @param page  the number of this one: its own pull goes where its pointer does, without waiting for an answer. */
   show(frame: Frame, page: number | null): void {
     const before = this.shown;
     this.shown = 0;
@@ -83,7 +83,7 @@ export class PullArrows {
       if (pull.page !== page) this.add(this.stage.robot.fromBody(pull.body, this.at.fromArray(pull.at_m)), pull.force_n);
     }
     if (frame.push_n) this.add(this.stage.robot.bodyPosition(0), frame.push_n);
-    this.addOwn(frame.pulls.find((pull) => pull.page === page)?.force_n);
+    this.addOwn(frame.pulls.find((pull) => pull.page === page));
     for (let i = this.shown; i < before; ++i) this.all[i].hide();
     if (this.shown > 0 || before > 0) this.stage.touch();
   }
@@ -99,11 +99,13 @@ export class PullArrows {
     this.put(from, this.way.divideScalar(this.spring.n_per_m), size_n);
   }
 
-  private addOwn(force_n: [number, number, number] | undefined): void {
+  private addOwn(told: PullFile | undefined): void {
     const { hold } = this.pull;
     if (!hold) return;
     const from = this.stage.robot.fromBody(hold.body, hold.at_Body);
-    this.put(from, this.way.copy(hold.to_W).sub(from), force_n ? Math.hypot(...force_n) : null);
+    this.way.copy(hold.by_W);
+    if (told) this.way.add(this.at.fromArray(told.from_m)).sub(from);
+    this.put(from, this.way, told ? Math.hypot(...told.force_n) : null);
   }
 
   private put(from: THREE.Vector3, way: THREE.Vector3, force_n: number | null): void {

@@ -105,10 +105,7 @@ export class Session {
     this.margin.draw(now_ms);
     this.response.draw(now_ms);
     if (!this.stage) return false;
-    if (this.grip?.holds) {
-      this.grip.goOn();
-      this.arrows?.show(this.frame, this.page);
-    }
+    if (this.grip?.holds) this.arrows?.show(this.frame, this.page);
     this.stage.goAfter(seconds);
     const drawn = this.stage.draw();
     if (drawn) this.arrows?.place();
