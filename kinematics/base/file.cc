@@ -197,6 +197,7 @@ Result<std::string> ReadFile(const std::string& path, std::size_t most) {
   Result<std::string> bytes = ReadBytes(path, most);
   if (!bytes) return bytes;
   std::string& text = *bytes;
+  text.erase(text.find_last_not_of('\0') + 1);
   if (const std::size_t nothing = text.find('\0'); nothing != std::string::npos) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(nothing);
     return FileFailure("not_text", fmt::format("'{}' line {} is not text: there is a byte 0x00", path,

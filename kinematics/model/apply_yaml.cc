@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kinematics/base/nearest_name.h"
+#include "kinematics/model/base_axes.h"
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/yaml_line.h"
 
@@ -109,6 +110,15 @@ void ApplyMotor(const RobotYaml::JointMotor& given, RobotModel& model) {
 }
 
 }  // namespace
+
+void ApplyAxes(const RobotYaml& yaml, RobotModel& model) {
+  const BaseAxes axes = yaml.up ? BaseAxes{*yaml.ahead, *yaml.up} : DeriveBaseAxes(model);
+  if (axes.are_usual()) return;
+  TurnBase(axes, model);
+  model.notes.push_back(fmt::format("base: of its link '{}' {} is ahead and {} up ({}); states have x ahead and z up",
+                                    model.frames.front().name, NameOfAxis(axes.ahead), NameOfAxis(axes.up),
+                                    yaml.up ? "robot.yaml" : "as its limbs mirror each other and hang"));
+}
 
 void ApplyLimits(const RobotYaml& yaml, RobotModel& model) {
   for (const RobotYaml::JointLimits& given : yaml.limits) {

@@ -13,7 +13,9 @@
 #include <mutex>
 
 #include "kinematics/model/body_tree.h"
+#include "kinematics/model/solid_inertia.h"
 #include "kinematics/model/urdf_pose_internal.h"
+#include "kinematics/spatial/steiner.h"
 #include "kinematics/spatial/symmetric_matrix.h"
 
 namespace gaitwright {
@@ -21,20 +23,28 @@ namespace {
 
 constexpr double kLightestRobot = 1e-6;  // [kg]
 
-/// Inertia of a point mass at d about the origin.
-Matrix3 Steiner(double mass, const Vector3& d) {
-  return mass * (d.squaredNorm() * Matrix3::Identity() - d * d.transpose());
+Matrix3 TensorOf(const urdf::Inertial& inertial) {
+  return SymmetricMatrix(inertial.ixx, inertial.ixy, inertial.ixz, inertial.iyy, inertial.iyz, inertial.izz);
 }
 
-void AddInertia(Body& body, const urdf::Inertial& inertial, const Pose& X_BL) {
-  const Pose X_BI = X_BL * FromUrdf(inertial.origin);
-  const Matrix3 I_I =
-      SymmetricMatrix(inertial.ixx, inertial.ixy, inertial.ixz, inertial.iyy, inertial.iyz, inertial.izz);
-  const Matrix3 I = X_BI.linear() * I_I * X_BI.linear().transpose();
-  const double mass = body.mass + inertial.mass;
-  const Vector3 p = X_BI.translation();
-  const Vector3 centre = mass > 0.0 ? Vector3((body.mass * body.p_BC + inertial.mass * p) / mass) : Vector3::Zero();
-  body.I_C += I + Steiner(body.mass, body.p_BC - centre) + Steiner(inertial.mass, p - centre);
+/// Whether all links have one inertia though they do not weigh the same: then it was never worked out.
+bool InertiasArePlaceholders(const urdf::ModelInterface& urdf) {
+  std::vector<const urdf::Inertial*> all;
+  for (const auto& [name, link] : urdf.links_) {
+    if (link->inertial && link->inertial->mass > 0.0) all.push_back(link->inertial.get());
+  }
+  constexpr std::size_t kFew = 3;
+  if (all.size() < kFew) return false;
+  const auto same_mass = [&](const auto* i) { return i->mass == all.front()->mass; };
+  const auto same_tensor = [&](const auto* i) { return TensorOf(*i) == TensorOf(*all.front()); };
+  return std::all_of(all.begin(), all.end(), same_tensor) && !std::all_of(all.begin(), all.end(), same_mass);
+}
+
+/// Adds a link's mass to a body. @param I  about the link's centre of mass p, in the body's axes.
+void AddInertia(Body& body, double link_mass, const Vector3& p, const Matrix3& I) {
+  const double mass = body.mass + link_mass;
+  const Vector3 centre = mass > 0.0 ? Vector3((body.mass * body.p_BC + link_mass * p) / mass) : Vector3::Zero();
+  body.I_C += I + Steiner(body.mass, body.p_BC - centre) + Steiner(link_mass, p - centre);
   body.mass = mass;
   body.p_BC = centre;
 }
@@ -42,8 +52,11 @@ void AddInertia(Body& body, const urdf::Inertial& inertial, const Pose& X_BL) {
 /// Walks the URDF's tree and fills a model.
 class Builder {
  public:
-  Builder(const urdf::ModelInterface& urdf, const UrdfParts& parts, const std::string& name)
-      : collision_(parts.collision), visual_(parts.visual) {
+  Builder(const urdf::ModelInterface& urdf, const UrdfParts& parts, const std::string& name, double scale)
+      : collision_(parts.collision),
+        visual_(parts.visual),
+        scale_(scale),
+        placeholder_inertias_(InertiasArePlaceholders(urdf)) {
     model_.name = name;
     model_.bodies.emplace_back();
     heaviest_.push_back(-1.0);
@@ -63,10 +76,42 @@ class Builder {
       heaviest_[b] = mass;
       model_.bodies[b].name = link.name;
     }
-    if (link.inertial) AddInertia(model_.bodies[b], *link.inertial, X_BL);
+    if (link.inertial) AddLink(link, X_BL, model_.bodies[b]);
     AddShapes(collision_, link.name, body, X_BL, model_.collision_shapes);
     AddShapes(visual_, link.name, body, X_BL, model_.visual_shapes);
     for (const auto& joint : link.child_joints) VisitJoint(*joint, link.child_links, body, X_BL);
+  }
+
+  Pose Scaled(const urdf::Pose& pose) const {
+    Pose X = FromUrdf(pose);
+    X.translation() *= scale_;
+    return X;
+  }
+
+  /// Its inertia is that of its shapes where the URDF has none, or a placeholder.
+  void AddLink(const urdf::Link& link, const Pose& X_BL, Body& body) {
+    const urdf::Inertial& inertial = *link.inertial;
+    const Pose X_BI = X_BL * Scaled(inertial.origin);
+    Matrix3 I = X_BI.linear() * TensorOf(inertial) * X_BI.linear().transpose();
+    const bool none = inertial.mass > 0.0 && TensorOf(inertial).isZero(0.0);
+    if (none || placeholder_inertias_) {
+      std::vector<const Shape*> shapes = ShapesOf(collision_, link.name);
+      if (shapes.empty()) shapes = ShapesOf(visual_, link.name);
+      if (const auto solid = SolidInertia(shapes, inertial.mass)) {
+        I = X_BL.linear() * *solid * X_BL.linear().transpose();
+        model_.notes.push_back(fmt::format("link '{}': its inertia is {}; that of its shapes is used", link.name,
+                                           none ? "zero" : "that of all links, a placeholder"));
+      }
+    }
+    AddInertia(body, inertial.mass, X_BI.translation(), I);
+  }
+
+  static std::vector<const Shape*> ShapesOf(const std::vector<Shape>& all, const std::string& link) {
+    std::vector<const Shape*> shapes;
+    for (const Shape& shape : all) {
+      if (shape.link == link) shapes.push_back(&shape);
+    }
+    return shapes;
   }
 
   /// Those of a link, from its frame into that of its body.
@@ -84,7 +129,7 @@ class Builder {
                   const Pose& X_BL) {
     const auto child = std::find_if(children.begin(), children.end(),
                                     [&](const auto& link) { return link->name == joint.child_link_name; });
-    const Pose X_PJ = X_BL * FromUrdf(joint.parent_to_joint_origin_transform);
+    const Pose X_PJ = X_BL * Scaled(joint.parent_to_joint_origin_transform);
     if (joint.type == urdf::Joint::FIXED) {
       VisitLink(**child, body, X_PJ);
       return;
@@ -110,20 +155,23 @@ class Builder {
     VisitLink(**child, static_cast<int>(model_.joints.size()), Pose::Identity());
   }
 
-  static void SetLimits(const urdf::Joint& joint, Joint& made) {
+  void SetLimits(const urdf::Joint& joint, Joint& made) const {
     constexpr double kPlaceholder = 1000.0;  // N m, rad/s: no leg joint has as much
     made.lower = -std::numeric_limits<double>::infinity();
     made.upper = std::numeric_limits<double>::infinity();
     if (joint.limits) {
       if (joint.type != urdf::Joint::CONTINUOUS) {
-        made.lower = joint.limits->lower;
-        made.upper = joint.limits->upper;
+        const double unit = joint.type == urdf::Joint::PRISMATIC ? scale_ : 1.0;
+        made.lower = unit * joint.limits->lower;
+        made.upper = unit * joint.limits->upper;
       }
       made.velocity_limit = joint.limits->velocity;
       made.effort_limit = joint.limits->effort;
     }
-    made.velocity_limit_is_placeholder = made.velocity_limit <= 0.0 || made.velocity_limit >= kPlaceholder;
     made.effort_limit_is_placeholder = made.effort_limit <= 0.0 || made.effort_limit >= kPlaceholder;
+    // Who did not know the effort did not know the speed.
+    made.velocity_limit_is_placeholder =
+        made.effort_limit_is_placeholder || made.velocity_limit <= 0.0 || made.velocity_limit >= kPlaceholder;
     if (joint.dynamics) {
       made.damping = joint.dynamics->damping;
       made.friction = joint.dynamics->friction;
@@ -153,6 +201,8 @@ class Builder {
   }
 
   const std::vector<Shape>&collision_, &visual_;
+  const double scale_;
+  const bool placeholder_inertias_;
   RobotModel model_;
   std::vector<double> heaviest_;
   std::map<std::size_t, std::string> leader_;
@@ -240,7 +290,7 @@ urdf::ModelInterfaceSharedPtr ParseTree(const std::string& tree_text, std::strin
 
 }  // namespace
 
-Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name) {
+Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, double scale) {
   std::string reason;
   const urdf::ModelInterfaceSharedPtr urdf = ParseTree(parts.tree_text, reason);
   if (!urdf || !urdf->getRoot()) {
@@ -250,7 +300,7 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name) {
                    fmt::format("the URDF of '{}' cannot be read: {}", name, reason),
                    {}};
   }
-  RobotModel model = Builder(*urdf, parts, name).Take();
+  RobotModel model = Builder(*urdf, parts, name, scale).Take();
   if (!(model.total_mass_kg >= kLightestRobot)) {
     return Failure{FailureKind::kBadInput,
                    "no_mass",

@@ -11,8 +11,11 @@ namespace gaitwright {
 
 /// Bodies, joints, frames and shapes of a URDF that CheckUrdf has passed; legs and posture are left empty.
 /// Fixed joints are merged into their parents with their frames kept by name; the rest is in document order made
-/// topological. Failure: urdfdom refuses it (with its reason), it has no mass, or everything beyond a joint has no
-/// inertia about its axis.
-Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name);
+/// topological. An inertia that is zero, or the same for all links whatever they weigh, is taken from the link's
+/// shapes.
+/// @param scale  by which the tree's lengths are multiplied; those of the shapes have it already. Masses and inertias
+/// stay, as they do in Bullet. Failure: urdfdom refuses it (with its reason), it has no mass, or everything beyond a
+/// joint has no inertia about its axis.
+Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, double scale);
 
 }  // namespace gaitwright

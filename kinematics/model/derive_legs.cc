@@ -13,6 +13,7 @@
 #include "kinematics/model/check_feet.h"
 #include "kinematics/model/find_feet.h"
 #include "kinematics/model/leg_plane.h"
+#include "kinematics/model/lowest_reach.h"
 #include "kinematics/model/standing_posture.h"
 #include "kinematics/model/yaml_line.h"
 
@@ -21,26 +22,15 @@ namespace {
 
 constexpr std::size_t kMostLegs = 64;  // that a set of feet as bits holds
 
-/// How far down the end of a chain can come: its first joint's height less all its length.
-double LowestReach(const RobotModel& model, const std::vector<int>& chain, const std::vector<Pose>& X_OB) {
-  const int last = chain.back() + 1;
-  double reach = FarthestExtent(model, last);
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    reach += model.joints[static_cast<std::size_t>(chain[i])].X_PJ.translation().norm();
-  }
-  return X_OB[static_cast<std::size_t>(chain.front() + 1)].translation().z() - reach;
-}
-
 /// Bodies at the ends of legs: leaves that can come down nearly as far as the lowest.
 std::vector<int> EndBodies(const RobotModel& model) {
   std::vector<bool> is_leaf(model.bodies.size(), true);
   for (const Joint& joint : model.joints) is_leaf[static_cast<std::size_t>(joint.parent_body)] = false;
-  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
   std::vector<std::pair<double, int>> leaves;
   for (std::size_t b = 1; b < model.bodies.size(); ++b) {
     if (!is_leaf[b]) continue;
     const std::vector<int> chain = ChainTo(model, static_cast<int>(b));
-    if (chain.size() >= 2) leaves.emplace_back(LowestReach(model, chain, X_OB), static_cast<int>(b));
+    if (chain.size() >= 2) leaves.emplace_back(LowestReach(model, chain), static_cast<int>(b));
   }
   std::sort(leaves.begin(), leaves.end());
   std::vector<int> ends;

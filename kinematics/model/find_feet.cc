@@ -87,12 +87,15 @@ Polygon Rectangle(const std::vector<Vector2>& points, Vector2& middle) {
 }
 
 bool HasRoll(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X_OB) {
-  // A sole can be levelled sideways when a joint beyond the knee turns about x.
-  for (std::size_t i = leg.joints.size() < 2 ? 0 : leg.joints.size() - 2; i < leg.joints.size(); ++i) {
-    const auto j = static_cast<std::size_t>(leg.joints[i]);
-    if (std::abs((X_OB[j + 1].linear() * model.joints[j].axis_J).x()) > 0.7) return true;
-  }
-  return false;
+  // A sole can be levelled sideways when a joint at the ankle turns about x.
+  constexpr double kAnkle = 0.2;  // of the way from the last joint to the first
+  const auto at = [&](int j) { return X_OB[static_cast<std::size_t>(j) + 1].translation(); };
+  const double length = (at(leg.joints.back()) - at(leg.joints.front())).norm();
+  return std::any_of(leg.joints.begin(), leg.joints.end(), [&](int j) {
+    const Vector3 axis =
+        X_OB[static_cast<std::size_t>(j) + 1].linear() * model.joints[static_cast<std::size_t>(j)].axis_J;
+    return (at(leg.joints.back()) - at(j)).norm() <= kAnkle * length && std::abs(axis.x()) > 0.7;
+  });
 }
 
 constexpr double kLeastSole = 1e-4;  // [m^2] a flat bottom smaller than this is a tip

@@ -12,6 +12,7 @@
 #include "kinematics/base/hash.h"
 #include "kinematics/base/options.h"
 #include "kinematics/model/apply_yaml.h"
+#include "kinematics/model/ball_joints.h"
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/derive_legs.h"
 #include "kinematics/model/mesh_file.h"
@@ -64,15 +65,20 @@ std::string RobotHash(const RobotModel& model) {
 Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_text, const std::string& name,
                         const MeshSource& source) {
   if (const auto failure = CheckUrdf(urdf_text)) return *failure;
+  const std::string tree = WithoutBallJoints(urdf_text);
+  if (tree != urdf_text) {
+    if (const auto failure = CheckUrdf(tree)) return *failure;
+  }
   const RobotYaml yaml = ParseRobotYaml(yaml_text);
-  UrdfParts parts = SplitUrdf(urdf_text);
+  UrdfParts parts = SplitUrdf(tree, yaml.scale);
   const Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source);
   if (!meshes) return meshes.failure();
-  Result<RobotModel> built = BuildModel(parts, name);
+  Result<RobotModel> built = BuildModel(parts, name, yaml.scale);
   if (!built) return built;
   RobotModel model = std::move(*built);
   model.name = yaml.name.empty() ? name : yaml.name;
   model.description = yaml.description;
+  ApplyAxes(yaml, model);
   ApplyLimits(yaml, model);
   ApplyMotors(yaml, model);
   const Result<int> legs = DeriveLegs(model, yaml, GivenPosture(yaml, model));

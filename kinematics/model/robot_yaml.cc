@@ -8,6 +8,7 @@
 
 #include "kinematics/base/options.h"
 #include "kinematics/base/strict_yaml_internal.h"
+#include "kinematics/model/base_axes.h"
 #include "kinematics/model/yaml_line.h"
 #include "kinematics/spatial/convex_hull.h"
 
@@ -220,15 +221,42 @@ void ForEach(const YamlMap& root, const std::string& key, Each each) {
   }
 }
 
+double ParseScale(const YamlMap& map) {
+  constexpr double kLeast = 1e-3, kMost = 1e3;
+  const YAML::Node* node = map.Find("scale");
+  return node == nullptr ? 1.0 : NumberOf(*node, "'scale'", kLeast, kMost);
+}
+
+std::optional<Vector3> ParseAxis(const YamlMap& map, const std::string& key) {
+  const YAML::Node* node = map.Find(key);
+  if (node == nullptr) return std::nullopt;
+  const std::vector<std::string>& names = AxisNames();
+  const std::string text = TextOf(*node, fmt::format("'{}'", key));
+  const auto at = std::find(names.begin(), names.end(), text);
+  if (at == names.end()) RefuseYaml(*node, fmt::format("'{}' is '{}'; accepted: {}", key, text, QuotedList(names)));
+  return AxisNamed(static_cast<int>(at - names.begin()));
+}
+
+void ParseAxes(const YamlMap& map, RobotYaml& yaml) {
+  yaml.ahead = ParseAxis(map, "ahead");
+  yaml.up = ParseAxis(map, "up");
+  if (!yaml.ahead && !yaml.up) return;
+  const YAML::Node& node = *map.Find(yaml.ahead ? "ahead" : "up");
+  if (!yaml.ahead || !yaml.up) RefuseYaml(node, "'ahead' and 'up' go together");
+  if (yaml.ahead->dot(*yaml.up) != 0.0) RefuseYaml(node, "'ahead' and 'up' are two axes, across each other");
+}
+
 RobotYaml Parse(const YAML::Node& root) {
   RobotYaml yaml;
   if (!root || root.IsNull()) return yaml;
   const YamlMap map(root, "the file",
-                    {"name", "description", "limits", "feet", "legs", "mirror_pairs", "standing",
-                     "standing_base_height_m", "nominal_speed_m_s", "gains", "motors"});
+                    {"name", "description", "scale", "up", "ahead", "limits", "feet", "legs", "mirror_pairs",
+                     "standing", "standing_base_height_m", "nominal_speed_m_s", "gains", "motors"});
   yaml.name = map.Text("name");
   if (map.Find("name") != nullptr && yaml.name.empty()) RefuseYaml(*map.Find("name"), "'name' is empty");
   yaml.description = map.Text("description");
+  yaml.scale = ParseScale(map);
+  ParseAxes(map, yaml);
   if (const YAML::Node* feet = map.Find("feet")) {
     for (const YAML::Node& foot : ListOf(*feet, "'feet'")) yaml.feet.push_back(ParseFoot(foot));
     if (yaml.feet.empty()) RefuseYaml(*feet, "'feet' is empty; leave it out to have the feet derived");

@@ -44,6 +44,8 @@ struct RobotYaml : LegChoices {
   };
 
   std::string name, description;
+  double scale = 1.0;                ///< by which the URDF's lengths are multiplied
+  std::optional<Vector3> ahead, up;  ///< axes of the root link; `up` too where `ahead` is given, and across it
   std::vector<JointLimits> limits;
   std::vector<JointPosition> standing;
   std::vector<JointGains> gains;

@@ -23,7 +23,7 @@ using tinyxml2::XMLElement;
 constexpr std::size_t kLargestUrdf = std::size_t{16} << 20;  // [byte]
 constexpr int kMostLinks = 1000, kMostMoving = 300, kMostShapes = 5000;
 
-const std::vector<std::string> kSupportedJoints = {"revolute", "continuous", "prismatic", "fixed"};
+const std::vector<std::string> kSupportedJoints = {"revolute", "continuous", "prismatic", "spherical", "fixed"};
 
 /// What the joints say of the tree.
 struct Tree {
@@ -71,6 +71,8 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
   }
   tree.parent_of[ends[1]] = ends[0];
   tree.joint_of[ends[1]] = name;
+  if (type == "spherical" && joint.FirstChildElement("mimic") != nullptr)
+    Refuse("bad_mimic", fmt::format("{}: a spherical joint mimics none", owner));
   if (type != "fixed") CheckMotion(joint, type, owner);
 }
 

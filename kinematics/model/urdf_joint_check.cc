@@ -25,16 +25,17 @@ double PositionLimit(const XMLElement& limit, const char* name, const std::strin
 }
 
 void CheckLimit(const XMLElement& joint, const std::string& type, const std::string& owner) {
+  const bool is_free = type == "continuous" || type == "spherical";
   const XMLElement* limit = joint.FirstChildElement("limit");
   if (limit == nullptr) {
-    if (type == "continuous") return;
+    if (is_free) return;
     Refuse("missing_limit", fmt::format("{}: a {} joint needs a <limit>", owner, type));
   }
   for (const char* name : {"effort", "velocity"}) {
     if (Number(*limit, name, owner) < 0.0)
       Refuse("bad_limit", fmt::format("{}: its {} limit is negative", owner, name));
   }
-  if (type == "continuous") return;
+  if (is_free) return;
   const double lower = PositionLimit(*limit, "lower", owner), upper = PositionLimit(*limit, "upper", owner);
   if (lower > upper)
     Refuse("bad_limit", fmt::format("{}: its lower limit {} is over its upper limit {}", owner, lower, upper));
@@ -80,7 +81,8 @@ void CheckMimic(const XMLElement& mimic, const std::map<std::string, std::string
 }  // namespace
 
 void CheckMotion(const XMLElement& joint, const std::string& type, const std::string& owner) {
-  if (const XMLElement* axis = joint.FirstChildElement("axis")) {
+  const XMLElement* axis = joint.FirstChildElement("axis");
+  if (axis != nullptr && type != "spherical") {
     const auto a = Numbers(Attribute(*axis, "xyz", owner), 3, owner + ", axis");
     if (std::hypot(a[0], a[1], a[2]) < 1e-9) Refuse("zero_axis", fmt::format("{}: its axis is zero", owner));
   }

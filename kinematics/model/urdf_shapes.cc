@@ -27,7 +27,7 @@ Pose Origin(const XMLElement& parent) {
   return FromUrdf(pose);
 }
 
-Shape ReadShape(const XMLElement& element, const std::string& link) {
+Shape ReadShape(const XMLElement& element, const std::string& link, double scale) {
   const XMLElement& geometry = *element.FirstChildElement("geometry")->FirstChildElement();
   const std::string type = geometry.Name();
   Shape shape;
@@ -44,14 +44,16 @@ Shape ReadShape(const XMLElement& element, const std::string& link) {
     shape.size.x() = Number(geometry, "radius", link);
     if (type != "sphere") shape.size.y() = Number(geometry, "length", link);
   }
+  shape.size *= scale;
+  shape.X_BS.translation() *= scale;
   return shape;
 }
 
 /// Takes all elements of that kind out of a link.
-std::vector<Shape> TakeShapes(XMLElement& link, const char* kind) {
+std::vector<Shape> TakeShapes(XMLElement& link, const char* kind, double scale) {
   std::vector<Shape> shapes;
   while (XMLElement* element = link.FirstChildElement(kind)) {
-    shapes.push_back(ReadShape(*element, link.Attribute("name")));
+    shapes.push_back(ReadShape(*element, link.Attribute("name"), scale));
     link.DeleteChild(element);
   }
   return shapes;
@@ -59,7 +61,7 @@ std::vector<Shape> TakeShapes(XMLElement& link, const char* kind) {
 
 }  // namespace
 
-UrdfParts SplitUrdf(const std::string& urdf_text) {
+UrdfParts SplitUrdf(const std::string& urdf_text, double scale) {
   tinyxml2::XMLDocument document;
   document.Parse(urdf_text.c_str(), urdf_text.size());
   UrdfParts parts;
@@ -67,7 +69,7 @@ UrdfParts SplitUrdf(const std::string& urdf_text) {
   for (XMLElement* link = robot->FirstChildElement("link"); link != nullptr; link = link->NextSiblingElement("link")) {
     for (const char* kind : {"collision", "visual"}) {
       std::vector<Shape>& all = std::strcmp(kind, "visual") == 0 ? parts.visual : parts.collision;
-      for (Shape& shape : TakeShapes(*link, kind)) all.push_back(std::move(shape));
+      for (Shape& shape : TakeShapes(*link, kind, scale)) all.push_back(std::move(shape));
     }
   }
   tinyxml2::XMLPrinter printer;

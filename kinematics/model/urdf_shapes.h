@@ -15,7 +15,7 @@ struct UrdfParts {
   std::vector<Shape> collision, visual;
 };
 
-/// Splits a URDF that CheckUrdf has passed.
-UrdfParts SplitUrdf(const std::string& urdf_text);
+/// Splits a URDF that CheckUrdf has passed. @param scale  by which the lengths of the shapes are multiplied.
+UrdfParts SplitUrdf(const std::string& urdf_text, double scale);
 
 }  // namespace gaitwright

@@ -51,7 +51,7 @@ TEST(UrdfCheck, AChainOfMimicsMovesAsItsProduct) {
       text = Replaced(text, "<!--C_extra-->", "<mimic joint='B_knee' multiplier='-1' offset='0.2'/>");
       text = Replaced(text, "<!--B_extra-->", "<mimic joint='A_knee' multiplier='0.5' offset='-0.3'/>");
     }
-    const Result<RobotModel> model = BuildModel(SplitUrdf(text), "chain");
+    const Result<RobotModel> model = BuildModel(SplitUrdf(text, 1.0), "chain", 1.0);
     ASSERT_TRUE(model.ok()) << model.failure().message;
     EXPECT_EQ(model->num_dofs(), 5);
     const double lead = 0.7;
