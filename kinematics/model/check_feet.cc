@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/yaml_line.h"
 
@@ -41,6 +43,36 @@ std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector
                      fmt::format("foot '{}' is on the way to foot '{}': one leg cannot have two feet; name the last",
                                  before ? link : other, before ? other : link));
     }
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> CheckFeetAreKnown(const RobotModel& model, const std::vector<FootOverride>& given,
+                                         const std::vector<MissingMesh>& missing) {
+  const auto body_of = [&](const std::string& link) {
+    return model.frames[static_cast<std::size_t>(model.FrameIndex(link))].body;
+  };
+  for (const Foot& foot : model.feet) {
+    const auto gone = std::find_if(missing.begin(), missing.end(),
+                                   [&](const MissingMesh& mesh) { return body_of(mesh.link) == foot.body; });
+    const bool is_seen = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
+                                     [&](const Shape& shape) { return shape.body == foot.body; });
+    const bool is_told = std::any_of(given.begin(), given.end(), [&](const FootOverride& f) {
+      return f.link == foot.link && (f.type || f.radius_m > 0.0 || !f.sole_m.empty());
+    });
+    if (gone == missing.end() || is_seen || is_told) continue;
+    std::string feet;
+    for (const Foot& f : model.feet)
+      feet += fmt::format("{}{{link: {}, radius_m: R}}", feet.empty() ? "" : ", ", f.link);
+    return Failure{
+        FailureKind::kBadInput,
+        "unknown_foot",
+        "LoadRobot",
+        fmt::format("link '{}': its collision shape cannot be had: {}; it ends a leg, and nothing else tells "
+                    "how that foot meets the ground",
+                    gone->link, gone->why),
+        {"put the mesh there",
+         fmt::format("say it in robot.yaml: feet: [{}], R in m; of a foot with a sole, its corners: 'sole_m'", feet)}};
   }
   return std::nullopt;
 }

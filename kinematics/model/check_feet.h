@@ -15,4 +15,9 @@ namespace gaitwright {
 std::optional<Failure> CheckNamedFeet(const RobotModel& model, const std::vector<FootOverride>& feet,
                                       const std::vector<int>& ends);
 
+/// Whether something tells the shape of each foot: a shape that is there, or the user.
+/// @return a failure that names the foot, the mesh that is missing and what to do, or nothing.
+std::optional<Failure> CheckFeetAreKnown(const RobotModel& model, const std::vector<FootOverride>& given,
+                                         const std::vector<MissingMesh>& missing);
+
 }  // namespace gaitwright

@@ -14,6 +14,7 @@
 #include "kinematics/model/apply_yaml.h"
 #include "kinematics/model/ball_joints.h"
 #include "kinematics/model/build_model.h"
+#include "kinematics/model/check_feet.h"
 #include "kinematics/model/derive_legs.h"
 #include "kinematics/model/mesh_file.h"
 #include "kinematics/model/robot_yaml.h"
@@ -31,14 +32,19 @@ Failure BadInput(const std::string& code, const std::string& message) {
 /// The hull of a mesh by its file as the URDF names it.
 using MeshSource = std::function<Result<std::vector<Vector3>>(const std::string& file)>;
 
-/// Gives the collision meshes their vertices. @return the hulls used.
-Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source) {
+/// Gives the collision meshes their vertices, and takes out those that are not there. @return the hulls used.
+Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshSource& source,
+                                         std::vector<MissingMesh>& missing) {
   std::vector<MeshHull> meshes;
   for (Shape& shape : shapes) {
     if (shape.type != ShapeType::kMesh) continue;
     auto known = std::find_if(meshes.begin(), meshes.end(), [&](const auto& m) { return m.file == shape.mesh_file; });
     if (known == meshes.end()) {
       Result<std::vector<Vector3>> hull = source(shape.mesh_file);
+      if (!hull && hull.failure().code == "no_file") {
+        missing.push_back({shape.link, hull.failure().message});
+        continue;
+      }
       if (!hull) {
         Failure failure = hull.failure();
         failure.message = fmt::format("link '{}': its collision shape cannot be had: {}", shape.link, failure.message);
@@ -49,6 +55,7 @@ Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshS
     }
     for (const Vector3& v : known->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
   }
+  std::erase_if(shapes, [](const Shape& shape) { return shape.type == ShapeType::kMesh && shape.vertices.empty(); });
   return meshes;
 }
 
@@ -71,7 +78,8 @@ Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_te
   }
   const RobotYaml yaml = ParseRobotYaml(yaml_text);
   UrdfParts parts = SplitUrdf(tree, yaml.scale);
-  const Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source);
+  std::vector<MissingMesh> missing;
+  const Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, missing);
   if (!meshes) return meshes.failure();
   Result<RobotModel> built = BuildModel(parts, name, yaml.scale);
   if (!built) return built;
@@ -83,6 +91,10 @@ Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_te
   ApplyMotors(yaml, model);
   const Result<int> legs = DeriveLegs(model, yaml, GivenPosture(yaml, model));
   if (!legs) return legs.failure();
+  if (const auto failure = CheckFeetAreKnown(model, yaml.feet, missing)) return *failure;
+  for (const MissingMesh& mesh : missing)
+    model.notes.push_back(fmt::format("link '{}': {}; what it touches is not known", mesh.link, mesh.why));
+  model.missing_meshes = std::move(missing);
   ApplyStanding(yaml, model);
   const std::vector<std::string> notes = DerivationNotes(yaml, model);
   model.notes.insert(model.notes.begin(), notes.begin(), notes.end());

@@ -9,13 +9,14 @@
 
 namespace gaitwright {
 
-/// The robot of a URDF file. Its collision meshes are read (see FindMeshFile); one that is missing or unreadable is a
-/// failure that names the file and the link, a missing visual mesh is a note. @param yaml_path overrides for what
+/// The robot of a URDF file. Its collision meshes are read (see FindMeshFile). One that is unreadable is a failure that
+/// names the file and the link; so is a missing one that alone tells the shape of a foot. Another missing one, and a
+/// missing visual mesh, is a note. @param yaml_path overrides for what
 /// derivation cannot know; "" takes `robot.yaml` beside the URDF where there is one, "none" uses nothing but the URDF.
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 
 /// The same from texts. @param name used where the robot.yaml gives none. @param meshes the hulls of the URDF's
-/// collision meshes, as RobotModel::meshes has them; one that is missing is a failure that names the file and the link.
+/// collision meshes, as RobotModel::meshes has them.
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
                                      const std::string& name = "robot", const std::vector<MeshHull>& meshes = {});
 

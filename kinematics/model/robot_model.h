@@ -79,6 +79,12 @@ struct MeshHull {
   bool operator==(const MeshHull&) const = default;
 };
 
+/// A collision mesh that was not where the URDF says: what its link touches there is not known.
+struct MissingMesh {
+  std::string link;
+  std::string why;  ///< names the file
+};
+
 /// How a foot meets the ground; FootTypeNames has their names.
 enum class FootType {
   kPoint,   ///< a point: three constraints
@@ -152,7 +158,8 @@ struct RobotModel {
   std::vector<std::string> notes;    ///< what was derived, from what, and what was odd; for people
   std::string urdf_text, yaml_text;  ///< what it was made from, with
   std::vector<MeshHull> meshes;      ///< those of the collision shapes, each file once, in the order of the URDF
-  std::string hash;                  ///< of all three
+  std::vector<MissingMesh> missing_meshes;
+  std::string hash;  ///< of all three
 
   int num_dofs() const { return static_cast<int>(dof_names.size()); }
   int nq() const { return 7 + num_dofs(); }

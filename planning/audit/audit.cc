@@ -173,6 +173,8 @@ void Auditor::NoteUnknown(AuditReport& report) const {
     if (joint.velocity_limit_is_placeholder)
       report.notes.push_back(fmt::format("joint '{}': its speed limit is a placeholder", joint.name));
   }
+  for (const MissingMesh& mesh : model_.missing_meshes)
+    report.notes.push_back(fmt::format("link '{}': {}; what it touches is not looked at", mesh.link, mesh.why));
   for (const MotionPart& part : plan_.parts) {
     if (!Hangs(part.gait)) continue;
     report.notes.push_back(

@@ -132,6 +132,38 @@ TEST_F(MeshFile, AMissingPictureIsANote) {
   ExpectSays(notes, {"link 'A_foot': no picture", "'no.dae' is not there"});
 }
 
+TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsANote) {
+  const std::string mesh = "<collision><geometry><mesh filename='no.stl'/></geometry></collision></link>";
+  const std::string thigh = SmallLink("A_thigh"), foot = SmallLink("A_foot", "<sphere radius='0.02'/>");
+  std::string urdf = FourLegs();
+  for (const std::string& link : {thigh, foot}) urdf = Replaced(urdf, link, Replaced(link, "</link>", mesh));
+  const Result<RobotModel> model = LoadRobot(Write("robot.urdf", urdf));
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  EXPECT_EQ(model->feet[0].type, FootType::kSphere);
+  EXPECT_EQ(model->feet[0].radius, 0.02);
+  ASSERT_EQ(model->missing_meshes.size(), 2U);
+  std::string notes;
+  for (const std::string& note : model->notes) notes += note + "\n";
+  ExpectSays(notes, {"link 'A_thigh': the mesh 'no.stl' is not there", "what it touches is not known"});
+  const Result<RobotModel> text = LoadRobotFromText(model->urdf_text, "", model->name, model->meshes);
+  ASSERT_TRUE(text.ok()) << text.failure().message;
+  EXPECT_EQ(text->hash, model->hash);
+}
+
+TEST_F(MeshFile, AFootThatNothingElseTellsOfIsToBeSaid) {
+  Write("robot.urdf", FourLegs("<mesh filename='no.stl'/>"));
+  const Result<RobotModel> untold = LoadRobot(folder_ + "/robot.urdf");
+  ASSERT_FALSE(untold.ok());
+  ASSERT_EQ(untold.failure().hints.size(), 2U);
+  ExpectSays(untold.failure().hints[1], {"{link: A_foot, radius_m: R}", "{link: D_foot, radius_m: R}", "'sole_m'"});
+  std::string feet;
+  for (const std::string leg : {"A", "B", "C", "D"}) feet += "  - {link: " + leg + "_foot, radius_m: 0.03}\n";
+  Write("robot.yaml", "feet:\n" + feet);
+  const Result<RobotModel> told = LoadRobot(folder_ + "/robot.urdf");
+  ASSERT_TRUE(told.ok()) << told.failure().message;
+  EXPECT_EQ(told->feet[3].radius, 0.03);
+}
+
 TEST_F(MeshFile, ScaleAndPlaceAreKept) {
   Write("foot.stl", BinaryStl(10.0 * kHalf));
   const Result<RobotModel> model =
