@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The robots that come with the program: each walks a metre at its own speed, as it comes, from its URDF alone, and
+// written in other conventions; or tells why it cannot.
+#include <gtest/gtest.h>
+
+#include "kinematics/model/load_robot.h"
+#include "tests/disguised_urdf.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+void ExpectWalks(const RobotModel& model) {
+  WalkRequest request;
+  request.command.distance_m = 1.0;
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  const Result<PlayedWalk> played = PlayWalk(model, planned->motion.plan, PlayRequest{});
+  ASSERT_TRUE(played.ok()) << played.failure().message;
+  EXPECT_TRUE(played->report.pass) << played->report.reason;
+}
+
+class NamedRobot : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, NamedRobot, testing::Values("a1", "go1", "laikago", "mini_cheetah", "nao", "humanoid"),
+                         [](const auto& name) { return name.param; });
+
+TEST_P(NamedRobot, WalksAMetre) { ExpectWalks(LoadNamedRobot(GetParam()).value()); }
+
+TEST_P(NamedRobot, WalksAMetreFromItsUrdfAlone) {
+  ExpectWalks(LoadRobotFromText(LoadNamedRobot(GetParam()).value().urdf_text, "").value());
+}
+
+TEST_P(NamedRobot, WalksAMetreInOtherConventions) {
+  DisguisedUrdf disguise(LoadNamedRobot(GetParam()).value().urdf_text, 7);
+  ExpectWalks(LoadRobotFromText(disguise.text(), "").value());
+}
+
+/// Its soles are bars of 3 cm that no joint rolls: one of them alone tips as the body sways over it.
+TEST(NamedRobots, TheH1IsToldWhyItCannotWalk) {
+  WalkRequest request;
+  request.command.distance_m = 1.0;
+  const Result<PlannedWalk> planned = PlanWalk(LoadNamedRobot("h1").value(), request);
+  ASSERT_FALSE(planned.ok());
+  EXPECT_NE(planned.failure().message.find("no joint of its leg (5 joints) rolls it"), std::string::npos)
+      << planned.failure().message;
+}
+
+}  // namespace
+}  // namespace gaitwright
