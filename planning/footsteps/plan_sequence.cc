@@ -213,8 +213,6 @@ Result<FootstepSkeleton> PlanSequence(const RobotModel& model, const Terrain& te
     if (!course) return OfPart(k, parts[k].gait.name, course.failure());
     courses.push_back(std::move(*course));
   }
-  if (std::all_of(courses.begin(), courses.end(), [](const PartCourse& course) { return course.stands; }))
-    return BadPart("no part of the sequence walks: one or more must have a gait");
   if (!IsLevelGround(terrain)) return BadPart("a sequence of gaits is planned on level ground only");
   Couple(courses);
   return AlongCourses(model, terrain, std::move(courses), options);

@@ -174,7 +174,16 @@ TEST(PlanSequence, WhatCannotBeNamesItsPart) {
   EXPECT_NE(why({Part("trot", 0.4, 0.5), goal}).find("part 2, 'trot': a part of a sequence cannot have a goal"),
             std::string::npos);
   EXPECT_NE(why({Stand(0.01), goal}).find("part 1, 'stand': standing still for 0.01 s"), std::string::npos);
-  EXPECT_NE(why({Stand(1.0), Stand(1.0)}).find("no part of the sequence walks"), std::string::npos);
+}
+
+TEST(PlanSequence, StandingIsEnough) {
+  const auto skeleton = Plan({Stand(1.0), Stand(2.0)});
+  ASSERT_TRUE(skeleton.ok()) << skeleton.failure().message;
+  EXPECT_EQ(skeleton->schedule.phases.size(), 1U);
+  EXPECT_NEAR(skeleton->schedule.end_s(), 3.0 + 2.0 * FootstepOptions{}.settling_s, 1e-9);
+  ASSERT_EQ(skeleton->parts.size(), 2U);
+  EXPECT_EQ(skeleton->footsteps.footholds.size(), 4U);
+  EXPECT_LT(std::hypot(skeleton->goal.x_m, skeleton->goal.y_m), 1e-12);
 }
 
 }  // namespace

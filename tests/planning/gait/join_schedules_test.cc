@@ -103,10 +103,12 @@ TEST(JoinSchedules, StepsOnlyOnTheGrid) {
     EXPECT_NEAR(std::round(phase.end_s / kGrid) * kGrid, phase.end_s, 1e-9);
 }
 
-TEST(JoinSchedules, SomethingMustWalk) {
-  const auto joined = JoinSchedules({Standing(1.0)}, {});
-  ASSERT_FALSE(joined.ok());
-  EXPECT_NE(joined.failure().message.find("no part of the schedule walks"), std::string::npos);
+TEST(JoinSchedules, StandingAloneIsOnePhaseAndNothingIsNone) {
+  const JoinedSchedule joined = JoinSchedules({Standing(1.0), Standing(0.5)}, {}).value();
+  ASSERT_EQ(joined.schedule.phases.size(), 1U);
+  EXPECT_NEAR(joined.schedule.end_s(), 1.5, 1e-9);
+  EXPECT_EQ(joined.start_s, (std::vector<double>{0.0, 1.0}));
+  EXPECT_FALSE(JoinSchedules({}, {}).ok());
 }
 
 }  // namespace

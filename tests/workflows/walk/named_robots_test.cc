@@ -46,5 +46,24 @@ TEST(NamedRobots, TheH1IsToldWhyItCannotWalk) {
       << planned.failure().message;
 }
 
+/// It stands, though, and pushes of 10 N for half a second do not fell it.
+TEST(NamedRobots, TheH1StandsAgainstPushes) {
+  const RobotModel h1 = LoadNamedRobot("h1").value();
+  WalkRequest request;
+  request.sequence = "stand: duration=3";
+  const Result<PlannedWalk> planned = PlanWalk(h1, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  for (const Vector3& push_n : {Vector3(10, 0, 0), Vector3(-10, 0, 0), Vector3(0, 10, 0), Vector3(0, -10, 0)}) {
+    PlayRequest play;
+    play.play.push_force_W = push_n;
+    play.play.push_at_s = 1.0;
+    play.play.push_for_s = 0.5;
+    const Result<PlayedWalk> played = PlayWalk(h1, planned->motion.plan, play);
+    ASSERT_TRUE(played.ok()) << played.failure().message;
+    EXPECT_TRUE(played->report.pass) << played->report.reason;
+  }
+}
+
 }  // namespace
 }  // namespace gaitwright
