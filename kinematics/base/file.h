@@ -16,8 +16,8 @@ inline constexpr std::size_t kLargestFile = std::size_t{512} << 20;
 /// than `most` bytes.
 Result<std::string> ReadBytes(const std::string& path, std::size_t most = kLargestFile);
 
-/// The whole text of a file in UTF-8, without a byte-order mark and without zero bytes at its end. Fails as ReadBytes does; a failure names the file, and
-/// the line of a byte that is no text.
+/// The whole text of a file in UTF-8, without a byte-order mark and without zero bytes at its end. Fails as ReadBytes
+/// does; a failure names the file, and the line of a byte that is no text.
 Result<std::string> ReadFile(const std::string& path, std::size_t most = kLargestFile);
 
 /// Writes the text to a temporary file beside `path` and renames it, so that no half-written file is ever seen.

@@ -186,7 +186,8 @@ Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest
 }
 
 Result<JoinedSchedule> JoinSchedules(const std::vector<GaitStint>& stints, const ScheduleEnds& ends) {
-  if (stints.empty()) return Failure{FailureKind::kBadInput, "gait", "ScheduleContacts", "the schedule has no part", {}};
+  if (stints.empty())
+    return Failure{FailureKind::kBadInput, "gait", "ScheduleContacts", "the schedule has no part", {}};
   Joiner joiner(stints.front().gait.num_feet(), ends);
   for (const GaitStint& stint : stints) {
     if (!StandsStill(stint.gait)) {

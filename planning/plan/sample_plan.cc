@@ -135,6 +135,10 @@ CentroidalSample SampleCentroidal(const CentroidalTrajectory& t, double time_s) 
   return sample;
 }
 
+Vector3 CentreWay(const CentroidalTrajectory& trajectory, double from_s, double to_s) {
+  return SampleCentroidal(trajectory, to_s).p_WC - SampleCentroidal(trajectory, from_s).p_WC;
+}
+
 SwingCurve CurveOf(const SwingTrajectory& swing) {
   return {swing.start_s, swing.end_s, swing.X_WF_start, swing.X_WF_end, swing.lift_m, swing.detour_W, swing.cruise};
 }

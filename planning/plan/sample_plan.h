@@ -29,6 +29,9 @@ struct CentroidalSample {
 /// the first node and after the last one: that node at rest.
 CentroidalSample SampleCentroidal(const CentroidalTrajectory& trajectory, double time_s);
 
+/// How far the centre of mass goes between two times [m].
+Vector3 CentreWay(const CentroidalTrajectory& trajectory, double from_s, double to_s);
+
 /// A swing as a curve that can be evaluated.
 SwingCurve CurveOf(const SwingTrajectory& swing);
 

@@ -95,7 +95,7 @@ TEST_F(Answers, QuietPrintsTheVerdictAlone) {
   EXPECT_EQ(Run({"audit", "plan.json", "--quiet"}).out, "pass\n");
   EXPECT_EQ(Run({"play", "plan.json", "--quiet"}).out, "pass\n");
   EXPECT_EQ(Run({"walk", "--distance", "0.3", "--quiet"}).out, "pass\n");
-  EXPECT_EQ(Run({"robots", "--quiet"}).out, "a1\nnao\n");
+  EXPECT_EQ(Run({"robots", "--quiet"}).out, "a1\ngo1\nh1\nhumanoid\nlaikago\nmini_cheetah\nnao\n");
   EXPECT_TRUE(Run({"terrains", "--quiet"}).out.starts_with("flat\n"));
 }
 

@@ -127,15 +127,9 @@ void LiveWorld::Step() {
   if (!IsPhysical(world_)) return Fall(true);
   AddToMeans();
   time_s_ += step_s();
-  if (!hands_.grips().empty()) hands_.GoAlong(ToldWay(time_s_ - step_s()));
+  if (may_walk() && !hands_.grips().empty())
+    hands_.GoAlong(CentreWay(followed_->centroidal, time_s_ - step_s(), time_s_));
   Watch();
-}
-
-/// How far the centre of mass is told to go from a time up to now.
-Vector3 LiveWorld::ToldWay(double from_s) const {
-  if (!may_walk()) return Vector3::Zero();
-  const CentroidalTrajectory& told = followed_->centroidal;
-  return SampleCentroidal(told, time_s_).p_WC - SampleCentroidal(told, from_s).p_WC;
 }
 
 ControlInput LiveWorld::Measured() const {
@@ -398,8 +392,6 @@ void LiveWorld::SetControl(const StabilisedOptions& stabilised, const GainOption
   gains_ = DeriveGains(model_, GainsFor(play_));
   if (may_walk()) TakeControl();
 }
-
-std::vector<std::string> LiveWorld::TakeNotes() { return std::exchange(notes_, {}); }
 
 void LiveWorld::WaitForPlan() {
   if (planning_.valid()) planning_.wait();

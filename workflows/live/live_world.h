@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "playback/bullet/world.h"
@@ -96,7 +97,7 @@ class LiveWorld {
   /// The state now, with torques and contact forces as means since the last call.
   LogSample TakeSample();
   /// What happened since the last call, in words.
-  std::vector<std::string> TakeNotes();
+  std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
   /// Waits until what is being planned is there and taken up at the next step: for tests.
   void WaitForPlan();
 
@@ -119,7 +120,6 @@ class LiveWorld {
   JointCommand Damping() const;
   ControlInput Measured() const;
   Vector3 FootOffset() const;
-  Vector3 ToldWay(double from_s) const;
 
   const RobotModel& model_;
   const WalkRequest usual_;
