@@ -98,7 +98,8 @@ bool HasRoll(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X
   });
 }
 
-constexpr double kLeastSole = 1e-4;  // [m^2] a flat bottom smaller than this is a tip
+constexpr double kLeastSole = 1e-4;     // [m^2] a flat bottom smaller than this is a tip
+constexpr double kThinnestSole = 1e-3;  // of its length: a round limb that lies level touches the ground in a line
 
 /// "the mesh 'foot.stl' of link 'l_foot'", "4 spheres of link 'l_foot'": for people.
 std::string NameOf(const std::vector<const Shape*>& shapes) {
@@ -135,6 +136,11 @@ bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const S
   if (touching.size() < 3) return false;
   Vector2 middle;
   foot.sole_F = Rectangle(touching, middle);
+  const Vector2 size = foot.sole_F[2] - foot.sole_F[0];
+  if (size.minCoeff() < kThinnestSole * size.maxCoeff()) {
+    foot.sole_F.clear();
+    return false;
+  }
   if (std::any_of(at_bottom.begin(), at_bottom.end(), [](const auto* s) { return s->type == ShapeType::kMesh; })) {
     for (Vector2& p : touching) p -= middle;
     const Polygon outline = Outline(touching);

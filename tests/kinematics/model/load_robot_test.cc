@@ -76,6 +76,25 @@ TEST(LoadRobot, FootRadiiAreRead) {
   }
 }
 
+/// Two capsules that lie level, one behind the other, touch the ground in a line, which is no sole.
+TEST(LoadRobot, ALineHasNoArea) {
+  std::string urdf = Urdf("nao");
+  for (const std::string y : {"0.006", "-0.006"}) {
+    const auto at = [&y](const std::string& x, const std::string& rpy) {
+      return "<origin xyz=\"" + x + " " + y + " -0.03511\" rpy=\"" + rpy + "\"/>\n      <geometry>";
+    };
+    const std::string box = at("0.0315", "0 0 0") + "<box size=\"0.157 0.088 0.02\"/></geometry>\n    </collision>";
+    ASSERT_NE(urdf.find(box), std::string::npos);
+    const std::string limb =
+        at("0.03", "0 1.57079632679 0") + "<capsule radius=\"0.01\" length=\"0.05\"/></geometry></collision>";
+    urdf = Replaced(urdf, box, limb + "<collision>" + Replaced(limb, "0.03 ", "0.09 "));
+  }
+  const Result<RobotModel> model = LoadRobotFromText(urdf, "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  ASSERT_EQ(model->feet.size(), 2U);
+  for (const Foot& foot : model->feet) EXPECT_FALSE(foot.has_sole());
+}
+
 TEST(LoadRobot, RefusesWhatIsWrongAndNamesIt) {
   ExpectSays(MessageOf("<robot"), {"not XML"});
   ExpectSays(MessageOf("<sdf/>"), {"<sdf>"});
