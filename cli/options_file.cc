@@ -25,7 +25,7 @@ Result<OptionTexts> OptionsFile::Apply(OptionFields fields, const Common& common
   if (path.empty()) return OptionTexts{};
   WalkRequest walk;
   PlayRequest play;
-  const Result<OptionTexts> texts = LoadOptionsFile(path, Joined({walk.Fields(), play.Fields()}));
+  Result<OptionTexts> texts = LoadOptionsFile(path, Joined({walk.Fields(), play.Fields()}));
   if (!texts) return texts;
   std::string others;
   for (const auto& [key, value] : *texts) {

@@ -36,7 +36,7 @@ struct Tree {
 
 /// The name of a link or a joint.
 std::string NameOf(const XMLElement& element, const std::string& what) {
-  const std::string name = Attribute(element, "name", what);
+  std::string name = Attribute(element, "name", what);
   if (name.empty()) Refuse("urdf_missing", fmt::format("{} in line {} has an empty name", what, element.GetLineNum()));
   return name;
 }

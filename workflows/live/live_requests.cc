@@ -21,7 +21,7 @@ constexpr int kMostSteps = 10000;    // at once, of a clock that is paused
 
 /// A gait by its own name. Files are not for pages to name.
 std::string GaitOf(const JsonPart& part, const RobotModel& model) {
-  const std::string name = part.Text();
+  std::string name = part.Text();
   if (name == kStanding) return name;
   if (!GaitFileOf(name).empty()) part.Refuse("is a file; a gait by its name is needed");
   const Result<Gait> gait = FindGait(model, name, 0.0, {});

@@ -25,7 +25,7 @@ JsonPart Needed(const JsonPart& object, const char* key) {
 }
 
 std::string TextOf(const JsonPart& part) {
-  const std::string text = part.Text();
+  std::string text = part.Text();
   if (text.empty()) part.Refuse("is empty; a text is needed");
   return text;
 }
