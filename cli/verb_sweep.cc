@@ -69,7 +69,7 @@ Result<Study> StudyOf(Arguments& a) {
 }
 
 Result<Disturbances> PrepareTrials(Arguments& a, Study& study) {
-  const Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play, KeysOf(study.axes));
+  Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play, KeysOf(study.axes));
   if (!disturbances) return disturbances;
   a.study.play.CheckActs(a.common.sets, KeysOf(study.axes), DrawnOptions(*disturbances));
   study.play_trial = PlayerOf(*disturbances, a.common.seed);

@@ -126,7 +126,7 @@ std::string MostOf(const std::vector<Unforeseen>& all) {
   for (const Unforeseen& one : all) {
     if (words.size() < kMost && (all.size() <= kMost || one.size >= sizes[kMost - 1])) words.push_back(one.words);
   }
-  const std::string most = fmt::format("{}", fmt::join(words, ", "));
+  std::string most = fmt::format("{}", fmt::join(words, ", "));
   if (all.size() == words.size()) return most;
   return most + fmt::format(" and {} smaller disturbances", all.size() - words.size());
 }

@@ -112,7 +112,7 @@ void NotBoth(const YAML::Node& node, const std::vector<Disturbance>& figures, co
 }
 
 DisturbedPush ReadPush(const YAML::Node& node) {
-  const DisturbedPush push = ReadFigures(node, "a push", "", PushRules());
+  DisturbedPush push = ReadFigures(node, "a push", "", PushRules());
   NotBoth(node, push, "size_n", "size_of_weight");
   NotBoth(node, push, "at_s", "at_share");
   if (!Has(push, "size_n") && !Has(push, "size_of_weight"))

@@ -80,8 +80,7 @@ Json SizeJson(const Shape& shape) {
 /// The shapes of a robot as they are found drawable, and the meshes that they need.
 class Shapes {
  public:
-  Shapes(const RobotModel& model, const std::optional<std::string>& mesh_folder)
-      : model_(model), mesh_folder_(mesh_folder) {
+  Shapes(const RobotModel& model, const std::optional<std::string>& mesh_folder) : mesh_folder_(mesh_folder) {
     std::set<std::string> not_drawn, drawn;
     for (const Shape& shape : model.visual_shapes) (Add(shape) ? drawn : not_drawn).insert(shape.link);
     for (const Shape& shape : model.collision_shapes) {
@@ -126,7 +125,6 @@ class Shapes {
     return known->second;
   }
 
-  const RobotModel& model_;
   const std::optional<std::string>& mesh_folder_;
   std::map<std::string, int> numbers_;
 };

@@ -125,7 +125,7 @@ class Reader {
     level.linear() = YawRotation(yaw) * StandingFeet(model_)[static_cast<std::size_t>(foot)].linear();
     level.translation() =
         Vector3(NumberOf(*map.Find("x_m"), "x_m", -kFar, kFar), NumberOf(*map.Find("y_m"), "y_m", -kFar, kFar), 0.0);
-    const Pose X_WF = OnGround(level, foot, patch, node);
+    Pose X_WF = OnGround(level, foot, patch, node);
     if (const YAML::Node* z = map.Find("z_m")) {
       const double height = NumberOf(*z, "z_m", -kFar, kFar);
       if (std::abs(height - X_WF.translation().z()) > kOff) {
