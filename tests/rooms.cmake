@@ -15,11 +15,17 @@ endfunction()
 
 # gaitwright_test(ROOM LINKS...): one test program a room, ROOM_tests, of every *_test.cc below tests/ROOM with the
 # helpers (other .cc files) there. Files called *_long_test.cc make ROOM_long_tests, labelled `long`: only
-# `./test --long` runs them.
+# `./test --long` runs them. What needs the viewer (*_in_browser_test.cc, viewer_page_test.cc, view_test.cc) is left out of a
+# build without it, and what is for such a build (without_viewer_test.cc) of all others.
 function(gaitwright_test room)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*.cc)
   if(NOT DART_FOUND)
     list(FILTER sources EXCLUDE REGEX "dart[a-z_]*\\.cc$")
+  endif()
+  if(GAITWRIGHT_VIEWER)
+    list(FILTER sources EXCLUDE REGEX "without_viewer_test\\.cc$")
+  else()
+    list(FILTER sources EXCLUDE REGEX "(_in_browser|viewer_page|/view)_test\\.cc$")
   endif()
   set(long_tests ${sources})
   set(helpers ${sources})

@@ -5,13 +5,13 @@
 
 namespace gaitwright {
 
-/// Turns the base's frame where x is not ahead in the root link or z not up, by the file or by what the tree tells.
-void ApplyAxes(const RobotYaml& yaml, RobotModel& model);
-
 /// Puts the limits of a robot.yaml in place of the URDF's. All functions here throw InvalidArgument with the line and
 /// the name of the offender: no such joint (names the nearest), a joint that mimics another, keys of a sliding joint
 /// for a turning one and the reverse, values that contradict each other.
 void ApplyLimits(const RobotYaml& yaml, RobotModel& model);
+
+/// Turns the base's frame where x is not ahead in the root link or z not up, by the file or by what the tree tells.
+void ApplyAxes(const RobotYaml& yaml, RobotModel& model);
 
 /// Puts in the motors, those without words in the file included, and what joints take of themselves.
 void ApplyMotors(const RobotYaml& yaml, RobotModel& model);

@@ -18,12 +18,9 @@ struct Limb {
 
 std::vector<Limb> LimbsOf(const RobotModel& model) {
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
-  std::vector<bool> is_leaf(model.bodies.size(), true);
-  for (const Joint& joint : model.joints) is_leaf[static_cast<std::size_t>(joint.parent_body)] = false;
   std::vector<Limb> limbs;
-  for (std::size_t b = 1; b < model.bodies.size(); ++b) {
-    const std::vector<int> chain = is_leaf[b] ? ChainTo(model, static_cast<int>(b)) : std::vector<int>{};
-    if (chain.size() < 2) continue;
+  for (const std::vector<int>& chain : Limbs(model)) {
+    const auto b = static_cast<std::size_t>(chain.back()) + 1;
     Limb limb;
     limb.from = X_OB[static_cast<std::size_t>(chain.front() + 1)].translation();
     limb.to = X_OB[b].translation();

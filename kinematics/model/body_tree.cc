@@ -2,6 +2,7 @@
 #include "kinematics/model/body_tree.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gaitwright {
 
@@ -26,6 +27,18 @@ std::vector<int> ChainTo(const RobotModel& model, int body) {
   for (int b = body; b > 0; b = model.joints[static_cast<std::size_t>(b - 1)].parent_body) chain.push_back(b - 1);
   std::reverse(chain.begin(), chain.end());
   return chain;
+}
+
+std::vector<std::vector<int>> Limbs(const RobotModel& model) {
+  std::vector<bool> is_leaf(model.bodies.size(), true);
+  for (const Joint& joint : model.joints) is_leaf[static_cast<std::size_t>(joint.parent_body)] = false;
+  std::vector<std::vector<int>> limbs;
+  for (std::size_t b = 1; b < model.bodies.size(); ++b) {
+    if (!is_leaf[b]) continue;
+    std::vector<int> chain = ChainTo(model, static_cast<int>(b));
+    if (chain.size() >= 2) limbs.push_back(std::move(chain));
+  }
+  return limbs;
 }
 
 bool Carries(const RobotModel& model, int ancestor, int body) {

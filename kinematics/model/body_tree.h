@@ -14,6 +14,9 @@ std::vector<Pose> BodyPoses(const RobotModel& model, const VectorX& joints);
 /// Indices of the joints from the base to a body, base first.
 std::vector<int> ChainTo(const RobotModel& model, int body);
 
+/// Those chains of two joints or more that lead to a body without children.
+std::vector<std::vector<int>> Limbs(const RobotModel& model);
+
 /// Whether moving `ancestor` moves `body`: it is that body or on the way to it.
 bool Carries(const RobotModel& model, int ancestor, int body);
 

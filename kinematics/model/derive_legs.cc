@@ -24,14 +24,8 @@ constexpr std::size_t kMostLegs = 64;  // that a set of feet as bits holds
 
 /// Bodies at the ends of legs: leaves that can come down nearly as far as the lowest.
 std::vector<int> EndBodies(const RobotModel& model) {
-  std::vector<bool> is_leaf(model.bodies.size(), true);
-  for (const Joint& joint : model.joints) is_leaf[static_cast<std::size_t>(joint.parent_body)] = false;
   std::vector<std::pair<double, int>> leaves;
-  for (std::size_t b = 1; b < model.bodies.size(); ++b) {
-    if (!is_leaf[b]) continue;
-    const std::vector<int> chain = ChainTo(model, static_cast<int>(b));
-    if (chain.size() >= 2) leaves.emplace_back(LowestReach(model, chain), static_cast<int>(b));
-  }
+  for (const std::vector<int>& limb : Limbs(model)) leaves.emplace_back(LowestReach(model, limb), limb.back() + 1);
   std::sort(leaves.begin(), leaves.end());
   std::vector<int> ends;
   constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher

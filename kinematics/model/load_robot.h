@@ -11,8 +11,8 @@ namespace gaitwright {
 
 /// The robot of a URDF file. Its collision meshes are read (see FindMeshFile). One that is unreadable is a failure that
 /// names the file and the link; so is a missing one that alone tells the shape of a foot. Another missing one, and a
-/// missing visual mesh, is a note. @param yaml_path overrides for what
-/// derivation cannot know; "" takes `robot.yaml` beside the URDF where there is one, "none" uses nothing but the URDF.
+/// missing visual mesh, is a note. @param yaml_path overrides for what derivation cannot know; "" takes `robot.yaml`
+/// beside the URDF where there is one, "none" uses nothing but the URDF.
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 
 /// The same from texts. @param name used where the robot.yaml gives none. @param meshes the hulls of the URDF's

@@ -7,24 +7,10 @@ namespace {
 
 class View : public Stranger {
  protected:
-  void SetUp() override {
-    if (GAITWRIGHT_HAS_VIEWER == 0) GTEST_SKIP() << "built without the viewer";
-    ASSERT_EQ(Run({"walk", "--distance", "0.3", "--quiet", "--out-dir", "out"}).status, 0);
-  }
+  View() { EXPECT_EQ(Run({"walk", "--distance", "0.3", "--quiet", "--out-dir", "out"}).status, 0); }
 
   bool Begins(const std::string& name, const std::string& with) const { return Read(name).starts_with(with); }
 };
-
-TEST_F(Stranger, WhoBuiltWithoutTheViewerIsToldSoAndHasTheRest) {
-  if (GAITWRIGHT_HAS_VIEWER == 1) GTEST_SKIP() << "built with the viewer";
-  ASSERT_EQ(Run({"walk", "--distance", "0.3", "--quiet", "--out-dir", "out"}).status, 0);
-  EXPECT_EQ(Read("out/report.html").find("data-scene"), std::string::npos);
-  const std::string why = "built without the viewer (GAITWRIGHT_VIEWER=OFF)";
-  ExpectRefused(Run({"view", "out/log.json"}), 1, {why});
-  ExpectRefused(Run({"render", "out/log.json", "--png", "p.png"}), 1, {why});
-  ExpectRefused(Run({"live"}), 1, {why});
-  EXPECT_EQ(Run({"render", "out/log.json", "--figure", "gait.svg", "--quiet"}).status, 0) << "which needs none";
-}
 
 TEST_F(View, MakesAPageOfAPlanALogAndTwo) {
   const Ran plan = Run({"view", "out/plan.json", "--json"});

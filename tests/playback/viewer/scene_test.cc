@@ -8,9 +8,7 @@
 
 #include "kinematics/base/result.h"
 #include "playback/score/motion_series.h"
-#include "playback/viewer/viewer_page.h"
 #include "tests/playback/played.h"
-#include "tests/playback/xml_check.h"
 
 namespace gaitwright {
 namespace {
@@ -156,18 +154,6 @@ TEST(Scene, ThinsLogsOfHigherRates) {
   for (std::size_t k = 0; k < rows; ++k)
     c.log.samples[k].time_s = c.log.start_s + static_cast<double>(k + 1) / c.log.log_rate_hz;
   EXPECT_EQ(Floats(SceneOf(c)["time_s"]).size(), (rows + 3) / 4);
-}
-
-TEST(ViewerPage, IsWholeAndHoldsTheScene) {
-  if (!HasViewer()) GTEST_SKIP() << "built without the viewer";
-  const synthetic::Played c = synthetic::Stood();
-  const std::string page = ViewerPage("a & b", {{"left", c.model, c.plan, &c.log}, {"right", c.model, c.plan}});
-  EXPECT_EQ(XmlFault(page), "");
-  EXPECT_TRUE(synthetic::Says(page, "<title>a &amp; b</title>"));
-  EXPECT_TRUE(synthetic::Says(page, "\"gaitwright-scene\""));
-  EXPECT_FALSE(synthetic::Says(page, "<script src"));
-  EXPECT_FALSE(synthetic::Says(page, "<link"));
-  EXPECT_LT(page.size() - SceneJson({{"left", c.model, c.plan, &c.log}, {"right", c.model, c.plan}}).size(), 3000000U);
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ std::string PythonWithNumPy() {
 // NumPy itself has the last word.
 TEST(MotionNpzArchive, IsOpenedByNumPy) {
   const std::string python = PythonWithNumPy();
-  if (python.empty()) GTEST_SKIP() << "NumPy is not installed";
+  ASSERT_NE(python, "") << "NumPy is not installed (Debian: python3-numpy)";
   const synthetic::Played walker = Walker();
   const MotionRows rows = RowsOfPlan(walker.model, walker.plan, 200.0);
   const std::string file = ScratchFile("numpy.npz");

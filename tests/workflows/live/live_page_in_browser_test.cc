@@ -22,7 +22,6 @@ using Mouse = Chromium::Mouse;
 class LivePageTest : public testing::Test {
  protected:
   void SetUp() override {
-    if (!HasViewer()) GTEST_SKIP() << "built without the viewer";
     live_ = MadeWorld(model_);
     server_ = std::move(LiveServer::Start({}, LivePage("a1, live")).value());
     server_->Greet(LiveGreeting(*live_));

@@ -88,16 +88,9 @@ void ExpectAllWorks(const ShownWalk& walk) {
   ExpectNoComplaint(page);
 }
 
-class ViewerInBrowser : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!HasViewer()) GTEST_SKIP() << "built without the viewer";
-  }
-};
+TEST(ViewerInBrowser, ShowsATrot) { ExpectAllWorks(MakeShownWalk("a1", Request(0.5, "flat", "trot"))); }
 
-TEST_F(ViewerInBrowser, ShowsATrot) { ExpectAllWorks(MakeShownWalk("a1", Request(0.5, "flat", "trot"))); }
-
-TEST_F(ViewerInBrowser, ShowsAWalkOnSoles) {
+TEST(ViewerInBrowser, ShowsAWalkOnSoles) {
   WalkRequest request;
   request.command.extent = WalkCommand::Extent::kSteps;
   request.command.steps = 4;
@@ -105,9 +98,9 @@ TEST_F(ViewerInBrowser, ShowsAWalkOnSoles) {
   ExpectAllWorks(MakeShownWalk("nao", request));
 }
 
-TEST_F(ViewerInBrowser, ShowsAClimb) { ExpectAllWorks(MakeShownWalk("a1", Request(1.5, "stairs"))); }
+TEST(ViewerInBrowser, ShowsAClimb) { ExpectAllWorks(MakeShownWalk("a1", Request(1.5, "stairs"))); }
 
-TEST_F(ViewerInBrowser, MarksAFallOnTheTimelineWithItsReason) {
+TEST(ViewerInBrowser, MarksAFallOnTheTimelineWithItsReason) {
   const ShownWalk walk = MakeShownWalk("a1", Request(1.0, "flat", "trot"), {0.0, 400.0, 0.0});
   ASSERT_FALSE(walk.played.report.pass);
   const ShownPage page(ViewerPage("test", {Shown(walk)}));
@@ -120,7 +113,7 @@ TEST_F(ViewerInBrowser, MarksAFallOnTheTimelineWithItsReason) {
   ExpectNoComplaint(page);
 }
 
-TEST_F(ViewerInBrowser, ShowsTwoLogsSideBySideUnderOneClock) {
+TEST(ViewerInBrowser, ShowsTwoLogsSideBySideUnderOneClock) {
   const ShownWalk a = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
   const ShownWalk b = MakeShownWalk("a1", Request(0.3, "flat", "walk"));
   const ShownPage page(ViewerPage("test", {Shown(a), Shown(b)}));
@@ -131,7 +124,7 @@ TEST_F(ViewerInBrowser, ShowsTwoLogsSideBySideUnderOneClock) {
   ExpectNoComplaint(page);
 }
 
-TEST_F(ViewerInBrowser, IsDrivenByTheKeyboard) {
+TEST(ViewerInBrowser, IsDrivenByTheKeyboard) {
   const ShownWalk walk = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
   const ShownPage page(ViewerPage("test", {Shown(walk)}));
   const auto press = [&](const std::string& key) { ASSERT_TRUE(page.browser().Press(key).ok()); };
@@ -157,7 +150,7 @@ TEST_F(ViewerInBrowser, IsDrivenByTheKeyboard) {
   ExpectNoComplaint(page);
 }
 
-TEST_F(ViewerInBrowser, IsPartOfTheReport) {
+TEST(ViewerInBrowser, IsPartOfTheReport) {
   const ShownWalk walk = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
   ReportWords words;
   words.viewer = ViewerPart({Shown(walk)});
