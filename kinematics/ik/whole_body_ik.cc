@@ -127,6 +127,9 @@ void WholeBodyIk::ChooseRows() {
     columns_[held] = -1;
   }
   std::erase(columns_, -1);
+  for (int dof = 0; dof < model_->num_dofs(); ++dof) {
+    if (std::find(columns_.begin(), columns_.end(), 6 + dof) == columns_.end()) held_.push_back(dof);
+  }
 }
 
 void WholeBodyIk::UpdateJacobians(const BodyTarget& target) {
@@ -166,22 +169,22 @@ Eigen::RowVectorXd WholeBodyIk::RowJacobian(const Row& row) const {
   return of_base;
 }
 
+/// What a row does by one velocity coordinate.
+double WholeBodyIk::Coefficient(const Row& row, int column) const {
+  const Task& task = tasks_[row.task];
+  const Vector3 axis = task.axes_W.col(row.axis);
+  if (task.kind == Task::Kind::kBaseRotation) return column >= 3 && column < 6 ? axis[column - 3] : 0.0;
+  const MatrixX& J =
+      task.kind == Task::Kind::kCentreOfMass ? com_jacobian_ : foot_jacobians_[static_cast<std::size_t>(task.foot)];
+  const Eigen::Index from = task.kind == Task::Kind::kFootAngular ? 3 : 0;
+  return axis.dot(J.col(column).segment<3>(from));
+}
+
 void WholeBodyIk::AssembleSystem() {
   MatrixX& system = system_.matrix();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    const Task& task = tasks_[rows_[r].task];
-    const auto i = static_cast<Eigen::Index>(r);
-    const Vector3 axis = task.axes_W.col(rows_[r].axis);
-    if (task.kind == Task::Kind::kBaseRotation) {
-      system.row(i).setZero();
-      system.row(i).segment<3>(3) = axis.transpose();
-      continue;
-    }
-    const MatrixX& J =
-        task.kind == Task::Kind::kCentreOfMass ? com_jacobian_ : foot_jacobians_[static_cast<std::size_t>(task.foot)];
-    const Eigen::Index from = task.kind == Task::Kind::kFootAngular ? 3 : 0;
     for (std::size_t c = 0; c < columns_.size(); ++c)
-      system(i, static_cast<Eigen::Index>(c)) = axis.dot(J.col(columns_[c]).segment<3>(from));
+      system(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = Coefficient(rows_[r], columns_[c]);
   }
   system_.Factor();
 }
@@ -190,6 +193,13 @@ void WholeBodyIk::FillRightHandSide() {
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const Task& task = tasks_[rows_[r].task];
     rhs_[static_cast<Eigen::Index>(r)] = task.axes_W.col(rows_[r].axis).dot(task.value_W);
+  }
+}
+
+void WholeBodyIk::TakeOutHeld(const VectorX& joint_rates) {
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    for (const int dof : held_)
+      rhs_[static_cast<Eigen::Index>(r)] -= Coefficient(rows_[r], 6 + dof) * joint_rates[dof];
   }
 }
 
@@ -210,6 +220,9 @@ Vector3 WholeBodyIk::Error(const Task& task, const BodyTarget& target) const {
 
 Result<int> WholeBodyIk::SolvePosition(const BodyTarget& target, VectorX& q) {
   SetAxes(target);
+  if (target.posture.q.size() > 0) {
+    for (const int dof : held_) q[7 + dof] = target.posture.q[dof];
+  }
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     ForwardKinematics(*model_, q, scratch_);
     for (Task& task : tasks_) task.value_W = Error(task, target);
@@ -277,16 +290,20 @@ void WholeBodyIk::SolveRates(const BodyTarget& target, const VectorX& q, VectorX
   SetAxes(target);
   UpdateJacobians(target);
   AssembleSystem();
-  const auto solve = [&](VectorX& out) {
+  const auto solve = [&](const VectorX& held, VectorX& out) {
     FillRightHandSide();
+    if (held.size() > 0) {
+      TakeOutHeld(held);
+      for (const int dof : held_) out[6 + dof] = held[dof];
+    }
     system_.Solve(rhs_, solution_);
     for (std::size_t c = 0; c < columns_.size(); ++c) out[columns_[c]] = solution_[static_cast<Eigen::Index>(c)];
   };
   for (Task& task : tasks_) task.value_W = Rate(task, target);
-  solve(v);
+  solve(target.posture.v, v);
   ForwardVelocities(*model_, q, v, scratch_);
   for (Task& task : tasks_) task.value_W = AccelerationLessBias(task, target);
-  solve(a);
+  solve(target.posture.a, a);
 }
 
 }  // namespace gaitwright

@@ -29,12 +29,18 @@ struct FootTarget {
   Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
 };
 
+/// Where joints that no task takes shall be: those outside the legs, and in legs with freedoms to spare.
+struct PostureTarget {
+  VectorX q, v, a;  ///< of all independent joints, size n; all empty for where a first guess has them, at rest
+};
+
 /// What the whole body shall do at one time.
 struct BodyTarget {
   Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero(), a_WC = Vector3::Zero();
   Matrix3 R_WB = Matrix3::Identity();
   Vector3 w_WB = Vector3::Zero(), alpha_WB = Vector3::Zero();
   std::vector<FootTarget> feet;  ///< by foot
+  PostureTarget posture;
 };
 
 /// Joint motion from the motion of centre of mass, base orientation and feet, for one model.
@@ -43,8 +49,8 @@ struct BodyTarget {
 /// top while they are independent of those above and freedoms are left; the rest yields (NAO has 17 freedoms for 18
 /// rows: its yaw follows from the coupled hip). Rows lie along the axes of the base's heading, those of a foot's
 /// rotation along the axes of its F, so that what yields is the same wherever the robot turns to. Freedoms that are
-/// still left are held at the standing posture: joints outside the legs first. So the system is square: positions are
-/// solved to 1e-10, velocities and accelerations are its exact derivatives. Once made it allocates nothing, failures
+/// still left are held where the target's posture has them: joints outside the legs first. So the system is square:
+/// positions are solved to 1e-10, velocities and accelerations are its exact derivatives. Once made it allocates nothing, failures
 /// excepted.
 ///
 /// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its
@@ -53,7 +59,8 @@ class WholeBodyIk {
  public:
   explicit WholeBodyIk(const RobotModel& model);
 
-  /// Moves q (the first guess; size nq) onto the target. @return the iterations taken. Failure kInfeasible names the
+  /// Moves q (the first guess; size nq) onto the target; joints that are held go to the target's posture, or stay where
+  /// they are. @return the iterations taken. Failure kInfeasible names the
   /// foot and the distance left.
   Result<int> SolvePosition(const BodyTarget& target, VectorX& q);
 
@@ -87,7 +94,9 @@ class WholeBodyIk {
   void UpdateJacobians(const BodyTarget& target);
   void AssembleSystem();
   Eigen::RowVectorXd RowJacobian(const Row& row) const;
-  void FillRightHandSide();  // from the tasks' values
+  double Coefficient(const Row& row, int column) const;
+  void FillRightHandSide();                      // from the tasks' values
+  void TakeOutHeld(const VectorX& joint_rates);  // what held joints do of it
   Vector3 Error(const Task& task, const BodyTarget& target) const;
   Vector3 Rate(const Task& task, const BodyTarget& target) const;
   Vector3 AccelerationLessBias(const Task& task, const BodyTarget& target) const;
@@ -98,6 +107,7 @@ class WholeBodyIk {
   std::vector<Task> tasks_;
   std::vector<Row> rows_;     // chosen
   std::vector<int> columns_;  // free velocity coordinates
+  std::vector<int> held_;     // independent joints that are not among them
   std::vector<MatrixX> foot_jacobians_;
   MatrixX com_jacobian_;
   VectorX rhs_, solution_, step_;

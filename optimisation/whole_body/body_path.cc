@@ -112,7 +112,10 @@ void BodyPath::KeepWithin(const std::vector<Bounds>& ground_m, double bend_s) {
 }
 
 BaseTurning BodyPath::TurningAt(double time_s) const {
-  const Motion1 yaw = yaw_.At(time_s), pitch = pitch_.At(time_s), roll = roll_.At(time_s);
+  return TurningOf(yaw_.At(time_s), pitch_.At(time_s), roll_.At(time_s));
+}
+
+BaseTurning TurningOf(const Motion1& yaw, const Motion1& pitch, const Motion1& roll) {
   BaseTurning turning;
   const Vector3 z = Vector3::UnitZ(), y = YawRotation(yaw.value).col(1);
   const Matrix3 R_pitched = YawRotation(yaw.value) * Eigen::AngleAxisd(pitch.value, Vector3::UnitY());

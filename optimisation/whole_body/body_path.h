@@ -16,9 +16,11 @@ struct BaseTurning {
   Vector3 w_WB = Vector3::Zero(), alpha_WB = Vector3::Zero();
 };
 
+/// The same of angles that change: R = Rz(yaw) Ry(pitch) Rx(roll).
+BaseTurning TurningOf(const Motion1& yaw, const Motion1& pitch, const Motion1& roll);
+
 /// The base's turning, and the height of the ground that it is carried over, through a walk: it follows the plane
 /// through the feet (FitBase), those in the air taken between their footholds, evened out over a while.
-/// R = Rz(yaw) Ry(pitch) Rx(roll).
 class BodyPath {
  public:
   /// @param even_s  time over which height and tilt are evened out [s]; a cycle of the gait.

@@ -118,6 +118,7 @@ void SetBodyTarget(const RobotModel& model, const WholeBodyProblem& problem, int
   target.R_WB = turning.R_WB * BaseRotation(standing);
   target.w_WB = turning.w_WB;
   target.alpha_WB = turning.alpha_WB;
+  if (problem.posture) problem.posture(c.start_s + sample * c.step_s, target.posture);
 }
 
 /// The next first guess: the last solution moved on by its velocity.

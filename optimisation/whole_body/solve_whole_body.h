@@ -8,6 +8,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/dynamics/contact_split.h"
+#include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/model/robot_model.h"
 #include "optimisation/whole_body/body_path.h"
 #include "planning/plan/motion_plan.h"
@@ -48,6 +49,8 @@ struct WholeBodyProblem {
   /// What of the robot's weight a foot on the ground is to carry, above 0; empty for even shares that rise after
   /// touch-down and fall before lift-off, by load_ramp_s.
   std::function<double(int foot, double time_s)> load = {};
+  /// Where joints are held that no task takes; empty for the standing posture.
+  std::function<void(double time_s, PostureTarget& posture)> posture = {};
 };
 
 /// Joint motion and what it tells back to the stages before it.

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "kinematics/base/version.h"
-#include "kinematics/collision/collision_checker.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/dof_units.h"
 #include "kinematics/spatial/rotation.h"
@@ -17,6 +16,7 @@
 #include "planning/audit/audit.h"
 #include "planning/audit/motor_effort.h"
 #include "planning/plan/carried_plan.h"
+#include "planning/tasks/free_way.h"
 
 namespace gaitwright {
 namespace {
@@ -47,39 +47,6 @@ VectorX HangingBase(const RobotModel& model, const MotionPlan& plan, const Start
   q.segment<4>(3) = R_WB.coeffs();
   return q;
 }
-
-/// Holds ways against self-collision.
-class WayCheck {
- public:
-  WayCheck(const RobotModel& model, const VectorX& q_base)
-      : model_(model), scratch_(model), collision_(model), q_(q_base) {}
-
-  /// The first pair that meets on the straight way, looked at every hundredth of a radian (millimetre), if one does.
-  std::optional<Overlap> FirstMeeting(const VectorX& from, const VectorX& to) {
-    double pieces = 1.0;
-    for (int d = 0; d < model_.num_dofs(); ++d)
-      pieces = std::max(pieces, std::abs(to[d] - from[d]) / (Slides(model_, d) ? 1e-3 : 1e-2));
-    const int count = static_cast<int>(std::ceil(pieces));
-    for (int k = 0; k <= count; ++k) {
-      if (auto meeting = MeetingAt(from + static_cast<double>(k) / count * (to - from))) return meeting;
-    }
-    return std::nullopt;
-  }
-
-  std::optional<Overlap> MeetingAt(const VectorX& joints) {
-    q_.tail(model_.num_dofs()) = joints;
-    ForwardKinematics(model_, q_, scratch_);
-    const std::vector<Overlap>& overlaps = collision_.Overlaps(scratch_);
-    if (overlaps.empty()) return std::nullopt;
-    return overlaps.front();
-  }
-
- private:
-  const RobotModel& model_;
-  DynamicsScratch scratch_;
-  CollisionChecker collision_;
-  VectorX q_;
-};
 
 std::string PairText(const Overlap& pair) {
   return fmt::format("'{}' and '{}' meet, {:.1f} mm deep", pair.link_a, pair.link_b, 1e3 * pair.depth_m);

@@ -43,6 +43,7 @@ class Sway {
     target_.p_WC = home_ + along * (std::cos(kRate * time_s) - 1.0);
     target_.v_WC = -along * kRate * std::sin(kRate * time_s);
     target_.a_WC = -along * kRate * kRate * std::cos(kRate * time_s);
+    MovePosture(time_s);
     return target_;
   }
   /// Takes note of how far spheres have rolled.
@@ -56,6 +57,15 @@ class Sway {
   }
 
  private:
+  /// All joints, of which those count that no task takes.
+  void MovePosture(double time_s) {
+    constexpr double kSwing = 0.2, kRate = 3.0;
+    const VectorX ones = VectorX::Ones(model_.num_dofs());
+    target_.posture.q = model_.standing_joints + kSwing * std::sin(kRate * time_s) * ones;
+    target_.posture.v = kSwing * kRate * std::cos(kRate * time_s) * ones;
+    target_.posture.a = -kSwing * kRate * kRate * std::sin(kRate * time_s) * ones;
+  }
+
   /// The normal and its two derivatives.
   static Matrix3 NormalAt(double time_s) {
     constexpr double kTurns = 0.8;  // [rad/s]
@@ -160,6 +170,28 @@ TEST_P(Headings, JointsDoNotDependOnTheHeading) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Headings, testing::ValuesIn(kAnyRobots));
+
+TEST(WholeBodyIk, JointsOutsideTheLegsFollowThePosture) {
+  const RobotModel model = Robot("nao");
+  WholeBodyIk ik(model);
+  Sway sway(model);
+  BodyTarget target = sway.At(0.2);
+  VectorX q = StandingConfiguration(model), v, a;
+  ASSERT_TRUE(ik.SolvePosition(target, q).ok());
+  ik.SolveRates(target, q, v, a);
+  const int elbow = model.DofIndex("RElbowRoll"), knee = model.DofIndex("RKneePitch");
+  EXPECT_EQ(q[7 + elbow], target.posture.q[elbow]);
+  EXPECT_EQ(v[6 + elbow], target.posture.v[elbow]);
+  EXPECT_EQ(a[6 + elbow], target.posture.a[elbow]);
+  EXPECT_GT(std::abs(v[6 + elbow]), 0.1);
+  EXPECT_NE(q[7 + knee], target.posture.q[knee]);
+  target.posture = {};  // without one they stay where the first guess has them, at rest
+  q = StandingConfiguration(model);
+  ASSERT_TRUE(ik.SolvePosition(target, q).ok());
+  ik.SolveRates(target, q, v, a);
+  EXPECT_EQ(q[7 + elbow], model.standing_joints[elbow]);
+  EXPECT_EQ(v[6 + elbow], 0.0);
+}
 
 TEST(WholeBodyIk, OnlyTheYawOfNaoYields) {
   const RobotModel nao = Robot("nao"), a1 = Robot("a1");

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// A limb that is no leg: the chain from the trunk to its farthest end.
+struct Limb {
+  std::vector<int> dofs;  ///< independent joints, trunk first, each once
+  int end_body = 0;
+  Vector3 p_BE = Vector3::Zero();  ///< its end E in that body: the body's centre of mass [m]
+};
+
+/// What a robot has beside its legs and what carries them.
+struct UpperBody {
+  std::optional<Limb> left_arm, right_arm, head;
+
+  /// The arm of a side; nothing where there is none.
+  const std::optional<Limb>& arm(bool left) const { return left ? left_arm : right_arm; }
+};
+
+/// Finds arms and a head by where they are in the standing posture; names play no part.
+///
+///   arm    of what no leg carries, the largest part all of whose ends are on one side of the body, with two joints or
+///          more; of several on a side that which reaches farthest
+///   head   of the same, a part whose ends are all in the middle, above where it begins, with a joint that nods (an
+///          axis within 45 degrees of the body's y)
+///
+/// The middle is within a tenth of the leg's length of the body's upright plane.
+UpperBody FindUpperBody(const RobotModel& model);
+
+}  // namespace gaitwright
