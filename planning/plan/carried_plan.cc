@@ -55,6 +55,7 @@ VectorX CarriedRates(const Pose& X, VectorX v) {
 
 MotionPlan CarriedPlan(const Pose& X, double later_s, MotionPlan plan) {
   plan.goal = Carried(X, plan.goal);
+  for (PlanGate& gate : plan.gates) gate.at_s += later_s;
   for (MotionPart& part : plan.parts) {
     part.goal = Carried(X, part.goal);
     part.start_s += later_s;

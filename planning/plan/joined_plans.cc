@@ -212,6 +212,7 @@ MotionPlan PlanFrom(MotionPlan plan, double from_s) {
   for (Foothold& foothold : plan.footsteps.footholds) foothold.touchdown_s = std::max(foothold.touchdown_s, start_s);
   SortFootholds(plan.footsteps);
   std::erase_if(plan.swings, [&](const SwingTrajectory& s) { return s.end_s <= start_s + kTime; });
+  std::erase_if(plan.gates, [&](const PlanGate& gate) { return gate.at_s <= start_s + kTime; });
   std::erase_if(plan.parts, [&](const MotionPart& part) { return part.end_s <= start_s + kTime; });
   for (MotionPart& part : plan.parts) part = Clipped(part, start_s, part.end_s);
   return plan;
@@ -234,6 +235,10 @@ Result<MotionPlan> JoinedPlans(const MotionPlan& before, double before_s, const 
   joined.schedule = std::move(schedule);
   JoinFootholds(joined.footsteps, at_s, then.footsteps);
   JoinSwings(joined.swings, at_s, then.swings);
+  std::erase_if(joined.gates, [&](const PlanGate& gate) { return gate.at_s > at_s + kTime; });
+  for (const PlanGate& gate : then.gates) {
+    if (gate.at_s > at_s + kTime) joined.gates.push_back(gate);
+  }
   return joined;
 }
 

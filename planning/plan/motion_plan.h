@@ -127,6 +127,17 @@ struct MotionPart {
   double start_s = 0.0, end_s = 0.0;  ///< each part ends where the next one starts
 };
 
+/// A time at which a motion waits until what was to be reached by then is measured: the end of a phase.
+struct PlanGate {
+  double at_s = 0.0;
+  std::string phase;            ///< that ends there, such as "lift front"
+  double joints_within = 0.15;  ///< each joint is so near to its place in the plan [rad] or [m]
+  FootSet contact = 0;          ///< feet that carry force
+  double longest_s = 2.0;       ///< it waits no longer, and goes on
+
+  bool operator==(const PlanGate&) const = default;
+};
+
 /// Everything that a robot needs to do a motion, and that a judge needs to check it.
 struct MotionPlan {
   static constexpr int kSchema = 4;
@@ -144,6 +155,7 @@ struct MotionPlan {
   CentroidalTrajectory centroidal;
   std::vector<SwingTrajectory> swings;
   WholeBodyTrajectory whole_body;
+  std::vector<PlanGate> gates;        ///< in order of time
   std::vector<std::string> warnings;  ///< limits that the plan knowingly does not keep
 
   double duration_s() const { return whole_body.end_s() - whole_body.start_s; }

@@ -102,7 +102,22 @@ Json TerrainJson(const Terrain& terrain) {
   }
   for (const HeightField& field : terrain.height_fields) fields.push_back(HeightFieldJson(field));
   for (const Obstacle& obstacle : terrain.obstacles) obstacles.push_back(ObstacleJson(obstacle));
-  return {{"name", terrain.name}, {"patches", patches}, {"height_fields", fields}, {"obstacles", obstacles}};
+  Json json = {{"name", terrain.name}, {"patches", patches}, {"height_fields", fields}, {"obstacles", obstacles}};
+  for (const TerrainMarker& marker : terrain.markers)
+    json["markers"].push_back({{"name", marker.name}, {"place_m", ToJson(marker.p_W)}});
+  return json;
+}
+
+Json GatesJson(const std::vector<PlanGate>& gates) {
+  Json list = Json::array();
+  for (const PlanGate& gate : gates) {
+    list.push_back({{"at_s", gate.at_s},
+                    {"phase", gate.phase},
+                    {"joints_within", gate.joints_within},
+                    {"contact", gate.contact},
+                    {"longest_s", gate.longest_s}});
+  }
+  return list;
 }
 
 Json ScheduleJson(const ContactSchedule& schedule) {
@@ -232,6 +247,7 @@ std::string PlanToJson(const MotionPlan& plan) {
                {"start_s", plan.whole_body.start_s},
                {"step_s", plan.whole_body.step_s},
                {"omega_rad_s", plan.centroidal.omega_rad_s}};
+  if (!plan.gates.empty()) head["gates"] = GatesJson(plan.gates);
   if (!plan.meshes.empty()) head["meshes"] = MeshesJson(plan.meshes);
   std::string text = head.dump();
   text.pop_back();  // the closing brace

@@ -125,12 +125,18 @@ Obstacle ToObstacle(const JsonPart& part) {
 }
 
 Terrain ToTerrain(const JsonPart& part) {
-  part.Object({"name", "patches", "height_fields", "obstacles"});
+  part.Object({"name", "patches", "height_fields", "obstacles"}, {"markers"});
   Terrain terrain;
   terrain.name = part.At("name").Text();
   for (const JsonPart& patch : part.At("patches").List()) terrain.patches.push_back(ToPatch(patch));
   for (const JsonPart& field : part.At("height_fields").List()) terrain.height_fields.push_back(ToHeightField(field));
   for (const JsonPart& obstacle : part.At("obstacles").List()) terrain.obstacles.push_back(ToObstacle(obstacle));
+  if (part.Has("markers")) {
+    for (const JsonPart& marker : part.At("markers").List()) {
+      marker.Object({"name", "place_m"});
+      terrain.markers.push_back({marker.At("name").Text(), marker.At("place_m").Vector(2)});
+    }
+  }
   if (terrain.num_surfaces() == 0)
     part.Refuse("has neither patches nor height fields; a plan needs ground to stand on");
   return terrain;
@@ -162,6 +168,15 @@ MotionPart ToPart(const JsonPart& part, int feet) {
   if (!(read.end_s > read.start_s))
     part.Refuse(fmt::format("lasts from {} s to {} s; it must end after its start", read.start_s, read.end_s));
   return read;
+}
+
+PlanGate ToGate(const JsonPart& part, int feet) {
+  constexpr double kWidest = 10.0, kLongestWait = 60.0;
+  part.Object({"at_s", "phase", "joints_within", "contact", "longest_s"});
+  PlanGate gate{part.At("at_s").Number(), part.At("phase").Text(), part.At("joints_within").NumberIn(0.0, kWidest),
+                part.At("contact").Natural(), part.At("longest_s").NumberIn(0.0, kLongestWait)};
+  if ((gate.contact & ~AllFeet(feet)) != 0) part.At("contact").Refuse(fmt::format("names feet beyond {}", feet));
+  return gate;
 }
 
 ContactSchedule ToSchedule(const JsonPart& list, int feet) {
@@ -289,7 +304,7 @@ MotionPlan ReadPlan(const JsonPart& whole) {
                 "warnings",   "terrain",         "schedule", "footholds",  "swings",     "urdf",   "robot_yaml",
                 "start_s",    "step_s",          "q",        "v",          "a",          "tau_nm", "omega_rad_s",
                 "centroidal", "contact_wrenches"},
-               {"meshes"});
+               {"meshes", "gates"});
   MotionPlan plan;
   plan.robot = whole.At("robot").Text();
   plan.robot_hash = whole.At("robot_hash").Text();
@@ -313,6 +328,9 @@ MotionPlan ReadPlan(const JsonPart& whole) {
     plan.footsteps.footholds.push_back(ToFoothold(part, feet, surfaces));
   SortFootholds(plan.footsteps);
   for (const JsonPart& part : whole.At("swings").List()) plan.swings.push_back(ToSwing(part, feet));
+  if (whole.Has("gates")) {
+    for (const JsonPart& part : whole.At("gates").List()) plan.gates.push_back(ToGate(part, feet));
+  }
   return plan;
 }
 

@@ -37,6 +37,12 @@ struct Obstacle {
   std::vector<Vector3> vertices_O;   ///< kMesh
 };
 
+/// A place on the ground that has a name; nothing is there.
+struct TerrainMarker {
+  std::string name;
+  Vector2 p_W = Vector2::Zero();  ///< [m]
+};
+
 /// The ground and what stands on it, as one value for planner, optimiser, audit, Bullet and viewer.
 /// Where surfaces overlap in plan view the highest one holds. Surfaces are numbered: patches first, then height fields.
 struct Terrain {
@@ -44,6 +50,7 @@ struct Terrain {
   std::vector<TerrainPatch> patches;
   std::vector<HeightField> height_fields;
   std::vector<Obstacle> obstacles;
+  std::vector<TerrainMarker> markers = {};
 
   int num_surfaces() const { return static_cast<int>(patches.size() + height_fields.size()); }
 };

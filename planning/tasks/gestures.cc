@@ -120,7 +120,6 @@ Result<VectorX> RaisedArm(const RobotModel& model, const Limb& arm, const Vector
 Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& raised) {
   constexpr double kSwing = 0.35, kTry = 0.05;  // [rad]
   LimbEnd end(model, arm);
-  const Vector3 rest = end.At(raised);
   int best = -1;
   double most = 0.0;
   for (const int dof : arm.dofs) {

@@ -10,6 +10,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/options.h"
 #include "kinematics/base/strict_yaml_internal.h"
+#include "kinematics/base/text.h"
 #include "planning/plan/built_in_terrain.h"
 #include "planning/terrain/load_terrain.h"
 #include "planning/terrain/sense.h"
@@ -116,6 +117,13 @@ Pose ParsePose(const YAML::Node& node) {
   return pose;
 }
 
+TerrainMarker ParseMarker(const YAML::Node& node) {
+  CheckKeys(node, "a marker", {"name", "place_m"}, {});
+  TerrainMarker marker{TextOf(node["name"], "name"), Place(node["place_m"], "place_m", 2)};
+  if (Trimmed(marker.name).empty()) RefuseYaml(node["name"], "a marker's name is empty");
+  return marker;
+}
+
 Obstacle ParseObstacle(const YAML::Node& node) {
   CheckKeys(node, "an obstacle", {"name", "type"},
             {"size_m", "vertices_m", "position_m", "yaw_deg", "pitch_deg", "roll_deg"});
@@ -165,6 +173,7 @@ void Append(const Terrain& from, Terrain& to) {
   to.patches.insert(to.patches.end(), from.patches.begin(), from.patches.end());
   to.height_fields.insert(to.height_fields.end(), from.height_fields.begin(), from.height_fields.end());
   to.obstacles.insert(to.obstacles.end(), from.obstacles.begin(), from.obstacles.end());
+  to.markers.insert(to.markers.end(), from.markers.begin(), from.markers.end());
 }
 
 /// A file as it is named in another one, which lies in that folder.
@@ -184,7 +193,7 @@ Terrain Named(const YAML::Node& node, const std::string& folder, const TerrainSc
 }
 
 Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainScale& scale) {
-  CheckKeys(root, "the file", {}, {"builtin", "files", "patches", "height_fields", "obstacles"});
+  CheckKeys(root, "the file", {}, {"builtin", "files", "patches", "height_fields", "obstacles", "markers"});
   Terrain terrain;
   const auto each = [&](const char* key, auto add) {
     if (!root[key]) return;
@@ -198,6 +207,7 @@ Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainSc
   each("patches", [&](const YAML::Node& node) { terrain.patches.push_back(ParsePatch(node)); });
   each("height_fields", [&](const YAML::Node& node) { terrain.height_fields.push_back(ParseHeights(node)); });
   each("obstacles", [&](const YAML::Node& node) { terrain.obstacles.push_back(ParseObstacle(node)); });
+  each("markers", [&](const YAML::Node& node) { terrain.markers.push_back(ParseMarker(node)); });
   if (terrain.num_surfaces() == 0)
     RefuseYaml(root, "there is no ground: 'builtin', 'files', 'patches' or 'height_fields' is needed");
   return terrain;

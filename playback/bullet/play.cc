@@ -144,13 +144,40 @@ class Playback {
     return true;
   }
 
+  /// Waits at the gates of the plan up to a time. @return whether it can go on.
+  bool PassGates(double time_s) {
+    constexpr double kTime = 1e-9;
+    for (; next_gate_ < plan_.gates.size() && plan_.gates[next_gate_].at_s <= time_s + kTime; ++next_gate_) {
+      const PlanGate& gate = plan_.gates[next_gate_];
+      const long longest = std::lround(gate.longest_s / step_s_);
+      GateRecord record{gate.phase, gate.at_s, 0.0, IsMet(gate, time_s)};
+      for (long k = 0; k < longest && !record.met; ++k) {
+        if (!OneStep(time_s, false)) return false;
+        record.waited_s = static_cast<double>(k + 1) * step_s_;
+        record.met = IsMet(gate, time_s);
+      }
+      log_.gates.push_back(record);
+      if (options_.on_phase) options_.on_phase(record);
+    }
+    return true;
+  }
+
+  bool IsMet(const PlanGate& gate, double time_s) const {
+    const WholeBodyTrajectory& w = plan_.whole_body;
+    const double row = std::clamp(std::round((time_s - w.start_s) / w.step_s), 0.0, w.size() - 1.0);
+    const VectorX& planned = w.q[static_cast<std::size_t>(row)];
+    const Eigen::Index n = model_.num_dofs();
+    const double off = n == 0 ? 0.0 : (world_.q().tail(n) - planned.tail(n)).cwiseAbs().maxCoeff();
+    return off <= gate.joints_within && (gate.contact & ~input_.contact) == 0;
+  }
+
   /// @return when it ended.
   double FollowPlan() {
     const long steps = std::lround((plan_.duration_s() + options_.hold_s) / step_s_);
     fall_.Start(log_.start_s);
     double end_s = log_.start_s;
     for (long k = 0; k < steps && !fall_.Over(end_s); ++k) {
-      if (!OneStep(end_s)) break;
+      if (!PassGates(end_s) || !OneStep(end_s)) break;
       Record(end_s);
       end_s = log_.start_s + static_cast<double>(k + 1) * step_s_;
       if ((k + 1) % stride_ == 0) log_.samples.push_back(interval_.Take(end_s, world_));
@@ -248,6 +275,7 @@ class Playback {
   bullet::FallWatch fall_;
   Interval interval_;
   std::vector<PushToCome> pushes_;
+  std::size_t next_gate_ = 0;
   ControlInput input_;
   PlaybackLog log_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "kinematics/base/result.h"
@@ -28,6 +29,8 @@ struct PlayOptions {
 
   /// Pushes beside the one of the fields above.
   std::vector<TimedPush> more_pushes = {};
+  /// Called when a phase of the plan ends (MotionPlan::gates), before the clock goes on; may be empty.
+  std::function<void(const GateRecord& phase)> on_phase = {};
   /// Where the independent joints start off the plan, within their limits, size n [rad] or [m]; empty for nowhere.
   VectorX start_joints = VectorX();
 
@@ -88,6 +91,9 @@ struct PlayOptions {
 /// Plays a plan in physics: the robot starts in the plan's first state, settles, and the controller is asked once per
 /// step until the plan's end and a short hold. On a slope that the plan does not know the robot starts turned with the
 /// ground; off its plan it starts as `start_*` say, out of the ground, and settles. Nobody holds the robot.
+///
+/// At a gate of the plan the clock stands, nothing is logged, and the controller is asked as at that time, until every
+/// joint is near its place and the gate's feet carry force, or as long as the gate lets it wait.
 ///
 /// Ends early, after another 0.3 s, when the robot has clearly fallen: its up axis is over 1 rad off, a body that is
 /// no foot stays on the ground for 0.2 s, or its base is below `fall_height_lowest` of the plan's height (each over the

@@ -49,6 +49,13 @@ Json PushesJson(const std::vector<TimedPush>& pushes) {
   return list;
 }
 
+Json GatesJson(const std::vector<GateRecord>& gates) {
+  Json list = Json::array();
+  for (const GateRecord& g : gates)
+    list.push_back({{"phase", g.phase}, {"at_s", g.at_s}, {"waited_s", g.waited_s}, {"met", g.met}});
+  return list;
+}
+
 Json HeadJson(const PlaybackLog& log) {
   Json contacts = Json::array();
   for (const BodyContact& c : log.body_contacts) contacts.push_back({{"time_s", c.time_s}, {"link", c.link}});
@@ -70,6 +77,7 @@ Json HeadJson(const PlaybackLog& log) {
                {"saturated_s", ToJson(log.saturated_s)},
                {"stances", StancesJson(log.stances)},
                {"body_contacts", contacts}};
+  if (!log.gates.empty()) head["gates"] = GatesJson(log.gates);
   if (!log.pushes.empty()) head["pushes"] = PushesJson(log.pushes);
   if (!log.broke_off.empty()) head["broke_off"] = log.broke_off;
   return head;
@@ -211,6 +219,12 @@ PlaybackLog ReadLog(const Json& j) {
   for (const Json& stance : j.at("stances")) log.stances.push_back(ToStance(stance));
   for (const Json& c : j.at("body_contacts")) {
     log.body_contacts.push_back({c.at("time_s").get<double>(), c.at("link").get<std::string>()});
+  }
+  if (j.contains("gates")) {
+    for (const Json& g : j.at("gates")) {
+      log.gates.push_back({g.at("phase").get<std::string>(), g.at("at_s").get<double>(), g.at("waited_s").get<double>(),
+                           g.at("met").get<bool>()});
+    }
   }
   if (j.contains("pushes")) log.pushes = ToPushes(j.at("pushes"));
   if (j.contains("broke_off")) log.broke_off = j.at("broke_off").get<std::string>();

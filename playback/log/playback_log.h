@@ -58,6 +58,15 @@ struct TimedPush {
   bool operator==(const TimedPush&) const = default;
 };
 
+/// What became of a gate of the plan: a phase that ended.
+struct GateRecord {
+  std::string phase;
+  double at_s = 0.0, waited_s = 0.0;  ///< on the plan's clock, which stood meanwhile
+  bool met = true;                    ///< what was to be measured was
+
+  bool operator==(const GateRecord&) const = default;
+};
+
 /// What happened in the simulator; measured only, never copied from the plan. A pure value.
 struct PlaybackLog {
   static constexpr int kSchema = 5;
@@ -69,6 +78,7 @@ struct PlaybackLog {
   std::vector<LogSample> samples;
   std::vector<StanceRecord> stances;       ///< sorted by touch-down
   std::vector<BodyContact> body_contacts;  ///< first contact of each link
+  std::vector<GateRecord> gates;           ///< of the plan, as far as it was played
   std::vector<TimedPush> pushes;           ///< that began while it was played, in that order
   VectorX saturated_s;                     ///< time each independent joint spent at its effort limit [s]
   std::vector<std::pair<std::string, std::string>>

@@ -100,7 +100,16 @@ Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request
   CheckOptions(checked.Fields());
   const Result<Terrain> terrain = LoadTerrain(request.terrain, ScaleOf(model));
   if (!terrain) return terrain.failure();
-  Result<PlannedWalk> planned = PlanAsked(model, *terrain, request);
+  Result<PlannedWalk> planned = PlanWalkOn(model, *terrain, request);
+  if (planned) planned->planning_cpu_s = clock.elapsed_s();
+  return planned;
+}
+
+Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
+  const CpuClock clock;
+  WalkRequest checked = request;
+  CheckOptions(checked.Fields());
+  Result<PlannedWalk> planned = PlanAsked(model, terrain, request);
   if (!planned) return planned;
   planned->motion.plan.provenance.seed = request.seed;
   planned->motion.plan.provenance.options = TextsOf(AsAsked(checked));

@@ -77,6 +77,9 @@ Result<RobotModel> RobotOf(const MotionPlan& plan);
 /// mends. A sequence is planned in one motion; a part that has no plan is named.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
+/// The same on a ground that is there already; the request's `terrain` is only written down.
+Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, const WalkRequest& request);
+
 /// The gains asked for, bounded for explicit torque control at the playback's own step, and the age of what it acts on,
 /// unless another step is given.
 GainOptions GainsFor(const PlayRequest& request);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/plan/moved_terrain.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "kinematics/spatial/rotation.h"
+
+namespace gaitwright {
+
+Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain) {
+  constexpr double kTurned = 1e-9;  // [rad]
+  for (TerrainPatch& patch : terrain.patches) {
+    if (!patch.outline_T.empty()) patch.X_WT = X * patch.X_WT;
+  }
+  for (HeightField& field : terrain.height_fields) {
+    if (std::abs(YawOf(X.linear())) > kTurned) {
+      return Failure{FailureKind::kInfeasible,
+                     "turned_field",
+                     "MovedTerrain",
+                     fmt::format("height field '{}' cannot be turned: after a turn, a robot cannot go on over it",
+                                 field.name),
+                     {"go over it before turning, or on a ground of patches"}};
+    }
+    field.origin_W += X.translation().head<2>();
+  }
+  for (Obstacle& obstacle : terrain.obstacles) obstacle.X_WO = X * obstacle.X_WO;
+  for (TerrainMarker& marker : terrain.markers)
+    marker.p_W = (X * Vector3(marker.p_W.x(), marker.p_W.y(), 0.0)).head<2>();
+  return terrain;
+}
+
+}  // namespace gaitwright

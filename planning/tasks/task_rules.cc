@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/tasks/task_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/nearest_name.h"
+#include "kinematics/base/options.h"
+#include "kinematics/model/upper_body.h"
+
+namespace gaitwright {
+namespace {
+
+using Kind = ParameterRule::Kind;
+
+constexpr char kStage[] = "CheckTask";
+
+Failure Bad(const std::string& code, const std::string& message, const std::vector<std::string>& hints = {}) {
+  return {FailureKind::kBadInput, code, kStage, message, hints};
+}
+
+std::vector<std::string> KeysOf(const ActionRule& rule) {
+  std::vector<std::string> keys = rule.required;
+  keys.insert(keys.end(), rule.optional.begin(), rule.optional.end());
+  return keys;
+}
+
+template <class Rules>
+std::vector<std::string> NamesOf(const Rules& rules) {
+  std::vector<std::string> names;
+  for (const auto& rule : rules) {
+    if constexpr (requires { rule.action; }) {
+      names.push_back(rule.action);
+    } else {
+      names.push_back(rule.key);
+    }
+  }
+  return names;
+}
+
+bool Contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::optional<Failure> OutOfRange(const Task& task, const ParameterRule& rule, double value) {
+  const ParameterRange range = RangeOf(*FindAction(task.action), rule);
+  if (value >= range.lowest && value <= range.highest) return std::nullopt;
+  return Bad("range", fmt::format("'{}' of '{}' is {:.6g}; {:.6g} to {:.6g} is accepted", rule.key, task.action, value,
+                                  range.lowest, range.highest));
+}
+
+std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, const TaskValue& value) {
+  const auto kind = [&](const char* wanted) {
+    return Bad("parameter", fmt::format("'{}' of '{}' must be {}", rule.key, task.action, wanted));
+  };
+  switch (rule.kind) {
+    case Kind::kNumber:
+      if (const auto* number = std::get_if<double>(&value)) return OutOfRange(task, rule, *number);
+      return kind("a number");
+    case Kind::kCount:
+      if (const auto* count = std::get_if<int>(&value)) return OutOfRange(task, rule, *count);
+      return kind("a whole number");
+    case Kind::kWord:
+      if (const auto* word = std::get_if<std::string>(&value)) {
+        if (Contains(rule.words, *word)) return std::nullopt;
+        return Bad("parameter", fmt::format("'{}' of '{}' is '{}'; it is one of {}", rule.key, task.action, *word,
+                                            QuotedList(rule.words)));
+      }
+      return kind("a word");
+    case Kind::kPlace:
+      break;
+  }
+  const auto* place = std::get_if<PlaceName>(&value);
+  if (place == nullptr || place->name.empty()) return kind("a place with a name");
+  if (place->number < -1 || place->number > 1000)
+    return Bad("range", fmt::format("number {} of place '{}' is none", place->number, place->name));
+  return std::nullopt;
+}
+
+std::optional<Failure> WhyNoParameters(const Task& task, const ActionRule& rule) {
+  const std::vector<std::string> keys = KeysOf(rule);
+  for (const auto& [key, value] : task.parameters) {
+    if (!Contains(keys, key)) {
+      return Bad("parameter", fmt::format("'{}' has no parameter '{}'{}", task.action, key, NearestOrAll(key, keys)));
+    }
+    if (auto failure = WhyNoValue(task, *FindParameter(key), value)) return failure;
+  }
+  for (const std::string& key : rule.required) {
+    if (!task.Has(key)) return Bad("parameter", fmt::format("'{}' lacks its parameter '{}'", task.action, key));
+  }
+  std::vector<std::string> extents;
+  for (const std::string& key : ExtentKeys()) {
+    if (task.action == "walk" && task.Has(key)) extents.push_back(key);
+  }
+  if (extents.size() > 1)
+    return Bad("parameter", fmt::format("{} each say how far to walk: one of them is accepted", QuotedList(extents)));
+  if (task.Has("pace") && task.Has("speed_m_s"))
+    return Bad("parameter", "'pace' and 'speed_m_s' each say how fast to walk: one of them is accepted");
+  if (task.Has("step_length_m") && task.action == "walk" && !task.Has("steps"))
+    return Bad("parameter", "'step_length_m' goes with 'steps'");
+  return std::nullopt;
+}
+
+std::optional<Failure> WhyNoPlace(const PlaceName& place, const TaskScope& scope) {
+  std::vector<std::string> names;
+  for (const PlaceName& known : scope.places) {
+    names.push_back(known.name);
+    if (known.name != place.name) continue;
+    const bool one = known.number == 0;
+    if ((one && place.number <= 1) || (!one && (place.number == -1 || (place.number >= 1 && place.number <= known.number))))
+      return std::nullopt;
+    return Bad("place", one ? fmt::format("there is one place '{}' only", place.name)
+                            : fmt::format("place '{}' needs a number from 1 to {}", place.name, known.number));
+  }
+  return Bad("place", names.empty() ? fmt::format("there is no place '{}': the ground has none with a name", place.name)
+                                    : fmt::format("there is no place '{}'{}", place.name,
+                                                  NearestOrAll(place.name, names)));
+}
+
+std::string MissingFor(Needs needs) {
+  if (needs == Needs::kArm) return "has no arms";
+  if (needs == Needs::kTwoSoles) return "has not two feet with soles";
+  return "has not four feet";
+}
+
+}  // namespace
+
+const std::vector<std::string>& ExtentKeys() {
+  static const std::vector<std::string> keys = {"distance_m", "steps", "duration_s", "to"};
+  return keys;
+}
+
+const std::vector<ParameterRule>& ParameterRules() {
+  static const std::vector<ParameterRule> rules = {
+      {"direction", Kind::kWord, 0, 0, {"forward", "backward", "left", "right"}, "Where to, as the robot looks."},
+      {"distance_m", Kind::kNumber, 0.01, 50.0, {}, "How far [m]."},
+      {"steps", Kind::kCount, 1, 200, {}, "Footfalls."},
+      {"step_length_m", Kind::kNumber, 0.01, 1.0, {}, "Advance of the robot in a footfall [m]."},
+      {"duration_s", Kind::kNumber, 0.1, 600.0, {}, "How long [s]."},
+      {"to", Kind::kPlace, 0, 0, {}, "Where to, by name."},
+      {"speed_m_s", Kind::kNumber, 0.001, 3.0, {}, "How fast [m/s]."},
+      {"pace", Kind::kWord, 0, 0, {"slow", "fast"}, "How fast, against the robot's own speed."},
+      {"gait", Kind::kWord, 0, 0, {"walk", "trot", "pace", "bound"}, "In which gait."},
+      {"height", Kind::kWord, 0, 0, {"low"}, "How the body is carried."},
+      {"angle_deg", Kind::kNumber, 1.0, 720.0, {}, "How far it turns or bows [degree]."},
+      {"depth_m", Kind::kNumber, 0.005, 0.5, {}, "How far down [m]."},
+      {"times", Kind::kCount, 1, 20, {}, "How often."},
+      {"side", Kind::kWord, 0, 0, {"left", "right", "both"}, "Which arm; of balancing the foot that stays down."}};
+  return rules;
+}
+
+const std::vector<ActionRule>& ActionRules() {
+  static const std::vector<ActionRule> rules = {
+      {"walk",
+       {"direction"},
+       {"distance_m", "steps", "duration_s", "to", "speed_m_s", "pace", "gait", "height", "step_length_m"},
+       Needs::kNothing,
+       false,
+       "Walks; to the left or right sideways.",
+       "stand"},
+      {"turn", {"direction"}, {"angle_deg"}, Needs::kNothing, false, "Turns on the spot.", "walk"},
+      {"stand", {}, {"duration_s"}, Needs::kNothing, false, "Stands, or stays as it is.", ""},
+      {"stand_up", {}, {}, Needs::kNothing, false, "Gets up from sitting, lying or crouching.", ""},
+      {"lie_down", {}, {}, Needs::kFourFeet, false, "Lies down on its belly.", "squat"},
+      {"sit", {}, {"duration_s"}, Needs::kFourFeet, false, "Sits as a dog does.", "squat"},
+      {"squat", {}, {"depth_m", "times", "duration_s"}, Needs::kNothing, false, "Bends its legs and rises again.", ""},
+      {"bow", {}, {"angle_deg", "times"}, Needs::kNothing, false, "Tips its body ahead and rises again.", "", 60.0},
+      {"nod", {}, {"times"}, Needs::kNothing, true, "Nods with its head, or with its body without one.", ""},
+      {"raise_arm", {"side"}, {}, Needs::kArm, true, "Raises an arm and leaves it up.", "nod"},
+      {"lower_arm", {"side"}, {}, Needs::kArm, true, "Brings an arm down.", "nod"},
+      {"wave", {"side"}, {"times", "duration_s"}, Needs::kArm, true, "Waves.", "nod"},
+      {"balance", {"side"}, {"duration_s"}, Needs::kTwoSoles, false, "Stands on one foot for a while.", "stand"},
+      {"brace", {}, {}, Needs::kNothing, false, "Crouches quickly, as before a fall.", ""}};
+  return rules;
+}
+
+const ParameterRule* FindParameter(const std::string& key) {
+  for (const ParameterRule& rule : ParameterRules()) {
+    if (rule.key == key) return &rule;
+  }
+  return nullptr;
+}
+
+const ActionRule* FindAction(const std::string& action) {
+  for (const ActionRule& rule : ActionRules()) {
+    if (rule.action == action) return &rule;
+  }
+  return nullptr;
+}
+
+ParameterRange RangeOf(const ActionRule& action, const ParameterRule& parameter) {
+  const bool own = parameter.key == "angle_deg" && action.most_deg > 0.0;
+  return {parameter.lowest, own ? action.most_deg : parameter.highest};
+}
+
+bool TaskScope::Can(const ActionRule& rule) const {
+  switch (rule.needs) {
+    case Needs::kArm:
+      return left_arm || right_arm;
+    case Needs::kTwoSoles:
+      return two_soles;
+    case Needs::kFourFeet:
+      return four_feet;
+    case Needs::kNothing:
+      break;
+  }
+  return true;
+}
+
+std::vector<std::string> TaskScope::Actions() const {
+  std::vector<std::string> actions;
+  for (const ActionRule& rule : ActionRules()) {
+    if (Can(rule)) actions.push_back(rule.action);
+  }
+  return actions;
+}
+
+TaskScope ScopeOf(const RobotModel& model) {
+  const UpperBody upper = FindUpperBody(model);
+  TaskScope scope;
+  scope.robot = model.name;
+  scope.left_arm = upper.left_arm.has_value();
+  scope.right_arm = upper.right_arm.has_value();
+  scope.head = upper.head.has_value();
+  scope.two_soles = model.feet.size() == 2 && model.feet[0].has_sole() && model.feet[1].has_sole();
+  scope.four_feet = model.legs.size() == 4;
+  return scope;
+}
+
+std::optional<Failure> WhyNoTask(const Task& task) {
+  const ActionRule* rule = FindAction(task.action);
+  if (rule == nullptr) {
+    return Bad("action", fmt::format("there is no action '{}'{}", task.action,
+                                     NearestOrAll(task.action, NamesOf(ActionRules()))));
+  }
+  if (auto failure = WhyNoParameters(task, *rule)) return failure;
+  if (rule->is_gesture && !task.during.empty())
+    return Bad("parameter", fmt::format("nothing can be done while '{}' is", task.action));
+  for (const Task& gesture : task.during) {
+    if (auto failure = WhyNoTask(gesture)) return failure;
+    if (!FindAction(gesture.action)->is_gesture) {
+      return Bad("parameter", fmt::format("'{}' cannot be done while '{}' is; gestures can: raise_arm, lower_arm, "
+                                          "wave, nod",
+                                          gesture.action, task.action));
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
+  const ActionRule& rule = *FindAction(task.action);
+  const auto cannot = [&](const std::string& why) {
+    std::vector<std::string> hints = {fmt::format("it can {}", fmt::join(scope.Actions(), ", "))};
+    if (!rule.instead.empty()) hints.insert(hints.begin(), fmt::format("the nearest that it can do is {}", rule.instead));
+    return Bad("cannot", fmt::format("robot '{}' cannot '{}': it {}", scope.robot, task.action, why), hints);
+  };
+  if (!scope.Can(rule)) return cannot(MissingFor(rule.needs));
+  if (rule.needs == Needs::kArm) {
+    const std::string side = task.Word("side");
+    if (side != "right" && !scope.left_arm) return cannot("has no left arm");
+    if (side != "left" && !scope.right_arm) return cannot("has no right arm");
+  }
+  if (const auto to = task.parameters.find("to"); to != task.parameters.end()) {
+    if (auto failure = WhyNoPlace(std::get<PlaceName>(to->second), scope)) return failure;
+  }
+  for (const Task& gesture : task.during) {
+    if (auto failure = WhyNotDone(gesture, scope)) return failure;
+    if (gesture.action == "nod" && !scope.head)
+      return cannot("nods with its body, which is not possible while something else is done");
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scope) {
+  if (plan.tasks.empty()) return Bad("empty", "there is nothing to do");
+  if (plan.tasks.size() > kMostTasks)
+    return Bad("range", fmt::format("there are {} tasks; at most {} are done", plan.tasks.size(), kMostTasks));
+  for (std::size_t k = 0; k < plan.tasks.size(); ++k) {
+    const Task& task = plan.tasks[k];
+    std::optional<Failure> failure = WhyNoTask(task);
+    if (!failure) failure = WhyNotDone(task, scope);
+    if (!failure) continue;
+    const std::string words = task.words.empty() ? "" : fmt::format(", '{}'", task.words);
+    failure->message = fmt::format("task {}{}: {}", k + 1, words, failure->message);
+    return failure;
+  }
+  return std::nullopt;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planning/tasks/task_rules.h"
+#include "workflows/words/item.h"
+
+namespace gaitwright::words {
+
+/// A stretch of the text.
+struct Span {
+  std::size_t begin = 0, end = 0;
+};
+
+/// A task that is being made out of words.
+struct Draft {
+  std::string action;  ///< "" while nothing says it
+  std::map<std::string, TaskValue> parameters;
+  std::map<std::string, Span> said;  ///< where each parameter is
+  std::string last_key;              ///< of the parameter that was an amount last
+  double last_unit = 1.0;            ///< what a number is multiplied with to be such an amount
+  std::optional<Item> bare;          ///< a number without a unit
+  std::optional<std::string> side;   ///< of a way or of a limb, as long as there is no action
+  std::optional<Span> side_said;
+  bool plural = false;               ///< limbs, both unless a side says which
+  bool holding = false;              ///< done while the next one is
+  Span words;                        ///< all of it
+  std::vector<Draft> during;
+
+  bool empty() const { return action.empty() && parameters.empty() && !bare && !side && !plural; }
+};
+
+/// Thrown where a part is not accepted.
+struct Refused {
+  Refusal refusal;
+};
+
+}  // namespace gaitwright::words

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the parts of PlanTasks share.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "planning/tasks/repertoire.h"
+#include "workflows/words/plan_tasks.h"
+
+namespace gaitwright::tasks {
+
+/// How a robot is left by a task: what the next one begins with.
+struct Stance {
+  enum class Pose { kStanding, kSitting, kLying };
+
+  PostureKey key;
+  Pose pose = Pose::kStanding;
+};
+
+/// A motion by a size, such as how deep a squat goes.
+using MotionBySize = std::function<Result<PostureMotion>(double size)>;
+
+/// Sizes to try, the best one first.
+struct Sizes {
+  std::vector<double> tried;
+  bool asked = false;  ///< the first was asked for: no other serves
+  std::string name;    ///< "depth_m", for messages
+};
+
+/// A posture motion that passes its audit: of the first size that any stretch lets pass. Failures as of PlanTasks.
+struct PlannedPosture {
+  MotionPlan plan;
+  PostureKey end;
+  double size = 0.0;
+};
+Result<PlannedPosture> PlanPostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
+                                         const MotionOptions& options);
+
+/// The walk that a task asks for, its place left out.
+Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, const TaskOptions& options);
+
+/// Adds to a motion that it stays as it ends.
+void StayOn(double duration_s, MotionPlan& plan);
+
+}  // namespace gaitwright::tasks

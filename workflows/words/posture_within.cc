@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "optimisation/pipeline/plan_posture.h"
+#include "planning/audit/audit.h"
+#include "workflows/walk/refuse_walk.h"
+#include "workflows/words/plan_tasks_internal.h"
+
+namespace gaitwright::tasks {
+namespace {
+
+/// Laws that more time does not mend.
+bool IsOfPlace(const std::string& law) {
+  constexpr std::array<const char*, 5> kOfPlace = {"joint_position", "reach", "self_collision", "foot_clearance",
+                                                   "body_clearance"};
+  return std::any_of(kOfPlace.begin(), kOfPlace.end(), [&](const char* of_place) { return law == of_place; });
+}
+
+Failure Broken(const PostureMotion& motion, const Violation& worst) {
+  return {FailureKind::kInfeasible,
+          worst.law,
+          "PlanTasks",
+          fmt::format("'{}' breaks the law '{}': {}", motion.name, worst.law, LimitText(worst)),
+          {}};
+}
+
+/// One size, slower and slower.
+Result<PlannedPosture> Try(const RobotModel& model, const PostureMotion& motion, const MotionOptions& options) {
+  constexpr std::array<double, 5> kStretches = {1.0, 1.4, 2.0, 2.8, 4.0};
+  Failure failure;
+  for (const double stretch : kStretches) {
+    const PostureMotion slower = Stretched(motion, stretch, options.pipeline.grid_step_s);
+    Result<MotionPlan> plan = PlanPosture(model, slower, options);
+    if (!plan) return plan.failure();
+    const Result<AuditReport> audit = Audit(model, *plan, {});
+    if (!audit) return audit.failure();
+    if (audit->pass()) return PlannedPosture{std::move(*plan), slower.keys.back()};
+    const std::vector<Violation> forbidding = Forbidding(*audit);
+    const Violation& worst = forbidding.empty() ? audit->violations.front() : forbidding.front();
+    failure = Broken(motion, worst);
+    if (IsOfPlace(worst.law)) break;
+  }
+  return failure;
+}
+
+/// The largest size below one that does not serve, to a twentieth of it; 0 for none.
+double LargestBelow(const RobotModel& model, const MotionBySize& motion, double size, const MotionOptions& options) {
+  double serves = 0.0, too_large = size;
+  for (int k = 0; k < 5; ++k) {
+    const double middle = 0.5 * (serves + too_large);
+    const Result<PostureMotion> made = motion(middle);
+    (made && Try(model, *made, options) ? serves : too_large) = middle;
+  }
+  return serves;
+}
+
+}  // namespace
+
+Result<PlannedPosture> PlanPostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
+                                         const MotionOptions& options) {
+  std::optional<Failure> first;
+  for (const double size : sizes.tried) {
+    const Result<PostureMotion> made = motion(size);
+    if (!made) return made.failure();
+    Result<PlannedPosture> planned = Try(model, *made, options);
+    if (planned) {
+      planned->size = size;
+      return planned;
+    }
+    if (!first) first = planned.failure();
+  }
+  first->stage = "PlanTasks";
+  if (!sizes.asked) return *first;
+  const double largest = LargestBelow(model, motion, sizes.tried.front(), options);
+  if (largest > 0.0) {
+    first->hints = {fmt::format("the largest {} that robot '{}' can do here is about {:.2g}", sizes.name, model.name,
+                                largest)};
+  }
+  return *first;
+}
+
+void StayOn(double duration_s, MotionPlan& plan) {
+  WholeBodyTrajectory& w = plan.whole_body;
+  CentroidalTrajectory& c = plan.centroidal;
+  const double from_s = w.end_s();
+  const long rows = std::max(1L, std::lround(duration_s / w.step_s));
+  const auto still = [](VectorX x) { return VectorX(VectorX::Zero(x.size())); };
+  for (long k = 0; k < rows; ++k) {
+    w.q.push_back(w.q.back());
+    w.v.push_back(still(w.v.back()));
+    w.a.push_back(still(w.a.back()));
+    w.tau.push_back(w.tau.back());
+    w.wrenches.push_back(w.wrenches.back());
+    c.p_WC.push_back(c.p_WC.back());
+    c.v_WC.emplace_back(Vector3::Zero());
+    c.a_WC.emplace_back(Vector3::Zero());
+    c.p_WZ.push_back(c.p_WZ.back());
+  }
+  for (Foothold& foothold : plan.footsteps.footholds) {
+    if (foothold.liftoff_s == plan.schedule.phases.back().end_s) foothold.liftoff_s = w.end_s();
+  }
+  plan.schedule.phases.back().end_s = w.end_s();
+  MotionPart part;
+  part.gait = StandingGait(static_cast<int>(plan.parts.front().gait.num_feet()));
+  part.command.extent = WalkCommand::Extent::kDuration;
+  part.command.duration_s = w.end_s() - from_s;
+  part.goal = plan.goal;
+  part.start_s = from_s;
+  part.end_s = w.end_s();
+  plan.parts.push_back(part);
+}
+
+}  // namespace gaitwright::tasks

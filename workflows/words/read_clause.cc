@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/words/read_clause.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gaitwright::words {
+namespace {
+
+using M = Meaning;
+
+std::string TextOf(const std::string& text, const Span& span) { return text.substr(span.begin, span.end - span.begin); }
+
+[[noreturn]] void Refuse(const std::string& reason, const std::string& part, const std::string& why,
+                         const std::string& nearest = "") {
+  throw Refused{{reason, part, why, nearest}};
+}
+
+bool IsWay(const std::string& action) { return action == "walk" || action == "turn"; }
+bool HasArms(const std::string& action) { return action == "wave" || action == "raise_arm" || action == "lower_arm"; }
+bool IsGreeting(const std::string& action) { return action == "wave" || action == "bow" || action == "nod"; }
+
+std::string Other(const std::string& side) { return side == "left" ? "right" : side == "right" ? "left" : side; }
+
+Span SpanOf(const Draft& draft, const std::string& key) {
+  const auto said = draft.said.find(key);
+  return said == draft.said.end() ? draft.words : said->second;
+}
+
+/// Reads the items of one clause.
+class ClauseReader {
+ public:
+  ClauseReader(const std::string& text, const Clause& clause) : text_(text), clause_(clause) {
+    draft_.words = clause.Words();
+  }
+
+  Draft Read() {
+    const auto is_greeting = [](const Item& item) { return item.Is(M::kAction) && IsGreeting(item.name); };
+    greets_ = std::any_of(clause_.items.begin(), clause_.items.end(), is_greeting);
+    RefuseUnknownStart();
+    for (at_ = 0; at_ < clause_.items.size(); ++at_) Take(clause_.items[at_]);
+    SettleAction();
+    return std::move(draft_);
+  }
+
+ private:
+  static bool SaysNothing(const Item& item) { return item.Is(M::kPolite) || item.Is(M::kFiller); }
+
+  [[noreturn]] void RefuseAll() const {
+    std::string nearest;
+    for (const Item& item : clause_.items) {
+      if (item.Is(M::kElsewhere)) nearest = item.name;
+    }
+    Refuse("unknown", TextOf(text_, clause_.Words()), "is nothing that a robot can be told", nearest);
+  }
+
+  /// What begins with what is not known is not known on the whole.
+  void RefuseUnknownStart() const {
+    for (const Item& item : clause_.items) {
+      if (SaysNothing(item)) continue;
+      if (item.Is(M::kElsewhere) || (item.Is(M::kUnknown) && !greets_)) RefuseAll();
+      return;
+    }
+  }
+
+  void Take(const Item& item) {
+    switch (item.meaning) {
+      case M::kAction:
+        return TakeAction(item);
+      case M::kDirection:
+        return Say("direction", item.name, item);
+      case M::kSide:
+        return TakeSide(item.name, item);
+      case M::kBoth:
+        return TakeSide("both", item);
+      case M::kArm:
+        arm_ = true;
+        if (!item.name.empty()) TakeSide(item.name, item);
+        return;
+      case M::kPlural:
+        arm_ = draft_.plural = true;
+        return;
+      case M::kFoot:
+        foot_ = true;
+        if (item.name == "left" || item.name == "right") TakeSide(item.name, item);
+        return;
+      case M::kRaise:
+        raises_ = true;
+        draft_.holding = draft_.holding || TextOf(text_, {item.begin, item.end}).find("着") != std::string::npos ||
+                         TextOf(text_, {item.begin, item.end}).find("ing") != std::string::npos;
+        return;
+      case M::kLower:
+        lowers_ = true;
+        return;
+      case M::kUp:
+        up_ = true;
+        return;
+      case M::kDown:
+        down_ = true;
+        return;
+      case M::kPut:
+        puts_ = true;
+        return;
+      case M::kNumber:
+        return TakeNumber(item);
+      case M::kAmount:
+        return TakeAmount(item);
+      case M::kEach:
+        each_ = true;
+        return;
+      case M::kPlace:
+        return Say("to", PlaceName{item.name, static_cast<int>(std::lround(item.value))}, item);
+      case M::kPace:
+        return SaySoftly("pace", item.name, item);
+      case M::kGait:
+        return Say("gait", item.name, item);
+      case M::kLow:
+        return SaySoftly("height", std::string("low"), item);
+      case M::kUnknown:
+      case M::kElsewhere:
+        return TakeUnknown(item);
+      default:
+        return;
+    }
+  }
+
+  void TakeAction(const Item& item) {
+    if (!draft_.action.empty()) return;  // the clause would have been split
+    draft_.action = item.name;
+    for (const auto& [key, value] : item.parameters) {
+      implied_[key] = value;
+      implied_said_ = {item.begin, item.end};
+    }
+  }
+
+  void Say(const std::string& key, const TaskValue& value, const Item& item) {
+    const auto said = draft_.said.find(key);
+    if (said != draft_.said.end() && draft_.parameters[key] != value)
+      Refuse("ambiguous", TextOf(text_, {said->second.begin, item.end}), "says two things at once");
+    draft_.parameters[key] = value;
+    draft_.said[key] = {item.begin, item.end};
+  }
+
+  /// What may be said again: the last one holds.
+  void SaySoftly(const std::string& key, const TaskValue& value, const Item& item) {
+    draft_.parameters[key] = value;
+    draft_.said[key] = {item.begin, item.end};
+  }
+
+  void TakeSide(const std::string& side, const Item& item) {
+    if (draft_.side && *draft_.side != side) {
+      const bool both = arm_ || *draft_.side == "both" || side == "both";
+      if (!both) Refuse("ambiguous", TextOf(text_, {draft_.side_said->begin, item.end}), "says two sides at once");
+      draft_.side = "both";
+      return;
+    }
+    if (!draft_.side) draft_.side_said = Span{item.begin, item.end};
+    draft_.side = side;
+  }
+
+  void TakeNumber(const Item& item) {
+    // "two squats": how often.
+    const bool counts = at_ + 1 < clause_.items.size() && NextIsCounted();
+    if (counts) return SayAmount("times", item.value, 1.0, item);
+    if (draft_.bare)
+      Refuse("ambiguous", TextOf(text_, {draft_.bare->begin, item.end}), "are two numbers without units");
+    draft_.bare = item;
+  }
+
+  bool NextIsCounted() const {
+    static const std::array<const char*, 4> kCounted = {"squat", "bow", "nod", "wave"};
+    for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
+      const Item& next = clause_.items[k];
+      if (SaysNothing(next)) continue;
+      return next.Is(M::kAction) &&
+             std::any_of(kCounted.begin(), kCounted.end(), [&](const char* name) { return next.name == name; });
+    }
+    return false;
+  }
+
+  void SayAmount(const std::string& key, double value, double unit, const Item& item) {
+    const auto* rule = FindParameter(key);
+    if (rule->kind == ParameterRule::Kind::kCount) {
+      constexpr double kMost = 1e9;
+      if (value != std::round(value) && key == "steps")
+        Refuse("range", TextOf(text_, {item.begin, item.end}), "is no whole number of steps");
+      Say(key, static_cast<int>(std::lround(std::clamp(value, -kMost, kMost))), item);
+    } else {
+      Say(key, Rounded(value), item);
+    }
+    draft_.last_key = key;
+    draft_.last_unit = unit;
+    draft_.bare.reset();
+  }
+
+  static double Rounded(double value) {
+    if (value == 0.0 || !std::isfinite(value)) return value;
+    const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
+    return std::round(value * scale) / scale;
+  }
+
+  void TakeAmount(const Item& item) {
+    if (item.name == "m" && (each_ || NextIsEach())) return SayAmount("step_length_m", item.value, 1.0, item);
+    if (item.name == "m") return SayAmount("distance_m", item.value, 1.0, item);
+    if (item.name == "s") return SayAmount("duration_s", item.value, 1.0, item);
+    if (item.name == "deg" || item.name == "turns") {
+      turns_ = turns_ || item.name == "turns";
+      return SayAmount("angle_deg", item.value, item.name == "turns" ? 360.0 : 1.0, item);
+    }
+    if (item.name == "steps") return SayAmount("steps", item.value, 1.0, item);
+    if (item.name == "m/s") return SayAmount("speed_m_s", item.value, 1.0, item);
+    if (item.name == "times" || NextIsCounted()) return SayAmount("times", item.value, 1.0, item);
+    draft_.bare = item;  // a count of what comes next
+  }
+
+  bool NextIsEach() const {
+    for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
+      if (clause_.items[k].Is(M::kEach)) return true;
+      if (!SaysNothing(clause_.items[k])) return false;
+    }
+    return false;
+  }
+
+  void TakeUnknown(const Item& item) {
+    const bool first = at_ == 0;
+    const Item* before = nullptr;
+    for (std::size_t k = at_; k-- > 0 && before == nullptr;) {
+      if (!SaysNothing(clause_.items[k])) before = &clause_.items[k];
+    }
+    if (greets_ && (first || before == nullptr || before->Is(M::kAt) || before->Is(M::kTo) || before->Is(M::kAction)))
+      return;  // whom to wave to
+    std::size_t end = item.end;
+    for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
+      if (!SaysNothing(clause_.items[k]) && !clause_.items[k].Is(M::kUnknown)) break;
+      end = clause_.items[k].end;
+    }
+    if (draft_.bare) {
+      const bool walks = draft_.action.empty() || draft_.action == "walk";
+      Refuse("unknown", TextOf(text_, {draft_.bare->begin, end}), "is no amount", walks ? "walk" : "");
+    }
+    const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == 1.0));
+    if (to && (draft_.action.empty() || draft_.action == "walk"))
+      Refuse("place", TextOf(text_, {item.begin, item.end}), "is no place that is known here");
+    if (draft_.action.empty()) RefuseAll();
+    Refuse("unknown", TextOf(text_, {item.begin, item.end}), "is not understood");
+  }
+
+  /// The action where it is said by several words, and what an action's own word says.
+  void SettleAction() {
+    const bool limb = arm_ || foot_;
+    const bool raise = raises_ || (puts_ && up_) || (draft_.action.empty() && limb && up_);
+    const bool lower = lowers_ || (puts_ && down_) || (draft_.action.empty() && limb && down_);
+    if (draft_.action == "balance" && !foot_ && draft_.parameters.contains("to")) draft_.action = "walk";
+    if (draft_.action.empty() && raise && foot_) {
+      draft_.action = "balance";
+      if (draft_.side) draft_.side = Other(*draft_.side);
+    } else if (draft_.action.empty() && raise && (arm_ || draft_.side)) {
+      draft_.action = "raise_arm";
+    } else if (draft_.action.empty() && (lower || raise)) {
+      draft_.action = "lower_arm";
+      if (raise) RefuseAll();
+      if (!arm_ && !draft_.side) draft_.side = "same";
+    } else if (draft_.action.empty() && foot_ && !draft_.said.contains("steps")) {
+      draft_.action = clause_.corrects || clause_.follows_break ? "" : "balance";
+    }
+    if (draft_.action == "nod" && NodsInVain()) RefuseAll();
+    for (const auto& [key, value] : implied_) {
+      if (key == "direction" && draft_.side) continue;
+      if (draft_.parameters.contains(key)) continue;
+      draft_.parameters[key] = value;
+      draft_.said[key] = implied_said_;
+    }
+    SettleTurn();
+    SettleAmounts();
+    if (puts_ && draft_.empty()) RefuseAll();
+  }
+
+  /// A lone 点 nods with a head only.
+  bool NodsInVain() const {
+    bool alone = false, head = false;
+    for (const Item& item : clause_.items) {
+      const std::string word = TextOf(text_, {item.begin, item.end});
+      alone = alone || word == "点";
+      head = head || word.find("头") != std::string::npos;
+    }
+    return alone && !head;
+  }
+
+  void SettleTurn() {
+    if (draft_.action.empty() && turns_) draft_.action = "turn";
+    if (draft_.action != "turn") return;
+    const bool unsided = !draft_.side && !draft_.parameters.contains("direction");
+    if (unsided && turns_) draft_.parameters["direction"] = std::string("left");
+    const auto times = draft_.parameters.find("times");
+    if (times == draft_.parameters.end()) return;
+    const bool has_angle = draft_.said.contains("angle_deg");
+    const double angle = has_angle ? std::get<double>(draft_.parameters["angle_deg"]) : 360.0;
+    draft_.parameters["angle_deg"] = angle * std::get<int>(times->second);
+    draft_.said["angle_deg"] = draft_.said["times"];
+    draft_.parameters.erase("times");
+    draft_.said.erase("times");
+  }
+
+  /// A length is a depth to a squat.
+  void SettleAmounts() {
+    if (draft_.action != "squat" || !draft_.parameters.contains("distance_m")) return;
+    draft_.parameters["depth_m"] = draft_.parameters["distance_m"];
+    draft_.said["depth_m"] = draft_.said["distance_m"];
+    draft_.parameters.erase("distance_m");
+    draft_.said.erase("distance_m");
+    if (draft_.last_key == "distance_m") draft_.last_key = "depth_m";
+  }
+
+  const std::string& text_;
+  const Clause& clause_;
+  std::size_t at_ = 0;
+  Draft draft_;
+  std::map<std::string, TaskValue> implied_;
+  Span implied_said_;
+  bool greets_ = false, arm_ = false, foot_ = false, raises_ = false, lowers_ = false, puts_ = false, up_ = false;
+  bool down_ = false, each_ = false, turns_ = false;
+};
+
+}  // namespace
+
+Span Clause::Words() const {
+  const auto says = [](const Item& item) { return !item.Is(M::kPolite); };
+  const auto first = std::find_if(items.begin(), items.end(), says);
+  if (first == items.end()) return {};
+  return {first->begin, std::find_if(items.rbegin(), items.rend(), says)->end};
+}
+
+bool Clause::empty() const {
+  return std::all_of(items.begin(), items.end(),
+                     [](const Item& item) { return item.Is(M::kPolite) || item.Is(M::kFiller) || item.Is(M::kAt); });
+}
+
+Draft ReadClause(const std::string& text, const Clause& clause) { return ClauseReader(text, clause).Read(); }
+
+void SettleSide(const std::string& text, Draft& draft) {
+  if (IsWay(draft.action) && draft.side) {
+    const auto said = draft.said.find("direction");
+    const bool other = said != draft.said.end() && draft.parameters["direction"] != TaskValue(*draft.side);
+    const bool ahead = other && draft.parameters["direction"] == TaskValue(std::string("forward"));
+    if (other && !(draft.action == "turn" && ahead)) {
+      const Span &a = said->second, &b = *draft.side_said;
+      Refuse("ambiguous", TextOf(text, {std::min(a.begin, b.begin), std::max(a.end, b.end)}), "says two ways at once");
+    }
+    draft.parameters["direction"] = *draft.side;
+    draft.said["direction"] = *draft.side_said;
+    draft.side.reset();
+  }
+  const bool limbs = HasArms(draft.action) || draft.action == "balance";
+  if (!limbs) return;
+  if (draft.side) {
+    draft.parameters["side"] = *draft.side;
+    draft.said["side"] = draft.side_said.value_or(draft.words);
+  } else if (draft.plural) {
+    draft.parameters["side"] = std::string("both");
+    draft.said["side"] = draft.words;
+  }
+  draft.side.reset();
+  draft.plural = false;
+}
+
+void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
+  for (const auto& [key, value] : said.parameters) {
+    std::string to = key;
+    if (key == "distance_m" && into.action == "squat") to = "depth_m";
+    const bool extent = std::find(ExtentKeys().begin(), ExtentKeys().end(), to) != ExtentKeys().end();
+    if (over && extent) {
+      for (const std::string& other : ExtentKeys()) {
+        into.parameters.erase(other);
+        into.said.erase(other);
+      }
+    }
+    const auto there = into.said.find(to);
+    if (!over && there != into.said.end() && into.parameters[to] != value && to != "pace")
+      Refuse("ambiguous", TextOf(text, {there->second.begin, SpanOf(said, key).end}), "says two things at once");
+    into.parameters[to] = value;
+    into.said[to] = SpanOf(said, key);
+  }
+  if (!said.last_key.empty()) {
+    into.last_key = said.last_key;
+    into.last_unit = said.last_unit;
+    into.bare.reset();
+  }
+  if (said.bare && over && !into.last_key.empty()) {
+    const double value = said.bare->value * into.last_unit;
+    const bool count = FindParameter(into.last_key)->kind == ParameterRule::Kind::kCount;
+    into.parameters[into.last_key] = count ? TaskValue(static_cast<int>(std::lround(value))) : TaskValue(value);
+    into.said[into.last_key] = {said.bare->begin, said.bare->end};
+  } else if (said.bare) {
+    into.bare = said.bare;
+  }
+  if (said.side || said.plural) {
+    Draft sided = said;
+    sided.action = into.action;
+    sided.parameters.clear();
+    sided.said.clear();
+    SettleSide(text, sided);
+    for (const auto& [key, value] : sided.parameters) {
+      into.parameters[key] = value;
+      into.said[key] = sided.said[key];
+    }
+  }
+  into.words.end = std::max(into.words.end, said.words.end);
+}
+
+}  // namespace gaitwright::words

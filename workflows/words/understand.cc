@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/words/understand.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/text.h"
+#include "workflows/words/items.h"
+#include "workflows/words/read_clause.h"
+
+namespace gaitwright::words {
+namespace {
+
+using M = Meaning;
+
+bool IsGesture(const std::string& action) {
+  const ActionRule* rule = FindAction(action);
+  return rule != nullptr && rule->is_gesture;
+}
+
+/// Parts an instruction into clauses: at words and signs that join, and before each further action.
+class Splitter {
+ public:
+  explicit Splitter(const std::vector<Item>& items) : items_(items) {}
+
+  std::vector<Clause> Split() {
+    for (std::size_t k = 0; k < items_.size(); ++k) Add(items_[k], k);
+    Close();
+    return std::move(clauses_);
+  }
+
+ private:
+  static bool IsVerb(const Item& item) {
+    return item.Is(M::kAction) || item.Is(M::kRaise) || item.Is(M::kLower) || item.Is(M::kElsewhere);
+  }
+
+  bool HasVerb() const { return std::any_of(now_.items.begin(), now_.items.end(), IsVerb); }
+
+  /// "to the door" after a direction, or "往" before one, begins nothing.
+  void Add(const Item& item, std::size_t at) {
+    switch (item.meaning) {
+      case M::kThen:
+        return Join([](Clause& next) { next.follows_then = true; });
+      case M::kBreak:
+        return Join([](Clause& next) { next.follows_break = true; });
+      case M::kBefore:
+        return Join([](Clause& next) { next.is_before = true; });
+      case M::kAfter:
+        return Join([](Clause& next) { next.is_after = true; });
+      case M::kNo:
+        return Join([](Clause& next) { next.corrects = true; });
+      case M::kNot:
+        return Join([](Clause& next) { next.is_not = true; });
+      case M::kDrop:
+        return Join([](Clause& next) { next.drops = true; });
+      case M::kHold:
+        return Join([](Clause& next) { next.holds = true; });
+      case M::kWhile:
+        return AddWhile(at);
+      case M::kAgain:
+        Close();
+        now_.again = true;
+        return Close();
+      default:
+        break;
+    }
+    if (IsVerb(item) && HasVerb()) {
+      // What is said of the way before its verb belongs to it: "往前" in "举手往前走".
+      std::vector<Item> lead;
+      while (!now_.items.empty() && LeadsOn(now_.items.back())) {
+        lead.insert(lead.begin(), now_.items.back());
+        now_.items.pop_back();
+      }
+      Close();
+      now_.items = lead;
+    }
+    now_.items.push_back(item);
+  }
+
+  static bool LeadsOn(const Item& item) {
+    return item.Is(M::kPolite) || item.Is(M::kFiller) || item.Is(M::kTo) || item.Is(M::kPut);
+  }
+
+  /// At the end of a clause it says that this one is done meanwhile, before one that that one is.
+  void AddWhile(std::size_t at) {
+    std::size_t next = at + 1;
+    while (next < items_.size() && (items_[next].Is(M::kPolite) || items_[next].Is(M::kFiller))) ++next;
+    const bool trails = next == items_.size() || items_[next].Is(M::kBreak) || items_[next].Is(M::kThen);
+    if (trails && !now_.empty() && !clauses_.empty()) {
+      now_.is_meanwhile = true;
+      return Close();
+    }
+    Join([](Clause& clause) { clause.is_meanwhile = true; });
+  }
+
+  template <class Mark>
+  void Join(Mark mark) {
+    if (!now_.empty()) Close();
+    mark(now_);
+  }
+
+  void Close() {
+    const bool said = !now_.empty() || now_.again || now_.drops;
+    if (said || (now_.holds && false)) clauses_.push_back(now_);
+    if (said) now_ = {};
+    if (!said) now_.items.clear();
+  }
+
+  const std::vector<Item>& items_;
+  std::vector<Clause> clauses_;
+  Clause now_;
+};
+
+/// Makes tasks of clauses.
+class Assembler {
+ public:
+  Assembler(const std::string& text, const TaskScope& scope) : text_(text), scope_(scope) {}
+
+  void Add(const Clause& clause) {
+    if (clause.drops) Drop();
+    if (clause.again) return Repeat();
+    if (clause.empty()) return;
+    if (clause.is_not) {
+      after_not_ = true;
+      return;
+    }
+    Draft said = ReadClause(text_, clause);
+    const bool corrects = (clause.corrects && !clause.drops) || after_not_;
+    after_not_ = false;
+    GiveAction(clause, corrects, said);
+    if (said.action.empty()) return AddTo(clause, corrects, said);
+    SettleSide(text_, said);
+    if (said.action == "lower_arm" && said.parameters["side"] == TaskValue(std::string("same"))) TakeLastSide(said);
+    Complete(said);
+    if (corrects && !drafts_.empty()) Undo();
+    Place(clause, corrects, std::move(said));
+  }
+
+  TaskPlan Finish() {
+    if (!drafts_.empty() || !waiting_) Flush();
+    if (waiting_) drafts_.push_back(*waiting_);
+    TaskPlan plan;
+    plan.text = text_;
+    plan.language = LanguageOf(text_) == Language::kEnglish ? "en" : "zh";
+    for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
+    if (plan.tasks.empty()) throw Refused{{"empty", "", "says nothing to do", ""}};
+    for (std::size_t k = 0; k < plan.tasks.size(); ++k) Check(plan.tasks[k], drafts_[k]);
+    if (const auto failure = WhyNotPlanned(plan, scope_)) throw Refused{{failure->code, text_, failure->message, ""}};
+    return plan;
+  }
+
+ private:
+  std::string Text(const Span& span) const { return text_.substr(span.begin, span.end - span.begin); }
+
+  void Drop() {
+    if (!drafts_.empty()) drafts_.pop_back();
+  }
+
+  /// Takes away what is corrected.
+  void Undo() { drafts_.pop_back(); }
+
+  void Repeat() {
+    if (drafts_.empty()) throw Refused{{"ambiguous", text_, "asks for something again, and there was nothing", ""}};
+    const Draft last = drafts_.back();
+    drafts_.push_back(last);
+  }
+
+  /// An action that a clause does not name: walking by steps, and what goes on with the one before.
+  void GiveAction(const Clause& clause, bool corrects, Draft& said) {
+    if (!said.action.empty()) return;
+    if (clause.holds && said.parameters.contains("duration_s") && !drafts_.empty()) return;
+    const bool steps = said.said.contains("steps"), way = said.said.contains("direction") || said.said.contains("to");
+    const bool gait = said.said.contains("gait") || said.said.contains("distance_m");
+    const std::string last = drafts_.empty() ? "" : drafts_.back().action;
+    if (corrects && !last.empty()) return;
+    const bool joins = last == "walk" && !clause.follows_then;
+    if ((steps || way || gait) && !joins && !(last == "squat" && !steps && !way)) {
+      said.action = "walk";
+    } else if (clause.follows_then && !last.empty() && (said.side || said.said.contains("angle_deg"))) {
+      said.action = last;
+    }
+  }
+
+  void AddTo(const Clause& clause, bool corrects, const Draft& said) {
+    if (drafts_.empty()) {
+      const bool pace_only = said.parameters.size() == 1 && said.parameters.contains("pace") && !said.bare && !said.side;
+      if (!pace_only) throw Refused{{"unknown", Text(said.words), "does not say what to do", ""}};
+      pace_ = said.parameters.at("pace");
+      pace_said_ = said.words;
+      return;
+    }
+    Draft& last = drafts_.back();
+    if (clause.holds && last.action != "walk" && FindAction(last.action) != nullptr && !Takes(last.action, "duration_s"))
+      throw Refused{{"unknown", Text(said.words), "cannot be held", ""}};
+    // "turn left, right": one more.
+    const bool other_side = said.side && !corrects && (last.said.contains("direction") || last.said.contains("side"));
+    if (other_side) {
+      Draft more;
+      more.action = last.action;
+      more.words = said.words;
+      Merge(text_, said, false, more);
+      drafts_.push_back(more);
+      return;
+    }
+    Draft taken = said;
+    if (last.action != "walk") {
+      taken.parameters.erase("pace");
+      taken.said.erase("pace");
+    }
+    Merge(text_, taken, corrects, last);
+  }
+
+  static bool Takes(const std::string& action, const std::string& key) {
+    const ActionRule& rule = *FindAction(action);
+    return std::find(rule.optional.begin(), rule.optional.end(), key) != rule.optional.end() ||
+           std::find(rule.required.begin(), rule.required.end(), key) != rule.required.end();
+  }
+
+  /// "lower it": the arm that was raised last.
+  void TakeLastSide(Draft& said) const {
+    for (auto draft = drafts_.rbegin(); draft != drafts_.rend(); ++draft) {
+      if (draft->action != "raise_arm" && draft->action != "wave") continue;
+      said.parameters["side"] = draft->parameters.at("side");
+      return;
+    }
+    throw Refused{{"ambiguous", Text(said.words), "does not say what to lower", ""}};
+  }
+
+  /// What is not said and is taken as read.
+  void Complete(Draft& said) {
+    const auto otherwise = [&](const char* key, const char* value) {
+      if (said.parameters.contains(key)) return;
+      said.parameters[key] = std::string(value);
+    };
+    if (said.action == "walk") otherwise("direction", "forward");
+    if (said.action == "wave" || said.action == "raise_arm" || said.action == "lower_arm") otherwise("side", "right");
+    if (said.action == "balance") otherwise("side", "left");
+    if (said.action == "walk" && pace_) {
+      said.parameters.try_emplace("pace", *pace_);
+      said.said.try_emplace("pace", pace_said_);
+    }
+    pace_.reset();
+    if (said.action == "walk") return;
+    for (const char* key : {"pace", "height"}) {
+      said.parameters.erase(key);
+      said.said.erase(key);
+    }
+  }
+
+  /// Puts a task in its place: after the others, or beside one.
+  void Place(const Clause& clause, bool corrects, Draft said) {
+    const bool gesture = IsGesture(said.action);
+    if (waiting_) {
+      Draft first = std::move(*waiting_);
+      waiting_.reset();
+      if (before_) {
+        before_ = false;
+        drafts_.push_back(std::move(said));
+        drafts_.push_back(std::move(first));
+        return;
+      }
+      const bool first_is_main = gesture || !IsGesture(first.action);
+      Draft &main = first_is_main ? first : said, &beside = first_is_main ? said : first;
+      main.words = {std::min(main.words.begin, beside.words.begin), std::max(main.words.end, beside.words.end)};
+      main.during.push_back(beside);
+      drafts_.push_back(main);
+      return;
+    }
+    if (said.holding && gesture && !clause.is_meanwhile && !corrects) {
+      held_ = std::move(said);  // "举着左手往后退": done while the next is
+      return;
+    }
+    if (held_ && !gesture) {
+      said.during.push_back(std::move(*held_));
+      held_.reset();
+      drafts_.push_back(std::move(said));
+      return;
+    }
+    Flush();
+    if (clause.is_before && Begins(clause)) {
+      before_ = true;
+      waiting_ = std::move(said);
+      return;
+    }
+    if (clause.is_before && LanguageOf(text_) == Language::kChinese && !drafts_.empty()) {
+      drafts_.insert(drafts_.end() - 1, std::move(said));
+      return;
+    }
+    if (clause.is_after && !Begins(clause)) {
+      drafts_.insert(drafts_.end() - 1, std::move(said));
+      return;
+    }
+    if (clause.is_meanwhile) return PlaceBeside(clause, std::move(said));
+    if (GoesOnWith(clause, said)) return;
+    drafts_.push_back(std::move(said));
+  }
+
+  bool Begins(const Clause& clause) const { return drafts_.empty() || clause.follows_break || clause.follows_then; }
+
+  void PlaceBeside(const Clause& clause, Draft said) {
+    const bool gesture = IsGesture(said.action);
+    const bool first = drafts_.empty() || (!gesture && Begins(clause) && LanguageOf(text_) == Language::kEnglish) ||
+                       (!gesture && LanguageOf(text_) == Language::kChinese);
+    if (first && !(gesture && !drafts_.empty())) {
+      waiting_ = std::move(said);
+      return;
+    }
+    Draft& last = drafts_.back();
+    if (!gesture && IsGesture(last.action)) {
+      said.during.push_back(last);
+      said.words.begin = std::min(said.words.begin, last.words.begin);
+      drafts_.back() = std::move(said);
+      return;
+    }
+    last.words.end = std::max(last.words.end, said.words.end);
+    last.during.push_back(std::move(said));
+  }
+
+  /// "边走边点头，走两米": the same once more says how far.
+  bool GoesOnWith(const Clause& clause, const Draft& said) {
+    if (drafts_.empty() || clause.follows_then) return false;
+    Draft& last = drafts_.back();
+    if (last.during.empty() || last.action != said.action || last.action != "walk") return false;
+    const auto says = [](const Draft& draft) {
+      return std::any_of(ExtentKeys().begin(), ExtentKeys().end(),
+                         [&](const std::string& key) { return draft.parameters.contains(key); });
+    };
+    if (says(last) || !says(said)) return false;
+    Merge(text_, said, false, last);
+    return true;
+  }
+
+  void Flush() {
+    if (!held_) return;
+    drafts_.push_back(std::move(*held_));
+    held_.reset();
+  }
+
+  Task TaskOf(const Draft& draft) const {
+    Task task;
+    task.action = draft.action;
+    task.parameters = draft.parameters;
+    task.words = Text(draft.words);
+    for (const Draft& gesture : draft.during) task.during.push_back(TaskOf(gesture));
+    return task;
+  }
+
+  /// Refuses what a task cannot be told, by the words that say it.
+  void Check(const Task& task, const Draft& draft) const {
+    if (draft.bare) throw Refused{{"ambiguous", Text({draft.bare->begin, draft.bare->end}), "has no unit", ""}};
+    const ActionRule& rule = *FindAction(task.action);
+    const bool can = scope_.Can(rule);
+    if (!can) {
+      const Task bare{task.action, {}, "", {}};
+      throw Refused{{"cannot", Text(draft.words), WhyNotDone(bare, scope_)->message, rule.instead}};
+    }
+    CheckParameters(task, draft, rule);
+    for (std::size_t k = 0; k < task.during.size(); ++k) Check(task.during[k], draft.during[k]);
+  }
+
+  void CheckParameters(const Task& task, const Draft& draft, const ActionRule& rule) const {
+    std::optional<Span> extent;
+    for (const auto& [key, value] : task.parameters) {
+      const auto said = draft.said.find(key);
+      const Span span = said == draft.said.end() ? draft.words : said->second;
+      if (!Takes(rule.action, key)) throw Refused{{"unknown", Text(span), fmt::format("is nothing to '{}'", rule.action), ""}};
+      Task alone{task.action, {{key, value}}, "", {}};
+      for (const std::string& required : rule.required) alone.parameters.try_emplace(required, task.parameters.contains(required) ? task.parameters.at(required) : TaskValue(std::string()));
+      if (key == "step_length_m") alone.parameters.try_emplace("steps", 1);
+      const bool is_extent = std::find(ExtentKeys().begin(), ExtentKeys().end(), key) != ExtentKeys().end();
+      if (task.action == "walk" && is_extent) {
+        if (extent) {
+          const Span both = {std::min(extent->begin, span.begin), std::max(extent->end, span.end)};
+          throw Refused{{"ambiguous", Text(both), "says twice how far", ""}};
+        }
+        extent = span;
+      }
+      const auto failure = WhyNoTask(alone);
+      if (failure && failure->code == "range") throw Refused{{"range", Text(span), failure->message, ""}};
+      if (key == "to" ) {
+        if (const auto away = WhyNotDone(alone, scope_); away && away->code == "place")
+          throw Refused{{"place", Text(span), away->message, ""}};
+      }
+    }
+    for (const std::string& required : rule.required) {
+      if (!task.parameters.contains(required))
+        throw Refused{{"ambiguous", Text(draft.words), fmt::format("does not say the {}", required), ""}};
+    }
+  }
+
+  const std::string& text_;
+  const TaskScope& scope_;
+  std::vector<Draft> drafts_;
+  std::optional<Draft> waiting_, held_;  // for the clause that it is joined with
+  std::optional<TaskValue> pace_;        // said before what goes at it
+  Span pace_said_;
+  bool before_ = false, after_not_ = false;
+};
+
+}  // namespace
+
+std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskScope& scope) {
+  constexpr std::size_t kLongest = 2000;
+  const std::string trimmed = Trimmed(text);
+  if (text.size() > kLongest) return Refusal{"range", Shortened(text), "is too long: 2000 bytes are read", ""};
+  if (!IsPlainText(text)) return Refusal{"unknown", "", "is no plain text", ""};
+  if (text.find_first_of("{}") != std::string::npos) return Refusal{"unknown", trimmed, "is no instruction", ""};
+  try {
+    Assembler assembler(text, scope);
+    const std::vector<Item> items = ItemsOf(text, LanguageOf(text), scope.places);
+    for (const Clause& clause : Splitter(items).Split()) assembler.Add(clause);
+    return assembler.Finish();
+  } catch (const Refused& refused) {
+    return refused.refusal;
+  }
+}
+
+Result<TaskPlan> UnderstandWords(const std::string& text, const TaskScope& scope) {
+  const auto understood = Understand(text, scope);
+  if (const auto* plan = std::get_if<TaskPlan>(&understood)) return *plan;
+  const auto& refusal = std::get<Refusal>(understood);
+  const std::string part = refusal.part.empty() ? "the instruction" : fmt::format("'{}'", refusal.part);
+  Failure failure{FailureKind::kBadInput, refusal.reason, "Understand", fmt::format("{}: {}", part, refusal.why), {}};
+  if (!refusal.nearest.empty()) failure.hints.push_back(fmt::format("the nearest that it can do is to {}", refusal.nearest));
+  failure.hints.push_back(fmt::format("robot '{}' can {}", scope.robot, fmt::join(scope.Actions(), ", ")));
+  return failure;
+}
+
+}  // namespace gaitwright::words
