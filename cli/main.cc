@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   int status = kPass;
   AddWalk(app, status);
   AddPlan(app, status);
+  AddDo(app, status);
   AddAudit(app, status);
   AddPlay(app, status);
   AddTrials(app, status);

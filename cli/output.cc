@@ -102,9 +102,12 @@ Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
   return files;
 }
 
-void PrintJudged(const Judged& judged, const Files& files, const Common& common) {
+void PrintJudged(const Judged& judged, const Files& files, const Common& common,
+                 const std::vector<std::pair<std::string, std::string>>& more) {
   if (common.json) {
-    auto json = nlohmann::ordered_json::parse(ReportJson(judged.played.report));
+    auto json = nlohmann::ordered_json::object();
+    for (const auto& [key, text] : more) json[key] = nlohmann::ordered_json::parse(text);
+    json.update(nlohmann::ordered_json::parse(ReportJson(judged.played.report)));
     json["audit"] = nlohmann::ordered_json::parse(AuditJson(judged.audit));
     json["warnings"] = judged.plan.warnings;
     if (judged.played.report.pass && !judged.pass()) {

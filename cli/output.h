@@ -40,6 +40,8 @@ struct Judged {
 Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs);
 
 /// The object of `walk` and `play` with --json, else the report in words.
-void PrintJudged(const Judged& judged, const Files& files, const Common& common);
+/// @param more  keys and JSON texts that stand before all others.
+void PrintJudged(const Judged& judged, const Files& files, const Common& common,
+                 const std::vector<std::pair<std::string, std::string>>& more = {});
 
 }  // namespace gaitwright::cli

@@ -58,5 +58,6 @@ void AddImport(CLI::App& app, int& status);
 void AddView(CLI::App& app, int& status);
 void AddRender(CLI::App& app, int& status);
 void AddLive(CLI::App& app, int& status);
+void AddDo(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

@@ -105,6 +105,7 @@ inline const std::vector<Owner> kOwners = {
     {"LinearMath/", {"playback/bullet"}},
     {"minizip/", {"workflows/exchange"}},
     {"boost/", {"workflows/live"}},
+    {"curl/", {"workflows/words"}},
     {"mpi.h", {"workflows/cluster"}},
     {"CLI/", {"cli", "examples"}, true},
     // Of the operating system: atomic writing and terminals.

@@ -43,7 +43,7 @@ enum class Meaning {
   kAfter,       ///< "after": what follows is done first
   kNo,          ///< what follows is meant in place of what was said last
   kNot,         ///< "not": what follows is not meant
-  kDrop,        ///< what was said last is not to be done
+  kDrop,        ///< what was said last is not to be done; only if it is the action `name`, where one is given
   kAgain,       ///< the same once more
   kPolite,      ///< says nothing, and is no part of what is not understood
   kFiller,      ///< says nothing

@@ -143,6 +143,9 @@ class ItemReader {
     }
     if (phrase != nullptr && phrase_pieces > number.pieces + unit_pieces) return false;
     // 一下 and 一个 soften what is said, or count nothing.
+    // "one foot" stands, "a foot" is as long.
+    if (number.is_article && pieces_[at_].text == "one" && pieces_[after].text == "foot") return false;
+    if (number.is_article && pieces_[after].text == "foot" && !items_.empty() && items_.back().Is(M::kRaise)) return false;
     const bool softener = pieces_[at_].text == "一" && number.pieces == 1 &&
                           (pieces_[after].text == "下" || (unit->name == "count" && phrase != nullptr));
     if (softener) return false;
@@ -173,7 +176,8 @@ class ItemReader {
     if (found == nullptr) return false;
     // A name that is another word too is a place after "to" or an ordinal, or before a number.
     if (words_.Find(PhraseOf(pieces_, at_, most)) != nullptr || units_.Find(PhraseOf(pieces_, at_, most)) != nullptr) {
-      const bool numbered = at_ + most < pieces_.size() && NumberAt(pieces_, at_ + most).pieces > 0;
+      const std::size_t after = at_ + most < pieces_.size() && pieces_[at_ + most].text == "number" ? most + 1 : most;
+      const bool numbered = at_ + after < pieces_.size() && NumberAt(pieces_, at_ + after).pieces > 0;
       if (!numbered && !FollowsToOrOrdinal()) return false;
     }
     Push(*found, most);
@@ -232,11 +236,13 @@ class ItemReader {
   void JoinOrdinals() {
     for (std::size_t k = 0; k < items_.size(); ++k) {
       if (items_[k].Is(M::kPlace)) {
-        const bool number = k + 1 < items_.size() && items_[k + 1].Is(M::kNumber);
-        if (!number || items_[k].value != 0.0) continue;
-        items_[k].value = items_[k + 1].value;
-        items_[k].end = items_[k + 1].end;
-        items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+        std::size_t number = k + 1;
+        while (number < items_.size() && items_[number].Is(M::kFiller)) ++number;
+        if (number == items_.size() || !items_[number].Is(M::kNumber) || items_[k].value != 0.0) continue;
+        items_[k].value = items_[number].value;
+        items_[k].end = items_[number].end;
+        items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                     items_.begin() + static_cast<std::ptrdiff_t>(number) + 1);
         continue;
       }
       if (!items_[k].Is(M::kOrdinal) && !items_[k].Is(M::kNumber)) continue;

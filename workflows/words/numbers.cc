@@ -120,6 +120,16 @@ class Reader {
     }
     if (!any) return false;
     number.value = whole + section + digit;
+    if (Is("分") && Is("之", 1) && Has(2) && number.value > 0.0) {  // 四分之三
+      const std::size_t back = at_;
+      at_ += 2;
+      SpokenNumber share;
+      if (ReadHan(share)) {
+        number.value = share.value / number.value;
+        return true;
+      }
+      at_ = back;
+    }
     if (!Is("点") || !Has(1) || !HanDigits().contains(Text(1))) return true;
     ++at_;
     for (double place = 0.1; Has() && HanDigits().contains(Text()); place *= 0.1, ++at_)

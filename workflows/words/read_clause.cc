@@ -88,7 +88,8 @@ class ClauseReader {
       case M::kRaise:
         raises_ = true;
         draft_.holding = draft_.holding || TextOf(text_, {item.begin, item.end}).find("着") != std::string::npos ||
-                         TextOf(text_, {item.begin, item.end}).find("ing") != std::string::npos;
+                         TextOf(text_, {item.begin, item.end}).find("ing") != std::string::npos ||
+                         TextOf(text_, {item.begin, item.end}) == "raised";
         return;
       case M::kLower:
         lowers_ = true;
@@ -128,10 +129,17 @@ class ClauseReader {
   void TakeAction(const Item& item) {
     if (!draft_.action.empty()) return;  // the clause would have been split
     draft_.action = item.name;
+    draft_.holding = draft_.holding || item.value == 2.0 || IsGerund(item);
     for (const auto& [key, value] : item.parameters) {
       implied_[key] = value;
       implied_said_ = {item.begin, item.end};
     }
+  }
+
+  /// "waving, walk on".
+  bool IsGerund(const Item& item) const {
+    const std::string word = TextOf(text_, {item.begin, item.end});
+    return word.substr(0, word.find(' ')).ends_with("ing");
   }
 
   void Say(const std::string& key, const TaskValue& value, const Item& item) {
@@ -168,13 +176,16 @@ class ClauseReader {
     draft_.bare = item;
   }
 
-  bool NextIsCounted() const {
+  static bool IsCounted(const std::string& action) {
     static const std::array<const char*, 4> kCounted = {"squat", "bow", "nod", "wave"};
+    return std::any_of(kCounted.begin(), kCounted.end(), [&](const char* name) { return action == name; });
+  }
+
+  bool NextIsCounted() const {
     for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
       const Item& next = clause_.items[k];
       if (SaysNothing(next)) continue;
-      return next.Is(M::kAction) &&
-             std::any_of(kCounted.begin(), kCounted.end(), [&](const char* name) { return next.name == name; });
+      return next.Is(M::kAction) && IsCounted(next.name);
     }
     return false;
   }
@@ -210,7 +221,8 @@ class ClauseReader {
     }
     if (item.name == "steps") return SayAmount("steps", item.value, 1.0, item);
     if (item.name == "m/s") return SayAmount("speed_m_s", item.value, 1.0, item);
-    if (item.name == "times" || NextIsCounted()) return SayAmount("times", item.value, 1.0, item);
+    const bool counted = item.name == "times" || NextIsCounted() || IsCounted(draft_.action);
+    if (counted) return SayAmount("times", item.value, 1.0, item);
     draft_.bare = item;  // a count of what comes next
   }
 

@@ -14,6 +14,7 @@ struct Clause {
   std::vector<Item> items;
   bool follows_then = false, follows_break = false, is_meanwhile = false, is_before = false, is_after = false;
   bool corrects = false, is_not = false, drops = false, again = false, holds = false;
+  std::string dropped;  ///< the action that is not to be done; "" for whichever was said last
 
   /// From the first word that is not only polite to the last.
   Span Words() const;

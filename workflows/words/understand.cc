@@ -23,7 +23,7 @@ bool IsGesture(const std::string& action) {
 /// Parts an instruction into clauses: at words and signs that join, and before each further action.
 class Splitter {
  public:
-  explicit Splitter(const std::vector<Item>& items) : items_(items) {}
+  Splitter(const std::string& text, const std::vector<Item>& items) : text_(text), items_(items) {}
 
   std::vector<Clause> Split() {
     for (std::size_t k = 0; k < items_.size(); ++k) Add(items_[k], k);
@@ -44,6 +44,10 @@ class Splitter {
       case M::kThen:
         return Join([](Clause& next) { next.follows_then = true; });
       case M::kBreak:
+        if (now_.empty() && now_.is_not && !now_.drops) {  // "no, not that, ..."
+          now_.is_not = false;
+          now_.corrects = true;
+        }
         return Join([](Clause& next) { next.follows_break = true; });
       case M::kBefore:
         return Join([](Clause& next) { next.is_before = true; });
@@ -54,7 +58,7 @@ class Splitter {
       case M::kNot:
         return Join([](Clause& next) { next.is_not = true; });
       case M::kDrop:
-        return Join([](Clause& next) { next.drops = true; });
+        return AddDrop(item, at);
       case M::kHold:
         return Join([](Clause& next) { next.holds = true; });
       case M::kWhile:
@@ -66,10 +70,11 @@ class Splitter {
       default:
         break;
     }
+    if (HasVerb() && IsParticle(item)) return;  // "走到门那里去"
     if (IsVerb(item) && HasVerb()) {
       // What is said of the way before its verb belongs to it: "往前" in "举手往前走".
       std::vector<Item> lead;
-      while (!now_.items.empty() && LeadsOn(now_.items.back())) {
+      while (!now_.items.empty() && (LeadsOn(now_.items.back()) || LeadsWay(now_.items.back()))) {
         lead.insert(lead.begin(), now_.items.back());
         now_.items.pop_back();
       }
@@ -77,6 +82,32 @@ class Splitter {
       now_.items = lead;
     }
     now_.items.push_back(item);
+  }
+
+  /// "don't walk" is not to be done; "never mind" is what was said before.
+  void AddDrop(const Item& item, std::size_t at) {
+    std::size_t next = at + 1;
+    while (next < items_.size() && (items_[next].Is(M::kPolite) || items_[next].Is(M::kFiller))) ++next;
+    const bool names = item.name.empty() && next < items_.size() && items_[next].Is(M::kAction);
+    const std::string dropped = names ? items_[next].name : item.name;
+    Join([&](Clause& clause) {
+      clause.drops = true;
+      clause.dropped = dropped;
+      clause.is_not = names;
+    });
+  }
+
+  /// 去 after another verb only says that it is gone.
+  bool IsParticle(const Item& item) const {
+    return item.Is(M::kAction) && item.name == "walk" && item.value == 0.0 && item.parameters.empty() &&
+           text_.substr(item.begin, item.end - item.begin) == "去";
+  }
+
+  /// A way that is said after what goes no way leads to the next verb: "点着头往前走".
+  bool LeadsWay(const Item& item) const {
+    const auto verb = std::find_if(now_.items.begin(), now_.items.end(), IsVerb);
+    const bool goes = verb->Is(M::kAction) && (verb->name == "walk" || verb->name == "turn");
+    return !goes && (item.Is(M::kDirection) || item.Is(M::kPace));
   }
 
   static bool LeadsOn(const Item& item) {
@@ -108,6 +139,7 @@ class Splitter {
     if (!said) now_.items.clear();
   }
 
+  const std::string& text_;
   const std::vector<Item>& items_;
   std::vector<Clause> clauses_;
   Clause now_;
@@ -119,7 +151,8 @@ class Assembler {
   Assembler(const std::string& text, const TaskScope& scope) : text_(text), scope_(scope) {}
 
   void Add(const Clause& clause) {
-    if (clause.drops) Drop();
+    if (clause.drops) Drop(clause);
+    if (clause.drops && clause.is_not) return;
     if (clause.again) return Repeat();
     if (clause.empty()) return;
     if (clause.is_not) {
@@ -129,6 +162,7 @@ class Assembler {
     Draft said = ReadClause(text_, clause);
     const bool corrects = (clause.corrects && !clause.drops) || after_not_;
     after_not_ = false;
+    if (corrects) ForgetWaiting();
     GiveAction(clause, corrects, said);
     if (said.action.empty()) return AddTo(clause, corrects, said);
     SettleSide(text_, said);
@@ -154,8 +188,20 @@ class Assembler {
  private:
   std::string Text(const Span& span) const { return text_.substr(span.begin, span.end - span.begin); }
 
-  void Drop() {
-    if (!drafts_.empty()) drafts_.pop_back();
+  /// Takes away what is not to be done after all. @throws Refused for what nobody asked for.
+  void Drop(const Clause& clause) {
+    const bool any = clause.dropped.empty();
+    if (!drafts_.empty() && (any || drafts_.back().action == clause.dropped)) {
+      drafts_.pop_back();
+    } else if (clause.is_not) {
+      throw Refused{{"unknown", Text(clause.Words()), "says what not to do, which nobody asked for", ""}};
+    }
+  }
+
+  /// "wait, make that three": to wait was no task.
+  void ForgetWaiting() {
+    if (drafts_.size() < 2 || drafts_.back().action != "stand" || !drafts_.back().parameters.empty()) return;
+    drafts_.pop_back();
   }
 
   /// Takes away what is corrected.
@@ -175,7 +221,8 @@ class Assembler {
     const bool gait = said.said.contains("gait") || said.said.contains("distance_m");
     const std::string last = drafts_.empty() ? "" : drafts_.back().action;
     if (corrects && !last.empty()) return;
-    const bool joins = last == "walk" && !clause.follows_then;
+    const bool far = !drafts_.empty() && SaysHowFar(drafts_.back()) && SaysHowFar(said);
+    const bool joins = last == "walk" && !clause.follows_then && !far;
     if ((steps || way || gait) && !joins && !(last == "squat" && !steps && !way)) {
       said.action = "walk";
     } else if (clause.follows_then && !last.empty() && (said.side || said.said.contains("angle_deg"))) {
@@ -183,12 +230,16 @@ class Assembler {
     }
   }
 
+  static bool SaysHowFar(const Draft& draft) {
+    return std::any_of(ExtentKeys().begin(), ExtentKeys().end(),
+                       [&](const std::string& key) { return draft.parameters.contains(key); });
+  }
+
   void AddTo(const Clause& clause, bool corrects, const Draft& said) {
-    if (drafts_.empty()) {
-      const bool pace_only = said.parameters.size() == 1 && said.parameters.contains("pace") && !said.bare && !said.side;
-      if (!pace_only) throw Refused{{"unknown", Text(said.words), "does not say what to do", ""}};
-      pace_ = said.parameters.at("pace");
-      pace_said_ = said.words;
+    if (drafts_.empty() || IsManner(said)) {
+      if (!drafts_.empty() && drafts_.back().action == "walk") return Merge(text_, said, corrects, drafts_.back());
+      if (!IsManner(said)) throw Refused{{"unknown", Text(said.words), "does not say what to do", ""}};
+      manner_ = said;
       return;
     }
     Draft& last = drafts_.back();
@@ -210,6 +261,16 @@ class Assembler {
       taken.said.erase("pace");
     }
     Merge(text_, taken, corrects, last);
+  }
+
+  /// Only how to walk, which may be said before it is said to.
+  static bool IsManner(const Draft& said) {
+    const auto how = [](const auto& parameter) {
+      return parameter.first == "pace" || parameter.first == "height" || parameter.first == "speed_m_s" ||
+             parameter.first == "gait";
+    };
+    return !said.parameters.empty() && !said.bare && !said.side &&
+           std::all_of(said.parameters.begin(), said.parameters.end(), how);
   }
 
   static bool Takes(const std::string& action, const std::string& key) {
@@ -237,11 +298,12 @@ class Assembler {
     if (said.action == "walk") otherwise("direction", "forward");
     if (said.action == "wave" || said.action == "raise_arm" || said.action == "lower_arm") otherwise("side", "right");
     if (said.action == "balance") otherwise("side", "left");
-    if (said.action == "walk" && pace_) {
-      said.parameters.try_emplace("pace", *pace_);
-      said.said.try_emplace("pace", pace_said_);
+    if (said.action == "walk" && manner_) {
+      const Span words = said.words;
+      Merge(text_, *manner_, false, said);
+      said.words = words;
     }
-    pace_.reset();
+    manner_.reset();
     if (said.action == "walk") return;
     for (const char* key : {"pace", "height"}) {
       said.parameters.erase(key);
@@ -268,11 +330,12 @@ class Assembler {
       drafts_.push_back(main);
       return;
     }
-    if (said.holding && gesture && !clause.is_meanwhile && !corrects) {
+    const bool alone = clause.is_meanwhile || clause.is_after || clause.is_before || clause.follows_then;
+    if (said.holding && gesture && !alone && !corrects) {
       held_ = std::move(said);  // "举着左手往后退": done while the next is
       return;
     }
-    if (held_ && !gesture) {
+    if (held_ && !gesture && !clause.follows_then) {
       said.during.push_back(std::move(*held_));
       held_.reset();
       drafts_.push_back(std::move(said));
@@ -322,12 +385,9 @@ class Assembler {
   bool GoesOnWith(const Clause& clause, const Draft& said) {
     if (drafts_.empty() || clause.follows_then) return false;
     Draft& last = drafts_.back();
-    if (last.during.empty() || last.action != said.action || last.action != "walk") return false;
-    const auto says = [](const Draft& draft) {
-      return std::any_of(ExtentKeys().begin(), ExtentKeys().end(),
-                         [&](const std::string& key) { return draft.parameters.contains(key); });
-    };
-    if (says(last) || !says(said)) return false;
+    const bool same = last.action == "walk" && said.action == "walk" &&
+                      last.parameters.at("direction") == said.parameters.at("direction");
+    if (!same || SaysHowFar(last) || !SaysHowFar(said)) return false;
     Merge(text_, said, false, last);
     return true;
   }
@@ -394,8 +454,7 @@ class Assembler {
   const TaskScope& scope_;
   std::vector<Draft> drafts_;
   std::optional<Draft> waiting_, held_;  // for the clause that it is joined with
-  std::optional<TaskValue> pace_;        // said before what goes at it
-  Span pace_said_;
+  std::optional<Draft> manner_;          // said before what is done so
   bool before_ = false, after_not_ = false;
 };
 
@@ -410,7 +469,7 @@ std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskSc
   try {
     Assembler assembler(text, scope);
     const std::vector<Item> items = ItemsOf(text, LanguageOf(text), scope.places);
-    for (const Clause& clause : Splitter(items).Split()) assembler.Add(clause);
+    for (const Clause& clause : Splitter(text, items).Split()) assembler.Add(clause);
     return assembler.Finish();
   } catch (const Refused& refused) {
     return refused.refusal;

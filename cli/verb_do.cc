@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/output.h"
+#include "cli/paths.h"
+#include "cli/walk_arguments.h"
+#include "kinematics/base/file.h"
+#include "planning/plan/terrain_scale.h"
+#include "planning/tasks/task_plan_json.h"
+#include "planning/terrain/load_terrain.h"
+#include "workflows/words/interpret.h"
+#include "workflows/words/places.h"
+#include "workflows/words/plan_tasks.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string text, task_file, robot = "a1", urdf, terrain = "flat";
+  LanguageModel interpreter;
+  TaskOptions tasks;
+  PlayArguments play;
+  Outputs outputs;
+  bool yes = false, schema = false, only_tasks = false;
+
+  bool asks_model() const { return !interpreter.url.empty(); }
+};
+
+void Check(const Arguments& a) {
+  if (a.text.empty() == a.task_file.empty())
+    throw InvalidArgument("what to do is given either as TEXT or by --task-plan FILE");
+  if (a.asks_model() != !a.interpreter.model.empty())
+    throw InvalidArgument("--interpreter and --model go together: where the language model is, and which");
+  if (a.asks_model() && a.text.empty()) throw InvalidArgument("--interpreter goes with TEXT, not with --task-plan");
+  Paths paths{{{"--task-plan", a.task_file}},
+              {{"the plan of --out-dir", a.outputs.PathOf(a.outputs.plan)},
+               {"the log of --out-dir", a.outputs.PathOf(a.outputs.log)},
+               {"the report of --out-dir", a.outputs.PathOf(a.outputs.report)}},
+              a.outputs.plot_folder};
+  paths.AddRobotAndGait(a.urdf, "");
+  paths.AddTerrain(a.terrain);
+  CheckPaths(paths);
+}
+
+Result<Interpretation> TasksOf(const Arguments& a, const TaskScope& scope) {
+  if (a.task_file.empty()) {
+    return Interpret(a.text, scope, a.asks_model() ? std::optional(a.interpreter) : std::nullopt);
+  }
+  const Result<std::string> text = ReadFile(a.task_file);
+  if (!text) return text.failure();
+  Result<TaskPlan> plan = TaskPlanFromJson(*text);
+  if (!plan) return plan.failure();
+  if (auto failure = WhyNotPlanned(*plan, scope)) return *failure;
+  return Interpretation{std::move(*plan), "file", {}};
+}
+
+/// The task plan for people, on standard error where standard output is the program's own.
+void Show(const Interpretation& tasks, const Common& common) {
+  std::FILE* const to = common.json ? stderr : stdout;
+  for (const std::string& note : tasks.notes) fmt::print(stderr, "note: {}\n", note);
+  if (common.quiet) return;
+  fmt::print(to, "as understood by the {}:\n", tasks.by == "file" ? "file's writer" : tasks.by);
+  for (std::size_t k = 0; k < tasks.plan.tasks.size(); ++k) {
+    const Task& task = tasks.plan.tasks[k];
+    fmt::print(to, "  {}. {}{}\n", k + 1, TaskText(task), task.words.empty() ? "" : fmt::format("   ({})", task.words));
+  }
+  std::fflush(to);
+}
+
+/// Whether it shall be done: asked on a terminal. Without one what the grammar understood is done, and what a language
+/// model did only with --yes.
+bool GoesOn(const Arguments& a, const Interpretation& tasks) {
+  if (a.yes) return true;
+  if (::isatty(STDIN_FILENO) == 0) {
+    if (tasks.by == "language model")
+      throw InvalidArgument("what a language model understood is done only after it was looked at: give --yes");
+    return true;
+  }
+  fmt::print(stderr, "Shall it be done? [y/N] ");
+  std::string answer;
+  std::getline(std::cin, answer);
+  return answer == "y" || answer == "Y" || answer == "yes";
+}
+
+void Print(const Judged& judged, const Files& files, const Interpretation& tasks, const PlannedTasks& planned,
+           const Common& common) {
+  if (!common.json && !common.quiet) {
+    for (const std::string& note : planned.notes) fmt::print("note: {}\n", note);
+  }
+  PrintJudged(judged, files, common,
+              {{"tasks", TaskPlanJson(tasks.plan)},
+               {"understood_by", nlohmann::json(tasks.by).dump()},
+               {"notes", nlohmann::json(planned.notes).dump()}});
+}
+
+int PlanAndPlay(Arguments& a, const RobotModel& model, const Terrain& terrain, const Interpretation& tasks) {
+  const Result<PlannedTasks> planned = PlanTasks(model, terrain, tasks.plan, a.tasks);
+  if (!planned) return Report(planned.failure(), a.common);
+  const Result<PlayedWalk> played = PlayWalk(model, planned->plan, a.play.request);
+  if (!played) return Report(played.failure(), a.common);
+  Judged judged{model, planned->plan, *played, planned->audit, planned->planning_cpu_s, true};
+  if (!a.urdf.empty()) judged.mesh_folder = std::filesystem::path(a.urdf).parent_path().string();
+  const Result<Files> files = WriteOutputs(judged, a.outputs);
+  if (!files) return Report(files.failure(), a.common);
+  Print(judged, *files, tasks, *planned, a.common);
+  return judged.pass() ? kPass : kVerdictFail;
+}
+
+int Run(Arguments& a) {
+  if (a.schema) {
+    fmt::print("{}", TaskPlanSchema());
+    return kPass;
+  }
+  a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
+  ApplySets("--set", a.common.sets, Joined({a.tasks.motion.Fields(), a.play.request.Fields()}));
+  a.tasks.seed = static_cast<std::uint64_t>(a.common.seed);
+  Check(a);
+  const Result<RobotModel> model = ChooseRobot(a.robot, a.urdf);
+  if (!model) return Report(model.failure(), a.common);
+  const Result<Terrain> terrain = LoadTerrain(a.terrain, ScaleOf(*model));
+  if (!terrain) return Report(terrain.failure(), a.common);
+  a.play.Finish();
+  a.play.CheckActs(a.common.sets);
+  TaskScope scope = ScopeOf(*model);
+  scope.places = PlacesOf(*terrain);
+  a.interpreter.key = ApiKeyFromEnvironment();
+  const Result<Interpretation> tasks = TasksOf(a, scope);
+  if (!tasks) return Report(tasks.failure(), a.common);
+  if (a.only_tasks) {
+    for (const std::string& note : tasks->notes) fmt::print(stderr, "note: {}\n", note);
+    fmt::print("{}", TaskPlanJson(tasks->plan));
+    return kPass;
+  }
+  Show(*tasks, a.common);
+  if (!GoesOn(a, *tasks)) return kWrongInput;
+  return PlanAndPlay(a, *model, *terrain, *tasks);
+}
+
+}  // namespace
+
+void AddDo(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb = *app.add_subcommand("do", "Do what an instruction in words asks for, in English or Chinese");
+  a->outputs.folder = "out";
+  verb.add_option("TEXT", a->text, "The instruction, such as \"walk two steps, then raise the right arm\".")
+      ->type_name("TEXT");
+  AddText(verb, "--task-plan", "FILE", a->task_file, "A task plan as JSON instead of TEXT, see --schema.");
+  verb.option_defaults()->group("Robot and ground");
+  CLI::Option* named = AddText(verb, "--robot", "NAME", a->robot, "Robot by name; default a1.");
+  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
+  AddText(verb, "--terrain", "NAME", a->terrain, "Ground by name or file, with places that have names; default flat.");
+  verb.option_defaults()->group("How words are understood");
+  AddText(verb, "--interpreter", "URL", a->interpreter.url,
+          "A language model behind an OpenAI-compatible endpoint; its key is taken from GAITWRIGHT_API_KEY or "
+          "OPENAI_API_KEY; default: the built-in grammar.");
+  AddText(verb, "--model", "NAME", a->interpreter.model, "Its name there, with --interpreter.");
+  AddNumber(verb, "--interpreter-timeout", "s", a->interpreter.longest_s,
+            "Longest that one of its answers is waited for; default 60.")
+      ->check(CLI::Range(0.1, 3600.0));
+  verb.add_flag("--yes", a->yes, "Do it without asking; default: asks on a terminal.");
+  verb.add_flag("--tasks-only", a->only_tasks, "Print the task plan as JSON and end.");
+  verb.add_flag("--schema", a->schema, "Print the JSON schema of task plans and end.");
+  verb.option_defaults()->group("Options");
+  a->play.AddTo(verb);
+  a->outputs.AddTo(verb);
+  AddCommon(verb, a->common,
+            {"do \"walk forward two steps, then raise the right arm\" --robot nao --yes",
+             "do \"起来，小跑两米，然后坐下\" --robot a1 --out-dir trot", "do \"bow twice\" --robot nao --tasks-only"});
+  AddOptionList(verb, Joined({a->tasks.motion.Fields(), a->play.request.Fields()}), a->common.json);
+  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+}
+
+}  // namespace gaitwright::cli
