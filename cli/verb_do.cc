@@ -102,9 +102,9 @@ void Print(const Judged& judged, const Files& files, const Interpretation& tasks
 int PlanAndPlay(Arguments& a, const RobotModel& model, const Terrain& terrain, const Interpretation& tasks) {
   const Result<PlannedTasks> planned = PlanTasks(model, terrain, tasks.plan, a.tasks);
   if (!planned) return Report(planned.failure(), a.common);
-  const Result<PlayedWalk> played = PlayWalk(model, planned->plan, a.play.request);
+  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, a.play.request);
   if (!played) return Report(played.failure(), a.common);
-  Judged judged{model, planned->plan, *played, planned->audit, planned->planning_cpu_s, true};
+  Judged judged{planned->robot, planned->plan, *played, planned->audit, planned->planning_cpu_s, true};
   if (!a.urdf.empty()) judged.mesh_folder = std::filesystem::path(a.urdf).parent_path().string();
   const Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);

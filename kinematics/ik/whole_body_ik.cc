@@ -50,7 +50,7 @@ void Integrate(const VectorX& step, VectorX& q) {
 }  // namespace
 
 WholeBodyIk::WholeBodyIk(const RobotModel& model) : model_(&model), scratch_(model) {
-  foot_jacobians_.assign(model.feet.size(), MatrixX::Zero(6, model.nv()));
+  foot_jacobians_.assign(model.legs.size(), MatrixX::Zero(6, model.nv()));
   com_jacobian_ = MatrixX::Zero(3, model.nv());
   ListRows();
   ChooseRows();
@@ -71,7 +71,7 @@ void WholeBodyIk::ListRows() {
   const auto along = [](const std::string& what) {
     return std::array<std::string, 3>{what + " x", what + " y", what + " z"};
   };
-  for (std::size_t f = 0; f < model_->feet.size(); ++f) {
+  for (std::size_t f = 0; f < model_->legs.size(); ++f) {
     const Foot& foot = model_->feet[f];
     const int index = static_cast<int>(f);
     add(Kind::kFootLinear, index, 0, along(foot.name + " position"));
@@ -95,7 +95,7 @@ void WholeBodyIk::ChooseRows() {
   }
   ForwardKinematics(*model_, StandingConfiguration(*model_), scratch_);
   BodyTarget standing;
-  standing.feet.resize(model_->feet.size());
+  standing.feet.resize(model_->legs.size());
   for (std::size_t f = 0; f < standing.feet.size(); ++f) standing.feet[f].R_WF = FootPose(static_cast<int>(f)).linear();
   SetAxes(standing);
   UpdateJacobians(standing);
@@ -133,7 +133,7 @@ void WholeBodyIk::ChooseRows() {
 }
 
 void WholeBodyIk::UpdateJacobians(const BodyTarget& target) {
-  for (std::size_t f = 0; f < model_->feet.size(); ++f) {
+  for (std::size_t f = 0; f < model_->legs.size(); ++f) {
     const Foot& foot = model_->feet[f];
     MatrixX& J = foot_jacobians_[f];
     PointJacobian(*model_, scratch_, foot.body, foot.X_BF.translation(), J);
@@ -243,7 +243,7 @@ Result<int> WholeBodyIk::SolvePosition(const BodyTarget& target, VectorX& q) {
 Failure WholeBodyIk::OutOfReach(const BodyTarget& target) const {
   std::size_t worst = 0;
   double distance = -1.0;
-  for (std::size_t f = 0; f < model_->feet.size(); ++f) {
+  for (std::size_t f = 0; f < model_->legs.size(); ++f) {
     const Foot& foot = model_->feet[f];
     const Pose X_WF = FootPose(static_cast<int>(f));
     const double gap = (WantedPosition(foot, target.feet[f], X_WF.linear()) - X_WF.translation()).norm();

@@ -39,7 +39,7 @@ struct BodyTarget {
   Vector3 p_WC = Vector3::Zero(), v_WC = Vector3::Zero(), a_WC = Vector3::Zero();
   Matrix3 R_WB = Matrix3::Identity();
   Vector3 w_WB = Vector3::Zero(), alpha_WB = Vector3::Zero();
-  std::vector<FootTarget> feet;  ///< by foot
+  std::vector<FootTarget> feet;  ///< by foot of a leg
   PostureTarget posture;
 };
 

@@ -10,6 +10,7 @@
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/model/base_axes.h"
 #include "kinematics/model/body_tree.h"
+#include "kinematics/model/find_feet.h"
 #include "kinematics/model/yaml_line.h"
 
 namespace gaitwright {
@@ -169,6 +170,24 @@ void ApplyStanding(const RobotYaml& yaml, RobotModel& model) {
     CheckUnits(JointNamed(model, given.joint, given.line), given.sliding, given.stiffness || given.damping, given.line);
     model.stiffness[dof] = given.stiffness.value_or(0.0);
     model.damping[dof] = given.damping.value_or(0.0);
+  }
+}
+
+void ApplyRests(const RobotYaml& yaml, RobotModel& model) {
+  for (const RobotYaml::Rest& rest : yaml.rests) {
+    std::vector<std::string> links;
+    for (const Frame& frame : model.frames) links.push_back(frame.name);
+    if (std::find(links.begin(), links.end(), rest.link) == links.end()) {
+      RefuseYamlLine(rest.line,
+                     fmt::format("there is no link '{}' to lie on{}", rest.link, NearestHint(rest.link, links)));
+    }
+    const auto of_link = [&](const Foot& foot) { return foot.link == rest.link; };
+    if (std::any_of(model.feet.begin(), model.feet.end(), of_link))
+      RefuseYamlLine(rest.line, fmt::format("link '{}' is a foot, or a rest already", rest.link));
+    const std::optional<Foot> found = FindRest(model, rest.link);
+    if (!found) RefuseYamlLine(rest.line, fmt::format("link '{}' has no flat bottom to lie on", rest.link));
+    model.feet.push_back(*found);
+    model.notes.push_back(fmt::format("it may lie on link '{}': {}", rest.link, found->derived_from));
   }
 }
 

@@ -23,6 +23,10 @@ VectorX GivenPosture(const RobotYaml& yaml, const RobotModel& model);
 /// posture from the file in which a foot is more than 5 mm above the lowest, naming it and by how much.
 void ApplyStanding(const RobotYaml& yaml, RobotModel& model);
 
+/// Adds the links that the robot may lie on behind the feet of its legs. Refuses one that is not there, has no flat
+/// bottom, or is that of a foot.
+void ApplyRests(const RobotYaml& yaml, RobotModel& model);
+
 /// One line for each thing that was derived or taken from the file, with what it was taken from; for people.
 std::vector<std::string> DerivationNotes(const RobotYaml& yaml, const RobotModel& model);
 

@@ -115,9 +115,8 @@ std::string NameOf(const std::vector<const Shape*>& shapes) {
                      first.link);
 }
 
-/// The flat bottom of shapes of the last body at joint positions zero, as a sole.
-bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, Foot& foot) {
-  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+/// The flat bottom of shapes of a foot's body in a posture: its corners, frame and what it is derived from.
+bool FindFlatBottom(const std::vector<Pose>& X_OB, const std::vector<const Shape*>& shapes, Foot& foot) {
   const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
   double bottom = std::numeric_limits<double>::infinity();
   for (const Shape* shape : shapes) {
@@ -147,12 +146,19 @@ bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const S
     foot.sole_F = Area(outline) < kLeastSole ? Polygon{} : outline;
     if (foot.sole_F.empty()) return false;
   }
-  foot.type = HasRoll(model, leg, X_OB) ? FootType::kSole : FootType::kLine;
   Pose X_OF = Pose::Identity();
   X_OF.translation() = Vector3(middle.x(), middle.y(), bottom);
   foot.X_BF = X_OE.inverse() * X_OF;
-  foot.derived_from =
-      fmt::format("a {} from the flat bottom of {}", foot.type == FootType::kSole ? "sole" : "line", NameOf(at_bottom));
+  foot.derived_from = fmt::format("the flat bottom of {}", NameOf(at_bottom));
+  return true;
+}
+
+/// The flat bottom of shapes of the last body at joint positions zero, as a sole.
+bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, Foot& foot) {
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  if (!FindFlatBottom(X_OB, shapes, foot)) return false;
+  foot.type = HasRoll(model, leg, X_OB) ? FootType::kSole : FootType::kLine;
+  foot.derived_from = fmt::format("a {} from {}", foot.type == FootType::kSole ? "sole" : "line", foot.derived_from);
   return true;
 }
 
@@ -256,6 +262,21 @@ Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given
   if (given != nullptr) TakeType(*given, foot);
   foot.name = foot.link;
   return foot;
+}
+
+std::optional<Foot> FindRest(const RobotModel& model, const std::string& link) {
+  const Frame& frame = model.frames[static_cast<std::size_t>(model.FrameIndex(link))];
+  std::vector<const Shape*> shapes;
+  for (const Shape* shape : ShapesOf(model, frame.body)) {
+    if (shape->link == link) shapes.push_back(shape);
+  }
+  Foot rest;
+  rest.name = rest.link = link;
+  rest.body = frame.body;
+  rest.type = FootType::kSole;
+  if (!FindFlatBottom(BodyPoses(model, model.standing_joints), shapes, rest)) return std::nullopt;
+  rest.derived_from = "a rest from " + rest.derived_from;
+  return rest;
 }
 
 }  // namespace gaitwright

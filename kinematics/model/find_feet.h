@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "kinematics/model/derive_legs.h"
 #include "kinematics/model/robot_model.h"
 
@@ -12,5 +15,9 @@ double FarthestExtent(const RobotModel& model, int body);
 /// The foot at the end of a leg; X_BF has the base's axes at joint positions zero (a sphere's are set with the
 /// posture).
 Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given);
+
+/// A part of the robot that is no foot and that it may lie on: the flat bottom of a link's shapes in the standing
+/// posture. Nothing where it has none. @throws InvalidArgument for a link that is not there.
+std::optional<Foot> FindRest(const RobotModel& model, const std::string& link);
 
 }  // namespace gaitwright

@@ -96,6 +96,7 @@ Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_te
     model.notes.push_back(fmt::format("link '{}': {}; what it touches is not known", mesh.link, mesh.why));
   model.missing_meshes = std::move(missing);
   ApplyStanding(yaml, model);
+  ApplyRests(yaml, model);
   const std::vector<std::string> notes = DerivationNotes(yaml, model);
   model.notes.insert(model.notes.begin(), notes.begin(), notes.end());
   model.urdf_text = urdf_text;
@@ -167,6 +168,11 @@ Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& ya
       });
   if (model) NoteMissingPictures(folder.string(), *model);
   return model;
+}
+
+Result<RobotModel> WithRest(const RobotModel& model, const std::string& link) {
+  const std::string yaml = model.yaml_text + (model.yaml_text.empty() || model.yaml_text.ends_with('\n') ? "" : "\n");
+  return LoadRobotFromText(model.urdf_text, yaml + fmt::format("rests: ['{}']\n", link), model.name, model.meshes);
 }
 
 std::vector<std::string> RobotNames() {

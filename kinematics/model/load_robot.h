@@ -24,6 +24,9 @@ Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::st
 /// one of the source tree, else the installed one. An unknown name is a failure that lists what exists.
 Result<RobotModel> LoadNamedRobot(const std::string& name);
 
+/// The same robot, which may also lie on a link: `rests` of its robot.yaml. Failure as of LoadRobotFromText.
+Result<RobotModel> WithRest(const RobotModel& model, const std::string& link);
+
 /// Names of the robots in that folder, sorted.
 std::vector<std::string> RobotNames();
 

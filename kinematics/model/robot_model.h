@@ -140,7 +140,7 @@ struct RobotModel {
   std::vector<Frame> frames;  ///< one for each URDF link
   std::vector<Shape> collision_shapes;
   std::vector<Shape> visual_shapes;
-  std::vector<Foot> feet;
+  std::vector<Foot> feet;  ///< those of the legs in their order, then rests: other links that it may lie on
   std::vector<Leg> legs;  ///< legs[i].foot == i; front before rear, left before right
 
   VectorX standing_joints;              ///< nominal posture of the independent joints, size n

@@ -251,7 +251,8 @@ RobotYaml Parse(const YAML::Node& root) {
   if (!root || root.IsNull()) return yaml;
   const YamlMap map(root, "the file",
                     {"name", "description", "scale", "up", "ahead", "limits", "feet", "legs", "mirror_pairs",
-                     "standing", "standing_base_height_m", "nominal_speed_m_s", "gains", "motors"});
+                     "standing", "standing_base_height_m", "nominal_speed_m_s", "gains", "motors",
+                     "rests"});
   yaml.name = map.Text("name");
   if (map.Find("name") != nullptr && yaml.name.empty()) RefuseYaml(*map.Find("name"), "'name' is empty");
   yaml.description = map.Text("description");
@@ -266,6 +267,9 @@ RobotYaml Parse(const YAML::Node& root) {
   ForEach(map, "limits", [&](const auto& entry) { yaml.limits.push_back(ParseLimits(entry)); });
   ForEach(map, "gains", [&](const auto& entry) { yaml.gains.push_back(ParseGains(entry)); });
   ForEach(map, "motors", [&](const auto& entry) { yaml.motors.push_back(ParseMotor(entry)); });
+  if (const YAML::Node* rests = map.Find("rests")) {
+    for (const YAML::Node& rest : ListOf(*rests, "rests")) yaml.rests.push_back({TextOf(rest, "a rest"), LineOf(rest)});
+  }
   ForEach(map, "standing", [&](const YamlMap::Entry& entry) {
     const double position =
         NumberOf(entry.value, fmt::format("the position of '{}'", entry.key), -kLargestValue, kLargestValue);

@@ -46,6 +46,12 @@ struct RobotYaml : LegChoices {
   std::string name, description;
   double scale = 1.0;                ///< by which the URDF's lengths are multiplied
   std::optional<Vector3> ahead, up;  ///< axes of the root link; `up` too where `ahead` is given, and across it
+  /// A link that the robot may lie on.
+  struct Rest {
+    std::string link;
+    int line = 0;
+  };
+  std::vector<Rest> rests;
   std::vector<JointLimits> limits;
   std::vector<JointPosition> standing;
   std::vector<JointGains> gains;

@@ -9,7 +9,7 @@ Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch,
                         const Vector3& p_WC, double normal_n, double use) {
   constexpr double kLow = 0.5;   // of the height of the centre of mass
   constexpr double kFlat = 0.5;  // horizontal part of an axis that counts
-  if (support.size() < 3) return support;
+  if (support.size() < 3 || foot >= static_cast<int>(model.legs.size())) return support;
   const double ground = ContactFrame(model, scratch, foot).translation().z();
   const double height = p_WC.z() - ground;
   Polygon held = support;

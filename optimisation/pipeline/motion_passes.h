@@ -76,6 +76,7 @@ class MotionPasses {
   Result<MotionPass> MakePass();
   Result<WholeBodySolution> SolveBody(MotionPass& pass);
   bool UpdateRolls(const WholeBodySolution& solution);
+  void EndAsStanding();
   void UpdateOffset(const MotionPass& pass, double gain);
 
   const MotionTask task_;

@@ -27,6 +27,7 @@ struct PipelineOptions {
   double residual = 3e-4;
   double zmp_inward = 0.08;
   double com_height_m = 0.0;
+  bool end_as_standing = false;
   bool allow_limits = false;
 
   OptionFields Fields() {
@@ -72,6 +73,14 @@ struct PipelineOptions {
          "as "
          "far where joints would be past their limits otherwise. In the middle, at 0, pushes to both sides are held "
          "alike; inward of it ankles and hips bend and work less.",
+         {}},
+        {"end_as_standing",
+         &end_as_standing,
+         "1",
+         0.0,
+         1.0,
+         "Places the last footholds so that feet that roll end where they are in standing, as a motion needs that "
+         "another one follows. On level ground, of a pendulum's motion.",
          {}},
         {"allow_limits",
          &allow_limits,

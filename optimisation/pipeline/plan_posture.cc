@@ -3,59 +3,113 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kinematics/base/version.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/ik/whole_body_ik.h"
+#include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/whole_body/body_path.h"
 #include "planning/paths/standing_feet.h"
+#include "planning/plan/carried_plan.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kTime = 1e-9;  // [s]
 
-Gait GaitOf(const PostureMotion& motion, int num_feet) {
-  Gait gait = StandingGait(num_feet);
-  gait.name = motion.name;
+/// Standing still on all feet of legs under a name, but for those that are lifted meanwhile.
+Gait GaitOf(const RobotModel& model, const PostureMotion& motion, const std::string& name, double start_s,
+            double end_s) {
+  Gait gait = StandingGait(static_cast<int>(model.legs.size()));
+  gait.name = name;
   gait.description = "feet stay where they are";
-  if (!motion.lift) return gait;
-  const auto foot = static_cast<std::size_t>(motion.lift->foot);
-  const double duration_s = motion.duration_s();
-  gait.cycle_s = duration_s;
-  gait.phase[foot] = motion.TimeOf(motion.lift->to_key) / duration_s;
-  gait.duty_factor[foot] =
-      1.0 - (motion.TimeOf(motion.lift->to_key) - motion.TimeOf(motion.lift->from_key)) / duration_s;
+  for (const FootLift& lift : motion.lifts) {
+    const double up_s = motion.TimeOf(lift.from_key), down_s = motion.TimeOf(lift.to_key);
+    if (up_s < start_s - kTime || down_s > end_s + kTime) continue;
+    const auto foot = static_cast<std::size_t>(lift.foot);
+    gait.cycle_s = end_s - start_s;
+    gait.phase[foot] = (down_s - start_s) / gait.cycle_s;
+    gait.duty_factor[foot] = 1.0 - (down_s - up_s) / gait.cycle_s;
+  }
   return gait;
 }
 
-/// The part, the schedule, the footholds and the swing of a lift.
-void AddContacts(const RobotModel& model, const PostureMotion& motion, MotionPlan& plan) {
-  const int num_feet = static_cast<int>(model.feet.size());
+void AddParts(const RobotModel& model, const PostureMotion& motion, MotionPlan& plan) {
+  std::vector<PostureSection> sections = motion.sections;
+  if (sections.empty()) sections = {{motion.name, motion.keys.size() - 1}};
+  double start_s = 0.0;
+  for (const PostureSection& section : sections) {
+    MotionPart part;
+    part.start_s = start_s;
+    part.end_s = start_s = motion.TimeOf(section.last_key);
+    if (part.end_s - part.start_s < kTime) continue;
+    part.gait = GaitOf(model, motion, section.name, part.start_s, part.end_s);
+    part.command.extent = WalkCommand::Extent::kDuration;
+    part.command.duration_s = part.end_s - part.start_s;
+    plan.parts.push_back(part);
+  }
+}
+
+/// Where the feet stand at the first key, reckoned from standing: spheres have rolled with their legs since.
+Result<std::vector<Pose>> FeetAtStart(const RobotModel& model, const PostureMotion& motion, double com_height_m) {
+  DynamicsScratch scratch(model);
+  VectorX q = StandingConfiguration(model);
+  ForwardKinematics(model, q, scratch);
+  const PostureKey& key = motion.keys.front();
+  BodyTarget target;
+  target.p_WC << CentreOfMass(model, scratch).head<2>(), com_height_m;
+  target.p_WC += key.shift;
+  target.R_WB = Eigen::AngleAxisd(key.turn_rad.z(), Vector3::UnitZ()) *
+                Eigen::AngleAxisd(key.turn_rad.y(), Vector3::UnitY()) *
+                Eigen::AngleAxisd(key.turn_rad.x(), Vector3::UnitX()) * BaseRotation(q);
+  target.posture = {key.joints, VectorX::Zero(model.num_dofs()), VectorX::Zero(model.num_dofs())};
+  for (std::size_t f = 0; f < model.legs.size(); ++f) {
+    FootTarget foot;
+    const Pose X_WF = FramePose(scratch, model.feet[f].body, model.feet[f].X_BF);
+    foot.p_WF = X_WF.translation();
+    foot.R_WF = foot.R_anchor = X_WF.linear();
+    target.feet.push_back(foot);
+  }
+  WholeBodyIk ik(model);
+  const Result<int> solved = ik.SolvePosition(target, q);
+  if (!solved) return solved.failure();
+  std::vector<Pose> feet = StandingFeet(model);
+  for (std::size_t f = 0; f < model.legs.size(); ++f) {
+    const Vector3 moved = ik.FootPose(static_cast<int>(f)).translation() - target.feet[f].p_WF;
+    if (model.feet[f].radius > 0.0) feet[f].translation().head<2>() += moved.head<2>();
+  }
+  return feet;
+}
+
+/// The schedule, the footholds and the swings of lifts.
+void AddContacts(const RobotModel& model, const PostureMotion& motion, const std::vector<Pose>& feet,
+                 MotionPlan& plan) {
   const double end_s = motion.duration_s();
-  MotionPart part;
-  part.gait = GaitOf(motion, num_feet);
-  part.command.extent = WalkCommand::Extent::kDuration;
-  part.command.duration_s = end_s;
-  part.end_s = end_s;
-  plan.parts = {part};
-  plan.schedule.phases = {{0.0, end_s, AllFeet(num_feet)}};
-  const std::vector<Pose> feet = StandingFeet(model);
-  for (int f = 0; f < num_feet; ++f)
-    plan.footsteps.footholds.push_back({f, feet[static_cast<std::size_t>(f)], Vector3::Zero(), 0, 0.0, end_s});
-  if (!motion.lift) return;
-  const FootLift& lift = *motion.lift;
-  const double up_s = motion.TimeOf(lift.from_key), down_s = motion.TimeOf(lift.to_key);
-  const FootSet others = AllFeet(num_feet) & ~FootBit(lift.foot);
-  plan.schedule.phases = {{0.0, up_s, AllFeet(num_feet)}, {up_s, down_s, others}, {down_s, end_s, AllFeet(num_feet)}};
-  Foothold& left = plan.footsteps.footholds[static_cast<std::size_t>(lift.foot)];
-  Foothold again = left;
-  left.liftoff_s = up_s;
-  again.touchdown_s = down_s;
-  plan.swings.push_back({lift.foot, up_s, down_s, left.X_WF, left.X_WF, lift.height_m});
-  plan.swings.back().clearance_m = lift.height_m;
-  plan.footsteps.footholds.push_back(again);
+  std::vector<std::vector<ContactInterval>> stays(model.feet.size());
+  for (std::size_t f = 0; f < model.legs.size(); ++f) {
+    double since_s = 0.0;
+    for (const FootLift& lift : motion.lifts) {
+      if (lift.foot != static_cast<int>(f)) continue;
+      const double up_s = motion.TimeOf(lift.from_key), down_s = motion.TimeOf(lift.to_key);
+      stays[f].push_back({since_s, up_s});
+      plan.swings.push_back({lift.foot, up_s, down_s, feet[f], feet[f], lift.height_m});
+      plan.swings.back().clearance_m = lift.height_m;
+      since_s = down_s;
+    }
+    stays[f].push_back({since_s, end_s});
+  }
+  for (const RestStay& stay : motion.rests)
+    stays[static_cast<std::size_t>(stay.rest)].push_back({motion.TimeOf(stay.from_key), motion.TimeOf(stay.to_key)});
+  plan.schedule = ScheduleFromIntervals(stays, 0.0, end_s);
+  for (std::size_t f = 0; f < stays.size(); ++f) {
+    for (const ContactInterval& stay : stays[f])
+      plan.footsteps.footholds.push_back(
+          {static_cast<int>(f), feet[f], Vector3::Zero(), 0, stay.start_s, stay.end_s});
+  }
   SortFootholds(plan.footsteps);
 }
 
@@ -106,6 +160,51 @@ std::optional<Failure> Solve(const RobotModel& model, const WholeBodyProblem& pr
   return std::nullopt;
 }
 
+/// Where rests lie is where the body puts them.
+void PlaceRests(const RobotModel& model, MotionPlan& plan) {
+  DynamicsScratch scratch(model);
+  const WholeBodyTrajectory& w = plan.whole_body;
+  for (Foothold& foothold : plan.footsteps.footholds) {
+    if (foothold.foot < static_cast<int>(model.legs.size())) continue;
+    ForwardKinematics(model, w.q[static_cast<std::size_t>(std::lround(foothold.touchdown_s / w.step_s))], scratch);
+    const Pose X_WF = ContactFrame(model, scratch, foothold.foot);
+    foothold.X_WF.linear() = YawRotation(YawOf(X_WF.linear()));
+    foothold.X_WF.translation() << X_WF.translation().head<2>(), 0.0;
+  }
+}
+
+/// Where the base ends in each part: a body may go a way over feet that stay.
+void SetGoals(MotionPlan& plan) {
+  constexpr double kSame = 1e-3;  // [m]
+  const WholeBodyTrajectory& w = plan.whole_body;
+  PlanarPose from = BaseInPlan(w.q.front());
+  for (MotionPart& part : plan.parts) {
+    part.goal = BaseInPlan(w.q[static_cast<std::size_t>(std::lround(part.end_s / w.step_s))]);
+    const Pose X_AB = PoseOf(from).inverse() * PoseOf(part.goal);
+    if (X_AB.translation().norm() > kSame) {
+      part.command.extent = WalkCommand::Extent::kGoal;
+      part.command.duration_s = 0.0;
+      part.command.goal_x_m = X_AB.translation().x();
+      part.command.goal_y_m = X_AB.translation().y();
+      part.command.goal_yaw_rad = YawOf(X_AB.linear());
+    }
+    from = part.goal;
+  }
+  plan.goal = from;
+}
+
+/// A gate at the end of each section that waits: all feet of legs carry.
+void AddGates(const RobotModel& model, const PostureMotion& motion, MotionPlan& plan) {
+  for (const PostureSection& section : motion.sections) {
+    if (!section.waits) continue;
+    PlanGate gate;
+    gate.at_s = motion.TimeOf(section.last_key);
+    gate.phase = section.name;
+    gate.contact = AllFeet(static_cast<int>(model.legs.size()));
+    plan.gates.push_back(gate);
+  }
+}
+
 Provenance ProvenanceOf(const PostureMotion& motion, MotionOptions options) {
   Provenance provenance{Version(), "PlanPosture", {{"posture.name", motion.name}}, 0};
   for (const auto& [key, text] : motion.options) provenance.options.emplace_back("posture." + key, text);
@@ -131,9 +230,12 @@ Result<MotionPlan> PlanPosture(const RobotModel& model, const PostureMotion& mot
   plan.meshes = model.meshes;
   plan.terrain = FlatTerrain();
   plan.provenance = ProvenanceOf(motion, options);
-  AddContacts(model, on_grid, plan);
-  const double asked = options.pipeline.com_height_m;
-  plan.centroidal = CentreOfMassOf(model, on_grid, asked > 0.0 ? asked : StandingHeight(model), step_s);
+  AddParts(model, on_grid, plan);
+  const double asked = options.pipeline.com_height_m, height_m = asked > 0.0 ? asked : StandingHeight(model);
+  const Result<std::vector<Pose>> feet = FeetAtStart(model, on_grid, height_m);
+  if (!feet) return feet.failure();
+  AddContacts(model, on_grid, *feet, plan);
+  plan.centroidal = CentreOfMassOf(model, on_grid, height_m, step_s);
   PostureSample sample;
   WholeBodyProblem problem{&plan.terrain, &plan.schedule, &plan.footsteps, &plan.centroidal, &plan.swings, {}};
   problem.turning = [&](double time_s) {
@@ -145,6 +247,9 @@ Result<MotionPlan> PlanPosture(const RobotModel& model, const PostureMotion& mot
     posture = {sample.q, sample.v, sample.a};
   };
   if (auto failure = Solve(model, problem, options.whole_body, plan)) return *failure;
+  PlaceRests(model, plan);
+  SetGoals(plan);
+  AddGates(model, on_grid, plan);
   return plan;
 }
 

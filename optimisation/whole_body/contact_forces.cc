@@ -13,6 +13,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLeastLoad = 1e-5;
+constexpr double kRestLoad = 20.0;  // of what a foot carries: legs of a robot that lies are nearly limp
 
 /// Share of its load that a foot bears at a time: rises from 0 after touch-down and falls to 0 before lift-off.
 class LoadShare {
@@ -36,7 +37,7 @@ class LoadShare {
 
   double At(double time_s) const {
     for (const Ramp& ramp : ramps_) {
-      if (time_s < ramp.interval.start_s || time_s > ramp.interval.end_s) continue;
+      if (time_s < ramp.interval.start_s - kTiny || time_s > ramp.interval.end_s + kTiny) continue;
       double load = 1.0;
       if (ramp.rise_s > 0.0) load = std::min(load, SmoothStep((time_s - ramp.interval.start_s) / ramp.rise_s).value);
       if (ramp.fall_s > 0.0) load = std::min(load, SmoothStep((ramp.interval.end_s - time_s) / ramp.fall_s).value);
@@ -46,6 +47,7 @@ class LoadShare {
   }
 
  private:
+  static constexpr double kTiny = 1e-9;  // [s] that a time may be off the grid by rounding
   struct Ramp {
     ContactInterval interval;
     double rise_s, fall_s;
@@ -100,7 +102,12 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
     foot_of.clear();
     for (int f = 0; f < num_feet; ++f) {
       const auto foot = static_cast<std::size_t>(f);
-      const auto index = static_cast<std::size_t>(FootholdAt(*problem.footsteps, f, time_s));
+      const int at = FootholdAt(*problem.footsteps, f, time_s);
+      if (at < 0) {  // a rest that is never lain on
+        solution.contact_W[foot].emplace_back(Vector3::Zero());
+        continue;
+      }
+      const auto index = static_cast<std::size_t>(at);
       const Foothold& foothold = problem.footsteps->footholds[index];
       const Vector3 normal_W = foothold.X_WF.linear().col(2);
       const Pose X_WF = ContactFrame(model, scratch, f, normal_W);
@@ -111,6 +118,7 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
       double load = loads[foot].At(time_s);
       if (load <= 0.0) continue;
       if (problem.load) load = std::max(kLeastLoad, problem.load(f, time_s));
+      if (foot >= model.legs.size()) load *= kRestLoad;
       const double friction = options.friction_use * FrictionOf(*problem.terrain, foothold.patch);
       for (const Vector3& p_W : points[foot]) {
         contacts.push_back({p_W, normal_W, friction, static_cast<double>(points[foot].size()) / load});

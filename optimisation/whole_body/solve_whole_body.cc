@@ -181,7 +181,7 @@ Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBod
   WholeBodyIk ik(model);
   DynamicsScratch scratch(model);
   std::vector<FootPath> paths;
-  for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) paths.emplace_back(model, problem, f, expected_roll_W);
+  for (int f = 0; f < static_cast<int>(model.legs.size()); ++f) paths.emplace_back(model, problem, f, expected_roll_W);
   WholeBodySolution solution;
   solution.roll_at_touchdown_W.assign(problem.footsteps->footholds.size(), Vector3::Zero());
   solution.roll_at_liftoff_W = solution.roll_at_touchdown_W;
@@ -189,7 +189,7 @@ Result<WholeBodySolution> SolveWholeBody(const RobotModel& model, const WholeBod
   out.start_s = centroidal.start_s;
   out.step_s = centroidal.step_s;
   BodyTarget target;
-  target.feet.resize(model.feet.size());
+  target.feet.resize(model.legs.size());
   VectorX q, v, a;
   for (int k = 0; k < centroidal.size(); ++k) {
     const double time_s = centroidal.start_s + k * centroidal.step_s;

@@ -38,7 +38,7 @@ void Auditor::CheckSchedule() {
   const WholeBodyTrajectory& w = plan_.whole_body;
   Expect("start of the schedule", w.start_s, std::abs(plan_.schedule.start_s() - w.start_s), w.step_s, "s");
   Expect("end of the schedule", w.end_s(), std::abs(plan_.schedule.end_s() - w.end_s()), w.step_s, "s");
-  const auto feet = static_cast<double>(model_.feet.size());
+  const auto feet = static_cast<double>(model_.legs.size());
   for (const MotionPart& part : plan_.parts) {
     const auto phases = static_cast<double>(part.gait.phase.size());
     const auto duties = static_cast<double>(part.gait.duty_factor.size());
@@ -68,12 +68,12 @@ void Auditor::CheckParts() {
 }
 
 void Auditor::CheckStand(const MotionPart& part) {
-  const FootSet all = AllFeet(static_cast<int>(model_.feet.size()));
+  const FootSet all = AllFeet(static_cast<int>(model_.legs.size()));
   for (const ContactPhase& phase : plan_.schedule.phases) {
     const bool within = phase.end_s > part.start_s + kTime && phase.start_s < part.end_s - kTime;
-    if (within && phase.stance != all) {
+    if (within && (phase.stance & all) != all) {
       findings_.Note("consistency", "feet on the ground while it stands", std::max(part.start_s, phase.start_s),
-                     std::popcount(phase.stance), static_cast<double>(model_.feet.size()), "1");
+                     std::popcount(phase.stance & all), static_cast<double>(model_.legs.size()), "1");
     }
   }
 }
@@ -90,11 +90,12 @@ void Auditor::CheckCommand(const MotionPart& part, const PlanarPose& start) {
     const double turned = std::abs(WrapAngle(goal.yaw_rad - part.goal.yaw_rad));
     Expect(std::string(where) + ", heading", start_s, turned, kGoalHeading, "rad");
   };
-  if (StandsStill(part.gait) || Hangs(part.gait)) {
+  const bool leads = c.extent == WalkCommand::Extent::kGoal;  // of a body over feet that stay, too
+  if (!leads && (StandsStill(part.gait) || Hangs(part.gait))) {
     compare(StandsStill(part.gait) ? "goal of standing still" : "goal of hanging", {});
     return;
   }
-  if (c.extent == WalkCommand::Extent::kGoal) {
+  if (leads) {
     compare("goal against the command's pose", {c.goal_x_m, c.goal_y_m, c.goal_yaw_rad});
     return;
   }

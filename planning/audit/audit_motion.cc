@@ -120,7 +120,7 @@ void Auditor::NearestOfAll(double time_s) {
 }
 
 void Auditor::CheckReach(double time_s) {
-  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+  for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) {
     if (!Contains(stance_, f)) continue;
     const int index = FootholdAt(plan_.footsteps, f, time_s);
     if (index < 0) continue;

@@ -74,7 +74,7 @@ void Auditor::CheckSwings() {
       findings_.Note("consistency", "swing of a foot that is not there", swing.start_s, swing.foot, feet - 1.0, "1");
     }
   }
-  for (int f = 0; f < feet; ++f) {
+  for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) {  // rests go with the body that they are part of
     const auto intervals = IntervalsOf(plan_.schedule, f);
     const auto& of_foot = swings[static_cast<std::size_t>(f)];
     const std::size_t gaps = intervals.empty() ? 0 : intervals.size() - 1;

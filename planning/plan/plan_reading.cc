@@ -154,8 +154,10 @@ Gait ToGait(const JsonPart& part, int feet) {
   const auto lifted = std::find_if(shares.begin(), shares.end(), never);
   if (lifted != shares.end() && !std::all_of(shares.begin(), shares.end(), never))
     lifted->Refuse("is 0; a foot that never stands has no gait, but where all hang");
+  // A gait is one of legs: what a robot lies on has no part in it.
+  const std::size_t legs = std::min(shares.size(), static_cast<std::size_t>(feet));
   const auto by_foot = [&](const char* key) {
-    const VectorX numbers = part.At(key).Vector(static_cast<std::size_t>(feet));
+    const VectorX numbers = part.At(key).Vector(legs);
     return std::vector<double>(numbers.begin(), numbers.end());
   };
   return {part.At("name").Text(), part.At("description").Text(), cycle_s, by_foot("phase"), by_foot("duty_factor")};

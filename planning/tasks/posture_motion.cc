@@ -31,7 +31,7 @@ void SampleAt(const PostureMotion& motion, double time_s, PostureSample& sample)
   while (next + 1 < motion.keys.size() && since_s >= motion.keys[next].after_s) since_s -= motion.keys[next++].after_s;
   const PostureKey &a = motion.keys[next - 1], &b = motion.keys[next];
   const double duration_s = b.after_s > 0.0 ? b.after_s : 1.0;
-  const Motion1 step = SmoothStep(b.after_s > 0.0 ? since_s / b.after_s : 1.0);
+  const Motion1 step = SmoothStep(b.after_s > 0.0 ? since_s / b.after_s : 1.0, b.cruise);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     sample.shift[i] = Between(a.shift[axis], b.shift[axis], step, duration_s);
@@ -49,6 +49,39 @@ PostureMotion Stretched(PostureMotion motion, double factor, double grid_step_s)
   return motion;
 }
 
+PostureMotion Chained(const std::vector<PostureMotion>& motions) {
+  if (motions.empty()) throw InvalidArgument("no posture motions to put one after the other");
+  PostureMotion chain{motions.front().name, {motions.front().keys.front()}};
+  for (const PostureMotion& motion : motions) {
+    const std::size_t before = chain.keys.size() - 1;
+    chain.keys.insert(chain.keys.end(), motion.keys.begin() + 1, motion.keys.end());
+    for (FootLift lift : motion.lifts) {
+      lift.from_key += before;
+      lift.to_key += before;
+      chain.lifts.push_back(lift);
+    }
+    for (RestStay stay : motion.rests) {
+      stay.from_key += before;
+      stay.to_key += before;
+      const bool goes_on = !chain.rests.empty() && chain.rests.back().rest == stay.rest &&
+                           chain.rests.back().to_key == stay.from_key;
+      if (goes_on) {
+        chain.rests.back().to_key = stay.to_key;
+      } else {
+        chain.rests.push_back(stay);
+      }
+    }
+    for (PostureSection section : motion.sections) {
+      section.last_key += before;
+      chain.sections.push_back(section);
+    }
+    if (motion.sections.empty()) chain.sections.push_back({motion.name, chain.keys.size() - 1});
+    for (const auto& [key, text] : motion.options)
+      chain.options.emplace_back(fmt::format("{}.{}.{}", chain.sections.size(), motion.name, key), text);
+  }
+  return chain;
+}
+
 void CheckPostureMotion(const RobotModel& model, const PostureMotion& motion) {
   const auto refuse = [&](const std::string& what) {
     throw InvalidArgument(fmt::format("posture motion '{}' {}", motion.name, what));
@@ -64,11 +97,16 @@ void CheckPostureMotion(const RobotModel& model, const PostureMotion& motion) {
         !key.joints.allFinite())
       refuse(fmt::format("has a key {} of numbers that are not finite, or of a time below 0", k));
   }
-  if (!motion.lift) return;
-  const FootLift& lift = *motion.lift;
-  if (lift.foot < 0 || lift.foot >= static_cast<int>(model.feet.size()) || lift.from_key >= lift.to_key ||
-      lift.to_key >= motion.keys.size() || !(lift.height_m > 0.0 && std::isfinite(lift.height_m)))
-    refuse("lifts a foot that is not there, not between two of its keys, or to no height above 0");
+  const auto legs = static_cast<int>(model.legs.size()), feet = static_cast<int>(model.feet.size());
+  for (const FootLift& lift : motion.lifts) {
+    if (lift.foot < 0 || lift.foot >= legs || lift.from_key >= lift.to_key || lift.to_key >= motion.keys.size() ||
+        !(lift.height_m > 0.0 && std::isfinite(lift.height_m)))
+      refuse("lifts a foot that is not there, not between two of its keys, or to no height above 0");
+  }
+  for (const RestStay& stay : motion.rests) {
+    if (stay.rest < legs || stay.rest >= feet || stay.from_key >= stay.to_key || stay.to_key >= motion.keys.size())
+      refuse("lies on a rest that is not there, or not between two of its keys");
+  }
 }
 
 }  // namespace gaitwright

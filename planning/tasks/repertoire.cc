@@ -43,7 +43,9 @@ void Go(const RobotModel& model, PostureMotion& motion, PostureKey to, double st
 
 PostureMotion StartOf(const std::string& name, PostureKey from, OptionTexts options) {
   from.after_s = 0.0;
-  return {name, {from}, {}, std::move(options)};
+  PostureMotion motion{name, {from}};
+  motion.options = std::move(options);
+  return motion;
 }
 
 std::string Text(double value) { return fmt::format("{}", value); }
@@ -198,9 +200,10 @@ Result<PostureMotion> WaveArms(const RobotModel& model, const PostureKey& from, 
   return motion;
 }
 
-Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from, int on, double lower_m,
+Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from, int on, double inward,
                                 double hold_s) {
   constexpr double kSettle = 0.5, kLift = 0.12, kLeast = 1.0;  // [s], of the leg's length, [s]
+  constexpr double kLower = 0.02;                              // of the leg's length
   if (model.feet.size() != 2 || !model.feet[0].has_sole() || !model.feet[1].has_sole()) {
     return Failure{FailureKind::kBadInput, "two_feet", "BalanceOn",
                    fmt::format("balancing on one foot takes two feet with soles; robot '{}' has {} feet", model.name,
@@ -209,12 +212,15 @@ Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from,
   }
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
-  const Vector3 way = ContactFrame(model, scratch, on).translation() - CentreOfMass(model, scratch);
+  const Pose X_WF = ContactFrame(model, scratch, on), X_WG = ContactFrame(model, scratch, 1 - on);
+  Vector3 way = X_WF.translation() - CentreOfMass(model, scratch);
+  const double width = X_WG.translation().y() - X_WF.translation().y();
+  way.y() += inward * width;
   PostureMotion motion = StartOf("balance", from, {{"on", model.feet[static_cast<std::size_t>(on)].name},
-                                                   {"lower_m", Text(lower_m)},
+                                                   {"inward", Text(inward)},
                                                    {"hold_s", Text(hold_s)}});
   PostureKey over = from;
-  over.shift = Vector3(way.x(), way.y(), from.shift.z() - lower_m);
+  over.shift = Vector3(way.x(), way.y(), from.shift.z() - kLower * model.leg_length_m());
   Go(model, motion, over, kSettle);
   const std::size_t lifts = motion.keys.size() - 1;
   over.after_s = std::max(kLeast, hold_s);
@@ -222,7 +228,7 @@ Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from,
   over.after_s = kSettle;
   motion.keys.push_back(over);
   Go(model, motion, from, kSettle);
-  motion.lift = FootLift{1 - on, lifts, lifts + 1, kLift * model.leg_length_m()};
+  motion.lifts = {{1 - on, lifts, lifts + 1, kLift * model.leg_length_m()}};
   return motion;
 }
 

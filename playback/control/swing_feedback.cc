@@ -67,7 +67,7 @@ void SwingFeedback::Update(const Situation& now, const StanceFeedback& stance, J
   ForwardVelocities(model_, next_.q, next_.v, next_scratch_);
   MassMatrix(model_, now.measured.q, mass_scratch_, mass_);
   AddRotorInertia(model_, mass_);
-  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
+  for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) {
     Offset& offset = offsets_[static_cast<std::size_t>(f)];
     if (legs_.dofs(f).empty()) continue;
     if (Contains(now.bearing, f)) {

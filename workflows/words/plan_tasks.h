@@ -22,6 +22,7 @@ struct TaskOptions {
 
 /// The motion that does a plan of tasks, its audit, and what was settled on the way.
 struct PlannedTasks {
+  RobotModel robot;  ///< the one that the motion is of: where it lies, with what it lies on
   MotionPlan plan;
   AuditReport audit;
   std::vector<std::string> notes;  ///< what was added or chosen that no words say, for people
@@ -32,7 +33,8 @@ struct PlannedTasks {
 ///
 /// Walks are planned as PlanWalk does, each from where the task before leaves the robot. All else is a posture motion
 /// (planning/tasks/repertoire.h): it is stretched until motors and balance allow it, and sized as the task says, or
-/// where it says nothing as the robot can. A robot that sits or lies gets up before it does what is done standing.
+/// where it says nothing as the robot can. A robot that sits or lies gets up before it does what is done standing; one
+/// that can lie and is to stand up first begins lying.
 /// Raised arms stay up until they are lowered.
 ///
 ///   walk   without an amount three leg lengths far; slow and fast are half and one and a half of the robot's own speed

@@ -33,8 +33,7 @@ struct Sizes {
 
 /// A posture motion that passes its audit: of the first size that any stretch lets pass. Failures as of PlanTasks.
 struct PlannedPosture {
-  MotionPlan plan;
-  PostureKey end;
+  PostureMotion motion;  ///< stretched as far as it has to be
   double size = 0.0;
 };
 Result<PlannedPosture> PlanPostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,

@@ -33,11 +33,11 @@ Result<PlannedPosture> Try(const RobotModel& model, const PostureMotion& motion,
   Failure failure;
   for (const double stretch : kStretches) {
     const PostureMotion slower = Stretched(motion, stretch, options.pipeline.grid_step_s);
-    Result<MotionPlan> plan = PlanPosture(model, slower, options);
+    const Result<MotionPlan> plan = PlanPosture(model, slower, options);
     if (!plan) return plan.failure();
     const Result<AuditReport> audit = Audit(model, *plan, {});
     if (!audit) return audit.failure();
-    if (audit->pass()) return PlannedPosture{std::move(*plan), slower.keys.back()};
+    if (audit->pass()) return PlannedPosture{slower};
     const std::vector<Violation> forbidding = Forbidding(*audit);
     const Violation& worst = forbidding.empty() ? audit->violations.front() : forbidding.front();
     failure = Broken(motion, worst);

@@ -62,6 +62,7 @@ void SetSteps(const RobotModel& model, const Task& task, double speed_m_s, WalkC
 Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, const TaskOptions& options) {
   WalkRequest request;
   request.motion = options.motion;
+  request.motion.pipeline.end_as_standing = true;
   request.seed = options.seed;
   request.gait = task.Word("gait");
   WalkCommand& c = request.command;

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/tasks/lying.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/ik/whole_body_ik.h"
+#include "planning/tasks/free_way.h"
+
+namespace gaitwright {
+namespace {
+
+/// The standing robot's feet as targets, and the body moved over them.
+class BodyOverFeet {
+ public:
+  explicit BodyOverFeet(const RobotModel& model)
+      : model_(model), ik_(model), q_standing_(StandingConfiguration(model)), scratch_(model) {
+    ForwardKinematics(model, q_standing_, scratch_);
+    p_WC_standing_ = CentreOfMass(model, scratch_);
+    target_.R_WB = BaseRotation(q_standing_);
+    for (std::size_t f = 0; f < model.legs.size(); ++f) {
+      const Pose X_WF = FramePose(scratch_, model.feet[f].body, model.feet[f].X_BF);
+      FootTarget foot;
+      foot.p_WF = X_WF.translation();
+      foot.R_WF = foot.R_anchor = X_WF.linear();
+      target_.feet.push_back(foot);
+    }
+  }
+
+  /// Brings the base's origin to a place; what the centre of mass has to be shifted by for it, and the joints.
+  bool Reach(const Vector3& p_WB, const VectorX& joints, PostureKey& key, VectorX& q) {
+    constexpr int kPasses = 30;
+    constexpr double kThere = 1e-9;  // [m]
+    target_.posture.q = joints;
+    target_.posture.v = target_.posture.a = VectorX::Zero(model_.num_dofs());
+    key.shift = p_WB - q_standing_.head<3>();
+    q = q_standing_;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      target_.p_WC = p_WC_standing_ + key.shift;
+      if (!ik_.SolvePosition(target_, q)) return false;
+      const Vector3 off = p_WB - q.head<3>();
+      if (off.norm() < kThere) return true;
+      key.shift += off;
+    }
+    return false;
+  }
+
+  const VectorX& standing() const { return q_standing_; }
+
+ private:
+  const RobotModel& model_;
+  WholeBodyIk ik_;
+  const VectorX q_standing_;
+  DynamicsScratch scratch_;
+  Vector3 p_WC_standing_;
+  BodyTarget target_;
+};
+
+/// How far the nearest joint is inside of its stops, as a share of its range; negative beyond.
+double RoomOf(const RobotModel& model, const VectorX& q, int& nearest) {
+  double room = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < model.num_dofs(); ++d) {
+    const double low = model.dof_lower(d), high = model.dof_upper(d);
+    if (!std::isfinite(low) || !std::isfinite(high) || high <= low) continue;
+    const double here = std::min(q[7 + d] - low, high - q[7 + d]) / (high - low);
+    if (here >= room) continue;
+    room = here;
+    nearest = d;
+  }
+  return room;
+}
+
+double Along(const RobotModel& model) {
+  double low = 0.0, high = 0.0;
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  for (std::size_t f = 0; f < model.legs.size(); ++f) {
+    const double x = FramePose(scratch, model.feet[f].body, model.feet[f].X_BF).translation().x();
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  return high - low;
+}
+
+Failure CannotLie(const std::string& why) { return {FailureKind::kInfeasible, "lying", "FindLying", why, {}}; }
+
+}  // namespace
+
+Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
+  constexpr double kRoom = 0.03, kStep = 0.02, kFarthest = 0.6, kOver = 0.02;  // of a range; of the leg's length
+  if (model.feet.size() == model.legs.size())
+    return CannotLie(fmt::format("robot '{}' has nothing flat under its body to lie on", model.name));
+  BodyOverFeet body(model);
+  WayCheck check(model, body.standing());
+  const Foot& rest = model.feet[model.legs.size()];
+  const double leg = model.leg_length_m();
+  Vector3 p_WB = body.standing().head<3>();
+  const double ground_m = -(BaseRotation(body.standing()) * rest.X_BF.translation()).z();
+  Lying lying;
+  lying.lying.joints = lying.over.joints = joints;
+  double best = -std::numeric_limits<double>::infinity();
+  int tightest = -1;
+  for (double way = 0.0; way <= kFarthest; way += kStep) {
+    for (const double side : {-1.0, 1.0}) {
+      VectorX q;
+      p_WB.x() = body.standing()[0] + side * way * leg;
+      p_WB.z() = ground_m;
+      if (!body.Reach(p_WB, joints, lying.lying, q)) continue;
+      int nearest = -1;
+      const double room = RoomOf(model, q, nearest);
+      if (room > best) {
+        best = room;
+        tightest = nearest;
+      }
+      if (room < kRoom || check.MeetingAt(q.tail(model.num_dofs()))) continue;
+      p_WB.z() = ground_m + kOver * leg;
+      if (!body.Reach(p_WB, joints, lying.over, q)) continue;
+      return lying;
+    }
+  }
+  const std::string joint = tightest < 0 ? "" : fmt::format("; joint '{}' is in the way", model.dof_names[static_cast<std::size_t>(tightest)]);
+  return CannotLie(fmt::format("the legs of robot '{}' do not fold so far that it lies{}", model.name, joint));
+}
+
+PostureMotion LieDown(const RobotModel& model, const PostureKey& from, const Lying& lying) {
+  constexpr double kDown = 1.4, kTouch = 0.25, kStay = 0.5;  // [s], the first for a leg of 0.4 m
+  constexpr double kFirmly = 0.7;                            // of the touch at constant speed: no hovering
+  PostureMotion motion{"lie_down", {from, lying.over, lying.lying, lying.lying}};
+  motion.keys[0].after_s = 0.0;
+  motion.keys[1].after_s = kDown * std::sqrt(model.leg_length_m() / 0.4);
+  motion.keys[2].after_s = kTouch;
+  motion.keys[2].cruise = kFirmly;
+  motion.keys[3].after_s = kStay;
+  motion.rests = {{static_cast<int>(model.legs.size()), 2, 3}};
+  return motion;
+}
+
+PostureMotion GetUp(const RobotModel& model, const PostureKey& standing, const Lying& lying, double tip_rad) {
+  constexpr double kInit = 0.5, kLift = 1.0, kBalance = 0.6, kCruise = 0.5;  // [s], kLift for a leg of 0.4 m
+  constexpr double kRise = 0.03;  // of the leg's length, so that hind legs need not fold further
+  const double lift_s = kLift * std::sqrt(model.leg_length_m() / 0.4);
+  PostureKey tipped = lying.over;
+  tipped.turn_rad.y() = standing.turn_rad.y() - tip_rad;
+  tipped.shift.z() += 0.5 * Along(model) * std::sin(tip_rad) + kRise * model.leg_length_m();
+  PostureMotion motion{"stand_up", {lying.lying, lying.lying, lying.over, tipped, standing, standing}};
+  const double times[] = {0.0, kInit, 0.5 * kInit, lift_s, lift_s, kBalance};
+  for (std::size_t k = 0; k < motion.keys.size(); ++k) motion.keys[k].after_s = times[k];
+  motion.keys[2].cruise = motion.keys[3].cruise = motion.keys[4].cruise = kCruise;
+  motion.rests = {{static_cast<int>(model.legs.size()), 0, 1}};
+  motion.sections = {{"init", 2, true}, {"lift front", 3, true}, {"lift rear", 4, true}, {"balance", 5, true}};
+  return motion;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The built-in grammar against instructions that were written before it.
+#include <gtest/gtest.h>
+
+#include "tests/workflows/words/corpus.h"
+#include "workflows/words/understand.h"
+
+namespace gaitwright {
+namespace {
+
+/// How many of a corpus are understood as they are meant; each of the others is told where `all` are to be.
+int Understood(const std::vector<CorpusEntry>& corpus, bool all) {
+  int count = 0;
+  for (const CorpusEntry& entry : corpus) {
+    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot));
+    const auto* plan = std::get_if<TaskPlan>(&understood);
+    const bool as_meant = plan != nullptr && TasksText(plan->tasks) == TasksText(entry.tasks);
+    count += as_meant ? 1 : 0;
+    if (as_meant || !all) continue;
+    const auto* refusal = std::get_if<words::Refusal>(&understood);
+    ADD_FAILURE() << entry.text << "\nmeans " << TasksText(entry.tasks) << "\nis taken as "
+                  << (plan != nullptr ? TasksText(plan->tasks) : refusal->reason + ": " + refusal->part);
+  }
+  return count;
+}
+
+TEST(Corpus, IsUnderstood) {
+  const auto corpus = LoadCorpus("corpus.yaml"), further = LoadCorpus("further.yaml");
+  ASSERT_GE(corpus.size(), 120U);
+  EXPECT_EQ(Understood(corpus, true), static_cast<int>(corpus.size()));
+  EXPECT_EQ(Understood(further, true), static_cast<int>(further.size()));
+}
+
+/// Instructions that the grammar was never tried on while it was written.
+TEST(Corpus, MostOfWhatWasHeldBackIsUnderstood) {
+  const auto held_back = LoadCorpus("held_back.yaml");
+  ASSERT_GE(held_back.size(), 40U);
+  const int understood = Understood(held_back, false);
+  RecordProperty("understood", understood);
+  EXPECT_GE(understood, 0.85 * static_cast<double>(held_back.size())) << understood << " of " << held_back.size();
+}
+
+TEST(Corpus, WhatIsNotAcceptedIsRefusedByItsPart) {
+  const auto refusals = LoadRefusals("refusals.yaml");
+  ASSERT_GE(refusals.size(), 60U);
+  for (const RefusalEntry& entry : refusals) {
+    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot));
+    const auto* refusal = std::get_if<words::Refusal>(&understood);
+    ASSERT_NE(refusal, nullptr) << entry.text;
+    EXPECT_EQ(refusal->reason, entry.reason) << entry.text;
+    EXPECT_EQ(refusal->part, entry.part) << entry.text;
+    if (!entry.nearest.empty()) EXPECT_EQ(refusal->nearest, entry.nearest) << entry.text;
+  }
+}
+
+/// Each task tells the words that it comes from.
+TEST(Corpus, WordsAreKept) {
+  const auto understood = words::Understand("Please walk two steps, then raise the right arm.", CorpusScope("nao"));
+  const auto* plan = std::get_if<TaskPlan>(&understood);
+  ASSERT_NE(plan, nullptr);
+  ASSERT_EQ(plan->tasks.size(), 2U);
+  EXPECT_EQ(plan->tasks[0].words, "walk two steps");
+  EXPECT_EQ(plan->tasks[1].words, "raise the right arm");
+  EXPECT_EQ(plan->language, "en");
+}
+
+/// What nobody may do by saying that it is not to be done.
+TEST(Grammar, WhatIsNotToBeDoneIsNotDone) {
+  const auto tasks = [](const std::string& text) {
+    const auto understood = words::Understand(text, CorpusScope("a1"));
+    const auto* plan = std::get_if<TaskPlan>(&understood);
+    if (plan == nullptr) return std::string("refused");
+    std::string names;
+    for (const Task& task : plan->tasks) names += task.action + " ";
+    return names;
+  };
+  EXPECT_EQ(tasks("Don't walk."), "refused");
+  EXPECT_EQ(tasks("Sit. Don't walk."), "refused");
+  EXPECT_EQ(tasks("Walk one metre. No, don't walk, sit."), "sit ");
+  EXPECT_EQ(tasks("坐下，算了，别坐了，趴下。"), "lie_down ");
+}
+
+}  // namespace
+}  // namespace gaitwright

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A language model that understands instructions, as a stand-in on loopback plays it: well, badly, dangerously, slowly
+// and not at all.
+#include "workflows/words/interpret.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/workflows/words/corpus.h"
+#include "tests/workflows/words/fake_model.h"
+
+namespace gaitwright {
+namespace {
+
+using Kind = FakeAnswer::Kind;
+
+const char* const kGood = R"({"schema": 1, "tasks": [{"action": "wave", "side": "left", "words": "say hi"}]})";
+
+LanguageModel ModelAt(const FakeModel& fake) { return {fake.url(), "a-model", "secret", 2.0}; }
+
+TEST(Interpret, AGoodAnswerIsTaken) {
+  const FakeModel fake({{Kind::kContent, std::string("Here it is:\n```json\n") + kGood + "\n```\n", 200}});
+  const Result<Interpretation> made = Interpret("greet them with the other hand", CorpusScope("nao"), ModelAt(fake));
+  ASSERT_TRUE(made.ok()) << made.failure().message;
+  EXPECT_EQ(made->by, "language model");
+  ASSERT_EQ(made->plan.tasks.size(), 1U);
+  EXPECT_EQ(made->plan.tasks[0].Word("side"), "left");
+  EXPECT_EQ(made->plan.text, "greet them with the other hand");
+  const std::vector<std::string> requests = fake.requests();
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_NE(requests[0].find("POST /v1/chat/completions"), std::string::npos);
+  EXPECT_NE(requests[0].find("Bearer secret"), std::string::npos);
+  EXPECT_NE(requests[0].find("a-model"), std::string::npos);
+  EXPECT_NE(requests[0].find("red marker"), std::string::npos);  // it is told the places, and what this robot can do
+  EXPECT_EQ(requests[0].find("lie_down"), std::string::npos);
+}
+
+TEST(Interpret, ABadAnswerIsAskedForOnceMoreWithTheError) {
+  const FakeModel fake({{Kind::kContent, R"({"schema": 1, "tasks": [{"action": "wave", "side": "up"}]})", 200},
+                        {Kind::kContent, kGood, 200}});
+  const Result<Interpretation> made = Interpret("say hi", CorpusScope("nao"), ModelAt(fake));
+  ASSERT_TRUE(made.ok()) << made.failure().message;
+  EXPECT_EQ(made->by, "language model");
+  ASSERT_EQ(made->notes.size(), 1U);
+  EXPECT_NE(made->notes[0].find("is 'up'"), std::string::npos) << made->notes[0];
+  ASSERT_EQ(fake.requests().size(), 2U);
+  EXPECT_NE(fake.requests()[1].find("That is not valid"), std::string::npos);
+}
+
+/// Whatever it says, what is not valid for this robot does not get past; then the grammar understands.
+TEST(Interpret, DangerousAnswersAreNeverTaken) {
+  for (const char* dangerous :
+       {R"({"schema": 1, "tasks": [{"action": "walk", "direction": "forward", "distance_m": 100000}]})",
+        R"({"schema": 1, "tasks": [{"action": "walk", "direction": "forward", "speed_m_s": 40}]})",
+        R"({"schema": 1, "tasks": [{"action": "lie_down"}]})",
+        R"({"schema": 1, "tasks": [{"action": "shell", "command": "rm -rf /"}]})",
+        R"({"schema": 1, "tasks": [{"action": "bow", "angle_deg": 1e999}]})",
+        R"({"schema": 1, "tasks": [{"action": "walk", "direction": "forward", "to": {"name": "street"}}]})",
+        R"({"schema": 1, "tasks": []})", "{", "", "I cannot do that.", "[1, 2, 3]"}) {
+    const FakeModel fake({{Kind::kContent, dangerous, 200}});
+    const Result<Interpretation> made = Interpret("bow twice", CorpusScope("nao"), ModelAt(fake));
+    ASSERT_TRUE(made.ok()) << dangerous << made.failure().message;
+    EXPECT_EQ(made->by, "grammar") << dangerous;
+    EXPECT_EQ(made->plan.tasks[0].action, "bow");
+    EXPECT_EQ(made->notes.size(), 2U) << dangerous;
+    EXPECT_EQ(fake.requests().size(), 2U);
+  }
+}
+
+TEST(Interpret, NoAnswerLeavesItToTheGrammar) {
+  for (const FakeAnswer& answer : std::vector<FakeAnswer>{{Kind::kSilence, "", 200},
+                                                          {Kind::kHangUp, "", 200},
+                                                          {Kind::kStatus, "", 503},
+                                                          {Kind::kBody, "{}", 200},
+                                                          {Kind::kBody, "no JSON", 200},
+                                                          {Kind::kBody, R"({"choices": []})", 200},
+                                                          {Kind::kBody, R"({"choices": [{"message": 1}]})", 200},
+                                                          {Kind::kBody, std::string(2 << 20, 'x'), 200}}) {
+    const FakeModel fake({answer});
+    LanguageModel model = ModelAt(fake);
+    model.longest_s = 0.5;
+    const Result<Interpretation> made = Interpret("bow twice", CorpusScope("nao"), model);
+    ASSERT_TRUE(made.ok()) << made.failure().message;
+    EXPECT_EQ(made->by, "grammar");
+    ASSERT_EQ(made->notes.size(), 1U);
+    EXPECT_NE(made->notes[0].find("gives no answer"), std::string::npos);
+  }
+}
+
+TEST(Interpret, WhereNobodyUnderstandsItIsRefusedWithBothReasons) {
+  const FakeModel fake({{Kind::kContent, R"({"schema": 1, "tasks": []})", 200}});
+  const Result<Interpretation> made = Interpret("juggle three balls", CorpusScope("nao"), ModelAt(fake));
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.failure().code, "unknown");
+  EXPECT_NE(made.failure().message.find("'juggle three balls'"), std::string::npos);
+  bool told = false;
+  for (const std::string& hint : made.failure().hints) told = told || hint.find("nothing to do") != std::string::npos;
+  EXPECT_TRUE(told);
+}
+
+TEST(Interpret, OnlyHttpIsSpoken) {
+  for (const char* url : {"file:///etc/passwd", "ftp://localhost/", "localhost:8000", ""}) {
+    const Result<Interpretation> made = Interpret("bow", CorpusScope("nao"), LanguageModel{url, "m", "", 1.0});
+    ASSERT_FALSE(made.ok()) << url;
+    EXPECT_EQ(made.failure().code, "interpreter_url");
+  }
+}
+
+}  // namespace
+}  // namespace gaitwright

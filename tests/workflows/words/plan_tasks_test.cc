@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The repertoire as plans: audited, played and scored.
+#include "workflows/words/plan_tasks.h"
+
+#include <gtest/gtest.h>
+
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/load_robot.h"
+#include "planning/plan/plan_json.h"
+#include "workflows/words/understand.h"
+#include "workflows/words/places.h"
+
+namespace gaitwright {
+namespace {
+
+Terrain WithMarkers() {
+  Terrain terrain = FlatTerrain();
+  terrain.markers = {{"red marker", {0.5, 0.0}}, {"door", {0.4, 0.5}}};
+  return terrain;
+}
+
+struct Done {
+  PlannedTasks planned;
+  PlayedWalk played;
+};
+
+Result<PlannedTasks> Planned(const std::string& robot, const std::string& text, const Terrain& terrain) {
+  const RobotModel model = LoadNamedRobot(robot).value();
+  TaskScope scope = ScopeOf(model);
+  scope.places = PlacesOf(terrain);
+  const Result<TaskPlan> tasks = words::UnderstandWords(text, scope);
+  if (!tasks) return tasks.failure();
+  return PlanTasks(model, terrain, *tasks, {});
+}
+
+/// Plans, audits, plays and scores; all has to pass.
+Done Do(const std::string& robot, const std::string& text) {
+  Result<PlannedTasks> planned = Planned(robot, text, WithMarkers());
+  EXPECT_TRUE(planned.ok()) << robot << ": " << text << ": " << (planned ? "" : planned.failure().message);
+  if (!planned) return {};
+  EXPECT_TRUE(planned->audit.pass()) << robot << ": " << text << ": " << AuditText(planned->audit);
+  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, PlayRequest{});
+  EXPECT_TRUE(played.ok());
+  EXPECT_TRUE(played->report.pass) << robot << ": " << text << ": " << played->report.reason;
+  return {*planned, *played};
+}
+
+/// Where the ground's forces act at the end of a log, as measured.
+Vector2 ZmpAtEnd(const RobotModel& model, const PlaybackLog& log) {
+  const LogSample& last = log.samples.back();
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, last.q, scratch);
+  Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
+  for (std::size_t f = 0; f < model.feet.size(); ++f) {
+    const Vector3 p_WF = ContactFrame(model, scratch, static_cast<int>(f)).translation();
+    force += last.wrenches[f].force_W;
+    moment += last.wrenches[f].moment_W + p_WF.cross(last.wrenches[f].force_W);
+  }
+  return Vector2(-moment.y(), moment.x()) / force.z();
+}
+
+class Quadruped : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Robots, Quadruped, testing::Values("a1", "go1", "laikago", "mini_cheetah"),
+                         [](const auto& robot) { return robot.param; });
+
+/// Each phase ends when it is measured to be done, and the ZMP is where it should be at the end.
+TEST_P(Quadruped, StandsUpFromLyingInPhases) {
+  const Done done = Do(GetParam(), "stand up");
+  const PlaybackLog& log = done.played.log;
+  ASSERT_EQ(log.gates.size(), 4U);
+  const std::vector<std::string> phases = {"init", "lift front", "lift rear", "balance"};
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    EXPECT_EQ(log.gates[k].phase, phases[k]);
+    EXPECT_TRUE(log.gates[k].met) << phases[k];
+  }
+  const Vector2 zmp = ZmpAtEnd(done.planned.robot, log);
+  const double error_m = (zmp - done.planned.plan.centroidal.p_WZ.back()).norm();
+  EXPECT_LT(error_m, 0.012);
+  RecordProperty("zmp_error_mm", std::to_string(1e3 * error_m));
+}
+
+TEST_P(Quadruped, DoesWhatQuadrupedsDo) {
+  const Done done = Do(GetParam(), "lie down, stand up, sit for 1 second, stand up, squat, bow, nod, and brace yourself");
+  EXPECT_EQ(GaitNames(done.planned.plan.parts),
+            "lie_down, init, lift front, lift rear, balance, sit, stand, stand_up, squat, bow, nod, brace");
+}
+
+TEST_P(Quadruped, WalksBetweenOtherThings) {
+  Do(GetParam(), "stand up, walk forward half a metre, turn left, step right 20 cm, then lie down");
+}
+
+TEST(Biped, NaoDoesFiveThingsInBothLanguages) {
+  Do("nao", "Walk forward two steps, raise the right arm, turn left 45 degrees, wave with the left hand and bow.");
+  Do("nao", "先向前走两步，举起右手，再向左转四十五度，挥挥左手，最后鞠躬。");
+}
+
+TEST(Quadrupeds, A1DoesFiveThingsInBothLanguages) {
+  Do("a1", "Get up, trot half a metre, turn right, bow twice, and then sit down.");
+  Do("a1", "起来，小跑半米，向右转，鞠躬两次，然后坐下。");
+}
+
+TEST(Biped, BalancesOnEachFoot) {
+  for (const char* foot : {"left", "right"}) {
+    const Done done = Do("nao", std::string("stand on your ") + foot + " foot for 2 seconds");
+    ASSERT_EQ(done.planned.plan.swings.size(), 1U);
+  }
+}
+
+class WithArms : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Robots, WithArms, testing::Values("nao", "h1", "humanoid"),
+                         [](const auto& robot) { return robot.param; });
+
+TEST_P(WithArms, GesturesSquatsAndBows) {
+  Do(GetParam(), "raise both arms, lower them, wave, squat while waving with your left hand, bow, and brace yourself");
+}
+
+TEST(Tasks, APlaceIsWalkedTo) {
+  const Done done = Do("a1", "walk to the red marker, then walk to the door");
+  const VectorX& q = done.played.log.samples.back().q;
+  EXPECT_LT((Vector2(q[0], q[1]) - Vector2(0.4, 0.5)).norm(), 0.05);
+  ASSERT_EQ(done.planned.notes.size(), 1U);
+  EXPECT_NE(done.planned.notes[0].find("turns left"), std::string::npos);
+}
+
+TEST(Tasks, WhatIsTooMuchIsToldWithTheMostThatIsNot) {
+  const Result<PlannedTasks> deep = Planned("nao", "squat 30 cm", FlatTerrain());
+  ASSERT_FALSE(deep.ok());
+  EXPECT_EQ(deep.failure().kind, FailureKind::kInfeasible);
+  EXPECT_NE(deep.failure().message.find("task 1, 'squat 30 cm'"), std::string::npos);
+  ASSERT_FALSE(deep.failure().hints.empty());
+  EXPECT_NE(deep.failure().hints[0].find("the largest depth_m"), std::string::npos) << deep.failure().hints[0];
+}
+
+TEST(Tasks, TheSameTasksGiveTheSamePlan) {
+  const auto plan = [] { return PlanToJson(Planned("nao", "wave, then walk two steps", FlatTerrain())->plan); };
+  EXPECT_EQ(plan(), plan());
+}
+
+TEST(Tasks, APlanThatLiesIsReadBackWhole) {
+  const Result<PlannedTasks> planned = Planned("a1", "stand up", FlatTerrain());
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  const Result<MotionPlan> read = PlanFromJson(PlanToJson(planned->plan), "plan");
+  ASSERT_TRUE(read.ok()) << read.failure().message;
+  EXPECT_EQ(PlanToJson(*read), PlanToJson(planned->plan));
+  EXPECT_EQ(read->gates, planned->plan.gates);
+  const Result<RobotModel> robot = RobotOf(*read);
+  ASSERT_TRUE(robot.ok()) << robot.failure().message;
+  EXPECT_EQ(robot->feet.size(), 5U);
+}
+
+}  // namespace
+}  // namespace gaitwright

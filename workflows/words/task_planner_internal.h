@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "planning/tasks/lying.h"
+#include "workflows/words/plan_tasks.h"
+#include "workflows/words/plan_tasks_internal.h"
+
+namespace gaitwright::tasks {
+
+/// Puts one task after the other into one motion. Postures that follow each other are planned as one; walks are planned
+/// by themselves and joined.
+class TaskPlanner {
+ public:
+  /// @param whole_model  the same robot, which may lie on something if the tasks have it lie; the motion is one of it.
+  TaskPlanner(const RobotModel& model, const RobotModel& whole_model, const Terrain& terrain,
+              const TaskOptions& options);
+
+  /// Begins lying instead of standing. Failure as of FindLying.
+  std::optional<Failure> LieAtStart();
+  std::optional<Failure> Add(const Task& task);
+  Result<MotionPlan> Finish();
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  std::optional<Failure> DoTask(const Task& task, bool again);
+  PlanarPose Here() const;
+  std::optional<Failure> Append(MotionPlan next);
+  std::optional<Failure> Flush();
+  double ChainTime() const;
+  std::optional<Failure> AddPosture(const MotionBySize& motion, const Sizes& sizes);
+  std::optional<Failure> AddPosture(const PostureMotion& motion);
+  std::optional<Failure> AddGestures(PostureKey from, double from_s);
+  Result<PostureMotion> GestureMotion(const Task& gesture, const PostureKey& from, double duration_s) const;
+  std::optional<Failure> AddWalk(const WalkRequest& request, bool gestures);
+  std::optional<Failure> GoToStartOf(const MotionPlan& walk);
+  std::optional<Failure> Walk(const Task& task, bool gestures);
+  std::optional<Failure> Turn(const Task& task);
+  Vector2 WayTo(const PlaceName& place) const;
+  std::optional<Failure> WalkTo(const Task& task);
+  std::optional<Failure> StandUp();
+  std::optional<Failure> Lie();
+  std::optional<Failure> Sit(const Task& task);
+  std::optional<Failure> Move(const Task& task);
+  std::optional<Failure> BowDown(const Task& task, int times);
+  int FootOf(const std::string& side) const;
+
+  const RobotModel& model_;
+  const RobotModel& whole_model_;
+  const Terrain& terrain_;
+  const TaskOptions& options_;
+  const Task* task_ = nullptr;  // what is done now; null for what nobody asked for
+  Stance stance_;
+  std::optional<Lying> lying_;
+  std::vector<PostureMotion> chain_;                          // postures that are not planned yet
+  std::vector<std::pair<PostureMotion, double>> gestures_;    // over them, with when they begin
+  std::optional<MotionPlan> whole_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace gaitwright::tasks
