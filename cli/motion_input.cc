@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/flags.h"
+#include "cli/robot_input.h"
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
 #include "playback/log/log_json.h"
@@ -42,7 +43,7 @@ Result<MotionInput> NamedInput(const MotionRobot& robot) {
     input.played = std::move(*plan);
     input.model = std::move(*model);
   } else if (robot.given()) {
-    Result<RobotModel> model = ChooseRobot(robot.robot, robot.urdf);
+    Result<RobotModel> model = ReadRobot(robot.robot, robot.urdf);
     if (!model) return model.failure();
     input.model = std::move(*model);
   }

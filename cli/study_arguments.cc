@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cli/robot_input.h"
 #include "planning/gait/find_gait.h"
 #include "workflows/study/trial.h"
 
@@ -81,7 +82,7 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
 }
 
 Result<RobotModel> StudyArguments::FinishFor(const std::vector<StudyAxis>& axes) {
-  Result<RobotModel> model = ChooseRobot(walk.robot, walk.urdf);
+  Result<RobotModel> model = ReadRobot(walk.robot, walk.urdf);
   if (!model) return model;
   const Result<double> stride_m = OwnStride(*model, walk.request.gait);
   if (!stride_m) return stride_m.failure();  // no such gait, said once and not at each point

@@ -8,6 +8,7 @@
 
 #include "cli/output.h"
 #include "cli/paths.h"
+#include "cli/robot_input.h"
 #include "cli/walk_arguments.h"
 #include "kinematics/base/file.h"
 #include "planning/plan/terrain_scale.h"
@@ -121,7 +122,7 @@ int Run(Arguments& a) {
   ApplySets("--set", a.common.sets, Joined({a.tasks.motion.Fields(), a.play.request.Fields()}));
   a.tasks.seed = static_cast<std::uint64_t>(a.common.seed);
   Check(a);
-  const Result<RobotModel> model = ChooseRobot(a.robot, a.urdf);
+  const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
   if (!model) return Report(model.failure(), a.common);
   const Result<Terrain> terrain = LoadTerrain(a.terrain, ScaleOf(*model));
   if (!terrain) return Report(terrain.failure(), a.common);

@@ -6,6 +6,7 @@
 #include "cli/flags.h"
 #include "cli/paths.h"
 #include "cli/program.h"
+#include "cli/robot_input.h"
 #include "planning/plan/plan_json.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/walk/walk.h"
@@ -62,7 +63,7 @@ int Run(Arguments& a) {
   paths.AddRobotAndGait(a.urdf, "");
   paths.AddTerrain(a.request.terrain);
   CheckPaths(paths);
-  const Result<RobotModel> model = ChooseRobot(a.robot, a.urdf);
+  const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
   if (!model) return Report(model.failure(), a.common);
   const Result<ImportedMotion> imported = ImportMotion(*model, a.request);
   if (!imported) return Report(imported.failure(), a.common);

@@ -10,6 +10,7 @@
 #include "cli/options_file.h"
 #include "cli/paths.h"
 #include "cli/program.h"
+#include "cli/robot_input.h"
 #include "cli/walk_arguments.h"
 #include "playback/viewer/viewer_page.h"
 #include "workflows/live/live_session.h"
@@ -66,7 +67,7 @@ int Run(Arguments& a) {
   paths.AddRobotAndGait(a.urdf, "");
   a.options.AddPathTo(paths);
   CheckPaths(paths);
-  const Result<RobotModel> model = ChooseRobot(a.robot, a.urdf);
+  const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
   if (!model) return Report(model.failure(), a.common);
   Result<std::unique_ptr<LiveServer>> server = LiveServer::Start(a.address, LivePage(model->name + ", live"));
   if (!server) return Report(server.failure(), a.common);

@@ -6,6 +6,7 @@
 
 #include "cli/options_file.h"
 #include "cli/paths.h"
+#include "cli/robot_input.h"
 #include "cli/walk_arguments.h"
 #include "planning/plan/parts_text.h"
 #include "planning/plan/plan_json.h"
@@ -64,7 +65,7 @@ int Run(Arguments& a) {
   paths.AddTerrain(a.walk.request.terrain);
   a.options.AddPathTo(paths);
   CheckPaths(paths);
-  const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
+  const Result<RobotModel> model = ReadRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
   const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/flags.h"
+#include "cli/paths.h"
 #include "cli/program.h"
+#include "cli/robot_input.h"
+#include "kinematics/base/file.h"
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/model/describe.h"
 #include "kinematics/model/load_robot.h"
+#include "optimisation/pipeline/plan_posture.h"
+#include "planning/tasks/repertoire.h"
 #include "playback/control/gains.h"
+#include "playback/viewer/viewer_page.h"
+#include "workflows/render/render_pictures.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright::cli {
@@ -17,7 +26,8 @@ namespace {
 
 struct Arguments {
   Common common;
-  std::string robot;
+  std::string robot, png, page;
+  PictureOptions picture;
 };
 
 int List(const Common& common) {
@@ -54,11 +64,43 @@ std::string SelfCollisionText(const CollisionChecker& collision) {
   return text;
 }
 
+/// The robot as it stands, as a page and as a picture.
+Result<std::vector<OutputFile>> Drawn(const RobotModel& model, const Arguments& a, const std::string& folder) {
+  constexpr double kStand = 0.5;  // [s]
+  const Result<MotionPlan> plan = PlanPosture(model, Hold(StandingKey(model), kStand), {});
+  if (!plan) return plan.failure();
+  ShownMotion shown{model.name, model, *plan};
+  if (!folder.empty()) shown.mesh_folder = folder;
+  const std::string page = ViewerPage(model.name, {shown});
+  std::vector<OutputFile> files;
+  if (!a.page.empty()) files.push_back({a.page, page});
+  if (a.png.empty()) return files;
+  Result<std::string> png = RenderPng(page, 0.0, a.picture);
+  if (!png) return png.failure();
+  files.push_back({a.png, std::move(*png)});
+  return files;
+}
+
+/// Draws the robot where that is asked for. @return what is wrong, or nothing.
+std::optional<Failure> Draw(const RobotModel& model, const Arguments& a, const std::string& folder) {
+  if (a.png.empty() && a.page.empty()) return std::nullopt;
+  if (!HasViewer())
+    throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which draws robots");
+  CheckPaths({{}, {{"--png", a.png}, {"--page", a.page}}, ""});
+  const Result<std::vector<OutputFile>> files = Drawn(model, a, folder);
+  if (!files) return files.failure();
+  const auto written = WriteFilesTogether(*files);
+  if (!written) return written.failure();
+  return std::nullopt;
+}
+
 int Show(const Arguments& a) {
   const bool is_file =
       a.robot.ends_with(".urdf") || a.robot.ends_with(".xml") || a.robot.find('/') != std::string::npos;
-  Result<RobotModel> model = ChooseRobot(a.robot, is_file ? a.robot : "");
+  Result<RobotModel> model = ReadRobot(a.robot, is_file ? a.robot : "");
   if (!model) return Report(model.failure(), a.common);
+  const std::string folder = is_file ? std::filesystem::path(a.robot).parent_path().string() : "";
+  if (const auto failure = Draw(*model, a, folder)) return Report(*failure, a.common);
   const WholeBodyIk ik(*model);
   const CollisionChecker collision(*model);
   model->notes.insert(model->notes.end(), ik.notes().begin(), ik.notes().end());
@@ -72,6 +114,9 @@ int Show(const Arguments& a) {
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}\n{}", DescribeRobot(*model), SelfCollisionText(collision));
+    for (const std::string& path : {a.page, a.png}) {
+      if (!path.empty()) fmt::print("drawn   {}\n", path);
+    }
   }
   return kPass;
 }
@@ -83,8 +128,14 @@ void AddRobots(CLI::App& app, int& status) {
   CLI::App& verb = *app.add_subcommand("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
   CLI::App& show = *verb.add_subcommand("show", "Explain one robot: legs, feet, posture, limits");
   AddText(show, "ROBOT", "NAME", a->robot, "A name of the list, or the path of a URDF file.")->required();
+  show.option_defaults()->group("Draw it standing");
+  AddText(show, "--png", "FILE", a->png, "A picture of it, by a headless Chromium; default: none.");
+  AddText(show, "--page", "FILE", a->page, "A page on which it can be turned and looked at in 3D; default: none.");
+  AddText(show, "--view", "NAME", a->picture.view,
+          fmt::format("Of the picture: one of {}; default corner.", fmt::join(ViewNames(), ", ")));
   AddCommon(verb, a->common, {"robots", "robots show a1"});
-  AddCommon(show, a->common, {"robots show a1", "robots show nao --json"});
+  AddCommon(show, a->common,
+            {"robots show a1", "robots show nao --json", "robots show my.urdf --png my.png --view side"});
   verb.require_subcommand(0, 1);
   verb.callback([a, &status] {
     status = Guarded(a->common, [&] {

@@ -7,6 +7,7 @@
 #include "cli/flags.h"
 #include "cli/paths.h"
 #include "cli/program.h"
+#include "cli/robot_input.h"
 #include "cli/terrain_picture.h"
 #include "kinematics/base/file.h"
 #include "planning/plan/built_in_terrain.h"
@@ -188,7 +189,7 @@ int Show(const Arguments& a) {
   paths.AddTerrain(a.terrain);
   paths.written = {{"--picture", a.picture}};
   CheckPaths(paths);
-  const Result<RobotModel> model = ChooseRobot(a.robot, a.urdf);
+  const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
   if (!model) return Report(model.failure(), a.common);
   const TerrainScale scale = ScaleOf(*model);
   const Result<Shown> shown = Look(a.terrain, scale);

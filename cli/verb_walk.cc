@@ -4,6 +4,7 @@
 #include "cli/options_file.h"
 #include "cli/output.h"
 #include "cli/paths.h"
+#include "cli/robot_input.h"
 #include "cli/walk_arguments.h"
 
 namespace gaitwright::cli {
@@ -39,7 +40,7 @@ int Run(Arguments& a) {
   ApplySets("--set", a.common.sets, fields);
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   CheckPathsOf(a);
-  const Result<RobotModel> model = ChooseRobot(a.walk.robot, a.walk.urdf);
+  const Result<RobotModel> model = ReadRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
   a.play.Finish();

@@ -198,8 +198,7 @@ void WholeBodyIk::FillRightHandSide() {
 
 void WholeBodyIk::TakeOutHeld(const VectorX& joint_rates) {
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    for (const int dof : held_)
-      rhs_[static_cast<Eigen::Index>(r)] -= Coefficient(rows_[r], 6 + dof) * joint_rates[dof];
+    for (const int dof : held_) rhs_[static_cast<Eigen::Index>(r)] -= Coefficient(rows_[r], 6 + dof) * joint_rates[dof];
   }
 }
 

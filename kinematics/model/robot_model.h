@@ -141,7 +141,7 @@ struct RobotModel {
   std::vector<Shape> collision_shapes;
   std::vector<Shape> visual_shapes;
   std::vector<Foot> feet;  ///< those of the legs in their order, then rests: other links that it may lie on
-  std::vector<Leg> legs;  ///< legs[i].foot == i; front before rear, left before right
+  std::vector<Leg> legs;   ///< legs[i].foot == i; front before rear, left before right
 
   VectorX standing_joints;              ///< nominal posture of the independent joints, size n
   double standing_base_height_m = 0.0;  ///< of the base origin over level ground in that posture

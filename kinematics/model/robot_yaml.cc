@@ -251,8 +251,7 @@ RobotYaml Parse(const YAML::Node& root) {
   if (!root || root.IsNull()) return yaml;
   const YamlMap map(root, "the file",
                     {"name", "description", "scale", "up", "ahead", "limits", "feet", "legs", "mirror_pairs",
-                     "standing", "standing_base_height_m", "nominal_speed_m_s", "gains", "motors",
-                     "rests"});
+                     "standing", "standing_base_height_m", "nominal_speed_m_s", "gains", "motors", "rests"});
   yaml.name = map.Text("name");
   if (map.Find("name") != nullptr && yaml.name.empty()) RefuseYaml(*map.Find("name"), "'name' is empty");
   yaml.description = map.Text("description");

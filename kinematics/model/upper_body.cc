@@ -39,8 +39,8 @@ class FreeParts {
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
       if (in_leg_[j] || side_[j] != side) continue;
       const int parent = model_.joints[j].parent_body - 1;
-      const bool inside = parent >= 0 && !in_leg_[static_cast<std::size_t>(parent)] &&
-                          side_[static_cast<std::size_t>(parent)] == side;
+      const bool inside =
+          parent >= 0 && !in_leg_[static_cast<std::size_t>(parent)] && side_[static_cast<std::size_t>(parent)] == side;
       if (!inside) roots.push_back(static_cast<int>(j));
     }
     return roots;

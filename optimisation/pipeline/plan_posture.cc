@@ -107,8 +107,7 @@ void AddContacts(const RobotModel& model, const PostureMotion& motion, const std
   plan.schedule = ScheduleFromIntervals(stays, 0.0, end_s);
   for (std::size_t f = 0; f < stays.size(); ++f) {
     for (const ContactInterval& stay : stays[f])
-      plan.footsteps.footholds.push_back(
-          {static_cast<int>(f), feet[f], Vector3::Zero(), 0, stay.start_s, stay.end_s});
+      plan.footsteps.footholds.push_back({static_cast<int>(f), feet[f], Vector3::Zero(), 0, stay.start_s, stay.end_s});
   }
   SortFootholds(plan.footsteps);
 }
@@ -267,8 +266,7 @@ Result<MotionPlan> WithGesture(const RobotModel& model, const MotionPlan& plan, 
   WholeBodyProblem problem{&moved.terrain, &moved.schedule, &moved.footsteps, &moved.centroidal, &moved.swings, {}};
   problem.turning = [&](double time_s) {
     const auto row = static_cast<std::size_t>(std::lround((time_s - w.start_s) / w.step_s));
-    return BaseTurning{BaseRotation(w.q[row]) * R_standing.transpose(), w.v[row].segment<3>(3),
-                       w.a[row].segment<3>(3)};
+    return BaseTurning{BaseRotation(w.q[row]) * R_standing.transpose(), w.v[row].segment<3>(3), w.a[row].segment<3>(3)};
   };
   problem.posture = [&](double time_s, PostureTarget& posture) {
     SampleAt(gesture, time_s - from_s, sample);

@@ -13,6 +13,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kLeastLoad = 1e-5;
+constexpr double kRestRamp = 0.3;   // of a foot's ramp: what is to lie down does not hover
 constexpr double kRestLoad = 20.0;  // of what a foot carries: legs of a robot that lies are nearly limp
 
 /// Share of its load that a foot bears at a time: rises from 0 after touch-down and falls to 0 before lift-off.
@@ -81,7 +82,10 @@ void AddContactForces(const RobotModel& model, const WholeBodyProblem& problem, 
   ContactSplit split;
   std::vector<LoadShare> loads;
   const int num_feet = static_cast<int>(model.feet.size());
-  for (int f = 0; f < num_feet; ++f) loads.emplace_back(*problem.schedule, f, options.load_ramp_s);
+  for (int f = 0; f < num_feet; ++f) {
+    const bool rests = f >= static_cast<int>(model.legs.size());
+    loads.emplace_back(*problem.schedule, f, (rests ? kRestRamp : 1.0) * options.load_ramp_s);
+  }
   const std::vector<Polygon> support_F = SupportsOf(model, *problem.terrain, *problem.footsteps);
   ContactsByFoot points(model.feet.size());
   std::vector<Vector3> origin(model.feet.size());

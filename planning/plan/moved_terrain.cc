@@ -16,12 +16,12 @@ Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain) {
   }
   for (HeightField& field : terrain.height_fields) {
     if (std::abs(YawOf(X.linear())) > kTurned) {
-      return Failure{FailureKind::kInfeasible,
-                     "turned_field",
-                     "MovedTerrain",
-                     fmt::format("height field '{}' cannot be turned: after a turn, a robot cannot go on over it",
-                                 field.name),
-                     {"go over it before turning, or on a ground of patches"}};
+      return Failure{
+          FailureKind::kInfeasible,
+          "turned_field",
+          "MovedTerrain",
+          fmt::format("height field '{}' cannot be turned: after a turn, a robot cannot go on over it", field.name),
+          {"go over it before turning, or on a ground of patches"}};
     }
     field.origin_W += X.translation().head<2>();
   }

@@ -108,13 +108,13 @@ Result<VectorX> RaisedArm(const RobotModel& model, const Limb& arm, const Vector
   raised = from + free.share * (raised - from);
   const double gain = end.At(raised).z() - end.At(from).z();
   if (!free.met || gain >= kLeast * model.leg_length_m()) return raised;
-  return Failure{FailureKind::kInfeasible,
-                 "self_collision",
-                 "RaisedArm",
-                 fmt::format("the arm that ends in '{}' rises by {:.3f} m only before '{}' and '{}' meet",
-                             model.bodies[static_cast<std::size_t>(arm.end_body)].name, gain, free.met->link_a,
-                             free.met->link_b),
-                 {}};
+  return Failure{
+      FailureKind::kInfeasible,
+      "self_collision",
+      "RaisedArm",
+      fmt::format("the arm that ends in '{}' rises by {:.3f} m only before '{}' and '{}' meet",
+                  model.bodies[static_cast<std::size_t>(arm.end_body)].name, gain, free.met->link_a, free.met->link_b),
+      {}};
 }
 
 Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& raised) {

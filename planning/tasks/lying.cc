@@ -122,7 +122,9 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
       return lying;
     }
   }
-  const std::string joint = tightest < 0 ? "" : fmt::format("; joint '{}' is in the way", model.dof_names[static_cast<std::size_t>(tightest)]);
+  const std::string joint =
+      tightest < 0 ? ""
+                   : fmt::format("; joint '{}' is in the way", model.dof_names[static_cast<std::size_t>(tightest)]);
   return CannotLie(fmt::format("the legs of robot '{}' do not fold so far that it lies{}", model.name, joint));
 }
 

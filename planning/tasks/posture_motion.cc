@@ -63,8 +63,8 @@ PostureMotion Chained(const std::vector<PostureMotion>& motions) {
     for (RestStay stay : motion.rests) {
       stay.from_key += before;
       stay.to_key += before;
-      const bool goes_on = !chain.rests.empty() && chain.rests.back().rest == stay.rest &&
-                           chain.rests.back().to_key == stay.from_key;
+      const bool goes_on =
+          !chain.rests.empty() && chain.rests.back().rest == stay.rest && chain.rests.back().to_key == stay.from_key;
       if (goes_on) {
         chain.rests.back().to_key = stay.to_key;
       } else {

@@ -43,12 +43,12 @@ struct PostureSection {
 /// Something that is done without walking: the body goes from key to key, at rest at each, on feet that stay where they
 /// are. Between keys all goes by the minimum-jerk step (SmoothStep).
 struct PostureMotion {
-  std::string name;                            ///< of what is done, such as "squat"
-  std::vector<PostureKey> keys;                ///< two or more, the first one at time 0
-  std::vector<FootLift> lifts = {};            ///< in order
-  std::vector<RestStay> rests = {};            ///< in order
-  std::vector<PostureSection> sections = {};   ///< in order; none for one of the motion's name
-  OptionTexts options = {};                    ///< what it was made of, for the plan's provenance
+  std::string name;                           ///< of what is done, such as "squat"
+  std::vector<PostureKey> keys;               ///< two or more, the first one at time 0
+  std::vector<FootLift> lifts = {};           ///< in order
+  std::vector<RestStay> rests = {};           ///< in order
+  std::vector<PostureSection> sections = {};  ///< in order; none for one of the motion's name
+  OptionTexts options = {};                   ///< what it was made of, for the plan's provenance
 
   double duration_s() const;
   double TimeOf(std::size_t key) const;

@@ -16,7 +16,7 @@ namespace {
 
 /// The time of a move that looks natural: of the body by how far it goes and turns, of joints by their speeds.
 double TimeOf(const RobotModel& model, const PostureKey& from, const PostureKey& to) {
-  constexpr double kPeakOfMean = 1.875;        // of a minimum-jerk move
+  constexpr double kPeakOfMean = 1.875;         // of a minimum-jerk move
   constexpr double kPeakAcceleration = 5.7735;  // times way over time squared
   constexpr double kGentle = 0.1;               // of gravity
   constexpr double kTurnRate = 0.8, kJointRate = 2.5, kSpeedShare = 0.4, kSlideRate = 0.3;  // [rad/s], [m/s]
@@ -53,8 +53,11 @@ std::string Text(double value) { return fmt::format("{}", value); }
 Failure NoArm(const RobotModel& model, bool left) {
   const UpperBody upper = FindUpperBody(model);
   const std::string has = upper.left_arm || upper.right_arm ? "has no arm on that side" : "has no arms";
-  return {FailureKind::kBadInput, "no_arm", "Repertoire",
-          fmt::format("the {} arm cannot be moved: robot '{}' {}", left ? "left" : "right", model.name, has), {}};
+  return {FailureKind::kBadInput,
+          "no_arm",
+          "Repertoire",
+          fmt::format("the {} arm cannot be moved: robot '{}' {}", left ? "left" : "right", model.name, has),
+          {}};
 }
 
 /// Applies a change of joints by each of some arms.
@@ -98,8 +101,8 @@ PostureMotion GoTo(const RobotModel& model, const std::string& name, const Postu
 
 PostureMotion Squat(const RobotModel& model, const PostureKey& from, double depth_m, int times, double hold_s) {
   constexpr double kLeastStay = 0.1;  // [s]
-  PostureMotion motion = StartOf(
-      "squat", from, {{"depth_m", Text(depth_m)}, {"times", std::to_string(times)}, {"hold_s", Text(hold_s)}});
+  PostureMotion motion =
+      StartOf("squat", from, {{"depth_m", Text(depth_m)}, {"times", std::to_string(times)}, {"hold_s", Text(hold_s)}});
   PostureKey low = from;
   low.shift.z() -= depth_m;
   for (int k = 0; k < times; ++k) {
@@ -111,9 +114,8 @@ PostureMotion Squat(const RobotModel& model, const PostureKey& from, double dept
 
 PostureMotion Bow(const RobotModel& model, const PostureKey& from, double angle_rad, double lower_m, int times) {
   constexpr double kStay = 0.4, kPause = 0.2;  // [s]
-  PostureMotion motion =
-      StartOf("bow", from,
-              {{"angle_rad", Text(angle_rad)}, {"lower_m", Text(lower_m)}, {"times", std::to_string(times)}});
+  PostureMotion motion = StartOf(
+      "bow", from, {{"angle_rad", Text(angle_rad)}, {"lower_m", Text(lower_m)}, {"times", std::to_string(times)}});
   PostureKey bowed = from;
   bowed.turn_rad.y() += angle_rad;
   bowed.shift.z() -= lower_m;
@@ -150,9 +152,8 @@ PostureMotion Nod(const RobotModel& model, const PostureKey& from, int times) {
 }
 
 Result<PostureMotion> RaiseArms(const RobotModel& model, const PostureKey& from, Sides sides) {
-  const Result<VectorX> raised = ForArms(model, from.joints, sides, [&](const Limb& arm, const VectorX& joints) {
-    return RaisedArm(model, arm, joints);
-  });
+  const Result<VectorX> raised = ForArms(
+      model, from.joints, sides, [&](const Limb& arm, const VectorX& joints) { return RaisedArm(model, arm, joints); });
   if (!raised) return raised.failure();
   PostureKey up = from;
   up.joints = *raised;
@@ -200,12 +201,13 @@ Result<PostureMotion> WaveArms(const RobotModel& model, const PostureKey& from, 
   return motion;
 }
 
-Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from, int on, double inward,
-                                double hold_s) {
+Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from, int on, double inward, double hold_s) {
   constexpr double kSettle = 0.5, kLift = 0.12, kLeast = 1.0;  // [s], of the leg's length, [s]
   constexpr double kLower = 0.02;                              // of the leg's length
   if (model.feet.size() != 2 || !model.feet[0].has_sole() || !model.feet[1].has_sole()) {
-    return Failure{FailureKind::kBadInput, "two_feet", "BalanceOn",
+    return Failure{FailureKind::kBadInput,
+                   "two_feet",
+                   "BalanceOn",
                    fmt::format("balancing on one foot takes two feet with soles; robot '{}' has {} feet", model.name,
                                model.feet.size()),
                    {}};
@@ -216,9 +218,9 @@ Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from,
   Vector3 way = X_WF.translation() - CentreOfMass(model, scratch);
   const double width = X_WG.translation().y() - X_WF.translation().y();
   way.y() += inward * width;
-  PostureMotion motion = StartOf("balance", from, {{"on", model.feet[static_cast<std::size_t>(on)].name},
-                                                   {"inward", Text(inward)},
-                                                   {"hold_s", Text(hold_s)}});
+  PostureMotion motion = StartOf(
+      "balance", from,
+      {{"on", model.feet[static_cast<std::size_t>(on)].name}, {"inward", Text(inward)}, {"hold_s", Text(hold_s)}});
   PostureKey over = from;
   over.shift = Vector3(way.x(), way.y(), from.shift.z() - kLower * model.leg_length_m());
   Go(model, motion, over, kSettle);

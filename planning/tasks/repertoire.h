@@ -48,7 +48,8 @@ Result<PostureMotion> LowerArms(const RobotModel& model, const PostureKey& from,
 Result<PostureMotion> WaveArms(const RobotModel& model, const PostureKey& from, Sides sides, int times);
 
 /// Stands on one foot for a while, the other one lifted, and on both again. The centre of mass goes over the middle of
-/// the foot's sole, or by a share of the feet's distance inward of it. Failure kBadInput `two_feet` for a robot that has not two feet with soles.
+/// the foot's sole, or by a share of the feet's distance inward of it. Failure kBadInput `two_feet` for a robot that
+/// has not two feet with soles.
 /// @param on  the foot that stays on the ground.
 Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from, int on, double inward, double hold_s);
 

@@ -104,8 +104,7 @@ Json ActionSchema(const ActionRule& rule) {
   }
   for (const std::string& key : rule.required) required.push_back(key);
   properties["words"] = {{"type", "string"}, {"description", "The words of the instruction that it comes from."}};
-  if (!rule.is_gesture)
-    properties["while"] = {{"type", "array"}, {"items", {{"$ref", "#/$defs/gesture"}}}};
+  if (!rule.is_gesture) properties["while"] = {{"type", "array"}, {"items", {{"$ref", "#/$defs/gesture"}}}};
   return {{"type", "object"},
           {"description", rule.meaning},
           {"properties", properties},
@@ -158,21 +157,18 @@ std::string TaskPlanSchema(const std::vector<std::string>& actions) {
     tasks.push_back(ActionSchema(rule));
     if (rule.is_gesture) gestures.push_back(ActionSchema(rule));
   }
-  const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                       {"title", "What a robot is to do, one task after the other"},
-                       {"type", "object"},
-                       {"properties",
-                        {{"schema", {{"const", TaskPlan::kSchema}}},
-                         {"text", {{"type", "string"}}},
-                         {"language", {{"type", "string"}}},
-                         {"tasks",
-                          {{"type", "array"},
-                           {"minItems", 1},
-                           {"maxItems", kMostTasks},
-                           {"items", {{"oneOf", tasks}}}}}}},
-                       {"required", {"schema", "tasks"}},
-                       {"additionalProperties", false},
-                       {"$defs", {{"gesture", {{"oneOf", gestures}}}}}};
+  const Json schema = {
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"title", "What a robot is to do, one task after the other"},
+      {"type", "object"},
+      {"properties",
+       {{"schema", {{"const", TaskPlan::kSchema}}},
+        {"text", {{"type", "string"}}},
+        {"language", {{"type", "string"}}},
+        {"tasks", {{"type", "array"}, {"minItems", 1}, {"maxItems", kMostTasks}, {"items", {{"oneOf", tasks}}}}}}},
+      {"required", {"schema", "tasks"}},
+      {"additionalProperties", false},
+      {"$defs", {{"gesture", {{"oneOf", gestures}}}}}};
   return schema.dump(2) + "\n";
 }
 

@@ -17,9 +17,9 @@ namespace gaitwright {
 /// `while` of a task holds gestures that are made meanwhile; `to` is {"name": "step", "number": 2}.
 std::string TaskPlanJson(const TaskPlan& plan);
 
-/// Reads the same; `text`, `language` and `words` may be left out. Failure kBadInput `task_plan` with the way to what is
-/// wrong: no JSON, a schema that is not known, keys that are unknown (the nearest is named), values of another kind or
-/// out of their ranges (WhyNoTask). What the robot can do is not looked at.
+/// Reads the same; `text`, `language` and `words` may be left out. Failure kBadInput `task_plan` with the way to what
+/// is wrong: no JSON, a schema that is not known, keys that are unknown (the nearest is named), values of another kind
+/// or out of their ranges (WhyNoTask). What the robot can do is not looked at.
 Result<TaskPlan> TaskPlanFromJson(const std::string& text);
 
 /// The JSON schema (draft 2020-12) of task plans, made from the rules.

@@ -109,14 +109,15 @@ std::optional<Failure> WhyNoPlace(const PlaceName& place, const TaskScope& scope
     names.push_back(known.name);
     if (known.name != place.name) continue;
     const bool one = known.number == 0;
-    if ((one && place.number <= 1) || (!one && (place.number == -1 || (place.number >= 1 && place.number <= known.number))))
+    if ((one && place.number <= 1) ||
+        (!one && (place.number == -1 || (place.number >= 1 && place.number <= known.number))))
       return std::nullopt;
     return Bad("place", one ? fmt::format("there is one place '{}' only", place.name)
                             : fmt::format("place '{}' needs a number from 1 to {}", place.name, known.number));
   }
-  return Bad("place", names.empty() ? fmt::format("there is no place '{}': the ground has none with a name", place.name)
-                                    : fmt::format("there is no place '{}'{}", place.name,
-                                                  NearestOrAll(place.name, names)));
+  return Bad("place", names.empty()
+                          ? fmt::format("there is no place '{}': the ground has none with a name", place.name)
+                          : fmt::format("there is no place '{}'{}", place.name, NearestOrAll(place.name, names)));
 }
 
 std::string MissingFor(Needs needs) {
@@ -253,7 +254,8 @@ std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
   const ActionRule& rule = *FindAction(task.action);
   const auto cannot = [&](const std::string& why) {
     std::vector<std::string> hints = {fmt::format("it can {}", fmt::join(scope.Actions(), ", "))};
-    if (!rule.instead.empty()) hints.insert(hints.begin(), fmt::format("the nearest that it can do is {}", rule.instead));
+    if (!rule.instead.empty())
+      hints.insert(hints.begin(), fmt::format("the nearest that it can do is {}", rule.instead));
     return Bad("cannot", fmt::format("robot '{}' cannot '{}': it {}", scope.robot, task.action, why), hints);
   };
   if (!scope.Can(rule)) return cannot(MissingFor(rule.needs));

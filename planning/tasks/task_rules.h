@@ -32,7 +32,7 @@ struct ActionRule {
   Needs needs = Needs::kNothing;
   bool is_gesture = false;  ///< may be made while something else is done
   std::string meaning;
-  std::string instead;  ///< an action that a robot may do which cannot do this one
+  std::string instead;    ///< an action that a robot may do which cannot do this one
   double most_deg = 0.0;  ///< of its angle, where that is less than the parameter's
 };
 

@@ -49,8 +49,10 @@ void Situation::Update(const RobotModel& model, const ControlInput& input) {
   bearing = 0;
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {
     double& touched = touched_s_[static_cast<std::size_t>(f)];
-    if (Contains(input.contact, f)) touched = time_s;
-    const bool due = Contains(scheduled, f) || swings.At(f, time_s).Progress(time_s) > kLanding;
+    const bool rests = f >= static_cast<int>(model.legs.size());
+    // What is to lie down settles: legs give way until it does.
+    if (Contains(input.contact, f) || (rests && Contains(scheduled, f))) touched = time_s;
+    const bool due = Contains(scheduled, f) || (!rests && swings.At(f, time_s).Progress(time_s) > kLanding);
     if (due && time_s - touched < kBridge) bearing |= FootBit(f);
   }
 }

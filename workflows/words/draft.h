@@ -26,9 +26,9 @@ struct Draft {
   std::optional<Item> bare;          ///< a number without a unit
   std::optional<std::string> side;   ///< of a way or of a limb, as long as there is no action
   std::optional<Span> side_said;
-  bool plural = false;               ///< limbs, both unless a side says which
-  bool holding = false;              ///< done while the next one is
-  Span words;                        ///< all of it
+  bool plural = false;   ///< limbs, both unless a side says which
+  bool holding = false;  ///< done while the next one is
+  Span words;            ///< all of it
   std::vector<Draft> during;
 
   bool empty() const { return action.empty() && parameters.empty() && !bare && !side && !plural; }
@@ -38,5 +38,18 @@ struct Draft {
 struct Refused {
   Refusal refusal;
 };
+
+/// The part of a text.
+std::string TextOf(const std::string& text, const Span& span);
+
+/// Where a parameter is said; all of the draft's words where it is only meant.
+Span SpanOf(const Draft& draft, const std::string& key);
+
+/// Puts what is said into a draft that has its action. `over` takes the place of what is there; else what is said twice
+/// is refused.
+void Merge(const std::string& text, const Draft& said, bool over, Draft& into);
+
+/// Gives a side to a draft by its action: where to, or which limb. @throws Refused
+void SettleSide(const std::string& text, Draft& draft);
 
 }  // namespace gaitwright::words

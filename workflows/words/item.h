@@ -12,42 +12,42 @@ namespace gaitwright::words {
 
 /// What a word or a group of words of an instruction stands for.
 enum class Meaning {
-  kAction,      ///< something to do: `name` is the action, `parameters` what the word says of it
-  kRaise,       ///< "lift", "put up": of an arm or a foot
-  kLower,       ///< "lower", "put down"
-  kPut,         ///< "put": with up or down
-  kDirection,   ///< forward, backward
-  kSide,        ///< left, right: of a way or of a limb
-  kBoth,        ///< both limbs
-  kArm,         ///< an arm, a hand
-  kFoot,        ///< a foot, a leg
-  kPlural,      ///< arms, hands
-  kUp,          ///< up
-  kDown,        ///< down
-  kNumber,      ///< a number alone
-  kAmount,      ///< a number with its unit; `name` is the quantity: m, s, deg, steps, times, m/s
-  kUnit,        ///< a unit, before numbers are put to it
-  kOrdinal,     ///< first, second, last: which of several
-  kPlace,       ///< a place that is known
-  kTo,          ///< "to", before a place
-  kAt,          ///< "at", before whom to wave to
-  kPace,        ///< slowly, fast
-  kGait,        ///< the name of a gait
-  kLow,         ///< crouched
-  kEach,        ///< "each", of a step's length
-  kHold,        ///< "hold it", of what was said last
-  kThen,        ///< goes on to the next task
-  kBreak,       ///< a comma, a full stop
-  kWhile,       ///< at the same time
-  kBefore,      ///< "before": what follows is done after what comes then
-  kAfter,       ///< "after": what follows is done first
-  kNo,          ///< what follows is meant in place of what was said last
-  kNot,         ///< "not": what follows is not meant
-  kDrop,        ///< what was said last is not to be done; only if it is the action `name`, where one is given
-  kAgain,       ///< the same once more
-  kPolite,      ///< says nothing, and is no part of what is not understood
-  kFiller,      ///< says nothing
-  kElsewhere,   ///< an action that no robot here has; `name` is the nearest, if any
+  kAction,     ///< something to do: `name` is the action, `parameters` what the word says of it
+  kRaise,      ///< "lift", "put up": of an arm or a foot
+  kLower,      ///< "lower", "put down"
+  kPut,        ///< "put": with up or down
+  kDirection,  ///< forward, backward
+  kSide,       ///< left, right: of a way or of a limb
+  kBoth,       ///< both limbs
+  kArm,        ///< an arm, a hand
+  kFoot,       ///< a foot, a leg
+  kPlural,     ///< arms, hands
+  kUp,         ///< up
+  kDown,       ///< down
+  kNumber,     ///< a number alone
+  kAmount,     ///< a number with its unit; `name` is the quantity: m, s, deg, steps, times, m/s
+  kUnit,       ///< a unit, before numbers are put to it
+  kOrdinal,    ///< first, second, last: which of several
+  kPlace,      ///< a place that is known
+  kTo,         ///< "to", before a place
+  kAt,         ///< "at", before whom to wave to
+  kPace,       ///< slowly, fast
+  kGait,       ///< the name of a gait
+  kLow,        ///< crouched
+  kEach,       ///< "each", of a step's length
+  kHold,       ///< "hold it", of what was said last
+  kThen,       ///< goes on to the next task
+  kBreak,      ///< a comma, a full stop
+  kWhile,      ///< at the same time
+  kBefore,     ///< "before": what follows is done after what comes then
+  kAfter,      ///< "after": what follows is done first
+  kNo,         ///< what follows is meant in place of what was said last
+  kNot,        ///< "not": what follows is not meant
+  kDrop,       ///< what was said last is not to be done; only if it is the action `name`, where one is given
+  kAgain,      ///< the same once more
+  kPolite,     ///< says nothing, and is no part of what is not understood
+  kFiller,     ///< says nothing
+  kElsewhere,  ///< an action that no robot here has; `name` is the nearest, if any
   kUnknown,
 };
 

@@ -17,10 +17,18 @@ using M = Meaning;
 
 /// Chinese for places that grounds have under English names.
 const std::vector<std::pair<const char*, const char*>>& PlaceTranslations() {
-  static const std::vector<std::pair<const char*, const char*>> table = {
-      {"台阶", "step"},        {"石头", "stone"},     {"门", "door"},          {"充电桩", "charging station"},
-      {"红色标记", "red marker"}, {"蓝色标记", "blue marker"}, {"绿色标记", "green marker"}, {"黄色标记", "yellow marker"},
-      {"平衡木", "beam"},      {"木块", "block"},     {"平台", "landing"},     {"坡", "slope"}};
+  static const std::vector<std::pair<const char*, const char*>> table = {{"台阶", "step"},
+                                                                         {"石头", "stone"},
+                                                                         {"门", "door"},
+                                                                         {"充电桩", "charging station"},
+                                                                         {"红色标记", "red marker"},
+                                                                         {"蓝色标记", "blue marker"},
+                                                                         {"绿色标记", "green marker"},
+                                                                         {"黄色标记", "yellow marker"},
+                                                                         {"平衡木", "beam"},
+                                                                         {"木块", "block"},
+                                                                         {"平台", "landing"},
+                                                                         {"坡", "slope"}};
   return table;
 }
 
@@ -89,12 +97,14 @@ class ItemReader {
   }
 
   bool TakeSign() {
-    static const std::array<const char*, 14> kBreaks = {",", ";", "!", "?", "。", "、", "…", "—", "；", "，", "！", "？", "·", "~"};
+    static const std::array<const char*, 14> kBreaks = {",", ";",  "!",  "?",  "。", "、", "…",
+                                                        "—", "；", "，", "！", "？", "·",  "~"};
     const Piece& piece = pieces_[at_];
     if (piece.kind != Piece::Kind::kSign) return false;
-    const bool ends = at_ + 1 == pieces_.size() || pieces_[at_ + 1].begin > piece.end ||
-                      pieces_[at_ + 1].kind != Piece::Kind::kWord;
-    const bool breaks = std::any_of(kBreaks.begin(), kBreaks.end(), [&](const char* sign) { return piece.text == sign; });
+    const bool ends =
+        at_ + 1 == pieces_.size() || pieces_[at_ + 1].begin > piece.end || pieces_[at_ + 1].kind != Piece::Kind::kWord;
+    const bool breaks =
+        std::any_of(kBreaks.begin(), kBreaks.end(), [&](const char* sign) { return piece.text == sign; });
     if (breaks || (piece.text == "." && ends)) {
       Push(M::kBreak, 1);
     } else if (piece.text == ":" || piece.text == "'" || piece.text == "\"" || piece.text == "“" || piece.text == "”") {
@@ -145,7 +155,8 @@ class ItemReader {
     // 一下 and 一个 soften what is said, or count nothing.
     // "one foot" stands, "a foot" is as long.
     if (number.is_article && pieces_[at_].text == "one" && pieces_[after].text == "foot") return false;
-    if (number.is_article && pieces_[after].text == "foot" && !items_.empty() && items_.back().Is(M::kRaise)) return false;
+    if (number.is_article && pieces_[after].text == "foot" && !items_.empty() && items_.back().Is(M::kRaise))
+      return false;
     const bool softener = pieces_[at_].text == "一" && number.pieces == 1 &&
                           (pieces_[after].text == "下" || (unit->name == "count" && phrase != nullptr));
     if (softener) return false;
@@ -251,7 +262,8 @@ class ItemReader {
       if (next < items_.size() && items_[next].Is(M::kPlace)) {
         items_[next].value = items_[k].value;
         items_[next].begin = items_[k].begin;
-        items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(k), items_.begin() + static_cast<std::ptrdiff_t>(next));
+        items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(k),
+                     items_.begin() + static_cast<std::ptrdiff_t>(next));
       } else if (items_[k].Is(M::kOrdinal)) {
         items_[k].meaning = M::kThen;
       }

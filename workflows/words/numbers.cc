@@ -11,23 +11,24 @@ namespace {
 using Table = std::map<std::string, double>;
 
 const Table& Ones() {
-  static const Table ones = {
-      {"zero", 0},     {"one", 1},      {"two", 2},       {"three", 3},    {"four", 4},     {"five", 5},  {"six", 6},
-      {"seven", 7},    {"eight", 8},    {"nine", 9},      {"ten", 10},     {"eleven", 11},  {"twelve", 12},
-      {"thirteen", 13}, {"fourteen", 14}, {"fifteen", 15},  {"sixteen", 16}, {"seventeen", 17}, {"eighteen", 18},
-      {"nineteen", 19}, {"twenty", 20},  {"thirty", 30},   {"forty", 40},   {"fifty", 50},   {"sixty", 60},
-      {"seventy", 70}, {"eighty", 80},  {"ninety", 90}};
+  static const Table ones = {{"zero", 0},     {"one", 1},      {"two", 2},        {"three", 3},     {"four", 4},
+                             {"five", 5},     {"six", 6},      {"seven", 7},      {"eight", 8},     {"nine", 9},
+                             {"ten", 10},     {"eleven", 11},  {"twelve", 12},    {"thirteen", 13}, {"fourteen", 14},
+                             {"fifteen", 15}, {"sixteen", 16}, {"seventeen", 17}, {"eighteen", 18}, {"nineteen", 19},
+                             {"twenty", 20},  {"thirty", 30},  {"forty", 40},     {"fifty", 50},    {"sixty", 60},
+                             {"seventy", 70}, {"eighty", 80},  {"ninety", 90}};
   return ones;
 }
 
 const Table& Multiples() {
-  static const Table multiples = {{"hundred", 1e2}, {"thousand", 1e3}, {"million", 1e6}, {"billion", 1e9}, {"dozen", 12}};
+  static const Table multiples = {
+      {"hundred", 1e2}, {"thousand", 1e3}, {"million", 1e6}, {"billion", 1e9}, {"dozen", 12}};
   return multiples;
 }
 
 const Table& HanDigits() {
-  static const Table digits = {{"零", 0}, {"〇", 0}, {"一", 1}, {"二", 2}, {"两", 2}, {"三", 3}, {"四", 4},
-                               {"五", 5}, {"六", 6}, {"七", 7}, {"八", 8}, {"九", 9}};
+  static const Table digits = {{"零", 0}, {"〇", 0}, {"一", 1}, {"二", 2}, {"两", 2}, {"三", 3},
+                               {"四", 4}, {"五", 5}, {"六", 6}, {"七", 7}, {"八", 8}, {"九", 9}};
   return digits;
 }
 
@@ -189,7 +190,8 @@ class Reader {
       if (one != Ones().end() && hyphen != std::string::npos && Ones().contains(word.substr(hyphen + 1))) {
         part += one->second + Ones().at(word.substr(hyphen + 1));
       } else if (one != Ones().end() && hyphen == std::string::npos) {
-        if (any && part != 0.0 && !(static_cast<int>(part) % 100 >= 20 && one->second < 10) && static_cast<int>(part) % 100 != 0)
+        if (any && part != 0.0 && !(static_cast<int>(part) % 100 >= 20 && one->second < 10) &&
+            static_cast<int>(part) % 100 != 0)
           break;
         part += one->second;
       } else if (multiple != Multiples().end()) {

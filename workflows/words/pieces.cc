@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/words/pieces.h"
 
-#include <cstdint>
 #include <cctype>
+#include <cstdint>
 
 namespace gaitwright::words {
 namespace {
@@ -31,10 +31,13 @@ std::uint32_t Usual(std::uint32_t code) {
   return code;
 }
 
-bool IsLetter(std::uint32_t code) { return (code < 128 && std::isalpha(static_cast<int>(code)) != 0) || (code >= 0xC0 && code < 0x250); }
+bool IsLetter(std::uint32_t code) {
+  return (code < 128 && std::isalpha(static_cast<int>(code)) != 0) || (code >= 0xC0 && code < 0x250);
+}
 bool IsDigit(std::uint32_t code) { return code >= '0' && code <= '9'; }
 bool IsHan(std::uint32_t code) {
-  return (code >= 0x3400 && code <= 0x9FFF) || (code >= 0xF900 && code <= 0xFAFF) || (code >= 0x20000 && code <= 0x2FFFF);
+  return (code >= 0x3400 && code <= 0x9FFF) || (code >= 0xF900 && code <= 0xFAFF) ||
+         (code >= 0x20000 && code <= 0x2FFFF);
 }
 
 class Reader {
@@ -100,7 +103,9 @@ class Reader {
     // "2nd", "10th" are words.
     static const char* const kEnds[] = {"st", "nd", "rd", "th"};
     for (const char* end : kEnds) {
-      if (Code(at_) != static_cast<std::uint32_t>(end[0]) || Code(at_ + 1) != static_cast<std::uint32_t>(end[1]) || IsLetter(Code(at_ + 2))) continue;
+      if (Code(at_) != static_cast<std::uint32_t>(end[0]) || Code(at_ + 1) != static_cast<std::uint32_t>(end[1]) ||
+          IsLetter(Code(at_ + 2)))
+        continue;
       pieces_.back().kind = Piece::Kind::kWord;
       Take();
       Take();

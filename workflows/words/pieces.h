@@ -13,7 +13,7 @@ struct Piece {
   enum class Kind { kWord, kNumber, kCharacter, kSign };
 
   Kind kind = Kind::kWord;
-  std::string text;  ///< in small letters; full-width letters, digits and signs as their usual ones
+  std::string text;                ///< in small letters; full-width letters, digits and signs as their usual ones
   std::size_t begin = 0, end = 0;  ///< bytes of the whole text
 };
 

@@ -39,13 +39,14 @@ Provenance ProvenanceOf(const TaskPlan& tasks, const TaskOptions& options) {
 
 /// The robot with its body to lie on, where it is to lie or to get up from it.
 Result<RobotModel> WholeRobot(const RobotModel& model, const TaskPlan& tasks, const TaskScope& scope) {
-  const bool lies = std::any_of(tasks.tasks.begin(), tasks.tasks.end(),
-                                [](const Task& task) { return task.action == "lie_down"; });
+  const bool lies =
+      std::any_of(tasks.tasks.begin(), tasks.tasks.end(), [](const Task& task) { return task.action == "lie_down"; });
   const bool gets_up = tasks.tasks.front().action == "stand_up";
   if (!(lies || gets_up) || !scope.Can(*FindAction("lie_down"))) return model;
   std::vector<std::string> links;  // of the base, the root first
   for (const Shape& shape : model.collision_shapes) {
-    if (shape.body == 0 && std::find(links.begin(), links.end(), shape.link) == links.end()) links.push_back(shape.link);
+    if (shape.body == 0 && std::find(links.begin(), links.end(), shape.link) == links.end())
+      links.push_back(shape.link);
   }
   Result<RobotModel> whole = model;
   for (const std::string& link : links) {
@@ -53,8 +54,11 @@ Result<RobotModel> WholeRobot(const RobotModel& model, const TaskPlan& tasks, co
     if (whole) return whole;
   }
   if (!lies) return model;  // gets up from where it stands
-  return Failure{FailureKind::kInfeasible, "lying", "PlanTasks",
-                 fmt::format("robot '{}' has nothing flat under its body to lie on", model.name), {}};
+  return Failure{FailureKind::kInfeasible,
+                 "lying",
+                 "PlanTasks",
+                 fmt::format("robot '{}' has nothing flat under its body to lie on", model.name),
+                 {}};
 }
 
 }  // namespace

@@ -42,6 +42,9 @@ Result<PlannedPosture> PlanPostureWithin(const RobotModel& model, const MotionBy
 /// The walk that a task asks for, its place left out.
 Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, const TaskOptions& options);
 
+/// The robot with its joints outside the legs elsewhere in standing.
+RobotModel Posed(RobotModel model, const VectorX& joints);
+
 /// Adds to a motion that it stays as it ends.
 void StayOn(double duration_s, MotionPlan& plan);
 

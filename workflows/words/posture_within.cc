@@ -76,8 +76,8 @@ Result<PlannedPosture> PlanPostureWithin(const RobotModel& model, const MotionBy
   if (!sizes.asked) return *first;
   const double largest = LargestBelow(model, motion, sizes.tried.front(), options);
   if (largest > 0.0) {
-    first->hints = {fmt::format("the largest {} that robot '{}' can do here is about {:.2g}", sizes.name, model.name,
-                                largest)};
+    first->hints = {
+        fmt::format("the largest {} that robot '{}' can do here is about {:.2g}", sizes.name, model.name, largest)};
   }
   return *first;
 }

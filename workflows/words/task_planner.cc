@@ -1,39 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/words/task_planner_internal.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "kinematics/dynamics/dynamics.h"
-#include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/plan_posture.h"
 #include "planning/paths/standing_feet.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/joined_plans.h"
-#include "planning/plan/moved_terrain.h"
-#include "workflows/words/places.h"
+#include "workflows/words/task_planner_internal.h"
 
 namespace gaitwright::tasks {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kStay = 1.0;  // [s]
-
-/// The robot with its joints outside the legs elsewhere in standing.
-RobotModel Posed(RobotModel model, const VectorX& joints) {
-  std::vector<bool> in_leg(static_cast<std::size_t>(model.num_dofs()), false);
-  for (const Leg& leg : model.legs) {
-    for (const int joint : leg.joints)
-      in_leg[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(joint)].dof)] = true;
-  }
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    if (!in_leg[static_cast<std::size_t>(d)]) model.standing_joints[d] = joints[d];
-  }
-  return model;
-}
 
 Sides SidesOf(const Task& task) {
   const std::string side = task.Word("side");
@@ -44,20 +26,6 @@ std::vector<double> Shares(double size, std::initializer_list<double> shares) {
   std::vector<double> sizes;
   for (const double share : shares) sizes.push_back(share * size);
   return sizes;
-}
-
-/// The plan of the robot without what it lies on as one of the robot with it.
-void AddRest(const RobotModel& model, MotionPlan& plan) {
-  plan.robot_hash = model.hash;
-  plan.yaml_text = model.yaml_text;
-  for (auto& wrenches : plan.whole_body.wrenches) wrenches.resize(model.feet.size());
-}
-
-/// The centre of mass in standing.
-Vector3 StandingCentre(const RobotModel& model) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  return CentreOfMass(model, scratch);
 }
 
 }  // namespace
@@ -190,119 +158,6 @@ Result<PostureMotion> TaskPlanner::GestureMotion(const Task& gesture, const Post
   const double one_s = often(2)->duration_s() - once->duration_s();
   const double more = std::clamp((wished_s - once->duration_s()) / one_s, 0.0, kMost);
   return often(1 + static_cast<int>(more));
-}
-
-std::optional<Failure> TaskPlanner::AddWalk(const WalkRequest& request, bool gestures) {
-  // Postures before it end where the walk begins: they are planned with it in mind.
-  const RobotModel posed = Posed(model_, stance_.key.joints);
-  PlanarPose here = Here();
-  if (!chain_.empty() && !whole_) here = {};
-  const Result<Terrain> ground = MovedTerrain(PoseOf(here).inverse(), terrain_);
-  if (!ground) return ground.failure();
-  Result<PlannedWalk> planned = PlanWalkOn(posed, *ground, request);
-  if (!planned) return planned.failure();
-  MotionPlan walk = std::move(planned->motion.plan);
-  if (auto failure = GoToStartOf(walk)) return failure;
-  if (gestures && task_ != nullptr) {
-    double last_s = walk.whole_body.start_s;
-    for (const Task& gesture : task_->during) {
-      const Result<PostureMotion> made = GestureMotion(gesture, stance_.key, walk.duration_s());
-      if (!made) return made.failure();
-      const PostureMotion motion = Stretched(*made, 1.0, walk.whole_body.step_s);
-      if (motion.duration_s() > walk.duration_s()) StayOn(motion.duration_s() - walk.duration_s(), walk);
-      Result<MotionPlan> with = WithGesture(Posed(model_, stance_.key.joints), walk, motion, last_s,
-                                            options_.motion.whole_body);
-      if (!with) return with.failure();
-      walk = std::move(*with);
-      stance_.key.joints = motion.keys.back().joints;
-    }
-  }
-  if (whole_model_.hash != model_.hash) AddRest(whole_model_, walk);
-  return Append(std::move(walk));
-}
-
-/// Walks carry the body at places of their own over the feet: goes there first.
-std::optional<Failure> TaskPlanner::GoToStartOf(const MotionPlan& walk) {
-  constexpr double kSame = 1e-5;  // [m]
-  PostureKey at = stance_.key;
-  at.shift = walk.centroidal.p_WC.front() - StandingCentre(model_);
-  at.turn_rad.setZero();
-  const bool there = (at.shift - stance_.key.shift).norm() < kSame || (!whole_ && chain_.empty());
-  const Task* const task = task_;
-  task_ = nullptr;
-  std::optional<Failure> failure;
-  if (!there) failure = AddPosture(GoTo(model_, "stand", stance_.key, at));
-  task_ = task;
-  stance_.key = at;
-  return failure ? failure : Flush();
-}
-
-std::optional<Failure> TaskPlanner::Walk(const Task& task, bool gestures) {
-  Result<WalkRequest> request = WalkRequestOf(model_, task, options_);
-  if (!request) return request.failure();
-  auto failure = AddWalk(*request, gestures);
-  if (!failure || task.Word("pace") != "fast" || failure->kind != FailureKind::kInfeasible) return failure;
-  Task slower = task;
-  slower.parameters.erase("pace");
-  notes_.push_back(fmt::format("'{}' goes at the usual speed: {}", task.words, failure->message));
-  return Walk(slower, gestures);
-}
-
-std::optional<Failure> TaskPlanner::Turn(const Task& task) {
-  constexpr double kMost = 120.0;  // [degree] in one go
-  const double angle = task.Number("angle_deg", 90.0);
-  const int goes = static_cast<int>(std::ceil(angle / kMost - 1e-9));
-  Task part = task;
-  part.parameters["angle_deg"] = angle / goes;
-  for (int k = 0; k < goes; ++k) {
-    if (auto failure = Walk(part, k == 0)) return failure;
-  }
-  return std::nullopt;
-}
-
-/// The way to a place from where the robot is.
-Vector2 TaskPlanner::WayTo(const PlaceName& place) const {
-  const Vector2 centre_W = CentreOf(terrain_, place);
-  return (PoseOf(Here()).inverse() * Vector3(centre_W.x(), centre_W.y(), 0.0)).head<2>();
-}
-
-std::optional<Failure> TaskPlanner::WalkTo(const Task& task) {
-  constexpr double kAhead = 0.2, kThere = 0.02;  // [rad], [m]
-  if (auto failure = Flush()) return failure;
-  const auto& place = std::get<PlaceName>(task.parameters.at("to"));
-  const Vector2 way = WayTo(place);
-  if (way.norm() < kThere) {
-    notes_.push_back(fmt::format("'{}': it is there", task.words));
-    return AddPosture(Hold(stance_.key, kStay));
-  }
-  const std::string direction = task.Word("direction");
-  const double ahead = direction == "backward" ? std::numbers::pi
-                       : direction == "left"   ? 0.5 * std::numbers::pi
-                       : direction == "right"  ? -0.5 * std::numbers::pi
-                                               : 0.0;
-  const double turn = WrapAngle(std::atan2(way.y(), way.x()) - ahead);
-  if (std::abs(turn) > kAhead) {
-    Task first;
-    first.action = "turn";
-    first.parameters = {{"direction", std::string(turn > 0.0 ? "left" : "right")},
-                        {"angle_deg", std::abs(turn) / kDegree}};
-    notes_.push_back(fmt::format("it turns {} by {:.0f} degrees before '{}'", first.Word("direction"),
-                                 std::abs(turn) / kDegree, task.words));
-    const Task* const kept = task_;
-    task_ = nullptr;
-    auto failure = Turn(first);
-    task_ = kept;
-    if (failure) return failure;
-  }
-  Result<WalkRequest> request = WalkRequestOf(model_, task, options_);
-  if (!request) return request.failure();
-  const Vector2 goal = WayTo(place);
-  WalkCommand& c = request->command;
-  c.extent = WalkCommand::Extent::kGoal;
-  c.distance_m = 0.0;
-  c.goal_x_m = goal.x();
-  c.goal_y_m = goal.y();
-  return AddWalk(*request, true);
 }
 
 std::optional<Failure> TaskPlanner::StandUp() {

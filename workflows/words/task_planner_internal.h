@@ -57,8 +57,8 @@ class TaskPlanner {
   const Task* task_ = nullptr;  // what is done now; null for what nobody asked for
   Stance stance_;
   std::optional<Lying> lying_;
-  std::vector<PostureMotion> chain_;                          // postures that are not planned yet
-  std::vector<std::pair<PostureMotion, double>> gestures_;    // over them, with when they begin
+  std::vector<PostureMotion> chain_;                        // postures that are not planned yet
+  std::vector<std::pair<PostureMotion, double>> gestures_;  // over them, with when they begin
   std::optional<MotionPlan> whole_;
   std::vector<std::string> notes_;
 };

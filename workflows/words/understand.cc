@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/base/text.h"
+#include "workflows/words/clause.h"
 #include "workflows/words/items.h"
 #include "workflows/words/read_clause.h"
 
@@ -19,131 +20,6 @@ bool IsGesture(const std::string& action) {
   const ActionRule* rule = FindAction(action);
   return rule != nullptr && rule->is_gesture;
 }
-
-/// Parts an instruction into clauses: at words and signs that join, and before each further action.
-class Splitter {
- public:
-  Splitter(const std::string& text, const std::vector<Item>& items) : text_(text), items_(items) {}
-
-  std::vector<Clause> Split() {
-    for (std::size_t k = 0; k < items_.size(); ++k) Add(items_[k], k);
-    Close();
-    return std::move(clauses_);
-  }
-
- private:
-  static bool IsVerb(const Item& item) {
-    return item.Is(M::kAction) || item.Is(M::kRaise) || item.Is(M::kLower) || item.Is(M::kElsewhere);
-  }
-
-  bool HasVerb() const { return std::any_of(now_.items.begin(), now_.items.end(), IsVerb); }
-
-  /// "to the door" after a direction, or "往" before one, begins nothing.
-  void Add(const Item& item, std::size_t at) {
-    switch (item.meaning) {
-      case M::kThen:
-        return Join([](Clause& next) { next.follows_then = true; });
-      case M::kBreak:
-        if (now_.empty() && now_.is_not && !now_.drops) {  // "no, not that, ..."
-          now_.is_not = false;
-          now_.corrects = true;
-        }
-        return Join([](Clause& next) { next.follows_break = true; });
-      case M::kBefore:
-        return Join([](Clause& next) { next.is_before = true; });
-      case M::kAfter:
-        return Join([](Clause& next) { next.is_after = true; });
-      case M::kNo:
-        return Join([](Clause& next) { next.corrects = true; });
-      case M::kNot:
-        return Join([](Clause& next) { next.is_not = true; });
-      case M::kDrop:
-        return AddDrop(item, at);
-      case M::kHold:
-        return Join([](Clause& next) { next.holds = true; });
-      case M::kWhile:
-        return AddWhile(at);
-      case M::kAgain:
-        Close();
-        now_.again = true;
-        return Close();
-      default:
-        break;
-    }
-    if (HasVerb() && IsParticle(item)) return;  // "走到门那里去"
-    if (IsVerb(item) && HasVerb()) {
-      // What is said of the way before its verb belongs to it: "往前" in "举手往前走".
-      std::vector<Item> lead;
-      while (!now_.items.empty() && (LeadsOn(now_.items.back()) || LeadsWay(now_.items.back()))) {
-        lead.insert(lead.begin(), now_.items.back());
-        now_.items.pop_back();
-      }
-      Close();
-      now_.items = lead;
-    }
-    now_.items.push_back(item);
-  }
-
-  /// "don't walk" is not to be done; "never mind" is what was said before.
-  void AddDrop(const Item& item, std::size_t at) {
-    std::size_t next = at + 1;
-    while (next < items_.size() && (items_[next].Is(M::kPolite) || items_[next].Is(M::kFiller))) ++next;
-    const bool names = item.name.empty() && next < items_.size() && items_[next].Is(M::kAction);
-    const std::string dropped = names ? items_[next].name : item.name;
-    Join([&](Clause& clause) {
-      clause.drops = true;
-      clause.dropped = dropped;
-      clause.is_not = names;
-    });
-  }
-
-  /// 去 after another verb only says that it is gone.
-  bool IsParticle(const Item& item) const {
-    return item.Is(M::kAction) && item.name == "walk" && item.value == 0.0 && item.parameters.empty() &&
-           text_.substr(item.begin, item.end - item.begin) == "去";
-  }
-
-  /// A way that is said after what goes no way leads to the next verb: "点着头往前走".
-  bool LeadsWay(const Item& item) const {
-    const auto verb = std::find_if(now_.items.begin(), now_.items.end(), IsVerb);
-    const bool goes = verb->Is(M::kAction) && (verb->name == "walk" || verb->name == "turn");
-    return !goes && (item.Is(M::kDirection) || item.Is(M::kPace));
-  }
-
-  static bool LeadsOn(const Item& item) {
-    return item.Is(M::kPolite) || item.Is(M::kFiller) || item.Is(M::kTo) || item.Is(M::kPut);
-  }
-
-  /// At the end of a clause it says that this one is done meanwhile, before one that that one is.
-  void AddWhile(std::size_t at) {
-    std::size_t next = at + 1;
-    while (next < items_.size() && (items_[next].Is(M::kPolite) || items_[next].Is(M::kFiller))) ++next;
-    const bool trails = next == items_.size() || items_[next].Is(M::kBreak) || items_[next].Is(M::kThen);
-    if (trails && !now_.empty() && !clauses_.empty()) {
-      now_.is_meanwhile = true;
-      return Close();
-    }
-    Join([](Clause& clause) { clause.is_meanwhile = true; });
-  }
-
-  template <class Mark>
-  void Join(Mark mark) {
-    if (!now_.empty()) Close();
-    mark(now_);
-  }
-
-  void Close() {
-    const bool said = !now_.empty() || now_.again || now_.drops;
-    if (said || (now_.holds && false)) clauses_.push_back(now_);
-    if (said) now_ = {};
-    if (!said) now_.items.clear();
-  }
-
-  const std::string& text_;
-  const std::vector<Item>& items_;
-  std::vector<Clause> clauses_;
-  Clause now_;
-};
 
 /// Makes tasks of clauses.
 class Assembler {
@@ -186,7 +62,7 @@ class Assembler {
   }
 
  private:
-  std::string Text(const Span& span) const { return text_.substr(span.begin, span.end - span.begin); }
+  std::string Text(const Span& span) const { return TextOf(text_, span); }
 
   /// Takes away what is not to be done after all. @throws Refused for what nobody asked for.
   void Drop(const Clause& clause) {
@@ -243,7 +119,8 @@ class Assembler {
       return;
     }
     Draft& last = drafts_.back();
-    if (clause.holds && last.action != "walk" && FindAction(last.action) != nullptr && !Takes(last.action, "duration_s"))
+    if (clause.holds && last.action != "walk" && FindAction(last.action) != nullptr &&
+        !Takes(last.action, "duration_s"))
       throw Refused{{"unknown", Text(said.words), "cannot be held", ""}};
     // "turn left, right": one more.
     const bool other_side = said.side && !corrects && (last.said.contains("direction") || last.said.contains("side"));
@@ -425,9 +302,12 @@ class Assembler {
     for (const auto& [key, value] : task.parameters) {
       const auto said = draft.said.find(key);
       const Span span = said == draft.said.end() ? draft.words : said->second;
-      if (!Takes(rule.action, key)) throw Refused{{"unknown", Text(span), fmt::format("is nothing to '{}'", rule.action), ""}};
+      if (!Takes(rule.action, key))
+        throw Refused{{"unknown", Text(span), fmt::format("is nothing to '{}'", rule.action), ""}};
       Task alone{task.action, {{key, value}}, "", {}};
-      for (const std::string& required : rule.required) alone.parameters.try_emplace(required, task.parameters.contains(required) ? task.parameters.at(required) : TaskValue(std::string()));
+      for (const std::string& required : rule.required)
+        alone.parameters.try_emplace(
+            required, task.parameters.contains(required) ? task.parameters.at(required) : TaskValue(std::string()));
       if (key == "step_length_m") alone.parameters.try_emplace("steps", 1);
       const bool is_extent = std::find(ExtentKeys().begin(), ExtentKeys().end(), key) != ExtentKeys().end();
       if (task.action == "walk" && is_extent) {
@@ -439,7 +319,7 @@ class Assembler {
       }
       const auto failure = WhyNoTask(alone);
       if (failure && failure->code == "range") throw Refused{{"range", Text(span), failure->message, ""}};
-      if (key == "to" ) {
+      if (key == "to") {
         if (const auto away = WhyNotDone(alone, scope_); away && away->code == "place")
           throw Refused{{"place", Text(span), away->message, ""}};
       }
@@ -469,7 +349,7 @@ std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskSc
   try {
     Assembler assembler(text, scope);
     const std::vector<Item> items = ItemsOf(text, LanguageOf(text), scope.places);
-    for (const Clause& clause : Splitter(text, items).Split()) assembler.Add(clause);
+    for (const Clause& clause : ClausesOf(text, items)) assembler.Add(clause);
     return assembler.Finish();
   } catch (const Refused& refused) {
     return refused.refusal;
@@ -482,7 +362,8 @@ Result<TaskPlan> UnderstandWords(const std::string& text, const TaskScope& scope
   const auto& refusal = std::get<Refusal>(understood);
   const std::string part = refusal.part.empty() ? "the instruction" : fmt::format("'{}'", refusal.part);
   Failure failure{FailureKind::kBadInput, refusal.reason, "Understand", fmt::format("{}: {}", part, refusal.why), {}};
-  if (!refusal.nearest.empty()) failure.hints.push_back(fmt::format("the nearest that it can do is to {}", refusal.nearest));
+  if (!refusal.nearest.empty())
+    failure.hints.push_back(fmt::format("the nearest that it can do is to {}", refusal.nearest));
   failure.hints.push_back(fmt::format("robot '{}' can {}", scope.robot, fmt::join(scope.Actions(), ", ")));
   return failure;
 }

@@ -53,8 +53,7 @@ void SetSteps(const RobotModel& model, const Task& task, double speed_m_s, WalkC
   if (direction == "right") c.lateral_speed_m_s = -speed_m_s;
   constexpr double kStep = 0.2;  // leg lengths, of a step back
   if (direction == "forward" && task.Has("step_length_m")) c.step_length_m = share * task.Number("step_length_m", 0.0);
-  if (direction == "backward")
-    c.step_length_m = -share * task.Number("step_length_m", kStep * model.leg_length_m());
+  if (direction == "backward") c.step_length_m = -share * task.Number("step_length_m", kStep * model.leg_length_m());
 }
 
 }  // namespace

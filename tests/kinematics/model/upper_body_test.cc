@@ -42,9 +42,7 @@ TEST(UpperBody, ArmsAreFoundAboveAWaist) {
     const UpperBody upper = FindUpperBody(model);
     ASSERT_TRUE(upper.left_arm && upper.right_arm) << name;
     const std::vector<Pose> X_OB = BodyPoses(model, model.standing_joints);
-    const auto side = [&](const Limb& arm) {
-      return (X_OB[static_cast<std::size_t>(arm.end_body)] * arm.p_BE).y();
-    };
+    const auto side = [&](const Limb& arm) { return (X_OB[static_cast<std::size_t>(arm.end_body)] * arm.p_BE).y(); };
     EXPECT_GT(side(*upper.left_arm), 0.05) << name;
     EXPECT_LT(side(*upper.right_arm), -0.05) << name;
     EXPECT_GE(upper.left_arm->dofs.size(), 3U) << name;

@@ -45,7 +45,9 @@ TEST_P(Gestures, ARaisedArmIsHighOnAFreeWay) {
     EXPECT_GT(up.z() - down.z(), 0.25 * model_.leg_length_m());
     for (int d = 0; d < model_.num_dofs(); ++d) {
       const bool of_arm = std::find((*arm)->dofs.begin(), (*arm)->dofs.end(), d) != (*arm)->dofs.end();
-      if (!of_arm) EXPECT_EQ((*raised)[d], model_.standing_joints[d]);
+      if (!of_arm) {
+        EXPECT_EQ((*raised)[d], model_.standing_joints[d]);
+      }
     }
   }
 }

@@ -24,8 +24,9 @@ PostureKey KeyAt(double after_s, const Vector3& shift, double turn, double joint
 }
 
 PostureMotion TwoMoves() {
-  return {"test", {KeyAt(0.0, {0, 0, 0}, 0.0, 0.1), KeyAt(0.8, {0.01, 0.02, -0.05}, 0.3, 0.4),
-                   KeyAt(0.5, {0.0, 0.0, -0.01}, 0.1, 0.2)}};
+  return {"test",
+          {KeyAt(0.0, {0, 0, 0}, 0.0, 0.1), KeyAt(0.8, {0.01, 0.02, -0.05}, 0.3, 0.4),
+           KeyAt(0.5, {0.0, 0.0, -0.01}, 0.1, 0.2)}};
 }
 
 TEST(PostureMotion, IsAtItsKeysAtRest) {

@@ -21,7 +21,9 @@ TEST(TaskRules, EachActionHasItsParameters) {
     for (const auto* keys : {&rule.required, &rule.optional}) {
       for (const std::string& key : *keys) EXPECT_NE(FindParameter(key), nullptr) << rule.action << ' ' << key;
     }
-    if (!rule.instead.empty()) EXPECT_NE(FindAction(rule.instead), nullptr) << rule.action;
+    if (!rule.instead.empty()) {
+      EXPECT_NE(FindAction(rule.instead), nullptr) << rule.action;
+    }
   }
 }
 

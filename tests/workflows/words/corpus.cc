@@ -8,7 +8,9 @@
 namespace gaitwright {
 namespace {
 
-std::string PathOf(const std::string& file) { return std::string(GAITWRIGHT_SOURCE_DIR) + "/tests/workflows/words/" + file; }
+std::string PathOf(const std::string& file) {
+  return std::string(GAITWRIGHT_SOURCE_DIR) + "/tests/workflows/words/" + file;
+}
 
 Task TaskOf(const YAML::Node& node) {
   Task task;
@@ -61,9 +63,9 @@ TaskScope CorpusScope(const std::string& robot) {
   scope.robot = robot;
   scope.left_arm = scope.right_arm = scope.head = scope.two_soles = robot == "nao";
   scope.four_feet = robot == "a1";
-  scope.places = {{"red marker", 0}, {"blue marker", 0}, {"door", 0}, {"charging station", 0}, {"step", 3},
-                  {"stone", 6},      {"红色标记", 0},     {"蓝色标记", 0}, {"门", 0},             {"充电桩", 0},
-                  {"台阶", 3},        {"石头", 6}};
+  scope.places = {{"red marker", 0}, {"blue marker", 0}, {"door", 0},     {"charging station", 0},
+                  {"step", 3},       {"stone", 6},       {"红色标记", 0}, {"蓝色标记", 0},
+                  {"门", 0},         {"充电桩", 0},      {"台阶", 3},     {"石头", 6}};
   return scope;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The built-in grammar against instructions that were written before it.
+#include "tests/workflows/words/corpus.h"
+
 #include <gtest/gtest.h>
 
-#include "tests/workflows/words/corpus.h"
 #include "workflows/words/understand.h"
 
 namespace gaitwright {
@@ -49,7 +50,9 @@ TEST(Corpus, WhatIsNotAcceptedIsRefusedByItsPart) {
     ASSERT_NE(refusal, nullptr) << entry.text;
     EXPECT_EQ(refusal->reason, entry.reason) << entry.text;
     EXPECT_EQ(refusal->part, entry.part) << entry.text;
-    if (!entry.nearest.empty()) EXPECT_EQ(refusal->nearest, entry.nearest) << entry.text;
+    if (!entry.nearest.empty()) {
+      EXPECT_EQ(refusal->nearest, entry.nearest) << entry.text;
+    }
   }
 }
 

@@ -71,11 +71,11 @@ void FakeModel::Answer(int connection) {
   if (answer.kind == FakeAnswer::Kind::kHangUp) return;
   while (answer.kind == FakeAnswer::Kind::kSilence && !stopping_) ::usleep(10000);
   if (answer.kind == FakeAnswer::Kind::kSilence) return;
-  const nlohmann::json completion = {
-      {"choices", {{{"message", {{"role", "assistant"}, {"content", answer.text}}}}}}};
+  const nlohmann::json completion = {{"choices", {{{"message", {{"role", "assistant"}, {"content", answer.text}}}}}}};
   const std::string body = answer.kind == FakeAnswer::Kind::kContent ? completion.dump() : answer.text;
-  const std::string response = "HTTP/1.1 " + std::to_string(answer.status) + " X\r\nContent-Type: application/json\r\n" +
-                               "Connection: close\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+  const std::string response =
+      "HTTP/1.1 " + std::to_string(answer.status) + " X\r\nContent-Type: application/json\r\n" +
+      "Connection: close\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
   for (std::size_t sent = 0; sent < response.size();) {
     const ssize_t now = ::send(connection, response.data() + sent, response.size() - sent, MSG_NOSIGNAL);
     if (now <= 0) return;

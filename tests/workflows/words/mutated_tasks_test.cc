@@ -48,9 +48,10 @@ class Mutator {
   int Below(std::size_t n) { return static_cast<int>(std::uniform_int_distribution<std::size_t>(0, n - 1)(random_)); }
 
   void Change(std::string& text) {
-    static const std::vector<std::string> kParts = {"1e308", "-1",   "NaN", "null", "\"walk\"", "[]",  "{}",   "999999999999",
-                                                    "0.0",   "true", "\"",  ",",    ":",        "\\u0000", "while", "tasks",
-                                                    "-0.5",  "1e-9", "向前",  "然后",   " then ",   "不", "3 m",  " and "};
+    static const std::vector<std::string> kParts = {"1e308", "-1",           "NaN",    "null",  "\"walk\"", "[]",
+                                                    "{}",    "999999999999", "0.0",    "true",  "\"",       ",",
+                                                    ":",     "\\u0000",      "while",  "tasks", "-0.5",     "1e-9",
+                                                    "向前",  "然后",         " then ", "不",    "3 m",      " and "};
     const auto at = static_cast<std::size_t>(Below(text.size()));
     switch (Below(5)) {
       case 0:

@@ -8,8 +8,8 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/plan/plan_json.h"
-#include "workflows/words/understand.h"
 #include "workflows/words/places.h"
+#include "workflows/words/understand.h"
 
 namespace gaitwright {
 namespace {
@@ -81,7 +81,8 @@ TEST_P(Quadruped, StandsUpFromLyingInPhases) {
 }
 
 TEST_P(Quadruped, DoesWhatQuadrupedsDo) {
-  const Done done = Do(GetParam(), "lie down, stand up, sit for 1 second, stand up, squat, bow, nod, and brace yourself");
+  const Done done =
+      Do(GetParam(), "lie down, stand up, sit for 1 second, stand up, squat, bow, nod, and brace yourself");
   EXPECT_EQ(GaitNames(done.planned.plan.parts),
             "lie_down, init, lift front, lift rear, balance, sit, stand, stand_up, squat, bow, nod, brace");
 }

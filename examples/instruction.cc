@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "examples/instruction.h"
+
+#include "kinematics/model/load_robot.h"
+#include "workflows/words/understand.h"
+
+namespace gaitwright::examples {
+
+Obeyed Obey(const std::string& instruction, const std::string& robot) {
+  const Result<RobotModel> model = LoadNamedRobot(robot);
+  if (!model) throw InvalidArgument(model.failure().message);
+  const Result<TaskPlan> tasks = words::UnderstandWords(instruction, ScopeOf(*model));
+  if (!tasks) throw InvalidArgument(tasks.failure().message);
+  const Result<PlannedTasks> planned = PlanTasks(*model, FlatTerrain(), *tasks, {});
+  if (!planned) throw InvalidArgument(planned.failure().message);
+  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, PlayRequest{});
+  if (!played) throw InvalidArgument(played.failure().message);
+  return {*tasks, played->report};
+}
+
+}  // namespace gaitwright::examples

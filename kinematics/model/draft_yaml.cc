@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/draft_yaml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "kinematics/model/ball_joints.h"
+#include "kinematics/model/body_tree.h"
+#include "kinematics/model/build_model.h"
+#include "kinematics/model/lowest_reach.h"
+#include "kinematics/model/urdf_check.h"
+#include "kinematics/model/urdf_shapes.h"
+
+namespace gaitwright {
+namespace {
+
+struct LimbEnd {
+  std::string link, joints;
+  double lowest_m = 0.0;
+};
+
+/// The link that is farthest out in a body: at its end, where others are fixed to it.
+std::string EndLinkOf(const RobotModel& model, int body) {
+  std::string link = model.bodies[static_cast<std::size_t>(body)].name;
+  double farthest = -1.0;
+  for (const Frame& frame : model.frames) {
+    if (frame.body != body || frame.X_BF.translation().norm() <= farthest) continue;
+    farthest = frame.X_BF.translation().norm();
+    link = frame.name;
+  }
+  return link;
+}
+
+/// The ends of all limbs, the lowest first.
+std::vector<LimbEnd> EndsOf(const RobotModel& model) {
+  std::vector<LimbEnd> ends;
+  for (const std::vector<int>& chain : Limbs(model)) {
+    LimbEnd end;
+    end.link = EndLinkOf(model, chain.back() + 1);
+    for (const int joint : chain) {
+      end.joints += end.joints.empty() ? "" : ", ";
+      end.joints += model.joints[static_cast<std::size_t>(joint)].name;
+    }
+    end.lowest_m = LowestReach(model, chain);
+    ends.push_back(end);
+  }
+  std::stable_sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.lowest_m < b.lowest_m; });
+  return ends;
+}
+
+std::string Quoted(const std::string& name) {
+  std::string quoted = "'";
+  for (const char c : name) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+bool WantsRobotYaml(const Failure& failure) {
+  return failure.code == "no_legs" || failure.code == "many_legs" || failure.code == "unknown_foot";
+}
+
+std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
+  constexpr double kAsLow = 0.6;  // of the lowest
+  if (CheckUrdf(urdf_text)) return "";
+  const std::string tree = WithoutBallJoints(urdf_text);
+  if (CheckUrdf(tree)) return "";
+  UrdfParts parts = SplitUrdf(tree, 1.0);
+  std::erase_if(parts.collision, [](const Shape& shape) { return shape.type == ShapeType::kMesh; });
+  const Result<RobotModel> model = BuildModel(parts, "robot", 1.0);
+  if (!model) return "";
+  const std::vector<LimbEnd> ends = EndsOf(*model);
+  if (ends.empty()) return "";
+  std::string text = fmt::format(
+      "# A draft of robot.yaml: put it beside the URDF under that name, and say what is so.\n"
+      "# The robot was refused: {}\n"
+      "\n"
+      "# The ends of all limbs, lowest first. Keep those that the robot stands on. A type (sole, line, sphere, point), "
+      "a\n"
+      "# radius_m or the corners of a sole (sole_m) are needed where the shapes of the link do not tell them.\n"
+      "feet:\n",
+      why.message);
+  for (const LimbEnd& end : ends) {
+    const bool foot = end.lowest_m < 0.0 && end.lowest_m <= kAsLow * ends.front().lowest_m;
+    text += fmt::format("{}- {{link: {}}}  # joints {}; comes down to {:.3f} m\n", foot ? "  " : "  # ",
+                        Quoted(end.link), end.joints, end.lowest_m);
+  }
+  text +=
+      "\n"
+      "# The axes of the root link that point ahead and up, where they are not x and z:\n"
+      "# ahead: x\n"
+      "# up: z\n"
+      "\n"
+      "# Positions of joints in standing [rad], where those that are worked out are no good:\n"
+      "# standing: {}\n";
+  return text;
+}
+
+}  // namespace gaitwright

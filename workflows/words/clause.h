@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workflows/words/draft.h"
+#include "workflows/words/item.h"
+
+namespace gaitwright::words {
+
+/// The words of one task, or of what is added to one.
+struct Clause {
+  std::vector<Item> items;
+  bool follows_then = false, follows_break = false, is_meanwhile = false, is_before = false, is_after = false;
+  bool corrects = false, is_not = false, drops = false, again = false, holds = false;
+  std::string dropped;  ///< the action that is not to be done; "" for whichever was said last
+
+  /// From the first word that is not only polite to the last.
+  Span Words() const;
+  bool empty() const;  ///< nothing that says anything
+};
+
+/// Parts the items of an instruction into clauses: at words and signs that join, and before each further action.
+std::vector<Clause> ClausesOf(const std::string& text, const std::vector<Item>& items);
+
+}  // namespace gaitwright::words

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/words/draft.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaitwright::words {
+namespace {
+
+[[noreturn]] void RefuseAmbiguous(const std::string& part, const std::string& why) {
+  throw Refused{{"ambiguous", part, why, ""}};
+}
+
+bool IsWay(const std::string& action) { return action == "walk" || action == "turn"; }
+bool HasArms(const std::string& action) { return action == "wave" || action == "raise_arm" || action == "lower_arm"; }
+
+}  // namespace
+
+std::string TextOf(const std::string& text, const Span& span) { return text.substr(span.begin, span.end - span.begin); }
+
+Span SpanOf(const Draft& draft, const std::string& key) {
+  const auto said = draft.said.find(key);
+  return said == draft.said.end() ? draft.words : said->second;
+}
+
+void SettleSide(const std::string& text, Draft& draft) {
+  if (IsWay(draft.action) && draft.side) {
+    const auto said = draft.said.find("direction");
+    const bool other = said != draft.said.end() && draft.parameters["direction"] != TaskValue(*draft.side);
+    const bool ahead = other && draft.parameters["direction"] == TaskValue(std::string("forward"));
+    if (other && !(draft.action == "turn" && ahead)) {
+      const Span &a = said->second, &b = *draft.side_said;
+      RefuseAmbiguous(TextOf(text, {std::min(a.begin, b.begin), std::max(a.end, b.end)}), "says two ways at once");
+    }
+    draft.parameters["direction"] = *draft.side;
+    draft.said["direction"] = *draft.side_said;
+    draft.side.reset();
+  }
+  const bool limbs = HasArms(draft.action) || draft.action == "balance";
+  if (!limbs) return;
+  if (draft.side) {
+    draft.parameters["side"] = *draft.side;
+    draft.said["side"] = draft.side_said.value_or(draft.words);
+  } else if (draft.plural) {
+    draft.parameters["side"] = std::string("both");
+    draft.said["side"] = draft.words;
+  }
+  draft.side.reset();
+  draft.plural = false;
+}
+
+void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
+  for (const auto& [key, value] : said.parameters) {
+    std::string to = key;
+    if (key == "distance_m" && into.action == "squat") to = "depth_m";
+    const bool extent = std::find(ExtentKeys().begin(), ExtentKeys().end(), to) != ExtentKeys().end();
+    if (over && extent) {
+      for (const std::string& other : ExtentKeys()) {
+        into.parameters.erase(other);
+        into.said.erase(other);
+      }
+    }
+    const auto there = into.said.find(to);
+    if (!over && there != into.said.end() && into.parameters[to] != value && to != "pace")
+      RefuseAmbiguous(TextOf(text, {there->second.begin, SpanOf(said, key).end}), "says two things at once");
+    into.parameters[to] = value;
+    into.said[to] = SpanOf(said, key);
+  }
+  if (!said.last_key.empty()) {
+    into.last_key = said.last_key;
+    into.last_unit = said.last_unit;
+    into.bare.reset();
+  }
+  if (said.bare && over && !into.last_key.empty()) {
+    const double value = said.bare->value * into.last_unit;
+    const bool count = FindParameter(into.last_key)->kind == ParameterRule::Kind::kCount;
+    into.parameters[into.last_key] = count ? TaskValue(static_cast<int>(std::lround(value))) : TaskValue(value);
+    into.said[into.last_key] = {said.bare->begin, said.bare->end};
+  } else if (said.bare) {
+    into.bare = said.bare;
+  }
+  if (said.side || said.plural) {
+    Draft sided = said;
+    sided.action = into.action;
+    sided.parameters.clear();
+    sided.said.clear();
+    SettleSide(text, sided);
+    for (const auto& [key, value] : sided.parameters) {
+      into.parameters[key] = value;
+      into.said[key] = sided.said[key];
+    }
+  }
+  into.words.end = std::max(into.words.end, said.words.end);
+}
+
+}  // namespace gaitwright::words
