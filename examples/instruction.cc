@@ -13,7 +13,8 @@ Obeyed Obey(const std::string& instruction, const std::string& robot) {
   if (!tasks) throw InvalidArgument(tasks.failure().message);
   const Result<PlannedTasks> planned = PlanTasks(*model, FlatTerrain(), *tasks, {});
   if (!planned) throw InvalidArgument(planned.failure().message);
-  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, PlayRequest{});
+  const PlayRequest request;
+  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, request);
   if (!played) throw InvalidArgument(played.failure().message);
   return {*tasks, played->report};
 }

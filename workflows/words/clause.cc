@@ -16,6 +16,7 @@ class Splitter {
   std::vector<Clause> Split() {
     for (std::size_t k = 0; k < items_.size(); ++k) Add(items_[k], k);
     Close();
+    for (std::size_t k = 0; k + 1 < clauses_.size(); ++k) clauses_[k].refers = clauses_[k + 1].is_meanwhile;
     return std::move(clauses_);
   }
 
@@ -51,7 +52,11 @@ class Splitter {
         return Join([](Clause& next) { next.holds = true; });
       case M::kWhile:
         return AddWhile(at);
+      case M::kFirst:
+        now_.is_first = true;
+        return;
       case M::kAgain:
+        if (HasVerb() && IsAgain(item)) return;  // "nod again"
         Close();
         now_.again = true;
         return Close();
@@ -74,6 +79,14 @@ class Splitter {
 
   /// "don't walk" is not to be done; "never mind" is what was said before.
   void AddDrop(const Item& item, std::size_t at) {
+    // "鞠躬就免了": the verb stands before.
+    const bool bare = std::count_if(now_.items.begin(), now_.items.end(),
+                                    [](const Item& i) { return !i.Is(M::kPolite) && !i.Is(M::kFiller); }) == 1;
+    if (bare && now_.items.back().Is(M::kAction) && item.begin == now_.items.back().end && item.name.empty()) {
+      now_.drops = now_.is_not = true;
+      now_.dropped = now_.items.back().name;
+      return Close();
+    }
     std::size_t next = at + 1;
     while (next < items_.size() && (items_[next].Is(M::kPolite) || items_[next].Is(M::kFiller))) ++next;
     const bool names = item.name.empty() && next < items_.size() && items_[next].Is(M::kAction);
@@ -100,6 +113,12 @@ class Splitter {
 
   static bool LeadsOn(const Item& item) {
     return item.Is(M::kPolite) || item.Is(M::kFiller) || item.Is(M::kTo) || item.Is(M::kPut);
+  }
+
+  /// Once more the verb that is said, rather than the task before.
+  bool IsAgain(const Item& item) const {
+    const std::string word = TextOf(text_, {item.begin, item.end});
+    return word == "again" || word == "once more" || word == "one more time" || word == "once again";
   }
 
   /// At the end of a clause it says that this one is done meanwhile, before one that that one is.

@@ -27,6 +27,7 @@ struct Draft {
   std::optional<std::string> side;   ///< of a way or of a limb, as long as there is no action
   std::optional<Span> side_said;
   bool plural = false;   ///< limbs, both unless a side says which
+  bool joined = false;   ///< to the one before, by "and" alone
   bool holding = false;  ///< done while the next one is
   Span words;            ///< all of it
   std::vector<Draft> during;

@@ -9,6 +9,31 @@ namespace {
 using M = Meaning;
 
 void AddWalking(Lexicon& x) {
+  x.Add("sidle|sidling|slink|shimmy|scooch", M::kAction, "walk");
+  x.Add("as quickly as you can|as quickly as possible|as fast as possible|as quick as you can|as quick as possible",
+        M::kPace, "fast");
+  x.Add("as slowly as you can|as slowly as possible|slow as you can|as slow as you can|as slow as possible", M::kPace,
+        "slow");
+  x.Add(
+      "with your body close to the ground|close to the ground|close to the floor|low down|hunkered down|stooping low|"
+      "bending low|crouching low|on bent legs|with bent legs|with your legs bent|half squatting|squatting low|"
+      "keeping close to the ground|hugging the ground",
+      M::kLow);
+  x.Add(
+      "saunter|sauntering|scuttle|trundle|toddle|mosey|strut|wend|waddle|prance|scamper|carry on|keep going|set off|"
+      "take off|off you go|get moving|start walking|begin walking|walk along|walk up|walk over|walk across|walk "
+      "through|"
+      "walk down|go along|go up|go over|go across|go down|go on over|nip over|pop over|pop|nip|skedaddle|ease|edge|"
+      "slide over|scoot over|hop over|wander over|wander off|stroll over|head on over|make for|go for|trek|traipse|"
+      "cover|do a walk|take yourself|take yourself over|bring yourself|move along|move over|move yourself|budge|"
+      "budge over|shift|shift over|shift yourself|shift your weight over|progress|navigate|locomote|travel over",
+      M::kAction, "walk");
+  x.Add(
+      "walk in reverse|go in reverse|move in reverse|walk back up|go backward|go backwards|walk backwards|walk "
+      "backward|"
+      "move backwards|move backward|fall back|pull back|draw back|shuffle back|edge back|back it up|scoot backwards|"
+      "scoot backward|backing away|inch back|ease back|withdraw|back out|roll back",
+      M::kAction, "walk", 0.0, {{"direction", std::string("backward")}});
   const std::string forward = "forward", backward = "backward";
   x.Add(
       "walk|walks|walking|walked|go|goes|going|move|moving|head|heading|march|marching|stroll|strolling|advance|"
@@ -65,6 +90,100 @@ void AddWalking(Lexicon& x) {
 }
 
 void AddOtherActions(Lexicon& x) {
+  x.Add("hang on for|hold on for|wait for|hang about for|hang about", M::kAction, "stand");
+  x.Add("prepare for a crash|prepare for the fall|prepare for crash|prepare for the crash|get ready for the fall",
+        M::kAction, "brace");
+  x.Add(
+      "face backwards|face backward|face the opposite way|face the opposite direction|do an about-face|do an about "
+      "turn|"
+      "do a u-turn|make a u-turn|do a u turn|turn back around|turn all the way around|spin right round|"
+      "turn to face the other way|turn and face the other way|turn to face the opposite direction|turn your back|"
+      "turn the other way|reverse direction|reverse your direction|turn yourself round|swing around|swing round|"
+      "wheel around|whip around|flip around|look behind you|face behind you|do a one-eighty|pull a 180|"
+      "make a 180|turn a full 180|one eighty|one-eighty",
+      M::kAction, "turn", 0.0, {{"direction", std::string("left")}, {"angle_deg", 180.0}});
+  x.Add(
+      "do a 360|pull a 360|make a 360|do a three-sixty|three-sixty|do a pirouette|pirouette|go round in a circle|"
+      "turn once around|turn round once|turn all the way round|twirl round|go full circle",
+      M::kAction, "turn", 0.0, {{"direction", std::string("left")}, {"angle_deg", 360.0}});
+  x.Add(
+      "angle|orient yourself|reorient|rotate yourself|turn yourself|wheel|swing yourself|whirl around|circle|"
+      "take a turn|make a turn|do a turn|shift to face|look",
+      M::kAction, "turn");
+  x.Add(
+      "stay standing|stand motionless|be still|don't go anywhere|stay as you are|keep standing|halt there|hold up|"
+      "hold fire|stop for|pause there|wait a moment|wait a bit|hang tight|sit tight|do nothing|don't do anything|"
+      "stay exactly where you are|stay frozen|stand fast|stand ready|cool your heels|stop right there|stop where you "
+      "are|"
+      "hold it right there|take a pause|have a rest|have a break|rest there|rest a while|tarry|stand idle|remain where "
+      "you are|"
+      "remain standing|remain stationary|stay stationary|be stationary|keep your position|stay motionless",
+      M::kAction, "stand");
+  x.Add(
+      "get up off the floor|get up off the ground|rise and shine|get vertical|get up on all fours|up on all fours|"
+      "on all fours|get onto your feet|get yourself upright|get upright|stand yourself up|pop up|pop back up|spring up|"
+      "come back up|come up again|get on your legs|stand on all fours|arise|stand to attention|wake up|rise back up|"
+      "straighten your legs|straighten back up|return to standing|go back to standing|back to standing",
+      M::kAction, "stand_up");
+  x.Add(
+      "lie down flat|lie on the deck|lay on the floor|lay on the ground|lay on your belly|lie right down|"
+      "have a lie|drop to your belly|get down flat|flatten yourself|lie yourself flat|take a rest on the floor|"
+      "rest on your belly|belly flop|play dead|crash out|doze off|curl up on the floor|assume a prone position|prone|"
+      "get prone|lower yourself to the ground|lower yourself onto your belly|lie on your tummy|lay down flat|lie there|"
+      "go down on your belly|settle on the floor|settle down on the floor|stretch out|on the ground please",
+      M::kAction, "lie_down");
+  x.Add(
+      "sit right down|sit on your haunches|sit on your bottom|sit on your hind legs|sit on your butt|sit for|"
+      "sit pretty|get seated|settle into a sit|assume a sitting position|go into a sit|get into a sit|bottom down|"
+      "take a load off|sit up nicely|sit nicely|sit properly|sit your bottom down|rest on your haunches",
+      M::kAction, "sit");
+  x.Add(
+      "do a squat|do a knee bend|do a deep squat|give me a squat|squatting position|go into a deep squat|sit into a "
+      "squat|"
+      "flex your knees|flex your legs|bend at the knees|bend those knees|lower yourself down|lower your hips|"
+      "drop your hips|drop down|drop your body|crouch low|crouch right down|get down into a crouch|hunker|scrunch down|"
+      "sink|sink lower|go down low|dip|dip your body|stoop|stoop down|duck your head|hit the floor|make yourself low|"
+      "get yourself low|take a knee|plie|do some squats|knees bent|half squat|shallow squat|air squat|air squats",
+      M::kAction, "squat");
+  x.Add(
+      "bend over forwards|bend forwards|lean forwards|tilt forward|tilt forwards|tip forward|incline forward|stoop "
+      "forward|"
+      "bow low|give a bow|give us a bow|give me a bow|bow graciously|bow respectfully|pay your respects|kowtow|"
+      "make a deep bow|take a little bow|do a little bow|bow before us|bow before me|bend your body forward|"
+      "lower your upper body|curtsey for us|play bow|do a play bow|bow your body",
+      M::kAction, "bow");
+  x.Add(
+      "nod along|nod away|keep nodding|nod a yes|give a little nod|give me a nod|give a quick nod|nod "
+      "gently|bob|bobbing|"
+      "bob your head up and down|move your head up and down|shake your head yes|wag your head up and down|"
+      "tip your head|dip your chin|lower your head and raise it",
+      M::kAction, "nod");
+  x.Add(
+      "keep waving|wave about|wave around|waving at everyone|wave away|give everyone a wave|give them a wave|"
+      "give us a wave|give me a wave|give a friendly wave|give a big wave|shake your hand|shake your arm|shake|"
+      "move your hand back and forth|swing your arm|swing your arms|say howdy|say good day|say hey|hail|signal|beckon|"
+      "say bye|say bye bye|say bye-bye|say cheerio|wish them goodbye|high five the air|wave farewell|greet with a wave|"
+      "wave a greeting|do a wave|wave your hand in greeting",
+      M::kAction, "wave");
+  x.Add(
+      "hop on one foot|perch on|perch|teeter on|poise on|hold yourself on|stand solely on|stand just with|"
+      "use only|be a flamingo|be a stork|pretend to be a flamingo|do a tree pose|tree pose|stork stance|flamingo "
+      "stance|"
+      "one-foot stand|one-legged stand|single-leg stand|one-leg stand|do a one-leg stand|single leg stand|"
+      "do a single-leg stand|support yourself on|put all your weight on|put your weight on|shift your weight onto",
+      M::kAction, "balance");
+  x.Add(
+      "brace for a tumble|brace for the fall|brace for a crash|brace for collision|prepare to crash|prepare to tumble|"
+      "get ready to crash|get ready for a crash|get ready to tumble|get ready for a tumble|get ready to be knocked "
+      "over|"
+      "prepare to be knocked over|safety position|crash pose|protect your body|keep yourself safe|safe pose|"
+      "safety pose|safety crouch|go into brace position|get into the brace position|get into brace position|"
+      "assume a protective posture|take a protective posture|assume a protective stance|cover up|tuck in|"
+      "go into protection mode|emergency crouch|defensive crouch|defensive position|prepare for a tumble|"
+      "prepare for a collision|ready yourself for impact|ready yourself for a tumble|be ready for a fall|"
+      "be ready for impact|brace against a push|protect yourself from a fall|protect yourself against a fall",
+      M::kAction, "brace");
+  x.Add("hands in the air|reach for the sky|stick em up", M::kRaise, "both");
   const std::string left = "left";
   x.Add(
       "turn|turns|turning|rotate|rotating|spin|spinning|pivot|pivoting|face|swivel|twist|swing|veer|yaw|whirl|twirl|"
@@ -162,7 +281,10 @@ void AddOtherActions(Lexicon& x) {
       "high|lifts|"
       "put in the air|stick in the air|keep up|keeping up",
       M::kRaise);
-  x.Add("lower|lowers|lowering|lowered|dropped|drop|dropping|put down|let down|bring down|take down|relax", M::kLower);
+  x.Add(
+      "pop them down|pop it down|pop them back down|pop it back "
+      "down|lower|lowers|lowering|lowered|dropped|drop|dropping|put down|let down|bring down|take down|relax",
+      M::kLower);
   x.Add(
       "put|putting|bring|bringing|stick|throw|shoot|fling|place|pick|keep|get both|let|get your|stretch|hold "
       "your|holding your|keep your|with your",
@@ -179,6 +301,16 @@ void AddOtherActions(Lexicon& x) {
 }
 
 void AddLimbsAndAmounts(Lexicon& x) {
+  x.Add("like|like a|like an", M::kFiller, "like");
+  x.Add(
+      "left-hand side|to the left-hand side|on the left-hand side|to the left side|to the left hand side|leftways|"
+      "to my left|towards your left|toward your left|on its left|off to the left|over to the left|port side|to port",
+      M::kSide, "left");
+  x.Add(
+      "right-hand side|to the right-hand side|on the right-hand side|to the right side|to the right hand "
+      "side|rightways|"
+      "to my right|towards your right|toward your right|on its right|off to the right|over to the right|to starboard",
+      M::kSide, "right");
   x.Add(
       "left|left-hand|leftward|leftwards|to the left|to your left|on the left|towards the left|toward the left|"
       "to left|to its left|left side|port|on your left",
@@ -235,8 +367,12 @@ void AddUnits(Lexicon& x) {
   x.Add("rad|rads|radian|radians", M::kUnit, "deg", 180.0 / std::numbers::pi);
   x.Add("turn|turns|rotation|rotations|revolution|revolutions|circle|circles|spin|spins|round", M::kUnit, "turns",
         360.0);
-  x.Add("step|steps|pace|paces|footstep|footsteps|stride|strides|small steps|little steps|big steps|tiny steps",
-        M::kUnit, "steps", 1.0);
+  x.Add(
+      "step|steps|small step|little step|big step|tiny step|baby step|baby steps|long steps|short steps|more "
+      "steps|more step|"
+      "further steps|giant steps|large steps|large step|quick steps|slow steps|careful steps|even steps|giant step|"
+      "footfall|footfalls|pace|paces|footstep|footsteps|stride|strides|small steps|little steps|big steps|tiny steps",
+      M::kUnit, "steps", 1.0);
   x.Add("time|times|repetitions|reps|repetition", M::kUnit, "times", 1.0);
   x.Add(
       "m/s|mps|metres per second|meters per second|metre per second|meter per second|metres a second|"
@@ -257,6 +393,98 @@ void AddUnits(Lexicon& x) {
 }
 
 void AddJoints(Lexicon& x) {
+  x.Add("as soon as you've|as soon as you have|as soon as you|once you|when you|the moment you've|the moment you have",
+        M::kAfter);
+  x.Add("skip the|skip your|no more|leave out the|drop the", M::kDrop);
+  x.Add("mister|would ya|wouldja|will ya|could ya|can ya|ya|gonna|you're about to be hit|you are about to be hit",
+        M::kPolite);
+  x.Add("nice and|tummy|belly|stomach|shall we|would you|will you please|like a|like an", M::kFiller);
+  x.Add(
+      "walk on the spot|walking on the spot|march in place|march on the spot|walk in place|jog on the spot|"
+      "jog in place|run on the spot|run in place",
+      M::kElsewhere, "walk");
+  x.Add(
+      "and also|and afterwards|and following that|following that|having done that|with that done|that done|"
+      "once you've done that|after this|from then on|and lastly|and as a finale|as a finale|to round off|to round it "
+      "off|"
+      "to end|to conclude|to top it off|second of all|third of all|in turn|whereupon|upon getting there|on reaching it|"
+      "once you make it there|when you make it there|once you've arrived|when you've arrived|once you've made it|"
+      "at that point|for the first part|for the second part|for starters|first off|firstly|secondly|thirdly|"
+      "last but not least|to kick off|kick off with|kicking off with|finish off with|finish with|end with|"
+      "finish off by|ending with|finishing with|starting with|beginning with|start with|begin with|once that is done|"
+      "when that is done|as soon as you arrive|the moment you arrive|the moment you get there|on getting there",
+      M::kThen);
+  x.Add(
+      "all while|while also|at the very same time|in parallel|as well as|during this|during this time|throughout|"
+      "while at it|as you move|while moving|in the process|whilst doing so|along with|together with|while still|"
+      "while you're doing that|while you are doing that|while you're at it|as you're going|simultaneously with",
+      M::kWhile);
+  x.Add(
+      "erm no|err|oops no|oops sorry|ah no|ah sorry|hang on no|hold on no|scrap that make it|no hang on|no hold on|"
+      "i take that back|let me rephrase|let me correct myself|correcting myself|what i meant was|what i mean is|"
+      "i meant to say|that's wrong|wrong|not quite|no not that|on reflection|or should i say|or better yet|"
+      "change of plan|change of plans|make that rather|no scratch that make it|whoops|silly me|apologies|my bad|"
+      "no that's wrong|no that's not right|that's not right|i misspoke|beg your pardon|or make that|or make it",
+      M::kNo);
+  x.Add(
+      "scrap that|scratch it|scrub that|no forget that|no forget it|forget what i said|ignore what i said|"
+      "ignore the last bit|ignore that last bit|ignore the last one|take that back|cancel the last one|never mind that|"
+      "nevermind that|forget i said that|let's not|don't bother|no need|no need for that|no never mind|oh never mind|"
+      "actually never mind|actually forget it|actually forget that|actually scratch that|abort|abort that|bin that|"
+      "drop it|skip it|strike it|delete that",
+      M::kDrop);
+  x.Add(
+      "and once more|another time|a second time|and do it again|and do that again|do the same|same once more|once "
+      "again|"
+      "one more|redo that|redo it|repeat the same|repeat the last one|repeat the last step|and repeat|over again|"
+      "again please|let's have that again|let's see that again|play it again|and another|and another one|"
+      "do another one|do one more",
+      M::kAgain);
+  x.Add(
+      "hold steady|hold like that|and stay there|and stay like that|maintain that|maintain the pose|"
+      "maintain that pose|maintain the position|maintain that position|keep holding|keep it like that|keep that pose|"
+      "keep that position|keep the pose|freeze there|freeze like that|stay like this|keep it there|"
+      "stay up|keep them up|stay down there|keep down|remain like that|remain in that position|hold yourself there|"
+      "sustain it|sustain that|keep still like that",
+      M::kHold);
+  x.Add(
+      "would you be able to|i want to see you|i'd like to see you|i would like to see you|i need to see you|"
+      "it would be great if you could|it'd be great if you could|it would be lovely if you could|it'd be lovely if you "
+      "could|"
+      "could we have you|could we get you to|can we get you to|can i get you to|can i ask you to|could i ask you to|"
+      "might i ask you to|may i request that you|i request that you|i ask that you|i'm asking you to|i'm telling you "
+      "to|"
+      "you are to|you're to|be good enough to|be so good as to|be kind enough to|do be so kind as to|"
+      "if it isn't too much trouble|if it's no trouble|if you'd be so kind|if you would be so kind|if you don't object|"
+      "for the camera|for the audience|for the crowd|for the kids|for the class|for the children|for your audience|"
+      "there you go|here we go|here goes|right|ahem|uhm|umm|ooh|aha|yo|oi|attaboy|good robot|dear robot|mr robot|"
+      "hello robot|hey robot|okay robot|ok robot|listen up|pay attention|heads up|excuse me|pardon me|say|"
+      "how's about you|what do you say you|what if you|suppose you|fancy|do you fancy|care to|would you care to|"
+      "do you want to|would you like to|i suggest you|i suggest that you|i'd suggest you|we need you to|the plan is to|"
+      "your mission is to|your goal is to|your first task is to|your instructions are to|next up|now then|now please|"
+      "quick as you can|without delay|at once please|this instant|immediately please|asap|as soon as possible|"
+      "go ahead and please|please go ahead and|just go and|just go|let's try|let's have you|let's get you to|"
+      "let's start by|we'll start by|we'll begin by|you'll|you will|you need|i'll need you to|i'm going to need you to|"
+      "i am going to need you to|it's safe to|try and|attempt to|see if you can|let's see if you can|i bet you can|"
+      "show me that you can|prove you can|there's a good dog|there's a good lad|good lad|lad|sweetie|sir|madam|"
+      "thank you kindly|many thanks|cheers|ta|much obliged|thanks a lot|thanks so much|with pleasure|kindly please",
+      M::kPolite);
+  x.Add(
+      "a bit|a little|a little bit|a tad|slightly|a touch|somewhat|a smidge|precisely|"
+      "approx|circa|just about|more or less|not more than|no more than|up to about|at least|worth|away|further on|"
+      "from where you are|from here|from your current position|where you are|where you're standing|overall|nicely|"
+      "in a straight line|in a line|in one direction|in that direction|that direction|each leg|the spot|right where "
+      "you are|"
+      "beside you|in front|in front of you|onwards from there|from that spot|properly|carefully "
+      "now|eagerly|energetically|"
+      "with enthusiasm|with care|in style|with style|like a gentleman|like a good robot|like a soldier|like a butler|"
+      "in greeting|in farewell|as a greeting|as a sign of respect|respectfully|for good measure|for fun|for practice|"
+      "for a change|to your heart's content|for a while|for a bit|for a moment|for a sec|for now|as far as you can go|"
+      "shall|please please|some more|again "
+      "for|level|position|pose|stance|posture|pace|yourselves|everybody|people|folks|"
+      "guys|ladies|gentlemen|kids|children|guests|class|team|judges|photographer|teacher|camera|friends|family|mum|dad|"
+      "grandma|new|other|same|whole|top|bottom|end|chin|knee|hips|waist|back leg|torso|upper body|front",
+      M::kFiller);
   x.Add(
       "then|and then|after that|afterwards|afterward|next|finally|lastly|and finally|and next|and|and after that|"
       "followed by|and now|plus|subsequently|thereafter|when you get there|once you get there|when you're there|"
@@ -268,7 +496,7 @@ void AddJoints(Lexicon& x) {
       M::kThen);
   x.Add(
       "while|whilst|at the same time|simultaneously|meanwhile|as you do so|as you do that|as you do|as you go|"
-      "while you do so|while you do that|as you walk|at once|during that|and at the same time|in the meantime|while "
+      "while you do so|while you do that|at once|during that|and at the same time|in the meantime|while "
       "you|"
       "whilst you|as you|while you are|while you're|all the while|along the way|on the way|while doing so|while you go|"
       "while doing that|during which|and meanwhile|concurrently|and simultaneously",
@@ -343,7 +571,7 @@ void AddJoints(Lexicon& x) {
       "in place|ground|floor|period|duration|for a duration of|for a period of|through|off|out|set|depth|a depth of|"
       "to a depth of|at an angle of|an angle of|through an angle of|or so|good|nice|big|little|small|side|direction|"
       "way|low|full|fully|completely|all|again and|politely|friendly|happily|bit|way back|with a|steady|steadily|"
-      "own|per|every|worth|count|forth|down to|up and|at a|at about|starting|and a|at speed|speed of|only|then just|"
+      "own|per|every|worth|count|forth|down to|up and|at a|at about|starting|at speed|speed of|only|then just|"
       "where|who|steps forward|lovely|proper|single|i|we|he|she|they|does|did|that is|length|long "
       "each|size|number|no|off the floor|off the ground|"
       "deep|in depth|from there|each time|more time|the whole time|worth of|"

@@ -44,6 +44,7 @@ enum class Meaning {
   kNo,         ///< what follows is meant in place of what was said last
   kNot,        ///< "not": what follows is not meant
   kDrop,       ///< what was said last is not to be done; only if it is the action `name`, where one is given
+  kFirst,      ///< said last: before what was said before it
   kAgain,      ///< the same once more
   kPolite,     ///< says nothing, and is no part of what is not understood
   kFiller,     ///< says nothing

@@ -52,6 +52,7 @@ class ItemReader {
       if (!TakeEnumerator() && !TakeSign() && !TakeAmount() && !TakePlace() && !TakePhrase()) TakeUnknown();
     }
     JoinRates();
+    MarkBefore();
     JoinOrdinals();
     return std::move(items_);
   }
@@ -77,7 +78,14 @@ class ItemReader {
     Push(item, count);
   }
 
+  /// "a)" and so on.
+  bool IsLetteredAt(std::size_t at, int number) const {
+    return at + 1 < pieces_.size() && pieces_[at].text == std::string(1, static_cast<char>('a' + number - 1)) &&
+           pieces_[at + 1].text == ")";
+  }
+
   bool IsNumberedAt(std::size_t at, int number) const {
+    if (number <= 26 && IsLetteredAt(at, number)) return true;
     return at + 1 < pieces_.size() && pieces_[at].kind == Piece::Kind::kNumber &&
            pieces_[at].text == std::to_string(number) && (pieces_[at + 1].text == "." || pieces_[at + 1].text == ")");
   }
@@ -144,6 +152,11 @@ class ItemReader {
     const auto [unit, unit_pieces] = UnitAt(after);
     if (unit == nullptr || (number.is_article && unit->name == "turns" && pieces_[at_].text == "a")) {
       if (phrase != nullptr && (phrase_pieces > number.pieces || number.is_article)) return false;
+      const auto next = after < pieces_.size() ? Longest(words_, after).first : nullptr;
+      if (pieces_[at_].text == "一" && number.pieces == 1 && next != nullptr && next->Is(M::kAction)) {  // 一走到就
+        Push(M::kFiller, 1);
+        return true;
+      }
       if (number.is_article && pieces_[at_].kind == Piece::Kind::kWord) return false;
       Item item;
       item.meaning = M::kNumber;
@@ -226,6 +239,15 @@ class ItemReader {
     items_.back().end = pieces_[at_++].end;
   }
 
+  /// "鞠躬前，先退一步".
+  void MarkBefore() {
+    for (std::size_t k = 1; k + 1 < items_.size(); ++k) {
+      const bool before = items_[k].Is(M::kFiller) && items_[k].name == "前";
+      if (before && items_[k - 1].Is(M::kAction) && (items_[k + 1].Is(M::kBreak) || items_[k + 1].Is(M::kThen)))
+        items_[k].meaning = M::kBefore;
+    }
+  }
+
   /// "每秒" before a length is a speed.
   void JoinRates() {
     for (std::size_t k = 0; k < items_.size(); ++k) {
@@ -265,8 +287,13 @@ class ItemReader {
         items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(k),
                      items_.begin() + static_cast<std::ptrdiff_t>(next));
       } else if (items_[k].Is(M::kOrdinal)) {
-        items_[k].meaning = M::kThen;
+        const bool last = k + 1 == items_.size() || items_[k + 1].Is(M::kBreak);
+        items_[k].meaning = last && k > 0 && items_[k].value == 1.0 ? M::kFirst : M::kThen;
       }
+    }
+    for (std::size_t k = 1; k + 1 < items_.size(); ++k) {  // "the first and the second stone"
+      const bool joins = items_[k].Is(M::kFiller) && items_[k].name == "and";
+      if (joins && items_[k - 1].Is(M::kPlace) && items_[k + 1].Is(M::kPlace)) items_[k].meaning = M::kThen;
     }
   }
 

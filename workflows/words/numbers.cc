@@ -153,7 +153,7 @@ class Reader {
     if (Takes("half")) {
       Takes("of");
       if (!Takes("a")) Takes("an");
-      number.value = 0.5;
+      number.value = Takes("dozen") ? 6.0 : 0.5;
       return true;
     }
     if (Takes("quarter")) {
@@ -240,6 +240,12 @@ SpokenNumber AfterUnit(const std::vector<Piece>& pieces, std::size_t at) {
   };
   if (is(0, "and") && is(1, "a") && is(2, "half")) return {0.5, 3};
   if (is(0, "and") && is(1, "a") && is(2, "quarter")) return {0.25, 3};
+  if (is(0, "and") && is(1, "three") && is(2, "quarters")) return {0.75, 3};
+  if (at < pieces.size() && pieces[at].kind == Piece::Kind::kWord && Ones().contains(pieces[at].text)) {
+    const double hundredths = Ones().at(pieces[at].text);  // "one metre twenty"
+    const bool alone = at + 1 == pieces.size() || pieces[at + 1].kind == Piece::Kind::kSign;
+    if (hundredths >= 10.0 && alone) return {0.01 * hundredths, 1};
+  }
   if (is(0, "半")) return {0.5, 1};
   const bool digit = at < pieces.size() && HanDigits().contains(pieces[at].text) && pieces[at].text != "两";
   if (!digit) return {};

@@ -50,6 +50,8 @@ class ClauseReader {
   void RefuseUnknownStart() const {
     for (const Item& item : clause_.items) {
       if (SaysNothing(item)) continue;
+      const bool likened = &item != &clause_.items.front() && (&item)[-1].name == "like";
+      if (likened && item.Is(M::kUnknown)) continue;
       if (item.Is(M::kElsewhere) || (item.Is(M::kUnknown) && !greets_)) RefuseAll();
       return;
     }
@@ -78,6 +80,7 @@ class ClauseReader {
         return;
       case M::kRaise:
         raises_ = true;
+        if (item.name == "both") arm_ = draft_.plural = true;
         draft_.holding = draft_.holding || TextOf(text_, {item.begin, item.end}).find("着") != std::string::npos ||
                          TextOf(text_, {item.begin, item.end}).find("ing") != std::string::npos ||
                          TextOf(text_, {item.begin, item.end}) == "raised";
@@ -226,6 +229,9 @@ class ClauseReader {
   }
 
   void TakeUnknown(const Item& item) {
+    for (std::size_t k = at_; k-- > 0 && SaysNothing(clause_.items[k]);) {
+      if (clause_.items[k].name == "like") return;  // "like a stork"
+    }
     const bool first = at_ == 0;
     const Item* before = nullptr;
     for (std::size_t k = at_; k-- > 0 && before == nullptr;) {
@@ -252,9 +258,17 @@ class ClauseReader {
   /// The action where it is said by several words, and what an action's own word says.
   void SettleAction() {
     const bool limb = arm_ || foot_;
+    // "pop both arms up"
+    const bool moves_arms = draft_.action == "walk" && arm_ && (up_ || down_) && draft_.said.empty();
+    if (moves_arms) {
+      draft_.action.clear();
+      puts_ = true;
+    }
     const bool raise = raises_ || (puts_ && up_) || (draft_.action.empty() && limb && up_);
     const bool lower = lowers_ || (puts_ && down_) || (draft_.action.empty() && limb && down_);
-    if (draft_.action == "balance" && !foot_ && draft_.parameters.contains("to")) draft_.action = "walk";
+    const bool stays = draft_.action == "balance" || draft_.action == "stand";
+    if (stays && !foot_ && draft_.parameters.contains("to")) draft_.action = "walk";
+    if (draft_.action == "stand" && foot_) draft_.action = "balance";
     if (draft_.action.empty() && raise && foot_) {
       draft_.action = "balance";
       if (draft_.side) draft_.side = Other(*draft_.side);
@@ -267,9 +281,13 @@ class ClauseReader {
     } else if (draft_.action.empty() && foot_ && !draft_.said.contains("steps")) {
       draft_.action = clause_.corrects || clause_.follows_break ? "" : "balance";
     }
+    const bool with =
+        !clause_.items.empty() && TextOf(text_, {clause_.items[0].begin, clause_.items[0].end}).substr(1, 3) == "ith";
+    draft_.holding = draft_.holding || (with && draft_.action == "raise_arm");
     if (draft_.action == "nod" && NodsInVain()) RefuseAll();
     for (const auto& [key, value] : implied_) {
       if (key == "direction" && draft_.side) continue;
+      if (key == "direction" && draft_.parameters.contains("to") && GoesBack()) continue;  // "go back to the door"
       if (draft_.parameters.contains(key)) continue;
       draft_.parameters[key] = value;
       draft_.said[key] = implied_said_;
@@ -277,6 +295,15 @@ class ClauseReader {
     SettleTurn();
     SettleAmounts();
     if (puts_ && draft_.empty()) RefuseAll();
+  }
+
+  bool GoesBack() const {
+    static const std::array<const char*, 7> kReturns = {"go back",   "walk back", "come back", "move back",
+                                                        "head back", "get back",  "step back"};
+    const std::string word = TextOf(text_, implied_said_);
+    return std::any_of(kReturns.begin(), kReturns.end(), [&](const char* back) {
+      return word.size() == std::char_traits<char>::length(back) && (word.substr(1) == std::string(back).substr(1));
+    });
   }
 
   /// A lone 点 nods with a head only.
@@ -294,7 +321,10 @@ class ClauseReader {
     if (draft_.action.empty() && turns_) draft_.action = "turn";
     if (draft_.action != "turn") return;
     const bool unsided = !draft_.side && !draft_.parameters.contains("direction");
-    if (unsided && turns_) draft_.parameters["direction"] = std::string("left");
+    const auto angle_said = draft_.parameters.find("angle_deg");
+    const bool either =
+        angle_said != draft_.parameters.end() && std::fmod(std::get<double>(angle_said->second), 180.0) == 0.0;
+    if (unsided && (turns_ || either)) draft_.parameters["direction"] = std::string("left");
     const auto times = draft_.parameters.find("times");
     if (times == draft_.parameters.end()) return;
     const bool has_angle = draft_.said.contains("angle_deg");
@@ -305,8 +335,14 @@ class ClauseReader {
     draft_.said.erase("times");
   }
 
-  /// A length is a depth to a squat.
+  /// A length is a depth to a squat, and a walk that is done some times has so many steps.
   void SettleAmounts() {
+    if (draft_.action == "walk" && draft_.parameters.contains("times") && !draft_.parameters.contains("steps")) {
+      draft_.parameters["steps"] = draft_.parameters["times"];
+      draft_.said["steps"] = draft_.said["times"];
+      draft_.parameters.erase("times");
+      draft_.said.erase("times");
+    }
     if (draft_.action != "squat" || !draft_.parameters.contains("distance_m")) return;
     draft_.parameters["depth_m"] = draft_.parameters["distance_m"];
     draft_.said["depth_m"] = draft_.said["distance_m"];

@@ -40,9 +40,17 @@ class Assembler {
     after_not_ = false;
     if (corrects) ForgetWaiting();
     GiveAction(clause, corrects, said);
-    if (said.action.empty()) return AddTo(clause, corrects, said);
+    const bool held = clause.holds && !drafts_.empty() && said.action == drafts_.back().action;
+    if (said.action.empty() || held) return AddTo(clause, corrects, said);
+    if (clause.refers && !drafts_.empty() && said.action == drafts_.back().action && said.said.empty() && !said.side)
+      return;
     SettleSide(text_, said);
     if (said.action == "lower_arm" && said.parameters["side"] == TaskValue(std::string("same"))) TakeLastSide(said);
+    const bool once = said.parameters.contains("times") && said.parameters["times"] == TaskValue(1);
+    if (once && clause.follows_then && !drafts_.empty() && drafts_.back().action == said.action) {  // "再鞠一次"
+      said.parameters.erase("times");
+      said.said.erase("times");
+    }
     Complete(said);
     if (corrects && !drafts_.empty()) Undo();
     Place(clause, corrects, std::move(said));
@@ -119,9 +127,14 @@ class Assembler {
       return;
     }
     Draft& last = drafts_.back();
-    if (clause.holds && last.action != "walk" && FindAction(last.action) != nullptr &&
-        !Takes(last.action, "duration_s"))
-      throw Refused{{"unknown", Text(said.words), "cannot be held", ""}};
+    if (clause.holds && !Takes(last.action, "duration_s") && said.parameters.contains("duration_s")) {
+      Draft stay;  // with the arm up, or wherever it is
+      stay.action = "stand";
+      stay.words = said.words;
+      Merge(text_, said, false, stay);
+      drafts_.push_back(stay);
+      return;
+    }
     // "turn left, right": one more.
     const bool other_side = said.side && !corrects && (last.said.contains("direction") || last.said.contains("side"));
     if (other_side) {
@@ -200,6 +213,11 @@ class Assembler {
         drafts_.push_back(std::move(first));
         return;
       }
+      if (gesture && IsGesture(first.action)) {  // "一边点头一边挥手，往前走"
+        held_.push_back(std::move(first));
+        held_.push_back(std::move(said));
+        return;
+      }
       const bool first_is_main = gesture || !IsGesture(first.action);
       Draft &main = first_is_main ? first : said, &beside = first_is_main ? said : first;
       main.words = {std::min(main.words.begin, beside.words.begin), std::max(main.words.end, beside.words.end)};
@@ -209,17 +227,17 @@ class Assembler {
     }
     const bool alone = clause.is_meanwhile || clause.is_after || clause.is_before || clause.follows_then;
     if (said.holding && gesture && !alone && !corrects) {
-      held_ = std::move(said);  // "举着左手往后退": done while the next is
+      held_.push_back(std::move(said));  // "举着左手往后退": done while the next is
       return;
     }
-    if (held_ && !gesture && !clause.follows_then) {
-      said.during.push_back(std::move(*held_));
-      held_.reset();
+    if (!held_.empty() && !gesture && !clause.follows_then) {
+      said.during.insert(said.during.end(), held_.begin(), held_.end());
+      held_.clear();
       drafts_.push_back(std::move(said));
       return;
     }
     Flush();
-    if (clause.is_before && Begins(clause)) {
+    if (clause.is_before && Begins(clause) && LanguageOf(text_) == Language::kEnglish) {
       before_ = true;
       waiting_ = std::move(said);
       return;
@@ -228,12 +246,13 @@ class Assembler {
       drafts_.insert(drafts_.end() - 1, std::move(said));
       return;
     }
-    if (clause.is_after && !Begins(clause)) {
+    if ((clause.is_after && !Begins(clause)) || (clause.is_first && !drafts_.empty())) {
       drafts_.insert(drafts_.end() - 1, std::move(said));
       return;
     }
     if (clause.is_meanwhile) return PlaceBeside(clause, std::move(said));
     if (GoesOnWith(clause, said)) return;
+    said.joined = clause.follows_then && !clause.follows_break;
     drafts_.push_back(std::move(said));
   }
 
@@ -248,10 +267,15 @@ class Assembler {
       return;
     }
     Draft& last = drafts_.back();
-    if (!gesture && IsGesture(last.action)) {
-      said.during.push_back(last);
-      said.words.begin = std::min(said.words.begin, last.words.begin);
-      drafts_.back() = std::move(said);
+    if (!gesture && IsGesture(last.action)) {  // "nod and wave as you walk"
+      do {
+        said.during.insert(said.during.begin(), drafts_.back());
+        said.words.begin = std::min(said.words.begin, drafts_.back().words.begin);
+        const bool more = drafts_.back().joined;
+        drafts_.pop_back();
+        if (!more) break;
+      } while (!drafts_.empty() && IsGesture(drafts_.back().action));
+      drafts_.push_back(std::move(said));
       return;
     }
     last.words.end = std::max(last.words.end, said.words.end);
@@ -262,17 +286,45 @@ class Assembler {
   bool GoesOnWith(const Clause& clause, const Draft& said) {
     if (drafts_.empty() || clause.follows_then) return false;
     Draft& last = drafts_.back();
-    const bool same = last.action == "walk" && said.action == "walk" &&
-                      last.parameters.at("direction") == said.parameters.at("direction");
-    if (!same || SaysHowFar(last) || !SaysHowFar(said)) return false;
+    const bool walks = last.action == "walk" && said.action == "walk" && !SaysHowFar(last);
+    const bool same = walks && last.parameters.at("direction") == said.parameters.at("direction");
+    const bool marked = clause.follows_break || clause.corrects || clause.holds;
+    if (walks && !marked && !said.said.contains("direction")) {  // "倒退着走两步", "go and trot"
+      Draft more = said;
+      more.parameters.erase("direction");
+      Merge(text_, more, false, last);
+      return true;
+    }
+    const bool repeated = last.action == said.action && last.action != "walk" && !clause.corrects && !clause.holds &&
+                          clause.items.front().begin != last.words.begin && CanAdd(last, said, !marked);
+    if (repeated) {  // "挥手挥十秒钟", "坐下，坐二十秒"
+      Merge(text_, WithoutTaken(said), false, last);
+      return true;
+    }
+    if (!same || !SaysHowFar(said)) return false;
     Merge(text_, said, false, last);
     return true;
   }
 
+  /// What is only taken as read, such as a right hand, adds nothing.
+  static Draft WithoutTaken(Draft said) {
+    std::erase_if(said.parameters, [&](const auto& parameter) { return !said.said.contains(parameter.first); });
+    return said;
+  }
+
+  /// Whether the same action, named once more, only says more of it: right after it whatever is new, after a comma how
+  /// long or how often where nothing was said yet.
+  static bool CanAdd(const Draft& last, const Draft& said, bool right_after) {
+    const bool news = std::none_of(said.said.begin(), said.said.end(),
+                                   [&](const auto& one) { return last.said.contains(one.first); });
+    return right_after ? news
+                       : news && !said.said.empty() && last.said.empty() && !said.said.contains("direction") &&
+                             !said.said.contains("side");
+  }
+
   void Flush() {
-    if (!held_) return;
-    drafts_.push_back(std::move(*held_));
-    held_.reset();
+    drafts_.insert(drafts_.end(), held_.begin(), held_.end());
+    held_.clear();
   }
 
   Task TaskOf(const Draft& draft) const {
@@ -333,8 +385,9 @@ class Assembler {
   const std::string& text_;
   const TaskScope& scope_;
   std::vector<Draft> drafts_;
-  std::optional<Draft> waiting_, held_;  // for the clause that it is joined with
-  std::optional<Draft> manner_;          // said before what is done so
+  std::optional<Draft> waiting_;  // for the clause that it is joined with
+  std::vector<Draft> held_;       // gestures that are made while the next is done
+  std::optional<Draft> manner_;   // said before what is done so
   bool before_ = false, after_not_ = false;
 };
 

@@ -40,7 +40,8 @@ Done Do(const std::string& robot, const std::string& text) {
   EXPECT_TRUE(planned.ok()) << robot << ": " << text << ": " << (planned ? "" : planned.failure().message);
   if (!planned) return {};
   EXPECT_TRUE(planned->audit.pass()) << robot << ": " << text << ": " << AuditText(planned->audit);
-  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, PlayRequest{});
+  const PlayRequest request;
+  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, request);
   EXPECT_TRUE(played.ok());
   EXPECT_TRUE(played->report.pass) << robot << ": " << text << ": " << played->report.reason;
   return {*planned, *played};
