@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/base/text.h"
+#include "workflows/words/check_draft.h"
 #include "workflows/words/clause.h"
 #include "workflows/words/items.h"
 #include "workflows/words/read_clause.h"
@@ -64,7 +65,7 @@ class Assembler {
     plan.language = LanguageOf(text_) == Language::kEnglish ? "en" : "zh";
     for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
     if (plan.tasks.empty()) throw Refused{{"empty", "", "says nothing to do", ""}};
-    for (std::size_t k = 0; k < plan.tasks.size(); ++k) Check(plan.tasks[k], drafts_[k]);
+    for (std::size_t k = 0; k < plan.tasks.size(); ++k) CheckDraft(text_, scope_, plan.tasks[k], drafts_[k]);
     if (const auto failure = WhyNotPlanned(plan, scope_)) throw Refused{{failure->code, text_, failure->message, ""}};
     return plan;
   }
@@ -161,12 +162,6 @@ class Assembler {
     };
     return !said.parameters.empty() && !said.bare && !said.side &&
            std::all_of(said.parameters.begin(), said.parameters.end(), how);
-  }
-
-  static bool Takes(const std::string& action, const std::string& key) {
-    const ActionRule& rule = *FindAction(action);
-    return std::find(rule.optional.begin(), rule.optional.end(), key) != rule.optional.end() ||
-           std::find(rule.required.begin(), rule.required.end(), key) != rule.required.end();
   }
 
   /// "lower it": the arm that was raised last.
@@ -334,52 +329,6 @@ class Assembler {
     task.words = Text(draft.words);
     for (const Draft& gesture : draft.during) task.during.push_back(TaskOf(gesture));
     return task;
-  }
-
-  /// Refuses what a task cannot be told, by the words that say it.
-  void Check(const Task& task, const Draft& draft) const {
-    if (draft.bare) throw Refused{{"ambiguous", Text({draft.bare->begin, draft.bare->end}), "has no unit", ""}};
-    const ActionRule& rule = *FindAction(task.action);
-    const bool can = scope_.Can(rule);
-    if (!can) {
-      const Task bare{task.action, {}, "", {}};
-      throw Refused{{"cannot", Text(draft.words), WhyNotDone(bare, scope_)->message, rule.instead}};
-    }
-    CheckParameters(task, draft, rule);
-    for (std::size_t k = 0; k < task.during.size(); ++k) Check(task.during[k], draft.during[k]);
-  }
-
-  void CheckParameters(const Task& task, const Draft& draft, const ActionRule& rule) const {
-    std::optional<Span> extent;
-    for (const auto& [key, value] : task.parameters) {
-      const auto said = draft.said.find(key);
-      const Span span = said == draft.said.end() ? draft.words : said->second;
-      if (!Takes(rule.action, key))
-        throw Refused{{"unknown", Text(span), fmt::format("is nothing to '{}'", rule.action), ""}};
-      Task alone{task.action, {{key, value}}, "", {}};
-      for (const std::string& required : rule.required)
-        alone.parameters.try_emplace(
-            required, task.parameters.contains(required) ? task.parameters.at(required) : TaskValue(std::string()));
-      if (key == "step_length_m") alone.parameters.try_emplace("steps", 1);
-      const bool is_extent = std::find(ExtentKeys().begin(), ExtentKeys().end(), key) != ExtentKeys().end();
-      if (task.action == "walk" && is_extent) {
-        if (extent) {
-          const Span both = {std::min(extent->begin, span.begin), std::max(extent->end, span.end)};
-          throw Refused{{"ambiguous", Text(both), "says twice how far", ""}};
-        }
-        extent = span;
-      }
-      const auto failure = WhyNoTask(alone);
-      if (failure && failure->code == "range") throw Refused{{"range", Text(span), failure->message, ""}};
-      if (key == "to") {
-        if (const auto away = WhyNotDone(alone, scope_); away && away->code == "place")
-          throw Refused{{"place", Text(span), away->message, ""}};
-      }
-    }
-    for (const std::string& required : rule.required) {
-      if (!task.parameters.contains(required))
-        throw Refused{{"ambiguous", Text(draft.words), fmt::format("does not say the {}", required), ""}};
-    }
   }
 
   const std::string& text_;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/words/check_draft.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace gaitwright::words {
+namespace {
+
+/// One parameter alone, in a task that lacks nothing.
+Task Alone(const Task& task, const std::string& key, const ActionRule& rule) {
+  Task alone{task.action, {{key, task.parameters.at(key)}}, "", {}};
+  for (const std::string& required : rule.required) {
+    const auto there = task.parameters.find(required);
+    alone.parameters.try_emplace(required, there == task.parameters.end() ? TaskValue(std::string()) : there->second);
+  }
+  if (key == "step_length_m") alone.parameters.try_emplace("steps", 1);
+  return alone;
+}
+
+void CheckParameter(const std::string& text, const TaskScope& scope, const Task& task, const Draft& draft,
+                    const std::string& key) {
+  const ActionRule& rule = *FindAction(task.action);
+  const std::string words = TextOf(text, SpanOf(draft, key));
+  if (!Takes(rule.action, key)) throw Refused{{"unknown", words, fmt::format("is nothing to '{}'", rule.action), ""}};
+  const Task alone = Alone(task, key, rule);
+  const auto failure = WhyNoTask(alone);
+  if (failure && failure->code == "range") throw Refused{{"range", words, failure->message, ""}};
+  if (key != "to") return;
+  if (const auto away = WhyNotDone(alone, scope); away && away->code == "place")
+    throw Refused{{"place", words, away->message, ""}};
+}
+
+void CheckExtents(const std::string& text, const Task& task, const Draft& draft) {
+  std::optional<Span> extent;
+  for (const std::string& key : ExtentKeys()) {
+    if (task.action != "walk" || !task.Has(key)) continue;
+    const Span span = SpanOf(draft, key);
+    if (extent) {
+      const Span both = {std::min(extent->begin, span.begin), std::max(extent->end, span.end)};
+      throw Refused{{"ambiguous", TextOf(text, both), "says twice how far", ""}};
+    }
+    extent = span;
+  }
+}
+
+}  // namespace
+
+bool Takes(const std::string& action, const std::string& key) {
+  const ActionRule& rule = *FindAction(action);
+  return std::find(rule.optional.begin(), rule.optional.end(), key) != rule.optional.end() ||
+         std::find(rule.required.begin(), rule.required.end(), key) != rule.required.end();
+}
+
+void CheckDraft(const std::string& text, const TaskScope& scope, const Task& task, const Draft& draft) {
+  if (draft.bare) throw Refused{{"ambiguous", TextOf(text, {draft.bare->begin, draft.bare->end}), "has no unit", ""}};
+  const ActionRule& rule = *FindAction(task.action);
+  if (!scope.Can(rule)) {
+    const Task bare{task.action, {}, "", {}};
+    throw Refused{{"cannot", TextOf(text, draft.words), WhyNotDone(bare, scope)->message, rule.instead}};
+  }
+  for (const auto& [key, value] : task.parameters) CheckParameter(text, scope, task, draft, key);
+  CheckExtents(text, task, draft);
+  for (const std::string& required : rule.required) {
+    if (!task.Has(required))
+      throw Refused{{"ambiguous", TextOf(text, draft.words), fmt::format("does not say the {}", required), ""}};
+  }
+  for (std::size_t k = 0; k < task.during.size(); ++k) CheckDraft(text, scope, task.during[k], draft.during[k]);
+}
+
+}  // namespace gaitwright::words

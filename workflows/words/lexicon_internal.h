@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts that the lexicons are made of.
+#pragma once
+
+#include "workflows/words/lexicon.h"
+
+namespace gaitwright::words {
+
+void AddEnglishWalking(Lexicon& x);
+void AddEnglishActions(Lexicon& x);
+void AddChineseWalking(Lexicon& x);
+void AddChineseActions(Lexicon& x);
+
+}  // namespace gaitwright::words
