@@ -135,7 +135,7 @@ void AddRobots(CLI::App& app, int& status) {
           fmt::format("Of the picture: one of {}; default corner.", fmt::join(ViewNames(), ", ")));
   AddCommon(verb, a->common, {"robots", "robots show a1"});
   AddCommon(show, a->common,
-            {"robots show a1", "robots show nao --json", "robots show my.urdf --png my.png --view side"});
+            {"robots show a1", "robots show nao --json", "robots show nao --png nao.png --view front"});
   verb.require_subcommand(0, 1);
   verb.callback([a, &status] {
     status = Guarded(a->common, [&] {

@@ -184,7 +184,7 @@ void AppendRows(std::string& text, const char* key, std::size_t rows, Row row) {
 
 template <class Vector>
 void Append(std::vector<double>& values, const Vector& v) {
-  for (Eigen::Index i = 0; i < v.size(); ++i) values.push_back(v[i]);
+  for (Eigen::Index i = 0; i < v.size(); ++i) values.push_back(v[i] + 0.0);  // a zero has no sign in files
 }
 
 Json MeshesJson(const std::vector<MeshHull>& meshes) {

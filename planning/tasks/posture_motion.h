@@ -51,6 +51,7 @@ struct PostureMotion {
   OptionTexts options = {};                   ///< what it was made of, for the plan's provenance
 
   double duration_s() const;
+  /// When a key is reached, from the start [s].
   double TimeOf(std::size_t key) const;
 };
 

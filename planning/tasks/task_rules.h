@@ -40,6 +40,7 @@ struct ActionRule {
 struct ParameterRange {
   double lowest = 0.0, highest = 0.0;
 };
+/// That of the parameter, or the action's own.
 ParameterRange RangeOf(const ActionRule& action, const ParameterRule& parameter);
 
 const std::vector<ParameterRule>& ParameterRules();
@@ -58,6 +59,7 @@ struct TaskScope {
   bool left_arm = false, right_arm = false, head = false, two_soles = false, four_feet = false;
   std::vector<PlaceName> places;  ///< `number` is how many there are of that name; 0 for a single one
 
+  /// Whether it has what an action needs.
   bool Can(const ActionRule& rule) const;
   /// The actions that it can do.
   std::vector<std::string> Actions() const;

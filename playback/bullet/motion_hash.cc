@@ -57,6 +57,12 @@ class Bytes {
     Add(obstacle.X_WO);
     obstacle.type == ShapeType::kMesh ? Add(obstacle.vertices_O) : Add(obstacle.size_m);
   }
+  void Add(const PlanGate& gate) {
+    Add(gate.at_s);
+    Add(gate.joints_within);
+    Add(static_cast<double>(gate.contact));
+    Add(gate.longest_s);
+  }
   void Add(const ContactPhase& phase) {
     Add(Vector2(phase.start_s, phase.end_s));
     Count(phase.stance);
@@ -89,6 +95,7 @@ std::string MotionHash(const MotionPlan& plan) {
   bytes.Add(plan.terrain.obstacles);
   bytes.Add(plan.schedule.phases);
   bytes.Add(plan.footsteps.footholds);
+  if (!plan.gates.empty()) bytes.Add(plan.gates);
   bytes.Add(Vector2(w.start_s, w.step_s));
   for (const std::vector<VectorX>* rows : {&w.q, &w.v, &w.a, &w.tau}) bytes.Add(*rows);
   bytes.Add(w.wrenches);

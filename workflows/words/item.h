@@ -60,6 +60,7 @@ struct Item {
   std::map<std::string, TaskValue> parameters;  ///< of an action
   std::size_t begin = 0, end = 0;               ///< bytes of the text
 
+  /// Whether it means that.
   bool Is(Meaning other) const { return meaning == other; }
 };
 
