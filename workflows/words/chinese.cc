@@ -74,6 +74,7 @@ void AddUnits(Lexicon& x) {
 }
 
 void AddJoints(Lexicon& x) {
+  x.Add("地", M::kFiller, "地");
   x.Add("前", M::kFiller, "前");
   x.Add("和|与|以及|跟", M::kFiller, "and");
   x.Add("像|好像|如同|仿佛", M::kFiller, "like");

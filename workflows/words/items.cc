@@ -53,6 +53,7 @@ class ItemReader {
     }
     JoinRates();
     MarkBefore();
+    MarkAdverbs();
     JoinOrdinals();
     return std::move(items_);
   }
@@ -233,7 +234,11 @@ class ItemReader {
     return true;
   }
 
+  /// An adverb such as "gracefully" says how, which is not asked for.
+  bool IsAdverb(const std::string& word) const { return word.size() > 5 && word.ends_with("ly"); }
+
   void TakeUnknown() {
+    if (IsAdverb(pieces_[at_].text)) return Push(M::kFiller, 1);
     const bool goes_on = !items_.empty() && items_.back().Is(M::kUnknown);
     if (!goes_on) return Push(M::kUnknown, 1);
     items_.back().end = pieces_[at_++].end;
@@ -245,6 +250,15 @@ class ItemReader {
       const bool before = items_[k].Is(M::kFiller) && items_[k].name == "前";
       if (before && items_[k - 1].Is(M::kAction) && (items_[k + 1].Is(M::kBreak) || items_[k + 1].Is(M::kThen)))
         items_[k].meaning = M::kBefore;
+    }
+  }
+
+  /// "优雅地": what is not known before 地 says how.
+  void MarkAdverbs() {
+    for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
+      const bool adverb =
+          items_[k].Is(M::kUnknown) && items_[k + 1].name == "地" && items_[k].end == items_[k + 1].begin;
+      if (adverb) items_[k].meaning = M::kFiller;
     }
   }
 

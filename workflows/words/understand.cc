@@ -363,7 +363,14 @@ Result<TaskPlan> UnderstandWords(const std::string& text, const TaskScope& scope
   if (const auto* plan = std::get_if<TaskPlan>(&understood)) return *plan;
   const auto& refusal = std::get<Refusal>(understood);
   const std::string part = refusal.part.empty() ? "the instruction" : fmt::format("'{}'", refusal.part);
-  Failure failure{FailureKind::kBadInput, refusal.reason, "Understand", fmt::format("{}: {}", part, refusal.why), {}};
+  // What is wrong with the part goes on after it, what is wrong on the whole stands by itself.
+  const bool whole =
+      refusal.why.starts_with("robot '") || refusal.why.starts_with("'") || refusal.why.starts_with("there ");
+  Failure failure{FailureKind::kBadInput,
+                  refusal.reason,
+                  "Understand",
+                  fmt::format("{}{} {}", part, whole ? ":" : "", refusal.why),
+                  {}};
   if (!refusal.nearest.empty())
     failure.hints.push_back(fmt::format("the nearest that it can do is to {}", refusal.nearest));
   failure.hints.push_back(fmt::format("robot '{}' can {}", scope.robot, fmt::join(scope.Actions(), ", ")));
