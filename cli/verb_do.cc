@@ -38,6 +38,9 @@ void Check(const Arguments& a) {
     throw InvalidArgument("what to do is given either as TEXT or by --task-plan FILE");
   if (a.asks_model() != !a.interpreter.model.empty())
     throw InvalidArgument("--interpreter and --model go together: where the language model is, and which");
+  if (!(a.interpreter.longest_s >= 0.1 && a.interpreter.longest_s <= 3600.0))
+    throw InvalidArgument(
+        fmt::format("--interpreter-timeout {} is out of its range: 0.1 to 3600 s", a.interpreter.longest_s));
   if (a.asks_model() && a.text.empty()) throw InvalidArgument("--interpreter goes with TEXT, not with --task-plan");
   Paths paths{{{"--task-plan", a.task_file}},
               {{"the plan of --out-dir", a.outputs.PathOf(a.outputs.plan)},
@@ -162,8 +165,7 @@ void AddDo(CLI::App& app, int& status) {
           "OPENAI_API_KEY; default: the built-in grammar.");
   AddText(verb, "--model", "NAME", a->interpreter.model, "Its name there, with --interpreter.");
   AddNumber(verb, "--interpreter-timeout", "s", a->interpreter.longest_s,
-            "Longest that one of its answers is waited for; default 60.")
-      ->check(CLI::Range(0.1, 3600.0));
+            "Longest that one of its answers is waited for, 0.1 to 3600; default 60.");
   verb.add_flag("--yes", a->yes, "Do it without asking; default: asks on a terminal.");
   verb.add_flag("--tasks-only", a->only_tasks, "Print the task plan as JSON and end.");
   verb.add_flag("--schema", a->schema, "Print the JSON schema of task plans and end.");
