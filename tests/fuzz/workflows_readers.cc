@@ -11,6 +11,7 @@
 #include "tests/fuzz/exchange_readers.h"
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/plan_laws.h"
+#include "tests/fuzz/words_readers.h"
 #include "tests/playback/trials/made_outcomes.h"
 #include "workflows/live/live_requests.h"
 #include "workflows/study/candidate_worth.h"
@@ -248,6 +249,7 @@ const std::vector<Reader>& Readers() {
   static const std::vector<Reader> readers = [] {
     std::vector<Reader> all = ExchangeReaders();
     for (Reader& reader : StudyReaders()) all.push_back(std::move(reader));
+    for (Reader& reader : WordsReaders()) all.push_back(std::move(reader));
     return all;
   }();
   return readers;
