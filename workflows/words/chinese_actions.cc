@@ -12,6 +12,25 @@ using M = Meaning;
 }  // namespace
 
 void AddChineseActions(Lexicon& x) {
+  x.Add("握手|握个手|握握手|握一握手|击掌|击个掌", M::kElsewhere, "wave");
+  x.Add("跟着我走|跟我走|跟我来|跟上我|跟着我|跟着他|跟着她|遛狗", M::kElsewhere, "walk");
+  x.Add(
+      "护住自己|护住身体|护好自己|缩起身体|缩成一团|缩起来|做防摔保护|防摔保护|防摔姿势|做防摔姿势|防摔动作|做防摔动作|"
+      "做防护姿势|防护姿势|做保护动作|抱头蹲防|做好防摔准备|防摔准备|准备防摔|做好摔倒准备|做防跌姿势|防跌姿势|防摔",
+      M::kAction, "brace");
+  x.Add("转过身去|转过身来|转过身|转身过去|掉过头|掉过头去|掉头|向后转身|调头", M::kAction, "turn", 0.0,
+        {{"direction", std::string("left")}, {"angle_deg", 180.0}});
+  x.Add("转左|左转弯|向左转弯", M::kAction, "turn", 0.0, {{"direction", std::string("left")}});
+  x.Add("转右|右转弯|向右转弯", M::kAction, "turn", 0.0, {{"direction", std::string("right")}});
+  x.Add(
+      "站着别动|站着不动|立正|立正站好|立定|停顿|停顿一下|静止|静止不动|原地等着|原地等待|原地待命|原地别动|站好|站定|"
+      "站住|站住别动|别动|原地不动|待命|稍息|停住不动|原地站好|原地站着",
+      M::kAction, "stand");
+  x.Add("起身|起立|起身来|立起来", M::kAction, "stand_up");
+  x.Add("坐低|坐落|坐下来|坐落嚟", M::kAction, "sit");
+  x.Add("卧倒|趴好|趴低|趴倒|趴下来|趴低身", M::kAction, "lie_down");
+  x.Add("蹲低|蹲低点|蹲低一点|踎低", M::kAction, "squat");
+  x.Add("行礼|行鞠躬礼|行个礼|行个鞠躬礼|鞠躬礼|敬个礼|鞠躬行礼", M::kAction, "bow");
   const std::string left = "left";
   x.Add(
       "大转身|转个身过去|转过来身|转身过去|转身过来|来个向后转|向后转过去|调过头|调过头来|掉头过来|扭头|扭过头|扭转身|"

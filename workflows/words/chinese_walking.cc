@@ -13,6 +13,21 @@ using M = Meaning;
 
 void AddChineseWalking(Lexicon& x) {
   const std::string forward = "forward", backward = "backward", left = "left", right = "right";
+  x.Add("跑|跑着去|跑过去|跑上去|跑起来|跑步", M::kAction, "walk", 0.0, {{"pace", std::string("fast")}});
+  x.Add("跑到|跑去|跑向|奔向|跑去到|跑回|跑回到", M::kAction, "walk", 1.0, {{"pace", std::string("fast")}});
+  x.Add("跑步前进|跑步向前|跑步走|冲刺|冲|往前冲|向前冲|往前冲刺|向前冲刺|快跑前进", M::kAction, "walk", 0.0,
+        {{"direction", forward}, {"pace", std::string("fast")}});
+  x.Add("齐步走|正步走|齐步前进|正步前进", M::kAction, "walk", 0.0, {{"direction", forward}});
+  x.Add("匍匐前进|低姿匍匐前进|匍匐前行|爬行前进|爬行|匍匐", M::kAction, "walk", 0.0, {{"height", std::string("low")}});
+  x.Add("低姿匍匐|匍匐着|爬着", M::kLow);
+  x.Add("行前|行前面", M::kAction, "walk", 0.0, {{"direction", forward}});
+  x.Add("行后|行返后", M::kAction, "walk", 0.0, {{"direction", backward}});
+  x.Add("行去|行到|行过去|行埋去|走去到", M::kAction, "walk", 1.0);
+  x.Add("让开|让一让|让开点|让开一点|闪开|躲开|靠边|行多|多走|再多走|多行|走多|往边上走|让让", M::kAction, "walk");
+  x.Add(
+      "退回来|走回来|退回到原位|原路退回|原路退回来|再退回来|退回原位|退回原处|走回原位|走回原处|回到原位|回到原处|"
+      "走回去|退回去",
+      M::kAction, "walk", 3.0, {{"direction", backward}});
   x.Add("原地踏步|原地走|原地跑|原地小跑|原地走路", M::kElsewhere, "walk");
   x.Add(
       "倒退着走|后退着走|倒着往后走|往后倒着走|向后倒着走|退着往后走|往后面走|向后面走|往后头走|后退走|倒退走|向后倒退|"
@@ -70,7 +85,8 @@ void AddChineseWalking(Lexicon& x) {
       "慢一些|缓步|轻手轻脚地|不要着急",
       M::kPace, "slow");
   x.Add(
-      "快|快点|快一点|快些|快速|快速地|迅速|迅速地|赶快|赶紧|快快|飞快地|快步|大步|加快速度|用最快的速度|尽快|快点儿|"
+      "快快快|跑快点|快快|快|快点|快一点|快些|快速|快速地|迅速|迅速地|赶快|赶紧|快快|飞快地|快步|大步|加快速度|"
+      "用最快的速度|尽快|快点儿|"
       "快快地|急忙|匆匆|火速|全速|飞快|加快|加快步伐|加快脚步|跑着|一溜烟|大步流星|大踏步|大步地|马上|立刻|用最快速度|"
       "尽快地|急匆匆地|急步|疾步",
       M::kPace, "fast");

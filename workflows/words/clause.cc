@@ -14,7 +14,9 @@ class Splitter {
   Splitter(const std::string& text, const std::vector<Item>& items) : text_(text), items_(items) {}
 
   std::vector<Clause> Split() {
-    for (std::size_t k = 0; k < items_.size(); ++k) Add(items_[k], k);
+    for (std::size_t k = 0; k < items_.size(); ++k) {
+      if (k != skipped_) Add(items_[k], k);
+    }
     Close();
     for (std::size_t k = 0; k + 1 < clauses_.size(); ++k) clauses_[k].refers = clauses_[k + 1].is_meanwhile;
     return std::move(clauses_);
@@ -67,7 +69,8 @@ class Splitter {
     if (IsVerb(item) && HasVerb()) {
       // What is said of the way before its verb belongs to it: "往前" in "举手往前走".
       std::vector<Item> lead;
-      while (!now_.items.empty() && (LeadsOn(now_.items.back()) || LeadsWay(now_.items.back()))) {
+      while (!now_.items.empty() &&
+             (LeadsOn(now_.items.back()) || LeadsWay(now_.items.back()) || IsTurnsSide(now_.items.back(), item))) {
         lead.insert(lead.begin(), now_.items.back());
         now_.items.pop_back();
       }
@@ -90,11 +93,13 @@ class Splitter {
     std::size_t next = at + 1;
     while (next < items_.size() && (items_[next].Is(M::kPolite) || items_[next].Is(M::kFiller))) ++next;
     const bool names = item.name.empty() && next < items_.size() && items_[next].Is(M::kAction);
+    if (next < items_.size() && items_[next].Is(M::kPlace)) skipped_ = next;  // "never mind the door"
     const std::string dropped = names ? items_[next].name : item.name;
     Join([&](Clause& clause) {
       clause.drops = true;
       clause.dropped = dropped;
       clause.is_not = names;
+      clause.needless = item.value == 1.0;
     });
   }
 
@@ -109,6 +114,11 @@ class Splitter {
     const auto verb = std::find_if(now_.items.begin(), now_.items.end(), IsVerb);
     const bool goes = verb->Is(M::kAction) && (verb->name == "walk" || verb->name == "turn");
     return !goes && (item.Is(M::kDirection) || item.Is(M::kPace));
+  }
+
+  /// "左转" right behind something else.
+  static bool IsTurnsSide(const Item& side, const Item& verb) {
+    return side.Is(M::kSide) && verb.Is(M::kAction) && verb.name == "turn" && side.end == verb.begin;
   }
 
   static bool LeadsOn(const Item& item) {
@@ -150,6 +160,7 @@ class Splitter {
   const std::vector<Item>& items_;
   std::vector<Clause> clauses_;
   Clause now_;
+  std::size_t skipped_ = std::string::npos;  // an item that only names again what is dropped
 };
 
 }  // namespace

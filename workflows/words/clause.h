@@ -16,7 +16,8 @@ struct Clause {
   bool is_first = false;  ///< to be done before what was said before it
   bool refers = false;    ///< only names again what was said before: "while it turns"
   bool corrects = false, is_not = false, drops = false, again = false, holds = false;
-  std::string dropped;  ///< the action that is not to be done; "" for whichever was said last
+  bool needless = false;  ///< what is not to be done need not have been asked for
+  std::string dropped;    ///< the action that is not to be done; "" for whichever was said last
 
   /// From the first word that is not only polite to the last.
   Span Words() const;

@@ -29,6 +29,7 @@ struct Draft {
   bool plural = false;   ///< limbs, both unless a side says which
   bool joined = false;   ///< to the one before, by "and" alone
   bool holding = false;  ///< done while the next one is
+  bool returns = false;  ///< as far back as the walk before went
   Span words;            ///< all of it
   std::vector<Draft> during;
 

@@ -27,7 +27,22 @@ void AddLimbsAndAmounts(Lexicon& x) {
       "right|right-hand|rightward|rightwards|to the right|to your right|on the right|towards the right|"
       "toward the right|to right|right side|starboard|on your right",
       M::kSide, "right");
-  x.Add("both", M::kBoth);
+  x.Add(
+      "with it|with that arm|with that hand|with that one|with the same hand|with the same arm|with the same one|the "
+      "same arm|"
+      "the same hand",
+      M::kSide, "same");
+  x.Add(
+      "the other one|the other hand|the other arm|with the other|with the other one|with the other hand|other "
+      "arm|other hand|"
+      "with the other arm|the opposite arm|the opposite hand",
+      M::kSide, "other");
+  x.Add("the", M::kFiller, "the");
+  x.Add("all the way around|all the way round|right round|right around|full three-sixty|full 360", M::kAmount, "turns",
+        360.0);
+  x.Add("both|two hands|two arms|two paws|both of", M::kBoth);
+  x.Add("l", M::kSide, "left");
+  x.Add("r", M::kSide, "right");
   x.Add("arm|hand|forearm|paw", M::kArm);
   x.Add("arms|hands|paws", M::kPlural);
   x.Add("foot|leg", M::kFoot);
@@ -54,7 +69,7 @@ void AddLimbsAndAmounts(Lexicon& x) {
   x.Add("1st", M::kOrdinal, "", 1.0);
   x.Add("2nd", M::kOrdinal, "", 2.0);
   x.Add("last|final|furthest|farthest", M::kOrdinal, "", -1.0);
-  x.Add("each|apiece|per step|every step|each step|in length|long", M::kEach);
+  x.Add("each|ea|apiece|per step|every step|each step|in length|long", M::kEach);
 }
 
 void AddUnits(Lexicon& x) {
@@ -81,7 +96,12 @@ void AddUnits(Lexicon& x) {
       "further steps|giant steps|large steps|large step|quick steps|slow steps|careful steps|even steps|giant step|"
       "footfall|footfalls|pace|paces|footstep|footsteps|stride|strides|small steps|little steps|big steps|tiny steps",
       M::kUnit, "steps", 1.0);
-  x.Add("time|times|repetitions|reps|repetition", M::kUnit, "times", 1.0);
+  x.Add("time|times|repetitions|reps|rep|repetition|x", M::kUnit, "times", 1.0);
+  x.Add("m/step|metres/step|meters/step|m a step|m per step|metres a step|meters a step", M::kUnit, "m/step", 1.0);
+  x.Add(
+      "cm/step|cm/steps|cm a step|cm per step|centimetres a step|centimeters a step|centimeters per step|"
+      "centimetres per step",
+      M::kUnit, "m/step", 0.01);
   x.Add(
       "m/s|mps|metres per second|meters per second|metre per second|meter per second|metres a second|"
       "meters a second|metre a second|meter a second|m per second|m a second|metres/second|meters/second|m per s|"
@@ -104,6 +124,48 @@ void AddJoints(Lexicon& x) {
   x.Add("as soon as you've|as soon as you have|as soon as you|once you|when you|the moment you've|the moment you have",
         M::kAfter);
   x.Add("skip the|skip your|no more|leave out the|drop the", M::kDrop);
+  x.Add(
+      "when you have done so|when you've done so|once you have done so|once you've done so|once all of that is done|"
+      "once all that is done|once that's all done|when all of that is done|when all that is done|once all this is done|"
+      "after all that|after all of that|once it is done|once it's done|when it's done|when it is done|"
+      "as soon as that is done|as soon as that's done|after doing that|after doing so|once finished|upon finishing|"
+      "when you finish that|once you finish that|when you're finished|once you're finished|then after|then after that|"
+      "switch to|switch to a|change to|change to a|change gait to|switch gait to|and switch to|and change to|then "
+      "switch to|"
+      "then change to|then after this|immediately after|straight after that|right after that|right after|soon "
+      "after|and when you are "
+      "there|and when you're there|and when you get there|and once you're there|and once you get there|and once there|"
+      "and when you arrive|and once you arrive|and when that is done|and once that is done|and when done|and once done|"
+      "and when you have done so|and when you've done so|and when you're done|and when you are done|when you are done|"
+      "once you are done with that|when you're through|once you are there|once you have arrived|when you have arrived",
+      M::kThen);
+  x.Add(
+      "darlin'|superstar|private|corporal|sergeant|pup|pupper|doggo|upsy-daisy|upsy "
+      "daisy|maestro|professor|doc|captain|chief|"
+      "boss|kiddo|fella|lads|eh|aw|aww|woohoo|hooray|bravo|great job|good work|nice job|lovely job|test "
+      "sequence|test|from the top|"
+      "ladies and gentlemen|i wonder whether|i wonder if|you might|you could|you may|ought to do it|should do it|will "
+      "do it|"
+      "will do|is enough|is plenty|should be enough|that's enough|would do|should suffice|will suffice|and that's "
+      "it|that's it|"
+      "that's all|and that's all|that is all|and that is all|no more than that|on three|ready set go|ready steady go|"
+      "show time|showtime|lights camera action|action please|cue|curtain up|stage directions|"
+      "mr|mrs|ms|miss|dr|my dear|my dog|my boy|my girl|my good dog|my good fellow|my lad|my love|my robot|my little "
+      "friend|my sweet|"
+      "old chap|old boy|pal|bud|darling|sweetheart|honey|hon|love|champ|big guy|little guy|little one|little buddy|"
+      "soldier|cadet|unit|rover|fido|spot the dog|bot|robo|robot must|robot should|robot will|robot can|"
+      "whenever you feel ready|when you feel ready|whenever you feel like it|whenever it suits you|when you get a "
+      "chance|when you have a moment|when you've a moment|if you have a moment|if you have time|if it suits you|"
+      "warm-up|warm up|warmup|drill|routine|sequence|program|programme|exercise|new task|task|next task|cmd|command|"
+      "instruction|instructions|order|orders|steps as follows|as follows|do the following|do this|the following|"
+      "but|however|um yeah|yep|yup|uh huh|well done|good job|great|perfect|nice one|nice work|brilliant|excellent|"
+      "thanks in advance|thx|tks|pls|plz|ty|if you will|if you'd like|would be nice|would be great|over and out|over|"
+      "copy that|roger|attention please|everybody ready|is that ok|is that okay|ok with you|got it|you got it|"
+      "got that|you know|you see|see|look|i guess|i think|i suppose|if that's ok|if that's okay|if that's alright|"
+      "if that is all right|if that's all right|as usual|like before|as before|like last time|as we practised|"
+      "as we practiced|like we practised|like we practiced|like you did before|like yesterday",
+      M::kPolite);
+  x.Add("@|reps|rep|cadence|heading|amount|dist|dur|qty|num|approx.|approx|no.|to about|in place now", M::kFiller);
   x.Add("mister|would ya|wouldja|will ya|could ya|can ya|ya|gonna|you're about to be hit|you are about to be hit",
         M::kPolite);
   x.Add("nice and|tummy|belly|stomach|shall we|would you|will you please|like a|like an", M::kFiller);
@@ -279,7 +341,7 @@ void AddJoints(Lexicon& x) {
       "in place|ground|floor|period|duration|for a duration of|for a period of|through|off|out|set|depth|a depth of|"
       "to a depth of|at an angle of|an angle of|through an angle of|or so|good|nice|big|little|small|side|direction|"
       "way|low|full|fully|completely|all|again and|politely|friendly|happily|bit|way back|with a|steady|steadily|"
-      "own|per|every|worth|count|forth|down to|up and|at a|at about|starting|at speed|speed of|only|then just|"
+      "own|per|every|worth|count|forth|down to|at a|at about|starting|at speed|speed of|only|then just|"
       "where|who|steps forward|lovely|proper|single|i|we|he|she|they|does|did|that is|length|long "
       "each|size|number|no|off the floor|off the ground|"
       "deep|in depth|from there|each time|more time|the whole time|worth of|"
@@ -299,6 +361,7 @@ const Lexicon& English() {
     AddEnglishWalking(x);
     AddEnglishActions(x);
     AddLimbsAndAmounts(x);
+    AddEnglishAsides(x);
     AddJoints(x);
     return x;
   }();

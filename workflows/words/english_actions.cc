@@ -12,6 +12,19 @@ using M = Meaning;
 }  // namespace
 
 void AddEnglishActions(Lexicon& x) {
+  x.Add(
+      "go all the way round|go all the way around|go right round|go right around|spin all the way around|"
+      "spin all the way round",
+      M::kAction, "turn", 0.0, {{"angle_deg", 360.0}});
+  x.Add("go round|go around", M::kAction, "turn");
+  x.Add("give me your paw|give paw|shake hands|shake paws|high five|give me five|shake my hand", M::kElsewhere, "wave");
+  x.Add("walk the dog|walk my dog|walk the dogs|follow me|follow him|follow her|come with me|chase", M::kElsewhere,
+        "walk");
+  x.Add("rot|rotate|yaw", M::kAction, "turn");
+  x.Add("ccw", M::kSide, "left");
+  x.Add("cw", M::kSide, "right");
+  x.Add("bal|bal.", M::kAction, "balance");
+  x.Add("bye-bye|bye bye|make bye-bye|make bye bye|make hello|say bye-bye", M::kAction, "wave");
   x.Add("hang on for|hold on for|wait for|hang about for|hang about", M::kAction, "stand");
   x.Add("prepare for a crash|prepare for the fall|prepare for crash|prepare for the crash|get ready for the fall",
         M::kAction, "brace");
@@ -174,7 +187,9 @@ void AddEnglishActions(Lexicon& x) {
       "nod your agreement|nod approvingly|say yes",
       M::kAction, "nod");
   x.Add(
-      "wave|waves|waving|wave hello|wave goodbye|waving hello|wave hi|wave bye|say hello with|say hi with|greet|"
+      "wave|waves|waving|wave hello|wave goodbye|waving hello|waving goodbye|waving bye|waving bye bye|waving "
+      "hi|waving farewell|wave farewell|wave good-bye|waving good-bye|wave hi|wave bye|say hello with|say hi "
+      "with|greet|"
       "greet with|say hello|say hi|say goodbye|wave your arm about|give a wave|wiggle|"
       "waved|wag|flap|flapping|shake your hand about|give a little wave|say farewell|bid farewell|"
       "greeting|salute|flutter|swing your hand|waggle",
@@ -218,8 +233,8 @@ void AddEnglishActions(Lexicon& x) {
   x.Add(
       "down|downward|downwards|back down|down again|to your side|to your sides|at your side|by your side|by your sides",
       M::kDown);
-  x.Add("jump|jumping|hop|hopping|leap|leaping|skip|climb|climbing|crawl|crawling|swim|fly|dance|dancing|gallop|sprint",
-        M::kElsewhere, "walk");
+  x.Add("jump|jumping|hop|hopping|leap|leaping|skip|climb|climbing|swim|fly|dance|dancing|gallop", M::kElsewhere,
+        "walk");
 }
 
 }  // namespace gaitwright::words

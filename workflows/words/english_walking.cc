@@ -12,6 +12,18 @@ using M = Meaning;
 }  // namespace
 
 void AddEnglishWalking(Lexicon& x) {
+  x.Add("fwd|fw|frwd|fwds|to forward|to front|to the forward", M::kDirection, "forward");
+  x.Add("bwd|bkwd|bwds|bck|to backward|to backwards", M::kDirection, "backward");
+  x.Add(
+      "crawl|crawling|crouch-walk|crouch walk|crouch-walking|duck-walk|duck walk|walk crouched|walk crouching|creep "
+      "low|"
+      "walk low|go low and walk|crawl along|army crawl|low crawl|commando crawl|slither",
+      M::kAction, "walk", 0.0, {{"height", std::string("low")}});
+  x.Add("reached|arrived at|got to|made it to|gotten to|been to", M::kAction, "walk", 1.0);
+  x.Add("enter|enter with|exit|exit with", M::kAction, "walk");
+  x.Add("run|running|ran", M::kAction, "walk", 0.0, {{"pace", std::string("fast")}});
+  x.Add("sprint|sprinting|bolt|charge|charging|hustle|scram|step on it|full speed ahead", M::kAction, "walk", 0.0,
+        {{"pace", std::string("fast")}});
   x.Add("sidle|sidling|slink|shimmy|scooch", M::kAction, "walk");
   x.Add("as quickly as you can|as quickly as possible|as fast as possible|as quick as you can|as quick as possible",
         M::kPace, "fast");

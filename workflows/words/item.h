@@ -46,6 +46,8 @@ enum class Meaning {
   kDrop,       ///< what was said last is not to be done; only if it is the action `name`, where one is given
   kFirst,      ///< said last: before what was said before it
   kAgain,      ///< the same once more
+  kAside,      ///< "because": what follows asks for nothing
+  kSubject,    ///< "I", "妈妈": somebody else, of whom something may be told
   kPolite,     ///< says nothing, and is no part of what is not understood
   kFiller,     ///< says nothing
   kElsewhere,  ///< an action that no robot here has; `name` is the nearest, if any

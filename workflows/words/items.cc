@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "kinematics/base/text.h"
+#include "workflows/words/join_items.h"
+#include "workflows/words/lead_in.h"
 #include "workflows/words/lexicon.h"
 #include "workflows/words/numbers.h"
 #include "workflows/words/pieces.h"
@@ -38,7 +40,12 @@ class ItemReader {
       : pieces_(PiecesOf(text)),
         words_(language == Language::kEnglish ? English() : Chinese()),
         units_(language == Language::kEnglish ? EnglishUnits() : ChineseUnits()) {
-    for (const PlaceName& place : places) AddPlace(LowerCase(place.name), place.name);
+    for (const PlaceName& place : places) {
+      AddPlace(LowerCase(place.name), place.name);
+      const std::string colour = "色";  // "红标记" is 红色标记
+      const std::size_t at = place.name.find(colour);
+      if (at != std::string::npos && at > 0) AddPlace(std::string(place.name).erase(at, colour.size()), place.name);
+    }
     for (const auto& [chinese, english] : PlaceTranslations()) {
       const bool known =
           std::any_of(places.begin(), places.end(), [&](const PlaceName& place) { return place.name == english; });
@@ -49,12 +56,11 @@ class ItemReader {
 
   std::vector<Item> Read() {
     while (at_ < pieces_.size()) {
-      if (!TakeEnumerator() && !TakeSign() && !TakeAmount() && !TakePlace() && !TakePhrase()) TakeUnknown();
+      if (IsGap()) PushBreak();
+      if (!TakeEnumerator() && !TakeLeadIn() && !TakeSign() && !TakeAmount() && !TakePlace() && !TakePhrase())
+        TakeUnknown();
     }
-    JoinRates();
-    MarkBefore();
-    MarkAdverbs();
-    JoinOrdinals();
+    JoinItems(items_);
     return std::move(items_);
   }
 
@@ -77,6 +83,20 @@ class ItemReader {
     Item item;
     item.meaning = meaning;
     Push(item, count);
+  }
+
+  /// Where Chinese is parted by a space it stands for a comma.
+  bool IsGap() const {
+    return at_ > 0 && pieces_[at_].begin > pieces_[at_ - 1].end && IsCharacter(at_) && IsCharacter(at_ - 1) &&
+           !items_.empty() && !items_.back().Is(M::kBreak);
+  }
+  bool IsCharacter(std::size_t at) const { return pieces_[at].kind == Piece::Kind::kCharacter; }
+
+  void PushBreak() {
+    Item item;
+    item.meaning = M::kBreak;
+    item.begin = item.end = pieces_[at_].begin;
+    items_.push_back(item);
   }
 
   /// "a)" and so on.
@@ -105,18 +125,56 @@ class ItemReader {
     return true;
   }
 
+  /// Whether what is not known begins the stretch that is read.
+  bool OpensUnknown() const {
+    std::size_t begin = items_.size();
+    while (begin > 0 && !items_[begin - 1].Is(M::kBreak)) --begin;
+    while (begin < items_.size() && items_[begin].Is(M::kPolite)) ++begin;
+    return begin < items_.size() && (items_[begin].Is(M::kUnknown) || items_[begin].Is(M::kElsewhere));
+  }
+
+  static bool IsTitle(const std::string& word) {
+    return word == "mr" || word == "mrs" || word == "ms" || word == "dr" || word == "prof" || word == "st";
+  }
+
+  /// The verb of a command that is drawn out.
+  bool IsDrill(std::size_t at) const {
+    return pieces_[at].text == "转" || pieces_[at].text == "走" || pieces_[at].text == "定";
+  }
+
+  bool TakeLeadIn() {
+    const bool begins =
+        items_.empty() || items_.back().Is(M::kBreak) || items_.back().Is(M::kThen) || items_.back().Is(M::kPolite);
+    const std::size_t count = begins ? LeadInAt(pieces_, at_) : 0;
+    if (count == 0 || count < Longest(words_, at_).second) return false;
+    Push(M::kPolite, count);
+    return true;
+  }
+
   bool TakeSign() {
-    static const std::array<const char*, 14> kBreaks = {",", ";",  "!",  "?",  "。", "、", "…",
-                                                        "—", "；", "，", "！", "？", "·",  "~"};
+    static const std::array<const char*, 17> kBreaks = {",", ";", "!",  "?",  "。", "、", "…", "(", ")",
+                                                        "|", "—", "；", "，", "！", "？", "·", "~"};
     const Piece& piece = pieces_[at_];
     if (piece.kind != Piece::Kind::kSign) return false;
     const bool ends =
         at_ + 1 == pieces_.size() || pieces_[at_ + 1].begin > piece.end || pieces_[at_ + 1].kind != Piece::Kind::kWord;
     const bool breaks =
         std::any_of(kBreaks.begin(), kBreaks.end(), [&](const char* sign) { return piece.text == sign; });
-    if (breaks || (piece.text == "." && ends)) {
+    const std::size_t next = at_ + 1;
+    if (piece.text == "." && at_ > 0 && IsTitle(pieces_[at_ - 1].text)) {
+      Push(M::kFiller, 1);
+      return true;
+    }
+    const bool drawn = piece.text == "—" && next < pieces_.size() && (pieces_[next].text == "—" || IsDrill(next));
+    if (piece.text == ":" && !OpensUnknown()) {  // "the test is this: ..."
       Push(M::kBreak, 1);
-    } else if (piece.text == ":" || piece.text == "'" || piece.text == "\"" || piece.text == "“" || piece.text == "”") {
+    } else if (piece.text == ":") {
+      Push(M::kFiller, 1);
+    } else if (drawn && !items_.empty()) {  // "向后——转"
+      Push(M::kFiller, 1);
+    } else if (breaks || (piece.text == "." && ends)) {
+      Push(M::kBreak, 1);
+    } else if (piece.text == "'" || piece.text == "\"" || piece.text == "“" || piece.text == "”") {
       Push(M::kFiller, 1);
     } else {
       return false;
@@ -145,11 +203,26 @@ class ItemReader {
     return longest;
   }
 
+  /// "x2"
+  bool TakeTimes() {
+    if (pieces_[at_].text != "x" || at_ + 1 == pieces_.size() || pieces_[at_ + 1].kind != Piece::Kind::kNumber)
+      return false;
+    Item item;
+    item.meaning = M::kAmount;
+    item.name = "times";
+    item.value = NumberAt(pieces_, at_ + 1).value;
+    Push(item, 2);
+    return true;
+  }
+
   bool TakeAmount() {
+    if (TakeTimes()) return true;
     const SpokenNumber number = NumberAt(pieces_, at_);
     if (number.pieces == 0) return false;
     const auto [phrase, phrase_pieces] = Longest(words_, at_);
-    const std::size_t after = at_ + number.pieces;
+    std::size_t after = at_ + number.pieces;
+    const bool hyphen = after + 1 < pieces_.size() && pieces_[after].text == "-" && UnitAt(after + 1).first != nullptr;
+    if (hyphen) ++after;  // "twenty-degree"
     const auto [unit, unit_pieces] = UnitAt(after);
     if (unit == nullptr || (number.is_article && unit->name == "turns" && pieces_[at_].text == "a")) {
       if (phrase != nullptr && (phrase_pieces > number.pieces || number.is_article)) return false;
@@ -159,6 +232,7 @@ class ItemReader {
         return true;
       }
       if (number.is_article && pieces_[at_].kind == Piece::Kind::kWord) return false;
+      if (pieces_[at_].kind != Piece::Kind::kCharacter && TakeParted(number)) return true;
       Item item;
       item.meaning = M::kNumber;
       item.value = number.value;
@@ -168,15 +242,15 @@ class ItemReader {
     if (phrase != nullptr && phrase_pieces > number.pieces + unit_pieces) return false;
     // 一下 and 一个 soften what is said, or count nothing.
     // "one foot" stands, "a foot" is as long.
-    if (number.is_article && pieces_[at_].text == "one" && pieces_[after].text == "foot") return false;
+    if (number.is_article && pieces_[at_].text == "one" && pieces_[after].text == "foot" && !Walks()) return false;
     if (number.is_article && pieces_[after].text == "foot" && !items_.empty() && items_.back().Is(M::kRaise))
       return false;
     const bool softener = pieces_[at_].text == "一" && number.pieces == 1 &&
                           (pieces_[after].text == "下" || (unit->name == "count" && phrase != nullptr));
     if (softener) return false;
-    std::size_t count = number.pieces + unit_pieces;
+    std::size_t count = after - at_ + unit_pieces;
     double value = number.value;
-    if (unit->name != "count" && unit->name != "times") {
+    if (unit->name != "count" && unit->name != "times" && unit->name != "m/step") {
       if (const SpokenNumber more = AfterUnit(pieces_, at_ + count); more.pieces > 0) {
         value += more.value;
         count += more.pieces;
@@ -187,6 +261,34 @@ class ItemReader {
     item.name = unit->name;
     item.value = value * unit->value;
     Push(item, count);
+    return true;
+  }
+
+  /// Whether the last thing to do is to walk.
+  bool Walks() const {
+    for (auto item = items_.rbegin(); item != items_.rend() && !item->Is(M::kBreak); ++item) {
+      if (item->Is(M::kAction)) return item->name == "walk";
+    }
+    return false;
+  }
+
+  /// "three sideways steps", "ten more feet": the unit stands a word later.
+  bool TakeParted(const SpokenNumber& number) {
+    const std::size_t after = at_ + number.pieces;
+    const Item* between = after < pieces_.size() ? words_.Find(pieces_[after].text) : nullptr;
+    const bool fits = between != nullptr && (between->Is(M::kFiller) || between->Is(M::kDirection) ||
+                                             between->Is(M::kPace) || between->Is(M::kSide) || between->Is(M::kPolite));
+    if (!fits || number.is_article) return false;
+    const auto [unit, unit_pieces] = UnitAt(after + 1);
+    if (unit == nullptr || (unit->name != "steps" && unit->name != "m")) return false;
+    Item item;
+    item.meaning = M::kAmount;
+    item.name = unit->name;
+    item.value = number.value * unit->value;
+    Push(item, number.pieces);
+    Push(*between, 1);
+    items_.back().end = pieces_[at_ + unit_pieces - 1].end;
+    at_ += unit_pieces;
     return true;
   }
 
@@ -206,6 +308,12 @@ class ItemReader {
       if (!numbered && !FollowsToOrOrdinal()) return false;
     }
     Push(*found, most);
+    const std::size_t one = at_ < pieces_.size() && pieces_[at_].text == "number" ? at_ + 1 : at_;
+    if (one < pieces_.size() && pieces_[one].text == "one") {  // "stone one"
+      items_.back().value = 1.0;
+      items_.back().end = pieces_[one].end;
+      at_ = one + 1;
+    }
     return true;
   }
 
@@ -220,7 +328,8 @@ class ItemReader {
   bool TakePhrase() {
     const Piece& piece = pieces_[at_];
     if (piece.text == "第" && at_ + 1 < pieces_.size()) {
-      if (const SpokenNumber number = NumberAt(pieces_, at_ + 1); number.pieces > 0) {
+      const SpokenNumber number = NumberAt(pieces_, at_ + 1);
+      if (number.pieces > 0 && Longest(words_, at_).second <= 1 + number.pieces) {
         Item item;
         item.meaning = M::kOrdinal;
         item.value = number.value;
@@ -242,73 +351,6 @@ class ItemReader {
     const bool goes_on = !items_.empty() && items_.back().Is(M::kUnknown);
     if (!goes_on) return Push(M::kUnknown, 1);
     items_.back().end = pieces_[at_++].end;
-  }
-
-  /// "鞠躬前，先退一步".
-  void MarkBefore() {
-    for (std::size_t k = 1; k + 1 < items_.size(); ++k) {
-      const bool before = items_[k].Is(M::kFiller) && items_[k].name == "前";
-      if (before && items_[k - 1].Is(M::kAction) && (items_[k + 1].Is(M::kBreak) || items_[k + 1].Is(M::kThen)))
-        items_[k].meaning = M::kBefore;
-    }
-  }
-
-  /// "优雅地": what is not known before 地 says how.
-  void MarkAdverbs() {
-    for (std::size_t k = 0; k + 1 < items_.size(); ++k) {
-      const bool adverb =
-          items_[k].Is(M::kUnknown) && items_[k + 1].name == "地" && items_[k].end == items_[k + 1].begin;
-      if (adverb) items_[k].meaning = M::kFiller;
-    }
-  }
-
-  /// "每秒" before a length is a speed.
-  void JoinRates() {
-    for (std::size_t k = 0; k < items_.size(); ++k) {
-      Item& rate = items_[k];
-      if (!rate.Is(M::kUnit)) continue;
-      std::size_t next = k + 1;
-      while (next < items_.size() && items_[next].Is(M::kFiller)) ++next;
-      if (next == items_.size() || !items_[next].Is(M::kAmount) || items_[next].name != "m") continue;
-      rate.meaning = M::kAmount;
-      rate.name = "m/s";
-      rate.value *= items_[next].value;
-      rate.end = items_[next].end;
-      items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(k) + 1,
-                   items_.begin() + static_cast<std::ptrdiff_t>(next) + 1);
-    }
-  }
-
-  /// "the second step", "stone four", "5号石头": places with their numbers. An ordinal of nothing goes on to the next.
-  void JoinOrdinals() {
-    for (std::size_t k = 0; k < items_.size(); ++k) {
-      if (items_[k].Is(M::kPlace)) {
-        std::size_t number = k + 1;
-        while (number < items_.size() && items_[number].Is(M::kFiller)) ++number;
-        if (number == items_.size() || !items_[number].Is(M::kNumber) || items_[k].value != 0.0) continue;
-        items_[k].value = items_[number].value;
-        items_[k].end = items_[number].end;
-        items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(k) + 1,
-                     items_.begin() + static_cast<std::ptrdiff_t>(number) + 1);
-        continue;
-      }
-      if (!items_[k].Is(M::kOrdinal) && !items_[k].Is(M::kNumber)) continue;
-      std::size_t next = k + 1;
-      while (next < items_.size() && items_[next].Is(M::kFiller)) ++next;
-      if (next < items_.size() && items_[next].Is(M::kPlace)) {
-        items_[next].value = items_[k].value;
-        items_[next].begin = items_[k].begin;
-        items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(k),
-                     items_.begin() + static_cast<std::ptrdiff_t>(next));
-      } else if (items_[k].Is(M::kOrdinal)) {
-        const bool last = k + 1 == items_.size() || items_[k + 1].Is(M::kBreak);
-        items_[k].meaning = last && k > 0 && items_[k].value == 1.0 ? M::kFirst : M::kThen;
-      }
-    }
-    for (std::size_t k = 1; k + 1 < items_.size(); ++k) {  // "the first and the second stone"
-      const bool joins = items_[k].Is(M::kFiller) && items_[k].name == "and";
-      if (joins && items_[k - 1].Is(M::kPlace) && items_[k + 1].Is(M::kPlace)) items_[k].meaning = M::kThen;
-    }
   }
 
   struct KnownPlace {

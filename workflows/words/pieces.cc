@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <cstdint>
+#include <cstring>
 #include <map>
 
 namespace gaitwright::words {
@@ -77,7 +78,12 @@ const std::string& Simplified(const std::string& character) {
       {"閉", "闭"}, {"間", "间"}, {"閱", "阅"}, {"隊", "队"}, {"際", "际"}, {"隨", "随"}, {"險", "险"}, {"難", "难"},
       {"雞", "鸡"}, {"靈", "灵"}, {"響", "响"}, {"項", "项"}, {"預", "预"}, {"領", "领"}, {"題", "题"}, {"類", "类"},
       {"風", "风"}, {"飛", "飞"}, {"飯", "饭"}, {"館", "馆"}, {"馬", "马"}, {"駐", "驻"}, {"驗", "验"}, {"驚", "惊"},
-      {"髮", "发"}, {"鬆", "松"}, {"魚", "鱼"}, {"鳥", "鸟"}, {"黃", "黄"}, {"齊", "齐"}, {"龍", "龙"}};
+      {"髮", "发"}, {"鬆", "松"}, {"魚", "鱼"}, {"鳥", "鸟"}, {"黃", "黄"}, {"齊", "齐"}, {"龍", "龙"}, {"賴", "赖"},
+      {"並", "并"}, {"併", "并"}, {"測", "测"}, {"餘", "余"}, {"馀", "余"}, {"寫", "写"}, {"綫", "线"}, {"別", "别"},
+      {"麼", "么"}, {"經", "经"}, {"嘗", "尝"}, {"帶", "带"}, {"著", "着"}, {"撐", "撑"}, {"託", "托"}, {"擠", "挤"},
+      {"搶", "抢"}, {"攏", "拢"}, {"攔", "拦"}, {"學", "学"}, {"師", "师"}, {"廳", "厅"}, {"牆", "墙"}, {"慢", "慢"},
+      {"屆", "届"}, {"幹", "干"}, {"噹", "当"}, {"當", "当"}, {"業", "业"}, {"務", "务"}, {"鏡", "镜"}, {"燈", "灯"},
+      {"嗚", "呜"}, {"劇", "剧"}, {"檯", "台"}, {"顧", "顾"}, {"顏", "颜"}, {"絲", "丝"}, {"細", "细"}};
   const auto found = table.find(character);
   return found == table.end() ? character : found->second;
 }
@@ -130,13 +136,34 @@ class Reader {
       if (!IsLetter(code) && !joins) break;
       Take();
     }
+    pieces_.back().text = Spelt(pieces_.back().text);
+  }
+
+  /// Short forms as people type them, in full.
+  static std::string Spelt(const std::string& word) {
+    static const std::map<std::string, std::string> table = {
+        {"youre", "you're"}, {"youve", "you've"},   {"youll", "you'll"},  {"theres", "there's"},
+        {"dont", "don't"},   {"thats", "that's"},   {"lets", "let's"},    {"im", "i'm"},
+        {"ive", "i've"},     {"theyre", "they're"}, {"cant", "can't"},    {"wont", "won't"},
+        {"hes", "he's"},     {"isnt", "isn't"},     {"whats", "what's"},  {"ur", "your"},
+        {"u", "you"},        {"yr", "your"},        {"gimme", "give me"}, {"lemme", "let me"},
+        {"pls", "please"},   {"plz", "please"},     {"y'all", "you"},     {"yall", "you"},
+        {"ya", "you"},       {"wanna", "want to"},  {"d'you", "do you"},  {"everyones", "everyone's"}};
+    const auto found = table.find(word);
+    return found == table.end() ? word : found->second;
   }
 
   /// "two-metre": a number and its unit.
   bool EndsNumber() const {
     if (text_.compare(at_ + 1, 7, "quarter") == 0) return false;  // "three-quarter"
-    static const char* const kNumbers[] = {"one",   "two",  "three", "four",   "five",    "six",  "seven",
-                                           "eight", "nine", "ten",   "twelve", "fifteen", "half", "quarter"};
+    static const char* const kNumbers[] = {"one",     "two",    "three",  "four",  "five",   "six",
+                                           "seven",   "eight",  "nine",   "ten",   "eleven", "twelve",
+                                           "fifteen", "twenty", "thirty", "forty", "fifty",  "sixty",
+                                           "seventy", "eighty", "ninety", "half",  "quarter"};
+    static const char* const kOnes[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
+    for (const char* one : kOnes) {
+      if (pieces_.back().text.ends_with("ty") && text_.compare(at_ + 1, std::strlen(one), one) == 0) return false;
+    }
     for (const char* number : kNumbers) {
       if (pieces_.back().text == number) return true;
     }

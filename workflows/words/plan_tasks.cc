@@ -4,25 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "kinematics/base/version.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/tasks/task_plan_json.h"
+#include "workflows/walk/cpu_clock.h"
 #include "workflows/words/places.h"
 #include "workflows/words/task_planner_internal.h"
 
 namespace gaitwright {
 namespace {
-
-/// CPU time since it was made.
-class Clock {
- public:
-  double elapsed_s() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
-
- private:
-  std::clock_t start_ = std::clock();
-};
 
 Failure OfTask(std::size_t index, const Task& task, Failure failure) {
   const std::string words = task.words.empty() ? TaskText(task) : task.words;
@@ -65,7 +56,7 @@ Result<RobotModel> WholeRobot(const RobotModel& model, const TaskPlan& tasks, co
 
 Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, const TaskPlan& tasks,
                                const TaskOptions& options) {
-  const Clock clock;
+  const CpuClock clock;
   TaskScope scope = ScopeOf(model);
   scope.places = PlacesOf(terrain);
   if (auto failure = WhyNotPlanned(tasks, scope)) return *failure;

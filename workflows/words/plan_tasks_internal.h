@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "workflows/words/plan_tasks.h"
 
 namespace gaitwright::tasks {
+
+constexpr double kStay = 1.0;  // [s] for which it stands, or holds a posture, where no words say how long
+constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// How a robot is left by a task: what the next one begins with.
 struct Stance {
@@ -31,13 +35,10 @@ struct Sizes {
   std::string name;    ///< "depth_m", for messages
 };
 
-/// A posture motion that passes its audit: of the first size that any stretch lets pass. Failures as of PlanTasks.
-struct PlannedPosture {
-  PostureMotion motion;  ///< stretched as far as it has to be
-  double size = 0.0;
-};
-Result<PlannedPosture> PlanPostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
-                                         const MotionOptions& options);
+/// A posture motion that passes its audit: of the first size that any stretch lets pass, stretched as far as it has to
+/// be. Failures as of PlanTasks.
+Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
+                                    const MotionOptions& options);
 
 /// The walk that a task asks for, its place left out.
 Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, const TaskOptions& options);

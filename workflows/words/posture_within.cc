@@ -28,7 +28,7 @@ Failure Broken(const PostureMotion& motion, const Violation& worst) {
 }
 
 /// One size, slower and slower.
-Result<PlannedPosture> Try(const RobotModel& model, const PostureMotion& motion, const MotionOptions& options) {
+Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, const MotionOptions& options) {
   constexpr std::array<double, 5> kStretches = {1.0, 1.4, 2.0, 2.8, 4.0};
   Failure failure;
   for (const double stretch : kStretches) {
@@ -37,7 +37,7 @@ Result<PlannedPosture> Try(const RobotModel& model, const PostureMotion& motion,
     if (!plan) return plan.failure();
     const Result<AuditReport> audit = Audit(model, *plan, {});
     if (!audit) return audit.failure();
-    if (audit->pass()) return PlannedPosture{slower};
+    if (audit->pass()) return slower;
     const std::vector<Violation> forbidding = Forbidding(*audit);
     const Violation& worst = forbidding.empty() ? audit->violations.front() : forbidding.front();
     failure = Broken(motion, worst);
@@ -59,18 +59,15 @@ double LargestBelow(const RobotModel& model, const MotionBySize& motion, double 
 
 }  // namespace
 
-Result<PlannedPosture> PlanPostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
-                                         const MotionOptions& options) {
+Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
+                                    const MotionOptions& options) {
   std::optional<Failure> first;
   for (const double size : sizes.tried) {
     const Result<PostureMotion> made = motion(size);
     if (!made) return made.failure();
-    Result<PlannedPosture> planned = Try(model, *made, options);
-    if (planned) {
-      planned->size = size;
-      return planned;
-    }
-    if (!first) first = planned.failure();
+    Result<PostureMotion> passing = Try(model, *made, options);
+    if (passing) return passing;
+    if (!first) first = passing.failure();
   }
   first->stage = "PlanTasks";
   if (!sizes.asked) return *first;

@@ -124,6 +124,7 @@ class ClauseReader {
     if (!draft_.action.empty()) return;  // the clause would have been split
     draft_.action = item.name;
     draft_.holding = draft_.holding || item.value == 2.0 || IsGerund(item);
+    draft_.returns = item.value == 3.0;
     for (const auto& [key, value] : item.parameters) {
       implied_[key] = value;
       implied_said_ = {item.begin, item.end};
@@ -206,6 +207,7 @@ class ClauseReader {
   }
 
   void TakeAmount(const Item& item) {
+    if (item.name == "m/step") return SayAmount("step_length_m", item.value, 1.0, item);
     if (item.name == "m" && (each_ || NextIsEach())) return SayAmount("step_length_m", item.value, 1.0, item);
     if (item.name == "m") return SayAmount("distance_m", item.value, 1.0, item);
     if (item.name == "s") return SayAmount("duration_s", item.value, 1.0, item);
@@ -237,7 +239,8 @@ class ClauseReader {
     for (std::size_t k = at_; k-- > 0 && before == nullptr;) {
       if (!SaysNothing(clause_.items[k])) before = &clause_.items[k];
     }
-    if (greets_ && (first || before == nullptr || before->Is(M::kAt) || before->Is(M::kTo) || before->Is(M::kAction)))
+    if (greets_ && IsAddressed()) return;
+    if (greets_ && (first || before == nullptr || before->Is(M::kAt) || before->Is(M::kTo) || Greets(*before)))
       return;  // whom to wave to
     std::size_t end = item.end;
     for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
@@ -253,6 +256,24 @@ class ClauseReader {
       Refuse("place", TextOf(text_, {item.begin, item.end}), "is no place that is known here");
     if (draft_.action.empty()) RefuseAll();
     Refuse("unknown", TextOf(text_, {item.begin, item.end}), "is not understood");
+  }
+
+  /// "greet the visitors"; "wave the flag" is something else.
+  bool Greets(const Item& verb) const {
+    static const std::array<const char*, 6> kGreets = {"gree", "Gree", "salu", "Salu", "say ", "Say "};
+    const std::string word = TextOf(text_, {verb.begin, verb.end});
+    const bool chinese = static_cast<unsigned char>(word.front()) >= 128;
+    return verb.Is(M::kAction) && (chinese || std::any_of(kGreets.begin(), kGreets.end(),
+                                                          [&](const char* start) { return word.starts_with(start); }));
+  }
+
+  /// "for the guest", "to our visitors".
+  bool IsAddressed() const {
+    for (std::size_t k = at_; k-- > 0 && SaysNothing(clause_.items[k]);) {
+      const std::string word = TextOf(text_, {clause_.items[k].begin, clause_.items[k].end});
+      if (word == "for" || word == "for the" || word == "for our" || word == "for my") return true;
+    }
+    return false;
   }
 
   /// The action where it is said by several words, and what an action's own word says.
@@ -272,6 +293,8 @@ class ClauseReader {
     if (draft_.action.empty() && raise && foot_) {
       draft_.action = "balance";
       if (draft_.side) draft_.side = Other(*draft_.side);
+    } else if (draft_.action.empty() && foot_ && down_ && !lowers_ && !puts_) {
+      draft_.action = "balance";  // "left foot down"
     } else if (draft_.action.empty() && raise && (arm_ || draft_.side)) {
       draft_.action = "raise_arm";
     } else if (draft_.action.empty() && (lower || raise)) {
@@ -317,9 +340,26 @@ class ClauseReader {
     return alone && !head;
   }
 
+  /// "turn left 90", "R 90": a turn without a unit is one of degrees.
+  bool IsAngle(double number) const {
+    constexpr double kLeast = 10.0, kMost = 720.0;
+    return number >= kLeast && number <= kMost && std::fmod(number, 5.0) == 0.0;
+  }
+
   void SettleTurn() {
-    if (draft_.action.empty() && turns_) draft_.action = "turn";
+    const bool sided = draft_.action.empty() && draft_.side && !arm_ && !foot_ && !raises_ && draft_.parameters.empty();
+    if (draft_.bare && IsAngle(draft_.bare->value) && (draft_.action == "turn" || sided)) {
+      turns_ = true;
+      SayAmount("angle_deg", draft_.bare->value, 1.0, Item(*draft_.bare));
+    }
+    const bool angled = draft_.action.empty() && draft_.side && !arm_ && !foot_ && draft_.said.contains("angle_deg");
+    if ((draft_.action.empty() && turns_) || angled) draft_.action = "turn";
     if (draft_.action != "turn") return;
+    if (draft_.parameters.contains("direction") &&
+        draft_.parameters["direction"] == TaskValue(std::string("backward"))) {
+      draft_.parameters["direction"] = std::string("left");  // "向后——转"
+      draft_.parameters.try_emplace("angle_deg", 180.0);
+    }
     const bool unsided = !draft_.side && !draft_.parameters.contains("direction");
     const auto angle_said = draft_.parameters.find("angle_deg");
     const bool either =

@@ -14,9 +14,6 @@
 namespace gaitwright::tasks {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kStay = 1.0;  // [s]
-
 Sides SidesOf(const Task& task) {
   const std::string side = task.Word("side");
   return {side != "right", side != "left"};
@@ -86,11 +83,7 @@ std::optional<Failure> TaskPlanner::Append(MotionPlan next) {
   }
   Result<MotionPlan> joined = JoinedPlans(*whole_, whole_->whole_body.end_s(), next, next.whole_body.start_s);
   if (!joined) return joined.failure();
-  const double before = whole_->duration_s(), after = next.duration_s();
-  const auto height = [](const MotionPlan& plan) { return 1.0 / std::pow(plan.centroidal.omega_rad_s, 2); };
-  const double mean = (before * height(*whole_) + after * height(next)) / (before + after);
   whole_ = std::move(*joined);
-  whole_->centroidal.omega_rad_s = std::sqrt(1.0 / mean);
   return std::nullopt;
 }
 
@@ -113,12 +106,12 @@ std::optional<Failure> TaskPlanner::Flush() {
 double TaskPlanner::ChainTime() const { return chain_.empty() ? 0.0 : Chained(chain_).duration_s(); }
 
 std::optional<Failure> TaskPlanner::AddPosture(const MotionBySize& motion, const Sizes& sizes) {
-  Result<PlannedPosture> planned = PlanPostureWithin(whole_model_, motion, sizes, options_.motion);
-  if (!planned) return planned.failure();
+  const Result<PostureMotion> passing = PostureWithin(whole_model_, motion, sizes, options_.motion);
+  if (!passing) return passing.failure();
   const double from_s = ChainTime();
   const PostureKey from = stance_.key;
-  chain_.push_back(planned->motion);
-  stance_.key = planned->motion.keys.back();
+  chain_.push_back(*passing);
+  stance_.key = passing->keys.back();
   return task_ == nullptr ? std::nullopt : AddGestures(from, from_s);
 }
 
@@ -126,7 +119,7 @@ std::optional<Failure> TaskPlanner::AddPosture(const PostureMotion& motion) {
   return AddPosture([&](double) { return Result<PostureMotion>(motion); }, {{0.0}, false, ""});
 }
 
-/// What is done while the last posture of the chain is; what takes longer is waited for.
+/// What is done while the last posture of the chain is, one gesture after the other; what takes longer is waited for.
 std::optional<Failure> TaskPlanner::AddGestures(PostureKey from, double from_s) {
   for (const Task& gesture : task_->during) {
     const double step_s = options_.motion.pipeline.grid_step_s;
@@ -137,6 +130,7 @@ std::optional<Failure> TaskPlanner::AddGestures(PostureKey from, double from_s) 
     if (lacking_s > 0.0) chain_.push_back(Hold(chain_.back().keys.back(), lacking_s + step_s));
     gestures_.emplace_back(motion, from_s);
     from.joints = stance_.key.joints = motion.keys.back().joints;
+    from_s += motion.duration_s();
   }
   if (stance_.key.joints != chain_.back().keys.back().joints) return Flush();  // what comes next begins with them
   return std::nullopt;

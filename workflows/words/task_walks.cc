@@ -5,45 +5,32 @@
 #include <cmath>
 #include <numbers>
 
-#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/plan_posture.h"
+#include "optimisation/pipeline/robot_body.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/moved_terrain.h"
+#include "planning/plan/robot_of_plan.h"
 #include "workflows/words/places.h"
 #include "workflows/words/task_planner_internal.h"
 
 namespace gaitwright::tasks {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kStay = 1.0;  // [s]
-
 /// The plan of the robot without what it lies on as one of the robot with it.
 void AddRest(const RobotModel& model, MotionPlan& plan) {
-  plan.robot_hash = model.hash;
-  plan.yaml_text = model.yaml_text;
+  SetRobot(model, plan);
   for (auto& wrenches : plan.whole_body.wrenches) wrenches.resize(model.feet.size());
-}
-
-/// The centre of mass in standing.
-Vector3 StandingCentre(const RobotModel& model) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  return CentreOfMass(model, scratch);
 }
 
 }  // namespace
 
 /// The robot with its joints outside the legs elsewhere in standing.
 RobotModel Posed(RobotModel model, const VectorX& joints) {
-  std::vector<bool> in_leg(static_cast<std::size_t>(model.num_dofs()), false);
-  for (const Leg& leg : model.legs) {
-    for (const int joint : leg.joints)
-      in_leg[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(joint)].dof)] = true;
-  }
+  const std::vector<bool> of_leg = DofsOfLegs(model);
   for (int d = 0; d < model.num_dofs(); ++d) {
-    if (!in_leg[static_cast<std::size_t>(d)]) model.standing_joints[d] = joints[d];
+    if (!of_leg[static_cast<std::size_t>(d)]) model.standing_joints[d] = joints[d];
   }
   return model;
 }
@@ -60,17 +47,19 @@ std::optional<Failure> TaskPlanner::AddWalk(const WalkRequest& request, bool ges
   MotionPlan walk = std::move(planned->motion.plan);
   if (auto failure = GoToStartOf(walk)) return failure;
   if (gestures && task_ != nullptr) {
-    double last_s = walk.whole_body.start_s;
+    double from_s = walk.whole_body.start_s;  // one gesture after the other
     for (const Task& gesture : task_->during) {
-      const Result<PostureMotion> made = GestureMotion(gesture, stance_.key, walk.duration_s());
+      const double left_s = walk.whole_body.end_s() - from_s;
+      const Result<PostureMotion> made = GestureMotion(gesture, stance_.key, left_s);
       if (!made) return made.failure();
       const PostureMotion motion = Stretched(*made, 1.0, walk.whole_body.step_s);
-      if (motion.duration_s() > walk.duration_s()) StayOn(motion.duration_s() - walk.duration_s(), walk);
+      if (motion.duration_s() > left_s) StayOn(motion.duration_s() - left_s, walk);
       Result<MotionPlan> with =
-          WithGesture(Posed(model_, stance_.key.joints), walk, motion, last_s, options_.motion.whole_body);
+          WithGesture(Posed(model_, stance_.key.joints), walk, motion, from_s, options_.motion.whole_body);
       if (!with) return with.failure();
       walk = std::move(*with);
       stance_.key.joints = motion.keys.back().joints;
+      from_s += motion.duration_s();
     }
   }
   if (whole_model_.hash != model_.hash) AddRest(whole_model_, walk);
@@ -81,7 +70,7 @@ std::optional<Failure> TaskPlanner::AddWalk(const WalkRequest& request, bool ges
 std::optional<Failure> TaskPlanner::GoToStartOf(const MotionPlan& walk) {
   constexpr double kSame = 1e-5;  // [m]
   PostureKey at = stance_.key;
-  at.shift = walk.centroidal.p_WC.front() - StandingCentre(model_);
+  at.shift = walk.centroidal.p_WC.front() - StandingCentreOfMass(model_);
   at.turn_rad.setZero();
   const bool there = (at.shift - stance_.key.shift).norm() < kSame || (!whole_ && chain_.empty());
   const Task* const task = task_;

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kinematics/base/text.h"
+#include "workflows/words/asides.h"
 #include "workflows/words/check_draft.h"
 #include "workflows/words/clause.h"
 #include "workflows/words/items.h"
 #include "workflows/words/read_clause.h"
+#include "workflows/words/refer_back.h"
+#include "workflows/words/says_more.h"
 
 namespace gaitwright::words {
 namespace {
@@ -22,6 +26,8 @@ bool IsGesture(const std::string& action) {
   return rule != nullptr && rule->is_gesture;
 }
 
+constexpr int kMostTimes = 50;  // that a walk or a turn is done one after the other
+
 /// Makes tasks of clauses.
 class Assembler {
  public:
@@ -32,33 +38,42 @@ class Assembler {
     if (clause.drops && clause.is_not) return;
     if (clause.again) return Repeat();
     if (clause.empty()) return;
-    if (clause.is_not) {
+    if (clause.is_not && !IsMeant(clause)) {
       after_not_ = true;
       return;
     }
     Draft said = ReadClause(text_, clause);
-    const bool corrects = (clause.corrects && !clause.drops) || after_not_;
+    const bool corrects = (clause.corrects && !clause.drops) || after_not_ || clause.is_not;
     after_not_ = false;
     if (corrects) ForgetWaiting();
     GiveAction(clause, corrects, said);
     const bool held = clause.holds && !drafts_.empty() && said.action == drafts_.back().action;
     if (said.action.empty() || held) return AddTo(clause, corrects, said);
+    if (corrects && OnlyTurnsRound(said)) return Merge(text_, Sided(said), true, drafts_.back());
     if (clause.refers && !drafts_.empty() && said.action == drafts_.back().action && said.said.empty() && !said.side)
       return;
     SettleSide(text_, said);
-    if (said.action == "lower_arm" && said.parameters["side"] == TaskValue(std::string("same"))) TakeLastSide(said);
     const bool once = said.parameters.contains("times") && said.parameters["times"] == TaskValue(1);
     if (once && clause.follows_then && !drafts_.empty() && drafts_.back().action == said.action) {  // "再鞠一次"
       said.parameters.erase("times");
       said.said.erase("times");
     }
+    ReferBack(text_, drafts_, said);
     Complete(said);
     if (corrects && !drafts_.empty()) Undo();
     Place(clause, corrects, std::move(said));
   }
 
   TaskPlan Finish() {
+    if (drafts_.empty() && manner_ && !waiting_) {  // "trot gait"
+      Draft walk = *std::exchange(manner_, std::nullopt);
+      walk.action = "walk";
+      walk.parameters.try_emplace("direction", std::string("forward"));
+      drafts_.push_back(std::move(walk));
+    }
     if (!drafts_.empty() || !waiting_) Flush();
+    const bool at_once = waiting_ && !before_ && !drafts_.empty() && !IsGesture(waiting_->action);
+    if (at_once) throw Refused{{"cannot", Text(waiting_->words), "cannot be done at the same time as the other", ""}};
     if (waiting_) drafts_.push_back(*waiting_);
     TaskPlan plan;
     plan.text = text_;
@@ -76,11 +91,25 @@ class Assembler {
   /// Takes away what is not to be done after all. @throws Refused for what nobody asked for.
   void Drop(const Clause& clause) {
     const bool any = clause.dropped.empty();
-    if (!drafts_.empty() && (any || drafts_.back().action == clause.dropped)) {
-      drafts_.pop_back();
-    } else if (clause.is_not) {
+    const auto dropped = std::find_if(drafts_.rbegin(), drafts_.rend(),
+                                      [&](const Draft& draft) { return any || draft.action == clause.dropped; });
+    if (dropped != drafts_.rend()) {
+      drafts_.erase(std::next(dropped).base());
+    } else if (clause.is_not && !clause.needless) {
       throw Refused{{"unknown", Text(clause.Words()), "says what not to do, which nobody asked for", ""}};
     }
+  }
+
+  /// "举左手，啊不是，右手": what comes after "not" is what is meant where nobody has said it before.
+  bool IsMeant(const Clause& clause) const {
+    if (drafts_.empty()) return false;
+    const bool unknown = std::any_of(clause.items.begin(), clause.items.end(),
+                                     [](const Item& item) { return item.Is(M::kUnknown) || item.Is(M::kElsewhere); });
+    if (unknown) return false;
+    const Draft said = ReadClause(text_, clause);
+    const auto side = drafts_.back().parameters.find("side");
+    return said.action.empty() && said.side && side != drafts_.back().parameters.end() &&
+           side->second != TaskValue(*said.side);
   }
 
   /// "wait, make that three": to wait was no task.
@@ -103,11 +132,15 @@ class Assembler {
     if (!said.action.empty()) return;
     if (clause.holds && said.parameters.contains("duration_s") && !drafts_.empty()) return;
     const bool steps = said.said.contains("steps"), way = said.said.contains("direction") || said.said.contains("to");
-    const bool gait = said.said.contains("gait") || said.said.contains("distance_m");
+    const bool gait = said.said.contains("distance_m");
     const std::string last = drafts_.empty() ? "" : drafts_.back().action;
     if (corrects && !last.empty()) return;
     const bool far = !drafts_.empty() && SaysHowFar(drafts_.back()) && SaysHowFar(said);
     const bool joins = last == "walk" && !clause.follows_then && !far;
+    if (said.said.contains("angle_deg") && said.side && last != "bow") {  // "R 90 degrees"
+      said.action = "turn";
+      return;
+    }
     if ((steps || way || gait) && !joins && !(last == "squat" && !steps && !way)) {
       said.action = "walk";
     } else if (clause.follows_then && !last.empty() && (said.side || said.said.contains("angle_deg"))) {
@@ -115,19 +148,32 @@ class Assembler {
     }
   }
 
-  static bool SaysHowFar(const Draft& draft) {
-    return std::any_of(ExtentKeys().begin(), ExtentKeys().end(),
-                       [&](const std::string& key) { return draft.parameters.contains(key); });
+  /// "turn left 60 degrees, no, turn right": all else stays.
+  bool OnlyTurnsRound(const Draft& said) const {
+    if (drafts_.empty() || drafts_.back().action != said.action || said.action != "turn" || said.bare) return false;
+    return std::all_of(said.said.begin(), said.said.end(), [](const auto& one) { return one.first == "direction"; });
+  }
+
+  Draft Sided(Draft said) const {
+    SettleSide(text_, said);
+    return said;
   }
 
   void AddTo(const Clause& clause, bool corrects, const Draft& said) {
-    if (drafts_.empty() || IsManner(said)) {
-      if (!drafts_.empty() && drafts_.back().action == "walk") return Merge(text_, said, corrects, drafts_.back());
+    const bool lasts = said.parameters.size() == 1 && said.parameters.contains("duration_s");
+    if (drafts_.empty() || (IsManner(said) && !lasts)) {
+      const auto walk =
+          std::find_if(drafts_.rbegin(), drafts_.rend(), [](const Draft& d) { return d.action == "walk"; });
+      const bool speed_only = said.parameters.contains("speed_m_s") && walk != drafts_.rend();
+      const bool after_walk = !drafts_.empty() && drafts_.back().action == "walk" && !clause.follows_then;
+      if (after_walk) return Merge(text_, said, corrects, drafts_.back());
+      if (speed_only && !walk->said.contains("speed_m_s")) return Merge(text_, said, corrects, *walk);
       if (!IsManner(said)) throw Refused{{"unknown", Text(said.words), "does not say what to do", ""}};
       manner_ = said;
       return;
     }
     Draft& last = drafts_.back();
+    if (!corrects && RepeatsWay(said)) return;
     if (clause.holds && !Takes(last.action, "duration_s") && said.parameters.contains("duration_s")) {
       Draft stay;  // with the arm up, or wherever it is
       stay.action = "stand";
@@ -137,7 +183,12 @@ class Assembler {
       return;
     }
     // "turn left, right": one more.
+    const auto side = last.parameters.find("side");
+    const bool same_side = said.side && side != last.parameters.end() && side->second == TaskValue(*said.side);
+    if (same_side && said.parameters.empty() && !said.bare) return;
     const bool other_side = said.side && !corrects && (last.said.contains("direction") || last.said.contains("side"));
+    if (other_side && clause.is_meanwhile && !IsGesture(last.action))
+      throw Refused{{"cannot", Text(said.words), "cannot be done at the same time as the other", ""}};
     if (other_side) {
       Draft more;
       more.action = last.action;
@@ -154,24 +205,24 @@ class Assembler {
     Merge(text_, taken, corrects, last);
   }
 
+  /// "turn left, twice": walks and turns are done so often one after the other.
+  bool RepeatsWay(const Draft& said) {
+    const bool way = drafts_.back().action == "walk" || drafts_.back().action == "turn";
+    const bool often = said.parameters.size() == 1 && said.parameters.contains("times") && !said.bare && !said.side;
+    if (!way || !often) return false;
+    const Draft again = drafts_.back();
+    for (int k = 1; k < std::min(std::get<int>(said.parameters.at("times")), kMostTimes); ++k) drafts_.push_back(again);
+    return true;
+  }
+
   /// Only how to walk, which may be said before it is said to.
   static bool IsManner(const Draft& said) {
     const auto how = [](const auto& parameter) {
       return parameter.first == "pace" || parameter.first == "height" || parameter.first == "speed_m_s" ||
-             parameter.first == "gait";
+             parameter.first == "gait" || parameter.first == "duration_s";
     };
     return !said.parameters.empty() && !said.bare && !said.side &&
            std::all_of(said.parameters.begin(), said.parameters.end(), how);
-  }
-
-  /// "lower it": the arm that was raised last.
-  void TakeLastSide(Draft& said) const {
-    for (auto draft = drafts_.rbegin(); draft != drafts_.rend(); ++draft) {
-      if (draft->action != "raise_arm" && draft->action != "wave") continue;
-      said.parameters["side"] = draft->parameters.at("side");
-      return;
-    }
-    throw Refused{{"ambiguous", Text(said.words), "does not say what to lower", ""}};
   }
 
   /// What is not said and is taken as read.
@@ -183,7 +234,8 @@ class Assembler {
     if (said.action == "walk") otherwise("direction", "forward");
     if (said.action == "wave" || said.action == "raise_arm" || said.action == "lower_arm") otherwise("side", "right");
     if (said.action == "balance") otherwise("side", "left");
-    if (said.action == "walk" && manner_) {
+    const bool lasts = manner_ && manner_->parameters.contains("duration_s");
+    if (manner_ && (said.action == "walk" || (lasts && Takes(said.action, "duration_s")))) {
       const Span words = said.words;
       Merge(text_, *manner_, false, said);
       said.words = words;
@@ -246,7 +298,7 @@ class Assembler {
       return;
     }
     if (clause.is_meanwhile) return PlaceBeside(clause, std::move(said));
-    if (GoesOnWith(clause, said)) return;
+    if (!drafts_.empty() && SaysMore(text_, clause, said, drafts_.back())) return;
     said.joined = clause.follows_then && !clause.follows_break;
     drafts_.push_back(std::move(said));
   }
@@ -262,7 +314,15 @@ class Assembler {
       return;
     }
     Draft& last = drafts_.back();
+    if (!gesture && !IsGesture(last.action))
+      throw Refused{{"cannot", Text(said.words), "cannot be done at the same time as the other", ""}};
     if (!gesture && IsGesture(last.action)) {  // "nod and wave as you walk"
+      const bool again = drafts_.size() > 1 && said.action == drafts_[drafts_.size() - 2].action && said.said.empty();
+      if (again) {  // "walk three steps and wave while you walk"
+        drafts_[drafts_.size() - 2].during.push_back(drafts_.back());
+        drafts_.pop_back();
+        return;
+      }
       do {
         said.during.insert(said.during.begin(), drafts_.back());
         said.words.begin = std::min(said.words.begin, drafts_.back().words.begin);
@@ -275,46 +335,6 @@ class Assembler {
     }
     last.words.end = std::max(last.words.end, said.words.end);
     last.during.push_back(std::move(said));
-  }
-
-  /// "边走边点头，走两米": the same once more says how far.
-  bool GoesOnWith(const Clause& clause, const Draft& said) {
-    if (drafts_.empty() || clause.follows_then) return false;
-    Draft& last = drafts_.back();
-    const bool walks = last.action == "walk" && said.action == "walk" && !SaysHowFar(last);
-    const bool same = walks && last.parameters.at("direction") == said.parameters.at("direction");
-    const bool marked = clause.follows_break || clause.corrects || clause.holds;
-    if (walks && !marked && !said.said.contains("direction")) {  // "倒退着走两步", "go and trot"
-      Draft more = said;
-      more.parameters.erase("direction");
-      Merge(text_, more, false, last);
-      return true;
-    }
-    const bool repeated = last.action == said.action && last.action != "walk" && !clause.corrects && !clause.holds &&
-                          clause.items.front().begin != last.words.begin && CanAdd(last, said, !marked);
-    if (repeated) {  // "挥手挥十秒钟", "坐下，坐二十秒"
-      Merge(text_, WithoutTaken(said), false, last);
-      return true;
-    }
-    if (!same || !SaysHowFar(said)) return false;
-    Merge(text_, said, false, last);
-    return true;
-  }
-
-  /// What is only taken as read, such as a right hand, adds nothing.
-  static Draft WithoutTaken(Draft said) {
-    std::erase_if(said.parameters, [&](const auto& parameter) { return !said.said.contains(parameter.first); });
-    return said;
-  }
-
-  /// Whether the same action, named once more, only says more of it: right after it whatever is new, after a comma how
-  /// long or how often where nothing was said yet.
-  static bool CanAdd(const Draft& last, const Draft& said, bool right_after) {
-    const bool news = std::none_of(said.said.begin(), said.said.end(),
-                                   [&](const auto& one) { return last.said.contains(one.first); });
-    return right_after ? news
-                       : news && !said.said.empty() && last.said.empty() && !said.said.contains("direction") &&
-                             !said.said.contains("side");
   }
 
   void Flush() {
@@ -350,7 +370,7 @@ std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskSc
   if (text.find_first_of("{}") != std::string::npos) return Refusal{"unknown", trimmed, "is no instruction", ""};
   try {
     Assembler assembler(text, scope);
-    const std::vector<Item> items = ItemsOf(text, LanguageOf(text), scope.places);
+    const std::vector<Item> items = WithoutAsides(ItemsOf(text, LanguageOf(text), scope.places));
     for (const Clause& clause : ClausesOf(text, items)) assembler.Add(clause);
     return assembler.Finish();
   } catch (const Refused& refused) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kinematics/dynamics/dynamics.h"
+#include "optimisation/pipeline/robot_body.h"
 #include "planning/footsteps/course.h"
 #include "workflows/words/plan_tasks_internal.h"
 
@@ -73,9 +73,7 @@ Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, con
   }
   const double speed_m_s = SpeedOf(model, task);
   if (task.Word("height") == "low") {
-    DynamicsScratch scratch(model);
-    ForwardKinematics(model, StandingConfiguration(model), scratch);
-    request.motion.pipeline.com_height_m = kLowBody * CentreOfMass(model, scratch).z();
+    request.motion.pipeline.com_height_m = kLowBody * StandingCentreOfMass(model).z();
   }
   if (task.Has("steps")) {
     SetSteps(model, task, speed_m_s, c);

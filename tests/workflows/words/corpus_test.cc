@@ -33,14 +33,29 @@ TEST(Corpus, IsUnderstood) {
   EXPECT_EQ(Understood(third, true), static_cast<int>(third.size()));
 }
 
-/// Instructions that nobody who wrote the grammar has seen: nothing is told of which are not understood. The aim is 85
-/// %; what is reached is kept.
-TEST(Corpus, MostOfWhatWasHeldBackIsUnderstood) {
-  const auto held_back = LoadCorpus("held_back.yaml");
+/// What is reached is kept, of those that the grammar was made better by and of those that nobody who wrote it has
+/// seen.
+TEST(Corpus, MostIsUnderstoodHoweverPeopleTalk) {
+  const auto further = LoadCorpus("fourth.yaml"), held_back = LoadCorpus("held_back.yaml");
+  ASSERT_GE(further.size(), 400U);
   ASSERT_GE(held_back.size(), 40U);
-  const int understood = Understood(held_back, false);
+  const int understood = Understood(further, false), unseen = Understood(held_back, false);
   RecordProperty("understood", understood);
-  EXPECT_GE(understood, 0.75 * static_cast<double>(held_back.size())) << understood << " of " << held_back.size();
+  RecordProperty("unseen", unseen);
+  EXPECT_GE(understood, 0.95 * static_cast<double>(further.size())) << understood << " of " << further.size();
+  EXPECT_GE(unseen, 0.85 * static_cast<double>(held_back.size())) << unseen << " of " << held_back.size();
+}
+
+/// Leaving out reasons and what somebody else does must not leave out conditions, objects and what no robot here can
+/// do.
+TEST(Corpus, NothingThatMattersIsLeftOut) {
+  const auto refusals = LoadRefusals("not_understood.yaml");
+  ASSERT_GE(refusals.size(), 120U);
+  for (const RefusalEntry& entry : refusals) {
+    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot));
+    const auto* plan = std::get_if<TaskPlan>(&understood);
+    EXPECT_EQ(plan, nullptr) << entry.text << "\nis taken as " << TasksText(plan->tasks);
+  }
 }
 
 TEST(Corpus, WhatIsNotAcceptedIsRefusedByItsPart) {

@@ -6,6 +6,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/plan/plan_json.h"
 #include "workflows/words/places.h"
@@ -115,6 +116,28 @@ INSTANTIATE_TEST_SUITE_P(Robots, WithArms, testing::Values("nao", "h1", "humanoi
 
 TEST_P(WithArms, GesturesSquatsAndBows) {
   Do(GetParam(), "raise both arms, lower them, wave, squat while waving with your left hand, bow, and brace yourself");
+}
+
+/// The greatest speed of any joint coordinate outside the legs, by what the positions of two rows say.
+double FastestGesture(const RobotModel& model, const MotionPlan& plan) {
+  const WholeBodyTrajectory& w = plan.whole_body;
+  const std::vector<bool> of_leg = DofsOfLegs(model);
+  double fastest = 0.0;
+  for (std::size_t k = 1; k < w.q.size(); ++k) {
+    for (int d = 0; d < model.num_dofs(); ++d) {
+      if (!of_leg[static_cast<std::size_t>(d)])
+        fastest = std::max(fastest, std::abs(w.q[k][7 + d] - w.q[k - 1][7 + d]) / w.step_s);
+    }
+  }
+  return fastest;
+}
+
+TEST(Tasks, GesturesOfOneWalkFollowEachOther) {
+  for (const char* text : {"walk four steps while raising your right arm and nodding",
+                           "squat while raising your right arm and raising your left arm"}) {
+    const Done done = Do("nao", text);
+    EXPECT_LT(FastestGesture(done.planned.robot, done.planned.plan), 10.0) << text << ": nothing jumps";
+  }
 }
 
 TEST(Tasks, APlaceIsWalkedTo) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/words/refer_back.h"
+
+#include "workflows/words/says_more.h"
+
+namespace gaitwright::words {
+namespace {
+
+TaskValue Word(const char* word) { return std::string(word); }
+
+/// "lower it", "the other one": by the arm that was moved last.
+void TakeLastSide(const std::string& text, const std::vector<Draft>& before, Draft& said) {
+  const auto side = said.parameters.find("side");
+  if (side == said.parameters.end() || (side->second != Word("same") && side->second != Word("other"))) return;
+  for (auto draft = before.rbegin(); draft != before.rend(); ++draft) {
+    if (draft->action != "raise_arm" && draft->action != "wave" && draft->action != "lower_arm") continue;
+    const TaskValue last = draft->parameters.at("side");
+    const TaskValue opposite = last == Word("left") ? Word("right") : Word("left");
+    side->second = side->second == Word("other") ? opposite : last;
+    return;
+  }
+  throw Refused{{"ambiguous", TextOf(text, said.words), "does not say which arm", ""}};
+}
+
+/// "on the left foot for five seconds, then on the right foot for another five".
+void TakeLastUnit(const std::string& text, const Draft& last, Draft& said) {
+  if (!said.bare || last.action != said.action || last.last_key.empty()) return;
+  Draft number;
+  number.bare = said.bare;
+  said.bare.reset();
+  said.last_key = last.last_key;
+  said.last_unit = last.last_unit;
+  Merge(text, number, true, said);
+}
+
+/// As far as the walk before went, and the other way.
+void TakeWayBack(const Draft& way, Draft& said) {
+  if (!said.returns || SaysHowFar(said) || way.action != "walk") return;
+  for (const std::string& key : ExtentKeys()) {
+    if (key != "to" && way.parameters.contains(key)) said.parameters[key] = way.parameters.at(key);
+  }
+  const TaskValue went = way.parameters.at("direction");
+  said.parameters["direction"] = went == Word("forward")    ? Word("backward")
+                                 : went == Word("backward") ? Word("forward")
+                                 : went == Word("left")     ? Word("right")
+                                                            : Word("left");
+}
+
+}  // namespace
+
+void ReferBack(const std::string& text, const std::vector<Draft>& before, Draft& said) {
+  TakeLastSide(text, before, said);
+  if (before.empty()) return;
+  TakeLastUnit(text, before.back(), said);
+  TakeWayBack(before.back(), said);
+}
+
+}  // namespace gaitwright::words
