@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
@@ -83,15 +84,10 @@ void WholeBodyIk::ListRows() {
 }
 
 void WholeBodyIk::ChooseRows() {
-  std::vector<bool> in_leg(static_cast<std::size_t>(model_->num_dofs()), false);
-  for (const Leg& leg : model_->legs) {
-    for (const int joint : leg.joints) {
-      in_leg[static_cast<std::size_t>(model_->joints[static_cast<std::size_t>(joint)].dof)] = true;
-    }
-  }
+  const std::vector<bool> of_leg = DofsOfLegs(*model_);
   for (int i = 0; i < 6; ++i) columns_.push_back(i);
   for (int dof = 0; dof < model_->num_dofs(); ++dof) {
-    if (in_leg[static_cast<std::size_t>(dof)]) columns_.push_back(6 + dof);
+    if (of_leg[static_cast<std::size_t>(dof)]) columns_.push_back(6 + dof);
   }
   ForwardKinematics(*model_, StandingConfiguration(*model_), scratch_);
   BodyTarget standing;

@@ -46,4 +46,21 @@ bool Carries(const RobotModel& model, int ancestor, int body) {
   return body == ancestor;
 }
 
+std::vector<bool> BodiesOfLegs(const RobotModel& model) {
+  std::vector<bool> of_leg(model.bodies.size(), false);
+  for (const Leg& leg : model.legs) {
+    for (const int joint : leg.joints) of_leg[static_cast<std::size_t>(joint) + 1] = true;
+  }
+  return of_leg;
+}
+
+std::vector<bool> DofsOfLegs(const RobotModel& model) {
+  std::vector<bool> of_leg(static_cast<std::size_t>(model.num_dofs()), false);
+  for (const Leg& leg : model.legs) {
+    for (const int joint : leg.joints)
+      of_leg[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(joint)].dof)] = true;
+  }
+  return of_leg;
+}
+
 }  // namespace gaitwright

@@ -20,4 +20,10 @@ std::vector<std::vector<int>> Limbs(const RobotModel& model);
 /// Whether moving `ancestor` moves `body`: it is that body or on the way to it.
 bool Carries(const RobotModel& model, int ancestor, int body);
 
+/// Of each body (nb), whether a joint of a leg moves it: not what legs carry besides.
+std::vector<bool> BodiesOfLegs(const RobotModel& model);
+
+/// Of each joint coordinate (n), whether it is of a leg.
+std::vector<bool> DofsOfLegs(const RobotModel& model);
+
 }  // namespace gaitwright

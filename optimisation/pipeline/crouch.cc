@@ -88,7 +88,7 @@ Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactS
   if (flight.duration_s == 0.0 || flight.pushing == 0) return std::optional<Crouch>();
   const std::vector<PushOff> at = PushOffs(model, flight.pushing, kReserve, kUse);
   if (at.empty()) return std::optional<Crouch>();
-  const double takes = 0.5 * kGravity * flight.duration_s, standing_m = StandingHeight(model);
+  const double takes = 0.5 * kGravity * flight.duration_s, standing_m = StandingCentreOfMass(model).z();
   const std::vector<double> by_torque = SpeedByTorque(at);
   const auto gives = [&](std::size_t i) { return std::min(kUse * at[i].speed_m_s, by_torque[i]); };
   std::size_t best = 0;

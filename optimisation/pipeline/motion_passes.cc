@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/dynamics/dynamics.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/centre_of_mass.h"
 #include "optimisation/pipeline/carried_base.h"
 #include "optimisation/pipeline/limit_excess.h"
+#include "optimisation/pipeline/robot_body.h"
 #include "optimisation/swing/plan_swings.h"
 #include "optimisation/swing/swing_ground.h"
 #include "optimisation/whole_body/reach_height.h"
@@ -25,11 +25,9 @@ constexpr double kOffStops = 0.01;                   // of a joint's range, kept
 constexpr double kBend = 0.12;                       // of a cycle, over which its bends are spread
 constexpr double kFirstSpare = 0.03, kSpare = 0.02;  // of the leg, kept of its reach: by guess, and with a pass made
 
-/// Centre of mass of the standing posture over level ground with the base origin at a planar pose, in plan view.
-Vector2 StandingCentreOfMass(const RobotModel& model, const PlanarPose& at) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  return Vector2(at.x_m, at.y_m) + (YawRotation(at.yaw_rad) * CentreOfMass(model, scratch)).head<2>();
+/// Where the centre of mass is in plan view in standing, the base's origin at a planar pose.
+Vector2 CentreOfMassAt(const RobotModel& model, const PlanarPose& at) {
+  return Vector2(at.x_m, at.y_m) + (YawRotation(at.yaw_rad) * StandingCentreOfMass(model)).head<2>();
 }
 
 /// Controlled frames of the feet at a time, on their footholds or swinging.
@@ -65,8 +63,8 @@ MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
       1 + static_cast<int>(std::lround((skeleton.schedule.end_s() - problem_.start_s) / problem_.step_s));
   problem_.com_height_m = carriage.com_height_m;
   problem_.omega_rad_s = std::sqrt(kGravity / carriage.com_height_m);
-  problem_.start_W = StandingCentreOfMass(model_, skeleton.path.pose.front());
-  problem_.end_W = StandingCentreOfMass(model_, skeleton.path.pose.back());
+  problem_.start_W = CentreOfMassAt(model_, skeleton.path.pose.front());
+  problem_.end_W = CentreOfMassAt(model_, skeleton.path.pose.back());
   problem_.zmp_offset.assign(static_cast<std::size_t>(problem_.samples), Vector2::Zero());
   support_ = {problem_.start_W, problem_.end_W, carriage.zmp_inward, problem_.step_s, {}, {}};
   for (const Foothold& foothold : footsteps_.footholds) {

@@ -19,6 +19,7 @@
 #include "optimisation/pipeline/robot_body.h"
 #include "optimisation/pipeline/tipped_sole.h"
 #include "optimisation/swing/swing_ground.h"
+#include "planning/plan/robot_of_plan.h"
 
 namespace gaitwright {
 namespace {
@@ -47,7 +48,7 @@ class Carriages {
     // More than what the passes after the first can mend; such plans are finished only for those who want them.
     constexpr double kHopeless = 0.05, kForever = std::numeric_limits<double>::infinity();
     const double hopeless = task_.options.pipeline.allow_limits ? kForever : kHopeless;
-    const double standing = StandingHeight(task_.model);
+    const double standing = StandingCentreOfMass(task_.model).z();
     const double asked = task_.options.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
     Result<MotionPass> best = At(height).Run(passes_, hopeless);
     if (Excess(best) == 0.0) return best;
@@ -183,11 +184,7 @@ Result<PlannedMotion> PlanOver(const MotionTask& task, bool dynamic, const std::
   const RobotModel& model = task.model;
   if (auto tipped = TippedSole(model, task.terrain, pass->solution.trajectory)) return *tipped;
   MotionPlan& plan = planned.plan;
-  plan.robot = model.name;
-  plan.robot_hash = model.hash;
-  plan.urdf_text = model.urdf_text;
-  plan.yaml_text = model.yaml_text;
-  plan.meshes = model.meshes;
+  SetRobot(model, plan);
   plan.provenance = MakeProvenance(task.options);
   plan.parts = task.skeleton.parts;
   plan.goal = task.skeleton.goal;

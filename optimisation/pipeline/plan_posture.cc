@@ -15,6 +15,7 @@
 #include "optimisation/whole_body/body_path.h"
 #include "planning/paths/standing_feet.h"
 #include "planning/plan/carried_plan.h"
+#include "planning/plan/robot_of_plan.h"
 
 namespace gaitwright {
 namespace {
@@ -115,9 +116,7 @@ void AddContacts(const RobotModel& model, const PostureMotion& motion, const std
 /// The centre of mass by the keys; the ZMP is left out.
 CentroidalTrajectory CentreOfMassOf(const RobotModel& model, const PostureMotion& motion, double height_m,
                                     double step_s) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  Vector3 standing = CentreOfMass(model, scratch);
+  Vector3 standing = StandingCentreOfMass(model);
   standing.z() = height_m;
   CentroidalTrajectory c;
   c.step_s = step_s;
@@ -222,15 +221,11 @@ Result<MotionPlan> PlanPosture(const RobotModel& model, const PostureMotion& mot
   if (!(on_grid.duration_s() >= step_s))
     throw InvalidArgument(fmt::format("posture motion '{}' lasts {} s", motion.name, motion.duration_s()));
   MotionPlan plan;
-  plan.robot = model.name;
-  plan.robot_hash = model.hash;
-  plan.urdf_text = model.urdf_text;
-  plan.yaml_text = model.yaml_text;
-  plan.meshes = model.meshes;
+  SetRobot(model, plan);
   plan.terrain = FlatTerrain();
   plan.provenance = ProvenanceOf(motion, options);
   AddParts(model, on_grid, plan);
-  const double asked = options.pipeline.com_height_m, height_m = asked > 0.0 ? asked : StandingHeight(model);
+  const double asked = options.pipeline.com_height_m, height_m = asked > 0.0 ? asked : StandingCentreOfMass(model).z();
   const Result<std::vector<Pose>> feet = FeetAtStart(model, on_grid, height_m);
   if (!feet) return feet.failure();
   AddContacts(model, on_grid, *feet, plan);

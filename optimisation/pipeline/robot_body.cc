@@ -115,10 +115,10 @@ std::optional<ContactInterval> RestOf(const FootstepSkeleton& skeleton, const Mo
 
 }  // namespace
 
-double StandingHeight(const RobotModel& model) {
+Vector3 StandingCentreOfMass(const RobotModel& model) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
-  return CentreOfMass(model, scratch).z();
+  return CentreOfMass(model, scratch);
 }
 
 StandingBody BodyOf(const RobotModel& model, double reserve) {

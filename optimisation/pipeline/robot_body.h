@@ -22,8 +22,8 @@ struct StandingBody {
   std::vector<RigidFoot> feet;              ///< the places of their contact frames
 };
 
-/// Height of the centre of mass of the standing posture over level ground [m].
-double StandingHeight(const RobotModel& model);
+/// Centre of mass of the standing posture on level ground z = 0, the base's origin over the world's [m].
+Vector3 StandingCentreOfMass(const RobotModel& model);
 
 /// Mass, inertia and feet of the standing posture; the workspaces of the legs with a reserve (LegPolytope), and the
 /// greatest upright force that the motors hold in that posture.

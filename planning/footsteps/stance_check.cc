@@ -9,6 +9,7 @@
 
 #include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/plan_view.h"
 #include "planning/paths/standing_feet.h"
@@ -85,9 +86,7 @@ StanceChecker::StanceChecker(const RobotModel& model, const GroundIndex& ground,
 }
 
 void StanceChecker::MeasureBody(const RobotModel& model) {
-  std::vector<bool> of_leg(model.bodies.size(), false);
-  for (const Leg& leg : model.legs)
-    for (const int joint : leg.joints) of_leg[static_cast<std::size_t>(joint + 1)] = true;
+  const std::vector<bool> of_leg = BodiesOfLegs(model);
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   const Pose X_BW = FramePose(scratch, 0, Pose::Identity()).inverse();

@@ -8,18 +8,16 @@
 
 #include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/body_tree.h"
 
 namespace gaitwright {
 namespace {
 
 using Extent = Eigen::AlignedBox3d;
 
-/// Which bodies legs carry.
-std::vector<bool> BodiesOfLegs(const RobotModel& model) {
-  std::vector<bool> of_leg(model.bodies.size(), false);
-  for (const Leg& leg : model.legs) {
-    for (const int j : leg.joints) of_leg[static_cast<std::size_t>(j + 1)] = true;
-  }
+/// Which bodies are legs' or carried by them.
+std::vector<bool> BodiesOnLegs(const RobotModel& model) {
+  std::vector<bool> of_leg = BodiesOfLegs(model);
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     if (of_leg[static_cast<std::size_t>(model.joints[j].parent_body)]) of_leg[j + 1] = true;
   }
@@ -111,7 +109,7 @@ BodySpace BodySpaceOf(const RobotModel& model, const BodySpaceOptions& options) 
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   Extent legs, rest;
-  const std::vector<bool> of_leg = BodiesOfLegs(model);
+  const std::vector<bool> of_leg = BodiesOnLegs(model);
   for (const Shape& shape : model.collision_shapes)
     AddShape(scratch, shape, of_leg[static_cast<std::size_t>(shape.body)] ? legs : rest);
   for (int f = 0; f < static_cast<int>(model.feet.size()); ++f) {

@@ -155,6 +155,13 @@ FootSet StanceAt(const MotionPlan& plan, double time_s) {
   return plan.schedule.phases[static_cast<std::size_t>(PhaseAt(plan.schedule, time_s))].stance;
 }
 
+/// Of a pendulum that is as high as the two are on average over the time of each.
+double MeanOmega(double one_rad_s, double one_s, double other_rad_s, double other_s) {
+  if (one_rad_s == other_rad_s) return one_rad_s;
+  const auto height = [](double omega_rad_s) { return 1.0 / (omega_rad_s * omega_rad_s); };
+  return std::sqrt((one_s + other_s) / (one_s * height(one_rad_s) + other_s * height(other_rad_s)));
+}
+
 Failure Misfit(const std::string& why) { return {FailureKind::kBadInput, "misfit", "JoinedPlans", why, {}}; }
 
 std::optional<Failure> WhyNotJoined(const MotionPlan& before, double before_s, const MotionPlan& after,
@@ -228,7 +235,8 @@ Result<MotionPlan> JoinedPlans(const MotionPlan& before, double before_s, const 
   JoinParts(joined, at_s, then);
   CloseSeam(joined, ka, then, kb);
   ForColumns(joined, then, [&](auto& column, const auto& next) { JoinColumn(column, ka, next, kb); });
-  joined.centroidal.omega_rad_s = then.centroidal.omega_rad_s;
+  joined.centroidal.omega_rad_s = MeanOmega(before.centroidal.omega_rad_s, at_s - before.whole_body.start_s,
+                                            then.centroidal.omega_rad_s, then.whole_body.end_s() - at_s);
   ContactSchedule schedule;
   AddPhases(before.schedule, before.schedule.start_s(), at_s, schedule);
   AddPhases(then.schedule, at_s, then.schedule.end_s(), schedule);

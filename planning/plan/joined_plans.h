@@ -31,7 +31,7 @@ MotionPlan PlanFrom(MotionPlan plan, double from_s);
 /// What differs at the seam is bent away in the last 0.4 s of `before`; its torques and forces stay, so that it has to
 /// be little. A part that the seam cuts in two
 /// is one that lasts so long as it does (WalkCommand::Extent::kDuration); two of the same gait and command that meet
-/// become one.
+/// become one. The pendulum of the whole is as high as those of the two on average over time.
 /// Failure kBadInput `misfit`: plans of different robots or time steps, times that are not of rows, feet that stand in
 /// the one and are in the air in the other just before or just after the seam.
 Result<MotionPlan> JoinedPlans(const MotionPlan& before, double before_s, const MotionPlan& after, double after_s);

@@ -16,6 +16,7 @@
 #include "planning/audit/audit.h"
 #include "planning/audit/motor_effort.h"
 #include "planning/plan/carried_plan.h"
+#include "planning/plan/robot_of_plan.h"
 #include "planning/tasks/free_way.h"
 
 namespace gaitwright {
@@ -173,20 +174,16 @@ std::optional<Overload> FindOverload(const RobotModel& model, double share, cons
   return worst;
 }
 
-MotionPlan EmptyPlan(const RobotModel& model, const MotionPlan& to, ApproachOptions options, AuditOptions reserve) {
+MotionPlan EmptyPlan(const RobotModel& model, double step_s, ApproachOptions options, AuditOptions reserve) {
   MotionPlan plan;
-  plan.robot = to.robot;
-  plan.robot_hash = to.robot_hash;
-  plan.urdf_text = to.urdf_text;
-  plan.yaml_text = to.yaml_text;
-  plan.meshes = to.meshes;
+  SetRobot(model, plan);
   plan.provenance = {Version(), kStage, {{"approach.base", "hanging"}}, 0};
   OptionTexts& shaped = plan.provenance.options;
   for (const auto& [key, text] : TextsOf(options.Fields())) shaped.emplace_back("approach." + key, text);
   for (const auto& [key, text] : TextsOf(reserve.Fields()))
     if (key.starts_with("derate_")) shaped.emplace_back("audit." + key, text);
   plan.terrain = FlatTerrain();
-  plan.whole_body.step_s = to.whole_body.step_s;
+  plan.whole_body.step_s = step_s;
   plan.warnings = {fmt::format(
       "robot '{}' hangs: its base is taken to be held in the air, and no foot to touch anything", model.name)};
   return plan;
@@ -311,7 +308,7 @@ Result<Approach> PlanApproach(const RobotModel& model, const MotionPlan& plan, c
   if (!way) return way.failure();
   Approach approach;
   approach.via_standing = way->size() > 2;
-  approach.plan = EmptyPlan(model, plan, options, reserve);
+  approach.plan = EmptyPlan(model, plan.whole_body.step_s, options, reserve);
   std::vector<Move> moves;
   for (std::size_t i = 0; i + 1 < way->size(); ++i) {
     const double time_s = TimeOf(model, options, shares, (*way)[i], (*way)[i + 1]);

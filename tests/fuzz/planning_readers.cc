@@ -103,7 +103,9 @@ std::vector<std::string> MadePlans() {
   MotionPlan bare = SmallPlan();
   bare.urdf_text = "";
   bare.meshes.clear();
-  return {PlanToJson(SmallPlan()), PlanToJson(bare)};
+  MotionPlan gated = SmallPlan();
+  gated.gates = {{0.5 * (gated.whole_body.start_s + gated.whole_body.end_s()), "lift", 0.2, 1, 1.5}};
+  return {PlanToJson(SmallPlan()), PlanToJson(bare), PlanToJson(gated)};
 }
 
 std::vector<std::string> MadePictures() {
@@ -172,10 +174,10 @@ const std::vector<Reader>& Readers() {
        500},
       {"terrain_yaml",
        ReadTerrainFile,
-       WithYaml({"builtin",   "files",    "patches",        "height_fields", "obstacles",      "name",
-                 "corners_m", "height_m", "friction",       "origin_m",      "resolution_m",   "heights_m",
-                 "type",      "size_m",   "vertices_m",     "position_m",    "yaw_deg",        "box",
-                 "cylinder",  "mesh",     "stairs:count=2", "/dev/zero",     "a.png:scale_m=1"}),
+       WithYaml({"builtin",    "files",           "patches",  "height_fields", "obstacles", "name", "corners_m",
+                 "height_m",   "friction",        "origin_m", "resolution_m",  "heights_m", "type", "size_m",
+                 "vertices_m", "position_m",      "yaw_deg",  "box",           "cylinder",  "mesh", "stairs:count=2",
+                 "/dev/zero",  "a.png:scale_m=1", "markers",  "place_m"}),
        {}},
       {"height_csv", ReadCsv, {",", "\n", "#", "0.1,0.2\n", "\r\n", "+1", " "}, {}},
       {"height_png",
@@ -205,6 +207,8 @@ const std::vector<Reader>& Readers() {
         "\"height_fields\"",
         "\"obstacles\"",
         "\"mesh\"",
+        "\"gates\"",
+        "\"markers\"",
         "\"box\"",
         "\"vertices_m\"",
         "\"detour_m\"",

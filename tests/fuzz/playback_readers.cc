@@ -55,6 +55,7 @@ std::vector<std::string> MadeLogs() {
   log.saturated_s = Vector2(0.0, 0.1);
   log.stances = {{1, 0.1, 0.7, Vector3(0.3, 2.0, 3.0), 0.2, 1e-7, 55.5, 2e-6, 0.3}};
   log.body_contacts = {{0.55, "trunk"}};
+  log.gates = {{"lift", 0.01, 0.25, true}};
   for (int k = 0; k < 3; ++k) {
     LogSample sample;
     sample.time_s = 0.005 * (k + 1);
@@ -139,8 +140,8 @@ const std::vector<Reader>& Readers() {
       {"log",
        ReadLogFile,
        {"null", "true", "{}", "[]", "-1", "1e400", "18446744073709551615", "\"schema\"", "\"stances\"", "\"contact\"",
-        "\"q\"", "\"time_s\"", "\"body_contacts\"", "\"saturated_s\"", "\"contact_wrenches\"", "[0,0,0,0,0,0,1]",
-        "\\u0000"},
+        "\"q\"", "\"time_s\"", "\"gates\"", "\"body_contacts\"", "\"saturated_s\"", "\"contact_wrenches\"",
+        "[0,0,0,0,0,0,1]", "\\u0000"},
        {},
        MadeLogs},
       {"disturbances",

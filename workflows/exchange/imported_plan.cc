@@ -10,6 +10,7 @@
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/whole_body/solve_whole_body.h"
 #include "planning/plan/carried_plan.h"
+#include "planning/plan/robot_of_plan.h"
 #include "planning/plan/support_plane.h"
 #include "workflows/exchange/foot_track.h"
 #include "workflows/exchange/given_forces.h"
@@ -26,11 +27,7 @@ class Builder {
   Builder(const RobotModel& model, const Terrain& terrain, EvenMotion motion, const ImportOptions& options,
           ImportNotes& notes)
       : model_(model), motion_(std::move(motion)), options_(options), notes_(notes) {
-    plan_.robot = model.name;
-    plan_.robot_hash = model.hash;
-    plan_.urdf_text = model.urdf_text;
-    plan_.yaml_text = model.yaml_text;
-    plan_.meshes = model.meshes;
+    SetRobot(model, plan_);
     plan_.terrain = terrain;
   }
 

@@ -17,6 +17,7 @@
 #include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/swing/plan_swings.h"
 #include "planning/audit/audit.h"
+#include "planning/plan/robot_of_plan.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/support_plane.h"
 #include "workflows/study/rigid_body_robot.h"
@@ -76,10 +77,7 @@ class Converter {
   }
 
   void SetCommand() {
-    plan_.robot = robot_.name;
-    plan_.robot_hash = robot_.hash;
-    plan_.urdf_text = robot_.urdf_text;
-    plan_.yaml_text = robot_.yaml_text;
+    SetRobot(robot_, plan_);
     plan_.provenance = {Version(), "RigidBodyMotionPlan", {}, 0};
     plan_.terrain = ground_;
     const RigidBodyState &start = problem_.start, &goal = problem_.goal;

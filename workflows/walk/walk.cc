@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 
 #include "kinematics/model/joint_losses.h"
@@ -14,21 +13,13 @@
 #include "playback/bullet/whole_steps.h"
 #include "playback/control/joint_pd.h"
 #include "playback/sensing/sensing_controller.h"
+#include "workflows/walk/cpu_clock.h"
 #include "workflows/walk/idle_options.h"
 #include "workflows/walk/plan_parts.h"
 #include "workflows/walk/plan_within.h"
 
 namespace gaitwright {
 namespace {
-
-/// CPU time of this process since it was made.
-class CpuClock {
- public:
-  double elapsed_s() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
-
- private:
-  std::clock_t start_ = std::clock();
-};
 
 /// All that shapes a plan beside its command and seed: what was asked for by name (of a file its name alone, since a
 /// plan holds no path; the gait itself is in it), and the options.

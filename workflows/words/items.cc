@@ -46,10 +46,10 @@ class ItemReader {
       const std::size_t at = place.name.find(colour);
       if (at != std::string::npos && at > 0) AddPlace(std::string(place.name).erase(at, colour.size()), place.name);
     }
-    for (const auto& [chinese, english] : PlaceTranslations()) {
-      const bool known =
-          std::any_of(places.begin(), places.end(), [&](const PlaceName& place) { return place.name == english; });
-      if (known) AddPlace(chinese, english);
+    for (const auto& translation : PlaceTranslations()) {
+      const bool known = std::any_of(places.begin(), places.end(),
+                                     [&](const PlaceName& place) { return place.name == translation.second; });
+      if (known) AddPlace(translation.first, translation.second);
     }
     numbered_ = IsEnumerated();
   }

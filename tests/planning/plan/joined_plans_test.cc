@@ -94,6 +94,18 @@ TEST(JoinedPlans, BendWhatDiffersAwayBeforeTheSeam) {
   EXPECT_NEAR(joined.whole_body.q[row - 81][7], Trot().whole_body.q[row - 81][7], 1e-12) << "more than 0.4 s before";
 }
 
+TEST(JoinedPlans, HaveAPendulumAsHighAsTheTwoOnAverage) {
+  MotionPlan high = Trot();
+  const double height_m = 9.81 / std::pow(Trot().centroidal.omega_rad_s, 2);
+  high.centroidal.omega_rad_s = std::sqrt(9.81 / (2.0 * height_m));
+  const SteadyStretch steady = Steady();
+  const double before_s = steady.start_s - Trot().whole_body.start_s,
+               after_s = Trot().whole_body.end_s() - steady.start_s;
+  const MotionPlan joined = JoinedPlans(Trot(), steady.start_s, high, steady.start_s).value();
+  const double mean_m = height_m * (before_s + 2.0 * after_s) / (before_s + after_s);
+  EXPECT_NEAR(joined.centroidal.omega_rad_s, std::sqrt(9.81 / mean_m), 1e-9);
+}
+
 TEST(JoinedPlans, ThatDoNotFitAreRefused) {
   const SteadyStretch steady = Steady();
   const auto refused = [](const MotionPlan& before, double before_s, const MotionPlan& after, double after_s) {

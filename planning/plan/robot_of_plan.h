@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+
+namespace gaitwright {
+
+/// Makes a plan one of a robot: its name and hash, the texts it is read from and the hulls of its meshes.
+inline void SetRobot(const RobotModel& model, MotionPlan& plan) {
+  plan.robot = model.name;
+  plan.robot_hash = model.hash;
+  plan.urdf_text = model.urdf_text;
+  plan.yaml_text = model.yaml_text;
+  plan.meshes = model.meshes;
+}
+
+}  // namespace gaitwright
