@@ -112,7 +112,8 @@ inline const std::vector<Owner> kOwners = {
     {"unistd.h", kAnywhere},
     {"fcntl.h", kAnywhere},
     {"signal.h", kAnywhere},
-    {"poll.h", {"workflows/render"}},
+    {"poll.h", {"workflows/render", "examples"}},
+    {"netinet/", {"examples"}},
     {"spawn.h", {"workflows/render"}},
     {"sys/", kAnywhere},
 };
