@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "examples/shift_picture.h"
+#include "examples/zmp_demonstration.h"
+#include "kinematics/base/file.h"
+#include "kinematics/model/load_robot.h"
+
+int main(int argc, char** argv) {
+  using namespace gaitwright;
+  CLI::App app("A robot that stands shifts its body, slowly and quickly: where its ZMP goes, and when it tips",
+               "zmp_demonstration");
+  std::string robot = "nao", plot;
+  double ahead_m = 0.0, left_m = 0.03;
+  std::vector<double> durations_s = {2.0, 1.0, 0.6, 0.4, 0.3, 0.25, 0.2};
+  app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
+  app.add_option("--ahead", ahead_m, "How far it shifts its centre of mass ahead [m]")->capture_default_str();
+  app.add_option("--left", left_m, "The same to the left [m]")->capture_default_str();
+  app.add_option("--durations", durations_s, "In what times, one after the other [s]")->capture_default_str();
+  app.add_option("--plot", plot, "SVG to write, of ZMP, centre of mass and support over time");
+  try {
+    app.parse(argc, argv);
+    const Result<RobotModel> model = LoadNamedRobot(robot);
+    if (!model) throw InvalidArgument(model.failure().message);
+    fmt::print("   in   ZMP off the CoM  off c - (z/g) c''  margin planned  measured    tilt\n");
+    std::vector<examples::ShownShift> shifts;
+    for (const double duration_s : durations_s) {
+      shifts.push_back(examples::ShiftBody(*model, {ahead_m, left_m}, duration_s));
+      const examples::ShownShift& s = shifts.back();
+      fmt::print("{:.2f} s  {:12.1f} mm  {:14.1f} mm  {:11.1f} mm  {:5.1f} mm  {:5.3f} rad{}\n", s.duration_s,
+                 1e3 * s.lead_m, 1e3 * s.off_formula_m, 1e3 * s.margin_planned_m, 1e3 * s.margin_measured_m, s.tilt_rad,
+                 s.fell ? ", falls" : "");
+    }
+    if (plot.empty()) return 0;
+    const auto written =
+        WriteFileAtomically(plot, examples::ShiftPicture(shifts, std::abs(ahead_m) > std::abs(left_m) ? 0 : 1));
+    if (!written) throw InvalidArgument(written.failure().message);
+    fmt::print("{}\n", *written);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "zmp_demonstration: {}\n", error.what());
+    return 1;
+  }
+}
