@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "workflows/words/settle_amounts.h"
+
 namespace gaitwright::words {
 namespace {
 
@@ -316,7 +318,7 @@ class ClauseReader {
       draft_.said[key] = implied_said_;
     }
     SettleTurn();
-    SettleAmounts();
+    SettleAmounts(turns_, draft_);
     if (puts_ && draft_.empty()) RefuseAll();
   }
 
@@ -354,41 +356,6 @@ class ClauseReader {
     }
     const bool angled = draft_.action.empty() && draft_.side && !arm_ && !foot_ && draft_.said.contains("angle_deg");
     if ((draft_.action.empty() && turns_) || angled) draft_.action = "turn";
-    if (draft_.action != "turn") return;
-    if (draft_.parameters.contains("direction") &&
-        draft_.parameters["direction"] == TaskValue(std::string("backward"))) {
-      draft_.parameters["direction"] = std::string("left");  // "向后——转"
-      draft_.parameters.try_emplace("angle_deg", 180.0);
-    }
-    const bool unsided = !draft_.side && !draft_.parameters.contains("direction");
-    const auto angle_said = draft_.parameters.find("angle_deg");
-    const bool either =
-        angle_said != draft_.parameters.end() && std::fmod(std::get<double>(angle_said->second), 180.0) == 0.0;
-    if (unsided && (turns_ || either)) draft_.parameters["direction"] = std::string("left");
-    const auto times = draft_.parameters.find("times");
-    if (times == draft_.parameters.end()) return;
-    const bool has_angle = draft_.said.contains("angle_deg");
-    const double angle = has_angle ? std::get<double>(draft_.parameters["angle_deg"]) : 360.0;
-    draft_.parameters["angle_deg"] = angle * std::get<int>(times->second);
-    draft_.said["angle_deg"] = draft_.said["times"];
-    draft_.parameters.erase("times");
-    draft_.said.erase("times");
-  }
-
-  /// A length is a depth to a squat, and a walk that is done some times has so many steps.
-  void SettleAmounts() {
-    if (draft_.action == "walk" && draft_.parameters.contains("times") && !draft_.parameters.contains("steps")) {
-      draft_.parameters["steps"] = draft_.parameters["times"];
-      draft_.said["steps"] = draft_.said["times"];
-      draft_.parameters.erase("times");
-      draft_.said.erase("times");
-    }
-    if (draft_.action != "squat" || !draft_.parameters.contains("distance_m")) return;
-    draft_.parameters["depth_m"] = draft_.parameters["distance_m"];
-    draft_.said["depth_m"] = draft_.said["distance_m"];
-    draft_.parameters.erase("distance_m");
-    draft_.said.erase("distance_m");
-    if (draft_.last_key == "distance_m") draft_.last_key = "depth_m";
   }
 
   const std::string& text_;
