@@ -135,7 +135,8 @@ void PlayArguments::AddTo(CLI::App& verb) {
     return option;
   };
   verb.option_defaults()->group("Playback, and what the plan does not know");
-  AddText(verb, "--controller", "NAME", request.controller, "stabilised or joint-pd; default stabilised.");
+  AddText(verb, "--controller", "NAME", request.controller,
+          "stabilised (default), joint-pd, or for plans that stand recovering.");
   add("--state", "state");
   only_with_sensors =
       verb.add_option_function<std::string>(

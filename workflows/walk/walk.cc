@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/walk/walk.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,6 +16,7 @@
 #include "workflows/walk/cpu_clock.h"
 #include "workflows/walk/idle_options.h"
 #include "workflows/walk/plan_parts.h"
+#include "workflows/walk/plan_recovery.h"
 #include "workflows/walk/plan_within.h"
 
 namespace gaitwright {
@@ -122,8 +123,13 @@ std::unique_ptr<Controller> BareController(const RobotModel& model, const Motion
   const GainOptions gains = GainsFor(request);
   if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan, gains);
   if (request.controller == "stabilised") return MakeStabilised(model, plan, StabilisedFor(request), gains);
-  throw InvalidArgument(
-      fmt::format("there is no controller '{}'; there are 'joint-pd', 'stabilised'", request.controller));
+  if (request.controller == "recovering") {
+    const Result<RecoveryPlans> recovery = PlanRecovery(model);
+    if (!recovery) throw InvalidArgument(recovery.failure().message);
+    return MakeRecovering(model, plan, *recovery, request.recovering, StabilisedFor(request), gains);
+  }
+  throw InvalidArgument(fmt::format("there is no controller '{}'; there are '{}'", request.controller,
+                                    fmt::join(ControllerNames(), "', '")));
 }
 
 /// A controller that takes the joints to lose nothing, whatever the robot says, with the robot it takes for true.
@@ -159,6 +165,11 @@ void CheckRates(PlayRequest request) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& ControllerNames() {
+  static const std::vector<std::string> names = {"stabilised", "joint-pd", "recovering"};
+  return names;
+}
 
 std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
                                            const PlayRequest& request) {

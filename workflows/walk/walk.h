@@ -14,6 +14,7 @@
 #include "planning/gait/find_gait.h"
 #include "playback/bullet/play.h"
 #include "playback/control/gains.h"
+#include "playback/control/recovering.h"
 #include "playback/control/stabilised.h"
 #include "playback/score/stability_report.h"
 #include "playback/sensing/sensing_options.h"
@@ -35,16 +36,18 @@ struct WalkRequest {
 
 /// How a plan is played and judged.
 struct PlayRequest {
-  std::string controller = "stabilised";  ///< or joint-pd
+  std::string controller = "stabilised";  ///< or one of ControllerNames()
   PlayOptions play;
   StabilisedOptions stabilised;
+  RecoveringOptions recovering;
   GainOptions gains;
   SensingOptions sensing;
   ScoreOptions score;
 
   OptionFields Fields() {
     return Joined({Prefixed("play", play.Fields()), Prefixed("stabilised", stabilised.Fields()),
-                   Prefixed("gains", gains.Fields()), sensing.Fields(), Prefixed("score", score.Fields())});
+                   Prefixed("recovering", recovering.Fields()), Prefixed("gains", gains.Fields()), sensing.Fields(),
+                   Prefixed("score", score.Fields())});
   }
 };
 
@@ -83,6 +86,9 @@ Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, 
 /// The gains asked for, bounded for explicit torque control at the playback's own step, and the age of what it acts on,
 /// unless another step is given.
 GainOptions GainsFor(const PlayRequest& request);
+
+/// Those that there are: stabilised, joint-pd, recovering.
+const std::vector<std::string>& ControllerNames();
 
 /// The controller of that name, behind the sensors asked for; where the joints' losses do not act (play.joint_losses)
 /// it knows of none. @throws InvalidArgument listing those there are, or for a loop of the drives that the actuation

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "kinematics/base/options.h"
+#include "kinematics/model/robot_model.h"
+#include "planning/plan/motion_plan.h"
+#include "playback/control/controller.h"
+#include "playback/control/gains.h"
+#include "playback/control/stabilised.h"
+
+namespace gaitwright {
+
+/// Tuning
+///   steps though it would have stood            lower step_margin
+///   steps too late, and falls all the same      raise step_margin
+///   gets down though a step would have done     raise brace_margin
+///   strikes the ground before it is down        lower brace_margin or brace_tilt_rad
+struct RecoveringOptions {
+  double step_margin = 0.02;
+  double brace_margin = 0.25;
+  double brace_tilt_rad = 0.6;
+  double brace_gain = 0.5;
+
+  OptionFields Fields() {
+    return {{"step_margin",
+             &step_margin,
+             "1, leg lengths",
+             0.0,
+             1.0,
+             "It steps when the DCM comes so near to the edge of the hull of its feet.",
+             {}},
+            {"brace_margin",
+             &brace_margin,
+             "1, leg lengths",
+             0.0,
+             10.0,
+             "A fall is certain when the DCM is so far out of the hull of the feet: no step reaches there.",
+             {}},
+            {"brace_tilt_rad", &brace_tilt_rad, "rad", 0.1, 3.0, "Or when the base is tilted so far.", {}},
+            {"brace_gain",
+             &brace_gain,
+             "1",
+             0.0,
+             10.0,
+             "Factor on stiffness and damping of joints that get down for the fall.",
+             {}}};
+  }
+};
+
+/// What a standing robot does when standing is not enough.
+struct RecoveryPlans {
+  std::optional<MotionPlan> steps;  ///< on the spot, from standing to standing; nothing for a robot that cannot step
+  VectorX low;                      ///< joints of a protective crouch, size n
+};
+
+/// Stands by `stabilised`, and
+///   steps     when the DCM comes near to the edge of the support: the plan of steps, moved to where the robot is, from
+///             the lift of a foot on, by `stabilised`, which moves its footholds to where the fall can be caught (the
+///             foot towards which the robot falls stays); stands again by its end, and steps again where it has to;
+///   gets down when a fall is certain: the joints go to the protective crouch, softly, and stay there.
+/// The DCM c + c' / w of the centre of mass c; Englsberger et al., T-RO 31(2), 2015. Steps of bipeds begin without the
+/// shift of weight that walks begin with: there is no time for it.
+/// @throws InvalidArgument for a plan that does not stand on all feet of legs from its start to its end, or steps of
+/// another robot; as of MakeStabilised. Model and plan must outlive it; the plans of recovery are kept.
+std::unique_ptr<Controller> MakeRecovering(const RobotModel& model, const MotionPlan& plan, RecoveryPlans recovery,
+                                           const RecoveringOptions& options = {},
+                                           const StabilisedOptions& stabilised = {}, const GainOptions& gains = {});
+
+}  // namespace gaitwright

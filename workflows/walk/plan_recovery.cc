@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/walk/plan_recovery.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "optimisation/pipeline/plan_posture.h"
+#include "planning/tasks/repertoire.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+/// Steps on the spot of the quickest cycle that has a sound plan.
+std::optional<MotionPlan> QuickSteps(const RobotModel& model) {
+  constexpr double kQuickest = 2.0,
+                   kSlower = 1.25;  // times of the pendulum sqrt(leg / g); the next cycle over this one
+  constexpr int kTries = 8;
+  const double pendulum_s = std::sqrt(model.leg_length_m() / kGravity);
+  WalkRequest request;
+  request.command.extent = WalkCommand::Extent::kSteps;
+  request.command.steps = model.legs.size() == 2 ? 6 : 2 * static_cast<int>(model.legs.size());
+  request.command.step_length_m = 1e-4;
+  std::vector<double> cycles_s;
+  for (int k = 0; k < kTries; ++k) cycles_s.push_back(kQuickest * std::pow(kSlower, k) * pendulum_s);
+  cycles_s.push_back(0.0);  // the gait's own
+  for (const double cycle_s : cycles_s) {
+    request.gait_options.cycle_s = cycle_s;
+    Result<PlannedWalk> planned = PlanWalk(model, request);
+    if (planned && planned->audit.pass()) return std::move(planned->motion.plan);
+  }
+  return std::nullopt;
+}
+
+/// The joints at the end of a protective crouch, as deep as legs reach.
+Result<VectorX> CrouchedJoints(const RobotModel& model) {
+  Failure failure;
+  for (const double share : {0.3, 0.22, 0.15, 0.08}) {  // of the leg
+    const PostureMotion down = Brace(model, StandingKey(model), share * model.leg_length_m(), 0.1);
+    const Result<MotionPlan> plan = PlanPosture(model, down, {});
+    if (plan) return VectorX(plan->whole_body.q.back().tail(model.num_dofs()));
+    failure = plan.failure();
+  }
+  return failure;
+}
+
+}  // namespace
+
+Result<RecoveryPlans> PlanRecovery(const RobotModel& model) {
+  const Result<VectorX> low = CrouchedJoints(model);
+  if (!low) return low.failure();
+  return RecoveryPlans{QuickSteps(model), *low};
+}
+
+}  // namespace gaitwright
