@@ -122,7 +122,7 @@ TEST_F(Refusals, Playback) {
   ExpectRefused(Walk({"--push", "0,9,0", "--push-at", "100"}), 1, {"100 s", "ends"});
   ExpectRefused(Walk({"--friction", "-1"}), 1, {"--friction", "-1", "0 to 10"});
   ExpectRefused(Walk({"--mass-scale", "0"}), 1, {"--mass-scale", "0.1 to 10"});
-  ExpectRefused(Walk({"--controller", "pid"}), 1, {"'pid'", "'joint-pd', 'stabilised'"});
+  ExpectRefused(Walk({"--controller", "pid"}), 1, {"'pid'", "'stabilised', 'joint-pd', 'recovering'"});
   ExpectRefused(Walk({"--log-rate-hz", "300"}), 1, {"300 Hz", "333.333"});
   ExpectRefused(Walk({"--log-rate-hz", "0"}), 1, {"--log-rate-hz", "1 to 100000"});
   ExpectRefused(Walk({"--log-rate-hz", "2000"}), 1, {"2000 Hz", "1000"});

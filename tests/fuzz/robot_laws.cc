@@ -53,10 +53,11 @@ void CheckJoints(const RobotModel& model) {
 }
 
 void CheckLegs(const RobotModel& model) {
-  Require(!model.legs.empty() && model.legs.size() <= 64 && model.legs.size() == model.feet.size(),
-          "there are legs, as many as feet, and a set of feet holds them");
+  Require(!model.legs.empty() && model.legs.size() <= 64 && model.legs.size() <= model.feet.size() &&
+              model.feet.size() <= 64,
+          "there are legs, with a foot each before what the robot may lie on, and a set of feet holds them");
   for (const Leg& leg : model.legs) {
-    Require(IsIn(leg.foot, model.feet.size()) && !leg.joints.empty(), "legs have feet and joints");
+    Require(IsIn(leg.foot, model.legs.size()) && !leg.joints.empty(), "legs have feet and joints");
     for (const int joint : leg.joints) Require(IsIn(joint, model.joints.size()), "the joints of legs are there");
     Require(leg.mirror == -1 || IsIn(leg.mirror, model.legs.size()), "mirrors are legs");
     Require(std::isfinite(leg.length_m) && leg.length_m >= 0.0, "legs have a length");

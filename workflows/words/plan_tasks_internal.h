@@ -35,6 +35,9 @@ struct Sizes {
   std::string name;    ///< "depth_m", for messages
 };
 
+/// Why a motion cannot be, by an audit that it does not pass: its worst law.
+Failure WhyBroken(const std::string& what, const AuditReport& audit);
+
 /// A posture motion that passes its audit: of the first size that any stretch lets pass, stretched as far as it has to
 /// be. Failures as of PlanTasks.
 Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,

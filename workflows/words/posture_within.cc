@@ -19,14 +19,6 @@ bool IsOfPlace(const std::string& law) {
   return std::any_of(kOfPlace.begin(), kOfPlace.end(), [&](const char* of_place) { return law == of_place; });
 }
 
-Failure Broken(const PostureMotion& motion, const Violation& worst) {
-  return {FailureKind::kInfeasible,
-          worst.law,
-          "PlanTasks",
-          fmt::format("'{}' breaks the law '{}': {}", motion.name, worst.law, LimitText(worst)),
-          {}};
-}
-
 /// One size, slower and slower.
 Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, const MotionOptions& options) {
   constexpr std::array<double, 5> kStretches = {1.0, 1.4, 2.0, 2.8, 4.0};
@@ -38,10 +30,8 @@ Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, 
     const Result<AuditReport> audit = Audit(model, *plan, {});
     if (!audit) return audit.failure();
     if (audit->pass()) return slower;
-    const std::vector<Violation> forbidding = Forbidding(*audit);
-    const Violation& worst = forbidding.empty() ? audit->violations.front() : forbidding.front();
-    failure = Broken(motion, worst);
-    if (IsOfPlace(worst.law)) break;
+    failure = WhyBroken(motion.name, *audit);
+    if (IsOfPlace(failure.code)) break;
   }
   return failure;
 }
@@ -58,6 +48,16 @@ double LargestBelow(const RobotModel& model, const MotionBySize& motion, double 
 }
 
 }  // namespace
+
+Failure WhyBroken(const std::string& what, const AuditReport& audit) {
+  const std::vector<Violation> forbidding = Forbidding(audit);
+  const Violation& worst = forbidding.empty() ? audit.violations.front() : forbidding.front();
+  return {FailureKind::kInfeasible,
+          worst.law,
+          "PlanTasks",
+          fmt::format("'{}' breaks the law '{}': {}", what, worst.law, LimitText(worst)),
+          {}};
+}
 
 Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,
                                     const MotionOptions& options) {

@@ -61,6 +61,13 @@ std::optional<Failure> TaskPlanner::AddWalk(const WalkRequest& request, bool ges
       stance_.key.joints = motion.keys.back().joints;
       from_s += motion.duration_s();
     }
+    const Result<AuditReport> audit = Audit(model_, walk, {});
+    if (!audit) return audit.failure();
+    if (!task_->during.empty() && !audit->pass()) {
+      Failure failure = WhyBroken(task_->words, *audit);
+      failure.hints = {"one after the other may do: 'then' in place of 'while'"};
+      return failure;
+    }
   }
   if (whole_model_.hash != model_.hash) AddRest(whole_model_, walk);
   return Append(std::move(walk));

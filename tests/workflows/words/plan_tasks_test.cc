@@ -133,11 +133,21 @@ double FastestGesture(const RobotModel& model, const MotionPlan& plan) {
 }
 
 TEST(Tasks, GesturesOfOneWalkFollowEachOther) {
-  for (const char* text : {"walk four steps while raising your right arm and nodding",
+  for (const char* text : {"walk four steps while nodding and waving with your right hand",
                            "squat while raising your right arm and raising your left arm"}) {
     const Done done = Do("nao", text);
     EXPECT_LT(FastestGesture(done.planned.robot, done.planned.plan), 10.0) << text << ": nothing jumps";
   }
+}
+
+/// A raised arm has the body sway farther than NAO's ankles roll.
+TEST(Tasks, AGestureThatAWalkHasNoRoomForIsRefused) {
+  const Result<PlannedTasks> planned = Planned("nao", "walk four steps while raising your right arm", FlatTerrain());
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.failure().code, "joint_position");
+  EXPECT_NE(planned.failure().message.find("AnkleRoll"), std::string::npos) << planned.failure().message;
+  ASSERT_EQ(planned.failure().hints.size(), 1U);
+  Do("nao", "walk four steps, then raise your right arm");
 }
 
 TEST(Tasks, APlaceIsWalkedTo) {
