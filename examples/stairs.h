@@ -10,7 +10,7 @@ namespace gaitwright::examples {
 
 /// How often feet came down on one surface of the ground; those that stand there at the start do not count.
 struct PatchTread {
-  std::string patch;  ///< its name, such as "stair 1"
+  std::string patch;  ///< its name, such as "step 1"
   int planned = 0, measured = 0;
   double height_m = 0.0;  ///< of its highest point that was touched, as measured
 };

@@ -76,11 +76,10 @@ Terrain StairsGround::Build() const {
     terrain.patches.push_back(PatchOver(name, Across(x0, x1, width_m), steps * rise_m, steps * rise_m, friction));
   };
   const double landing = start_m + (count - 1) * tread_m, down = landing + landing_m;
+  for (int k = 1; k < count; ++k) add(fmt::format("step {}", k), start_m + (k - 1) * tread_m, start_m + k * tread_m, k);
+  add(fmt::format("step {}", count), landing, down, count);
   for (int k = 1; k < count; ++k)
-    add(fmt::format("stair {}", k), start_m + (k - 1) * tread_m, start_m + k * tread_m, k);
-  add("landing", landing, down, count);
-  for (int k = 1; k < count; ++k)
-    add(fmt::format("stair {} down", k), down + (k - 1) * tread_m, down + k * tread_m, count - k);
+    add(fmt::format("step {} down", k), down + (k - 1) * tread_m, down + k * tread_m, count - k);
   return terrain;
 }
 

@@ -12,7 +12,7 @@ TEST(StairsExample, StepsOnEachStairAsPlannedAndEachIsARiseHigher) {
   const Climb climb = ClimbStairs("a1", "stairs:rise_m=0.07,tread_m=0.25,count=2,start_m=0.45", 1.2);
   EXPECT_TRUE(climb.report.pass) << climb.report.reason;
   ASSERT_EQ(climb.treads.size(), 4U);
-  const char* const names[] = {"ground", "stair 1", "landing", "stair 1 down"};
+  const char* const names[] = {"ground", "step 1", "step 2", "step 1 down"};
   for (std::size_t k = 0; k < climb.treads.size(); ++k) {
     EXPECT_EQ(climb.treads[k].patch, names[k]);
     EXPECT_EQ(climb.treads[k].measured, climb.treads[k].planned) << names[k];

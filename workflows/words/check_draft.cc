@@ -63,6 +63,10 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
   }
   for (const auto& [key, value] : task.parameters) CheckParameter(text, scope, task, draft, key);
   CheckExtents(text, task, draft);
+  const bool goes =
+      std::any_of(ExtentKeys().begin(), ExtentKeys().end(), [&](const auto& key) { return task.Has(key); });
+  if (draft.to_nowhere && task.action == "walk" && !goes)
+    throw Refused{{"place", TextOf(text, draft.words), "does not say where to", ""}};
   for (const std::string& required : rule.required) {
     if (!task.Has(required))
       throw Refused{{"ambiguous", TextOf(text, draft.words), fmt::format("does not say the {}", required), ""}};

@@ -42,6 +42,7 @@ class ItemReader {
         units_(language == Language::kEnglish ? EnglishUnits() : ChineseUnits()) {
     for (const PlaceName& place : places) {
       AddPlace(LowerCase(place.name), place.name);
+      if (place.name == "step") AddPlace("stair", place.name);
       const std::string colour = "色";  // "红标记" is 红色标记
       const std::size_t at = place.name.find(colour);
       if (at != std::string::npos && at > 0) AddPlace(std::string(place.name).erase(at, colour.size()), place.name);

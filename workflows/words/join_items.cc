@@ -49,6 +49,28 @@ void JoinRates(std::vector<Item>& items) {
   }
 }
 
+/// The item before one that says something, if there is one.
+const Item* SaidBefore(const std::vector<Item>& items, std::size_t k) {
+  while (k-- > 0) {
+    if (!items[k].Is(M::kFiller)) return &items[k];
+  }
+  return nullptr;
+}
+
+/// "to the second step" and "to the step" where no place has that name: it is none that is known.
+void MarkNoPlaces(std::vector<Item>& items) {
+  for (std::size_t k = 0; k + 1 < items.size(); ++k) {
+    const Item* before = SaidBefore(items, k);
+    if (before == nullptr || !before->Is(M::kTo)) continue;
+    const Item& next = items[k + 1];
+    const bool ordered = items[k].Is(M::kOrdinal), other = next.Is(M::kAction) || next.Is(M::kUnit);
+    if (!(ordered && (other || next.Is(M::kUnknown))) && !(items[k].name == "the" && other)) continue;
+    items[k].meaning = M::kUnknown;
+    items[k].end = next.end;
+    items.erase(items.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
 /// "the second step", "stone four", "5号石头": places with their numbers. An ordinal of nothing goes on to the next.
 void JoinOrdinals(std::vector<Item>& items) {
   for (std::size_t k = 0; k < items.size(); ++k) {
@@ -92,6 +114,7 @@ void JoinItems(std::vector<Item>& items) {
   JoinRates(items);
   MarkBefore(items);
   MarkAdverbs(items);
+  MarkNoPlaces(items);
   JoinOrdinals(items);
 }
 

@@ -33,6 +33,7 @@ class ClauseReader {
     greets_ = std::any_of(clause_.items.begin(), clause_.items.end(), is_greeting);
     RefuseUnknownStart();
     for (at_ = 0; at_ < clause_.items.size(); ++at_) Take(clause_.items[at_]);
+    draft_.to_nowhere = EndsWithTo();
     SettleAction();
     return std::move(draft_);
   }
@@ -57,6 +58,13 @@ class ClauseReader {
       if (item.Is(M::kElsewhere) || (item.Is(M::kUnknown) && !greets_)) RefuseAll();
       return;
     }
+  }
+
+  /// "walk to the"
+  bool EndsWithTo() const {
+    const auto is_article = [](const Item& item) { return item.Is(M::kFiller) && item.name == "the"; };
+    const auto last = std::find_if_not(clause_.items.rbegin(), clause_.items.rend(), is_article);
+    return last != clause_.items.rend() && last->Is(M::kTo);
   }
 
   void Take(const Item& item) {

@@ -114,7 +114,7 @@ TEST(BuiltInTerrain, StairsGoUpAndDownAsAsked) {
                                                         {2.54, 0.14}, {2.56, 0.07}, {2.79, 0.07}, {2.81, 0.0}};
   for (const auto& [x, height] : known) EXPECT_NEAR(Height(stairs, x), height, 1e-12) << x;
   EXPECT_EQ(stairs.name, "stairs:rise_m=0.07,tread_m=0.25,count=3,start_m=1,landing_m=0.8");
-  EXPECT_EQ(stairs.patches[1].name, "stair 1");
+  EXPECT_EQ(stairs.patches[1].name, "step 1");
   for (const TerrainScale& scale : Scales())
     EXPECT_GE(ParameterOf("stairs", "landing_m", scale), scale.body_length_m) << "room for the robot on top";
 }
