@@ -10,10 +10,13 @@
 namespace gaitwright {
 namespace {
 
+constexpr double kAlong = 0.9;  // cosine of 25 degrees
+
 /// A chain of two joints or more from the base to a leaf, at joint positions zero.
 struct Limb {
   Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< its first and its last joint
   Vector3 middle = Vector3::Zero();                      ///< of the last body's shapes, from the last joint
+  std::array<int, 3> turning = {};                       ///< joints that turn it about each axis, or nearly
 };
 
 std::vector<Limb> LimbsOf(const RobotModel& model) {
@@ -24,6 +27,12 @@ std::vector<Limb> LimbsOf(const RobotModel& model) {
     Limb limb;
     limb.from = X_OB[static_cast<std::size_t>(chain.front() + 1)].translation();
     limb.to = X_OB[b].translation();
+    for (const int joint : chain) {
+      const auto j = static_cast<std::size_t>(joint);
+      Eigen::Index axis = 0;
+      const double along = (X_OB[j + 1].linear() * model.joints[j].axis_J).cwiseAbs().maxCoeff(&axis);
+      if (!model.joints[j].is_prismatic() && along > kAlong) ++limb.turning[static_cast<std::size_t>(axis)];
+    }
     double shapes = 0.0;
     for (const Shape& shape : model.collision_shapes) {
       if (shape.body != static_cast<int>(b)) continue;
@@ -65,6 +74,16 @@ double Spread(const std::vector<Limb>& limbs, int axis) {
   return high->to[axis] - low->to[axis];
 }
 
+/// Whether limbs that mirror each other along x too bend to the sides: more of their joints turn about x than about y,
+/// and none about the upright axis, which swings a leg's plane about.
+bool BendSideways(const std::vector<Limb>& limbs) {
+  std::array<int, 3> turning = {};
+  for (const Limb& limb : limbs) {
+    for (std::size_t axis = 0; axis < 3; ++axis) turning[axis] += limb.turning[axis];
+  }
+  return turning[2] == 0 && turning[0] > turning[1];
+}
+
 }  // namespace
 
 const std::vector<std::string>& AxisNames() {
@@ -88,7 +107,8 @@ BaseAxes DeriveBaseAxes(const RobotModel& model) {
   const double size = SizeOf(limbs);
   std::array<bool, 3> mirrors = {};
   for (int axis = 0; axis < 3; ++axis) mirrors[static_cast<std::size_t>(axis)] = Mirrors(limbs, axis, size);
-  if (mirrors[1] || (!mirrors[0] && !mirrors[2])) return {};
+  const bool sideways = mirrors[0] && mirrors[1] && BendSideways(limbs);
+  if ((mirrors[1] && !sideways) || (!mirrors[0] && !mirrors[2])) return {};
   Vector3 hang = Vector3::Zero(), middle = Vector3::Zero();
   double length = 0.0;
   for (const Limb& limb : limbs) {
@@ -96,7 +116,7 @@ BaseAxes DeriveBaseAxes(const RobotModel& model) {
     length += (limb.to - limb.from).norm();
     middle += limb.middle;
   }
-  int up = 1;
+  int up = sideways ? 2 : 1;
   for (int axis = 0; axis < 3; ++axis) {
     if (!mirrors[static_cast<std::size_t>(axis)] && std::abs(hang[axis]) > std::abs(hang[up])) up = axis;
   }

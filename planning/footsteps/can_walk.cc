@@ -62,21 +62,28 @@ struct Demand {
   std::vector<std::string> names;
 };
 
-Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg, const std::vector<int>& dofs) {
+enum class Walk { kStraight, kTurning };
+
+Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg, const std::vector<int>& dofs,
+                Walk walk) {
   const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
   MatrixX whole = MatrixX::Zero(6, model.nv());
   PointJacobian(model, scratch, foot.body, foot.X_BF.translation(), whole);
   whole.topRows<3>() /= std::max(leg.length_m, 1e-6);
   Demand demand;
-  demand.names = {"ahead", "sideways", "up"};
+  demand.names = {"moving its foot ahead", "moving its foot sideways", "moving its foot up"};
   std::vector<int> rows = {0, 1, 2};
   if (!foot.sole_F.empty()) {
     rows.push_back(4);
-    demand.names.emplace_back("to keep its sole level ahead");
+    demand.names.emplace_back("a joint to keep its sole level ahead");
   }
   if (foot.type == FootType::kSole) {
     rows.push_back(3);
-    demand.names.emplace_back("to keep its sole level sideways");
+    demand.names.emplace_back("a joint to keep its sole level sideways");
+  }
+  if (!foot.sole_F.empty() && walk == Walk::kTurning) {
+    rows.push_back(5);
+    demand.names.emplace_back("a joint to turn its sole to the side");
   }
   demand.J.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(dofs.size()));
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -86,7 +93,8 @@ Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const L
   return demand;
 }
 
-std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg) {
+std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg,
+                                    Walk walk) {
   std::vector<int> dofs;
   std::vector<std::string> names;
   for (const int j : leg.joints) {
@@ -95,7 +103,7 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
     dofs.push_back(dof);
     names.push_back(model.dof_names[static_cast<std::size_t>(dof)]);
   }
-  const Demand demand = DemandOf(model, scratch, leg, dofs);
+  const Demand demand = DemandOf(model, scratch, leg, dofs, walk);
   const Eigen::JacobiSVD<MatrixX> svd(demand.J, Eigen::ComputeFullU);
   const Eigen::Index needed = demand.J.rows();
   const auto& sigma = svd.singularValues();
@@ -103,24 +111,37 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
   if (count >= needed) return std::nullopt;
   Eigen::Index lacking = 0;
   svd.matrixU().col(needed - 1).cwiseAbs().maxCoeff(&lacking);
-  const std::string& what = demand.names[static_cast<std::size_t>(lacking)];
   return Cannot("freedoms",
-                fmt::format("leg '{}' cannot walk: {} of {} freedoms of its foot can be moved from the standing "
+                fmt::format("leg '{}' cannot {}: {} of {} freedoms of its foot can be moved from the standing "
                             "posture, and {} is lacking; its own joints are {}",
-                            leg.name, count, needed, lacking < 3 ? "moving its foot " + what : "a joint " + what,
-                            QuotedList(names)),
+                            leg.name, walk == Walk::kTurning ? "turn as it walks" : "walk", count, needed,
+                            demand.names[static_cast<std::size_t>(lacking)], QuotedList(names)),
                 "give the leg a joint for it, or free one that is fixed or follows another");
+}
+
+std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScratch& scratch, Walk walk) {
+  for (const Leg& leg : model.legs) {
+    if (auto lacks = LacksFreedom(model, scratch, leg, walk)) return lacks;
+  }
+  return std::nullopt;
+}
+
+DynamicsScratch Standing(const RobotModel& model) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  return scratch;
 }
 
 }  // namespace
 
 std::optional<Failure> WhyCannotWalk(const RobotModel& model) {
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, StandingConfiguration(model), scratch);
-  for (const Leg& leg : model.legs) {
-    if (auto lacks = LacksFreedom(model, scratch, leg)) return lacks;
-  }
+  const DynamicsScratch scratch = Standing(model);
+  if (auto lacks = LacksFreedom(model, scratch, Walk::kStraight)) return lacks;
   return LacksSupport(model, scratch);
+}
+
+std::optional<Failure> WhyCannotTurn(const RobotModel& model) {
+  return LacksFreedom(model, Standing(model), Walk::kTurning);
 }
 
 }  // namespace gaitwright

@@ -15,4 +15,8 @@ namespace gaitwright {
 /// A sole's turning about the upright axis, and a line's rolling and turning, may be lacking.
 std::optional<Failure> WhyCannotWalk(const RobotModel& model);
 
+/// Why a robot that can walk cannot turn as it does, or nothing. Failure kInfeasible `freedoms` names a leg that has no
+/// joint to turn its sole about the upright axis.
+std::optional<Failure> WhyCannotTurn(const RobotModel& model);
+
 }  // namespace gaitwright

@@ -93,10 +93,21 @@ Result<FootstepSkeleton> MakeSkeleton(const RobotModel& model, const Gait& gait,
   return skeleton;
 }
 
-/// A skeleton of one part alone.
-Result<FootstepSkeleton> WithPart(Result<FootstepSkeleton> skeleton, const Gait& gait, const WalkCommand& command) {
-  if (skeleton)
-    skeleton->parts = {{gait, command, skeleton->goal, skeleton->schedule.start_s(), skeleton->schedule.end_s()}};
+bool Turns(const BasePath& path) {
+  constexpr double kTurned = 1e-3;  // [rad]
+  return std::any_of(path.pose.begin(), path.pose.end(), [&](const PlanarPose& pose) {
+    return std::abs(pose.yaw_rad - path.pose.front().yaw_rad) > kTurned;
+  });
+}
+
+/// A skeleton of one part alone, of a robot that can turn if it does.
+Result<FootstepSkeleton> WithPart(const RobotModel& model, Result<FootstepSkeleton> skeleton, const Gait& gait,
+                                  const WalkCommand& command) {
+  if (!skeleton) return skeleton;
+  if (Turns(skeleton->path)) {
+    if (auto failure = WhyCannotTurn(model)) return *failure;
+  }
+  skeleton->parts = {{gait, command, skeleton->goal, skeleton->schedule.start_s(), skeleton->schedule.end_s()}};
   return skeleton;
 }
 
@@ -173,18 +184,19 @@ Result<FootstepSkeleton> PlanFootstepsAlong(const RobotModel& model, const Terra
   if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
   const PlanarTwist speed = FittingSpeeds(model, gait, command);
   const FootstepQuery query{gait, RouteThrough(way, {speed.x_m, speed.y_m, speed.yaw_rad}), speed.x_m * gait.cycle_s};
-  return WithPart(SearchSkeleton(model, terrain, query, options), gait, command);
+  return WithPart(model, SearchSkeleton(model, terrain, query, options), gait, command);
 }
 
 Result<FootstepSkeleton> PlanFootsteps(const RobotModel& model, const Terrain& terrain, const Gait& gait,
                                        const WalkCommand& command, const FootstepOptions& options) {
   if (auto failure = WhyNotWalked(model, gait, command)) return *failure;
-  if (!IsLevelGround(terrain)) return WithPart(FindFootsteps(model, terrain, gait, command, options), gait, command);
+  if (!IsLevelGround(terrain))
+    return WithPart(model, FindFootsteps(model, terrain, gait, command, options), gait, command);
   Result<FootstepSkeleton> skeleton = MakeSkeleton(model, gait, command, options);
   if (!skeleton) return skeleton;
   if (auto failure = WhyOutOfReach(model, *skeleton, options.reach)) return *failure;
   PutOnGround(terrain, skeleton->footsteps);
-  return WithPart(std::move(skeleton), gait, command);
+  return WithPart(model, std::move(skeleton), gait, command);
 }
 
 }  // namespace gaitwright

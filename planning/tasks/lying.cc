@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/ik/whole_body_ik.h"
 #include "planning/tasks/free_way.h"
@@ -33,25 +34,40 @@ class BodyOverFeet {
 
   /// Brings the base's origin to a place; what the centre of mass has to be shifted by for it, and the joints.
   bool Reach(const Vector3& p_WB, const VectorX& joints, PostureKey& key, VectorX& q) {
-    constexpr int kPasses = 30;
-    constexpr double kThere = 1e-9;  // [m]
+    constexpr int kShortWays = 10;
     target_.posture.q = joints;
     target_.posture.v = target_.posture.a = VectorX::Zero(model_.num_dofs());
-    key.shift = p_WB - q_standing_.head<3>();
+    const Vector3 from = q_standing_.head<3>(), way = p_WB - from;
     q = q_standing_;
+    key.shift = way;
+    if (Bring(p_WB, key.shift, q)) return true;
+    q = q_standing_;
+    key.shift.setZero();
+    for (int i = 1; i <= kShortWays; ++i) {
+      key.shift += way / kShortWays;
+      if (!Bring(from + i * way / kShortWays, key.shift, q)) return false;
+    }
+    return true;
+  }
+
+  const VectorX& standing() const { return q_standing_; }
+  DynamicsScratch& scratch() { return scratch_; }
+
+ private:
+  /// From a guess of the centre of mass's shift and of q.
+  bool Bring(const Vector3& p_WB, Vector3& shift, VectorX& q) {
+    constexpr int kPasses = 30;
+    constexpr double kThere = 1e-9;  // [m]
     for (int pass = 0; pass < kPasses; ++pass) {
-      target_.p_WC = p_WC_standing_ + key.shift;
+      target_.p_WC = p_WC_standing_ + shift;
       if (!ik_.SolvePosition(target_, q)) return false;
       const Vector3 off = p_WB - q.head<3>();
       if (off.norm() < kThere) return true;
-      key.shift += off;
+      shift += off;
     }
     return false;
   }
 
-  const VectorX& standing() const { return q_standing_; }
-
- private:
   const RobotModel& model_;
   WholeBodyIk ik_;
   const VectorX q_standing_;
@@ -72,6 +88,20 @@ double RoomOf(const RobotModel& model, const VectorX& q, int& nearest) {
     nearest = d;
   }
   return room;
+}
+
+/// What is said of a link other than a foot's that would be in the ground on which the feet stand, or nothing.
+std::string LinkInGround(const RobotModel& model, DynamicsScratch& scratch, const VectorX& q) {
+  constexpr double kPressed = 3e-3;  // [m]
+  ForwardKinematics(model, q, scratch);
+  for (const Shape& shape : model.collision_shapes) {
+    const bool of_foot = std::any_of(model.legs.begin(), model.legs.end(), [&](const Leg& leg) {
+      return model.feet[static_cast<std::size_t>(leg.foot)].body == shape.body;
+    });
+    if (!of_foot && LowestPoint(scratch, shape).z() < -kPressed)
+      return fmt::format("'{}' would be in the ground", shape.link);
+  }
+  return "";
 }
 
 double Along(const RobotModel& model) {
@@ -104,6 +134,19 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
   lying.lying.joints = lying.over.joints = joints;
   double best = -std::numeric_limits<double>::infinity();
   int tightest = -1;
+  std::string obstacle;  // the first that was met
+  const auto is_free = [&](const VectorX& q) {
+    const auto pair = check.MeetingAt(q.tail(model.num_dofs()));
+    const std::string met = pair ? fmt::format("'{}' and '{}' would meet", pair->link_a, pair->link_b)
+                                 : LinkInGround(model, body.scratch(), q);
+    if (obstacle.empty()) obstacle = met;
+    return met.empty();
+  };
+  // Above where the robot lies: standing at 1.
+  const auto is_free_at = [&](double share, const Vector3& p_WL, PostureKey& key) {
+    VectorX q;
+    return body.Reach(p_WL + share * (body.standing().head<3>() - p_WL), joints, key, q) && is_free(q);
+  };
   for (double way = 0.0; way <= kFarthest; way += kStep) {
     for (const double side : {-1.0, 1.0}) {
       VectorX q;
@@ -116,16 +159,21 @@ Result<Lying> FindLying(const RobotModel& model, const VectorX& joints) {
         best = room;
         tightest = nearest;
       }
-      if (room < kRoom || check.MeetingAt(q.tail(model.num_dofs()))) continue;
-      p_WB.z() = ground_m + kOver * leg;
-      if (!body.Reach(p_WB, joints, lying.over, q)) continue;
-      return lying;
+      if (room < kRoom || !is_free(q)) continue;
+      const Vector3 p_over = p_WB + Vector3(0.0, 0.0, kOver * leg);
+      PostureKey between = lying.over;
+      if (is_free_at(0.2, p_over, between) && is_free_at(0.4, p_over, between) && is_free_at(0.6, p_over, between) &&
+          is_free_at(0.8, p_over, between) && is_free_at(0.0, p_over, lying.over))
+        return lying;
     }
   }
-  const std::string joint =
-      tightest < 0 ? ""
-                   : fmt::format("; joint '{}' is in the way", model.dof_names[static_cast<std::size_t>(tightest)]);
-  return CannotLie(fmt::format("the legs of robot '{}' do not fold so far that it lies{}", model.name, joint));
+  std::string why = "its feet stand too near under its hips";
+  if (!obstacle.empty()) {
+    why = obstacle;
+  } else if (tightest >= 0) {
+    why = fmt::format("joint '{}' is in the way", model.dof_names[static_cast<std::size_t>(tightest)]);
+  }
+  return CannotLie(fmt::format("the legs of robot '{}' do not fold so far that it lies: {}", model.name, why));
 }
 
 PostureMotion LieDown(const RobotModel& model, const PostureKey& from, const Lying& lying) {

@@ -14,10 +14,11 @@ struct Lying {
 };
 
 /// Looks for the place of the body nearest to that of standing, ahead or behind, at which the rest is on the ground,
-/// the legs reach their feet, joints keep off their stops by 3 % of their range and no links meet.
+/// the legs reach their feet, joints keep off their stops by 3 % of their range and no links meet, nor the ground,
+/// there or on the way.
 /// @param joints  all independent joints, size n; those of legs are found.
-/// Failure kInfeasible `lying` for a robot that has no rest, or whose legs do not fold so far: names the joint that
-/// comes nearest to do.
+/// Failure kInfeasible `lying` for a robot that has no rest, or whose legs do not fold so far: names what links meet,
+/// or the joint that comes nearest to do.
 Result<Lying> FindLying(const RobotModel& model, const VectorX& joints);
 
 /// From a key to lying.

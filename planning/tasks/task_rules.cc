@@ -9,6 +9,7 @@
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/base/options.h"
 #include "kinematics/model/upper_body.h"
+#include "planning/footsteps/can_walk.h"
 
 namespace gaitwright {
 namespace {
@@ -123,6 +124,8 @@ std::optional<Failure> WhyNoPlace(const PlaceName& place, const TaskScope& scope
 std::string MissingFor(Needs needs) {
   if (needs == Needs::kArm) return "has no arms";
   if (needs == Needs::kTwoSoles) return "has not two feet with soles";
+  if (needs == Needs::kManyFeet) return "has not four feet or more";
+  if (needs == Needs::kTurningFeet) return "has no joints that turn its soles to the side";
   return "has not four feet";
 }
 
@@ -161,10 +164,10 @@ const std::vector<ActionRule>& ActionRules() {
        false,
        "Walks; to the left or right sideways.",
        "stand"},
-      {"turn", {"direction"}, {"angle_deg"}, Needs::kNothing, false, "Turns on the spot.", "walk"},
+      {"turn", {"direction"}, {"angle_deg"}, Needs::kTurningFeet, false, "Turns on the spot.", "walk"},
       {"stand", {}, {"duration_s"}, Needs::kNothing, false, "Stands, or stays as it is.", ""},
       {"stand_up", {}, {}, Needs::kNothing, false, "Gets up from sitting, lying or crouching.", ""},
-      {"lie_down", {}, {}, Needs::kFourFeet, false, "Lies down on its belly.", "squat"},
+      {"lie_down", {}, {}, Needs::kManyFeet, false, "Lies down on its belly.", "squat"},
       {"sit", {}, {"duration_s"}, Needs::kFourFeet, false, "Sits as a dog does.", "squat"},
       {"squat", {}, {"depth_m", "times", "duration_s"}, Needs::kNothing, false, "Bends its legs and rises again.", ""},
       {"bow", {}, {"angle_deg", "times"}, Needs::kNothing, false, "Tips its body ahead and rises again.", "", 60.0},
@@ -204,6 +207,10 @@ bool TaskScope::Can(const ActionRule& rule) const {
       return two_soles;
     case Needs::kFourFeet:
       return four_feet;
+    case Needs::kManyFeet:
+      return many_feet;
+    case Needs::kTurningFeet:
+      return turning_feet;
     case Needs::kNothing:
       break;
   }
@@ -227,6 +234,8 @@ TaskScope ScopeOf(const RobotModel& model) {
   scope.head = upper.head.has_value();
   scope.two_soles = model.feet.size() == 2 && model.feet[0].has_sole() && model.feet[1].has_sole();
   scope.four_feet = model.legs.size() == 4;
+  scope.many_feet = model.legs.size() >= 4;
+  scope.turning_feet = !WhyCannotTurn(model);
   return scope;
 }
 

@@ -23,7 +23,7 @@ struct ParameterRule {
 };
 
 /// What a robot must have for an action.
-enum class Needs { kNothing, kArm, kTwoSoles, kFourFeet };
+enum class Needs { kNothing, kArm, kTwoSoles, kFourFeet, kManyFeet, kTurningFeet };
 
 /// An action of the repertoire.
 struct ActionRule {
@@ -57,6 +57,8 @@ const std::vector<std::string>& ExtentKeys();
 struct TaskScope {
   std::string robot;
   bool left_arm = false, right_arm = false, head = false, two_soles = false, four_feet = false;
+  bool many_feet = false;         ///< four or more
+  bool turning_feet = false;      ///< nothing keeps its feet from turning as it walks
   std::vector<PlaceName> places;  ///< `number` is how many there are of that name; 0 for a single one
 
   /// Whether it has what an action needs.

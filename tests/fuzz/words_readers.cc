@@ -16,6 +16,7 @@ TaskScope Scope() {
   TaskScope scope;
   scope.robot = "any";
   scope.left_arm = scope.right_arm = scope.head = scope.two_soles = scope.four_feet = true;
+  scope.many_feet = scope.turning_feet = true;
   scope.places = {{"red marker", 0}, {"stone", 6}, {"门", 0}};
   return scope;
 }

@@ -84,14 +84,19 @@ class Search {
       return other ? other : first;
     }
     if (!IsLevelGround(terrain_)) {
-      Result<PlannedWalk> eased = IsOwnPace(command) ? Eased(command, kOwnEases) : Eased(command, kEases);
+      Result<PlannedWalk> eased = IsOwnPace() ? Eased(command, kOwnEases) : Eased(command, kEases);
       return eased ? eased : first;
     }
     const bool ground = first ? BrokenLimits(first->audit).empty() : first.failure().code == "zmp_support";
     Result<PlannedWalk> other = FirstOf(ground ? std::vector<int>{-1, -2, -3, -4, 1, 2, 3, 4, 5, 6}
                                                : std::vector<int>{1, 2, 3, 4, 5, 6, -1, -2, -3, -4},
                                         *cycles, command);
-    return other ? other : first;
+    if (other || !IsOwnPace()) return other ? other : first;
+    SoundWalk slower = LargestThatIsSound();
+    if (slower.pace == 0.0) return first;
+    slower.planned->motion.summary +=
+        fmt::format("; {}, since faster plans would fail their audit", PaceText(AtPace(model_, command, slower.pace)));
+    return std::move(slower.planned);
   }
 
   /// A slower pace to name. With gaits that leap a few are looked at, over ground that is not level some are tried, and
@@ -103,15 +108,20 @@ class Search {
       const double leaping = LargestLeaping();
       return {leaping > 0.0 ? leaping : LargestOnTheGround(), Known::kMay};
     }
-    if (IsLevelGround(terrain_)) return {LargestThatIsSound(), Known::kLargest};
-    if (IsOwnPace(request_.command)) return {};
+    if (IsOwnPace()) return {};
+    if (IsLevelGround(terrain_)) return {LargestThatIsSound().pace, Known::kLargest};
     const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases);
     return {slower ? PaceValue(model_, slower->motion.plan.parts.front().command) : 0.0, Known::kServes};
   }
 
  private:
-  /// Largest pace of the request's command that has a plan on level ground, without leaps; 0 when there is none.
-  double LargestThatIsSound() const {
+  struct SoundWalk {
+    double pace = 0.0;  ///< 0 for none
+    Result<PlannedWalk> planned = Failure{};
+  };
+
+  /// The walk of the request's command at the largest pace that has a plan on level ground, without leaps.
+  SoundWalk LargestThatIsSound() const {
     constexpr int kDigits = 2, kLowered = 5;
     constexpr double kShare = 0.75;
     int serves = 0;
@@ -119,10 +129,12 @@ class Search {
     for (int i = 0; i < kDigits + kLowered && largest > 0.0; ++i) {
       const WalkCommand slower = AtPace(model_, request_.command, largest);
       const Result<Cycles> cycles = CyclesFor(slower);
-      if (cycles && FirstOf({serves, 0}, *cycles, slower)) return largest;
+      if (cycles) {
+        if (Result<PlannedWalk> planned = FirstOf({serves, 0}, *cycles, slower)) return {largest, std::move(planned)};
+      }
       largest = NextLower(i < kDigits ? largest : kShare * largest);
     }
-    return 0.0;
+    return {};
   }
 
   /// Whether a gait is planned as the motion of a rigid body, which takes much longer.
@@ -200,9 +212,10 @@ class Search {
   static constexpr std::array<Ease, 4> kEases = {{{1.0, -1}, {1.0, -2}, {1.0, -3}, {1.0, -4}}};
   static constexpr std::array<Ease, 6> kOwnEases = {{{1.0, -1}, {0.7, 0}, {0.7, -1}, {0.7, -2}, {0.5, -1}, {0.35, -2}}};
 
-  static bool IsOwnPace(const WalkCommand& c) {
-    return c.extent != WalkCommand::Extent::kSteps && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 &&
-           c.yaw_rate_rad_s == 0.0;
+  bool IsOwnPace() const {
+    const WalkCommand& c = request_.command;
+    return request_.own_pace || (c.extent != WalkCommand::Extent::kSteps && c.speed_m_s == 0.0 &&
+                                 c.lateral_speed_m_s == 0.0 && c.yaw_rate_rad_s == 0.0);
   }
 
   /// The first of some easier walks that passes. Over ground that is not level it is the ground that says how long

@@ -26,7 +26,8 @@ struct WalkRequest {
   std::string gait;  ///< "" for the robot's best
   std::string terrain = "flat";
   WalkCommand command;
-  std::string sequence;  ///< parts one after the other in place of the gait and command, see ReadSequence; or ""
+  bool own_pace = false;  ///< nobody asked for the command's speed: see PlanWalk; of commands without one it is true
+  std::string sequence;   ///< parts one after the other in place of the gait and command, see ReadSequence; or ""
   GaitOptions gait_options;
   MotionOptions motion;
   std::uint64_t seed = 0;
@@ -74,10 +75,11 @@ Result<RobotModel> RobotOf(const MotionPlan& plan);
 /// Plans and audits. A walk whose plan fails its audit is planned again with quicker or slower steps as far as the
 /// gait's own time may change; when that does not help either, failure kInfeasible names what forbids it, the robot's
 /// worst limit before laws of the ground (dynamics, friction, support), by how much it is passed, and the largest
-/// speed, turning rate or step length of the same walk that has a plan. Both are looked for on the start of the walk
-/// and then tried on the whole. With `pipeline.allow_limits` the first plan is given all the same, with the audit's
-/// verdict; so is in any case one whose only fault is a shank in the ground beside the foot at its end, which no pace
-/// mends. A sequence is planned in one motion; a part that has no plan is named.
+/// speed, turning rate or step length of the same walk that has a plan; where the speed is the robot's own, that walk
+/// is given. Both are looked for on the start of the walk and then tried on the whole. With `pipeline.allow_limits` the
+/// first plan is given all the same, with the audit's verdict; so is in any case one whose only fault is a shank in the
+/// ground beside the foot at its end, which no pace mends. A sequence is planned in one motion; a part that has no plan
+/// is named.
 Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
 
 /// The same on a ground that is there already; the request's `terrain` is only written down.

@@ -63,9 +63,7 @@ Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, 
   const Result<RobotModel> whole = WholeRobot(model, tasks, scope);
   if (!whole) return whole.failure();
   tasks::TaskPlanner planner(model, *whole, terrain, options);
-  if (tasks.tasks.front().action == "stand_up" && whole->hash != model.hash) {
-    if (auto failure = planner.LieAtStart()) return OfTask(0, tasks.tasks.front(), *failure);
-  }
+  if (tasks.tasks.front().action == "stand_up") planner.BeginLow();
   for (std::size_t k = 0; k < tasks.tasks.size(); ++k) {
     if (auto failure = planner.Add(tasks.tasks[k])) return OfTask(k, tasks.tasks[k], *failure);
   }

@@ -19,7 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// How a robot is left by a task: what the next one begins with.
 struct Stance {
-  enum class Pose { kStanding, kSitting, kLying };
+  enum class Pose { kStanding, kSitting, kLying, kCrouching };
 
   PostureKey key;
   Pose pose = Pose::kStanding;

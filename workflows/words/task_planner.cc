@@ -33,12 +33,15 @@ TaskPlanner::TaskPlanner(const RobotModel& model, const RobotModel& whole_model,
   stance_.key = StandingKey(model);
 }
 
-std::optional<Failure> TaskPlanner::LieAtStart() {
+void TaskPlanner::BeginLow() {
   const Result<Lying> lying = FindLying(whole_model_, stance_.key.joints);
-  if (!lying) return lying.failure();
-  stance_ = {lying->lying, Stance::Pose::kLying};
-  lying_ = *lying;
-  return std::nullopt;
+  if (lying) {
+    stance_ = {lying->lying, Stance::Pose::kLying};
+    lying_ = *lying;
+    return;
+  }
+  stance_.pose = Stance::Pose::kCrouching;
+  notes_.push_back(fmt::format("it gets up from a crouch: {}", lying.failure().message));
 }
 
 std::optional<Failure> TaskPlanner::Add(const Task& task) {
@@ -164,6 +167,14 @@ std::optional<Failure> TaskPlanner::StandUp() {
     const double natural = 0.35;  // [rad]
     failure = AddPosture([&](double tip) -> Result<PostureMotion> { return GetUp(whole_model_, up, *lying_, tip); },
                          {Shares(natural, {1.0, 0.7, 0.4, 0.0}), false, ""});
+  } else if (stance_.pose == Stance::Pose::kCrouching) {
+    constexpr double kDeep = 0.3;  // of the leg's length
+    const auto rise = [&](double depth_m) -> Result<PostureMotion> {
+      PostureKey low = up;
+      low.shift.z() -= depth_m;
+      return GoTo(model_, "stand_up", low, up);
+    };
+    failure = AddPosture(rise, {Shares(kDeep * model_.leg_length_m(), {1.0, 0.75, 0.5, 0.25}), false, ""});
   } else {
     const bool is_up = stance_.pose == Stance::Pose::kStanding && stance_.key.shift.norm() < 1e-4;
     failure = AddPosture(is_up ? Hold(stance_.key, 0.5 * kStay) : GoTo(model_, "stand_up", stance_.key, up));

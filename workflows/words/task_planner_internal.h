@@ -21,8 +21,8 @@ class TaskPlanner {
   TaskPlanner(const RobotModel& model, const RobotModel& whole_model, const Terrain& terrain,
               const TaskOptions& options);
 
-  /// Begins lying instead of standing. Failure as of FindLying.
-  std::optional<Failure> LieAtStart();
+  /// Begins lying, or crouching where the robot cannot lie, instead of standing.
+  void BeginLow();
   std::optional<Failure> Add(const Task& task);
   Result<MotionPlan> Finish();
   const std::vector<std::string>& notes() const { return notes_; }

@@ -64,6 +64,7 @@ Result<WalkRequest> WalkRequestOf(const RobotModel& model, const Task& task, con
   request.motion.pipeline.end_as_standing = true;
   request.seed = options.seed;
   request.gait = task.Word("gait");
+  request.own_pace = !task.Has("speed_m_s") && !task.Has("pace") && !task.Has("step_length_m");
   WalkCommand& c = request.command;
   if (task.action == "turn") {
     const double angle_rad = task.Number("angle_deg", 90.0) * std::numbers::pi / 180.0;

@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, TurnedRobot,
 
 TEST(BaseAxes, FourLegsHangDownAndStandFartherApartAlong) {
   const RobotModel a1 = Robot("a1");
-  for (const auto& [ahead, up] : {std::pair("x", "z"), std::pair("z", "y"), std::pair("x", "y")}) {
+  for (const auto& [ahead, up] : {std::pair("x", "z"), std::pair("z", "y"), std::pair("x", "y"), std::pair("y", "z")}) {
     SCOPED_TRACE(std::string(ahead) + " " + up);
     ExpectSame(a1, LoadRobotFromText(Turned(a1.urdf_text, "base", Axes(ahead, up)), "").value());
   }

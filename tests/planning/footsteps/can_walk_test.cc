@@ -39,5 +39,20 @@ TEST(CanWalk, OthersCan) {
   }
 }
 
+TEST(CanWalk, TurningTakesAJointForEachSole) {
+  for (const char* name : {"a1", "nao", "h1"}) {
+    const auto failure = WhyCannotTurn(*LoadNamedRobot(name));
+    EXPECT_FALSE(failure.has_value()) << failure->message;
+  }
+  const RobotModel stork =
+      LoadRobot(std::string(GAITWRIGHT_SOURCE_DIR) + "/examples/robots/stork.urdf", "none").value();
+  EXPECT_FALSE(WhyCannotWalk(stork).has_value());
+  const auto failure = WhyCannotTurn(stork);
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->code, "freedoms");
+  EXPECT_NE(failure->message.find("leg 'sx_piede' cannot turn as it walks: 5 of 6"), std::string::npos)
+      << failure->message;
+}
+
 }  // namespace
 }  // namespace gaitwright

@@ -4,13 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "kinematics/dynamics/dynamics.h"
-#include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/load_robot.h"
+#include "planning/plan/built_in_terrain.h"
 #include "planning/plan/plan_json.h"
-#include "workflows/words/places.h"
-#include "workflows/words/understand.h"
+#include "tests/workflows/words/done_in_words.h"
 
 namespace gaitwright {
 namespace {
@@ -21,45 +19,12 @@ Terrain WithMarkers() {
   return terrain;
 }
 
-struct Done {
-  PlannedTasks planned;
-  PlayedWalk played;
-};
-
 Result<PlannedTasks> Planned(const std::string& robot, const std::string& text, const Terrain& terrain) {
-  const RobotModel model = LoadNamedRobot(robot).value();
-  TaskScope scope = ScopeOf(model);
-  scope.places = PlacesOf(terrain);
-  const Result<TaskPlan> tasks = words::UnderstandWords(text, scope);
-  if (!tasks) return tasks.failure();
-  return PlanTasks(model, terrain, *tasks, {});
+  return PlannedInWords(LoadNamedRobot(robot).value(), text, terrain);
 }
 
-/// Plans, audits, plays and scores; all has to pass.
 Done Do(const std::string& robot, const std::string& text) {
-  Result<PlannedTasks> planned = Planned(robot, text, WithMarkers());
-  EXPECT_TRUE(planned.ok()) << robot << ": " << text << ": " << (planned ? "" : planned.failure().message);
-  if (!planned) return {};
-  EXPECT_TRUE(planned->audit.pass()) << robot << ": " << text << ": " << AuditText(planned->audit);
-  const PlayRequest request;
-  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, request);
-  EXPECT_TRUE(played.ok());
-  EXPECT_TRUE(played->report.pass) << robot << ": " << text << ": " << played->report.reason;
-  return {*planned, *played};
-}
-
-/// Where the ground's forces act at the end of a log, as measured.
-Vector2 ZmpAtEnd(const RobotModel& model, const PlaybackLog& log) {
-  const LogSample& last = log.samples.back();
-  DynamicsScratch scratch(model);
-  ForwardKinematics(model, last.q, scratch);
-  Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
-  for (std::size_t f = 0; f < model.feet.size(); ++f) {
-    const Vector3 p_WF = ContactFrame(model, scratch, static_cast<int>(f)).translation();
-    force += last.wrenches[f].force_W;
-    moment += last.wrenches[f].moment_W + p_WF.cross(last.wrenches[f].force_W);
-  }
-  return Vector2(-moment.y(), moment.x()) / force.z();
+  return DoneInWords(LoadNamedRobot(robot).value(), text, WithMarkers());
 }
 
 class Quadruped : public testing::TestWithParam<std::string> {};
@@ -76,8 +41,7 @@ TEST_P(Quadruped, StandsUpFromLyingInPhases) {
     EXPECT_EQ(log.gates[k].phase, phases[k]);
     EXPECT_TRUE(log.gates[k].met) << phases[k];
   }
-  const Vector2 zmp = ZmpAtEnd(done.planned.robot, log);
-  const double error_m = (zmp - done.planned.plan.centroidal.p_WZ.back()).norm();
+  const double error_m = ZmpErrorAtEnd(done);
   EXPECT_LT(error_m, 0.012);
   RecordProperty("zmp_error_mm", std::to_string(1e3 * error_m));
 }
@@ -101,6 +65,17 @@ TEST(Biped, NaoDoesFiveThingsInBothLanguages) {
 TEST(Quadrupeds, A1DoesFiveThingsInBothLanguages) {
   Do("a1", "Get up, trot half a metre, turn right, bow twice, and then sit down.");
   Do("a1", "起来，小跑半米，向右转，鞠躬两次，然后坐下。");
+}
+
+TEST(Quadrupeds, A1WalksToAStepOfStairs) {
+  const RobotModel a1 = LoadNamedRobot("a1").value();
+  const Terrain stairs = MakeTerrain("stairs", ScaleOf(a1)).value();
+  for (const char* text : {"walk to the second step", "走到第二级台阶"}) {
+    const Done done = DoneInWords(a1, text, stairs);
+    const PlanarPose there = done.planned.plan.goal;
+    const GroundPoint ground = GroundAt(stairs, {there.x_m, there.y_m});
+    EXPECT_EQ(stairs.patches[static_cast<std::size_t>(ground.patch)].name, "step 2") << text;
+  }
 }
 
 TEST(Biped, BalancesOnEachFoot) {

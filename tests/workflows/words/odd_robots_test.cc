@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Robots that nobody wrote for the program, in examples/robots: from their URDF alone they get up and walk a metre.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "kinematics/model/load_robot.h"
+#include "tests/workflows/words/done_in_words.h"
+
+namespace gaitwright {
+namespace {
+
+RobotModel Odd(const std::string& name) {
+  return LoadRobot(std::string(GAITWRIGHT_SOURCE_DIR) + "/examples/robots/" + name + ".urdf", "none").value();
+}
+
+class OddRobot : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, OddRobot, testing::Values("hexapod", "goat", "stork"),
+                         [](const auto& name) { return name.param; });
+
+TEST_P(OddRobot, StandsUpAndWalksAMetre) {
+  const Done up = DoneInWords(Odd(GetParam()), "stand up, then stand still for a second", FlatTerrain());
+  EXPECT_LT(ZmpErrorAtEnd(up), 0.012);
+  const Done walked = DoneInWords(Odd(GetParam()), "walk forward one metre", FlatTerrain());
+  const auto& q = walked.played.log.samples;
+  EXPECT_NEAR(q.back().q[0] - q.front().q[0], 1.0, 0.05);
+}
+
+TEST_P(OddRobot, HasARepertoire) {
+  DoneInWords(Odd(GetParam()), "stand up, take a step back, side-step left 5 cm, squat, bow, and nod", FlatTerrain());
+}
+
+TEST(OddRobots, TheGoatTrotsTurnsAndSits) {
+  DoneInWords(Odd("goat"), "stand up, trot half a metre, turn left, brace yourself, then sit", FlatTerrain());
+}
+
+/// Its servos are too slow for the speed that its legs' length gives it.
+TEST(OddRobots, TheHexapodIsAsFastAsItsServos) {
+  const RobotModel hexapod = Odd("hexapod");
+  WalkRequest request;
+  request.command.distance_m = 0.3;
+  const Result<PlannedWalk> own = PlanWalk(hexapod, request);
+  ASSERT_TRUE(own.ok()) << own.failure().message;
+  const double speed = own->motion.plan.parts.front().command.speed_m_s;
+  EXPECT_GT(speed, 0.0);
+  EXPECT_LT(speed, hexapod.nominal_speed_m_s);
+  EXPECT_NE(own->motion.summary.find("since faster plans would fail their audit"), std::string::npos);
+  request.command.speed_m_s = hexapod.nominal_speed_m_s;
+  const Result<PlannedWalk> asked = PlanWalk(hexapod, request);
+  ASSERT_FALSE(asked.ok()) << "what is asked for is not lowered";
+  ASSERT_FALSE(asked.failure().hints.empty());
+  EXPECT_EQ(asked.failure().hints.front(), fmt::format("--speed {:g}", speed));
+}
+
+TEST(OddRobots, TheHexapodTurnsAndCrouches) {
+  DoneInWords(Odd("hexapod"), "turn left, then crouch walk 20 cm", FlatTerrain());
+}
+
+/// Knees that point at each other, and feet right under the hips, leave no room for a belly on the ground.
+TEST(OddRobots, WhatCannotLieIsToldWhyAndGetsUpFromACrouch) {
+  for (const auto& [name, why] :
+       {std::pair("goat", "'TORSO' and 'Q3c' would meet"), std::pair("hexapod", "too near under")}) {
+    const Result<PlannedTasks> lying = PlannedInWords(Odd(name), "lie down", FlatTerrain());
+    ASSERT_FALSE(lying.ok());
+    EXPECT_NE(lying.failure().message.find(why), std::string::npos) << lying.failure().message;
+    const PlannedTasks up = PlannedInWords(Odd(name), "stand up", FlatTerrain()).value();
+    EXPECT_GT(up.plan.centroidal.p_WC.back().z() - up.plan.centroidal.p_WC.front().z(), 0.1 * Odd(name).leg_length_m());
+    ASSERT_FALSE(up.notes.empty());
+    EXPECT_NE(up.notes.front().find(why), std::string::npos) << up.notes.front();
+  }
+}
+
+TEST(OddRobots, TheStorkSaysThatItCannotTurn) {
+  const Result<PlannedTasks> turned = PlannedInWords(Odd("stork"), "turn left", FlatTerrain());
+  ASSERT_FALSE(turned.ok());
+  EXPECT_NE(turned.failure().message.find("no joints that turn its soles"), std::string::npos)
+      << turned.failure().message;
+  WalkRequest curve;
+  curve.command.distance_m = 1.0;
+  curve.command.yaw_rate_rad_s = 0.1;
+  const Result<PlannedWalk> curved = PlanWalk(Odd("stork"), curve);
+  ASSERT_FALSE(curved.ok());
+  EXPECT_EQ(curved.failure().code, "freedoms");
+  EXPECT_NE(curved.failure().message.find("cannot turn as it walks"), std::string::npos) << curved.failure().message;
+}
+
+}  // namespace
+}  // namespace gaitwright
