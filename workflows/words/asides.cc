@@ -8,11 +8,7 @@ namespace {
 
 using M = Meaning;
 
-bool IsVerb(const Item& item) {
-  return item.Is(M::kAction) || item.Is(M::kRaise) || item.Is(M::kLower) || item.Is(M::kPut) || item.Is(M::kElsewhere);
-}
-
-bool SaysNothing(const Item& item) { return item.Is(M::kPolite) || item.Is(M::kFiller); }
+bool IsVerb(const Item& item) { return item.IsVerb() || item.Is(M::kPut); }
 
 /// Takes asides out of the items between two breaks.
 class AsideReader {
@@ -37,7 +33,7 @@ class AsideReader {
         continue;
       }
       const bool starts_before = starts;
-      starts = item.Is(M::kThen) || (starts && SaysNothing(item));
+      starts = item.Is(M::kThen) || (starts && item.SaysNothing());
       kept_.push_back(item);
       if (item.Is(M::kSubject)) kept_.back().meaning = IsTold(k, starts_before) ? M::kUnknown : M::kFiller;
       if (IsCondition(k)) kept_.back().meaning = M::kUnknown;
@@ -48,7 +44,7 @@ class AsideReader {
 
  private:
   std::size_t NextOf(std::size_t k) const {
-    while (k < end_ && SaysNothing(items_[k])) ++k;
+    while (k < end_ && items_[k].SaysNothing()) ++k;
     return k;
   }
 
@@ -66,7 +62,7 @@ class AsideReader {
   /// "the nurse", "妈妈" and what nobody here does.
   bool TellsOfOthers(std::size_t k) const {
     std::size_t subject = k;
-    while (subject < end_ && SaysNothing(items_[subject]) && items_[subject].name != "finite") ++subject;
+    while (subject < end_ && items_[subject].SaysNothing() && items_[subject].name != "finite") ++subject;
     if (subject >= end_) return false;
     if (IsTold(subject, true)) return false;
     const std::size_t last = EndOfAside(subject);

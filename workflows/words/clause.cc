@@ -2,6 +2,8 @@
 #include "workflows/words/clause.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace gaitwright::words {
 namespace {
@@ -23,11 +25,7 @@ class Splitter {
   }
 
  private:
-  static bool IsVerb(const Item& item) {
-    return item.Is(M::kAction) || item.Is(M::kRaise) || item.Is(M::kLower) || item.Is(M::kElsewhere);
-  }
-
-  bool HasVerb() const { return std::any_of(now_.items.begin(), now_.items.end(), IsVerb); }
+  bool HasVerb() const { return std::any_of(now_.items.begin(), now_.items.end(), std::mem_fn(&Item::IsVerb)); }
 
   /// "to the door" after a direction, or "往" before one, begins nothing.
   void Add(const Item& item, std::size_t at) {
@@ -66,7 +64,7 @@ class Splitter {
         break;
     }
     if (HasVerb() && IsParticle(item)) return;  // "走到门那里去"
-    if (IsVerb(item) && HasVerb()) {
+    if (item.IsVerb() && HasVerb()) {
       // What is said of the way before its verb belongs to it: "往前" in "举手往前走".
       std::vector<Item> lead;
       while (!now_.items.empty() &&
@@ -111,7 +109,7 @@ class Splitter {
 
   /// A way that is said after what goes no way leads to the next verb: "点着头往前走".
   bool LeadsWay(const Item& item) const {
-    const auto verb = std::find_if(now_.items.begin(), now_.items.end(), IsVerb);
+    const auto verb = std::find_if(now_.items.begin(), now_.items.end(), std::mem_fn(&Item::IsVerb));
     const bool goes = verb->Is(M::kAction) && (verb->name == "walk" || verb->name == "turn");
     return !goes && (item.Is(M::kDirection) || item.Is(M::kPace));
   }
@@ -151,9 +149,8 @@ class Splitter {
 
   void Close() {
     const bool said = !now_.empty() || now_.again || now_.drops;
-    if (said || (now_.holds && false)) clauses_.push_back(now_);
-    if (said) now_ = {};
-    if (!said) now_.items.clear();
+    if (said) clauses_.push_back(std::exchange(now_, {}));
+    now_.items.clear();
   }
 
   const std::string& text_;

@@ -64,6 +64,11 @@ struct Item {
 
   /// Whether it means that.
   bool Is(Meaning other) const { return meaning == other; }
+  bool SaysNothing() const { return Is(Meaning::kPolite) || Is(Meaning::kFiller); }
+  /// Whether something is done by it: a clause has one.
+  bool IsVerb() const {
+    return Is(Meaning::kAction) || Is(Meaning::kRaise) || Is(Meaning::kLower) || Is(Meaning::kElsewhere);
+  }
 };
 
 /// A part of an instruction that is not accepted, and why: unknown, cannot, range, ambiguous, place, empty.

@@ -39,8 +39,6 @@ class ClauseReader {
   }
 
  private:
-  static bool SaysNothing(const Item& item) { return item.Is(M::kPolite) || item.Is(M::kFiller); }
-
   [[noreturn]] void RefuseAll() const {
     std::string nearest;
     for (const Item& item : clause_.items) {
@@ -52,7 +50,7 @@ class ClauseReader {
   /// What begins with what is not known is not known on the whole.
   void RefuseUnknownStart() const {
     for (const Item& item : clause_.items) {
-      if (SaysNothing(item)) continue;
+      if (item.SaysNothing()) continue;
       const bool likened = &item != &clause_.items.front() && (&item)[-1].name == "like";
       if (likened && item.Is(M::kUnknown)) continue;
       if (item.Is(M::kElsewhere) || (item.Is(M::kUnknown) && !greets_)) RefuseAll();
@@ -189,7 +187,7 @@ class ClauseReader {
   bool NextIsCounted() const {
     for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
       const Item& next = clause_.items[k];
-      if (SaysNothing(next)) continue;
+      if (next.SaysNothing()) continue;
       return next.Is(M::kAction) && IsCounted(next.name);
     }
     return false;
@@ -235,26 +233,26 @@ class ClauseReader {
   bool NextIsEach() const {
     for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
       if (clause_.items[k].Is(M::kEach)) return true;
-      if (!SaysNothing(clause_.items[k])) return false;
+      if (!clause_.items[k].SaysNothing()) return false;
     }
     return false;
   }
 
   void TakeUnknown(const Item& item) {
-    for (std::size_t k = at_; k-- > 0 && SaysNothing(clause_.items[k]);) {
+    for (std::size_t k = at_; k-- > 0 && clause_.items[k].SaysNothing();) {
       if (clause_.items[k].name == "like") return;  // "like a stork"
     }
     const bool first = at_ == 0;
     const Item* before = nullptr;
     for (std::size_t k = at_; k-- > 0 && before == nullptr;) {
-      if (!SaysNothing(clause_.items[k])) before = &clause_.items[k];
+      if (!clause_.items[k].SaysNothing()) before = &clause_.items[k];
     }
     if (greets_ && IsAddressed()) return;
     if (greets_ && (first || before == nullptr || before->Is(M::kAt) || before->Is(M::kTo) || Greets(*before)))
       return;  // whom to wave to
     std::size_t end = item.end;
     for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
-      if (!SaysNothing(clause_.items[k]) && !clause_.items[k].Is(M::kUnknown)) break;
+      if (!clause_.items[k].SaysNothing() && !clause_.items[k].Is(M::kUnknown)) break;
       end = clause_.items[k].end;
     }
     if (draft_.bare) {
@@ -279,7 +277,7 @@ class ClauseReader {
 
   /// "for the guest", "to our visitors".
   bool IsAddressed() const {
-    for (std::size_t k = at_; k-- > 0 && SaysNothing(clause_.items[k]);) {
+    for (std::size_t k = at_; k-- > 0 && clause_.items[k].SaysNothing();) {
       const std::string word = TextOf(text_, {clause_.items[k].begin, clause_.items[k].end});
       if (word == "for" || word == "for the" || word == "for our" || word == "for my") return true;
     }
