@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
 #include "optimisation/pipeline/plan_posture.h"
 #include "planning/paths/standing_feet.h"
 #include "planning/plan/carried_plan.h"
@@ -45,6 +47,7 @@ void TaskPlanner::BeginLow() {
 }
 
 std::optional<Failure> TaskPlanner::Add(const Task& task) {
+  if (auto failure = WhyNotGoOn()) return failure;
   static const std::vector<std::string> kAnyhow = {"stand", "stand_up", "raise_arm", "lower_arm", "wave"};
   const bool anyhow = std::find(kAnyhow.begin(), kAnyhow.end(), task.action) != kAnyhow.end();
   const bool again = (task.action == "sit" && stance_.pose == Stance::Pose::kSitting) ||
@@ -57,6 +60,26 @@ std::optional<Failure> TaskPlanner::Add(const Task& task) {
   auto failure = DoTask(task, again);
   task_ = nullptr;
   return failure;
+}
+
+/// Motions begin with the feet side by side on level ground at the height of the start.
+std::optional<Failure> TaskPlanner::WhyNotGoOn() const {
+  constexpr double kLevel = 2e-3;  // [m]
+  if (!whole_ || !chain_.empty()) return std::nullopt;
+  DynamicsScratch scratch(model_);
+  ForwardKinematics(model_, whole_->whole_body.q.back(), scratch);
+  for (std::size_t f = 0; f < model_.legs.size(); ++f) {
+    const double height_m = ContactFrame(model_, scratch, static_cast<int>(f)).translation().z();
+    if (std::abs(height_m) < kLevel) continue;
+    return Failure{FailureKind::kInfeasible,
+                   "not_level",
+                   "PlanTasks",
+                   fmt::format("the walk before it ends with '{}' {:.2f} m {} where the robot began, and what is done "
+                               "there must be the last thing",
+                               model_.feet[f].name, std::abs(height_m), height_m > 0.0 ? "above" : "below"),
+                   {"end with that walk"}};
+  }
+  return std::nullopt;
 }
 
 std::optional<Failure> TaskPlanner::DoTask(const Task& task, bool again) {

@@ -28,6 +28,7 @@ class TaskPlanner {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  std::optional<Failure> WhyNotGoOn() const;
   std::optional<Failure> DoTask(const Task& task, bool again);
   PlanarPose Here() const;
   std::optional<Failure> Append(MotionPlan next);

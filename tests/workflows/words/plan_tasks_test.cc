@@ -78,6 +78,15 @@ TEST(Quadrupeds, A1WalksToAStepOfStairs) {
   }
 }
 
+TEST(Quadrupeds, NothingIsDoneAfterAWalkOntoAStep) {
+  const RobotModel a1 = LoadNamedRobot("a1").value();
+  const Terrain stairs = MakeTerrain("stairs", ScaleOf(a1)).value();
+  const Result<PlannedTasks> planned = PlannedInWords(a1, "walk to the second step, then bow", stairs);
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.failure().code, "not_level");
+  EXPECT_NE(planned.failure().message.find("task 2, 'bow'"), std::string::npos) << planned.failure().message;
+}
+
 TEST(Biped, BalancesOnEachFoot) {
   for (const char* foot : {"left", "right"}) {
     const Done done = Do("nao", std::string("stand on your ") + foot + " foot for 2 seconds");
