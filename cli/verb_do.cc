@@ -17,6 +17,7 @@
 #include "workflows/words/interpret.h"
 #include "workflows/words/places.h"
 #include "workflows/words/plan_tasks.h"
+#include "workflows/words/task_scores.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -94,13 +95,16 @@ bool GoesOn(const Arguments& a, const Interpretation& tasks) {
 
 void Print(const Judged& judged, const Files& files, const Interpretation& tasks, const PlannedTasks& planned,
            const Common& common) {
+  const TaskScores scores = ScoreTasks(planned, judged.played);
   if (!common.json && !common.quiet) {
     for (const std::string& note : planned.notes) fmt::print("note: {}\n", note);
+    fmt::print("{}\n", TaskScoresText(scores));
   }
   PrintJudged(judged, files, common,
               {{"tasks", TaskPlanJson(tasks.plan)},
                {"understood_by", nlohmann::json(tasks.by).dump()},
-               {"notes", nlohmann::json(planned.notes).dump()}});
+               {"notes", nlohmann::json(planned.notes).dump()},
+               {"scores", TaskScoresJson(scores)}});
 }
 
 int PlanAndPlay(Arguments& a, const RobotModel& model, const Terrain& terrain, const Interpretation& tasks) {

@@ -78,7 +78,6 @@ Measurement Saturated(const ScoreInputs& in) {
   return {"torque_saturated_fraction", *largest.value, {}, {}, ""};
 }
 
-/// Integral of max(tau v, 0) over all joints [J].
 double PositiveWork(double step_s, const VectorX& tau, const VectorX& v) {
   double power = 0.0;
   for (Eigen::Index i = 0; i < tau.size(); ++i) power += std::max(tau[i] * v[6 + i], 0.0);
@@ -94,13 +93,12 @@ Measurement CostOfTransport(const ScoreInputs& in) {
   if (std::min(way(measured), way(planned)) < kLeastShareOfLeg * in.leg_length_m) {
     return {"cost_of_transport", {}, {}, {}, "it went less than a quarter of a leg's length"};
   }
-  double work = 0.0, planned_work = 0.0;
+  double planned_work = 0.0;
   for (std::size_t k = 1; k < measured.size(); ++k) {
     const double step = measured[k].time_s - measured[k - 1].time_s;
-    work += PositiveWork(step, in.log.samples[k].tau, in.log.samples[k].v);
     if (plan[k].tau.size() == in.model.num_dofs()) planned_work += PositiveWork(step, plan[k].tau, plan[k].v);
   }
-  const double weight = in.model.weight_n();
+  const double weight = in.model.weight_n(), work = PositiveWork(in.log, measured.size());
   return {"cost_of_transport", work / (weight * way(measured)), planned_work / (weight * way(planned)), {}, ""};
 }
 
@@ -148,6 +146,15 @@ Measurement TorqueStep(const ScoreInputs& in) {
 }
 
 }  // namespace
+
+double PositiveWork(const PlaybackLog& log, std::size_t samples) {
+  double work = 0.0;
+  for (std::size_t k = 1; k < samples; ++k) {
+    const LogSample& sample = log.samples[k];
+    work += PositiveWork(sample.time_s - log.samples[k - 1].time_s, sample.tau, sample.v);
+  }
+  return work;
+}
 
 std::vector<Measurement> JointMeasurements(const ScoreInputs& in) {
   JointExtremes measured, planned;

@@ -54,6 +54,9 @@ std::vector<Measurement> ContactMeasurements(const ScoreInputs& in);
 std::vector<Measurement> JointMeasurements(const ScoreInputs& in);
 std::vector<Measurement> EstimateMeasurements(const ScoreInputs& in);
 
+/// What the motors gave in the first samples of a log: the integral of max(tau v, 0) over all joints [J].
+double PositiveWork(const PlaybackLog& log, std::size_t samples);
+
 /// How far the base that a controller took for true is from the true one.
 struct EstimateError {
   double horizontal_m = 0.0;  ///< in plan view

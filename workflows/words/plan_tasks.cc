@@ -73,6 +73,7 @@ Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, 
   planned.robot = *whole;
   planned.plan = std::move(*plan);
   planned.notes = planner.notes();
+  planned.task_ends_s = planner.ends_s();
   planned.plan.provenance = ProvenanceOf(tasks, options);
   planned.planning_cpu_s = clock.elapsed_s();
   const Result<AuditReport> audit = Audit(*whole, planned.plan, {});

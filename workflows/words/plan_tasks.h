@@ -25,7 +25,8 @@ struct PlannedTasks {
   RobotModel robot;  ///< the one that the motion is of: where it lies, with what it lies on
   MotionPlan plan;
   AuditReport audit;
-  std::vector<std::string> notes;  ///< what was added or chosen that no words say, for people
+  std::vector<std::string> notes;   ///< what was added or chosen that no words say, for people
+  std::vector<double> task_ends_s;  ///< of each task, on the plan's clock
   double planning_cpu_s = 0.0;
 };
 

@@ -59,6 +59,7 @@ std::optional<Failure> TaskPlanner::Add(const Task& task) {
   task_ = &task;
   auto failure = DoTask(task, again);
   task_ = nullptr;
+  ends_s_.push_back((whole_ ? whole_->whole_body.end_s() : 0.0) + ChainTime());
   return failure;
 }
 

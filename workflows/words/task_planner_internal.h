@@ -26,6 +26,8 @@ class TaskPlanner {
   std::optional<Failure> Add(const Task& task);
   Result<MotionPlan> Finish();
   const std::vector<std::string>& notes() const { return notes_; }
+  /// When each task that was added ends.
+  const std::vector<double>& ends_s() const { return ends_s_; }
 
  private:
   std::optional<Failure> WhyNotGoOn() const;
@@ -62,6 +64,7 @@ class TaskPlanner {
   std::vector<std::pair<PostureMotion, double>> gestures_;  // over them, with when they begin
   std::optional<MotionPlan> whole_;
   std::vector<std::string> notes_;
+  std::vector<double> ends_s_;
 };
 
 }  // namespace gaitwright::tasks

@@ -9,6 +9,7 @@
 #include "planning/plan/built_in_terrain.h"
 #include "planning/plan/plan_json.h"
 #include "tests/workflows/words/done_in_words.h"
+#include "workflows/words/task_scores.h"
 
 namespace gaitwright {
 namespace {
@@ -76,6 +77,26 @@ TEST(Quadrupeds, A1WalksToAStepOfStairs) {
     const GroundPoint ground = GroundAt(stairs, {there.x_m, there.y_m});
     EXPECT_EQ(stairs.patches[static_cast<std::size_t>(ground.patch)].name, "step 2") << text;
   }
+}
+
+TEST(Tasks, AreScoredByWhatWasDone) {
+  const Done done = Do("a1", "bow, then nod, then squat");
+  const TaskScores all = ScoreTasks(done.planned, done.played);
+  EXPECT_EQ(all.done, 3);
+  EXPECT_EQ(all.asked, 3);
+  ASSERT_TRUE(all.stability_m && all.jerk_rad_s3);
+  EXPECT_GT(*all.stability_m, 0.0);
+  // What it takes at the least: to raise the body from the squat.
+  const auto& com = done.planned.plan.centroidal.p_WC;
+  double lowest = com.back().z();
+  for (const Vector3& p : com) lowest = std::min(lowest, p.z());
+  EXPECT_GT(all.energy_j, 0.8 * done.planned.robot.weight_n() * (com.back().z() - lowest));
+  PlayRequest pushed;
+  pushed.play.push_force_W = {0.0, 1000.0, 0.0};
+  pushed.play.push_at_s = 0.5 * (done.planned.task_ends_s[0] + done.planned.task_ends_s[1]);
+  const PlayedWalk fell = *PlayWalk(done.planned.robot, done.planned.plan, pushed);
+  ASSERT_FALSE(fell.report.pass);
+  EXPECT_EQ(ScoreTasks(done.planned, fell).done, 1) << TaskScoresText(ScoreTasks(done.planned, fell));
 }
 
 TEST(Quadrupeds, NothingIsDoneAfterAWalkOntoAStep) {
