@@ -17,6 +17,7 @@ struct TaskScores {
   double energy_j = 0.0;              ///< positive work of the motors
 };
 
+/// The scores of a playback of that plan. Tasks are counted by the plan's clock, a fall by that of the log.
 TaskScores ScoreTasks(const PlannedTasks& planned, const PlayedWalk& played);
 
 /// "5 of 5 tasks done; ...", for people.
