@@ -44,4 +44,12 @@ void AddPointWrench(const RobotModel& model, const DynamicsScratch& scratch, int
   }
 }
 
+void AddHeldWeight(const RobotModel& model, const DynamicsScratch& scratch, double share, VectorX& tau) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body& body = model.bodies[b];
+    AddPointForce(model, scratch, static_cast<int>(b), scratch.p_WB[b] + scratch.R_WB[b] * body.p_BC,
+                  share * body.mass * kGravity * Vector3::UnitZ(), tau);
+  }
+}
+
 }  // namespace gaitwright

@@ -28,4 +28,8 @@ void AddPointForce(const RobotModel& model, const DynamicsScratch& scratch, int 
 void AddPointWrench(const RobotModel& model, const DynamicsScratch& scratch, int body, const Vector3& p_WQ,
                     const Vector6& force_and_moment_W, VectorX& tau);
 
+/// Adds to `tau` (size nv) `share` times the generalised forces that hold all bodies up against gravity where
+/// ForwardKinematics put them: what InverseDynamics gives at rest.
+void AddHeldWeight(const RobotModel& model, const DynamicsScratch& scratch, double share, VectorX& tau);
+
 }  // namespace gaitwright

@@ -168,7 +168,8 @@ StanceFeedback::Drift StanceFeedback::DriftAhead(const Situation& now, double ah
   return drift;
 }
 
-/// tau -= J^T (f - f_planned)
+/// tau -= J^T f - J_planned^T f_planned, and the links' weight is borne where they are: with heavy legs near the ground
+/// the planned posture's torques would push on what has moved, more than any feedback holds.
 void StanceFeedback::AddTorques(const Situation& now, VectorX& tau) const {
   VectorX all = VectorX::Zero(model_.nv());
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -180,6 +181,8 @@ void StanceFeedback::AddTorques(const Situation& now, VectorX& tau) const {
     wrench << now.sample.wrenches[f].force_W, now.sample.wrenches[f].moment_W;
     AddPointWrench(model_, now.planned.scratch, model_.feet[f].body, now.planned.X_WF[f].translation(), wrench, all);
   }
+  AddHeldWeight(model_, now.measured.scratch, 1.0, all);
+  AddHeldWeight(model_, now.planned.scratch, -1.0, all);
   tau += all.tail(model_.num_dofs());
 }
 

@@ -46,10 +46,21 @@ class StanceCase {
     return tau;
   }
 
-  /// Undoes tau = -J^T f on the joints. Feet may not be redundant: points, or one sole.
+  /// What the joints' own links weigh where they are more than where the plan has them, by inverse dynamics at rest.
+  VectorX MovedWeight() const {
+    const VectorX still = VectorX::Zero(model_.nv());
+    DynamicsScratch scratch(model_);
+    VectorX here = still, planned = still;
+    InverseDynamics(model_, now.measured.q, still, still, scratch, here);
+    InverseDynamics(model_, now.planned.q, still, still, scratch, planned);
+    return (here - planned).tail(model_.num_dofs());
+  }
+
+  /// Undoes tau = g - J^T f on the joints. Feet may not be redundant: points, or one sole.
   Reaction Ask(const ControlInput& input) {
     VectorX tau = VectorX::Zero(model_.nv());
     tau.tail(model_.num_dofs()) = Torques(input);
+    tau.tail(model_.num_dofs()) -= MovedWeight();
     for (std::size_t f = 0; f < model_.feet.size(); ++f) {
       Vector6 wrench;
       wrench << now.sample.wrenches[f].force_W, now.sample.wrenches[f].moment_W;

@@ -241,6 +241,15 @@ TEST_P(Dynamics, PointWrenchIsTheTransposedJacobian) {
   EXPECT_LT((J.transpose() * wrench - tau).norm(), 1e-12);
 }
 
+TEST_P(Dynamics, HeldWeightIsInverseDynamicsAtRest) {
+  const VectorX q = random_.Configuration(model_), still = VectorX::Zero(model_.nv());
+  VectorX at_rest, held = VectorX::Ones(model_.nv());
+  InverseDynamics(model_, q, still, still, scratch_, at_rest);
+  ForwardKinematics(model_, q, other_);
+  AddHeldWeight(model_, other_, -2.0, held);
+  EXPECT_LT((held + 2.0 * at_rest - VectorX::Ones(model_.nv())).norm(), 1e-10 * (1.0 + at_rest.norm()));
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, Dynamics, testing::ValuesIn(kAnyRobots));
 
 }  // namespace

@@ -181,10 +181,12 @@ TEST_P(OnFourFeet, FeetInTheAirAreNotAskedForAnything) {
     AddPointWrench(model_, case_.now.planned.scratch, model_.feet[f].body, case_.now.planned.X_WF[f].translation(),
                    wrench, planned);
   }
+  planned.tail(model_.num_dofs()) += case_.MovedWeight();
   for (const std::size_t leg : {2U, 3U}) {
     for (const int joint : model_.legs[leg].joints) {
       const int dof = model_.joints[static_cast<std::size_t>(joint)].dof;
-      EXPECT_NEAR(tau[dof], planned[6 + dof], 1e-9) << "takes back what the plan holds the ground with";
+      EXPECT_NEAR(tau[dof], planned[6 + dof], 1e-9)
+          << "takes back what the plan holds the ground with, and bears its own weight";
     }
   }
   EXPECT_GT(planned.tail(model_.num_dofs()).norm(), 1.0);

@@ -55,6 +55,9 @@ TEST(OddRobots, TheHexapodTurnsAndCrouches) {
   DoneInWords(Odd("hexapod"), "turn left, then crouch walk 20 cm", FlatTerrain());
 }
 
+/// Its legs are half its weight and lie near the ground: braced, they must bear themselves where they are.
+TEST(OddRobots, TheHexapodBraces) { DoneInWords(Odd("hexapod"), "brace yourself", FlatTerrain()); }
+
 /// Knees that point at each other, and feet right under the hips, leave no room for a belly on the ground.
 TEST(OddRobots, WhatCannotLieIsToldWhyAndGetsUpFromACrouch) {
   for (const auto& [name, why] :
