@@ -201,18 +201,19 @@ bool MotionPasses::UpdateRolls(const WholeBodySolution& solution) {
     expected_roll_[i] = solution.roll_at_touchdown_W[i];
     footsteps_.footholds[i].roll_W = roll;
   }
-  if (task_.options.pipeline.end_as_standing && level_) EndAsStanding();
+  if (task_.options.pipeline.end_as_standing) EndAsStanding();
   return change < kSettled;
 }
 
-/// Feet that roll on in their last stance are put down so much before.
+/// Feet that roll on in their last stance, on what is level, are put down so much before.
 void MotionPasses::EndAsStanding() {
-  constexpr double kTime = 1e-6;  // [s]
+  constexpr double kTime = 1e-6, kUpright = 1.0 - 1e-9;  // [s], cosine
   const double end_s = task_.skeleton.schedule.end_s();
   for (std::size_t i = 0; i < footsteps_.footholds.size(); ++i) {
     Foothold& last = footsteps_.footholds[i];
     const bool ends = last.liftoff_s > end_s - kTime && last.touchdown_s > task_.skeleton.schedule.start_s() + kTime;
-    if (!ends || model_.feet[static_cast<std::size_t>(last.foot)].radius == 0.0) continue;
+    const bool level = last.X_WF.linear().col(2).z() > kUpright;
+    if (!ends || !level || model_.feet[static_cast<std::size_t>(last.foot)].radius == 0.0) continue;
     const Vector3 as_standing = task_.skeleton.footsteps.footholds[i].X_WF.translation();
     last.X_WF.translation().head<2>() = (as_standing - last.roll_W).head<2>();
   }

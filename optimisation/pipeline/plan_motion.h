@@ -26,6 +26,7 @@ struct PipelineOptions {
   double zmp_tolerance_m = 0.001;
   double residual = 3e-4;
   double zmp_inward = 0.08;
+  static constexpr double kMostInward = 0.4;
   double com_height_m = 0.0;
   bool end_as_standing = false;
   bool allow_limits = false;
@@ -68,7 +69,7 @@ struct PipelineOptions {
          &zmp_inward,
          "1",
          0.0,
-         0.4,
+         kMostInward,
          "How far the preferred ZMP under a single sole lies towards the body, as a share of the sole's width; twice "
          "as "
          "far where joints would be past their limits otherwise. In the middle, at 0, pushes to both sides are held "
@@ -80,7 +81,7 @@ struct PipelineOptions {
          0.0,
          1.0,
          "Places the last footholds so that feet that roll end where they are in standing, as a motion needs that "
-         "another one follows. On level ground, of a pendulum's motion.",
+         "another one follows. Where they end on what is level, of a pendulum's motion.",
          {}},
         {"allow_limits",
          &allow_limits,

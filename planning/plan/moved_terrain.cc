@@ -11,8 +11,14 @@ namespace gaitwright {
 
 Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain) {
   constexpr double kTurned = 1e-9;  // [rad]
+  const double up_m = X.translation().z();
   for (TerrainPatch& patch : terrain.patches) {
-    if (!patch.outline_T.empty()) patch.X_WT = X * patch.X_WT;
+    const bool same_all_over = patch.outline_T.empty() && patch.X_WT.linear().col(2) == Vector3::UnitZ();
+    if (same_all_over) {
+      patch.X_WT.translation().z() += up_m;
+    } else {
+      patch.X_WT = X * patch.X_WT;
+    }
   }
   for (HeightField& field : terrain.height_fields) {
     if (std::abs(YawOf(X.linear())) > kTurned) {
@@ -24,6 +30,7 @@ Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain) {
           {"go over it before turning, or on a ground of patches"}};
     }
     field.origin_W += X.translation().head<2>();
+    for (double& height_m : field.height_m) height_m += up_m;
   }
   for (Obstacle& obstacle : terrain.obstacles) obstacle.X_WO = X * obstacle.X_WO;
   for (TerrainMarker& marker : terrain.markers)

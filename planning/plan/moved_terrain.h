@@ -6,8 +6,8 @@
 
 namespace gaitwright {
 
-/// The same ground moved in plan view and turned about z: what a robot that is elsewhere has before it.
-/// @param X  turns about z alone, moves along x and y alone.
+/// The same ground moved, and turned about z: what a robot that is elsewhere, or higher, has before it.
+/// @param X  turns about z alone.
 /// Failure kInfeasible `turned_field` for a height field that would be turned, since its grid lies along x and y.
 Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain);
 

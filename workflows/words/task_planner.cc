@@ -27,6 +27,15 @@ std::vector<double> Shares(double size, std::initializer_list<double> shares) {
   return sizes;
 }
 
+/// Of a motion on feet that stay: they are, and what lies down is, on the surfaces that a motion before it ends on.
+void StandOnSurfacesOf(const MotionPlan& before, MotionPlan& plan) {
+  const auto stood = [&](int foot) { return FootholdAt(before.footsteps, foot, before.whole_body.end_s()); };
+  for (Foothold& foothold : plan.footsteps.footholds) {
+    const int at = stood(foothold.foot) >= 0 ? stood(foothold.foot) : stood(0);
+    foothold.patch = before.footsteps.footholds[static_cast<std::size_t>(at)].patch;
+  }
+}
+
 }  // namespace
 
 TaskPlanner::TaskPlanner(const RobotModel& model, const RobotModel& whole_model, const Terrain& terrain,
@@ -63,23 +72,28 @@ std::optional<Failure> TaskPlanner::Add(const Task& task) {
   return failure;
 }
 
-/// Motions begin with the feet side by side on level ground at the height of the start.
-std::optional<Failure> TaskPlanner::WhyNotGoOn() const {
+/// Motions begin with the feet side by side at one height, which is noted.
+std::optional<Failure> TaskPlanner::WhyNotGoOn() {
   constexpr double kLevel = 2e-3;  // [m]
   if (!whole_ || !chain_.empty()) return std::nullopt;
   DynamicsScratch scratch(model_);
   ForwardKinematics(model_, whole_->whole_body.q.back(), scratch);
-  for (std::size_t f = 0; f < model_.legs.size(); ++f) {
-    const double height_m = ContactFrame(model_, scratch, static_cast<int>(f)).translation().z();
-    if (std::abs(height_m) < kLevel) continue;
+  std::vector<double> heights_m;
+  for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f)
+    heights_m.push_back(ContactFrame(model_, scratch, f).translation().z());
+  const auto [low, high] = std::minmax_element(heights_m.begin(), heights_m.end());
+  const auto name = [&](auto foot) { return model_.feet[static_cast<std::size_t>(foot - heights_m.begin())].name; };
+  if (*high - *low > kLevel) {
     return Failure{FailureKind::kInfeasible,
                    "not_level",
                    "PlanTasks",
-                   fmt::format("the walk before it ends with '{}' {:.2f} m {} where the robot began, and what is done "
-                               "there must be the last thing",
-                               model_.feet[f].name, std::abs(height_m), height_m > 0.0 ? "above" : "below"),
-                   {"end with that walk"}};
+                   fmt::format("the walk before it ends with '{}' {:.2f} m above '{}', and what is done there must be "
+                               "the last thing",
+                               name(high), *high - *low, name(low)),
+                   {"end with that walk", "walk to where all feet are on one level"}};
   }
+  ground_m_ = 0.5 * (*low + *high);
+  if (std::abs(ground_m_) < kLevel) ground_m_ = 0.0;
   return std::nullopt;
 }
 
@@ -102,7 +116,16 @@ Result<MotionPlan> TaskPlanner::Finish() {
 /// Where the base is in plan view, from the start of everything.
 PlanarPose TaskPlanner::Here() const { return whole_ ? BaseInPlan(whole_->whole_body.q.back()) : PlanarPose{}; }
 
+/// The same with the height of the ground there.
+Pose TaskPlanner::Start() const {
+  Pose X = PoseOf(Here());
+  X.translation().z() = ground_m_;
+  return X;
+}
+
+/// @param next  as from standing on ground of height 0.
 std::optional<Failure> TaskPlanner::Append(MotionPlan next) {
+  if (ground_m_ != 0.0) next = CarriedPlan(Pose(Eigen::Translation3d(0.0, 0.0, ground_m_)), 0.0, std::move(next));
   if (!whole_) {
     whole_ = std::move(next);
     whole_->terrain = terrain_;
@@ -127,6 +150,7 @@ std::optional<Failure> TaskPlanner::Flush() {
   }
   chain_.clear();
   gestures_.clear();
+  if (whole_) StandOnSurfacesOf(*whole_, *plan);
   return Append(std::move(*plan));
 }
 

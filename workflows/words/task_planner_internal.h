@@ -30,9 +30,10 @@ class TaskPlanner {
   const std::vector<double>& ends_s() const { return ends_s_; }
 
  private:
-  std::optional<Failure> WhyNotGoOn() const;
+  std::optional<Failure> WhyNotGoOn();
   std::optional<Failure> DoTask(const Task& task, bool again);
   PlanarPose Here() const;
+  Pose Start() const;
   std::optional<Failure> Append(MotionPlan next);
   std::optional<Failure> Flush();
   double ChainTime() const;
@@ -40,7 +41,8 @@ class TaskPlanner {
   std::optional<Failure> AddPosture(const PostureMotion& motion);
   std::optional<Failure> AddGestures(PostureKey from, double from_s);
   Result<PostureMotion> GestureMotion(const Task& gesture, const PostureKey& from, double duration_s) const;
-  std::optional<Failure> AddWalk(const WalkRequest& request, bool gestures);
+  std::optional<Failure> AddWalk(WalkRequest request, bool gestures);
+  Result<MotionPlan> WithGestures(MotionPlan walk, PostureKey& key) const;
   std::optional<Failure> GoToStartOf(const MotionPlan& walk);
   std::optional<Failure> Walk(const Task& task, bool gestures);
   std::optional<Failure> Turn(const Task& task);
@@ -63,6 +65,7 @@ class TaskPlanner {
   std::vector<PostureMotion> chain_;                        // postures that are not planned yet
   std::vector<std::pair<PostureMotion, double>> gestures_;  // over them, with when they begin
   std::optional<MotionPlan> whole_;
+  double ground_m_ = 0.0;  // height of the feet at its end over those at its start
   std::vector<std::string> notes_;
   std::vector<double> ends_s_;
 };

@@ -2,13 +2,17 @@
 // Of a task planner: walks, turns, and ways to places.
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/pipeline/plan_posture.h"
 #include "optimisation/pipeline/robot_body.h"
+#include "planning/paths/standing_feet.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/moved_terrain.h"
 #include "planning/plan/robot_of_plan.h"
@@ -24,6 +28,16 @@ void AddRest(const RobotModel& model, MotionPlan& plan) {
   for (auto& wrenches : plan.whole_body.wrenches) wrenches.resize(model.feet.size());
 }
 
+/// The middle of what the feet cover in standing, from the base: soles lie ahead of ankles.
+Vector2 MiddleOfFeet(const RobotModel& model) {
+  const std::vector<Pose> feet = StandingFeet(model);
+  Eigen::AlignedBox2d covered;
+  for (std::size_t f = 0; f < model.legs.size(); ++f) {
+    for (const Vector3& p : ContactPoints(model.feet[f], feet[f])) covered.extend(Vector2(p.head<2>()));
+  }
+  return covered.center();
+}
+
 }  // namespace
 
 /// The robot with its joints outside the legs elsewhere in standing.
@@ -35,42 +49,56 @@ RobotModel Posed(RobotModel model, const VectorX& joints) {
   return model;
 }
 
-std::optional<Failure> TaskPlanner::AddWalk(const WalkRequest& request, bool gestures) {
-  // Postures before it end where the walk begins: they are planned with it in mind.
+std::optional<Failure> TaskPlanner::AddWalk(WalkRequest request, bool gestures) {
   const RobotModel posed = Posed(model_, stance_.key.joints);
-  PlanarPose here = Here();
-  if (!chain_.empty() && !whole_) here = {};
-  const Result<Terrain> ground = MovedTerrain(PoseOf(here).inverse(), terrain_);
+  const Result<Terrain> ground = MovedTerrain(Start().inverse(), terrain_);
   if (!ground) return ground.failure();
   Result<PlannedWalk> planned = PlanWalkOn(posed, *ground, request);
   if (!planned) return planned.failure();
   MotionPlan walk = std::move(planned->motion.plan);
-  if (auto failure = GoToStartOf(walk)) return failure;
-  if (gestures && task_ != nullptr) {
-    double from_s = walk.whole_body.start_s;  // one gesture after the other
-    for (const Task& gesture : task_->during) {
-      const double left_s = walk.whole_body.end_s() - from_s;
-      const Result<PostureMotion> made = GestureMotion(gesture, stance_.key, left_s);
-      if (!made) return made.failure();
-      const PostureMotion motion = Stretched(*made, 1.0, walk.whole_body.step_s);
-      if (motion.duration_s() > left_s) StayOn(motion.duration_s() - left_s, walk);
-      Result<MotionPlan> with =
-          WithGesture(Posed(model_, stance_.key.joints), walk, motion, from_s, options_.motion.whole_body);
-      if (!with) return with.failure();
-      walk = std::move(*with);
-      stance_.key.joints = motion.keys.back().joints;
-      from_s += motion.duration_s();
+  PostureKey end = stance_.key;
+  if (gestures && task_ != nullptr && !task_->during.empty()) {
+    Result<MotionPlan> with = WithGestures(walk, end);
+    if (!with) {
+      // What the body leans against a raised arm takes joints of the legs farther, which a ZMP more inward gives back.
+      PipelineOptions& pipeline = request.motion.pipeline;
+      pipeline.zmp_inward = std::min(2.0 * pipeline.zmp_inward, PipelineOptions::kMostInward);
+      planned = PlanWalkOn(posed, *ground, request);
+      end = stance_.key;
+      Result<MotionPlan> eased = planned ? WithGestures(planned->motion.plan, end) : Result<MotionPlan>(with.failure());
+      if (!eased) return with.failure();
+      with = std::move(eased);
     }
-    const Result<AuditReport> audit = Audit(model_, walk, {});
-    if (!audit) return audit.failure();
-    if (!task_->during.empty() && !audit->pass()) {
-      Failure failure = WhyBroken(task_->words, *audit);
-      failure.hints = {"one after the other may do: 'then' in place of 'while'"};
-      return failure;
-    }
+    walk = std::move(*with);
   }
+  // Postures before it end where the walk begins: they are planned with it in mind.
+  if (auto failure = GoToStartOf(walk)) return failure;
+  stance_.key.joints = end.joints;
   if (whole_model_.hash != model_.hash) AddRest(whole_model_, walk);
   return Append(std::move(walk));
+}
+
+/// A walk with what is done meanwhile, one gesture after the other; `key` goes on to what the body is like at its end.
+Result<MotionPlan> TaskPlanner::WithGestures(MotionPlan walk, PostureKey& key) const {
+  double from_s = walk.whole_body.start_s;
+  for (const Task& gesture : task_->during) {
+    const double left_s = walk.whole_body.end_s() - from_s;
+    const Result<PostureMotion> made = GestureMotion(gesture, key, left_s);
+    if (!made) return made.failure();
+    const PostureMotion motion = Stretched(*made, 1.0, walk.whole_body.step_s);
+    if (motion.duration_s() > left_s) StayOn(motion.duration_s() - left_s, walk);
+    Result<MotionPlan> with = WithGesture(Posed(model_, key.joints), walk, motion, from_s, options_.motion.whole_body);
+    if (!with) return with.failure();
+    walk = std::move(*with);
+    key.joints = motion.keys.back().joints;
+    from_s += motion.duration_s();
+  }
+  const Result<AuditReport> audit = Audit(model_, walk, {});
+  if (!audit) return audit.failure();
+  if (audit->pass()) return walk;
+  Failure failure = WhyBroken(task_->words, *audit);
+  failure.hints = {"one after the other may do: 'then' in place of 'while'"};
+  return failure;
 }
 
 /// Walks carry the body at places of their own over the feet: goes there first.
@@ -112,10 +140,10 @@ std::optional<Failure> TaskPlanner::Turn(const Task& task) {
   return std::nullopt;
 }
 
-/// The way to a place from where the robot is.
+/// The way from where the robot stands to where its feet are about a place.
 Vector2 TaskPlanner::WayTo(const PlaceName& place) const {
   const Vector2 centre_W = CentreOf(terrain_, place);
-  return (PoseOf(Here()).inverse() * Vector3(centre_W.x(), centre_W.y(), 0.0)).head<2>();
+  return (PoseOf(Here()).inverse() * Vector3(centre_W.x(), centre_W.y(), 0.0)).head<2>() - MiddleOfFeet(model_);
 }
 
 std::optional<Failure> TaskPlanner::WalkTo(const Task& task) {

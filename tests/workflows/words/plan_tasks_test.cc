@@ -99,7 +99,27 @@ TEST(Tasks, AreScoredByWhatWasDone) {
   EXPECT_EQ(ScoreTasks(done.planned, fell).done, 1) << TaskScoresText(ScoreTasks(done.planned, fell));
 }
 
-TEST(Quadrupeds, NothingIsDoneAfterAWalkOntoAStep) {
+/// All feet on one step: whatever the ground below is like, it goes on from there.
+TEST(OnStairs, GoesOnWhereAllFeetAreOnOneLevel) {
+  const auto stairs = [](const std::string& parameters, const RobotModel& model) {
+    return MakeTerrain("stairs:" + parameters, ScaleOf(model)).value();
+  };
+  const RobotModel nao = LoadNamedRobot("nao").value(), a1 = LoadNamedRobot("a1").value();
+  const Done up = DoneInWords(
+      nao, "walk to the first step, raise the right arm, walk to the second step, balance on your left foot, and squat",
+      stairs("tread_m=0.2", nao));
+  const VectorX standing = StandingConfiguration(nao), &end = up.played.log.samples.back().q;
+  EXPECT_NEAR(end[2], standing[2] + 0.04, 0.01) << "two steps of 2 cm";
+  const Done landing =
+      DoneInWords(a1, "walk to the third step, bow, turn left, then lie down", stairs("landing_m=2", a1));
+  for (const Foothold& foothold : landing.planned.plan.footsteps.footholds) {
+    if (foothold.touchdown_s > landing.planned.task_ends_s.front())
+      EXPECT_EQ(foothold.patch, 3) << foothold.touchdown_s;
+  }
+  EXPECT_GT(landing.planned.plan.footsteps.footholds.back().foot, 3) << "it lies on the landing";
+}
+
+TEST(Quadrupeds, NothingIsDoneAfterAWalkThatEndsOnTwoSteps) {
   const RobotModel a1 = LoadNamedRobot("a1").value();
   const Terrain stairs = MakeTerrain("stairs", ScaleOf(a1)).value();
   const Result<PlannedTasks> planned = PlannedInWords(a1, "walk to the second step, then bow", stairs);
@@ -145,14 +165,16 @@ TEST(Tasks, GesturesOfOneWalkFollowEachOther) {
   }
 }
 
-/// A raised arm has the body sway farther than NAO's ankles roll.
+/// A raised arm has the body sway farther than NAO's ankles roll, unless the ZMP goes less far to the outside.
+TEST(Tasks, AWalkIsMadeToGiveAGestureRoom) { Do("nao", "walk four steps while raising your right arm"); }
+
 TEST(Tasks, AGestureThatAWalkHasNoRoomForIsRefused) {
-  const Result<PlannedTasks> planned = Planned("nao", "walk four steps while raising your right arm", FlatTerrain());
+  const Result<PlannedTasks> planned = Planned("nao", "turn left while raising both arms", FlatTerrain());
   ASSERT_FALSE(planned.ok());
   EXPECT_EQ(planned.failure().code, "joint_position");
   EXPECT_NE(planned.failure().message.find("AnkleRoll"), std::string::npos) << planned.failure().message;
   ASSERT_EQ(planned.failure().hints.size(), 1U);
-  Do("nao", "walk four steps, then raise your right arm");
+  Do("nao", "turn left, then raise both arms");
 }
 
 TEST(Tasks, APlaceIsWalkedTo) {
