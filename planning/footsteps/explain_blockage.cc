@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -268,7 +267,7 @@ class Explanation {
   std::vector<std::string> hints_;
   double tried_gap_m_ = 0.0, tried_step_m_ = 0.0;
   FootstepGraph::Refusals refusals_;
-  std::array<int, 6> stances_{};
+  StanceFaults stances_{};
   FootholdTable::Faults footholds_{};
 };
 

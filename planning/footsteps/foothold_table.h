@@ -25,7 +25,7 @@ struct FootholdChoice {
 class FootholdTable {
  public:
   /// How often each fault was met while footholds of a foot and step were looked for.
-  using Faults = std::array<int, 7>;
+  using Faults = std::array<int, static_cast<std::size_t>(FootholdFault::kObstacle) + 1>;
 
   /// All must outlive it.
   FootholdTable(const RobotModel& model, const FootholdChecker& checker, const FootstepQuery& query,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,6 +18,9 @@ namespace gaitwright {
 
 /// Why a robot cannot stand with its feet where they are.
 enum class StanceFault { kNone, kFeetClose, kReach, kTilt, kBodyLow, kLegLow, kBodyObstacle };
+
+/// How often each fault was met, by its number.
+using StanceFaults = std::array<int, static_cast<std::size_t>(StanceFault::kBodyObstacle) + 1>;
 
 /// The fault in words, such as "out of reach of a leg".
 std::string Describe(StanceFault fault);
