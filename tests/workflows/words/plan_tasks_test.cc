@@ -113,8 +113,8 @@ TEST(OnStairs, GoesOnWhereAllFeetAreOnOneLevel) {
   const Done landing =
       DoneInWords(a1, "walk to the third step, bow, turn left, then lie down", stairs("landing_m=2", a1));
   for (const Foothold& foothold : landing.planned.plan.footsteps.footholds) {
-    if (foothold.touchdown_s > landing.planned.task_ends_s.front())
-      EXPECT_EQ(foothold.patch, 3) << foothold.touchdown_s;
+    const bool later = foothold.touchdown_s > landing.planned.task_ends_s.front();
+    EXPECT_TRUE(!later || foothold.patch == 3) << foothold.touchdown_s;
   }
   EXPECT_GT(landing.planned.plan.footsteps.footholds.back().foot, 3) << "it lies on the landing";
 }
