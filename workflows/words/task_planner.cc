@@ -56,7 +56,7 @@ void TaskPlanner::BeginLow() {
 }
 
 std::optional<Failure> TaskPlanner::Add(const Task& task) {
-  if (auto failure = WhyNotGoOn()) return failure;
+  if (auto failure = FindGround()) return failure;
   static const std::vector<std::string> kAnyhow = {"stand", "stand_up", "raise_arm", "lower_arm", "wave"};
   const bool anyhow = std::find(kAnyhow.begin(), kAnyhow.end(), task.action) != kAnyhow.end();
   const bool again = (task.action == "sit" && stance_.pose == Stance::Pose::kSitting) ||
@@ -72,8 +72,8 @@ std::optional<Failure> TaskPlanner::Add(const Task& task) {
   return failure;
 }
 
-/// Motions begin with the feet side by side at one height, which is noted.
-std::optional<Failure> TaskPlanner::WhyNotGoOn() {
+/// Finds the height of the ground that motions go on from: where all feet are on one level.
+std::optional<Failure> TaskPlanner::FindGround() {
   constexpr double kLevel = 2e-3;  // [m]
   if (!whole_ || !chain_.empty()) return std::nullopt;
   DynamicsScratch scratch(model_);

@@ -30,7 +30,7 @@ class TaskPlanner {
   const std::vector<double>& ends_s() const { return ends_s_; }
 
  private:
-  std::optional<Failure> WhyNotGoOn();
+  std::optional<Failure> FindGround();
   std::optional<Failure> DoTask(const Task& task, bool again);
   PlanarPose Here() const;
   Pose Start() const;
