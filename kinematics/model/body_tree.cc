@@ -55,12 +55,19 @@ std::vector<bool> BodiesOfLegs(const RobotModel& model) {
 }
 
 std::vector<bool> DofsOfLegs(const RobotModel& model) {
-  std::vector<bool> of_leg(static_cast<std::size_t>(model.num_dofs()), false);
-  for (const Leg& leg : model.legs) {
-    for (const int joint : leg.joints)
-      of_leg[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(joint)].dof)] = true;
-  }
+  const std::vector<int> legs = LegsOfDofs(model);
+  std::vector<bool> of_leg;
+  for (const int leg : legs) of_leg.push_back(leg >= 0);
   return of_leg;
+}
+
+std::vector<int> LegsOfDofs(const RobotModel& model) {
+  std::vector<int> legs(static_cast<std::size_t>(model.num_dofs()), -1);
+  for (std::size_t leg = 0; leg < model.legs.size(); ++leg) {
+    for (const int joint : model.legs[leg].joints)
+      legs[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(joint)].dof)] = static_cast<int>(leg);
+  }
+  return legs;
 }
 
 }  // namespace gaitwright

@@ -26,4 +26,7 @@ std::vector<bool> BodiesOfLegs(const RobotModel& model);
 /// Of each joint coordinate (n), whether it is of a leg.
 std::vector<bool> DofsOfLegs(const RobotModel& model);
 
+/// Of each joint coordinate (n), the leg that it is of, the last of those that share it, or -1.
+std::vector<int> LegsOfDofs(const RobotModel& model);
+
 }  // namespace gaitwright

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/model/joint_losses.h"
 
 namespace gaitwright {
@@ -17,17 +18,6 @@ struct Gain {
 
 Gain FromInertia(double inertia, double frequency_rad_s, double damping_ratio) {
   return {inertia * frequency_rad_s * frequency_rad_s, 2.0 * damping_ratio * inertia * frequency_rad_s};
-}
-
-/// The leg that each independent joint is in, or -1.
-std::vector<int> LegOfDof(const RobotModel& model) {
-  std::vector<int> leg_of(model.dof_names.size(), -1);
-  for (std::size_t l = 0; l < model.legs.size(); ++l) {
-    for (int joint : model.legs[l].joints) {
-      leg_of[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(joint)].dof)] = static_cast<int>(l);
-    }
-  }
-  return leg_of;
 }
 
 Gain LegGain(const RobotModel& model, const Leg& leg, int dof, const GainOptions& options) {
@@ -47,7 +37,7 @@ Gains DeriveGains(const RobotModel& model, const GainOptions& options) {
   MassMatrix(model, StandingConfiguration(model), scratch, M);
   AddRotorInertia(model, M);
   const MatrixX mobility = M.inverse().bottomRightCorner(model.num_dofs(), model.num_dofs());
-  const std::vector<int> leg_of = LegOfDof(model);
+  const std::vector<int> leg_of = LegsOfDofs(model);
 
   Gains gains{VectorX::Zero(model.num_dofs()), VectorX::Zero(model.num_dofs())};
   for (int dof = 0; dof < model.num_dofs(); ++dof) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/holdable_support.h"
 #include "kinematics/stability/zero_moment_point.h"
@@ -14,7 +15,7 @@
 namespace gaitwright {
 
 StanceFeedback::StanceFeedback(const RobotModel& model, const StabilisedOptions& options)
-    : model_(model), options_(options) {
+    : model_(model), options_(options), leg_of_(LegsOfDofs(model)), moved_weight_(model.nv()) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   inertia_B_ = LockedInertia(model, scratch).diagonal();
@@ -41,6 +42,7 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
     Split(now, wanted, looks_ahead ? kLeastShare : 0.0);
   }
   AddTorques(now, tau);
+  BearLegs(now, tau);
 }
 
 /// How far the base is to lean with ground that is tilted against the plan, at the height of the centre of mass [m].
@@ -168,8 +170,7 @@ StanceFeedback::Drift StanceFeedback::DriftAhead(const Situation& now, double ah
   return drift;
 }
 
-/// tau -= J^T f - J_planned^T f_planned, and the links' weight is borne where they are: with heavy legs near the ground
-/// the planned posture's torques would push on what has moved, more than any feedback holds.
+/// tau -= J^T f - J_planned^T f_planned
 void StanceFeedback::AddTorques(const Situation& now, VectorX& tau) const {
   VectorX all = VectorX::Zero(model_.nv());
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -181,9 +182,32 @@ void StanceFeedback::AddTorques(const Situation& now, VectorX& tau) const {
     wrench << now.sample.wrenches[f].force_W, now.sample.wrenches[f].moment_W;
     AddPointWrench(model_, now.planned.scratch, model_.feet[f].body, now.planned.X_WF[f].translation(), wrench, all);
   }
-  AddHeldWeight(model_, now.measured.scratch, 1.0, all);
-  AddHeldWeight(model_, now.planned.scratch, -1.0, all);
   tau += all.tail(model_.num_dofs());
+}
+
+/// A leg that is not where the plan has it weighs otherwise, tau = g(q) - g(q_planned). Under a body that stands on it
+/// upright this brings the leg back, which steadies the robot, so that it is left to do so; what pushes a leg farther
+/// away, as it does heavy legs that sprawl near the ground, is borne.
+void StanceFeedback::BearLegs(const Situation& now, VectorX& tau) {
+  constexpr double kLeast = 1e-12;  // [rad^2]
+  const Eigen::Index n = model_.num_dofs();
+  moved_weight_.setZero();
+  AddHeldWeight(model_, now.measured.scratch, 1.0, moved_weight_);
+  AddHeldWeight(model_, now.planned.scratch, -1.0, moved_weight_);
+  for (int leg = 0; leg < static_cast<int>(model_.legs.size()); ++leg) {
+    double work = 0.0, square = 0.0;
+    for (Eigen::Index dof = 0; dof < n; ++dof) {
+      if (leg_of_[static_cast<std::size_t>(dof)] != leg) continue;
+      const double off = now.measured.q[7 + dof] - now.planned.q[7 + dof];
+      work += moved_weight_[6 + dof] * off;
+      square += off * off;
+    }
+    if (work >= 0.0 || square < kLeast) continue;
+    for (Eigen::Index dof = 0; dof < n; ++dof) {
+      if (leg_of_[static_cast<std::size_t>(dof)] == leg)
+        tau[dof] += work / square * (now.measured.q[7 + dof] - now.planned.q[7 + dof]);
+    }
+  }
 }
 
 }  // namespace gaitwright

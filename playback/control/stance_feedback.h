@@ -44,9 +44,12 @@ class StanceFeedback {
   Vector2 ZmpFor(const Vector2& dcm_error_W) const;
   void Split(const Situation& now, PointWrench wanted, double least_share);
   void AddTorques(const Situation& now, VectorX& tau) const;
+  void BearLegs(const Situation& now, VectorX& tau);
 
   const RobotModel& model_;
   const StabilisedOptions& options_;
+  const std::vector<int> leg_of_;        // by joint coordinate, or -1
+  VectorX moved_weight_;                 // of BearLegs
   Vector3 inertia_B_ = Vector3::Ones();  // of the standing robot, about its centre of mass
   // Of the last Update.
   double lifted_m_s2_ = 0.0;

@@ -46,7 +46,8 @@ class StanceCase {
     return tau;
   }
 
-  /// What the joints' own links weigh where they are more than where the plan has them, by inverse dynamics at rest.
+  /// By how much the joints must hold the robot up more, where it is, than where the plan has it, by inverse dynamics
+  /// at rest.
   VectorX MovedWeight() const {
     const VectorX still = VectorX::Zero(model_.nv());
     DynamicsScratch scratch(model_);
@@ -56,11 +57,26 @@ class StanceCase {
     return (here - planned).tail(model_.num_dofs());
   }
 
-  /// Undoes tau = g - J^T f on the joints. Feet may not be redundant: points, or one sole.
+  /// The part of that which is borne: along each leg's displacement, where it would take the leg farther away.
+  VectorX BorneWeight() const {
+    const VectorX moved = MovedWeight(), off = (now.measured.q - now.planned.q).tail(model_.num_dofs());
+    VectorX borne = VectorX::Zero(model_.num_dofs());
+    for (const Leg& leg : model_.legs) {
+      VectorX way = VectorX::Zero(model_.num_dofs());
+      for (const int joint : leg.joints) {
+        const int dof = model_.joints[static_cast<std::size_t>(joint)].dof;
+        way[dof] = off[dof];
+      }
+      if (way.norm() > 1e-6) borne += std::min(moved.dot(way.normalized()), 0.0) * way.normalized();
+    }
+    return borne;
+  }
+
+  /// Undoes tau = -J^T f on the joints. Feet may not be redundant: points, or one sole.
   Reaction Ask(const ControlInput& input) {
     VectorX tau = VectorX::Zero(model_.nv());
     tau.tail(model_.num_dofs()) = Torques(input);
-    tau.tail(model_.num_dofs()) -= MovedWeight();
+    tau.tail(model_.num_dofs()) -= BorneWeight();
     for (std::size_t f = 0; f < model_.feet.size(); ++f) {
       Vector6 wrench;
       wrench << now.sample.wrenches[f].force_W, now.sample.wrenches[f].moment_W;

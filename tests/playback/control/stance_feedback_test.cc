@@ -181,7 +181,7 @@ TEST_P(OnFourFeet, FeetInTheAirAreNotAskedForAnything) {
     AddPointWrench(model_, case_.now.planned.scratch, model_.feet[f].body, case_.now.planned.X_WF[f].translation(),
                    wrench, planned);
   }
-  planned.tail(model_.num_dofs()) += case_.MovedWeight();
+  planned.tail(model_.num_dofs()) += case_.BorneWeight();
   for (const std::size_t leg : {2U, 3U}) {
     for (const int joint : model_.legs[leg].joints) {
       const int dof = model_.joints[static_cast<std::size_t>(joint)].dof;
