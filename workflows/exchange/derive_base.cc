@@ -32,16 +32,18 @@ class BaseFollower {
   /// Sets the base of every row. @param contact by row, or empty. @param flies where no foot stands it does, else its
   /// lowest feet stand there.
   void Follow(const std::vector<FootSet>& contact, bool flies, EvenMotion& motion) {
+    constexpr double kLate = 0.05;  // [s]
     up_B_ = BaseRotation(StandingConfiguration(model_)).transpose().col(2);
     R_WB_ = BaseRotation(StandingConfiguration(model_));
     p_WB_.setZero();
-    fall_W_.setZero();
+    velocity_W_.setZero();
+    R_late_ = R_WB_;
     for (int k = 0; k < motion.size(); ++k) {
       VectorX& q = motion.q[static_cast<std::size_t>(k)];
       if (turned_) R_WB_ = BaseRotation(q);
       LookAtFeet(q);
       const Vector3 before_W = p_WB_;
-      if (k == 0) p_WB_.z() -= LowestFoot();
+      if (k == 0) p_WB_.z() -= LowestFoot(R_WB_);
       FootSet stance = contact.empty() ? 0 : contact[static_cast<std::size_t>(k)];
       if (stance == 0 && !flies) stance = LowFeet();
       if (k == 0) {
@@ -49,8 +51,9 @@ class BaseFollower {
         was_ = stance;
       }
       Move(stance, motion.step_s);
-      if (k > 0) fall_W_ = (p_WB_ - before_W) / motion.step_s;
+      if (k > 0) NoteVelocity((p_WB_ - before_W) / motion.step_s, stance & was_, motion.step_s);
       Settle(stance, motion.step_s);
+      R_late_ = Quaternion(R_late_).slerp(1.0 - std::exp(-motion.step_s / kLate), Quaternion(R_WB_)).toRotationMatrix();
       q.head<3>() = p_WB_;
       q.segment<4>(3) = Quaternion(R_WB_).coeffs();
     }
@@ -67,38 +70,41 @@ class BaseFollower {
   }
 
   /// The points in W with which a foot touches.
-  std::vector<Vector3> PointsOf(std::size_t f) const {
+  std::vector<Vector3> PointsOf(std::size_t f, const Matrix3& R_WB) const {
     const Foot& foot = model_.feet[f];
     Pose X_WF = Pose::Identity();
-    X_WF.linear() = R_WB_ * X_BF_[f].linear();
-    X_WF.translation() = R_WB_ * X_BF_[f].translation() + p_WB_;
+    X_WF.linear() = R_WB * X_BF_[f].linear();
+    X_WF.translation() = R_WB * X_BF_[f].translation() + p_WB_;
     if (foot.radius > 0.0)
       X_WF.translation() -= foot.radius * GroundAt(terrain_, X_WF.translation().head<2>()).normal_W;
     return ContactPoints(foot, X_WF);
   }
 
-  double HeightOf(std::size_t f) const {
+  double HeightOf(std::size_t f, const Matrix3& R_WB) const {
     double least = 1e9;
-    for (const Vector3& p : PointsOf(f)) least = std::min(least, p.z() - GroundAt(terrain_, p.head<2>()).height_m);
+    for (const Vector3& p : PointsOf(f, R_WB))
+      least = std::min(least, p.z() - GroundAt(terrain_, p.head<2>()).height_m);
     return least;
   }
-  double LowestFoot() const {
+  double LowestFoot(const Matrix3& R_WB) const {
     double least = 1e9;
-    for (std::size_t f = 0; f < X_BF_.size(); ++f) least = std::min(least, HeightOf(f));
+    for (std::size_t f = 0; f < X_BF_.size(); ++f) least = std::min(least, HeightOf(f, R_WB));
     return least;
   }
 
+  /// Feet near the lowest, with the base as it was turned a little before: while feet swing up that were taken to
+  /// stand, the base turns after them, and the first that is noticed would leave the others on the ground.
   FootSet LowFeet() const {
-    const double lowest = LowestFoot();
+    const double lowest = LowestFoot(R_late_);
     FootSet low = 0;
     for (std::size_t f = 0; f < X_BF_.size(); ++f) {
-      if (HeightOf(f) <= lowest + height_m_) low |= FootBit(static_cast<int>(f));
+      if (HeightOf(f, R_late_) <= lowest + height_m_) low |= FootBit(static_cast<int>(f));
     }
     return low;
   }
 
   void PutDown(std::size_t f, bool on_ground) {
-    places_W_[f] = PointsOf(f);
+    places_W_[f] = PointsOf(f, R_WB_);
     R_WF_[f] = R_WB_ * X_BF_[f].linear();
     if (!on_ground) return;
     for (Vector3& p : places_W_[f]) p.z() = GroundAt(terrain_, p.head<2>()).height_m;
@@ -112,12 +118,22 @@ class BaseFollower {
     return foot.radius * RotationLog(R_WB_ * X_BF_[f].linear() * R_WF_[f].transpose()).cross(normal_W);
   }
 
+  /// The velocity with which the base goes on where no foot tells of it: as it was of late, since feet that take over
+  /// from each other in one row never quite agree on where it is.
+  void NoteVelocity(const Vector3& seen_W, FootSet held, double step_s) {
+    constexpr double kTime = 0.02;  // [s]
+    if (held != 0) velocity_W_ += (1.0 - std::exp(-step_s / kTime)) * (seen_W - velocity_W_);
+  }
+
   /// The base where feet that stood and stand are where they were, by Gauss-Newton steps.
   void Move(FootSet stance, double step_s) {
     const FootSet held = stance & was_;
     if (held == 0) {
-      const double falls = stance == 0 ? 0.5 * step_s * step_s * kGravity : 0.0;  // not where others take over
-      p_WB_ += step_s * fall_W_ - falls * Vector3::UnitZ();
+      p_WB_ += step_s * velocity_W_;
+      if (stance == 0) {  // not where others take over
+        p_WB_ -= 0.5 * step_s * step_s * kGravity * Vector3::UnitZ();
+        velocity_W_ -= step_s * kGravity * Vector3::UnitZ();
+      }
       return;
     }
     constexpr int kSteps = 4;
@@ -137,7 +153,7 @@ class BaseFollower {
     for (std::size_t f = 0; f < X_BF_.size(); ++f) {
       if (!Contains(held, static_cast<int>(f))) continue;
       const Vector3 roll = RollOf(f);
-      const std::vector<Vector3> points = PointsOf(f);
+      const std::vector<Vector3> points = PointsOf(f, R_WB_);
       for (std::size_t i = 0; i < points.size(); ++i) {
         J << Matrix3::Identity(), -Skew(points[i] - p_WB_);
         add(J, points[i] - places_W_[f][i] - roll);
@@ -184,8 +200,8 @@ class BaseFollower {
   const double height_m_;
   const bool turned_;
   DynamicsScratch scratch_;
-  Vector3 up_B_ = Vector3::UnitZ(), p_WB_ = Vector3::Zero(), fall_W_ = Vector3::Zero();
-  Matrix3 R_WB_ = Matrix3::Identity();
+  Vector3 up_B_ = Vector3::UnitZ(), p_WB_ = Vector3::Zero(), velocity_W_ = Vector3::Zero();
+  Matrix3 R_WB_ = Matrix3::Identity(), R_late_ = Matrix3::Identity();
   std::vector<Pose> X_BF_;
   std::vector<std::vector<Vector3>> places_W_;
   std::vector<Matrix3> R_WF_;

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics/base/file.h"
 #include "tests/scratch_folder.h"
 #include "workflows/exchange/export_csv.h"
+#include "workflows/exchange/export_trajectory.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/exchange/motion_rows.h"
 #include "workflows/walk/walk.h"
@@ -20,9 +22,10 @@ const RobotModel& A1() {
   return model;
 }
 
-Result<ImportedMotion> Imported(const RobotModel& model, const std::string& text) {
+Result<ImportedMotion> Imported(const RobotModel& model, const std::string& text,
+                                const std::string& name = "round_trip.csv") {
   ImportRequest request;
-  request.file = ScratchFile("round_trip.csv");
+  request.file = ScratchFile(name);
   EXPECT_TRUE(WriteFileAtomically(request.file, text).ok());
   return ImportMotion(model, request);
 }
@@ -98,6 +101,46 @@ TEST(ImportRoundTrip, PlansOfOursPassTheirAuditAndPlayAsWell) {
   amble.gait = "amble";
   amble.command.speed_m_s = 0.5;
   ExpectRoundTrip("a1", amble);
+}
+
+/// The base and the contacts are worked out from the joints: at every rate alike.
+TEST(ImportRoundTrip, JointTrajectoriesOfAnyRateComeBackWithTheirBase) {
+  struct Case {
+    const char *robot, *gait;
+    double speed_m_s;
+  };
+  for (const Case& each : {Case{"a1", "trot", 0.3}, Case{"go1", "trot", 0.4}, Case{"a1", "crawl", 0.1}}) {
+    const RobotModel model = *ChooseRobot(each.robot, "");
+    WalkRequest request;
+    request.gait = each.gait;
+    request.command.speed_m_s = each.speed_m_s;
+    request.command.distance_m = 0.4;
+    const Result<PlannedWalk> walk = PlanWalk(model, request);
+    ASSERT_TRUE(walk.ok()) << walk.failure().message;
+    const MotionPlan& plan = walk->motion.plan;
+    for (const double rate_hz : {200.0, 500.0, 1000.0}) {
+      SCOPED_TRACE(fmt::format("{} {} at {} Hz", each.robot, each.gait, rate_hz));
+      const Result<ImportedMotion> back =
+          Imported(model, JointTrajectoryJson(model, RowsOfPlan(model, plan, rate_hz)), "joints.json");
+      ASSERT_TRUE(back.ok()) << back.failure().message;
+      const WholeBodyTrajectory &ours = plan.whole_body, &theirs = back->plan.whole_body;
+      double off_m = 0.0;
+      for (std::size_t k = 0; k < ours.q.size(); ++k) {
+        const auto row = static_cast<std::size_t>(std::lround(static_cast<double>(k) * ours.step_s / theirs.step_s));
+        if (row >= theirs.q.size()) break;
+        off_m = std::max(off_m, ((ours.q[k] - ours.q[0]) - (theirs.q[row] - theirs.q[0])).head<3>().norm());
+      }
+      EXPECT_LT(off_m, 0.005);
+      for (const Violation& violation : back->audit.violations) {
+        if (violation.law == "dynamics") {
+          EXPECT_LT(violation.value, 0.02 * model.weight_n());
+        }
+      }
+      const Result<PlayedWalk> played = PlayWalk(model, back->plan, {});
+      ASSERT_TRUE(played.ok());
+      EXPECT_TRUE(played->report.pass) << played->report.reason;
+    }
+  }
 }
 
 TEST(ImportRoundTrip, ExportedGaitsThatFlyPassTheirAudit) {
