@@ -141,6 +141,8 @@ void Print(const Arguments& a, const Study& study, const std::vector<PointOutcom
   } else {
     fmt::print("{}\n", SweepText(study, outcomes));
     for (const auto& [kind, path] : files) fmt::print("{:<7} {}\n", kind, path);
+    const std::string flags = summary.best ? PlayFlags(study, *summary.best) : "";
+    if (!a.best.empty() && !flags.empty()) fmt::print("to play it: play {} {}\n", a.best, flags);
   }
 }
 

@@ -61,8 +61,9 @@ sanitized_tests() {
 # Those programs that have threads, under the thread sanitizer.
 threaded_tests() {
   configure threads -DGAITWRIGHT_TESTS=ON
-  build threads playback_tests workflows_tests
-  TSAN_OPTIONS=halt_on_error=1 ctest_in threads -R 'Trials|Sweep|Tune|Live|Session|Server' -LE '^long$'
+  build threads playback_tests workflows_tests examples_tests
+  TSAN_OPTIONS=halt_on_error=1 ctest_in threads -LE '^long$' \
+    -R 'Trials|Sweep|Tune|Live|Session|Server|Jobs|Journal|SharedWork|Ranks|HardwareAdapter'
 }
 
 # fuzz_reader ROOM NAME INPUTS: a reader under libFuzzer, from what its corpus and the source tree have. What it finds is

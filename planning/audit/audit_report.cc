@@ -62,8 +62,8 @@ std::string AuditText(const AuditReport& report) {
     return fmt::format("audit: pass, {} samples at {:.0f} Hz\n", report.samples, report.rate_hz) +
            MarginsText(report.margins);
   }
-  std::string text =
-      fmt::format("audit: fail, {} violations in {} samples\n", report.violations.size(), report.samples);
+  std::string text = fmt::format("audit: fail, {} violation{} in {} samples\n", report.violations.size(),
+                                 report.violations.size() == 1 ? "" : "s", report.samples);
   for (const Violation& v : report.violations) {
     text += fmt::format("  {:<18} at {:6.3f} s  {}: {} (limit {:.4g})\n", v.law, v.at_s, v.where,
                         AuditFigure(v.value, v.unit), v.limit);

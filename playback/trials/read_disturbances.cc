@@ -166,7 +166,7 @@ Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
     }
   }
   if (disturbances.figures.empty() && disturbances.pushes.empty())
-    RefuseYaml(root, "the file holds no disturbances: its groups are empty");
+    RefuseYaml(root, "the file holds no disturbances: its groups are empty; for none at all give mass_scale: 1");
   for (const char* axis : {"com_shift_x_m", "com_shift_y_m", "com_shift_z_m"})
     NotBoth(root, disturbances.figures, "com_shift_m", axis);
   return disturbances;
@@ -214,7 +214,8 @@ Result<Disturbances> ReadDisturbances(const std::string& text, const OptionField
   };
   try {
     const YAML::Node root = LoadYaml(text);
-    if (!root.IsMap() || root.size() == 0) return bad("line 1: holds no disturbances: a map of keys is needed");
+    if (!root.IsMap() || root.size() == 0)
+      return bad("line 1: holds no disturbances: a map of keys is needed; for none at all give mass_scale: 1");
     return ReadRoot(root, sensors);
   } catch (const YAML::Exception& error) {
     return bad(fmt::format("line {}: is no YAML from here on", error.mark.line + 1));

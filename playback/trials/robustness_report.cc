@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "kinematics/base/result.h"
 #include "playback/score/gates.h"
@@ -95,15 +96,13 @@ GaitSensitivity GaitSensitivityOf(const TrialSubject& subject, const std::vector
   return EstimateGaitSensitivity(steps, subject.gait_scale);
 }
 
-/// Falls, the earliest first, then failures by their score; passes are not bad.
+/// Falls, then failures, then passes, each by their score.
 std::vector<int> WorstOf(const std::vector<TrialOutcome>& outcomes) {
   std::vector<int> numbers;
-  for (const TrialOutcome& outcome : outcomes) {
-    if (!outcome.passed) numbers.push_back(outcome.number);
-  }
+  for (const TrialOutcome& outcome : outcomes) numbers.push_back(outcome.number);
   const auto worse = [&](int a, int b) {
     const TrialOutcome &x = outcomes[static_cast<std::size_t>(a)], &y = outcomes[static_cast<std::size_t>(b)];
-    return x.survived != y.survived ? !x.survived : x.score < y.score;
+    return std::tuple(x.survived, x.passed, x.score) < std::tuple(y.survived, y.passed, y.score);
   };
   std::stable_sort(numbers.begin(), numbers.end(), worse);
   if (numbers.size() > kWorstTold) numbers.resize(kWorstTold);

@@ -65,7 +65,7 @@ struct RobustnessReport {
   GaitSensitivity gait_sensitivity;
   std::vector<PushBin> push_bins;  ///< empty where nothing pushes
   std::vector<PushRecord> pushes;
-  std::vector<int> worst;  ///< numbers of the worst trials, the worst first: falls before failures, by score
+  std::vector<int> worst;  ///< numbers of the worst trials, the worst first: falls, failures, passes, each by score
   std::vector<TrialOutcome> outcomes;
 
   /// That of the trial of that number. @throws std::out_of_range for none.

@@ -244,8 +244,11 @@ std::string RobustnessText(const RobustnessReport& report) {
   if (!report.worst.empty()) text += fmt::format("\nthe worst; {} repeats one exactly\n", report.subject.repeat);
   for (const int number : report.worst) {
     const TrialOutcome& o = report.Outcome(number);
-    text += fmt::format("  seed {:>10}  {} {:>6.2f} s  {}\n", o.seed, o.survived ? "failed" : "fell at", o.ended_s,
-                        o.cause);
+    text += fmt::format("  seed {:>10}  {} {:>6.2f} s  {}\n", o.seed,
+                        !o.survived ? "fell at"
+                        : o.passed  ? "passed"
+                                    : "failed",
+                        o.ended_s, o.cause);
   }
   return text + MetricLines(report);
 }

@@ -43,6 +43,7 @@ TEST_F(Sweep, GivesItsObjectAndWritesItsFiles) {
   EXPECT_EQ(lines, 5);
   // The best plan is that of its point: played alone it has the same score.
   const std::string gain = json.at("best").at("values").at("stabilised.dcm_gain").dump();
+  EXPECT_EQ(json.at("best_play_flags"), "--set stabilised.dcm_gain=" + gain.substr(0, gain.find(".0")));
   const Json played = Run({"play", "best.json", "--json", "--set", "stabilised.dcm_gain=" + gain}).json();
   EXPECT_EQ(played.at("score"), json.at("best").at("score"));
 }

@@ -144,10 +144,21 @@ std::string SweepJson(const Study& study, const std::vector<PointOutcome>& outco
                      {"axes", axes},
                      {"points", points},
                      {"best", summary.best ? PointJson(study, outcomes[*summary.best]) : Json()},
+                     {"best_play_flags", summary.best ? Json(PlayFlags(study, *summary.best)) : Json()},
                      {"counts", CountsJson(summary, outcomes.size())},
                      {"failures", failures},
                      {"files", written}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string PlayFlags(const Study& study, std::size_t point) {
+  std::string flags;
+  for (std::size_t k = 0; k < study.axes.size(); ++k) {
+    const std::string& key = study.axes[k].key;
+    if (!ShapesThePlan(key))
+      flags += fmt::format("{}--set {}={}", flags.empty() ? "" : " ", key, study.points[point][k]);
+  }
+  return flags;
 }
 
 std::string SweepText(const Study& study, const std::vector<PointOutcome>& outcomes) {

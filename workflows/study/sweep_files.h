@@ -20,6 +20,9 @@ using WrittenFiles = std::vector<std::pair<std::string, std::string>>;
 /// The object of `sweep --json`, see docs/json-output.md.
 std::string SweepJson(const Study& study, const std::vector<PointOutcome>& outcomes, const WrittenFiles& files);
 
+/// What of a point its plan does not hold, since it is of the playback: "--set KEY=VALUE ..." for `play`, or "".
+std::string PlayFlags(const Study& study, std::size_t point);
+
 /// The sweep in words: counts, the best point, where it fails and why.
 std::string SweepText(const Study& study, const std::vector<PointOutcome>& outcomes);
 

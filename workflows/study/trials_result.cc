@@ -20,6 +20,8 @@ constexpr int kMost = 1000000000;
 
 JsonPart Needed(const JsonPart& object, const char* key) {
   if (!object.json().is_object()) object.Refuse("is no object; one that 'gaitwright trials' wrote is needed");
+  if (!object.Has(key) && object.Has("format"))
+    object.Refuse(fmt::format("is a {}; what 'gaitwright trials' wrote is needed", object.At("format").Text()));
   if (!object.Has(key)) object.Refuse(fmt::format("lacks the key '{}'", key));
   return object.At(key);
 }

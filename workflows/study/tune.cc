@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "kinematics/base/hash.h"
+#include "kinematics/base/version.h"
 #include "playback/score/gates.h"
 #include "workflows/study/run_sweep.h"
 
@@ -155,6 +156,12 @@ std::string TunedOptions(const Study& study, const TuneResult& result) {
   std::string yaml = result.better() ? "# Tuned; better on held-out trials.\n"
                                      : "# Not better than these usual values on held-out trials, so they are kept.\n";
   if (result.proof && !result.proof->no_before.empty()) yaml = "# Tuned; the usual values cannot be walked.\n";
+  yaml += fmt::format("# Robot {} ({}), gait {}, terrain {}; gaitwright {}.\n", study.model.name, study.model.hash,
+                      study.walk.gait.empty() ? "its best" : study.walk.gait, study.walk.terrain, Version());
+  WalkRequest walk = study.walk;
+  std::string command;
+  for (const auto& [key, value] : TextsOf(CommandFields(walk))) command += fmt::format(" {}={}", key, value);
+  yaml += "# Command:" + command + "\n";
   for (std::size_t k = 0; k < study.axes.size(); ++k)
     yaml += study.axes[k].key + ": " + result.candidates[result.chosen].values[k] + "\n";
   return yaml;

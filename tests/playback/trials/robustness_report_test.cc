@@ -37,6 +37,16 @@ TEST(RobustnessReportTest, CountsAndRanks) {
   EXPECT_LE(report.Outcome(report.worst[0]).score, report.Outcome(report.worst[9]).score);
 }
 
+TEST(RobustnessReportTest, TheWorstAreToldThoughNoneFell) {
+  const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(20, 1e3));
+  ASSERT_EQ(report.survived, 20);
+  ASSERT_EQ(report.worst.size(), 10U);
+  for (int i = 0; i < 10; ++i)
+    EXPECT_EQ(report.Outcome(report.worst[static_cast<std::size_t>(i)]).passed, i >= 3) << "3 of 20 break a gate";
+  EXPECT_LE(report.Outcome(report.worst[3]).score, report.Outcome(report.worst[9]).score);
+  EXPECT_NE(RobustnessText(report).find("passed   5.00 s"), std::string::npos) << RobustnessText(report);
+}
+
 TEST(RobustnessReportTest, SpreadsAreThoseOfTheValues) {
   const RobustnessReport report = ReduceTrials(made::Subject(), made::Outcomes(101, 25.0));
   ASSERT_EQ(report.metrics.size(), 2U);  // what no trial has is left out

@@ -117,6 +117,7 @@ TEST(SweepJson, HoldsAxesPointsBestCountsAndFiles) {
   EXPECT_TRUE(json.at("points").at(8).at("audit_pass").is_null()) << "a refused point has no plan to audit";
   EXPECT_TRUE(json.at("points").at(8).at("survival").is_null());
   EXPECT_EQ(json.at("best").at("point"), 0);
+  EXPECT_EQ(json.at("best_play_flags"), "--set play.push_on=base") << "the speed is the plan's";
   EXPECT_EQ(json.at("counts").at("points"), 10);
   EXPECT_EQ(json.at("counts").at("fell"), 2);
   EXPECT_EQ(json.at("files").at("map"), "a.csv");

@@ -142,6 +142,10 @@ TEST(TrialsResults, ThatDoNotSayWhatTheyWerePlayedUnderAreRefused) {
   ExpectNo(With("disturbances", "frction: 0.5\n"), "'friction'");
 }
 
+TEST(TrialsResults, AnotherFileOfOursIsCalledByItsName) {
+  ExpectNo(Json{{"format", "gaitwright-motion-plan"}}, "is a gaitwright-motion-plan; what 'gaitwright trials' wrote");
+}
+
 TEST(TrialsResults, ThatSayNonsenseAreRefused) {
   for (const char* key : {"n", "survived", "passed", "survival", "survival_low", "survival_high", "plan_hash",
                           "whole_plan_hash", "robot_hash", "options", "disturbances", "causes", "trials"}) {

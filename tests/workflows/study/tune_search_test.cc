@@ -263,7 +263,10 @@ TEST(TuneSearch, UsualValuesWithoutAPlanAreNotCountedAsZero) {
   EXPECT_EQ(json.at("held_out").at("no_before"), "no such ground");
   for (const std::string& text : {TuneText(study, report, {}), TunePage(study, report, {}), VerdictOf(result)})
     EXPECT_EQ(text.find(" 0.00 "), std::string::npos) << text;
-  EXPECT_NE(TunedOptions(study, result).find("the usual values cannot be walked"), std::string::npos);
+  study.model.name = "heron";
+  study.walk.command.speed_m_s = 0.25;
+  for (const char* told : {"the usual values cannot be walked", "heron", "speed=0.25"})
+    EXPECT_NE(TunedOptions(study, result).find(told), std::string::npos) << told;
 }
 
 TEST(TuneSearch, WhatCannotBeSearchedIsRefused) {
