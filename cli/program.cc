@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "workflows/cluster/ranks.h"
 #include "workflows/study/job_journal.h"
 
 namespace gaitwright::cli {
@@ -42,6 +43,20 @@ int Report(const Failure& failure, const Common& common) {
 }
 
 int Guarded(const Common& common, const std::function<int()>& verb) {
+  return GuardedInRanks(common, [&]() -> int {
+    const Ranks ranks = Ranks::Join();
+    if (ranks.count() == 1) return verb();
+    if (!ranks.leads()) return kPass;
+    return Report({FailureKind::kBadInput,
+                   "several_processes",
+                   "program",
+                   fmt::format("this verb runs in one process, and MPI has started {}", ranks.count()),
+                   {"start it without mpirun or srun; trials and sweep share their work"}},
+                  common);
+  });
+}
+
+int GuardedInRanks(const Common& common, const std::function<int()>& verb) {
   try {
     return verb();
   } catch (const InvalidArgument& error) {

@@ -37,8 +37,12 @@ void AddCommon(CLI::App& verb, Common& common, const std::vector<std::string>& e
 /// status.
 int Report(const Failure& failure, const Common& common);
 
-/// Runs a verb; an exception becomes a failure like any other.
+/// Runs a verb; an exception becomes a failure like any other. Of several processes of an MPI run each would do all of
+/// it and write the same files: it is refused, by the first of them.
 int Guarded(const Common& common, const std::function<int()>& verb);
+
+/// The same of a verb whose work the processes of an MPI run share.
+int GuardedInRanks(const Common& common, const std::function<int()>& verb);
 
 // One function for each verb: adds it to the program; `status` gets the exit status when it has run.
 void AddWalk(CLI::App& app, int& status);

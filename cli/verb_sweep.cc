@@ -220,7 +220,7 @@ void AddSweep(CLI::App& app, int& status) {
              "sweep --distance 0.3 --over stabilised.dcm_gain=1,1.5 --trials 1 --report a.html --best a.json",
              "sweep --distance 0.3 --over speed=0.1:0.4 --over gait.cycle_s=0.4:0.6 --samples 2 --json"});
   AddOptionList(verb, a->study.Fields(), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  verb.callback([a, &status] { status = GuardedInRanks(a->common, [&] { return Run(*a); }); });
 }
 
 }  // namespace gaitwright::cli

@@ -201,7 +201,7 @@ void AddTrials(CLI::App& app, int& status) {
             {"trials plan.json -n 2 --quiet", "trials plan.json -n 2 --out two.json --report two.html --threads 1",
              "trials plan.json --show-disturbances"});
   AddOptionList(verb, a->Fields(), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  verb.callback([a, &status] { status = GuardedInRanks(a->common, [&] { return Run(*a); }); });
 }
 
 }  // namespace gaitwright::cli

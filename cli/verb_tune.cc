@@ -7,7 +7,6 @@
 #include "cli/progress_bar.h"
 #include "cli/study_arguments.h"
 #include "cli/write_results.h"
-#include "workflows/cluster/ranks.h"
 #include "workflows/study/tune_files.h"
 
 namespace gaitwright::cli {
@@ -61,20 +60,7 @@ Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const Tune
   return files;
 }
 
-/// Of several processes each would do all of it and write the same files; one says so.
-int RefuseOthers(const Arguments& a, const Ranks& ranks) {
-  if (!ranks.leads()) return kPass;
-  return Report({FailureKind::kBadInput,
-                 "several_processes",
-                 "tune",
-                 fmt::format("tune runs in one process, and MPI has started {}", ranks.count()),
-                 {"start it without mpirun or srun; it takes all cores of its machine, or --threads N"}},
-                a.common);
-}
-
 int Run(Arguments& a) {
-  const Ranks ranks = Ranks::Join();
-  if (ranks.count() > 1) return RefuseOthers(a, ranks);
   CheckPathsOf(a);
   Result<Study> study = StudyOf(a);
   if (!study) return Report(study.failure(), a.common);

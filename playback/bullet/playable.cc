@@ -32,6 +32,10 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
                                 w.start_s, kLongestPlan),
                     "see that its 'step_s' is right");
   }
+  if (std::any_of(plan.parts.begin(), plan.parts.end(), [](const MotionPart& part) { return Hangs(part.gait); })) {
+    return Mismatch("hangs", "the plan moves a robot that hangs, held from outside: it would fall at once",
+                    "audit and export it; play the plan that it leads to");
+  }
   if (!model.hash.empty() && !plan.robot_hash.empty() && plan.robot_hash != model.hash) {
     return Mismatch("plan_of_other_robot",
                     fmt::format("the plan was made for robot '{}' ({}), and this is '{}' ({})", plan.robot,

@@ -144,7 +144,8 @@ const MetricRule& RuleOf(const std::string& key) {
     if (rule.key == key) return rule;
     keys.push_back(rule.key);
   }
-  throw InvalidArgument(fmt::format("there is no metric '{}'{}", key, NearestHint(key, keys)));
+  throw InvalidArgument(
+      fmt::format("there is no metric '{}'{}", key, NearestOrAll(key, keys, "docs/scores.md has all of them")));
 }
 
 GateScale ScaleOf(const RobotModel& model, const MotionPlan& plan) {

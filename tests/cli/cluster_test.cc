@@ -70,14 +70,16 @@ TEST_F(Cluster, ASweepIsThatOfOneProcess) {
   EXPECT_EQ(one, two);
 }
 
-TEST_F(Cluster, TuneIsRefusedPlainlyAndByOneRank) {
-  const Ran refused = RunWords(UnderMpi({"tune", "--over", "stabilised.dcm_gain=1:2"}));
-  EXPECT_EQ(refused.status, 1) << refused.err;
-  const std::string words = "gaitwright: tune runs in one process, and MPI has started 2";
-  const std::size_t first = refused.err.find(words);
-  ASSERT_NE(first, std::string::npos) << refused.err;
-  EXPECT_EQ(refused.err.find("gaitwright: ", first + 1), std::string::npos) << refused.err;
-  EXPECT_TRUE(Found().empty());
+TEST_F(Cluster, WhatIsNotSharedIsRefusedPlainlyAndByOneRank) {
+  for (const Words& verb : {Words{"tune", "--over", "stabilised.dcm_gain=1:2"}, Words{"walk", "--out-dir", "walked"}}) {
+    const Ran refused = RunWords(UnderMpi(verb));
+    EXPECT_EQ(refused.status, 1) << refused.err;
+    const std::string words = "gaitwright: this verb runs in one process, and MPI has started 2";
+    const std::size_t first = refused.err.find(words);
+    ASSERT_NE(first, std::string::npos) << refused.err;
+    EXPECT_EQ(refused.err.find("gaitwright: ", first + 1), std::string::npos) << refused.err;
+    EXPECT_TRUE(Found().empty());
+  }
 }
 
 /// A run of many trials, which a signal to mpirun ends after three, and what goes on with it.

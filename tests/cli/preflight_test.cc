@@ -102,6 +102,7 @@ TEST_F(BeforeHardware, AJumpIsNamedAndAWayThereIsPlanned) {
   EXPECT_EQ(json.at("approach").at("base"), "hanging");
   EXPECT_GE(json.at("approach").at("duration_s"), 1.0);
   EXPECT_EQ(json.at("approach").at("farthest"), knee);
+  ExpectRefused(Run({"play", "way.json"}), 1, {"hangs", "play the plan that it leads to"});
   const Ran way = Run({"audit", "way.json", "--start-posture", "off.yaml", "--json"});
   EXPECT_EQ(way.status, 0) << way.out;
   EXPECT_EQ(way.json().at("verdict"), "pass");

@@ -87,12 +87,10 @@ std::optional<Failure> SaidTwice(const PlayRequest& request, const Disturbances&
                  {"leave one of them out"}};
 }
 
-Failure CannotBePlayed(const std::string& code, const std::string& why) {
-  return {FailureKind::kBadInput,
-          code,
-          "PlayTrial",
-          fmt::format("some trials that the disturbances may draw cannot be played: {}", why),
-          {"narrow what is sampled"}};
+Failure CannotBePlayed(const std::string& code, const std::string& why, std::vector<std::string> hints = {}) {
+  if (hints.empty()) hints = {"narrow what is sampled"};
+  return {FailureKind::kBadInput, code, "PlayTrial",
+          fmt::format("some trials that the disturbances may draw cannot be played: {}", why), std::move(hints)};
 }
 
 /// What `check` has to say of the request at either end of the disturbances; options out of range are a failure too.
@@ -107,7 +105,8 @@ std::optional<Failure> AtBothEnds(const RobotModel& model, const MotionPlan& pla
       noise_scale = trial.sensor_noise_scale;
       PlayRequest at_end = DisturbedRequest(request, trial);
       CheckOptions(at_end.Fields());
-      if (const std::optional<Failure> failure = check(at_end)) return CannotBePlayed(failure->code, failure->message);
+      if (const std::optional<Failure> failure = check(at_end))
+        return CannotBePlayed(failure->code, failure->message, failure->hints);
     }
   } catch (const InvalidArgument& error) {
     const std::string why = error.what();
