@@ -62,6 +62,7 @@ int Run(Arguments& a) {
   const Result<OptionTexts> options = a.options.Apply(fields, a.common);
   if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, fields);
+  CheckController(a.play.controller);
   if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
   Paths paths;
   paths.AddRobotAndGait(a.urdf, "");
@@ -106,7 +107,10 @@ void AddLive(CLI::App& app, int& status) {
   CLI::Option* named =
       AddText(verb, "--robot", "NAME", a->robot, "Robot by name, see 'gaitwright robots'; default a1.");
   AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
-  AddText(verb, "--controller", "NAME", a->play.controller, "stabilised or joint-pd; default stabilised.");
+  AddText(
+      verb, "--controller", "NAME", a->play.controller,
+      "stabilised, joint-pd or recovering, which steps when it is pushed while it stands, and lets stabilised walk; "
+      "default stabilised.");
   verb.option_defaults()->group("Where the page is");
   AddText(
       verb, "--host", "ADDRESS", a->address.host,

@@ -102,8 +102,14 @@ void LiveSession::Hear(double until_s) {
   }
 }
 
+/// What a controller or a plan refuses on the way does not end the session for all who look.
 void LiveSession::StepOnce() {
-  live_.Step();
+  try {
+    live_.Step();
+  } catch (const InvalidArgument& refused) {
+    Note(fmt::format("it begins anew: {}", refused.what()));
+    live_.Reset();
+  }
   TellPhase();
 }
 

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
-#include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/sample_plan.h"
@@ -43,14 +41,6 @@ double CentreOverFeet(const MotionPlan& plan) {
   return plan.centroidal.p_WC.back().z() - plan.footsteps.footholds.back().X_WF.translation().z();
 }
 
-WalkPace Usual(const RobotModel& model, const GaitOptions& options) {
-  WalkPace pace;
-  const Result<Gait> gait = FindGait(model, "", model.nominal_speed_m_s, options);
-  if (gait) pace.gait = gait->name;
-  pace.speed_m_s = model.nominal_speed_m_s;
-  return pace;
-}
-
 }  // namespace
 
 std::string NameOf(LiveMode mode) {
@@ -71,23 +61,27 @@ Result<std::unique_ptr<LiveWorld>> LiveWorld::Make(const RobotModel& model, cons
                                                    const PlayRequest& play) {
   PlayRequest checked = play;
   CheckOptions(checked.Fields());
+  Result<LiveControl> control = LiveControl::Make(model, play);
+  if (!control) return control.failure();
   PaceChange begins;
   begins.from.gait = kStanding;
-  begins.to = Usual(model, usual.gait_options);
+  begins.to = UsualPace(model, usual.gait_options);
   Result<PacePlan> first = PlanPace(model, begins, usual);
   if (!first) return first.failure();
-  return std::unique_ptr<LiveWorld>(new LiveWorld(model, usual, play, std::move(*first)));
+  return std::unique_ptr<LiveWorld>(new LiveWorld(model, usual, play, std::move(*first), std::move(*control)));
 }
 
-LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first)
+LiveWorld::LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first,
+                     LiveControl control)
     : model_(model),
       usual_(usual),
       play_(play),
-      usual_pace_(Usual(model, usual.gait_options)),
+      usual_pace_(UsualPace(model, usual.gait_options)),
       first_(std::move(first)),
       stream_(first_.plan),
       world_(model, first_.plan.terrain, first_.plan.whole_body.q.front(), play.play.world),
       hands_(model),
+      control_(std::move(control)),
       gains_(DeriveGains(model, GainsFor(play))) {
   Reset();
 }
@@ -120,7 +114,7 @@ void LiveWorld::Step() {
   history_.push_back(Measured());
   const auto most = static_cast<std::size_t>(std::lround(Shown(stream_.plan()) / step_s()));
   while (history_.size() > most) history_.pop_front();
-  command_ = mode_ == LiveMode::kFallen ? Damping() : controller_->Update(history_.back());
+  command_ = mode_ == LiveMode::kFallen ? Damping() : control_.Update(history_.back());
   hands_.Apply(time_s_, gains_, world_, command_);
   if (!IsFinite(command_)) return Fall(true);
   world_.Step(command_);
@@ -128,7 +122,7 @@ void LiveWorld::Step() {
   AddToMeans();
   time_s_ += step_s();
   if (may_walk() && !hands_.grips().empty())
-    hands_.GoAlong(CentreWay(followed_->centroidal, time_s_ - step_s(), time_s_));
+    hands_.GoAlong(CentreWay(control_.plan().centroidal, time_s_ - step_s(), time_s_));
   Watch();
 }
 
@@ -208,6 +202,7 @@ Result<PacePlan> LiveWorld::Planned() {
 
 void LiveWorld::TakeUpPlan() {
   if (!planning_.valid() || planning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  if (wanted_ && control_.recovers() && !StandsToWalk()) return;
   const Result<PacePlan> next = Planned();
   if (!wanted_) return;
   if (*wanted_ != planned_wish_ || stream_.pace() != planned_.from) return StartPlanning();
@@ -231,10 +226,7 @@ void LiveWorld::TakeUpPlan() {
 void LiveWorld::GoOn() {
   if (turns_to_rad_ && time_s_ > stream_.steady_from_s()) turns_to_rad_.reset();
   if (stream_.stops()) {
-    if (mode_ == LiveMode::kWalks && time_s_ > stream_.plan().whole_body.end_s()) {
-      mode_ = LiveMode::kStands;
-      notes_.emplace_back("stands");
-    }
+    if (mode_ == LiveMode::kWalks && time_s_ > stream_.plan().whole_body.end_s()) ComeToStand();
     return;
   }
   if (!stream_.GoOn(time_s_ + kAhead)) return;
@@ -242,35 +234,40 @@ void LiveWorld::GoOn() {
   TakeControl();
 }
 
-/// A controller of the present plan that knows what the robot did lately. The plan is moved to where the robot went.
-void LiveWorld::TakeControl() {
-  if (mode_ == LiveMode::kWalks) stream_.Shift(FootOffset());
-  auto followed = std::make_unique<MotionPlan>(stream_.plan());
-  auto controller = MakeController(model_, *followed, play_);
-  controller->Reset();
-  for (const ControlInput& input : history_) controller->Update(input);
-  controller_ = std::move(controller);  // before the plan that the one before it follows
-  followed_ = std::move(followed);
+/// A walk has come to rest. A controller that is for standing robots takes over, with a plan of that alone.
+void LiveWorld::ComeToStand() {
+  notes_.emplace_back("stands");
+  if (control_.stood_in_for()) {
+    stream_.Forget(time_s_);
+    history_ = {history_.back()};
+    TakeControl();
+  }
+  mode_ = LiveMode::kStands;
 }
 
-/// How far the feet that stand are from where the plan has them, in the mean.
-Vector3 LiveWorld::FootOffset() const {
-  if (history_.empty()) return Vector3::Zero();
-  const ControlInput& last = history_.back();
-  WholeBodySample sample;
-  SampleWholeBody(stream_.plan().whole_body, last.time_s, sample);
-  DynamicsScratch measured(model_), planned(model_);
-  ForwardKinematics(model_, last.q, measured);
-  ForwardKinematics(model_, sample.q, planned);
-  const ContactSchedule& schedule = stream_.plan().schedule;
-  const FootSet stance =
-      last.contact & schedule.phases[static_cast<std::size_t>(PhaseAt(schedule, last.time_s))].stance;
-  Vector3 sum = Vector3::Zero();
-  for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
-    if (Contains(stance, f))
-      sum += ContactFrame(model_, measured, f).translation() - ContactFrame(model_, planned, f).translation();
+/// Whether a robot that may have stepped to catch itself is at rest and upright. Then its plan stands where it does.
+bool LiveWorld::StandsToWalk() {
+  constexpr double kStill = 0.05, kUpright = 0.8;  // [m/s], [rad or m]
+  const auto n = static_cast<Eigen::Index>(model_.num_dofs());
+  for (const ControlInput& input : history_) {
+    if (input.v.head<3>().norm() > kStill) return false;
   }
-  return stance == 0 ? sum : Vector3(sum / std::popcount(stance));
+  const VectorX& q = world_.q();
+  const VectorX& stands = stream_.plan().whole_body.q.front();
+  if ((q - stands).tail(n).lpNorm<Eigen::Infinity>() > kUpright) {
+    notes_.emplace_back("walks once it stands up");
+    return wanted_.reset(), false;
+  }
+  const Pose X = PoseOf(BaseInPlan(q)) * PoseOf(BaseInPlan(stands)).inverse();
+  stream_ = WalkStream(CarriedPlan(X, 0.0, stream_.plan()));
+  return true;
+}
+
+/// A controller of the present plan that knows what the robot did lately. The plan is moved to where the robot went.
+void LiveWorld::TakeControl() {
+  if (mode_ == LiveMode::kWalks && !history_.empty())
+    stream_.Shift(FootOffset(model_, stream_.plan(), history_.back()));
+  if (const auto why_not = control_.Follow(stream_.plan(), play_, history_)) notes_.push_back(*why_not);
 }
 
 JointCommand LiveWorld::Damping() const {
@@ -388,8 +385,8 @@ void LiveWorld::SetControl(const StabilisedOptions& stabilised, const GainOption
   changed.stabilised = stabilised;
   changed.gains = gains;
   CheckOptions(changed.Fields());
+  gains_ = DeriveGains(model_, GainsFor(changed));
   play_ = std::move(changed);
-  gains_ = DeriveGains(model_, GainsFor(play_));
   if (may_walk()) TakeControl();
 }
 

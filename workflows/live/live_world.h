@@ -12,6 +12,7 @@
 #include "playback/bullet/world.h"
 #include "playback/log/playback_log.h"
 #include "workflows/live/hands_on.h"
+#include "workflows/live/live_control.h"
 #include "workflows/live/walk_stream.h"
 
 namespace gaitwright {
@@ -44,7 +45,8 @@ class LiveWorld {
  public:
   /// Stands at the origin.
   /// @param usual  what shapes plans.  @param play  physics and controller, `play.world` and `play.stabilised` first of
-  /// all. Failure: no plan for the robot's usual gait; an option out of range throws InvalidArgument.
+  /// all. Failure: no plan for the robot's usual gait; an option out of range, or a controller that there is not,
+  /// throws InvalidArgument.
   static Result<std::unique_ptr<LiveWorld>> Make(const RobotModel& model, const WalkRequest& usual,
                                                  const PlayRequest& play);
   ~LiveWorld();
@@ -104,7 +106,8 @@ class LiveWorld {
  private:
   inline static const WalkPace kNone = {.gait = kStanding};
 
-  LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first);
+  LiveWorld(const RobotModel& model, const WalkRequest& usual, const PlayRequest& play, PacePlan first,
+            LiveControl control);
   bool may_walk() const { return mode_ == LiveMode::kStands || mode_ == LiveMode::kWalks; }
   void Stand(const Pose& X, double time_s);
   void Fall(bool broken);
@@ -119,7 +122,8 @@ class LiveWorld {
   void AddToMeans();
   JointCommand Damping() const;
   ControlInput Measured() const;
-  Vector3 FootOffset() const;
+  void ComeToStand();
+  bool StandsToWalk();
 
   const RobotModel& model_;
   const WalkRequest usual_;
@@ -129,9 +133,8 @@ class LiveWorld {
   WalkStream stream_;
   BulletWorld world_;
   HandsOn hands_;
+  LiveControl control_;
   Gains gains_;
-  std::unique_ptr<MotionPlan> followed_;  ///< what the controller follows
-  std::unique_ptr<Controller> controller_;
   JointCommand command_;
   std::deque<ControlInput> history_;  ///< the latest
   LogSample sums_;                    ///< of torques and forces since the last sample

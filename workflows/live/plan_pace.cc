@@ -112,6 +112,14 @@ Result<PacePlan> PlanAtHeight(const RobotModel& model, const PaceChange& change,
 
 }  // namespace
 
+WalkPace UsualPace(const RobotModel& model, const GaitOptions& options) {
+  WalkPace pace;
+  const Result<Gait> gait = FindGait(model, "", model.nominal_speed_m_s, options);
+  if (gait) pace.gait = gait->name;
+  pace.speed_m_s = model.nominal_speed_m_s;
+  return pace;
+}
+
 std::string TextOf(const PaceChange& change) {
   std::string text = fmt::format("{} at {:.3g} m/s", change.to.gait, change.to.speed_m_s);
   if (change.to.lateral_speed_m_s != 0.0) text += fmt::format(", {:.3g} m/s aside", change.to.lateral_speed_m_s);

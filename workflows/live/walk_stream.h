@@ -25,6 +25,9 @@ struct WalkPace {
   bool operator==(const WalkPace&) const = default;
 };
 
+/// The robot's own speed, in the gait that it has for that.
+WalkPace UsualPace(const RobotModel& model, const GaitOptions& options);
+
 /// A plan with a stretch of one pace that can be walked for ever, on the way from another pace to rest.
 struct PacePlan {
   MotionPlan plan;

@@ -118,25 +118,24 @@ StabilisedOptions StabilisedFor(const PlayRequest& request) {
   return options;
 }
 
-std::unique_ptr<Controller> BareController(const RobotModel& model, const MotionPlan& plan,
-                                           const PlayRequest& request) {
+std::unique_ptr<Controller> BareController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                                           const std::optional<RecoveryPlans>& recovery) {
+  CheckController(request.controller);
   const GainOptions gains = GainsFor(request);
   if (request.controller == "joint-pd") return std::make_unique<JointPd>(model, plan, gains);
   if (request.controller == "stabilised") return MakeStabilised(model, plan, StabilisedFor(request), gains);
-  if (request.controller == "recovering") {
-    const Result<RecoveryPlans> recovery = PlanRecovery(model);
-    if (!recovery) throw InvalidArgument(recovery.failure().message);
-    return MakeRecovering(model, plan, *recovery, request.recovering, StabilisedFor(request), gains);
-  }
-  throw InvalidArgument(fmt::format("there is no controller '{}'; there are '{}'", request.controller,
-                                    fmt::join(ControllerNames(), "', '")));
+  if (recovery) return MakeRecovering(model, plan, *recovery, request.recovering, StabilisedFor(request), gains);
+  const Result<RecoveryPlans> planned = PlanRecovery(model);
+  if (!planned) throw InvalidArgument(planned.failure().message);
+  return MakeRecovering(model, plan, *planned, request.recovering, StabilisedFor(request), gains);
 }
 
 /// A controller that takes the joints to lose nothing, whatever the robot says, with the robot it takes for true.
 class OfLosslessJoints final : public Controller {
  public:
-  OfLosslessJoints(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request)
-      : model_(WithoutLosses(model)), inner_(BareController(model_, plan, request)) {}
+  OfLosslessJoints(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                   const std::optional<RecoveryPlans>& recovery)
+      : model_(WithoutLosses(model)), inner_(BareController(model_, plan, request, recovery)) {}
 
   JointCommand Update(const ControlInput& input) override { return inner_->Update(input); }
   void Reset() override { inner_->Reset(); }
@@ -171,13 +170,19 @@ const std::vector<std::string>& ControllerNames() {
   return names;
 }
 
-std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan,
-                                           const PlayRequest& request) {
+void CheckController(const std::string& name) {
+  const std::vector<std::string>& names = ControllerNames();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw InvalidArgument(fmt::format("there is no controller '{}'; there are '{}'", name, fmt::join(names, "', '")));
+}
+
+std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                                           const std::optional<RecoveryPlans>& recovery) {
   CheckLoop(request);
   CheckRates(request);
   std::unique_ptr<Controller> bare = request.play.world.joint_losses
-                                         ? BareController(model, plan, request)
-                                         : std::make_unique<OfLosslessJoints>(model, plan, request);
+                                         ? BareController(model, plan, request, recovery)
+                                         : std::make_unique<OfLosslessJoints>(model, plan, request, recovery);
   return BehindSensors(model, plan, std::move(bare), request.sensing);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -91,11 +92,16 @@ GainOptions GainsFor(const PlayRequest& request);
 
 /// Those that there are: stabilised, joint-pd, recovering.
 const std::vector<std::string>& ControllerNames();
+/// @throws InvalidArgument listing them for another name.
+void CheckController(const std::string& name);
 
 /// The controller of that name, behind the sensors asked for; where the joints' losses do not act (play.joint_losses)
-/// it knows of none. @throws InvalidArgument listing those there are, or for a loop of the drives that the actuation
-/// does not have. Model and plan must outlive it.
-std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
+/// it knows of none. Model and plan must outlive it.
+/// @param recovery  what 'recovering' does; nothing where it is to be planned now.
+/// @throws InvalidArgument as of CheckController, for a loop of the drives that the actuation does not have, and for a
+/// plan that the controller is not for.
+std::unique_ptr<Controller> MakeController(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                                           const std::optional<RecoveryPlans>& recovery = {});
 
 /// Plays and scores. The log's options are all of the request's, not only those of the physics.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);

@@ -9,12 +9,15 @@
 namespace gaitwright {
 
 /// A world with usual options. @throws std::runtime_error where the robot has no usual walk.
-inline std::unique_ptr<LiveWorld> MadeWorld(const RobotModel& model) {
+inline std::unique_ptr<LiveWorld> MadeWorld(const RobotModel& model, const PlayRequest& play) {
   const WalkRequest walk;
-  const PlayRequest play;
   Result<std::unique_ptr<LiveWorld>> made = LiveWorld::Make(model, walk, play);
   if (!made) throw std::runtime_error(made.failure().message);
   return std::move(*made);
+}
+inline std::unique_ptr<LiveWorld> MadeWorld(const RobotModel& model) {
+  const PlayRequest usual;
+  return MadeWorld(model, usual);
 }
 
 }  // namespace gaitwright
