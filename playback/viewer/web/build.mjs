@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // node build.mjs OUT.cc: bundles src/main.ts and what it needs into one script and one style sheet, and writes them as
 // the texts that playback/viewer/viewer_bundle_internal.h declares.
-import { writeFileSync } from "node:fs";
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
 
 const kPieceLength = 15000;
@@ -13,6 +13,17 @@ function literal(text) {
   return pieces.join("\n");
 }
 
+/** The licences of all packages that have a part in the bundle, as a comment. @throws for one that brings none. */
+function notices(inputs) {
+  const folders = Object.keys(inputs).map((file) => /^(.*\bnode_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]);
+  return [...new Set(folders)].filter(Boolean).sort().map((folder) => {
+    const licence = readdirSync(folder).find((name) => /^(licen[cs]e|copying)/i.test(name));
+    if (!licence) throw new Error(`${folder} has no file with its licence`);
+    const { name, version } = JSON.parse(readFileSync(`${folder}/package.json`, "utf8"));
+    return `/*!\n${name} ${version}\n\n${readFileSync(`${folder}/${licence}`, "utf8").replaceAll("*/", "* /").trim()}\n*/\n`;
+  }).join("");
+}
+
 const result = await build({
   entryPoints: [{ in: "src/main.ts", out: "viewer" }],
   outdir: ".",
@@ -22,11 +33,12 @@ const result = await build({
   charset: "utf8",
   format: "iife",
   target: ["es2022"],
-  legalComments: "inline",
+  legalComments: "none",
+  metafile: true,
   logLevel: "warning",
 });
 const textOf = (ending) => result.outputFiles.find((file) => file.path.endsWith(ending)).text;
-const script = textOf(".js");
+const script = notices(result.metafile.inputs) + textOf(".js");
 const style = textOf(".css");
 for (const text of [script, style]) {
   // A page holds both in sections of characters, within elements.

@@ -20,5 +20,14 @@ TEST(ViewerPage, IsWholeAndHoldsTheScene) {
   EXPECT_LT(page.size() - SceneJson({{"left", c.model, c.plan, &c.log}, {"right", c.model, c.plan}}).size(), 3000000U);
 }
 
+TEST(ViewerPage, HasTheNoticesOfAllPackagesInIt) {
+  const std::string page = LivePage("a");
+  for (const char* holder : {"three.js authors", "Leon Sorokin"}) EXPECT_TRUE(synthetic::Says(page, holder)) << holder;
+  const std::string terms = "The above copyright notice and this permission notice shall be included in";
+  const std::size_t first = page.find(terms);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_NE(page.find(terms, first + 1), std::string::npos) << "of each package";
+}
+
 }  // namespace
 }  // namespace gaitwright
