@@ -14,9 +14,9 @@ struct Colour {
 };
 
 constexpr Colour kColours[] = {
-    {"zmp", "#d55e00", "#ff8c42"},     {"com", "#0072b2", "#5ab4f0"},   {"dcm", "#b0568c", "#e39ac4"},
-    {"foot", "#009e73", "#2fd0a2"},    {"joint", "#0072b2", "#5ab4f0"}, {"limit", "#8a4b00", "#e6a94a"},
-    {"support", "#7a9ab0", "#6f8fa8"}, {"bad", "#c2185b", "#ff6f9f"},   {"muted", "#6b7580", "#9aa5b1"},
+    {"zmp", "#da7e1b", "#fc7c23"},     {"com", "#0073e7", "#0592f9"},   {"dcm", "#791483", "#dba0da"},
+    {"foot", "#009558", "#44d18a"},    {"joint", "#0073e7", "#0592f9"}, {"limit", "#6e2f05", "#f8c068"},
+    {"support", "#70bbfd", "#005c90"}, {"bad", "#a70064", "#ed2646"},   {"muted", "#8691a2", "#6d7072"},
 };
 
 std::string ColourRules(bool dark) {

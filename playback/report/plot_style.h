@@ -5,8 +5,9 @@
 
 namespace gaitwright {
 
-/// What a colour stands for. The colours are those of Okabe and Ito (https://jfly.uni-koeln.de/color/), which people
-/// with the common kinds of colour blindness tell apart; each has a lighter brother for dark screens.
+/// What a colour stands for, on light and on dark screens. Hues are after Okabe and Ito
+/// (https://jfly.uni-koeln.de/color/); their lightness is such that any two of them are at least 18 apart in CIELAB for
+/// people without red or green cones too (Machado, Oliveira and Fernandes 2009, doi:10.1109/TVCG.2009.113).
 enum class Ink { kZmp, kCom, kDcm, kFoot, kJoint, kLimit, kSupport, kBad, kMuted };
 
 /// How a line is drawn: what was planned is broad and pale, what was measured lies thin and dark on top of it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** What a colour stands for; the same as in the report's plots. Told apart by people who are colour-blind (Okabe and Ito). */
-export const kInks = ["zmp", "com", "dcm", "foot", "joint", "limit", "support", "bad", "muted", "pull"] as const;
+/** What a colour stands for; the same as in the report's plots, which say how far apart they are for people who are colour-blind. */
+export const kInks = ["zmp", "com", "dcm", "foot", "joint", "limit", "support", "muted", "pull"] as const;
 export type Ink = (typeof kInks)[number];
 
 export interface Theme {
@@ -29,11 +29,11 @@ export interface Theme {
 const kLight: Theme = {
   dark: false,
   ink: {
-    zmp: "#d55e00", com: "#0072b2", dcm: "#b0568c", foot: "#009e73", joint: "#0072b2",
-    limit: "#8a4b00", support: "#7a9ab0", bad: "#c2185b", muted: "#6b7580", pull: "#1f2730",
+    zmp: "#da7e1b", com: "#0073e7", dcm: "#791483", foot: "#009558", joint: "#0073e7",
+    limit: "#6e2f05", support: "#70bbfd", muted: "#8691a2", pull: "#1f2730",
   },
-  words: { zmp: "#b85000", foot: "#007a59", support: "#4f7288", muted: "#56616d" },
-  feet: ["#0072b2", "#d55e00", "#009e73", "#b0568c", "#8a4b00", "#2f97cc", "#6b7580", "#c2185b"],
+  words: { zmp: "#9a5200", foot: "#007a47", support: "#2b6a9e", muted: "#56616d" },
+  feet: ["#0073e7", "#da7e1b", "#009558", "#791483", "#6e2f05", "#2f97cc", "#8691a2", "#a70064"],
   paper: "#ffffff", text: "#1f2730", soft: "#56616d", rule: "#e4e8ec",
   sky: "#eef2f5", ground: "#dfe5ea", groundLine: "#aeb9c3", block: "#c9d3db", obstacle: "#b7a58f",
   trunk: "#f7f9fa", limb: "#8c9aa8", limbAlternate: "#aab6c1", sole: "#3b4650",
@@ -42,11 +42,11 @@ const kLight: Theme = {
 const kDark: Theme = {
   dark: true,
   ink: {
-    zmp: "#ff8c42", com: "#5ab4f0", dcm: "#e39ac4", foot: "#2fd0a2", joint: "#5ab4f0",
-    limit: "#e6a94a", support: "#6f8fa8", bad: "#ff6f9f", muted: "#9aa5b1", pull: "#ffffff",
+    zmp: "#fc7c23", com: "#0592f9", dcm: "#dba0da", foot: "#44d18a", joint: "#0592f9",
+    limit: "#f8c068", support: "#005c90", muted: "#6d7072", pull: "#ffffff",
   },
   words: { support: "#8fb0c8", muted: "#a3adb8" },
-  feet: ["#5ab4f0", "#ff8c42", "#2fd0a2", "#e39ac4", "#b0803a", "#a5dcff", "#9aa5b1", "#ff6f9f"],
+  feet: ["#0592f9", "#fc7c23", "#44d18a", "#dba0da", "#f8c068", "#f0f032", "#6d7072", "#ed2646"],
   paper: "#14181d", text: "#dfe5ec", soft: "#a3adb8", rule: "#2c343d",
   sky: "#171c22", ground: "#222a32", groundLine: "#3d4955", block: "#2e3842", obstacle: "#5b5145",
   trunk: "#c3ccd6", limb: "#6d7b89", limbAlternate: "#8795a3", sole: "#2b333b",
