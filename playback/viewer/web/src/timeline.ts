@@ -3,9 +3,13 @@ import type { Clock } from "./clock";
 import { make, tell } from "./elements";
 import { mainTrack, namesOf, sampleAt, type MarkFile, type Motion } from "./scene";
 
-/** Of a foot, as in the style sheet. */
+/** Of a foot and of the room over a motion's feet, as in the style sheet. */
 const kRow = 13;
+const kHead = 18;
 const kLine = 10;
+/** Of a mark over the rows of its feet, and between a mark and its words. */
+const kOut = 4;
+const kGap = 8;
 
 /** The bar to scrub on: which feet bear when, what happened, and a slider that the keyboard moves too. */
 export class Timeline {
@@ -15,6 +19,8 @@ export class Timeline {
   private readonly needle = make("div", "gw-now");
   private readonly track = make("div", "gw-track");
   private readonly names = make("div", "gw-feet");
+  /** What is written beside marks, and how much of the track is left for it. */
+  private readonly words: { element: HTMLElement; share: number }[] = [];
   private width = 0;
 
   constructor(
@@ -30,10 +36,12 @@ export class Timeline {
     });
     this.bars.setAttribute("aria-hidden", "true");
     this.track.append(this.bars, this.needle);
+    let top = 0;
     namesOf(motions).forEach((name, i) => {
       const { robot, marks } = motions[i].file;
-      robot.feet.forEach((foot, k) => this.addName(k === 0 ? name : "", foot.name));
-      for (const mark of marks) this.addMark(name, mark);
+      robot.feet.forEach((foot, k) => this.addName(k === 0 ? name : "", foot.name, k === 0));
+      for (const mark of marks) this.addMark(name, mark, top, heightOf(motions[i]));
+      top += heightOf(motions[i]);
     });
     this.track.addEventListener("pointerdown", (event) => this.press(event));
     this.track.addEventListener("pointermove", (event) => {
@@ -49,7 +57,8 @@ export class Timeline {
     const width = this.track.clientWidth;
     this.width = width;
     this.placeNeedle(this.clock.time);
-    const height = this.motions.reduce((sum, m) => sum + m.file.robot.feet.length * kRow, 0);
+    for (const { element, share } of this.words) element.style.maxWidth = `${Math.max(width * share - kGap, 0)}px`;
+    const height = this.motions.reduce((sum, m) => sum + heightOf(m), 0);
     const ratio = window.devicePixelRatio;
     this.bars.width = width * ratio;
     this.bars.height = height * ratio;
@@ -61,6 +70,7 @@ export class Timeline {
     let top = 0;
     for (const motion of this.motions) {
       const { planned, measured } = motion;
+      top += kHead;
       for (let foot = 0; foot < motion.file.robot.feet.length; ++foot, top += kRow) {
         if (planned) this.bar(context, motion, planned.contact.values, foot, top, kLine, style.getPropertyValue("--gw-planned"));
         if (measured) this.bar(context, motion, measured.contact.values, foot, top + 3, kLine - 6, style.getPropertyValue("--gw-ink"));
@@ -97,9 +107,12 @@ export class Timeline {
     }
   }
 
-  /** @param motion  nothing where there is but one. */
-  private addName(motion: string, foot: string): void {
-    const name = make("span");
+  /**
+   * @param motion  nothing where there is but one.
+   * @param isFirst  of its motion.
+   */
+  private addName(motion: string, foot: string, isFirst: boolean): void {
+    const name = make("span", isFirst ? "gw-first" : "");
     if (motion) {
       const which = make("small");
       which.append(make("bdi", "", motion));
@@ -110,9 +123,16 @@ export class Timeline {
     this.names.append(name);
   }
 
-  private addMark(motion: string, mark: MarkFile): void {
-    const flag = make("button", `gw-mark gw-${mark.kind}`, mark.kind === "fall" ? "fall" : "");
-    flag.style.left = `${100 * this.share(mark.at_s)}%`;
+  /** On the rows of its own motion, with the reason of a fall beside it, where there is more room. */
+  private addMark(motion: string, mark: MarkFile, top: number, height: number): void {
+    const flag = make("button", `gw-mark gw-${mark.kind}`), share = this.share(mark.at_s);
+    const isFall = mark.kind === "fall", head = isFall ? 0 : kHead - kOut;
+    Object.assign(flag.style, { left: `${100 * share}%`, top: `${top + head}px`, height: `${height - head}px` });
+    if (isFall) {
+      const element = make("span", share > 0.5 ? "gw-before" : "", `fall: ${mark.text}`);
+      this.words.push({ element, share: Math.max(share, 1 - share) });
+      flag.append(element);
+    }
     flag.title = `${motion ? `${motion}, ` : ""}${mark.at_s.toFixed(2)} s: ${mark.text}`;
     flag.setAttribute("aria-label", flag.title);
     flag.addEventListener("pointerdown", (event) => event.stopPropagation());
@@ -132,6 +152,10 @@ export class Timeline {
   private share(t: number): number {
     return (t - this.clock.start) / Math.max(this.clock.end - this.clock.start, 1e-9);
   }
+}
+
+function heightOf(motion: Motion): number {
+  return kHead + motion.file.robot.feet.length * kRow;
 }
 
 /** Which feet bear at a time, by name. */
