@@ -242,8 +242,14 @@ export class Plots {
     });
   }
 
+  /** At a time beyond this motion there is no cursor. */
   private showTime(t: number): void {
-    for (const { plot, cursor } of this.plots) if (plot) cursor.style.transform = `translateX(${plot.valToPos(t, "x")}px)`;
+    const within = t >= this.time[0] && t <= this.time[this.time.length - 1];
+    for (const { plot, cursor } of this.plots) {
+      if (!plot) continue;
+      cursor.hidden = !within;
+      if (within) cursor.style.transform = `translateX(${plot.valToPos(t, "x")}px)`;
+    }
   }
 
   private fit(): void {
