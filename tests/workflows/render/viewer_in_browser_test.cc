@@ -108,6 +108,14 @@ TEST(ViewerInBrowser, MarksAFallOnTheTimelineWithItsReason) {
   ExpectPicturesAreNotEmpty(page);
   const std::string title = page.Ask("document.querySelector('.gw-mark.gw-fall').title").get<std::string>();
   EXPECT_NE(title.find(walk.played.report.reason), std::string::npos) << title;
+  EXPECT_EQ(page.Ask("document.querySelector('.gw-mark.gw-fall').textContent"), "fall: " + walk.played.report.reason);
+  EXPECT_EQ(page.Ask("document.querySelector('.gw-reason').textContent"), walk.played.report.reason);
+  EXPECT_EQ(page.Ask("document.querySelector('.gw-reason').getBoundingClientRect().top >= "
+                     "document.querySelector('.gw-stage').getBoundingClientRect().bottom"),
+            true)
+      << "the reason is not over the robot";
+  EXPECT_GE(page.Ask("parseFloat(getComputedStyle(document.querySelector('.gw-reason')).fontSize)").get<double>(),
+            16.0);
   page.Ask("document.querySelector('.gw-mark.gw-fall').click() ?? 0");
   EXPECT_NEAR(page.Ask("v.clock.time").get<double>(), walk.played.report.At("fell").at_s.value(), 1e-6);
   ExpectNoComplaint(page);
@@ -121,6 +129,36 @@ TEST(ViewerInBrowser, ShowsTwoLogsSideBySideUnderOneClock) {
   page.Ask("v.showNow(0.8) ?? 0");
   const auto x = page.Ask("v.stages.map((s) => s.robot.bodyPosition(0).x)");
   EXPECT_NE(x[0], x[1]);
+  ExpectNoComplaint(page);
+}
+
+TEST(ViewerInBrowser, MarksAndCursorsAreThoseOfTheirOwnMotion) {
+  const ShownWalk fallen = MakeShownWalk("a1", Request(1.0, "flat", "trot"), {0.0, 400.0, 0.0});
+  const ShownWalk longer = MakeShownWalk("a1", Request(1.0, "flat", "trot"));
+  const ShownPage page(ViewerPage("test", {Shown(fallen), Shown(longer)}));
+  const auto rows = page.Ask(
+      "[...document.querySelectorAll('.gw-feet span')].map((row) => row.getBoundingClientRect()).map((box) => "
+      "[box.top, "
+      "box.bottom])");
+  ASSERT_EQ(rows.size(), 8U);
+  const auto marks = page.Ask(
+      "[...document.querySelectorAll('.gw-mark')].filter((mark) => mark.title.includes('fell')).map((mark) => "
+      "mark.getBoundingClientRect()).map((box) => [box.top, box.bottom])");
+  ASSERT_FALSE(marks.empty());
+  for (const auto& mark : marks) {
+    EXPECT_LE(mark[0], rows[0][0]);
+    EXPECT_GE(mark[1], rows[3][1].get<double>() - 4.0);
+    EXPECT_LT(mark[1], rows[4][0]) << "on the rows of the other";
+  }
+  const auto hidden = [&](const std::string& time) {
+    return page.Ask("[v.showNow(" + time +
+                    "), ...v.plots.map((p) => p.plots.every(({ cursor }) => cursor.hidden))].slice(1)");
+  };
+  EXPECT_EQ(hidden("0.5"), nlohmann::json({false, false}));
+  EXPECT_EQ(hidden("v.clock.end"), nlohmann::json({true, false})) << "the first has ended";
+  EXPECT_EQ(
+      page.Ask("document.querySelector('.gw-plots').scrollWidth <= document.querySelector('.gw-plots').clientWidth"),
+      true);
   ExpectNoComplaint(page);
 }
 

@@ -96,7 +96,9 @@ export class Viewer extends ShownPage {
       canvas.setAttribute("role", "img");
       canvas.setAttribute("aria-label", `${motion.file.title}, in 3D`);
       box.append(canvas, this.caption(motion));
-      area.append(box);
+      const shown = make("div", "gw-shown");
+      shown.append(box, ...this.reason(motion));
+      area.append(shown);
       try {
         this.stages.push(new Stage(canvas, motion));
       } catch (error) {
@@ -111,8 +113,16 @@ export class Viewer extends ShownPage {
     const { verdict, title } = motion.file;
     if (verdict) caption.append(make("span", verdict.pass ? "gw-verdict gw-pass" : "gw-verdict gw-fails", verdict.pass ? "PASS" : "FAIL"));
     caption.append(make("b", "", title));
-    if (verdict) caption.append(make("span", "gw-reason", verdict.reason));
     return caption;
+  }
+
+  /** It scrolls where it is long, by keys too. */
+  private reason(motion: Motion): HTMLElement[] {
+    const { verdict } = motion.file;
+    if (!verdict?.reason) return [];
+    const reason = make("p", "gw-reason", verdict.reason);
+    reason.tabIndex = 0;
+    return [reason];
   }
 
   private transport(): HTMLElement {

@@ -13,7 +13,7 @@ export class StatusLine {
   private readonly time = make("span", "gw-time");
   private readonly pace = make("span");
   private readonly wanted = make("span", "gw-wanted");
-  private readonly feet = make("span", "gw-reason");
+  private readonly feet = make("span", "gw-bearing");
   private readonly behind = make("span", "gw-behind");
 
   constructor(private readonly robot: RobotFile) {
