@@ -29,5 +29,9 @@ TEST(ViewerPage, HasTheNoticesOfAllPackagesInIt) {
   EXPECT_NE(page.find(terms, first + 1), std::string::npos) << "of each package";
 }
 
+TEST(ViewerPage, IsPrintedWhereItIsNoPartOfAReport) {
+  EXPECT_TRUE(synthetic::Says(LivePage("a"), "@media print{.gw-part{display:none}}"));
+}
+
 }  // namespace
 }  // namespace gaitwright
