@@ -165,6 +165,8 @@ std::string LiveFrame(LiveWorld& live, const LiveStatus& status) {
                      {"q", List(live.world().q())},
                      {"tau", List(live.world().tau())},
                      {"target", List(live.command().q)},
+                     {"stiffness", List(live.gains().stiffness)},
+                     {"damping", List(live.gains().damping)},
                      {"ghost", List(now.plan.front().q)},
                      {"measured", BalanceJson(now.measured.front(), terrain)},
                      {"planned", BalanceJson(now.planned.front(), terrain)},

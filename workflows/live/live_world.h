@@ -95,6 +95,8 @@ class LiveWorld {
   const BulletWorld& world() const { return world_; }
   const MotionPlan& plan() const { return stream_.plan(); }
   const JointCommand& command() const { return command_; }
+  /// Of each joint that follows a position: one that swings, or is knocked.
+  const Gains& gains() const { return gains_; }
   const PlayRequest& play() const { return play_; }
   /// The state now, with torques and contact forces as means since the last call.
   LogSample TakeSample();

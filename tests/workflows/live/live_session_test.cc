@@ -96,6 +96,9 @@ TEST_F(Session, GoesAsFastAsTheWallsClock) {
   EXPECT_EQ(picture["mode"], "stands");
   EXPECT_EQ(picture["q"].size(), 19U);
   EXPECT_EQ(picture["feet"].size(), 4U);
+  ASSERT_EQ(picture["stiffness"].size(), 12U);
+  EXPECT_NEAR(picture["stiffness"][2].get<double>(), live_.gains().stiffness[2], 1e-4);
+  EXPECT_GT(picture["damping"][2].get<double>(), 0.0);
   EXPECT_NEAR(picture["measured"]["margin_m"].get<double>(), 0.1, 0.1);
   EXPECT_EQ(picture["measured"]["support"].size(), 4U);
   EXPECT_EQ(picture["options"].size(), greeting_["options"].size());
@@ -160,6 +163,8 @@ TEST_F(Session, PullsGroundOptionsAndNudges) {
   EXPECT_GT(std::abs(ground["ground"]["pose"][3].get<double>()), 0.03) << "turned about x";
   const Json options = Say({{"do", "options"}, {"options", {{"gains.stance_damping", 1.25}}}});
   EXPECT_NE(std::find(options["options"].begin(), options["options"].end(), 1.25), options["options"].end());
+  const Json stiff = Say({{"do", "options"}, {"options", {{"gains.stiffness_scale", 2.0}}}});
+  EXPECT_NEAR(stiff["stiffness"][2].get<double>(), 2.0 * ground["stiffness"][2].get<double>(), 1e-3);
   EXPECT_FALSE(Say({{"do", "nudge"}, {"dof", 2}, {"by", 0.1}, {"for_s", 0.3}}).contains("refused"));
 }
 

@@ -90,6 +90,9 @@ export interface Frame {
   tau: Numbers;
   /** What the joints are told. */
   target: Numbers;
+  /** Of joints that follow a position, [N m/rad] and [N m s/rad], or [N/m] and [N s/m]. */
+  stiffness: Numbers;
+  damping: Numbers;
   ghost: Numbers | null;
   measured: Balance | null;
   planned: Balance | null;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Theme } from "../colours";
-import { button, disable, make, menu } from "../elements";
+import { button, disable, make, menu, write } from "../elements";
+import { rounded } from "../figures";
 import type { DofFile, RobotFile } from "../scene";
 import type { Frame, Send } from "./messages";
 import { plotFigure } from "./plot_figure";
@@ -34,6 +35,7 @@ export class ResponsePlot {
   private readonly menu = menu("joint whose response is plotted");
   private readonly knocker = button("knock", `moves its target for ${kKnock_s} s`, () => this.knock());
   private readonly unit = make("span", "gw-note");
+  private readonly gains = make("span", "gw-note gw-drive");
 
   constructor(
     robot: RobotFile,
@@ -47,7 +49,7 @@ export class ResponsePlot {
     this.knocker.name = "knock";
     this.root = plotFigure(
       "Response", [["\u25ac", "joint", "target"], ["\u2014", "joint", "position"], ["\u2014", "limit", "torque"]], this.plot.root,
-      this.menu, this.knocker, this.unit,
+      this.menu, this.knocker, this.unit, this.gains,
     );
     this.choose();
   }
@@ -56,6 +58,7 @@ export class ResponsePlot {
     const dof = this.dof, scale = this.dofs[dof] ? scaleOf(this.dofs[dof]) : 1;
     const scaled = (value: number | null | undefined) => (value == null ? null : scale * value);
     this.plot.push(frame.t, [frame.tau[dof] ?? null, scaled(frame.target[dof]), scaled(frame.q[7 + dof])]);
+    this.showGains(frame.stiffness[dof], frame.damping[dof]);
     const down = frame.mode === "posed" || frame.mode === "fallen";
     disable(this.knocker, down ? "its joints follow no target now: stand it up first (U)" : "");
   }
@@ -78,6 +81,13 @@ export class ResponsePlot {
 
   private get dof(): number {
     return Number(this.menu.value);
+  }
+
+  /** Those by which it follows its target; a leg that stands is moved by torques. */
+  private showGains(stiffness: number | null | undefined, damping: number | null | undefined): void {
+    if (stiffness == null || damping == null) return write(this.gains, "");
+    const [kp, kd] = this.dofs[this.dof]?.unit === "m" ? ["N/m", "N s/m"] : ["N m/rad", "N m s/rad"];
+    write(this.gains, `kp ${rounded(stiffness, 1)} ${kp}, kd ${rounded(damping, 2)} ${kd}`);
   }
 
   private choose(): void {
