@@ -160,5 +160,21 @@ TEST_F(LivePageTest, PausesStepsAndResetsByKeys) {
   Await("L.frame.options.includes(1.5)");
 }
 
+TEST_F(LivePageTest, TellsTheGainsOfAJointAndShowsTheViewFromAboveLarge) {
+  Await("L.frame.stiffness.length === 12 && document.querySelector('.gw-drive').textContent !== ''");
+  EXPECT_EQ(
+      Ask("/^kp [0-9.]+ N m\\/rad, kd [0-9.]+ N m s\\/rad$/.test(document.querySelector('.gw-drive').textContent)"),
+      true)
+      << Ask("document.querySelector('.gw-drive').textContent");
+  const std::string size =
+      "[document.querySelector('.gw-plan').clientWidth, document.querySelector('.gw-plan').clientHeight]";
+  const Json small = Ask(size);
+  ASSERT_TRUE(browser_->Press("p").ok());
+  const Json large = Ask(size);
+  EXPECT_GT(large[1].get<int>(), 2 * small[1].get<int>());
+  Click("enlarge");
+  EXPECT_EQ(Ask(size), small);
+}
+
 }  // namespace
 }  // namespace gaitwright

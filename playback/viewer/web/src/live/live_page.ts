@@ -7,12 +7,13 @@ import type { Stage } from "../stage";
 import { Connection, socketUrl } from "./connection";
 import { heard, type Frame, type Greeting, type Heard, type Saying } from "./messages";
 import { NoteList } from "./note_list";
+import { kPlanHelp } from "./plan_view";
 import { Session } from "./session";
 import { kTimeHelp, TimeBar } from "./time_bar";
 
 /** A program that says nothing for so long has stopped. */
 const kSilence_ms = 3000;
-const kHelp = `${kTimeHelp} \u00b7 Shift + arrows push \u00b7 ${kLooksHelp}`;
+const kHelp = `${kTimeHelp} \u00b7 Shift + arrows push \u00b7 ${kPlanHelp} \u00b7 ${kLooksHelp}`;
 
 /** The page of a robot that is live: it shows what the program tells, and tells it what is done here. */
 export class LivePage extends ShownPage {
@@ -157,7 +158,7 @@ export class LivePage extends ShownPage {
   private press(event: KeyboardEvent): void {
     if (!isForPage(event)) return;
     const asked = this.connected && this.greeting && (this.timeBar.press(event) || this.session?.pushes.press(event));
-    const done = asked || this.looks.press(event.key);
+    const done = asked || this.session?.plan.press(event.key) || this.looks.press(event.key);
     if (done) event.preventDefault();
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Theme } from "../colours";
-import { make } from "../elements";
+import { button, make, tell } from "../elements";
 import { row, type Motion } from "../scene";
 import { fitCanvas } from "./fit_canvas";
 import type { Balance, Frame, Numbers } from "./messages";
@@ -9,16 +9,25 @@ import { plotFigure } from "./plot_figure";
 /** Of the legs' length: what is shown from the middle up and down. */
 const kShown = 0.85;
 const kGrid_m = 0.1;
+/** So high a picture has marks of the usual size; in a larger one they are larger. */
+const kUsualHeight = 160;
+const kLargestMarks = 2;
+
+/** The key of this file, for a line of help. */
+export const kPlanHelp = "P view from above large";
 
 /** The balance from above, with the robot in the middle: ahead of the world is up, and the world's left is left. */
 export class PlanView {
   readonly root: HTMLElement;
   private readonly canvas = make("canvas", "gw-plan");
+  private readonly enlarger = button("enlarge", "large enough for a lecture hall, or as it was (P)", () => this.enlarge());
   private readonly size: number;
   private theme: Theme | null = null;
   private context: CanvasRenderingContext2D | null = null;
   /** Pixels by metre, and what is in the middle. */
   private scale = 1;
+  /** Of marks and lines. */
+  private thick = 1;
   private middle: [number, number] = [0, 0];
 
   constructor(private readonly motion: Motion) {
@@ -27,9 +36,29 @@ export class PlanView {
     this.canvas.setAttribute("aria-label", "zero-moment point and support polygon from above");
     this.root = plotFigure(
       "From above",
-      [["\u25cb", "zmp", "ZMP planned"], ["\u25cf", "zmp", "measured"], ["\u25cf", "com", "CoM"], ["\u25cf", "foot", "feet"]],
+      [
+        ["\u25cb", "zmp", "ZMP planned"], ["\u25cf", "zmp", "measured"], ["\u25cf", "com", "CoM"], ["\u25cf", "foot", "feet"],
+        ["\u2504", "muted", "support planned"], ["\u25a0", "support", "measured"],
+      ],
       this.canvas,
+      this.enlarger,
     );
+    this.enlarger.name = "enlarge";
+    tell(this.enlarger, "aria-pressed", "false");
+  }
+
+  /** Makes it the largest picture of the page, or what it was. */
+  enlarge(): void {
+    const large = this.root.classList.toggle("gw-large");
+    tell(this.enlarger, "aria-pressed", String(large));
+    this.enlarger.textContent = large ? "make small" : "enlarge";
+  }
+
+  /** Does what a key asks for, if that is of this. */
+  press(key: string): boolean {
+    if (key.toLowerCase() !== "p") return false;
+    this.enlarge();
+    return true;
   }
 
   paint(theme: Theme): void {
@@ -41,6 +70,7 @@ export class PlanView {
     const context = fitCanvas(this.canvas);
     if (!context || !this.theme) return;
     this.context = context;
+    this.thick = Math.min(Math.max(this.canvas.clientHeight / kUsualHeight, 1), kLargestMarks);
     this.scale = (0.5 * this.canvas.clientHeight) / (kShown * this.size);
     this.middle = [frame.q[0] ?? 0, frame.q[1] ?? 0];
     const { ink } = this.theme;
@@ -76,7 +106,7 @@ export class PlanView {
     }
     context.stroke();
     context.fillStyle = theme.soft;
-    context.font = "11px system-ui, sans-serif";
+    context.font = `${11 * this.thick}px system-ui, sans-serif`;
     context.fillText("grid 0.1 m", 4, height - 5);
   }
 
@@ -91,7 +121,7 @@ export class PlanView {
       context.fill();
     }
     context.setLineDash(dash);
-    context.lineWidth = 1.5;
+    context.lineWidth = 1.5 * this.thick;
     context.strokeStyle = stroke;
     context.stroke();
     context.setLineDash([]);
@@ -101,8 +131,8 @@ export class PlanView {
     if (p?.[0] == null || p[1] == null) return;
     const context = this.context!;
     context.beginPath();
-    context.arc(...this.place(p[0], p[1], true), radius, 0, 2 * Math.PI);
-    context.lineWidth = 2;
+    context.arc(...this.place(p[0], p[1], true), radius * this.thick, 0, 2 * Math.PI);
+    context.lineWidth = 2 * this.thick;
     [context.fillStyle, context.strokeStyle] = [colour, colour];
     if (filled) context.fill();
     else context.stroke();
@@ -120,7 +150,7 @@ export class PlanView {
       if (there) context[drawing ? "lineTo" : "moveTo"](...this.place(p[0], p[1]));
       drawing = there;
     }
-    [context.strokeStyle, context.lineWidth] = [colour, 1.25];
+    [context.strokeStyle, context.lineWidth] = [colour, 1.25 * this.thick];
     context.stroke();
   }
 }

@@ -2,8 +2,8 @@
 import { inkVariable, type Ink } from "../colours";
 import { make } from "../elements";
 
-/** What a mark in a title looks like: a line, a broad pale one, a ring, a filled circle. */
-export type Mark = "\u2014" | "\u25ac" | "\u25cb" | "\u25cf";
+/** What a mark in a title looks like: a line, a broad pale one, a dashed one, a ring, a filled circle, an area. */
+export type Mark = "\u2014" | "\u25ac" | "\u2504" | "\u25cb" | "\u25cf" | "\u25a0";
 
 /** A plot with its title and with what its colours stand for. */
 export function plotFigure(title: string, marks: [Mark, Ink, string][], plot: HTMLElement, ...beside: HTMLElement[]): HTMLElement {

@@ -26,6 +26,7 @@ export class Session {
   readonly stage: Stage | null;
   readonly pull: Pull;
   readonly pushes: PushPanel;
+  readonly plan: PlanView;
   readonly stageBox = make("figure", "gw-stage");
   readonly plots = make("div", "gw-strip");
   readonly tabs: Tabs;
@@ -37,7 +38,6 @@ export class Session {
   private readonly panels: { root: HTMLElement; show(frame: Frame): void }[];
   private readonly margin = new MarginPlot();
   private readonly response: ResponsePlot;
-  private readonly plan: PlanView;
   private readonly grip: Grip | null = null;
   private readonly arrows: PullArrows | null = null;
   private connected = true;
