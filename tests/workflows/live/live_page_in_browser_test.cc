@@ -85,6 +85,9 @@ TEST_F(LivePageTest, SlidersMoveTheJoints) {
   Await("L.frame.q[2] > 0.45");
   Await("L.stage.robot.bodyPosition(3).z > 0.3");
   EXPECT_GT(std::abs(before[0].get<double>() + 1.047), 0.2) << "it was elsewhere before";
+  const std::string joint = "document.querySelector('input[name=\"joint:FL_calf_joint\"]').parentElement";
+  EXPECT_EQ(Ask("[..." + joint + ".querySelectorAll('.gw-end')].map((end) => end.textContent)"),
+            Json({"-154.5\u00b0", "-52.5\u00b0"}));
   Click("stand_up");
   Await("L.frame.mode === 'stands' && L.frame.q[2] < 0.4");
 }

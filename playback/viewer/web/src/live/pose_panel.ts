@@ -16,10 +16,12 @@ const kBaseShift_m = 1;
 
 function jointSlider(dof: DofFile): Slider {
   const turns = dof.unit === "rad";
-  const scale = scaleOf(dof), free = turns ? kFreeTurn_deg : kFreeShift_mm;
+  const scale = scaleOf(dof), free = turns ? kFreeTurn_deg : kFreeShift_mm, unit = turns ? "\u00b0" : " mm";
+  const end = (limit: number | null, none: string) => (limit === null ? none : rounded(scale * limit, 1) + unit);
   return new Slider({
     name: `joint:${dof.name}`, label: dof.name, title: dof.name, least: dof.lower === null ? -free : scale * dof.lower,
-    most: dof.upper === null ? free : scale * dof.upper, step: 0.1, value: 0, words: (value) => rounded(value, 1) + (turns ? "\u00b0" : " mm"),
+    most: dof.upper === null ? free : scale * dof.upper, step: 0.1, value: 0, words: (value) => rounded(value, 1) + unit,
+    ends: [end(dof.lower, "\u2212\u221e"), end(dof.upper, "\u221e")],
   });
 }
 

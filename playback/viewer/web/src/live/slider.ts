@@ -21,6 +21,8 @@ export interface SliderOptions {
   logarithmic?: boolean;
   /** What is more is on the left, as what turns and shifts a robot to the left is. */
   leftward?: boolean;
+  /** What stands at its ends: where what is set must end. */
+  ends?: [string, string];
   /** The range goes along where what it follows leaves it. */
   wanders?: boolean;
 }
@@ -45,7 +47,8 @@ export class Slider {
     if (options.leftward) this.input.dir = "rtl";
     this.root.title = options.title ?? "";
     this.input.setAttribute("aria-label", options.spoken ?? options.label);
-    this.root.append(make("span", "gw-name", options.label), this.input, this.readout);
+    const [low, high] = (options.ends ?? []).map((end) => make("small", "gw-end", end));
+    this.root.append(make("span", "gw-name", options.label), ...(low ? [low, this.input, high] : [this.input]), this.readout);
     this.setRange(options.least, options.most);
     this.input.addEventListener("pointerdown", () => this.holdUntilLetGo());
     this.input.addEventListener("input", () => this.move());
