@@ -26,6 +26,7 @@ void AddChineseActions(Lexicon& x) {
       "站着别动|站着不动|立正|立正站好|立定|停顿|停顿一下|静止|静止不动|原地等着|原地等待|原地待命|原地别动|站好|站定|"
       "站住|站住别动|别动|原地不动|待命|稍息|停住不动|原地站好|原地站着",
       M::kAction, "stand");
+  x.Add("停止", M::kAction, "stand");
   x.Add("起身|起立|起身来|立起来", M::kAction, "stand_up");
   x.Add("坐低|坐落|坐下来|坐落嚟", M::kAction, "sit");
   x.Add("卧倒|趴好|趴低|趴倒|趴下来|趴低身", M::kAction, "lie_down");

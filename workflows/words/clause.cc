@@ -19,6 +19,7 @@ class Splitter {
     for (std::size_t k = 0; k < items_.size(); ++k) {
       if (k != skipped_) Add(items_[k], k);
     }
+    now_.denies = denied_ && now_.empty() && now_.corrects;
     Close();
     for (std::size_t k = 0; k + 1 < clauses_.size(); ++k) clauses_[k].refers = clauses_[k + 1].is_meanwhile;
     return std::move(clauses_);
@@ -43,9 +44,14 @@ class Splitter {
       case M::kAfter:
         return Join([](Clause& next) { next.is_after = true; });
       case M::kNo:
-        return Join([](Clause& next) { next.corrects = true; });
+        return AddNo(item, at);
       case M::kNot:
-        return Join([](Clause& next) { next.is_not = true; });
+        return Join([&](Clause& next) {
+          next.is_not = true;
+          next.exclaims = item.name == "oh";
+        });
+      case M::kForbid:
+        return AddForbid(item, at);
       case M::kDrop:
         return AddDrop(item, at);
       case M::kHold:
@@ -63,6 +69,7 @@ class Splitter {
       default:
         break;
     }
+    if (IsStop(item, at)) return Forbid(item, true);
     if (HasVerb() && IsParticle(item)) return;  // "走到门那里去"
     if (item.IsVerb() && HasVerb()) {
       // What is said of the way before its verb belongs to it: "往前" in "举手往前走".
@@ -78,26 +85,72 @@ class Splitter {
     now_.items.push_back(item);
   }
 
-  /// "don't walk" is not to be done; "never mind" is what was said before.
+  /// The next item that says something, up to the end or to what joins clauses.
+  const Item* SaidAfter(std::size_t at) const {
+    for (std::size_t k = at + 1; k < items_.size(); ++k) {
+      if (items_[k].Is(M::kBreak) || items_[k].Is(M::kThen) || items_[k].Is(M::kNo)) return nullptr;
+      if (!items_[k].SaysNothing()) return &items_[k];
+    }
+    return nullptr;
+  }
+
+  bool IsGerund(const Item& item) const {
+    const std::string word = TextOf(text_, {item.begin, item.end});
+    return item.IsVerb() && word.substr(0, word.find(' ')).ends_with("ing");
+  }
+
+  /// "no walking" forbids, "no, walk" corrects.
+  void AddNo(const Item& item, std::size_t at) {
+    const Item* next = SaidAfter(at);
+    if (item.name == "no" && next != nullptr && IsGerund(*next)) return Forbid(item, false);
+    denied_ = item.name == "no";
+    Join([](Clause& clause) { clause.corrects = true; });
+  }
+
+  void Forbid(const Item& word, bool ends) {
+    Join([&](Clause& clause) {
+      clause.forbids = true;
+      clause.ends = ends;
+      clause.needless = word.name == "needless";
+      clause.items.push_back(word);
+      clause.items.back().meaning = M::kForbid;
+    });
+  }
+
+  /// "不要走" is not to be done, "不要，走" corrects, and "don't" alone takes back what was said last.
+  void AddForbid(const Item& item, std::size_t at) {
+    if (SaidAfter(at) != nullptr) return Forbid(item, false);
+    if (item.name == "no") return AddNo(item, at);
+    AddDrop(item, at);
+  }
+
+  /// "stop waving", "stop the march", "停止挥手"
+  bool IsStop(const Item& item, std::size_t at) const {
+    const Item* next = SaidAfter(at);
+    if (!item.Is(M::kAction) || item.name != "stand" || next == nullptr || !next->IsVerb()) return false;
+    const std::string word = TextOf(text_, {item.begin, item.end});
+    const bool stops = word.size() >= 4 && word.substr(1, 3) == "top" && word.find(' ') == std::string::npos;
+    const bool noun = items_[at + 1].Is(M::kFiller) && items_[at + 1].name == "the";
+    return (stops && (IsGerund(*next) || noun)) || word == "停止";
+  }
+
+  /// "never mind the bow" takes back that one; "never mind" what was said before.
   void AddDrop(const Item& item, std::size_t at) {
     // "鞠躬就免了": the verb stands before.
     const bool bare = std::count_if(now_.items.begin(), now_.items.end(),
                                     [](const Item& i) { return !i.Is(M::kPolite) && !i.Is(M::kFiller); }) == 1;
-    if (bare && now_.items.back().Is(M::kAction) && item.begin == now_.items.back().end && item.name.empty()) {
+    if (bare && now_.items.back().Is(M::kAction) && item.begin == now_.items.back().end &&
+        (item.name.empty() || item.Is(M::kForbid))) {
       now_.drops = now_.is_not = true;
       now_.dropped = now_.items.back().name;
       return Close();
     }
-    std::size_t next = at + 1;
-    while (next < items_.size() && (items_[next].Is(M::kPolite) || items_[next].Is(M::kFiller))) ++next;
-    const bool names = item.name.empty() && next < items_.size() && items_[next].Is(M::kAction);
-    if (next < items_.size() && items_[next].Is(M::kPlace)) skipped_ = next;  // "never mind the door"
-    const std::string dropped = names ? items_[next].name : item.name;
+    const Item* next = SaidAfter(at);
+    if (item.name.empty() && next != nullptr && next->IsVerb()) return Forbid(item, false);
+    if (next != nullptr && next->Is(M::kPlace)) skipped_ = static_cast<std::size_t>(next - items_.data());
     Join([&](Clause& clause) {
       clause.drops = true;
-      clause.dropped = dropped;
-      clause.is_not = names;
-      clause.needless = item.value == 1.0;
+      clause.dropped = item.Is(M::kDrop) ? item.name : "";
     });
   }
 
@@ -132,7 +185,7 @@ class Splitter {
   /// At the end of a clause it says that this one is done meanwhile, before one that that one is.
   void AddWhile(std::size_t at) {
     std::size_t next = at + 1;
-    while (next < items_.size() && (items_[next].Is(M::kPolite) || items_[next].Is(M::kFiller))) ++next;
+    while (next < items_.size() && items_[next].SaysNothing()) ++next;
     const bool trails = next == items_.size() || items_[next].Is(M::kBreak) || items_[next].Is(M::kThen);
     if (trails && !now_.empty() && !clauses_.empty()) {
       now_.is_meanwhile = true;
@@ -148,7 +201,7 @@ class Splitter {
   }
 
   void Close() {
-    const bool said = !now_.empty() || now_.again || now_.drops;
+    const bool said = !now_.empty() || now_.again || now_.drops || now_.denies;
     if (said) clauses_.push_back(std::exchange(now_, {}));
     now_.items.clear();
   }
@@ -158,6 +211,7 @@ class Splitter {
   std::vector<Clause> clauses_;
   Clause now_;
   std::size_t skipped_ = std::string::npos;  // an item that only names again what is dropped
+  bool denied_ = false;                      // by the last word that corrects
 };
 
 }  // namespace

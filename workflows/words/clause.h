@@ -16,7 +16,11 @@ struct Clause {
   bool is_first = false;  ///< to be done before what was said before it
   bool refers = false;    ///< only names again what was said before: "while it turns"
   bool corrects = false, is_not = false, drops = false, again = false, holds = false;
-  bool needless = false;  ///< what is not to be done need not have been asked for
+  bool forbids = false;   ///< what is said is not to be done
+  bool needless = false;  ///< and need not have been asked for
+  bool ends = false;      ///< what is said is done no longer: "stop waving"
+  bool exclaims = false;  ///< "oh, not": what comes after it may be what is meant
+  bool denies = false;    ///< "no" and nothing after it
   std::string dropped;    ///< the action that is not to be done; "" for whichever was said last
 
   /// From the first word that is not only polite to the last.

@@ -189,6 +189,13 @@ void AddJoints(Lexicon& x) {
       "while at it|as you move|while moving|in the process|whilst doing so|along with|together with|while still|"
       "while you're doing that|while you are doing that|while you're at it|as you're going|simultaneously with",
       M::kWhile);
+  x.Add("let's not", M::kForbid);
+  x.Add("don't bother|no need|no need to|not need you to|not need you|not need to|you don't need to|you don't have to",
+        M::kForbid, "needless");
+  x.Add(
+      "no|nope|no wait|wait no|no no|oh no|actually no|hmm no|err no|uh no|um no|erm no|oops no|ah no|hang on no|"
+      "hold on no|no hang on|no hold on|no that's wrong|no that's not right|that's not right|that's wrong|wrong",
+      M::kNo, "no");
   x.Add(
       "erm no|err|oops no|oops sorry|ah no|ah sorry|hang on no|hold on no|scrap that make it|no hang on|no hold on|"
       "i take that back|let me rephrase|let me correct myself|correcting myself|what i meant was|what i mean is|"
@@ -199,7 +206,7 @@ void AddJoints(Lexicon& x) {
   x.Add(
       "scrap that|scratch it|scrub that|no forget that|no forget it|forget what i said|ignore what i said|"
       "ignore the last bit|ignore that last bit|ignore the last one|take that back|cancel the last one|never mind that|"
-      "nevermind that|forget i said that|let's not|don't bother|no need|no need for that|no never mind|oh never mind|"
+      "nevermind that|forget i said that|no need for that|no never mind|oh never mind|"
       "actually never mind|actually forget it|actually forget that|actually scratch that|abort|abort that|bin that|"
       "drop it|skip it|strike it|delete that",
       M::kDrop);
@@ -284,10 +291,11 @@ void AddJoints(Lexicon& x) {
       "sorry|"
       "err no|uh no|um no|better|change that to|let's say|that should be|should be|it should be|or better",
       M::kNo);
-  x.Add("not", M::kNot);
+  x.Add("not|and not|but not|instead of|rather than|as opposed to", M::kNot);
+  x.Add("don't|do not|dont|actually don't|no don't|do not ever|don't ever", M::kForbid);
   x.Add(
-      "don't|do not|dont|never mind|nevermind|scratch that|forget it|forget that|forget about it|cancel that|"
-      "strike that|skip that|ignore that|actually don't|no don't|leave it|drop that|cancel|not that|"
+      "never mind|nevermind|scratch that|forget it|forget that|forget about it|cancel that|"
+      "strike that|skip that|ignore that|leave it|drop that|cancel|not that|"
       "don't do that|do not do that|on second thought don't|disregard that|undo that|forget about that",
       M::kDrop);
   x.Add(

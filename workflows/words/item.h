@@ -41,8 +41,10 @@ enum class Meaning {
   kWhile,      ///< at the same time
   kBefore,     ///< "before": what follows is done after what comes then
   kAfter,      ///< "after": what follows is done first
-  kNo,         ///< what follows is meant in place of what was said last
-  kNot,        ///< "not": what follows is not meant
+  kNo,         ///< what follows is meant in place of what was said last; `name` "no" where it denies that alone too
+  kNot,        ///< "not": what follows is not meant; `name` "oh" where it corrects what was said: "啊不是"
+  kForbid,     ///< "don't": what follows is not to be done; `name` "needless" where nobody need have asked for it,
+               ///< "no" where it corrects when nothing follows
   kDrop,       ///< what was said last is not to be done; only if it is the action `name`, where one is given
   kFirst,      ///< said last: before what was said before it
   kAgain,      ///< the same once more

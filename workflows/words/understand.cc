@@ -11,6 +11,7 @@
 #include "workflows/words/asides.h"
 #include "workflows/words/check_draft.h"
 #include "workflows/words/clause.h"
+#include "workflows/words/forbidden.h"
 #include "workflows/words/items.h"
 #include "workflows/words/read_clause.h"
 #include "workflows/words/refer_back.h"
@@ -31,15 +32,20 @@ constexpr int kMostTimes = 50;  // that a walk or a turn is done one after the o
 /// Makes tasks of clauses.
 class Assembler {
  public:
-  Assembler(const std::string& text, const TaskScope& scope) : text_(text), scope_(scope) {}
+  Assembler(const std::string& text, const TaskScope& scope) : text_(text), scope_(scope), forbidden_(text) {}
 
   void Add(const Clause& clause) {
+    if (clause.denies) throw Refused{{"ambiguous", text_, "is taken back, and nothing is said in its place", ""}};
+    if (clause.forbids) return Forbid(clause);
+    const bool in_doubt = std::exchange(after_forbidden_, false) && !clause.follows_break && !clause.corrects;
+    if (in_doubt) throw Refused{{"ambiguous", Text(clause.Words()), "may or may not be forbidden too", ""}};
     if (clause.drops) Drop(clause);
     if (clause.drops && clause.is_not) return;
     if (clause.again) return Repeat();
     if (clause.empty()) return;
     if (clause.is_not && !IsMeant(clause)) {
-      after_not_ = true;
+      ForgetWaiting();
+      after_not_ = forbidden_.AddNot(clause, drafts_);
       return;
     }
     Draft said = ReadClause(text_, clause);
@@ -79,6 +85,7 @@ class Assembler {
     plan.text = text_;
     plan.language = LanguageOf(text_) == Language::kEnglish ? "en" : "zh";
     for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
+    forbidden_.Check(drafts_);
     if (plan.tasks.empty()) throw Refused{{"empty", "", "says nothing to do", ""}};
     for (std::size_t k = 0; k < plan.tasks.size(); ++k) CheckDraft(text_, scope_, plan.tasks[k], drafts_[k]);
     if (const auto failure = WhyNotPlanned(plan, scope_)) throw Refused{{failure->code, text_, failure->message, ""}};
@@ -88,6 +95,11 @@ class Assembler {
  private:
   std::string Text(const Span& span) const { return TextOf(text_, span); }
 
+  void Forbid(const Clause& clause) {
+    if (clause.corrects) ForgetWaiting();
+    after_forbidden_ = !forbidden_.Add(clause, drafts_);
+  }
+
   /// Takes away what is not to be done after all. @throws Refused for what nobody asked for.
   void Drop(const Clause& clause) {
     const bool any = clause.dropped.empty();
@@ -95,14 +107,14 @@ class Assembler {
                                       [&](const Draft& draft) { return any || draft.action == clause.dropped; });
     if (dropped != drafts_.rend()) {
       drafts_.erase(std::next(dropped).base());
-    } else if (clause.is_not && !clause.needless) {
+    } else if (clause.is_not) {
       throw Refused{{"unknown", Text(clause.Words()), "says what not to do, which nobody asked for", ""}};
     }
   }
 
-  /// "举左手，啊不是，右手": what comes after "not" is what is meant where nobody has said it before.
+  /// "举左手，啊不是右手": what comes after "oh, not" is what is meant where nobody has said it before.
   bool IsMeant(const Clause& clause) const {
-    if (drafts_.empty()) return false;
+    if (drafts_.empty() || !clause.exclaims) return false;
     const bool unknown = std::any_of(clause.items.begin(), clause.items.end(),
                                      [](const Item& item) { return item.Is(M::kUnknown) || item.Is(M::kElsewhere); });
     if (unknown) return false;
@@ -357,7 +369,8 @@ class Assembler {
   std::optional<Draft> waiting_;  // for the clause that it is joined with
   std::vector<Draft> held_;       // gestures that are made while the next is done
   std::optional<Draft> manner_;   // said before what is done so
-  bool before_ = false, after_not_ = false;
+  Forbidden forbidden_;
+  bool before_ = false, after_not_ = false, after_forbidden_ = false;
 };
 
 }  // namespace
