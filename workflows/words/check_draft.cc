@@ -20,11 +20,17 @@ Task Alone(const Task& task, const std::string& key, const ActionRule& rule) {
   return alone;
 }
 
+std::string WhyNotTaken(const ActionRule& rule, const std::string& key) {
+  if (key == "to" && rule.action == "turn") return "is a place, and a turn goes to the left or right by degrees";
+  if (key == "to") return fmt::format("is a place, and '{}' is done where the robot is: walk there first", rule.action);
+  return fmt::format("is nothing to '{}'", rule.action);
+}
+
 void CheckParameter(const std::string& text, const TaskScope& scope, const Task& task, const Draft& draft,
                     const std::string& key) {
   const ActionRule& rule = *FindAction(task.action);
   const std::string words = TextOf(text, SpanOf(draft, key));
-  if (!Takes(rule.action, key)) throw Refused{{"unknown", words, fmt::format("is nothing to '{}'", rule.action), ""}};
+  if (!Takes(rule.action, key)) throw Refused{{"unknown", words, WhyNotTaken(rule, key), ""}};
   const Task alone = Alone(task, key, rule);
   const auto failure = WhyNoTask(alone);
   if (failure && failure->code == "range") throw Refused{{"range", words, failure->message, ""}};
@@ -40,7 +46,7 @@ void CheckExtents(const std::string& text, const Task& task, const Draft& draft)
     const Span span = SpanOf(draft, key);
     if (extent) {
       const Span both = {std::min(extent->begin, span.begin), std::max(extent->end, span.end)};
-      throw Refused{{"ambiguous", TextOf(text, both), "says twice how far", ""}};
+      throw Refused{{"ambiguous", TextOf(text, both), "says twice how far: an amount or a place is taken", ""}};
     }
     extent = span;
   }

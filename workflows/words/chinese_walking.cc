@@ -13,6 +13,7 @@ using M = Meaning;
 
 void AddChineseWalking(Lexicon& x) {
   const std::string forward = "forward", backward = "backward", left = "left", right = "right";
+  x.Add("走过", M::kUnknown);
   x.Add("跑|跑着去|跑过去|跑上去|跑起来|跑步", M::kAction, "walk", 0.0, {{"pace", std::string("fast")}});
   x.Add("跑到|跑去|跑向|奔向|跑去到|跑回|跑回到", M::kAction, "walk", 1.0, {{"pace", std::string("fast")}});
   x.Add("跑步前进|跑步向前|跑步走|冲刺|冲|往前冲|向前冲|往前冲刺|向前冲刺|快跑前进", M::kAction, "walk", 0.0,
@@ -54,7 +55,7 @@ void AddChineseWalking(Lexicon& x) {
       M::kAction, "walk");
   x.Add("回|返回|回去|直走|径直走|朝前走|走着|接着走|继续走|走出|走出去|倒走着", M::kAction, "walk");
   x.Add(
-      "走到|去到|来到|到达|走向|移到|移动到|挪到|跑到|回到|走回到|走至|赶到|跑向|奔向|回到了|走进|走过|靠近|接近|"
+      "走到|去到|来到|到达|走向|移到|移动到|挪到|跑到|回到|走回到|走至|赶到|跑向|奔向|回到了|走进|靠近|接近|"
       "移动至|挪至|前往到|爬到|走上到|跑去|直奔|登上|上到|走上|前往|走去",
       M::kAction, "walk", 1.0);
   x.Add("前进|向前进|往前进", M::kAction, "walk", 0.0, {{"direction", forward}});

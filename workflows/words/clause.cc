@@ -164,7 +164,9 @@ class Splitter {
   bool LeadsWay(const Item& item) const {
     const auto verb = std::find_if(now_.items.begin(), now_.items.end(), std::mem_fn(&Item::IsVerb));
     const bool goes = verb->Is(M::kAction) && (verb->name == "walk" || verb->name == "turn");
-    return !goes && (item.Is(M::kDirection) || item.Is(M::kPace));
+    const std::size_t count = now_.items.size();
+    const bool after_place = count > 1 && now_.items[count - 2].Is(M::kPlace) && item.Is(M::kSide);  // "走到门往左走"
+    return after_place || (!goes && (item.Is(M::kDirection) || item.Is(M::kPace)));
   }
 
   /// "左转" right behind something else.

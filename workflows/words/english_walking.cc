@@ -19,7 +19,7 @@ void AddEnglishWalking(Lexicon& x) {
       "low|"
       "walk low|go low and walk|crawl along|army crawl|low crawl|commando crawl|slither",
       M::kAction, "walk", 0.0, {{"height", std::string("low")}});
-  x.Add("reached|arrived at|got to|made it to|gotten to|been to", M::kAction, "walk", 1.0);
+  x.Add("reached|arrived at|got to|made it to|gotten to|been to|approach|make for|go for", M::kAction, "walk", 1.0);
   x.Add("enter|enter with|exit|exit with", M::kAction, "walk");
   x.Add("run|running|ran", M::kAction, "walk", 0.0, {{"pace", std::string("fast")}});
   x.Add("sprint|sprinting|bolt|charge|charging|hustle|scram|step on it|full speed ahead", M::kAction, "walk", 0.0,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "workflows/words/place_relation.h"
 #include "workflows/words/settle_amounts.h"
 
 namespace gaitwright::words {
@@ -113,6 +114,7 @@ class ClauseReader {
         each_ = true;
         return;
       case M::kPlace:
+        CheckGoesTo(text_, clause_, at_);
         return Say("to", PlaceName{item.name, static_cast<int>(std::lround(item.value))}, item);
       case M::kPace:
         return SaySoftly("pace", item.name, item);
