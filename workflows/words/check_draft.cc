@@ -67,6 +67,10 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
     const Task bare{task.action, {}, "", {}};
     throw Refused{{"cannot", TextOf(text, draft.words), WhyNotDone(bare, scope)->message, rule.instead}};
   }
+  if (draft.side) {
+    const std::string words = TextOf(text, draft.side_said.value_or(draft.words));
+    throw Refused{{"unknown", words, fmt::format("is nothing to '{}', which has no sides", rule.action), ""}};
+  }
   for (const auto& [key, value] : task.parameters) CheckParameter(text, scope, task, draft, key);
   CheckExtents(text, task, draft);
   const bool goes =

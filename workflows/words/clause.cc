@@ -70,12 +70,13 @@ class Splitter {
         break;
     }
     if (IsStop(item, at)) return Forbid(item, true);
+    if (DoesNoGesture() && IsWithLimb(at)) Join([](Clause& clause) { clause.is_meanwhile = true; });
     if (HasVerb() && IsParticle(item)) return;  // "走到门那里去"
     if (item.IsVerb() && HasVerb()) {
       // What is said of the way before its verb belongs to it: "往前" in "举手往前走".
       std::vector<Item> lead;
-      while (!now_.items.empty() &&
-             (LeadsOn(now_.items.back()) || LeadsWay(now_.items.back()) || IsTurnsSide(now_.items.back(), item))) {
+      while (!now_.items.empty() && (LeadsOn(now_.items.back()) || LeadsWay(now_.items.back()) ||
+                                     IsTurnsSide(now_.items.back(), item) || IsPutsLimb())) {
         lead.insert(lead.begin(), now_.items.back());
         now_.items.pop_back();
       }
@@ -134,6 +135,25 @@ class Splitter {
     return (stops && (IsGerund(*next) || noun)) || word == "停止";
   }
 
+  bool DoesNoGesture() const {
+    const auto verb = std::find_if(now_.items.begin(), now_.items.end(), std::mem_fn(&Item::IsVerb));
+    return verb != now_.items.end() && verb->Is(M::kAction) && !FindAction(verb->name)->is_gesture;
+  }
+
+  /// "with your hands up", "with both arms raised": a gesture beside what is done.
+  bool IsWithLimb(std::size_t at) const {
+    const std::string word = TextOf(text_, {items_[at].begin, items_[at].end});
+    if (word != "with" && !word.starts_with("with ")) return false;
+    bool arm = false;
+    for (std::size_t k = at + 1; k < items_.size(); ++k) {
+      const Item& item = items_[k];
+      if (arm && (item.Is(M::kUp) || item.Is(M::kDown) || item.Is(M::kRaise) || item.Is(M::kLower))) return true;
+      arm = arm || item.Is(M::kArm) || item.Is(M::kPlural);
+      if (!item.SaysNothing() && !item.Is(M::kSide) && !item.Is(M::kBoth) && !arm) return false;
+    }
+    return false;
+  }
+
   /// "never mind the bow" takes back that one; "never mind" what was said before.
   void AddDrop(const Item& item, std::size_t at) {
     // "鞠躬就免了": the verb stands before.
@@ -167,6 +187,13 @@ class Splitter {
     const std::size_t count = now_.items.size();
     const bool after_place = count > 1 && now_.items[count - 2].Is(M::kPlace) && item.Is(M::kSide);  // "走到门往左走"
     return after_place || (!goes && (item.Is(M::kDirection) || item.Is(M::kPace)));
+  }
+
+  /// "点完头把右手放下来": what is put stands before the verb.
+  bool IsPutsLimb() const {
+    const std::size_t count = now_.items.size();
+    const bool limb = now_.items.back().Is(M::kArm) || now_.items.back().Is(M::kFoot) || now_.items.back().Is(M::kBoth);
+    return limb && count > 1 && now_.items[count - 2].Is(M::kPut);
   }
 
   /// "左转" right behind something else.

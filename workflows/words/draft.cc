@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace gaitwright::words {
 namespace {
@@ -21,6 +22,17 @@ std::string TextOf(const std::string& text, const Span& span) { return text.subs
 Span SpanOf(const Draft& draft, const std::string& key) {
   const auto said = draft.said.find(key);
   return said == draft.said.end() ? draft.words : said->second;
+}
+
+bool IsDoneWith(const std::string& action, const std::string& part) {
+  static const std::map<std::string, std::set<std::string>> kParts = {
+      {"arm", {"", "wave", "raise_arm", "lower_arm"}},
+      {"foot", {"", "balance"}},
+      {"head", {"nod", "bow", "brace"}},
+      {"body", {"walk", "turn", "stand", "stand_up", "lie_down", "sit", "squat", "bow", "nod", "balance", "brace"}},
+      {"legs", {"stand", "stand_up", "lie_down", "sit", "squat", "bow", "balance", "brace"}},
+      {"belly", {"lie_down", "sit", "squat", "brace"}}};
+  return kParts.at(part).contains(action);
 }
 
 void SettleSide(const std::string& text, Draft& draft) {
@@ -50,6 +62,9 @@ void SettleSide(const std::string& text, Draft& draft) {
 }
 
 void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
+  if (said.action.empty() && !said.part.empty() && !IsDoneWith(into.action, said.part))
+    throw Refused{
+        {"unknown", TextOf(text, said.words), "is no part of its body that '" + into.action + "' is done with", ""}};
   for (const auto& [key, value] : said.parameters) {
     std::string to = key;
     if (key == "distance_m" && into.action == "squat") to = "depth_m";
@@ -88,6 +103,10 @@ void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
     for (const auto& [key, value] : sided.parameters) {
       into.parameters[key] = value;
       into.said[key] = sided.said[key];
+    }
+    if (sided.side) {
+      into.side = sided.side;
+      into.side_said = sided.side_said;
     }
   }
   into.words.end = std::max(into.words.end, said.words.end);

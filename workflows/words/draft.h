@@ -26,6 +26,7 @@ struct Draft {
   std::optional<Item> bare;          ///< a number without a unit
   std::optional<std::string> side;   ///< of a way or of a limb, as long as there is no action
   std::optional<Span> side_said;
+  std::string part;         ///< arm or foot, where one is named
   bool plural = false;      ///< limbs, both unless a side says which
   bool joined = false;      ///< to the one before, by "and" alone
   bool holding = false;     ///< done while the next one is
@@ -51,6 +52,10 @@ Span SpanOf(const Draft& draft, const std::string& key);
 /// Puts what is said into a draft that has its action. `over` takes the place of what is there; else what is said twice
 /// is refused.
 void Merge(const std::string& text, const Draft& said, bool over, Draft& into);
+
+/// Whether an action is done with that part of the body: arm, foot, head, body, legs, belly. Of an arm or a foot alone
+/// no action need be said.
+bool IsDoneWith(const std::string& action, const std::string& part);
 
 /// Gives a side to a draft by its action: where to, or which limb. @throws Refused
 void SettleSide(const std::string& text, Draft& draft);

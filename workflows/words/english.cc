@@ -46,6 +46,11 @@ void AddLimbsAndAmounts(Lexicon& x) {
   x.Add("arm|hand|forearm|paw", M::kArm);
   x.Add("arms|hands|paws", M::kPlural);
   x.Add("foot|leg", M::kFoot);
+  x.Add("your head|the head|its head|my head|chin|neck|face", M::kPart, "head");
+  x.Add("body|torso|upper body|shoulders|waist", M::kPart, "body");
+  x.Add("legs|knees|knee|hips|back leg|back legs|front legs", M::kPart, "legs");
+  x.Add("tummy|belly|stomach", M::kPart, "belly");
+  x.Add("on your side|on its side|on the side|on your back|on its back", M::kUnknown);
   x.Add(
       "full turn|whole turn|complete turn|full circle|full rotation|complete rotation|full revolution|full spin|"
       "complete circle|whole circle",
@@ -168,7 +173,7 @@ void AddJoints(Lexicon& x) {
   x.Add("@|reps|rep|cadence|heading|amount|dist|dur|qty|num|approx.|approx|no.|to about|in place now", M::kFiller);
   x.Add("mister|would ya|wouldja|will ya|could ya|can ya|ya|gonna|you're about to be hit|you are about to be hit",
         M::kPolite);
-  x.Add("nice and|tummy|belly|stomach|shall we|would you|will you please|like a|like an", M::kFiller);
+  x.Add("nice and|shall we|would you|will you please|like a|like an", M::kFiller);
   x.Add(
       "walk on the spot|walking on the spot|march in place|march on the spot|walk in place|jog on the spot|"
       "jog in place|run on the spot|run in place",
@@ -260,7 +265,7 @@ void AddJoints(Lexicon& x) {
       "shall|please please|some more|again "
       "for|level|position|pose|stance|posture|pace|yourselves|everybody|people|folks|"
       "guys|ladies|gentlemen|kids|children|guests|class|team|judges|photographer|teacher|camera|friends|family|mum|dad|"
-      "grandma|new|other|same|whole|top|bottom|end|chin|knee|hips|waist|back leg|torso|upper body|front",
+      "grandma|new|other|same|whole|top|bottom|end|front",
       M::kFiller);
   x.Add(
       "then|and then|after that|afterwards|afterward|next|finally|lastly|and finally|and next|and|and after that|"
@@ -345,7 +350,7 @@ void AddJoints(Lexicon& x) {
       "the|of|by|for|about|roughly|approximately|around|exactly|a|an|your|my|it|them|him|her|its|that|this|these|"
       "those|with|on|in|from|over|there|here|you|me|us|some|total|distance|a distance of|angle|speed|a speed of|"
       "at a speed of|with a speed of|at a pace of|rate|a rate of|at a rate of|velocity|at a velocity of|one|ones|"
-      "is|are|be|will|head|body|knees|legs|as|like|very|nearly|almost|more|further|another|place|spot|on the spot|"
+      "is|are|be|will|as|like|very|nearly|almost|more|further|another|place|spot|on the spot|"
       "in place|ground|floor|period|duration|for a duration of|for a period of|through|off|out|set|depth|a depth of|"
       "to a depth of|at an angle of|an angle of|through an angle of|or so|good|nice|big|little|small|side|direction|"
       "way|low|full|fully|completely|all|again and|politely|friendly|happily|bit|way back|with a|steady|steadily|"

@@ -20,12 +20,14 @@ void AddEnglishActions(Lexicon& x) {
   x.Add("give me your paw|give paw|shake hands|shake paws|high five|give me five|shake my hand", M::kElsewhere, "wave");
   x.Add("walk the dog|walk my dog|walk the dogs|follow me|follow him|follow her|come with me|chase", M::kElsewhere,
         "walk");
+  x.Add("nod head|nod ur head|nod the head|nodding head", M::kAction, "nod");
   x.Add("rot|rotate|yaw", M::kAction, "turn");
   x.Add("ccw", M::kSide, "left");
   x.Add("cw", M::kSide, "right");
   x.Add("bal|bal.", M::kAction, "balance");
   x.Add("bye-bye|bye bye|make bye-bye|make bye bye|make hello|say bye-bye", M::kAction, "wave");
-  x.Add("hang on for|hold on for|wait for|hang about for|hang about", M::kAction, "stand");
+  x.Add("wait right there|wait right here|hang on for|hold on for|wait for|hang about for|hang about", M::kAction,
+        "stand");
   x.Add("prepare for a crash|prepare for the fall|prepare for crash|prepare for the crash|get ready for the fall",
         M::kAction, "brace");
   x.Add(

@@ -22,6 +22,7 @@ enum class Meaning {
   kArm,        ///< an arm, a hand
   kFoot,       ///< a foot, a leg
   kPlural,     ///< arms, hands
+  kPart,       ///< another part of the body; `name` is head, body, legs or belly
   kUp,         ///< up
   kDown,       ///< down
   kNumber,     ///< a number alone

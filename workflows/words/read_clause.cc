@@ -77,19 +77,24 @@ class ClauseReader {
       case M::kBoth:
         return TakeSide("both", item);
       case M::kArm:
-        arm_ = true;
+        arm_ = item;
         if (!item.name.empty()) TakeSide(item.name, item);
         return;
       case M::kPlural:
-        arm_ = draft_.plural = true;
+        arm_ = item;
+        draft_.plural = true;
+        return;
+      case M::kPart:
+        parts_.push_back(item);
         return;
       case M::kFoot:
-        foot_ = true;
+        foot_ = item;
         if (item.name == "left" || item.name == "right") TakeSide(item.name, item);
         return;
       case M::kRaise:
         raises_ = true;
-        if (item.name == "both") arm_ = draft_.plural = true;
+        if (item.name == "both") arm_ = item;
+        draft_.plural = draft_.plural || item.name == "both";
         draft_.holding = draft_.holding || TextOf(text_, {item.begin, item.end}).find("着") != std::string::npos ||
                          TextOf(text_, {item.begin, item.end}).find("ing") != std::string::npos ||
                          TextOf(text_, {item.begin, item.end}) == "raised";
@@ -311,8 +316,6 @@ class ClauseReader {
       draft_.action = "lower_arm";
       if (raise) RefuseAll();
       if (!arm_ && !draft_.side) draft_.side = "same";
-    } else if (draft_.action.empty() && foot_ && !draft_.said.contains("steps")) {
-      draft_.action = clause_.corrects || clause_.follows_break ? "" : "balance";
     }
     const bool with =
         !clause_.items.empty() && TextOf(text_, {clause_.items[0].begin, clause_.items[0].end}).substr(1, 3) == "ith";
@@ -328,6 +331,22 @@ class ClauseReader {
     SettleTurn();
     SettleAmounts(turns_, draft_);
     if (puts_ && draft_.empty()) RefuseAll();
+    CheckParts();
+  }
+
+  /// "shake your head", "walk on your hands": what an action is not done with.
+  void CheckParts() {
+    const auto check = [&](const std::string& part, const Item& item) {
+      if (IsDoneWith(draft_.action, part)) return;
+      const std::string why = draft_.action.empty()
+                                  ? "is no part that it can be told to move alone"
+                                  : "is no part of its body that '" + draft_.action + "' is done with";
+      Refuse("unknown", TextOf(text_, {item.begin, item.end}), why);
+    };
+    if (arm_) check("arm", *arm_);
+    if (foot_) check("foot", *foot_);
+    draft_.part = foot_ ? "foot" : arm_ ? "arm" : "";
+    for (const Item& part : parts_) check(part.name, part);
   }
 
   bool GoesBack() const {
@@ -372,7 +391,9 @@ class ClauseReader {
   Draft draft_;
   std::map<std::string, TaskValue> implied_;
   Span implied_said_;
-  bool greets_ = false, arm_ = false, foot_ = false, raises_ = false, lowers_ = false, puts_ = false, up_ = false;
+  std::optional<Item> arm_, foot_;
+  std::vector<Item> parts_;
+  bool greets_ = false, raises_ = false, lowers_ = false, puts_ = false, up_ = false;
   bool down_ = false, each_ = false, turns_ = false;
 };
 
