@@ -52,6 +52,15 @@ void CheckExtents(const std::string& text, const Task& task, const Draft& draft)
   }
 }
 
+/// "walk sideways"
+void CheckSideways(const std::string& text, const Task& task, const Draft& draft) {
+  if (!draft.sideways || task.action == "lower_arm") return;  // arms hang at the sides
+  const std::string words = TextOf(text, *draft.sideways);
+  if (task.action != "walk") throw Refused{{"unknown", words, fmt::format("is nothing to '{}'", task.action), ""}};
+  if (task.Word("direction") != "left" && task.Word("direction") != "right")
+    throw Refused{{"ambiguous", words, "does not say to which side: say left or right", ""}};
+}
+
 }  // namespace
 
 bool Takes(const std::string& action, const std::string& key) {
@@ -71,6 +80,7 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
     const std::string words = TextOf(text, draft.side_said.value_or(draft.words));
     throw Refused{{"unknown", words, fmt::format("is nothing to '{}', which has no sides", rule.action), ""}};
   }
+  CheckSideways(text, task, draft);
   for (const auto& [key, value] : task.parameters) CheckParameter(text, scope, task, draft, key);
   CheckExtents(text, task, draft);
   const bool goes =

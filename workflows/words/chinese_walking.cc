@@ -14,6 +14,13 @@ using M = Meaning;
 void AddChineseWalking(Lexicon& x) {
   const std::string forward = "forward", backward = "backward", left = "left", right = "right";
   x.Add("走过", M::kUnknown);
+  x.Add("斜着|斜着走|斜走|斜向|斜|左前方|右前方|左后方|右后方", M::kUnknown);
+  x.Add(
+      "横移|横着走|侧移|侧步|侧着走|侧走|侧行|横行|横挪|横跨|侧跨|侧滑|横步|平移|让开|让一让|让开点|让开一点|闪开|躲开|"
+      "靠边|"
+      "靠边站|往边上走|让让",
+      M::kAction, "walk", 0.0, {{"direction", std::string("sideways")}});
+  x.Add("横着|横向|侧向|侧着|横|侧身|侧着身子|侧过身", M::kSideways);
   x.Add("跑|跑着去|跑过去|跑上去|跑起来|跑步", M::kAction, "walk", 0.0, {{"pace", std::string("fast")}});
   x.Add("跑到|跑去|跑向|奔向|跑去到|跑回|跑回到", M::kAction, "walk", 1.0, {{"pace", std::string("fast")}});
   x.Add("跑步前进|跑步向前|跑步走|冲刺|冲|往前冲|向前冲|往前冲刺|向前冲刺|快跑前进", M::kAction, "walk", 0.0,
@@ -24,7 +31,7 @@ void AddChineseWalking(Lexicon& x) {
   x.Add("行前|行前面", M::kAction, "walk", 0.0, {{"direction", forward}});
   x.Add("行后|行返后", M::kAction, "walk", 0.0, {{"direction", backward}});
   x.Add("行去|行到|行过去|行埋去|走去到", M::kAction, "walk", 1.0);
-  x.Add("让开|让一让|让开点|让开一点|闪开|躲开|靠边|行多|多走|再多走|多行|走多|往边上走|让让", M::kAction, "walk");
+  x.Add("行多|多走|再多走|多行|走多", M::kAction, "walk");
   x.Add(
       "退回来|走回来|退回到原位|原路退回|原路退回来|再退回来|退回原位|退回原处|走回原位|走回原处|回到原位|回到原处|"
       "走回去|退回去",
@@ -41,7 +48,7 @@ void AddChineseWalking(Lexicon& x) {
   x.Add(
       "溜达|溜|踱|踱步|溜达到|晃到|跑过去|赶过去|赶|挪过去|移过去|靠过去|跨步|踏步|漫步|迈开步子|走个|走它|走出个|"
       "走上个|往那走|迈过去|直行|直着走|"
-      "走走看|走一段|走一趟|行|走了|快走|慢走|疾走|快跑|飞奔|移步|挪步|挪个|移个|侧走|侧行|横行|横挪|横跨|侧跨|侧滑",
+      "走走看|走一段|走一趟|行|走了|快走|慢走|疾走|快跑|飞奔|移步|挪步|挪个|移个",
       M::kAction, "walk");
   x.Add(
       "溜达到|晃到|跑去|赶去|走去到|去一下|过去到|移步到|移步至|挪步到|直接到|爬上|跨上|踏上|站到|站在|站上|停到|停在|"
@@ -49,9 +56,9 @@ void AddChineseWalking(Lexicon& x) {
       M::kAction, "walk", 1.0);
   // A value of 1: a place follows.
   x.Add(
-      "走|行走|走动|步行|走路|走走|散步|移动|移|挪|挪动|平移|去|走过去|过去|走上|走去|走一走|迈|迈步|跨|踏|迈出|跨出|"
+      "走|行走|走动|步行|走路|走走|散步|移动|移|挪|挪动|去|走过去|过去|走上|走去|走一走|迈|迈步|跨|踏|迈出|跨出|"
       "踏出|"
-      "走过来|横移|横着走|侧移|侧步|侧着走|跑|行进|走起来|走上去",
+      "走过来|跑|行进|走起来|走上去",
       M::kAction, "walk");
   x.Add("回|返回|回去|直走|径直走|朝前走|走着|接着走|继续走|走出|走出去|倒走着", M::kAction, "walk");
   x.Add(

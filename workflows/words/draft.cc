@@ -94,6 +94,7 @@ void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
   } else if (said.bare) {
     into.bare = said.bare;
   }
+  if (said.sideways) into.sideways = said.sideways;
   if (said.side || said.plural) {
     Draft sided = said;
     sided.action = into.action;

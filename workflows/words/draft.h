@@ -26,13 +26,14 @@ struct Draft {
   std::optional<Item> bare;          ///< a number without a unit
   std::optional<std::string> side;   ///< of a way or of a limb, as long as there is no action
   std::optional<Span> side_said;
-  std::string part;         ///< arm or foot, where one is named
-  bool plural = false;      ///< limbs, both unless a side says which
-  bool joined = false;      ///< to the one before, by "and" alone
-  bool holding = false;     ///< done while the next one is
-  bool returns = false;     ///< as far back as the walk before went
-  bool to_nowhere = false;  ///< ends with a "to"
-  Span words;               ///< all of it
+  std::optional<Span> sideways;  ///< where it says so
+  std::string part;              ///< arm or foot, where one is named
+  bool plural = false;           ///< limbs, both unless a side says which
+  bool joined = false;           ///< to the one before, by "and" alone
+  bool holding = false;          ///< done while the next one is
+  bool returns = false;          ///< as far back as the walk before went
+  bool to_nowhere = false;       ///< ends with a "to"
+  Span words;                    ///< all of it
   std::vector<Draft> during;
 
   bool empty() const { return action.empty() && parameters.empty() && !bare && !side && !plural; }

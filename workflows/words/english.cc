@@ -37,7 +37,16 @@ void AddLimbsAndAmounts(Lexicon& x) {
       "arm|other hand|"
       "with the other arm|the opposite arm|the opposite hand",
       M::kSide, "other");
+  // Adverbs that say more than how.
+  x.Add(
+      "diagonally|obliquely|repeatedly|indefinitely|perpetually|"
+      "alternately|alternatingly|randomly|occasionally|partially|partly|blindly|vertically|horizontally|hourly|daily|"
+      "separately|respectively|conditionally|secretly|perpendicularly|oppositely|inversely|reversely|doubly|triply",
+      M::kUnknown);
   x.Add("the", M::kFiller, "the");
+  // What leads to no place, and says nothing elsewhere.
+  x.Add("from|around|off|out|through|across|along|by|with|of|in|away|well away|facing|apart|beside you|side|about|as",
+        M::kFiller, "relation");
   x.Add("all the way around|all the way round|right round|right around|full three-sixty|full 360", M::kAmount, "turns",
         360.0);
   x.Add("both|two hands|two arms|two paws|both of", M::kBoth);

@@ -24,7 +24,7 @@ void AddEnglishWalking(Lexicon& x) {
   x.Add("run|running|ran", M::kAction, "walk", 0.0, {{"pace", std::string("fast")}});
   x.Add("sprint|sprinting|bolt|charge|charging|hustle|scram|step on it|full speed ahead", M::kAction, "walk", 0.0,
         {{"pace", std::string("fast")}});
-  x.Add("sidle|sidling|slink|shimmy|scooch", M::kAction, "walk");
+  x.Add("slink|shimmy|scooch", M::kAction, "walk");
   x.Add("as quickly as you can|as quickly as possible|as fast as possible|as quick as you can|as quick as possible",
         M::kPace, "fast");
   x.Add("as slowly as you can|as slowly as possible|slow as you can|as slow as you can|as slow as possible", M::kPace,
@@ -39,9 +39,9 @@ void AddEnglishWalking(Lexicon& x) {
       "take off|off you go|get moving|start walking|begin walking|walk along|walk up|walk over|walk across|walk "
       "through|"
       "walk down|go along|go up|go over|go across|go down|go on over|nip over|pop over|pop|nip|skedaddle|ease|edge|"
-      "slide over|scoot over|hop over|wander over|wander off|stroll over|head on over|make for|go for|trek|traipse|"
-      "cover|do a walk|take yourself|take yourself over|bring yourself|move along|move over|move yourself|budge|"
-      "budge over|shift|shift over|shift yourself|shift your weight over|progress|navigate|locomote|travel over",
+      "hop over|wander over|wander off|stroll over|head on over|make for|go for|trek|traipse|"
+      "cover|do a walk|take yourself|take yourself over|bring yourself|move along|move yourself|budge|"
+      "shift|shift yourself|shift your weight over|progress|navigate|locomote|travel over",
       M::kAction, "walk");
   x.Add(
       "walk in reverse|go in reverse|move in reverse|walk back up|go backward|go backwards|walk backwards|walk "
@@ -54,7 +54,7 @@ void AddEnglishWalking(Lexicon& x) {
       "walk|walks|walking|walked|go|goes|going|move|moving|head|heading|march|marching|stroll|strolling|advance|"
       "advancing|proceed|travel|stride|striding|get to|get over to|get yourself "
       "to|come|step|stepping|run|running|jog|shuffle|shuffling|continue|"
-      "make your way|make way|take a walk|go for a walk|keep walking|walk on|head over|head off|wander|amble|drive|"
+      "make your way|take a walk|go for a walk|keep walking|walk on|head over|head off|wander|amble|drive|"
       "hike|tiptoe|creep|approach|return",
       M::kAction, "walk");
   x.Add("walked|moved|gone|stepped|marched|make tracks|get going|scoot|scurry|plod|trudge|stagger|cross|inch",
@@ -75,10 +75,13 @@ void AddEnglishWalking(Lexicon& x) {
   x.Add("with a bound|in a bound gait|bound gait|bounding gait|with a bounding gait", M::kGait, "bound");
   x.Add("walking gait|walk gait|with a walking gait|in a walking gait", M::kGait, "walk");
   x.Add(
-      "side step|side stepping|sidestep|sidestepping|side-step|side-stepping|strafe|strafing|walk sideways|"
-      "move sideways|go sideways|step sideways|shuffle sideways|slide",
-      M::kAction, "walk");
-  x.Add("sideways|sidewards|laterally", M::kFiller);
+      "side step|side stepping|sidestep|sidestepping|side-step|side-stepping|strafe|strafing|sidle|sidling|step aside|"
+      "move aside|stand aside|move over|budge over|shift over|scoot over|slide over",
+      M::kAction, "walk", 0.0, {{"direction", std::string("sideways")}});
+  x.Add("slide", M::kAction, "walk");
+  x.Add("sideways|sidewards|laterally|aside|to the side|to one side|to a side|off to the side|off to one side",
+        M::kSideways);
+  x.Add("from side to side|side to side|make way|make room", M::kFiller);
   x.Add("forward|forwards|ahead|straight ahead|straight on|straight|onward|onwards|straight forward|to the front",
         M::kDirection, forward);
   x.Add("backward|backwards|back|rearward|rearwards|in reverse|to the rear|to the back", M::kDirection, backward);

@@ -18,6 +18,7 @@ enum class Meaning {
   kPut,        ///< "put": with up or down
   kDirection,  ///< forward, backward
   kSide,       ///< left, right: of a way or of a limb
+  kSideways,   ///< to one of the sides, which has to be said
   kBoth,       ///< both limbs
   kArm,        ///< an arm, a hand
   kFoot,       ///< a foot, a leg

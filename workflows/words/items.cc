@@ -277,8 +277,9 @@ class ItemReader {
   bool TakeParted(const SpokenNumber& number) {
     const std::size_t after = at_ + number.pieces;
     const Item* between = after < pieces_.size() ? words_.Find(pieces_[after].text) : nullptr;
-    const bool fits = between != nullptr && (between->Is(M::kFiller) || between->Is(M::kDirection) ||
-                                             between->Is(M::kPace) || between->Is(M::kSide) || between->Is(M::kPolite));
+    const bool fits =
+        between != nullptr && (between->Is(M::kFiller) || between->Is(M::kDirection) || between->Is(M::kPace) ||
+                               between->Is(M::kSide) || between->Is(M::kSideways) || between->Is(M::kPolite));
     if (!fits || number.is_article) return false;
     const auto [unit, unit_pieces] = UnitAt(after + 1);
     if (unit == nullptr || (unit->name != "steps" && unit->name != "m")) return false;

@@ -13,15 +13,6 @@ namespace {
 
 using M = Meaning;
 
-/// Words that say nothing elsewhere, and nothing but the place before one.
-bool LeadsToPlace(const std::string& word) {
-  static const std::set<std::string> words = {
-      "the", "a",       "an",  "your",  "my", "that", "this", "very", "over", "there", "on", "it", "up", "down to",
-      "for", "for the", "who", "where", "\"", "'",    "是",   "了",   "那",   "这",    "在", "去", "个", "一个",
-      "位",  "级",      "块",  "号",    "再", "先",   "上",   "过去", "过来", "就",    "“",  "”"};
-  return words.contains(word);
-}
-
 /// Words that say nothing but the place behind one.
 bool FollowsPlace(const std::string& word) {
   static const std::set<std::string> words = {
@@ -61,12 +52,11 @@ class Relation {
 
   void CheckBefore() const {
     for (std::size_t k = at_; k-- > 0;) {
-      const bool leads = items_[k].SaysNothing() && (items_[k].Is(M::kPolite) || LeadsToPlace(Word(k)));
-      if (leads) continue;
-      if (!items_[k].SaysNothing() && !Passes(k)) return;
+      if (items_[k].SaysNothing() && items_[k].name != "relation") continue;
+      if (items_[k].name != "relation" && !Passes(k)) return;
       std::size_t begin = k;
       while (begin > 0 && (items_[begin - 1].Is(M::kSide) || items_[begin - 1].Is(M::kDirection) ||
-                           items_[begin - 1].Is(M::kFiller)))
+                           items_[begin - 1].Is(M::kSideways) || items_[begin - 1].Is(M::kFiller)))
         --begin;
       Refuse(items_[begin].begin, items_[at_].end);
     }

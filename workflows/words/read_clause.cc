@@ -74,6 +74,9 @@ class ClauseReader {
         return Say("direction", item.name, item);
       case M::kSide:
         return TakeSide(item.name, item);
+      case M::kSideways:
+        draft_.sideways = Span{item.begin, item.end};
+        return;
       case M::kBoth:
         return TakeSide("both", item);
       case M::kArm:
@@ -323,6 +326,10 @@ class ClauseReader {
     if (draft_.action == "nod" && NodsInVain()) RefuseAll();
     for (const auto& [key, value] : implied_) {
       if (key == "direction" && draft_.side) continue;
+      if (value == TaskValue(std::string("sideways"))) {
+        if (!draft_.parameters.contains("to")) draft_.sideways = implied_said_;
+        continue;
+      }
       if (key == "direction" && draft_.parameters.contains("to") && GoesBack()) continue;  // "go back to the door"
       if (draft_.parameters.contains(key)) continue;
       draft_.parameters[key] = value;
