@@ -18,6 +18,11 @@ void AddEnglishActions(Lexicon& x) {
       M::kAction, "turn", 0.0, {{"angle_deg", 360.0}});
   x.Add("go round|go around", M::kAction, "turn");
   x.Add("give me your paw|give paw|shake hands|shake paws|high five|give me five|shake my hand", M::kElsewhere, "wave");
+  x.Add(
+      "come here|come over here|come on over here|come to me|come over to me|come to us|come over to us|come over|"
+      "come closer|come nearer|get over here|walk here|walk over here|run here|run over here|walk to me|walk to us|"
+      "walk towards me|walk over to me",
+      M::kElsewhere, "walk");
   x.Add("walk the dog|walk my dog|walk the dogs|follow me|follow him|follow her|come with me|chase", M::kElsewhere,
         "walk");
   x.Add("nod head|nod ur head|nod the head|nodding head", M::kAction, "nod");
@@ -58,7 +63,7 @@ void AddEnglishActions(Lexicon& x) {
       M::kAction, "stand");
   x.Add(
       "get up off the floor|get up off the ground|rise and shine|get vertical|get up on all fours|up on all fours|"
-      "on all fours|get onto your feet|get yourself upright|get upright|stand yourself up|pop up|pop back up|spring up|"
+      "get onto your feet|get yourself upright|get upright|stand yourself up|pop up|pop back up|spring up|"
       "come back up|come up again|get on your legs|stand on all fours|arise|stand to attention|wake up|rise back up|"
       "straighten your legs|straighten back up|return to standing|go back to standing|back to standing",
       M::kAction, "stand_up");

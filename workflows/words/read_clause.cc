@@ -130,6 +130,9 @@ class ClauseReader {
         return Say("gait", item.name, item);
       case M::kLow:
         return SaySoftly("height", std::string("low"), item);
+      case M::kFiller:
+        if (item.name == "relation") TakeRound(item);
+        return;
       case M::kUnknown:
       case M::kElsewhere:
         return TakeUnknown(item);
@@ -240,6 +243,18 @@ class ClauseReader {
     draft_.bare = item;  // a count of what comes next
   }
 
+  /// "walk around" goes nowhere that is said; "around two metres" is an amount.
+  void TakeRound(const Item& item) const {
+    const std::string word = TextOf(text_, {item.begin, item.end});
+    const bool round = word == "around" || word == "about" || word == "round";
+    const bool amount = at_ + 1 < clause_.items.size() &&
+                        (clause_.items[at_ + 1].Is(M::kAmount) || clause_.items[at_ + 1].Is(M::kNumber));
+    const bool place =
+        std::any_of(clause_.items.begin(), clause_.items.end(), [](const Item& other) { return other.Is(M::kPlace); });
+    if (round && draft_.action == "walk" && !amount && !place)
+      Refuse("unknown", word, "says no way and no place to go to");
+  }
+
   bool NextIsEach() const {
     for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
       if (clause_.items[k].Is(M::kEach)) return true;
@@ -336,7 +351,8 @@ class ClauseReader {
       draft_.said[key] = implied_said_;
     }
     SettleTurn();
-    SettleAmounts(turns_, draft_);
+    SettleGait();
+    SettleAmounts(draft_);
     if (puts_ && draft_.empty()) RefuseAll();
     CheckParts();
   }
@@ -385,11 +401,20 @@ class ClauseReader {
   void SettleTurn() {
     const bool sided = draft_.action.empty() && draft_.side && !arm_ && !foot_ && !raises_ && draft_.parameters.empty();
     if (draft_.bare && IsAngle(draft_.bare->value) && (draft_.action == "turn" || sided)) {
-      turns_ = true;
       SayAmount("angle_deg", draft_.bare->value, 1.0, Item(*draft_.bare));
     }
     const bool angled = draft_.action.empty() && draft_.side && !arm_ && !foot_ && draft_.said.contains("angle_deg");
     if ((draft_.action.empty() && turns_) || angled) draft_.action = "turn";
+  }
+
+  /// "walk 两步": what is a gait's name else is the verb.
+  void SettleGait() {
+    const auto gait = draft_.said.find("gait");
+    if (gait == draft_.said.end() || !draft_.action.empty() || TextOf(text_, gait->second) != "walk") return;
+    if (!draft_.said.contains("steps") && !draft_.said.contains("distance_m")) return;
+    draft_.action = "walk";
+    draft_.parameters.erase("gait");
+    draft_.said.erase("gait");
   }
 
   const std::string& text_;

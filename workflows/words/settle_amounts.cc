@@ -13,7 +13,7 @@ void Rename(const std::string& from, const std::string& to, Draft& draft) {
   draft.said.erase(from);
 }
 
-void SettleTurn(bool turns, Draft& draft) {
+void SettleTurn(Draft& draft) {
   const auto direction = draft.parameters.find("direction");
   const bool round = direction != draft.parameters.end() && direction->second == TaskValue(std::string("backward"));
   if (round) {  // "向后——转"
@@ -23,7 +23,7 @@ void SettleTurn(bool turns, Draft& draft) {
   const auto angle = draft.parameters.find("angle_deg");
   const bool either = angle != draft.parameters.end() && std::fmod(std::get<double>(angle->second), 180.0) == 0.0;
   const bool unsided = !draft.side && !draft.parameters.contains("direction");
-  if (unsided && (turns || either)) draft.parameters["direction"] = std::string("left");
+  if (unsided && either) draft.parameters["direction"] = std::string("left");
   if (!draft.parameters.contains("times")) return;
   constexpr double kWhole = 360.0;
   const double once = draft.said.contains("angle_deg") ? std::get<double>(draft.parameters.at("angle_deg")) : kWhole;
@@ -34,8 +34,8 @@ void SettleTurn(bool turns, Draft& draft) {
 
 }  // namespace
 
-void SettleAmounts(bool turns, Draft& draft) {
-  if (draft.action == "turn") SettleTurn(turns, draft);
+void SettleAmounts(Draft& draft) {
+  if (draft.action == "turn") SettleTurn(draft);
   if (draft.action == "walk" && draft.parameters.contains("times") && !draft.parameters.contains("steps"))
     Rename("times", "steps", draft);
   if (draft.action != "squat" || !draft.parameters.contains("distance_m")) return;

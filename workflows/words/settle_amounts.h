@@ -7,7 +7,6 @@ namespace gaitwright::words {
 
 /// What amounts mean to the action of a draft: a turn that is done twice is one of twice the angle, a walk that is done
 /// some times has so many steps, a length is a depth to a squat.
-/// @param turns  an amount of turns is said.
-void SettleAmounts(bool turns, Draft& draft);
+void SettleAmounts(Draft& draft);
 
 }  // namespace gaitwright::words
