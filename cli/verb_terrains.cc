@@ -132,6 +132,9 @@ void PrintParts(const Terrain& terrain) {
                field.name, field.columns, field.rows, field.resolution_m, field.origin_W.x(), field.origin_W.y(), low,
                high, field.friction);
   }
+  if (!terrain.markers.empty()) fmt::print("markers\n");
+  for (const TerrainMarker& marker : terrain.markers)
+    fmt::print("  {}: at ({:.3f}, {:.3f}) m\n", marker.name, marker.p_W.x(), marker.p_W.y());
   if (!terrain.obstacles.empty()) fmt::print("obstacles\n");
   for (const Obstacle& obstacle : terrain.obstacles) {
     const Vector3 p = obstacle.X_WO.translation();
@@ -153,10 +156,13 @@ struct Shown {
 };
 
 Json ToJson(const Shown& shown, const std::string& robot, const std::string& picture) {
-  Json patches = Json::array(), fields = Json::array(), obstacles = Json::array(), files = Json::object();
+  Json patches = Json::array(), fields = Json::array(), obstacles = Json::array(), markers = Json::array(),
+       files = Json::object();
   for (const TerrainPatch& patch : shown.terrain.patches) patches.push_back(PatchJson(patch));
   for (const HeightField& field : shown.terrain.height_fields) fields.push_back(FieldJson(field));
   for (const Obstacle& obstacle : shown.terrain.obstacles) obstacles.push_back(ObstacleJson(obstacle));
+  for (const TerrainMarker& marker : shown.terrain.markers)
+    markers.push_back({{"name", marker.name}, {"position_m", {marker.p_W.x(), marker.p_W.y()}}});
   if (!picture.empty()) files["picture"] = picture;
   return {{"name", shown.terrain.name},
           {"description", shown.description},
@@ -165,6 +171,7 @@ Json ToJson(const Shown& shown, const std::string& robot, const std::string& pic
           {"patches", patches},
           {"height_fields", fields},
           {"obstacles", obstacles},
+          {"markers", markers},
           {"files", files}};
 }
 

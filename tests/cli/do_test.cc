@@ -30,6 +30,29 @@ TEST_F(Do, WhatIsNotUnderstoodIsNamedAndNothingWritten) {
   EXPECT_TRUE(Found().empty());
 }
 
+/// What to say instead, in words, and what the robot can do only where that is the question.
+TEST_F(Do, RefusalsSayWhatToSayInstead) {
+  Write("yard.yaml", "builtin: flat\nmarkers:\n  - {name: red marker, place_m: [1.5, 0.5]}\n");
+  const auto refusal = [&](const std::string& text, const std::string& terrain = "flat") {
+    const Ran ran = Run({"do", text, "--robot", "nao", "--terrain", terrain, "--yes"});
+    EXPECT_NE(ran.status, 0) << text;
+    return ran.err;
+  };
+  const auto says = [&](const std::string& told, const std::string& part) {
+    EXPECT_NE(told.find(part), std::string::npos) << told;
+    EXPECT_EQ(told.find("raise_arm"), std::string::npos) << told;
+  };
+  says(refusal("turn 90 degrees"), "(try: left or right)");
+  says(refusal("walk sideways"), "(try: left or right)");
+  says(refusal("walk forward 3"), "(try: its unit: metres");
+  says(refusal("nod 1000 times"), "1 to 20 is accepted");
+  says(refusal("walk to the kitchen"), "(try: --terrain");
+  says(refusal("walk to the kitchen", "./yard.yaml"), "'red marker'");
+  says(refusal("recover from a push"), "--controller recovering");
+  says(refusal("walk at 3 m/s"), "(try: 'at 0.");
+  EXPECT_NE(refusal("juggle").find("raise_arm"), std::string::npos);
+}
+
 TEST_F(Do, TaskPlansGoOutAndIn) {
   const Ran tasks = Run({"do", "nod twice", "--robot", "nao", "--tasks-only"});
   EXPECT_EQ(tasks.status, 0);

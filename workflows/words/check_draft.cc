@@ -52,13 +52,19 @@ void CheckExtents(const std::string& text, const Task& task, const Draft& draft)
   }
 }
 
+/// The words of a parameter that is missing.
+std::string WhatToSay(const std::string& key) {
+  if (key == "direction") return "left or right";
+  return fmt::format("one of {}", fmt::join(FindParameter(key)->words, ", "));
+}
+
 /// "walk sideways"
 void CheckSideways(const std::string& text, const Task& task, const Draft& draft) {
   if (!draft.sideways || task.action == "lower_arm") return;  // arms hang at the sides
   const std::string words = TextOf(text, *draft.sideways);
   if (task.action != "walk") throw Refused{{"unknown", words, fmt::format("is nothing to '{}'", task.action), ""}};
   if (task.Word("direction") != "left" && task.Word("direction") != "right")
-    throw Refused{{"ambiguous", words, "does not say to which side: say left or right", ""}};
+    throw Refused{{"ambiguous", words, "does not say to which side", "", "left or right"}};
 }
 
 }  // namespace
@@ -70,7 +76,9 @@ bool Takes(const std::string& action, const std::string& key) {
 }
 
 void CheckDraft(const std::string& text, const TaskScope& scope, const Task& task, const Draft& draft) {
-  if (draft.bare) throw Refused{{"ambiguous", TextOf(text, {draft.bare->begin, draft.bare->end}), "has no unit", ""}};
+  if (draft.bare)
+    throw Refused{{"ambiguous", TextOf(text, {draft.bare->begin, draft.bare->end}), "has no unit", "",
+                   "its unit: metres, steps, degrees, seconds or times"}};
   const ActionRule& rule = *FindAction(task.action);
   if (!scope.Can(rule)) {
     const Task bare{task.action, {}, "", {}};
@@ -89,7 +97,8 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
     throw Refused{{"place", TextOf(text, draft.words), "does not say where to", ""}};
   for (const std::string& required : rule.required) {
     if (!task.Has(required))
-      throw Refused{{"ambiguous", TextOf(text, draft.words), fmt::format("does not say the {}", required), ""}};
+      throw Refused{{"ambiguous", TextOf(text, draft.words), fmt::format("does not say the {}", required), "",
+                     WhatToSay(required)}};
   }
   for (std::size_t k = 0; k < task.during.size(); ++k) CheckDraft(text, scope, task.during[k], draft.during[k]);
 }

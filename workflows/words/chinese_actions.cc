@@ -12,6 +12,7 @@ using M = Meaning;
 }  // namespace
 
 void AddChineseActions(Lexicon& x) {
+  x.Add("从推搡中恢复|恢复平衡|重新站稳|被推后恢复", M::kElsewhere, "recover");
   x.Add("握手|握个手|握握手|握一握手|击掌|击个掌", M::kElsewhere, "wave");
   x.Add(
       "走过来|跑过来|过来这里|过来这边|过来这儿|过来一下|过来吧|到我这儿来|到我这里来|到我这边来|来我这里|来我这儿|"

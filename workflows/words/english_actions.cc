@@ -23,6 +23,8 @@ void AddEnglishActions(Lexicon& x) {
       "come closer|come nearer|get over here|walk here|walk over here|run here|run over here|walk to me|walk to us|"
       "walk towards me|walk over to me",
       M::kElsewhere, "walk");
+  x.Add("recover|recover from a push|recover from pushes|recover your balance|catch yourself|regain your balance",
+        M::kElsewhere, "recover");
   x.Add("walk the dog|walk my dog|walk the dogs|follow me|follow him|follow her|come with me|chase", M::kElsewhere,
         "walk");
   x.Add("nod head|nod ur head|nod the head|nodding head", M::kAction, "nod");

@@ -54,7 +54,8 @@ enum class Meaning {
   kSubject,    ///< "I", "妈妈": somebody else, of whom something may be told
   kPolite,     ///< says nothing, and is no part of what is not understood
   kFiller,     ///< says nothing
-  kElsewhere,  ///< an action that no robot here has; `name` is the nearest, if any
+  kElsewhere,  ///< an action that no robot here has; `name` is the nearest, if any; "recover" is what a
+               ///< controller does
   kUnknown,
 };
 
@@ -78,7 +79,8 @@ struct Item {
 /// A part of an instruction that is not accepted, and why: unknown, cannot, range, ambiguous, place, empty.
 struct Refusal {
   std::string reason, part, why;
-  std::string nearest;  ///< an action that could be meant, or ""
+  std::string nearest;   ///< an action that could be meant, or ""
+  std::string say = {};  ///< what to say instead, where that is known
 };
 
 }  // namespace gaitwright::words

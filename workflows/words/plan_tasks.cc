@@ -9,6 +9,7 @@
 #include "kinematics/model/load_robot.h"
 #include "planning/tasks/task_plan_json.h"
 #include "workflows/walk/cpu_clock.h"
+#include "workflows/words/hints.h"
 #include "workflows/words/places.h"
 #include "workflows/words/task_planner_internal.h"
 
@@ -16,8 +17,9 @@ namespace gaitwright {
 namespace {
 
 Failure OfTask(std::size_t index, const Task& task, Failure failure) {
-  const std::string words = task.words.empty() ? TaskText(task) : task.words;
-  failure.message = fmt::format("task {}, '{}': {}", index + 1, words, failure.message);
+  const std::string said = task.words.empty() ? TaskText(task) : task.words;
+  failure.message = fmt::format("task {}, '{}': {}", index + 1, said, failure.message);
+  failure.hints = words::HintsInWords(failure.hints);
   return failure;
 }
 

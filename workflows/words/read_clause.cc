@@ -45,6 +45,9 @@ class ClauseReader {
     for (const Item& item : clause_.items) {
       if (item.Is(M::kElsewhere)) nearest = item.name;
     }
+    if (nearest == "recover")
+      throw Refused{{"unknown", TextOf(text_, clause_.Words()), "is done by a controller, whatever the robot is told",
+                     "", "'stand' with --controller recovering and --push, or 'brace'"}};
     Refuse("unknown", TextOf(text_, clause_.Words()), "is nothing that a robot can be told", nearest);
   }
 

@@ -12,6 +12,7 @@
 #include "workflows/words/check_draft.h"
 #include "workflows/words/clause.h"
 #include "workflows/words/forbidden.h"
+#include "workflows/words/hints.h"
 #include "workflows/words/items.h"
 #include "workflows/words/read_clause.h"
 #include "workflows/words/refer_back.h"
@@ -35,10 +36,14 @@ class Assembler {
   Assembler(const std::string& text, const TaskScope& scope) : text_(text), scope_(scope), forbidden_(text) {}
 
   void Add(const Clause& clause) {
-    if (clause.denies) throw Refused{{"ambiguous", text_, "is taken back, and nothing is said in its place", ""}};
+    if (clause.denies)
+      throw Refused{
+          {"ambiguous", text_, "is taken back, and nothing is said in its place", "", "what is to be done instead"}};
     if (clause.forbids) return Forbid(clause);
     const bool in_doubt = std::exchange(after_forbidden_, false) && !clause.follows_break && !clause.corrects;
-    if (in_doubt) throw Refused{{"ambiguous", Text(clause.Words()), "may or may not be forbidden too", ""}};
+    if (in_doubt)
+      throw Refused{{"ambiguous", Text(clause.Words()), "may or may not be forbidden too", "",
+                     "a comma before what is to be done, or only what is"}};
     if (clause.drops) Drop(clause);
     if (clause.drops && clause.is_not) return;
     if (clause.again) return Repeat();
@@ -394,20 +399,7 @@ std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskSc
 Result<TaskPlan> UnderstandWords(const std::string& text, const TaskScope& scope) {
   const auto understood = Understand(text, scope);
   if (const auto* plan = std::get_if<TaskPlan>(&understood)) return *plan;
-  const auto& refusal = std::get<Refusal>(understood);
-  const std::string part = refusal.part.empty() ? "the instruction" : fmt::format("'{}'", refusal.part);
-  // What is wrong with the part goes on after it, what is wrong on the whole stands by itself.
-  const bool whole =
-      refusal.why.starts_with("robot '") || refusal.why.starts_with("'") || refusal.why.starts_with("there ");
-  Failure failure{FailureKind::kBadInput,
-                  refusal.reason,
-                  "Understand",
-                  fmt::format("{}{} {}", part, whole ? ":" : "", refusal.why),
-                  {}};
-  if (!refusal.nearest.empty())
-    failure.hints.push_back(fmt::format("the nearest that it can do is to {}", refusal.nearest));
-  failure.hints.push_back(fmt::format("robot '{}' can {}", scope.robot, fmt::join(scope.Actions(), ", ")));
-  return failure;
+  return FailureOf(std::get<Refusal>(understood), scope);
 }
 
 }  // namespace gaitwright::words

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "planning/tasks/task_rules.h"
+#include "workflows/words/item.h"
+
+namespace gaitwright::words {
+
+/// What a refusal tells a person: the part, what is wrong with it, and what to say instead. What the robot can do is
+/// listed only where that is the question.
+Failure FailureOf(const Refusal& refusal, const TaskScope& scope);
+
+/// Hints of a planner that are flags of the command line, such as "--speed 0.4", as words to say: "at 0.4 m/s".
+std::vector<std::string> HintsInWords(const std::vector<std::string>& hints);
+
+}  // namespace gaitwright::words
