@@ -65,11 +65,15 @@ Result<Interpretation> TasksOf(const Arguments& a, const TaskScope& scope) {
   return Interpretation{std::move(*plan), "file", {}};
 }
 
-/// The task plan for people, on standard error where standard output is the program's own.
-void Show(const Interpretation& tasks, const Common& common) {
-  std::FILE* const to = common.json ? stderr : stdout;
+/// Whether it is asked on a terminal before it is done.
+bool Asks(const Arguments& a) { return !a.yes && ::isatty(STDIN_FILENO) != 0; }
+
+/// The task plan for people, on standard error where standard output is the program's own. What is asked for is shown,
+/// however quiet it is to be.
+void Show(const Interpretation& tasks, const Arguments& a) {
+  std::FILE* const to = a.common.json || a.common.quiet ? stderr : stdout;
   for (const std::string& note : tasks.notes) fmt::print(stderr, "note: {}\n", note);
-  if (common.quiet) return;
+  if (a.common.quiet && !Asks(a)) return;
   fmt::print(to, "as understood by the {}:\n", tasks.by == "file" ? "file's writer" : tasks.by);
   for (std::size_t k = 0; k < tasks.plan.tasks.size(); ++k) {
     const Task& task = tasks.plan.tasks[k];
@@ -81,9 +85,8 @@ void Show(const Interpretation& tasks, const Common& common) {
 /// Whether it shall be done: asked on a terminal. Without one what the grammar understood is done, and what a language
 /// model did only with --yes.
 bool GoesOn(const Arguments& a, const Interpretation& tasks) {
-  if (a.yes) return true;
-  if (::isatty(STDIN_FILENO) == 0) {
-    if (tasks.by == "language model")
+  if (!Asks(a)) {
+    if (!a.yes && tasks.by == "language model")
       throw InvalidArgument("what a language model understood is done only after it was looked at: give --yes");
     return true;
   }
@@ -145,7 +148,7 @@ int Run(Arguments& a) {
     fmt::print("{}", TaskPlanJson(tasks->plan));
     return kPass;
   }
-  Show(*tasks, a.common);
+  Show(*tasks, a);
   if (!GoesOn(a, *tasks)) return kWrongInput;
   return PlanAndPlay(a, *model, *terrain, *tasks);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What `gaitwright do` says and writes, and the draft of a robot.yaml.
+#include <cstdlib>
+
 #include "tests/cli/stranger.h"
+#include "tests/workflows/words/fake_model.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -51,6 +54,41 @@ TEST_F(Do, RefusalsSayWhatToSayInstead) {
   says(refusal("recover from a push"), "--controller recovering");
   says(refusal("walk at 3 m/s"), "(try: 'at 0.");
   EXPECT_NE(refusal("juggle").find("raise_arm"), std::string::npos);
+}
+
+/// What a language model understood is shown, and done only with --yes; its key comes from the environment.
+TEST_F(Do, ALanguageModelIsAskedAndNothingDoneUnseen) {
+  const FakeModel model({{FakeAnswer::Kind::kContent, R"({"schema": 1, "tasks": [{"action": "nod", "times": 2}]})"}});
+  const std::vector<std::string> asked = {"do",        "say yes twice", "--robot", "nao",    "--interpreter",
+                                          model.url(), "--model",       "m",       "--quiet"};
+  ::setenv("GAITWRIGHT_API_KEY", "of-the-environment", 1);
+  const Ran unseen = Run(asked);
+  ::unsetenv("GAITWRIGHT_API_KEY");
+  ExpectRefused(unseen, 1, {"language model", "--yes"});
+  EXPECT_TRUE(Found().empty());
+  EXPECT_NE(model.requests().at(0).find("Authorization: Bearer of-the-environment"), std::string::npos);
+  std::vector<std::string> agreed = asked;
+  agreed.back() = "--json";
+  agreed.emplace_back("--yes");
+  const Ran done = Run(agreed);
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(done.json().at("understood_by"), "language model");
+  EXPECT_NE(done.err.find("1. nod"), std::string::npos) << done.err;
+}
+
+/// On a terminal the task plan is shown and asked about, though it is to be quiet.
+TEST_F(Do, OnATerminalItIsShownAndAsked) {
+  const auto answered = [&](const std::string& answer) {
+    const std::string command = std::string(GAITWRIGHT_PROGRAM) + " do nod --robot nao --quiet";
+    return RunWords({"/bin/sh", "-c", "echo " + answer + " | script -qec '" + command + "' /dev/null"});
+  };
+  const Ran refused = answered("n");
+  EXPECT_EQ(refused.status, 1) << refused.out;
+  EXPECT_LT(refused.out.find("1. nod"), refused.out.find("Shall it be done?")) << refused.out;
+  EXPECT_TRUE(Found().empty());
+  const Ran done = answered("y");
+  EXPECT_EQ(done.status, 0) << done.out;
+  EXPECT_EQ(Found(), std::vector<std::string>{"out"});
 }
 
 TEST_F(Do, TaskPlansGoOutAndIn) {
