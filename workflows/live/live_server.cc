@@ -90,7 +90,7 @@ struct Shared {
   Text greeting;
   std::string host, machine;  ///< the address, and the name of this machine without its domain
   int port = 0;
-  bool loopback = true;
+  bool loopback = true, everywhere = false;  ///< everywhere: at all addresses of this machine
   Inbox inbox;
   std::map<std::uint64_t, Page*> pages;  ///< by number
   std::uint64_t opened = 0;
@@ -304,8 +304,17 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
                    fmt::format("there is no port {}; accepted: 0 to {}", address.port, kHighestPort),
                    {"--port 0 takes any port that is free"}};
   }
+  boost::system::error_code no_address;
+  const asio::ip::address ip =
+      asio::ip::make_address(address.host == "localhost" ? "127.0.0.1" : address.host, no_address);
+  if (no_address) {
+    return Failure{FailureKind::kBadInput,
+                   "address",
+                   "LiveServer",
+                   fmt::format("'{}' is no IP address, which is needed to listen at", address.host),
+                   {"127.0.0.1 is reached from this machine alone, 0.0.0.0 from all that reach it"}};
+  }
   try {
-    const asio::ip::address ip = asio::ip::make_address(address.host == "localhost" ? "127.0.0.1" : address.host);
     const tcp::endpoint endpoint(ip, static_cast<unsigned short>(address.port));
     impl->acceptor.open(endpoint.protocol());
     impl->acceptor.set_option(asio::socket_base::reuse_address(true));
@@ -313,6 +322,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
     impl->acceptor.listen();
     impl->shared.loopback = ip.is_loopback();
     impl->shared.host = ip.is_v6() ? fmt::format("[{}]", ip.to_string()) : ip.to_string();
+    impl->shared.everywhere = ip.is_unspecified();
     const std::string machine = asio::ip::host_name();
     impl->shared.machine = machine.substr(0, machine.find('.'));
     impl->shared.port = impl->acceptor.local_endpoint().port();
@@ -321,7 +331,8 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
                    "address",
                    "LiveServer",
                    fmt::format("cannot listen at {}, port {}: {}", address.host, address.port, error.code().message()),
-                   {"--port 0 takes any port that is free"}};
+                   {error.code() == asio::error::address_in_use ? "--port 0 takes any port that is free"
+                                                                : "'ip address' lists the addresses of this machine"}};
   }
   impl->shared.html = std::make_shared<const std::string>(page);
   impl->Accept();
@@ -336,7 +347,11 @@ LiveServer::~LiveServer() {
 
 int LiveServer::port() const { return impl_->shared.port; }
 
-std::string LiveServer::url() const { return fmt::format("http://{}:{}/", impl_->shared.host, impl_->shared.port); }
+std::string LiveServer::url() const {
+  const Shared& shared = impl_->shared;
+  const std::string& host = shared.everywhere ? (shared.host == "[::]" ? "[::1]" : "127.0.0.1") : shared.host;
+  return fmt::format("http://{}:{}/", host, shared.port);
+}
 
 void LiveServer::Greet(const std::string& greeting) {
   asio::post(impl_->context, [impl = impl_.get(), text = std::make_shared<const std::string>(greeting)] {

@@ -42,7 +42,8 @@ class LiveServer {
   LiveServer& operator=(const LiveServer&) = delete;
 
   int port() const;
-  /// "http://127.0.0.1:8080/"
+  /// "http://127.0.0.1:8080/"; this machine's own where it listens at all of its addresses, which are no address to go
+  /// to.
   std::string url() const;
   /// What each page is told first, and then its number; those that are open already are told now.
   void Greet(const std::string& greeting);
