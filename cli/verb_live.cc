@@ -62,6 +62,7 @@ int Run(Arguments& a) {
   const Result<OptionTexts> options = a.options.Apply(fields, a.common);
   if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, fields);
+  if (a.for_s < 0.0) throw InvalidArgument(fmt::format("--for is {} s; accepted: 0, until Ctrl-C, or more", a.for_s));
   CheckController(a.play.controller);
   if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
   Paths paths;
