@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -106,6 +107,19 @@ TEST(Architecture, AllowedLongFilesExist) {
     EXPECT_TRUE(std::any_of(files.begin(), files.end(), [&](const SourceFile& file) { return file.path == allowed; }))
         << "rules_table.h allows '" << allowed << "' to be long, but there is no such file";
   }
+}
+
+/// What npm fetches comes from the registry that whoever builds has set.
+TEST(Architecture, TheLockFileOfTheViewerNamesNoHost) {
+  std::ifstream stream(kRoot + "/playback/viewer/web/package-lock.json");
+  std::vector<std::string> named;
+  int packages = 0;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.find("\"integrity\"") != std::string::npos) ++packages;
+    if (line.find("://") != std::string::npos || line.find("\"resolved\"") != std::string::npos) named.push_back(line);
+  }
+  EXPECT_GT(packages, 3) << "the lock file was not read";
+  EXPECT_TRUE(named.empty()) << Joined(named);
 }
 
 }  // namespace
