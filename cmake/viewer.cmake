@@ -22,6 +22,7 @@ if(NOT GAITWRIGHT_NODE OR NOT GAITWRIGHT_NPM)
   message(FATAL_ERROR "The 3D viewer needs node 18 or newer and npm (Debian: nodejs, npm); or configure with "
                       "-DGAITWRIGHT_VIEWER=OFF for a program without it")
 endif()
+include(${CMAKE_SOURCE_DIR}/cmake/check_node.cmake)
 
 # npm works beside the build, so that the source tree stays as it is.
 file(GLOB_RECURSE viewer_scripts CONFIGURE_DEPENDS RELATIVE ${viewer_source} ${viewer_source}/src/*)
