@@ -25,6 +25,7 @@ class LiveControl {
   std::optional<std::string> Follow(const MotionPlan& plan, const PlayRequest& request,
                                     const std::deque<ControlInput>& lately);
 
+  /// What the joints are told, as of Controller.
   JointCommand Update(const ControlInput& input) { return controller_->Update(input); }
   const MotionPlan& plan() const { return *followed_; }
   /// Whether another one than was asked for has the robot.
