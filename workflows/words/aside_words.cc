@@ -16,6 +16,12 @@ void AddEnglishAsides(Lexicon& x) {
       "whenever the|on three legs|on two legs|on your hind legs|on hind legs|on all fours|only if|only when|"
       "with your eyes closed|without falling|without touching",
       M::kUnknown);
+  // Adverbs that say more than how.
+  x.Add(
+      "diagonally|obliquely|repeatedly|indefinitely|perpetually|"
+      "alternately|alternatingly|randomly|occasionally|partially|partly|blindly|vertically|horizontally|hourly|daily|"
+      "separately|respectively|conditionally|secretly|perpendicularly|oppositely|inversely|reversely|doubly|triply",
+      M::kUnknown);
   x.Add("he|she|they", M::kSubject, "third");
   x.Add(
       "because|cause|cuz|since|as i|as we|as he|as she|as they|as it|as the|as there|as my|so i|so we|so he|so she|"

@@ -37,12 +37,6 @@ void AddLimbsAndAmounts(Lexicon& x) {
       "arm|other hand|"
       "with the other arm|the opposite arm|the opposite hand",
       M::kSide, "other");
-  // Adverbs that say more than how.
-  x.Add(
-      "diagonally|obliquely|repeatedly|indefinitely|perpetually|"
-      "alternately|alternatingly|randomly|occasionally|partially|partly|blindly|vertically|horizontally|hourly|daily|"
-      "separately|respectively|conditionally|secretly|perpendicularly|oppositely|inversely|reversely|doubly|triply",
-      M::kUnknown);
   x.Add("the", M::kFiller, "the");
   // What leads to no place, and says nothing elsewhere.
   x.Add("from|around|off|out|through|across|along|by|with|of|in|away|well away|facing|apart|beside you|side|about|as",

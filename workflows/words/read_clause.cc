@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "workflows/words/phrases.h"
 #include "workflows/words/place_relation.h"
 #include "workflows/words/settle_amounts.h"
 
@@ -17,10 +18,6 @@ using M = Meaning;
                          const std::string& nearest = "") {
   throw Refused{{reason, part, why, nearest}};
 }
-
-bool IsGreeting(const std::string& action) { return action == "wave" || action == "bow" || action == "nod"; }
-
-std::string Other(const std::string& side) { return side == "left" ? "right" : side == "right" ? "left" : side; }
 
 /// Reads the items of one clause.
 class ClauseReader {
@@ -275,8 +272,8 @@ class ClauseReader {
     for (std::size_t k = at_; k-- > 0 && before == nullptr;) {
       if (!clause_.items[k].SaysNothing()) before = &clause_.items[k];
     }
-    if (greets_ && IsAddressed()) return;
-    if (greets_ && (first || before == nullptr || before->Is(M::kAt) || before->Is(M::kTo) || Greets(*before)))
+    if (greets_ && IsAddressed(text_, clause_, at_)) return;
+    if (greets_ && (first || before == nullptr || before->Is(M::kAt) || before->Is(M::kTo) || Greets(text_, *before)))
       return;  // whom to wave to
     std::size_t end = item.end;
     for (std::size_t k = at_ + 1; k < clause_.items.size(); ++k) {
@@ -292,24 +289,6 @@ class ClauseReader {
       Refuse("place", TextOf(text_, {item.begin, item.end}), "is no place that is known here");
     if (draft_.action.empty()) RefuseAll();
     Refuse("unknown", TextOf(text_, {item.begin, item.end}), "is not understood");
-  }
-
-  /// "greet the visitors"; "wave the flag" is something else.
-  bool Greets(const Item& verb) const {
-    static const std::array<const char*, 6> kGreets = {"gree", "Gree", "salu", "Salu", "say ", "Say "};
-    const std::string word = TextOf(text_, {verb.begin, verb.end});
-    const bool chinese = static_cast<unsigned char>(word.front()) >= 128;
-    return verb.Is(M::kAction) && (chinese || std::any_of(kGreets.begin(), kGreets.end(),
-                                                          [&](const char* start) { return word.starts_with(start); }));
-  }
-
-  /// "for the guest", "to our visitors".
-  bool IsAddressed() const {
-    for (std::size_t k = at_; k-- > 0 && clause_.items[k].SaysNothing();) {
-      const std::string word = TextOf(text_, {clause_.items[k].begin, clause_.items[k].end});
-      if (word == "for" || word == "for the" || word == "for our" || word == "for my") return true;
-    }
-    return false;
   }
 
   /// The action where it is said by several words, and what an action's own word says.
@@ -341,14 +320,15 @@ class ClauseReader {
     const bool with =
         !clause_.items.empty() && TextOf(text_, {clause_.items[0].begin, clause_.items[0].end}).substr(1, 3) == "ith";
     draft_.holding = draft_.holding || (with && draft_.action == "raise_arm");
-    if (draft_.action == "nod" && NodsInVain()) RefuseAll();
+    if (draft_.action == "nod" && NodsInVain(text_, clause_)) RefuseAll();
     for (const auto& [key, value] : implied_) {
       if (key == "direction" && draft_.side) continue;
       if (value == TaskValue(std::string("sideways"))) {
         if (!draft_.parameters.contains("to")) draft_.sideways = implied_said_;
         continue;
       }
-      if (key == "direction" && draft_.parameters.contains("to") && GoesBack()) continue;  // "go back to the door"
+      if (key == "direction" && draft_.parameters.contains("to") && GoesBack(TextOf(text_, implied_said_)))
+        continue;  // "go back to the door"
       if (draft_.parameters.contains(key)) continue;
       draft_.parameters[key] = value;
       draft_.said[key] = implied_said_;
@@ -373,26 +353,6 @@ class ClauseReader {
     if (foot_) check("foot", *foot_);
     draft_.part = foot_ ? "foot" : arm_ ? "arm" : "";
     for (const Item& part : parts_) check(part.name, part);
-  }
-
-  bool GoesBack() const {
-    static const std::array<const char*, 7> kReturns = {"go back",   "walk back", "come back", "move back",
-                                                        "head back", "get back",  "step back"};
-    const std::string word = TextOf(text_, implied_said_);
-    return std::any_of(kReturns.begin(), kReturns.end(), [&](const char* back) {
-      return word.size() == std::char_traits<char>::length(back) && (word.substr(1) == std::string(back).substr(1));
-    });
-  }
-
-  /// A lone 点 nods with a head only.
-  bool NodsInVain() const {
-    bool alone = false, head = false;
-    for (const Item& item : clause_.items) {
-      const std::string word = TextOf(text_, {item.begin, item.end});
-      alone = alone || word == "点";
-      head = head || word.find("头") != std::string::npos;
-    }
-    return alone && !head;
   }
 
   /// "turn left 90", "R 90": a turn without a unit is one of degrees.

@@ -129,6 +129,15 @@ bool SaysHowFar(const Draft& draft) {
                      [&](const std::string& key) { return draft.parameters.contains(key); });
 }
 
+bool SaysOnlyHow(const Draft& said) {
+  const auto how = [](const auto& parameter) {
+    return parameter.first == "pace" || parameter.first == "height" || parameter.first == "speed_m_s" ||
+           parameter.first == "gait" || parameter.first == "duration_s";
+  };
+  return !said.parameters.empty() && !said.bare && !said.side &&
+         std::all_of(said.parameters.begin(), said.parameters.end(), how);
+}
+
 bool SaysMore(const std::string& text, const Clause& clause, const Draft& said, Draft& last) {
   return Comparison(text, clause, said, last).Run();
 }

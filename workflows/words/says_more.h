@@ -15,4 +15,7 @@ bool SaysHowFar(const Draft& draft);
 /// "坐下，坐二十秒", "run to the door, run"); what it says more is then in `last`.
 bool SaysMore(const std::string& text, const Clause& clause, const Draft& said, Draft& last);
 
+/// Whether it says only how to walk, which may be said before it is said to.
+bool SaysOnlyHow(const Draft& said);
+
 }  // namespace gaitwright::words

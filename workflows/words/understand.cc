@@ -178,14 +178,14 @@ class Assembler {
 
   void AddTo(const Clause& clause, bool corrects, const Draft& said) {
     const bool lasts = said.parameters.size() == 1 && said.parameters.contains("duration_s");
-    if (drafts_.empty() || (IsManner(said) && !lasts)) {
+    if (drafts_.empty() || (SaysOnlyHow(said) && !lasts)) {
       const auto walk =
           std::find_if(drafts_.rbegin(), drafts_.rend(), [](const Draft& d) { return d.action == "walk"; });
       const bool speed_only = said.parameters.contains("speed_m_s") && walk != drafts_.rend();
       const bool after_walk = !drafts_.empty() && drafts_.back().action == "walk" && !clause.follows_then;
       if (after_walk) return Merge(text_, said, corrects, drafts_.back());
       if (speed_only && !walk->said.contains("speed_m_s")) return Merge(text_, said, corrects, *walk);
-      if (!IsManner(said)) throw Refused{{"unknown", Text(said.words), "does not say what to do", ""}};
+      if (!SaysOnlyHow(said)) throw Refused{{"unknown", Text(said.words), "does not say what to do", ""}};
       manner_ = said;
       return;
     }
@@ -230,16 +230,6 @@ class Assembler {
     const Draft again = drafts_.back();
     for (int k = 1; k < std::min(std::get<int>(said.parameters.at("times")), kMostTimes); ++k) drafts_.push_back(again);
     return true;
-  }
-
-  /// Only how to walk, which may be said before it is said to.
-  static bool IsManner(const Draft& said) {
-    const auto how = [](const auto& parameter) {
-      return parameter.first == "pace" || parameter.first == "height" || parameter.first == "speed_m_s" ||
-             parameter.first == "gait" || parameter.first == "duration_s";
-    };
-    return !said.parameters.empty() && !said.bare && !said.side &&
-           std::all_of(said.parameters.begin(), said.parameters.end(), how);
   }
 
   /// What is not said and is taken as read.

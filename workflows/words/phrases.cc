@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/words/phrases.h"
+
+#include <algorithm>
+#include <array>
+
+#include "workflows/words/draft.h"
+
+namespace gaitwright::words {
+
+bool IsGreeting(const std::string& action) { return action == "wave" || action == "bow" || action == "nod"; }
+
+std::string Other(const std::string& side) { return side == "left" ? "right" : side == "right" ? "left" : side; }
+
+bool Greets(const std::string& text, const Item& verb) {
+  static const std::array<const char*, 6> kGreets = {"gree", "Gree", "salu", "Salu", "say ", "Say "};
+  const std::string word = TextOf(text, {verb.begin, verb.end});
+  const bool chinese = static_cast<unsigned char>(word.front()) >= 128;
+  return verb.Is(Meaning::kAction) && (chinese || std::any_of(kGreets.begin(), kGreets.end(), [&](const char* start) {
+                                         return word.starts_with(start);
+                                       }));
+}
+
+bool IsAddressed(const std::string& text, const Clause& clause, std::size_t at) {
+  for (std::size_t k = at; k-- > 0 && clause.items[k].SaysNothing();) {
+    const std::string word = TextOf(text, {clause.items[k].begin, clause.items[k].end});
+    if (word == "for" || word == "for the" || word == "for our" || word == "for my") return true;
+  }
+  return false;
+}
+
+bool GoesBack(const std::string& word) {
+  static const std::array<const char*, 7> kReturns = {"go back",   "walk back", "come back", "move back",
+                                                      "head back", "get back",  "step back"};
+  return std::any_of(kReturns.begin(), kReturns.end(), [&](const char* back) {
+    return word.size() == std::char_traits<char>::length(back) && (word.substr(1) == std::string(back).substr(1));
+  });
+}
+
+bool NodsInVain(const std::string& text, const Clause& clause) {
+  bool alone = false, head = false;
+  for (const Item& item : clause.items) {
+    const std::string word = TextOf(text, {item.begin, item.end});
+    alone = alone || word == "点";
+    head = head || word.find("头") != std::string::npos;
+  }
+  return alone && !head;
+}
+
+}  // namespace gaitwright::words

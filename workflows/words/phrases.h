@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What single words and their neighbours in a clause say.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "workflows/words/clause.h"
+
+namespace gaitwright::words {
+
+/// Whether an action greets somebody, who may be named.
+bool IsGreeting(const std::string& action);
+
+/// The right of the left, and the other way round; what is no side stays.
+std::string Other(const std::string& side);
+
+/// "greet the visitors"; "wave the flag" is something else.
+bool Greets(const std::string& text, const Item& verb);
+
+/// "for the guest", "to our visitors": whether the item `at` is whom it is done for.
+bool IsAddressed(const std::string& text, const Clause& clause, std::size_t at);
+
+/// "go back", and others of that kind.
+bool GoesBack(const std::string& word);
+
+/// A lone 点 nods with a head only.
+bool NodsInVain(const std::string& text, const Clause& clause);
+
+}  // namespace gaitwright::words
