@@ -23,6 +23,19 @@ Failure OfTask(std::size_t index, const Task& task, Failure failure) {
   return failure;
 }
 
+/// Of a plan that fails its audit: the law that is broken, and the task in which it is.
+Failure WhyUnsound(const TaskPlan& tasks, const PlannedTasks& planned) {
+  const double at_s = planned.audit.violations.front().at_s;
+  const auto& ends_s = planned.task_ends_s;
+  const auto within = std::find_if(ends_s.begin(), ends_s.end(), [&](double end_s) { return at_s <= end_s; });
+  const std::size_t k =
+      std::min<std::size_t>(static_cast<std::size_t>(within - ends_s.begin()), tasks.tasks.size() - 1);
+  const Task& task = tasks.tasks[k];
+  Failure failure = tasks::WhyBroken(task.action, planned.audit);
+  if (!task.during.empty()) failure.hints = {"one after the other may do: 'then' in place of 'while'"};
+  return OfTask(k, task, failure);
+}
+
 Provenance ProvenanceOf(const TaskPlan& tasks, const TaskOptions& options) {
   MotionOptions motion = options.motion;
   Provenance provenance{Version(), "PlanTasks", {{"tasks", TaskPlanJson(tasks)}}, options.seed};
@@ -81,6 +94,7 @@ Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, 
   const Result<AuditReport> audit = Audit(*whole, planned.plan, {});
   if (!audit) return audit.failure();
   planned.audit = *audit;
+  if (!audit->pass() && !options.motion.pipeline.allow_limits) return WhyUnsound(tasks, planned);
   return planned;
 }
 

@@ -211,5 +211,18 @@ TEST(Tasks, APlanThatLiesIsReadBackWhole) {
   EXPECT_EQ(robot->feet.size(), 5U);
 }
 
+/// An arm that goes up while one foot bears all has the body lean farther than the ankle turns.
+TEST(PlanTasks, AMotionThatBreaksALawOfTheAuditIsRefusedByTheTaskThatDoesIt) {
+  const Result<PlannedTasks> planned =
+      Planned("nao", "squat, then balance on the left foot for 3 seconds while raising the right arm", FlatTerrain());
+  ASSERT_FALSE(planned.ok());
+  const Failure& failure = planned.failure();
+  EXPECT_EQ(failure.code, "joint_position");
+  for (const char* told : {"task 2", "balance", "RAnkleRoll"})
+    EXPECT_NE(failure.message.find(told), std::string::npos) << failure.message;
+  ASSERT_EQ(failure.hints.size(), 1U);
+  EXPECT_NE(failure.hints[0].find("'then' in place of 'while'"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace gaitwright
