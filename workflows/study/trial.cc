@@ -88,7 +88,7 @@ std::optional<Failure> SaidTwice(const PlayRequest& request, const Disturbances&
 }
 
 Failure CannotBePlayed(const std::string& code, const std::string& why, std::vector<std::string> hints = {}) {
-  if (hints.empty()) hints = {"narrow what is sampled"};
+  hints.emplace_back("narrow what is sampled");
   return {FailureKind::kBadInput, code, "PlayTrial",
           fmt::format("some trials that the disturbances may draw cannot be played: {}", why), std::move(hints)};
 }
