@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/workflows/study/disturbed_walks.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/workflows/study/disturbed_walks.h"
 
 namespace gaitwright {
 namespace {
