@@ -147,7 +147,8 @@ std::string BrokenGates(const std::vector<Metric>& metrics) {
     const bool over = m.bound == Bound::kAtMost;
     text += fmt::format("{}{} is ", text.empty() ? "" : "; ", m.key);
     if (value == limit) {
-      text += fmt::format("{} its limit {}", over ? "just over" : "not over", limit);
+      text += fmt::format("{} its limit {} (by {:.1g} {})", over ? "just over" : "just under", limit,
+                          std::abs(*m.value - *m.limit), m.unit);
     } else {
       text += fmt::format("{}, {} its limit {}", value, over ? "over" : "not over", limit);
     }

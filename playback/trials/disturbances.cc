@@ -225,17 +225,18 @@ constexpr double kShortestPush = 1e-4;  // [s]; one that takes no time has no im
 void CheckPushes(const Disturbances& disturbances, const RobotModel& model) {
   std::vector<std::string> places = {"base", "robot"};
   for (const Frame& frame : model.frames) places.push_back(frame.name);
-  for (const DisturbedPush& push : disturbances.pushes) {
+  for (std::size_t i = 0; i < disturbances.pushes.size(); ++i) {
+    const DisturbedPush& push = disturbances.pushes[i];
     const double hardest =
         std::max(OfPush(push, "size_n", {}).highest, model.weight_n() * OfPush(push, "size_of_weight", {}).highest);
     if (hardest > kHardestPush) {
       throw InvalidArgument(
-          fmt::format("a push may be as hard as {:.6g} N; at most {} N are accepted", hardest, kHardestPush));
+          fmt::format("push {} may be as hard as {:.6g} N; at most {} N are accepted", i + 1, hardest, kHardestPush));
     }
     for (const std::string& word : OfPush(push, "place", {}).words) {
       if (std::find(places.begin(), places.end(), word) != places.end()) continue;
-      throw InvalidArgument(fmt::format("a push has the place '{}'; accepted: 'base', 'robot' or a link of '{}'{}",
-                                        word, model.name, NearestHint(word, places)));
+      throw InvalidArgument(fmt::format("push {} has the place '{}'; accepted: 'base', 'robot' or a link of '{}'{}",
+                                        i + 1, word, model.name, NearestHint(word, places)));
     }
   }
 }

@@ -125,6 +125,9 @@ void JudgeStart(const PreflightInput& input, Preflight& preflight) {
 }
 
 void JudgeTrials(const PreflightInput& input, Preflight& preflight) {
+  const int fewest = input.options.fewest_trials, differ = preflight.trials ? preflight.trials->different : 0;
+  if (differ < fewest)
+    preflight.reasons.push_back(fmt::format("{} trials that differ are asked for, and there are {}", fewest, differ));
   if (!preflight.trials) {
     preflight.remarks.push_back("no trials: how often it survives disturbances is not known");
     return;
@@ -201,7 +204,9 @@ std::string PassText(const TrialsResult& trials) {
 }
 
 std::string ThresholdText(const Preflight& preflight) {
-  return fmt::format("a go asks that {:.4g} % survive, with 95 % certainty", 100.0 * preflight.least_survival);
+  const std::string share = fmt::format("{:.4g} % survive, with 95 % certainty", 100.0 * preflight.least_survival);
+  if (preflight.fewest_trials == 0) return "a go asks that " + share;
+  return fmt::format("a go asks for {} trials that differ, and that {}", preflight.fewest_trials, share);
 }
 
 Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan, const PreflightInput& input) {
@@ -209,6 +214,7 @@ Result<Preflight> MakePreflight(const RobotModel& model, const MotionPlan& plan,
   preflight.plan_hash = MotionHash(plan);
   preflight.whole_plan_hash = PlanHash(plan);
   preflight.least_survival = input.options.least_survival;
+  preflight.fewest_trials = input.options.fewest_trials;
   if (input.trials) {
     if (const auto failure = CheckTrials(model, preflight, *input.trials)) return *failure;
     preflight.trial_conditions = TrialConditions(input.trials->options, input.trials->disturbances);

@@ -16,9 +16,11 @@ namespace gaitwright {
 /// When a plan may go on a robot.
 struct PreflightOptions {
   double least_survival = 0.9;
+  int fewest_trials = 0;
 
   OptionFields Fields() {
-    return {{"least_survival",
+    return {{"fewest_trials", &fewest_trials, "1", 0.0, 1e6, "Trials that a go needs; 0: it may do without.", {}},
+            {"least_survival",
              &least_survival,
              "1",
              0.0,
@@ -46,6 +48,7 @@ struct Preflight {
   std::optional<TrialsResult> trials;
   std::vector<OptionChange> trial_conditions;  ///< TrialConditions
   double least_survival = 0.0;                 ///< share of trials that must survive for a go
+  int fewest_trials = 0;                       ///< trials that a go needs
   bool start_measured = false;
   std::vector<std::string> reasons;      ///< why it is no go; empty for a go
   std::vector<std::string> remarks;      ///< what to mind though it is a go

@@ -133,6 +133,7 @@ std::string PreflightJson(const Preflight& p, const std::vector<std::pair<std::s
                      {"plan_hash", p.plan_hash},
                      {"whole_plan_hash", p.whole_plan_hash},
                      {"least_survival", p.least_survival},
+                     {"fewest_trials", p.fewest_trials},
                      {"program_version", p.program_version},
                      {"made_by", p.made_by},
                      {"motion", p.motion},

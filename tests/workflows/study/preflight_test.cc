@@ -158,6 +158,19 @@ TEST(PreflightWithTrials, IsNoGoWhereTooFewSurvived) {
   EXPECT_TRUE(Says(Of(input).reasons, "at least 96 %"));
 }
 
+TEST(PreflightWithTrials, IsNoGoWithoutThoseThatAreAskedFor) {
+  PreflightInput input;
+  EXPECT_TRUE(Of(input).go()) << "whoever signs decides";
+  input.options.fewest_trials = 100;
+  EXPECT_FALSE(Of(input).go());
+  EXPECT_TRUE(Says(Of(input).reasons, "100 trials that differ are asked for, and there are 0"));
+  EXPECT_TRUE(Says(PreflightText(Of(input)), "a go asks for 100 trials that differ"));
+  input.trials = ResultOf(AWalk(), 99, 99, 0.9626, 1.0);
+  EXPECT_FALSE(Of(input).go());
+  input.trials = ResultOf(AWalk(), 100, 100, 0.963, 1.0);
+  EXPECT_TRUE(Of(input).go());
+}
+
 TEST(PreflightWithTrials, CountsEachPlaybackOnce) {
   PreflightInput input;
   input.trials = ResultOf(AWalk(), 500, 500, 0.9924, 1.0);
