@@ -25,7 +25,7 @@ OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
   OptionFields world = play.play.world.Fields();
   std::erase_if(world, [](const OptionField& field) { return field.key.find("bump") != std::string::npos; });
   OptionFields all = Joined({walk.Fields(), Prefixed("play", world), Prefixed("stabilised", play.stabilised.Fields()),
-                             Prefixed("gains", play.gains.Fields())});
+                             Prefixed("recovering", play.recovering.Fields()), Prefixed("gains", play.gains.Fields())});
   std::erase_if(all, [&](const OptionField& field) {
     return FirstIdle(play, {field.key}, {"play.ground_slope_deg"}).has_value();
   });
@@ -125,7 +125,9 @@ void AddLive(CLI::App& app, int& status) {
   AddCommon(
       verb, a->common,
       {"live --robot a1", "live --urdf my_robot.urdf --port 0 --debug", "live --robot nao --set play.friction=0.6"});
-  AddOptionList(verb, FieldsOf(a->walk, a->play), a->common.json);
+  PlayRequest with_all = a->play;
+  with_all.controller = "recovering";
+  AddOptionList(verb, FieldsOf(a->walk, with_all), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,6 +21,8 @@
 namespace gaitwright::cli {
 namespace {
 
+constexpr double kRounding = 1e-6;  // of cycles
+
 struct Arguments {
   Common common;
   std::string motion, plan, meshes;
@@ -30,6 +34,21 @@ struct Arguments {
   bool wants_page() const { return !png.empty() || !gif.empty() || !mp4.empty(); }
 };
 
+/// In small letters, as ".svg".
+std::string EndingOf(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
+/// A file that is named says by its ending what others take it for.
+void CheckEnding(const char* flag, const std::string& path, const std::vector<std::string>& endings) {
+  const std::string ending = EndingOf(path);
+  if (path.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+  throw InvalidArgument(
+      fmt::format("{} '{}' ends in '{}'; {} is written", flag, path, ending, fmt::join(endings, " or ")));
+}
+
 void Check(const Arguments& a) {
   CheckPaths({{{"the motion", a.motion}, {"--plan", a.plan}},
               {{"--png", a.png}, {"--gif", a.gif}, {"--mp4", a.mp4}, {"--figure", a.figure}},
@@ -38,9 +57,10 @@ void Check(const Arguments& a) {
     throw InvalidArgument("nothing to render is named: --png, --gif, --mp4 or --figure, each with a file");
   if (a.wants_page() && !HasViewer())
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which makes pictures");
-  const std::string ending = std::filesystem::path(a.figure).extension().string();
-  if (!a.figure.empty() && ending != ".svg" && ending != ".pdf")
-    throw InvalidArgument(fmt::format("--figure '{}' ends in '{}'; a figure is .svg or .pdf", a.figure, ending));
+  CheckEnding("--png", a.png, {".png"});
+  CheckEnding("--gif", a.gif, {".gif"});
+  CheckEnding("--mp4", a.mp4, {".mp4"});
+  CheckEnding("--figure", a.figure, {".svg", ".pdf"});
 }
 
 /// Nothing that is said is passed over: a flag of pictures or figures that are not made is refused.
@@ -73,7 +93,7 @@ Result<std::vector<OutputFile>> Render(Arguments& a, const MotionToShow& motion)
   };
   if (!a.figure.empty()) {
     const std::string svg = GaitFigure(motion.model, motion.plan, motion.log ? &*motion.log : nullptr, a.cycles);
-    if (auto failure = add(a.figure, a.figure.ends_with(".pdf") ? SvgToPdf(svg) : Result<std::string>(svg)))
+    if (auto failure = add(a.figure, EndingOf(a.figure) == ".pdf" ? SvgToPdf(svg) : Result<std::string>(svg)))
       return *failure;
   }
   if (!a.wants_page()) return files;
@@ -92,13 +112,15 @@ Result<std::vector<OutputFile>> Render(Arguments& a, const MotionToShow& motion)
   return files;
 }
 
-void Print(const Arguments& a) {
+/// @param cycles  that the figure has.
+void Print(const Arguments& a, std::optional<double> cycles) {
   const std::pair<const char*, const std::string*> files[] = {
       {"png", &a.png}, {"gif", &a.gif}, {"mp4", &a.mp4}, {"figure", &a.figure}};
   if (a.common.json) {
     nlohmann::ordered_json json = {{"files", nlohmann::ordered_json::object()}};
     for (const auto& [kind, path] : files)
       if (!path->empty()) json["files"][kind] = *path;
+    if (cycles) json["cycles"] = *cycles;
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return;
   }
@@ -106,6 +128,8 @@ void Print(const Arguments& a) {
     if (path->empty()) continue;
     fmt::print("{}", a.common.quiet ? *path + "\n" : fmt::format("{:<7} {}\n", kind, *path));
   }
+  if (cycles && *cycles < a.cycles.cycles - kRounding && !a.common.quiet)
+    fmt::print("the figure has {:.1f} of {} cycles: the motion ends there\n", *cycles, a.cycles.cycles);
 }
 
 int Run(Arguments& a) {
@@ -119,7 +143,10 @@ int Run(Arguments& a) {
   if (!files) return Report(files.failure(), a.common);
   const auto written = WriteFilesTogether(*files);
   if (!written) return Report(written.failure(), a.common);
-  Print(a);
+  const MotionToShow& drawn = shown.front();
+  std::optional<double> cycles;
+  if (!a.figure.empty()) cycles = CyclesShown(drawn.plan, drawn.log ? &*drawn.log : nullptr, a.cycles);
+  Print(a, cycles);
   return kPass;
 }
 

@@ -17,7 +17,7 @@ constexpr double kRateHz = 200.0, kTimePlotHeight = 230.0;
 constexpr int kMostCycles = 1000;
 
 struct Window {
-  double from_s = 0.0, to_s = 0.0;
+  double from_s = 0.0, to_s = 0.0, cycle_s = 1.0;
 };
 
 /// From the first step, or where it is asked for, so many cycles of the gait that is in force there.
@@ -36,7 +36,7 @@ Window WindowOf(const MotionPlan& plan, const GaitFigureOptions& options) {
   const double from_s = std::max(options.from_s, first_step_s);
   const MotionPart* part = PartAt(plan.parts, from_s);
   const double cycle_s = part == nullptr ? 1.0 : part->gait.cycle_s;
-  return {from_s, from_s + options.cycles * cycle_s};
+  return {from_s, from_s + options.cycles * cycle_s, cycle_s};
 }
 
 MotionSeries Within(MotionSeries series, const Window& window) {
@@ -79,6 +79,13 @@ std::string GaitFigure(const RobotModel& model, const MotionPlan& plan, const Pl
   const std::string gait = GaitNames(plan.parts);
   return StandaloneSvg(
       StackOfPlots({above, OverTime(series, 0), OverTime(series, 1)}, model.name + (gait.empty() ? "" : ": " + gait)));
+}
+
+double CyclesShown(const MotionPlan& plan, const PlaybackLog* log, const GaitFigureOptions& options) {
+  const Window window = WindowOf(plan, options);
+  const bool played = log != nullptr && !log->samples.empty();
+  const double end_s = played ? log->samples.back().time_s : plan.whole_body.end_s();
+  return std::max(0.0, (std::min(window.to_s, end_s) - window.from_s) / window.cycle_s);
 }
 
 }  // namespace gaitwright

@@ -22,4 +22,8 @@ struct GaitFigureOptions {
 std::string GaitFigure(const RobotModel& model, const MotionPlan& plan, const PlaybackLog* log,
                        const GaitFigureOptions& options = {});
 
+/// How many cycles of the gait that figure has: fewer than asked for where the motion ends before.
+/// @throws InvalidArgument for options out of range.
+double CyclesShown(const MotionPlan& plan, const PlaybackLog* log, const GaitFigureOptions& options);
+
 }  // namespace gaitwright

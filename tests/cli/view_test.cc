@@ -60,11 +60,14 @@ TEST_F(View, RendersPicturesFilmsAndFigures) {
   EXPECT_TRUE(Begins("gait.pdf", "%PDF"));
   EXPECT_EQ(Run({"render", "out/plan.json", "--figure", "gait.svg", "--cycles", "2", "--quiet"}).out, "gait.svg\n");
   EXPECT_NE(Read("gait.svg").find("support polygons"), std::string::npos);
+  const Ran many = Run({"render", "out/plan.json", "--figure", "MANY.SVG", "--cycles", "900"});
+  EXPECT_NE(many.out.find("of 900 cycles: the motion ends there"), std::string::npos) << many.out;
 }
 
 TEST_F(View, RenderRefusesWhatItCannotMake) {
   ExpectRefused(Run({"render", "out/log.json"}), 1, {"nothing to render", "--png"});
   ExpectRefused(Run({"render", "out/log.json", "--figure", "gait.eps"}), 1, {"'.eps'", ".svg or .pdf"});
+  ExpectRefused(Run({"render", "out/log.json", "--png", "p.jpg"}), 1, {"'.jpg'", ".png is written"});
   ExpectRefused(Run({"render", "out/log.json", "--figure", "g.svg", "--cycles", "1001"}), 1, {"1001", "1000"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--view", "above"}), 1, {"'above'", "'top'"});
   ExpectRefused(Run({"render", "out/log.json", "--png", "p.png", "--hide", "gost"}), 1, {"'gost'", "'ghost'"});

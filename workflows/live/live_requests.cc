@@ -83,6 +83,7 @@ LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
   if (!options.json().is_object()) options.Refuse("is no object of options");
   OptionTexts texts;
   PlayRequest tried;
+  tried.controller = "recovering";  // whose options are all that there are
   OptionFields fields = LiveOptions(tried);
   for (const auto& [key, value] : options.json().items()) {
     texts.emplace_back(key, fmt::format("{}", options.At(key).Number()));
@@ -92,7 +93,7 @@ LiveRequest ReadOptions(const JsonPart& m, const RobotModel&) {
     PlayRequest changed = live.play();
     OptionFields changing = LiveOptions(changed);
     for (const auto& [key, text] : texts) SetOption(changing, key, text);
-    live.SetControl(changed.stabilised, changed.gains);
+    live.SetControl(changed);
   };
 }
 
@@ -167,7 +168,8 @@ std::vector<std::string> NamesOfRequests() {
 
 OptionFields LiveOptions(PlayRequest& play) {
   OptionFields fields =
-      Joined({Prefixed("stabilised", play.stabilised.Fields()), Prefixed("gains", play.gains.Fields())});
+      Joined({Prefixed("stabilised", play.stabilised.Fields()), Prefixed("recovering", play.recovering.Fields()),
+              Prefixed("gains", play.gains.Fields())});
   std::erase_if(fields, [&](const OptionField& field) {
     return !std::holds_alternative<double*>(field.target) || FirstIdle(play, {field.key}).has_value();
   });

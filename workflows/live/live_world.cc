@@ -380,10 +380,11 @@ void LiveWorld::PutOnGround(const VectorX& level_q, const VectorX& level_v) {
   world_.SetState(CarriedState(X, level_q), CarriedRates(X, level_v));
 }
 
-void LiveWorld::SetControl(const StabilisedOptions& stabilised, const GainOptions& gains) {
+void LiveWorld::SetControl(const PlayRequest& from) {
   PlayRequest changed = play_;
-  changed.stabilised = stabilised;
-  changed.gains = gains;
+  changed.stabilised = from.stabilised;
+  changed.recovering = from.recovering;
+  changed.gains = from.gains;
   CheckOptions(changed.Fields());
   gains_ = DeriveGains(model_, GainsFor(changed));
   play_ = std::move(changed);

@@ -74,8 +74,8 @@ class LiveWorld {
   /// Another ground under the robot: friction (0 for the plan's) and slope, which turns the robot along, about where it
   /// is.
   void SetGround(double friction, double slope_deg, double slope_direction_deg);
-  /// Another controller.
-  void SetControl(const StabilisedOptions& stabilised, const GainOptions& gains);
+  /// Takes over options and gains of the controllers from there.
+  void SetControl(const PlayRequest& from);
 
   const RobotModel& model() const { return model_; }
   double time_s() const { return time_s_; }

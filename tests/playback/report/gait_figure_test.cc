@@ -43,6 +43,16 @@ TEST(GaitFigure, ShowsSoManyCyclesFromTheFirstStep) {
   EXPECT_NEAR(static_cast<double>(four), 2.0 * static_cast<double>(two), 2.0);
 }
 
+TEST(GaitFigure, TellsHowManyCyclesTheMotionHas) {
+  synthetic::Played c = synthetic::Walked(2, {.count = 12});
+  c.plan.swings.push_back({.foot = 0, .start_s = 0.9, .end_s = 1.3});
+  const double cycle_s = PartAt(c.plan.parts, 1.0)->gait.cycle_s, end_s = c.plan.whole_body.end_s();
+  EXPECT_DOUBLE_EQ(CyclesShown(c.plan, &c.log, {.cycles = 2}), 2.0);
+  EXPECT_NEAR(CyclesShown(c.plan, nullptr, {.cycles = 1000}), (end_s - 0.9) / cycle_s, 1e-9);
+  c.log.samples.resize(c.log.samples.size() / 2);
+  EXPECT_NEAR(CyclesShown(c.plan, &c.log, {.cycles = 1000}), (c.log.samples.back().time_s - 0.9) / cycle_s, 1e-9);
+}
+
 TEST(GaitFigure, RefusesWindowsWithoutMotion) {
   const synthetic::Played c = synthetic::Stood();
   EXPECT_THROW(GaitFigure(c.model, c.plan, nullptr, {.cycles = 0}), InvalidArgument);

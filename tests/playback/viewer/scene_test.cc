@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "kinematics/base/result.h"
 #include "playback/score/motion_series.h"
@@ -99,6 +103,40 @@ TEST(Scene, OfAPlanAloneHasNoMeasuredSide) {
   const auto time = Floats(motion["time_s"]);
   EXPECT_FLOAT_EQ(time.front(), static_cast<float>(c.plan.whole_body.start_s));
   EXPECT_NEAR(time.back(), c.plan.whole_body.end_s(), 1.0 / kSceneRateHz);
+}
+
+/// A robot whose first body looks like a mesh that only its folder has.
+TEST(Scene, HasVisualMeshesWhereTheirFolderIsKnown) {
+  synthetic::Played c = synthetic::Walked(2, {.count = 4});
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "scene_meshes";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "trunk.obj")
+      << "v 0 0 0\nv 0.1 0 0\nv 0 0.2 0\nv 0 0 0.3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  Shape looks;
+  looks.type = ShapeType::kMesh;
+  looks.body = 0;
+  looks.link = c.model.collision_shapes.front().link;
+  looks.mesh_file = "trunk.obj";
+  looks.size = Vector3(1.0, 1.0, 2.0);
+  c.model.visual_shapes = {looks};
+  const auto robot_in = [&](const std::optional<std::string>& in) {
+    return Json::parse(RobotAndGroundJson(c.model, c.plan.terrain, in))["robot"];
+  };
+  const Json robot = robot_in(folder.string());
+  ASSERT_EQ(robot["meshes"].size(), 1U);
+  EXPECT_EQ(robot["shapes"][0]["type"], "mesh");
+  EXPECT_EQ(robot["shapes"][0]["mesh"], 0);
+  EXPECT_EQ(robot["shapes"][0]["size_m"], Json({1.0, 1.0, 2.0})) << "its scale";
+  const auto vertices = Floats(robot["meshes"][0]["vertices_m"]);
+  const auto corners = Numbers<std::uint32_t>(robot["meshes"][0]["triangles"], "u32");
+  EXPECT_EQ(corners.size(), 12U);
+  EXPECT_FLOAT_EQ(*std::max_element(vertices.begin(), vertices.end()), 0.3F);
+  for (const std::optional<std::string>& none : {std::optional<std::string>(), std::optional<std::string>("/none")}) {
+    const Json other = robot_in(none);
+    EXPECT_TRUE(other["meshes"].empty());
+    ASSERT_FALSE(other["shapes"].empty()) << "what touches is drawn instead";
+    for (const Json& shape : other["shapes"]) EXPECT_NE(shape["type"], "mesh");
+  }
 }
 
 /// The plan's own ZMP is the same whether a log is beside it or not.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/workflows/live/made_world.h"
+#include "workflows/live/live_requests.h"
 
 namespace gaitwright {
 namespace {
@@ -32,6 +33,11 @@ class Controlled {
     live_->hands().Push(Vector3(-210.0, 0.0, 0.0), live_->time_s() + 0.1);
     GoOn(5.0);
     return live_->mode() == LiveMode::kStands;
+  }
+  /// As a page does.
+  void Say(const std::string& message) {
+    LiveClock clock;
+    ReadLiveRequest(model_, message)(*live_, clock, 1);
   }
   std::string Notes() {
     std::string all;
@@ -75,6 +81,21 @@ TEST_F(LiveRecovering, LetsStabilisedWalkAndSaysSoOnce) {
   GoOn(4.0);
   EXPECT_EQ(live_->mode(), LiveMode::kStands);
   EXPECT_TRUE(BearsAPush()) << "'recovering' has it again";
+}
+
+constexpr char kBraceMargin[] = R"({"do": "options", "options": {"recovering.brace_margin": 0.5}})";
+
+TEST_F(LiveRecovering, HasItsOptionsChanged) {
+  Say(kBraceMargin);
+  EXPECT_EQ(live_->play().recovering.brace_margin, 0.5);
+  GoOn(0.5);
+  EXPECT_TRUE(BearsAPush());
+  EXPECT_THROW(Say(R"({"do": "options", "options": {"recovering.brace_margin": -1}})"), InvalidArgument);
+}
+
+TEST(LiveControl, HasNoOptionsOfAnother) {
+  Controlled robot("stabilised");
+  EXPECT_THROW(robot.Say(kBraceMargin), InvalidArgument);
 }
 
 TEST(LiveControl, WithoutRecoveringItFalls) {

@@ -33,7 +33,7 @@ class Session : public testing::Test {
                  [this] { return spent_s_ += look_s_; }) {
     live_.Reset();
     live_.SetGround(0.0, 0.0, 0.0);
-    live_.SetControl({}, {});
+    live_.SetControl({});
     live_.TakeNotes();
     server_->Greet(LiveGreeting(live_));
     const std::string host = "127.0.0.1:" + std::to_string(server_->port());

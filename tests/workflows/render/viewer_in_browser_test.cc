@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <numbers>
+
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/load_robot.h"
 #include "playback/report/report_page.h"
@@ -188,12 +192,49 @@ TEST(ViewerInBrowser, IsDrivenByTheKeyboard) {
   ExpectNoComplaint(page);
 }
 
+/// Of the camera about what it looks at: heading and angle from up [degree], and its distance.
+std::array<double, 3> CameraOf(const ShownPage& page) {
+  const auto p = page.Ask("v.stages[0].camera.position.clone().sub(v.stages[0].controls.target).toArray()");
+  const Vector3 offset(p.at(0).get<double>(), p.at(1).get<double>(), p.at(2).get<double>());
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  return {std::atan2(offset.y(), offset.x()) / kDegree, std::acos(offset.z() / offset.norm()) / kDegree, offset.norm()};
+}
+
+TEST(ViewerInBrowser, TurnsTheCameraByKeys) {
+  const ShownWalk walk = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
+  const ShownPage page(ViewerPage("test", {Shown(walk)}));
+  const auto press = [&](const std::string& key, int times = 1) {
+    for (int i = 0; i < times; ++i) ASSERT_TRUE(page.browser().Press(key).ok());
+  };
+  const std::array<double, 3> at_first = CameraOf(page);
+  press("d", 4);
+  EXPECT_NEAR(CameraOf(page)[0], at_first[0] + 30.0, 1e-3);
+  press("A", 2);
+  EXPECT_NEAR(CameraOf(page)[0], at_first[0] + 15.0, 1e-3);
+  press("w", 2);
+  EXPECT_NEAR(CameraOf(page)[1], at_first[1] - 15.0, 1e-3);
+  EXPECT_NEAR(CameraOf(page)[2], at_first[2], 1e-6);
+  press("s", 30);
+  EXPECT_LT(CameraOf(page)[1], 90.0) << "never from below the ground";
+  press("e");
+  EXPECT_NEAR(CameraOf(page)[2], 0.9 * at_first[2], 1e-6);
+  press("q", 200);
+  const double farthest = CameraOf(page)[2];
+  press("q");
+  EXPECT_NEAR(CameraOf(page)[2], farthest, 1e-6);
+  press("1");
+  EXPECT_NEAR(CameraOf(page)[0], at_first[0], 1e-3);
+  ExpectNoComplaint(page);
+}
+
 TEST(ViewerInBrowser, IsPartOfTheReport) {
   const ShownWalk walk = MakeShownWalk("a1", Request(0.3, "flat", "trot"));
   ReportWords words;
   words.viewer = ViewerPart({Shown(walk)});
   const ShownPage page(ReportPage(walk.model, walk.plan, walk.played.log, walk.played.report, words));
   ExpectScrubbingWorks(page);
+  EXPECT_EQ(page.Ask("[...document.querySelectorAll('.gw-reason')].every((e) => e.offsetParent === null)"), true)
+      << "the report says it at its head";
   page.Ask("v.showNow(0.2) ?? 0");
   ASSERT_TRUE(page.browser().Press("End").ok());
   EXPECT_EQ(page.Ask("v.clock.time"), 0.2) << "keys are the report's until the part has the focus";

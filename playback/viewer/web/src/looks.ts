@@ -6,8 +6,20 @@ import type { Stage, View } from "./stage";
 
 const kViewKeys: Record<string, View> = { "1": "corner", "2": "side", "3": "front", "4": "top" };
 
+/** What a key turns the camera by [rad], around and down, and the factor on its distance. */
+const kTurn = Math.PI / 24;
+const kNearer = 0.9;
+const kOrbitKeys: Record<string, [number, number, number]> = {
+  a: [-kTurn, 0, 1],
+  d: [kTurn, 0, 1],
+  w: [0, -kTurn, 1],
+  s: [0, kTurn, 1],
+  e: [0, 0, kNearer],
+  q: [0, 0, 1 / kNearer],
+};
+
 /** The keys of this file, for a line of help. */
-export const kLooksHelp = "1 2 3 4 views \u00b7 F follow \u00b7 G ghost \u00b7 T light or dark \u00b7 drag turns, wheel zooms, right drag shifts";
+export const kLooksHelp = "1 2 3 4 views \u00b7 A D W S turn \u00b7 E Q nearer, farther \u00b7 F follow \u00b7 G ghost \u00b7 T light or dark \u00b7 drag turns, wheel zooms, right drag shifts";
 
 /** How a page looks at its stages: from where, with what over the robot, light or dark; by button, box and key. */
 export class Looks {
@@ -85,8 +97,9 @@ export class Looks {
 
   /** Does what a key asks for, if that is of this. */
   press(key: string): boolean {
-    const view = kViewKeys[key];
+    const view = kViewKeys[key], orbit = kOrbitKeys[key.toLowerCase()];
     if (view) this.look(view);
+    else if (orbit) for (const stage of this.stages) stage.orbit(...orbit);
     else if (key === "f" || key === "F") this.setFollow(!this.follow.box.checked);
     else if (key === "g" || key === "G") this.setOverlay("ghost", !this.overlayBoxes.get("ghost")?.checked);
     else if (key === "t" || key === "T") this.setDark(!this.dark);

@@ -22,6 +22,9 @@ const kNearest = 0.3;
 const kFarthest = 24;
 const kMostPixels = 2;
 
+/** Of the line of sight from straight down [rad], where a heading would be lost. */
+const kSteepest = 1e-3;
+
 /** Share of the way to the robot that the camera makes up in a second, as e to the minus this. */
 const kFollowRate = 6;
 
@@ -97,6 +100,19 @@ export class Stage {
     const [x, y, z] = kViews[view];
     this.controls.target.copy(this.centre);
     this.camera.position.set(x, y, z).multiplyScalar(distance).add(this.centre);
+    this.controls.update();
+    this.dirty = true;
+  }
+
+  /** Moves the camera about what it looks at: around and down by angles [rad], and to so many times its distance. */
+  orbit(around: number, down: number, farther: number): void {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const length = clamped(offset.length() * farther, this.controls.minDistance, this.controls.maxDistance);
+    const fromUp = clamped(Math.acos(clamped(offset.z / offset.length(), -1, 1)) + down, kSteepest, this.controls.maxPolarAngle);
+    const heading = Math.atan2(offset.y, offset.x) + around;
+    const flat = Math.sin(fromUp);
+    offset.set(flat * Math.cos(heading), flat * Math.sin(heading), Math.cos(fromUp)).multiplyScalar(length);
+    this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
     this.dirty = true;
   }
@@ -231,4 +247,8 @@ export class Stage {
     this.camera.updateProjectionMatrix();
     this.dirty = true;
   }
+}
+
+function clamped(value: number, lowest: number, highest: number): number {
+  return Math.min(Math.max(value, lowest), highest);
 }

@@ -4,7 +4,7 @@ import type { Frame, OptionFile, Send } from "./messages";
 import { OptionRow } from "./option_row";
 
 /** Known groups of options, in the order in which they are shown. */
-const kGroups: Record<string, string> = { gains: "Gains of the joints", stabilised: "Balance" };
+const kGroups: Record<string, string> = { gains: "Gains of the joints", stabilised: "Balance", recovering: "Steps and falls" };
 
 /** All options of the controller, in groups that can be folded. */
 export class GainsPanel {
