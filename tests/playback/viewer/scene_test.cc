@@ -112,10 +112,11 @@ TEST(Scene, HasVisualMeshesWhereTheirFolderIsKnown) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "trunk.obj")
       << "v 0 0 0\nv 0.1 0 0\nv 0 0.2 0\nv 0 0 0.3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-  Shape looks;
+  Shape touches, looks;
+  touches.link = looks.link = "trunk";
+  touches.size = Vector3(0.1, 0.2, 0.3);
+  c.model.collision_shapes = {touches};
   looks.type = ShapeType::kMesh;
-  looks.body = 0;
-  looks.link = c.model.collision_shapes.front().link;
   looks.mesh_file = "trunk.obj";
   looks.size = Vector3(1.0, 1.0, 2.0);
   c.model.visual_shapes = {looks};
