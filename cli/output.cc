@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <tuple>
 
 #include "cli/flags.h"
 #include "kinematics/base/file.h"
@@ -16,20 +14,11 @@
 #include "playback/log/log_json.h"
 #include "playback/report/plot_style.h"
 #include "playback/report/plots.h"
-#include "playback/report/report_page.h"
 #include "playback/score/report_text.h"
 #include "playback/trials/trial_outcome.h"
-#include "playback/viewer/viewer_page.h"
 
 namespace gaitwright::cli {
 namespace {
-
-std::vector<std::string> Lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 /// What one trial drew, by name; nothing of a playback that is none.
 std::vector<std::pair<std::string, std::string>> DrawnOf(const PlaybackLog& log) {
@@ -51,19 +40,6 @@ std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& dr
     line += fmt::format("{}{} {}", line.empty() ? "" : ", ", name, *end == 0 ? fmt::format("{:.4g}", value) : text);
   }
   return line;
-}
-
-std::string AuditReason(const AuditReport& audit) {
-  return "the plan fails its audit: " + audit.violations.front().law;
-}
-
-std::string ReportOf(const Judged& judged) {
-  const auto& [model, plan, played] = std::tie(judged.model, judged.plan, judged.played);
-  ReportWords words{Lines(AuditText(judged.audit)), ChangedOptions(plan, played.log),
-                    judged.audit_counts && !judged.audit.pass() ? AuditReason(judged.audit) : ""};
-  words.viewer = ViewerPart(
-      {{TitleOf(model, plan), model, plan, &played.log, &played.report, words.objection, judged.mesh_folder}});
-  return ReportPage(model, plan, played.log, played.report, words);
 }
 
 }  // namespace
@@ -91,7 +67,7 @@ Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs) {
   };
   render("plan", outputs.plan, [&] { return PlanToJson(judged.plan); });
   render("log", outputs.log, [&] { return LogToJson(judged.played.log); });
-  render("report", outputs.report, [&] { return ReportOf(judged); });
+  render("report", outputs.report, [&] { return WalkReport(judged); });
   if (!outputs.plot_folder.empty()) {
     for (const Plot& plot : MakePlots(judged.model, judged.plan, judged.played.log, judged.played.report))
       texts.push_back({(plot_folder / (plot.name + ".svg")).string(), StandaloneSvg(plot.svg)});
@@ -112,7 +88,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     json["warnings"] = judged.plan.warnings;
     if (judged.played.report.pass && !judged.pass()) {
       json["verdict"] = "fail";
-      json["reason"] = AuditReason(judged.audit);
+      json["reason"] = judged.objection();
     }
     const auto drawn = DrawnOf(judged.played.log);
     for (const auto& [name, text] : drawn) json["drawn"][name] = text;
@@ -128,7 +104,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     fmt::print("{}\n", judged.pass() ? "pass" : "fail");
     return;
   }
-  if (judged.played.report.pass && !judged.pass()) fmt::print("FAIL   {}; in physics:\n", AuditReason(judged.audit));
+  if (judged.played.report.pass && !judged.pass()) fmt::print("FAIL   {}; in physics:\n", judged.objection());
   fmt::print("{}", ReportText(judged.played.report));
   if (const std::string parts = PartsText(judged.plan.parts); !parts.empty()) fmt::print("\nparts: {}\n", parts);
   fmt::print("\n{}", AuditText(judged.audit));

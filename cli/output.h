@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/program.h"
-#include "workflows/walk/walk.h"
+#include "workflows/walk/walk_report.h"
 
 namespace gaitwright::cli {
 
@@ -22,19 +21,6 @@ struct Outputs {
 
 /// What was written: kind ("plan", "log", "report") and path.
 using Files = std::vector<std::pair<std::string, std::string>>;
-
-/// A plan that was played.
-struct Judged {
-  const RobotModel& model;
-  const MotionPlan& plan;
-  const PlayedWalk& played;
-  const AuditReport& audit;
-  double planning_cpu_s = 0.0;
-  bool audit_counts = false;                    ///< the verdict needs the plan's audit too
-  std::optional<std::string> mesh_folder = {};  ///< of the robot's URDF, where its visual meshes are found from
-
-  bool pass() const { return played.report.pass && (!audit_counts || audit.pass()); }
-};
 
 /// Writes plan, log, report and plots: all of them, or upon a failure none.
 Result<Files> WriteOutputs(const Judged& judged, const Outputs& outputs);

@@ -71,7 +71,7 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
   play.Finish(varied);
   for (const StudyAxis& axis : axes) {
     CheckGivenOnce(axis, *this, common.sets);
-    if (axis.key == "step_length" && !walk.steps)
+    if (axis.key == "step_length" && !walk.extent.steps)
       throw InvalidArgument("--over step_length is of counted steps: give --steps too");
     if (!walk.request.sequence.empty() && IsOfCommand(axis.key)) {
       throw InvalidArgument(
@@ -89,7 +89,7 @@ Result<RobotModel> StudyArguments::FinishFor(const std::vector<StudyAxis>& axes)
   const WalkCommand given = walk.request.command;
   OptionFields command = CommandFields(walk.request);
   for (const StudyAxis& axis : axes) {
-    if (axis.key == "step_length") walk.step_length_m = axis.high;
+    if (axis.key == "step_length") walk.extent.step_length_m = axis.high;
     for (OptionField& field : command) {
       if (field.key == axis.key) *std::get<double*>(field.target) = axis.high != 0.0 ? axis.high : axis.low;
     }

@@ -67,22 +67,22 @@ void WalkArguments::AddCommandTo(CLI::App& verb) {
       "the way at the robot's own speed.");
   verb.option_defaults()->group("How far (one of --distance, --duration, --goal, --steps)");
   CLI::Option* distance =
-      AddNumber(verb, "--distance", "m", distance_m,
+      AddNumber(verb, "--distance", "m", extent.distance_m,
                 "Length of the way in the commanded direction, along the curve where --yaw-rate bends it, more than 0; "
                 "default 1, or a quarter turn where --yaw-rate stands alone.");
   CLI::Option* duration = AddNumber(
-      verb, "--duration", "s", duration_s,
+      verb, "--duration", "s", extent.duration_s,
       "Time of walking at the commanded speeds, in whole cycles of the gait, more than 0; default: as --distance "
       "says.");
   CLI::Option* pose = AddText(
       verb, "--goal", "x,y,yaw", goal,
       "Where to, in m, m and rad from the start: x ahead, y to the left, yaw between -pi and pi. A goal behind is "
       "walked to backward. Speeds given are the largest on the way.");
-  CLI::Option* count = AddWholeNumber(verb, "--steps", 1, steps,
+  CLI::Option* count = AddWholeNumber(verb, "--steps", 1, extent.steps,
                                       "So many footfalls at the commanded speeds, the last ones closing the stance; 1 "
                                       "or more.");
   CLI::Option* length =
-      AddNumber(verb, "--step-length", "m", step_length_m,
+      AddNumber(verb, "--step-length", "m", extent.step_length_m,
                 "Advance of the robot in a footfall, with --steps and instead of --speed; 0 steps on the spot, "
                 "negative goes back; default: speed times the time of a footfall.")
           ->needs(count)
@@ -98,33 +98,11 @@ void WalkArguments::AddCommandTo(CLI::App& verb) {
 }
 
 void WalkArguments::Finish(const RobotModel& model) {
-  WalkCommand& c = request.command;
-  const int extents = static_cast<int>(distance_m.has_value()) + static_cast<int>(duration_s.has_value()) +
-                      static_cast<int>(!goal.empty()) + static_cast<int>(steps.has_value());
-  if (extents > 1) {
-    throw InvalidArgument("--distance, --duration, --goal and --steps each say how far: give one of them");
-  }
-  if (distance_m == 0.0) throw InvalidArgument("--distance 0 goes nowhere: it must be more than 0");
-  const bool says_where = c.speed_m_s != 0.0 || c.lateral_speed_m_s != 0.0 || c.yaw_rate_rad_s != 0.0;
-  const bool turns_only = c.yaw_rate_rad_s != 0.0 && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0;
-  c.distance_m = distance_m.value_or(turns_only ? 0.0 : 1.0);
-  if (duration_s) {
-    c.extent = WalkCommand::Extent::kDuration;
-    c.duration_s = *duration_s;
-  }
   if (!goal.empty()) {
     const std::vector<double> pose = ParseNumbers("--goal", goal, 3);
-    c.extent = WalkCommand::Extent::kGoal;
-    c.goal_x_m = pose[0];
-    c.goal_y_m = pose[1];
-    c.goal_yaw_rad = pose[2];
+    extent.goal = PlanarPose{pose[0], pose[1], pose[2]};
   }
-  if (steps) {
-    c.extent = WalkCommand::Extent::kSteps;
-    c.steps = *steps;
-    c.step_length_m = step_length_m.value_or(0.0);
-    if (!step_length_m && !says_where) c.speed_m_s = model.nominal_speed_m_s;
-  }
+  SetExtent(model, extent, request.command);
 }
 
 void PlayArguments::AddTo(CLI::App& verb) {

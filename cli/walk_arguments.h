@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/flags.h"
 #include "cli/program.h"
 #include "workflows/walk/walk.h"
+#include "workflows/walk/walk_extent.h"
 
 namespace gaitwright::cli {
 
@@ -15,8 +15,7 @@ namespace gaitwright::cli {
 struct WalkArguments {
   std::string robot = "a1", urdf, goal;
   WalkRequest request;
-  std::optional<double> distance_m, duration_s, step_length_m;
-  std::optional<int> steps;
+  WalkExtent extent;
   std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
 
   void AddTo(CLI::App& verb);

@@ -36,7 +36,7 @@ brought() {
 # Files outside of the tree that the program is made of: headers, libraries, and what the linker is given by its path.
 used() {
   {
-    ninja -C "$1" -t deps | awk '/#deps/ { ours = !/^tests\// } ours && /^ +\// { print $1 }'
+    ninja -C "$1" -t deps | awk '/#deps/ { ours = !/^(tests|python)\// } ours && /^ +\// { print $1 }'
     ninja -C "$1" -t commands gaitwright | tail -n 1 | grep -oE '(^| )/[^ ]+\.(a|so)[.0-9]*( |$)'
   } | tr -d ' ' | grep '^/usr/' | sort -u
 }

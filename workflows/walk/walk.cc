@@ -186,12 +186,14 @@ std::unique_ptr<Controller> MakeController(const RobotModel& model, const Motion
   return BehindSensors(model, plan, std::move(bare), request.sensing);
 }
 
-Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {
+namespace {
+
+/// @param controller  behind its sensors.
+Result<PlayedWalk> PlayBy(Controller& controller, const RobotModel& model, const MotionPlan& plan,
+                          const PlayRequest& request) {
   PlayRequest checked = request;
-  CheckOptions(checked.Fields());
-  const std::unique_ptr<Controller> controller = MakeController(model, plan, request);
   const CpuClock clock;
-  Result<PlaybackLog> log = Play(model, plan, *controller, request.play);
+  Result<PlaybackLog> log = Play(model, plan, controller, request.play);
   if (!log) return log.failure();
   PlayedWalk played;
   const double cpu = std::max(clock.elapsed_s(), 1e-9);
@@ -201,6 +203,23 @@ Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, con
     played.realtime_factor = (played.log.samples.back().time_s - played.log.start_s) / cpu;
   played.report = Score(model, plan, played.log, request.score);
   return played;
+}
+
+}  // namespace
+
+Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request) {
+  PlayRequest checked = request;
+  CheckOptions(checked.Fields());
+  return PlayBy(*MakeController(model, plan, request), model, plan, request);
+}
+
+Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                            std::unique_ptr<Controller> own) {
+  PlayRequest checked = request;
+  CheckOptions(checked.Fields());
+  CheckLoop(request);
+  CheckRates(request);
+  return PlayBy(*BehindSensors(model, plan, std::move(own), request.sensing), model, plan, request);
 }
 
 std::vector<OptionChange> ChangedOptions(const MotionPlan& plan, const PlaybackLog& log) {

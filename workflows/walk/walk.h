@@ -106,6 +106,11 @@ std::unique_ptr<Controller> MakeController(const RobotModel& model, const Motion
 /// Plays and scores. The log's options are all of the request's, not only those of the physics.
 Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request);
 
+/// The same with a controller of somebody's own, behind the sensors asked for; the request's `controller` and what
+/// shapes it are not looked at.
+Result<PlayedWalk> PlayWalk(const RobotModel& model, const MotionPlan& plan, const PlayRequest& request,
+                            std::unique_ptr<Controller> own);
+
 /// The options of a plan and of its playback that are not at their usual values, by the plan's and the log's own words.
 std::vector<OptionChange> ChangedOptions(const MotionPlan& plan, const PlaybackLog& log);
 

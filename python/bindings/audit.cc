@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/audit/audit.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "python/bindings/bindings.h"
+#include "python/bindings/errors.h"
+#include "python/bindings/options.h"
+#include "python/bindings/plan.h"
+
+namespace gaitwright::python {
+namespace {
+
+namespace py = pybind11;
+
+AuditReport AuditOf(const Plan& plan, bool margins, const py::dict& options) {
+  AuditOptions audit;
+  audit.margins = margins;
+  SetOptions(audit.Fields(), options);
+  const py::gil_scoped_release others_go_on;
+  return Value(Audit(plan.model(), plan.motion(), audit));
+}
+
+}  // namespace
+
+void BindAudit(py::module_& module) {
+  py::class_<Violation>(module, "Violation", "A law that a plan breaks, where it is worst.")
+      .def_readonly("law", &Violation::law)
+      .def_readonly("at_s", &Violation::at_s)
+      .def_readonly("where", &Violation::where, "Joint, foot or pair of links.")
+      .def_readonly("value", &Violation::value)
+      .def_readonly("limit", &Violation::limit)
+      .def_readonly("unit", &Violation::unit)
+      .def("__repr__", [](const Violation& v) {
+        return fmt::format("<gaitwright.Violation {} at {:.3f} s, {}: {:.4g} over {:.4g} {}>", v.law, v.at_s, v.where,
+                           v.value, v.limit, v.unit);
+      });
+  py::class_<AuditMargin>(module, "AuditMargin", "How near a plan comes to the limit of a law at one place.")
+      .def_readonly("law", &AuditMargin::law)
+      .def_readonly("at_s", &AuditMargin::at_s, "When it is nearest.")
+      .def_readonly("where", &AuditMargin::where)
+      .def_readonly("value", &AuditMargin::value)
+      .def_readonly("limit", &AuditMargin::limit)
+      .def_readonly("margin", &AuditMargin::margin, "From the value to the limit; negative beyond it.")
+      .def_readonly("unit", &AuditMargin::unit);
+  py::class_<AuditReport>(module, "AuditReport", "What a dense look at a plan found: every law that it breaks.")
+      .def_property_readonly("passed", &AuditReport::pass)
+      .def_readonly("violations", &AuditReport::violations, "By law in a fixed order, then worst first.")
+      .def_readonly("margins", &AuditReport::margins, "As far as asked for: by law, then least first.")
+      .def_readonly("notes", &AuditReport::notes, "Limits that are placeholders, laws that could not be applied.")
+      .def_readonly("remarks", &AuditReport::remarks, "What is likely amiss where a law is broken, with its cure.")
+      .def_readonly("samples", &AuditReport::samples)
+      .def("to_json", AuditJson)
+      .def("__str__", AuditText)
+      .def("__bool__", &AuditReport::pass)
+      .def("__repr__", [](const AuditReport& report) {
+        return fmt::format("<gaitwright.AuditReport {}: {} violations, {} samples>", report.pass() ? "pass" : "fail",
+                           report.violations.size(), report.samples);
+      });
+  module.attr("AUDIT_LAWS") = AuditLaws();
+  module.def("audit", AuditOf, py::arg("plan"), py::arg("margins") = false, py::arg("options") = py::dict(),
+             R"(Looks at a plan at 1 kHz, between its nodes too: dynamics, forces, limits, reach, clearance and more.
+
+Args:
+    margins: tells how near each law comes to its limit too.
+    options: as of ``gaitwright audit --set``, such as ``{"derate_torque": 0.8}``.)");
+}
+
+}  // namespace gaitwright::python

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "python/bindings/controllers.h"
+
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "playback/control/gains.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/options.h"
+
+namespace gaitwright::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A controller that is written in Python.
+class PythonController : public Controller {
+ public:
+  JointCommand Update(const ControlInput& input) override {
+    const py::gil_scoped_acquire python;
+    const py::function update = py::get_override(static_cast<const Controller*>(this), "update");
+    if (!update) throw InvalidArgument("a controller needs a method update(self, input) that gives a JointCommand");
+    // By reference: it is valid for this call, and what keeps of it has to be copied there.
+    const py::object command = update(py::cast(&input, py::return_value_policy::reference));
+    if (!py::isinstance<JointCommand>(command))
+      throw InvalidArgument(
+          fmt::format("update() gave {}; a JointCommand is needed", py::repr(command).cast<std::string>()));
+    return command.cast<JointCommand>();
+  }
+  void Reset() override { PYBIND11_OVERRIDE_NAME(void, Controller, "reset", Reset, ); }
+  std::string Name() const override { PYBIND11_OVERRIDE_PURE_NAME(std::string, Controller, "name", Name, ); }
+};
+
+/// Forces on the feet, feet x 3.
+RowMatrix ForcesOf(const ControlInput& input) {
+  std::vector<Vector3> forces;
+  for (const ContactWrench& wrench : input.wrenches) forces.push_back(wrench.force_W);
+  return Rows(forces);
+}
+
+std::vector<bool> ContactOf(const ControlInput& input) {
+  std::vector<bool> touching;
+  for (std::size_t foot = 0; foot < input.wrenches.size(); ++foot)
+    touching.push_back(Contains(input.contact, static_cast<int>(foot)));
+  return touching;
+}
+
+JointCommand MakeCommand(const VectorX& q, const std::optional<VectorX>& v, const std::optional<VectorX>& tau_ff,
+                         const std::optional<VectorX>& stiffness, const std::optional<VectorX>& damping) {
+  const auto or_none = [&](const std::optional<VectorX>& column) {
+    return column ? *column : VectorX(VectorX::Zero(q.size()));
+  };
+  return {q, or_none(v), or_none(tau_ff), or_none(stiffness), or_none(damping)};
+}
+
+std::shared_ptr<OwnController> MakeOwn(const std::shared_ptr<Plan>& plan, const std::string& name,
+                                       const py::dict& options) {
+  PlayRequest request;
+  request.controller = name;
+  SetOptions(request.Fields(), options);
+  return std::make_shared<OwnController>(plan, request);
+}
+
+py::tuple GainsOf(const RobotModel& model, const py::dict& options) {
+  GainOptions gains;
+  SetOptions(gains.Fields(), options);
+  const Gains derived = DeriveGains(model, gains);
+  return py::make_tuple(derived.stiffness, derived.damping);
+}
+
+void BindInput(py::module_& module) {
+  py::class_<ControlInput>(module, "ControlInput", R"(What a controller is told at the start of a step.
+
+Its arrays are views that are valid during the call: copy what is to be kept.)")
+      .def(py::init<>())
+      .def_readwrite("time_s", &ControlInput::time_s, "On the plan's clock; after the plan's end it runs on.")
+      .def_readwrite("step_s", &ControlInput::step_s)
+      .def_readwrite("q", &ControlInput::q)
+      .def_readwrite("v", &ControlInput::v)
+      .def_property_readonly("forces_n", ForcesOf, "Of the ground on the feet in the last step, feet x 3.")
+      .def_property_readonly("contact", ContactOf, "Whether each foot carried force in the last step.");
+}
+
+}  // namespace
+
+void BindControllers(py::module_& module) {
+  BindInput(module);
+  py::class_<JointCommand>(module, "JointCommand", R"(What the motors shall do until the next call, by joint::
+
+    tau = tau_ff + stiffness (q - q_measured) + damping (v - v_measured), within the effort limit)")
+      .def(py::init(&MakeCommand), py::arg("q"), py::arg("v") = py::none(), py::arg("tau_ff") = py::none(),
+           py::arg("stiffness") = py::none(), py::arg("damping") = py::none(), "What is left out is zero.")
+      .def_readwrite("q", &JointCommand::q)
+      .def_readwrite("v", &JointCommand::v)
+      .def_readwrite("tau_ff", &JointCommand::tau_ff)
+      .def_readwrite("stiffness", &JointCommand::stiffness)
+      .def_readwrite("damping", &JointCommand::damping);
+  py::class_<Controller, PythonController, std::shared_ptr<Controller>>(module, "Controller",
+                                                                        R"(State in, command out, once a step.
+
+A class of your own has ``update(self, input)``, which gives a `JointCommand`, and ``name(self)``; it may have
+``reset(self)``, called before a playback. It must not keep time by itself: ``input.time_s`` may stand still.)")
+      .def(py::init<>())
+      .def("update", &Controller::Update, py::arg("input"))
+      .def("reset", &Controller::Reset)
+      .def("name", &Controller::Name);
+  py::class_<OwnController, Controller, std::shared_ptr<OwnController>>(module, "OwnController",
+                                                                        "A controller of the program's own.");
+  module.def("make_controller", MakeOwn, py::arg("plan"), py::arg("name") = "stabilised",
+             py::arg("options") = py::dict(),
+             "One of CONTROLLERS for a plan, to be asked step by step or to be played with.");
+  module.def("derive_gains", GainsOf, py::arg("robot"), py::arg("options") = py::dict(),
+             "Stiffness and damping by joint, from the inertia that each has to command.");
+  module.attr("CONTROLLERS") = ControllerNames();
+}
+
+}  // namespace gaitwright::python

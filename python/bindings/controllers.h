@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "playback/bullet/controller.h"
+#include "python/bindings/plan.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright::python {
+
+/// One of the program's own controllers for a plan, which it keeps alive.
+class OwnController : public Controller {
+ public:
+  /// @throws as of MakeController.
+  OwnController(const std::shared_ptr<const Plan>& plan, const PlayRequest& request)
+      : plan_(plan), controller_(MakeController(plan->model(), plan->motion(), request)) {}
+
+  JointCommand Update(const ControlInput& input) override { return controller_->Update(input); }
+  void Reset() override { controller_->Reset(); }
+  const BaseEstimate* Estimate() const override { return controller_->Estimate(); }
+  std::string Name() const override { return controller_->Name(); }
+
+ private:
+  std::shared_ptr<const Plan> plan_;
+  std::unique_ptr<Controller> controller_;
+};
+
+}  // namespace gaitwright::python

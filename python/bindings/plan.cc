@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "python/bindings/plan.h"
+
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include "planning/plan/plan_json.h"
+#include "planning/plan/sample_plan.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/errors.h"
+#include "workflows/exchange/export_motion.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright::python {
+namespace {
+
+namespace py = pybind11;
+
+SharedRobot RobotIn(const MotionPlan& motion) { return std::make_shared<RobotModel>(Value(RobotOf(motion))); }
+
+const Plan& PlanIn(const py::object& self) { return self.cast<const Plan&>(); }
+
+/// Times of a uniform grid.
+RowMatrix Times(double start_s, double step_s, int count) {
+  RowMatrix times(count, 1);
+  for (int k = 0; k < count; ++k) times(k, 0) = start_s + k * step_s;
+  return times;
+}
+
+/// A table of the whole body's rows, shared with Python.
+template <std::vector<VectorX> WholeBodyTrajectory::*Column>
+py::array BodyTable(const py::object& self, const char* name) {
+  const Plan& plan = PlanIn(self);
+  return plan.tables().Get(self, name, [&] { return Rows(plan.motion().whole_body.*Column); });
+}
+
+py::array TimeOf(const py::object& self) {
+  const Plan& plan = PlanIn(self);
+  const WholeBodyTrajectory& body = plan.motion().whole_body;
+  return plan.tables().GetColumn(self, "time_s", [&] { return Times(body.start_s, body.step_s, body.size()); });
+}
+
+/// Contact forces by row, foot and axis.
+py::array ForcesOf(const py::object& self) {
+  const Plan& plan = PlanIn(self);
+  const auto& rows = plan.motion().whole_body.wrenches;
+  const auto feet = static_cast<py::ssize_t>(rows.empty() ? 0 : rows.front().size());
+  const py::array flat = plan.tables().Get(self, "forces_n", [&] {
+    RowMatrix table(static_cast<Eigen::Index>(rows.size()), 3 * feet);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (std::size_t foot = 0; foot < rows[k].size(); ++foot)
+        table.block<1, 3>(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(3 * foot)) =
+            rows[k][foot].force_W.transpose();
+    return table;
+  });
+  return flat.attr("reshape")(rows.size(), feet, 3);
+}
+
+/// Tables of the centre of mass and the ZMP, on their own grid.
+struct CentroidalTables {
+  static py::array Time(const py::object& self) {
+    const CentroidalTrajectory& c = PlanIn(self).motion().centroidal;
+    return PlanIn(self).tables().GetColumn(self, "centroidal.time_s",
+                                           [&] { return Times(c.start_s, c.step_s, c.size()); });
+  }
+  template <class Vector, std::vector<Vector> CentroidalTrajectory::*Column>
+  static py::array Of(const py::object& self, const char* name) {
+    const CentroidalTrajectory& c = PlanIn(self).motion().centroidal;
+    return PlanIn(self).tables().Get(self, name, [&] { return Rows(c.*Column); });
+  }
+};
+
+py::list FootholdsOf(const Plan& plan) {
+  py::list list;
+  for (const Foothold& foothold : plan.motion().footsteps.footholds) {
+    py::dict one;
+    one["foot"] = plan.model().feet[static_cast<std::size_t>(foothold.foot)].name;
+    one["pose"] = py::cast(Eigen::Matrix4d(foothold.X_WF.matrix()));
+    one["touchdown_s"] = foothold.touchdown_s;
+    one["liftoff_s"] = foothold.liftoff_s;
+    list.append(one);
+  }
+  return list;
+}
+
+/// Whether each foot is scheduled to stand, by row.
+py::array_t<bool> ContactOf(const Plan& plan) {
+  const WholeBodyTrajectory& body = plan.motion().whole_body;
+  const auto feet = static_cast<py::ssize_t>(plan.model().feet.size());
+  py::array_t<bool> stands({static_cast<py::ssize_t>(body.size()), feet});
+  auto at = stands.mutable_unchecked<2>();
+  const ContactSchedule& schedule = plan.motion().schedule;
+  for (int k = 0; k < body.size(); ++k) {
+    const int phase = PhaseAt(schedule, body.start_s + k * body.step_s);
+    const FootSet stance = schedule.phases.empty() ? 0 : schedule.phases[static_cast<std::size_t>(phase)].stance;
+    for (py::ssize_t foot = 0; foot < feet; ++foot) at(k, foot) = Contains(stance, static_cast<int>(foot));
+  }
+  return stands;
+}
+
+py::dict SampleAt(const Plan& plan, double time_s) {
+  WholeBodySample sample;
+  SampleWholeBody(plan.motion().whole_body, time_s, sample);
+  py::dict at;
+  at["q"] = py::cast(sample.q);
+  at["v"] = py::cast(sample.v);
+  at["a"] = py::cast(sample.a);
+  at["tau"] = py::cast(sample.tau);
+  return at;
+}
+
+std::vector<std::string> Export(const Plan& plan, const std::string& path, const std::string& format, double rate_hz) {
+  const ExportedMotion exported = ExportPlan(plan.model(), plan.motion(), ExportFormatOf(format), rate_hz, path);
+  if (const auto written = WriteFilesTogether(exported.files); !written) throw FailureError(written.failure());
+  return exported.notes;
+}
+
+void BindArrays(py::class_<Plan, std::shared_ptr<Plan>>& plan) {
+  using Body = WholeBodyTrajectory;
+  using Centre = CentroidalTrajectory;
+  plan.def_property_readonly("time_s", TimeOf, "Of the rows, N.")
+      .def_property_readonly(
+          "q", [](const py::object& self) { return BodyTable<&Body::q>(self, "q"); }, "Positions, N x nq.")
+      .def_property_readonly(
+          "v", [](const py::object& self) { return BodyTable<&Body::v>(self, "v"); }, "Velocities, N x nv.")
+      .def_property_readonly(
+          "a", [](const py::object& self) { return BodyTable<&Body::a>(self, "a"); }, "Accelerations, N x nv.")
+      .def_property_readonly(
+          "tau", [](const py::object& self) { return BodyTable<&Body::tau>(self, "tau"); },
+          "Feed-forward torques of the joints, N x n [N m].")
+      .def_property_readonly("forces_n", ForcesOf, "Forces of the ground on the feet, N x feet x 3.")
+      .def_property_readonly("contact", ContactOf, "Whether each foot is scheduled to stand, N x feet.")
+      .def_property_readonly("centroidal_time_s", CentroidalTables::Time, "Of the rows of the three below, M.")
+      .def_property_readonly(
+          "centre_of_mass_m",
+          [](const py::object& self) { return CentroidalTables::Of<Vector3, &Centre::p_WC>(self, "p_WC"); }, "M x 3")
+      .def_property_readonly(
+          "centre_of_mass_velocity_m_s",
+          [](const py::object& self) { return CentroidalTables::Of<Vector3, &Centre::v_WC>(self, "v_WC"); }, "M x 3")
+      .def_property_readonly(
+          "zmp_m", [](const py::object& self) { return CentroidalTables::Of<Vector2, &Centre::p_WZ>(self, "p_WZ"); },
+          "Reference of the zero-moment point, M x 2.");
+}
+
+}  // namespace
+
+Plan::Plan(MotionPlan motion)
+    : robot_(RobotIn(motion)), motion_(std::make_shared<const MotionPlan>(std::move(motion))) {}
+
+void BindPlan(py::module_& module) {
+  py::class_<Plan, std::shared_ptr<Plan>> plan(
+      module, "Plan", R"(A motion plan: footholds, contacts, centre of mass, joints and torques.
+
+It never changes. Arrays of it are shared, not copied, and cannot be written to: take a copy to change one.)");
+  BindArrays(plan);
+  plan.def_property_readonly("robot", &Plan::robot)
+      .def_property_readonly("terrain", [](const Plan& p) { return p.motion().terrain; })
+      .def_property_readonly("duration_s", [](const Plan& p) { return p.motion().duration_s(); })
+      .def_property_readonly(
+          "gait", [](const Plan& p) { return GaitNames(p.motion().parts); }, "Of its parts.")
+      .def_property_readonly(
+          "warnings", [](const Plan& p) { return p.motion().warnings; }, "Limits that it knowingly does not keep.")
+      .def_property_readonly("footholds", FootholdsOf, "Dictionaries of foot, pose (4 x 4), touchdown_s, liftoff_s.")
+      .def_property_readonly("hash", [](const Plan& p) { return PlanHash(p.motion()); })
+      .def("at", SampleAt, py::arg("time_s"), "q, v, a and tau at a time, between the rows too.")
+      .def("to_json", [](const Plan& p) { return PlanToJson(p.motion()); })
+      .def_static(
+          "from_json", [](const std::string& text) { return Plan(Value(PlanFromJson(text, "the text"))); },
+          py::arg("text"))
+      .def(
+          "save", [](const Plan& p, const std::string& path) { return Value(SavePlan(p.motion(), path)); },
+          py::arg("path"), "Writes plan.json, for the program too; returns the path.")
+      .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
+           "Writes csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns what is to be said of it.")
+      .def("__repr__", [](const Plan& p) {
+        return fmt::format("<gaitwright.Plan {}: {}, {:.2f} s, {} footholds>", p.motion().robot,
+                           GaitNames(p.motion().parts), p.motion().duration_s(), p.motion().footsteps.footholds.size());
+      });
+  module.def(
+      "load_plan", [](const std::string& path) { return Plan(Value(LoadPlan(path))); }, py::arg("path"),
+      "The plan of a file, as the program and `Plan.save` write it.");
+}
+
+}  // namespace gaitwright::python

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "planning/plan/motion_plan.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/robot.h"
+
+namespace gaitwright::python {
+
+/// A plan with the robot that it is for. Neither changes, so that arrays of it can be shared.
+class Plan {
+ public:
+  Plan(SharedRobot robot, MotionPlan motion)
+      : robot_(std::move(robot)), motion_(std::make_shared<const MotionPlan>(std::move(motion))) {}
+  /// With the robot that it carries in itself. @throws FailureError where that cannot be read.
+  explicit Plan(MotionPlan motion);
+
+  const SharedRobot& robot() const { return robot_; }
+  const RobotModel& model() const { return *robot_; }
+  const MotionPlan& motion() const { return *motion_; }
+  const Tables& tables() const { return tables_; }
+
+ private:
+  SharedRobot robot_;
+  std::shared_ptr<const MotionPlan> motion_;
+  Tables tables_;
+};
+
+}  // namespace gaitwright::python

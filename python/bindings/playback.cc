@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "playback/log/log_json.h"
+#include "playback/report/report_page.h"
+#include "playback/score/report_text.h"
+#include "playback/viewer/viewer_page.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/controllers.h"
+#include "python/bindings/errors.h"
+#include "python/bindings/options.h"
+#include "workflows/walk/walk_report.h"
+
+namespace gaitwright::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A playback: the plan, what was measured, and what that is worth. It never changes.
+class Playback {
+ public:
+  Playback(std::shared_ptr<const Plan> plan, PlayedWalk played)
+      : plan_(std::move(plan)), played_(std::make_shared<const PlayedWalk>(std::move(played))) {}
+
+  const Plan& plan() const { return *plan_; }
+  const std::shared_ptr<const Plan>& shared_plan() const { return plan_; }
+  const PlaybackLog& log() const { return played_->log; }
+  const StabilityReport& report() const { return played_->report; }
+  const PlayedWalk& played() const { return *played_; }
+  const Tables& tables() const { return tables_; }
+
+ private:
+  std::shared_ptr<const Plan> plan_;
+  std::shared_ptr<const PlayedWalk> played_;
+  Tables tables_;
+};
+
+/// Hands everything on to a controller that somebody else keeps.
+class Borrowed : public Controller {
+ public:
+  explicit Borrowed(Controller& lender) : lender_(lender) {}
+  JointCommand Update(const ControlInput& input) override { return lender_.Update(input); }
+  void Reset() override { lender_.Reset(); }
+  const BaseEstimate* Estimate() const override { return lender_.Estimate(); }
+  std::string Name() const override { return lender_.Name(); }
+
+ private:
+  Controller& lender_;
+};
+
+/// A push as (fx, fy, fz, at_s, for_s).
+using PushTuple = std::tuple<double, double, double, double, double>;
+using PhaseCallback = std::function<void(const std::string&, double, bool)>;
+
+PlayRequest RequestOf(const std::optional<PushTuple>& push, const PhaseCallback& on_phase, const py::dict& options) {
+  PlayRequest request;
+  SetOptions(request.Fields(), options);
+  if (push) {
+    request.play.push_force_W = Vector3(std::get<0>(*push), std::get<1>(*push), std::get<2>(*push));
+    request.play.push_at_s = std::get<3>(*push);
+    request.play.push_for_s = std::get<4>(*push);
+  }
+  if (on_phase)
+    request.play.on_phase = [on_phase](const GateRecord& phase) { on_phase(phase.phase, phase.at_s, phase.met); };
+  return request;
+}
+
+Playback Play(const std::shared_ptr<Plan>& plan, const py::object& controller, const std::optional<PushTuple>& push,
+              const PhaseCallback& on_phase, const py::dict& options) {
+  PlayRequest request = RequestOf(push, on_phase, options);
+  Controller* own = nullptr;
+  if (py::isinstance<py::str>(controller)) {
+    request.controller = controller.cast<std::string>();
+  } else if (py::isinstance<Controller>(controller)) {
+    own = controller.cast<Controller*>();
+  } else {
+    throw py::type_error(fmt::format("controller is {}; a Controller, or the name of one, is needed",
+                                     py::repr(controller).cast<std::string>()));
+  }
+  const py::gil_scoped_release others_go_on;
+  return {plan,
+          Value(own == nullptr ? PlayWalk(plan->model(), plan->motion(), request)
+                               : PlayWalk(plan->model(), plan->motion(), request, std::make_unique<Borrowed>(*own)))};
+}
+
+const Playback& In(const py::object& self) { return self.cast<const Playback&>(); }
+
+/// A table of the log's samples, shared with Python.
+template <VectorX LogSample::*Column>
+py::array LogTable(const py::object& self, const char* name) {
+  const std::vector<LogSample>& samples = In(self).log().samples;
+  return In(self).tables().Get(self, name, [&] {
+    RowMatrix table(static_cast<Eigen::Index>(samples.size()), samples.empty() ? 0 : (samples[0].*Column).size());
+    for (Eigen::Index k = 0; k < table.rows(); ++k)
+      table.row(k) = (samples[static_cast<std::size_t>(k)].*Column).transpose();
+    return table;
+  });
+}
+
+py::array TimeOf(const py::object& self) {
+  const std::vector<LogSample>& samples = In(self).log().samples;
+  return In(self).tables().GetColumn(self, "time_s", [&] {
+    RowMatrix times(static_cast<Eigen::Index>(samples.size()), 1);
+    for (Eigen::Index k = 0; k < times.rows(); ++k) times(k, 0) = samples[static_cast<std::size_t>(k)].time_s;
+    return times;
+  });
+}
+
+py::array ForcesOf(const py::object& self) {
+  const std::vector<LogSample>& samples = In(self).log().samples;
+  const std::size_t feet = samples.empty() ? 0 : samples[0].wrenches.size();
+  const py::array flat = In(self).tables().Get(self, "forces_n", [&] {
+    RowMatrix table(static_cast<Eigen::Index>(samples.size()), static_cast<Eigen::Index>(3 * feet));
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      for (std::size_t foot = 0; foot < feet; ++foot)
+        table.block<1, 3>(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(3 * foot)) =
+            samples[k].wrenches[foot].force_W.transpose();
+    return table;
+  });
+  return flat.attr("reshape")(samples.size(), feet, 3);
+}
+
+py::dict MetricsOf(const Playback& playback) {
+  py::dict metrics;
+  for (const Metric& metric : playback.report().metrics) metrics[metric.key.c_str()] = py::cast(metric);
+  return metrics;
+}
+
+ShownMotion Shown(const Playback& playback) {
+  return {TitleOf(playback.plan().model(), playback.plan().motion()), playback.plan().model(), playback.plan().motion(),
+          &playback.log(), &playback.report()};
+}
+
+std::string ReportHtml(const Playback& playback) {
+  const Plan& plan = playback.plan();
+  const AuditReport audit = Value(Audit(plan.model(), plan.motion(), {}));
+  return WalkReport({plan.model(), plan.motion(), playback.played(), audit});
+}
+
+Playback LoadPlayback(const std::string& path, const std::shared_ptr<Plan>& plan) {
+  PlayedWalk played;
+  played.log = Value(LoadLog(path));
+  played.report = Score(plan->model(), plan->motion(), played.log);
+  return {plan, std::move(played)};
+}
+
+void BindMetric(py::module_& module) {
+  py::class_<Metric>(module, "Metric", "One figure on which a playback is judged.")
+      .def_readonly("key", &Metric::key)
+      .def_readonly("unit", &Metric::unit)
+      .def_readonly("value", &Metric::value, "None where the motion has no such thing.")
+      .def_readonly("planned", &Metric::planned, "What the plan itself has, by the same code.")
+      .def_readonly("limit", &Metric::limit, "Of the gate, where there is one.")
+      .def_readonly("applied", &Metric::applied, "Whether the gate counts.")
+      .def_readonly("passed", &Metric::pass)
+      .def_readonly("not_applied", &Metric::not_applied, "Why a value or a gate is missing.")
+      .def_readonly("at_s", &Metric::at_s, "When it was worst.")
+      .def("__repr__", [](const Metric& m) {
+        const std::string value = m.value ? FigureText(m, *m.value) : "none";
+        return fmt::format("<gaitwright.Metric {}: {}, limit {}>", m.key, value, LimitText(m));
+      });
+}
+
+}  // namespace
+
+void BindPlayback(py::module_& module) {
+  BindMetric(module);
+  py::class_<Playback>(module, "Playback", R"(What was measured when a plan was played, and what that is worth.
+
+It never changes. Arrays of it are shared, not copied, and cannot be written to.)")
+      .def_property_readonly("plan", [](const Playback& p) { return std::const_pointer_cast<Plan>(p.shared_plan()); })
+      .def_property_readonly("time_s", TimeOf, "Of the samples, N.")
+      .def_property_readonly(
+          "q", [](const py::object& self) { return LogTable<&LogSample::q>(self, "q"); }, "Positions, N x nq.")
+      .def_property_readonly(
+          "v", [](const py::object& self) { return LogTable<&LogSample::v>(self, "v"); }, "Velocities, N x nv.")
+      .def_property_readonly(
+          "tau", [](const py::object& self) { return LogTable<&LogSample::tau>(self, "tau"); },
+          "Torques of the joints, means over the interval before, N x n.")
+      .def_property_readonly("forces_n", ForcesOf, "Forces of the ground on the feet, likewise, N x feet x 3.")
+      .def_property_readonly("passed", [](const Playback& p) { return p.report().pass; })
+      .def_property_readonly(
+          "score", [](const Playback& p) { return p.report().score; }, "Of 100.")
+      .def_property_readonly(
+          "reason", [](const Playback& p) { return p.report().reason; },
+          "Why it fell or failed, or which gate is tightest.")
+      .def_property_readonly("metrics", MetricsOf, "By key.")
+      .def_property_readonly("controller", [](const Playback& p) { return p.log().controller; })
+      .def_property_readonly(
+          "realtime_factor", [](const Playback& p) { return p.played().realtime_factor; },
+          "Simulated time over CPU time; 0 of a log that was read.")
+      .def(
+          "to_json", [](const Playback& p) { return LogToJson(p.log()); }, "The log.")
+      .def(
+          "save", [](const Playback& p, const std::string& path) { return Value(SaveLog(p.log(), path)); },
+          py::arg("path"), "Writes log.json, for the program too; returns the path.")
+      .def("report_html", ReportHtml, "The report as one HTML page, whole by itself.")
+      .def(
+          "viewer_html", [](const Playback& p) { return ViewerPage(Shown(p).title, {Shown(p)}); },
+          "The motion in 3D as one HTML page, whole by itself.")
+      .def("__str__", [](const Playback& p) { return ReportText(p.report()); })
+      .def("__repr__", [](const Playback& p) {
+        return fmt::format("<gaitwright.Playback {}: {}, score {:.1f}>", p.log().robot,
+                           p.report().pass ? "pass" : "fail", p.report().score);
+      });
+  module.def("play", Play, py::arg("plan"), py::arg("controller") = "stabilised", py::arg("push") = py::none(),
+             py::arg("on_phase") = nullptr, py::arg("options") = py::dict(),
+             R"(Plays a plan in physics and scores it.
+
+Args:
+    controller: one of CONTROLLERS, or a `Controller` of your own.
+    push: (fx, fy, fz, at_s, for_s) on the base, in N and s.
+    on_phase: called as on_phase(phase, at_s, met) when a phase of the plan ends, of motions that have such.
+    options: as of ``gaitwright play --set``, such as ``{"play.friction": 0.6, "state": "estimated"}``.)");
+  module.def("load_log", LoadPlayback, py::arg("path"), py::arg("plan"),
+             "The log of a file, with the plan that it is of.");
+}
+
+}  // namespace gaitwright::python

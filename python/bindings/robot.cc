@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "python/bindings/robot.h"
+
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <vector>
+
+#include "kinematics/base/nearest_name.h"
+#include "kinematics/model/describe.h"
+#include "kinematics/model/load_robot.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/errors.h"
+
+namespace gaitwright::python {
+namespace {
+
+namespace py = pybind11;
+
+SharedRobot Load(const std::string& name_or_urdf, const std::string& yaml) {
+  const bool is_file = name_or_urdf.find('/') != std::string::npos || name_or_urdf.ends_with(".urdf");
+  if (!is_file && !yaml.empty()) throw InvalidArgument("yaml goes with the path of a URDF, not with a robot's name");
+  return std::make_shared<RobotModel>(Value(is_file ? LoadRobot(name_or_urdf, yaml) : LoadNamedRobot(name_or_urdf)));
+}
+
+/// One figure of every independent joint.
+template <double (RobotModel::*Figure)(int) const>
+VectorX ByDof(const RobotModel& model) {
+  VectorX figures(model.num_dofs());
+  for (int dof = 0; dof < model.num_dofs(); ++dof) figures[dof] = (model.*Figure)(dof);
+  return figures;
+}
+
+std::vector<std::string> FeetOf(const RobotModel& model) {
+  std::vector<std::string> names;
+  for (const Foot& foot : model.feet) names.push_back(foot.name);
+  return names;
+}
+
+std::vector<std::string> LegsOf(const RobotModel& model) {
+  std::vector<std::string> names;
+  for (const Leg& leg : model.legs) names.push_back(leg.name);
+  return names;
+}
+
+std::vector<std::string> LinksOf(const RobotModel& model) {
+  std::vector<std::string> names;
+  for (const Frame& frame : model.frames) names.push_back(frame.name);
+  return names;
+}
+
+}  // namespace
+
+int FootIndex(const RobotModel& model, const std::string& name) {
+  const std::vector<std::string> names = FeetOf(model);
+  for (std::size_t foot = 0; foot < names.size(); ++foot)
+    if (names[foot] == name) return static_cast<int>(foot);
+  throw InvalidArgument(fmt::format("'{}' has no foot '{}'{}", model.name, name, NearestHint(name, names)));
+}
+
+void BindRobot(py::module_& module) {
+  py::class_<RobotModel, SharedRobot>(module, "Robot", R"(A robot: joints, limits, legs and feet. It never changes.
+
+State vectors have one order everywhere::
+
+    q = [position of the base (3), its quaternion x y z w (4), joints (n)]
+    v = [velocity of the base (3), its angular velocity (3), joint rates (n)], both in world axes
+
+SI units; z of the world is up, x ahead.)")
+      .def_readonly("name", &RobotModel::name)
+      .def_readonly("hash", &RobotModel::hash, "Of all that it was made from.")
+      .def_readonly("mass_kg", &RobotModel::total_mass_kg)
+      .def_property_readonly("weight_n", &RobotModel::weight_n)
+      .def_property_readonly("leg_length_m", &RobotModel::leg_length_m, "Of the longest leg, hip to contact, straight.")
+      .def_readonly("nominal_speed_m_s", &RobotModel::nominal_speed_m_s)
+      .def_property_readonly("nq", &RobotModel::nq, "Size of q: 7 + n.")
+      .def_property_readonly("nv", &RobotModel::nv, "Size of v: 6 + n.")
+      .def_property_readonly("num_joints", &RobotModel::num_dofs, "Independent joints: n.")
+      .def_readonly("joints", &RobotModel::dof_names, "Names of the independent joints, in the order of q.")
+      .def_property_readonly("legs", LegsOf, "Names of the legs: front before rear, left before right.")
+      .def_property_readonly("feet", FeetOf, "Names of the feet: those of the legs in their order, then rests.")
+      .def_property_readonly("links", LinksOf, "Names of all URDF links.")
+      .def_property_readonly("lower", ByDof<&RobotModel::dof_lower>, "Lowest positions of the joints [rad] or [m].")
+      .def_property_readonly("upper", ByDof<&RobotModel::dof_upper>, "Highest positions of the joints [rad] or [m].")
+      .def_property_readonly("velocity_limit", ByDof<&RobotModel::dof_velocity_limit>,
+                             "[rad/s] or [m/s]; infinite where unknown.")
+      .def_property_readonly("effort_limit", ByDof<&RobotModel::dof_effort_limit>,
+                             "[N m] or [N]; infinite where unknown.")
+      .def_readonly("notes", &RobotModel::notes, "What was derived, from what, and what was odd.")
+      .def_property_readonly("standing", StandingConfiguration, "q of the nominal posture above the world's origin.")
+      .def("describe", DescribeRobot, "What it is and what was derived from what, as text.")
+      .def("__repr__", [](const RobotModel& model) {
+        return fmt::format("<gaitwright.Robot {}: {} legs, {} joints, {:.4g} kg>", model.name, model.legs.size(),
+                           model.num_dofs(), model.total_mass_kg);
+      });
+
+  module.def("load_robot", Load, py::arg("name_or_urdf"), py::arg("yaml") = "",
+             R"(A robot by its name (see `robot_names`), or from the path of a URDF.
+
+Args:
+    name_or_urdf: a name; a text with a slash, or that ends in ``.urdf``, is a path.
+    yaml: path of a robot.yaml with what cannot be derived; "" takes the one beside the URDF where there is one,
+        "none" uses the URDF alone.
+
+Raises:
+    BadInputError: no such robot or file, or one that is wrong: the message says where.)");
+  module.def("robot_names", RobotNames, "Names of the robots that come with the program.");
+}
+
+}  // namespace gaitwright::python

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/plan/terrain.h"
+
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+
+#include "planning/plan/built_in_terrain.h"
+#include "planning/plan/terrain_scale.h"
+#include "planning/terrain/load_terrain.h"
+#include "planning/terrain/sense.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/errors.h"
+#include "python/bindings/robot.h"
+
+namespace gaitwright::python {
+namespace {
+
+namespace py = pybind11;
+
+Terrain Load(const std::string& name_or_file, const SharedRobot& robot) {
+  return Value(LoadTerrain(name_or_file, ScaleOf(*robot)));
+}
+
+/// Ground by heights: rows of the array go along y, its columns along x.
+Terrain WithHeights(Terrain terrain, const Eigen::Ref<const RowMatrix>& height_m, double resolution_m, double x_m,
+                    double y_m, double friction, const std::string& name) {
+  const auto nodes = height_m.size();
+  if (height_m.rows() < 2 || height_m.cols() < 2 || nodes > kMostNodes)
+    throw InvalidArgument(fmt::format("height_m is {} x {}; 2 x 2 to {} nodes are accepted", height_m.rows(),
+                                      height_m.cols(), kMostNodes));
+  if (!height_m.allFinite() || height_m.cwiseAbs().maxCoeff() > kHighest)
+    throw InvalidArgument(fmt::format("height_m holds what is no height within {} m", kHighest));
+  if (!(resolution_m > 0.0) || !std::isfinite(x_m) || !std::isfinite(y_m) || !(friction > 0.0))
+    throw InvalidArgument("resolution_m and friction must be more than 0, x_m and y_m finite");
+  HeightField field;
+  field.name = name;
+  field.origin_W = Vector2(x_m, y_m);
+  field.resolution_m = resolution_m;
+  field.columns = static_cast<int>(height_m.cols());
+  field.rows = static_cast<int>(height_m.rows());
+  for (Eigen::Index row = 0; row < height_m.rows(); ++row)
+    for (Eigen::Index column = 0; column < height_m.cols(); ++column) field.height_m.push_back(height_m(row, column));
+  field.friction = friction;
+  terrain.height_fields.push_back(std::move(field));
+  return terrain;
+}
+
+Terrain WithPatch(Terrain terrain, const std::vector<Vector3>& corners, double friction, const std::string& name) {
+  terrain.patches.push_back(PatchThrough(name, corners, friction));
+  return terrain;
+}
+
+Terrain WithMarker(Terrain terrain, const std::string& name, double x_m, double y_m) {
+  terrain.markers.push_back({name, Vector2(x_m, y_m)});
+  return terrain;
+}
+
+py::dict Ground(const Terrain& terrain, double x_m, double y_m) {
+  const GroundPoint ground = GroundAt(terrain, Vector2(x_m, y_m));
+  py::dict point;
+  point["surface"] = ground.patch < 0 ? py::object(py::none()) : py::object(py::int_(ground.patch));
+  point["height_m"] = ground.height_m;
+  point["normal"] = py::cast(ground.normal_W);
+  point["friction"] = ground.friction;
+  return point;
+}
+
+RowMatrix Heights(const Terrain& terrain, const std::vector<double>& x_m, const std::vector<double>& y_m) {
+  RowMatrix heights(static_cast<Eigen::Index>(y_m.size()), static_cast<Eigen::Index>(x_m.size()));
+  for (Eigen::Index row = 0; row < heights.rows(); ++row) {
+    for (Eigen::Index column = 0; column < heights.cols(); ++column) {
+      const Vector2 p(x_m[static_cast<std::size_t>(column)], y_m[static_cast<std::size_t>(row)]);
+      const GroundPoint ground = GroundAt(terrain, p);
+      heights(row, column) = ground.patch < 0 ? std::nan("") : ground.height_m;
+    }
+  }
+  return heights;
+}
+
+py::dict Kinds() {
+  py::dict kinds;
+  for (const BuiltInTerrain& kind : BuiltInTerrains()) kinds[kind.name.c_str()] = kind.description;
+  return kinds;
+}
+
+std::vector<std::string> NamesOf(const std::vector<TerrainPatch>& patches) {
+  std::vector<std::string> names;
+  for (const TerrainPatch& patch : patches) names.push_back(patch.name);
+  return names;
+}
+
+}  // namespace
+
+void BindTerrain(py::module_& module) {
+  py::class_<Terrain>(module, "Terrain",
+                      R"(The ground and what stands on it: patches of planes, height fields, obstacles, markers.
+
+A value: what adds to it gives another one. Where surfaces overlap the highest one holds.)")
+      .def(py::init([](const std::string& name) {
+             Terrain terrain;
+             terrain.name = name;
+             return terrain;
+           }),
+           py::arg("name") = "own", "No ground at all yet.")
+      .def_readonly("name", &Terrain::name)
+      .def_property_readonly(
+          "patches", [](const Terrain& t) { return NamesOf(t.patches); }, "Their names.")
+      .def("ground_at", Ground, py::arg("x_m"), py::arg("y_m"),
+           "The highest ground at a point: surface (None where there is none), height_m, normal, friction.")
+      .def("heights", Heights, py::arg("x_m"), py::arg("y_m"),
+           "Heights on a grid of points, len(y) x len(x); NaN where there is no ground.")
+      .def("with_patch", WithPatch, py::arg("corners_m"), py::arg("friction") = 0.8, py::arg("name") = "patch",
+           "And a convex patch through corners that lie in one plane, counter-clockwise from above.")
+      .def("with_heights", WithHeights, py::arg("height_m"), py::arg("resolution_m"), py::arg("x_m") = 0.0,
+           py::arg("y_m") = 0.0, py::arg("friction") = 0.8, py::arg("name") = "heights",
+           "And ground by heights [m]: rows along y, columns along x; x_m and y_m are those of height_m[0, 0].")
+      .def("with_marker", WithMarker, py::arg("name"), py::arg("x_m"), py::arg("y_m"), "And a place that has a name.")
+      .def("__repr__", [](const Terrain& t) {
+        return fmt::format("<gaitwright.Terrain {}: {} surfaces, {} obstacles>", t.name, t.num_surfaces(),
+                           t.obstacles.size());
+      });
+  module.def("load_terrain", Load, py::arg("name_or_file"), py::arg("robot"),
+             R"(A ground as ``--terrain`` names it: ``"stairs:rise_m=0.05,count=2"``, or a file.
+
+What is not said has the size that suits the robot.)");
+  module.def("flat_terrain", FlatTerrain, py::arg("friction") = 0.8, "Level ground without end at height 0.");
+  module.def("terrain_kinds", Kinds, "Names of the grounds that come with the program, and what each is.");
+}
+
+}  // namespace gaitwright::python

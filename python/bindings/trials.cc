@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "playback/report/trials_page.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/errors.h"
+#include "python/bindings/options.h"
+#include "python/bindings/plan.h"
+#include "workflows/study/run_trials.h"
+
+namespace gaitwright::python {
+namespace {
+
+namespace py = pybind11;
+
+using Progress = std::function<void(int done, int wanted)>;
+
+/// "standard", or the YAML of a file or a text with more than one line.
+Disturbances DisturbancesOf(const std::string& which, const RobotModel& model, PlayRequest& request) {
+  if (which == "standard") return StandardBesides(model, request);
+  const bool is_text = which.find('\n') != std::string::npos;
+  Disturbances read = Value(is_text ? ReadDisturbances(which, SensorFields(request), "the text")
+                                    : LoadDisturbances(which, SensorFields(request)));
+  if (const auto failure = WhyNotSampled(model, request, read)) throw FailureError(*failure);
+  return read;
+}
+
+RobustnessReport Trials(const std::shared_ptr<Plan>& plan, int n, const std::string& disturbances,
+                        const std::string& controller, int seed, int threads, const Progress& progress,
+                        const py::dict& options) {
+  PlayRequest request;
+  request.controller = controller;
+  SetOptions(request.Fields(), options);
+  const Disturbances drawn = DisturbancesOf(disturbances, plan->model(), request);
+  TrialHooks hooks;
+  std::atomic<bool> interrupted = false;
+  hooks.progress = [&](const TrialProgress& p) {
+    const py::gil_scoped_acquire python;
+    if (progress) progress(p.done, p.wanted);
+  };
+  hooks.stop = [&] {
+    const py::gil_scoped_acquire python;
+    if (PyErr_CheckSignals() != 0) interrupted = true;
+    return interrupted.load();
+  };
+  Result<RobustnessReport> report = [&] {
+    const py::gil_scoped_release others_go_on;
+    return RunTrials({plan->model(), plan->motion(), request, drawn}, {.trials = n, .seed = seed, .threads = threads},
+                     hooks);
+  }();
+  if (interrupted) throw py::error_already_set();
+  return Value(std::move(report));
+}
+
+/// One figure of every trial; NaN where it has none.
+VectorX Column(const RobustnessReport& report, const std::string& key) {
+  VectorX column(static_cast<Eigen::Index>(report.outcomes.size()));
+  bool known = false;
+  for (Eigen::Index k = 0; k < column.size(); ++k) {
+    const TrialOutcome& outcome = report.outcomes[static_cast<std::size_t>(k)];
+    column[k] = std::nan("");
+    for (const auto& [name, value] : outcome.metrics) {
+      if (name != key) continue;
+      known = true;
+      if (value) column[k] = *value;
+    }
+    for (const SampledValue& value : outcome.sampled) {
+      if (value.name != key) continue;
+      known = true;
+      column[k] = value.value;
+    }
+  }
+  if (!known) throw InvalidArgument(fmt::format("the trials have no '{}', neither measured nor drawn", key));
+  return column;
+}
+
+template <class Number, Number TrialOutcome::*Field>
+std::vector<Number> Each(const RobustnessReport& report) {
+  std::vector<Number> all;
+  for (const TrialOutcome& outcome : report.outcomes) all.push_back(outcome.*Field);
+  return all;
+}
+
+py::dict CausesOf(const RobustnessReport& report) {
+  py::dict causes;
+  for (const Tally& cause : report.causes) causes[cause.what.c_str()] = cause.count;
+  return causes;
+}
+
+std::vector<std::uint64_t> WorstOf(const RobustnessReport& report) {
+  std::vector<std::uint64_t> seeds;
+  for (const int number : report.worst) seeds.push_back(report.Outcome(number).seed);
+  return seeds;
+}
+
+}  // namespace
+
+void BindTrials(py::module_& module) {
+  py::class_<RobustnessReport>(module, "TrialsReport", "What many playbacks under disturbances showed.")
+      .def_readonly("n", &RobustnessReport::n)
+      .def_readonly("survived", &RobustnessReport::survived, "Trials that did not fall and reached the end.")
+      .def_readonly("passed", &RobustnessReport::passed, "Trials that kept all gates too.")
+      .def_property_readonly("survival", [](const RobustnessReport& r) { return r.survival.share; })
+      .def_property_readonly(
+          "survival_interval",
+          [](const RobustnessReport& r) { return py::make_tuple(r.survival.low, r.survival.high); },
+          "With 95 % certainty (Wilson).")
+      .def_property_readonly("causes", CausesOf, "Of falls, and how many each.")
+      .def_property_readonly("scores", Each<double, &TrialOutcome::score>, "Of each trial.")
+      .def_property_readonly("seeds", Each<std::uint64_t, &TrialOutcome::seed>, "Of each trial.")
+      .def_property_readonly("worst_seeds", WorstOf, "The worst first; ``play --seed`` repeats one.")
+      .def("column", Column, py::arg("key"),
+           "A metric, or what was drawn, of every trial, such as ``\"zmp_margin_min_m\"`` or ``\"friction\"``.")
+      .def("to_json", RobustnessJson)
+      .def("report_html", TrialsPage, "The report as one HTML page, whole by itself.")
+      .def("__str__", RobustnessText)
+      .def("__repr__", [](const RobustnessReport& r) {
+        return fmt::format("<gaitwright.TrialsReport: {} of {} survived, {:.1f} to {:.1f} %>", r.survived, r.n,
+                           100.0 * r.survival.low, 100.0 * r.survival.high);
+      });
+  module.def("trials", Trials, py::arg("plan"), py::arg("n") = 100, py::kw_only(), py::arg("disturbances") = "standard",
+             py::arg("controller") = "stabilised", py::arg("seed") = 0, py::arg("threads") = 0,
+             py::arg("progress") = nullptr, py::arg("options") = py::dict(),
+             R"(Plays a plan many times under sampled disturbances: does it survive?
+
+Args:
+    n: how many trials.
+    disturbances: "standard", the path of a YAML file, or its text (docs/trials.md).
+    threads: 0 for one for each core; the result is the same for any.
+    progress: called as progress(done, wanted) after each trial.
+    options: of the playback, as of ``gaitwright play --set``.)");
+}
+
+}  // namespace gaitwright::python

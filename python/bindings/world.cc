@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback/bullet/world.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "python/bindings/arrays.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/options.h"
+#include "python/bindings/robot.h"
+
+namespace gaitwright::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A world with the robot that is in it.
+class World {
+ public:
+  World(SharedRobot robot, const Terrain& terrain, const std::optional<VectorX>& q, const py::dict& options)
+      : robot_(std::move(robot)), options_(From(options)), world_(*robot_, terrain, Start(q), options_) {}
+
+  void Step(const JointCommand& command, int steps) {
+    for (int i = 0; i < steps; ++i) world_.Step(command);
+    time_s_ += steps * options_.step_s;
+  }
+
+  BulletWorld& physics() { return world_; }
+  const RobotModel& model() const { return *robot_; }
+  double time_s() const { return time_s_; }
+  double step_s() const { return options_.step_s; }
+
+  /// What a controller is told.
+  ControlInput Measured(const std::optional<double>& time_s) const {
+    ControlInput input{time_s.value_or(time_s_), options_.step_s, world_.q(), world_.v(), {}, 0};
+    for (std::size_t foot = 0; foot < world_.feet().size(); ++foot) {
+      input.wrenches.push_back(world_.feet()[foot].wrench);
+      if (world_.feet()[foot].touching) input.contact |= FootBit(static_cast<int>(foot));
+    }
+    return input;
+  }
+
+ private:
+  static WorldOptions From(const py::dict& given) {
+    WorldOptions options;
+    SetOptions(options.Fields(), given);
+    return options;
+  }
+  VectorX Start(const std::optional<VectorX>& q) const { return q ? *q : StandingConfiguration(*robot_); }
+
+  SharedRobot robot_;
+  WorldOptions options_;
+  BulletWorld world_;
+  double time_s_ = 0.0;
+};
+
+RowMatrix ForcesOn(World& world) {
+  std::vector<Vector3> forces;
+  for (const FootContact& foot : world.physics().feet()) forces.push_back(foot.wrench.force_W);
+  return Rows(forces);
+}
+
+std::vector<bool> Touching(World& world) {
+  std::vector<bool> touching;
+  for (const FootContact& foot : world.physics().feet()) touching.push_back(foot.touching);
+  return touching;
+}
+
+void PushLink(World& world, const Vector3& force, const std::string& link) {
+  const Frame& frame = world.model().frames[static_cast<std::size_t>(world.model().FrameIndex(link))];
+  world.physics().PushBody(frame.body, force);
+}
+
+}  // namespace
+
+void BindWorld(py::module_& module) {
+  py::class_<World>(module, "World", R"(A robot on a terrain in Bullet, step by step.
+
+The state is integrated semi-implicitly. Motors are implicit PD with feed-forward within their limits. Deterministic.)")
+      .def(py::init<SharedRobot, const Terrain&, const std::optional<VectorX>&, const py::dict&>(), py::arg("robot"),
+           py::arg("terrain"), py::arg("q") = py::none(), py::arg("options") = py::dict(),
+           "Options as those of ``play --set`` without their ``play.``, such as step_s and friction.")
+      .def("step", &World::Step, py::arg("command"), py::arg("steps") = 1, py::call_guard<py::gil_scoped_release>(),
+           "So many steps with one command.")
+      .def("measured", &World::Measured, py::arg("time_s") = py::none(), "What a controller is told now.")
+      .def(
+          "set_state", [](World& w, const VectorX& q, const VectorX& v) { w.physics().SetState(q, v); }, py::arg("q"),
+          py::arg("v"))
+      .def("push", PushLink, py::arg("force_n"), py::arg("link"),
+           "Adds a force for the coming step, at the centre of mass of the body that a link is part of.")
+      .def_property_readonly("time_s", &World::time_s)
+      .def_property_readonly("step_s", &World::step_s)
+      .def_property_readonly("q", [](World& w) { return VectorX(w.physics().q()); })
+      .def_property_readonly("v", [](World& w) { return VectorX(w.physics().v()); })
+      .def_property_readonly(
+          "tau", [](World& w) { return VectorX(w.physics().tau()); }, "Of the last step [N m].")
+      .def_property_readonly("forces_n", ForcesOn, "Of the ground on the feet in the last step, feet x 3.")
+      .def_property_readonly("contact", Touching, "Whether each foot carried force in the last step.")
+      .def_property_readonly(
+          "body_contacts", [](World& w) { return w.physics().body_contacts(); },
+          "Links other than feet that touch the ground.");
+}
+
+}  // namespace gaitwright::python

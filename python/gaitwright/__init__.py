@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plans gaits for legged robots offline and proves them in physics.
+
+    import gaitwright as gw
+
+    robot = gw.load_robot("a1")
+    plan = gw.plan_walk(robot, gait="trot", speed=0.3, distance=1.0)
+    playback = gw.play(plan)
+    print(playback)
+    gw.plot(playback)
+"""
+
+import gaitwright._data  # noqa: F401, before the core looks for its data
+from gaitwright._core import (
+    AUDIT_LAWS,
+    CONTROLLERS,
+    AuditMargin,
+    AuditReport,
+    ControlInput,
+    Controller,
+    JointCommand,
+    Metric,
+    Plan,
+    Playback,
+    Robot,
+    RobotState,
+    Terrain,
+    TrialsReport,
+    Violation,
+    World,
+    __version__,
+    audit,
+    derive_gains,
+    flat_terrain,
+    import_motion,
+    leg_joints,
+    load_log,
+    load_plan,
+    load_robot,
+    load_terrain,
+    make_controller,
+    plan_footsteps,
+    plan_walk,
+    play,
+    robot_names,
+    solve_leg,
+    terrain_kinds,
+    trials,
+)
+from gaitwright.errors import BadInputError, GaitwrightError, InfeasibleError
+from gaitwright.footstep_planner import FootstepPlanner, walk_with
+from gaitwright.notebook import Page, show
+from gaitwright.plots import plot
+
+__all__ = [
+    "AUDIT_LAWS",
+    "CONTROLLERS",
+    "AuditMargin",
+    "AuditReport",
+    "BadInputError",
+    "ControlInput",
+    "Controller",
+    "FootstepPlanner",
+    "GaitwrightError",
+    "InfeasibleError",
+    "JointCommand",
+    "Metric",
+    "Page",
+    "Plan",
+    "Playback",
+    "Robot",
+    "RobotState",
+    "Terrain",
+    "TrialsReport",
+    "Violation",
+    "World",
+    "__version__",
+    "audit",
+    "derive_gains",
+    "flat_terrain",
+    "import_motion",
+    "leg_joints",
+    "load_log",
+    "load_plan",
+    "load_robot",
+    "load_terrain",
+    "make_controller",
+    "plan_footsteps",
+    "plan_walk",
+    "play",
+    "plot",
+    "robot_names",
+    "show",
+    "solve_leg",
+    "terrain_kinds",
+    "trials",
+    "walk_with",
+]

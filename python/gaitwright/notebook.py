@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reports and the 3D viewer inline in a notebook."""
+
+from __future__ import annotations
+
+import html
+from pathlib import Path
+
+from gaitwright._core import Playback, TrialsReport
+
+
+class Page:
+    """An HTML page that is whole by itself: shown inline by a notebook, or saved."""
+
+    def __init__(self, text: str, height_px: int = 640) -> None:
+        self.text = text
+        self.height_px = height_px
+
+    def save(self, path: str | Path) -> Path:
+        """Writes the page; returns the path."""
+        path = Path(path)
+        path.write_text(self.text, encoding="utf-8")
+        return path
+
+    def _repr_html_(self) -> str:
+        return (
+            f'<iframe srcdoc="{html.escape(self.text, quote=True)}" '
+            f'style="width: 100%; height: {self.height_px}px; border: 0"></iframe>'
+        )
+
+
+def show(what: Playback | TrialsReport, viewer: bool = False, height_px: int = 640) -> Page:
+    """The report of a playback or of trials; with `viewer` the playback's motion in 3D alone."""
+    if not viewer:
+        return Page(what.report_html(), height_px)
+    if not isinstance(what, Playback):
+        raise TypeError(f"the viewer shows a Playback, not a {type(what).__name__}")
+    return Page(what.viewer_html(), height_px)
+
+
+def _shown_inline(what: Playback | TrialsReport) -> str:
+    return show(what)._repr_html_()
+
+
+for _kind in (Playback, TrialsReport):
+    setattr(_kind, "_repr_html_", _shown_inline)

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes a wheel: pip wheel ./python. It is built by CMake, with the libraries that this machine has.
+
+GAITWRIGHT_BUILD names a build tree of CMake whose Python package is taken instead of building anew.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def version():
+    return re.search(r"project\(gaitwright VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+
+
+class BuiltByCMake(build_ext):
+    """The package as CMake builds it, with robots and gaits beside it."""
+
+    def build_extension(self, ext):
+        tree = os.environ.get("GAITWRIGHT_BUILD")
+        package = Path(tree or self.build_by_cmake()) / "python" / "gaitwright"
+        core = next(package.glob("_core*.so"), None)
+        if core is None:
+            raise SystemExit(f"there is no Python package in {package}; GAITWRIGHT_BUILD names a tree without one")
+        target = Path(self.get_ext_fullpath(ext.name)).parent
+        shutil.copytree(package, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(ROOT / "robots", target / "data" / "robots", dirs_exist_ok=True)
+        shutil.copy(ROOT / "planning" / "gait" / "gaits.yaml", target / "data" / "gaits.yaml")
+
+    def build_by_cmake(self):
+        tree = Path(self.build_temp).resolve()
+        subprocess.run(
+            ["cmake", "-S", ROOT, "-B", tree, "-DCMAKE_BUILD_TYPE=Release", "-DGAITWRIGHT_PYTHON=ON",
+             "-DGAITWRIGHT_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}"], check=True)
+        subprocess.run(["cmake", "--build", tree, "--target", "python_core", "--parallel"], check=True)
+        return tree
+
+
+setup(
+    version=version(),
+    packages=[],
+    ext_modules=[Extension("gaitwright._core", sources=[])],
+    cmdclass={"build_ext": BuiltByCMake},
+)

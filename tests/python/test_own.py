@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Controllers and footstep planners that are written in Python."""
+
+import gaitwright as gw
+import numpy as np
+import pytest
+
+
+class FollowThePlan(gw.Controller):
+    """PD about the plan with its torques as feed-forward."""
+
+    def __init__(self, plan):
+        super().__init__()
+        self.plan = plan
+        self.stiffness, self.damping = gw.derive_gains(plan.robot)
+        self.calls = 0
+
+    def name(self):
+        return "follow-the-plan"
+
+    def reset(self):
+        self.calls = 0
+
+    def update(self, now):
+        self.calls += 1
+        wanted = self.plan.at(now.time_s + now.step_s)
+        return gw.JointCommand(wanted["q"][7:], wanted["v"][6:], wanted["tau"], self.stiffness, self.damping)
+
+
+def test_a_controller_of_ones_own_walks(trot):
+    controller = FollowThePlan(trot)
+    playback = gw.play(trot, controller)
+    assert playback.controller == "follow-the-plan"
+    assert controller.calls == pytest.approx(1000 * (trot.duration_s + 0.5), rel=0.05)
+    assert playback.passed, playback.reason
+
+
+def test_what_a_controller_does_wrong_comes_back_as_it_was_raised(trot):
+    class Broken(gw.Controller):
+        def name(self):
+            return "broken"
+
+        def update(self, now):
+            raise ZeroDivisionError("of its own")
+
+    with pytest.raises(ZeroDivisionError, match="of its own"):
+        gw.play(trot, Broken())
+
+    class Lazy(Broken):
+        def update(self, now):
+            return None
+
+    with pytest.raises(ValueError, match="update\\(\\) gave None; a JointCommand is needed"):
+        gw.play(trot, Lazy())
+
+    class Short(Broken):
+        def update(self, now):
+            return gw.JointCommand(np.zeros(3))
+
+    with pytest.raises(ValueError, match="size|numbers|12"):
+        gw.play(trot, Short())
+    with pytest.raises(ValueError, match="no controller 'pid'"):
+        gw.play(trot, "pid")
+    with pytest.raises(TypeError, match="controller is 3"):
+        gw.play(trot, 3)
+    with pytest.raises(TypeError, match="terrain is 3"):
+        gw.plan_walk(trot.robot, terrain=3)
+
+
+def test_a_controller_can_be_asked_step_by_step(trot):
+    """The same loop as a playback's, in Python: it walks as far."""
+    robot = trot.robot
+    world = gw.World(robot, trot.terrain, trot.q[0])
+    controller = gw.make_controller(trot, "stabilised")
+    controller.reset()
+    settle_s = 0.2
+    while world.time_s < settle_s + trot.duration_s:
+        time_s = max(world.time_s - settle_s, 0.0) + trot.time_s[0]
+        world.step(controller.update(world.measured(time_s)))
+    assert world.q[0] == pytest.approx(trot.q[-1, 0], abs=0.03)
+    assert not world.body_contacts
+
+
+def steps_ahead(robot, terrain, goal):
+    """Left and right in turn, 4 cm ahead each, to the goal."""
+    left, right = robot.feet[:2]
+    beside = {foot: gw.RobotState(robot).contact_frame(foot)[:2, 3] for foot in (left, right)}
+    x, count = 0.0, 0
+    while x < goal[0] - 1e-9:
+        x = min(x + 0.04, goal[0])
+        foot = (left, right)[count % 2]
+        yield foot, beside[foot][0] + x, beside[foot][1], 0.0
+        count += 1
+    foot = (left, right)[count % 2]
+    yield foot, beside[foot][0] + x, beside[foot][1], 0.0
+
+
+def test_a_footstep_planner_of_ones_own_walks_nao(nao):
+    plan = gw.walk_with(steps_ahead, nao, goal=(0.2, 0.0, 0.0))
+    assert gw.audit(plan), str(gw.audit(plan))
+    playback = gw.play(plan)
+    assert playback.passed, playback.reason
+    assert playback.q[-1, 0] - playback.q[0, 0] == pytest.approx(0.2, abs=0.03)
+
+
+def test_steps_that_cannot_be_are_refused(nao):
+    with pytest.raises(gw.BadInputError, match="l_foot"):
+        gw.plan_footsteps(nao, [("l_foot", 0.0, 0.05, 0.0)])
+    with pytest.raises(gw.GaitwrightError):
+        gw.plan_footsteps(nao, [])
+    with pytest.raises(gw.GaitwrightError):
+        gw.plan_footsteps(nao, [(nao.feet[0], 3.0, 0.05, 0.0)])

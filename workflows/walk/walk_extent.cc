@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/walk/walk_extent.h"
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright {
+
+void SetExtent(const RobotModel& model, const WalkExtent& extent, WalkCommand& command) {
+  const int said = static_cast<int>(extent.distance_m.has_value()) + static_cast<int>(extent.duration_s.has_value()) +
+                   static_cast<int>(extent.goal.has_value()) + static_cast<int>(extent.steps.has_value());
+  if (said > 1) throw InvalidArgument("distance, duration, goal and steps each say how far: give one of them");
+  if (extent.distance_m == 0.0) throw InvalidArgument("a distance of 0 goes nowhere: it must be more than 0");
+  if (extent.step_length_m && (!extent.steps || command.speed_m_s != 0.0))
+    throw InvalidArgument("the length of a step goes with steps, and instead of a speed");
+  const bool walks = command.speed_m_s != 0.0 || command.lateral_speed_m_s != 0.0;
+  const bool turns_only = command.yaw_rate_rad_s != 0.0 && !walks;
+  command.distance_m = extent.distance_m.value_or(turns_only ? 0.0 : 1.0);
+  if (extent.duration_s) {
+    command.extent = WalkCommand::Extent::kDuration;
+    command.duration_s = *extent.duration_s;
+  }
+  if (extent.goal) {
+    command.extent = WalkCommand::Extent::kGoal;
+    command.goal_x_m = extent.goal->x_m;
+    command.goal_y_m = extent.goal->y_m;
+    command.goal_yaw_rad = extent.goal->yaw_rad;
+  }
+  if (extent.steps) {
+    command.extent = WalkCommand::Extent::kSteps;
+    command.steps = *extent.steps;
+    command.step_length_m = extent.step_length_m.value_or(0.0);
+    if (!extent.step_length_m && !walks && !turns_only) command.speed_m_s = model.nominal_speed_m_s;
+  }
+}
+
+}  // namespace gaitwright
