@@ -17,7 +17,7 @@ execute_process(COMMAND git ls-files *.h *.cc WORKING_DIRECTORY ${SOURCE_DIR} OU
 string(REGEX MATCHALL "[^\n]+" files "${files}")
 if(NOT status EQUAL 0 OR NOT files)
   set(patterns "")
-  foreach(folder kinematics planning optimisation playback workflows cli examples tests)
+  foreach(folder kinematics planning optimisation playback workflows cli examples python tests)
     list(APPEND patterns ${SOURCE_DIR}/${folder}/*.h ${SOURCE_DIR}/${folder}/*.cc)
   endforeach()
   file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${patterns})

@@ -3,7 +3,7 @@
 
 results=()   # rows of the table
 failures=0
-rooms="kinematics planning optimisation playback workflows cli examples tests"
+rooms="kinematics planning optimisation playback workflows cli examples python tests"
 logs=$root/build/long-tests
 
 # step NAME COMMAND...: runs it to the terminal and a log, and notes how it went and its last telling line.

@@ -85,7 +85,8 @@ TEST(IncludeBreaches, EachThirdPartyHasOneOwner) {
       {"<btBulletDynamicsCommon.h>", "playback/bullet"},
       {"<BulletDynamics/Featherstone/btMultiBody.h>", "playback/bullet"},
       {"<LinearMath/btVector3.h>", "playback/bullet"},
-      {"<CLI/CLI.hpp>", "cli"}};
+      {"<CLI/CLI.hpp>", "cli"},
+      {"<pybind11/pybind11.h>", "python"}};
   for (const auto& [include, owner] : owned) {
     EXPECT_EQ(Breach(owner + "/a.cc", include), "") << include << " in " << owner;
     EXPECT_NE(Breach("workflows/walk/a.cc", include), "") << include;

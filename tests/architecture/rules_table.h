@@ -106,6 +106,7 @@ inline const std::vector<Owner> kOwners = {
     {"minizip/", {"workflows/exchange"}},
     {"boost/", {"workflows/live"}},
     {"curl/", {"workflows/words"}},
+    {"pybind11/", {"python"}, true},
     {"mpi.h", {"workflows/cluster"}},
     {"CLI/", {"cli", "examples"}, true},
     // Of the operating system: atomic writing and terminals.
