@@ -2,8 +2,11 @@
 #include "workflows/words/draft.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+
+#include "kinematics/base/text.h"
 
 namespace gaitwright::words {
 namespace {
@@ -13,6 +16,13 @@ namespace {
 }
 
 bool IsWay(const std::string& action) { return action == "walk" || action == "turn"; }
+/// "to the left", "向左"; "on the left" is where an arm is.
+bool SaysWhereTo(const std::string& side) {
+  static const std::array<const char*, 6> kTowards = {"to ", "toward", "off to", "over to", "向", "往"};
+  return side.starts_with("朝") ||
+         std::any_of(kTowards.begin(), kTowards.end(), [&](const char* start) { return side.starts_with(start); });
+}
+
 bool HasArms(const std::string& action) { return action == "wave" || action == "raise_arm" || action == "lower_arm"; }
 
 }  // namespace
@@ -48,6 +58,12 @@ void SettleSide(const std::string& text, Draft& draft) {
     draft.said["direction"] = *draft.side_said;
     draft.side.reset();
   }
+  if (HasArms(draft.action) && draft.side && draft.side_said) {
+    const std::string said = LowerCase(TextOf(text, *draft.side_said));
+    if (SaysWhereTo(said))
+      throw Refused{{"ambiguous", TextOf(text, *draft.side_said), "says where to, and not which arm", "",
+                     "which arm: 'with the left hand'"}};
+  }
   const bool limbs = HasArms(draft.action) || draft.action == "balance";
   if (!limbs) return;
   if (draft.side) {
@@ -65,6 +81,9 @@ void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
   if (said.action.empty() && !said.part.empty() && !IsDoneWith(into.action, said.part))
     throw Refused{
         {"unknown", TextOf(text, said.words), "is no part of its body that '" + into.action + "' is done with", ""}};
+  const bool on_stairs = into.stairs != 0 || said.parameters.contains("to") || said.parameters.contains("steps");
+  const bool elsewhere = over && (said.said.contains("to") || said.said.contains("distance_m"));
+  if (elsewhere || (said.stairs != 0 && on_stairs)) into.stairs = said.stairs;
   for (const auto& [key, value] : said.parameters) {
     std::string to = key;
     if (key == "distance_m" && into.action == "squat") to = "depth_m";

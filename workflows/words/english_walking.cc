@@ -36,9 +36,9 @@ void AddEnglishWalking(Lexicon& x) {
       M::kLow);
   x.Add(
       "saunter|sauntering|scuttle|trundle|toddle|mosey|strut|wend|waddle|prance|scamper|carry on|keep going|set off|"
-      "take off|off you go|get moving|start walking|begin walking|walk along|walk up|walk over|walk across|walk "
+      "take off|off you go|get moving|start walking|begin walking|walk along|walk over|walk across|walk "
       "through|"
-      "walk down|go along|go up|go over|go across|go down|go on over|nip over|pop over|pop|nip|skedaddle|ease|edge|"
+      "go along|go over|go across|go on over|nip over|pop over|pop|nip|skedaddle|ease|edge|"
       "hop over|wander over|wander off|stroll over|head on over|make for|go for|trek|traipse|"
       "cover|do a walk|take yourself|take yourself over|bring yourself|move along|move yourself|budge|"
       "shift|shift yourself|shift your weight over|progress|navigate|locomote|travel over",

@@ -119,6 +119,27 @@ TEST(OnStairs, GoesOnWhereAllFeetAreOnOneLevel) {
   EXPECT_GT(landing.planned.plan.footsteps.footholds.back().foot, 3) << "it lies on the landing";
 }
 
+/// Up to the landing, and down on the side that the robot faces: ahead, or after a turn the way that it came.
+TEST(OnStairs, AreClimbedAndGoneDown) {
+  struct Case {
+    const char *robot, *text, *patch;
+  };
+  for (const Case& c : {Case{"a1", "climb the stairs", "step 3"}, Case{"a1", "上楼", "step 3"},
+                        Case{"a1", "climb the stairs, then go down the stairs", "ground"},
+                        Case{"a1", "上楼，转身，再下楼", "ground"}}) {
+    const RobotModel model = LoadNamedRobot(c.robot).value();
+    const Terrain stairs = MakeTerrain("stairs", ScaleOf(model)).value();
+    const Done done = DoneInWords(model, c.text, stairs);
+    const VectorX& q = done.played.log.samples.back().q;
+    EXPECT_EQ(stairs.patches[static_cast<std::size_t>(GroundAt(stairs, {q[0], q[1]}).patch)].name, c.patch) << c.text;
+    const auto& footholds = done.planned.plan.footsteps.footholds;
+    const auto highest = std::max_element(footholds.begin(), footholds.end(), [](const auto& a, const auto& b) {
+      return a.X_WF.translation().z() < b.X_WF.translation().z();
+    });
+    EXPECT_EQ(stairs.patches[static_cast<std::size_t>(highest->patch)].name, "step 3") << c.text;
+  }
+}
+
 TEST(Quadrupeds, NothingIsDoneAfterAWalkThatEndsOnTwoSteps) {
   const RobotModel a1 = LoadNamedRobot("a1").value();
   const Terrain stairs = MakeTerrain("stairs", ScaleOf(a1)).value();
