@@ -49,6 +49,12 @@ bool IsMeans(const std::string& text, const Clause& clause, std::size_t first_be
   return false;
 }
 
+bool IsOfSteps(const std::string& text, const Clause& clause, std::size_t at) {
+  if (at < 2) return false;
+  const Item &of = clause.items[at - 1], &steps = clause.items[at - 2];
+  return TextOf(text, {of.begin, of.end}) == "of" && steps.Is(Meaning::kAmount) && steps.name == "steps";
+}
+
 bool GoesBack(const std::string& word) {
   static const std::array<const char*, 7> kBack = {"go back",   "walk back", "come back", "move back",
                                                    "head back", "get back",  "step back"};

@@ -31,6 +31,9 @@ bool IsAddressed(const std::string& text, const Clause& clause, std::size_t at);
 /// be that of what moves the first, which is no way to move a limb.
 bool IsMeans(const std::string& text, const Clause& clause, std::size_t first_begin, std::size_t at);
 
+/// "three steps of 20 cm": whether the amount `at` is that of each step.
+bool IsOfSteps(const std::string& text, const Clause& clause, std::size_t at);
+
 /// "go back", and others of that kind.
 bool GoesBack(const std::string& word);
 

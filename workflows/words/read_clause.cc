@@ -230,7 +230,8 @@ class ClauseReader {
 
   void TakeAmount(const Item& item) {
     if (item.name == "m/step") return SayAmount("step_length_m", item.value, 1.0, item);
-    if (item.name == "m" && (each_ || NextIsEach())) return SayAmount("step_length_m", item.value, 1.0, item);
+    if (item.name == "m" && (each_ || NextIsEach() || IsOfSteps(text_, clause_, at_)))
+      return SayAmount("step_length_m", item.value, 1.0, item);
     if (item.name == "m") return SayAmount("distance_m", item.value, 1.0, item);
     if (item.name == "s") return SayAmount("duration_s", item.value, 1.0, item);
     if (item.name == "deg" || item.name == "turns") {

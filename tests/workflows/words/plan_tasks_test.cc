@@ -215,6 +215,32 @@ TEST(Tasks, WhatIsTooMuchIsToldWithTheMostThatIsNot) {
   EXPECT_NE(deep.failure().hints[0].find("the largest depth_m"), std::string::npos) << deep.failure().hints[0];
 }
 
+/// What is told to be possible is.
+TEST(Tasks, ABowTooDeepIsToldTheRange) {
+  const Result<PlannedTasks> deep = Planned("a1", "bow 60 degrees", FlatTerrain());
+  ASSERT_FALSE(deep.ok());
+  ASSERT_EQ(deep.failure().hints.size(), 1U);
+  const std::string hint = deep.failure().hints[0], begin = "a bow of 1 to ";
+  ASSERT_EQ(hint.find(begin), 0U) << hint;
+  const std::string most = hint.substr(begin.size(), hint.find(" degrees") - begin.size());
+  EXPECT_TRUE(Planned("a1", "bow " + most + " degrees", FlatTerrain()).ok()) << most;
+}
+
+TEST(Tasks, AWalkTooFastOrTooLongOfStepIsToldWhatToSay) {
+  struct Case {
+    const char *robot, *walk, *too_much, *more;
+  };
+  for (const Case& c : {Case{"nao", "walk 20 cm ", "at 3 m/s", "' or slower"},
+                        Case{"a1", "walk 4 ", "steps of 0.9 m", "' or shorter"}}) {
+    const Result<PlannedTasks> fast = Planned(c.robot, std::string(c.walk) + c.too_much, FlatTerrain());
+    ASSERT_FALSE(fast.ok()) << c.robot;
+    const std::string &hint = fast.failure().hints.at(0), say = "say '";
+    ASSERT_TRUE(hint.starts_with(say) && hint.ends_with(c.more)) << hint;
+    const std::string said = hint.substr(say.size(), hint.find('\'', say.size()) - say.size());
+    EXPECT_TRUE(Planned(c.robot, c.walk + said, FlatTerrain()).ok()) << c.robot << ": " << said;
+  }
+}
+
 TEST(Tasks, TheSameTasksGiveTheSamePlan) {
   const auto plan = [] { return PlanToJson(Planned("nao", "wave, then walk two steps", FlatTerrain())->plan); };
   EXPECT_EQ(plan(), plan());
