@@ -79,6 +79,7 @@ void ClimbWords::Settle(const std::string& text, Draft& draft) const {
              far = draft.said.contains("distance_m") || draft.said.contains("duration_s");
   if (far && !steps) draft.stairs = 0;
   const bool alone = draft.action.empty() && !steps && !named;
+  if (alone && !draft.empty()) draft.stairs = 0;
   if (draft.stairs == 0 || alone) return;
   draft.action = "walk";
   if (steps) return;

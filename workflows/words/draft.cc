@@ -2,11 +2,10 @@
 #include "workflows/words/draft.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
-#include "kinematics/base/text.h"
+#include "workflows/words/phrases.h"
 
 namespace gaitwright::words {
 namespace {
@@ -16,13 +15,6 @@ namespace {
 }
 
 bool IsWay(const std::string& action) { return action == "walk" || action == "turn"; }
-/// "to the left", "向左"; "on the left" is where an arm is.
-bool SaysWhereTo(const std::string& side) {
-  static const std::array<const char*, 6> kTowards = {"to ", "toward", "off to", "over to", "向", "往"};
-  return side.starts_with("朝") ||
-         std::any_of(kTowards.begin(), kTowards.end(), [&](const char* start) { return side.starts_with(start); });
-}
-
 bool HasArms(const std::string& action) { return action == "wave" || action == "raise_arm" || action == "lower_arm"; }
 
 }  // namespace
@@ -59,8 +51,7 @@ void SettleSide(const std::string& text, Draft& draft) {
     draft.side.reset();
   }
   if (HasArms(draft.action) && draft.side && draft.side_said) {
-    const std::string said = LowerCase(TextOf(text, *draft.side_said));
-    if (SaysWhereTo(said))
+    if (SaysWhereTo(TextOf(text, *draft.side_said)))
       throw Refused{{"ambiguous", TextOf(text, *draft.side_said), "says where to, and not which arm", "",
                      "which arm: 'with the left hand'"}};
   }

@@ -41,7 +41,14 @@ bool IsAddressed(const std::string& text, const Clause& clause, std::size_t at) 
   return false;
 }
 
+bool SaysWhereTo(const std::string& side) {
+  static const std::array<const char*, 7> kTowards = {"to ", "toward", "off to", "over to", "向", "往", "朝"};
+  const std::string said = LowerCase(side);
+  return std::any_of(kTowards.begin(), kTowards.end(), [&](const char* start) { return said.starts_with(start); });
+}
+
 bool IsMeans(const std::string& text, const Clause& clause, std::size_t first_begin, std::size_t at) {
+  if (SaysWhereTo(TextOf(text, {clause.items[at].begin, clause.items[at].end}))) return true;
   for (std::size_t k = at; k-- > 0 && clause.items[k].begin > first_begin;) {
     const Item& item = clause.items[k];
     if (item.IsVerb() || LowerCase(TextOf(text, {item.begin, item.end})).starts_with("with")) return true;

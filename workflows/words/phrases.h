@@ -27,8 +27,11 @@ bool Greets(const std::string& text, const Item& verb);
 /// "for the guest", "to our visitors": whether the item `at` is whom it is done for.
 bool IsAddressed(const std::string& text, const Clause& clause, std::size_t at);
 
-/// "raise your left hand with the right", "用右手举起左手": whether the second of two sides, the item `at`, is said to
-/// be that of what moves the first, which is no way to move a limb.
+/// "to the left", "向左": where to; "on the left" is where an arm is.
+bool SaysWhereTo(const std::string& side);
+
+/// "raise your left hand with the right", "用右手举起左手", "wave with your right hand to the left": whether the second
+/// of two sides, the item `at`, is not one more limb, but that of what moves the first, or where to.
 bool IsMeans(const std::string& text, const Clause& clause, std::size_t first_begin, std::size_t at);
 
 /// "three steps of 20 cm": whether the amount `at` is that of each step.
