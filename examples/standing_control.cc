@@ -9,14 +9,15 @@
 
 #include "examples/standing_strategies.h"
 #include "kinematics/model/load_robot.h"
+#include "playback/control/stabilised.h"
 #include "workflows/walk/plan_recovery.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright::examples {
 
 const std::vector<std::string>& WaysToStand() {
-  static const std::vector<std::string> ways = {"soft joints",   "stiff joints", "ankle",
-                                                "ankle and DCM", "hip",          "steps"};
+  static const std::vector<std::string> ways = {"soft joints", "stiff joints", "ankle", "ankle and DCM",
+                                                "hip",         "whole body",   "steps"};
   return ways;
 }
 
@@ -38,6 +39,7 @@ std::unique_ptr<Controller> MakeWayToStand(const Stander& stander, const std::st
   if (way == "ankle") return std::make_unique<StandingStrategy>(model, plan, Strategy::kAnkle);
   if (way == "ankle and DCM") return std::make_unique<StandingStrategy>(model, plan, Strategy::kAnkleDcm);
   if (way == "hip") return std::make_unique<StandingStrategy>(model, plan, Strategy::kHip);
+  if (way == "whole body") return MakeStabilised(model, plan, {});
   if (way != "steps")
     throw InvalidArgument(fmt::format("no way to stand '{}'; there are {}", way, fmt::join(WaysToStand(), ", ")));
   const Result<RecoveryPlans> recovery = PlanRecovery(model);

@@ -15,7 +15,8 @@ namespace gaitwright::examples {
 ///   soft joints    joint PD with 0.15 of the usual gains
 ///   stiff joints   joint PD: the robot is as one block on its soles
 ///   ankle, ankle and DCM, hip   see Strategy
-///   steps          the controller 'recovering'
+///   whole body     the controller 'stabilised': the whole wrench at the centre of mass, split over both soles
+///   steps          the controller 'recovering', which is that and steps
 const std::vector<std::string>& WaysToStand();
 
 /// A robot that comes with the program, and a plan of it that stands for 3 s.

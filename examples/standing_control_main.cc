@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   double most_n = 500.0;
   std::vector<double> directions_deg = {0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0};
   std::vector<std::string> ways = examples::WaysToStand();
-  app.add_option("--robot", robot, "A biped that comes with the program")->capture_default_str();
+  app.add_option("--robot", robot, "A robot that comes with the program; the ankles' and the hips' ways are of bipeds")
+      ->capture_default_str();
   app.add_option("--ways", ways, "Which ways to stand are tried")->capture_default_str();
   app.add_option("--directions", directions_deg, "From ahead over the left [degree]")->capture_default_str();
   app.add_option("--most", most_n, "The largest push that is tried [N]")->capture_default_str();

@@ -14,11 +14,11 @@
 namespace gaitwright::examples {
 
 /// How a standing robot keeps its balance.
-///   kAnkle     the ZMP goes with the centre of mass, p = c0 + 1.5 (c - c0) + 0.5 c' / w, as ankles that are springs
-///   and
-///              dampers have it
-///   kAnkleDcm  the ZMP goes with the DCM, p = c0 + 1.3 (xi - c0), xi = c + c' / w: Englsberger et al., T-RO 31(2),
-///   2015 kHip       the same, and what of it is out of the soles is made by turning the body about its hips:
+///   kAnkle     the ZMP goes with the centre of mass, p = c0 + 1.5 (c - c0) + 0.5 c' / w, as ankles have it that are
+///              springs and dampers
+///   kAnkleDcm  the ZMP goes with the DCM, p = c0 + 1.3 (xi - c0), xi = c + c' / w: Englsberger et al., 2015,
+///              T-RO 31(2)
+///   kHip       the same, and what of it is out of the soles is made by turning the body about its hips:
 ///              m g (p - p_in_the_soles) is the rate of its angular momentum; Stephens, Humanoids 2007
 enum class Strategy { kAnkle, kAnkleDcm, kHip };
 

@@ -35,6 +35,28 @@ std::vector<int> EndBodies(const RobotModel& model) {
   return ends;
 }
 
+/// Why there are too few legs: no joint at all, joints that make up no limb, or limbs that end too high.
+Failure NoLegs(const RobotModel& model, std::size_t found) {
+  const std::string count = fmt::format("robot '{}': {} legs found", model.name, found);
+  const Failure failure{FailureKind::kBadInput, "no_legs", "LoadRobot", "", {}};
+  const auto refused = [&](const std::string& why, const std::string& hint) {
+    Failure of = failure;
+    of.message = count + why;
+    of.hints = {hint};
+    return of;
+  };
+  const std::string name_feet = "name the feet in robot.yaml: feet: [{link: NAME}, ...]";
+  if (model.joints.empty())
+    return refused(": no joint of its URDF moves, and a leg is a chain of joints that do",
+                   "make the joints of the legs revolute, continuous or prismatic in the URDF: a robot.yaml cannot");
+  if (Limbs(model).empty())
+    return refused(
+        fmt::format(": its limbs have one joint each, as '{}' is, and a leg that steps needs two at the least",
+                    model.joints.front().name),
+        name_feet + " for a robot that stands; to walk it needs more joints in the URDF");
+  return refused("; two or more chains of joints that end at the bottom are needed", name_feet);
+}
+
 /// The body of a foot that is named.
 int EndOf(const RobotModel& model, const FootOverride& foot) {
   try {
@@ -91,15 +113,7 @@ Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX
   }
   if (const auto failure = CheckNamedFeet(model, feet, ends)) return *failure;
   if (feet.empty()) ends = EndBodies(model);
-  if (ends.size() < (feet.empty() ? 2U : 1U)) {
-    return Failure{
-        FailureKind::kBadInput,
-        "no_legs",
-        "LoadRobot",
-        fmt::format("robot '{}': {} legs found; two or more chains of joints that end at the bottom are needed",
-                    model.name, ends.size()),
-        {"name the feet in robot.yaml: feet: [{link: NAME}, ...]"}};
-  }
+  if (ends.size() < (feet.empty() ? 2U : 1U)) return NoLegs(model, ends.size());
   if (ends.size() > kMostLegs) {
     return Failure{FailureKind::kBadInput,
                    "many_legs",

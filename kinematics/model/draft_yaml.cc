@@ -34,9 +34,9 @@ std::string EndLinkOf(const RobotModel& model, int body) {
 }
 
 /// The ends of all limbs, the lowest first.
-std::vector<LimbEnd> EndsOf(const RobotModel& model) {
+std::vector<LimbEnd> EndsOf(const RobotModel& model, const std::vector<std::vector<int>>& limbs) {
   std::vector<LimbEnd> ends;
-  for (const std::vector<int>& chain : Limbs(model)) {
+  for (const std::vector<int>& chain : limbs) {
     LimbEnd end;
     end.link = EndLinkOf(model, chain.back() + 1);
     for (const int joint : chain) {
@@ -48,6 +48,13 @@ std::vector<LimbEnd> EndsOf(const RobotModel& model) {
   }
   std::stable_sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.lowest_m < b.lowest_m; });
   return ends;
+}
+
+/// Where no limb has two joints, those of one.
+std::vector<std::vector<int>> LimbsOfOneJoint(const RobotModel& model) {
+  std::vector<std::vector<int>> limbs;
+  for (int j = 0; j < static_cast<int>(model.joints.size()); ++j) limbs.push_back({j});
+  return limbs;
 }
 
 std::string Quoted(const std::string& name) {
@@ -71,7 +78,8 @@ std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
   std::erase_if(parts.collision, [](const Shape& shape) { return shape.type == ShapeType::kMesh; });
   const Result<RobotModel> model = BuildModel(parts, "robot", 1.0);
   if (!model) return "";
-  const std::vector<LimbEnd> ends = EndsOf(*model);
+  const std::vector<std::vector<int>> limbs = Limbs(*model);
+  const std::vector<LimbEnd> ends = EndsOf(*model, limbs.empty() ? LimbsOfOneJoint(*model) : limbs);
   if (ends.empty()) return "";
   std::string text = fmt::format(
       "# A draft of robot.yaml: put it beside the URDF under that name, and say what is so.\n"
@@ -83,10 +91,17 @@ std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
       "feet:\n",
       why.message);
   for (const LimbEnd& end : ends) {
-    const bool foot = end.lowest_m < 0.0 && end.lowest_m <= kAsLow * ends.front().lowest_m;
+    const double lowest_m = ends.front().lowest_m;
+    const bool foot = (end.lowest_m < 0.0 && end.lowest_m <= kAsLow * lowest_m) ||
+                      (limbs.empty() && end.lowest_m == lowest_m);  // the end may be told by no shape
     text += fmt::format("{}- {{link: {}}}  # joints {}; comes down to {:.3f} m\n", foot ? "  " : "  # ",
                         Quoted(end.link), end.joints, end.lowest_m);
   }
+  if (limbs.empty())
+    text +=
+        "# Each has one joint: the robot can stand on them, and no walk is planned for it, since a foot that is lifted "
+        "and\n"
+        "# put ahead needs two joints at the least.\n";
   text +=
       "\n"
       "# The axes of the root link that point ahead and up, where they are not x and z:\n"

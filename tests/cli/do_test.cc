@@ -52,7 +52,9 @@ TEST_F(Do, RefusalsSayWhatToSayInstead) {
   says(refusal("walk to the kitchen"), "(try: --terrain");
   says(refusal("walk to the kitchen", "./yard.yaml"), "'red marker'");
   says(refusal("recover from a push"), "--controller recovering");
-  says(refusal("walk at 3 m/s"), "(try: 'at 0.");
+  says(refusal("walk at 3 m/s"), "m/s' or slower");
+  says(refusal("climb the stairs"), "(try: --terrain stairs");
+  says(refusal("go down the stairs", "stairs"), "'climb the stairs, then go down'");
   EXPECT_NE(refusal("juggle").find("raise_arm"), std::string::npos);
 }
 

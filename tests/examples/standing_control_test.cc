@@ -39,6 +39,13 @@ TEST(StandingControlExample, EachWayTakesWhatTheOneBeforeDoesNot) {
   EXPECT_FALSE(Stands("steps", 480.0, 90.0));
 }
 
+/// The whole body's way holds the attitude too, which the hips give up: it takes less, and steps from there take more.
+TEST(StandingControlExample, StepsTakeWhatTheWholeBodyDoesNot) {
+  EXPECT_TRUE(Stands("whole body", 185.0, 90.0));
+  EXPECT_FALSE(Stands("whole body", 208.0, 90.0));
+  EXPECT_TRUE(Stands("steps", 208.0, 90.0));
+}
+
 /// How far the soles reach ahead of the centre of mass [m].
 double SolesAhead() {
   const auto& [model, plan] = Humanoid();

@@ -194,8 +194,8 @@ void AddChineseActions(Lexicon& x) {
       "放下来吧",
       M::kLower);
   x.Add("把|将", M::kPut);
-  x.Add("起来|上来|高|举高高|上去|往上|向上", M::kUp);
-  x.Add("跳|蹦|爬|游|飞|跳舞|奔跑|狂奔|冲", M::kElsewhere, "walk");
+  x.Add("起来|上来|高|举高高", M::kUp);
+  x.Add("跳|蹦|游|飞|跳舞|奔跑|狂奔|冲", M::kElsewhere, "walk");
 }
 
 }  // namespace gaitwright::words

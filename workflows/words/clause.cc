@@ -220,7 +220,10 @@ class Splitter {
       now_.is_meanwhile = true;
       return Close();
     }
-    Join([](Clause& clause) { clause.is_meanwhile = true; });
+    Join([&](Clause& clause) {
+      clause.is_meanwhile = true;
+      clause.since = items_[at].begin;
+    });
   }
 
   template <class Mark>

@@ -13,6 +13,7 @@ namespace gaitwright::words {
 struct Clause {
   std::vector<Item> items;
   bool follows_then = false, follows_break = false, is_meanwhile = false, is_before = false, is_after = false;
+  std::size_t since = 0;  ///< where the "while" begins that it follows
   bool is_first = false;  ///< to be done before what was said before it
   bool refers = false;    ///< only names again what was said before: "while it turns"
   bool corrects = false, is_not = false, drops = false, again = false, holds = false;

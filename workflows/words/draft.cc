@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "workflows/words/phrases.h"
+
 namespace gaitwright::words {
 namespace {
 
@@ -48,6 +50,11 @@ void SettleSide(const std::string& text, Draft& draft) {
     draft.said["direction"] = *draft.side_said;
     draft.side.reset();
   }
+  if (HasArms(draft.action) && draft.side && draft.side_said) {
+    if (SaysWhereTo(TextOf(text, *draft.side_said)))
+      throw Refused{{"ambiguous", TextOf(text, *draft.side_said), "says where to, and not which arm", "",
+                     "which arm: 'with the left hand'"}};
+  }
   const bool limbs = HasArms(draft.action) || draft.action == "balance";
   if (!limbs) return;
   if (draft.side) {
@@ -65,6 +72,9 @@ void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
   if (said.action.empty() && !said.part.empty() && !IsDoneWith(into.action, said.part))
     throw Refused{
         {"unknown", TextOf(text, said.words), "is no part of its body that '" + into.action + "' is done with", ""}};
+  const bool on_stairs = into.stairs != 0 || said.parameters.contains("to") || said.parameters.contains("steps");
+  const bool elsewhere = over && (said.said.contains("to") || said.said.contains("distance_m"));
+  if (elsewhere || (said.stairs != 0 && on_stairs)) into.stairs = said.stairs;
   for (const auto& [key, value] : said.parameters) {
     std::string to = key;
     if (key == "distance_m" && into.action == "squat") to = "depth_m";

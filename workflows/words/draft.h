@@ -33,6 +33,7 @@ struct Draft {
   bool holding = false;          ///< done while the next one is
   bool returns = false;          ///< as far back as the walk before went
   bool to_nowhere = false;       ///< ends with a "to"
+  int stairs = 0;                ///< 1 up them, -1 down them, 2 on to the next step: by its steps, or the whole way
   Span words;                    ///< all of it
   std::vector<Draft> during;
 

@@ -96,6 +96,7 @@ void AddUnits(Lexicon& x) {
   x.Add("h|hour|hours|hr|hrs", M::kUnit, "s", 3600.0);
   x.Add("deg|degs|degree|degrees|°", M::kUnit, "deg", 1.0);
   x.Add("rad|rads|radian|radians", M::kUnit, "deg", 180.0 / std::numbers::pi);
+  x.Add("stair|stairs", M::kUnit, "treads", 1.0);
   x.Add("turn|turns|rotation|rotations|revolution|revolutions|circle|circles|spin|spins|round", M::kUnit, "turns",
         360.0);
   x.Add(
@@ -374,6 +375,7 @@ void AddJoints(Lexicon& x) {
 const Lexicon& English() {
   static const Lexicon lexicon = [] {
     Lexicon x;
+    AddEnglishStairs(x);
     AddEnglishWalking(x);
     AddEnglishActions(x);
     AddLimbsAndAmounts(x);

@@ -236,14 +236,11 @@ void AddEnglishActions(Lexicon& x) {
       "your|holding your|keep your|with your",
       M::kPut);
   x.Add(
-      "up|upward|upwards|in the air|into the air|up high|up in the air|high|overhead|above your head|to the sky|"
+      "in the air|into the air|up high|up in the air|high|overhead|above your head|to the sky|"
       "skyward|over your head",
       M::kUp);
-  x.Add(
-      "down|downward|downwards|back down|down again|to your side|to your sides|at your side|by your side|by your sides",
-      M::kDown);
-  x.Add("jump|jumping|hop|hopping|leap|leaping|skip|climb|climbing|swim|fly|dance|dancing|gallop", M::kElsewhere,
-        "walk");
+  x.Add("to your side|to your sides|at your side|by your side|by your sides", M::kDown);
+  x.Add("jump|jumping|hop|hopping|leap|leaping|skip|swim|fly|dance|dancing|gallop", M::kElsewhere, "walk");
 }
 
 }  // namespace gaitwright::words

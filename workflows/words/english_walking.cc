@@ -36,9 +36,9 @@ void AddEnglishWalking(Lexicon& x) {
       M::kLow);
   x.Add(
       "saunter|sauntering|scuttle|trundle|toddle|mosey|strut|wend|waddle|prance|scamper|carry on|keep going|set off|"
-      "take off|off you go|get moving|start walking|begin walking|walk along|walk up|walk over|walk across|walk "
+      "take off|off you go|get moving|start walking|begin walking|walk along|walk over|walk across|walk "
       "through|"
-      "walk down|go along|go up|go over|go across|go down|go on over|nip over|pop over|pop|nip|skedaddle|ease|edge|"
+      "go along|go over|go across|go on over|nip over|pop over|pop|nip|skedaddle|ease|edge|"
       "hop over|wander over|wander off|stroll over|head on over|make for|go for|trek|traipse|"
       "cover|do a walk|take yourself|take yourself over|bring yourself|move along|move yourself|budge|"
       "shift|shift yourself|shift your weight over|progress|navigate|locomote|travel over",
@@ -86,13 +86,15 @@ void AddEnglishWalking(Lexicon& x) {
         M::kDirection, forward);
   x.Add("backward|backwards|back|rearward|rearwards|in reverse|to the rear|to the back", M::kDirection, backward);
   x.Add(
-      "slow|slowly|at a slow pace|gently|gingerly|carefully|cautiously|at a leisurely pace|leisurely|at a slow speed|"
+      "slow|slow down|slowing down|slowly|at a slow pace|gently|gingerly|carefully|cautiously|at a leisurely "
+      "pace|leisurely|at a slow speed|"
       "nice and slow|nice and slowly|more slowly|unhurriedly|at a crawl|at a snail's pace|without rushing|take your "
       "time|no rush|taking your time|"
       "without hurrying|in no hurry|a bit slower|slower|very slowly|real slow|nice and easy|softly|steady as she goes",
       M::kPace, "slow");
   x.Add(
-      "fast|quickly|quick|rapidly|briskly|swiftly|at a fast pace|hurriedly|at a brisk pace|speedily|at high speed|"
+      "fast|speed up|quickly|quick|rapidly|briskly|swiftly|at a fast pace|hurriedly|at a brisk pace|speedily|at high "
+      "speed|"
       "as fast as you can|hurry up|on the double|in a hurry|at the double|chop chop|pronto|like the wind|make it "
       "snappy|"
       "at top speed|double quick|fast as you can|a bit faster|at a run|at a good clip|at a jog|faster|at a fast "

@@ -42,14 +42,15 @@ Failure FailureOf(const Refusal& refusal, const TaskScope& scope) {
   return {FailureKind::kBadInput, refusal.reason, "Understand", message, HintsFor(refusal, scope)};
 }
 
-std::vector<std::string> HintsInWords(const std::vector<std::string>& hints) {
+std::vector<std::string> HintsInWords(const std::vector<std::string>& hints, int footfalls) {
   std::vector<std::string> in_words;
   for (const std::string& hint : hints) {
     std::istringstream flags(hint);
     std::string flag, value, said;
     for (; hint.starts_with("--") && flags >> flag >> value;) {
       const double number = std::abs(std::strtod(value.c_str(), nullptr));
-      if (flag == "--speed" || flag == "--lateral-speed") said = fmt::format("'at {:.4g} m/s'", number);
+      if (flag == "--speed" || flag == "--lateral-speed") said = fmt::format("say 'at {:.4g} m/s' or slower", number);
+      if (flag == "--step-length") said = fmt::format("say 'steps of {:.4g} m' or shorter", footfalls * number);
     }
     const bool is_option = hint.starts_with("--set ");
     if (!hint.starts_with("--") || is_option) said = hint;

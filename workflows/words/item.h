@@ -24,13 +24,14 @@ enum class Meaning {
   kFoot,       ///< a foot, a leg
   kPlural,     ///< arms, hands
   kPart,       ///< another part of the body; `name` is head, body, legs or belly
-  kUp,         ///< up
-  kDown,       ///< down
+  kUp,         ///< up; `name` "way" where a robot may go so
+  kDown,       ///< down; the same
   kNumber,     ///< a number alone
-  kAmount,     ///< a number with its unit; `name` is the quantity: m, s, deg, steps, times, m/s
+  kAmount,     ///< a number with its unit; `name` is the quantity: m, s, deg, steps, treads, times, m/s
   kUnit,       ///< a unit, before numbers are put to it
   kOrdinal,    ///< first, second, last: which of several
   kPlace,      ///< a place that is known
+  kStairs,     ///< the stairs; `value` 1 up them, -1 down them, 2 to their next step
   kTo,         ///< "to", before a place
   kAt,         ///< "at", before whom to wave to
   kPace,       ///< slowly, fast
@@ -59,16 +60,23 @@ enum class Meaning {
   kUnknown,
 };
 
+/// What more the word of an action says, as its `value`: that a place follows, that it is done beside something, that
+/// it goes back as far as it came. Of stairs, up or down them, or up or down on whatever there is.
+constexpr double kToPlace = 1.0, kBeside = 2.0, kReturns = 3.0;
+constexpr double kUpStairs = 4.0, kDownStairs = 5.0, kUpwards = 6.0, kDownwards = 7.0;
+
 /// A piece of an instruction with its meaning.
 struct Item {
   Meaning meaning = Meaning::kUnknown;
   std::string name;
-  double value = 0.0;                           ///< of a number, an amount, an ordinal
+  double value = 0.0;                           ///< of a number, an amount, an ordinal; of an action, see above
   std::map<std::string, TaskValue> parameters;  ///< of an action
   std::size_t begin = 0, end = 0;               ///< bytes of the text
 
   /// Whether it means that.
   bool Is(Meaning other) const { return meaning == other; }
+  /// Whether it is a verb that says up or down.
+  bool GoesUpOrDown() const { return Is(Meaning::kAction) && value >= kUpStairs; }
   bool SaysNothing() const { return Is(Meaning::kPolite) || Is(Meaning::kFiller); }
   /// Whether something is done by it: a clause has one.
   bool IsVerb() const {

@@ -11,6 +11,7 @@
 #include "workflows/words/lexicon.h"
 #include "workflows/words/numbers.h"
 #include "workflows/words/pieces.h"
+#include "workflows/words/stairs_words.h"
 
 namespace gaitwright::words {
 namespace {
@@ -42,11 +43,11 @@ class ItemReader {
         units_(language == Language::kEnglish ? EnglishUnits() : ChineseUnits()) {
     for (const PlaceName& place : places) {
       AddPlace(LowerCase(place.name), place.name);
-      if (place.name == "step") AddPlace("stair", place.name);
       const std::string colour = "色";  // "红标记" is 红色标记
       const std::size_t at = place.name.find(colour);
       if (at != std::string::npos && at > 0) AddPlace(std::string(place.name).erase(at, colour.size()), place.name);
     }
+    for (const auto& [phrase, place] : StairsPlaces(places)) AddPlace(phrase, place.name, place.number);
     for (const auto& translation : PlaceTranslations()) {
       const bool known = std::any_of(places.begin(), places.end(),
                                      [&](const PlaceName& place) { return place.name == translation.second; });
@@ -58,7 +59,8 @@ class ItemReader {
   std::vector<Item> Read() {
     while (at_ < pieces_.size()) {
       if (IsGap()) PushBreak();
-      if (!TakeEnumerator() && !TakeLeadIn() && !TakeSign() && !TakeAmount() && !TakePlace() && !TakePhrase())
+      if (!TakeEnumerator() && !TakeLeadIn() && !TakeSign() && !TakeStairs(true) && !TakeAmount() && !TakePlace() &&
+          !TakePhrase() && !TakeStairs(false))
         TakeUnknown();
     }
     JoinItems(items_);
@@ -66,10 +68,11 @@ class ItemReader {
   }
 
  private:
-  void AddPlace(const std::string& phrase, const std::string& name) {
+  void AddPlace(const std::string& phrase, const std::string& name, int number = 0) {
     Item item;
     item.meaning = M::kPlace;
     item.name = name;
+    item.value = number;
     const std::vector<Piece> pieces = PiecesOf(phrase);
     places_.push_back({PhraseOf(pieces, 0, pieces.size()), pieces.size(), item});
   }
@@ -316,6 +319,15 @@ class ItemReader {
       items_.back().end = pieces_[one].end;
       at_ = one + 1;
     }
+    return true;
+  }
+
+  /// @param first  before any phrase, else steps where there is none.
+  bool TakeStairs(bool first) {
+    const auto [item, count] = StairsWordAt(pieces_, at_, items_);
+    if (count == 0 || first == (item.Is(M::kStairs) && item.value == 0.0)) return false;
+    if (item.Is(M::kAction) && Longest(words_, at_).second > count) return false;
+    Push(item, count);
     return true;
   }
 

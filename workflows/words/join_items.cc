@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "workflows/words/stairs_words.h"
+
 namespace gaitwright::words {
 namespace {
 
@@ -63,7 +65,8 @@ void MarkNoPlaces(std::vector<Item>& items) {
     const Item* before = SaidBefore(items, k);
     if (before == nullptr || !before->Is(M::kTo)) continue;
     const Item& next = items[k + 1];
-    const bool ordered = items[k].Is(M::kOrdinal), other = next.Is(M::kAction) || next.Is(M::kUnit);
+    const bool ordered = items[k].Is(M::kOrdinal),
+               other = next.Is(M::kAction) || next.Is(M::kUnit) || (next.Is(M::kStairs) && next.value == 0.0);
     if (!(ordered && (other || next.Is(M::kUnknown))) && !(items[k].name == "the" && other)) continue;
     items[k].meaning = M::kUnknown;
     items[k].end = next.end;
@@ -112,6 +115,7 @@ void JoinOrdinals(std::vector<Item>& items) {
 
 void JoinItems(std::vector<Item>& items) {
   JoinRates(items);
+  JoinStairs(items);
   MarkBefore(items);
   MarkAdverbs(items);
   MarkNoPlaces(items);

@@ -8,6 +8,8 @@ namespace gaitwright::words {
 
 void AddEnglishAsides(Lexicon& x);
 void AddChineseAsides(Lexicon& x);
+void AddEnglishStairs(Lexicon& x);
+void AddChineseStairs(Lexicon& x);
 void AddEnglishWalking(Lexicon& x);
 void AddEnglishActions(Lexicon& x);
 void AddChineseWalking(Lexicon& x);

@@ -180,6 +180,7 @@ class Reader {
       point = point || joins;
       Take();
     }
+    TakeExponent();
     // "2nd", "10th" are words.
     static const char* const kEnds[] = {"st", "nd", "rd", "th"};
     for (const char* end : kEnds) {
@@ -191,6 +192,16 @@ class Reader {
       Take();
       return;
     }
+  }
+
+  /// "1.5e3", "2E-1".
+  void TakeExponent() {
+    if (Code(at_) != 'e' && Code(at_) != 'E') return;
+    const bool sign = Code(at_ + 1) == '+' || Code(at_ + 1) == '-';
+    if (!IsDigit(Code(at_ + (sign ? 2 : 1)))) return;
+    Take();
+    if (sign) Take();
+    while (IsDigit(Code(at_))) Take();
   }
 
   const std::string& text_;

@@ -18,7 +18,7 @@ struct Piece {
 };
 
 /// The pieces of a UTF-8 text, in order. A word may hold an apostrophe or a hyphen between letters, and a slash as in
-/// "m/s"; a number a point between digits.
+/// "m/s"; a number a point between digits and an exponent behind them.
 std::vector<Piece> PiecesOf(const std::string& text);
 
 /// Some pieces as a phrase: words parted by spaces, all else put together.

@@ -7,6 +7,7 @@
 
 #include "kinematics/base/text.h"
 #include "workflows/words/draft.h"
+#include "workflows/words/stairs_words.h"
 
 namespace gaitwright::words {
 namespace {
@@ -64,7 +65,10 @@ class Relation {
 
   /// "cross the marker", "walk through the door": verbs that say no "to".
   bool Passes(std::size_t verb) const {
-    const bool walks = items_[verb].Is(M::kAction) && items_[verb].name == "walk" && items_[verb].value != 1.0;
+    const bool up = items_[verb].value == kUpStairs || items_[verb].value == kUpwards;
+    const bool climbs = up && IsStep(items_[at_].name);  // "climb the second step"
+    const bool walks =
+        items_[verb].Is(M::kAction) && items_[verb].name == "walk" && items_[verb].value != kToPlace && !climbs;
     const std::string next = Word(verb + 1);
     const bool english = static_cast<unsigned char>(text_[items_[verb].begin]) < 0x80;
     return walks && english && next != "for" && next != "for the" && next != "on";

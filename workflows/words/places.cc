@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "kinematics/base/result.h"
 
@@ -19,10 +22,54 @@ PlaceName SplitName(const std::string& name) {
   return end == 0 ? PlaceName{name, 0} : PlaceName{name.substr(0, end), std::stoi(name.substr(digits))};
 }
 
+const TerrainPatch* PatchOf(const Terrain& terrain, const std::string& name) {
+  for (const TerrainPatch& patch : terrain.patches) {
+    if (patch.name == name && !patch.outline_T.empty()) return &patch;
+  }
+  return nullptr;
+}
+
 Vector2 MiddleOf(const TerrainPatch& patch) {
   Vector2 mean_T = Vector2::Zero();
   for (const Vector2& corner : patch.outline_T) mean_T += corner / static_cast<double>(patch.outline_T.size());
   return (patch.X_WT * Vector3(mean_T.x(), mean_T.y(), 0.0)).head<2>();
+}
+
+/// How far a patch reaches along a way.
+double Farthest(const TerrainPatch& patch, const Vector2& along) {
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const Vector2& corner : patch.outline_T)
+    farthest = std::max(farthest, along.dot((patch.X_WT * Vector3(corner.x(), corner.y(), 0.0)).head<2>()));
+  return farthest;
+}
+
+/// The ground at an end of stairs, whose patches are named "step 1" and so on: from their outermost step on.
+struct StairsFoot {
+  const TerrainPatch* outermost = nullptr;
+  Vector2 outward = Vector2::Zero();
+};
+
+/// @param behind  the end that is come to by going up and down again.
+std::optional<StairsFoot> FootOf(const Terrain& terrain, bool behind) {
+  const TerrainPatch *outer = PatchOf(terrain, "step 1"), *inner = PatchOf(terrain, "step 2");
+  if (behind) {
+    outer = PatchOf(terrain, "step 1 down");
+    for (int k = 2; const TerrainPatch* next = PatchOf(terrain, fmt::format("step {} down", k)); ++k)
+      inner = std::exchange(outer, next);
+    if (outer == PatchOf(terrain, "step 1 down")) inner = PatchOf(terrain, "step 2");
+  }
+  if (outer == nullptr || inner == nullptr) return std::nullopt;
+  const Vector2 outward = MiddleOf(*outer) - MiddleOf(*inner);
+  if (outward.norm() == 0.0) return std::nullopt;
+  return StairsFoot{outer, outward.normalized()};
+}
+
+/// As far from the steps as the robot is that begins before them.
+Vector2 PlaceAt(const Terrain& terrain, const StairsFoot& foot) {
+  const StairsFoot before = *FootOf(terrain, false);
+  const double start_m = std::max(0.0, -Farthest(*before.outermost, before.outward));
+  const Vector2 middle = MiddleOf(*foot.outermost);
+  return middle + (Farthest(*foot.outermost, foot.outward) - foot.outward.dot(middle) + start_m) * foot.outward;
 }
 
 }  // namespace
@@ -41,12 +88,18 @@ std::vector<PlaceName> PlacesOf(const Terrain& terrain) {
       known->number = std::max(known->number, name.number);
     }
   }
+  if (FootOf(terrain, false)) places.push_back({kStartOfStairs, 0});
+  if (FootOf(terrain, true)) places.push_back({kEndOfStairs, 0});
   return places;
 }
 
 Vector2 CentreOf(const Terrain& terrain, const PlaceName& place) {
   for (const TerrainMarker& marker : terrain.markers) {
     if (marker.name == place.name) return marker.p_W;
+  }
+  for (const bool behind : {false, true}) {
+    const std::optional<StairsFoot> foot = FootOf(terrain, behind);
+    if (foot && place.name == (behind ? kEndOfStairs : kStartOfStairs)) return PlaceAt(terrain, *foot);
   }
   const TerrainPatch* found = nullptr;
   int highest = -1;

@@ -16,10 +16,11 @@
 namespace gaitwright {
 namespace {
 
-Failure OfTask(std::size_t index, const Task& task, Failure failure) {
+/// @param feet  of the robot: a step is one of them all, of two feet of one.
+Failure OfTask(std::size_t index, const Task& task, std::size_t feet, Failure failure) {
   const std::string said = task.words.empty() ? TaskText(task) : task.words;
   failure.message = fmt::format("task {}, '{}': {}", index + 1, said, failure.message);
-  failure.hints = words::HintsInWords(failure.hints);
+  failure.hints = words::HintsInWords(failure.hints, feet > 2 ? static_cast<int>(feet) : 1);
   return failure;
 }
 
@@ -33,7 +34,7 @@ Failure WhyUnsound(const TaskPlan& tasks, const PlannedTasks& planned) {
   const Task& task = tasks.tasks[k];
   Failure failure = tasks::WhyBroken(task.action, planned.audit);
   if (!task.during.empty()) failure.hints = {"one after the other may do: 'then' in place of 'while'"};
-  return OfTask(k, task, failure);
+  return OfTask(k, task, planned.robot.legs.size(), failure);
 }
 
 Provenance ProvenanceOf(const TaskPlan& tasks, const TaskOptions& options) {
@@ -80,7 +81,7 @@ Result<PlannedTasks> PlanTasks(const RobotModel& model, const Terrain& terrain, 
   tasks::TaskPlanner planner(model, *whole, terrain, options);
   if (tasks.tasks.front().action == "stand_up") planner.BeginLow();
   for (std::size_t k = 0; k < tasks.tasks.size(); ++k) {
-    if (auto failure = planner.Add(tasks.tasks[k])) return OfTask(k, tasks.tasks[k], *failure);
+    if (auto failure = planner.Add(tasks.tasks[k])) return OfTask(k, tasks.tasks[k], model.legs.size(), *failure);
   }
   Result<MotionPlan> plan = planner.Finish();
   if (!plan) return plan.failure();

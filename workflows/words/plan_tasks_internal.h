@@ -38,6 +38,9 @@ struct Sizes {
 /// Why a motion cannot be, by an audit that it does not pass: its worst law.
 Failure WhyBroken(const std::string& what, const AuditReport& audit);
 
+/// The largest size below one that does not serve, to a thirtieth of that; 0 for none.
+double LargestBelow(const std::function<bool(double size)>& serves, double size);
+
 /// A posture motion that passes its audit: of the first size that any stretch lets pass, stretched as far as it has to
 /// be. Failures as of PlanTasks.
 Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,

@@ -36,18 +36,16 @@ Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, 
   return failure;
 }
 
-/// The largest size below one that does not serve, to a twentieth of it; 0 for none.
-double LargestBelow(const RobotModel& model, const MotionBySize& motion, double size, const MotionOptions& options) {
-  double serves = 0.0, too_large = size;
-  for (int k = 0; k < 5; ++k) {
-    const double middle = 0.5 * (serves + too_large);
-    const Result<PostureMotion> made = motion(middle);
-    (made && Try(model, *made, options) ? serves : too_large) = middle;
-  }
-  return serves;
-}
-
 }  // namespace
+
+double LargestBelow(const std::function<bool(double size)>& serves, double size) {
+  double largest = 0.0, too_large = size;
+  for (int k = 0; k < 5; ++k) {
+    const double middle = 0.5 * (largest + too_large);
+    (serves(middle) ? largest : too_large) = middle;
+  }
+  return largest;
+}
 
 Failure WhyBroken(const std::string& what, const AuditReport& audit) {
   const std::vector<Violation> forbidding = Forbidding(audit);
@@ -71,7 +69,11 @@ Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize&
   }
   first->stage = "PlanTasks";
   if (!sizes.asked) return *first;
-  const double largest = LargestBelow(model, motion, sizes.tried.front(), options);
+  const auto serves = [&](double size) {
+    const Result<PostureMotion> made = motion(size);
+    return made && Try(model, *made, options);
+  };
+  const double largest = LargestBelow(serves, sizes.tried.front());
   if (largest > 0.0) {
     first->hints = {
         fmt::format("the largest {} that robot '{}' can do here is about {:.2g}", sizes.name, model.name, largest)};

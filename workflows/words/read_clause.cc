@@ -2,9 +2,9 @@
 #include "workflows/words/read_clause.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "workflows/words/climb.h"
 #include "workflows/words/phrases.h"
 #include "workflows/words/place_relation.h"
 #include "workflows/words/settle_amounts.h"
@@ -38,7 +38,7 @@ class ClauseReader {
 
  private:
   [[noreturn]] void RefuseAll() const {
-    std::string nearest;
+    std::string nearest = climb_.IsSure() ? "walk" : "";
     for (const Item& item : clause_.items) {
       if (item.Is(M::kElsewhere)) nearest = item.name;
     }
@@ -107,10 +107,14 @@ class ClauseReader {
         return;
       case M::kUp:
         up_ = true;
+        if (item.name == "way") climb_.TakeWay(1, item);
         return;
       case M::kDown:
         down_ = true;
+        if (item.name == "way") climb_.TakeWay(-1, item);
         return;
+      case M::kStairs:
+        return climb_.TakeStairs(text_, clause_, at_);
       case M::kPut:
         puts_ = true;
         return;
@@ -144,8 +148,9 @@ class ClauseReader {
   void TakeAction(const Item& item) {
     if (!draft_.action.empty()) return;  // the clause would have been split
     draft_.action = item.name;
-    draft_.holding = draft_.holding || item.value == 2.0 || IsGerund(item);
-    draft_.returns = item.value == 3.0;
+    if (item.GoesUpOrDown()) climb_.TakeVerb(item);
+    draft_.holding = draft_.holding || item.value == kBeside || IsGerund(item);
+    draft_.returns = item.value == kReturns;
     for (const auto& [key, value] : item.parameters) {
       implied_[key] = value;
       implied_said_ = {item.begin, item.end};
@@ -174,7 +179,8 @@ class ClauseReader {
 
   void TakeSide(const std::string& side, const Item& item) {
     if (draft_.side && *draft_.side != side) {
-      const bool both = arm_ || *draft_.side == "both" || side == "both";
+      const bool both =
+          (arm_ && !IsMeans(text_, clause_, draft_.side_said->begin, at_)) || *draft_.side == "both" || side == "both";
       if (!both) Refuse("ambiguous", TextOf(text_, {draft_.side_said->begin, item.end}), "says two sides at once");
       draft_.side = "both";
       return;
@@ -190,11 +196,6 @@ class ClauseReader {
     if (draft_.bare)
       Refuse("ambiguous", TextOf(text_, {draft_.bare->begin, item.end}), "are two numbers without units");
     draft_.bare = item;
-  }
-
-  static bool IsCounted(const std::string& action) {
-    static const std::array<const char*, 4> kCounted = {"squat", "bow", "nod", "wave"};
-    return std::any_of(kCounted.begin(), kCounted.end(), [&](const char* name) { return action == name; });
   }
 
   bool NextIsCounted() const {
@@ -229,14 +230,16 @@ class ClauseReader {
 
   void TakeAmount(const Item& item) {
     if (item.name == "m/step") return SayAmount("step_length_m", item.value, 1.0, item);
-    if (item.name == "m" && (each_ || NextIsEach())) return SayAmount("step_length_m", item.value, 1.0, item);
+    if (item.name == "m" && (each_ || NextIsEach() || IsOfSteps(text_, clause_, at_)))
+      return SayAmount("step_length_m", item.value, 1.0, item);
     if (item.name == "m") return SayAmount("distance_m", item.value, 1.0, item);
     if (item.name == "s") return SayAmount("duration_s", item.value, 1.0, item);
     if (item.name == "deg" || item.name == "turns") {
       turns_ = turns_ || item.name == "turns";
       return SayAmount("angle_deg", item.value, item.name == "turns" ? 360.0 : 1.0, item);
     }
-    if (item.name == "steps") return SayAmount("steps", item.value, 1.0, item);
+    if (item.name == "treads") climb_.TakeTreads();
+    if (item.name == "steps" || item.name == "treads") return SayAmount("steps", item.value, 1.0, item);
     if (item.name == "m/s") return SayAmount("speed_m_s", item.value, 1.0, item);
     const bool counted = item.name == "times" || NextIsCounted() || IsCounted(draft_.action);
     if (counted) return SayAmount("times", item.value, 1.0, item);
@@ -284,10 +287,10 @@ class ClauseReader {
       const bool walks = draft_.action.empty() || draft_.action == "walk";
       Refuse("unknown", TextOf(text_, {draft_.bare->begin, end}), "is no amount", walks ? "walk" : "");
     }
-    const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == 1.0));
+    const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == kToPlace));
     if (to && (draft_.action.empty() || draft_.action == "walk"))
       Refuse("place", TextOf(text_, {item.begin, item.end}), "is no place that is known here");
-    if (draft_.action.empty()) RefuseAll();
+    if (draft_.action.empty() || climb_.IsSure()) RefuseAll();
     Refuse("unknown", TextOf(text_, {item.begin, item.end}), "is not understood");
   }
 
@@ -335,6 +338,7 @@ class ClauseReader {
     }
     SettleTurn();
     SettleGait();
+    if (!limb && !raises_ && !lowers_ && !puts_) climb_.Settle(text_, draft_);
     SettleAmounts(draft_);
     if (puts_ && draft_.empty()) RefuseAll();
     CheckParts();
@@ -353,12 +357,6 @@ class ClauseReader {
     if (foot_) check("foot", *foot_);
     draft_.part = foot_ ? "foot" : arm_ ? "arm" : "";
     for (const Item& part : parts_) check(part.name, part);
-  }
-
-  /// "turn left 90", "R 90": a turn without a unit is one of degrees.
-  bool IsAngle(double number) const {
-    constexpr double kLeast = 10.0, kMost = 720.0;
-    return number >= kLeast && number <= kMost && std::fmod(number, 5.0) == 0.0;
   }
 
   void SettleTurn() {
@@ -386,6 +384,7 @@ class ClauseReader {
   Draft draft_;
   std::map<std::string, TaskValue> implied_;
   Span implied_said_;
+  ClimbWords climb_;
   std::optional<Item> arm_, foot_;
   std::vector<Item> parts_;
   bool greets_ = false, raises_ = false, lowers_ = false, puts_ = false, up_ = false;

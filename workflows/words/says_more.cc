@@ -138,6 +138,11 @@ bool SaysOnlyHow(const Draft& said) {
          std::all_of(said.parameters.begin(), said.parameters.end(), how);
 }
 
+bool OnlyTurnsRound(const Draft& said, const std::vector<Draft>& drafts) {
+  if (drafts.empty() || drafts.back().action != said.action || said.action != "turn" || said.bare) return false;
+  return SaysOnlyWay(said);
+}
+
 bool SaysMore(const std::string& text, const Clause& clause, const Draft& said, Draft& last) {
   return Comparison(text, clause, said, last).Run();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "workflows/words/clause.h"
 #include "workflows/words/draft.h"
@@ -17,5 +18,8 @@ bool SaysMore(const std::string& text, const Clause& clause, const Draft& said, 
 
 /// Whether it says only how to walk, which may be said before it is said to.
 bool SaysOnlyHow(const Draft& said);
+
+/// "turn left 60 degrees, no, turn right": whether a turn after a turn says the way alone, so that all else stays.
+bool OnlyTurnsRound(const Draft& said, const std::vector<Draft>& drafts);
 
 }  // namespace gaitwright::words

@@ -289,17 +289,26 @@ std::optional<Failure> TaskPlanner::BowDown(const Task& task, int times) {
   const PostureKey from = stance_.key;
   const bool asked = task.Has("angle_deg");
   const double angle = asked ? task.Number("angle_deg", 0.0) * kDegree : natural;
-  // Legs may have to bend for it.
+  const Sizes lower{{0.0, 0.05, 0.1, 0.15}, false, ""};  // legs may have to bend for it
+  const auto by = [&](double bow_rad) -> MotionBySize {
+    return [&, bow_rad](double lowered) -> Result<PostureMotion> {
+      return Bow(model_, from, bow_rad, lowered * model_.leg_length_m(), times);
+    };
+  };
   std::optional<Failure> failure;
   for (const double share : {1.0, 0.75, 0.5}) {
     if (asked && share < 1.0) break;
-    failure = AddPosture(
-        [&](double lower) -> Result<PostureMotion> {
-          return Bow(model_, from, share * angle, lower * model_.leg_length_m(), times);
-        },
-        {{0.0, 0.05, 0.1, 0.15}, false, ""});
+    failure = AddPosture(by(share * angle), lower);
     if (!failure) return failure;
   }
+  if (!asked) return failure;
+  const double largest = LargestBelow(
+      [&](double bow_rad) { return PostureWithin(whole_model_, by(bow_rad), lower, options_.motion).ok(); }, angle);
+  failure->hints.clear();
+  if (largest >= kDegree)
+    failure->hints = {
+        fmt::format("a bow of 1 to {:.0f} degrees, which is about the largest that robot '{}' can do here",
+                    std::floor(largest / kDegree), model_.name)};
   return failure;
 }
 

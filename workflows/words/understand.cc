@@ -11,6 +11,7 @@
 #include "workflows/words/asides.h"
 #include "workflows/words/check_draft.h"
 #include "workflows/words/clause.h"
+#include "workflows/words/climb.h"
 #include "workflows/words/forbidden.h"
 #include "workflows/words/hints.h"
 #include "workflows/words/items.h"
@@ -60,7 +61,7 @@ class Assembler {
     GiveAction(clause, corrects, said);
     const bool held = clause.holds && !drafts_.empty() && said.action == drafts_.back().action;
     if (said.action.empty() || held) return AddTo(clause, corrects, said);
-    if (corrects && OnlyTurnsRound(said)) return Merge(text_, Sided(said), true, drafts_.back());
+    if (corrects && OnlyTurnsRound(said, drafts_)) return Merge(text_, Sided(said), true, drafts_.back());
     if (clause.refers && !drafts_.empty() && said.action == drafts_.back().action && said.said.empty() && !said.side)
       return;
     SettleSide(text_, said);
@@ -89,8 +90,9 @@ class Assembler {
     TaskPlan plan;
     plan.text = text_;
     plan.language = LanguageOf(text_) == Language::kEnglish ? "en" : "zh";
-    for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
     forbidden_.Check(drafts_);
+    SettleStairs(text_, scope_.places, drafts_);
+    for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
     if (plan.tasks.empty()) throw Refused{{"empty", "", "says nothing to do", ""}};
     for (std::size_t k = 0; k < plan.tasks.size(); ++k) CheckDraft(text_, scope_, plan.tasks[k], drafts_[k]);
     if (const auto failure = WhyNotPlanned(plan, scope_)) throw Refused{{failure->code, text_, failure->message, ""}};
@@ -152,6 +154,8 @@ class Assembler {
     const bool gait = said.said.contains("distance_m");
     const std::string last = drafts_.empty() ? "" : drafts_.back().action;
     if (corrects && !last.empty()) return;
+    if (!drafts_.empty()) GoOnStairs(drafts_.back(), said);
+    if (!said.action.empty()) return;
     const bool far = !drafts_.empty() && SaysHowFar(drafts_.back()) && SaysHowFar(said);
     const bool joins = last == "walk" && !clause.follows_then && !far;
     if (said.said.contains("angle_deg") && said.side && last != "bow") {  // "R 90 degrees"
@@ -163,12 +167,6 @@ class Assembler {
     } else if (clause.follows_then && !last.empty() && (said.side || said.said.contains("angle_deg"))) {
       said.action = last;
     }
-  }
-
-  /// "turn left 60 degrees, no, turn right": all else stays.
-  bool OnlyTurnsRound(const Draft& said) const {
-    if (drafts_.empty() || drafts_.back().action != said.action || said.action != "turn" || said.bare) return false;
-    return std::all_of(said.said.begin(), said.said.end(), [](const auto& one) { return one.first == "direction"; });
   }
 
   Draft Sided(Draft said) const {
@@ -274,7 +272,8 @@ class Assembler {
       }
       const bool first_is_main = gesture || !IsGesture(first.action);
       Draft &main = first_is_main ? first : said, &beside = first_is_main ? said : first;
-      main.words = {std::min(main.words.begin, beside.words.begin), std::max(main.words.end, beside.words.end)};
+      main.words = {std::min({waiting_from_, main.words.begin, beside.words.begin}),
+                    std::max(main.words.end, beside.words.end)};
       main.during.push_back(beside);
       drafts_.push_back(main);
       return;
@@ -317,6 +316,7 @@ class Assembler {
     const bool first = drafts_.empty() || (!gesture && Begins(clause) && LanguageOf(text_) == Language::kEnglish) ||
                        (!gesture && LanguageOf(text_) == Language::kChinese);
     if (first && !(gesture && !drafts_.empty())) {
+      waiting_from_ = clause.since;
       waiting_ = std::move(said);
       return;
     }
@@ -362,6 +362,7 @@ class Assembler {
   const TaskScope& scope_;
   std::vector<Draft> drafts_;
   std::optional<Draft> waiting_;  // for the clause that it is joined with
+  std::size_t waiting_from_ = 0;  // where that begins, its "while" too
   std::vector<Draft> held_;       // gestures that are made while the next is done
   std::optional<Draft> manner_;   // said before what is done so
   Forbidden forbidden_;

@@ -24,6 +24,43 @@ TEST(DraftRobotYaml, NamesTheFeetThatComeDownLowest) {
   EXPECT_TRUE(LoadRobotFromText(urdf, draft).ok());
 }
 
+std::string Link(const std::string& name) {
+  return "<link name='" + name +
+         "'><inertial><origin xyz='0 0 -0.1'/><mass value='1'/><inertia ixx='0.1' iyy='0.1' izz='0.1' ixy='0' ixz='0' "
+         "iyz='0'/></inertial></link>";
+}
+
+std::string Hip(const std::string& leg, const std::string& y) {
+  return "<joint name='hip_" + leg + "' type='revolute'><origin xyz='0 " + y +
+         " 0'/><parent link='body'/><child link='" + leg +
+         "'/><axis xyz='0 1 0'/><limit lower='-1' upper='1' effort='10' velocity='10'/></joint>";
+}
+
+/// Of limbs with one joint it makes a robot that stands, and says that it does not walk.
+TEST(DraftRobotYaml, NamesLimbsOfOneJointToo) {
+  const std::string one = "<robot name='x'>" + Link("body") + Link("l") + Hip("l", "0.1");
+  for (const std::string& urdf : {one + "</robot>", one + Link("r") + Hip("r", "-0.1") + "</robot>"}) {
+    const Result<RobotModel> alone = LoadRobotFromText(urdf, "");
+    ASSERT_FALSE(alone.ok());
+    EXPECT_NE(alone.failure().message.find("have one joint each, as 'hip_l' is"), std::string::npos)
+        << alone.failure().message;
+    const std::string draft = DraftRobotYaml(urdf, alone.failure());
+    EXPECT_NE(draft.find("\n  - {link: 'l'}  # joints hip_l;"), std::string::npos) << draft;
+    EXPECT_NE(draft.find("# Each has one joint: the robot can stand"), std::string::npos) << draft;
+    const Result<RobotModel> model = LoadRobotFromText(urdf, draft);
+    ASSERT_TRUE(model.ok()) << model.failure().message;
+    EXPECT_EQ(model->feet.size(), model->joints.size());
+  }
+}
+
+TEST(DraftRobotYaml, WhereNothingMovesTheMessageSaysSo) {
+  const Result<RobotModel> model = LoadRobotFromText("<robot name='x'>" + Link("body") + "</robot>", "");
+  ASSERT_FALSE(model.ok());
+  EXPECT_NE(model.failure().message.find("no joint of its URDF moves"), std::string::npos) << model.failure().message;
+  ASSERT_EQ(model.failure().hints.size(), 1U);
+  EXPECT_NE(model.failure().hints[0].find("a robot.yaml cannot"), std::string::npos) << model.failure().hints[0];
+}
+
 TEST(DraftRobotYaml, IsEmptyForWhatHasNoLimbs) {
   EXPECT_EQ(DraftRobotYaml("<robot name='x'><link name='a'/></robot>", kNoLegs), "");
   EXPECT_EQ(DraftRobotYaml("no URDF", kNoLegs), "");

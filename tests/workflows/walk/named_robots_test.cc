@@ -10,8 +10,9 @@
 namespace gaitwright {
 namespace {
 
-void ExpectWalks(const RobotModel& model) {
+void ExpectWalks(const RobotModel& model, const std::string& gait = "") {
   WalkRequest request;
+  request.gait = gait;
   request.command.distance_m = 1.0;
   const Result<PlannedWalk> planned = PlanWalk(model, request);
   ASSERT_TRUE(planned.ok()) << planned.failure().message;
@@ -36,6 +37,12 @@ TEST_P(NamedRobot, WalksAMetreInOtherConventions) {
   ExpectWalks(LoadRobotFromText(disguise.text(), "").value());
 }
 
+class NamedQuadruped : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, NamedQuadruped, testing::Values("a1", "go1", "laikago", "mini_cheetah"),
+                         [](const auto& name) { return name.param; });
+
+TEST_P(NamedQuadruped, TrotsAMetre) { ExpectWalks(LoadNamedRobot(GetParam()).value(), "trot"); }
+
 /// Its soles are bars of 3 cm that no joint rolls: one of them alone tips as the body sways over it.
 TEST(NamedRobots, TheH1IsToldWhyItCannotWalk) {
   WalkRequest request;
@@ -46,9 +53,8 @@ TEST(NamedRobots, TheH1IsToldWhyItCannotWalk) {
       << planned.failure().message;
 }
 
-/// It stands, though, and pushes of 10 N for half a second do not fell it.
-TEST(NamedRobots, TheH1StandsAgainstPushes) {
-  const RobotModel h1 = LoadNamedRobot("h1").value();
+/// Stands for three seconds, and pushes of 10 N for half a second do not fell it.
+void ExpectStandsAgainstPushes(const RobotModel& h1) {
   WalkRequest request;
   request.sequence = "stand: duration=3";
   const Result<PlannedWalk> planned = PlanWalk(h1, request);
@@ -63,6 +69,13 @@ TEST(NamedRobots, TheH1StandsAgainstPushes) {
     ASSERT_TRUE(played.ok()) << played.failure().message;
     EXPECT_TRUE(played->report.pass) << played->report.reason;
   }
+}
+
+/// It stands, though.
+TEST(NamedRobots, TheH1StandsAgainstPushes) { ExpectStandsAgainstPushes(LoadNamedRobot("h1").value()); }
+
+TEST(NamedRobots, TheH1StandsAgainstPushesFromItsUrdfAlone) {
+  ExpectStandsAgainstPushes(LoadRobotFromText(LoadNamedRobot("h1").value().urdf_text, "").value());
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "planning/plan/built_in_terrain.h"
 #include "planning/tasks/task_plan_json.h"
+#include "workflows/words/places.h"
 
 namespace gaitwright {
 namespace {
@@ -42,7 +44,8 @@ std::string TextOf(const YAML::Node& node) { return node ? node.as<std::string>(
 std::vector<CorpusEntry> LoadCorpus(const std::string& file) {
   std::vector<CorpusEntry> entries;
   for (const YAML::Node& node : YAML::LoadFile(PathOf(file))) {
-    CorpusEntry entry{TextOf(node["text"]), TextOf(node["language"]), TextOf(node["robot"]), {}};
+    CorpusEntry entry{
+        TextOf(node["text"]), TextOf(node["language"]), TextOf(node["robot"]), TextOf(node["ground"]), {}};
     for (const YAML::Node& task : node["tasks"]) entry.tasks.push_back(TaskOf(task));
     entries.push_back(entry);
   }
@@ -53,12 +56,12 @@ std::vector<RefusalEntry> LoadRefusals(const std::string& file) {
   std::vector<RefusalEntry> entries;
   for (const YAML::Node& node : YAML::LoadFile(PathOf(file))) {
     entries.push_back({TextOf(node["text"]), TextOf(node["robot"]), TextOf(node["reason"]), TextOf(node["part"]),
-                       TextOf(node["nearest"])});
+                       TextOf(node["nearest"]), TextOf(node["ground"])});
   }
   return entries;
 }
 
-TaskScope CorpusScope(const std::string& robot) {
+TaskScope CorpusScope(const std::string& robot, const std::string& ground) {
   TaskScope scope;
   scope.robot = robot;
   scope.left_arm = scope.right_arm = scope.head = scope.two_soles = robot == "nao";
@@ -67,6 +70,7 @@ TaskScope CorpusScope(const std::string& robot) {
   scope.places = {{"red marker", 0}, {"blue marker", 0}, {"door", 0},     {"charging station", 0},
                   {"step", 3},       {"stone", 6},       {"红色标记", 0}, {"蓝色标记", 0},
                   {"门", 0},         {"充电桩", 0},      {"台阶", 3},     {"石头", 6}};
+  if (!ground.empty()) scope.places = PlacesOf(MakeTerrain(ground, TerrainScale{}).value());
   return scope;
 }
 

@@ -13,7 +13,7 @@ namespace {
 int Understood(const std::vector<CorpusEntry>& corpus, bool all) {
   int count = 0;
   for (const CorpusEntry& entry : corpus) {
-    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot));
+    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot, entry.ground));
     const auto* plan = std::get_if<TaskPlan>(&understood);
     const bool as_meant = plan != nullptr && TasksText(plan->tasks) == TasksText(entry.tasks);
     count += as_meant ? 1 : 0;
@@ -52,7 +52,7 @@ TEST(Corpus, NothingThatMattersIsLeftOut) {
   const auto refusals = LoadRefusals("not_understood.yaml");
   ASSERT_GE(refusals.size(), 120U);
   for (const RefusalEntry& entry : refusals) {
-    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot));
+    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot, entry.ground));
     const auto* plan = std::get_if<TaskPlan>(&understood);
     EXPECT_EQ(plan, nullptr) << entry.text << "\nis taken as " << TasksText(plan->tasks);
   }
@@ -64,7 +64,7 @@ TEST(Corpus, WhatIsNotAcceptedIsRefusedByItsPart) {
   const auto later = LoadRefusals("later_refusals.yaml");
   refusals.insert(refusals.end(), later.begin(), later.end());
   for (const RefusalEntry& entry : refusals) {
-    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot));
+    const auto understood = words::Understand(entry.text, CorpusScope(entry.robot, entry.ground));
     const auto* refusal = std::get_if<words::Refusal>(&understood);
     ASSERT_NE(refusal, nullptr) << entry.text;
     EXPECT_EQ(refusal->reason, entry.reason) << entry.text;
@@ -84,6 +84,11 @@ TEST(Corpus, WordsAreKept) {
   EXPECT_EQ(plan->tasks[0].words, "walk two steps");
   EXPECT_EQ(plan->tasks[1].words, "raise the right arm");
   EXPECT_EQ(plan->language, "en");
+  const auto both = words::Understand("鞠躬，然后一边走一边挥手", CorpusScope("nao"));
+  ASSERT_TRUE(std::holds_alternative<TaskPlan>(both));
+  const Task& walk = std::get<TaskPlan>(both).tasks.at(1);
+  EXPECT_EQ(walk.words, "一边走一边挥手");
+  EXPECT_EQ(walk.during.at(0).words, "挥手");
 }
 
 /// What nobody may do by saying that it is not to be done.

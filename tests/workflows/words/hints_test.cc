@@ -12,10 +12,12 @@ namespace {
 using Hints = std::vector<std::string>;
 
 TEST(Hints, FlagsBecomeWords) {
-  EXPECT_EQ(HintsInWords({"--speed 0.4", "another gait"}), (Hints{"'at 0.4 m/s'", "another gait"}));
-  EXPECT_EQ(HintsInWords({"--lateral-speed -0.2"}), Hints{"'at 0.2 m/s'"});
-  EXPECT_EQ(HintsInWords({"--yaw-rate 0.5"}), Hints{});  // nothing says how fast to turn
-  EXPECT_EQ(HintsInWords({"--set pipeline.allow_limits=true gives the plan all the same"}).size(), 1U);
+  EXPECT_EQ(HintsInWords({"--speed 0.4", "another gait"}, 1), (Hints{"say 'at 0.4 m/s' or slower", "another gait"}));
+  EXPECT_EQ(HintsInWords({"--lateral-speed -0.2"}, 1), Hints{"say 'at 0.2 m/s' or slower"});
+  EXPECT_EQ(HintsInWords({"--step-length 0.05"}, 1), Hints{"say 'steps of 0.05 m' or shorter"});
+  EXPECT_EQ(HintsInWords({"--step-length -0.05"}, 4), Hints{"say 'steps of 0.2 m' or shorter"});
+  EXPECT_EQ(HintsInWords({"--yaw-rate 0.5"}, 1), Hints{});  // nothing says how fast to turn
+  EXPECT_EQ(HintsInWords({"--set pipeline.allow_limits=true gives the plan all the same"}, 1).size(), 1U);
 }
 
 TEST(Hints, ThePlacesThatThereAreAreNamed) {

@@ -33,8 +33,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, Quadruped, testing::Values("a1", "go1", "laikag
                          [](const auto& robot) { return robot.param; });
 
 /// Each phase ends when it is measured to be done, and the ZMP is where it should be at the end.
-TEST_P(Quadruped, StandsUpFromLyingInPhases) {
-  const Done done = Do(GetParam(), "stand up");
+void ExpectStandsUpFromLyingInPhases(const RobotModel& model) {
+  const Done done = DoneInWords(model, "stand up", FlatTerrain());
   const PlaybackLog& log = done.played.log;
   ASSERT_EQ(log.gates.size(), 4U);
   const std::vector<std::string> phases = {"init", "lift front", "lift rear", "balance"};
@@ -44,7 +44,13 @@ TEST_P(Quadruped, StandsUpFromLyingInPhases) {
   }
   const double error_m = ZmpErrorAtEnd(done);
   EXPECT_LT(error_m, 0.012);
-  RecordProperty("zmp_error_mm", std::to_string(1e3 * error_m));
+  testing::Test::RecordProperty("zmp_error_mm", std::to_string(1e3 * error_m));
+}
+
+TEST_P(Quadruped, StandsUpFromLyingInPhases) { ExpectStandsUpFromLyingInPhases(LoadNamedRobot(GetParam()).value()); }
+
+TEST_P(Quadruped, StandsUpFromLyingInPhasesFromItsUrdfAlone) {
+  ExpectStandsUpFromLyingInPhases(LoadRobotFromText(LoadNamedRobot(GetParam()).value().urdf_text, "").value());
 }
 
 TEST_P(Quadruped, DoesWhatQuadrupedsDo) {
@@ -117,6 +123,27 @@ TEST(OnStairs, GoesOnWhereAllFeetAreOnOneLevel) {
     EXPECT_TRUE(!later || foothold.patch == 3) << foothold.touchdown_s;
   }
   EXPECT_GT(landing.planned.plan.footsteps.footholds.back().foot, 3) << "it lies on the landing";
+}
+
+/// Up to the landing, and down on the side that the robot faces: ahead, or after a turn the way that it came.
+TEST(OnStairs, AreClimbedAndGoneDown) {
+  struct Case {
+    const char *robot, *text, *patch;
+  };
+  for (const Case& c : {Case{"a1", "climb the stairs", "step 3"}, Case{"a1", "上楼", "step 3"},
+                        Case{"a1", "climb the stairs, then go down the stairs", "ground"},
+                        Case{"a1", "上楼，转身，再下楼", "ground"}}) {
+    const RobotModel model = LoadNamedRobot(c.robot).value();
+    const Terrain stairs = MakeTerrain("stairs", ScaleOf(model)).value();
+    const Done done = DoneInWords(model, c.text, stairs);
+    const VectorX& q = done.played.log.samples.back().q;
+    EXPECT_EQ(stairs.patches[static_cast<std::size_t>(GroundAt(stairs, {q[0], q[1]}).patch)].name, c.patch) << c.text;
+    const auto& footholds = done.planned.plan.footsteps.footholds;
+    const auto highest = std::max_element(footholds.begin(), footholds.end(), [](const auto& a, const auto& b) {
+      return a.X_WF.translation().z() < b.X_WF.translation().z();
+    });
+    EXPECT_EQ(stairs.patches[static_cast<std::size_t>(highest->patch)].name, "step 3") << c.text;
+  }
 }
 
 TEST(Quadrupeds, NothingIsDoneAfterAWalkThatEndsOnTwoSteps) {
@@ -192,6 +219,32 @@ TEST(Tasks, WhatIsTooMuchIsToldWithTheMostThatIsNot) {
   EXPECT_NE(deep.failure().message.find("task 1, 'squat 30 cm'"), std::string::npos);
   ASSERT_FALSE(deep.failure().hints.empty());
   EXPECT_NE(deep.failure().hints[0].find("the largest depth_m"), std::string::npos) << deep.failure().hints[0];
+}
+
+/// What is told to be possible is.
+TEST(Tasks, ABowTooDeepIsToldTheRange) {
+  const Result<PlannedTasks> deep = Planned("a1", "bow 60 degrees", FlatTerrain());
+  ASSERT_FALSE(deep.ok());
+  ASSERT_EQ(deep.failure().hints.size(), 1U);
+  const std::string hint = deep.failure().hints[0], begin = "a bow of 1 to ";
+  ASSERT_EQ(hint.find(begin), 0U) << hint;
+  const std::string most = hint.substr(begin.size(), hint.find(" degrees") - begin.size());
+  EXPECT_TRUE(Planned("a1", "bow " + most + " degrees", FlatTerrain()).ok()) << most;
+}
+
+TEST(Tasks, AWalkTooFastOrTooLongOfStepIsToldWhatToSay) {
+  struct Case {
+    const char *robot, *walk, *too_much, *more;
+  };
+  for (const Case& c : {Case{"nao", "walk 20 cm ", "at 3 m/s", "' or slower"},
+                        Case{"a1", "walk 4 ", "steps of 0.9 m", "' or shorter"}}) {
+    const Result<PlannedTasks> fast = Planned(c.robot, std::string(c.walk) + c.too_much, FlatTerrain());
+    ASSERT_FALSE(fast.ok()) << c.robot;
+    const std::string &hint = fast.failure().hints.at(0), say = "say '";
+    ASSERT_TRUE(hint.starts_with(say) && hint.ends_with(c.more)) << hint;
+    const std::string said = hint.substr(say.size(), hint.find('\'', say.size()) - say.size());
+    EXPECT_TRUE(Planned(c.robot, c.walk + said, FlatTerrain()).ok()) << c.robot << ": " << said;
+  }
 }
 
 TEST(Tasks, TheSameTasksGiveTheSamePlan) {
