@@ -102,7 +102,7 @@ void WalkArguments::Finish(const RobotModel& model) {
     const std::vector<double> pose = ParseNumbers("--goal", goal, 3);
     extent.goal = PlanarPose{pose[0], pose[1], pose[2]};
   }
-  SetExtent(model, extent, request.command);
+  SetExtent(model, extent, request.command, "--");
 }
 
 void PlayArguments::AddTo(CLI::App& verb) {

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/walk/walk_extent.h"
 
+#include <fmt/format.h>
+
 #include "kinematics/base/result.h"
 
 namespace gaitwright {
 
-void SetExtent(const RobotModel& model, const WalkExtent& extent, WalkCommand& command) {
+void SetExtent(const RobotModel& model, const WalkExtent& extent, WalkCommand& command, const std::string& before) {
   const int said = static_cast<int>(extent.distance_m.has_value()) + static_cast<int>(extent.duration_s.has_value()) +
                    static_cast<int>(extent.goal.has_value()) + static_cast<int>(extent.steps.has_value());
-  if (said > 1) throw InvalidArgument("distance, duration, goal and steps each say how far: give one of them");
-  if (extent.distance_m == 0.0) throw InvalidArgument("a distance of 0 goes nowhere: it must be more than 0");
+  if (said > 1) {
+    throw InvalidArgument(
+        fmt::format("{0}distance, {0}duration, {0}goal and {0}steps each say how far: give one of them", before));
+  }
+  if (extent.distance_m == 0.0)
+    throw InvalidArgument(fmt::format("{}distance 0 goes nowhere: it must be more than 0", before));
   if (extent.step_length_m && (!extent.steps || command.speed_m_s != 0.0))
     throw InvalidArgument("the length of a step goes with steps, and instead of a speed");
   const bool walks = command.speed_m_s != 0.0 || command.lateral_speed_m_s != 0.0;

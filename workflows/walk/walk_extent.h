@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
@@ -20,7 +21,7 @@ struct WalkExtent {
 /// Puts it into a command, whose speeds are there already. What nobody said is 1 m, or where only a yaw rate is given a
 /// quarter turn; steps without a length or a speed go at the robot's own speed.
 /// @throws InvalidArgument where it is said twice, for a distance of 0, and for a step's length without steps or beside
-/// a speed.
-void SetExtent(const RobotModel& model, const WalkExtent& extent, WalkCommand& command);
+/// a speed. @param before  what stands before names in its message, as "--" before flags.
+void SetExtent(const RobotModel& model, const WalkExtent& extent, WalkCommand& command, const std::string& before = "");
 
 }  // namespace gaitwright
