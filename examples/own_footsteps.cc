@@ -3,33 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "planning/paths/standing_feet.h"
-#include "planning/plan/terrain.h"
-#include "workflows/exchange/footstep_file.h"
-#include "workflows/walk/walk.h"
 
 namespace gaitwright::examples {
-namespace {
-
-/// The largest of all distances from a step to where its foot came down next to it.
-double LargestMiss(const std::vector<PlacedStep>& steps, const PlaybackLog& log) {
-  double largest_m = 0.0;
-  for (const PlacedStep& step : steps) {
-    const Vector2 wanted(step.place.x_m, step.place.y_m);
-    double nearest_m = HUGE_VAL;
-    for (const StanceRecord& stance : log.stances) {
-      const double miss_m = (stance.p_touchdown_W.head<2>() - wanted).norm();
-      if (stance.foot == step.foot) nearest_m = std::min(nearest_m, miss_m);
-    }
-    largest_m = std::max(largest_m, nearest_m);
-  }
-  return largest_m;
-}
-
-}  // namespace
 
 std::vector<PlacedStep> StepsOnArc(const RobotModel& model, double radius_m, double turn_rad, double stride_m) {
   const double strides = radius_m * std::abs(turn_rad) / stride_m;
@@ -50,30 +28,6 @@ std::vector<PlacedStep> StepsOnArc(const RobotModel& model, double radius_m, dou
     }
   }
   return steps;
-}
-
-std::string FootstepsYaml(const RobotModel& model, const std::vector<PlacedStep>& steps, double swing_s,
-                          double pause_s) {
-  std::string yaml = fmt::format("swing_s: {}\npause_s: {}\nfootsteps:\n", swing_s, pause_s);
-  for (const PlacedStep& step : steps)
-    yaml += fmt::format("- {{foot: {}, x_m: {}, y_m: {}, yaw_rad: {}}}\n",
-                        model.feet[static_cast<std::size_t>(step.foot)].name, step.place.x_m, step.place.y_m,
-                        step.place.yaw_rad);
-  return yaml;
-}
-
-WalkedSteps WalkSteps(const RobotModel& model, const std::vector<PlacedStep>& steps) {
-  ImportRequest request;
-  request.file = "own footsteps";  // what failures call them
-  ImportedMotion motion;
-  const std::string yaml = FootstepsYaml(model, steps, 0.35, 0.15);
-  if (const auto failure = PlanFootstepFile(model, FlatTerrain(), yaml, request, motion))
-    throw InvalidArgument(failure->message);
-  const Result<AuditReport> audit = Audit(model, motion.plan, {});
-  if (!audit) throw InvalidArgument(audit.failure().message);
-  const Result<PlayedWalk> played = PlayWalk(model, motion.plan, {});
-  if (!played) throw InvalidArgument(played.failure().message);
-  return {motion.plan, *audit, played->report, LargestMiss(steps, played->log)};
 }
 
 }  // namespace gaitwright::examples

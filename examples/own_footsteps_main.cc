@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "examples/own_footsteps.h"
+#include "examples/walk_own_footsteps.h"
 #include "kinematics/model/load_robot.h"
 
 int main(int argc, char** argv) {

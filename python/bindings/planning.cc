@@ -13,8 +13,8 @@
 #include "python/bindings/errors.h"
 #include "python/bindings/options.h"
 #include "python/bindings/plan.h"
-#include "workflows/exchange/footstep_file.h"
 #include "workflows/exchange/import_motion.h"
+#include "workflows/exchange/placed_steps.h"
 #include "workflows/walk/walk.h"
 #include "workflows/walk/walk_extent.h"
 
@@ -67,28 +67,17 @@ SharedPlan PlanAWalk(const SharedRobot& robot, const std::string& gait, const py
   return PlanAsked(robot, asked, ground, std::move(request));
 }
 
-/// As PlanFootstepFile reads them.
-std::string YamlOf(const std::vector<std::tuple<std::string, double, double, double>>& steps, double swing_s,
-                   double pause_s) {
-  std::string yaml = fmt::format("swing_s: {}\npause_s: {}\nfootsteps:\n", swing_s, pause_s);
-  for (const auto& [foot, x_m, y_m, yaw_rad] : steps)
-    yaml += fmt::format("- {{foot: {}, x_m: {}, y_m: {}, yaw_rad: {}}}\n", foot, x_m, y_m, yaw_rad);
-  return yaml;
-}
+using StepTuple = std::tuple<std::string, double, double, double>;
 
-SharedPlan PlanSteps(const SharedRobot& robot,
-                     const std::vector<std::tuple<std::string, double, double, double>>& steps,
-                     const py::object& terrain, double swing_s, double pause_s, const py::dict& options) {
-  ImportRequest request;
-  request.file = "the footsteps";
-  SetOptions(request.Fields(), options);
+SharedPlan PlanSteps(const SharedRobot& robot, const std::vector<StepTuple>& steps, const py::object& terrain,
+                     double swing_s, double pause_s, const py::dict& options) {
+  MotionOptions motion;
+  SetOptions(motion.Fields(), options);
   const Terrain ground = TerrainOf(terrain, *robot);
-  request.terrain = ground.name;
-  const std::string yaml = YamlOf(steps, swing_s, pause_s);
+  std::vector<PlacedStep> placed;
+  for (const auto& [foot, x_m, y_m, yaw_rad] : steps) placed.push_back({FootIndex(*robot, foot), {x_m, y_m, yaw_rad}});
   const py::gil_scoped_release others_go_on;
-  ImportedMotion motion;
-  if (const auto failure = PlanFootstepFile(*robot, ground, yaml, request, motion)) throw FailureError(*failure);
-  return std::make_shared<Plan>(robot, std::move(motion.plan));
+  return std::make_shared<Plan>(robot, Value(PlanOverSteps(*robot, ground, placed, {swing_s, pause_s}, motion)));
 }
 
 SharedPlan Import(const SharedRobot& robot, const std::string& path, const std::string& terrain,

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
+#include "examples/walk_own_footsteps.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/paths/standing_feet.h"
-#include "workflows/exchange/footstep_file.h"
 
 namespace gaitwright::examples {
 namespace {
@@ -48,19 +48,6 @@ TEST(OwnFootstepsExample, AllFeetStepInTurnFromTheRearToTheFront) {
     for (std::size_t i = k; i < k + 4; i += 2)
       EXPECT_LT(PlaceOf(steps[i]).dot(Vector2(std::cos(steps[i].place.yaw_rad), std::sin(steps[i].place.yaw_rad))),
                 PlaceOf(steps[i + 1]).dot(Vector2(std::cos(steps[i].place.yaw_rad), std::sin(steps[i].place.yaw_rad))));
-  }
-}
-
-TEST(OwnFootstepsExample, TheFileSaysTheSame) {
-  const std::vector<PlacedStep> steps = StepsOnArc(Robot(), 0.6, 0.4, 0.12);
-  const std::string yaml = FootstepsYaml(Robot(), steps, 0.4, 0.1);
-  const FootstepPlan read = ReadFootsteps(Robot(), FlatTerrain(), yaml, "steps", 0.005).value().footsteps;
-  ASSERT_EQ(read.footholds.size(), steps.size() + 4);  // and where they stand at first
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const Foothold& foothold = read.footholds[4 + k];
-    EXPECT_EQ(foothold.foot, steps[k].foot);
-    EXPECT_LT((foothold.X_WF.translation().head<2>() - PlaceOf(steps[k])).norm(), 1e-12);
-    EXPECT_NEAR(foothold.touchdown_s, 0.8 + 0.4 + 0.5 * static_cast<double>(k), 1e-9);
   }
 }
 
