@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import _thread
 import json
+import threading
 
 import gaitwright as gw
 import numpy as np
@@ -42,6 +44,12 @@ def test_an_exception_of_the_progress_comes_back(trot):
 
     with pytest.raises(RuntimeError, match="enough"):
         gw.trials(trot, 4, progress=no)
+
+
+def test_ctrl_c_ends_trials(trot):
+    threading.Timer(1.0, _thread.interrupt_main).start()
+    with pytest.raises(KeyboardInterrupt):
+        gw.trials(trot, 100_000)
 
 
 def test_reports_and_viewer_show_inline(playback, report, tmp_path):
