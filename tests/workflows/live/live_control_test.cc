@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr WalkPace kTrot = {.gait = "trot", .speed_m_s = 0.3};
+const WalkPace kTrot = {.gait = "trot", .speed_m_s = 0.3};
 
 /// A robot with a controller, and what is done to it.
 class Controlled {
