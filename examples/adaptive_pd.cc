@@ -6,8 +6,6 @@
 #include <algorithm>
 
 #include "kinematics/dynamics/foot_contact.h"
-#include "kinematics/model/load_robot.h"
-#include "workflows/walk/walk.h"
 
 namespace gaitwright::examples {
 
@@ -49,24 +47,6 @@ JointCommand AdaptivePd::Update(const ControlInput& input) {
   payloads_kg_.push_back(std::max(0.0, before_kg - input.step_s * gain_ * Y.dot(s)));
   const VectorX tau_ff = wanted_.tau + payloads_kg_.back() * Y;
   return {wanted_.q.tail(n), wanted_.v.tail(n), tau_ff, gains_.stiffness, gains_.damping};
-}
-
-CarriedPayload CarryPayload(const std::string& robot, double payload_kg, double rate_per_s) {
-  if (!(payload_kg >= 0.0)) throw InvalidArgument(fmt::format("payload_kg is {}; it must be 0 or more", payload_kg));
-  const Result<RobotModel> model = LoadNamedRobot(robot);
-  if (!model) throw InvalidArgument(model.failure().message);
-  WalkRequest request;
-  request.sequence = "stand: duration=3";
-  const Result<PlannedWalk> planned = PlanWalk(*model, request);
-  if (!planned) throw InvalidArgument(planned.failure().message);
-  const MotionPlan& plan = planned->motion.plan;
-  RobotModel loaded = *model;  // what is played; all else knows the robot as it was
-  loaded.bodies[0].mass += payload_kg;
-  loaded.total_mass_kg += payload_kg;
-  AdaptivePd controller(*model, plan, rate_per_s);
-  const Result<PlaybackLog> log = Play(loaded, plan, controller);
-  if (!log) throw InvalidArgument(log.failure().message);
-  return {controller.payloads_kg(), Score(*model, plan, *log)};
 }
 
 }  // namespace gaitwright::examples

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "examples/adaptive_pd.h"
+#include "examples/carry_payload.h"
 
 int main(int argc, char** argv) {
   using namespace gaitwright;

@@ -5,6 +5,7 @@
 
 #include <Eigen/QR>
 
+#include "examples/carry_payload.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/load_robot.h"
 
