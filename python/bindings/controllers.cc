@@ -31,7 +31,12 @@ class PythonController : public Controller {
     return command.cast<JointCommand>();
   }
   void Reset() override { PYBIND11_OVERRIDE_NAME(void, Controller, "reset", Reset, ); }
-  std::string Name() const override { PYBIND11_OVERRIDE_PURE_NAME(std::string, Controller, "name", Name, ); }
+  std::string Name() const override {
+    const py::gil_scoped_acquire python;
+    const auto* self = static_cast<const Controller*>(this);
+    if (const py::function name = py::get_override(self, "name")) return name().cast<std::string>();
+    return py::type::of(py::cast(self)).attr("__name__").cast<std::string>();
+  }
 };
 
 /// Forces on the feet, feet x 3.
@@ -101,8 +106,8 @@ void BindControllers(py::module_& module) {
   py::class_<Controller, PythonController, std::shared_ptr<Controller>>(module, "Controller",
                                                                         R"(State in, command out, once a step.
 
-A class of your own has ``update(self, input)``, which gives a `JointCommand`, and ``name(self)``; it may have
-``reset(self)``, called before a playback. It must not keep time by itself: ``input.time_s`` may stand still.)")
+A class of your own has ``update(self, input)``, which gives a `JointCommand`. It may have ``reset(self)``, called before
+a playback, and ``name(self)`` for logs and reports; without one it is called as its class. It must not keep time by itself: ``input.time_s`` may stand still.)")
       .def(py::init<>())
       .def("update", &Controller::Update, py::arg("input"))
       .def("reset", &Controller::Reset)

@@ -37,9 +37,6 @@ def test_a_controller_of_ones_own_walks(trot):
 
 def test_what_a_controller_does_wrong_comes_back_as_it_was_raised(trot):
     class Broken(gw.Controller):
-        def name(self):
-            return "broken"
-
         def update(self, now):
             raise ZeroDivisionError("of its own")
 
@@ -65,6 +62,24 @@ def test_what_a_controller_does_wrong_comes_back_as_it_was_raised(trot):
         gw.play(trot, 3)
     with pytest.raises(TypeError, match="terrain is 3"):
         gw.plan_walk(trot.robot, terrain=3)
+
+
+def test_a_controller_without_a_name_is_called_as_its_class(trot):
+    class Limp(gw.Controller):
+        def update(self, now):
+            return gw.JointCommand(now.q[7:])
+
+    playback = gw.play(trot, Limp())
+    assert playback.controller == "Limp"
+    assert not playback.passed and "gave way" in playback.reason
+
+
+def test_a_controller_needs_an_update(trot):
+    class Nothing(gw.Controller):
+        pass
+
+    with pytest.raises(ValueError, match="needs a method update"):
+        gw.play(trot, Nothing())
 
 
 def test_a_controller_can_be_asked_step_by_step(trot):
