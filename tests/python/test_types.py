@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stub tells of all that there is, no more, and by the same names."""
+"""The type file tells of all that there is, no more, and by the same names."""
 
 import ast
 import inspect
@@ -12,9 +12,9 @@ import gaitwright as gw
 import pytest
 from gaitwright import _core
 
-STUB = ast.parse(Path(_core.__file__).with_name("_core.pyi").read_text())
-CLASSES = {node.name: node for node in STUB.body if isinstance(node, ast.ClassDef)}
-FUNCTIONS = {node.name: node for node in STUB.body if isinstance(node, ast.FunctionDef)}
+TYPES = ast.parse(Path(_core.__file__).with_name("_core.pyi").read_text())
+CLASSES = {node.name: node for node in TYPES.body if isinstance(node, ast.ClassDef)}
+FUNCTIONS = {node.name: node for node in TYPES.body if isinstance(node, ast.FunctionDef)}
 
 
 def public(names):
@@ -36,13 +36,13 @@ def parameters_at_runtime(function):
     return [name for name in re.findall(r"(\w+): ", first) if name != "self"]
 
 
-def test_the_stub_has_all_classes_and_functions():
+def test_the_type_file_has_all_classes_and_functions():
     runtime = public(vars(_core)) - {"AUDIT_LAWS", "CONTROLLERS"}
     assert runtime == public(CLASSES) | public(FUNCTIONS)
 
 
 @pytest.mark.parametrize("name", sorted(CLASSES))
-def test_the_stub_has_all_of_a_class(name):
+def test_the_type_file_has_all_of_a_class(name):
     assert public(names_in(CLASSES[name].body)) == public(vars(getattr(_core, name)))
 
 
