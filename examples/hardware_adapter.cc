@@ -1,26 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "examples/hardware_adapter.h"
 
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <ctime>
+#include <system_error>
+
 namespace gaitwright::examples {
+
+HardwareAdapter::HardwareAdapter(std::uint16_t robot_port, double watchdog_s)
+    : watchdog_s_(watchdog_s), socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+  const sockaddr_in robot{AF_INET, htons(robot_port), {htonl(INADDR_LOOPBACK)}, {}};
+  if (connect(socket_, reinterpret_cast<const sockaddr*>(&robot), sizeof robot) != 0)
+    throw std::system_error(errno, std::generic_category(), "no socket to the robot");
+}
+
+HardwareAdapter::~HardwareAdapter() { close(socket_); }
 
 std::optional<JointState> HardwareAdapter::Exchange(double now_s, const JointCommand& command, double patience_s) {
   if (!heard_s_) heard_s_ = now_s;  // the first answer has as long as any
   if (now_s - *heard_s_ > watchdog_s_) stopped_ = true;
-  const VectorX none = VectorX::Zero(command.q.size());
-  const NumberedParts moving{sent_, {command.q, command.v, command.tau_ff, command.stiffness, command.damping}};
-  const NumberedParts stopping{sent_, {command.q, none, none, none, command.damping}};
-  socket_.Send(robot_port_, RowOf(stopped_ ? stopping : moving));
+  const Eigen::Index n = command.q.size();
+  VectorX row(1 + 5 * n);
+  row << static_cast<double>(sent_), command.q, command.v, command.tau_ff, command.stiffness, command.damping;
+  if (stopped_) row.segment(1 + n, 3 * n).setZero();
+  send(socket_, row.data(), static_cast<std::size_t>(row.size()) * sizeof(double), 0);  // lost where it cannot be sent
   ++sent_;
   std::optional<JointState> newest;
-  for (auto received = socket_.Receive(patience_s); received; received = socket_.Receive(0.0)) {
-    const auto said = PartsOf(received->row, command.q.size(), 2);
-    if (received->from_port != robot_port_ || !said || said->number < next_ || said->number >= sent_) continue;
-    next_ = said->number + 1;
+  for (auto said = Receive(patience_s, 1 + 2 * n); said; said = Receive(0.0, 1 + 2 * n)) {
+    if (said->size() != 1 + 2 * n || !said->allFinite()) continue;
+    const double number = (*said)[0];
+    if (number < static_cast<double>(next_) || number >= static_cast<double>(sent_)) continue;
+    newest = JointState{static_cast<std::uint64_t>(number), said->segment(1, n), said->tail(n)};
+    next_ = newest->number + 1;
     ++answered_;
     heard_s_ = now_s;
-    newest = JointState{said->number, said->parts[0], said->parts[1]};
   }
   return newest;
+}
+
+// The next datagram, of which no more than one double too many is kept; nothing when none has come in that time.
+std::optional<VectorX> HardwareAdapter::Receive(double patience_s, Eigen::Index size) const {
+  pollfd watched{socket_, POLLIN, 0};
+  const timespec patience{static_cast<std::time_t>(patience_s), static_cast<long>(1e9 * std::fmod(patience_s, 1.0))};
+  if (ppoll(&watched, 1, &patience, nullptr) != 1) return std::nullopt;
+  VectorX row(size + 1);
+  const auto bytes = recv(socket_, row.data(), static_cast<std::size_t>(size + 1) * sizeof(double), MSG_DONTWAIT);
+  row.conservativeResize(bytes < 0 ? 0 : bytes / static_cast<long>(sizeof(double)));
+  return row;
 }
 
 }  // namespace gaitwright::examples

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "examples/joint_datagrams.h"
 #include "playback/control/controller.h"
 
 namespace gaitwright::examples {
@@ -17,7 +16,7 @@ struct JointState {
 
 /// The controller's side of a robot that takes joint commands over UDP.
 ///
-/// = Datagrams =
+/// = Datagrams =   doubles in this machine's byte order
 ///   to the robot  number, q, v, tau_ff, stiffness, damping    of all joints, see JointCommand
 ///   from it       number of the command it answers, q, v
 /// Each command is whole by itself, so that a lost one is made up for by the next. Numbers tell what is late.
@@ -26,9 +25,12 @@ struct JointState {
 /// by itself when it hears no commands.
 class HardwareAdapter {
  public:
-  /// @param robot_port  where the robot listens.   @throws std::system_error for want of a socket.
-  explicit HardwareAdapter(std::uint16_t robot_port, double watchdog_s = 0.020)
-      : robot_port_(robot_port), watchdog_s_(watchdog_s) {}
+  /// @param robot_port  of this machine (127.0.0.1), where the robot listens; nobody else is heard.
+  /// @throws std::system_error for want of a socket.
+  explicit HardwareAdapter(std::uint16_t robot_port, double watchdog_s = 0.020);
+  ~HardwareAdapter();
+  HardwareAdapter(const HardwareAdapter&) = delete;
+  HardwareAdapter& operator=(const HardwareAdapter&) = delete;
 
   /// Sends a command, or damping when it has stopped, and takes in what comes.
   /// @param now_s       [s]; on any clock that does not go back.
@@ -42,9 +44,10 @@ class HardwareAdapter {
   std::uint64_t lost() const { return sent_ - answered_; }
 
  private:
-  std::uint16_t robot_port_;
+  std::optional<VectorX> Receive(double patience_s, Eigen::Index size) const;
+
   double watchdog_s_;
-  LoopbackSocket socket_;
+  int socket_;
   std::uint64_t sent_ = 0, answered_ = 0, next_ = 0;  // next_: the least number of a state that is new
   std::optional<double> heard_s_;
   bool stopped_ = false;

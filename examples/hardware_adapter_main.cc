@@ -2,29 +2,43 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
 
 #include "examples/stream_plan.h"
 
+namespace {
+
+std::string BesideThis(const std::string& program) {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / program).string();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace gaitwright;
-  CLI::App app("A plan's joints over UDP, to a stand-in for the robot", "hardware_adapter");
+  CLI::App app("A plan's joints over UDP, to a robot or a stand-in for it", "hardware_adapter");
   std::string robot = "a1";
+  std::uint16_t port = 0;
   examples::StandInOptions stand_in;
   examples::StreamOptions stream;
   app.add_option("--robot", robot, "A robot that comes with the program")->capture_default_str();
+  app.add_option("--port", port, "Where the robot listens, on 127.0.0.1; default: a stand-in that is started for it");
   app.add_option("--period", stream.period_s, "From one command to the next [s]")
       ->capture_default_str()
       ->check(CLI::Range(2e-4, 0.02));
   app.add_option("--watchdog", stream.watchdog_s, "Without a state for so long it stops [s]")->capture_default_str();
-  app.add_option("--load-error", stand_in.load_error, "Share by which loads are not as planned")->capture_default_str();
-  app.add_option("--loses-every", stand_in.loses_every, "One of so many answers gets lost; 0: none")
+  app.add_option("--loses-every", stand_in.loses_every, "One of so many answers of the stand-in gets lost; 0: none")
       ->capture_default_str();
-  app.add_option("--silent-after", stand_in.silent_after, "Answers after which the robot is silent; 0: never")
+  app.add_option("--silent-after", stand_in.silent_after, "Answers after which the stand-in is silent; 0: never")
       ->capture_default_str();
   try {
     app.parse(argc, argv);
     stream.patience_s = 0.5 * stream.period_s;
-    const examples::StreamReport report = examples::StreamToStandIn(robot, stand_in, stream);
+    stand_in.step_s = stream.period_s;
+    std::optional<examples::StandInProcess> started;
+    if (port == 0) port = started.emplace(BesideThis("stand_in_robot"), stand_in).port();
+    const examples::StreamReport report = examples::StreamWalk(robot, port, stream);
     fmt::print("{} commands at {:.1f} Hz, {} without an answer\n", report.sent, report.rate_hz, report.lost);
     fmt::print("largest tracking error {:.2f} mrad\n", 1e3 * report.largest_error);
     fmt::print("{}\n", report.stopped ? "stopped by the watchdog" : "done");

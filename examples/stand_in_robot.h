@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "examples/joint_datagrams.h"
+#include <cstdint>
+
 #include "playback/control/controller.h"
 
 namespace gaitwright::examples {
@@ -15,7 +16,8 @@ struct StandInOptions {
   int silent_after = 0;         ///< answers after which it falls silent; 0 for never
 };
 
-/// A robot's side of the line: takes commands, lets joints move, answers each command with where they are.
+/// A robot's side of the line, see HardwareAdapter: takes commands, lets joints move, answers each command with where
+/// they are. It has as many joints as the first command is for, and they are where that one wants them.
 ///
 /// A joint is a mass with a drive, I v' = tau - load, with the torque of JointCommand taken at the end of the step, so
 /// that no gain is too stiff, and a load that the feed-forward meets but for a share:
@@ -23,24 +25,29 @@ struct StandInOptions {
 /// Time goes by with commands alone, so what it does is the same on any machine.
 class StandInRobot {
  public:
-  StandInRobot(const VectorX& q_start, const StandInOptions& options)
-      : options_(options), q_(q_start), v_(VectorX::Zero(q_start.size())) {}
+  /// @throws std::system_error for want of a socket.
+  explicit StandInRobot(const StandInOptions& options);
+  ~StandInRobot();
+  StandInRobot(const StandInRobot&) = delete;
+  StandInRobot& operator=(const StandInRobot&) = delete;
 
-  std::uint16_t port() const { return socket_.port(); }
+  std::uint16_t port() const { return port_; }
   const VectorX& q() const { return q_; }
   const VectorX& v() const { return v_; }
 
-  /// Takes one command, if one comes within that time [s], and answers. A command that is older than the last one, or
-  /// is none, is passed over.
-  void Serve(double patience_s);
+  /// Takes one command and answers. A command that is older than the last one, or is none, is passed over.
+  /// @return whether anything came within that time [s].
+  bool Serve(double patience_s);
 
  private:
   void Move(const JointCommand& command);
+  bool Take(const VectorX& row);
 
   StandInOptions options_;
-  LoopbackSocket socket_;
+  int socket_;
+  std::uint16_t port_ = 0;
   VectorX q_, v_;
-  std::uint64_t next_ = 0;  // the least number that is new
+  double next_ = 0.0;  // the least number that is new
   int served_ = 0;
 };
 

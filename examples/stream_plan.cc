@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "examples/stream_plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -50,21 +52,24 @@ StreamReport StreamPlan(const MotionPlan& plan, const Gains& gains, HardwareAdap
   return report;
 }
 
-StreamReport StreamToStandIn(const std::string& robot, StandInOptions stand_in, const StreamOptions& options) {
+StreamReport StreamWalk(const std::string& robot, std::uint16_t port, const StreamOptions& options) {
   const Result<RobotModel> model = ChooseRobot(robot, "");
   if (!model) throw InvalidArgument(model.failure().message);
   WalkRequest request;
   request.command.distance_m = 0.3;
   const Result<PlannedWalk> planned = PlanWalk(*model, request);
   if (!planned) throw InvalidArgument(planned.failure().message);
-  const MotionPlan& plan = planned->motion.plan;
-  stand_in.step_s = options.period_s;
-  StandInRobot robot_side(plan.whole_body.q.front().tail(model->num_dofs()), stand_in);
-  const std::jthread runs([&](const std::stop_token& stop) {
-    while (!stop.stop_requested()) robot_side.Serve(0.01);
-  });
-  HardwareAdapter adapter(robot_side.port(), options.watchdog_s);
-  return StreamPlan(plan, DeriveGains(*model), adapter, options);
+  HardwareAdapter adapter(port, options.watchdog_s);
+  return StreamPlan(planned->motion.plan, DeriveGains(*model), adapter, options);
+}
+
+StandInProcess::StandInProcess(const std::string& program, const StandInOptions& options) : said_(nullptr, pclose) {
+  const std::string command =
+      fmt::format("exec '{}' --step {} --load-error {} --loses-every {} --silent-after {}", program, options.step_s,
+                  options.load_error, options.loses_every, options.silent_after);
+  said_.reset(popen(command.c_str(), "r"));
+  if (!said_ || std::fscanf(said_.get(), "%hu", &port_) != 1)
+    throw InvalidArgument(fmt::format("the stand-in '{}' does not start", program));
 }
 
 }  // namespace gaitwright::examples

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "examples/hardware_adapter.h"
@@ -34,8 +36,22 @@ struct StreamReport {
 StreamReport StreamPlan(const MotionPlan& plan, const Gains& gains, HardwareAdapter& adapter,
                         const StreamOptions& options);
 
-/// Plans 0.3 m of walking for a robot that comes with the program, and streams it to a stand-in that runs beside, on a
-/// thread of its own. @throws InvalidArgument with the reason when it cannot be planned.
-StreamReport StreamToStandIn(const std::string& robot, StandInOptions stand_in, const StreamOptions& options);
+/// Plans 0.3 m of walking for a robot that comes with the program, and streams it to what listens at a port.
+/// @throws InvalidArgument with the reason when it cannot be planned.
+StreamReport StreamWalk(const std::string& robot, std::uint16_t port, const StreamOptions& options);
+
+/// A stand-in for a robot in a process of its own, which ends when it is not spoken to any more.
+class StandInProcess {
+ public:
+  /// @param program  the path of `stand_in_robot`.
+  /// @throws InvalidArgument when it does not start.
+  StandInProcess(const std::string& program, const StandInOptions& options);
+
+  std::uint16_t port() const { return port_; }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> said_;
+  std::uint16_t port_ = 0;
+};
 
 }  // namespace gaitwright::examples

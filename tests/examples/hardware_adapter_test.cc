@@ -3,10 +3,14 @@
 #include "examples/hardware_adapter.h"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <vector>
 
 #include "examples/stream_plan.h"
 
@@ -26,99 +30,150 @@ JointCommand ACommand() {
   return command;
 }
 
-NumberedParts StateOf(std::uint64_t number, double q) { return {number, {VectorX::Constant(2, q), VectorX::Zero(2)}}; }
-
-TEST(HardwareAdapterExample, ARowSaysWhatWasSaidAndNothingElseIsBelieved) {
-  const NumberedParts said{7, {Vector2(1.0, -2.0), Vector2(0.25, 1e-9)}};
-  const std::vector<double> row = RowOf(said);
-  const NumberedParts read = PartsOf(row, 2, 2).value();
-  EXPECT_EQ(read.number, 7U);
-  EXPECT_EQ(read.parts, said.parts);
-  EXPECT_FALSE(PartsOf(row, 2, 5));
-  EXPECT_FALSE(PartsOf({}, 2, 2));
-  for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-    std::vector<double> spoilt = row;
-    spoilt[3] = wrong;
-    EXPECT_FALSE(PartsOf(spoilt, 2, 2));
-  }
-  EXPECT_FALSE(PartsOf({-1.0, 0.0, 0.0, 0.0, 0.0}, 2, 2));
+/// number, then the parts one after the other.
+VectorX RowOf(double number, const std::vector<VectorX>& parts) {
+  VectorX row(1 + static_cast<Eigen::Index>(parts.size()) * parts.front().size());
+  row[0] = number;
+  for (std::size_t k = 0; k < parts.size(); ++k) row.segment(1 + static_cast<Eigen::Index>(k) * 2, 2) = parts[k];
+  return row;
+}
+VectorX StateOf(double number, double q) { return RowOf(number, {VectorX::Constant(2, q), VectorX::Zero(2)}); }
+VectorX CommandOf(double number, const JointCommand& c) {
+  return RowOf(number, {c.q, c.v, c.tau_ff, c.stiffness, c.damping});
 }
 
+/// A socket at which the test plays one of the two sides.
+class Side {
+ public:
+  Side() : fd_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in own = At(0);
+    socklen_t size = sizeof own;
+    EXPECT_EQ(bind(fd_, reinterpret_cast<sockaddr*>(&own), size), 0);
+    EXPECT_EQ(getsockname(fd_, reinterpret_cast<sockaddr*>(&own), &size), 0);
+    port_ = ntohs(own.sin_port);
+  }
+  ~Side() { close(fd_); }
+  Side(const Side&) = delete;
+  Side& operator=(const Side&) = delete;
+
+  std::uint16_t port() const { return port_; }
+  /// Where the last row came from.
+  std::uint16_t heard_from() const { return heard_from_; }
+
+  void Send(std::uint16_t to_port, const VectorX& row, std::size_t cut_bytes = 0) const {
+    const sockaddr_in to = At(to_port);
+    const std::size_t bytes = static_cast<std::size_t>(row.size()) * sizeof(double) - cut_bytes;
+    EXPECT_GE(sendto(fd_, row.data(), bytes, 0, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
+  }
+  /// Waits until one comes.
+  VectorX Receive() {
+    VectorX row(64);
+    sockaddr_in from{};
+    socklen_t size = sizeof from;
+    const auto bytes = recvfrom(fd_, row.data(), 64 * sizeof(double), 0, reinterpret_cast<sockaddr*>(&from), &size);
+    heard_from_ = ntohs(from.sin_port);
+    row.conservativeResize(bytes / static_cast<long>(sizeof(double)));
+    return row;
+  }
+
+ private:
+  static sockaddr_in At(std::uint16_t port) { return {AF_INET, htons(port), {htonl(INADDR_LOOPBACK)}, {}}; }
+
+  int fd_;
+  std::uint16_t port_ = 0, heard_from_ = 0;
+};
+
 TEST(HardwareAdapterExample, NewerStatesCountOnceAndOthersNot) {
-  const LoopbackSocket robot, stranger;
+  Side robot;
+  const Side stranger;
   HardwareAdapter adapter(robot.port());
   EXPECT_FALSE(adapter.Exchange(0.000, ACommand(), 0.0));
-  const std::uint16_t to = robot.Receive(kUntilItComes).value().from_port;
+  EXPECT_EQ(robot.Receive(), CommandOf(0.0, ACommand()));
+  const std::uint16_t to = robot.heard_from();
   double now_s = 0.0;
-  const auto hears = [&](const LoopbackSocket& from, const std::vector<double>& row) {
-    from.Send(to, row);
-    return adapter.Exchange(now_s += 0.001, ACommand(), kUntilItComes);
+  const auto hears = [&](const Side& from, const VectorX& row, std::size_t cut_bytes = 0) {
+    from.Send(to, row, cut_bytes);
+    return adapter.Exchange(now_s += 0.001, ACommand(), &from == &robot ? kUntilItComes : 0.01);
   };
-  EXPECT_EQ(hears(robot, RowOf(StateOf(0, 0.1))).value().number, 0U);
-  EXPECT_FALSE(hears(robot, RowOf(StateOf(0, 0.1)))) << "twice";
-  const JointState third = hears(robot, RowOf(StateOf(2, 0.3))).value();
+  EXPECT_EQ(hears(robot, StateOf(0, 0.1)).value().number, 0U);
+  EXPECT_FALSE(hears(robot, StateOf(0, 0.1))) << "twice";
+  const JointState third = hears(robot, StateOf(2, 0.3)).value();
   EXPECT_EQ(third.number, 2U);
   EXPECT_EQ(third.q[1], 0.3);
-  EXPECT_FALSE(hears(robot, RowOf(StateOf(1, 0.2)))) << "late";
-  EXPECT_FALSE(hears(robot, RowOf(StateOf(1000, 0.2)))) << "to what was never sent";
-  EXPECT_FALSE(hears(robot, {1.0, 2.0})) << "not a state";
-  EXPECT_FALSE(hears(stranger, RowOf(StateOf(3, 0.4))));
-  EXPECT_EQ(hears(robot, RowOf(StateOf(3, 0.4))).value().number, 3U);
-  EXPECT_EQ(adapter.sent(), 9U);
-  EXPECT_EQ(adapter.lost(), 6U);
+  EXPECT_FALSE(hears(robot, StateOf(1, 0.2))) << "late";
+  EXPECT_FALSE(hears(robot, StateOf(1000, 0.2))) << "to what was never sent";
+  EXPECT_FALSE(hears(robot, StateOf(-1, 0.2)));
+  EXPECT_FALSE(hears(robot, StateOf(3, std::nan(""))));
+  EXPECT_FALSE(hears(robot, StateOf(3, std::numeric_limits<double>::infinity())));
+  EXPECT_FALSE(hears(robot, Vector2(3.0, 2.0))) << "not a state";
+  EXPECT_FALSE(hears(robot, RowOf(3.0, {Vector2::Zero(), Vector2::Zero(), Vector2::Zero()}))) << "too long";
+  EXPECT_FALSE(hears(robot, StateOf(3, 0.4), 3)) << "cut short";
+  EXPECT_FALSE(hears(robot, VectorX())) << "empty";
+  EXPECT_FALSE(hears(stranger, StateOf(3, 0.4)));
+  EXPECT_EQ(hears(robot, StateOf(3, 0.4)).value().number, 3U);
+  EXPECT_EQ(adapter.sent(), 15U);
+  EXPECT_EQ(adapter.lost(), 12U);
 }
 
 TEST(HardwareAdapterExample, WithoutStatesItStopsForGoodAndDamps) {
-  const LoopbackSocket robot;
+  Side robot;
   HardwareAdapter adapter(robot.port(), 0.020);
-  std::uint16_t to = 0;
   const auto given = [&](double now_s) {
     adapter.Exchange(now_s, ACommand(), 0.0);
-    const ReceivedRow received = robot.Receive(kUntilItComes).value();
-    to = received.from_port;
-    return PartsOf(received.row, 2, 5).value();
+    return robot.Receive();
+  };
+  const auto answered = [&](double now_s, double number) {
+    robot.Send(robot.heard_from(), StateOf(number, 0.3));
+    EXPECT_TRUE(adapter.Exchange(now_s, ACommand(), kUntilItComes));
+    return robot.Receive();
   };
   given(5.0);
-  EXPECT_EQ(given(5.019).parts[3], ACommand().stiffness);
+  EXPECT_EQ(given(5.019), CommandOf(1.0, ACommand()));
   EXPECT_FALSE(adapter.stopped());
-  robot.Send(to, RowOf(StateOf(1, 0.3)));
-  EXPECT_TRUE(adapter.Exchange(5.019, ACommand(), kUntilItComes));
-  robot.Receive(kUntilItComes);
-  EXPECT_EQ(given(5.038).parts[2], ACommand().tau_ff) << "19 ms since it was heard";
-  const NumberedParts damping = given(5.040);
+  answered(5.019, 1);
+  EXPECT_EQ(given(5.038), CommandOf(3.0, ACommand())) << "19 ms since it was heard";
+  const VectorX none = VectorX::Zero(2);
+  const auto damping = [&](double number) {
+    return RowOf(number, {ACommand().q, none, none, none, ACommand().damping});
+  };
+  EXPECT_EQ(given(5.040), damping(4.0));
   EXPECT_TRUE(adapter.stopped());
-  EXPECT_EQ(damping.number, 4U);
-  for (const std::size_t zero : {1U, 2U, 3U}) EXPECT_EQ(damping.parts[zero].norm(), 0.0) << zero;
-  EXPECT_EQ(damping.parts[4], ACommand().damping);
-  robot.Send(to, RowOf(StateOf(4, 0.3)));
-  EXPECT_TRUE(adapter.Exchange(5.041, ACommand(), kUntilItComes));
-  robot.Receive(kUntilItComes);
-  EXPECT_EQ(given(5.042).parts[3].norm(), 0.0) << "a robot that is heard again does not start by itself";
+  EXPECT_EQ(answered(5.041, 4), damping(5.0));
+  EXPECT_EQ(given(5.042), damping(6.0)) << "a robot that is heard again does not start by itself";
 }
 
 /// Sends a command to a stand-in and lets it serve that.
-void Give(StandInRobot& robot, const LoopbackSocket& from, std::uint64_t number, const JointCommand& c) {
-  from.Send(robot.port(), RowOf({number, {c.q, c.v, c.tau_ff, c.stiffness, c.damping}}));
-  robot.Serve(kUntilItComes);
+void Give(StandInRobot& robot, const Side& from, double number, const JointCommand& command) {
+  from.Send(robot.port(), CommandOf(number, command));
+  EXPECT_TRUE(robot.Serve(kUntilItComes));
 }
 
 TEST(HardwareAdapterExample, TheStandInMovesByItsLawAndItsAnswersSayWhere) {
-  const LoopbackSocket controller;
-  StandInRobot robot(VectorX::Zero(2), {.step_s = 0.002, .inertia_kg_m2 = 0.1, .load_error = 0.1});
-  Give(robot, controller, 0, ACommand());
+  Side controller;
+  StandInRobot robot({.step_s = 0.002, .inertia_kg_m2 = 0.1, .load_error = 0.1});
+  EXPECT_FALSE(robot.Serve(0.0));
+  JointCommand start = ACommand();
+  start.q.setZero(), start.v.setZero(), start.tau_ff.setZero();
+  Give(robot, controller, 0, start);
+  EXPECT_EQ(controller.Receive(), StateOf(0, 0.0)) << "it stands where the first command wants it";
+  Give(robot, controller, 1, ACommand());
   // v = h (kp q_d + kd v_d - 0.1 tau) / (I + h kd + h^2 kp)
   const double v = 0.002 * (30.0 + 1.0 - 0.8) / (0.1 + 0.02 + 0.0004);
   EXPECT_NEAR(robot.v()[0], v, 1e-12);
-  const NumberedParts state = PartsOf(controller.Receive(kUntilItComes).value().row, 2, 2).value();
-  EXPECT_EQ(state.number, 0U);
-  EXPECT_NEAR(state.parts[0][1], 0.002 * v, 1e-12);
-  EXPECT_EQ(state.parts[1], robot.v());
-  Give(robot, controller, 0, ACommand());
+  EXPECT_NEAR(robot.q()[1], 0.002 * v, 1e-12);
+  EXPECT_EQ(controller.Receive(), RowOf(1, {robot.q(), robot.v()}));
+  Give(robot, controller, 1, ACommand());
   EXPECT_NEAR(robot.v()[0], v, 1e-12) << "an old command is none";
+  for (const VectorX& wrong : {VectorX(VectorX::Zero(16)), VectorX(VectorX::Constant(11, std::nan(""))), VectorX(),
+                               VectorX(VectorX::Constant(10, 2.0))}) {
+    controller.Send(robot.port(), wrong);
+    EXPECT_TRUE(robot.Serve(kUntilItComes));
+    EXPECT_NEAR(robot.v()[0], v, 1e-12) << wrong.size() << " numbers";
+  }
 
   JointCommand damping = ACommand();
   damping.v.setZero(), damping.tau_ff.setZero(), damping.stiffness.setZero();
-  for (std::uint64_t k = 1; k <= 50; ++k) Give(robot, controller, k, damping);
+  for (int k = 2; k < 52; ++k) Give(robot, controller, k, damping);
   EXPECT_NEAR(robot.v()[0], v * std::pow(0.1 / 0.12, 50), 1e-12) << "it comes to rest";
 }
 
@@ -138,7 +193,7 @@ MotionPlan Holding() {
 
 /// Streams Holding() to a stand-in on another thread, in steps of 2 ms that take as long as they take.
 StreamReport Streamed(const StandInOptions& options, double patience_s) {
-  StandInRobot robot(Holding().whole_body.q.front().tail(2), options);
+  StandInRobot robot(options);
   const std::jthread runs([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) robot.Serve(0.01);
   });
@@ -172,17 +227,19 @@ TEST(HardwareAdapterExample, ARobotThatFallsSilentIsDampedTenTimes) {
   EXPECT_LE(heard_once.sent - heard_once.lost, 1U);
 }
 
-TEST(HardwareAdapterExample, StreamsAWalk) {
+TEST(HardwareAdapterExample, StreamsAWalkToAProcessOfItsOwn) {
   StreamOptions stream;
   stream.patience_s = kUntilItComes;
   stream.wait_until = [](double until_s) { return until_s; };
-  const StreamReport report = StreamToStandIn("a1", {}, stream);
+  const StandInProcess stand_in(GAITWRIGHT_STAND_IN, {});
+  const StreamReport report = StreamWalk("a1", stand_in.port(), stream);
   EXPECT_FALSE(report.stopped);
   EXPECT_EQ(report.lost, 0U);
   EXPECT_GT(report.sent, 500U) << "over a second";
   EXPECT_GT(report.largest_error, 1e-4) << "loads are not as planned";
   EXPECT_LT(report.largest_error, 0.01);
-  EXPECT_THROW(StreamToStandIn("a2", {}, stream), InvalidArgument);
+  EXPECT_THROW(StreamWalk("a2", stand_in.port(), stream), InvalidArgument);
+  EXPECT_THROW(StandInProcess("/none/there", {}), InvalidArgument);
 }
 
 }  // namespace
