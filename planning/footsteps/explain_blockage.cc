@@ -124,14 +124,17 @@ class Lane {
 class Explanation {
  public:
   Explanation(const SearchScene& scene, FootstepGraph& graph, const Blockage& blockage)
-      : scene_(scene), graph_(graph), farthest_(blockage.farthest), leg_m_(scene.model.leg_length_m()) {
-    if (blockage.out_of_budget) hints_.emplace_back("more footsteps.search.max_expansions");
-  }
+      : scene_(scene),
+        graph_(graph),
+        farthest_(blockage.farthest),
+        out_of_budget_(blockage.out_of_budget),
+        leg_m_(scene.model.leg_length_m()) {}
 
   Failure Make() {
     for (const Hurdle& hurdle : HurdlesAhead()) {
       if (const auto reason = ReasonOf(hurdle)) return Told(*reason);
     }
+    if (out_of_budget_) hints_.emplace_back("more footsteps.search.max_expansions");
     if (const auto reason = ObstacleReason()) return Told(*reason);
     return Told(CommonReason());
   }
@@ -177,8 +180,15 @@ class Explanation {
     tried_gap_m_ = gap.size;
     const double reach = Limits(gap.station_m).WidestGap(std::min(gap.size, 2.0 * leg_m_));
     if (reach >= gap.size - 0.02 * leg_m_) return std::nullopt;
+    HintAtLeap(gap.size);
     return fmt::format("the gap at {} is {:.2f} m wide; {} reaches {:.2f} m", PlaceText(gap.place_W), gap.size,
                        scene_.model.name, reach);
+  }
+
+  /// What feet cannot be set over may be leapt over.
+  void HintAtLeap(double size_m) {
+    const bool leaps = scene_.model.legs.size() == 4 && !HasFlight(scene_.query.gait);
+    if (leaps && size_m <= 2.0 * leg_m_) hints_.emplace_back("--gait jump");
   }
 
   std::optional<std::string> StepReason(const Hurdle& step) {
@@ -263,6 +273,7 @@ class Explanation {
   const SearchScene& scene_;
   FootstepGraph& graph_;
   int farthest_;
+  bool out_of_budget_;
   double leg_m_;
   std::vector<std::string> hints_;
   double tried_gap_m_ = 0.0, tried_step_m_ = 0.0;

@@ -327,6 +327,20 @@ TEST(SearchFootsteps, RefusalsNameThePlaceAndTheReason) {
   starts(Refusal("a1", Gap(-0.3, 0.5), 2.0, 0.3), "foot 'FL_foot' cannot stand at the start");
 }
 
+TEST(SearchFootsteps, WhatIsTooWideToStepOverIsToBeLeaptOverAndNotSearchedForLonger) {
+  const auto hints = [](const char* robot, const char* gait, const Terrain& terrain) {
+    const RobotModel model = LoadNamedRobot(robot).value();
+    FootstepSearchOptions options;
+    options.max_expansions = 2000;
+    return SearchFootsteps(model, terrain, Ahead(model, gait, 2.0, 0.1), {}, options).failure().hints;
+  };
+  using Hints = std::vector<std::string>;
+  EXPECT_EQ(hints("a1", "trot", Gap(0.8, 0.4)), Hints{"--gait jump"});
+  EXPECT_EQ(hints("a1", "trot", Gap(0.8, 1.2)), Hints{}) << "no leap is as wide";
+  EXPECT_EQ(hints("nao", "", Gap(0.4, 0.3)), Hints{});
+  EXPECT_EQ(hints("a1", "trot", StepUp(0.7, 0.2)), Hints{"a larger footsteps.search.step_height"});
+}
+
 TEST(SearchFootsteps, ABodyThatMayNotPassIsKeptBack) {
   const RobotModel model = LoadNamedRobot("a1").value();
   FootstepQuery query = Ahead(model, "trot", 1.0, 0.3);
