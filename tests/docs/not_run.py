@@ -6,6 +6,7 @@ NOT_RUN = {
         "sets the machine up and builds, as was done before any test runs; and ./test would run itself",
     ("README.md", "build/release/standing_control --plot pushes.svg    # joints, ankles, DCM, hips, whole body, steps: which push each of them takes"):
         "minutes of searching for the largest pushes; tests/examples runs it with few",
+    ("docs/first-walk.md", "./run"): "sets the machine up and builds, as was done before any test runs",
     ("docs/cluster.md", "mpirun -np 4 gaitwright trials plan.json -n 500 --disturbances examples/disturbances/a1_hobby.yaml"
                         " --state estimated --sensors hobby --out result.json"):
         "500 trials take minutes; tests/cli/cluster_test.cc runs fewer under mpirun",

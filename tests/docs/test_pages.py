@@ -17,7 +17,8 @@ BLOCKS = {name: blocks_of(page) for name, page in PAGES.items()}
 each_page = pytest.mark.parametrize("name", PAGES)
 
 
-@pytest.mark.parametrize("name", [name for name, blocks in BLOCKS.items() if any(block.runs for block in blocks)])
+@pytest.mark.parametrize("name", [name for name, blocks in BLOCKS.items()
+                                  if any(block.runs for block in blocks) and not name.endswith(".zh.md")])
 def test_commands(name, tmp_path):
     folder = tmp_path / "gaitwright"
     folder.mkdir()
@@ -33,6 +34,11 @@ def test_commands(name, tmp_path):
             assert status == 0, f"{where}: ended with status {status}\n{printed}"
         elif block.language == "console":
             run_console(scratch, block, where)
+    for picture in re.findall(r"\]\(images/([^)]+\.svg)\)", PAGES[name].read_text()):
+        if (folder / picture).exists():
+            bare = lambda path: re.sub(r"[-+\u22120-9.,eE\s]+", "", path.read_text())
+            assert bare(folder / picture) == bare(ROOT / "docs/images" / picture), (
+                f"{name}: its commands draw another docs/images/{picture}: copy the new one there")
 
 
 def run_console(scratch, block, where):
@@ -84,10 +90,17 @@ def test_cpp_stands_in_the_source(name):
 
 
 def test_what_is_not_run_has_its_reason():
-    marked = {(name, block.text.splitlines()[0]) for name, blocks in BLOCKS.items() for block in blocks
-              if "no-run" in block.words}
+    marked = {(name.replace(".zh.md", ".md"), block.text.splitlines()[0])
+              for name, blocks in BLOCKS.items() for block in blocks if "no-run" in block.words}
     assert marked == set(NOT_RUN), "blocks marked 'no-run' and the reasons of not_run.py"
     assert all(len(reason.split()) >= 3 for reason in NOT_RUN.values())
+
+
+@pytest.mark.parametrize("name", [name for name in PAGES if name.endswith(".zh.md")])
+def test_translations_have_the_blocks_of_the_original(name):
+    shape = lambda blocks: [(block.language, block.words, block.text) for block in blocks]
+    assert BLOCKS[name], f"{name} has no blocks"
+    assert shape(BLOCKS[name]) == shape(BLOCKS[name.replace(".zh.md", ".md")])
 
 
 def anchors_of(page):
@@ -125,3 +138,20 @@ def test_scripts_are_shell(tmp_path):
             if block.language == "bash":
                 checked = subprocess.run(["bash", "-n"], input=block.text, text=True, stderr=subprocess.PIPE)
                 assert checked.returncode == 0, f"{name}, line {block.line}: {checked.stderr}"
+
+
+def program_text():
+    """All literals of the program, those that go over several lines in one piece."""
+    rooms = ("kinematics", "planning", "optimisation", "playback", "workflows", "cli", "cmake")
+    files = [file for room in rooms for ending in ("cc", "h", "sh", "cmake") for file in (ROOT / room).rglob(f"*.{ending}")]
+    return re.sub(r'"\s*\n\s*"', "", "\n".join(file.read_text() for file in files))
+
+
+def test_messages_of_troubleshooting_are_the_programs():
+    page, program = (ROOT / "docs/troubleshooting.md").read_text(), program_text()
+    symptoms = re.findall(r"^\| (.*?) \|", page, re.M)
+    messages = [message for symptom in symptoms for message in re.findall(r"`([^`]+)`", symptom) if " " in message]
+    assert len(messages) > 40
+    for message in messages:
+        for piece in re.split(r"'?\.\.\.'?", message):
+            assert piece.strip() in program, f"troubleshooting.md: no message of the program has '{piece.strip()}'"
