@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "cli/listed_options.h"
+
 namespace gaitwright::cli {
 namespace {
 
@@ -39,7 +41,9 @@ std::string HelpOf(const OptionField& field) {
   return fmt::format("{} From {} to {}; default {}.", field.meaning, field.lowest, field.highest, OptionText(field));
 }
 
-std::string RangeOf(const OptionField& field) {
+}  // namespace
+
+std::string AcceptedOf(const OptionField& field) {
   if (!field.choices.empty()) return fmt::format("{}", fmt::join(field.choices, ", "));
   if (std::holds_alternative<bool*>(field.target)) return "true, false";
   if (std::holds_alternative<std::string*>(field.target)) return "text";
@@ -49,7 +53,7 @@ std::string RangeOf(const OptionField& field) {
 void PrintOptions(const OptionFields& fields, bool as_json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const OptionField& field : fields) {
-    const std::string value = OptionText(field), range = RangeOf(field);
+    const std::string value = OptionText(field), range = AcceptedOf(field);
     const std::string unit = field.unit.empty() || field.unit == "1" ? "" : " " + field.unit;
     list.push_back({{"key", field.key},
                     {"default", value},
@@ -61,14 +65,9 @@ void PrintOptions(const OptionFields& fields, bool as_json) {
   if (as_json) fmt::print("{}\n", nlohmann::ordered_json{{"options", list}}.dump(2));
 }
 
-}  // namespace
-
 void AddOptionList(CLI::App& verb, const OptionFields& fields, const bool& json) {
-  const auto print = [fields, &json] {
-    PrintOptions(fields, json);
-    throw CLI::Success();
-  };
-  verb.add_flag_callback("--list-options", print, "Print every key of --set with its unit, range and default.")
+  const auto ask = [fields, &json] { throw ListedOptions(fields, json); };
+  verb.add_flag_callback("--list-options", ask, "Print every key of --set with its unit, range and default.")
       ->group("Flags of every verb");
 }
 

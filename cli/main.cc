@@ -3,7 +3,9 @@
 #include <string>
 #include <string_view>
 
+#include "cli/listed_options.h"
 #include "cli/program.h"
+#include "cli/reference_pages.h"
 #include "cli/usage.h"
 #include "kinematics/base/version.h"
 
@@ -39,9 +41,12 @@ int main(int argc, char** argv) {
   AddView(app, status);
   AddRender(app, status);
   AddLive(app, status);
+  AddReference(app, status);
   LayOutHelp(app);
   try {
     app.parse(argc, argv);
+  } catch (const ListedOptions& asked) {
+    PrintOptions(asked.fields(), asked.as_json());
   } catch (const CLI::Success& asked) {  // --help and --version
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {

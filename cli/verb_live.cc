@@ -36,7 +36,7 @@ struct Arguments {
   Common common;
   std::string robot = "a1", urdf;
   WalkRequest walk;
-  PlayRequest play;
+  PlayRequest play, listed;  ///< `listed` has what --list-options prints: all that a robot here may take
   OptionsFile options;
   LiveAddress address{.port = 8017};
   double for_s = 0.0;
@@ -125,9 +125,9 @@ void AddLive(CLI::App& app, int& status) {
   AddCommon(
       verb, a->common,
       {"live --robot a1", "live --urdf my_robot.urdf --port 0 --debug", "live --robot nao --set play.friction=0.6"});
-  PlayRequest with_all = a->play;
-  with_all.controller = "recovering";
-  AddOptionList(verb, FieldsOf(a->walk, with_all), a->common.json);
+  a->listed = a->play;
+  a->listed.controller = "recovering";
+  AddOptionList(verb, FieldsOf(a->walk, a->listed), a->common.json);
   verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
 }
 

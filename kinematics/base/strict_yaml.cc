@@ -53,6 +53,20 @@ double NumberOf(const YAML::Node& node, const std::string& what, double low, dou
   return value;
 }
 
+double NumberOf(const YAML::Node& node, const std::string& what, const DataShape& shape) {
+  const double value = NumberOf(node, what);
+  if (shape.over_lowest) {
+    if (value <= shape.lowest) RefuseYaml(node, fmt::format("{} is {}; it must be over zero", what, value));
+    if (value > shape.highest)
+      RefuseYaml(node, fmt::format("{} is {}; at most {} is accepted", what, value, shape.highest));
+  } else {
+    NumberOf(node, what, shape.lowest, shape.highest);
+  }
+  if (shape.kind == DataShape::Kind::kWhole && value != std::floor(value))
+    RefuseYaml(node, fmt::format("{} is {}; a whole number is needed", what, value));
+  return value;
+}
+
 std::vector<YAML::Node> ListOf(const YAML::Node& node, const std::string& what) {
   if (!node.IsSequence()) RefuseYaml(node, fmt::format("{} is {}; a list is needed", what, KindOf(node)));
   return {node.begin(), node.end()};
@@ -70,6 +84,12 @@ YamlMap::YamlMap(const YAML::Node& node, const std::string& what, const std::vec
     }
     entries_.push_back({key, entry.first, entry.second});
   }
+}
+
+YamlMap::YamlMap(const YAML::Node& node, const std::string& what, const DataShape& shape)
+    : YamlMap(node, what, shape.Keys()) {
+  shape_ = &shape;
+  Require(shape.NeededKeys());
 }
 
 void YamlMap::Require(const std::vector<std::string>& needed) const {
@@ -100,6 +120,12 @@ std::optional<double> YamlMap::Positive(const std::string& key) const {
     RefuseYaml(*Find(key), fmt::format("'{}' is {}; it must be over zero", key, *value));
   }
   return value;
+}
+
+std::optional<double> YamlMap::InRange(const std::string& key) const {
+  const YAML::Node* node = Find(key);
+  if (node == nullptr) return std::nullopt;
+  return NumberOf(*node, fmt::format("'{}'", key), shape_->At(key));
 }
 
 }  // namespace gaitwright

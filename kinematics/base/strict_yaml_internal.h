@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/data_shape.h"
+
 namespace gaitwright {
 
 /// Bounds of what is read as YAML: of the text [byte], of values with those that aliases repeat, of lists and maps in
@@ -37,6 +39,8 @@ std::string TextOf(const YAML::Node& node, const std::string& what);
 double NumberOf(const YAML::Node& node, const std::string& what);
 /// One from `low` to `high`.
 double NumberOf(const YAML::Node& node, const std::string& what, double low, double high);
+/// One that the shape accepts.
+double NumberOf(const YAML::Node& node, const std::string& what, const DataShape& shape);
 std::vector<YAML::Node> ListOf(const YAML::Node& node, const std::string& what);
 
 /// A map of keys to values, each key once. Refuses another kind of value, a key that stands there twice, and unless
@@ -49,6 +53,8 @@ class YamlMap {
   };
 
   YamlMap(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known = {});
+  /// The keys of an object's shape, of which those that are needed must be there. `shape` outlives the map.
+  YamlMap(const YAML::Node& node, const std::string& what, const DataShape& shape);
 
   const std::vector<Entry>& entries() const { return entries_; }
   /// Refuses the map where it lacks one of these.
@@ -60,10 +66,13 @@ class YamlMap {
   std::optional<double> Number(const std::string& key) const;
   /// A number over zero.
   std::optional<double> Positive(const std::string& key) const;
+  /// A number that the map's shape accepts under that key.
+  std::optional<double> InRange(const std::string& key) const;
 
  private:
   YAML::Node node_;
   std::string what_;
+  const DataShape* shape_ = nullptr;
   std::vector<Entry> entries_;
 };
 

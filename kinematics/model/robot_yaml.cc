@@ -9,25 +9,15 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/model/base_axes.h"
+#include "kinematics/model/robot_yaml_shape.h"
+#include "kinematics/model/robot_yaml_shape_internal.h"
 #include "kinematics/model/yaml_line.h"
 #include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kLeastSole = 1e-6;    // [m^2]
-constexpr double kLongestPart = 1e3;   // [m]
-constexpr double kLargestValue = 1e9;  // of a limit, a gain or what a motor has, in its unit
-constexpr std::size_t kMostCorners = 100;
-constexpr double kFastestWalk = 100.0;  // [m/s]
-
-/// A number over zero that may be left out.
-std::optional<double> AtMost(const YamlMap& map, const std::string& key, double most) {
-  const std::optional<double> value = map.Positive(key);
-  if (value && *value > most)
-    RefuseYaml(*map.Find(key), fmt::format("'{}' is {}; at most {} is accepted", key, *value, most));
-  return value;
-}
+constexpr double kLeastSole = 1e-6;  // [m^2]
 
 FootType ParseFootType(const YAML::Node& node) {
   const std::vector<std::string>& names = FootTypeNames();
@@ -83,13 +73,14 @@ std::vector<Vector2> ParseSole(const YAML::Node& node) {
 }
 
 FootOverride ParseFoot(const YAML::Node& node) {
-  const YamlMap map(node, "a foot", {"link", "type", "radius_m", "sole_m"});
+  const DataShape shape = FootYamlShape();
+  const YamlMap map(node, "a foot", shape);
   FootOverride foot;
   foot.line = LineOf(node);
   foot.link = map.Text("link");
   if (foot.link.empty()) RefuseYaml(node, "a foot needs the key 'link'");
   if (const YAML::Node* type = map.Find("type")) foot.type = ParseFootType(*type);
-  foot.radius_m = AtMost(map, "radius_m", kLongestPart).value_or(0.0);
+  foot.radius_m = map.InRange("radius_m").value_or(0.0);
   if (const YAML::Node* sole = map.Find("sole_m")) foot.sole_m = ParseSole(*sole);
   const bool flat = foot.type == FootType::kSole || foot.type == FootType::kLine;
   const std::string who = fmt::format("foot '{}'", foot.link);
@@ -103,7 +94,8 @@ FootOverride ParseFoot(const YAML::Node& node) {
 
 LegOverride ParseLeg(const YamlMap::Entry& entry) {
   const std::string what = fmt::format("leg '{}'", entry.key);
-  const YamlMap map(entry.value, what, {"joints", "knee", "knee_side"});
+  const DataShape shape = LegYamlShape();
+  const YamlMap map(entry.value, what, shape);
   LegOverride leg;
   leg.foot = entry.key;
   leg.line = LineOf(entry.key_node);
@@ -135,14 +127,10 @@ struct UnitKeys {
   const YamlMap& map;
   bool turning = false, sliding = false;
 
-  std::optional<double> Take(const std::string& of_turning, const std::string& of_sliding, bool positive) {
-    const auto take = [&](const std::string& key) -> std::optional<double> {
-      if (positive || map.Find(key) == nullptr) return AtMost(map, key, kLargestValue);
-      return NumberOf(*map.Find(key), fmt::format("'{}'", key), -kLargestValue, kLargestValue);
-    };
+  std::optional<double> Take(const std::string& of_turning, const std::string& of_sliding) {
     turning = turning || map.Find(of_turning) != nullptr;
     sliding = sliding || map.Find(of_sliding) != nullptr;
-    return map.Find(of_turning) != nullptr ? take(of_turning) : take(of_sliding);
+    return map.InRange(map.Find(of_turning) != nullptr ? of_turning : of_sliding);
   }
   bool Sliding(const YamlMap::Entry& entry) const {
     if (turning && sliding) {
@@ -155,58 +143,54 @@ struct UnitKeys {
 };
 
 RobotYaml::JointGains ParseGains(const YamlMap::Entry& entry) {
-  const YamlMap map(entry.value, fmt::format("the gains of '{}'", entry.key),
-                    {"stiffness_nm_rad", "damping_nm_s_rad", "stiffness_n_m", "damping_n_s_m"});
+  const DataShape shape = GainsYamlShape();
+  const YamlMap map(entry.value, fmt::format("the gains of '{}'", entry.key), shape);
   UnitKeys keys{map};
   RobotYaml::JointGains gains;
   gains.joint = entry.key;
   gains.line = LineOf(entry.key_node);
-  gains.stiffness = keys.Take("stiffness_nm_rad", "stiffness_n_m", true);
-  gains.damping = keys.Take("damping_nm_s_rad", "damping_n_s_m", true);
+  gains.stiffness = keys.Take("stiffness_nm_rad", "stiffness_n_m");
+  gains.damping = keys.Take("damping_nm_s_rad", "damping_n_s_m");
   gains.sliding = keys.Sliding(entry);
   return gains;
 }
 
 RobotYaml::JointLimits ParseLimits(const YamlMap::Entry& entry) {
-  const YamlMap map(
-      entry.value, fmt::format("the limits of '{}'", entry.key),
-      {"lower_rad", "upper_rad", "velocity_rad_s", "effort_nm", "lower_m", "upper_m", "velocity_m_s", "effort_n"});
+  const DataShape shape = LimitsYamlShape();
+  const YamlMap map(entry.value, fmt::format("the limits of '{}'", entry.key), shape);
   UnitKeys keys{map};
   RobotYaml::JointLimits limits;
   limits.joint = entry.key;
   limits.line = LineOf(entry.key_node);
-  limits.lower = keys.Take("lower_rad", "lower_m", false);
-  limits.upper = keys.Take("upper_rad", "upper_m", false);
-  limits.velocity = keys.Take("velocity_rad_s", "velocity_m_s", true);
-  limits.effort = keys.Take("effort_nm", "effort_n", true);
+  limits.lower = keys.Take("lower_rad", "lower_m");
+  limits.upper = keys.Take("upper_rad", "upper_m");
+  limits.velocity = keys.Take("velocity_rad_s", "velocity_m_s");
+  limits.effort = keys.Take("effort_nm", "effort_n");
   limits.sliding = keys.Sliding(entry);
   return limits;
 }
 
 RobotYaml::JointMotor ParseMotor(const YamlMap::Entry& entry) {
-  const YamlMap map(entry.value, fmt::format("the motor of '{}'", entry.key),
-                    {"corner_velocity_rad_s", "no_load_velocity_rad_s", "continuous_nm", "thermal_s",
-                     "rotor_inertia_kg_m2", "acceleration_rad_s2", "jerk_rad_s3", "damping_nm_s_rad", "friction_nm",
-                     "corner_velocity_m_s", "no_load_velocity_m_s", "continuous_n", "rotor_mass_kg",
-                     "acceleration_m_s2", "jerk_m_s3", "damping_n_s_m", "friction_n"});
+  const DataShape shape = MotorYamlShape();
+  const YamlMap map(entry.value, fmt::format("the motor of '{}'", entry.key), shape);
   UnitKeys keys{map};
   RobotYaml::JointMotor motor;
   motor.joint = entry.key;
   motor.line = LineOf(entry.key_node);
-  motor.corner_speed = keys.Take("corner_velocity_rad_s", "corner_velocity_m_s", true);
-  motor.no_load_speed = keys.Take("no_load_velocity_rad_s", "no_load_velocity_m_s", true);
-  motor.continuous_effort = keys.Take("continuous_nm", "continuous_n", true);
-  motor.thermal_s = AtMost(map, "thermal_s", kLargestValue);
+  motor.corner_speed = keys.Take("corner_velocity_rad_s", "corner_velocity_m_s");
+  motor.no_load_speed = keys.Take("no_load_velocity_rad_s", "no_load_velocity_m_s");
+  motor.continuous_effort = keys.Take("continuous_nm", "continuous_n");
+  motor.thermal_s = map.InRange("thermal_s");
   if (motor.thermal_s && !motor.continuous_effort)
     throw InvalidArgument(
         fmt::format("line {}: the motor of '{}' has 'thermal_s', over which a continuous effort is "
                     "taken, and no 'continuous_nm' or 'continuous_n'",
                     motor.line, motor.joint));
-  motor.rotor_inertia = keys.Take("rotor_inertia_kg_m2", "rotor_mass_kg", true);
-  motor.acceleration_limit = keys.Take("acceleration_rad_s2", "acceleration_m_s2", true);
-  motor.jerk_limit = keys.Take("jerk_rad_s3", "jerk_m_s3", true);
-  motor.damping = keys.Take("damping_nm_s_rad", "damping_n_s_m", true);
-  motor.friction = keys.Take("friction_nm", "friction_n", true);
+  motor.rotor_inertia = keys.Take("rotor_inertia_kg_m2", "rotor_mass_kg");
+  motor.acceleration_limit = keys.Take("acceleration_rad_s2", "acceleration_m_s2");
+  motor.jerk_limit = keys.Take("jerk_rad_s3", "jerk_m_s3");
+  motor.damping = keys.Take("damping_nm_s_rad", "damping_n_s_m");
+  motor.friction = keys.Take("friction_nm", "friction_n");
   motor.sliding = keys.Sliding(entry);
   motor.has_units = keys.turning || keys.sliding;
   return motor;
@@ -219,12 +203,6 @@ void ForEach(const YamlMap& root, const std::string& key, Each each) {
     const YamlMap map(*node, fmt::format("'{}'", key));
     for (const YamlMap::Entry& entry : map.entries()) each(entry);
   }
-}
-
-double ParseScale(const YamlMap& map) {
-  constexpr double kLeast = 1e-3, kMost = 1e3;
-  const YAML::Node* node = map.Find("scale");
-  return node == nullptr ? 1.0 : NumberOf(*node, "'scale'", kLeast, kMost);
 }
 
 std::optional<Vector3> ParseAxis(const YamlMap& map, const std::string& key) {
@@ -249,13 +227,12 @@ void ParseAxes(const YamlMap& map, RobotYaml& yaml) {
 RobotYaml Parse(const YAML::Node& root) {
   RobotYaml yaml;
   if (!root || root.IsNull()) return yaml;
-  const YamlMap map(root, "the file",
-                    {"name", "description", "scale", "up", "ahead", "limits", "feet", "legs", "mirror_pairs",
-                     "standing", "standing_base_height_m", "nominal_speed_m_s", "gains", "motors", "rests"});
+  const DataShape shape = RobotYamlShape();
+  const YamlMap map(root, "the file", shape);
   yaml.name = map.Text("name");
   if (map.Find("name") != nullptr && yaml.name.empty()) RefuseYaml(*map.Find("name"), "'name' is empty");
   yaml.description = map.Text("description");
-  yaml.scale = ParseScale(map);
+  yaml.scale = map.InRange("scale").value_or(1.0);
   ParseAxes(map, yaml);
   if (const YAML::Node* feet = map.Find("feet")) {
     for (const YAML::Node& foot : ListOf(*feet, "'feet'")) yaml.feet.push_back(ParseFoot(foot));
@@ -271,12 +248,12 @@ RobotYaml Parse(const YAML::Node& root) {
   }
   ForEach(map, "standing", [&](const YamlMap::Entry& entry) {
     const double position =
-        NumberOf(entry.value, fmt::format("the position of '{}'", entry.key), -kLargestValue, kLargestValue);
+        NumberOf(entry.value, fmt::format("the position of '{}'", entry.key), shape.At("standing").of.front());
     yaml.standing.push_back({entry.key, position, LineOf(entry.key_node)});
   });
-  yaml.standing_base_height_m = AtMost(map, "standing_base_height_m", kLongestPart);
+  yaml.standing_base_height_m = map.InRange("standing_base_height_m");
   if (yaml.standing_base_height_m) yaml.height_line = LineOf(*map.Find("standing_base_height_m"));
-  yaml.nominal_speed_m_s = AtMost(map, "nominal_speed_m_s", kFastestWalk);
+  yaml.nominal_speed_m_s = map.InRange("nominal_speed_m_s");
   return yaml;
 }
 

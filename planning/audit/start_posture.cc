@@ -13,6 +13,7 @@
 #include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/model/dof_units.h"
 #include "kinematics/model/likely_degrees.h"
+#include "planning/audit/start_posture_shape.h"
 
 namespace gaitwright {
 namespace {
@@ -89,7 +90,19 @@ void ReadJoints(const RobotModel& model, const YamlMap& map, const YAML::Node& n
   }
 }
 
+/// The joints under a key of their own.
+DataShape NestedShape() {
+  using namespace shapes;
+  return Object({{kJoints, MapOf(Number(), 1), "By joint, all that do not follow another [rad], [m]."},
+                 Optional(kQuaternion, Numbers(4), "Of the base, as measured.")});
+}
+
 }  // namespace
+
+DataShape StartPostureShape() {
+  using namespace shapes;
+  return Either(NestedShape(), MapOf(Either(Number(), Numbers(4)), 1));
+}
 
 Result<StartPosture> StartPostureFromYaml(const std::string& text, const std::string& source, const RobotModel& model) {
   const auto bad = [&](const std::string& message) {
@@ -104,7 +117,7 @@ Result<StartPosture> StartPostureFromYaml(const std::string& text, const std::st
     if (const YAML::Node* node = map.Find(kQuaternion)) posture.R_WB = ReadQuaternion(*node);
     const YAML::Node* under = map.Find(kJoints);
     if (under != nullptr && under->IsMap()) {
-      const YamlMap only(root, "the start posture", {kJoints, kQuaternion});
+      const YamlMap only(root, "the start posture", NestedShape().Keys());
       ReadJoints(model, YamlMap(*under, "'joints'"), *under, posture.joints);
     } else {
       ReadJoints(model, map, root, posture.joints);

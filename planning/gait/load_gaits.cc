@@ -4,39 +4,49 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/strict_yaml_internal.h"
+#include "planning/gait/file_shapes.h"
 
 namespace gaitwright {
 namespace {
 
-int WholeNumber(const YAML::Node& node, const std::string& what, int low, int high) {
-  const double value = NumberOf(node, what, low, high);
-  if (value != std::floor(value)) RefuseYaml(node, fmt::format("{} is {}; a whole number is needed", what, value));
-  return static_cast<int>(value);
+/// A number for all feet, or a list of one for each.
+DataShape ByFootShape(double lowest, double highest) {
+  return shapes::Either(shapes::Number(lowest, highest), shapes::List(shapes::Number(lowest, highest), 1));
 }
 
-std::vector<double> ByFoot(const YAML::Node& node, const std::string& what, int feet, double low, double high) {
-  if (node.IsScalar()) return std::vector<double>(static_cast<std::size_t>(feet), NumberOf(node, what, low, high));
+DataShape GaitShape() {
+  using namespace shapes;
+  return Object(
+      {{"feet", Whole(1, 64), "Number of feet; lists by foot are in the robot's order."},
+       Optional("description", Text(), "A line for the list of gaits."),
+       Optional("cycle_s", Number(0.05, 20.0), "Time of a cycle, kept whatever the speed."),
+       Optional("cycle_per_leg_time", Number(0.1, 100.0), "Cycle over sqrt(leg length / g), for robots of any size."),
+       {"duty_factor", ByFootShape(0.05, 0.99), "Share of the cycle that a foot is on the ground."},
+       {"phase", ByFootShape(0.0, 0.9999999), "Share of the cycle at which a foot touches down."},
+       Optional("stride_per_leg", Number(0.05, 10.0), "Most leg lengths in a cycle without a speed.")},
+      {{"cycle_s", "cycle_per_leg_time"}});
+}
+
+std::vector<double> ByFoot(const YAML::Node& node, const std::string& what, int feet, const DataShape& shape) {
+  if (node.IsScalar()) return std::vector<double>(static_cast<std::size_t>(feet), NumberOf(node, what, shape));
   if (!node.IsSequence()) {
     RefuseYaml(node, fmt::format("{} is {}; a number is needed, or a list of one for each foot", what, KindOf(node)));
   }
   std::vector<double> values;
-  for (const YAML::Node& entry : node) values.push_back(NumberOf(entry, what, low, high));
+  for (const YAML::Node& entry : node) values.push_back(NumberOf(entry, what, shape));
   if (static_cast<int>(values.size()) != feet)
     RefuseYaml(node, fmt::format("{} has {} entries for {} feet", what, values.size(), feet));
   return values;
 }
 
 /// A gait's keys.
-YamlMap KeysOf(const std::string& name, const YAML::Node& node) {
-  YamlMap map(node, fmt::format("gait '{}'", name),
-              {"feet", "description", "cycle_s", "cycle_per_leg_time", "duty_factor", "phase", "stride_per_leg"});
-  map.Require({"feet", "duty_factor", "phase"});
+YamlMap KeysOf(const std::string& name, const YAML::Node& node, const DataShape& shape) {
+  YamlMap map(node, fmt::format("gait '{}'", name), shape);
   const bool both = map.Find("cycle_s") != nullptr && map.Find("cycle_per_leg_time") != nullptr;
   if (both || (map.Find("cycle_s") == nullptr && map.Find("cycle_per_leg_time") == nullptr)) {
     RefuseYaml(node, fmt::format("gait '{}' {} the keys 'cycle_s' and 'cycle_per_leg_time'; one of them is needed",
@@ -46,21 +56,23 @@ YamlMap KeysOf(const std::string& name, const YAML::Node& node) {
 }
 
 GaitEntry ParseGait(const std::string& name, const YAML::Node& node) {
-  const YamlMap map = KeysOf(name, node);
+  const DataShape shape = GaitShape();
+  const YamlMap map = KeysOf(name, node, shape);
   GaitEntry entry;
   entry.gait.name = name;
   if (const YAML::Node* description = map.Find("description"))
     entry.gait.description = TextOf(*description, "description");
-  const auto number = [&](const char* key, double low, double high) {
+  const auto number = [&](const char* key) {
     const YAML::Node* value = map.Find(key);
-    return value == nullptr ? 0.0 : NumberOf(*value, key, low, high);
+    return value == nullptr ? 0.0 : NumberOf(*value, key, shape.At(key));
   };
-  const int feet = WholeNumber(*map.Find("feet"), "feet", 1, 64);
-  entry.gait.cycle_s = number("cycle_s", 0.05, 20.0);
-  entry.cycle_per_leg_time = number("cycle_per_leg_time", 0.1, 100.0);
-  entry.stride_per_leg = number("stride_per_leg", 0.05, 10.0);
-  entry.gait.duty_factor = ByFoot(*map.Find("duty_factor"), "duty_factor", feet, 0.05, 0.99);
-  entry.gait.phase = ByFoot(*map.Find("phase"), "phase", feet, 0.0, 0.9999999);
+  const auto by_foot = [&](const char* key, int feet) { return ByFoot(*map.Find(key), key, feet, shape.At(key)); };
+  const int feet = static_cast<int>(number("feet"));
+  entry.gait.cycle_s = number("cycle_s");
+  entry.cycle_per_leg_time = number("cycle_per_leg_time");
+  entry.stride_per_leg = number("stride_per_leg");
+  entry.gait.duty_factor = by_foot("duty_factor", feet);
+  entry.gait.phase = by_foot("phase", feet);
   return entry;
 }
 
@@ -92,6 +104,8 @@ GaitEntry Alternating(int num_feet) {
 }
 
 }  // namespace
+
+DataShape GaitFileShape() { return shapes::MapOf(GaitShape(), 1); }
 
 Result<std::vector<GaitEntry>> LoadGaits(const std::string& path) {
   const auto bad = [&](const std::string& message) {

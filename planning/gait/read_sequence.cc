@@ -10,6 +10,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/base/text.h"
+#include "planning/gait/file_shapes.h"
 #include "planning/gait/find_gait.h"
 #include "planning/plan/terrain_spec.h"
 
@@ -144,6 +145,13 @@ Result<std::vector<AskedPart>> ReadFileOfParts(const std::string& path) {
 }
 
 }  // namespace
+
+DataShape SequenceFileShape() {
+  WalkCommand command;
+  DataShape part = shapes::Object({{"gait", shapes::Text(), "A gait as --gait takes it, or 'stand'."}});
+  for (const OptionField& field : FieldsOf(command)) part.members.push_back(shapes::Field(field));
+  return shapes::List(part, 1);
+}
 
 std::string SequenceFileOf(const std::string& text) {
   const bool parts = text.find_first_of(";=") != std::string::npos;

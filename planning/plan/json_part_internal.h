@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/data_shape.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
@@ -22,6 +23,8 @@ class JsonPart {
 
   /// An object that has each of `required` and nothing else but `optional`; an unknown key is refused with the nearest.
   const JsonPart& Object(const std::vector<std::string>& required, const std::vector<std::string>& optional = {}) const;
+  /// The same of an object's shape.
+  const JsonPart& Object(const DataShape& shape) const { return Object(shape.NeededKeys(), shape.OtherKeys()); }
   JsonPart At(const std::string& key) const;
   bool Has(const std::string& key) const { return json_->contains(key); }
   const Json& json() const { return *json_; }

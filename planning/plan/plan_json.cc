@@ -10,12 +10,12 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "planning/plan/plan_reading_internal.h"
+#include "planning/plan/plan_shape_internal.h"
 
 namespace gaitwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr char kFormat[] = "gaitwright-motion-plan";
 
 template <class Vector>
 Json ToJson(const Vector& v) {
@@ -230,7 +230,7 @@ Failure OtherSchema(const std::string& source, int schema) {
 }  // namespace
 
 std::string PlanToJson(const MotionPlan& plan) {
-  Json head = {{"format", kFormat},
+  Json head = {{"format", kPlanFormat},
                {"schema", MotionPlan::kSchema},
                {"robot", plan.robot},
                {"robot_hash", plan.robot_hash},
@@ -268,7 +268,7 @@ Result<MotionPlan> PlanFromJson(const std::string& text, const std::string& sour
     return Refused(source, error.what());
   }
   try {
-    if (!j.is_object() || !j.contains("format") || j.at("format") != kFormat)
+    if (!j.is_object() || !j.contains("format") || j.at("format") != kPlanFormat)
       return Refused(source, "it is no motion plan");
     const JsonPart whole(j);
     const int schema = whole.At("schema").Whole(0, std::numeric_limits<int>::max());

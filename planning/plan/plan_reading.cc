@@ -8,13 +8,11 @@
 #include "kinematics/base/result.h"
 #include "kinematics/spatial/convex_hull.h"
 #include "planning/plan/plan_reading_internal.h"
+#include "planning/plan/plan_shape.h"
+#include "planning/plan/plan_shape_internal.h"
 
 namespace gaitwright {
 namespace {
-
-constexpr std::size_t kMostHullPoints = 10000;
-constexpr double kMostFriction = 100.0, kLongestStep = 10.0, kLongestTime = 1e6;  // of a coefficient; [s]
-constexpr Eigen::Index kMostFeet = 64;                                            // those of a FootSet
 
 std::vector<Vector3> ToPoints(const JsonPart& list) {
   std::vector<Vector3> points;
@@ -23,7 +21,7 @@ std::vector<Vector3> ToPoints(const JsonPart& list) {
 }
 
 MeshHull ToMesh(const JsonPart& part) {
-  part.Object({"file", "vertices_m"});
+  part.Object(MeshShape());
   MeshHull mesh{part.At("file").Text(), ToPoints(part.At("vertices_m"))};
   if (mesh.vertices.empty()) part.At("vertices_m").Refuse("is empty; a mesh needs vertices");
   if (mesh.vertices.size() > kMostHullPoints) {
@@ -34,14 +32,12 @@ MeshHull ToMesh(const JsonPart& part) {
 }
 
 PlanarPose ToPlanarPose(const JsonPart& pose) {
-  pose.Object({"x_m", "y_m", "yaw_rad"});
+  pose.Object(PlanarPoseShape());
   return {pose.At("x_m").Number(), pose.At("y_m").Number(), pose.At("yaw_rad").Number()};
 }
 
 WalkCommand ToCommand(const JsonPart& command) {
-  command.Object({"extent", "speed_m_s", "lateral_speed_m_s", "yaw_rate_rad_s", "distance_m", "goal_x_m", "goal_y_m",
-                  "goal_yaw_rad", "steps", "step_length_m"},
-                 {"duration_s"});
+  command.Object(CommandShape());
   WalkCommand c;
   c.extent = static_cast<WalkCommand::Extent>(command.At("extent").Choice(PlanExtents()));
   c.speed_m_s = command.At("speed_m_s").NumberFrom(0.0);
@@ -52,7 +48,7 @@ WalkCommand ToCommand(const JsonPart& command) {
   c.goal_x_m = command.At("goal_x_m").Number();
   c.goal_y_m = command.At("goal_y_m").Number();
   c.goal_yaw_rad = command.At("goal_yaw_rad").Number();
-  c.steps = command.At("steps").Whole(0, 1000000);
+  c.steps = command.At("steps").Whole(0, kMostSteps);
   c.step_length_m = command.At("step_length_m").Number();
   return c;
 }
@@ -66,7 +62,7 @@ void CheckOutline(const JsonPart& part, const std::vector<Vector2>& outline) {
 }
 
 TerrainPatch ToPatch(const JsonPart& part) {
-  part.Object({"name", "pose", "outline_m", "friction"});
+  part.Object(PlanPatchShape());
   TerrainPatch patch{
       part.At("name").Text(), part.At("pose").ToPose(), {}, part.At("friction").NumberIn(0.0, kMostFriction)};
   const double upright = patch.X_WT.linear()(2, 2);
@@ -83,13 +79,12 @@ TerrainPatch ToPatch(const JsonPart& part) {
 }
 
 HeightField ToHeightField(const JsonPart& part) {
-  constexpr int kMostNodes = 100000;  // along one side
-  part.Object({"name", "origin_m", "resolution_m", "columns", "rows", "heights_m", "friction"});
+  part.Object(PlanHeightFieldShape());
   HeightField field{part.At("name").Text(),
                     part.At("origin_m").Vector(2),
                     part.At("resolution_m").NumberFrom(0.0),
-                    part.At("columns").Whole(2, kMostNodes),
-                    part.At("rows").Whole(2, kMostNodes),
+                    part.At("columns").Whole(2, kMostNodesAlong),
+                    part.At("rows").Whole(2, kMostNodesAlong),
                     part.At("heights_m").Numbers(),
                     part.At("friction").NumberIn(0.0, kMostFriction)};
   if (field.resolution_m == 0.0) part.At("resolution_m").Refuse("is 0; it must be over 0");
@@ -103,7 +98,7 @@ HeightField ToHeightField(const JsonPart& part) {
 }
 
 Obstacle ToObstacle(const JsonPart& part) {
-  part.Object({"name", "type", "pose"}, {"size_m", "vertices_m"});
+  part.Object(PlanObstacleShape());
   Obstacle obstacle;
   obstacle.name = part.At("name").Text();
   obstacle.type = ObstacleTypes()[static_cast<std::size_t>(part.At("type").Choice(ObstacleTypeNames()))];
@@ -125,7 +120,7 @@ Obstacle ToObstacle(const JsonPart& part) {
 }
 
 Terrain ToTerrain(const JsonPart& part) {
-  part.Object({"name", "patches", "height_fields", "obstacles"}, {"markers"});
+  part.Object(PlanTerrainShape());
   Terrain terrain;
   terrain.name = part.At("name").Text();
   for (const JsonPart& patch : part.At("patches").List()) terrain.patches.push_back(ToPatch(patch));
@@ -133,7 +128,7 @@ Terrain ToTerrain(const JsonPart& part) {
   for (const JsonPart& obstacle : part.At("obstacles").List()) terrain.obstacles.push_back(ToObstacle(obstacle));
   if (part.Has("markers")) {
     for (const JsonPart& marker : part.At("markers").List()) {
-      marker.Object({"name", "place_m"});
+      marker.Object(PlanMarkerShape());
       terrain.markers.push_back({marker.At("name").Text(), marker.At("place_m").Vector(2)});
     }
   }
@@ -143,7 +138,7 @@ Terrain ToTerrain(const JsonPart& part) {
 }
 
 Gait ToGait(const JsonPart& part, int feet) {
-  part.Object({"name", "description", "cycle_s", "phase", "duty_factor"});
+  part.Object(PlanGaitShape());
   const double cycle_s = part.At("cycle_s").Number();
   if (!(cycle_s > 0.0)) part.At("cycle_s").Refuse(fmt::format("is {}; it must be over 0", cycle_s));
   for (const JsonPart& phase : part.At("phase").List()) {
@@ -164,7 +159,7 @@ Gait ToGait(const JsonPart& part, int feet) {
 }
 
 MotionPart ToPart(const JsonPart& part, int feet) {
-  part.Object({"start_s", "end_s", "command", "goal", "gait"});
+  part.Object(PlanPartShape());
   MotionPart read{ToGait(part.At("gait"), feet), ToCommand(part.At("command")), ToPlanarPose(part.At("goal")),
                   part.At("start_s").Number(), part.At("end_s").Number()};
   if (!(read.end_s > read.start_s))
@@ -173,9 +168,8 @@ MotionPart ToPart(const JsonPart& part, int feet) {
 }
 
 PlanGate ToGate(const JsonPart& part, int feet) {
-  constexpr double kWidest = 10.0, kLongestWait = 60.0;
-  part.Object({"at_s", "phase", "joints_within", "contact", "longest_s"});
-  PlanGate gate{part.At("at_s").Number(), part.At("phase").Text(), part.At("joints_within").NumberIn(0.0, kWidest),
+  part.Object(PlanGateShape());
+  PlanGate gate{part.At("at_s").Number(), part.At("phase").Text(), part.At("joints_within").NumberIn(0.0, kWidestGate),
                 part.At("contact").Natural(), part.At("longest_s").NumberIn(0.0, kLongestWait)};
   if ((gate.contact & ~AllFeet(feet)) != 0) part.At("contact").Refuse(fmt::format("names feet beyond {}", feet));
   return gate;
@@ -193,14 +187,14 @@ ContactSchedule ToSchedule(const JsonPart& list, int feet) {
 }
 
 Foothold ToFoothold(const JsonPart& part, int feet, int surfaces) {
-  part.Object({"foot", "pose", "roll_m", "patch", "touchdown_s", "liftoff_s"});
+  part.Object(FootholdShape());
   if (part.At("liftoff_s").Number() < part.At("touchdown_s").Number()) part.Refuse("lifts off before it touches down");
   return {part.At("foot").Whole(0, feet - 1),      part.At("pose").ToPose(),        part.At("roll_m").Vector(3),
           part.At("patch").Whole(0, surfaces - 1), part.At("touchdown_s").Number(), part.At("liftoff_s").Number()};
 }
 
 SwingTrajectory ToSwing(const JsonPart& part, int feet) {
-  part.Object({"foot", "start_s", "end_s", "start_pose", "end_pose", "lift_m", "clearance_m"}, {"detour_m", "cruise"});
+  part.Object(SwingShape());
   const JsonPart clearance = part.At("clearance_m");
   SwingTrajectory swing{part.At("foot").Whole(0, feet - 1),
                         part.At("start_s").Number(),
@@ -219,10 +213,10 @@ SwingTrajectory ToSwing(const JsonPart& part, int feet) {
 }
 
 Provenance ToProvenance(const JsonPart& part) {
-  part.Object({"program_version", "made_by", "seed", "options"});
+  part.Object(ProvenanceShape());
   Provenance provenance{part.At("program_version").Text(), part.At("made_by").Text(), {}, part.At("seed").Natural()};
   const JsonPart options = part.At("options");
-  if (!options.json().is_object()) options.Object({});
+  if (!options.json().is_object()) options.Object(std::vector<std::string>{});
   for (const auto& [key, value] : options.json().items()) provenance.options.emplace_back(key, options.At(key).Text());
   return provenance;
 }
@@ -302,11 +296,7 @@ const std::vector<std::string>& PlanExtents() {
 }
 
 MotionPlan ReadPlan(const JsonPart& whole) {
-  whole.Object({"format",     "schema",          "robot",    "robot_hash", "provenance", "parts",  "goal",
-                "warnings",   "terrain",         "schedule", "footholds",  "swings",     "urdf",   "robot_yaml",
-                "start_s",    "step_s",          "q",        "v",          "a",          "tau_nm", "omega_rad_s",
-                "centroidal", "contact_wrenches"},
-               {"meshes", "gates"});
+  whole.Object(PlanShape());
   MotionPlan plan;
   plan.robot = whole.At("robot").Text();
   plan.robot_hash = whole.At("robot_hash").Text();

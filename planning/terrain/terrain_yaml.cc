@@ -14,6 +14,7 @@
 #include "planning/plan/built_in_terrain.h"
 #include "planning/terrain/load_terrain.h"
 #include "planning/terrain/sense.h"
+#include "planning/terrain/terrain_yaml_shape.h"
 
 namespace gaitwright {
 namespace {
@@ -22,12 +23,43 @@ using Keys = std::vector<std::string>;
 
 constexpr std::size_t kMostVertices = 10000;  // of an obstacle
 
-/// A map that has all of `needed`, and nothing that is in neither list.
-void CheckKeys(const YAML::Node& node, const std::string& what, const Keys& needed, const Keys& optional) {
-  Keys known = needed;
-  known.insert(known.end(), optional.begin(), optional.end());
-  YamlMap(node, what, known).Require(needed);
+DataShape FrictionShape() { return shapes::Number(0.01, 5.0); }
+
+DataShape HeightShape() { return shapes::Number(-kHighest, kHighest); }
+
+DataShape PatchShape() {
+  using namespace shapes;
+  return Object({{"name", Text()},
+                 Optional("corners_m", List(Numbers(3), 3), "In one plane, convex, counter-clockwise from above."),
+                 Optional("height_m", HeightShape(), "Of a level patch without end."),
+                 Optional("friction", FrictionShape(), "Coefficient; 0.8 where it is not given.")},
+                {{"corners_m", "height_m"}});
 }
+
+DataShape HeightFieldShape() {
+  using namespace shapes;
+  return Object({{"name", Text()},
+                 {"origin_m", Numbers(2), "The point with the lowest x and y."},
+                 {"resolution_m", Number(0.001, 1.0), "Between neighbouring points."},
+                 {"heights_m", List(List(HeightShape(), 2), 2), "As seen from above: the first row has the highest y."},
+                 Optional("friction", FrictionShape(), "Coefficient; 0.8 where it is not given.")});
+}
+
+DataShape ObstacleShape() {
+  using namespace shapes;
+  const DataShape angle = Number(-360.0, 360.0);
+  return Object({{"name", Text()},
+                 {"type", Text(ObstacleTypeNames())},
+                 Optional("size_m", List(Number(0.001, kFarthest), 2, 3), "Edges of a box; radius and length."),
+                 Optional("vertices_m", List(Numbers(3), 4, kMostVertices), "Of a mesh; it is their convex hull."),
+                 Optional("position_m", Numbers(3), "Of the middle; of a mesh of its origin."),
+                 Optional("yaw_deg", angle, "About z, first."),
+                 Optional("pitch_deg", angle, "About y, then."),
+                 Optional("roll_deg", angle, "About x, last.")},
+                {{"size_m", "vertices_m"}});
+}
+
+DataShape MarkerShape() { return shapes::Object({{"name", shapes::Text()}, {"place_m", shapes::Numbers(2)}}); }
 
 /// `count` numbers, each of a coordinate: x and y, and z where there are three.
 VectorX Place(const YAML::Node& node, const std::string& what, int count) {
@@ -49,7 +81,7 @@ std::vector<Vector3> Places(const YAML::Node& node, const std::string& what) {
 }
 
 double FrictionOf(const YAML::Node& node) {
-  return node["friction"] ? NumberOf(node["friction"], "friction", 0.01, 5.0) : 0.8;
+  return node["friction"] ? NumberOf(node["friction"], "friction", FrictionShape()) : 0.8;
 }
 
 /// Runs what throws without a line, and adds the one of `node`.
@@ -63,7 +95,7 @@ auto At(const YAML::Node& node, Make make) {
 }
 
 TerrainPatch ParsePatch(const YAML::Node& node) {
-  CheckKeys(node, "a patch", {"name"}, {"corners_m", "height_m", "friction"});
+  YamlMap(node, "a patch", PatchShape());
   const std::string name = TextOf(node["name"], "name");
   if (static_cast<bool>(node["corners_m"]) == static_cast<bool>(node["height_m"])) {
     RefuseYaml(node, fmt::format("patch '{}' needs either 'corners_m' or, without end, 'height_m'", name));
@@ -72,7 +104,7 @@ TerrainPatch ParsePatch(const YAML::Node& node) {
     TerrainPatch plane;
     plane.name = name;
     plane.friction = FrictionOf(node);
-    plane.X_WT.translation().z() = NumberOf(node["height_m"], "height_m", -kHighest, kHighest);
+    plane.X_WT.translation().z() = NumberOf(node["height_m"], "height_m", HeightShape());
     return plane;
   }
   const std::vector<Vector3> corners = Places(node["corners_m"], "corners_m");
@@ -81,11 +113,12 @@ TerrainPatch ParsePatch(const YAML::Node& node) {
 }
 
 HeightField ParseHeights(const YAML::Node& node) {
-  CheckKeys(node, "a height field", {"name", "origin_m", "resolution_m", "heights_m"}, {"friction"});
+  const DataShape shape = HeightFieldShape();
+  YamlMap(node, "a height field", shape);
   HeightField field;
   field.name = TextOf(node["name"], "name");
   field.origin_W = Place(node["origin_m"], "origin_m", 2);
-  field.resolution_m = NumberOf(node["resolution_m"], "resolution_m", 0.001, 1.0);
+  field.resolution_m = NumberOf(node["resolution_m"], "resolution_m", shape.At("resolution_m"));
   field.friction = FrictionOf(node);
   const std::vector<YAML::Node> rows = ListOf(node["heights_m"], "heights_m");
   for (std::size_t r = rows.size(); r-- > 0;) {  // as seen from above: the first has the highest y
@@ -94,7 +127,7 @@ HeightField ParseHeights(const YAML::Node& node) {
     if (field.rows++ == 0) field.columns = static_cast<int>(cells.size());
     if (static_cast<int>(cells.size()) != field.columns)
       RefuseYaml(row, fmt::format("a row of heights_m has {} numbers, another {}", cells.size(), field.columns));
-    for (const YAML::Node& cell : cells) field.height_m.push_back(NumberOf(cell, "heights_m", -kHighest, kHighest));
+    for (const YAML::Node& cell : cells) field.height_m.push_back(NumberOf(cell, "heights_m", HeightShape()));
   }
   if (field.rows < 2 || field.columns < 2) {
     RefuseYaml(node["heights_m"],
@@ -108,7 +141,7 @@ Pose ParsePose(const YAML::Node& node) {
   if (node["position_m"]) pose.translation() = Place(node["position_m"], "position_m", 3);
   const auto turn = [&](const char* key, const Vector3& axis) {
     if (!node[key]) return;
-    const double angle = NumberOf(node[key], key, -360.0, 360.0) * std::numbers::pi / 180.0;
+    const double angle = NumberOf(node[key], key, ObstacleShape().At(key)) * std::numbers::pi / 180.0;
     pose.rotate(Eigen::AngleAxisd(angle, axis));
   };
   turn("yaw_deg", Vector3::UnitZ());
@@ -118,15 +151,14 @@ Pose ParsePose(const YAML::Node& node) {
 }
 
 TerrainMarker ParseMarker(const YAML::Node& node) {
-  CheckKeys(node, "a marker", {"name", "place_m"}, {});
+  YamlMap(node, "a marker", MarkerShape());
   TerrainMarker marker{TextOf(node["name"], "name"), Place(node["place_m"], "place_m", 2)};
   if (Trimmed(marker.name).empty()) RefuseYaml(node["name"], "a marker's name is empty");
   return marker;
 }
 
 Obstacle ParseObstacle(const YAML::Node& node) {
-  CheckKeys(node, "an obstacle", {"name", "type"},
-            {"size_m", "vertices_m", "position_m", "yaw_deg", "pitch_deg", "roll_deg"});
+  YamlMap(node, "an obstacle", ObstacleShape());
   Obstacle obstacle;
   obstacle.name = TextOf(node["name"], "name");
   const std::string type = TextOf(node["type"], "type");
@@ -193,7 +225,7 @@ Terrain Named(const YAML::Node& node, const std::string& folder, const TerrainSc
 }
 
 Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainScale& scale) {
-  CheckKeys(root, "the file", {}, {"builtin", "files", "patches", "height_fields", "obstacles", "markers"});
+  YamlMap(root, "the file", TerrainFileShape());
   Terrain terrain;
   const auto each = [&](const char* key, auto add) {
     if (!root[key]) return;
@@ -214,6 +246,16 @@ Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainSc
 }
 
 }  // namespace
+
+DataShape TerrainFileShape() {
+  using namespace shapes;
+  return Object({Optional("builtin", Text(), "A built-in ground to begin with, as --terrain takes it."),
+                 Optional("files", List(Text()), "Height maps and meshes, with parameters, from this file's folder."),
+                 Optional("patches", List(PatchShape()), "Flat ground."),
+                 Optional("height_fields", List(HeightFieldShape()), "Ground by its heights."),
+                 Optional("obstacles", List(ObstacleShape()), "They must not be touched; no foot is put on them."),
+                 Optional("markers", List(MarkerShape()), "Places with names, for instructions.")});
+}
 
 Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& scale) {
   const auto bad = [&](const std::string& message) {

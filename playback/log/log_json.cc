@@ -11,13 +11,14 @@
 #include "kinematics/base/file.h"
 #include "planning/plan/json_part_internal.h"
 #include "playback/log/check_log.h"
+#include "playback/log/log_shape.h"
+#include "playback/log/log_shape_internal.h"
 
 namespace gaitwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr Eigen::Index kEstimateRow = 13;
-constexpr char kFormat[] = "gaitwright-playback-log";
 
 template <class Vector>
 Json ToJson(const Vector& v) {
@@ -61,7 +62,7 @@ Json HeadJson(const PlaybackLog& log) {
   for (const BodyContact& c : log.body_contacts) contacts.push_back({{"time_s", c.time_s}, {"link", c.link}});
   Json options = Json::object();
   for (const auto& [key, value] : log.options) options[key] = value;
-  Json head = {{"format", kFormat},
+  Json head = {{"format", kLogFormat},
                {"schema", PlaybackLog::kSchema},
                {"program_version", log.program_version},
                {"robot", log.robot},
@@ -126,6 +127,7 @@ VectorX ToVector(const Json& j) {
 }
 
 StanceRecord ToStance(const Json& j) {
+  JsonPart(j).Object(StanceShape());
   return {JsonPart(j).At("foot").Whole(0, 63),       j.at("touchdown_s").get<double>(),
           j.at("liftoff_s").get<double>(),           ToVector3(j.at("touchdown_m")),
           j.at("touchdown_speed_m_s").get<double>(), j.at("slip_m").get<double>(),
@@ -194,6 +196,7 @@ void ReadSamples(const Json& j, PlaybackLog& log) {
 std::vector<TimedPush> ToPushes(const Json& list) {
   std::vector<TimedPush> pushes;
   for (const Json& push : list) {
+    JsonPart(push).Object(LogPushShape());
     const VectorX force_W = ToVector(push.at("force_n"));
     if (force_W.size() != 3) throw InvalidArgument("'force_n' of a push needs three numbers");
     pushes.push_back(
@@ -203,6 +206,7 @@ std::vector<TimedPush> ToPushes(const Json& list) {
 }
 
 PlaybackLog ReadLog(const Json& j) {
+  JsonPart(j).Object(LogShape());
   PlaybackLog log;
   log.program_version = j.at("program_version").get<std::string>();
   log.robot = j.at("robot").get<std::string>();
@@ -218,10 +222,12 @@ PlaybackLog ReadLog(const Json& j) {
   log.saturated_s = ToVector(j.at("saturated_s"));
   for (const Json& stance : j.at("stances")) log.stances.push_back(ToStance(stance));
   for (const Json& c : j.at("body_contacts")) {
+    JsonPart(c).Object(BodyContactShape());
     log.body_contacts.push_back({c.at("time_s").get<double>(), c.at("link").get<std::string>()});
   }
   if (j.contains("gates")) {
     for (const Json& g : j.at("gates")) {
+      JsonPart(g).Object(LogGateShape());
       log.gates.push_back({g.at("phase").get<std::string>(), g.at("at_s").get<double>(), g.at("waited_s").get<double>(),
                            g.at("met").get<bool>()});
     }
@@ -261,7 +267,7 @@ std::string LogToJson(const PlaybackLog& log) {
 Result<PlaybackLog> LogFromJson(const std::string& text, const std::string& source) {
   try {
     const Json j = ParseJsonOnce(text);
-    if (!j.is_object() || !j.contains("format") || j.at("format") != kFormat) {
+    if (!j.is_object() || !j.contains("format") || j.at("format") != kLogFormat) {
       return Refused(source, "it is no playback log");
     }
     const int schema = JsonPart(j).At("schema").Whole(0, std::numeric_limits<int>::max());

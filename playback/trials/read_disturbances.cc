@@ -9,12 +9,14 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/strict_yaml_internal.h"
 #include "playback/trials/disturbances.h"
+#include "playback/trials/disturbances_shape.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr std::size_t kMostPushes = 100;
 constexpr double kBellReach = 3.0;  // standard deviations, where a normal distribution has no limits of its own
+constexpr char kPlace[] = "place";
 const std::vector<std::string> kKinds = {"uniform", "normal", "choice", "fixed"};
 
 /// Runs what throws without a line, and adds the one of `node`.
@@ -35,6 +37,38 @@ double ValueOf(const YAML::Node& node, const DisturbanceRule& rule) {
   return value;
 }
 
+DataShape ValueShape(const DisturbanceRule& rule) {
+  return rule.whole ? shapes::Whole(rule.lowest, rule.highest) : shapes::Number(rule.lowest, rule.highest);
+}
+
+DataShape NormalShape(const DisturbanceRule& rule) {
+  using namespace shapes;
+  return Object({{"mean", Number()},
+                 {"std", Positive()},
+                 Optional("lowest", ValueShape(rule), "Three std under the mean unless given."),
+                 Optional("highest", ValueShape(rule), "Three std over the mean unless given.")});
+}
+
+/// A value, or a distribution of it.
+ShapeMember DistributionShape(const DisturbanceRule& rule) {
+  using namespace shapes;
+  const bool words = rule.key == kPlace;
+  const DataShape value = words ? Text() : ValueShape(rule);
+  const DataShape choice = List(value, 1);
+  const DataShape drawn = words ? Object({Optional("choice", choice), Optional("fixed", value)}, {{"choice", "fixed"}})
+                                : Object({Optional("uniform", List(value, 2, 2)), Optional("normal", NormalShape(rule)),
+                                          Optional("choice", choice), Optional("fixed", value)},
+                                         {kKinds});
+  const bool bare = rule.unit.empty() || rule.unit == "1";
+  return {rule.key, Either(value, drawn), bare ? rule.meaning : fmt::format("{} [{}]", rule.meaning, rule.unit), false};
+}
+
+DataShape FiguresShape(const std::vector<DisturbanceRule>& rules) {
+  DataShape shape = shapes::Object({});
+  for (const DisturbanceRule& rule : rules) shape.members.push_back(DistributionShape(rule));
+  return shape;
+}
+
 Distribution ReadUniform(const YAML::Node& node, const DisturbanceRule& rule) {
   const std::vector<YAML::Node> ends = ListOf(node, "'uniform' of " + rule.key);
   if (ends.size() != 2)
@@ -44,8 +78,8 @@ Distribution ReadUniform(const YAML::Node& node, const DisturbanceRule& rule) {
 }
 
 Distribution ReadNormal(const YAML::Node& node, const DisturbanceRule& rule) {
-  const YamlMap map(node, "'normal' of " + rule.key, {"mean", "std", "lowest", "highest"});
-  map.Require({"mean", "std"});
+  const DataShape shape = NormalShape(rule);
+  const YamlMap map(node, "'normal' of " + rule.key, shape);
   const double mean = map.Number("mean").value(), std = map.Positive("std").value();
   const auto limit = [&](const char* key, double otherwise) {
     const YAML::Node* own = map.Find(key);
@@ -67,7 +101,7 @@ Distribution ReadChoice(const YAML::Node& node, const DisturbanceRule& rule, boo
 
 /// A bare value is a fixed one.
 Distribution ReadDistribution(const YAML::Node& node, const DisturbanceRule& rule) {
-  const bool words = rule.key == "place";
+  const bool words = rule.key == kPlace;
   const auto fixed = [&](const YAML::Node& value) {
     return words ? Distribution::OneOf({TextOf(value, rule.key)}) : Distribution::Fixed(ValueOf(value, rule));
   };
@@ -89,10 +123,9 @@ Distribution ReadDistribution(const YAML::Node& node, const DisturbanceRule& rul
 /// Figures of a map, each by the rule of its key.
 std::vector<Disturbance> ReadFigures(const YAML::Node& node, const std::string& what, const std::string& before,
                                      const std::vector<DisturbanceRule>& rules) {
-  std::vector<std::string> known;
-  for (const DisturbanceRule& rule : rules) known.push_back(rule.key);
   std::vector<Disturbance> figures;
-  const YamlMap map(node, what, known);
+  const DataShape shape = FiguresShape(rules);
+  const YamlMap map(node, what, shape);
   for (const auto& entry : map.entries()) {
     const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.key == entry.key; });
     DisturbanceRule named = *rule;
@@ -142,14 +175,13 @@ std::vector<DisturbanceRule> SensorRules(const OptionFields& sensors) {
 }
 
 Disturbances ReadRoot(const YAML::Node& root, const OptionFields& sensors) {
-  std::vector<std::string> known = {"start", "sensors", "pushes"};
   const std::vector<DisturbanceRule> own = RulesOf("");
-  for (const DisturbanceRule& rule : own) known.push_back(rule.key);
+  const DataShape shape = DisturbancesShape(sensors);
   Disturbances disturbances;
   const auto add = [&](const std::vector<Disturbance>& figures) {
     disturbances.figures.insert(disturbances.figures.end(), figures.begin(), figures.end());
   };
-  const YamlMap map(root, "the file", known);
+  const YamlMap map(root, "the file", shape);
   for (const auto& entry : map.entries()) {
     if (entry.key == "start") {
       add(ReadFigures(entry.value, "'start'", "start.", RulesOf("start")));
@@ -203,6 +235,18 @@ std::string Words(const Distribution& d) {
 }
 
 }  // namespace
+
+DataShape DisturbancesShape(const OptionFields& sensors) {
+  using namespace shapes;
+  DataShape shape = FiguresShape(RulesOf(""));
+  DataShape push = FiguresShape(PushRules());
+  push.one_of = {{"size_n", "size_of_weight"}};
+  shape.members.push_back(Optional("start", FiguresShape(RulesOf("start")), "How far off its plan it starts."));
+  shape.members.push_back(Optional("sensors", FiguresShape(SensorRules(sensors)), "Figures of the sensors."));
+  shape.members.push_back(Optional("pushes", List(push, 0, kMostPushes), "Each is given in every trial."));
+  shape.least = 1;
+  return shape;
+}
 
 Result<Disturbances> ReadDisturbances(const std::string& text, const OptionFields& sensors, const std::string& source) {
   const auto bad = [&](const std::string& message) {

@@ -53,6 +53,7 @@ inline const std::vector<Layer> kLayers = {
     {"workflows/words", 54},
     {"workflows/live", 55},
     {"workflows/cluster", 56},
+    {"workflows/formats", 57},
 
     {"cli", 60},
     {"examples", 60},

@@ -10,25 +10,16 @@ namespace gaitwright::cli {
 namespace {
 
 /// Every verb, in an order in which each finds the files that its examples read.
-const std::vector<std::vector<std::string>> kVerbs = {{"plan"},
-                                                      {"walk"},
-                                                      {"audit"},
-                                                      {"play"},
-                                                      {"trials"},
-                                                      {"sweep"},
-                                                      {"tune"},
-                                                      {"export"},
-                                                      {"import"},
-                                                      {"view"},
-                                                      {"render"},
-                                                      {"compare"},
-                                                      {"robots"},
-                                                      {"robots", "show"},
-                                                      {"gaits"},
-                                                      {"terrains"},
-                                                      {"terrains", "show"},
-                                                      {"bench"},
-                                                      {"bench", "centroidal"}};
+const std::vector<std::vector<std::string>> kVerbs = {{"plan"},     {"walk"},
+                                                      {"audit"},    {"play"},
+                                                      {"trials"},   {"sweep"},
+                                                      {"tune"},     {"export"},
+                                                      {"import"},   {"view"},
+                                                      {"render"},   {"compare"},
+                                                      {"robots"},   {"robots", "show"},
+                                                      {"gaits"},    {"reference"},
+                                                      {"terrains"}, {"terrains", "show"},
+                                                      {"bench"},    {"bench", "centroidal"}};
 
 class Help : public Stranger {
  protected:

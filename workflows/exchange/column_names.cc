@@ -6,13 +6,13 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/strict_yaml_internal.h"
+#include "workflows/exchange/file_shapes.h"
 #include "workflows/exchange/motion_columns.h"
 
 namespace gaitwright {
 namespace {
 
-/// The keys that are options too.
-const std::vector<std::string> kUnits = {"quaternion_order", "angle_unit", "length_unit", "time_unit"};
+constexpr double kLargestScale = 1e12;
 
 /// What the file says of order or units, which nothing else may contradict.
 void TakeUnit(const std::string& key, const YAML::Node& value, ImportOptions& options) {
@@ -37,8 +37,8 @@ void TakeUnit(const std::string& key, const YAML::Node& value, ImportOptions& op
 }
 
 ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
-  const YamlMap map(root, "the file",
-                    {"columns", "scale", "ignore", "quaternion_order", "angle_unit", "length_unit", "time_unit"});
+  const DataShape shape = ColumnNamesShape();
+  const YamlMap map(root, "the file", shape);
   ColumnNames names;
   if (const YAML::Node* columns = map.Find("columns")) {
     const YamlMap entries(*columns, "columns");
@@ -50,7 +50,7 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
   if (const YAML::Node* scale = map.Find("scale")) {
     const YamlMap entries(*scale, "scale");
     for (const auto& entry : entries.entries()) {
-      const double factor = NumberOf(entry.value, "scale of '" + entry.key + "'", -1e12, 1e12);
+      const double factor = NumberOf(entry.value, "scale of '" + entry.key + "'", -kLargestScale, kLargestScale);
       if (factor == 0.0) RefuseYaml(entry.value, "scale of '" + entry.key + "' is 0; any other number is accepted");
       names.scale[entry.key] = factor;
     }
@@ -58,13 +58,24 @@ ColumnNames Parsed(const YAML::Node& root, ImportOptions& options) {
   if (const YAML::Node* ignore = map.Find("ignore")) {
     for (const YAML::Node& name : ListOf(*ignore, "ignore")) names.ignored.push_back(TextOf(name, "a name in ignore"));
   }
-  for (const std::string& key : kUnits) {
-    if (const YAML::Node* value = map.Find(key)) TakeUnit(key, *value, options);
+  for (const OptionField& unit : ImportOptions().UnitFields()) {
+    if (const YAML::Node* value = map.Find(unit.key)) TakeUnit(unit.key, *value, options);
   }
   return names;
 }
 
 }  // namespace
+
+DataShape ColumnNamesShape() {
+  using namespace shapes;
+  DataShape shape = Object({Optional("columns", MapOf(Text()), "Their names, each with ours."),
+                            Optional("scale", MapOf(Number(-kLargestScale, kLargestScale)),
+                                     "By their name: what the column's numbers are multiplied with, not 0."),
+                            Optional("ignore", List(Text()), "Their names of columns that are left out.")});
+  ImportOptions options;
+  for (const OptionField& unit : options.UnitFields()) shape.members.push_back(Field(unit));
+  return shape;
+}
 
 Result<ColumnNames> ReadColumnNames(const std::string& path, ImportOptions& options) {
   const Result<std::string> text = ReadFile(path);

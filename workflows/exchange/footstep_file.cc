@@ -11,6 +11,7 @@
 #include "kinematics/trajectory/swing_curve.h"
 #include "planning/footsteps/base_over_feet.h"
 #include "planning/paths/standing_feet.h"
+#include "workflows/exchange/file_shapes.h"
 
 namespace gaitwright {
 namespace {
@@ -18,6 +19,28 @@ namespace {
 constexpr double kFar = 1000.0;  // [m]
 constexpr double kStand = 0.8;   // [s] before the first step and after the last, where it is not said
 constexpr std::size_t kMostSteps = 10'000;
+
+DataShape SecondsShape() { return shapes::Number(0.0, kLongestMotion); }
+
+/// Where a foot is put.
+DataShape PlaceShape() {
+  using namespace shapes;
+  return Object({{"foot", Text(), "A foot of the robot."},
+                 {"x_m", Number(-kFar, kFar)},
+                 {"y_m", Number(-kFar, kFar)},
+                 Optional("z_m", Number(-kFar, kFar), "Checked against the ground, to 1 cm."),
+                 Optional("yaw_rad", Number(-10.0, 10.0), "Beyond the heading in the standing posture.")});
+}
+
+DataShape StepShape() {
+  using namespace shapes;
+  DataShape shape = PlaceShape();
+  shape.members.push_back(Optional("lift_off_s", SecondsShape(), "With touch_down_s."));
+  shape.members.push_back(Optional("touch_down_s", SecondsShape(), "With lift_off_s."));
+  shape.members.push_back(Optional("swing_s", SecondsShape(), "In place of these two."));
+  shape.members.push_back(Optional("pause_s", SecondsShape(), "Before the next step."));
+  return shape;
+}
 
 /// A step as the file has it.
 struct AskedStep {
@@ -62,9 +85,8 @@ class Reader {
         steps_(start_.size()) {}
 
   FootstepSkeleton Read(const YAML::Node& root) {
-    const YamlMap map(root, "the file",
-                      {"footsteps", "start", "swing_s", "pause_s", "initial_stand_s", "final_stand_s"});
-    map.Require({"footsteps"});
+    const DataShape shape = FootstepFileShape();
+    const YamlMap map(root, "the file", shape);
     swing_s_ = Seconds(map, "swing_s");
     pause_s_ = Seconds(map, "pause_s");
     now_s_ = Seconds(map, "initial_stand_s").value_or(kStand);
@@ -87,7 +109,7 @@ class Reader {
   static std::optional<double> Seconds(const YamlMap& map, const std::string& key) {
     const YAML::Node* node = map.Find(key);
     if (node == nullptr) return std::nullopt;
-    return NumberOf(*node, key, 0.0, kLongestMotion);
+    return NumberOf(*node, key, SecondsShape());
   }
 
   int FootOf(const YamlMap& map, const YAML::Node& node) const {
@@ -119,15 +141,17 @@ class Reader {
   /// Where a foot is put, its heading beyond that of standing.
   Pose PlaceOf(const YamlMap& map, int foot, int& patch, const YAML::Node& node) const {
     constexpr double kOff = 0.01;  // [m]
-    map.Require({"x_m", "y_m"});
-    const double yaw = map.Find("yaw_rad") == nullptr ? 0.0 : NumberOf(*map.Find("yaw_rad"), "yaw_rad", -10.0, 10.0);
+    const DataShape shape = PlaceShape();
+    const auto number = [&](const char* key) {
+      return map.Find(key) == nullptr ? 0.0 : NumberOf(*map.Find(key), key, shape.At(key));
+    };
+    const double yaw = number("yaw_rad");
     Pose level = Pose::Identity();
     level.linear() = YawRotation(yaw) * StandingFeet(model_)[static_cast<std::size_t>(foot)].linear();
-    level.translation() =
-        Vector3(NumberOf(*map.Find("x_m"), "x_m", -kFar, kFar), NumberOf(*map.Find("y_m"), "y_m", -kFar, kFar), 0.0);
+    level.translation() = Vector3(number("x_m"), number("y_m"), 0.0);
     Pose X_WF = OnGround(level, foot, patch, node);
     if (const YAML::Node* z = map.Find("z_m")) {
-      const double height = NumberOf(*z, "z_m", -kFar, kFar);
+      const double height = number("z_m");
       if (std::abs(height - X_WF.translation().z()) > kOff) {
         RefuseYaml(*z, fmt::format("z_m = {:.4g} m is not on the ground, which is {:.4g} m high there; up to {} m off "
                                    "is taken",
@@ -140,8 +164,8 @@ class Reader {
   void TakeStart(const YAML::Node& node) {
     std::vector<bool> said(start_.size(), false);
     for (const YAML::Node& entry : ListOf(node, "start")) {
-      const YamlMap map(entry, "a foot at the start", {"foot", "x_m", "y_m", "z_m", "yaw_rad"});
-      map.Require({"foot"});
+      const DataShape shape = PlaceShape();
+      const YamlMap map(entry, "a foot at the start", shape);
       const int foot = FootOf(map, entry);
       const auto f = static_cast<std::size_t>(foot);
       if (said[f]) RefuseYaml(entry, fmt::format("foot '{}' stands in start twice", model_.feet[f].name));
@@ -154,9 +178,8 @@ class Reader {
   }
 
   void TakeStep(const YAML::Node& node) {
-    const YamlMap map(node, "a footstep",
-                      {"foot", "x_m", "y_m", "z_m", "yaw_rad", "lift_off_s", "touch_down_s", "swing_s", "pause_s"});
-    map.Require({"foot"});
+    const DataShape shape = StepShape();
+    const YamlMap map(node, "a footstep", shape);
     AskedStep step;
     step.foot = FootOf(map, node);
     step.X_WF = PlaceOf(map, step.foot, step.patch, node);
@@ -271,6 +294,17 @@ double RoundOf(const FootstepSkeleton& skeleton, std::size_t feet) {
 }
 
 }  // namespace
+
+DataShape FootstepFileShape() {
+  using namespace shapes;
+  return Object(
+      {{"footsteps", List(StepShape(), 1, kMostSteps), "In the order of each foot's time."},
+       Optional("start", List(PlaceShape(), 1), "All feet; without it they stand as in the standing posture."),
+       Optional("swing_s", SecondsShape(), "Of each step that does not say its own."),
+       Optional("pause_s", SecondsShape(), "Between steps that do not say their own times."),
+       Optional("initial_stand_s", SecondsShape(), "Before the first step."),
+       Optional("final_stand_s", SecondsShape(), "After the last one.")});
+}
 
 Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& terrain, const std::string& text,
                                        const std::string& source, double grid_s) {

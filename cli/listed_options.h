@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+
+#include "kinematics/base/options.h"
+
+namespace gaitwright::cli {
+
+/// Thrown where --list-options is asked for: what it is to print.
+class ListedOptions : public CLI::Success {
+ public:
+  ListedOptions(OptionFields fields, bool as_json) : fields_(std::move(fields)), as_json_(as_json) {}
+
+  const OptionFields& fields() const { return fields_; }
+  bool as_json() const { return as_json_; }
+
+ private:
+  OptionFields fields_;
+  bool as_json_;
+};
+
+/// What a value of the field may be: "0 to 1", "true, false", its words, or "text".
+std::string AcceptedOf(const OptionField& field);
+
+/// Prints the fields with their units, ranges and defaults.
+void PrintOptions(const OptionFields& fields, bool as_json);
+
+}  // namespace gaitwright::cli

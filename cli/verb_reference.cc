@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/flags.h"
+#include "cli/paths.h"
+#include "cli/program.h"
+#include "cli/reference_pages.h"
+#include "kinematics/base/file.h"
+#include "kinematics/base/nearest_name.h"
+#include "workflows/formats/documents.h"
+
+namespace gaitwright::cli {
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string schema, folder;
+};
+
+int PrintSchema(const std::string& name) {
+  const std::vector<Document> documents = Documents();
+  std::vector<std::string> names;
+  for (const Document& document : documents) names.push_back(document.name);
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end())
+    throw InvalidArgument(
+        fmt::format("--schema: there is no '{}'{}", name, NearestOrAll(name, names, "reference prints all of them")));
+  fmt::print("{}", documents[static_cast<std::size_t>(at - names.begin())].schema);
+  return kPass;
+}
+
+void PrintList(const Common& common) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Document& document : Documents()) {
+    list.push_back({{"name", document.name}, {"title", document.title}});
+    if (common.json) continue;
+    if (common.quiet) {
+      fmt::print("{}\n", document.name);
+    } else {
+      fmt::print("{:<18} {}\n", document.name, document.title);
+    }
+  }
+  if (common.json) fmt::print("{}\n", nlohmann::ordered_json{{"schemas", list}}.dump(2));
+}
+
+int Write(CLI::App& app, const Arguments& a) {
+  const std::filesystem::path folder(a.folder);
+  std::vector<OutputFile> files = {{(folder / "reference/verbs.md").string(), VerbsPage(app)},
+                                   {(folder / "reference/options.md").string(), OptionsPage(app)}};
+  for (const Document& document : Documents())
+    files.push_back({(folder / "schemas" / (document.name + ".json")).string(), document.schema});
+  const auto written = WriteFilesTogether(files);
+  if (!written) return Report(written.failure(), a.common);
+  if (a.common.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"files", *written}}.dump(2));
+  } else if (!a.common.quiet) {
+    for (const std::string& path : *written) fmt::print("{}\n", path);
+  }
+  return kPass;
+}
+
+int Run(CLI::App& app, const Arguments& a) {
+  ApplySets("--set", a.common.sets, {});
+  if (!a.schema.empty()) return PrintSchema(a.schema);
+  if (!a.folder.empty()) return Write(app, a);
+  PrintList(a.common);
+  return kPass;
+}
+
+}  // namespace
+
+void AddReference(CLI::App& app, int& status) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App& verb =
+      *app.add_subcommand("reference", "List the JSON schemas of all files and results, print or write them");
+  CLI::Option* schema = AddText(verb, "--schema", "NAME", a->schema, "Print this schema; default: a list of all.");
+  AddText(verb, "--out-dir", "FOLDER", a->folder,
+          "Write all schemas and the pages of verbs and options into this folder; default: nowhere.")
+      ->excludes(schema);
+  AddCommon(verb, a->common, {"reference", "reference --schema motion-plan"});
+  verb.callback([a, &app, &status] { status = Guarded(a->common, [&] { return Run(app, *a); }); });
+}
+
+}  // namespace gaitwright::cli

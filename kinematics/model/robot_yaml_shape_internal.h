@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "kinematics/base/data_shape.h"
+
+namespace gaitwright {
+
+inline constexpr double kLongestPart = 1e3;   ///< [m]
+inline constexpr double kLargestValue = 1e9;  ///< of a limit, a gain or what a motor has, in its unit
+inline constexpr std::size_t kMostCorners = 100;
+inline constexpr double kFastestWalk = 100.0;  ///< [m/s]
+
+// What the parts of a robot.yaml may hold.
+DataShape FootYamlShape();
+DataShape LegYamlShape();
+DataShape LimitsYamlShape();
+DataShape GainsYamlShape();
+DataShape MotorYamlShape();
+
+}  // namespace gaitwright

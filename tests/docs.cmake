@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The handbook: commands of each page are a test of their own, so that pages run side by side.
+find_package(Python 3.9 QUIET COMPONENTS Interpreter)
+set(docs_python ${GAITWRIGHT_PYTHON_PROGRAM})
+if(NOT docs_python)
+  set(docs_python ${Python_EXECUTABLE})
+endif()
+execute_process(COMMAND ${docs_python} -c "import pytest, jsonschema, yaml" RESULT_VARIABLE docs_python_lacks OUTPUT_QUIET ERROR_QUIET)
+if(docs_python_lacks)
+  message(STATUS "The tests of the handbook are left out (Debian: python3-pytest, python3-jsonschema, python3-yaml)")
+  return()
+endif()
+
+set(pytest ${docs_python} -m pytest -q -p no:cacheprovider)
+set(docs_environment "PYTHONDONTWRITEBYTECODE=1;GAITWRIGHT_BUILD=${CMAKE_BINARY_DIR}")
+add_test(NAME docs COMMAND ${pytest} ${CMAKE_CURRENT_SOURCE_DIR}/docs --deselect ${CMAKE_CURRENT_SOURCE_DIR}/docs/test_pages.py::test_commands)
+set_tests_properties(docs PROPERTIES ENVIRONMENT "${docs_environment}" LABELS docs)
+file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/README*.md ${CMAKE_SOURCE_DIR}/docs/*.md)
+foreach(page ${pages})
+  if(page MATCHES "\\.zh\\.md$")  # has the blocks of the original
+    continue()
+  endif()
+  file(STRINGS ${CMAKE_SOURCE_DIR}/${page} commands REGEX "^ *```(sh|console) *$" LIMIT_COUNT 1)
+  if(commands)
+    add_test(NAME "docs.${page}" COMMAND ${pytest} "${CMAKE_CURRENT_SOURCE_DIR}/docs/test_pages.py::test_commands[${page}]")
+    set_tests_properties("docs.${page}" PROPERTIES ENVIRONMENT "${docs_environment}" LABELS docs)
+  endif()
+endforeach()

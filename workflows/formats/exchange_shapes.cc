@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What compare, export and import print.
+#include "workflows/formats/result_shapes_internal.h"
+
+namespace gaitwright {
+
+using namespace shapes;
+
+namespace {
+
+DataShape NumberOrNull() { return OrNull(Number()); }
+
+DataShape SeriesShape() {
+  return Object({{"unit", Text()},
+                 {"rms", Number()},
+                 {"largest", Number()},
+                 {"at_s", Number()},
+                 {"tolerance", Number()},
+                 {"noise", Number(), "Standard deviation; 0 unless a side was measured."},
+                 {"first_beyond_s", NumberOrNull()}});
+}
+
+DataShape FirstShape() {
+  return Object({{"quantity", Text()},
+                 {"at_s", Number()},
+                 {"a", NumberOrNull()},
+                 {"b", NumberOrNull()},
+                 {"unit", Text()},
+                 {"tolerance", Number()}});
+}
+
+DataShape MetricPairsShape() {
+  return MapOf(Object({{"a", NumberOrNull()},
+                       {"b", NumberOrNull()},
+                       {"change", NumberOrNull(), "b - a."},
+                       {"unit", Text()},
+                       {"limit", NumberOrNull()},
+                       {"pass_a", Truth()},
+                       {"pass_b", Truth()},
+                       {"differs", Truth()}}));
+}
+
+DataShape WordsShape() { return List(Object({{"key", Text()}, {"a", Text()}, {"b", Text()}})); }
+
+DataShape FootTimesShape() {
+  return Object({{"stances_a", Whole()},
+                 {"stances_b", Whole()},
+                 {"unmatched", Whole()},
+                 {"timing_rms_s", Number()},
+                 {"timing_largest_s", Number(), "B - A."},
+                 {"at_s", Number()},
+                 {"tolerance_s", Number()},
+                 {"first_beyond_s", NumberOrNull()}});
+}
+
+}  // namespace
+
+DataShape MotionComparisonShape() {
+  const DataShape side =
+      Object({{"name", Text()}, {"kind", Text({"plan", "log", "csv", "trajectory"})}, {"robot", Text()}});
+  const DataShape alignment = Object({{"by", Text({"none", "start", "best"})},
+                                      {"offset_s", Number(), "Time of B minus time of A."},
+                                      {"best_offset_s", NumberOrNull()},
+                                      {"agreement", NumberOrNull()}});
+  const DataShape joint = Object(
+      {{"position", OrNull(SeriesShape())}, {"speed", OrNull(SeriesShape())}, {"torque", OrNull(SeriesShape())}});
+  const DataShape figure = Object({{"a", NumberOrNull()}, {"b", NumberOrNull()}, {"unit", Text()}});
+  return Object({{"compared", Text({"motions"})},
+                 {"a", side},
+                 {"b", side},
+                 {"same", Truth(), "Nothing is beyond its tolerance."},
+                 {"first_difference", OrNull(FirstShape())},
+                 {"in_order", List(FirstShape()), "By time, each quantity once."},
+                 {"alignment", alignment},
+                 {"start_s", Number()},
+                 {"end_s", Number()},
+                 {"samples", Whole()},
+                 {"joints", MapOf(joint), "By name."},
+                 {"joints_only_a", List(Text())},
+                 {"joints_only_b", List(Text())},
+                 {"base", MapOf(OrNull(SeriesShape()))},
+                 {"balance", MapOf(OrNull(SeriesShape()))},
+                 {"feet", MapOf(FootTimesShape())},
+                 {"figures", MapOf(figure)},
+                 {"metrics", MetricPairsShape()},
+                 {"words", WordsShape(), "What is told in words and is not the same."},
+                 {"notes", TextsShape()},
+                 {"files", FilesShape({"report"})}});
+}
+
+DataShape ReportComparisonShape() {
+  const DataShape side = Object({{"name", Text()}, {"kind", Text({"report"})}, {"score", Number()}});
+  return Object({{"compared", Text({"reports"})},
+                 {"a", side},
+                 {"b", side},
+                 {"same", Truth()},
+                 {"metrics", MetricPairsShape()},
+                 {"words", WordsShape()},
+                 {"files", FilesShape({"report"})}});
+}
+
+DataShape ExportResultShape() {
+  return Object({{"format", Text()},
+                 {"from", Text({"plan", "log"})},
+                 {"robot", Text()},
+                 {"rows", Whole()},
+                 {"rate_hz", Number()},
+                 {"start_s", Number()},
+                 {"end_s", Number()},
+                 {"notes", TextsShape(), "What the format leaves out."},
+                 {"files", FilesShape({"motion", "plots"})}});
+}
+
+DataShape ImportResultShape() {
+  const DataShape derived = Object({{"what", Text()}, {"how", Text()}});
+  return Object({{"robot", Text()},
+                 {"verdict", VerdictShape(), "Of the audit."},
+                 {"format", Text({"csv", "ocs2-csv", "joint-trajectory", "footsteps"})},
+                 {"rows", Whole(), "Of the file."},
+                 {"duration_s", Number()},
+                 {"footholds", Whole(), "Their number."},
+                 {"derived", List(derived), "What was worked out, and how."},
+                 {"unused_columns", List(Text())},
+                 {"warnings", TextsShape()},
+                 {"audit", AuditShape()},
+                 {"files", FilesShape({"plan"})}});
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What trials, sweep, tune and the preflight print.
+#include "workflows/formats/result_shapes_internal.h"
+#include "workflows/study/point_outcome.h"
+
+namespace gaitwright {
+
+using namespace shapes;
+
+namespace {
+
+DataShape NumberOrNull() { return OrNull(Number()); }
+
+/// A value of an option: a number, a word or a switch.
+DataShape ValueShape() { return Either(Either(Number(), Text()), Truth()); }
+
+DataShape SensitivityShape() {
+  return Object({{"name", Text()},
+                 {"unit", Text()},
+                 {"falls_with", Text(), "'more', 'less', 'far off', 'near', 'is WORD', 'is not WORD'."},
+                 {"effect", Number(), "Rank-biserial correlation."},
+                 {"p", NumberOrNull()},
+                 {"log_odds_per_std", NumberOrNull()},
+                 {"median_fell", NumberOrNull()},
+                 {"median_survived", NumberOrNull()}});
+}
+
+DataShape GaitSensitivityShape() {
+  return Object({{"standard_error", NumberOrNull()},
+                 {"missing", Text(), "Why there is none, or empty."},
+                 {"trials", Whole()},
+                 {"steps", Whole()},
+                 {"indicators", TextsShape()},
+                 {"disturbances", TextsShape()},
+                 {"varied", List(Truth()), "Which disturbances did."},
+                 {"response", List(List(Numbers())), "By steps after: rows by indicator, columns by disturbance."}});
+}
+
+DataShape PushBinShape() {
+  return Object({{"direction_deg", Number()},
+                 {"n", Whole(), "Fatal or survived."},
+                 {"fell", Whole()},
+                 {"unknown", Whole(), "Others, of which it cannot be told."},
+                 {"largest_survived_n", NumberOrNull()},
+                 {"smallest_fatal_n", NumberOrNull()}});
+}
+
+DataShape WorstShape() {
+  return Object({{"seed", Whole()},
+                 {"number", Whole()},
+                 {"survived", Truth()},
+                 {"score", NumberOrNull()},
+                 {"ended_s", Number()},
+                 {"cause", Text()},
+                 {"reason", Text()},
+                 {"log_hash", Text()},
+                 {"sampled", MapOf(Either(Number(), Text())), "By name."}});
+}
+
+DataShape SpreadShape() {
+  return Object({{"unit", Text()},
+                 {"n", Whole(), "Trials that have it."},
+                 {"min", Number()},
+                 {"p05", Number()},
+                 {"median", Number()},
+                 {"p95", Number()},
+                 {"max", Number()},
+                 {"limit", NumberOrNull(), "null: its gate applied in no trial."},
+                 {"broken", Whole(), "Trials that broke the gate."}});
+}
+
+DataShape TrialsTableShape() {
+  const DataShape cell = OrNull(Either(Either(Number(), Text()), Truth()));
+  return Object({{"columns", TextsShape()}, {"rows", List(List(cell)), "One list a trial."}});
+}
+
+/// How many survived and passed.
+std::vector<ShapeMember> CountMembers() {
+  const DataShape share = Number(0.0, 1.0);
+  std::vector<ShapeMember> members = {{"n", Whole(), "Trials."}, {"survived", Whole()}};
+  for (const ShapeMember& member : SurvivalMembers().members) members.push_back(member);
+  members.insert(members.end(), {{"passed", Whole(), "Kept every gate too."},
+                                 {"pass_share", share, "Share that passed."},
+                                 {"pass_low", share, "Lower end of its 95 % interval."},
+                                 {"pass_high", share, "Upper end of its 95 % interval."}});
+  return members;
+}
+
+DataShape AxisShape() {
+  return Object({{"key", Text()},
+                 {"unit", Text()},
+                 {"from", NumberOrNull(), "null: words."},
+                 {"to", NumberOrNull()},
+                 {"values", OrNull(List(ValueShape())), "null: a sampled range."}});
+}
+
+DataShape StatusShape() {
+  std::vector<std::string> names;
+  for (const PointStatus status : kPointStatuses) names.push_back(StatusName(status));
+  return Text(names);
+}
+
+DataShape PointShape() {
+  return Object({{"point", Whole(), "Its number, from 0."},
+                 {"values", MapOf(ValueShape()), "By key."},
+                 {"status", StatusShape()},
+                 {"verdict", VerdictShape()},
+                 {"audit_pass", OrNull(Truth()), "null: there is no plan."},
+                 {"score", NumberOrNull()},
+                 {"code", Text()},
+                 {"reason", Text()},
+                 {"fell_at_s", NumberOrNull()},
+                 {"metrics", MapOf(NumberOrNull()), "Those of --metrics."},
+                 Optional("trials", OrNull(Whole())),
+                 Optional("survived", OrNull(Whole())),
+                 Optional("survival", NumberOrNull()),
+                 Optional("survival_low", NumberOrNull()),
+                 Optional("survival_high", NumberOrNull()),
+                 Optional("trial_score_mean", NumberOrNull())});
+}
+
+DataShape CountsShape() {
+  DataShape counts = Object({{"points", Whole()}});
+  for (const PointStatus status : kPointStatuses) counts.members.push_back({StatusName(status), Whole()});
+  return counts;
+}
+
+DataShape CandidateShape() {
+  return Object({{"candidate", Whole(), "Its number; 0 is the usual one."},
+                 {"found_by", Text({"usual", "sample", "surface", "cma-es"})},
+                 {"values", MapOf(Number())},
+                 {"value", NumberOrNull(), "null: refused."},
+                 {"score_mean", NumberOrNull()},
+                 {"survived", OrNull(Whole())},
+                 {"refusal", Text()}});
+}
+
+DataShape DifferenceShape() {
+  return Object({{"before", NumberOrNull()},
+                 {"after", Number()},
+                 {"difference", NumberOrNull()},
+                 {"low", NumberOrNull(), "Of its 95 % interval."},
+                 {"high", NumberOrNull()}});
+}
+
+DataShape PreflightTrialsShape() {
+  const DataShape condition = Object({{"key", Text()}, {"value", Text()}, {"usual", Text()}});
+  const DataShape worst = Object({{"seed", Whole()}, {"words", Text()}});
+  DataShape different =
+      With(Object({{"n", Whole()}, {"survived", Whole()}, {"passed", Whole()}}), SurvivalMembers().members);
+  return With(Object(CountMembers()), {{"different", different, "Of those whose logs differ."},
+                                       {"controller", Text()},
+                                       {"conditions", List(condition), "Options that were not at their usual values."},
+                                       {"disturbances", Text(), "As YAML."},
+                                       {"causes", MapOf(Whole())},
+                                       {"worst", List(worst)}});
+}
+
+}  // namespace
+
+DataShape TrialsResultShape() {
+  return With(Object(CountMembers()),
+              {{"different", Whole(), "How many trials differ, by their logs."},
+               {"remarks", TextsShape()},
+               {"metrics", MapOf(SpreadShape()), "By key."},
+               {"causes", MapOf(Whole()), "Of falls, with the number of trials."},
+               {"broken_gates", MapOf(Whole()), "Of failures without a fall."},
+               {"gait_sensitivity_norm", NumberOrNull(), "null: it cannot be estimated."},
+               {"gait_sensitivity", GaitSensitivityShape()},
+               {"sensitivity", List(SensitivityShape()), "What falls go with, the surest first."},
+               {"pushes", List(PushBinShape()), "By direction."},
+               {"worst", List(WorstShape())},
+               {"robot", Text()},
+               {"robot_hash", Text()},
+               {"plan_hash", Text()},
+               {"whole_plan_hash", Text()},
+               {"controller", Text()},
+               {"seed", Whole()},
+               {"disturbances", Text(), "As YAML."},
+               {"options", MapOf(Text()), "Of the playback, before trials change them."},
+               {"repeat", Text(), "The command that repeats one trial exactly."},
+               {"trials", TrialsTableShape()},
+               Optional("files", FilesShape({"plan", "result", "report", "so_far"}), "On standard output only.")});
+}
+
+DataShape SweepResultShape() {
+  const DataShape failure = Object(
+      {{"status", StatusShape()}, {"code", Text()}, {"points", List(Whole())}, {"where", Text()}, {"example", Text()}});
+  return Object({{"robot", Text()},
+                 {"axes", List(AxisShape(), 1)},
+                 {"points", List(PointShape())},
+                 {"best", OrNull(PointShape()), "null: no plan passes its audit."},
+                 {"best_play_flags", OrNull(Text())},
+                 {"counts", CountsShape()},
+                 {"failures", List(failure), "The most frequent first."},
+                 {"files", FilesShape({"map", "report", "picture", "best"})}});
+}
+
+DataShape TuneResultShape() {
+  const DataShape axis = Object({{"key", Text()}, {"unit", Text()}, {"from", Number()}, {"to", Number()}});
+  const DataShape proof = Object({{"trials", Whole()},
+                                  {"value", DifferenceShape()},
+                                  {"score", DifferenceShape()},
+                                  {"survival", DifferenceShape()},
+                                  {"no_before", Text(), "Why the usual values have none, or empty."}});
+  const DataShape metric = Object({{"before", NumberOrNull()}, {"after", NumberOrNull()}});
+  return Object({{"robot", Text()},
+                 {"better", Truth(), "Whether the proof holds."},
+                 {"verdict", Text()},
+                 {"axes", List(axis, 1)},
+                 {"trials", Whole(), "Of each candidate."},
+                 {"survival_weight", Number()},
+                 {"usual", MapOf(Number())},
+                 {"favourite", CandidateShape()},
+                 {"options", MapOf(Number()), "Those chosen."},
+                 {"held_out", OrNull(proof), "null: the favourite is the usual one."},
+                 {"metrics", MapOf(metric), "Of the undisturbed walk."},
+                 {"surface_foretold", NumberOrNull()},
+                 {"finalists", List(Whole())},
+                 {"candidates", List(CandidateShape())},
+                 {"files", FilesShape({"options", "result", "report"})}});
+}
+
+DataShape PreflightShape() {
+  return Object({{"verdict", Text({"go", "no-go"})},
+                 {"reasons", TextsShape(), "Why it is no go."},
+                 {"remarks", TextsShape()},
+                 {"robot", Text()},
+                 {"robot_hash", Text()},
+                 {"plan_hash", Text()},
+                 {"whole_plan_hash", Text()},
+                 {"least_survival", Number()},
+                 {"fewest_trials", Whole()},
+                 {"program_version", Text()},
+                 {"made_by", Text()},
+                 {"motion", Text()},
+                 {"duration_s", Number()},
+                 {"limits", List(MarginShape()), "Of each law the least margin."},
+                 {"audit", AuditShape()},
+                 {"trials", OrNull(PreflightTrialsShape())},
+                 {"assumptions", TextsShape()},
+                 {"not_checked", TextsShape()},
+                 {"files", FilesShape({"report", "approach"})}});
+}
+
+}  // namespace gaitwright
