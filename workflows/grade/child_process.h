@@ -64,7 +64,7 @@ class ChildProcess {
 
   /// Sends a line and waits for one. After a failure it is ended, and fails all further calls with the same words.
   /// Failure kBadInput with one of these codes: `child_ended` (by itself or by a signal, which is named), `child_time`,
-  /// `child_memory` never (that is an exception in it), `child_files` (wrote too much), `child_answer` (too long).
+  /// `child_files` (it wrote too much), `child_answer` (too long). Out of memory it fails by itself.
   Result<std::string> Ask(const std::string& line, std::size_t longest_answer);
 
  private:
