@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   AddTrials(app, status);
   AddSweep(app, status);
   AddTune(app, status);
+  AddGrade(app, status);
   AddRobots(app, status);
   AddGaits(app, status);
   AddTerrains(app, status);

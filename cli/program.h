@@ -63,5 +63,6 @@ void AddView(CLI::App& app, int& status);
 void AddRender(CLI::App& app, int& status);
 void AddLive(CLI::App& app, int& status);
 void AddDo(CLI::App& app, int& status);
+void AddGrade(CLI::App& app, int& status);
 
 }  // namespace gaitwright::cli

@@ -123,6 +123,8 @@ void NoteMissingPictures(const std::string& folder, RobotModel& model) {
   }
 }
 
+}  // namespace
+
 std::string RobotsFolder() {
   if (const char* folder = std::getenv("GAITWRIGHT_ROBOTS")) return folder;
   std::error_code error;
@@ -132,8 +134,6 @@ std::string RobotsFolder() {
   if (!error && fs::is_directory(beside, error)) return beside.string();
   return GAITWRIGHT_INSTALLED_ROBOTS;
 }
-
-}  // namespace
 
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
                                      const std::string& name, const std::vector<MeshHull>& meshes) {

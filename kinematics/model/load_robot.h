@@ -27,6 +27,9 @@ Result<RobotModel> LoadNamedRobot(const std::string& name);
 /// The same robot, which may also lie on a link: `rests` of its robot.yaml. Failure as of LoadRobotFromText.
 Result<RobotModel> WithRest(const RobotModel& model, const std::string& link);
 
+/// That folder.
+std::string RobotsFolder();
+
 /// Names of the robots in that folder, sorted.
 std::vector<std::string> RobotNames();
 

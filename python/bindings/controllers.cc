@@ -76,11 +76,26 @@ py::tuple GainsOf(const RobotModel& model, const py::dict& options) {
   return py::make_tuple(derived.stiffness, derived.damping);
 }
 
+ControlInput MakeInput(double time_s, double step_s, const VectorX& q, const VectorX& v, const RowMatrix& forces_n,
+                       const std::vector<bool>& contact) {
+  if (forces_n.cols() != 3 || forces_n.rows() != static_cast<Eigen::Index>(contact.size()))
+    throw InvalidArgument(fmt::format("forces_n is {} x {}; {} x 3 are needed, a row for each foot of contact",
+                                      forces_n.rows(), forces_n.cols(), contact.size()));
+  ControlInput input{time_s, step_s, q, v, {}, 0};
+  for (std::size_t foot = 0; foot < contact.size(); ++foot) {
+    input.wrenches.push_back({forces_n.row(static_cast<Eigen::Index>(foot)).transpose(), Vector3::Zero()});
+    if (contact[foot]) input.contact |= FootSet{1} << foot;
+  }
+  return input;
+}
+
 void BindInput(py::module_& module) {
   py::class_<ControlInput>(module, "ControlInput", R"(What a controller is told at the start of a step.
 
 Its arrays are views that are valid during the call: copy what is to be kept.)")
       .def(py::init<>())
+      .def(py::init(&MakeInput), py::arg("time_s"), py::arg("step_s"), py::arg("q"), py::arg("v"), py::arg("forces_n"),
+           py::arg("contact"), "One made up, for asking a controller without a playback.")
       .def_readwrite("time_s", &ControlInput::time_s, "On the plan's clock; after the plan's end it runs on.")
       .def_readwrite("step_s", &ControlInput::step_s)
       .def_readwrite("q", &ControlInput::q)

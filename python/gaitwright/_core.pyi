@@ -2,7 +2,7 @@
 """Types of the C++ core. What each does is told by its docstring: help(gaitwright.plan_walk)."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Optional, Union, final
+from typing import Any, Optional, Union, final, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -197,7 +197,12 @@ class ControlInput:
     step_s: float
     q: Array
     v: Array
+    @overload
     def __init__(self) -> None: ...
+    @overload
+    def __init__(
+        self, time_s: float, step_s: float, q: Vector, v: Vector, forces_n: Array, contact: list[bool]
+    ) -> None: ...
     @property
     def forces_n(self) -> Array: ...
     @property

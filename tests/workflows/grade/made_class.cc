@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/workflows/grade/made_class.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace gaitwright {
+
+namespace fs = std::filesystem;
+
+MadeClass::MadeClass() {
+  std::string name = (fs::temp_directory_path() / "class-XXXXXX").string();
+  folder_ = mkdtemp(name.data());
+  fs::permissions(folder_, fs::perms(0711));  // so that nobody can pass to what is below
+}
+
+MadeClass::~MadeClass() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void MadeClass::HandIn(const std::string& student, const std::string& file, const std::string& text) const {
+  fs::create_directories(folder_ / student);
+  std::ofstream(folder_ / student / file, std::ios::binary) << text;
+}
+
+RubricPart PartOf(const std::string& part_yaml) {
+  const Result<Rubric> rubric = ReadRubric("title: t\nparts:\n- " + part_yaml, "rubric");
+  if (!rubric) throw std::logic_error(rubric.failure().message);
+  return rubric->parts.front();
+}
+
+PartMark MadeClass::Mark(const std::string& part_yaml, const std::string& student, std::uint64_t seed) const {
+  MarkingSetup setup;
+  setup.seed = seed;
+  const RubricPart part = PartOf(part_yaml);
+  if (RunsCode(part.kind)) setup.python = LookOver("").value();
+  return MarkPart(part, StudentOf(student), setup);
+}
+
+PartMark MadeClass::MarkCode(const std::string& part_yaml, const std::string& code, std::uint64_t seed) const {
+  HandIn("ada", "work.py", code);
+  return Mark(part_yaml, "ada", seed);
+}
+
+bool CanRunCode() {
+  if (!WhyNotConfined().empty()) return false;
+  const Result<PythonProgram> python = LookOver("");
+  return python.ok() && python->has_numpy;
+}
+
+int ProcessesWith(const std::string& word) {
+  int found = 0;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream stream(entry.path() / "environ");
+    std::stringstream text;
+    text << stream.rdbuf();
+    if (text.str().find(word) != std::string::npos) ++found;
+  }
+  return found;
+}
+
+void ExpectNothing(const PartMark& mark, const std::vector<std::string>& words) {
+  EXPECT_EQ(mark.points, 0.0);
+  std::string reasons;
+  for (const std::string& reason : mark.reasons) reasons += reason + "\n";
+  for (const std::string& word : words)
+    EXPECT_NE(reasons.find(word), std::string::npos) << word << " is not in: " << reasons;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/grade/grade.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "kinematics/model/load_robot.h"
+#include "workflows/grade/motion_run.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+Failure CannotGrade(const std::string& code, const std::string& message, std::vector<std::string> hints = {}) {
+  return {FailureKind::kBadInput, code, "GradeClass", message, std::move(hints)};
+}
+
+bool RunsCode(const Rubric& rubric) {
+  return std::any_of(rubric.parts.begin(), rubric.parts.end(),
+                     [](const RubricPart& part) { return RunsCode(part.kind); });
+}
+
+/// What the rubric asks for is there: its grounds, options and commands.
+std::optional<Failure> WhyNotAsked(const GradeRequest& request) {
+  for (const RubricPart& part : request.rubric.parts) {
+    if (!PlaysMotions(part.kind)) continue;
+    const Result<RobotModel> model = LoadNamedRobot(part.motion.robot);
+    if (!model) return model.failure();
+    try {
+      for (const MotionRun& run : DrawRuns(part, *model, request.seed)) {
+        if (part.kind == PartKind::kPlan) (void)GoalOf(*model, run.walk.command);
+      }
+    } catch (const InvalidArgument& error) {
+      return CannotGrade("rubric", error.what());
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether a path is a folder or lies below it.
+bool LiesIn(const fs::path& path, const fs::path& folder) {
+  std::error_code error;
+  const fs::path inner = fs::weakly_canonical(path, error), outer = fs::weakly_canonical(folder, error);
+  const auto [end, rest] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  (void)rest;
+  return end == outer.end() || (std::next(end) == outer.end() && end->empty());
+}
+
+/// What a submission's code could read that it must not.
+std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProgram& python) {
+  std::vector<std::string> readable = python.readable;
+  if (!python.library.empty()) readable.push_back((fs::path(python.library) / "gaitwright").string());
+  readable.push_back(RobotsFolder());
+  std::error_code error;
+  for (const std::string& own : readable) {
+    if (!fs::is_directory(own, error)) continue;
+    for (const std::string& hidden : {request.folder, request.rubric_file, request.out_folder}) {
+      if (LiesIn(fs::absolute(hidden, error), own))
+        return CannotGrade("readable",
+                           fmt::format("'{}' lies in '{}', which submissions may read since Python or the "
+                                       "program needs it",
+                                       hidden, own),
+                           {"move it elsewhere"});
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgram& python) {
+  if (!python.has_numpy) return CannotGrade("python", fmt::format("the Python '{}' has no NumPy", python.path));
+  for (const RubricPart& part : request.rubric.parts) {
+    if (part.library && RunsCode(part.kind) && python.library.empty())
+      return CannotGrade("python",
+                         fmt::format("part '{}' needs the Python package gaitwright, which '{}' does not have",
+                                     part.name, python.path),
+                         {"build it (docs/python.md), or name a Python that has it by --python PROGRAM"});
+  }
+  return WhyReadable(request, python);
+}
+
+/// What marks are made with; where no part runs code nothing of that is looked for.
+Result<MarkingSetup> SetUp(const GradeRequest& request) {
+  MarkingSetup setup;
+  setup.seed = request.seed;
+  if (!RunsCode(request.rubric)) return setup;
+  const std::string why = WhyNotConfined();
+  setup.confined = why.empty();
+  if (!setup.confined && !request.unconfined)
+    return CannotGrade("unconfined_only", fmt::format("submissions cannot be run safely here: {}", why),
+                       {"--unconfined runs them all the same, with all that your user may do"});
+  Result<PythonProgram> python = LookOver(request.python);
+  if (!python) return python.failure();
+  if (auto failure = WhyNoCode(request, *python)) return *failure;
+  setup.python = std::move(*python);
+  return setup;
+}
+
+}  // namespace
+
+Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hooks,
+                              const std::function<Result<std::string>(const std::vector<OutputFile>&)>& written) {
+  const Result<std::vector<Student>> students = FindStudents(request.folder);
+  if (!students) return students.failure();
+  if (auto failure = WhyNotAsked(request)) return *failure;
+  const Result<MarkingSetup> setup = SetUp(request);
+  if (!setup) return setup.failure();
+  ClassMarks marks{request.rubric.title, request.seed, setup->confined, {}, request.rubric.points(), {}};
+  for (const RubricPart& part : request.rubric.parts) marks.parts.push_back(part.name);
+  const int all = static_cast<int>(students->size() * request.rubric.parts.size());
+  int done = 0;
+  for (const Student& student : *students) {
+    StudentMarks own{student.name, {}};
+    for (const RubricPart& part : request.rubric.parts) {
+      if (hooks.stop && hooks.stop()) return CannotGrade("interrupted", "grading was ended before it was done");
+      if (hooks.progress) hooks.progress(done++, all, student.name);
+      own.parts.push_back(MarkPart(part, student, *setup));
+    }
+    const Result<std::string> pages = written(StudentPages(marks, own, marks.students.size()));
+    if (!pages) return pages.failure();
+    for (PartMark& part : own.parts) part.pages.clear();
+    marks.students.push_back(std::move(own));
+  }
+  if (hooks.progress) hooks.progress(done, all, "");
+  return marks;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "workflows/grade/mark_part.h"
+
+namespace gaitwright {
+
+/// A file of a submission, as far as it was handed in.
+struct HandedIn {
+  const RubricPart& part;
+  const Student& student;
+  const MarkingSetup& setup;
+  std::string text;  ///< of the part's file
+};
+
+PartMark MarkFunction(const HandedIn& in);
+PartMark MarkAnswers(const HandedIn& in);
+PartMark MarkPlan(const HandedIn& in);
+PartMark MarkMotionFile(const HandedIn& in);
+PartMark MarkParameters(const HandedIn& in);
+PartMark MarkPlanner(const HandedIn& in);
+PartMark MarkController(const HandedIn& in);
+
+/// The most bytes of a file of a part.
+std::size_t MostBytes(const RubricPart& part);
+
+/// Starts the code of a submission. Failure as of StudentPython.
+Result<StudentPython> StartCode(const HandedIn& in);
+
+/// What a failure of a submission's code means, as a reason: "the submission ended: ...", or its own words.
+std::string ReasonOf(const Failure& failure);
+
+}  // namespace gaitwright

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "kinematics/model/load_robot.h"
+#include "planning/gait/load_gaits.h"
+#include "workflows/grade/student_python.h"
+#include "workflows/render/run_program.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Tells of itself on its standard error; the last argument is a folder that the package may be in, or "".
+constexpr char kTell[] = R"(
+import json, os, sys, sysconfig
+sys.path[:] = sys.path[1:]
+def package(folders):
+    for folder in folders:
+        if folder and os.path.isdir(os.path.join(folder, "gaitwright")):
+            return folder
+    return ""
+library = package([sys.argv[1]] + sys.path)
+try:
+    import numpy
+    numpy_there = True
+except ImportError:
+    numpy_there = False
+own = [p for p in sys.path if os.path.exists(p)]
+own += [sys.executable, os.path.realpath(sys.executable), os.path.join(sys.prefix, "pyvenv.cfg")]
+own += [os.path.join(p, "lib") for p in (sys.prefix, sys.base_prefix)]
+print(json.dumps({"version": list(sys.version_info[:3]), "path": sys.executable, "readable": own,
+                  "library": library, "numpy": numpy_there}), file=sys.stderr)
+)";
+
+Failure NoPython(const std::string& why) {
+  return {FailureKind::kBadInput, "python", "LookOver", why, {"name one by --python PROGRAM"}};
+}
+
+/// The package beside the running program, in a build tree or under its prefix; "" where there is none.
+std::string LibraryBesideProgram() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& tree : {folder, folder.parent_path()}) {
+    if (fs::is_directory(tree / "python/gaitwright", error)) return (tree / "python").string();
+  }
+  for (fs::directory_iterator at(folder.parent_path() / "lib", error), end; !error && at != end; at.increment(error)) {
+    if (!at->path().filename().string().starts_with("python")) continue;
+    for (const char* packages : {"dist-packages", "site-packages"}) {
+      std::error_code missing;
+      if (fs::is_directory(at->path() / packages / "gaitwright", missing)) return (at->path() / packages).string();
+    }
+  }
+  return "";
+}
+
+std::string ChosenProgram(const std::string& program) {
+  constexpr char kUsual[] = "/usr/bin/python3";
+  std::error_code error;
+  if (program.empty() && fs::exists(kUsual, error)) return kUsual;
+  const std::string name = program.empty() ? "python3" : program;
+  return name.find('/') == std::string::npos ? FindProgram({name}) : name;
+}
+
+/// What dynamic libraries, and Python without a file of its own, need.
+const std::vector<std::string> kSystem = {"/usr/lib",       "/usr/lib64",       "/lib",
+                                          "/lib64",         "/usr/local/lib",   "/dev/urandom",
+                                          "/etc/localtime", "/etc/ld.so.cache", "/usr/share/zoneinfo"};
+
+PythonProgram FromJson(const nlohmann::json& told) {
+  PythonProgram python;
+  const std::vector<int> version = told.at("version").get<std::vector<int>>();
+  python.path = told.at("path").get<std::string>();
+  python.version = fmt::format("{}.{}.{}", version.at(0), version.at(1), version.at(2));
+  python.readable = told.at("readable").get<std::vector<std::string>>();
+  python.readable.insert(python.readable.end(), kSystem.begin(), kSystem.end());
+  python.library = told.at("library").get<std::string>();
+  python.has_numpy = told.at("numpy").get<bool>();
+  return python;
+}
+
+}  // namespace
+
+Result<PythonProgram> LookOver(const std::string& program) {
+  const std::string path = ChosenProgram(program);
+  if (path.empty()) return NoPython(fmt::format("there is no Python '{}'", program.empty() ? "python3" : program));
+  const Result<std::string> told = RunProgram(path, {"-s", "-B", "-c", kTell, LibraryBesideProgram()});
+  if (!told) return NoPython(told.failure().message);
+  const std::size_t last = told->find("{\"version\"");
+  const auto json = nlohmann::json::parse(last == std::string::npos ? "" : told->substr(last), nullptr, false);
+  if (json.is_discarded()) return NoPython(fmt::format("'{}' is no Python 3: it said '{}'", path, *told));
+  PythonProgram python = FromJson(json);
+  if (json.at("version").at(0) != 3 || json.at("version").at(1) < 9)
+    return NoPython(fmt::format("'{}' is Python {}; 3.9 or newer is needed", path, python.version));
+  return python;
+}
+
+}  // namespace gaitwright

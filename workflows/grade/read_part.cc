@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/base/nearest_name.h"
+#include "kinematics/model/load_robot.h"
+#include "planning/terrain/load_terrain.h"
+#include "playback/score/gates.h"
+#include "workflows/grade/motion_measures.h"
+#include "workflows/grade/questions.h"
+#include "workflows/grade/read_part_internal.h"
+#include "workflows/study/run_point.h"
+#include "workflows/study/trial.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr int kMostCases = 10000, kMostSize = 64, kMostRuns = 100, kMostTrials = 10000;
+constexpr double kMostSeed = 2147483647.0, kLargestError = 1e6;
+
+int WholeAt(const YAML::Node& node, const std::string& key, double low, double high) {
+  const double value = NumberOf(node, fmt::format("'{}'", key), low, high);
+  if (value != std::floor(value)) RefuseYaml(node, fmt::format("'{}' is {}; a whole number is needed", key, value));
+  return static_cast<int>(value);
+}
+
+void ReadWhole(const YamlMap& map, const std::string& key, double low, double high, int& target) {
+  if (const YAML::Node* node = map.Find(key)) target = WholeAt(*node, key, low, high);
+}
+
+void ReadNumber(const YamlMap& map, const std::string& key, double low, double high, double& target) {
+  if (const YAML::Node* node = map.Find(key)) target = NumberOf(*node, fmt::format("'{}'", key), low, high);
+}
+
+NamedRanges RangesAt(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known) {
+  NamedRanges ranges;
+  const YamlMap map(node, what, known);
+  for (const YamlMap::Entry& entry : map.entries())
+    ranges.emplace_back(entry.key, RangeAt(entry.value, fmt::format("'{}'", entry.key)));
+  return ranges;
+}
+
+std::string RobotAt(const YamlMap& map) {
+  const YAML::Node* node = map.Find("robot");
+  if (node == nullptr) return "";
+  const std::string name = TextOf(*node, "'robot'");
+  const std::vector<std::string> names = RobotNames();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    RefuseYaml(*node, fmt::format("there is no robot '{}'{}", name, NearestOrAll(name, names)));
+  return name;
+}
+
+void ReadTerrain(const YAML::Node& node, MotionSetup& motion) {
+  if (node.IsMap()) {
+    const YamlMap map(node, "'terrain'");
+    map.Require({"name"});
+    motion.terrain = map.Text("name");
+    for (const YamlMap::Entry& entry : map.entries()) {
+      if (entry.key != "name")
+        motion.terrain_parameters.emplace_back(entry.key, RangeAt(entry.value, fmt::format("'{}'", entry.key)));
+    }
+  } else {
+    motion.terrain = TextOf(node, "'terrain'");
+  }
+  if (!TerrainFileOf(motion.terrain).empty())
+    RefuseYaml(node, fmt::format("'{}' is a file; a rubric's ground is a built-in one, see 'gaitwright terrains'",
+                                 motion.terrain));
+}
+
+void ReadPlay(const YAML::Node& node, MotionSetup& motion) {
+  PlayRequest request;
+  OptionFields fields = request.Fields();
+  const YamlMap map(node, "'play'");
+  for (const YamlMap::Entry& entry : map.entries()) {
+    try {
+      if (entry.value.IsSequence()) {
+        const NumberRange range = RangeAt(entry.value, fmt::format("'{}'", entry.key));
+        for (const double end : {range.low, range.high}) SetOption(fields, entry.key, fmt::format("{}", end));
+        motion.play_numbers.emplace_back(entry.key, range);
+      } else {
+        const std::string text = TextOf(entry.value, fmt::format("'{}'", entry.key));
+        SetOption(fields, entry.key, text);
+        motion.play_words.emplace_back(entry.key, text);
+      }
+    } catch (const InvalidArgument& error) {
+      const std::string why = error.what();
+      why.starts_with("line ") ? throw error : RefuseYaml(entry.value, why);
+    }
+  }
+}
+
+void ReadDisturbancesOf(const YAML::Node& node, MotionSetup& motion) {
+  if (node.IsScalar()) {
+    const std::string word = TextOf(node, "'disturbances'");
+    if (word != "standard")
+      RefuseYaml(node, fmt::format("'disturbances' is '{}'; 'standard', or a map as in docs/trials.md", word));
+    return;
+  }
+  PlayRequest request;
+  const Result<Disturbances> read = ReadDisturbances(YAML::Dump(node), SensorFields(request), "disturbances");
+  if (!read) RefuseYaml(node, read.failure().message);
+  motion.disturbances = *read;
+}
+
+void ReadOptions(const YAML::Node& node, MotionSetup& motion) {
+  WalkRequest walk;
+  const OptionFields fields = walk.Fields();
+  for (const YAML::Node& one : ListOf(node, "'options'")) {
+    const std::string key = TextOf(one, "an option");
+    std::vector<std::string> known;
+    bool found = false;
+    for (const OptionField& field : fields) {
+      known.push_back(field.key);
+      found = found || MayBeSet(field.key, {key});
+    }
+    if (!found) RefuseYaml(one, fmt::format("no option of a plan is called '{}'{}", key, NearestHint(key, known)));
+    motion.options.push_back(key);
+  }
+}
+
+/// Whoever plans needs to know how far, and a planner of steps a goal.
+void CheckCommandOf(const YamlMap& map, const YAML::Node& node, const RubricPart& part) {
+  const NamedRanges& command = part.motion.command;
+  const auto has = [&](const std::string& key) {
+    return std::any_of(command.begin(), command.end(), [&](const auto& one) { return one.first == key; });
+  };
+  const bool goal = has("goal_x_m") || has("goal_y_m") || has("goal_yaw_rad");
+  if (part.kind == PartKind::kPlanner && !goal)
+    RefuseYaml(node,
+               fmt::format("part '{}' lacks a goal: its 'command' needs goal_x_m, goal_y_m, goal_yaw_rad", part.name));
+  const bool steps_only = goal || command.empty();
+  if ((part.kind == PartKind::kPlanner || part.kind == PartKind::kMotion) && !steps_only)
+    RefuseYaml(*map.Find("command"), fmt::format("part '{}' is judged by where it ends: its 'command' says goal_x_m, "
+                                                 "goal_y_m, goal_yaw_rad and nothing else",
+                                                 part.name));
+}
+
+}  // namespace
+
+NumberRange RangeAt(const YAML::Node& node, const std::string& what) {
+  if (!node.IsSequence()) {
+    const double value = NumberOf(node, what);
+    return {value, value};
+  }
+  const std::vector<YAML::Node> ends = ListOf(node, what);
+  if (ends.size() != 2)
+    RefuseYaml(node, fmt::format("{} has {} numbers; one, or [lowest, highest]", what, ends.size()));
+  const NumberRange range{NumberOf(ends[0], what), NumberOf(ends[1], what)};
+  if (range.low > range.high)
+    RefuseYaml(node, fmt::format("{} is drawn from {} to {}, which is backwards", what, range.low, range.high));
+  return range;
+}
+
+MeasureRule MeasureAt(const YAML::Node& node, const std::string& measure, PartKind kind) {
+  const std::vector<std::string> names =
+      PlaysMotions(kind) ? MotionMeasureNames() : std::vector<std::string>{"share_right", "largest_error"};
+  if (std::find(names.begin(), names.end(), measure) == names.end())
+    RefuseYaml(node, fmt::format("there is no measure '{}'{}", measure,
+                                 NearestOrAll(measure, names, "docs/grading.md lists all of them")));
+  if (measure == "share_right") return {true, 1.0};
+  if (measure == "largest_error") return {false, {}};
+  return PlaysMotions(kind) ? RuleOfMeasure(measure) : MeasureRule{};
+}
+
+void ReadQuestionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
+  map.Require({"reference"});
+  QuestionSetup& question = part.question;
+  question.reference = map.Text("reference");
+  const std::vector<std::string> names = QuestionNames();
+  if (std::find(names.begin(), names.end(), question.reference) == names.end())
+    RefuseYaml(*map.Find("reference"),
+               fmt::format("there is no reference '{}'{}", question.reference,
+                           NearestOrAll(question.reference, names, "docs/grading.md lists all")));
+  const Question& asked = QuestionOf(question.reference);
+  ReadWhole(map, "cases", 1, kMostCases, question.cases);
+  ReadWhole(map, "size", 3, kMostSize, question.size);
+  ReadNumber(map, "tolerance", 0.0, kLargestError, question.tolerance);
+  question.robot = RobotAt(map);
+  if (asked.needs_robot && question.robot.empty())
+    RefuseYaml(node, fmt::format("part '{}' lacks the key 'robot', which '{}' is about", part.name, asked.name));
+  std::vector<std::string> inputs;
+  for (const QuestionInput& input : asked.inputs) inputs.push_back(input.name);
+  if (const YAML::Node* ranges = map.Find("inputs")) question.inputs = RangesAt(*ranges, "'inputs'", inputs);
+  if (const YAML::Node* seed = map.Find("seed"))
+    question.seed = static_cast<std::uint64_t>(WholeAt(*seed, "seed", 0.0, kMostSeed));
+}
+
+void ReadMotionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
+  map.Require({"robot"});
+  MotionSetup& motion = part.motion;
+  motion.robot = RobotAt(map);
+  motion.gait = map.Text("gait");
+  if (const YAML::Node* terrain = map.Find("terrain")) ReadTerrain(*terrain, motion);
+  if (const YAML::Node* command = map.Find("command")) motion.command = RangesAt(*command, "'command'", CommandKeys());
+  ReadWhole(map, "runs", 1, kMostRuns, motion.runs);
+  ReadWhole(map, "trials", 0, kMostTrials, motion.trials);
+  ReadNumber(map, "swing_s", 0.05, 10.0, motion.swing_s);
+  ReadNumber(map, "pause_s", 0.0, 10.0, motion.pause_s);
+  if (const YAML::Node* play = map.Find("play")) ReadPlay(*play, motion);
+  if (const YAML::Node* drawn = map.Find("disturbances")) ReadDisturbancesOf(*drawn, motion);
+  if (const YAML::Node* options = map.Find("options")) ReadOptions(*options, motion);
+  if (const YAML::Node* controller = map.Find("controller")) {
+    motion.controller = TextOf(*controller, "'controller'");
+    const std::vector<std::string>& names = ControllerNames();
+    if (std::find(names.begin(), names.end(), motion.controller) == names.end())
+      RefuseYaml(*controller, fmt::format("there is no controller '{}'{}", motion.controller,
+                                          NearestOrAll(motion.controller, names)));
+  }
+  CheckCommandOf(map, node, part);
+}
+
+void ReadCodeSetup(const YamlMap& map, RubricPart& part) {
+  part.library = part.kind != PartKind::kFunction;
+  if (const YAML::Node* library = map.Find("library")) {
+    if (!YAML::convert<bool>::decode(*library, part.library))
+      RefuseYaml(*library, fmt::format("'library' is '{}'; true or false", TextOf(*library, "'library'")));
+  }
+  part.function = map.Text("function");
+  if (!part.function.empty()) return;
+  part.function = part.kind == PartKind::kPlanner      ? "plan_steps"
+                  : part.kind == PartKind::kController ? "make_controller"
+                                                       : part.question.reference;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a submission's Python: reads requests, a JSON a line, from file 3, and writes an answer to each to file 4.
+
+It stands in the same process as the submission and is trusted as little: it holds inputs only, and what it answers is
+checked by who asked.
+"""
+
+import importlib.util
+import json
+import math
+import os
+import sys
+import traceback
+
+
+def told(error):
+    """An exception in a line: what, where in the submission, and its words."""
+    places = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(state["code"])]
+    name = type(error).__name__
+    where = f" ({os.path.basename(places[-1].filename)} line {places[-1].lineno})" if places else ""
+    if isinstance(error, SyntaxError) and error.lineno:
+        where = f" ({os.path.basename(str(error.filename))} line {error.lineno})"
+        return f"{name}: {error.msg}{where}"
+    return f"{name}: {error}{where}"[:1000]
+
+
+def plain(value, depth=0):
+    """Numbers in lists, from whatever holds numbers; what is none is told by its word."""
+    if depth > 3:
+        raise ValueError("the answer has lists in lists in lists in lists")
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, bool) or value is None:
+        return str(value)
+    if isinstance(value, (int, float)):
+        return float(value) if math.isfinite(value) else str(float(value))
+    if isinstance(value, str):
+        return value[:100]
+    if isinstance(value, complex):
+        return "a complex number"
+    return [plain(item, depth + 1) for item in value]
+
+
+def argument(value):
+    """A list of numbers is an array; numbers and words stay."""
+    if isinstance(value, list):
+        import numpy
+
+        return numpy.array(value, dtype=float)
+    return value
+
+
+def load(request):
+    """Imports the submission's file and finds what is asked of it."""
+    state["code"] = request["code"]
+    sys.path[:] = [request["code"]] + ([request["library"]] if request["library"] else []) + sys.path[1:]
+    spec = importlib.util.spec_from_file_location("submission", os.path.join(request["code"], request["file"]))
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["submission"] = module
+    spec.loader.exec_module(module)
+    if not hasattr(module, request["function"]):
+        raise NameError(f"'{request['file']}' has no '{request['function']}'")
+    state["function"] = getattr(module, request["function"])
+
+
+def steps(request):
+    """A footstep planner's steps: feet by name, places as numbers."""
+    import gaitwright
+
+    robot = gaitwright.load_robot(request["robot"])
+    terrain = gaitwright.load_terrain(request["terrain"], robot)
+    found = []
+    for foot, x, y, yaw in state["function"](robot, terrain, tuple(request["goal"])):
+        found.append([str(foot)[:100], plain(x), plain(y), plain(yaw)])
+        if len(found) > request["most"]:
+            raise ValueError(f"the planner gave more than {request['most']} steps")
+    return found
+
+
+def make_controller(request):
+    """A controller for the plan in a file."""
+    import gaitwright
+
+    state["controller"] = state["function"](gaitwright.load_plan(request["plan"]))
+    if not hasattr(state["controller"], "update"):
+        raise TypeError(f"'{state['function'].__name__}' gave no controller: it has no 'update'")
+    if hasattr(state["controller"], "reset"):
+        state["controller"].reset()
+    return []
+
+
+def update(values):
+    """One step of it: targets, feed-forward and gains of the joints."""
+    import gaitwright
+
+    command = state["controller"].update(gaitwright.ControlInput(*values))
+    return [plain(part) for part in (command.q, command.v, command.tau_ff, command.stiffness, command.damping)]
+
+
+def answer(request):
+    if "load" in request:
+        return load(request["load"])
+    if "call" in request:
+        return plain(state["function"](*(argument(value) for value in request["call"])))
+    if "update" in request:
+        return update(request["update"])
+    if "plan" in request:
+        return make_controller(request)
+    return steps(request)
+
+
+state = {"code": "/"}
+requests = os.fdopen(3, "r", encoding="utf-8", errors="replace")
+answers = os.fdopen(4, "w", encoding="utf-8", errors="backslashreplace")
+for line in requests:
+    try:
+        reply = {"answer": answer(json.loads(line))}
+    except Exception as error:
+        reply = {"error": told(error)}
+    answers.write(json.dumps(reply) + "\n")
+    answers.flush()

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/grade/submission.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <optional>
+
+#include "kinematics/base/text.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostStudents = 10000, kMostOthers = 100;
+
+Failure NoClass(const std::string& message) {
+  return {FailureKind::kBadInput, "submissions", "FindStudents", message, {"each student has a folder in it"}};
+}
+
+Failure NotHandedIn(const std::string& message) {
+  return {FailureKind::kBadInput, "submission", "ReadSubmission", message, {}};
+}
+
+/// A file that is open as long as this is.
+class Handle {
+ public:
+  explicit Handle(int number) : number_(number) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (number_ >= 0) close(number_);
+  }
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+const char* WhatItIs(mode_t mode) {
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  return S_ISLNK(mode) ? "a link" : "a device or a socket";
+}
+
+/// Why an open file is not taken; nothing where it is.
+std::optional<Failure> WhyNot(int handle, const std::string& file, std::size_t most_bytes) {
+  struct stat what {};
+  if (fstat(handle, &what) != 0) return NotHandedIn(fmt::format("'{}' cannot be read", file));
+  if (!S_ISREG(what.st_mode))
+    return NotHandedIn(fmt::format("'{}' is {}; a file is needed", file, WhatItIs(what.st_mode)));
+  if (static_cast<std::size_t>(what.st_size) > most_bytes)
+    return NotHandedIn(fmt::format("'{}' has {} bytes; at most {} are taken", file, what.st_size, most_bytes));
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::vector<Student>> FindStudents(const std::string& folder) {
+  std::vector<Student> students;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    std::error_code unknown;
+    if (name.starts_with(".") || !fs::is_directory(at->symlink_status(unknown))) continue;
+    if (!IsPlainText(name) || name.find('\n') != std::string::npos || name.find('\t') != std::string::npos)
+      return NoClass(fmt::format("a folder in '{}' has a name that is no plain text", folder));
+    students.push_back({name, at->path().string()});
+    if (students.size() > kMostStudents)
+      return NoClass(fmt::format("'{}' has more than {} folders", folder, kMostStudents));
+  }
+  if (error) return NoClass(fmt::format("cannot read the folder '{}': {}", folder, error.message()));
+  if (students.empty()) return NoClass(fmt::format("'{}' has no folder in it, and so no student", folder));
+  std::sort(students.begin(), students.end(), [](const Student& a, const Student& b) { return a.name < b.name; });
+  return students;
+}
+
+Result<std::string> ReadSubmission(const Student& student, const std::string& file, std::size_t most_bytes) {
+  const Handle folder(open(student.folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  const Handle handle(openat(folder.number(), file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  if (handle.number() < 0) {
+    if (errno == ELOOP) return NotHandedIn(fmt::format("'{}' is a link; a file is needed", file));
+    if (errno == ENOENT) return NotHandedIn(fmt::format("'{}' was not handed in", file));
+    return NotHandedIn(fmt::format("'{}' is no file that can be read", file));
+  }
+  if (auto failure = WhyNot(handle.number(), file, most_bytes)) return *failure;
+  std::string bytes;
+  std::array<char, 65536> piece{};
+  while (true) {
+    const ssize_t n = read(handle.number(), piece.data(), piece.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return NotHandedIn(fmt::format("'{}' cannot be read", file));
+    if (n == 0) return bytes;
+    bytes.append(piece.data(), static_cast<std::size_t>(n));
+    if (bytes.size() > most_bytes)  // it grew
+      return NotHandedIn(fmt::format("'{}' has more than {} bytes, which are the most taken", file, most_bytes));
+  }
+}
+
+std::vector<OutputFile> OtherPythonFiles(const Student& student, const std::string& file, std::size_t most_bytes) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(student.folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name != file && name.ends_with(".py")) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  if (names.size() > kMostOthers) names.resize(kMostOthers);
+  std::vector<OutputFile> files;
+  for (const std::string& name : names) {
+    Result<std::string> text = ReadSubmission(student, name, most_bytes);
+    if (text) files.push_back({name, std::move(*text)});
+  }
+  return files;
+}
+
+}  // namespace gaitwright
