@@ -22,3 +22,14 @@ if(NOT out MATCHES "a1 weighs 1[0-9]\\.[0-9]+ kg")
   message(FATAL_ERROR "the consumer did not print the mass of a1")
 endif()
 step("the installed program" ${prefix}/bin/gaitwright --version)
+
+# The course is a project outside of the tree too, as it is handed out: without solutions.
+file(COPY ${SOURCE_DIR}/examples/course DESTINATION ${work} PATTERN solutions EXCLUDE)
+step("configuring the course" ${CMAKE_COMMAND} -S ${work}/course -B ${work}/course/build -G ${GENERATOR}
+     -D CMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
+step("building the course" ${CMAKE_COMMAND} --build ${work}/course/build --target course_1_zmp_start)
+file(WRITE ${work}/course/pendulum_zmp_inputs.csv "case,com_m_0\n0,0\n")
+execute_process(COMMAND ${work}/course/build/1-zmp/start/zmp ${work}/course RESULT_VARIABLE status ERROR_VARIABLE err)
+if(status EQUAL 0 OR NOT err MATCHES "has no column 'com_m_1'|has no column 'acceleration_m_s2_0'")
+  message(FATAL_ERROR "the course's first program did not read its questions: ${err}")
+endif()

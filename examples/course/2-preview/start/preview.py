@@ -34,7 +34,8 @@ def follow_zmp(reference, com, com_height, step, preview, error_weight, jerk_wei
 if __name__ == "__main__":
     gains = preview_gains(0.8, 0.005, 1.6, 1.0, 1e-6)
     print("K_i", round(gains[0], 2), "to be 621.16;  K_x", np.round(gains[1:4], 2).tolist())
-    print("f_1", round(gains[4], 2), "to be the same;  K_x[0] and the sum of all f:", round(gains[1]), round(gains[4:].sum()), "nearly equal")
+    print("f_1", round(gains[4], 2), "to be 621.16")
+    print(f"nearly equal are K_x,1 = {gains[1]:.0f} and the sum of all f = {gains[4:].sum():.0f}")
     steps = np.repeat([0.0, 0.0, 0.2, 0.4, 0.4, 0.4], 160)
     com = follow_zmp(steps, 0.0, 0.8, 0.005, 1.6, 1.0, 1e-6)
     zmp = com - 0.8 / GRAVITY * np.gradient(np.gradient(com, 0.005), 0.005)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Assignment 7: a footstep planner for stairs. See ../README.md. SI units.
-//   stairs steps.yaml    writes the footsteps as a file that 'gaitwright import' reads
+//   stairs plan.json    writes the plan over the footsteps, where there is one
 #include <fmt/format.h>
 
 #include <array>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/base/file.h"
 #include "planning/paths/standing_feet.h"
+#include "planning/plan/plan_json.h"
 #include "planning/plan/terrain_scale.h"
 #include "planning/terrain/load_terrain.h"
 #include "workflows/exchange/placed_steps.h"
@@ -21,6 +21,7 @@ using namespace gaitwright;
 
 const std::string kStairs = "stairs:start_m=0.41,rise_m=0.05,tread_m=0.31,count=3,landing_m=2";
 constexpr double kGoal = 1.2;    // [m], how far the body goes
+constexpr double kSpeed = 0.04;  // [m/s], how fast it is asked to be; a quarter longer is allowed
 constexpr double kStride = 0.1;  // [m], the farthest that it goes while each foot makes one step
 constexpr std::array<const char*, 4> kOrder = {"RR_foot", "FR_foot", "RL_foot", "FL_foot"};  // of a side rear, front
 
@@ -46,14 +47,17 @@ std::vector<PlacedStep> PlanSteps(const RobotModel& model, const Terrain& /*terr
   return steps;
 }
 
-/// What comes of the steps, in words.
-std::string Tried(const RobotModel& model, const Terrain& terrain, const std::vector<PlacedStep>& steps,
-                  const StepTimes& times) {
-  const Result<MotionPlan> plan = PlanOverSteps(model, terrain, steps, times);
-  if (!plan) return "no walk: " + plan.failure().message;
-  const PlayRequest as_usual;
-  const Result<PlayedWalk> played = PlayWalk(model, *plan, as_usual);
-  return played ? played->report.reason : played.failure().message;
+/// The motion of all the rest over the steps, with the command that it is for.
+Result<MotionPlan> Planned(const RobotModel& model, const Terrain& terrain) {
+  const std::vector<PlacedStep> steps = PlanSteps(model, terrain, kGoal);
+  Result<MotionPlan> plan = PlanOverSteps(model, terrain, steps, {.swing_s = 0.4, .pause_s = 0.15});
+  if (!plan) return plan.failure();
+  WalkCommand command;
+  command.extent = WalkCommand::Extent::kGoal;
+  command.speed_m_s = kSpeed;
+  command.goal_x_m = kGoal;
+  plan->parts.front().command = command;
+  return plan;
 }
 
 }  // namespace
@@ -63,15 +67,15 @@ int main(int argc, char** argv) {
   if (!model) return 1;
   const Result<Terrain> terrain = LoadTerrain(kStairs, ScaleOf(*model));
   if (!terrain) return 1;
-  const StepTimes times = {.swing_s = 0.4, .pause_s = 0.15};
-  try {
-    const std::vector<PlacedStep> steps = PlanSteps(*model, *terrain, kGoal);
-    fmt::print("{}\n", Tried(*model, *terrain, steps, times));
-    const auto written = WriteFileAtomically(argc > 1 ? argv[1] : "steps.yaml", FootstepsYaml(*model, steps, times));
-    if (!written) throw InvalidArgument(written.failure().message);
-  } catch (const InvalidArgument& error) {
-    fmt::print(stderr, "stairs: {}\n", error.what());
-    return 1;
+  const Result<MotionPlan> plan = Planned(*model, *terrain);
+  if (!plan) {
+    fmt::print("no walk: {}\n", plan.failure().message);
+    return 0;
   }
-  return 0;
+  const PlayRequest as_usual;
+  const Result<PlayedWalk> played = PlayWalk(*model, *plan, as_usual);
+  fmt::print("{}\n", played ? played->report.reason : played.failure().message);
+  const Result<std::string> written = SavePlan(*plan, argc > 1 ? argv[1] : "plan.json");
+  if (!written) fmt::print(stderr, "stairs: {}\n", written.failure().message);
+  return written ? 0 : 1;
 }
