@@ -70,7 +70,8 @@ def marks(folder, track, students, seed):
     """The points of each student, of 100, and what each part says."""
     rubric = COURSE / folder / f"rubric-{track}.yaml"
     out = students.parent / "grades"
-    text = run([PROGRAM, "grade", students, "--rubric", rubric, "--seed", seed, "--out-dir", out, "--python", sys.executable, "--json"], students)
+    flags = ["--rubric", rubric, "--seed", seed, "--out-dir", out, "--python", sys.executable, "--json"]
+    text = run([PROGRAM, "grade", students, *flags], students)
     with open(out / "grades.csv", encoding="utf-8", newline="") as table:
         total = {row["student"]: float(row["total"]) for row in csv.DictReader(table)}
     return total, json.loads(text)

@@ -23,9 +23,9 @@ def plan_steps(robot, terrain, goal):
 
 
 if __name__ == "__main__":
-    a1 = gw.load_robot("a1")
+    a1, stairs = gw.load_robot("a1"), "stairs:start_m=0.41,rise_m=0.05,tread_m=0.31,count=3,landing_m=2"
     try:
-        plan = gw.walk_with(plan_steps, a1, (1.2, 0.0, 0.0), "stairs:start_m=0.41,rise_m=0.05,tread_m=0.31,count=3,landing_m=2", 0.4, 0.15)
+        plan = gw.walk_with(plan_steps, a1, (1.2, 0.0, 0.0), stairs, swing_s=0.4, pause_s=0.15)
         print(gw.audit(plan))
         print(gw.play(plan))
     except gw.GaitwrightError as error:

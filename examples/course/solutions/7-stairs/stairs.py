@@ -16,7 +16,8 @@ GRAIN = 0.005  # [m] between places that are looked at
 def is_level(terrain, x, y):
     """Whether the ground about a place is as high as the place itself."""
     here = terrain.ground_at(x, y)["height_m"]
-    return all(abs(terrain.ground_at(x + d, y)["height_m"] - here) < 1e-3 for d in (-MARGIN, -0.5 * MARGIN, 0.5 * MARGIN, MARGIN))
+    about = (-MARGIN, -0.5 * MARGIN, 0.5 * MARGIN, MARGIN)
+    return all(abs(terrain.ground_at(x + d, y)["height_m"] - here) < 1e-3 for d in about)
 
 
 def nearest_level(terrain, x, y):
@@ -39,9 +40,9 @@ def plan_steps(robot, terrain, goal):
 
 
 if __name__ == "__main__":
-    a1 = gw.load_robot("a1")
+    a1, stairs = gw.load_robot("a1"), "stairs:start_m=0.41,rise_m=0.05,tread_m=0.31,count=3,landing_m=2"
     try:
-        plan = gw.walk_with(plan_steps, a1, (1.2, 0.0, 0.0), "stairs:start_m=0.41,rise_m=0.05,tread_m=0.31,count=3,landing_m=2", 0.4, 0.15)
+        plan = gw.walk_with(plan_steps, a1, (1.2, 0.0, 0.0), stairs, swing_s=0.4, pause_s=0.15)
         print(gw.audit(plan))
         print(gw.play(plan))
     except gw.GaitwrightError as error:
