@@ -10,25 +10,16 @@ namespace gaitwright::cli {
 namespace {
 
 /// Every verb, in an order in which each finds the files that its examples read.
-const std::vector<std::vector<std::string>> kVerbs = {{"plan"},
-                                                      {"walk"},
-                                                      {"audit"},
-                                                      {"play"},
-                                                      {"trials"},
-                                                      {"sweep"},
-                                                      {"tune"},
-                                                      {"export"},
-                                                      {"import"},
-                                                      {"view"},
-                                                      {"render"},
-                                                      {"compare"},
-                                                      {"robots"},
-                                                      {"robots", "show"},
-                                                      {"gaits"},
-                                                      {"terrains"},
-                                                      {"terrains", "show"},
-                                                      {"bench"},
-                                                      {"bench", "centroidal"}};
+const std::vector<std::vector<std::string>> kVerbs = {{"plan"},           {"walk"},
+                                                      {"audit"},          {"play"},
+                                                      {"trials"},         {"sweep"},
+                                                      {"tune"},           {"grade"},
+                                                      {"export"},         {"import"},
+                                                      {"view"},           {"render"},
+                                                      {"compare"},        {"robots"},
+                                                      {"robots", "show"}, {"gaits"},
+                                                      {"terrains"},       {"terrains", "show"},
+                                                      {"bench"},          {"bench", "centroidal"}};
 
 class Help : public Stranger {
  protected:
@@ -60,6 +51,8 @@ std::vector<std::string> Words(const std::string& line) {
 
 TEST_F(Help, EveryExampleWorks) {
   const std::string start = "  gaitwright ";
+  Write("rubric.yaml", "title: t\nparts:\n- {name: dcm, kind: answers, file: dcm.csv, points: 4, reference: dcm}\n");
+  Write("submissions/ada/dcm.csv", "case,answer_0,answer_1\n0,1,2\n");
   for (const auto& verb : kVerbs) {
     std::istringstream help(Of(verb));
     int examples = 0;

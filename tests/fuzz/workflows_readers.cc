@@ -9,6 +9,7 @@
 #include "kinematics/model/load_robot.h"
 #include "playback/trials/trial_outcome.h"
 #include "tests/fuzz/exchange_readers.h"
+#include "tests/fuzz/grade_readers.h"
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/plan_laws.h"
 #include "tests/fuzz/words_readers.h"
@@ -250,6 +251,7 @@ const std::vector<Reader>& Readers() {
     std::vector<Reader> all = ExchangeReaders();
     for (Reader& reader : StudyReaders()) all.push_back(std::move(reader));
     for (Reader& reader : WordsReaders()) all.push_back(std::move(reader));
+    for (Reader& reader : GradeReaders()) all.push_back(std::move(reader));
     return all;
   }();
   return readers;

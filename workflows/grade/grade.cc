@@ -81,6 +81,30 @@ std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgra
   return WhyReadable(request, python);
 }
 
+/// Runs code of the program's own as submissions are run, so that what keeps all of them from running is told first.
+std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLimits& limits, bool library,
+                                      bool confined) {
+  const std::string text =
+      fmt::format("import numpy\n{}def ready():\n    return 0\n", library ? "import gaitwright\n" : "");
+  Result<StudentPython> code = StudentPython::Start(python, {{{"ready.py", text}}, "ready", library}, limits, confined);
+  if (code) return std::nullopt;
+  return CannotGrade("python",
+                     fmt::format("submissions cannot be run by '{}'{}: {}", python.path,
+                                 library ? " with the package gaitwright" : "", code.failure().message),
+                     {"--python PROGRAM names another one, which all users may read", "raise limits.memory_mb"});
+}
+
+std::optional<Failure> WhyNotTriedOut(const GradeRequest& request, const MarkingSetup& setup) {
+  for (const bool library : {false, true}) {
+    for (const RubricPart& part : request.rubric.parts) {
+      if (!RunsCode(part.kind) || part.library != library) continue;
+      if (auto failure = WhyNotTriedOut(setup.python, part.limits, library, setup.confined)) return failure;
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
 /// What marks are made with; where no part runs code nothing of that is looked for.
 Result<MarkingSetup> SetUp(const GradeRequest& request) {
   MarkingSetup setup;
@@ -95,6 +119,7 @@ Result<MarkingSetup> SetUp(const GradeRequest& request) {
   if (!python) return python.failure();
   if (auto failure = WhyNoCode(request, *python)) return *failure;
   setup.python = std::move(*python);
+  if (auto failure = WhyNotTriedOut(request, setup)) return *failure;
   return setup;
 }
 

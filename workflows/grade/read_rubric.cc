@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kMostPoints = 1e6, kPointsApart = 1e-6;
+constexpr double kMostPoints = 1e6, kPointsApart = 1e-6, kLargestValue = 1e12;
 constexpr std::size_t kMostParts = 200, kLongestName = 60;
 
 /// Keys of every part, of those that ask questions, and of those that play motions.
@@ -76,6 +76,13 @@ void ReadLimits(const YAML::Node& node, RubricPart& part) {
   }
 }
 
+/// A value that points are given at.
+std::optional<double> ValueAt(const YamlMap& map, const std::string& key) {
+  const YAML::Node* node = map.Find(key);
+  if (node == nullptr) return std::nullopt;
+  return NumberOf(*node, fmt::format("'{}'", key), -kLargestValue, kLargestValue);
+}
+
 Check ReadCheck(const YAML::Node& node, PartKind kind) {
   const YamlMap map(node, "a check", {"measure", "points", "full_at", "none_at"});
   map.Require({"measure", "points"});
@@ -84,11 +91,11 @@ Check ReadCheck(const YAML::Node& node, PartKind kind) {
   check.points = NumberOf(*map.Find("points"), "'points'", 0.0, kMostPoints);
   const MeasureRule rule = MeasureAt(*map.Find("measure"), check.measure, kind);
   check.higher_is_better = rule.higher_is_better;
-  const std::optional<double> full = map.Number("full_at");
+  const std::optional<double> full = ValueAt(map, "full_at");
   if (!full && !rule.usual_full_at)
     RefuseYaml(node, fmt::format("the check of '{}' lacks 'full_at': the value that gets all points", check.measure));
   check.full_at = full ? *full : *rule.usual_full_at;
-  check.none_at = map.Number("none_at");
+  check.none_at = ValueAt(map, "none_at");
   if (check.none_at && *check.none_at == check.full_at)
     RefuseYaml(node, fmt::format("'full_at' and 'none_at' are both {}; without 'none_at' it is all or nothing",
                                  check.full_at));

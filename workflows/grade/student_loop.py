@@ -50,10 +50,25 @@ def argument(value):
     return value
 
 
+class Library:
+    """Finds the package in its own folder, as the one around it cannot be listed."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def find_spec(self, name, path=None, target=None):
+        if name != "gaitwright":
+            return None
+        start = os.path.join(self.folder, "__init__.py")
+        return importlib.util.spec_from_file_location(name, start, submodule_search_locations=[self.folder])
+
+
 def load(request):
     """Imports the submission's file and finds what is asked of it."""
     state["code"] = request["code"]
-    sys.path[:] = [request["code"]] + ([request["library"]] if request["library"] else []) + sys.path[1:]
+    sys.path[:] = [request["code"]] + sys.path[1:]
+    if request["library"]:
+        sys.meta_path.insert(0, Library(os.path.join(request["library"], "gaitwright")))
     spec = importlib.util.spec_from_file_location("submission", os.path.join(request["code"], request["file"]))
     module = importlib.util.module_from_spec(spec)
     sys.modules["submission"] = module

@@ -84,6 +84,7 @@ Result<std::vector<Student>> FindStudents(const std::string& folder) {
 
 Result<std::string> ReadSubmission(const Student& student, const std::string& file, std::size_t most_bytes) {
   const Handle folder(open(student.folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (folder.number() < 0) return NotHandedIn(fmt::format("'{}' was not handed in", file));
   const Handle handle(openat(folder.number(), file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   if (handle.number() < 0) {
     if (errno == ELOOP) return NotHandedIn(fmt::format("'{}' is a link; a file is needed", file));

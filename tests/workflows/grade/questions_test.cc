@@ -104,7 +104,9 @@ TEST(Questions, CornersOfTheMarginAreAConvexPolygon) {
       const Vector2 inward = Vector2(-(b - a).y(), (b - a).x()).normalized();
       least = std::min(least, inward.dot(in[1].Vec2() - a));
     }
-    if (least > 0.0) EXPECT_LT(ErrorOf("support_margin", {7}, in, Answer({}, {least})), 1e-12);
+    if (least > 0.0) {
+      EXPECT_LT(ErrorOf("support_margin", {7}, in, Answer({}, {least})), 1e-12);
+    }
   }
 }
 
