@@ -19,7 +19,7 @@ using gaitwright::Vector3;
 using gaitwright::Vector6;
 
 // The A1: legs FL, FR, RL, RR are 0, 1, 2, 3.
-constexpr double kA1Side = 0.0838, kA1Thigh = 0.2, kA1Shank = 0.2;                          // [m]
+[[maybe_unused]] constexpr double kA1Side = 0.0838, kA1Thigh = 0.2, kA1Shank = 0.2;         // [m]
 const Vector3 kA1Lower(-0.80285, -1.04719, -2.69653), kA1Upper(0.80285, 4.18879, -0.9163);  // [rad]
 
 /// The hip in the base.
