@@ -67,7 +67,9 @@ TEST(Architecture, NamesOfFilesAreSnakeCase) {
   std::vector<SourceFile> files = RoomFiles();
   for (SourceFile& file : CppFiles(kRoot, {"tests"})) files.push_back(std::move(file));
   for (const SourceFile& file : files) {
-    const bool plain = std::all_of(file.path.begin(), file.path.end(), [](char c) {
+    const bool assignment = file.path.starts_with("examples/course/");  // in folders such as 1-zmp
+    const std::string path = assignment ? file.path.substr(file.path.rfind('/')) : file.path;
+    const bool plain = std::all_of(path.begin(), path.end(), [](char c) {
       return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '/' || c == '.';
     });
     EXPECT_TRUE(plain) << file.path;

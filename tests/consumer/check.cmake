@@ -22,3 +22,15 @@ if(NOT out MATCHES "a1 weighs 1[0-9]\\.[0-9]+ kg")
   message(FATAL_ERROR "the consumer did not print the mass of a1")
 endif()
 step("the installed program" ${prefix}/bin/gaitwright --version)
+
+# The course is a project outside of the tree too, as it is handed out: without solutions.
+file(COPY ${SOURCE_DIR}/examples/course DESTINATION ${work} PATTERN solutions EXCLUDE)
+step("configuring the course" ${CMAKE_COMMAND} -S ${work}/course -B ${work}/course/build -G ${GENERATOR}
+     -D CMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
+step("building the course" ${CMAKE_COMMAND} --build ${work}/course/build --target course_1_zmp_start)
+step("questions for it" ${prefix}/bin/gaitwright grade --rubric ${work}/course/1-zmp/rubric-cpp.yaml --seed 1
+     --write-inputs ${work}/questions)
+step("its first program" ${work}/course/build/1-zmp/start/zmp ${work}/questions ${work}/answers)
+if(NOT EXISTS ${work}/answers/support_margin.csv)
+  message(FATAL_ERROR "the course's first program did not answer its questions")
+endif()

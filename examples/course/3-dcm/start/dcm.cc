@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Assignment 3: planning by the divergent component of motion. See ../README.md. SI units.
+//   dcm INPUTS ANSWERS    reads PART_inputs.csv of one folder, writes PART.csv into the other
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "kinematics/spatial/pose.h"
+#include "workflows/grade/answer_table.h"
+
+namespace {
+
+using gaitwright::AnswerCase;
+using gaitwright::kGravity;
+using gaitwright::Vector2;
+using gaitwright::Vector3;
+using gaitwright::VectorX;
+using Points = std::vector<Vector2>;
+
+/// The divergent component of motion of a centre of mass and its velocity.
+Vector2 Dcm(const Vector3& com_m, const Vector3& /*velocity_m_s*/, double /*com_height_m*/) {
+  return com_m.head<2>();  // true only of a body at rest
+}
+
+/// The DCM at the start of each step, such that it rests on the last ZMP when the last step is over.
+/// `zmp_m` is that of each step, held for the `step_s` that it lasts.
+Points DcmOfSteps(const Points& zmp_m, double /*step_s*/, double /*com_height_m*/) {
+  return zmp_m;  // a body over its foot at the start of a step stays there
+}
+
+/// The DCM of that plan at times since the start of the first step.
+Points DcmAt(const Points& /*zmp_m*/, double /*step_s*/, double /*com_height_m*/, const VectorX& times_s) {
+  return Points(static_cast<std::size_t>(times_s.size()), Vector2::Zero());
+}
+
+/// The centre of mass after a time with the ZMP held.
+Vector2 ComAlongDcm(const Vector2& com_m, const Vector2& /*dcm_m*/, const Vector2& /*zmp_m*/, double /*com_height_m*/,
+                    double /*time_s*/) {
+  return com_m;
+}
+
+// From here on nothing is to be written: it reads the inputs and writes the answers.
+
+Points PointsOf(const AnswerCase& asked, const char* name) {
+  const gaitwright::MatrixX matrix = asked.Matrix(name);
+  Points points;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) points.emplace_back(matrix.row(i));
+  return points;
+}
+
+std::vector<double> Numbers(const Points& points) {
+  std::vector<double> numbers;
+  for (const Vector2& p : points) numbers.insert(numbers.end(), {p.x(), p.y()});
+  return numbers;
+}
+
+std::vector<double> AnswerDcm(const AnswerCase& asked) {
+  return Numbers({Dcm(asked.Vector("com_m"), asked.Vector("velocity_m_s"), asked.Number("com_height_m"))});
+}
+
+std::vector<double> AnswerSteps(const AnswerCase& asked) {
+  return Numbers(DcmOfSteps(PointsOf(asked, "zmp_m"), asked.Number("step_s"), asked.Number("com_height_m")));
+}
+
+std::vector<double> AnswerTimes(const AnswerCase& asked) {
+  return Numbers(
+      DcmAt(PointsOf(asked, "zmp_m"), asked.Number("step_s"), asked.Number("com_height_m"), asked.Vector("times_s")));
+}
+
+std::vector<double> AnswerCom(const AnswerCase& asked) {
+  return Numbers({ComAlongDcm(asked.Vector("com_m"), asked.Vector("dcm_m"), asked.Vector("zmp_m"),
+                              asked.Number("com_height_m"), asked.Number("time_s"))});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto written = gaitwright::WriteAnswers(
+      argc > 1 ? argv[1] : ".", argc > 2 ? argv[2] : ".",
+      {{"dcm", AnswerDcm}, {"dcm_of_steps", AnswerSteps}, {"dcm_at", AnswerTimes}, {"com_along_dcm", AnswerCom}});
+  if (!written) fmt::print(stderr, "dcm: {}\n", written.failure().message);
+  return written ? 0 : 1;
+}

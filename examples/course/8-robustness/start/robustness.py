@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Assignment 8: a controller that survives pushes. See ../README.md. SI units."""
+
+import math
+import random
+
+import gaitwright as gw
+import numpy as np
+
+
+class OpenLoop(gw.Controller):
+    """The plan's torques, whatever the robot does: it falls before its first step."""
+
+    def __init__(self, plan):
+        super().__init__()
+        self.plan = plan
+
+    def update(self, now):
+        """Called each 1 ms. now.q: base (3), quaternion xyzw, joints.  now.v: velocity of the base, turning, joints."""
+        wanted = self.plan.at(now.time_s + now.step_s)
+        return gw.JointCommand(now.q[7:], tau_ff=wanted["tau"])
+
+
+def make_controller(plan):
+    return OpenLoop(plan)
+
+
+def survived(plan, n=10, seed=1):
+    """How many of n playbacks with a push to a side it survives."""
+    draw = random.Random(seed)
+    count = 0
+    for _ in range(n):
+        angle = math.radians(draw.choice((60, 90, 120)) * draw.choice((-1, 1)))
+        push = (185 * math.cos(angle), 185 * math.sin(angle), 0.0, draw.uniform(0.3, 0.7) * plan.duration_s, 0.1)
+        count += gw.play(plan, make_controller(plan), push=push).metrics["fell"].value == 0
+    return count
+
+
+if __name__ == "__main__":
+    trot = gw.plan_walk(gw.load_robot("a1"), gait="trot", speed=0.3, distance=0.6)
+    playback = gw.play(trot, make_controller(trot))
+    print(f"undisturbed: {playback.reason}")
+    if playback.passed:
+        print(f"of 10 pushes it survived {survived(trot)}")
