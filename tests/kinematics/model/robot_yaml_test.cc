@@ -8,6 +8,7 @@
 
 #include "kinematics/base/file.h"
 #include "kinematics/model/describe.h"
+#include "kinematics/model/robot_yaml_shape.h"
 #include "tests/kinematics/model/small_urdf.h"
 
 namespace gaitwright {
@@ -153,7 +154,7 @@ TEST(RobotYaml, RefusesFeetThatCannotBe) {
   ExpectSays(WhyNot("feet: 3"), {"line 1", "'feet' is a single value", "a list"});
   ExpectSays(WhyNot("feet: []"), {"'feet' is empty"});
   ExpectSays(WhyNot("feet: [3]"), {"a foot is a single value", "a map"});
-  ExpectSays(foot("type: point"), {"line 3", "needs the key 'link'"});
+  ExpectSays(foot("type: point"), {"line 3", "lacks the key 'link'"});
   ExpectSays(foot("link: [A_foot]"), {"'link' is a list"});
   ExpectSays(foot("link: A_foot, typ: sole"), {"line 3", "unknown key 'typ'", "nearest is 'type'"});
   ExpectSays(foot("link: A_foot, type: claw"), {"line 3", "'claw' is unknown", "'point', 'sphere', 'line', 'sole'"});
@@ -298,47 +299,33 @@ TEST(RobotYaml, RefusesWhatIsNoMapOfKnownKeysOnce) {
   EXPECT_EQ(WhyNot("# nothing\n"), "");
 }
 
+/// The keys of an object, and those of what is in it.
+void AddKeys(const DataShape& shape, std::vector<std::string>& keys) {
+  for (const ShapeMember& member : shape.members) {
+    keys.push_back(member.key);
+    AddKeys(member.shape, keys);
+  }
+  for (const DataShape& of : shape.of) AddKeys(of, keys);
+}
+
 TEST(RobotYaml, EveryKeyStandsInItsPageOfTheHandbook) {
   const std::string page = ReadFile(std::string(GAITWRIGHT_SOURCE_DIR) + "/docs/robot-yaml.md").value();
-  for (const char* key : {"name",
-                          "description",
-                          "limits",
-                          "feet",
-                          "legs",
-                          "mirror_pairs",
-                          "standing",
-                          "standing_base_height_m",
-                          "nominal_speed_m_s",
-                          "gains",
-                          "link",
-                          "type",
-                          "radius_m",
-                          "sole_m",
-                          "joints",
-                          "knee",
-                          "knee_side",
-                          "lower_rad",
-                          "upper_rad",
-                          "velocity_rad_s",
-                          "effort_nm",
-                          "lower_m",
-                          "upper_m",
-                          "velocity_m_s",
-                          "effort_n",
-                          "stiffness_nm_rad",
-                          "damping_nm_s_rad",
-                          "stiffness_n_m",
-                          "damping_n_s_m"}) {
-    EXPECT_NE(page.find('`' + std::string(key) + '`'), std::string::npos) << key;
-  }
+  std::vector<std::string> keys;
+  AddKeys(RobotYamlShape(), keys);
+  EXPECT_GT(keys.size(), 40U);
+  for (const std::string& key : keys) EXPECT_NE(page.find('`' + key + '`'), std::string::npos) << key;
 }
 
 TEST(RobotYaml, TheExampleOfItsPageIsGood) {
-  const std::string page = ReadFile(std::string(GAITWRIGHT_SOURCE_DIR) + "/docs/robot-yaml.md").value();
-  const std::size_t begin = page.find("```yaml\n") + 8, end = page.find("```", begin);
+  const std::string source = GAITWRIGHT_SOURCE_DIR;
+  const std::string page = ReadFile(source + "/docs/robot-yaml.md").value();
+  const std::string opening = "```yaml file=goat/robot.yaml\n";
+  const std::size_t begin = page.find(opening) + opening.size(), end = page.find("```", begin);
   ASSERT_LT(end, page.size());
-  const RobotModel model = With(page.substr(begin, end - begin));
-  EXPECT_EQ(model.name, "my_robot");
+  const Result<RobotModel> model =
+      LoadRobotFromText(ReadFile(source + "/examples/robots/goat.urdf").value(), page.substr(begin, end - begin));
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  EXPECT_EQ(model->name, "my_goat");
 }
 
 }  // namespace
