@@ -14,6 +14,7 @@
 #include "planning/terrain/load_terrain.h"
 #include "workflows/exchange/placed_steps.h"
 #include "workflows/walk/walk.h"
+#include "workflows/walk/walk_extent.h"
 
 namespace {
 
@@ -74,11 +75,12 @@ Result<MotionPlan> Planned(const RobotModel& model, const Terrain& terrain) {
   const std::vector<PlacedStep> steps = PlanSteps(model, terrain, kGoal);
   Result<MotionPlan> plan = PlanOverSteps(model, terrain, steps, {.swing_s = 0.4, .pause_s = 0.15});
   if (!plan) return plan.failure();
-  WalkCommand command;
-  command.extent = WalkCommand::Extent::kGoal;
+  WalkCommand& command = plan->parts.front().command;
+  command = {};
   command.speed_m_s = kSpeed;
-  command.goal_x_m = kGoal;
-  plan->parts.front().command = command;
+  WalkExtent extent;
+  extent.goal = PlanarPose{kGoal, 0.0, 0.0};
+  SetExtent(model, extent, command);
   return plan;
 }
 
