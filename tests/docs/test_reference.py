@@ -20,7 +20,7 @@ DOCS = ROOT / "docs"
 SCHEMAS = sorted(path.stem for path in (DOCS / "schemas").glob("*.json"))
 BLOCKS = {"mine.yaml": "gaits", "stroll.yaml": "gaits", "parts.yaml": "sequence", "yard.yaml": "terrain",
           "porch.yaml": "terrain", "names.yaml": "columns", "steps.yaml": "footsteps", "measured.yaml": "start-posture",
-          "goat/robot.yaml": "robot-yaml", "stones.json": "task-plan"}
+          "goat/robot.yaml": "robot-yaml", "stones.json": "task-plan", "zmp-rubric.yaml": "rubric", "stairs-rubric.yaml": "rubric"}
 
 
 def gaitwright(*arguments, folder, statuses=(0,)):
@@ -81,6 +81,12 @@ def made(tmp_path_factory):
     keep("import", "import", "motion.csv", "--robot", "a1", "--out", "imported.json")
     keep("do", "do", "stand up, then nod", "--robot", "a1", "--out-dir", "did", statuses=(0, 3))
     keep("tasks", "do", "walk two steps while waving", "--robot", "nao", "--tasks-only")
+    student = folder / "submissions/ada"
+    student.mkdir(parents=True)
+    shutil.copy(ROOT / "examples/course/1-zmp/start/zmp.py", student)
+    (folder / "zmp-rubric.yaml").write_text(block_named("zmp-rubric.yaml"))
+    keep("grade", "grade", "submissions", "--rubric", "zmp-rubric.yaml")
+    keep("inputs", "grade", "--rubric", ROOT / "examples/course/1-zmp/rubric-cpp.yaml", "--write-inputs", "handout")
     keep("error", "audit", "none.json", statuses=(1,))
     return folder
 
@@ -97,7 +103,7 @@ def block_named(name):
     ("trials-result", ["trials.json", "trials-file.json"]), ("sweep-result", ["sweep.json"]),
     ("tune-result", ["tune.json", "tune-file.json"]), ("compare-result", ["compare.json", "compare-reports.json"]),
     ("export-result", ["export.json"]), ("import-result", ["import.json"]), ("task-plan", ["tasks.json"]),
-    ("error", ["error.json"]), ("options", ["tuned.yaml"])])
+    ("grade-result", ["grade.json", "inputs.json"]), ("error", ["error.json"]), ("options", ["tuned.yaml"])])
 def test_what_is_written_fits_its_schema(made, name, files):
     for file in files:
         text = (made / file).read_text()
@@ -107,6 +113,7 @@ def test_what_is_written_fits_its_schema(made, name, files):
 @pytest.mark.parametrize("name, path", [
     *(("robot-yaml", path) for path in [*(ROOT / "robots").glob("*/robot.yaml"), *(ROOT / "examples/motors").glob("*.yaml")]),
     *(("disturbances", path) for path in (ROOT / "examples/disturbances").glob("*.yaml")),
+    *(("rubric", path) for path in (ROOT / "examples/course").glob("*/rubric*.yaml")),
     ("gaits", ROOT / "planning/gait/gaits.yaml")], ids=lambda value: str(value).removeprefix(f"{ROOT}/"))
 def test_files_that_come_with_it_fit_their_schemas(name, path):
     assert faults(name, yaml.safe_load(path.read_text())) == []
@@ -151,6 +158,10 @@ BROKEN = [
     ("options", "tuned.yaml", lambda d: d.update({"swing.hight_m": 0.1}), ["walk", "--options", "FILE"]),
     ("options", "tuned.yaml", lambda d: d.update({"swing.height_m": 100}), ["walk", "--options", "FILE"]),
     ("task-plan", "stones.json", lambda d: d["tasks"][0].update(step=2), ["do", "--task-plan", "FILE", "--tasks-only"]),
+    ("rubric", "zmp-rubric.yaml", lambda d: d["parts"][0].update(tolerence=1), ["grade", "submissions", "--rubric", "FILE"]),
+    ("rubric", "zmp-rubric.yaml", lambda d: d["parts"][0].update(cases=0), ["grade", "submissions", "--rubric", "FILE"]),
+    ("rubric", "zmp-rubric.yaml", lambda d: d["parts"][0].update(reference="zmp"), ["grade", "submissions", "--rubric", "FILE"]),
+    ("rubric", "zmp-rubric.yaml", lambda d: d["parts"][0]["limits"].update(time_s=0), ["grade", "submissions", "--rubric", "FILE"]),
     ("motion-plan", "out/plan.json", lambda d: d.update(colour=1), ["audit", "FILE"]),
     ("motion-plan", "out/plan.json", lambda d: d.pop("q"), ["audit", "FILE"]),
     ("motion-plan", "out/plan.json", lambda d: d["terrain"]["patches"][0].update(friction=-1), ["audit", "FILE"]),

@@ -11,6 +11,7 @@
 #include "playback/trials/disturbances_shape.h"
 #include "workflows/exchange/file_shapes.h"
 #include "workflows/formats/result_shapes_internal.h"
+#include "workflows/grade/rubric_shape.h"
 #include "workflows/study/trial.h"
 #include "workflows/walk/walk.h"
 
@@ -48,6 +49,7 @@ std::vector<Document> Documents() {
       Made("footsteps", "Footsteps of another planner", "import.md", FootstepFileShape()),
       Made("columns", "How the columns of somebody else's file are called", "import.md", ColumnNamesShape()),
       Made("options", "A file of options", "tune.md", OptionsShape()),
+      Made("rubric", "What an assignment is marked by", "grading.md", RubricShape()),
       Made("walk-result", "What walk and play print", "json-output.md", WalkResultShape()),
       Made("do-result", "What do prints", "json-output.md", DoResultShape()),
       Made("plan-result", "What plan prints", "json-output.md", PlanResultShape()),
@@ -60,6 +62,7 @@ std::vector<Document> Documents() {
            shapes::Either(MotionComparisonShape(), ReportComparisonShape())),
       Made("export-result", "What export prints", "json-output.md", ExportResultShape()),
       Made("import-result", "What import prints", "json-output.md", ImportResultShape()),
+      Made("grade-result", "What grade prints", "json-output.md", GradeResultShape()),
       Made("error", "What every verb prints where it cannot go on", "json-output.md", ErrorShape()),
   };
 }

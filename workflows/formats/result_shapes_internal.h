@@ -26,6 +26,7 @@ DataShape MotionComparisonShape();
 DataShape ReportComparisonShape();
 DataShape ExportResultShape();
 DataShape ImportResultShape();
+DataShape GradeResultShape();
 DataShape ErrorShape();
 
 /// `shape` with further members.

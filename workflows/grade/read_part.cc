@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/model/load_robot.h"
@@ -11,6 +11,7 @@
 #include "workflows/grade/motion_measures.h"
 #include "workflows/grade/questions.h"
 #include "workflows/grade/read_part_internal.h"
+#include "workflows/grade/rubric_shape.h"
 #include "workflows/study/run_point.h"
 #include "workflows/study/trial.h"
 #include "workflows/walk/walk.h"
@@ -18,21 +19,12 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kMostCases = 10000, kMostSize = 64, kMostRuns = 100, kMostTrials = 10000;
-constexpr double kMostSeed = 2147483647.0, kLargestError = 1e6;
-
-int WholeAt(const YAML::Node& node, const std::string& key, double low, double high) {
-  const double value = NumberOf(node, fmt::format("'{}'", key), low, high);
-  if (value != std::floor(value)) RefuseYaml(node, fmt::format("'{}' is {}; a whole number is needed", key, value));
-  return static_cast<int>(value);
+void ReadWhole(const YamlMap& map, const std::string& key, int& target) {
+  if (const std::optional<double> value = map.InRange(key)) target = static_cast<int>(*value);
 }
 
-void ReadWhole(const YamlMap& map, const std::string& key, double low, double high, int& target) {
-  if (const YAML::Node* node = map.Find(key)) target = WholeAt(*node, key, low, high);
-}
-
-void ReadNumber(const YamlMap& map, const std::string& key, double low, double high, double& target) {
-  if (const YAML::Node* node = map.Find(key)) target = NumberOf(*node, fmt::format("'{}'", key), low, high);
+void ReadNumber(const YamlMap& map, const std::string& key, double& target) {
+  if (const std::optional<double> value = map.InRange(key)) target = *value;
 }
 
 NamedRanges RangesAt(const YAML::Node& node, const std::string& what, const std::vector<std::string>& known) {
@@ -155,8 +147,7 @@ NumberRange RangeAt(const YAML::Node& node, const std::string& what) {
 }
 
 MeasureRule MeasureAt(const YAML::Node& node, const std::string& measure, PartKind kind) {
-  const std::vector<std::string> names =
-      PlaysMotions(kind) ? MotionMeasureNames() : std::vector<std::string>{"share_right", "largest_error"};
+  const std::vector<std::string> names = MeasuresOf(kind);
   if (std::find(names.begin(), names.end(), measure) == names.end())
     RefuseYaml(node, fmt::format("there is no measure '{}'{}", measure,
                                  NearestOrAll(measure, names, "docs/grading.md lists all of them")));
@@ -166,7 +157,6 @@ MeasureRule MeasureAt(const YAML::Node& node, const std::string& measure, PartKi
 }
 
 void ReadQuestionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
-  map.Require({"reference"});
   QuestionSetup& question = part.question;
   question.reference = map.Text("reference");
   const std::vector<std::string> names = QuestionNames();
@@ -175,30 +165,29 @@ void ReadQuestionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& p
                fmt::format("there is no reference '{}'{}", question.reference,
                            NearestOrAll(question.reference, names, "docs/grading.md lists all")));
   const Question& asked = QuestionOf(question.reference);
-  ReadWhole(map, "cases", 1, kMostCases, question.cases);
-  ReadWhole(map, "size", 3, kMostSize, question.size);
-  ReadNumber(map, "tolerance", 0.0, kLargestError, question.tolerance);
+  ReadWhole(map, "cases", question.cases);
+  ReadWhole(map, "size", question.size);
+  ReadNumber(map, "tolerance", question.tolerance);
   question.robot = RobotAt(map);
   if (asked.needs_robot && question.robot.empty())
     RefuseYaml(node, fmt::format("part '{}' lacks the key 'robot', which '{}' is about", part.name, asked.name));
   std::vector<std::string> inputs;
   for (const QuestionInput& input : asked.inputs) inputs.push_back(input.name);
   if (const YAML::Node* ranges = map.Find("inputs")) question.inputs = RangesAt(*ranges, "'inputs'", inputs);
-  if (const YAML::Node* seed = map.Find("seed"))
-    question.seed = static_cast<std::uint64_t>(WholeAt(*seed, "seed", 0.0, kMostSeed));
+  if (part.kind == PartKind::kAnswers && map.Find("seed") != nullptr)
+    question.seed = static_cast<std::uint64_t>(*map.InRange("seed"));
 }
 
 void ReadMotionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
-  map.Require({"robot"});
   MotionSetup& motion = part.motion;
   motion.robot = RobotAt(map);
   motion.gait = map.Text("gait");
   if (const YAML::Node* terrain = map.Find("terrain")) ReadTerrain(*terrain, motion);
   if (const YAML::Node* command = map.Find("command")) motion.command = RangesAt(*command, "'command'", CommandKeys());
-  ReadWhole(map, "runs", 1, kMostRuns, motion.runs);
-  ReadWhole(map, "trials", 0, kMostTrials, motion.trials);
-  ReadNumber(map, "swing_s", 0.05, 10.0, motion.swing_s);
-  ReadNumber(map, "pause_s", 0.0, 10.0, motion.pause_s);
+  ReadWhole(map, "runs", motion.runs);
+  ReadWhole(map, "trials", motion.trials);
+  ReadNumber(map, "swing_s", motion.swing_s);
+  ReadNumber(map, "pause_s", motion.pause_s);
   if (const YAML::Node* play = map.Find("play")) ReadPlay(*play, motion);
   if (const YAML::Node* drawn = map.Find("disturbances")) ReadDisturbancesOf(*drawn, motion);
   if (const YAML::Node* options = map.Find("options")) ReadOptions(*options, motion);

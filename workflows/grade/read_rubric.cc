@@ -9,31 +9,13 @@
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/base/strict_yaml_internal.h"
 #include "workflows/grade/read_part_internal.h"
+#include "workflows/grade/rubric_shape.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kMostPoints = 1e6, kPointsApart = 1e-6, kLargestValue = 1e12;
-constexpr std::size_t kMostParts = 200, kLongestName = 60;
-
-/// Keys of every part, of those that ask questions, and of those that play motions.
-const std::vector<std::string> kOfAll = {"name", "title", "kind", "file", "points", "limits", "checks"};
-const std::vector<std::string> kOfCode = {"function", "library"};
-const std::vector<std::string> kOfQuestions = {"reference", "cases", "tolerance", "size", "robot", "inputs"};
-const std::vector<std::string> kOfMotions = {"robot", "terrain", "command", "runs", "play", "trials", "disturbances"};
-
-std::vector<std::string> KeysOf(PartKind kind) {
-  std::vector<std::string> keys = kOfAll;
-  const auto add = [&](const std::vector<std::string>& more) { keys.insert(keys.end(), more.begin(), more.end()); };
-  if (RunsCode(kind)) add(kOfCode);
-  add(PlaysMotions(kind) ? kOfMotions : kOfQuestions);
-  if (kind == PartKind::kAnswers) add({"seed"});
-  if (PlaysMotions(kind) && kind != PartKind::kController) add({"controller"});
-  if (kind == PartKind::kParameters) add({"gait", "options"});
-  if (kind == PartKind::kController) add({"gait"});
-  if (kind == PartKind::kPlanner) add({"swing_s", "pause_s"});
-  return keys;
-}
+constexpr double kPointsApart = 1e-6;
+constexpr std::size_t kLongestName = 60;
 
 bool IsWord(const std::string& text) {
   const auto good = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
@@ -46,28 +28,23 @@ bool IsFileName(const std::string& text) {
   return !text.empty() && text.front() != '.' && text.find('/') == std::string::npos && text.size() <= 255;
 }
 
-PartKind KindAt(const YamlMap& map, const YAML::Node& node) {
+PartKind KindAt(const YamlMap& map) {
   map.Require({"kind"});
   const std::string word = map.Text("kind");
   const std::vector<std::string>& names = PartKindNames();
   const auto at = std::find(names.begin(), names.end(), word);
   if (at == names.end())
     RefuseYaml(*map.Find("kind"), fmt::format("there is no kind of part '{}'{}", word, NearestOrAll(word, names)));
-  (void)node;
   return static_cast<PartKind>(at - names.begin());
 }
 
 void ReadLimits(const YAML::Node& node, RubricPart& part) {
   OptionFields fields = part.limits.Fields();
-  std::vector<std::string> known;
-  for (const OptionField& field : fields) known.push_back(field.key);
-  known.emplace_back("judge_s");
-  if (PlaysMotions(part.kind)) known.emplace_back("motion_s");
-  const YamlMap map(node, "'limits'", known);
+  const DataShape shape = LimitsShape(part.kind);
+  const YamlMap map(node, "'limits'", shape);
   for (const YamlMap::Entry& entry : map.entries()) {
     if (entry.key == "motion_s" || entry.key == "judge_s") {
-      double& limit = entry.key == "motion_s" ? part.motion.longest_motion_s : part.judge_s;
-      limit = NumberOf(entry.value, fmt::format("'{}'", entry.key), 0.1, 36000.0);
+      (entry.key == "motion_s" ? part.motion.longest_motion_s : part.judge_s) = *map.InRange(entry.key);
       continue;
     }
     try {
@@ -78,26 +55,19 @@ void ReadLimits(const YAML::Node& node, RubricPart& part) {
   }
 }
 
-/// A value that points are given at.
-std::optional<double> ValueAt(const YamlMap& map, const std::string& key) {
-  const YAML::Node* node = map.Find(key);
-  if (node == nullptr) return std::nullopt;
-  return NumberOf(*node, fmt::format("'{}'", key), -kLargestValue, kLargestValue);
-}
-
 Check ReadCheck(const YAML::Node& node, PartKind kind) {
-  const YamlMap map(node, "a check", {"measure", "points", "full_at", "none_at"});
-  map.Require({"measure", "points"});
+  const DataShape shape = CheckShape(kind);
+  const YamlMap map(node, "a check", shape);
   Check check;
   check.measure = map.Text("measure");
-  check.points = NumberOf(*map.Find("points"), "'points'", 0.0, kMostPoints);
+  check.points = *map.InRange("points");
   const MeasureRule rule = MeasureAt(*map.Find("measure"), check.measure, kind);
   check.higher_is_better = rule.higher_is_better;
-  const std::optional<double> full = ValueAt(map, "full_at");
+  const std::optional<double> full = map.InRange("full_at");
   if (!full && !rule.usual_full_at)
     RefuseYaml(node, fmt::format("the check of '{}' lacks 'full_at': the value that gets all points", check.measure));
   check.full_at = full ? *full : *rule.usual_full_at;
-  check.none_at = ValueAt(map, "none_at");
+  check.none_at = map.InRange("none_at");
   if (check.none_at && *check.none_at == check.full_at)
     RefuseYaml(node, fmt::format("'full_at' and 'none_at' are both {}; without 'none_at' it is all or nothing",
                                  check.full_at));
@@ -105,13 +75,12 @@ Check ReadCheck(const YAML::Node& node, PartKind kind) {
   return check;
 }
 
-void ReadChecks(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
+void ReadChecks(const YamlMap& map, RubricPart& part) {
   const YAML::Node* list = map.Find("checks");
-  if (list == nullptr && !PlaysMotions(part.kind)) {
+  if (list == nullptr) {
     part.checks = {{"share_right", part.points, 1.0, 0.0, true}};
     return;
   }
-  if (list == nullptr) RefuseYaml(node, fmt::format("part '{}' lacks the key 'checks'", part.name));
   double sum = 0.0;
   for (const YAML::Node& one : ListOf(*list, "'checks'")) {
     part.checks.push_back(ReadCheck(one, part.kind));
@@ -122,8 +91,7 @@ void ReadChecks(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
                fmt::format("the checks of part '{}' are of {} points, the part of {}", part.name, sum, part.points));
 }
 
-void ReadNames(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
-  map.Require({"name", "file", "points"});
+void ReadNames(const YamlMap& map, RubricPart& part) {
   part.name = map.Text("name");
   if (!IsWord(part.name))
     RefuseYaml(*map.Find("name"), fmt::format("a part is called '{}'; a name has letters, digits and '_', begins with "
@@ -135,32 +103,33 @@ void ReadNames(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
     RefuseYaml(*map.Find("file"), fmt::format("the file of part '{}' is '{}'; the name of a file in the student's "
                                               "folder is needed, without folders",
                                               part.name, part.file));
-  part.points = NumberOf(*map.Find("points"), "'points'", 0.0, kMostPoints);
-  if (part.points == 0.0) RefuseYaml(*map.Find("points"), fmt::format("part '{}' is of 0 points", part.name));
-  (void)node;
+  part.points = *map.InRange("points");
 }
 
 RubricPart ReadPart(const YAML::Node& node) {
   RubricPart part;
-  part.kind = KindAt(YamlMap(node, "a part"), node);
+  part.kind = KindAt(YamlMap(node, "a part"));
   const std::string what = fmt::format("a part of kind '{}'", PartKindNames()[static_cast<std::size_t>(part.kind)]);
-  const YamlMap map(node, what, KeysOf(part.kind));
-  ReadNames(map, node, part);
+  const DataShape shape = PartShape(part.kind);
+  const YamlMap map(node, what, shape);
+  ReadNames(map, part);
   if (const YAML::Node* limits = map.Find("limits")) ReadLimits(*limits, part);
   PlaysMotions(part.kind) ? ReadMotionSetup(map, node, part) : ReadQuestionSetup(map, node, part);
   if (RunsCode(part.kind)) ReadCodeSetup(map, part);
-  ReadChecks(map, node, part);
+  ReadChecks(map, part);
   return part;
 }
 
 Rubric ReadRoot(const YAML::Node& root) {
-  const YamlMap map(root, "the rubric", {"title", "parts"});
-  map.Require({"title", "parts"});
+  const DataShape shape = RubricShape();
+  const YamlMap map(root, "the rubric", shape);
   Rubric rubric;
   rubric.title = map.Text("title");
   const std::vector<YAML::Node> parts = ListOf(*map.Find("parts"), "'parts'");
-  if (parts.empty() || parts.size() > kMostParts)
-    RefuseYaml(*map.Find("parts"), fmt::format("there are {} parts; 1 to {} are accepted", parts.size(), kMostParts));
+  const DataShape& accepted = shape.At("parts");
+  if (parts.size() < accepted.least || parts.size() > accepted.most)
+    RefuseYaml(*map.Find("parts"),
+               fmt::format("there are {} parts; {} to {} are accepted", parts.size(), accepted.least, accepted.most));
   for (const YAML::Node& node : parts) {
     rubric.parts.push_back(ReadPart(node));
     for (std::size_t before = 0; before + 1 < rubric.parts.size(); ++before) {

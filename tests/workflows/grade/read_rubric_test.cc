@@ -76,7 +76,7 @@ TEST(ReadRubric, RefusesWhatThereIsNot) {
   ExpectRefused(kHead + kTrot + ", checks: [{measure: goal_eror_m, points: 5}]}\n",
                 {"'goal_eror_m'", "'goal_error_m'"});
   ExpectRefused(kHead + kTrot + ", checks: [{measure: goal_error_m, points: 5}]}\n", {"lacks 'full_at'"});
-  ExpectRefused(kHead + kTrot + "}\n", {"part 'trot' lacks the key 'checks'"});
+  ExpectRefused(kHead + kTrot + "}\n", {"lacks the key 'checks'"});
   ExpectRefused(kHead + kTrot + kPass + ", options: [gait.cicle_s]}\n", {"'gait.cicle_s'", "'gait.cycle_s'"});
   ExpectRefused(kHead + kTrot + kPass + ", play: {play.frction: 1}}\n", {"'play.frction'", "'play.friction'"});
   ExpectRefused(kHead + kTrot + kPass + ", controller: stabilized}\n", {"'stabilized'", "'stabilised'"});
@@ -97,7 +97,8 @@ TEST(ReadRubric, RefusesValuesOutOfRange) {
   ExpectRefused(kHead + "- {name: 1p, kind: function, file: f, points: 1, reference: dcm}\n", {"'1p'", "letter"});
   ExpectRefused(kHead + "- {name: p, kind: function, file: ../f, points: 1, reference: dcm}\n",
                 {"'../f'", "without folders"});
-  ExpectRefused(kHead + "- {name: p, kind: function, file: f, points: 0, reference: dcm}\n", {"0 points"});
+  ExpectRefused(kHead + "- {name: p, kind: function, file: f, points: 0, reference: dcm}\n",
+                {"'points' is 0", "over zero"});
   ExpectRefused(kHead + kZmp + "}\n" + kZmp + "}\n", {"two parts are called 'zmp'"});
   ExpectRefused(kHead + "- {name: p, kind: planner, file: f, points: 5, robot: nao" + kPass + "}\n", {"lacks a goal"});
   ExpectRefused("title: t\nparts: []\n", {"0 parts"});

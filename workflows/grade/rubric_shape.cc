@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/grade/rubric_shape.h"
+
+#include "workflows/grade/motion_measures.h"
+#include "workflows/grade/questions.h"
+#include "workflows/study/trial.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kMostPoints = 1e6, kLargestValue = 1e12, kLargestError = 1e6, kMostSeed = 2147483647.0;
+constexpr double kMostCases = 10000, kMostSize = 64, kMostRuns = 100, kMostTrials = 10000, kLongestLimit = 36000.0;
+constexpr std::size_t kMostParts = 200;
+
+using Members = std::vector<ShapeMember>;
+
+void Add(const Members& more, Members& members) { members.insert(members.end(), more.begin(), more.end()); }
+
+/// A number, or from where to where it is drawn.
+DataShape RangeShape() { return shapes::Either(shapes::Number(), shapes::Numbers(2)); }
+
+Members QuestionMembers() {
+  using namespace shapes;
+  return {{"reference", Text(QuestionNames()), "What is asked, and what it is held against."},
+          Optional("cases", Whole(1, kMostCases), "How many are drawn."),
+          Optional("tolerance", Number(0.0, kLargestError), "The error that is still right."),
+          Optional("size", Whole(3, kMostSize), "How many points or steps, where the reference has a number of them."),
+          Optional("robot", Text(), "By name, where the reference is about one."),
+          Optional("inputs", MapOf(RangeShape()), "Other ranges than the usual, by input.")};
+}
+
+Members MotionMembers() {
+  using namespace shapes;
+  Members command;
+  for (const std::string& key : CommandKeys()) command.push_back(Optional(key, RangeShape()));
+  const DataShape value = Either(Either(RangeShape(), Text()), Truth());
+  return {{"robot", Text(), "By name."},
+          Optional("terrain", Either(Text(), MapOf(Either(RangeShape(), Text()), 1)),
+                   "A built-in ground, or a map of its name and parameters."),
+          Optional("command", Object(command), "Where to, how far and how fast."),
+          Optional("runs", Whole(1, kMostRuns), "How many are drawn; all are played."),
+          Optional("play", MapOf(value), "Options of the playback."),
+          Optional("trials", Whole(0, kMostTrials), "Playbacks of each run under disturbances."),
+          Optional("disturbances", Either(Text({"standard"}), MapOf(Anything())), "The schema of disturbances.")};
+}
+
+/// What parts of one kind have and others not.
+Members OwnMembers(PartKind kind) {
+  using namespace shapes;
+  Members own;
+  if (RunsCode(kind)) {
+    own.push_back(Optional("function", Text(), "What is called in it."));
+    own.push_back(Optional("library", Truth(), "Whether it may import gaitwright."));
+  }
+  if (kind == PartKind::kAnswers)
+    own.push_back(Optional("seed", Whole(0, kMostSeed), "Of inputs that always stay the same."));
+  if (PlaysMotions(kind) && kind != PartKind::kController)
+    own.push_back(Optional("controller", Text(ControllerNames()), "What plays it."));
+  if (kind == PartKind::kParameters || kind == PartKind::kController)
+    own.push_back(Optional("gait", Text(), "By which the program plans."));
+  if (kind == PartKind::kParameters)
+    own.push_back(Optional("options", List(Text(), 1), "Keys that the file may set, gait.cycle_s or swing.*."));
+  if (kind == PartKind::kPlanner) {
+    own.push_back(Optional("swing_s", Number(0.05, 10.0), "Time of a step in the air."));
+    own.push_back(Optional("pause_s", Number(0.0, 10.0), "Time on the ground after it."));
+  }
+  return own;
+}
+
+}  // namespace
+
+std::vector<std::string> MeasuresOf(PartKind kind) {
+  return PlaysMotions(kind) ? MotionMeasureNames() : std::vector<std::string>{"share_right", "largest_error"};
+}
+
+DataShape CheckShape(PartKind kind) {
+  using namespace shapes;
+  return Object({{"measure", Text(MeasuresOf(kind))},
+                 {"points", Number(0.0, kMostPoints)},
+                 Optional("full_at", Number(-kLargestValue, kLargestValue), "All points at this or better."),
+                 Optional("none_at", Number(-kLargestValue, kLargestValue), "No points at this or worse.")});
+}
+
+DataShape LimitsShape(PartKind kind) {
+  using namespace shapes;
+  ChildLimits limits;
+  Members members;
+  for (const OptionField& field : limits.Fields()) members.push_back(Field(field));
+  members.push_back(Optional("judge_s", Number(0.1, kLongestLimit), "Processor time that judging may take [s]."));
+  if (PlaysMotions(kind))
+    members.push_back(
+        Optional("motion_s", Number(0.1, kLongestLimit), "Time of the longest motion that is played [s]."));
+  return Object(members);
+}
+
+DataShape PartShape(PartKind kind) {
+  using namespace shapes;
+  Members members = {{"name", Text(), "A word: its column in the table of marks."},
+                     Optional("title", Text(), "For people."),
+                     {"kind", Text({PartKindNames()[static_cast<std::size_t>(kind)]})},
+                     {"file", Text(), "In the student's folder, without folders."},
+                     {"points", Positive(kMostPoints), "Of all its checks."},
+                     Optional("limits", LimitsShape(kind))};
+  const DataShape checks = List(CheckShape(kind));
+  members.push_back(PlaysMotions(kind) ? ShapeMember{"checks", checks} : Optional("checks", checks));
+  Add(PlaysMotions(kind) ? MotionMembers() : QuestionMembers(), members);
+  Add(OwnMembers(kind), members);
+  return Object(members);
+}
+
+DataShape RubricShape() {
+  using namespace shapes;
+  DataShape part = PartShape(static_cast<PartKind>(0));
+  for (std::size_t kind = 1; kind < PartKindNames().size(); ++kind)
+    part = Either(part, PartShape(static_cast<PartKind>(kind)));
+  return Object({{"title", Text(), "Of the assignment."}, {"parts", List(part, 1, kMostParts)}});
+}
+
+}  // namespace gaitwright
