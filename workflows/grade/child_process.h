@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -68,7 +66,7 @@ class ChildProcess {
   Result<std::string> Ask(const std::string& line, std::size_t longest_answer);
 
  private:
-  ChildProcess(pid_t process, int requests, int answers, ChildSetup setup);
+  ChildProcess(int process, int requests, int answers, ChildSetup setup);
 
   std::optional<Failure> Send(const std::string& line);
   Result<std::string> Receive(std::size_t longest);
@@ -78,7 +76,7 @@ class ChildProcess {
   void Kill();
   bool OverFileLimit();
 
-  pid_t process_ = -1;
+  int process_ = -1;
   int requests_ = -1, answers_ = -1;
   ChildSetup setup_;
   double waited_s_ = 0.0;
