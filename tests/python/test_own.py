@@ -110,6 +110,16 @@ def steps_ahead(robot, terrain, goal):
     yield foot, beside[foot][0] + x, beside[foot][1], 0.0
 
 
+def test_a_controller_can_be_asked_about_an_input_that_is_made_up(trot):
+    state = trot.at(0.0)
+    now = gw.ControlInput(0.5, 0.001, state["q"], state["v"], np.arange(12.0).reshape(4, 3), [True, False, True, True])
+    assert now.contact == [True, False, True, True]
+    assert now.forces_n.tolist() == np.arange(12.0).reshape(4, 3).tolist()
+    assert FollowThePlan(trot).update(now).q.tolist() == trot.at(0.501)["q"][7:].tolist()
+    with pytest.raises(gw.BadInputError, match="forces_n is 1 x 3; 2 x 3 are needed"):
+        gw.ControlInput(0.5, 0.001, state["q"], state["v"], [[0, 0, 1]], [True, False])
+
+
 def test_a_footstep_planner_of_ones_own_walks_nao(nao):
     plan = gw.walk_with(steps_ahead, nao, goal=(0.2, 0.0, 0.0))
     assert gw.audit(plan), str(gw.audit(plan))

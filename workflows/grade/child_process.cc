@@ -95,7 +95,7 @@ Result<ChildProcess> ChildProcess::Start(const ChildSetup& setup) {
   return ChildProcess(*process, requests[1], answers[0], setup);
 }
 
-ChildProcess::ChildProcess(pid_t process, int requests, int answers, ChildSetup setup)
+ChildProcess::ChildProcess(int process, int requests, int answers, ChildSetup setup)
     : process_(process), requests_(requests), answers_(answers), setup_(std::move(setup)), looked_(Clock::now()) {}
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept

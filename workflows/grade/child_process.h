@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -64,11 +62,11 @@ class ChildProcess {
 
   /// Sends a line and waits for one. After a failure it is ended, and fails all further calls with the same words.
   /// Failure kBadInput with one of these codes: `child_ended` (by itself or by a signal, which is named), `child_time`,
-  /// `child_memory` never (that is an exception in it), `child_files` (wrote too much), `child_answer` (too long).
+  /// `child_files` (it wrote too much), `child_answer` (too long). Out of memory it fails by itself.
   Result<std::string> Ask(const std::string& line, std::size_t longest_answer);
 
  private:
-  ChildProcess(pid_t process, int requests, int answers, ChildSetup setup);
+  ChildProcess(int process, int requests, int answers, ChildSetup setup);
 
   std::optional<Failure> Send(const std::string& line);
   Result<std::string> Receive(std::size_t longest);
@@ -78,7 +76,7 @@ class ChildProcess {
   void Kill();
   bool OverFileLimit();
 
-  pid_t process_ = -1;
+  int process_ = -1;
   int requests_ = -1, answers_ = -1;
   ChildSetup setup_;
   double waited_s_ = 0.0;

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "kinematics/model/load_robot.h"
+#include "workflows/grade/mark_apart.h"
 #include "workflows/grade/motion_run.h"
 
 namespace gaitwright {
@@ -32,6 +33,7 @@ std::optional<Failure> WhyNotAsked(const GradeRequest& request) {
     try {
       for (const MotionRun& run : DrawRuns(part, *model, request.seed)) {
         if (part.kind == PartKind::kPlan) (void)GoalOf(*model, run.walk.command);
+        if (part.kind == PartKind::kController) (void)GivenPlan(part, *model, run);
       }
     } catch (const InvalidArgument& error) {
       return CannotGrade("rubric", error.what());
@@ -47,6 +49,18 @@ bool LiesIn(const fs::path& path, const fs::path& folder) {
   const auto [end, rest] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
   (void)rest;
   return end == outer.end() || (std::next(end) == outer.end() && end->empty());
+}
+
+/// Grades in the folder of the submissions would be a student's.
+std::optional<Failure> WhyNotThere(const GradeRequest& request) {
+  std::error_code error;
+  if (!LiesIn(fs::absolute(request.out_folder, error), fs::absolute(request.folder, error))) return std::nullopt;
+  return CannotGrade(
+      "out_dir",
+      fmt::format("the grades' folder '{}' lies in that of the submissions, '{}', where each folder is a "
+                  "student's",
+                  request.out_folder, request.folder),
+      {"name another one by --out-dir"});
 }
 
 /// What a submission's code could read that it must not.
@@ -129,6 +143,7 @@ Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hoo
                               const std::function<Result<std::string>(const std::vector<OutputFile>&)>& written) {
   const Result<std::vector<Student>> students = FindStudents(request.folder);
   if (!students) return students.failure();
+  if (auto failure = WhyNotThere(request)) return *failure;
   if (auto failure = WhyNotAsked(request)) return *failure;
   const Result<MarkingSetup> setup = SetUp(request);
   if (!setup) return setup.failure();
@@ -141,7 +156,7 @@ Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hoo
     for (const RubricPart& part : request.rubric.parts) {
       if (hooks.stop && hooks.stop()) return CannotGrade("interrupted", "grading was ended before it was done");
       if (hooks.progress) hooks.progress(done++, all, student.name);
-      own.parts.push_back(MarkPart(part, student, *setup));
+      own.parts.push_back(MarkApart(part, [&] { return MarkPart(part, student, *setup); }));
     }
     const Result<std::string> pages = written(StudentPages(marks, own, marks.students.size()));
     if (!pages) return pages.failure();

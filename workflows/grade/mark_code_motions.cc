@@ -116,14 +116,6 @@ class AskedController final : public Controller {
   std::string& broken_;
 };
 
-/// A plan of the grader's for a run, without what a student could set. @throws InvalidArgument: the rubric's fault.
-MotionPlan GivenPlan(const RubricPart& part, const RobotModel& model, const MotionRun& run) {
-  Result<PlannedWalk> planned = PlanWalkOn(model, run.terrain, run.walk);
-  if (!planned)
-    throw InvalidArgument(fmt::format("part '{}' of the rubric has no plan: {}", part.name, planned.failure().message));
-  return std::move(planned->motion.plan);
-}
-
 /// Lends the plan to the code, and has it make a controller for each playback.
 ControllerMaker MakerOf(StudentPython& code, const RobotModel& model, const std::string& plan_path,
                         std::string& broken) {

@@ -121,6 +121,13 @@ std::vector<MotionRun> DrawRuns(const RubricPart& part, const RobotModel& model,
   return runs;
 }
 
+MotionPlan GivenPlan(const RubricPart& part, const RobotModel& model, const MotionRun& run) {
+  Result<PlannedWalk> planned = PlanWalkOn(model, run.terrain, run.walk);
+  if (!planned)
+    throw InvalidArgument(fmt::format("part '{}' of the rubric has no plan: {}", part.name, planned.failure().message));
+  return std::move(planned->motion.plan);
+}
+
 PlanarPose GoalOf(const RobotModel& model, const WalkCommand& command) {
   if (command.extent == WalkCommand::Extent::kGoal) return {command.goal_x_m, command.goal_y_m, command.goal_yaw_rad};
   if (command.extent != WalkCommand::Extent::kDistance)

@@ -44,6 +44,9 @@ class BrokenCode : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The program's own plan of a run, that controllers are given. @throws InvalidArgument where there is none.
+MotionPlan GivenPlan(const RubricPart& part, const RobotModel& model, const MotionRun& run);
+
 /// Makes a controller of somebody's own for a plan; null for the one that the request names.
 using ControllerMaker = std::function<std::unique_ptr<Controller>(const MotionPlan& plan)>;
 

@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 /// Tells of itself on its standard error; the last argument is a folder that the package may be in, or "".
 constexpr char kTell[] = R"(
 import json, os, sys, sysconfig
-sys.path[:] = sys.path[1:]
 def package(folders):
     for folder in folders:
         if folder and os.path.isdir(os.path.join(folder, "gaitwright")):
@@ -87,7 +86,7 @@ PythonProgram FromJson(const nlohmann::json& told) {
 Result<PythonProgram> LookOver(const std::string& program) {
   const std::string path = ChosenProgram(program);
   if (path.empty()) return NoPython(fmt::format("there is no Python '{}'", program.empty() ? "python3" : program));
-  const Result<std::string> told = RunProgram(path, {"-s", "-B", "-c", kTell, LibraryBesideProgram()});
+  const Result<std::string> told = RunProgram(path, {"-I", "-B", "-c", kTell, LibraryBesideProgram()});
   if (!told) return NoPython(told.failure().message);
   const std::size_t last = told->find("{\"version\"");
   const auto json = nlohmann::json::parse(last == std::string::npos ? "" : told->substr(last), nullptr, false);

@@ -61,11 +61,13 @@ void ReadLimits(const YAML::Node& node, RubricPart& part) {
   OptionFields fields = part.limits.Fields();
   std::vector<std::string> known;
   for (const OptionField& field : fields) known.push_back(field.key);
+  known.emplace_back("judge_s");
   if (PlaysMotions(part.kind)) known.emplace_back("motion_s");
   const YamlMap map(node, "'limits'", known);
   for (const YamlMap::Entry& entry : map.entries()) {
-    if (entry.key == "motion_s") {
-      part.motion.longest_motion_s = NumberOf(entry.value, "'motion_s'", 0.1, 3600.0);
+    if (entry.key == "motion_s" || entry.key == "judge_s") {
+      double& limit = entry.key == "motion_s" ? part.motion.longest_motion_s : part.judge_s;
+      limit = NumberOf(entry.value, fmt::format("'{}'", entry.key), 0.1, 36000.0);
       continue;
     }
     try {

@@ -91,6 +91,7 @@ struct RubricPart {
   bool library = false;  ///< whether the code may import gaitwright
   double points = 0.0;
   ChildLimits limits;
+  double judge_s = 600.0;  ///< processor time that judging a submission may take, its code apart
   std::vector<Check> checks;
   QuestionSetup question;
   MotionSetup motion;

@@ -116,6 +116,18 @@ Result<StudentPython> StudentPython::Start(const PythonProgram& python, const St
 StudentPython::StudentPython(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 StudentPython::StudentPython(StudentPython&&) noexcept = default;
 
+namespace {
+
+Failure Said(const std::string& words) { return {FailureKind::kBadInput, "submission", "StudentPython", words, {}}; }
+
+/// The text without each `part`: the folder's name is another in each run.
+std::string Without(const std::string& part, std::string text) {
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos;) text.erase(at, part.size());
+  return text;
+}
+
+}  // namespace
+
 /// The process ends before its folders go.
 StudentPython::~StudentPython() {
   if (parts_) parts_->child.reset();
@@ -133,10 +145,9 @@ Result<std::string> StudentPython::Ask(const std::string& request, std::size_t l
   const auto json =
       nlohmann::json::parse(line->substr(0, line->starts_with(kError) ? std::string::npos : 0), nullptr, false);
   if (json.is_object() && json.contains("error") && json["error"].is_string()) {
-    return Failure{
-        FailureKind::kBadInput, "submission", "StudentPython", ShownWords(json["error"].get<std::string>()), {}};
+    return Said(ShownWords(Without(parts_->base.path() + "/", json["error"].get<std::string>())));
   }
-  return Failure{FailureKind::kBadInput, "submission", "StudentPython", "its answer is not readable", {}};
+  return Said("its answer is not readable");
 }
 
 bool EndedIt(const Failure& failure) { return failure.code != "submission"; }

@@ -112,6 +112,24 @@ TEST_F(GradeClassTest, WhatTheRubricAsksForIsThereBeforeAnythingIsMarked) {
   EXPECT_TRUE(pages_.empty());
 }
 
+TEST_F(GradeClassTest, GradesDoNotLieAmongTheSubmissions) {
+  HandIn("class/ada", "dcm.csv", "");
+  GradeRequest request = RequestFor(kRubric);
+  request.out_folder = In("class/grades").string();
+  EXPECT_EQ(Grade(request).failure().code, "out_dir");
+}
+
+/// Nor its temporary folder's name, which is another each time.
+TEST_F(GradeClassTest, WordsOfASubmissionAreTheSameAgain) {
+  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
+  HandIn("class/eve", "work.py", "import os\nopen(os.environ['HOME'] + '/none')\n");
+  ASSERT_TRUE(Grade(RequestFor(kCode)).ok());
+  const std::string page = pages_[0].text;
+  EXPECT_NE(page.find("&#39;work/none&#39;"), std::string::npos) << page;
+  ASSERT_TRUE(Grade(RequestFor(kCode)).ok());
+  EXPECT_EQ(pages_[0].text, page);
+}
+
 TEST_F(GradeClassTest, AClassWithoutStudentsIsRefused) {
   EXPECT_EQ(Grade(RequestFor(kRubric)).failure().code, "submissions");
   fs::create_directories(In("class"));

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "workflows/grade/mark_apart.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "tests/workflows/grade/made_class.h"
+
+namespace gaitwright {
+namespace {
+
+RubricPart Part() {
+  RubricPart part = PartOf("{name: p, kind: answers, file: f, points: 3, reference: dcm}\n");
+  part.judge_s = 1.0;
+  return part;
+}
+
+TEST(MarkApart, TheMarkIsTheSame) {
+  const RubricPart part = Part();
+  PartMark made = MarkOf(part, {1.0 / 3.0});
+  made.pages = {{"a \"title\"", "<html>\n"}};
+  const PartMark mark = MarkApart(part, [&] { return made; });
+  EXPECT_EQ(mark.points, made.points);
+  EXPECT_EQ(mark.checks[0].value, made.checks[0].value);
+  EXPECT_EQ(mark.reasons, made.reasons);
+  EXPECT_EQ(mark.pages[0].title, "a \"title\"");
+  EXPECT_EQ(mark.pages[0].html, "<html>\n");
+  const PartMark none = MarkApart(part, [&] { return MarkOf(part, {std::nullopt}); });
+  EXPECT_FALSE(none.checks[0].value);
+}
+
+TEST(MarkApart, WhatEndsTheCopyCostsThePoints) {
+  ExpectNothing(MarkApart(Part(), []() -> PartMark { std::abort(); }), {"could not be judged: what judged it crashed"});
+  ExpectNothing(MarkApart(Part(),
+                          []() -> PartMark {
+                            for (volatile bool on = true; on;) {
+                            }
+                            return {};
+                          }),
+                {"could not be judged: it took more than 1 s"});
+  ExpectNothing(MarkApart(Part(), []() -> PartMark { throw std::bad_alloc(); }), {"ran out of memory"});
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+}
+
+}  // namespace
+}  // namespace gaitwright
