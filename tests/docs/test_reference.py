@@ -24,7 +24,7 @@ BLOCKS = {"mine.yaml": "gaits", "stroll.yaml": "gaits", "parts.yaml": "sequence"
 
 
 def gaitwright(*arguments, folder, statuses=(0,)):
-    ran = subprocess.run([BUILD / "gaitwright", *map(str, arguments)], cwd=folder, text=True, timeout=300,
+    ran = subprocess.run([BUILD / "gaitwright", *map(str, arguments)], cwd=folder, text=True, timeout=3000,
                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert ran.returncode in statuses, f"{arguments}: status {ran.returncode}\n{ran.stdout}{ran.stderr}"
     return ran
