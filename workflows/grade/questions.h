@@ -22,6 +22,7 @@ struct QuestionValue {
   std::vector<double> numbers;
   std::string word = {};  ///< what is said to Python in place of a number that stands for it; "" for none
 
+  /// A row of a matrix that is two or three wide, or the whole vector.
   Vector2 Vec2(int row = 0) const;
   Vector3 Vec3(int row = 0) const;
   double number() const { return numbers.front(); }
