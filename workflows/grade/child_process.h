@@ -15,7 +15,7 @@ namespace gaitwright {
 
 /// How much a child may take.
 struct ChildLimits {
-  double time_s = 30.0;  ///< of processor; it may be waited for three times that and 5 s more
+  double time_s = 30.0;  ///< of processor; it may be waited for three times that and 30 s more
   int memory_mb = 1024;  ///< of addresses
   int file_mb = 64;      ///< each file of the submission, and all files in the working folder
 
@@ -24,7 +24,7 @@ struct ChildLimits {
             {"memory_mb", &memory_mb, "MB", 128, 65536, "Addresses that it may have.", {}},
             {"file_mb", &file_mb, "MB", 1, 1024, "Size of a file handed in, and of all that the code writes.", {}}};
   }
-  double longest_wait_s() const { return 3.0 * time_s + 5.0; }
+  double longest_wait_s() const { return 3.0 * time_s + 30.0; }
 };
 
 /// What is started, and what it may do.
