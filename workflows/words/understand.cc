@@ -83,9 +83,7 @@ class Assembler {
       walk.parameters.try_emplace("direction", std::string("forward"));
       drafts_.push_back(std::move(walk));
     }
-    const bool unsaid =
-        manner_ && !drafts_.empty() && drafts_.back().action == "walk";  // "walk two metres, then slowly"
-    if (unsaid)
+    if (manner_ && !drafts_.empty() && drafts_.back().action == "walk")  // "walk two metres, then slowly"
       throw Refused{{"ambiguous", Text(manner_->words), "says how, and how far it is to walk so is not said", "",
                      "'walk two metres slowly', or how far it is to go so"}};
     if (!drafts_.empty() || !waiting_) Flush();
