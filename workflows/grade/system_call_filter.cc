@@ -243,7 +243,7 @@ void Fill(Program& program) {
   // Signals that the kernel would send for it, and the one that ends it with the program.
   for (const int command : {F_SETOWN, kSetOwnEx, F_SETSIG, F_SETLEASE, F_NOTIFY})
     program.NotWith(__NR_fcntl, 1, static_cast<std::uint32_t>(command));
-  for (const std::uint32_t command : {FIOSETOWN, SIOCSPGRP}) program.NotWith(__NR_ioctl, 1, command);
+  for (const int command : {FIOSETOWN, SIOCSPGRP}) program.NotWith(__NR_ioctl, 1, static_cast<std::uint32_t>(command));
   program.NotWith(__NR_prctl, 0, PR_SET_PDEATHSIG);
   program.NoCutOfReadFiles(__NR_openat, 2);
   program.Add(Give(SECCOMP_RET_ALLOW));
