@@ -31,6 +31,8 @@ def test_commands(name, tmp_path):
             path.write_text(block.text)
         elif block.language == "sh" and block.runs:
             status, printed = scratch.run(block.text)
+            if "cannot be run safely here" in printed:
+                pytest.skip(printed.strip().splitlines()[-1])
             assert status == 0, f"{where}: ended with status {status}\n{printed}"
         elif block.language == "console":
             run_console(scratch, block, where)

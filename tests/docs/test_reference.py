@@ -85,7 +85,7 @@ def made(tmp_path_factory):
     student.mkdir(parents=True)
     shutil.copy(ROOT / "examples/course/1-zmp/start/zmp.py", student)
     (folder / "zmp-rubric.yaml").write_text(block_named("zmp-rubric.yaml"))
-    keep("grade", "grade", "submissions", "--rubric", "zmp-rubric.yaml")
+    keep("grade", "grade", "submissions", "--rubric", "zmp-rubric.yaml", "--unconfined")
     keep("inputs", "grade", "--rubric", ROOT / "examples/course/1-zmp/rubric-cpp.yaml", "--write-inputs", "handout")
     keep("error", "audit", "none.json", statuses=(1,))
     return folder

@@ -91,6 +91,12 @@ std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgra
                          fmt::format("part '{}' needs the Python package gaitwright, which '{}' does not have",
                                      part.name, python.path),
                          {"build it (docs/python.md), or name a Python that has it by --python PROGRAM"});
+    if (const std::string path = part.library && RunsCode(part.kind) ? UnreadableForNobody(python) : ""; !path.empty())
+      return CannotGrade("unreadable",
+                         fmt::format("submissions cannot be run safely here: started by root they run as nobody, who "
+                                     "may not read '{}'",
+                                     path),
+                         {"start it as another user", "put Gaitwright where all may read it"});
   }
   return WhyReadable(request, python);
 }

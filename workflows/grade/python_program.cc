@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -95,6 +97,23 @@ Result<PythonProgram> LookOver(const std::string& program) {
   if (json.at("version").at(0) != 3 || json.at("version").at(1) < 9)
     return NoPython(fmt::format("'{}' is Python {}; 3.9 or newer is needed", path, python.version));
   return python;
+}
+
+std::string UnreadableForNobody(const PythonProgram& python) {
+  if (geteuid() != 0 || python.library.empty()) return "";
+  const auto allows = [](const fs::path& path, mode_t right) {
+    struct stat what {};
+    return stat(path.c_str(), &what) == 0 && (what.st_mode & right) != 0;
+  };
+  for (const std::string& needed : {(fs::path(python.library) / "gaitwright").string(), RobotsFolder()}) {
+    std::error_code error;
+    const fs::path path = fs::canonical(needed, error);
+    if (error || !allows(path, S_IROTH)) return needed;
+    for (fs::path at = path; at != at.root_path(); at = at.parent_path()) {
+      if (fs::is_directory(at, error) && !allows(at, S_IXOTH)) return at.string();
+    }
+  }
+  return "";
 }
 
 }  // namespace gaitwright

@@ -26,6 +26,10 @@ struct PythonProgram {
 /// Failure `python`: there is none, it cannot be run, or is older than 3.9.
 Result<PythonProgram> LookOver(const std::string& program);
 
+/// What code needs that the user cannot read as whom it runs where the program was started by root, of the package
+/// gaitwright and the robots: its path; "" where all can be read, or there is no such change of user.
+std::string UnreadableForNobody(const PythonProgram& python);
+
 /// A submission's file in Python, with others that it may import, and what of it is to be called.
 struct StudentCode {
   std::vector<OutputFile> files;  ///< names and texts; the first is the one that is asked

@@ -49,7 +49,7 @@ PartMark MadeClass::MarkCode(const std::string& part_yaml, const std::string& co
 bool CanRunCode() {
   if (!WhyNotConfined().empty()) return false;
   const Result<PythonProgram> python = LookOver("");
-  return python.ok() && python->has_numpy;
+  return python.ok() && python->has_numpy && UnreadableForNobody(*python).empty();
 }
 
 int ProcessesWith(const std::string& word) {
