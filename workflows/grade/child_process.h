@@ -15,7 +15,7 @@ namespace gaitwright {
 
 /// How much a child may take.
 struct ChildLimits {
-  double time_s = 30.0;  ///< of processor; it may be waited for three times that and 30 s more
+  double time_s = 30.0;  ///< of processor; it may sleep as long and 10 s more
   int memory_mb = 1024;  ///< of addresses
   int file_mb = 64;      ///< each file of the submission, and all files in the working folder
 
@@ -24,7 +24,7 @@ struct ChildLimits {
             {"memory_mb", &memory_mb, "MB", 128, 65536, "Addresses that it may have.", {}},
             {"file_mb", &file_mb, "MB", 1, 1024, "Size of a file handed in, and of all that the code writes.", {}}};
   }
-  double longest_wait_s() const { return 3.0 * time_s + 30.0; }
+  double longest_sleep_s() const { return time_s + 10.0; }
 };
 
 /// What is started, and what it may do.
@@ -48,7 +48,8 @@ inline constexpr unsigned kNobody = 65534;
 /// input and outputs are nothing. It is in a session of its own, has no other open files, starts no others (where it is
 /// confined), and ends with this object, or with this process.
 ///
-/// Whatever it does, no call here takes longer than the limits allow, or more memory than the longest answer.
+/// Whatever it does, no call here takes longer than the limits allow, or more memory than the longest answer. Time that it
+/// waits for a processor which others have is not held against it, so that marks do not depend on how busy a machine is.
 class ChildProcess {
  public:
   /// Failure `child`: it cannot be confined or started.
@@ -79,7 +80,7 @@ class ChildProcess {
   int process_ = -1;
   int requests_ = -1, answers_ = -1;
   ChildSetup setup_;
-  double waited_s_ = 0.0;
+  double slept_s_ = 0.0;  ///< while it was waited for
   std::chrono::steady_clock::time_point looked_;
   std::string rest_;  ///< that came after an answer's end
   std::optional<Failure> failure_;

@@ -66,7 +66,7 @@ std::optional<Failure> WhyNotThere(const GradeRequest& request) {
 /// What a submission's code could read that it must not.
 std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProgram& python) {
   std::vector<std::string> readable = python.readable;
-  if (!python.library.empty()) readable.push_back((fs::path(python.library) / "gaitwright").string());
+  if (!python.package.empty()) readable.push_back((fs::path(python.package) / "gaitwright").string());
   readable.push_back(RobotsFolder());
   std::error_code error;
   for (const std::string& own : readable) {
@@ -86,12 +86,12 @@ std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProg
 std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgram& python) {
   if (!python.has_numpy) return CannotGrade("python", fmt::format("the Python '{}' has no NumPy", python.path));
   for (const RubricPart& part : request.rubric.parts) {
-    if (part.library && RunsCode(part.kind) && python.library.empty())
+    if (part.package && RunsCode(part.kind) && python.package.empty())
       return CannotGrade("python",
                          fmt::format("part '{}' needs the Python package gaitwright, which '{}' does not have",
                                      part.name, python.path),
                          {"build it (docs/python.md), or name a Python that has it by --python PROGRAM"});
-    if (const std::string path = part.library && RunsCode(part.kind) ? UnreadableForNobody(python) : ""; !path.empty())
+    if (const std::string path = part.package && RunsCode(part.kind) ? UnreadableForNobody(python) : ""; !path.empty())
       return CannotGrade("unreadable",
                          fmt::format("submissions cannot be run safely here: started by root they run as nobody, who "
                                      "may not read '{}'",
@@ -102,23 +102,23 @@ std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgra
 }
 
 /// Runs code of the program's own as submissions are run, so that what keeps all of them from running is told first.
-std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLimits& limits, bool library,
+std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLimits& limits, bool package,
                                       bool confined) {
   const std::string text =
-      fmt::format("import numpy\n{}def ready():\n    return 0\n", library ? "import gaitwright\n" : "");
-  Result<StudentPython> code = StudentPython::Start(python, {{{"ready.py", text}}, "ready", library}, limits, confined);
+      fmt::format("import numpy\n{}def ready():\n    return 0\n", package ? "import gaitwright\n" : "");
+  Result<StudentPython> code = StudentPython::Start(python, {{{"ready.py", text}}, "ready", package}, limits, confined);
   if (code) return std::nullopt;
   return CannotGrade("python",
                      fmt::format("submissions cannot be run by '{}'{}: {}", python.path,
-                                 library ? " with the package gaitwright" : "", code.failure().message),
+                                 package ? " with the package gaitwright" : "", code.failure().message),
                      {"--python PROGRAM names another one, which all users may read", "raise limits.memory_mb"});
 }
 
 std::optional<Failure> WhyNotTriedOut(const GradeRequest& request, const MarkingSetup& setup) {
-  for (const bool library : {false, true}) {
+  for (const bool package : {false, true}) {
     for (const RubricPart& part : request.rubric.parts) {
-      if (!RunsCode(part.kind) || part.library != library) continue;
-      if (auto failure = WhyNotTriedOut(setup.python, part.limits, library, setup.confined)) return failure;
+      if (!RunsCode(part.kind) || part.package != package) continue;
+      if (auto failure = WhyNotTriedOut(setup.python, part.limits, package, setup.confined)) return failure;
       break;
     }
   }

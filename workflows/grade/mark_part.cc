@@ -33,7 +33,7 @@ PartMark MarkByKind(const HandedIn& in) {
 std::size_t MostBytes(const RubricPart& part) { return static_cast<std::size_t>(part.limits.file_mb) << 20; }
 
 Result<StudentPython> StartCode(const HandedIn& in) {
-  StudentCode code{{{in.part.file, in.text}}, in.part.function, in.part.library};
+  StudentCode code{{{in.part.file, in.text}}, in.part.function, in.part.package};
   for (OutputFile& other : OtherPythonFiles(in.student, in.part.file, MostBytes(in.part)))
     code.files.push_back(std::move(other));
   return StudentPython::Start(in.setup.python, code, in.part.limits, in.setup.confined);

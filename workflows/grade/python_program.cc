@@ -24,7 +24,7 @@ def package(folders):
         if folder and os.path.isdir(os.path.join(folder, "gaitwright")):
             return folder
     return ""
-library = package([sys.argv[1]] + sys.path)
+found = package([sys.argv[1]] + sys.path)
 try:
     import numpy
     numpy_there = True
@@ -34,7 +34,7 @@ own = [p for p in sys.path if os.path.exists(p)]
 own += [sys.executable, os.path.realpath(sys.executable), os.path.join(sys.prefix, "pyvenv.cfg")]
 own += [os.path.join(p, "lib") for p in (sys.prefix, sys.base_prefix)]
 print(json.dumps({"version": list(sys.version_info[:3]), "path": sys.executable, "readable": own,
-                  "library": library, "numpy": numpy_there}), file=sys.stderr)
+                  "package": found, "numpy": numpy_there}), file=sys.stderr)
 )";
 
 Failure NoPython(const std::string& why) {
@@ -42,7 +42,7 @@ Failure NoPython(const std::string& why) {
 }
 
 /// The package beside the running program, in a build tree or under its prefix; "" where there is none.
-std::string LibraryBesideProgram() {
+std::string PackageBesideProgram() {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
   for (const fs::path& tree : {folder, folder.parent_path()}) {
@@ -78,7 +78,7 @@ PythonProgram FromJson(const nlohmann::json& told) {
   python.version = fmt::format("{}.{}.{}", version.at(0), version.at(1), version.at(2));
   python.readable = told.at("readable").get<std::vector<std::string>>();
   python.readable.insert(python.readable.end(), kSystem.begin(), kSystem.end());
-  python.library = told.at("library").get<std::string>();
+  python.package = told.at("package").get<std::string>();
   python.has_numpy = told.at("numpy").get<bool>();
   return python;
 }
@@ -88,7 +88,7 @@ PythonProgram FromJson(const nlohmann::json& told) {
 Result<PythonProgram> LookOver(const std::string& program) {
   const std::string path = ChosenProgram(program);
   if (path.empty()) return NoPython(fmt::format("there is no Python '{}'", program.empty() ? "python3" : program));
-  const Result<std::string> told = RunProgram(path, {"-I", "-B", "-c", kTell, LibraryBesideProgram()});
+  const Result<std::string> told = RunProgram(path, {"-I", "-B", "-c", kTell, PackageBesideProgram()});
   if (!told) return NoPython(told.failure().message);
   const std::size_t last = told->find("{\"version\"");
   const auto json = nlohmann::json::parse(last == std::string::npos ? "" : told->substr(last), nullptr, false);
@@ -100,12 +100,12 @@ Result<PythonProgram> LookOver(const std::string& program) {
 }
 
 std::string UnreadableForNobody(const PythonProgram& python) {
-  if (geteuid() != 0 || python.library.empty()) return "";
+  if (geteuid() != 0 || python.package.empty()) return "";
   const auto allows = [](const fs::path& path, mode_t right) {
     struct stat what {};
     return stat(path.c_str(), &what) == 0 && (what.st_mode & right) != 0;
   };
-  for (const std::string& needed : {(fs::path(python.library) / "gaitwright").string(), RobotsFolder()}) {
+  for (const std::string& needed : {(fs::path(python.package) / "gaitwright").string(), RobotsFolder()}) {
     std::error_code error;
     const fs::path path = fs::canonical(needed, error);
     if (error || !allows(path, S_IROTH)) return needed;

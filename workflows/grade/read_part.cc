@@ -202,10 +202,10 @@ void ReadMotionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& par
 }
 
 void ReadCodeSetup(const YamlMap& map, RubricPart& part) {
-  part.library = part.kind != PartKind::kFunction;
-  if (const YAML::Node* library = map.Find("library")) {
-    if (!YAML::convert<bool>::decode(*library, part.library))
-      RefuseYaml(*library, fmt::format("'library' is '{}'; true or false", TextOf(*library, "'library'")));
+  part.package = part.kind != PartKind::kFunction;
+  if (const YAML::Node* package = map.Find("package")) {
+    if (!YAML::convert<bool>::decode(*package, part.package))
+      RefuseYaml(*package, fmt::format("'package' is '{}'; true or false", TextOf(*package, "'package'")));
   }
   part.function = map.Text("function");
   if (!part.function.empty()) return;

@@ -88,7 +88,7 @@ struct RubricPart {
   PartKind kind = PartKind::kFunction;
   std::string file;      ///< a plain name in the student's folder
   std::string function;  ///< that is called, where code is run
-  bool library = false;  ///< whether the code may import gaitwright
+  bool package = false;  ///< whether the code may import gaitwright
   double points = 0.0;
   ChildLimits limits;
   double judge_s = 600.0;  ///< processor time that judging a submission may take, its code apart

@@ -51,7 +51,7 @@ Members OwnMembers(PartKind kind) {
   Members own;
   if (RunsCode(kind)) {
     own.push_back(Optional("function", Text(), "What is called in it."));
-    own.push_back(Optional("library", Truth(), "Whether it may import gaitwright."));
+    own.push_back(Optional("package", Truth(), "Whether it may import gaitwright."));
   }
   if (kind == PartKind::kAnswers)
     own.push_back(Optional("seed", Whole(0, kMostSeed), "Of inputs that always stay the same."));

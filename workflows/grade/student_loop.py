@@ -50,7 +50,7 @@ def argument(value):
     return value
 
 
-class Library:
+class Package:
     """Finds the package in its own folder, as the one around it cannot be listed."""
 
     def __init__(self, folder):
@@ -67,8 +67,8 @@ def load(request):
     """Imports the submission's file and finds what is asked of it."""
     state["code"] = request["code"]
     sys.path[:] = [request["code"]] + sys.path[1:]
-    if request["library"]:
-        sys.meta_path.insert(0, Library(os.path.join(request["library"], "gaitwright")))
+    if request["package"]:
+        sys.meta_path.insert(0, Package(os.path.join(request["package"], "gaitwright")))
     spec = importlib.util.spec_from_file_location("submission", os.path.join(request["code"], request["file"]))
     module = importlib.util.module_from_spec(spec)
     sys.modules["submission"] = module

@@ -82,8 +82,8 @@ ChildSetup SetupOf(const PythonProgram& python, const StudentCode& code, const s
   setup.work_folder = work_folder;
   setup.readable = python.readable;
   setup.readable.push_back(code_folder);
-  if (code.library) {
-    const std::vector<std::string> more = {(fs::path(python.library) / "gaitwright").string(), RobotsFolder(),
+  if (code.package) {
+    const std::vector<std::string> more = {(fs::path(python.package) / "gaitwright").string(), RobotsFolder(),
                                            BuiltInGaitsFile()};
     setup.readable.insert(setup.readable.end(), more.begin(), more.end());
   }
@@ -106,7 +106,7 @@ Result<StudentPython> StudentPython::Start(const PythonProgram& python, const St
                                 {{"code", parts->Code()},
                                  {"file", code.files.front().path},
                                  {"function", code.function},
-                                 {"library", code.library ? python.library : ""}}}};
+                                 {"package", code.package ? python.package : ""}}}};
   StudentPython started(std::move(parts));
   const Result<std::string> loaded = started.Ask(load.dump(), kShortAnswer);
   if (!loaded) return loaded.failure();

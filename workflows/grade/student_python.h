@@ -16,7 +16,7 @@ namespace gaitwright {
 struct PythonProgram {
   std::string path, version;
   std::vector<std::string> readable;  ///< files and folders of its own and of its packages
-  std::string library;                ///< folder that the package gaitwright is found in; "" for none
+  std::string package;                ///< folder that the package gaitwright is found in; "" for none
   bool has_numpy = false;
 };
 
@@ -34,7 +34,7 @@ std::string UnreadableForNobody(const PythonProgram& python);
 struct StudentCode {
   std::vector<OutputFile> files;  ///< names and texts; the first is the one that is asked
   std::string function;
-  bool library = false;  ///< whether it may import gaitwright
+  bool package = false;  ///< whether it may import gaitwright
 };
 
 /// A submission in Python, in a process of its own that is confined (ChildProcess) to a folder that goes with it. What

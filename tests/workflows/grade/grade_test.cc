@@ -23,6 +23,7 @@ const std::string kRubric =
     "title: \"<b>DCM</b>\"\nparts:\n- {name: dcm, kind: answers, file: dcm.csv, points: 4, reference: dcm, cases: 4}\n";
 const std::string kCode =
     "title: t\nparts:\n- {name: dcm, kind: function, file: work.py, points: 4, reference: dcm, cases: 4}\n";
+const std::string kRight = "def dcm(c, v, h):\n    return c[:2] + v[:2] * (h / 9.81) ** 0.5\n";
 
 class GradeClassTest : public MadeClass {
  protected:
@@ -86,6 +87,21 @@ TEST_F(GradeClassTest, NamesAreNoFormulasAndNoMarkup) {
     EXPECT_EQ(page.path.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-."),
               std::string::npos);
   }
+}
+
+/// The tests of code are skipped where it cannot be run confined; that nothing is run there is seen here.
+TEST_F(GradeClassTest, CodeIsRunConfinedOrNotAtAll) {
+  HandIn("class/ada", "work.py", kRight);
+  const Result<ClassMarks> marks = Grade(RequestFor(kCode));
+  if (CanRunCode()) {
+    ASSERT_TRUE(marks.ok()) << marks.failure().message;
+    EXPECT_TRUE(marks->confined);
+    EXPECT_EQ(marks->students[0].points(), 4.0);
+    return;
+  }
+  ASSERT_FALSE(marks.ok());
+  EXPECT_TRUE(marks.failure().code == "unconfined_only" || marks.failure().code == "python") << marks.failure().message;
+  EXPECT_TRUE(pages_.empty());
 }
 
 TEST_F(GradeClassTest, WordsOfASubmissionAreTextInItsPage) {
@@ -175,8 +191,9 @@ void TakeLandlockAway() {
 }
 
 TEST_F(GradeClassTest, WhereNothingConfinesCodeItIsRefusedUnlessAskedFor) {
-  if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
-  HandIn("class/ada", "work.py", "def dcm(c, v, h):\n    return c[:2] + v[:2] * (h / 9.81) ** 0.5\n");
+  const Result<PythonProgram> python = LookOver("");
+  if (!python || !python->has_numpy) GTEST_SKIP() << "there is no Python with NumPy";
+  HandIn("class/ada", "work.py", kRight);
   const auto without = [&] {
     TakeLandlockAway();
     GradeRequest request = RequestFor(kCode);

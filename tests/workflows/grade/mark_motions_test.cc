@@ -149,7 +149,7 @@ class MarkCodeOfMotions : public MadeClass {
  protected:
   void SetUp() override {
     if (!CanRunCode()) GTEST_SKIP() << WhyNotConfined();
-    if (LookOver("")->library.empty()) GTEST_SKIP() << "the Python package is not built";
+    if (LookOver("")->package.empty()) GTEST_SKIP() << "the Python package is not built";
   }
 };
 

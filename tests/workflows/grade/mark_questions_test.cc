@@ -66,11 +66,11 @@ TEST_F(MarkFunction, AnswersThatAreNoneAreWrongAndToldSo) {
 
 TEST_F(MarkFunction, ThePackageIsThereOnlyWhereTheRubricSaysSo) {
   const std::string code = "import gaitwright\ndef dcm(c, v, h):\n    return [0, 0]\n";
-  const auto part = [](const char* library) {
-    return fmt::format("{{name: p, kind: function, file: work.py, points: 1, reference: dcm, cases: 1, library: {}}}\n",
-                       library);
+  const auto part = [](const char* package) {
+    return fmt::format("{{name: p, kind: function, file: work.py, points: 1, reference: dcm, cases: 1, package: {}}}\n",
+                       package);
   };
-  if (LookOver("")->library.empty()) GTEST_SKIP() << "the package is not built";
+  if (LookOver("")->package.empty()) GTEST_SKIP() << "the package is not built";
   EXPECT_NE(MarkCode(part("true"), code).reasons.front().find("share_right is 0"), std::string::npos);
   ExpectNothing(MarkCode(part("false"), code), {"No module named 'gaitwright'"});
 }

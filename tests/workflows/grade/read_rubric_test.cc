@@ -33,7 +33,7 @@ TEST(ReadRubric, ReadsPartsOfEachSort) {
   EXPECT_EQ(zmp.function, "pendulum_zmp");
   EXPECT_EQ(zmp.limits.time_s, 2.0);
   EXPECT_EQ(zmp.limits.memory_mb, 256);
-  EXPECT_FALSE(zmp.library);
+  EXPECT_FALSE(zmp.package);
   EXPECT_EQ(zmp.checks.front().measure, "share_right");
   EXPECT_EQ(zmp.question.inputs.front().second, (NumberRange{0.2, 0.3}));
   const RubricPart& trot = rubric->parts[1];
