@@ -23,5 +23,9 @@ void BindControllers(pybind11::module_& module);
 /// Whole playbacks and their scores.
 void BindPlayback(pybind11::module_& module);
 void BindTrials(pybind11::module_& module);
+/// Instructions in words, and motions that do them.
+void BindTasks(pybind11::module_& module);
+/// Two motions side by side.
+void BindCompare(pybind11::module_& module);
 
 }  // namespace gaitwright::python

@@ -16,5 +16,7 @@ PYBIND11_MODULE(_core, module) {
   BindPlayback(module);
   BindPlanning(module);
   BindTrials(module);
+  BindTasks(module);
+  BindCompare(module);
   module.attr("__version__") = gaitwright::Version();
 }

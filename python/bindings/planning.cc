@@ -7,12 +7,11 @@
 #include <optional>
 #include <tuple>
 
-#include "planning/plan/terrain_scale.h"
-#include "planning/terrain/load_terrain.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/options.h"
 #include "python/bindings/plan.h"
+#include "python/bindings/terrain.h"
 #include "workflows/exchange/import_motion.h"
 #include "workflows/exchange/placed_steps.h"
 #include "workflows/walk/walk.h"
@@ -25,15 +24,6 @@ namespace py = pybind11;
 
 using PoseTuple = std::tuple<double, double, double>;
 using SharedPlan = std::shared_ptr<Plan>;
-
-/// A ground by its name, or made in Python.
-Terrain TerrainOf(const py::object& terrain, const RobotModel& model) {
-  if (py::isinstance<Terrain>(terrain)) return terrain.cast<const Terrain&>();
-  if (!py::isinstance<py::str>(terrain))
-    throw py::type_error(
-        fmt::format("terrain is {}; a Terrain, or the name of one, is needed", py::repr(terrain).cast<std::string>()));
-  return Value(LoadTerrain(terrain.cast<std::string>(), ScaleOf(model)));
-}
 
 /// What is asked of a walk beside robot and ground.
 struct Asked {

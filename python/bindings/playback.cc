@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "python/bindings/playback.h"
+
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
@@ -9,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "kinematics/base/file.h"
 #include "playback/log/log_json.h"
 #include "playback/report/report_page.h"
 #include "playback/score/report_text.h"
@@ -17,31 +20,13 @@
 #include "python/bindings/controllers.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/options.h"
+#include "workflows/exchange/export_motion.h"
 #include "workflows/walk/walk_report.h"
 
 namespace gaitwright::python {
 namespace {
 
 namespace py = pybind11;
-
-/// A playback: the plan, what was measured, and what that is worth. It never changes.
-class Playback {
- public:
-  Playback(std::shared_ptr<const Plan> plan, PlayedWalk played)
-      : plan_(std::move(plan)), played_(std::make_shared<const PlayedWalk>(std::move(played))) {}
-
-  const Plan& plan() const { return *plan_; }
-  const std::shared_ptr<const Plan>& shared_plan() const { return plan_; }
-  const PlaybackLog& log() const { return played_->log; }
-  const StabilityReport& report() const { return played_->report; }
-  const PlayedWalk& played() const { return *played_; }
-  const Tables& tables() const { return tables_; }
-
- private:
-  std::shared_ptr<const Plan> plan_;
-  std::shared_ptr<const PlayedWalk> played_;
-  Tables tables_;
-};
 
 /// Hands everything on to a controller that somebody else keeps.
 class Borrowed : public Controller {
@@ -145,6 +130,15 @@ std::string ReportHtml(const Playback& playback) {
   return WalkReport({plan.model(), plan.motion(), playback.played(), audit});
 }
 
+std::vector<std::string> Export(const Playback& playback, const std::string& path, const std::string& format,
+                                double rate_hz) {
+  const Plan& plan = playback.plan();
+  const ExportedMotion exported =
+      ExportLog(plan.model(), playback.log(), &plan.motion(), ExportFormatOf(format), rate_hz, path);
+  if (const auto written = WriteFilesTogether(exported.files); !written) throw FailureError(written.failure());
+  return exported.notes;
+}
+
 Playback LoadPlayback(const std::string& path, const std::shared_ptr<Plan>& plan) {
   PlayedWalk played;
   played.log = Value(LoadLog(path));
@@ -202,6 +196,9 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
       .def(
           "save", [](const Playback& p, const std::string& path) { return Value(SaveLog(p.log(), path)); },
           py::arg("path"), "Writes log.json, for the program too; returns the path.")
+      .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
+           "Writes what was measured as csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns what is "
+           "to be said of it.")
       .def("report_html", ReportHtml, "The report as one HTML page, whole by itself.")
       .def(
           "viewer_html", [](const Playback& p) { return ViewerPage(Shown(p).title, {Shown(p)}); },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planning/plan/terrain.h"
+#include "python/bindings/terrain.h"
 
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
@@ -94,6 +94,14 @@ std::vector<std::string> NamesOf(const std::vector<TerrainPatch>& patches) {
 }
 
 }  // namespace
+
+Terrain TerrainOf(const py::object& terrain, const RobotModel& model) {
+  if (py::isinstance<Terrain>(terrain)) return terrain.cast<const Terrain&>();
+  if (!py::isinstance<py::str>(terrain))
+    throw py::type_error(
+        fmt::format("terrain is {}; a Terrain, or the name of one, is needed", py::repr(terrain).cast<std::string>()));
+  return Value(LoadTerrain(terrain.cast<std::string>(), ScaleOf(model)));
+}
 
 void BindTerrain(py::module_& module) {
   py::class_<Terrain>(module, "Terrain",

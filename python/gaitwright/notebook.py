@@ -6,7 +6,7 @@ from __future__ import annotations
 import html
 from pathlib import Path
 
-from gaitwright._core import Playback, TrialsReport
+from gaitwright._core import Comparison, Playback, TrialsReport
 
 
 class Page:
@@ -29,8 +29,8 @@ class Page:
         )
 
 
-def show(what: Playback | TrialsReport, viewer: bool = False, height_px: int = 640) -> Page:
-    """The report of a playback or of trials; with `viewer` the playback's motion in 3D alone."""
+def show(what: Playback | TrialsReport | Comparison, viewer: bool = False, height_px: int = 640) -> Page:
+    """The report of a playback, of trials or of a comparison; with `viewer` the playback's motion in 3D alone."""
     if not viewer:
         return Page(what.report_html(), height_px)
     if not isinstance(what, Playback):
@@ -38,9 +38,9 @@ def show(what: Playback | TrialsReport, viewer: bool = False, height_px: int = 6
     return Page(what.viewer_html(), height_px)
 
 
-def _shown_inline(what: Playback | TrialsReport) -> str:
+def _shown_inline(what: Playback | TrialsReport | Comparison) -> str:
     return show(what)._repr_html_()
 
 
-for _kind in (Playback, TrialsReport):
+for _kind in (Playback, TrialsReport, Comparison):
     setattr(_kind, "_repr_html_", _shown_inline)

@@ -8,7 +8,7 @@
 
 namespace gaitwright {
 
-/// "position of FL_hip_joint first differs at 0.42 s: 0.10 rad against 0.13 rad (tolerance 0.012)", or that none does.
+/// "position of FL_hip_joint differs first, at 0.42 s: 0.10 against 0.13 rad (tolerance 0.012)", or that none does.
 std::string FirstDifferenceText(const MotionComparison& comparison);
 
 /// Differences in words as people are told them, since two motions that were made in two ways may share no option.

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "python/bindings/plan.h"
+#include "workflows/walk/walk.h"
+
+namespace gaitwright::python {
+
+/// A playback: the plan, what was measured, and what that is worth. It never changes.
+class Playback {
+ public:
+  Playback(std::shared_ptr<const Plan> plan, PlayedWalk played)
+      : plan_(std::move(plan)), played_(std::make_shared<const PlayedWalk>(std::move(played))) {}
+
+  const Plan& plan() const { return *plan_; }
+  const std::shared_ptr<const Plan>& shared_plan() const { return plan_; }
+  const PlaybackLog& log() const { return played_->log; }
+  const StabilityReport& report() const { return played_->report; }
+  const PlayedWalk& played() const { return *played_; }
+  const Tables& tables() const { return tables_; }
+
+ private:
+  std::shared_ptr<const Plan> plan_;
+  std::shared_ptr<const PlayedWalk> played_;
+  Tables tables_;
+};
+
+}  // namespace gaitwright::python
