@@ -111,6 +111,9 @@ int Show(const Arguments& a) {
   if (a.common.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::parse(RobotJson(*model));
     json["self_collision"] = SelfCollisionJson(collision);
+    json["files"] = nlohmann::ordered_json::object();
+    if (!a.page.empty()) json["files"]["page"] = a.page;
+    if (!a.png.empty()) json["files"]["png"] = a.png;
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}\n{}", DescribeRobot(*model), SelfCollisionText(collision));

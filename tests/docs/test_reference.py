@@ -87,6 +87,19 @@ def made(tmp_path_factory):
     (folder / "zmp-rubric.yaml").write_text(block_named("zmp-rubric.yaml"))
     keep("grade", "grade", "submissions", "--rubric", "zmp-rubric.yaml", "--unconfined")
     keep("inputs", "grade", "--rubric", ROOT / "examples/course/1-zmp/rubric-cpp.yaml", "--write-inputs", "handout")
+    keep("robots", "robots")
+    keep("robot", "robots", "show", "nao", "--page", "nao.html")
+    keep("gaits", "gaits")
+    keep("terrains", "terrains")
+    keep("terrain", "terrains", "show", "stairs", "--picture", "stairs.svg")
+    (folder / "porch.yaml").write_text(block_named("porch.yaml"))
+    keep("porch", "terrains", "show", "porch.yaml")
+    keep("view", "view", "out/log.json", "--out", "view.html")
+    keep("figure", "render", "out/log.json", "--figure", "gait.svg")
+    keep("options", "walk", "--list-options")
+    keep("schemas", "reference")
+    keep("written", "reference", "--out-dir", "pages")
+    keep("bench", "bench", "centroidal", "--only", "hyq-1-flat", "--timing", "fixed", "--audit", statuses=(0, 3))
     keep("error", "audit", "none.json", statuses=(1,))
     return folder
 
@@ -103,7 +116,10 @@ def block_named(name):
     ("trials-result", ["trials.json", "trials-file.json"]), ("sweep-result", ["sweep.json"]),
     ("tune-result", ["tune.json", "tune-file.json"]), ("compare-result", ["compare.json", "compare-reports.json"]),
     ("export-result", ["export.json"]), ("import-result", ["import.json"]), ("task-plan", ["tasks.json"]),
-    ("grade-result", ["grade.json", "inputs.json"]), ("error", ["error.json"]), ("options", ["tuned.yaml"])])
+    ("grade-result", ["grade.json", "inputs.json"]), ("robots-result", ["robots.json", "robot.json"]),
+    ("gaits-result", ["gaits.json"]), ("terrains-result", ["terrains.json", "terrain.json", "porch.json"]),
+    ("view-result", ["view.json"]), ("render-result", ["figure.json"]), ("bench-result", ["bench.json"]),
+    ("option-list", ["options.json"]), ("reference-result", ["schemas.json", "written.json"]), ("error", ["error.json"]), ("options", ["tuned.yaml"])])
 def test_what_is_written_fits_its_schema(made, name, files):
     for file in files:
         text = (made / file).read_text()

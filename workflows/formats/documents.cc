@@ -63,6 +63,15 @@ std::vector<Document> Documents() {
       Made("export-result", "What export prints", "json-output.md", ExportResultShape()),
       Made("import-result", "What import prints", "json-output.md", ImportResultShape()),
       Made("grade-result", "What grade prints", "json-output.md", GradeResultShape()),
+      Made("robots-result", "What robots prints", "json-output.md", RobotsResultShape()),
+      Made("gaits-result", "What gaits prints", "json-output.md", GaitsResultShape()),
+      Made("terrains-result", "What terrains prints", "json-output.md", TerrainsResultShape()),
+      Made("view-result", "What view prints", "json-output.md", ViewResultShape()),
+      Made("render-result", "What render prints", "json-output.md", RenderResultShape()),
+      Made("live-result", "What live prints", "json-output.md", LiveResultShape()),
+      Made("bench-result", "What bench centroidal prints", "json-output.md", BenchResultShape()),
+      Made("option-list", "What --list-options prints", "json-output.md", OptionListShape()),
+      Made("reference-result", "What reference prints", "json-output.md", ReferenceResultShape()),
       Made("error", "What every verb prints where it cannot go on", "json-output.md", ErrorShape()),
   };
 }

@@ -27,6 +27,15 @@ DataShape ReportComparisonShape();
 DataShape ExportResultShape();
 DataShape ImportResultShape();
 DataShape GradeResultShape();
+DataShape RobotsResultShape();
+DataShape GaitsResultShape();
+DataShape TerrainsResultShape();
+DataShape ViewResultShape();
+DataShape RenderResultShape();
+DataShape LiveResultShape();
+DataShape BenchResultShape();
+DataShape OptionListShape();
+DataShape ReferenceResultShape();
 DataShape ErrorShape();
 
 /// `shape` with further members.

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the verbs print that show something or list it.
+#include "kinematics/model/robot_model.h"
+#include "workflows/formats/result_shapes_internal.h"
+
+namespace gaitwright {
+
+using namespace shapes;
+
+namespace {
+
+DataShape NumberOrNull() { return OrNull(Number()); }
+
+DataShape LegShape() {
+  const DataShape foot = Object({{"link", Text()},
+                                 {"type", Text(FootTypeNames())},
+                                 {"radius_m", Number(), "0 where the foot is no ball."},
+                                 {"sole_m", List(Numbers(2)), "Corners in the frame of the foot; empty for a point."},
+                                 {"derived_from", Text()}});
+  return Object({{"joints", List(Text()), "From the base to the foot."},
+                 {"length_m", Number()},
+                 {"mirror", OrNull(Text()), "The leg on the other side."},
+                 {"knee", OrNull(Text())},
+                 {"knee_side", OrNull(Text({"plus", "minus"})), "The sign of the angle that it bends to."},
+                 {"foot", foot}});
+}
+
+/// An object of a joint that turns, or of one that slides; null for what is not limited or not given.
+DataShape PerJoint(const std::vector<std::string>& turns, const std::vector<std::string>& slides) {
+  const auto keys = [](const std::vector<std::string>& names) {
+    DataShape object = Object({});
+    for (const std::string& name : names) object.members.push_back({name, NumberOrNull()});
+    return object;
+  };
+  return MapOf(Either(keys(turns), keys(slides)));
+}
+
+DataShape MotorShape() {
+  return Object({{"corner_speed", NumberOrNull(), "Up to it the motor has its full effort."},
+                 {"no_load_speed", NumberOrNull()},
+                 {"continuous_effort", NumberOrNull()},
+                 {"thermal_s", Number()},
+                 {"rotor_inertia", Number(), "Seen at the joint."},
+                 {"acceleration_limit", NumberOrNull()},
+                 {"jerk_limit", NumberOrNull()},
+                 {"damping", Number()},
+                 {"friction", Number()}});
+}
+
+DataShape SelfCollisionShape() {
+  const DataShape left_out = Object({{"links", List(Text(), 2, 2)}, {"reason", Text()}});
+  return Object({{"pairs", Whole(), "Of links that are looked at."}, {"left_out", List(left_out)}});
+}
+
+DataShape RobotShape() {
+  return Object(
+      {{"name", Text()},
+       {"description", Text()},
+       {"mass_kg", Number()},
+       {"motors", Whole()},
+       {"leg_length_m", Number()},
+       {"nominal_speed_m_s", Number()},
+       {"standing_base_height_m", Number()},
+       {"legs", MapOf(LegShape()), "By name."},
+       {"mirror_pairs", List(List(Text(), 2, 2))},
+       {"standing", MapOf(Number()), "The posture by joint, rad or m."},
+       {"limits", PerJoint({"lower_rad", "upper_rad", "velocity_rad_s", "effort_nm"},
+                           {"lower_m", "upper_m", "velocity_m_s", "effort_n"})},
+       {"gains", PerJoint({"stiffness_nm_rad", "damping_nm_s_rad"}, {"stiffness_n_m", "damping_n_s_m"})},
+       {"motor_limits", MapOf(MotorShape()), "By joint; rad, s, N m, kg m^2, of one that slides m, s, N, kg."},
+       {"notes", TextsShape(), "What was derived from the URDF, and how."},
+       {"hash", Text()},
+       {"self_collision", SelfCollisionShape()},
+       {"files", FilesShape({"page", "png"})}});
+}
+
+DataShape ParameterShape() {
+  return Object({{"key", Text()},
+                 {"value", Text(), "As it is set with --set."},
+                 {"unit", Text()},
+                 {"lowest", Number()},
+                 {"highest", Number()},
+                 {"meaning", Text()}});
+}
+
+DataShape ObstacleShape() {
+  return Object({{"name", Text()},
+                 {"type", Text()},
+                 {"position_m", Numbers(3)},
+                 Optional("size_m", Numbers(), "Edges of a box; radius and length of another shape."),
+                 Optional("vertices", Whole(), "The number of a mesh's points.")});
+}
+
+DataShape TerrainShape() {
+  const DataShape patch = Object({{"name", Text()},
+                                  {"origin_m", Numbers(3)},
+                                  {"normal", Numbers(3)},
+                                  {"outline_m", List(Numbers(3)), "Corners; none where it has no end."},
+                                  {"friction", Number()}});
+  const DataShape field = Object({{"name", Text()},
+                                  {"origin_m", Numbers(2)},
+                                  {"resolution_m", Number()},
+                                  {"columns", Whole()},
+                                  {"rows", Whole()},
+                                  {"lowest_m", Number()},
+                                  {"highest_m", Number()},
+                                  {"friction", Number()}});
+  return Object({{"name", Text()},
+                 {"description", Text()},
+                 {"robot", Text(), "Whose size it was made for."},
+                 {"parameters", List(ParameterShape())},
+                 {"patches", List(patch)},
+                 {"height_fields", List(field)},
+                 {"obstacles", List(ObstacleShape())},
+                 {"markers", List(Object({{"name", Text()}, {"position_m", Numbers(2)}}))},
+                 {"files", FilesShape({"picture"})}});
+}
+
+}  // namespace
+
+DataShape RobotsResultShape() {
+  const DataShape entry = Object({{"name", Text()}, {"legs", Whole()}, {"motors", Whole()}, {"mass_kg", Number()}});
+  return Either(Object({{"robots", List(entry), "Without `show`."}}), RobotShape());
+}
+
+DataShape GaitsResultShape() {
+  const DataShape gait =
+      Object({{"name", Text()},
+              {"feet", Whole()},
+              {"description", Text()},
+              {"cycle_s", OrNull(Number()), "null where it is worked out from the robot."},
+              {"cycle_per_leg_time", Number(), "Cycle over the time sqrt(leg length / g); 0 where cycle_s is given."},
+              {"stride_per_leg", OrNull(Number()), "Stride over leg length."},
+              {"phase", Numbers(), "Of the cycle, when each foot touches down."},
+              {"duty_factor", Numbers(), "Share of the cycle that each foot is on the ground."},
+              {"flight", Truth()}});
+  return Object({{"gaits", List(gait)}});
+}
+
+DataShape TerrainsResultShape() {
+  const DataShape entry = Object({{"name", Text()}, {"description", Text()}, {"parameters", List(Text())}});
+  return Either(Object({{"terrains", List(entry), "Without `show`."}}), TerrainShape());
+}
+
+DataShape ViewResultShape() {
+  return Object({{"shows", Text(), "The page's title."}, {"page_bytes", Whole()}, {"files", FilesShape({"page"})}});
+}
+
+DataShape RenderResultShape() {
+  return Object(
+      {{"files", FilesShape({"png", "gif", "mp4", "figure"})}, Optional("cycles", Number(), "That the figure has.")});
+}
+
+DataShape LiveResultShape() {
+  return Object({{"url", Text(), "Where the page is, printed once when it can be opened."}});
+}
+
+DataShape OptionListShape() {
+  const DataShape option = Object({{"key", Text()},
+                                   {"default", Text()},
+                                   {"unit", Text()},
+                                   {"accepted", Text(), "A range, or the words that there are."},
+                                   {"meaning", Text()}});
+  return Object({{"options", List(option)}});
+}
+
+DataShape ReferenceResultShape() {
+  const DataShape entry = Object({{"name", Text()}, {"title", Text()}});
+  return Either(Object({{"schemas", List(entry)}}),
+                Object({{"files", List(Text()), "Those that were written, with --out-dir."}}));
+}
+
+}  // namespace gaitwright
