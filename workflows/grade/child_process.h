@@ -48,8 +48,9 @@ inline constexpr unsigned kNobody = 65534;
 /// input and outputs are nothing. It is in a session of its own, has no other open files, starts no others (where it is
 /// confined), and ends with this object, or with this process.
 ///
-/// Whatever it does, no call here takes longer than the limits allow, or more memory than the longest answer. Time that it
-/// waits for a processor which others have is not held against it, so that marks do not depend on how busy a machine is.
+/// Whatever it does, no call here takes longer than the limits allow, or more memory than the longest answer. Time that
+/// it waits for a processor which others have is not held against it, so that marks do not depend on how busy a machine
+/// is.
 class ChildProcess {
  public:
   /// Failure `child`: it cannot be confined or started.

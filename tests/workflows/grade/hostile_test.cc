@@ -73,9 +73,7 @@ TEST_F(Hostile, LoopsForEver) {
   ExpectNothing(MarkBody("exec('while True: pass')", kSoon), {"more than 1 s of processor time"});
 }
 
-TEST_F(Hostile, Sleeps) {
-  ExpectNothing(MarkBody("time.sleep(1e6)", kSoon), {"it slept for 11 s in all"});
-}
+TEST_F(Hostile, Sleeps) { ExpectNothing(MarkBody("time.sleep(1e6)", kSoon), {"it slept for 11 s in all"}); }
 
 TEST_F(Hostile, TakesAllMemory) { ExpectNothing(MarkBody("bytearray(10 ** 10)"), {"MemoryError"}); }
 
