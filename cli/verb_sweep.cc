@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 
+#include "cli/helping_rank.h"
 #include "cli/interruptible.h"
 #include "cli/progress_bar.h"
 #include "cli/study_arguments.h"
@@ -146,27 +147,17 @@ void Print(const Arguments& a, const Study& study, const std::vector<PointOutcom
   }
 }
 
-/// What the other ranks of an MPI run do: they write and print nothing. What went wrong rank 0 tells.
-int Help(Arguments& a, SharedWork& work) {
-  const Undisturbed undisturbed;
-  std::string problem;
-  try {
-    const Result<SweepInputs> sweep = ReadAll(a);
-    if (sweep) {
-      ServeSweep(work, sweep->study, sweep->identity);
-      return kPass;
-    }
-    problem = sweep.failure().message;
-  } catch (const std::exception& error) {
-    problem = error.what();
-  }
-  work.Serve({.work = "", .problem = problem}, {});
-  return kPass;
+/// See HelpRank0.
+std::optional<Failure> Serve(Arguments& a, SharedWork& work) {
+  const Result<SweepInputs> sweep = ReadAll(a);
+  if (!sweep) return sweep.failure();
+  ServeSweep(work, sweep->study, sweep->identity);
+  return std::nullopt;
 }
 
 int Run(Arguments& a) {
   SharedWork work(Ranks::Join());
-  if (!work.ranks().leads()) return Help(a, work);
+  if (!work.ranks().leads()) return HelpRank0(work, [&] { return Serve(a, work); });
   CheckPathsOf(a);
   const Result<SweepInputs> sweep = ReadAll(a);
   if (!sweep) return Report(sweep.failure(), a.common);

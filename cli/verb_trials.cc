@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/helping_rank.h"
 #include "cli/interruptible.h"
 #include "cli/options_file.h"
 #include "cli/paths.h"
@@ -136,25 +137,17 @@ Result<TrialInputs> ReadAll(Arguments& a) {
   return TrialInputs{std::move(*plan), std::move(*model), std::move(*disturbances)};
 }
 
-/// What the other ranks of an MPI run do: they write and print nothing. What went wrong rank 0 tells.
-int Help(Arguments& a, SharedWork& work) {
-  const Undisturbed undisturbed;
-  std::string problem;
-  try {
-    const Result<TrialInputs> read = ReadAll(a);
-    if (read && !a.show) ServeTrials(work, {read->model, read->plan, a.play.request, read->disturbances}, a.trials);
-    if (read) return kPass;
-    problem = read.failure().message;
-  } catch (const std::exception& error) {
-    problem = error.what();
-  }
-  work.Serve({.work = "", .problem = problem}, {});
-  return kPass;
+/// See HelpRank0.
+std::optional<Failure> Serve(Arguments& a, SharedWork& work) {
+  const Result<TrialInputs> read = ReadAll(a);
+  if (!read) return read.failure();
+  if (!a.show) ServeTrials(work, {read->model, read->plan, a.play.request, read->disturbances}, a.trials);
+  return std::nullopt;
 }
 
 int Run(Arguments& a) {
   SharedWork work(Ranks::Join());
-  if (!work.ranks().leads()) return Help(a, work);
+  if (!work.ranks().leads()) return HelpRank0(work, [&] { return Serve(a, work); });
   CheckPathsOf(a);
   const Result<TrialInputs> read = ReadAll(a);
   if (!read) return Report(read.failure(), a.common);
