@@ -54,4 +54,21 @@ class Tables {
   mutable std::map<std::string, RowMatrix> tables_;
 };
 
+/// Forces of the ground as an array of rows, feet and axes (W), shared as the other tables are.
+/// @param wrenches_at  of a row: those of its feet, of all rows as many.
+template <class WrenchesAt>
+pybind11::array ForceTable(const Tables& tables, const pybind11::object& owner, std::size_t rows,
+                           const WrenchesAt& wrenches_at) {
+  const std::size_t feet = rows == 0 ? 0 : wrenches_at(0).size();
+  const pybind11::array flat = tables.Get(owner, "forces_n", [&] {
+    RowMatrix table(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(3 * feet));
+    for (std::size_t row = 0; row < rows; ++row)
+      for (std::size_t foot = 0; foot < feet; ++foot)
+        table.block<1, 3>(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(3 * foot)) =
+            wrenches_at(row)[foot].force_W.transpose();
+    return table;
+  });
+  return flat.attr("reshape")(rows, feet, 3);
+}
+
 }  // namespace gaitwright::python

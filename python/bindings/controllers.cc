@@ -106,6 +106,19 @@ Its arrays are views that are valid during the call: copy what is to be kept.)")
 
 }  // namespace
 
+void CheckInput(const RobotModel& model, const ControlInput& input) {
+  const auto check = [&](const char* what, const VectorX& values, int size) {
+    if (values.size() != size)
+      throw InvalidArgument(fmt::format("input.{} has {} numbers; '{}' has {}", what, values.size(), model.name, size));
+    if (!values.allFinite()) throw InvalidArgument(fmt::format("input.{} holds what is no finite number", what));
+  };
+  check("q", input.q, model.nq());
+  check("v", input.v, model.nv());
+  if (input.wrenches.size() != model.feet.size())
+    throw InvalidArgument(
+        fmt::format("input.forces_n is of {} feet; '{}' has {}", input.wrenches.size(), model.name, model.feet.size()));
+}
+
 void BindControllers(py::module_& module) {
   BindInput(module);
   py::class_<JointCommand>(module, "JointCommand", R"(What the motors shall do until the next call, by joint::

@@ -9,6 +9,9 @@
 
 namespace gaitwright::python {
 
+/// @throws InvalidArgument for an input whose sizes are not those of the robot, or that is not finite.
+void CheckInput(const RobotModel& model, const ControlInput& input);
+
 /// One of the program's own controllers for a plan, which it keeps alive.
 class OwnController : public Controller {
  public:
@@ -16,7 +19,11 @@ class OwnController : public Controller {
   OwnController(const std::shared_ptr<const Plan>& plan, const PlayRequest& request)
       : plan_(plan), controller_(MakeController(plan->model(), plan->motion(), request)) {}
 
-  JointCommand Update(const ControlInput& input) override { return controller_->Update(input); }
+  /// @throws InvalidArgument for an input that is not of the plan's robot.
+  JointCommand Update(const ControlInput& input) override {
+    CheckInput(plan_->model(), input);
+    return controller_->Update(input);
+  }
   void Reset() override { controller_->Reset(); }
   const BaseEstimate* Estimate() const override { return controller_->Estimate(); }
   std::string Name() const override { return controller_->Name(); }

@@ -41,20 +41,10 @@ py::array TimeOf(const py::object& self) {
   return plan.tables().GetColumn(self, "time_s", [&] { return Times(body.start_s, body.step_s, body.size()); });
 }
 
-/// Contact forces by row, foot and axis.
 py::array ForcesOf(const py::object& self) {
-  const Plan& plan = PlanIn(self);
-  const auto& rows = plan.motion().whole_body.wrenches;
-  const auto feet = static_cast<py::ssize_t>(rows.empty() ? 0 : rows.front().size());
-  const py::array flat = plan.tables().Get(self, "forces_n", [&] {
-    RowMatrix table(static_cast<Eigen::Index>(rows.size()), 3 * feet);
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      for (std::size_t foot = 0; foot < rows[k].size(); ++foot)
-        table.block<1, 3>(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(3 * foot)) =
-            rows[k][foot].force_W.transpose();
-    return table;
-  });
-  return flat.attr("reshape")(rows.size(), feet, 3);
+  const auto& wrenches = PlanIn(self).motion().whole_body.wrenches;
+  return ForceTable(
+      PlanIn(self).tables(), self, wrenches.size(), [&](std::size_t row) -> const auto& { return wrenches[row]; });
 }
 
 /// Tables of the centre of mass and the ZMP, on their own grid.

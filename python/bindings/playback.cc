@@ -101,16 +101,8 @@ py::array TimeOf(const py::object& self) {
 
 py::array ForcesOf(const py::object& self) {
   const std::vector<LogSample>& samples = In(self).log().samples;
-  const std::size_t feet = samples.empty() ? 0 : samples[0].wrenches.size();
-  const py::array flat = In(self).tables().Get(self, "forces_n", [&] {
-    RowMatrix table(static_cast<Eigen::Index>(samples.size()), static_cast<Eigen::Index>(3 * feet));
-    for (std::size_t k = 0; k < samples.size(); ++k)
-      for (std::size_t foot = 0; foot < feet; ++foot)
-        table.block<1, 3>(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(3 * foot)) =
-            samples[k].wrenches[foot].force_W.transpose();
-    return table;
-  });
-  return flat.attr("reshape")(samples.size(), feet, 3);
+  return ForceTable(
+      In(self).tables(), self, samples.size(), [&](std::size_t row) -> const auto& { return samples[row].wrenches; });
 }
 
 py::dict MetricsOf(const Playback& playback) {

@@ -96,6 +96,27 @@ def test_a_controller_can_be_asked_step_by_step(trot):
     assert not world.body_contacts
 
 
+def test_a_biped_is_asked_before_its_first_step(nao):
+    plan = gw.plan_walk(nao, steps=2, step_length=0.03)
+    world = gw.World(nao, plan.terrain, plan.q[0])
+    now = world.measured()
+    assert now.forces_n.tolist() == [[0.0] * 3] * 2 and now.contact == [False, False]
+    controller = gw.make_controller(plan)
+    world.step(controller.update(now))
+    assert sum(force[2] for force in world.forces_n) == pytest.approx(nao.weight_n, rel=0.3)
+
+
+def test_an_input_of_another_robot_is_refused(nao, trot):
+    controller = gw.make_controller(trot)
+    with pytest.raises(gw.BadInputError, match="input.q has .* numbers; 'a1' has 19"):
+        controller.update(gw.World(nao, gw.flat_terrain()).measured())
+    start = trot.at(0.0)
+    with pytest.raises(gw.BadInputError, match="input.forces_n is of 0 feet; 'a1' has 4"):
+        controller.update(gw.ControlInput(0.0, 0.001, start["q"], start["v"], np.zeros((0, 3)), []))
+    with pytest.raises(gw.BadInputError, match="finite"):
+        controller.update(gw.ControlInput(0.0, 0.001, start["q"] * np.nan, start["v"], np.zeros((4, 3)), [True] * 4))
+
+
 def steps_ahead(robot, terrain, goal):
     """Left and right in turn, 4 cm ahead each, to the goal."""
     left, right = robot.feet[:2]
