@@ -17,7 +17,7 @@ namespace gaitwright::bullet {
 class ContactReader {
  public:
   ContactReader(const RobotModel& model, const RobotBody& robot, Terrain terrain)
-      : model_(model), robot_(robot), terrain_(std::move(terrain)) {}
+      : model_(model), robot_(robot), terrain_(std::move(terrain)), feet_(model.feet.size()) {}
 
   /// @param before, after  kinematics at the step's start and end.
   void Read(btDispatcher& dispatcher, double step_s, const DynamicsScratch& before, const DynamicsScratch& after);

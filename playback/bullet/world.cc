@@ -9,6 +9,7 @@
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/joint_losses.h"
+#include "kinematics/model/unknown_motor.h"
 #include "planning/plan/sole_support.h"
 #include "playback/bullet/bounds_internal.h"
 #include "playback/bullet/condensed_solver_internal.h"
@@ -73,12 +74,18 @@ bullet::Drive DriveOf(const RobotModel& model, const WorldOptions& options, int 
   return {motor, options.motor_strength * model.dof_effort_limit(dof)};
 }
 
-/// Of the limit that way. A motor that can give nothing one way is at its limit when it is asked to push that way.
-double ShareOfLimit(double torque, const bullet::MotorRow::Target& target) {
+/// The most that a motor gives whose effort nothing limits; infinite for one that has a limit.
+double BoundOf(const RobotModel& model, int dof) {
+  return std::isfinite(model.dof_effort_limit(dof)) ? Motor::kNone : BoundsOfUnknownMotor(model, dof).effort;
+}
+
+/// Of the limit that way. A motor that can give nothing one way is at its limit when it is asked to push that way; one
+/// whose limit is not known has none to be at. @param bound  see BoundOf.
+double ShareOfLimit(double torque, const bullet::MotorRow::Target& target, double bound) {
   const double direction = torque != 0.0 ? torque : target.wanted;
   if (direction == 0.0) return 0.0;
   const double limit = direction > 0.0 ? target.limits.highest : -target.limits.lowest;
-  if (!std::isfinite(limit)) return 0.0;
+  if (limit >= bound) return 0.0;
   return std::abs(torque) >= limit * (1.0 - 1e-9) ? 1.0 : std::abs(torque) / limit;
 }
 
@@ -146,6 +153,7 @@ struct BulletWorld::Impl {
     for (int dof = 0; dof < model.num_dofs(); ++dof) {
       motors.push_back(nullptr);
       drives.push_back(DriveOf(model, options, dof));
+      bounds.push_back(BoundOf(model, dof));
       if (body.locked(dof)) continue;
       motors.back() = std::make_unique<bullet::MotorRow>(body, body.multibody(), dof, TraitsOf(model, options, dof));
       world.addMultiBodyConstraint(motors.back().get());
@@ -179,7 +187,9 @@ struct BulletWorld::Impl {
     for (int dof = 0; dof < model.num_dofs(); ++dof) {
       const auto d = static_cast<std::size_t>(dof);
       if (!motors[d]) continue;
-      const auto target = TargetOf(command, dof, drives[d].At(v[6 + dof]));
+      const bullet::EffortRange range = drives[d].At(v[6 + dof]);
+      const auto target =
+          TargetOf(command, dof, {std::max(range.lowest, -bounds[d]), std::min(range.highest, bounds[d])});
       motors[d]->SetTarget(target);
       feed_forward[dof] = options.torque_scale * target.tau_ff;
     }
@@ -191,7 +201,7 @@ struct BulletWorld::Impl {
       if (!motors[i]) continue;
       const double torque = motors[i]->Torque(options.step_s);
       tau[static_cast<Eigen::Index>(i)] = torque;
-      effort_use[static_cast<Eigen::Index>(i)] = ShareOfLimit(torque, motors[i]->target());
+      effort_use[static_cast<Eigen::Index>(i)] = ShareOfLimit(torque, motors[i]->target(), bounds[i]);
       drives[i].Warm(torque, options.step_s);
     }
   }
@@ -230,6 +240,7 @@ struct BulletWorld::Impl {
   btMultiBodyDynamicsWorld world;
   std::vector<std::unique_ptr<bullet::MotorRow>> motors;  ///< by dof; null where locked
   std::vector<bullet::Drive> drives;                      ///< by dof
+  std::vector<double> bounds;                             ///< by dof; see BoundOf
   std::vector<std::unique_ptr<bullet::GearRow>> gears;
   bullet::ContactReader reader;
   DynamicsScratch before, after;

@@ -3,9 +3,11 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/unknown_motor.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
@@ -21,6 +23,10 @@ LegTargets::LegTargets(const RobotModel& model) : model_(model), scratch_(model)
   for (std::vector<int>& dofs : dofs_) {
     std::erase_if(dofs, [&](int dof) { return users[static_cast<std::size_t>(dof)] > 1; });
     if (dofs.size() < 3 || dofs.size() > kMost) dofs.clear();
+  }
+  for (int dof = 0; dof < model.num_dofs(); ++dof) {
+    const double limit = model.dof_velocity_limit(dof);
+    fastest_.push_back(std::isfinite(limit) ? limit : BoundsOfUnknownMotor(model, dof).speed);
   }
 }
 
@@ -80,7 +86,7 @@ void LegTargets::SetRates(int leg, const Vector6& wanted, VectorX& v) const {
   for (const int dof : dofs) v[6 + dof] = 0.0;
   const Joints rate = LeastSquares(wanted - whole_ * v);
   for (std::size_t c = 0; c < dofs.size(); ++c) {
-    const double fastest = model_.dof_velocity_limit(dofs[c]);
+    const double fastest = fastest_[static_cast<std::size_t>(dofs[c])];
     v[6 + dofs[c]] = std::clamp(rate[static_cast<Eigen::Index>(c)], -fastest, fastest);
   }
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "kinematics/base/result.h"
+#include "kinematics/model/unknown_motor.h"
 #include "playback/bullet/play.h"
 #include "playback/control/joint_pd.h"
 #include "playback/log/log_json.h"
@@ -69,6 +70,26 @@ TEST_P(StabilisedTest, LeavesAnUndisturbedWalkAlmostAlone) {
   EXPECT_LT(difference.base, 0.01);
   EXPECT_LT(difference.joints, 0.2) << "a millimetre of height is much at an almost straight knee";
   EXPECT_GT(difference.joints, 0.0);
+}
+
+/// Of its motors nothing is known. Its straight stance leg asked for any speed and torque, and it flew away.
+TEST(StabilisedFall, StaysOneOfAMachineWhereMotorsAreUnknown) {
+  const RobotModel model = standing::Load("humanoid");
+  const MotionPlan plan = standing::Plan(model, 1.5);
+  PlayOptions options;
+  options.push_at_s = 0.2;
+  options.push_for_s = 0.2;
+  for (const Vector3& direction : {Vector3(0.0, 1.0, 0.0), Vector3(1.0, 0.0, 0.0), Vector3(-1.0, 0.0, 0.0)}) {
+    options.push_force_W = 1.5 * model.weight_n() * direction;
+    const PlaybackLog log = Play(model, plan, *MakeStabilised(model, plan, {}), options).value();
+    ASSERT_FALSE(Score(model, plan, log).pass);
+    for (const LogSample& sample : log.samples) {
+      ASSERT_LT(sample.q.z(), 1.5 * model.standing_base_height_m) << sample.time_s;
+      ASSERT_LT(sample.v.head<3>().norm(), 15.0) << sample.time_s;
+      for (int dof = 0; dof < model.num_dofs(); ++dof)
+        ASSERT_LE(std::abs(sample.tau[dof]), BoundsOfUnknownMotor(model, dof).effort * (1.0 + 1e-9)) << sample.time_s;
+    }
+  }
 }
 
 TEST_P(StabilisedTest, RecoversFromAPush) {
