@@ -23,7 +23,7 @@ using Keys = std::vector<std::string>;
 
 constexpr std::size_t kMostVertices = 10000;  // of an obstacle
 
-DataShape FrictionShape() { return shapes::Number(0.01, 5.0); }
+DataShape FrictionShape() { return shapes::Number(kLeastFriction, kMostFriction); }
 
 DataShape HeightShape() { return shapes::Number(-kHighest, kHighest); }
 

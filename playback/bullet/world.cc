@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/check_state.h"
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/unknown_motor.h"
 #include "planning/plan/sole_support.h"
@@ -28,6 +29,7 @@ WorldOptions Checked(const RobotModel& model, const VectorX& q, WorldOptions opt
     throw InvalidArgument(
         fmt::format("the first configuration of '{}' has {} numbers; {} are needed", model.name, q.size(), model.nq()));
   }
+  CheckState(model, q, VectorX::Zero(model.nv()));
   for (int dof : options.locked_dofs) {
     if (dof < 0 || dof >= model.num_dofs()) {
       throw InvalidArgument(fmt::format("locked joint {} does not exist; '{}' has joints 0 to {}", dof, model.name,
@@ -254,6 +256,7 @@ BulletWorld::BulletWorld(BulletWorld&&) noexcept = default;
 BulletWorld& BulletWorld::operator=(BulletWorld&&) noexcept = default;
 
 void BulletWorld::SetState(const VectorX& q, const VectorX& v) {
+  CheckState(impl_->model, q, v);
   impl_->body.SetState(q, v);
   impl_->Refresh();
 }
@@ -293,6 +296,7 @@ void BulletWorld::PushRobot(const Vector3& force_W) {
 }
 
 void BulletWorld::PushBody(int body, const Vector3& force_W) {
+  if (!force_W.allFinite()) throw InvalidArgument("a push is not finite");
   if (body == 0) return PushBase(force_W);
   impl_->body.multibody().addLinkForce(body - 1, bullet::ToBullet(force_W));
 }

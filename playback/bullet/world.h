@@ -37,13 +37,15 @@ class BulletWorld {
  public:
   /// @param q  first configuration, size nq; also where locked joints stay, and its x and y the start point of the
   /// ground.
-  /// @throws InvalidArgument for a wrong size, an option out of range or a locked dof that does not exist.
+  /// @throws InvalidArgument for a q that is none (CheckState), an option out of range or a locked dof that does not
+  /// exist.
   BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options);
   ~BulletWorld();
   BulletWorld(BulletWorld&&) noexcept;
   BulletWorld& operator=(BulletWorld&&) noexcept;
 
   /// Puts the robot there, sizes nq and nv; forces and contacts are those of the last step still.
+  /// @throws InvalidArgument as CheckState
   void SetState(const VectorX& q, const VectorX& v);
   const VectorX& q() const;
   const VectorX& v() const;
@@ -54,7 +56,8 @@ class BulletWorld {
   void PushBase(const Vector3& force_W);
   /// The same at the centre of mass of the whole robot.
   void PushRobot(const Vector3& force_W);
-  /// The same on a body (see RobotModel::bodies), at its own centre of mass.
+  /// The same on a body (see RobotModel::bodies), at its own centre of mass. @throws InvalidArgument for a force that
+  /// is not finite, as all pushes.
   void PushBody(int body, const Vector3& force_W);
 
   /// Adds a force at a point in W for the coming step, on a body.

@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "kinematics/model/check_state.h"
 #include "playback/control/gains.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/options.h"
@@ -107,16 +108,10 @@ Its arrays are views that are valid during the call: copy what is to be kept.)")
 }  // namespace
 
 void CheckInput(const RobotModel& model, const ControlInput& input) {
-  const auto check = [&](const char* what, const VectorX& values, int size) {
-    if (values.size() != size)
-      throw InvalidArgument(fmt::format("input.{} has {} numbers; '{}' has {}", what, values.size(), model.name, size));
-    if (!values.allFinite()) throw InvalidArgument(fmt::format("input.{} holds what is no finite number", what));
-  };
-  check("q", input.q, model.nq());
-  check("v", input.v, model.nv());
+  CheckState(model, input.q, input.v);
   if (input.wrenches.size() != model.feet.size())
     throw InvalidArgument(
-        fmt::format("input.forces_n is of {} feet; '{}' has {}", input.wrenches.size(), model.name, model.feet.size()));
+        fmt::format("forces_n is of {} feet; '{}' has {}", input.wrenches.size(), model.name, model.feet.size()));
 }
 
 void BindControllers(py::module_& module) {
@@ -142,10 +137,10 @@ a playback, and ``name(self)`` for logs and reports; without one it is called as
       .def("name", &Controller::Name);
   py::class_<OwnController, Controller, std::shared_ptr<OwnController>>(module, "OwnController",
                                                                         "A controller of the program's own.");
-  module.def("make_controller", MakeOwn, py::arg("plan"), py::arg("name") = "stabilised",
+  module.def("make_controller", MakeOwn, py::arg("plan").none(false), py::arg("name") = "stabilised",
              py::arg("options") = py::dict(),
              "One of CONTROLLERS for a plan, to be asked step by step or to be played with.");
-  module.def("derive_gains", GainsOf, py::arg("robot"), py::arg("options") = py::dict(),
+  module.def("derive_gains", GainsOf, py::arg("robot").none(false), py::arg("options") = py::dict(),
              "Stiffness and damping by joint, from the inertia that each has to command.");
   module.attr("CONTROLLERS") = ControllerNames();
 }

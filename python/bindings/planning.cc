@@ -84,11 +84,11 @@ SharedPlan Import(const SharedRobot& robot, const std::string& path, const std::
 }  // namespace
 
 void BindPlanning(py::module_& module) {
-  module.def("plan_walk", PlanAWalk, py::arg("robot"), py::kw_only(), py::arg("gait") = "", py::arg("terrain") = "flat",
-             py::arg("speed") = 0.0, py::arg("lateral_speed") = 0.0, py::arg("yaw_rate") = 0.0,
-             py::arg("distance") = py::none(), py::arg("duration") = py::none(), py::arg("goal") = py::none(),
-             py::arg("steps") = py::none(), py::arg("step_length") = py::none(), py::arg("sequence") = "",
-             py::arg("seed") = 0, py::arg("options") = py::dict(),
+  module.def("plan_walk", PlanAWalk, py::arg("robot").none(false), py::kw_only(), py::arg("gait") = "",
+             py::arg("terrain") = "flat", py::arg("speed") = 0.0, py::arg("lateral_speed") = 0.0,
+             py::arg("yaw_rate") = 0.0, py::arg("distance") = py::none(), py::arg("duration") = py::none(),
+             py::arg("goal") = py::none(), py::arg("steps") = py::none(), py::arg("step_length") = py::none(),
+             py::arg("sequence") = "", py::arg("seed") = 0, py::arg("options") = py::dict(),
              R"(Plans a walk and audits it; what fails its audit is not handed out.
 
 Args:
@@ -104,7 +104,7 @@ Args:
 Raises:
     BadInputError: an argument is wrong.
     InfeasibleError: no plan exists within the limits: what forbids it, and by how much.)");
-  module.def("plan_footsteps", PlanSteps, py::arg("robot"), py::arg("steps"), py::kw_only(),
+  module.def("plan_footsteps", PlanSteps, py::arg("robot").none(false), py::arg("steps"), py::kw_only(),
              py::arg("terrain") = "flat", py::arg("swing_s") = 0.5, py::arg("pause_s") = 0.1,
              py::arg("options") = py::dict(),
              R"(Plans a motion over footsteps of your own planner.
@@ -113,8 +113,8 @@ Args:
     steps: (foot, x, y, yaw) each, one after the other; the robot stands at the origin first and faces x. The place is
         that of the sole's middle, or of the contact point [m]; yaw is beyond that of standing [rad].
     swing_s, pause_s: time of a step, and on all feet after it [s].)");
-  module.def("import_motion", Import, py::arg("robot"), py::arg("path"), py::kw_only(), py::arg("terrain") = "flat",
-             py::arg("columns") = "", py::arg("options") = py::dict(),
+  module.def("import_motion", Import, py::arg("robot").none(false), py::arg("path"), py::kw_only(),
+             py::arg("terrain") = "flat", py::arg("columns") = "", py::arg("options") = py::dict(),
              "A plan of a motion that others made: CSV, joint trajectory of ROS, or footsteps (docs/import.md).");
 }
 

@@ -200,8 +200,8 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
         return fmt::format("<gaitwright.Playback {}: {}, score {:.1f}>", p.log().robot,
                            p.report().pass ? "pass" : "fail", p.report().score);
       });
-  module.def("play", Play, py::arg("plan"), py::arg("controller") = "stabilised", py::arg("push") = py::none(),
-             py::arg("on_phase") = nullptr, py::arg("options") = py::dict(),
+  module.def("play", Play, py::arg("plan").none(false), py::arg("controller") = "stabilised",
+             py::arg("push") = py::none(), py::arg("on_phase") = nullptr, py::arg("options") = py::dict(),
              R"(Plays a plan in physics and scores it.
 
 Args:
@@ -209,7 +209,7 @@ Args:
     push: (fx, fy, fz, at_s, for_s) on the base, in N and s.
     on_phase: called as on_phase(phase, at_s, met) when a phase of the plan ends, of motions that have such.
     options: as of ``gaitwright play --set``, such as ``{"play.friction": 0.6, "state": "estimated"}``.)");
-  module.def("load_log", LoadPlayback, py::arg("path"), py::arg("plan"),
+  module.def("load_log", LoadPlayback, py::arg("path"), py::arg("plan").none(false),
              "The log of a file, with the plan that it is of.");
 }
 

@@ -8,6 +8,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/ik/leg_ik.h"
+#include "kinematics/model/check_state.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/errors.h"
@@ -34,9 +35,7 @@ class RobotState {
 
   void Set(const VectorX& q, const std::optional<VectorX>& v) {
     const VectorX rates = v ? *v : VectorX(VectorX::Zero(robot_->nv()));
-    CheckSize("q", q, robot_->nq());
-    CheckSize("v", rates, robot_->nv());
-    if (q.segment<4>(3).norm() < 1e-9) throw InvalidArgument("the quaternion in q[3:7] is zero");
+    CheckState(*robot_, q, rates);
     q_ = q;
     v_ = rates;
     ForwardVelocities(*robot_, q_, v_, scratch_);
@@ -126,8 +125,9 @@ void BindRobotState(py::module_& module) {
   py::class_<RobotState>(module, "RobotState", R"(Kinematics and dynamics of a robot in a state.
 
 Everything is in world axes. A point is given in the axes of its link [m]; spatial vectors are linear, then angular.)")
-      .def(py::init<SharedRobot, const std::optional<VectorX>&, const std::optional<VectorX>&>(), py::arg("robot"),
-           py::arg("q") = py::none(), py::arg("v") = py::none(), "Without q the nominal posture; without v at rest.")
+      .def(py::init<SharedRobot, const std::optional<VectorX>&, const std::optional<VectorX>&>(),
+           py::arg("robot").none(false), py::arg("q") = py::none(), py::arg("v") = py::none(),
+           "Without q the nominal posture; without v at rest.")
       .def("set", &RobotState::Set, py::arg("q"), py::arg("v") = py::none(), "Another state; without v at rest.")
       .def_property_readonly("robot", &RobotState::robot)
       .def_property_readonly("q", &RobotState::q)
@@ -152,9 +152,9 @@ Everything is in world axes. A point is given in the axes of its link [m]; spati
            R"(Generalised forces, size nv, without those of contacts: tau = M a + h(q, v), gravity included.
 
 The first six are the wrench on the base: force, then moment about its origin. Without a: h.)");
-  module.def("leg_joints", LegJoints, py::arg("robot"), py::arg("foot"),
+  module.def("leg_joints", LegJoints, py::arg("robot").none(false), py::arg("foot"),
              "Names of the joints that move a foot, base first, in the order of `solve_leg`.");
-  module.def("solve_leg", SolveLeg, py::arg("robot"), py::arg("foot"), py::arg("pose_in_base"),
+  module.def("solve_leg", SolveLeg, py::arg("robot").none(false), py::arg("foot"), py::arg("pose_in_base"),
              py::arg("guess") = py::none(),
              R"(Joint positions that bring a foot to a pose in the base's frame, 4 x 4.
 

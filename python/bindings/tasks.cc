@@ -64,13 +64,14 @@ std::pair<std::shared_ptr<Plan>, std::vector<std::string>> PlanWhat(const Shared
 
 void BindTasks(py::module_& module) {
   module.def(
-      "understand", Understand, py::arg("robot"), py::arg("words"), py::kw_only(), py::arg("terrain") = "flat",
+      "understand", Understand, py::arg("robot").none(false), py::arg("words"), py::kw_only(),
+      py::arg("terrain") = "flat",
       R"(The task plan that an instruction in English or Chinese asks for, by the built-in grammar (docs/words.md).
 
 Raises:
     BadInputError: it is not understood, or this robot cannot do it: what it says instead.)");
-  module.def("plan_tasks", PlanWhat, py::arg("robot"), py::arg("what"), py::kw_only(), py::arg("terrain") = "flat",
-             py::arg("seed") = 0, py::arg("options") = py::dict(),
+  module.def("plan_tasks", PlanWhat, py::arg("robot").none(false), py::arg("what"), py::kw_only(),
+             py::arg("terrain") = "flat", py::arg("seed") = 0, py::arg("options") = py::dict(),
              R"(Plans one motion that does several things one after the other, and audits it.
 
 Args:

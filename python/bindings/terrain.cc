@@ -5,8 +5,10 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "kinematics/base/text.h"
 #include "planning/plan/built_in_terrain.h"
 #include "planning/plan/terrain_scale.h"
 #include "planning/terrain/load_terrain.h"
@@ -25,6 +27,23 @@ Terrain Load(const std::string& name_or_file, const SharedRobot& robot) {
   return Value(LoadTerrain(name_or_file, ScaleOf(*robot)));
 }
 
+constexpr double kFinest = 1e-4;  // between points of a height field [m]
+
+void CheckFriction(double friction) {
+  if (!(friction >= kLeastFriction && friction <= kMostFriction))
+    throw InvalidArgument(fmt::format("friction is {}; accepted: {} to {}", friction, kLeastFriction, kMostFriction));
+}
+
+void CheckPlace(double x_m, double y_m) {
+  if (!(std::max(std::abs(x_m), std::abs(y_m)) <= kFarthest))
+    throw InvalidArgument(fmt::format("({}, {}) is no place within {} m", x_m, y_m, kFarthest));
+}
+
+Terrain Flat(double friction) {
+  CheckFriction(friction);
+  return FlatTerrain(friction);
+}
+
 /// Ground by heights: rows of the array go along y, its columns along x.
 Terrain WithHeights(Terrain terrain, const Eigen::Ref<const RowMatrix>& height_m, double resolution_m, double x_m,
                     double y_m, double friction, const std::string& name) {
@@ -34,8 +53,10 @@ Terrain WithHeights(Terrain terrain, const Eigen::Ref<const RowMatrix>& height_m
                                       height_m.cols(), kMostNodes));
   if (!height_m.allFinite() || height_m.cwiseAbs().maxCoeff() > kHighest)
     throw InvalidArgument(fmt::format("height_m holds what is no height within {} m", kHighest));
-  if (!(resolution_m > 0.0) || !std::isfinite(x_m) || !std::isfinite(y_m) || !(friction > 0.0))
-    throw InvalidArgument("resolution_m and friction must be more than 0, x_m and y_m finite");
+  CheckPlace(x_m, y_m);
+  CheckFriction(friction);
+  if (!(resolution_m >= kFinest && resolution_m <= kFarthest))
+    throw InvalidArgument(fmt::format("resolution_m is {}; accepted: {} to {} m", resolution_m, kFinest, kFarthest));
   HeightField field;
   field.name = name;
   field.origin_W = Vector2(x_m, y_m);
@@ -50,16 +71,26 @@ Terrain WithHeights(Terrain terrain, const Eigen::Ref<const RowMatrix>& height_m
 }
 
 Terrain WithPatch(Terrain terrain, const std::vector<Vector3>& corners, double friction, const std::string& name) {
+  CheckFriction(friction);
+  for (const Vector3& corner : corners) {
+    CheckPlace(corner.x(), corner.y());
+    if (!(std::abs(corner.z()) <= kHighest))
+      throw InvalidArgument(
+          fmt::format("a corner is {} m high; accepted: -{} to {} m", corner.z(), kHighest, kHighest));
+  }
   terrain.patches.push_back(PatchThrough(name, corners, friction));
   return terrain;
 }
 
 Terrain WithMarker(Terrain terrain, const std::string& name, double x_m, double y_m) {
+  CheckPlace(x_m, y_m);
+  if (Trimmed(name).empty()) throw InvalidArgument("a marker needs a name");
   terrain.markers.push_back({name, Vector2(x_m, y_m)});
   return terrain;
 }
 
 py::dict Ground(const Terrain& terrain, double x_m, double y_m) {
+  CheckPlace(x_m, y_m);
   const GroundPoint ground = GroundAt(terrain, Vector2(x_m, y_m));
   py::dict point;
   point["surface"] = ground.patch < 0 ? py::object(py::none()) : py::object(py::int_(ground.patch));
@@ -73,6 +104,7 @@ RowMatrix Heights(const Terrain& terrain, const std::vector<double>& x_m, const 
   RowMatrix heights(static_cast<Eigen::Index>(y_m.size()), static_cast<Eigen::Index>(x_m.size()));
   for (Eigen::Index row = 0; row < heights.rows(); ++row) {
     for (Eigen::Index column = 0; column < heights.cols(); ++column) {
+      CheckPlace(x_m[static_cast<std::size_t>(column)], y_m[static_cast<std::size_t>(row)]);
       const Vector2 p(x_m[static_cast<std::size_t>(column)], y_m[static_cast<std::size_t>(row)]);
       const GroundPoint ground = GroundAt(terrain, p);
       heights(row, column) = ground.patch < 0 ? std::nan("") : ground.height_m;
@@ -131,11 +163,11 @@ A value: what adds to it gives another one. Where surfaces overlap the highest o
         return fmt::format("<gaitwright.Terrain {}: {} surfaces, {} obstacles>", t.name, t.num_surfaces(),
                            t.obstacles.size());
       });
-  module.def("load_terrain", Load, py::arg("name_or_file"), py::arg("robot"),
+  module.def("load_terrain", Load, py::arg("name_or_file"), py::arg("robot").none(false),
              R"(A ground as ``--terrain`` names it: ``"stairs:rise_m=0.05,count=2"``, or a file.
 
 What is not said has the size that suits the robot.)");
-  module.def("flat_terrain", FlatTerrain, py::arg("friction") = 0.8, "Level ground without end at height 0.");
+  module.def("flat_terrain", Flat, py::arg("friction") = 0.8, "Level ground without end at height 0.");
   module.def("terrain_kinds", Kinds, "Names of the grounds that come with the program, and what each is.");
 }
 

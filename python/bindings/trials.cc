@@ -126,9 +126,9 @@ void BindTrials(py::module_& module) {
         return fmt::format("<gaitwright.TrialsReport: {} of {} survived, {:.1f} to {:.1f} %>", r.survived, r.n,
                            100.0 * r.survival.low, 100.0 * r.survival.high);
       });
-  module.def("trials", Trials, py::arg("plan"), py::arg("n") = 100, py::kw_only(), py::arg("disturbances") = "standard",
-             py::arg("controller") = "stabilised", py::arg("seed") = 0, py::arg("threads") = 0,
-             py::arg("progress") = nullptr, py::arg("options") = py::dict(),
+  module.def("trials", Trials, py::arg("plan").none(false), py::arg("n") = 100, py::kw_only(),
+             py::arg("disturbances") = "standard", py::arg("controller") = "stabilised", py::arg("seed") = 0,
+             py::arg("threads") = 0, py::arg("progress") = nullptr, py::arg("options") = py::dict(),
              R"(Plays a plan many times under sampled disturbances: does it survive?
 
 Args:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "playback/bullet/world.h"
 
+#include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
@@ -23,6 +24,7 @@ class World {
       : robot_(std::move(robot)), options_(From(options)), world_(*robot_, terrain, Start(q), options_) {}
 
   void Step(const JointCommand& command, int steps) {
+    if (steps < 1) throw InvalidArgument(fmt::format("{} steps are asked for; 1 or more are taken", steps));
     for (int i = 0; i < steps; ++i) world_.Step(command);
     time_s_ += steps * options_.step_s;
   }
@@ -79,8 +81,8 @@ void BindWorld(py::module_& module) {
   py::class_<World>(module, "World", R"(A robot on a terrain in Bullet, step by step.
 
 The state is integrated semi-implicitly. Motors are implicit PD with feed-forward within their limits. Deterministic.)")
-      .def(py::init<SharedRobot, const Terrain&, const std::optional<VectorX>&, const py::dict&>(), py::arg("robot"),
-           py::arg("terrain"), py::arg("q") = py::none(), py::arg("options") = py::dict(),
+      .def(py::init<SharedRobot, const Terrain&, const std::optional<VectorX>&, const py::dict&>(),
+           py::arg("robot").none(false), py::arg("terrain"), py::arg("q") = py::none(), py::arg("options") = py::dict(),
            "Options as those of ``play --set`` without their ``play.``, such as step_s and friction.")
       .def("step", &World::Step, py::arg("command"), py::arg("steps") = 1, py::call_guard<py::gil_scoped_release>(),
            "So many steps with one command.")

@@ -108,10 +108,10 @@ def test_a_biped_is_asked_before_its_first_step(nao):
 
 def test_an_input_of_another_robot_is_refused(nao, trot):
     controller = gw.make_controller(trot)
-    with pytest.raises(gw.BadInputError, match="input.q has .* numbers; 'a1' has 19"):
+    with pytest.raises(gw.BadInputError, match="q has .* numbers; 'a1' needs 19"):
         controller.update(gw.World(nao, gw.flat_terrain()).measured())
     start = trot.at(0.0)
-    with pytest.raises(gw.BadInputError, match="input.forces_n is of 0 feet; 'a1' has 4"):
+    with pytest.raises(gw.BadInputError, match="forces_n is of 0 feet; 'a1' has 4"):
         controller.update(gw.ControlInput(0.0, 0.001, start["q"], start["v"], np.zeros((0, 3)), []))
     with pytest.raises(gw.BadInputError, match="finite"):
         controller.update(gw.ControlInput(0.0, 0.001, start["q"] * np.nan, start["v"], np.zeros((4, 3)), [True] * 4))
@@ -156,3 +156,25 @@ def test_steps_that_cannot_be_are_refused(nao):
         gw.plan_footsteps(nao, [])
     with pytest.raises(gw.GaitwrightError):
         gw.plan_footsteps(nao, [(nao.feet[0], 3.0, 0.05, 0.0)])
+
+
+def test_nothing_is_no_robot_and_no_plan(trot):
+    for call in (lambda: gw.RobotState(None), lambda: gw.play(None), lambda: gw.make_controller(None), lambda: gw.trials(None, 1),
+                 lambda: gw.audit(None), lambda: gw.plan_walk(None), lambda: gw.World(None, gw.flat_terrain()), lambda: gw.load_terrain("flat", None)):
+        with pytest.raises(TypeError):
+            call()
+
+
+def test_a_world_takes_states_and_pushes_that_can_be(a1):
+    with pytest.raises(gw.BadInputError, match="quaternion"):
+        gw.World(a1, gw.flat_terrain(), np.zeros(19))
+    world = gw.World(a1, gw.flat_terrain())
+    with pytest.raises(gw.BadInputError, match="q has 3 numbers; 'a1' needs 19"):
+        world.set_state(np.zeros(3), np.zeros(18))
+    with pytest.raises(gw.BadInputError, match="finite"):
+        world.set_state(np.full(19, np.nan), np.zeros(18))
+    for link in ("trunk", "FL_calf"):
+        with pytest.raises(gw.BadInputError, match="a push is not finite"):
+            world.push([0.0, 0.0, np.inf], link)
+    with pytest.raises(gw.BadInputError, match="-5 steps"):
+        world.step(gw.JointCommand(np.zeros(12)), -5)

@@ -121,3 +121,18 @@ def test_other_threads_go_on_while_it_plans(a1):
     stop.set()
     thread.join()
     assert while_it_planned > 20 * lasted_s
+
+
+def test_ground_that_cannot_be_is_refused():
+    with pytest.raises(gw.BadInputError, match="friction is -1"):
+        gw.flat_terrain(-1.0)
+    with pytest.raises(gw.BadInputError, match="resolution_m is 1e-300"):
+        gw.flat_terrain().with_heights(np.zeros((3, 3)), 1e-300)
+    with pytest.raises(gw.BadInputError, match="no place"):
+        gw.flat_terrain().with_marker("desk", np.nan, 0.0)
+    with pytest.raises(gw.BadInputError, match="needs a name"):
+        gw.flat_terrain().with_marker(" ", 0.0, 0.0)
+    with pytest.raises(gw.BadInputError, match="no place"):
+        gw.flat_terrain().ground_at(np.inf, 0.0)
+    with pytest.raises(gw.BadInputError, match="corner is 60 m high"):
+        gw.flat_terrain().with_patch([[0.0, 0.0, 60.0], [1.0, 0.0, 60.0], [1.0, 1.0, 60.0]])

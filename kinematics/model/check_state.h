@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// Checks a state that somebody gave (see RobotModel for its order).
+/// @throws InvalidArgument naming what is wrong: q or v of another size, a number that is not finite, a quaternion of
+/// length 0.
+void CheckState(const RobotModel& model, const VectorX& q, const VectorX& v);
+
+}  // namespace gaitwright
