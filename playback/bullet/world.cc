@@ -296,7 +296,6 @@ void BulletWorld::PushRobot(const Vector3& force_W) {
 }
 
 void BulletWorld::PushBody(int body, const Vector3& force_W) {
-  if (!force_W.allFinite()) throw InvalidArgument("a push is not finite");
   if (body == 0) return PushBase(force_W);
   impl_->body.multibody().addLinkForce(body - 1, bullet::ToBullet(force_W));
 }

@@ -56,8 +56,8 @@ class BulletWorld {
   void PushBase(const Vector3& force_W);
   /// The same at the centre of mass of the whole robot.
   void PushRobot(const Vector3& force_W);
-  /// The same on a body (see RobotModel::bodies), at its own centre of mass. @throws InvalidArgument for a force that
-  /// is not finite, as all pushes.
+  /// The same on a body (see RobotModel::bodies), at its own centre of mass, which for the base is where PushBase
+  /// acts.
   void PushBody(int body, const Vector3& force_W);
 
   /// Adds a force at a point in W for the coming step, on a body.

@@ -71,6 +71,7 @@ std::vector<bool> Touching(World& world) {
 }
 
 void PushLink(World& world, const Vector3& force, const std::string& link) {
+  if (!force.allFinite()) throw InvalidArgument("a push is not finite");
   const Frame& frame = world.model().frames[static_cast<std::size_t>(world.model().FrameIndex(link))];
   world.physics().PushBody(frame.body, force);
 }
