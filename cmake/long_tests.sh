@@ -62,7 +62,7 @@ sanitized_tests() {
 threaded_tests() {
   configure threads -DGAITWRIGHT_TESTS=ON
   build threads playback_tests workflows_tests examples_tests
-  TSAN_OPTIONS=halt_on_error=1 ctest_in threads -LE '^long$' \
+  TSAN_OPTIONS="halt_on_error=1 suppressions=$root/cmake/others_threads.txt" ctest_in threads -LE '^long$' \
     -R 'Trials|Sweep|Tune|Live|Session|Server|Jobs|Journal|SharedWork|Ranks|HardwareAdapter'
 }
 
