@@ -46,10 +46,14 @@ PartMark MadeClass::MarkCode(const std::string& part_yaml, const std::string& co
   return Mark(part_yaml, "ada", seed);
 }
 
-bool CanRunCode() {
+bool CanRunCode(bool package) {
   if (!WhyNotConfined().empty()) return false;
   const Result<PythonProgram> python = LookOver("");
-  return python.ok() && python->has_numpy && UnreadableForNobody(*python).empty();
+  const bool serves = python.ok() && python->has_numpy && !(package && python->package.empty());
+#ifdef GAITWRIGHT_TESTS_HAVE_PYTHON
+  EXPECT_TRUE(serves) << "this build has Python, but none of use is found";
+#endif
+  return serves && UnreadableForNobody(*python).empty();
 }
 
 int ProcessesWith(const std::string& word) {

@@ -34,8 +34,10 @@ class MadeClass : public testing::Test {
 /// The part that a rubric has first. @throws std::logic_error for a rubric that is refused.
 RubricPart PartOf(const std::string& part_yaml);
 
-/// Whether Python submissions can be run confined here; tests that need it are skipped where not.
-bool CanRunCode();
+/// Whether Python submissions can be run confined here, with `package` those that may use the Python package too. Tests
+/// that need it are skipped where the kernel cannot confine, or nobody may read this build; that a build with Python
+/// has no Python that serves is a failure of the test that asks.
+bool CanRunCode(bool package = false);
 
 /// Processes whose environment has that word, as far as one may see it.
 int ProcessesWith(const std::string& word);
