@@ -179,6 +179,25 @@ TEST_F(MarkCodeOfMotions, APlannerIsWalkedOver) {
   EXPECT_GT(half.checks[1].value.value_or(0.0), 0.03);
 }
 
+/// 12 cm are asked for; from 2 to 10 cm off, points fall off evenly.
+TEST_F(MarkCodeOfMotions, WhatGoesPartOfTheWayGetsItsShare) {
+  const std::string part =
+      "{name: steps, kind: planner, file: work.py, points: 3, robot: nao, command: {goal_x_m: 0.12}, "
+      "checks: [{measure: goal_error_m, points: 3, full_at: 0.02, none_at: 0.1}]}\n";
+  double fewer = 0.0;
+  for (const double share : {0.35, 0.5, 0.75}) {
+    SCOPED_TRACE(share);
+    const PartMark mark = MarkCode(part, Planner(share));
+    const double error_m = mark.checks.at(0).value.value_or(-1.0);
+    EXPECT_NEAR(error_m, 0.12 * (1.0 - share), 0.015);
+    EXPECT_NEAR(mark.points, 3.0 * (0.1 - error_m) / 0.08, 0.01);
+    EXPECT_GT(mark.points, fewer);
+    EXPECT_LT(mark.points, 3.0);
+    EXPECT_FALSE(mark.reasons.empty());
+    fewer = mark.points;
+  }
+}
+
 TEST_F(MarkCodeOfMotions, StepsThatAreNoneAreToldSo) {
   const auto gives = [&](const std::string& steps) {
     return MarkCode(kSteps, "def plan_steps(robot, terrain, goal):\n    return " + steps + "\n");
