@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "kinematics/base/result.h"
@@ -22,6 +24,19 @@ void CheckWritable(const std::string& what, const std::string& path, const std::
   if (!why_not.empty()) throw InvalidArgument(fmt::format("{} '{}' cannot be written: {}", what, path, why_not));
 }
 
+void CheckEnding(const NamedPath& output) {
+  static const std::vector<std::string> kOfFormats = {".avi", ".csv",  ".gif",  ".html", ".jpeg", ".jpg", ".json",
+                                                      ".mkv", ".mp4",  ".npy",  ".npz",  ".pdf",  ".png", ".svg",
+                                                      ".txt", ".urdf", ".webm", ".xml",  ".yaml"};
+  const std::string written = EndingOf(output.path), ending = written == ".yml" ? ".yaml" : written;
+  const auto has = [&](const std::vector<std::string>& endings) {
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+  };
+  if (output.endings.empty() || has(output.endings) || !has(kOfFormats)) return;
+  throw InvalidArgument(fmt::format("{} '{}' ends in '{}'; {} is written", output.name, output.path, written,
+                                    fmt::join(output.endings, " or ")));
+}
+
 void CheckOutput(const NamedPath& output, const Paths& paths) {
   CheckWritable(output.name, output.path, WhyNotWritable(output.path));
   for (const NamedPath& input : paths.read) {
@@ -29,6 +44,7 @@ void CheckOutput(const NamedPath& output, const Paths& paths) {
     throw InvalidArgument(fmt::format("{} '{}' would be written over {} '{}', which is read: name another file",
                                       output.name, output.path, input.name, input.path));
   }
+  CheckEnding(output);
 }
 
 /// Plots have names of their own, all of which end in .svg.
@@ -45,6 +61,12 @@ void CheckPlots(const Paths& paths) {
 }
 
 }  // namespace
+
+std::string EndingOf(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
 
 void Paths::AddRobotAndGait(const std::string& urdf, const std::string& gait) {
   if (!urdf.empty()) {

@@ -9,7 +9,11 @@ namespace gaitwright::cli {
 /// A file of a command line and what it is there: its flag, or words such as "the log".
 struct NamedPath {
   std::string name, path;
+  std::vector<std::string> endings = {};  ///< of a file that is written: those of its format, ".csv"; none: any
 };
+
+/// The ending of a path in small letters, as ".svg".
+std::string EndingOf(const std::string& path);
 
 /// The files that a verb reads and writes. Paths that are empty are none.
 struct Paths {
@@ -25,7 +29,9 @@ struct Paths {
 };
 
 /// Sees to it that what is written can be, as far as that is seen without making anything, and that nothing is written
-/// over what is read, nor twice to one file; by `./` or links too. Call it before the work is done.
+/// over what is read, nor twice to one file; by `./` or links too. A name with the ending of another format is refused,
+/// since people and programs go by it; other endings, such as ".bak" or ".3", say nothing. Call it before the work is
+/// done.
 /// @throws InvalidArgument naming what is wrong: the flag, the path and why, or both of two.
 void CheckPaths(const Paths& paths);
 

@@ -51,7 +51,7 @@ void CheckFlags(const Arguments& a) {
       throw InvalidArgument(fmt::format("{} is for --preflight; add that, or leave it out", option->get_name()));
   }
   CheckPaths({{{"the plan", a.plan}, {"--start-posture", a.start}, {"--trials-result", a.trials}},
-              {{"--approach", a.approach}, {"--report", a.report}},
+              {{"--approach", a.approach, {".json"}}, {"--report", a.report, {".html"}}},
               ""});
 }
 

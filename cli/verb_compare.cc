@@ -31,7 +31,7 @@ void CheckPathsOf(const Arguments& a) {
                {"--plan", files.robot.plan},
                {"--columns", files.columns},
                {"--columns-b", files.columns_b}},
-              {{"--report", a.report}},
+              {{"--report", a.report, {".html"}}},
               ""};
   paths.AddRobotAndGait(files.robot.urdf, "");
   CheckPaths(paths);

@@ -44,9 +44,9 @@ void Check(const Arguments& a) {
         fmt::format("--interpreter-timeout {} is out of its range: 0.1 to 3600 s", a.interpreter.longest_s));
   if (a.asks_model() && a.text.empty()) throw InvalidArgument("--interpreter goes with TEXT, not with --task-plan");
   Paths paths{{{"--task-plan", a.task_file}},
-              {{"the plan of --out-dir", a.outputs.PathOf(a.outputs.plan)},
-               {"the log of --out-dir", a.outputs.PathOf(a.outputs.log)},
-               {"the report of --out-dir", a.outputs.PathOf(a.outputs.report)}},
+              {{"the plan of --out-dir", a.outputs.PathOf(a.outputs.plan), {".json"}},
+               {"the log of --out-dir", a.outputs.PathOf(a.outputs.log), {".json"}},
+               {"the report of --out-dir", a.outputs.PathOf(a.outputs.report), {".html"}}},
               a.outputs.plot_folder};
   paths.AddRobotAndGait(a.urdf, "");
   paths.AddTerrain(a.terrain);

@@ -41,7 +41,8 @@ std::string UsualOut(ExportFormat format) {
 void CheckPathsOf(const Arguments& a, ExportFormat format) {
   const bool plots = format == ExportFormat::kSvg;
   const std::string file = plots ? (std::filesystem::path(a.out) / "top_view.svg").string() : a.out;
-  Paths paths{{{"the motion", a.motion}, {"--plan", a.robot.plan}}, {{"--out", file}}, ""};
+  const std::string ending = EndingOf(plots ? file : UsualOut(format));
+  Paths paths{{{"the motion", a.motion}, {"--plan", a.robot.plan}}, {{"--out", file, {ending}}}, ""};
   paths.AddRobotAndGait(a.robot.urdf, "");
   CheckPaths(paths);
 }

@@ -59,7 +59,8 @@ int Run(Arguments& a) {
     const std::vector<double> pose = ParseNumbers("--goal", a.goal, 3);
     a.request.goal = PlanarPose{pose[0], pose[1], pose[2]};
   }
-  Paths paths{{{"the motion", a.request.file}, {"--columns", a.request.columns_file}}, {{"the plan", a.out}}, ""};
+  Paths paths{
+      {{"the motion", a.request.file}, {"--columns", a.request.columns_file}}, {{"the plan", a.out, {".json"}}}, ""};
   paths.AddRobotAndGait(a.urdf, "");
   paths.AddTerrain(a.request.terrain);
   CheckPaths(paths);

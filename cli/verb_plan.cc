@@ -59,7 +59,7 @@ int Run(Arguments& a) {
   ApplySets("--set", a.common.sets, a.walk.request.Fields());
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   const std::string path = a.folder.empty() ? a.out : (std::filesystem::path(a.folder) / "plan.json").string();
-  Paths paths{{}, {{a.folder.empty() ? "--out" : "the plan of --out-dir", path}}, ""};
+  Paths paths{{}, {{a.folder.empty() ? "--out" : "the plan of --out-dir", path, {".json"}}}, ""};
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);

@@ -38,8 +38,9 @@ int Run(Arguments& a) {
   ApplySets("--set", a.common.sets, a.play.request.Fields());
   a.play.Finish();
   if (a.disturbances.file.empty()) a.play.CheckActs(a.common.sets);
-  Paths paths{
-      {{"the plan", a.plan}}, {{"--log", a.outputs.log}, {"--report", a.outputs.report}}, a.outputs.plot_folder};
+  Paths paths{{{"the plan", a.plan}},
+              {{"--log", a.outputs.log, {".json"}}, {"--report", a.outputs.report, {".html"}}},
+              a.outputs.plot_folder};
   a.disturbances.AddPathTo(paths);
   a.options.AddPathTo(paths);
   CheckPaths(paths);

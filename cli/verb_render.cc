@@ -34,33 +34,20 @@ struct Arguments {
   bool wants_page() const { return !png.empty() || !gif.empty() || !mp4.empty(); }
 };
 
-/// In small letters, as ".svg".
-std::string EndingOf(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
-}
-
-/// A file that is named says by its ending what others take it for.
-void CheckEnding(const char* flag, const std::string& path, const std::vector<std::string>& endings) {
-  const std::string ending = EndingOf(path);
-  if (path.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
-  throw InvalidArgument(
-      fmt::format("{} '{}' ends in '{}'; {} is written", flag, path, ending, fmt::join(endings, " or ")));
-}
-
 void Check(const Arguments& a) {
   CheckPaths({{{"the motion", a.motion}, {"--plan", a.plan}},
-              {{"--png", a.png}, {"--gif", a.gif}, {"--mp4", a.mp4}, {"--figure", a.figure}},
+              {{"--png", a.png, {".png"}},
+               {"--gif", a.gif, {".gif"}},
+               {"--mp4", a.mp4, {".mp4"}},
+               {"--figure", a.figure, {".svg", ".pdf"}}},
               ""});
   if (!a.wants_page() && a.figure.empty())
     throw InvalidArgument("nothing to render is named: --png, --gif, --mp4 or --figure, each with a file");
   if (a.wants_page() && !HasViewer())
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which makes pictures");
-  CheckEnding("--png", a.png, {".png"});
-  CheckEnding("--gif", a.gif, {".gif"});
-  CheckEnding("--mp4", a.mp4, {".mp4"});
-  CheckEnding("--figure", a.figure, {".svg", ".pdf"});
+  if (const std::string ending = EndingOf(a.figure); !a.figure.empty() && ending != ".svg" && ending != ".pdf")
+    throw InvalidArgument(
+        fmt::format("--figure '{}' ends in '{}'; that is to say which is written: .svg or .pdf", a.figure, ending));
 }
 
 /// Nothing that is said is passed over: a flag of pictures or figures that are not made is refused.

@@ -86,7 +86,7 @@ std::optional<Failure> Draw(const RobotModel& model, const Arguments& a, const s
   if (a.png.empty() && a.page.empty()) return std::nullopt;
   if (!HasViewer())
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which draws robots");
-  CheckPaths({{}, {{"--png", a.png}, {"--page", a.page}}, ""});
+  CheckPaths({{}, {{"--png", a.png, {".png"}}, {"--page", a.page, {".html"}}}, ""});
   const Result<std::vector<OutputFile>> files = Drawn(model, a, folder);
   if (!files) return files.failure();
   const auto written = WriteFilesTogether(*files);

@@ -46,8 +46,11 @@ std::vector<std::string> MetricsOf(const std::string& text) {
 /// Of the one process that writes: where the others of an MPI run are, the folders may not be.
 void CheckPathsOf(const Arguments& a) {
   Paths paths = a.study.PathsToRead();
-  paths.written = {
-      {"--out", a.out}, {"--report", a.report}, {"--map", a.map}, {"--best", a.best}, {"the sweep so far", a.SoFar()}};
+  paths.written = {{"--out", a.out, {".csv"}},
+                   {"--report", a.report, {".html"}},
+                   {"--map", a.map, {".svg"}},
+                   {"--best", a.best, {".json"}},
+                   {"the sweep so far", a.SoFar()}};
   CheckPaths(paths);
 }
 

@@ -194,7 +194,7 @@ int Show(const Arguments& a) {
   Paths paths;
   paths.AddRobotAndGait(a.urdf, "");
   paths.AddTerrain(a.terrain);
-  paths.written = {{"--picture", a.picture}};
+  paths.written = {{"--picture", a.picture, {".svg"}}};
   CheckPaths(paths);
   const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
   if (!model) return Report(model.failure(), a.common);

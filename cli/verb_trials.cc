@@ -101,7 +101,8 @@ Result<TrialRun> RunWithBar(const Arguments& a, const TrialStudy& study, SharedW
 /// Of the one process that writes: where the others of an MPI run are, the folders may not be.
 void CheckPathsOf(const Arguments& a) {
   Paths paths{{{"the plan", a.plan}}, {}, ""};
-  if (!a.show) paths.written = {{"--out", a.out}, {"--report", a.report}, {"the run so far", a.SoFar()}};
+  if (!a.show)
+    paths.written = {{"--out", a.out, {".json"}}, {"--report", a.report, {".html"}}, {"the run so far", a.SoFar()}};
   a.disturbances.AddPathTo(paths);
   a.options.AddPathTo(paths);
   CheckPaths(paths);

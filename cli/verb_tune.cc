@@ -23,7 +23,10 @@ struct Arguments {
 
 void CheckPathsOf(const Arguments& a) {
   Paths paths = a.study.PathsToRead();
-  paths.written = {{"--out", a.out}, {"--result", a.result}, {"--report", a.report}, {"the tuning so far", a.SoFar()}};
+  paths.written = {{"--out", a.out, {".yaml"}},
+                   {"--result", a.result, {".json"}},
+                   {"--report", a.report, {".html"}},
+                   {"the tuning so far", a.SoFar()}};
   CheckPaths(paths);
 }
 

@@ -32,7 +32,9 @@ void Print(const Arguments& a, const std::string& title, std::size_t bytes) {
 
 int Run(const Arguments& a) {
   ApplySets("--set", a.common.sets, {});
-  CheckPaths({{{"the motion", a.motion}, {"the second motion", a.beside}, {"--plan", a.plan}}, {{"--out", a.out}}, ""});
+  CheckPaths({{{"the motion", a.motion}, {"the second motion", a.beside}, {"--plan", a.plan}},
+              {{"--out", a.out, {".html"}}},
+              ""});
   if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
   std::vector<MotionToShow> motions;
   for (const std::string& path : {a.motion, a.beside}) {

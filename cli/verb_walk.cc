@@ -21,9 +21,9 @@ struct Arguments {
 void CheckPathsOf(const Arguments& a) {
   const Outputs& out = a.outputs;
   Paths paths{{},
-              {{"the plan of --out-dir", out.PathOf(out.plan)},
-               {"the log of --out-dir", out.PathOf(out.log)},
-               {"the report of --out-dir", out.PathOf(out.report)}},
+              {{"the plan of --out-dir", out.PathOf(out.plan), {".json"}},
+               {"the log of --out-dir", out.PathOf(out.log), {".json"}},
+               {"the report of --out-dir", out.PathOf(out.report), {".html"}}},
               out.plot_folder};
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);

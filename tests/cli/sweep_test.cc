@@ -48,6 +48,16 @@ TEST_F(Sweep, GivesItsObjectAndWritesItsFiles) {
   EXPECT_EQ(played.at("score"), json.at("best").at("score"));
 }
 
+TEST_F(Sweep, RefusesNamesThatSayAnotherFormat) {
+  ExpectRefused(Run(Grid({"--out", "map.json"})), 1, {"--out 'map.json' ends in '.json'", ".csv is written"});
+  ExpectRefused(Run(Grid({"--best", "best.YML"})), 1, {"--best 'best.YML'", "'.yml'", ".json is written"});
+  EXPECT_EQ(Found(), std::vector<std::string>()) << "before anything is done";
+  ASSERT_EQ(Run({"sweep", "--gait", "trot", "--distance", "0.3", "--over", "speed=0.3,0.4", "--out", "v0.4", "--quiet"})
+                .status,
+            0);
+  EXPECT_EQ(Found(), std::vector<std::string>({"v0.4"})) << "a number is no ending";
+}
+
 TEST_F(Sweep, ThreadsAndBeingKilledChangeNotAByte) {
   const std::vector<std::string> more = {"--trials", "2", "--json"};
   const auto with = [&](std::vector<std::string> also) {
