@@ -66,8 +66,9 @@ SvgPlot OverTime(const MotionSeries& series, int axis) {
 std::string GaitFigure(const RobotModel& model, const MotionPlan& plan, const PlaybackLog* log,
                        const GaitFigureOptions& options) {
   const Window window = WindowOf(plan, options);
-  const MotionSeries series = Within(
-      log == nullptr ? MakePlannedSeries(model, plan, kRateHz, {}) : MakeMotionSeries(model, plan, *log, {}), window);
+  const MotionSeries series = Within(log == nullptr ? MakePlannedSeries(model, plan, kRateHz, {})
+                                                    : MakeMotionSeries(model, plan, *log, ScoreOptionsOf(*log)),
+                                     window);
   if (series.planned.size() < 2) {
     throw InvalidArgument(
         fmt::format("the figure is of {:.3f} to {:.3f} s, and the motion lasts from {:.3f} to {:.3f} s", window.from_s,

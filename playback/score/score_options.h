@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinematics/base/options.h"
+#include "playback/log/playback_log.h"
 
 namespace gaitwright {
 
@@ -28,5 +29,8 @@ struct ScoreOptions {
              "Share of a leg's straight length that a recovery step may use; sets the one-step capturable set."}};
   }
 };
+
+/// Those that a log was scored with when it was played, so far as it has any; else the defaults.
+ScoreOptions ScoreOptionsOf(const PlaybackLog& log);
 
 }  // namespace gaitwright

@@ -119,14 +119,7 @@ StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const Pla
 }
 
 StabilityReport Score(const RobotModel& model, const MotionPlan& plan, const PlaybackLog& log) {
-  ScoreOptions options;
-  OptionFields fields = Prefixed("score", options.Fields());
-  for (const auto& [key, text] : log.options) {
-    const bool known =
-        std::any_of(fields.begin(), fields.end(), [&key = key](const OptionField& f) { return f.key == key; });
-    if (known) SetOption(fields, key, text);
-  }
-  return Score(model, plan, log, options);
+  return Score(model, plan, log, ScoreOptionsOf(log));
 }
 
 }  // namespace gaitwright

@@ -56,7 +56,7 @@ Json VerdictScene(const ShownMotion& shown) {
 }
 
 MotionSeries SeriesOf(const ShownMotion& shown) {
-  if (shown.log != nullptr) return MakeMotionSeries(shown.model, shown.plan, *shown.log, {});
+  if (shown.log != nullptr) return MakeMotionSeries(shown.model, shown.plan, *shown.log, ScoreOptionsOf(*shown.log));
   return MakePlannedSeries(shown.model, shown.plan, kSceneRateHz, {});
 }
 

@@ -157,11 +157,21 @@ void BindMetric(py::module_& module) {
 
 }  // namespace
 
+const MotionSeries& Playback::series() const {
+  if (!series_)
+    series_ = std::make_shared<const MotionSeries>(
+        MakeMotionSeries(plan().model(), plan().motion(), log(), ScoreOptionsOf(log())));
+  return *series_;
+}
+
 void BindPlayback(py::module_& module) {
   BindMetric(module);
-  py::class_<Playback>(module, "Playback", R"(What was measured when a plan was played, and what that is worth.
+  py::class_<Playback> playback(module, "Playback",
+                                R"(What was measured when a plan was played, and what that is worth.
 
-It never changes. Arrays of it are shared, not copied, and cannot be written to.)")
+It never changes. Arrays of it are shared, not copied, and cannot be written to.)");
+  BindBalance(playback);
+  playback
       .def_property_readonly("plan", [](const Playback& p) { return std::const_pointer_cast<Plan>(p.shared_plan()); })
       .def_property_readonly("time_s", TimeOf, "Of the samples, N.")
       .def_property_readonly(

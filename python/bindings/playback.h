@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "playback/score/motion_series.h"
 #include "python/bindings/plan.h"
 #include "workflows/walk/walk.h"
 
@@ -21,11 +22,17 @@ class Playback {
   const StabilityReport& report() const { return played_->report; }
   const PlayedWalk& played() const { return *played_; }
   const Tables& tables() const { return tables_; }
+  /// Made when it is first asked for, with the options of the score.
+  const MotionSeries& series() const;
 
  private:
   std::shared_ptr<const Plan> plan_;
   std::shared_ptr<const PlayedWalk> played_;
   Tables tables_;
+  mutable std::shared_ptr<const MotionSeries> series_;
 };
+
+/// Balance, feet and contacts of the samples.
+void BindBalance(pybind11::class_<Playback>& playback);
 
 }  // namespace gaitwright::python

@@ -13,11 +13,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-PLANNED, MEASURED = "#8a9aa8", "#0072b2"
+PLANNED, MEASURED, SUPPORT = "#8a9aa8", "#0072b2", "#f0e442"
+OF_PLAN = [["above", "height"], ["contact", "torque"]]
+OF_PLAYBACK = [["above", "above"], ["margin", "contact"], ["height", "torque"]]
 
 
 def plot(what: Plan | Playback) -> Figure:
-    """From above, height of the base, contacts and torques; of a playback planned and measured.
+    """From above, contacts, height of the base and torques; of a playback planned and measured, and how far the ZMP is inside.
 
     Raises:
         ImportError: matplotlib is not installed.
@@ -28,16 +30,20 @@ def plot(what: Plan | Playback) -> Figure:
         raise ImportError("plots need matplotlib (Debian: python3-matplotlib, or pip install matplotlib)") from error
     plan = what.plan if isinstance(what, Playback) else what
     played = what if isinstance(what, Playback) else None
-    figure, ((above, height), (contact, torque)) = pyplot.subplots(2, 2, figsize=(11, 7), layout="constrained")
-    _plot_above(above, plan, played)
-    _plot_height(height, plan, played)
-    _plot_contact(contact, plan, played)
-    _plot_torque(torque, plan, played)
+    figure, axes = pyplot.subplot_mosaic(OF_PLAYBACK if played else OF_PLAN, figsize=(11, 8), layout="constrained")
+    _plot_above(axes["above"], plan, played)
+    _plot_contact(axes["contact"], plan, played)
+    _plot_height(axes["height"], plan, played)
+    _plot_torque(axes["torque"], plan, played)
+    if played:
+        _plot_margin(axes["margin"], played)
     figure.suptitle(repr(what)[1:-1].removeprefix("gaitwright."))
     return figure
 
 
 def _plot_above(axes: Axes, plan: Plan, played: Playback | None) -> None:
+    for corners in _supports(played) if played else ():
+        axes.fill(*corners.T, facecolor=SUPPORT, edgecolor=PLANNED, alpha=0.12, linewidth=0.8)
     for i, foot in enumerate(plan.robot.feet):
         places = np.array([step["pose"][:2, 3] for step in plan.footholds if step["foot"] == foot])
         if len(places):
@@ -45,9 +51,23 @@ def _plot_above(axes: Axes, plan: Plan, played: Playback | None) -> None:
     axes.plot(*plan.zmp_m.T, color=PLANNED, linewidth=0.8, label="ZMP planned")
     axes.plot(*plan.centre_of_mass_m[:, :2].T, color="black", linewidth=1.2, label="centre of mass planned")
     if played:
-        axes.plot(*played.q[:, :2].T, color=MEASURED, linewidth=1.2, label="base measured")
+        axes.plot(*played.zmp_m.T, color=MEASURED, linewidth=0.5, alpha=0.7, label="ZMP measured")
+        axes.plot(*played.centre_of_mass_m[:, :2].T, color=MEASURED, linewidth=1.2, label="centre of mass measured")
     axes.set(title="From above", xlabel="x [m]", ylabel="y [m]", aspect="equal", adjustable="datalim")
-    axes.legend(fontsize="x-small")
+    axes.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.0, 1.0))
+
+
+def _supports(played: Playback) -> list[np.ndarray]:
+    """One support polygon for each set of feet that stands, as it is in the middle of that time."""
+    changes = np.flatnonzero(np.any(np.diff(played.contact, axis=0), axis=1)) + 1
+    spans = zip(np.r_[0, changes], np.r_[changes, len(played.contact)])
+    return [corners for begin, end in spans if len(corners := played.support(int(begin + end) // 2))]
+
+
+def _plot_margin(axes: Axes, played: Playback) -> None:
+    axes.axhline(0.0, color="black", linewidth=0.8)
+    axes.plot(played.time_s, 1000.0 * played.zmp_margin_m, color=MEASURED, linewidth=0.9)
+    axes.set(title="ZMP inside of the support polygon", xlabel="time [s]", ylabel="distance to its edge [mm]")
 
 
 def _plot_height(axes: Axes, plan: Plan, played: Playback | None) -> None:
@@ -60,8 +80,7 @@ def _plot_contact(axes: Axes, plan: Plan, played: Playback | None) -> None:
     for i in range(len(feet)):
         axes.fill_between(plan.time_s, i - 0.35, i + 0.35, where=plan.contact[:, i], color=PLANNED, alpha=0.5, linewidth=0)
         if played:
-            touching = np.linalg.norm(played.forces_n[:, i], axis=1) > 0.0
-            axes.fill_between(played.time_s, i - 0.2, i + 0.2, where=touching, color=MEASURED, linewidth=0)
+            axes.fill_between(played.time_s, i - 0.2, i + 0.2, where=played.contact[:, i], color=MEASURED, linewidth=0)
     axes.set(title="Contacts", xlabel="time [s]", yticks=range(len(feet)), yticklabels=feet)
 
 
