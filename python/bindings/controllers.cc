@@ -135,8 +135,8 @@ a playback, and ``name(self)`` for logs and reports; without one it is called as
       .def("update", &Controller::Update, py::arg("input"))
       .def("reset", &Controller::Reset)
       .def("name", &Controller::Name);
-  py::class_<OwnController, Controller, std::shared_ptr<OwnController>>(module, "OwnController",
-                                                                        "A controller of the program's own.");
+  const py::class_<OwnController, Controller, std::shared_ptr<OwnController>> own(module, "OwnController",
+                                                                                  "A controller of the program's own.");
   module.def("make_controller", MakeOwn, py::arg("plan").none(false), py::arg("name") = "stabilised",
              py::arg("options") = py::dict(),
              "One of CONTROLLERS for a plan, to be asked step by step or to be played with.");

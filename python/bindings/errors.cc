@@ -22,6 +22,7 @@ void Raise(const Failure& failure) {
 }  // namespace
 
 void BindErrors(py::module_&) {
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 takes a function of just this type
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -94,8 +94,8 @@ double LargestDifference(const std::vector<double>& a, const std::vector<double>
 }
 
 Question Compared(
-    Question question, std::vector<int> shape,
-    std::function<std::vector<double>(const QuestionContext&, const std::vector<QuestionValue>&)> answer) {
+    Question question, const std::vector<int>& shape,
+    const std::function<std::vector<double>(const QuestionContext&, const std::vector<QuestionValue>&)>& answer) {
   question.shape = [shape](const QuestionContext& context, const std::vector<QuestionValue>&) {
     return Sized(shape, context);
   };

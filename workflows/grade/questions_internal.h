@@ -19,7 +19,8 @@ std::vector<Question> LegQuestions();
 double LargestDifference(const std::vector<double>& a, const std::vector<double>& b);
 
 /// A question with one answer, of a shape that may have kSize in it; the error is the largest difference.
-Question Compared(Question question, std::vector<int> shape,
-                  std::function<std::vector<double>(const QuestionContext&, const std::vector<QuestionValue>&)> answer);
+Question Compared(
+    Question question, const std::vector<int>& shape,
+    const std::function<std::vector<double>(const QuestionContext&, const std::vector<QuestionValue>&)>& answer);
 
 }  // namespace gaitwright

@@ -38,7 +38,7 @@ NamedRanges RangesAt(const YAML::Node& node, const std::string& what, const std:
 std::string RobotAt(const YamlMap& map) {
   const YAML::Node* node = map.Find("robot");
   if (node == nullptr) return "";
-  const std::string name = TextOf(*node, "'robot'");
+  std::string name = TextOf(*node, "'robot'");
   const std::vector<std::string> names = RobotNames();
   if (std::find(names.begin(), names.end(), name) == names.end())
     RefuseYaml(*node, fmt::format("there is no robot '{}'{}", name, NearestOrAll(name, names)));

@@ -171,7 +171,7 @@ Result<pid_t> StartChild(const ChildSetup& setup, int reads, int writes) {
   Prepared prepared{
       setup,   rules ? &*rules : nullptr, Pointers(arguments), Pointers(setup.environment), reads, writes, tells[1],
       getpid()};
-  const Result<pid_t> process = Fork(prepared, tells[0]);
+  Result<pid_t> process = Fork(prepared, tells[0]);
   close(tells[0]);
   return process;
 }

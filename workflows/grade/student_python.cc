@@ -52,7 +52,7 @@ struct StudentPython::Parts {
 
   Result<std::string> Lend(const std::string& name, const std::string& text) const {
     const std::string path = (fs::path(Code()) / name).string();
-    const Result<std::string> written = WriteFileAtomically(path, text);
+    Result<std::string> written = WriteFileAtomically(path, text);
     if (written) chmod(path.c_str(), kMayRead);
     return written;
   }

@@ -11,13 +11,12 @@
 namespace {
 
 using gaitwright::AnswerCase;
-using gaitwright::kGravity;
 using gaitwright::Vector2;
 using gaitwright::Vector3;
 using gaitwright::VectorX;
 using Points = std::vector<Vector2>;
 
-/// The divergent component of motion of a centre of mass and its velocity.
+/// The divergent component of motion of a centre of mass and its velocity. Gravity is gaitwright::kGravity [m/s^2].
 Vector2 Dcm(const Vector3& com_m, const Vector3& /*velocity_m_s*/, double /*com_height_m*/) {
   return com_m.head<2>();  // true only of a body at rest
 }
