@@ -44,11 +44,12 @@ double WidestOf(const std::vector<std::string>& texts) {
   return kCharacter * static_cast<double>(widest);
 }
 
-/// Room around data that are all alike, and a little at the ends.
+/// Room around data that are all alike, but for rounding, and a little at the ends.
 void Widen(double& lowest, double& highest, double share) {
   if (!(lowest <= highest)) lowest = 0.0, highest = 1.0;
   const double span = highest - lowest;
-  const double room = span > 0.0 ? share * span : std::max(0.02 * std::abs(highest), 1e-3);
+  const double size = std::max(std::abs(lowest), std::abs(highest));
+  const double room = span > 1e-9 * std::max(size, 1.0) ? share * span : std::max(0.02 * size, 1e-3);
   lowest -= room;
   highest += room;
 }

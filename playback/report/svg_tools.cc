@@ -44,6 +44,8 @@ std::vector<bool> Kept(const std::vector<Vector2>& points, double tolerance) {
 std::vector<double> RoundTicks(double lowest, double highest, int count) {
   if (!std::isfinite(lowest) || !std::isfinite(highest) || !(lowest < highest)) return {};
   const double raw = (highest - lowest) / std::max(count, 1);
+  constexpr double kRounding = 1e-12;  // steps that are smaller cannot be counted
+  if (!(raw > kRounding * std::max({std::abs(lowest), std::abs(highest), 1e-200})) || !std::isfinite(raw)) return {};
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   const double lead = raw / power;
   const double step = power * (lead <= 1.0 ? 1.0 : lead <= 2.0 ? 2.0 : lead <= 5.0 ? 5.0 : 10.0);

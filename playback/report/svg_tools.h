@@ -9,7 +9,7 @@
 namespace gaitwright {
 
 /// Round numbers from at or above `lowest` to at or below `highest`, in steps of 1, 2 or 5 times a power of ten, about
-/// `count` of them and at least two. Empty unless lowest < highest and both are finite.
+/// `count` of them and at least two. Empty unless both are finite and lowest < highest by more than rounding.
 std::vector<double> RoundTicks(double lowest, double highest, int count);
 
 /// A subset of the points from which a line differs by at most `tolerance` (Douglas and Peucker, Cartographica 10(2)

@@ -72,3 +72,16 @@ def test_a_fall_is_told_by_what_touches(trot):
     time_s, link = fallen.body_contacts[0]
     assert 0.5 < time_s
     assert link in trot.robot.links
+
+
+def test_a_playback_that_breaks_off_at_once_has_its_report(trot):
+    class Wild(gw.Controller):
+        def update(self, now):
+            wild = np.full(trot.robot.num_joints, 1e308)
+            return gw.JointCommand(wild, wild, wild, wild, wild)
+
+    broken = gw.play(trot, Wild())
+    assert not broken.passed
+    assert "not finite" in broken.reason
+    assert len(broken.report_html()) < 5_000_000
+    assert np.isfinite(broken.q).all()

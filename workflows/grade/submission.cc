@@ -21,12 +21,20 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostStudents = 10000, kMostOthers = 100;
 
-Failure NoClass(const std::string& message) {
-  return {FailureKind::kBadInput, "submissions", "FindStudents", message, {"each student has a folder in it"}};
+Failure NoClass(const std::string& message, const std::string& hint = "each student has a folder in it") {
+  return {FailureKind::kBadInput, "submissions", "FindStudents", message, {hint}};
 }
 
 Failure NotHandedIn(const std::string& message) {
   return {FailureKind::kBadInput, "submission", "ReadSubmission", message, {}};
+}
+
+/// A name whose bytes that are no printable ASCII are written as \xHH.
+std::string Visible(const std::string& name) {
+  std::string text;
+  for (const unsigned char c : name)
+    text += c < 0x20 || c > 0x7e ? fmt::format("\\x{:02x}", c) : std::string(1, static_cast<char>(c));
+  return text;
 }
 
 /// A file that is open as long as this is.
@@ -71,7 +79,8 @@ Result<std::vector<Student>> FindStudents(const std::string& folder) {
     std::error_code unknown;
     if (name.starts_with(".") || !fs::is_directory(at->symlink_status(unknown))) continue;
     if (!IsPlainText(name) || name.find('\n') != std::string::npos || name.find('\t') != std::string::npos)
-      return NoClass(fmt::format("a folder in '{}' has a name that is no plain text", folder));
+      return NoClass(fmt::format("the folder '{}' in '{}' has a name that is no plain text", Visible(name), folder),
+                     "rename it");
     students.push_back({name, at->path().string()});
     if (students.size() > kMostStudents)
       return NoClass(fmt::format("'{}' has more than {} folders", folder, kMostStudents));

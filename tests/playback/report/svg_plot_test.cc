@@ -69,6 +69,13 @@ TEST(SvgPlot, EqualAxesHaveTheSameScale) {
   }
 }
 
+TEST(SvgPlot, RoundingIsDrawnAsAConstant) {
+  SvgPlot nearly{SvgPlot::Options{}};
+  nearly.Line({{0.0, 0.268}, {1.0, std::nextafter(0.268, 1.0)}}, Ink::kCom, Stroke::kMeasured);
+  EXPECT_EQ(XmlFault(nearly.Svg()), "");
+  EXPECT_LT(nearly.Svg().size(), 5000U);
+}
+
 TEST(SvgPlot, AnEmptyPlotAndAConstantOneAreStillPlots) {
   EXPECT_EQ(XmlFault(SvgPlot{SvgPlot::Options{}}.Svg()), "");
   SvgPlot constant{SvgPlot::Options{}};

@@ -16,6 +16,10 @@ TEST(SvgTools, TicksAreRoundAndInside) {
   EXPECT_TRUE(RoundTicks(1.0, 1.0, 5).empty());
   EXPECT_TRUE(RoundTicks(0.0, std::nan(""), 5).empty());
   EXPECT_GE(RoundTicks(-0.41, 0.43, 1).size(), 2u) << "one tick is no scale";
+  EXPECT_TRUE(RoundTicks(0.268, std::nextafter(0.268, 1.0), 5).empty()) << "rounding is no range";
+  EXPECT_TRUE(RoundTicks(-5e-324, 5e-324, 5).empty());
+  EXPECT_TRUE(RoundTicks(-1e308, 1e308, 1).empty()) << "the span is not finite";
+  EXPECT_GE(RoundTicks(0.0, 1e300, 5).size(), 2u);
   for (const double span : {1e-6, 0.7, 3.0, 12345.0}) {
     const auto some = RoundTicks(0.0, span, 5);
     EXPECT_GE(some.size(), 2u) << span;

@@ -71,6 +71,15 @@ TEST_F(GradeClassTest, TheSameSeedGivesTheSameBytes) {
   EXPECT_EQ(pages_[0].text, page);
 }
 
+TEST_F(GradeClassTest, AFolderWhoseNameCannotBeShownIsNamedByItsBytes) {
+  HandIn("class/bob", "dcm.csv", "case,answer_0,answer_1\n0,1,2\n");
+  HandIn("class/a\nb\xff", "dcm.csv", "");
+  const Result<ClassMarks> marks = Grade(RequestFor(kRubric));
+  ASSERT_FALSE(marks.ok());
+  EXPECT_NE(marks.failure().message.find("the folder 'a\\x0ab\\xff' in "), std::string::npos)
+      << marks.failure().message;
+}
+
 TEST_F(GradeClassTest, NamesAreNoFormulasAndNoMarkup) {
   for (const char* name : {"=cmd|' -C calc'!A0", "+1", "-1", "@SUM(A1)", "<script>alert(1)<\\script>", "a\"b,c"})
     HandIn(std::string("class/") + name, "dcm.csv", "<script>,=1+1\n1,2\n");
