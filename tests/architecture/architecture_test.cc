@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 
 #include "tests/architecture/include_rules.h"
+#include "tests/architecture/rules_table.h"
 #include "tests/architecture/source_tree.h"
 
 namespace gaitwright::architecture {
@@ -37,6 +39,25 @@ TEST(Architecture, RoomsIncludeOnlyWhatTheyMay) {
     for (std::string& breach : IncludeBreaches(file.path, file.text)) breaches.push_back(std::move(breach));
   }
   EXPECT_TRUE(breaches.empty()) << Joined(breaches);
+}
+
+TEST(Architecture, TheHandbookHasTheOrderOfRooms) {
+  std::map<std::string, std::vector<std::string>> folders;
+  for (const Layer& layer : kLayers) {
+    const std::string path(layer.folder);
+    const std::size_t slash = path.find('/');
+    if (slash != std::string::npos) folders[path.substr(0, slash)].push_back("`" + path.substr(slash + 1) + "`");
+  }
+  std::ifstream file(kRoot + "/docs/code-layout.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_GE(folders.size(), 5U);
+  for (const auto& [room, names] : folders) {
+    const std::size_t row = page.find("| `" + room + "` |");
+    ASSERT_NE(row, std::string::npos) << room;
+    const std::string line = page.substr(row, page.find('\n', row) - row);
+    EXPECT_NE(line.find(fmt::format("| {}", fmt::join(names, ", "))), std::string::npos)
+        << "docs/code-layout.md has no row of " << room << " with " << fmt::format("{}", fmt::join(names, ", "));
+  }
 }
 
 TEST(Architecture, OwnIncludesExist) {
