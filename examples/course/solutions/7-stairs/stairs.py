@@ -10,23 +10,25 @@ ORDER = ("RR_foot", "FR_foot", "RL_foot", "FL_foot")  # a crawl: of one side the
 
 
 MARGIN = 0.04  # [m] from a foot to the nearest edge, before it and behind it
+SHIN = 0.08  # [m] behind a foot where no ground is higher: on the way down the shin leans back over it
 GRAIN = 0.005  # [m] between places that are looked at
 
 
-def is_level(terrain, x, y):
-    """Whether the ground about a place is as high as the place itself."""
+def is_good(terrain, x, y):
+    """Whether the ground about a place is as high as the place itself, and none behind it higher."""
     here = terrain.ground_at(x, y)["height_m"]
     about = (-MARGIN, -0.5 * MARGIN, 0.5 * MARGIN, MARGIN)
-    return all(abs(terrain.ground_at(x + d, y)["height_m"] - here) < 1e-3 for d in about)
+    is_level = all(abs(terrain.ground_at(x + d, y)["height_m"] - here) < 1e-3 for d in about)
+    return is_level and terrain.ground_at(x - SHIN, y)["height_m"] < here + 1e-3
 
 
-def nearest_level(terrain, x, y):
+def nearest_good(terrain, x, y):
     """The nearest place before or behind where a foot may stand."""
     for i in range(60):
         for there in (x + i * GRAIN, x - i * GRAIN):
-            if is_level(terrain, there, y):
+            if is_good(terrain, there, y):
                 return there
-    raise ValueError(f"no level ground about x = {x:.2f} m")
+    raise ValueError(f"no good ground about x = {x:.2f} m")
 
 
 def plan_steps(robot, terrain, goal):
@@ -36,7 +38,7 @@ def plan_steps(robot, terrain, goal):
     for i in range(1, rounds + 1):
         for foot in ORDER:
             x, y = standing[foot]
-            yield foot, nearest_level(terrain, x + goal[0] * i / rounds, y), y, 0.0
+            yield foot, nearest_good(terrain, x + goal[0] * i / rounds, y), y, 0.0
 
 
 if __name__ == "__main__":
