@@ -14,6 +14,9 @@ namespace gaitwright::python {
 /// A table as NumPy has it: a row after the other.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Which of some things are so, a row after the other.
+using TruthMatrix = Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// Vectors of one size as the rows of a table.
 template <class Vector>
 RowMatrix Rows(const std::vector<Vector>& vectors) {
@@ -30,28 +33,39 @@ class Tables {
   /// @param make   makes the table.
   template <class Make>
   pybind11::array Get(const pybind11::object& owner, const std::string& name, const Make& make) const {
-    const auto [known, is_new] = tables_.try_emplace(name);
-    if (is_new) known->second = make();
-    const RowMatrix& table = known->second;
+    const RowMatrix& table = MadeIn(tables_, name, make);
+    return Shared({table.rows(), table.cols()}, table.data(), owner);
+  }
+  /// The same of truths.
+  template <class Make>
+  pybind11::array GetTruths(const pybind11::object& owner, const std::string& name, const Make& make) const {
+    const TruthMatrix& table = MadeIn(truths_, name, make);
     return Shared({table.rows(), table.cols()}, table.data(), owner);
   }
   /// The same of one column, as an array of one dimension.
   template <class Make>
   pybind11::array GetColumn(const pybind11::object& owner, const std::string& name, const Make& make) const {
-    const auto [known, is_new] = tables_.try_emplace(name);
-    if (is_new) known->second = make();
-    return Shared({known->second.size()}, known->second.data(), owner);
+    const RowMatrix& table = MadeIn(tables_, name, make);
+    return Shared({table.size()}, table.data(), owner);
   }
 
  private:
-  static pybind11::array Shared(const std::vector<Eigen::Index>& shape, const double* data,
+  template <class Table, class Make>
+  static const Table& MadeIn(std::map<std::string, Table>& tables, const std::string& name, const Make& make) {
+    const auto known = tables.find(name);
+    return known != tables.end() ? known->second : tables.emplace(name, make()).first->second;
+  }
+
+  template <class Number>
+  static pybind11::array Shared(const std::vector<Eigen::Index>& shape, const Number* data,
                                 const pybind11::object& owner) {
-    pybind11::array_t<double> array(shape, data, owner);
+    pybind11::array_t<Number> array(shape, data, owner);
     array.attr("flags").attr("writeable") = false;
     return array;
   }
 
   mutable std::map<std::string, RowMatrix> tables_;
+  mutable std::map<std::string, TruthMatrix> truths_;
 };
 
 /// Forces of the ground as an array of rows, feet and axes (W), shared as the other tables are.

@@ -58,16 +58,17 @@ py::array FeetOf(const py::object& self) {
   return flat.attr("reshape")(playback.log().samples.size(), feet, 3);
 }
 
-py::array_t<bool> ContactOf(const Playback& playback) {
-  const std::vector<LogSample>& samples = playback.log().samples;
-  const auto rows = static_cast<py::ssize_t>(samples.size());
-  const auto feet = static_cast<py::ssize_t>(playback.plan().model().feet.size());
-  py::array_t<bool> touches({rows, feet});
-  auto at = touches.mutable_unchecked<2>();
-  for (py::ssize_t k = 0; k < rows; ++k)
-    for (py::ssize_t foot = 0; foot < feet; ++foot)
-      at(k, foot) = Contains(samples[static_cast<std::size_t>(k)].contact, static_cast<int>(foot));
-  return touches;
+py::array ContactOf(const py::object& self) {
+  const Playback& playback = In(self);
+  return playback.tables().GetTruths(self, "contact", [&] {
+    const std::vector<LogSample>& samples = playback.log().samples;
+    TruthMatrix touches(static_cast<Eigen::Index>(samples.size()),
+                        static_cast<Eigen::Index>(playback.plan().model().feet.size()));
+    for (Eigen::Index k = 0; k < touches.rows(); ++k)
+      for (int foot = 0; foot < touches.cols(); ++foot)
+        touches(k, foot) = Contains(samples[static_cast<std::size_t>(k)].contact, foot);
+    return touches;
+  });
 }
 
 RowMatrix SupportAt(const Playback& playback, py::ssize_t row) {

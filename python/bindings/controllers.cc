@@ -24,8 +24,7 @@ class PythonController : public Controller {
     const py::gil_scoped_acquire python;
     const py::function update = py::get_override(static_cast<const Controller*>(this), "update");
     if (!update) throw InvalidArgument("a controller needs a method update(self, input) that gives a JointCommand");
-    // By reference: it is valid for this call, and what keeps of it has to be copied there.
-    const py::object command = update(py::cast(&input, py::return_value_policy::reference));
+    const py::object command = update(py::cast(input, py::return_value_policy::copy));
     if (!py::isinstance<JointCommand>(command))
       throw InvalidArgument(
           fmt::format("update() gave {}; a JointCommand is needed", py::repr(command).cast<std::string>()));
@@ -39,6 +38,22 @@ class PythonController : public Controller {
     return py::type::of(py::cast(self)).attr("__name__").cast<std::string>();
   }
 };
+
+/// Writes a vector where it is, since arrays of Python's may look at it: of the size that it has.
+template <auto Vector, class Owner>
+void SetVector(Owner& owner, const VectorX& given) {
+  VectorX& own = owner.*Vector;
+  if (own.size() != 0 && given.size() != own.size())
+    throw InvalidArgument(fmt::format("there are {} numbers; {} are needed", given.size(), own.size()));
+  own = given;
+}
+
+/// A vector of a class as a property: an array that is a view of it.
+template <auto Vector, class Owner>
+void BindVector(py::class_<Owner>& bound, const char* name, const char* what = "") {
+  bound.def_property(
+      name, [](Owner& owner) -> VectorX& { return owner.*Vector; }, SetVector<Vector, Owner>, what);
+}
 
 /// Forces on the feet, feet x 3.
 RowMatrix ForcesOf(const ControlInput& input) {
@@ -64,9 +79,8 @@ JointCommand MakeCommand(const VectorX& q, const std::optional<VectorX>& v, cons
 
 std::shared_ptr<OwnController> MakeOwn(const std::shared_ptr<Plan>& plan, const std::string& name,
                                        const py::dict& options) {
-  PlayRequest request;
+  PlayRequest request = PlayRequestOf(options);
   request.controller = name;
-  SetOptions(request.Fields(), options);
   return std::make_shared<OwnController>(plan, request);
 }
 
@@ -91,18 +105,16 @@ ControlInput MakeInput(double time_s, double step_s, const VectorX& q, const Vec
 }
 
 void BindInput(py::module_& module) {
-  py::class_<ControlInput>(module, "ControlInput", R"(What a controller is told at the start of a step.
-
-Its arrays are views that are valid during the call: copy what is to be kept.)")
-      .def(py::init<>())
+  py::class_<ControlInput> input(module, "ControlInput", "What a controller is told at the start of a step.");
+  input.def(py::init<>())
       .def(py::init(&MakeInput), py::arg("time_s"), py::arg("step_s"), py::arg("q"), py::arg("v"), py::arg("forces_n"),
            py::arg("contact"), "One made up, for asking a controller without a playback.")
       .def_readwrite("time_s", &ControlInput::time_s, "On the plan's clock; after the plan's end it runs on.")
       .def_readwrite("step_s", &ControlInput::step_s)
-      .def_readwrite("q", &ControlInput::q)
-      .def_readwrite("v", &ControlInput::v)
       .def_property_readonly("forces_n", ForcesOf, "Of the ground on the feet in the last step, feet x 3.")
       .def_property_readonly("contact", ContactOf, "Whether each foot carried force in the last step.");
+  BindVector<&ControlInput::q>(input, "q", "Of the robot, nq.");
+  BindVector<&ControlInput::v>(input, "v", "Of the robot, nv.");
 }
 
 }  // namespace
@@ -116,16 +128,16 @@ void CheckInput(const RobotModel& model, const ControlInput& input) {
 
 void BindControllers(py::module_& module) {
   BindInput(module);
-  py::class_<JointCommand>(module, "JointCommand", R"(What the motors shall do until the next call, by joint::
+  py::class_<JointCommand> command(module, "JointCommand", R"(What the motors shall do until the next call, by joint::
 
-    tau = tau_ff + stiffness (q - q_measured) + damping (v - v_measured), within the effort limit)")
-      .def(py::init(&MakeCommand), py::arg("q"), py::arg("v") = py::none(), py::arg("tau_ff") = py::none(),
-           py::arg("stiffness") = py::none(), py::arg("damping") = py::none(), "What is left out is zero.")
-      .def_readwrite("q", &JointCommand::q)
-      .def_readwrite("v", &JointCommand::v)
-      .def_readwrite("tau_ff", &JointCommand::tau_ff)
-      .def_readwrite("stiffness", &JointCommand::stiffness)
-      .def_readwrite("damping", &JointCommand::damping);
+    tau = tau_ff + stiffness (q - q_measured) + damping (v - v_measured), within the effort limit)");
+  command.def(py::init(&MakeCommand), py::arg("q"), py::arg("v") = py::none(), py::arg("tau_ff") = py::none(),
+              py::arg("stiffness") = py::none(), py::arg("damping") = py::none(), "What is left out is zero.");
+  BindVector<&JointCommand::q>(command, "q");
+  BindVector<&JointCommand::v>(command, "v");
+  BindVector<&JointCommand::tau_ff>(command, "tau_ff");
+  BindVector<&JointCommand::stiffness>(command, "stiffness");
+  BindVector<&JointCommand::damping>(command, "damping");
   py::class_<Controller, PythonController, std::shared_ptr<Controller>>(module, "Controller",
                                                                         R"(State in, command out, once a step.
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "playback/bullet/controller.h"
+#include "python/bindings/in_use.h"
 #include "python/bindings/plan.h"
 #include "workflows/walk/walk.h"
 
@@ -12,7 +13,7 @@ namespace gaitwright::python {
 /// @throws InvalidArgument for an input whose sizes are not those of the robot, or that is not finite.
 void CheckInput(const RobotModel& model, const ControlInput& input);
 
-/// One of the program's own controllers for a plan, which it keeps alive.
+/// One of the program's own controllers for a plan, which it keeps alive. One thread asks it at a time.
 class OwnController : public Controller {
  public:
   /// @throws as of MakeController.
@@ -22,15 +23,22 @@ class OwnController : public Controller {
   /// @throws InvalidArgument for an input that is not of the plan's robot.
   JointCommand Update(const ControlInput& input) override {
     CheckInput(plan_->model(), input);
+    const InUse::Turn turn(asked_, "this controller");
     return controller_->Update(input);
   }
-  void Reset() override { controller_->Reset(); }
+  void Reset() override {
+    const InUse::Turn turn(asked_, "this controller");
+    controller_->Reset();
+  }
   const BaseEstimate* Estimate() const override { return controller_->Estimate(); }
   std::string Name() const override { return controller_->Name(); }
+  /// Of a whole playback.
+  InUse& played() { return played_; }
 
  private:
   std::shared_ptr<const Plan> plan_;
   std::unique_ptr<Controller> controller_;
+  InUse asked_, played_;
 };
 
 }  // namespace gaitwright::python

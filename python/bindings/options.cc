@@ -11,6 +11,8 @@ namespace py = pybind11;
 std::string TextOf(const std::string& key, const py::handle& value) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (py::hasattr(value, "dtype") && py::str(value.attr("dtype")).cast<std::string>() == "bool")
+    return py::bool_(py::reinterpret_borrow<py::object>(value)).cast<bool>() ? "true" : "false";
   if (PyNumber_Check(value.ptr()) != 0)
     return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
   throw InvalidArgument(fmt::format("the option '{}' is {}; a number, a truth or a text is accepted", key,
@@ -30,6 +32,17 @@ OptionTexts TextsFrom(const py::dict& options) {
 
 void SetOptions(OptionFields fields, const py::dict& options) {
   for (const auto& [key, text] : TextsFrom(options)) SetOption(fields, key, text);
+}
+
+PlayRequest PlayRequestOf(const py::dict& options) {
+  PlayRequest request;
+  const py::dict others = options.attr("copy")();
+  if (options.contains("sensors")) {
+    request.sensing.sensors = SensorsOfKind(TextOf("sensors", options["sensors"]));
+    others.attr("pop")("sensors");
+  }
+  SetOptions(request.Fields(), others);
+  return request;
 }
 
 }  // namespace gaitwright::python

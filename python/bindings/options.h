@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "kinematics/base/options.h"
+#include "workflows/walk/walk.h"
 
 namespace gaitwright::python {
 
@@ -14,5 +15,9 @@ OptionTexts TextsFrom(const pybind11::dict& options);
 /// Puts them where their keys belong. @throws InvalidArgument for a key that is not among the fields, the nearest being
 /// named, and for a value that is out of range.
 void SetOptions(OptionFields fields, const pybind11::dict& options);
+
+/// A playback by its options: those of `play --set`, and "sensors", the name of a ready-made set of their figures.
+/// @throws InvalidArgument as SetOptions does.
+PlayRequest PlayRequestOf(const pybind11::dict& options);
 
 }  // namespace gaitwright::python

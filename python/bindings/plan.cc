@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "planning/plan/plan_json.h"
 #include "planning/plan/sample_plan.h"
+#include "playback/report/report_page.h"
+#include "playback/viewer/viewer_page.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/errors.h"
 #include "workflows/exchange/export_motion.h"
@@ -15,6 +18,7 @@
 namespace gaitwright::python {
 namespace {
 
+namespace fs = std::filesystem;
 namespace py = pybind11;
 
 SharedRobot RobotIn(const MotionPlan& motion) { return std::make_shared<RobotModel>(Value(RobotOf(motion))); }
@@ -75,18 +79,19 @@ py::list FootholdsOf(const Plan& plan) {
 }
 
 /// Whether each foot is scheduled to stand, by row.
-py::array_t<bool> ContactOf(const Plan& plan) {
-  const WholeBodyTrajectory& body = plan.motion().whole_body;
-  const auto feet = static_cast<py::ssize_t>(plan.model().feet.size());
-  py::array_t<bool> stands({static_cast<py::ssize_t>(body.size()), feet});
-  auto at = stands.mutable_unchecked<2>();
-  const ContactSchedule& schedule = plan.motion().schedule;
-  for (int k = 0; k < body.size(); ++k) {
-    const int phase = PhaseAt(schedule, body.start_s + k * body.step_s);
-    const FootSet stance = schedule.phases.empty() ? 0 : schedule.phases[static_cast<std::size_t>(phase)].stance;
-    for (py::ssize_t foot = 0; foot < feet; ++foot) at(k, foot) = Contains(stance, static_cast<int>(foot));
-  }
-  return stands;
+py::array ContactOf(const py::object& self) {
+  const Plan& plan = PlanIn(self);
+  return plan.tables().GetTruths(self, "contact", [&] {
+    const WholeBodyTrajectory& body = plan.motion().whole_body;
+    const ContactSchedule& schedule = plan.motion().schedule;
+    TruthMatrix stands(body.size(), static_cast<Eigen::Index>(plan.model().feet.size()));
+    for (int k = 0; k < body.size(); ++k) {
+      const int phase = PhaseAt(schedule, body.start_s + k * body.step_s);
+      const FootSet stance = schedule.phases.empty() ? 0 : schedule.phases[static_cast<std::size_t>(phase)].stance;
+      for (int foot = 0; foot < stands.cols(); ++foot) stands(k, foot) = Contains(stance, foot);
+    }
+    return stands;
+  });
 }
 
 py::dict SampleAt(const Plan& plan, double time_s) {
@@ -100,8 +105,9 @@ py::dict SampleAt(const Plan& plan, double time_s) {
   return at;
 }
 
-std::vector<std::string> Export(const Plan& plan, const std::string& path, const std::string& format, double rate_hz) {
-  const ExportedMotion exported = ExportPlan(plan.model(), plan.motion(), ExportFormatOf(format), rate_hz, path);
+std::vector<std::string> Export(const Plan& plan, const fs::path& path, const std::string& format, double rate_hz) {
+  const ExportedMotion exported =
+      ExportPlan(plan.model(), plan.motion(), ExportFormatOf(format), rate_hz, path.string());
   if (const auto written = WriteFilesTogether(exported.files); !written) throw FailureError(written.failure());
   return exported.notes;
 }
@@ -153,13 +159,22 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to:
           "warnings", [](const Plan& p) { return p.motion().warnings; }, "Limits that it knowingly does not keep.")
       .def_property_readonly("footholds", FootholdsOf, "Dictionaries of foot, pose (4 x 4), touchdown_s, liftoff_s.")
       .def_property_readonly("hash", [](const Plan& p) { return PlanHash(p.motion()); })
+      .def(
+          "viewer_html",
+          [](const Plan& p) {
+            const ShownMotion shown{TitleOf(p.model(), p.motion()), p.model(), p.motion(), nullptr, nullptr};
+            return ViewerPage(shown.title, {shown});
+          },
+          "The motion in 3D as one HTML page, whole by itself.")
+      .def(py::pickle([](const Plan& p) { return py::str(PlanToJson(p.motion())); },
+                      [](const py::str& text) { return Plan(Value(PlanFromJson(text, "the pickle"))); }))
       .def("at", SampleAt, py::arg("time_s"), "q, v, a and tau at a time, between the rows too.")
       .def("to_json", [](const Plan& p) { return PlanToJson(p.motion()); })
       .def_static(
           "from_json", [](const std::string& text) { return Plan(Value(PlanFromJson(text, "the text"))); },
           py::arg("text"))
       .def(
-          "save", [](const Plan& p, const std::string& path) { return Value(SavePlan(p.motion(), path)); },
+          "save", [](const Plan& p, const fs::path& path) { return Value(SavePlan(p.motion(), path.string())); },
           py::arg("path"), "Writes plan.json, for the program too; returns the path.")
       .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
            "Writes csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns what is to be said of it.")
@@ -168,7 +183,7 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to:
                            GaitNames(p.motion().parts), p.motion().duration_s(), p.motion().footsteps.footholds.size());
       });
   module.def(
-      "load_plan", [](const std::string& path) { return Plan(Value(LoadPlan(path))); }, py::arg("path"),
+      "load_plan", [](const fs::path& path) { return Plan(Value(LoadPlan(path.string()))); }, py::arg("path"),
       "The plan of a file, as the program and `Plan.save` write it.");
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@
 namespace gaitwright::python {
 namespace {
 
+namespace fs = std::filesystem;
 namespace py = pybind11;
 
 using PoseTuple = std::tuple<double, double, double>;
@@ -45,6 +47,9 @@ SharedPlan PlanAWalk(const SharedRobot& robot, const std::string& gait, const py
                      const std::optional<double>& duration, const std::optional<PoseTuple>& goal,
                      const std::optional<int>& steps, const std::optional<double>& step_length,
                      const std::string& sequence, std::uint64_t seed, const py::dict& options) {
+  if (!sequence.empty() && (!gait.empty() || speed != 0.0 || lateral_speed != 0.0 || yaw_rate != 0.0 || distance ||
+                            duration || goal || steps || step_length))
+    throw InvalidArgument("a sequence names its own gaits, speeds and ways: leave the other ones out");
   WalkRequest request;
   request.gait = gait;
   request.sequence = sequence;
@@ -70,15 +75,16 @@ SharedPlan PlanSteps(const SharedRobot& robot, const std::vector<StepTuple>& ste
   return std::make_shared<Plan>(robot, Value(PlanOverSteps(*robot, ground, placed, {swing_s, pause_s}, motion)));
 }
 
-SharedPlan Import(const SharedRobot& robot, const std::string& path, const std::string& terrain,
-                  const std::string& columns, const py::dict& options) {
+SharedPlan Import(const SharedRobot& robot, const fs::path& path, const py::object& terrain, const fs::path& columns,
+                  const py::dict& options) {
   ImportRequest request;
-  request.file = path;
-  request.terrain = terrain;
-  request.columns_file = columns;
+  request.file = path.string();
+  request.columns_file = columns.string();
   SetOptions(request.Fields(), options);
+  const Terrain ground = TerrainOf(terrain, *robot);
+  request.terrain = ground.name;
   const py::gil_scoped_release others_go_on;
-  return std::make_shared<Plan>(robot, Value(ImportMotion(*robot, request)).plan);
+  return std::make_shared<Plan>(robot, Value(ImportMotionOn(*robot, ground, request)).plan);
 }
 
 }  // namespace
@@ -112,7 +118,10 @@ Raises:
 Args:
     steps: (foot, x, y, yaw) each, one after the other; the robot stands at the origin first and faces x. The place is
         that of the sole's middle, or of the contact point [m]; yaw is beyond that of standing [rad].
-    swing_s, pause_s: time of a step, and on all feet after it [s].)");
+    swing_s, pause_s: time of a step, and on all feet after it [s].
+
+What it gives is not audited, so that a plan which breaks laws can be looked at: ask `audit`. Its ``warnings`` say which
+limits it goes beyond.)");
   module.def("import_motion", Import, py::arg("robot").none(false), py::arg("path"), py::kw_only(),
              py::arg("terrain") = "flat", py::arg("columns") = "", py::arg("options") = py::dict(),
              "A plan of a motion that others made: CSV, joint trajectory of ROS, or footsteps (docs/import.md).");

@@ -5,6 +5,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <functional>
 #include <memory>
@@ -21,11 +22,13 @@
 #include "python/bindings/errors.h"
 #include "python/bindings/options.h"
 #include "workflows/exchange/export_motion.h"
+#include "workflows/study/trial.h"
 #include "workflows/walk/walk_report.h"
 
 namespace gaitwright::python {
 namespace {
 
+namespace fs = std::filesystem;
 namespace py = pybind11;
 
 /// Hands everything on to a controller that somebody else keeps.
@@ -46,8 +49,7 @@ using PushTuple = std::tuple<double, double, double, double, double>;
 using PhaseCallback = std::function<void(const std::string&, double, bool)>;
 
 PlayRequest RequestOf(const std::optional<PushTuple>& push, const PhaseCallback& on_phase, const py::dict& options) {
-  PlayRequest request;
-  SetOptions(request.Fields(), options);
+  PlayRequest request = PlayRequestOf(options);
   if (push) {
     request.play.push_force_W = Vector3(std::get<0>(*push), std::get<1>(*push), std::get<2>(*push));
     request.play.push_at_s = std::get<3>(*push);
@@ -62,10 +64,13 @@ Playback Play(const std::shared_ptr<Plan>& plan, const py::object& controller, c
               const PhaseCallback& on_phase, const py::dict& options) {
   PlayRequest request = RequestOf(push, on_phase, options);
   Controller* own = nullptr;
+  std::optional<InUse::Turn> turn;
   if (py::isinstance<py::str>(controller)) {
     request.controller = controller.cast<std::string>();
   } else if (py::isinstance<Controller>(controller)) {
     own = controller.cast<Controller*>();
+    if (py::isinstance<OwnController>(controller))
+      turn.emplace(controller.cast<OwnController&>().played(), "this controller");
   } else {
     throw py::type_error(fmt::format("controller is {}; a Controller, or the name of one, is needed",
                                      py::repr(controller).cast<std::string>()));
@@ -122,20 +127,48 @@ std::string ReportHtml(const Playback& playback) {
   return WalkReport({plan.model(), plan.motion(), playback.played(), audit});
 }
 
-std::vector<std::string> Export(const Playback& playback, const std::string& path, const std::string& format,
+std::vector<std::string> Export(const Playback& playback, const fs::path& path, const std::string& format,
                                 double rate_hz) {
   const Plan& plan = playback.plan();
   const ExportedMotion exported =
-      ExportLog(plan.model(), playback.log(), &plan.motion(), ExportFormatOf(format), rate_hz, path);
+      ExportLog(plan.model(), playback.log(), &plan.motion(), ExportFormatOf(format), rate_hz, path.string());
   if (const auto written = WriteFilesTogether(exported.files); !written) throw FailureError(written.failure());
   return exported.notes;
 }
 
-Playback LoadPlayback(const std::string& path, const std::shared_ptr<Plan>& plan) {
+/// One trial again, as `Trials` played it.
+Playback PlayOneTrial(const std::shared_ptr<Plan>& plan, std::uint64_t seed, const py::object& disturbances,
+                      const std::string& controller, const py::dict& options) {
+  PlayRequest request = PlayRequestOf(options);
+  request.controller = controller;
+  const Disturbances drawn = DisturbancesOf(disturbances, plan->model(), request);
+  const py::gil_scoped_release others_go_on;
+  return {plan, Value(PlayTrial({plan->model(), plan->motion(), request, drawn}, 0, seed)).played};
+}
+
+/// A log with the plan that it is of. @throws FailureError where it is of another one.
+Playback WithPlan(Result<PlaybackLog> log, const std::string& name, const std::shared_ptr<const Plan>& plan) {
   PlayedWalk played;
-  played.log = Value(LoadLog(path));
+  played.log = Value(std::move(log));
+  if (const std::string hash = MotionHash(plan->motion()); hash != played.log.plan_hash) {
+    throw FailureError({FailureKind::kBadInput,
+                        "other_plan",
+                        "LoadLog",
+                        fmt::format("'{}' was played from another plan: its motion has hash {}, the log says {}", name,
+                                    hash, played.log.plan_hash),
+                        {"name the plan that was played"}});
+  }
   played.report = Score(plan->model(), plan->motion(), played.log);
   return {plan, std::move(played)};
+}
+
+py::tuple Pickled(const Playback& playback) {
+  return py::make_tuple(std::const_pointer_cast<Plan>(playback.shared_plan()), LogToJson(playback.log()));
+}
+
+Playback FromPickle(const py::tuple& parts) {
+  return WithPlan(LogFromJson(parts[1].cast<std::string>(), "the pickle"), "the pickle",
+                  parts[0].cast<std::shared_ptr<Plan>>());
 }
 
 void BindMetric(py::module_& module) {
@@ -196,7 +229,7 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
       .def(
           "to_json", [](const Playback& p) { return LogToJson(p.log()); }, "The log.")
       .def(
-          "save", [](const Playback& p, const std::string& path) { return Value(SaveLog(p.log(), path)); },
+          "save", [](const Playback& p, const fs::path& path) { return Value(SaveLog(p.log(), path.string())); },
           py::arg("path"), "Writes log.json, for the program too; returns the path.")
       .def("export", Export, py::arg("path"), py::arg("format") = "csv", py::arg("rate_hz") = 0.0,
            "Writes what was measured as csv, joint-trajectory-yaml, joint-trajectory-json, npz or svg; returns what is "
@@ -205,6 +238,7 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to.
       .def(
           "viewer_html", [](const Playback& p) { return ViewerPage(Shown(p).title, {Shown(p)}); },
           "The motion in 3D as one HTML page, whole by itself.")
+      .def(py::pickle(&Pickled, &FromPickle))
       .def("__str__", [](const Playback& p) { return ReportText(p.report()); })
       .def("__repr__", [](const Playback& p) {
         return fmt::format("<gaitwright.Playback {}: {}, score {:.1f}>", p.log().robot,
@@ -218,9 +252,19 @@ Args:
     controller: one of CONTROLLERS, or a `Controller` of your own.
     push: (fx, fy, fz, at_s, for_s) on the base, in N and s.
     on_phase: called as on_phase(phase, at_s, met) when a phase of the plan ends, of motions that have such.
-    options: as of ``gaitwright play --set``, such as ``{"play.friction": 0.6, "state": "estimated"}``.)");
-  module.def("load_log", LoadPlayback, py::arg("path"), py::arg("plan").none(false),
-             "The log of a file, with the plan that it is of.");
+    options: as of ``gaitwright play --set``, such as ``{"play.friction": 0.6, "state": "estimated"}``, and
+        ``"sensors"``: "ideal", "good" or "hobby", as of ``--sensors``.)");
+  module.def(
+      "play_trial", PlayOneTrial, py::arg("plan").none(false), py::arg("seed"), py::kw_only(),
+      py::arg("disturbances") = "standard", py::arg("controller") = "stabilised", py::arg("options") = py::dict(),
+      "One trial of `trials` again, by its own seed (`TrialsReport.seeds`, `worst_seeds`) and the same arguments.");
+  module.def(
+      "load_log",
+      [](const fs::path& path, const std::shared_ptr<Plan>& plan) {
+        return WithPlan(LoadLog(path.string()), path.string(), plan);
+      },
+      py::arg("path"), py::arg("plan").none(false),
+      "The log of a file, with the plan that it is of; refused with another one.");
 }
 
 }  // namespace gaitwright::python

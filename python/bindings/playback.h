@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "playback/score/motion_series.h"
+#include "playback/trials/disturbances.h"
 #include "python/bindings/plan.h"
 #include "workflows/walk/walk.h"
 
@@ -31,6 +32,10 @@ class Playback {
   Tables tables_;
   mutable std::shared_ptr<const MotionSeries> series_;
 };
+
+/// "standard", the path of a YAML file, a text of one, or a dictionary of what it would hold (docs/trials.md).
+/// @throws FailureError as LoadDisturbances does, type_error for anything else.
+Disturbances DisturbancesOf(const pybind11::object& which, const RobotModel& model, PlayRequest& request);
 
 /// Balance, feet and contacts of the samples.
 void BindBalance(pybind11::class_<Playback>& playback);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace {
 
 namespace py = pybind11;
 
-SharedRobot Load(const std::string& name_or_urdf, const std::string& yaml) {
+SharedRobot Load(const std::filesystem::path& named, const std::filesystem::path& beside) {
+  const std::string name_or_urdf = named.string(), yaml = beside.string();
   const bool is_file = name_or_urdf.find('/') != std::string::npos || name_or_urdf.ends_with(".urdf");
   if (!is_file && !yaml.empty()) throw InvalidArgument("yaml goes with the path of a URDF, not with a robot's name");
   return std::make_shared<RobotModel>(Value(is_file ? LoadRobot(name_or_urdf, yaml) : LoadNamedRobot(name_or_urdf)));

@@ -130,8 +130,8 @@ Everything is in world axes. A point is given in the axes of its link [m]; spati
            "Without q the nominal posture; without v at rest.")
       .def("set", &RobotState::Set, py::arg("q"), py::arg("v") = py::none(), "Another state; without v at rest.")
       .def_property_readonly("robot", &RobotState::robot)
-      .def_property_readonly("q", &RobotState::q)
-      .def_property_readonly("v", &RobotState::v)
+      .def_property_readonly("q", [](const RobotState& s) { return VectorX(s.q()); })
+      .def_property_readonly("v", [](const RobotState& s) { return VectorX(s.v()); })
       .def("pose", &RobotState::PoseOf, py::arg("link"), "Pose of a link in the world, 4 x 4.")
       .def("jacobian", &RobotState::JacobianOf, py::arg("link"), no_point,
            "Of a point fixed in a link, 6 x nv: [velocity; angular velocity] = J v.")

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,8 @@ namespace {
 
 namespace py = pybind11;
 
-Terrain Load(const std::string& name_or_file, const SharedRobot& robot) {
-  return Value(LoadTerrain(name_or_file, ScaleOf(*robot)));
+Terrain Load(const std::filesystem::path& name_or_file, const SharedRobot& robot) {
+  return Value(LoadTerrain(name_or_file.string(), ScaleOf(*robot)));
 }
 
 constexpr double kFinest = 1e-4;  // between points of a height field [m]
@@ -129,10 +130,10 @@ std::vector<std::string> NamesOf(const std::vector<TerrainPatch>& patches) {
 
 Terrain TerrainOf(const py::object& terrain, const RobotModel& model) {
   if (py::isinstance<Terrain>(terrain)) return terrain.cast<const Terrain&>();
-  if (!py::isinstance<py::str>(terrain))
+  if (!py::isinstance<py::str>(terrain) && !py::hasattr(terrain, "__fspath__"))
     throw py::type_error(
         fmt::format("terrain is {}; a Terrain, or the name of one, is needed", py::repr(terrain).cast<std::string>()));
-  return Value(LoadTerrain(terrain.cast<std::string>(), ScaleOf(model)));
+  return Value(LoadTerrain(terrain.cast<std::filesystem::path>().string(), ScaleOf(model)));
 }
 
 void BindTerrain(py::module_& module) {

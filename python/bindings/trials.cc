@@ -4,16 +4,20 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 
+#include "kinematics/base/nearest_name.h"
 #include "playback/report/trials_page.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/errors.h"
 #include "python/bindings/options.h"
-#include "python/bindings/plan.h"
+#include "python/bindings/playback.h"
 #include "workflows/study/run_trials.h"
 
 namespace gaitwright::python {
@@ -23,22 +27,11 @@ namespace py = pybind11;
 
 using Progress = std::function<void(int done, int wanted)>;
 
-/// "standard", or the YAML of a file or a text with more than one line.
-Disturbances DisturbancesOf(const std::string& which, const RobotModel& model, PlayRequest& request) {
-  if (which == "standard") return StandardBesides(model, request);
-  const bool is_text = which.find('\n') != std::string::npos;
-  Disturbances read = Value(is_text ? ReadDisturbances(which, SensorFields(request), "the text")
-                                    : LoadDisturbances(which, SensorFields(request)));
-  if (const auto failure = WhyNotSampled(model, request, read)) throw FailureError(*failure);
-  return read;
-}
-
-RobustnessReport Trials(const std::shared_ptr<Plan>& plan, int n, const std::string& disturbances,
+RobustnessReport Trials(const std::shared_ptr<Plan>& plan, int n, const py::object& disturbances,
                         const std::string& controller, int seed, int threads, const Progress& progress,
                         const py::dict& options) {
-  PlayRequest request;
+  PlayRequest request = PlayRequestOf(options);
   request.controller = controller;
-  SetOptions(request.Fields(), options);
   const Disturbances drawn = DisturbancesOf(disturbances, plan->model(), request);
   TrialHooks hooks;
   std::atomic<bool> interrupted = false;
@@ -60,25 +53,36 @@ RobustnessReport Trials(const std::shared_ptr<Plan>& plan, int n, const std::str
   return Value(std::move(report));
 }
 
+/// What each trial has by name, measured or drawn.
+std::vector<std::pair<std::string, std::optional<double>>> FiguresOf(const TrialOutcome& outcome) {
+  std::vector<std::pair<std::string, std::optional<double>>> figures(outcome.metrics.begin(), outcome.metrics.end());
+  for (const SampledValue& value : outcome.sampled) figures.emplace_back(value.name, value.value);
+  return figures;
+}
+
+/// In the order in which they are first there.
+std::vector<std::string> ColumnsOf(const RobustnessReport& report) {
+  std::vector<std::string> names;
+  for (const TrialOutcome& outcome : report.outcomes)
+    for (const auto& [name, value] : FiguresOf(outcome))
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
 /// One figure of every trial; NaN where it has none.
 VectorX Column(const RobustnessReport& report, const std::string& key) {
-  VectorX column(static_cast<Eigen::Index>(report.outcomes.size()));
+  VectorX column = VectorX::Constant(static_cast<Eigen::Index>(report.outcomes.size()), std::nan(""));
   bool known = false;
   for (Eigen::Index k = 0; k < column.size(); ++k) {
-    const TrialOutcome& outcome = report.outcomes[static_cast<std::size_t>(k)];
-    column[k] = std::nan("");
-    for (const auto& [name, value] : outcome.metrics) {
+    for (const auto& [name, value] : FiguresOf(report.outcomes[static_cast<std::size_t>(k)])) {
       if (name != key) continue;
       known = true;
       if (value) column[k] = *value;
     }
-    for (const SampledValue& value : outcome.sampled) {
-      if (value.name != key) continue;
-      known = true;
-      column[k] = value.value;
-    }
   }
-  if (!known) throw InvalidArgument(fmt::format("the trials have no '{}', neither measured nor drawn", key));
+  if (!known)
+    throw InvalidArgument(
+        fmt::format("the trials have no '{}', neither measured nor drawn{}", key, NearestHint(key, ColumnsOf(report))));
   return column;
 }
 
@@ -101,7 +105,29 @@ std::vector<std::uint64_t> WorstOf(const RobustnessReport& report) {
   return seeds;
 }
 
+bool IsFile(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::exists(path, unknown);
+}
+
 }  // namespace
+
+Disturbances DisturbancesOf(const py::object& which, const RobotModel& model, PlayRequest& request) {
+  const OptionFields sensors = SensorFields(request);
+  const auto read = [&]() -> Result<Disturbances> {
+    if (py::isinstance<py::dict>(which)) {
+      const py::object json = py::module_::import("json").attr("dumps")(which);
+      return ReadDisturbances(json.cast<std::string>(), sensors, "the disturbances");
+    }
+    const std::string text = py::module_::import("os").attr("fspath")(which).cast<std::string>();
+    const bool is_text = text.find('\n') != std::string::npos || (text.find(':') != std::string::npos && !IsFile(text));
+    return is_text ? ReadDisturbances(text, sensors, "the disturbances") : LoadDisturbances(text, sensors);
+  };
+  if (py::isinstance<py::str>(which) && which.cast<std::string>() == "standard") return StandardBesides(model, request);
+  Disturbances disturbances = Value(read());
+  if (const auto failure = WhyNotSampled(model, request, disturbances)) throw FailureError(*failure);
+  return disturbances;
+}
 
 void BindTrials(py::module_& module) {
   py::class_<RobustnessReport>(module, "TrialsReport", "What many playbacks under disturbances showed.")
@@ -116,7 +142,8 @@ void BindTrials(py::module_& module) {
       .def_property_readonly("causes", CausesOf, "Of falls, and how many each.")
       .def_property_readonly("scores", Each<double, &TrialOutcome::score>, "Of each trial.")
       .def_property_readonly("seeds", Each<std::uint64_t, &TrialOutcome::seed>, "Of each trial.")
-      .def_property_readonly("worst_seeds", WorstOf, "The worst first; ``play --seed`` repeats one.")
+      .def_property_readonly("worst_seeds", WorstOf, "The worst first; `play_trial` plays one again.")
+      .def_property_readonly("columns", ColumnsOf, "Names that `column` takes.")
       .def("column", Column, py::arg("key"),
            "A metric, or what was drawn, of every trial, such as ``\"zmp_margin_min_m\"`` or ``\"friction\"``.")
       .def("to_json", RobustnessJson)
@@ -133,10 +160,11 @@ void BindTrials(py::module_& module) {
 
 Args:
     n: how many trials.
-    disturbances: "standard", the path of a YAML file, or its text (docs/trials.md).
+    disturbances: "standard", the path of a YAML file, its text, or a dictionary of the same (docs/trials.md), such as
+        ``{"friction": 0.5}``.
     threads: 0 for one for each core; the result is the same for any.
     progress: called as progress(done, wanted) after each trial.
-    options: of the playback, as of ``gaitwright play --set``.)");
+    options: of the playback, as of `play`.)");
 }
 
 }  // namespace gaitwright::python

@@ -9,33 +9,43 @@
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/in_use.h"
 #include "python/bindings/options.h"
 #include "python/bindings/robot.h"
+#include "python/bindings/terrain.h"
 
 namespace gaitwright::python {
 namespace {
 
 namespace py = pybind11;
 
-/// A world with the robot that is in it.
+/// A world with the robot that is in it. One thread works on it at a time.
 class World {
  public:
-  World(SharedRobot robot, const Terrain& terrain, const std::optional<VectorX>& q, const py::dict& options)
-      : robot_(std::move(robot)), options_(From(options)), world_(*robot_, terrain, Start(q), options_) {}
+  World(SharedRobot robot, const py::object& terrain, const std::optional<VectorX>& q, const py::dict& options)
+      : robot_(std::move(robot)),
+        options_(From(options)),
+        world_(*robot_, TerrainOf(terrain, *robot_), Start(q), options_) {}
 
   void Step(const JointCommand& command, int steps) {
     if (steps < 1) throw InvalidArgument(fmt::format("{} steps are asked for; 1 or more are taken", steps));
+    const InUse::Turn turn(in_use_, kName);
     for (int i = 0; i < steps; ++i) world_.Step(command);
     time_s_ += steps * options_.step_s;
   }
 
-  BulletWorld& physics() { return world_; }
-  const RobotModel& model() const { return *robot_; }
+  /// What `ask` has of the physics.
+  template <class Ask>
+  auto With(const Ask& ask) {
+    const InUse::Turn turn(in_use_, kName);
+    return ask(world_);
+  }
   double time_s() const { return time_s_; }
   double step_s() const { return options_.step_s; }
 
   /// What a controller is told.
-  ControlInput Measured(const std::optional<double>& time_s) const {
+  ControlInput Measured(const std::optional<double>& time_s) {
+    const InUse::Turn turn(in_use_, kName);
     ControlInput input{time_s.value_or(time_s_), options_.step_s, world_.q(), world_.v(), {}, 0};
     for (std::size_t foot = 0; foot < world_.feet().size(); ++foot) {
       input.wrenches.push_back(world_.feet()[foot].wrench);
@@ -44,7 +54,15 @@ class World {
     return input;
   }
 
+  void Push(const Vector3& force, const std::string& link) {
+    if (!force.allFinite()) throw InvalidArgument("a push is not finite");
+    const Frame& frame = robot_->frames[static_cast<std::size_t>(robot_->FrameIndex(link))];
+    With([&](BulletWorld& world) { world.PushBody(frame.body, force); });
+  }
+
  private:
+  static constexpr const char* kName = "this World";
+
   static WorldOptions From(const py::dict& given) {
     WorldOptions options;
     SetOptions(options.Fields(), given);
@@ -56,24 +74,19 @@ class World {
   WorldOptions options_;
   BulletWorld world_;
   double time_s_ = 0.0;
+  InUse in_use_;
 };
 
-RowMatrix ForcesOn(World& world) {
+RowMatrix ForcesOn(const BulletWorld& world) {
   std::vector<Vector3> forces;
-  for (const FootContact& foot : world.physics().feet()) forces.push_back(foot.wrench.force_W);
+  for (const FootContact& foot : world.feet()) forces.push_back(foot.wrench.force_W);
   return Rows(forces);
 }
 
-std::vector<bool> Touching(World& world) {
+std::vector<bool> Touching(const BulletWorld& world) {
   std::vector<bool> touching;
-  for (const FootContact& foot : world.physics().feet()) touching.push_back(foot.touching);
+  for (const FootContact& foot : world.feet()) touching.push_back(foot.touching);
   return touching;
-}
-
-void PushLink(World& world, const Vector3& force, const std::string& link) {
-  if (!force.allFinite()) throw InvalidArgument("a push is not finite");
-  const Frame& frame = world.model().frames[static_cast<std::size_t>(world.model().FrameIndex(link))];
-  world.physics().PushBody(frame.body, force);
 }
 
 }  // namespace
@@ -81,28 +94,37 @@ void PushLink(World& world, const Vector3& force, const std::string& link) {
 void BindWorld(py::module_& module) {
   py::class_<World>(module, "World", R"(A robot on a terrain in Bullet, step by step.
 
-The state is integrated semi-implicitly. Motors are implicit PD with feed-forward within their limits. Deterministic.)")
-      .def(py::init<SharedRobot, const Terrain&, const std::optional<VectorX>&, const py::dict&>(),
-           py::arg("robot").none(false), py::arg("terrain"), py::arg("q") = py::none(), py::arg("options") = py::dict(),
-           "Options as those of ``play --set`` without their ``play.``, such as step_s and friction.")
+The state is integrated semi-implicitly. Motors are implicit PD with feed-forward within their limits. Deterministic. One thread steps it
+at a time.)")
+      .def(
+          py::init<SharedRobot, const py::object&, const std::optional<VectorX>&, const py::dict&>(),
+          py::arg("robot").none(false), py::arg("terrain") = "flat", py::arg("q") = py::none(),
+          py::arg("options") = py::dict(),
+          "A terrain as of `plan_walk`. Options as those of ``play --set`` without their ``play.``, such as step_s and "
+          "friction.")
       .def("step", &World::Step, py::arg("command"), py::arg("steps") = 1, py::call_guard<py::gil_scoped_release>(),
            "So many steps with one command.")
       .def("measured", &World::Measured, py::arg("time_s") = py::none(), "What a controller is told now.")
       .def(
-          "set_state", [](World& w, const VectorX& q, const VectorX& v) { w.physics().SetState(q, v); }, py::arg("q"),
-          py::arg("v"))
-      .def("push", PushLink, py::arg("force_n"), py::arg("link"),
+          "set_state",
+          [](World& w, const VectorX& q, const VectorX& v) { w.With([&](BulletWorld& b) { b.SetState(q, v); }); },
+          py::arg("q"), py::arg("v"))
+      .def("push", &World::Push, py::arg("force_n"), py::arg("link"),
            "Adds a force for the coming step, at the centre of mass of the body that a link is part of.")
       .def_property_readonly("time_s", &World::time_s)
       .def_property_readonly("step_s", &World::step_s)
-      .def_property_readonly("q", [](World& w) { return VectorX(w.physics().q()); })
-      .def_property_readonly("v", [](World& w) { return VectorX(w.physics().v()); })
+      .def_property_readonly("q", [](World& w) { return w.With([](BulletWorld& b) { return VectorX(b.q()); }); })
+      .def_property_readonly("v", [](World& w) { return w.With([](BulletWorld& b) { return VectorX(b.v()); }); })
       .def_property_readonly(
-          "tau", [](World& w) { return VectorX(w.physics().tau()); }, "Of the last step [N m].")
-      .def_property_readonly("forces_n", ForcesOn, "Of the ground on the feet in the last step, feet x 3.")
-      .def_property_readonly("contact", Touching, "Whether each foot carried force in the last step.")
+          "tau", [](World& w) { return w.With([](BulletWorld& b) { return VectorX(b.tau()); }); },
+          "Of the last step [N m].")
       .def_property_readonly(
-          "body_contacts", [](World& w) { return w.physics().body_contacts(); },
+          "forces_n", [](World& w) { return w.With(ForcesOn); },
+          "Of the ground on the feet in the last step, feet x 3.")
+      .def_property_readonly(
+          "contact", [](World& w) { return w.With(Touching); }, "Whether each foot carried force in the last step.")
+      .def_property_readonly(
+          "body_contacts", [](World& w) { return w.With([](BulletWorld& b) { return b.body_contacts(); }); },
           "Links other than feet that touch the ground.");
 }
 

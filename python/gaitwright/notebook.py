@@ -6,7 +6,7 @@ from __future__ import annotations
 import html
 from pathlib import Path
 
-from gaitwright._core import Comparison, Playback, TrialsReport
+from gaitwright._core import Comparison, Plan, Playback, TrialsReport
 
 
 class Page:
@@ -29,13 +29,13 @@ class Page:
         )
 
 
-def show(what: Playback | TrialsReport | Comparison, viewer: bool = False, height_px: int = 640) -> Page:
-    """The report of a playback, of trials or of a comparison; with `viewer` the playback's motion in 3D alone."""
-    if not viewer:
-        return Page(what.report_html(), height_px)
-    if not isinstance(what, Playback):
-        raise TypeError(f"the viewer shows a Playback, not a {type(what).__name__}")
-    return Page(what.viewer_html(), height_px)
+def show(what: Plan | Playback | TrialsReport | Comparison, viewer: bool = False, height_px: int = 640) -> Page:
+    """The report of a playback, of trials or of a comparison; of a plan, and with `viewer`, the motion in 3D alone."""
+    if isinstance(what, Plan) or (viewer and isinstance(what, Playback)):
+        return Page(what.viewer_html(), height_px)
+    if viewer or not isinstance(what, (Playback, TrialsReport, Comparison)):
+        raise TypeError(f"there is no {'motion' if viewer else 'page'} to show of a {type(what).__name__}")
+    return Page(what.report_html(), height_px)
 
 
 def _shown_inline(what: Playback | TrialsReport | Comparison) -> str:

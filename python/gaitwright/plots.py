@@ -38,6 +38,8 @@ def plot(what: Plan | Playback) -> Figure:
     if played:
         _plot_margin(axes["margin"], played)
     figure.suptitle(repr(what)[1:-1].removeprefix("gaitwright."))
+    if getattr(type(figure.canvas), "required_interactive_framework", None) is None:
+        pyplot.close(figure)  # without a window of its own: a notebook shows what it is given, and that once
     return figure
 
 

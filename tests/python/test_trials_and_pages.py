@@ -58,7 +58,7 @@ def test_reports_and_viewer_show_inline(playback, report, tmp_path):
     assert gw.show(playback, viewer=True).text != page.text
     assert page.save(tmp_path / "report.html").stat().st_size == len(page.text.encode())
     assert "survived" in gw.show(report).text
-    with pytest.raises(TypeError, match="Playback"):
+    with pytest.raises(TypeError, match="no motion to show of a TrialsReport"):
         gw.show(report, viewer=True)
     assert playback._repr_html_().startswith("<iframe")
 

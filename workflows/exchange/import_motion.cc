@@ -104,7 +104,7 @@ void WarnInPlan(ImportedMotion& imported) {
 
 }  // namespace
 
-Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest& asked) {
+Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& terrain, const ImportRequest& asked) {
   ImportRequest request = asked;
   CheckOptions(request.Fields());
   CheckImportOptions(request.options);
@@ -121,8 +121,6 @@ Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest
   }
   if (!csv && !request.columns_file.empty())
     return Refused(request.file, "a file of column names goes with a CSV only");
-  const Result<Terrain> terrain = LoadTerrain(request.terrain, ScaleOf(model));
-  if (!terrain) return terrain.failure();
   const Result<std::string> text = ReadFile(request.file);
   if (!text) return text.failure();
   const MotionFileKind kind = KindOfText(*text);
@@ -131,11 +129,11 @@ Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest
   ImportedMotion imported;
   try {
     if (yaml && HoldsFootsteps(*text)) {
-      if (auto failure = PlanFootstepFile(model, *terrain, *text, request, imported)) return *failure;
+      if (auto failure = PlanFootstepFile(model, terrain, *text, request, imported)) return *failure;
     } else {
       Result<MotionTable> table = csv ? ReadCsvMotion(model, *text, request) : ReadTrajectory(model, *text, request);
       if (!table) return table.failure();
-      MakePlan(model, *terrain, request, std::move(*table), imported);
+      MakePlan(model, terrain, request, std::move(*table), imported);
     }
   } catch (const InvalidArgument& error) {
     return Refused(request.file, error.what());
@@ -146,6 +144,12 @@ Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest
   if (!audit) return audit.failure();
   imported.audit = *audit;
   return imported;
+}
+
+Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest& request) {
+  const Result<Terrain> terrain = LoadTerrain(request.terrain, ScaleOf(model));
+  if (!terrain) return terrain.failure();
+  return ImportMotionOn(model, *terrain, request);
 }
 
 }  // namespace gaitwright

@@ -42,4 +42,7 @@ struct ImportedMotion {
 /// motion serves.
 Result<ImportedMotion> ImportMotion(const RobotModel& model, const ImportRequest& request);
 
+/// The same on ground that somebody has made; the request's own names it only.
+Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& terrain, const ImportRequest& request);
+
 }  // namespace gaitwright

@@ -22,7 +22,7 @@ struct StepTimes {
   double swing_s = 0.5, pause_s = 0.1;
 };
 
-/// The steps as a file of footsteps has them (docs/import.md).
+/// The steps as a file of footsteps has them (docs/import.md): step k in line k, so that failures name it.
 /// @throws InvalidArgument for a foot that the robot does not have.
 std::string FootstepsYaml(const RobotModel& model, const std::vector<PlacedStep>& steps, const StepTimes& times);
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <string>
+
+#include "kinematics/base/result.h"
+
+namespace gaitwright::python {
+
+/// Marks what one thread works on while others may run, since the interpreter's lock is released.
+class InUse {
+ public:
+  /// Held for as long as it is worked on. @throws InvalidArgument where another thread does.
+  class Turn {
+   public:
+    Turn(InUse& what, const std::string& name) : what_(what) {
+      if (what_.taken_.exchange(true))
+        throw InvalidArgument(fmt::format("{} is in use by another thread: give each thread its own", name));
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+    ~Turn() { what_.taken_ = false; }
+
+   private:
+    InUse& what_;
+  };
+
+ private:
+  std::atomic<bool> taken_ = false;
+};
+
+}  // namespace gaitwright::python
