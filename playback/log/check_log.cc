@@ -6,20 +6,22 @@
 #include <cmath>
 
 #include "kinematics/base/result.h"
+#include "playback/log/log_shape_internal.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kMost = 1e12;                // of any number, in its unit
-constexpr double kUnit = 1e-3;                // how far from 1 a quaternion's length may be
-constexpr std::size_t kMostFeet = 64;         // those of a FootSet
-constexpr double kFastestLog = 1e6;           // [Hz]
-constexpr double kHeaviestRobot = 1e6;        // [kg]
-constexpr double kMostFrictionOfLog = 100.0;  // coefficient
+constexpr double kMost = 1e12;         // of any number, in its unit
+constexpr double kUnit = 1e-3;         // how far from 1 a quaternion's length may be
+constexpr std::size_t kMostFeet = 64;  // those of a FootSet
 
 void CheckIn(const char* what, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return;
   throw InvalidArgument(fmt::format("'{}' is {}; accepted: {} to {}", what, value, lowest, highest));
+}
+
+void CheckIn(const char* what, double value, const LogRange& range) {
+  CheckIn(what, value, range.lowest, range.highest);
 }
 
 template <class Row>
@@ -32,11 +34,11 @@ void CheckRow(const char* what, std::size_t sample, const Row& row) {
 }
 
 void CheckHead(const PlaybackLog& log) {
-  CheckIn("start_s", log.start_s, -1e6, 1e6);
-  CheckIn("log_rate_hz", log.log_rate_hz, 1e-3, kFastestLog);
-  CheckIn("step_s", log.step_s, 1e-9, 1.0);
-  CheckIn("total_mass_kg", log.total_mass_kg, 0.0, kHeaviestRobot);
-  CheckIn("friction", log.friction, 0.0, kMostFrictionOfLog);
+  CheckIn("start_s", log.start_s, kLogStart);
+  CheckIn("log_rate_hz", log.log_rate_hz, kLogRate);
+  CheckIn("step_s", log.step_s, kLogStep);
+  CheckIn("total_mass_kg", log.total_mass_kg, kLogMass);
+  CheckIn("friction", log.friction, kLogFriction);
   for (const double time_s : log.saturated_s) CheckIn("saturated_s", time_s, 0.0, kMost);
   for (const BodyContact& contact : log.body_contacts) CheckIn("body_contacts, time_s", contact.time_s, -kMost, kMost);
 }

@@ -126,6 +126,12 @@ VectorX ToVector(const Json& j) {
   return Eigen::Map<const VectorX>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+/// The list of a key. @throws InvalidArgument where it holds anything else.
+const Json& ListAt(const Json& j, const char* key) {
+  if (!j.at(key).is_array()) throw InvalidArgument(fmt::format("'{}' is no list", key));
+  return j.at(key);
+}
+
 StanceRecord ToStance(const Json& j) {
   JsonPart(j).Object(StanceShape());
   return {JsonPart(j).At("foot").Whole(0, 63),       j.at("touchdown_s").get<double>(),
@@ -138,7 +144,7 @@ StanceRecord ToStance(const Json& j) {
 /// The rows of a key into the samples. @throws InvalidArgument unless there is one a sample and all are of one length.
 template <class Take>
 void ReadRows(const Json& j, const char* key, std::vector<LogSample>& samples, Take take) {
-  const Json& rows = j.at(key);
+  const Json& rows = ListAt(j, key);
   if (rows.size() != samples.size()) {
     throw InvalidArgument(fmt::format("'{}' has {} rows, {} are needed", key, rows.size(), samples.size()));
   }
@@ -160,8 +166,7 @@ BaseEstimate ToEstimate(const VectorX& row) {
 
 void ReadSamples(const Json& j, PlaybackLog& log) {
   std::vector<LogSample>& samples = log.samples;
-  if (!j.at("q").is_array()) throw InvalidArgument("'q' is no list of rows");
-  samples.resize(j.at("q").size());
+  samples.resize(ListAt(j, "q").size());
   ReadRows(j, "time_s", samples, [](const VectorX& row, LogSample& s) {
     if (row.size() != 1) throw InvalidArgument("'time_s' needs one number a row");
     s.time_s = row[0];
@@ -218,21 +223,22 @@ PlaybackLog ReadLog(const Json& j) {
   log.step_s = j.at("step_s").get<double>();
   log.total_mass_kg = j.at("total_mass_kg").get<double>();
   log.friction = j.at("friction").get<double>();
+  if (!j.at("options").is_object()) throw InvalidArgument("'options' is no object of keys and texts");
   for (const auto& [key, value] : j.at("options").items()) log.options.emplace_back(key, value.get<std::string>());
   log.saturated_s = ToVector(j.at("saturated_s"));
-  for (const Json& stance : j.at("stances")) log.stances.push_back(ToStance(stance));
-  for (const Json& c : j.at("body_contacts")) {
+  for (const Json& stance : ListAt(j, "stances")) log.stances.push_back(ToStance(stance));
+  for (const Json& c : ListAt(j, "body_contacts")) {
     JsonPart(c).Object(BodyContactShape());
     log.body_contacts.push_back({c.at("time_s").get<double>(), c.at("link").get<std::string>()});
   }
   if (j.contains("gates")) {
-    for (const Json& g : j.at("gates")) {
+    for (const Json& g : ListAt(j, "gates")) {
       JsonPart(g).Object(LogGateShape());
       log.gates.push_back({g.at("phase").get<std::string>(), g.at("at_s").get<double>(), g.at("waited_s").get<double>(),
                            g.at("met").get<bool>()});
     }
   }
-  if (j.contains("pushes")) log.pushes = ToPushes(j.at("pushes"));
+  if (j.contains("pushes")) log.pushes = ToPushes(ListAt(j, "pushes"));
   if (j.contains("broke_off")) log.broke_off = j.at("broke_off").get<std::string>();
   ReadSamples(j, log);
   CheckLog(log);

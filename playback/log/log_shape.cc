@@ -10,6 +10,8 @@ using namespace shapes;
 
 namespace {
 
+DataShape In(const LogRange& range) { return Number(range.lowest, range.highest); }
+
 DataShape RowsShape() { return List(Numbers()); }
 
 }  // namespace
@@ -44,11 +46,11 @@ DataShape LogShape() {
                  {"robot_hash", Text()},
                  {"plan_hash", Text(), "Of all of the plan that a playback depends on."},
                  {"controller", Text()},
-                 {"start_s", Number()},
-                 {"log_rate_hz", Number()},
-                 {"step_s", Number(), "Of the physics."},
-                 {"total_mass_kg", Number()},
-                 {"friction", Number(), "Under the start."},
+                 {"start_s", In(kLogStart)},
+                 {"log_rate_hz", In(kLogRate)},
+                 {"step_s", In(kLogStep), "Of the physics."},
+                 {"total_mass_kg", In(kLogMass)},
+                 {"friction", In(kLogFriction), "Under the start."},
                  {"options", MapOf(Text()), "Every option of the playback."},
                  {"saturated_s", Numbers(), "By motor: time at its effort limit."},
                  {"stances", List(StanceShape())},

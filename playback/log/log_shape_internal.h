@@ -7,6 +7,16 @@ namespace gaitwright {
 
 inline constexpr char kLogFormat[] = "gaitwright-playback-log";
 
+/// Ranges of what a log tells of the whole playback.
+struct LogRange {
+  double lowest, highest;
+};
+inline constexpr LogRange kLogStart{-1e6, 1e6};  // [s]
+inline constexpr LogRange kLogRate{1e-3, 1e6};   // [Hz]
+inline constexpr LogRange kLogStep{1e-9, 1.0};   // [s]
+inline constexpr LogRange kLogMass{0.0, 1e6};    // [kg]
+inline constexpr LogRange kLogFriction{0.0, 100.0};
+
 // What the parts of a log's file may hold.
 DataShape StanceShape();
 DataShape BodyContactShape();

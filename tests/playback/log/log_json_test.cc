@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tests/scratch_folder.h"
 
@@ -136,6 +137,18 @@ TEST(LogJson, ValuesThatCannotBeAreRefused) {
     EXPECT_NE(why.find(part), std::string::npos) << why;
   };
   expect("\"total_mass_kg\":13.741", "\"total_mass_kg\":-1", "'total_mass_kg' is -1; accepted: 0 to");
+  const auto instead = [&](const std::string& key, const std::string& value) {
+    nlohmann::json log = nlohmann::json::parse(text);
+    log[key] = nlohmann::json::parse(value);
+    const std::string why = Why(log.dump());
+    EXPECT_NE(why.find("'" + key + "' is no "), std::string::npos) << why;
+  };
+  for (const char* list : {"stances", "body_contacts", "pushes", "q", "time_s"}) {
+    instead(list, "null");
+    instead(list, "{}");
+  }
+  instead("options", "\"x\"");
+  instead("options", "null");
   expect("\"step_s\":0.001", "\"step_s\":0", "'step_s' is 0");
   expect("\"contact\": [3,3,3]", "\"contact\": [3,4,3]", "row 1 of 'contact' is 4, which names a foot beyond the 2");
   expect("\"contact\": [3,3,3]", "\"contact\": [3,-1,3]", "a whole number, 0 or more, is needed");
