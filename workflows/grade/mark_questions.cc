@@ -47,8 +47,9 @@ class Examiner {
       if (error <= part_.question.tolerance) {
         ++right_;
       } else {
-        Tell(number,
-             fmt::format("the answer is off by {:.3g}; at most {:.3g} is right", error, part_.question.tolerance));
+        const std::string what = question_.off_by.empty() ? "" : " (" + question_.off_by + ")";
+        Tell(number, fmt::format("the answer is off by {:.3g}{}; at most {:.3g} is right", error, what,
+                                 part_.question.tolerance));
       }
     } catch (const InvalidArgument& error) {
       Wrong(number, error.what());

@@ -59,6 +59,7 @@ struct Question {
   /// How far an answer is off. @throws InvalidArgument for one of another shape, saying which is needed.
   std::function<double(const QuestionContext&, const std::vector<QuestionValue>&, const QuestionValue& answer)> error =
       {};
+  std::string off_by = {};  ///< what the error is, where it is more than a difference
 };
 
 /// How many numbers a shape has.

@@ -68,6 +68,22 @@ double PolygonError(const QuestionContext&, const Values& in, const QuestionValu
   return CornersApart(ConvexHull(PointsOf(in[0])), CornersOf(answer));
 }
 
+/// On a grid of 1/64 m, where what a hull reckons with is exact, and the last point in the middle of an edge of the
+/// others: only then does it matter that none of a hull's corners lies on an edge, and which of two with one x is
+/// first.
+void PutOneOnAnEdge(const QuestionContext& context, SplitMix&, Values& in) {
+  if (context.size < 4) return;
+  for (double& number : in[0].numbers) number = std::round(32.0 * number) / 32.0;
+  Polygon others = PointsOf(in[0]);
+  others.pop_back();
+  const Polygon hull = ConvexHull(others);
+  if (hull.size() < 3) return;
+  const Vector2 middle = 0.5 * (hull[0] + hull[1]);
+  const std::size_t last = 2 * (static_cast<std::size_t>(context.size) - 1);
+  in[0].numbers[last] = middle.x();
+  in[0].numbers[last + 1] = middle.y();
+}
+
 /// Points around their middle by angle, at one distance each: a convex polygon without corners on an edge.
 void MakeConvex(const QuestionContext& context, SplitMix&, Values& in) {
   Polygon points = PointsOf(in[0]);
@@ -94,7 +110,9 @@ std::vector<Question> BalanceQuestions() {
                    {{"points_m", {kSize, 2}, {-0.3, 0.3}}},
                    "corners x 2, counter-clockwise"};
   polygon.shape = [](const QuestionContext& context, const Values&) { return std::vector<int>{context.size, 2}; };
+  polygon.settle = PutOneOnAnEdge;
   polygon.error = PolygonError;
+  polygon.off_by = "a corner's distance at most; infinite with more corners, fewer, or one on an edge";
   Question margin{"support_margin",
                   "the signed distance of a point to the edge",
                   {{"corners_m", {kSize, 2}, {-0.3, 0.3}}, {"point_m", {2}, {-0.3, 0.3}}},

@@ -110,6 +110,7 @@ std::vector<Question> LegQuestions() {
     return std::vector<int>{ChainOf(context, in).num_coordinates()};
   };
   inverse.error = InverseError;
+  inverse.off_by = "metres and radians of the foot that these joints give; beyond a joint's limit the excess";
   return {Compared(forward, {3}, ForwardAnswer), inverse};
 }
 

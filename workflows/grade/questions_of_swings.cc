@@ -95,6 +95,7 @@ std::vector<Question> SwingQuestions() {
   over.settle = MakeStep;
   over.shape = [](const QuestionContext&, const Values&) { return std::vector<int>{kSamples, 3}; };
   over.error = StepError;
+  over.off_by = "metres, by the rule that it breaks most: ends, clearance, ceiling, smoothness";
   return {
       Compared(
           {"minimum_jerk", "the minimum-jerk step: value, rate, acceleration", {{"u", {}, {0.0, 1.0}}}, "3 numbers"},

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kinematics/ik/leg_chain.h"
 #include "kinematics/ik/leg_ik.h"
 #include "kinematics/model/load_robot.h"
+#include "kinematics/stability/polygon.h"
 
 namespace gaitwright {
 namespace {
@@ -92,6 +94,17 @@ TEST(Questions, CornersMayBeginAnywhereAndRepeat) {
   EXPECT_GT(ErrorOf("support_polygon", context, in, Answer({4, 2}, {0, 0, 0, 1, 1, 1, 1, 0})), 0.5);  // clockwise
   EXPECT_TRUE(std::isinf(ErrorOf("support_polygon", context, in, Answer({3, 2}, {0, 0, 1, 0, 1, 1}))));
   EXPECT_TRUE(std::isinf(ErrorOf("support_polygon", context, in, Answer({0, 2}, {}))));
+}
+
+TEST(Questions, OnePointToHullLiesOnAnEdge) {
+  for (int number = 0; number < 20; ++number) {
+    const Values in = Drawn("support_polygon", {6}, number);
+    Polygon points;
+    for (int i = 0; i < 6; ++i) points.push_back(in[0].Vec2(i));
+    const Polygon hull = ConvexHull(points);
+    EXPECT_EQ(SignedDistance(hull, points.back()), 0.0) << number;
+    EXPECT_EQ(std::count(hull.begin(), hull.end(), points.back()), 0) << number;
+  }
 }
 
 TEST(Questions, CornersOfTheMarginAreAConvexPolygon) {
