@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <fmt/format.h>
-
 #include <atomic>
 #include <string>
 
@@ -18,7 +16,7 @@ class InUse {
    public:
     Turn(InUse& what, const std::string& name) : what_(what) {
       if (what_.taken_.exchange(true))
-        throw InvalidArgument(fmt::format("{} is in use by another thread: give each thread its own", name));
+        throw InvalidArgument(name + " is in use by another thread: give each thread its own");
     }
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostReasons = 6;
+constexpr std::size_t kMostReasons = 6, kMostFallsTold = 2;
 
 PlayedWalk PlayOnce(const JudgeSetup& setup, const MotionPlan& plan, const PlayRequest& request) {
   Result<PlayedWalk> played =
@@ -24,16 +24,25 @@ PlayedWalk PlayOnce(const JudgeSetup& setup, const MotionPlan& plan, const PlayR
   return std::move(*played);
 }
 
+std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Counts a trial, and keeps why it fell.
+void Count(const TrialOutcome& trial, RunOutcome& outcome) {
+  if (trial.survived) {
+    ++outcome.survived;
+  } else if (outcome.falls.size() < kMostFallsTold) {
+    outcome.falls.push_back(fmt::format("trial {}: {}", trial.number + 1, ShownWords(FirstLine(trial.reason))));
+  }
+}
+
 /// The trials of an own controller, one after the other; those of the program's go on all cores.
-int SurvivedOwn(const JudgeSetup& setup, const TrialStudy& study, std::uint64_t seed) {
+void PlayOwn(const JudgeSetup& setup, const TrialStudy& study, std::uint64_t seed, RunOutcome& outcome) {
   if (const auto failure = WhyNotTried(study)) throw InvalidArgument(failure->message);
-  int survived = 0;
   for (int number = 0; number < setup.part.motion.trials; ++number) {
     const SampledTrial trial = SampleTrial(study.disturbances, study.model, study.plan, SeedOfTrial(seed, number));
     const PlayedWalk played = PlayOnce(setup, study.plan, DisturbedRequest(study.request, trial));
-    if (OutcomeOf(number, trial, played.log, played.report).survived) ++survived;
+    Count(OutcomeOf(number, trial, played.log, played.report), outcome);
   }
-  return survived;
 }
 
 void PlayTrials(const JudgeSetup& setup, const MotionRun& run, const MotionPlan& plan, RunOutcome& outcome) {
@@ -41,19 +50,14 @@ void PlayTrials(const JudgeSetup& setup, const MotionRun& run, const MotionPlan&
   if (motion.trials == 0) return;
   const Disturbances disturbances = motion.disturbances ? *motion.disturbances : StandardBesides(setup.model, run.play);
   const TrialStudy study{setup.model, plan, run.play, disturbances};
-  if (setup.own) {
-    outcome.survived = SurvivedOwn(setup, study, run.seed);
-    return;
-  }
+  if (setup.own) return PlayOwn(setup, study, run.seed, outcome);
   TrialOptions options;
   options.trials = motion.trials;
   options.seed = static_cast<int>(run.seed);
   const Result<RobustnessReport> report = RunTrials(study, options);
   if (!report) throw InvalidArgument(report.failure().message);
-  outcome.survived = report->survived;
+  for (const TrialOutcome& trial : report->outcomes) Count(trial, outcome);
 }
-
-std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 AuditReport AuditOf(const RobotModel& model, const MotionPlan& plan) {
   Result<AuditReport> audit = Audit(model, plan, {});
@@ -87,6 +91,7 @@ void AddReasons(const RunOutcome& run, std::vector<std::string>& reasons) {
   if (!run.audit_passes) tell("the audit fails: " + ShownWords(run.audit_words));
   if (run.report && !run.report->pass) tell(ShownWords(FirstLine(run.report->reason)));
   if (run.trials > 0) tell(fmt::format("{} of {} trials stood", run.survived, run.trials));
+  for (const std::string& fall : run.falls) tell(fall);
 }
 
 }  // namespace

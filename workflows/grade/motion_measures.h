@@ -29,6 +29,7 @@ struct RunOutcome {
   bool audit_passes = false;
   std::string audit_words;  ///< why it fails, in a line
   int trials = 0, survived = 0;
+  std::vector<std::string> falls = {};  ///< of the first trials that fell: how each was disturbed, and why it fell
 };
 
 /// A measure over all runs: shares of the runs or of all their trials; else the worst value of any, nothing where a run
