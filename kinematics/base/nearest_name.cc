@@ -78,7 +78,7 @@ std::string NearestHint(const std::string& word, const std::vector<std::string>&
 std::string NearestOrAll(const std::string& word, const std::vector<std::string>& candidates,
                          const std::string& listed_by) {
   constexpr std::size_t kMostListed = 16;
-  const std::string hint = NearestHint(word, candidates);
+  std::string hint = NearestHint(word, candidates);
   if (!hint.empty() || candidates.empty()) return hint;
   if (candidates.size() > kMostListed) return listed_by.empty() ? "" : "; " + listed_by;
   return fmt::format("; there {} {}", candidates.size() == 1 ? "is" : "are", QuotedList(candidates));

@@ -177,7 +177,7 @@ Result<PostureMotion> LowerArms(const RobotModel& model, const PostureKey& from,
 }
 
 Result<PostureMotion> WaveArms(const RobotModel& model, const PostureKey& from, Sides sides, int times) {
-  const Result<PostureMotion> raise = RaiseArms(model, from, sides);
+  Result<PostureMotion> raise = RaiseArms(model, from, sides);
   if (!raise) return raise;
   PostureKey out = raise->keys.back(), in = out;
   const UpperBody upper = FindUpperBody(model);

@@ -95,7 +95,7 @@ auto At(const YAML::Node& node, Make make) {
 }
 
 TerrainPatch ParsePatch(const YAML::Node& node) {
-  YamlMap(node, "a patch", PatchShape());
+  const YamlMap checked(node, "a patch", PatchShape());
   const std::string name = TextOf(node["name"], "name");
   if (static_cast<bool>(node["corners_m"]) == static_cast<bool>(node["height_m"])) {
     RefuseYaml(node, fmt::format("patch '{}' needs either 'corners_m' or, without end, 'height_m'", name));
@@ -114,7 +114,7 @@ TerrainPatch ParsePatch(const YAML::Node& node) {
 
 HeightField ParseHeights(const YAML::Node& node) {
   const DataShape shape = HeightFieldShape();
-  YamlMap(node, "a height field", shape);
+  const YamlMap checked(node, "a height field", shape);
   HeightField field;
   field.name = TextOf(node["name"], "name");
   field.origin_W = Place(node["origin_m"], "origin_m", 2);
@@ -151,14 +151,14 @@ Pose ParsePose(const YAML::Node& node) {
 }
 
 TerrainMarker ParseMarker(const YAML::Node& node) {
-  YamlMap(node, "a marker", MarkerShape());
+  const YamlMap checked(node, "a marker", MarkerShape());
   TerrainMarker marker{TextOf(node["name"], "name"), Place(node["place_m"], "place_m", 2)};
   if (Trimmed(marker.name).empty()) RefuseYaml(node["name"], "a marker's name is empty");
   return marker;
 }
 
 Obstacle ParseObstacle(const YAML::Node& node) {
-  YamlMap(node, "an obstacle", ObstacleShape());
+  const YamlMap checked(node, "an obstacle", ObstacleShape());
   Obstacle obstacle;
   obstacle.name = TextOf(node["name"], "name");
   const std::string type = TextOf(node["type"], "type");
@@ -225,7 +225,7 @@ Terrain Named(const YAML::Node& node, const std::string& folder, const TerrainSc
 }
 
 Terrain Parse(const YAML::Node& root, const std::string& folder, const TerrainScale& scale) {
-  YamlMap(root, "the file", TerrainFileShape());
+  const YamlMap checked(root, "the file", TerrainFileShape());
   Terrain terrain;
   const auto each = [&](const char* key, auto add) {
     if (!root[key]) return;

@@ -148,7 +148,7 @@ TEST_F(Help, EveryOptionOfTheListCanBeSetToItsDefault) {
 TEST_F(Help, TheReadmeNamesTheVerbsThatListTheirOptions) {
   std::ifstream file(std::string(GAITWRIGHT_SOURCE_DIR) + "/README.md");
   const std::string readme(std::istreambuf_iterator<char>(file), {});
-  const std::size_t begin = readme.find("have such options (");
+  const std::size_t begin = readme.find("have options (");
   ASSERT_NE(begin, std::string::npos);
   const std::string named = readme.substr(begin, readme.find(')', begin) - begin);
   for (const auto& verb : kVerbs) {
