@@ -74,6 +74,19 @@ void CheckPlan(const RobotModel& model, const MotionRun& run, const MotionPlan& 
                                       plan.duration_s(), LongestWalk(model, run.walk.command)));
 }
 
+/// A motion over made ground begins where the robot is put, at the origin: else it would go past what is to be walked
+/// over. @throws InvalidArgument saying where it begins.
+void CheckStart(const MotionPlan& plan) {
+  if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() < 7) return;  // SetGoal says so
+  constexpr double kNear = 0.1;                                                   // [m], [rad]
+  const PlanarPose start = BaseInPlan(plan.whole_body.q.front());
+  if (std::hypot(start.x_m, start.y_m) <= kNear && std::abs(start.yaw_rad) <= kNear) return;
+  throw InvalidArgument(
+      fmt::format("the motion begins at x {:.2f} m, y {:.2f} m, yaw {:.2f} rad; it is to begin at the "
+                  "origin and to face x, each to {} m or rad",
+                  start.x_m, start.y_m, start.yaw_rad, kNear));
+}
+
 /// The text of a file of the submission in a file of the same name, for readers that read files. They name it in what
 /// they refuse; the student is told its name alone.
 class Copied {
@@ -136,6 +149,7 @@ PartMark MarkPlan(const HandedIn& in) {
   std::vector<MotionPage> pages;
   for (const MotionRun& run : DrawRuns(in.part, model, in.setup.seed)) {
     CheckPlan(model, run, *plan);
+    CheckStart(*plan);
     SetRobot(model, *plan);
     plan->terrain = run.terrain;
     SetGoal(run.walk.command, GoalOf(model, run.walk.command), *plan);
@@ -156,6 +170,7 @@ PartMark MarkMotionFile(const HandedIn& in) {
     if (!in.part.motion.command.empty()) request.goal = GoalOf(model, run.walk.command);
     Result<ImportedMotion> imported = ImportMotion(model, request);
     if (!imported) return NothingFor(in.part, ShownWords(file.Words(imported.failure().message)));
+    if (run.terrain_text != "flat") CheckStart(imported->plan);
     if (request.goal) SetGoal(run.walk.command, *request.goal, imported->plan);
     outcomes.push_back(JudgeRun({in.part, model}, run, imported->plan, pages));
   }

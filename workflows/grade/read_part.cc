@@ -6,6 +6,7 @@
 
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/model/load_robot.h"
+#include "planning/gait/find_gait.h"
 #include "planning/terrain/load_terrain.h"
 #include "playback/score/gates.h"
 #include "workflows/grade/motion_measures.h"
@@ -178,10 +179,19 @@ void ReadQuestionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& p
     question.seed = static_cast<std::uint64_t>(*map.InRange("seed"));
 }
 
+void ReadGait(const YamlMap& map, MotionSetup& motion) {
+  motion.gait = map.Text("gait");
+  if (motion.gait.empty() || motion.robot.empty()) return;
+  const Result<RobotModel> model = LoadNamedRobot(motion.robot);
+  if (!model) return;  // that is refused by itself
+  const Result<Gait> gait = FindGait(*model, motion.gait, model->nominal_speed_m_s, GaitOptions{});
+  if (!gait) RefuseYaml(*map.Find("gait"), gait.failure().message);
+}
+
 void ReadMotionSetup(const YamlMap& map, const YAML::Node& node, RubricPart& part) {
   MotionSetup& motion = part.motion;
   motion.robot = RobotAt(map);
-  motion.gait = map.Text("gait");
+  ReadGait(map, motion);
   if (const YAML::Node* terrain = map.Find("terrain")) ReadTerrain(*terrain, motion);
   if (const YAML::Node* command = map.Find("command")) motion.command = RangesAt(*command, "'command'", CommandKeys());
   ReadWhole(map, "runs", motion.runs);

@@ -53,6 +53,7 @@ constexpr std::uint32_t kRefused[] = {
     __NR_sched_setscheduler,
     __NR_sched_setparam,
     __NR_sched_setattr,
+    __NR_sched_setaffinity,
     __NR_ioprio_set,
     __NR_process_madvise,
     __NR_setpgid,
@@ -71,7 +72,8 @@ constexpr std::uint32_t kRefused[] = {
     __NR_sendmmsg,
     __NR_recvmsg,
     __NR_recvmmsg,
-    // What a file is beside its bytes.
+    // What a file is beside its bytes, and room on the disk that its size does not tell.
+    __NR_fallocate,
     __NR_fchmod,
     __NR_fchmodat,
     __NR_fchown,
@@ -218,11 +220,12 @@ struct Program {
          Jump(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1), Give(Fail(EPERM)), Load(offsetof(seccomp_data, nr))});
   }
 
-  /// A file that is only read is not to be cut; older kernels' Landlock does not look at that.
+  /// A file that is only read, or opened for neither reading nor writing (both bits of the mode), is not to be cut;
+  /// older kernels' Landlock does not look at that.
   void NoCutOfReadFiles(std::uint32_t call, std::size_t flags) {
-    Add({Jump(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 5), Load(Argument(flags)),
-         Statement(BPF_ALU | BPF_AND | BPF_K, O_ACCMODE | O_TRUNC), Jump(BPF_JMP | BPF_JEQ | BPF_K, O_TRUNC, 0, 1),
-         Give(Fail(EPERM)), Give(SECCOMP_RET_ALLOW)});
+    Add({Jump(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 6), Load(Argument(flags)),
+         Statement(BPF_ALU | BPF_AND | BPF_K, O_ACCMODE | O_TRUNC), Jump(BPF_JMP | BPF_JEQ | BPF_K, O_TRUNC, 1, 0),
+         Jump(BPF_JMP | BPF_JEQ | BPF_K, O_ACCMODE | O_TRUNC, 0, 1), Give(Fail(EPERM)), Give(SECCOMP_RET_ALLOW)});
   }
 };
 

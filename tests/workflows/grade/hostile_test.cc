@@ -87,6 +87,9 @@ TEST_F(Hostile, WritesElsewhere) {
   ExpectDenied(fmt::format("os.rename('{}/secret.txt', 'x')", other));
   ExpectDenied(fmt::format("os.truncate('{}/secret.txt', 0)", other));
   ExpectDenied(fmt::format("os.open('{}/secret.txt', os.O_RDONLY | os.O_TRUNC)", other));
+  ExpectDenied(fmt::format("os.open('{}/secret.txt', 3 | os.O_TRUNC)", other));
+  ExpectDenied("os.open('own', 3 | os.O_TRUNC | os.O_CREAT, 0o600)");
+  ExpectDenied("os.posix_fallocate(os.open('own', os.O_WRONLY | os.O_CREAT, 0o600), 0, 1 << 20)");
   ExpectDenied(fmt::format("os.chmod('{}/secret.txt', 0o777)", other));
   ExpectDenied(fmt::format("os.utime('{}/secret.txt', (0, 0))", other));
   ExpectDenied("open(__file__, 'a')");
@@ -123,6 +126,7 @@ TEST_F(Hostile, ReachesForOthers) {
   ExpectDenied("os.kill(-1, 9)");
   ExpectDenied("socket.socket()");
   ExpectDenied("os.setpriority(os.PRIO_PROCESS, os.getppid(), 19)");
+  ExpectDenied("os.sched_setaffinity(os.getppid(), {0})");
   ExpectDenied("__import__('resource').prlimit(os.getppid(), 0, (1, 1))");
   ExpectDenied("os.memfd_create('x')");
   ExpectDenied("__import__('fcntl').fcntl(3, 8, os.getppid())");

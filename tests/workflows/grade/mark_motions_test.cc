@@ -71,6 +71,9 @@ TEST_F(MarkPlan, OneForAnotherRobotGroundOrCommandGetsNothing) {
   ExpectNothing(MarkOfPlan(Trot(0.1, 0.1, "nao")), {"for the robot 'nao'", "about 'a1'"});
   ExpectNothing(MarkOfPlan(Trot(0.2, 0.3)), {"another command: speed_m_s is 0.2, not 0.3"});
   ExpectNothing(MarkOfPlan(Trot(0.3, 0.2)), {"another command: distance_m is 0.2, not 0.3"});
+  MotionPlan ahead = GoodTrot();  // past what is to be walked over, if there were any
+  for (VectorX& q : ahead.whole_body.q) q[0] += 3.0;
+  ExpectNothing(MarkOfPlan(ahead), {"begins at x 3.00 m", "at the origin"});
   MotionPlan elsewhere = GoodTrot();
   elsewhere.terrain = FlatTerrain(2.0);
   ExpectNothing(MarkOfPlan(elsewhere), {"for the ground 'flat'", "another one"});

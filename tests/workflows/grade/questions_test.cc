@@ -86,6 +86,11 @@ TEST(Questions, ZmpOfContactsIsTheWeightedMeanWhereTheirLinesMeetTheGround) {
   EXPECT_LT(ErrorOf("contacts_zmp", context, in, Answer({2}, {sum.x() / weight, sum.y() / weight})), 1e-12);
 }
 
+TEST(Questions, NothingIsRightWhereTheAnswerIsNoNumber) {
+  const Values in = {{"com_m", {3}, {0, 0, 1}}, {"velocity_m_s", {3}, {1, 0, 0}}, {"com_height_m", {}, {-1.0}}};
+  EXPECT_TRUE(std::isinf(ErrorOf("dcm", {6}, in, Answer({2}, {42, 42}))));
+}
+
 TEST(Questions, CornersMayBeginAnywhereAndRepeat) {
   const QuestionContext context{4};
   Values in = {{"points_m", {4, 2}, {0, 0, 1, 0, 1, 1, 0, 1}}};

@@ -80,6 +80,7 @@ TEST(ReadRubric, RefusesWhatThereIsNot) {
   ExpectRefused(kHead + kTrot + kPass + ", options: [gait.cicle_s]}\n", {"'gait.cicle_s'", "'gait.cycle_s'"});
   ExpectRefused(kHead + kTrot + kPass + ", play: {play.frction: 1}}\n", {"'play.frction'", "'play.friction'"});
   ExpectRefused(kHead + kTrot + kPass + ", controller: stabilized}\n", {"'stabilized'", "'stabilised'"});
+  ExpectRefused(kHead + kTrot + kPass + ", gait: troot}\n", {"'troot'", "'trot'"});
   ExpectRefused(kHead + kTrot + kPass + ", disturbances: none}\n", {"'none'", "'standard'"});
   ExpectRefused(kHead + kTrot + kPass + ", terrain: my.yaml}\n", {"'my.yaml' is a file"});
   ExpectRefused(kHead + "- {name: p, kind: planner, file: f, points: 1, robot: noa" + kPass + "}\n",
