@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <filesystem>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "kinematics/base/text.h"
 
@@ -56,6 +58,13 @@ const char* WhatItIs(mode_t mode) {
   if (S_ISDIR(mode)) return "a folder";
   if (S_ISFIFO(mode)) return "a pipe";
   return S_ISLNK(mode) ? "a link" : "a device or a socket";
+}
+
+/// Spreadsheets begin what they write with a byte order mark.
+std::string WithoutMark(std::string bytes) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(kMark)) bytes.erase(0, kMark.size());
+  return bytes;
 }
 
 /// Why an open file is not taken; nothing where it is.
@@ -107,7 +116,7 @@ Result<std::string> ReadSubmission(const Student& student, const std::string& fi
     const ssize_t n = read(handle.number(), piece.data(), piece.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return NotHandedIn(fmt::format("'{}' cannot be read", file));
-    if (n == 0) return bytes;
+    if (n == 0) return WithoutMark(std::move(bytes));
     bytes.append(piece.data(), static_cast<std::size_t>(n));
     if (bytes.size() > most_bytes)  // it grew
       return NotHandedIn(fmt::format("'{}' has more than {} bytes, which are the most taken", file, most_bytes));

@@ -63,6 +63,16 @@ TEST_F(GradeClassTest, EachStudentHasARowAndAPage) {
   EXPECT_EQ(nlohmann::json::parse(GradesJson(*marks))["students"][1]["page"], "002-bob.html");
 }
 
+TEST_F(GradeClassTest, ATableOfASpreadsheetIsReadLikeAnyOther) {
+  const std::string table = "case,answer_0,answer_1\n0,1,2\n";
+  HandIn("class/bob", "dcm.csv", "\xEF\xBB\xBF" + table);
+  Grade(RequestFor(kRubric)).value();
+  const std::string marked = pages_[0].text;
+  HandIn("class/bob", "dcm.csv", table);
+  Grade(RequestFor(kRubric)).value();
+  EXPECT_EQ(pages_[0].text, marked);
+}
+
 TEST_F(GradeClassTest, TheSameSeedGivesTheSameBytes) {
   HandIn("class/bob", "dcm.csv", "case,answer_0,answer_1\n0,1,2\n");
   const std::string one = GradesJson(Grade(RequestFor(kRubric)).value());
