@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 
+#include "kinematics/base/data_path.h"
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "kinematics/base/options.h"
@@ -125,15 +125,7 @@ void NoteMissingPictures(const std::string& folder, RobotModel& model) {
 
 }  // namespace
 
-std::string RobotsFolder() {
-  if (const char* folder = std::getenv("GAITWRIGHT_ROBOTS")) return folder;
-  std::error_code error;
-  if (fs::is_directory(GAITWRIGHT_SOURCE_ROBOTS, error)) return GAITWRIGHT_SOURCE_ROBOTS;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path beside = program.parent_path().parent_path() / "share/gaitwright/robots";
-  if (!error && fs::is_directory(beside, error)) return beside.string();
-  return GAITWRIGHT_INSTALLED_ROBOTS;
-}
+std::string RobotsFolder() { return DataPath("robots", "GAITWRIGHT_ROBOTS"); }
 
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
                                      const std::string& name, const std::vector<MeshHull>& meshes) {

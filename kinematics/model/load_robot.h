@@ -21,7 +21,7 @@ Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::st
                                      const std::string& name = "robot", const std::vector<MeshHull>& meshes = {});
 
 /// A robot of the `robots` folder by name. The folder is that of the environment variable GAITWRIGHT_ROBOTS, else the
-/// one of the source tree, else the installed one. An unknown name is a failure that lists what exists.
+/// one that comes with the program (see DataPath). An unknown name is a failure that lists what exists.
 Result<RobotModel> LoadNamedRobot(const std::string& name);
 
 /// The same robot, which may also lie on a link: `rests` of its robot.yaml. Failure as of LoadRobotFromText.

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 
+#include "kinematics/base/data_path.h"
 #include "kinematics/base/file.h"
 #include "kinematics/base/strict_yaml_internal.h"
 #include "planning/gait/file_shapes.h"
@@ -127,15 +126,7 @@ Result<std::vector<GaitEntry>> LoadGaits(const std::string& path) {
   return gaits;
 }
 
-std::string BuiltInGaitsFile() {
-  if (const char* file = std::getenv("GAITWRIGHT_GAITS")) return file;
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (fs::exists(GAITWRIGHT_SOURCE_GAITS, error)) return GAITWRIGHT_SOURCE_GAITS;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path beside = program.parent_path().parent_path() / "share/gaitwright/gaits.yaml";
-  return !error && fs::exists(beside, error) ? beside.string() : GAITWRIGHT_INSTALLED_GAITS;
-}
+std::string BuiltInGaitsFile() { return DataPath("gaits.yaml", "GAITWRIGHT_GAITS"); }
 
 Result<std::vector<GaitEntry>> BuiltInGaits() { return LoadGaits(BuiltInGaitsFile()); }
 

@@ -115,6 +115,8 @@ inline const std::vector<Owner> kOwners = {
     {"unistd.h", kAnywhere},
     {"fcntl.h", kAnywhere},
     {"signal.h", kAnywhere},
+    {"dlfcn.h", {"kinematics/base"}},
+    {"link.h", {"kinematics/base"}},
     {"poll.h", {"workflows/render", "workflows/grade", "examples"}},
     {"grp.h", {"workflows/grade"}},
     {"linux/", {"workflows/grade"}},

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <filesystem>
 #include <numeric>
 
+#include "kinematics/base/data_path.h"
 #include "kinematics/base/file.h"
 #include "kinematics/spatial/symmetric_matrix.h"
 #include "planning/plan/json_part_internal.h"
@@ -15,10 +15,11 @@ namespace gaitwright {
 namespace {
 
 constexpr int kMostFeet = 64;
-constexpr double kLeast = 1e-6, kMost = 1e6;  // of what must be over zero, in its unit
+// Bounds of the numbers of a problem set, in the unit of each; what must be positive has the first.
+constexpr double kSmallestPositive = 1e-6, kLargestNumber = 1e6;
 
 Matrix3 ToInertia(const JsonPart& part) {
-  const auto at = [&](const char* key) { return part.At(key).NumberIn(-kMost, kMost); };
+  const auto at = [&](const char* key) { return part.At(key).NumberIn(-kLargestNumber, kLargestNumber); };
   const Matrix3 inertia = SymmetricMatrix(at("xx"), at("xy"), at("xz"), at("yy"), at("yz"), at("zz"));
   const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments[0] > 0.0) || moments[0] + moments[1] < (1.0 - 1e-6) * moments[2])
@@ -32,7 +33,7 @@ CentroidalSchedule ToSchedule(const JsonPart& part, std::size_t feet) {
   for (const JsonPart& foot : part.At("phase_durations_s").List()) {
     schedule.phase_durations_s.push_back(foot.Numbers());
     if (foot.List().empty()) foot.Refuse("is empty; a foot has one duration or more");
-    for (const JsonPart& duration : foot.List()) duration.NumberIn(kLeast, kMost);
+    for (const JsonPart& duration : foot.List()) duration.NumberIn(kSmallestPositive, kLargestNumber);
   }
   if (schedule.phase_durations_s.size() != feet)
     throw InvalidArgument(fmt::format("schedule '{}' is not one of {} feet", schedule.name, feet));
@@ -41,7 +42,7 @@ CentroidalSchedule ToSchedule(const JsonPart& part, std::size_t feet) {
 
 CentroidalRobot ToRobot(const JsonPart& part, double force_max_n, const JsonPart& schedules) {
   CentroidalRobot robot;
-  robot.mass_kg = part.At("mass_kg").NumberIn(kLeast, kMost);
+  robot.mass_kg = part.At("mass_kg").NumberIn(kSmallestPositive, kLargestNumber);
   robot.inertia_B = ToInertia(part.At("inertia_kg_m2"));
   const VectorX half = part.At("reach_box_half_m").Vector(3);
   if (!(half.minCoeff() > 0.0)) part.At("reach_box_half_m").Refuse("has a side that is not over 0");
@@ -83,7 +84,7 @@ CentroidalProblemSet ToSet(const JsonPart& whole) {
   set.friction = whole.At("friction").NumberIn(0.001, 100.0);
   set.distance_m = whole.At("distance_m").NumberIn(-1e3, 1e3);
   set.duration_s = whole.At("duration_s").NumberIn(1e-3, 1e3);
-  const double force_max_n = whole.At("normal_force_max_n").NumberIn(kLeast, 1e9);
+  const double force_max_n = whole.At("normal_force_max_n").NumberIn(kSmallestPositive, 1e9);
   for (const auto& [name, robot] : Members(whole.At("robots")))
     set.robots.emplace_back(name, ToRobot(robot, force_max_n, whole.At("schedules")));
   for (const auto& [name, patches] : Members(whole.At("grounds")))
@@ -108,12 +109,7 @@ Result<CentroidalProblemSet> LoadCentroidalProblems(const std::string& path) {
   }
 }
 
-std::string CentroidalProblemsPath() {
-  std::error_code error;
-  return std::filesystem::exists(GAITWRIGHT_SOURCE_BENCHMARKS, error)
-             ? GAITWRIGHT_SOURCE_BENCHMARKS "/centroidal_problems.json"
-             : GAITWRIGHT_INSTALLED_BENCHMARKS "/centroidal_problems.json";
-}
+std::string CentroidalProblemsPath() { return DataPath("benchmarks/centroidal_problems.json"); }
 
 RigidBodyProblem CentroidalProblem(const CentroidalRobot& robot, const CentroidalSchedule& schedule,
                                    const Terrain& ground, const CentroidalTask& task) {
