@@ -4,10 +4,12 @@
 
 program_packages="build-essential cmake ninja-build ccache pkg-config libeigen3-dev liburdfdom-dev libtinyxml2-dev
   libfcl-dev libccd-dev libceres-dev libompl-dev libboost-dev libpng-dev libminizip-dev libbullet-dev libyaml-cpp-dev libutfcpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libcurl4-openssl-dev"
-test_packages="libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev clang-format
+# What `cpack -G DEB` needs besides, for a package with the Python module.
+deb_packages="pybind11-dev python3-dev python3-numpy dpkg-dev file"
+test_packages="$deb_packages patchelf libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev libdart-dev libdart-utils-urdf-dev clang-format
   chromium ffmpeg librsvg2-bin
-  pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pytest python3-jsonschema python3-yaml python3-pip python3-setuptools python3-wheel mypy"
-long_test_packages="clang-tidy clang libclang-rt-14-dev"
+  python3-matplotlib python3-pytest python3-jsonschema python3-yaml python3-pip python3-setuptools python3-wheel mypy"
+long_test_packages="clang-tidy clang libclang-rt-14-dev mmdebstrap"
 
 # The viewer is built by node and npm: those that are there serve, Debian's are installed where one is missing.
 if ! command -v node >/dev/null || ! command -v npm >/dev/null; then

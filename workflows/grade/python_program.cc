@@ -58,6 +58,13 @@ std::string PackageBesideProgram() {
   return "";
 }
 
+/// The shared libraries that an archive brings for the package; "" where it needs those of the system alone.
+std::string LibrariesOf(const std::string& package) {
+  std::error_code error;
+  const fs::path folder = (fs::path(package) / "../../gaitwright").lexically_normal();
+  return !package.empty() && fs::is_directory(folder, error) ? folder.string() : "";
+}
+
 std::string ChosenProgram(const std::string& program) {
   constexpr char kUsual[] = "/usr/bin/python3";
   std::error_code error;
@@ -79,6 +86,8 @@ PythonProgram FromJson(const nlohmann::json& told) {
   python.readable = told.at("readable").get<std::vector<std::string>>();
   python.readable.insert(python.readable.end(), kSystem.begin(), kSystem.end());
   python.package = told.at("package").get<std::string>();
+  if (const std::string libraries = LibrariesOf(python.package); !libraries.empty())
+    python.readable.push_back(libraries);
   python.has_numpy = told.at("numpy").get<bool>();
   return python;
 }
