@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a wheel: pip wheel ./python. It is built by CMake, with the libraries that this machine has.
+"""Makes a wheel: pip wheel ./python. CMake builds it. It holds robots, gaits and the shared libraries that it needs.
 
 GAITWRIGHT_BUILD names a build tree of CMake whose Python package is taken instead of building anew.
 """
@@ -15,6 +15,8 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "python"))
+from bundle_libraries import bundle  # noqa: E402
 
 
 def version():
@@ -22,7 +24,7 @@ def version():
 
 
 class BuiltByCMake(build_ext):
-    """The package as CMake builds it, with robots and gaits beside it."""
+    """The package as CMake builds it, with robots, gaits and shared libraries."""
 
     def build_extension(self, ext):
         tree = os.environ.get("GAITWRIGHT_BUILD")
@@ -32,8 +34,12 @@ class BuiltByCMake(build_ext):
             raise SystemExit(f"there is no Python package in {package}; GAITWRIGHT_BUILD names a tree without one")
         target = Path(self.get_ext_fullpath(ext.name)).parent
         shutil.copytree(package, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
-        shutil.copytree(ROOT / "robots", target / "data" / "robots", dirs_exist_ok=True)
-        shutil.copy(ROOT / "planning" / "gait" / "gaits.yaml", target / "data" / "gaits.yaml")
+        data = target / "share" / "gaitwright"  # where the core looks first
+        shutil.copytree(ROOT / "robots", data / "robots", dirs_exist_ok=True)
+        shutil.copy(ROOT / "planning" / "gait" / "gaits.yaml", data / "gaits.yaml")
+        libraries = target.parent / "gaitwright.libs"
+        shutil.rmtree(libraries, ignore_errors=True)
+        bundle(libraries, [target / core.name])
 
     def build_by_cmake(self):
         tree = Path(self.build_temp).resolve()
@@ -44,9 +50,16 @@ class BuiltByCMake(build_ext):
         return tree
 
 
+def platform():
+    """Systems with this machine's glibc or a newer one; pip reads it from the name of the wheel."""
+    major, minor = os.confstr("CS_GNU_LIBC_VERSION").split()[1].split(".")[:2]
+    return f"manylinux_{major}_{minor}_{os.uname().machine}"
+
+
 setup(
     version=version(),
     packages=[],
     ext_modules=[Extension("gaitwright._core", sources=[])],
     cmdclass={"build_ext": BuiltByCMake},
+    options={"bdist_wheel": {"plat_name": platform()}},
 )

@@ -10,7 +10,6 @@
     gw.plot(playback)
 """
 
-import gaitwright._data  # noqa: F401, before the core looks for its data
 from gaitwright._core import (
     AUDIT_LAWS,
     CONTROLLERS,

@@ -2,6 +2,7 @@
 """The package as others get it: a wheel, and what `cmake --install` puts down."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -36,18 +37,43 @@ def build():
     return tree
 
 
-def test_a_wheel_walks_from_anywhere(build, tmp_path):
-    pip = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check"]
-    source = tmp_path / "source"  # a copy, since setuptools writes beside it
+PIP = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check"]
+
+
+@pytest.fixture(scope="module")
+def wheel(build, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("wheel")
+    source = folder / "source"  # a copy, since setuptools writes beside it
     shutil.copytree(ROOT / "python", source / "python")
     for name in ("robots", "planning", "CMakeLists.txt"):
         (source / name).symlink_to(ROOT / name)
-    run(*pip, "wheel", "--no-build-isolation", "--no-deps", "-w", str(tmp_path), str(source / "python"), cwd=tmp_path,
-        GAITWRIGHT_BUILD=build)
-    wheel = next(tmp_path.glob("gaitwright-*.whl"))
-    run(*pip, "install", "--no-deps", "--target", str(tmp_path / "site"), str(wheel), cwd=tmp_path)
+    run(*PIP, "wheel", "--no-index", "--no-build-isolation", "--no-deps", "-w", str(folder), str(source / "python"),
+        cwd=folder, GAITWRIGHT_BUILD=build)
+    return next(folder.glob("gaitwright-*.whl"))
+
+
+def test_a_wheel_walks_from_anywhere(wheel, tmp_path):
+    run(*PIP, "install", "--no-index", "--no-deps", "--target", str(tmp_path / "site"), str(wheel), cwd=tmp_path)
     assert walk_from(tmp_path / "site", tmp_path).startswith("True a1")
-    assert (tmp_path / "site" / "gaitwright" / "data" / "robots" / "nao" / "SOURCE.md").exists()
+    data = tmp_path / "site" / "gaitwright" / "share" / "gaitwright"
+    assert (data / "robots" / "nao" / "SOURCE.md").exists()
+    (data / "robots" / "a1").rename(data / "robots" / "of_the_wheel")
+    names = run(sys.executable, "-c", "import gaitwright; print(gaitwright.robot_names())", cwd=tmp_path,
+                PYTHONPATH=str(tmp_path / "site"))
+    assert "of_the_wheel" in names, "the wheel uses the robots of another folder"
+
+
+OF_THE_SYSTEM = r"linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|resolv|gcc_s|stdc\+\+)\.so"
+
+
+def test_a_wheel_needs_no_library_of_the_machine(wheel, tmp_path):
+    run(*PIP, "install", "--no-index", "--no-deps", "--target", str(tmp_path / "site"), str(wheel), cwd=tmp_path)
+    core = next((tmp_path / "site" / "gaitwright").glob("_core*.so"))
+    loaded = [line.strip() for line in run("ldd", str(core), cwd=tmp_path).splitlines()]
+    bundled = [line for line in loaded if "/gaitwright.libs/" in line]
+    assert len(bundled) > 10
+    assert [line for line in loaded if line not in bundled and not re.search(OF_THE_SYSTEM, line)] == []
+    assert any((tmp_path / "site" / "gaitwright.libs" / "licences").iterdir())
 
 
 def test_what_is_installed_walks(build, tmp_path):
