@@ -13,7 +13,16 @@ NOT_RUN = {
     ("docs/cluster.md", "sbatch job.sh"): "there is no Slurm here",
     ("docs/live.md", "gaitwright live --robot a1                # http://127.0.0.1:8017/, and opens it where there is a desktop"):
         "serves until it is stopped; tests/cli/live_test.cc starts and stops it",
-    ("docs/python.md", "apt-get install pybind11-dev python3-dev python3-numpy    # and what ./run installs"):
+    ("docs/install.md", "./run --version"):
+        "installs into the machine; tests/consumer and tests/python/test_installed.py install into a folder",
+    ("docs/install.md", "apt-get install dpkg-dev file"):
+        "changes the machine; tests/package/check_in_empty_root.sh installs and purges the package",
+    ("docs/install.md", "apt-get install patchelf"):
+        "changes the machine; tests/package/check_archive.sh unpacks and runs the archive",
+    ("docs/install.md", "apt-get install pybind11-dev python3-dev python3-numpy python3-pip python3-setuptools python3-wheel patchelf"):
+        "changes the machine; tests/python/test_installed.py builds and installs the wheel",
+    ("docs/install.md", "docker build -t gaitwright ."): "needs a Docker daemon and an image from the network",
+    ("docs/python.md", "apt-get install pybind11-dev python3-dev python3-numpy patchelf    # and what ./run installs"):
         "changes the machine; tests/python/test_installed.py builds and installs the wheel",
     ("docs/sweep.md", "gaitwright sweep --robot a1 --gait trot --distance 1 --over speed=0.1:1.5:20 --over gait.cycle_s=0.3:0.8:10 \\"):
         "hundreds of walks take minutes; the block before it sweeps over six",
