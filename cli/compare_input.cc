@@ -25,7 +25,7 @@ struct SideFile {
   bool has_units() const { return table || kind == MotionFileKind::kTrajectory; }
 };
 
-Failure Refused(const std::string& code, const std::string& message, std::vector<std::string> hints = {}) {
+Failure ComparisonRefused(const std::string& code, const std::string& message, std::vector<std::string> hints = {}) {
   return {FailureKind::kBadInput, code, "ReadCompareInput", message, std::move(hints)};
 }
 
@@ -34,19 +34,20 @@ Result<SideFile> ReadSide(const std::string& path) {
   if (!text) return text.failure();
   SideFile side{path, *text, KindOfText(*text)};
   if (side.kind == MotionFileKind::kJson) {
-    return Refused(
+    return ComparisonRefused(
         "no_motion", fmt::format("'{}' is JSON, but no plan, log or report", path),
         {"name a plan.json, a log.json, what 'walk --json' prints, a CSV of a motion, or a joint trajectory"});
   }
   if (side.kind == MotionFileKind::kTrials)
-    return Refused("no_motion", fmt::format("'{}' is {}; these are not compared", path, NameOf(side.kind)),
-                   {"'trials --report FILE' makes a page of each"});
+    return ComparisonRefused("no_motion", fmt::format("'{}' is {}; these are not compared", path, NameOf(side.kind)),
+                             {"'trials --report FILE' makes a page of each"});
   if (side.kind != MotionFileKind::kTable) return side;
   Result<CsvTable> table = ParseCsvTable(side.text, path);
   const std::string extension = std::filesystem::path(path).extension().string();
   if (!table && (extension == ".yaml" || extension == ".yml")) {
-    return Refused("no_motion", fmt::format("'{}' is no joint trajectory, and other YAML is not compared", path),
-                   {"'import' makes a plan of footsteps, which is compared"});
+    return ComparisonRefused("no_motion",
+                             fmt::format("'{}' is no joint trajectory, and other YAML is not compared", path),
+                             {"'import' makes a plan of footsteps, which is compared"});
   }
   if (!table) return table.failure();
   side.table = std::move(*table);
@@ -66,21 +67,21 @@ Result<ComparedMotion> ReadLogSide(const SideFile& side, const RobotModel* model
   if (!log) return log.failure();
   const std::vector<std::string> hints = {"--plan FILE, the plan that was played", "--robot " + log->robot};
   if (model == nullptr)
-    return Refused("no_robot",
-                   fmt::format("'{}' is a log of robot '{}', which it does not hold", side.path, log->robot), hints);
+    return ComparisonRefused(
+        "no_robot", fmt::format("'{}' is a log of robot '{}', which it does not hold", side.path, log->robot), hints);
   if (model->hash != log->robot_hash) {
-    return Refused("robot_hash",
-                   fmt::format("'{}' is a log of robot '{}' ({}), not of '{}' ({})", side.path, log->robot,
-                               log->robot_hash, model->name, model->hash),
-                   hints);
+    return ComparisonRefused("robot_hash",
+                             fmt::format("'{}' is a log of robot '{}' ({}), not of '{}' ({})", side.path, log->robot,
+                                         log->robot_hash, model->name, model->hash),
+                             hints);
   }
   return ComparedLog(*model, *log, side.path);
 }
 
 Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* model) {
   if (model == nullptr) {
-    return Refused("no_robot", fmt::format("'{}' does not say whose motion it is", side.path),
-                   {"--robot NAME", "--urdf FILE", "--plan FILE, the plan that was played"});
+    return ComparisonRefused("no_robot", fmt::format("'{}' does not say whose motion it is", side.path),
+                             {"--robot NAME", "--urdf FILE", "--plan FILE, the plan that was played"});
   }
   if (!side.table) return ComparedTrajectory(*model, side.text, side.path, side.reading.options);
   return ComparedCsv(*model, *side.table, side.reading);
@@ -105,8 +106,8 @@ void SayHowToRead(const CompareFiles& files, SideFile& a, SideFile& b) {
 
 Result<CompareInput> ReadReports(const SideFile& a, const SideFile& b) {
   if (a.kind != b.kind) {
-    return Refused("not_alike", fmt::format("'{}' is {}, '{}' is {}: a report is compared with a report", a.path,
-                                            NameOf(a.kind), b.path, NameOf(b.kind)));
+    return ComparisonRefused("not_alike", fmt::format("'{}' is {}, '{}' is {}: a report is compared with a report",
+                                                      a.path, NameOf(a.kind), b.path, NameOf(b.kind)));
   }
   const Result<ReadReport> of_a = ReportFromJson(a.text, a.path), of_b = ReportFromJson(b.text, b.path);
   if (!of_a) return of_a.failure();

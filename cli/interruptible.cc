@@ -4,18 +4,18 @@
 namespace gaitwright::cli {
 namespace {
 
-using Actions = std::array<struct sigaction, kEndings.size()>;
+using EndingActions = std::array<struct sigaction, kEndings.size()>;
 
 volatile std::sig_atomic_t g_interrupted = 0;
 
 /// @return what was done until now.
-Actions Handle(const struct sigaction& action) {
-  Actions before = {};
+EndingActions HandleEndings(const struct sigaction& action) {
+  EndingActions before = {};
   for (std::size_t i = 0; i < kEndings.size(); ++i) ::sigaction(kEndings[i], &action, &before[i]);
   return before;
 }
 
-void Restore(const Actions& before) {
+void RestoreEndings(const EndingActions& before) {
   for (std::size_t i = 0; i < kEndings.size(); ++i) ::sigaction(kEndings[i], &before[i], nullptr);
 }
 
@@ -25,19 +25,19 @@ Interruptible::Interruptible() {
   struct sigaction action = {};
   action.sa_handler = [](int) { g_interrupted = 1; };
   action.sa_flags = static_cast<int>(SA_RESETHAND);
-  before_ = Handle(action);
+  before_ = HandleEndings(action);
 }
 
-Interruptible::~Interruptible() { Restore(before_); }
+Interruptible::~Interruptible() { RestoreEndings(before_); }
 
 bool Interruptible::asked() { return g_interrupted != 0; }
 
 Undisturbed::Undisturbed() {
   struct sigaction action = {};
   action.sa_handler = SIG_IGN;
-  before_ = Handle(action);
+  before_ = HandleEndings(action);
 }
 
-Undisturbed::~Undisturbed() { Restore(before_); }
+Undisturbed::~Undisturbed() { RestoreEndings(before_); }
 
 }  // namespace gaitwright::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <exception>
 #include <string>
 #include <utility>
 
@@ -10,7 +10,7 @@
 namespace gaitwright::cli {
 
 /// Thrown where --list-options is asked for: what it is to print.
-class ListedOptions : public CLI::Success {
+class ListedOptions : public std::exception {
  public:
   ListedOptions(OptionFields fields, bool as_json) : fields_(std::move(fields)), as_json_(as_json) {}
 

@@ -1,59 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "cli/command_line.h"
 #include "cli/listed_options.h"
 #include "cli/program.h"
 #include "cli/reference_pages.h"
 #include "cli/usage.h"
-#include "kinematics/base/version.h"
 
 int main(int argc, char** argv) {
   using namespace gaitwright::cli;
-  CLI::App app(
+  CommandLine command_line(
       "Gaitwright plans gaits for legged robots and proves them in physics.\n"
       "First words: gaitwright walk --robot a1\n",
-      "gaitwright");
-  app.set_version_flag("--version", gaitwright::Version(), "Print the version and exit.");
-  app.require_subcommand(1);
-  app.set_help_flag("-h,--help", "Print this help and exit.");
-  app.footer(
       std::string("Each verb has its own: gaitwright walk --help\nSI units throughout; degrees only where a name says "
                   "so.\n\n") +
-      kExitStatuses);
+          kExitStatuses);
+  const Verb program = command_line.program();
   int status = kPass;
-  AddWalk(app, status);
-  AddPlan(app, status);
-  AddDo(app, status);
-  AddAudit(app, status);
-  AddPlay(app, status);
-  AddTrials(app, status);
-  AddSweep(app, status);
-  AddTune(app, status);
-  AddGrade(app, status);
-  AddRobots(app, status);
-  AddGaits(app, status);
-  AddTerrains(app, status);
-  AddBench(app, status);
-  AddExport(app, status);
-  AddCompare(app, status);
-  AddImport(app, status);
-  AddView(app, status);
-  AddRender(app, status);
-  AddLive(app, status);
-  AddReference(app, status);
-  LayOutHelp(app);
+  AddWalk(program, status);
+  AddPlan(program, status);
+  AddDo(program, status);
+  AddAudit(program, status);
+  AddPlay(program, status);
+  AddTrials(program, status);
+  AddSweep(program, status);
+  AddTune(program, status);
+  AddGrade(program, status);
+  AddRobots(program, status);
+  AddGaits(program, status);
+  AddTerrains(program, status);
+  AddBench(program, status);
+  AddExport(program, status);
+  AddCompare(program, status);
+  AddImport(program, status);
+  AddView(program, status);
+  AddRender(program, status);
+  AddLive(program, status);
+  AddReference(program, status);
+  command_line.LayOutHelp();
   try {
-    app.parse(argc, argv);
+    if (const std::optional<int> ended = command_line.Run(argc, argv)) return *ended;
   } catch (const ListedOptions& asked) {
     PrintOptions(asked.fields(), asked.as_json());
-  } catch (const CLI::Success& asked) {  // --help and --version
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
+  } catch (const UsageError& error) {
     Common common;
     common.json = std::find(argv + 1, argv + argc, std::string_view("--json")) != argv + argc;
-    return Report(UsageFailure(app, error), common);
+    return Report(UsageFailure(program, error), common);
   }
   return status;
 }

@@ -13,15 +13,15 @@
 
 namespace gaitwright::cli {
 
-void MotionRobot::AddTo(CLI::App& verb) {
-  verb.option_defaults()->group("Whose motion it is, where the file does not say");
-  CLI::Option* named = AddText(verb, "--robot", "NAME", robot,
-                               "Robot by name, see 'gaitwright robots'; a plan knows its own; default none.");
-  CLI::Option* file = AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own; default none.");
-  CLI::Option* played = AddText(verb, "--plan", "FILE", plan, "The plan that was played; default none.");
-  named->excludes(file)->excludes(played);
-  file->excludes(played);
-  verb.option_defaults()->group("Options");
+void MotionRobot::AddTo(Verb verb) {
+  verb.SetGroup("Whose motion it is, where the file does not say");
+  const Flag named = AddText(verb, "--robot", "NAME", robot,
+                             "Robot by name, see 'gaitwright robots'; a plan knows its own; default none.");
+  const Flag file = AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own; default none.");
+  const Flag played = AddText(verb, "--plan", "FILE", plan, "The plan that was played; default none.");
+  named.Exclude(file).Exclude(played);
+  file.Exclude(played);
+  verb.SetGroup("Options");
 }
 
 Result<MotionInput> PlanInput(MotionPlan plan) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
+#include "cli/verb.h"
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
 #include "planning/plan/motion_plan.h"
@@ -16,7 +16,7 @@ namespace gaitwright::cli {
 struct MotionRobot {
   std::string robot, urdf, plan;
 
-  void AddTo(CLI::App& verb);
+  void AddTo(Verb verb);
   bool given() const { return !robot.empty() || !urdf.empty() || !plan.empty(); }
 };
 

@@ -11,14 +11,14 @@
 
 namespace gaitwright::cli {
 
-void OptionsFile::AddTo(CLI::App& verb) {
+void OptionsFile::AddTo(Verb verb) {
   AddText(verb, "--options", "FILE", path,
           "Options from a YAML file of KEY: VALUE, as 'tune' writes it, with the keys of --set, which wins over it; it "
           "wins over flags; default: none.");
 }
 
 void OptionsFile::AddPathTo(Paths& paths) const {
-  if (!path.empty()) paths.read.push_back({"--options", path});
+  if (!path.empty()) paths.Read("--options", path);
 }
 
 Result<OptionTexts> OptionsFile::Apply(OptionFields fields, const Common& common) const {

@@ -13,7 +13,7 @@ namespace gaitwright::cli {
 struct OptionsFile {
   std::string path;  ///< "" for none
 
-  void AddTo(CLI::App& verb);
+  void AddTo(Verb verb);
   void AddPathTo(Paths& paths) const;
   /// Sets those options of the file that `fields` has. The file may hold any option of `walk`: keys that are for other
   /// verbs are told of on standard error, unless quiet. Call it before ApplySets, which wins. Nothing for no file.

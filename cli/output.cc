@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "kinematics/base/file.h"
 #include "planning/plan/parts_text.h"
 #include "planning/plan/plan_json.h"
@@ -44,12 +45,19 @@ std::string DrawnText(const std::vector<std::pair<std::string, std::string>>& dr
 
 }  // namespace
 
-void Outputs::AddTo(CLI::App& verb) {
-  verb.option_defaults()->group("What is written");
+void Outputs::AddTo(Verb verb) {
+  verb.SetGroup("What is written");
   AddText(verb, "--out-dir", "FOLDER", folder,
           "Folder for plan.json, log.json and report.html, made if need be; default out.");
   AddText(verb, "--plot-dir", "FOLDER", plot_folder,
           "Write the plots into this folder too, as SVG files; default: nowhere.");
+}
+
+void Outputs::AddPathsTo(Paths& paths) const {
+  paths.Write("the plan of --out-dir", PathOf(plan), {".json"});
+  paths.Write("the log of --out-dir", PathOf(log), {".json"});
+  paths.Write("the report of --out-dir", PathOf(report), {".html"});
+  paths.plot_folder = plot_folder;
 }
 
 std::string Outputs::PathOf(const std::string& name) const {
@@ -82,9 +90,9 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
                  const std::vector<std::pair<std::string, std::string>>& more) {
   if (common.json) {
     auto json = nlohmann::ordered_json::object();
-    for (const auto& [key, text] : more) json[key] = nlohmann::ordered_json::parse(text);
-    json.update(nlohmann::ordered_json::parse(ReportJson(judged.played.report)));
-    json["audit"] = nlohmann::ordered_json::parse(AuditJson(judged.audit));
+    for (const auto& [key, text] : more) json[key] = ParsedJson(text);
+    json.update(ParsedJson(ReportJson(judged.played.report)));
+    json["audit"] = ParsedJson(AuditJson(judged.audit));
     json["warnings"] = judged.plan.warnings;
     if (judged.played.report.pass && !judged.pass()) {
       json["verdict"] = "fail";
@@ -97,7 +105,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     json["playback_realtime_factor"] = judged.played.realtime_factor;
     json["files"] = nlohmann::ordered_json::object();
     for (const auto& [kind, path] : files) json["files"][kind] = path;
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(json);
     return;
   }
   if (common.quiet) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/paths.h"
 #include "cli/program.h"
 #include "workflows/walk/walk_report.h"
 
@@ -14,7 +15,9 @@ namespace gaitwright::cli {
 struct Outputs {
   std::string folder, plan = "plan.json", log = "log.json", report = "report.html", plot_folder;
 
-  void AddTo(CLI::App& verb);
+  void AddTo(Verb verb);
+  /// Adds the files of the folder, as those of --out-dir, and the folder of plots.
+  void AddPathsTo(Paths& paths) const;
   /// Where a name of this folder lies.
   std::string PathOf(const std::string& name) const;
 };

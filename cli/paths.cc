@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "cli/word_list.h"
 #include "kinematics/base/result.h"
 #include "kinematics/base/same_file.h"
 #include "kinematics/base/writable.h"
@@ -34,7 +35,7 @@ void CheckEnding(const NamedPath& output) {
   };
   if (output.endings.empty() || has(output.endings) || !has(kOfFormats)) return;
   throw InvalidArgument(fmt::format("{} '{}' ends in '{}'; {} is written", output.name, output.path, written,
-                                    fmt::join(output.endings, " or ")));
+                                    JoinWords(output.endings, " or ")));
 }
 
 void CheckOutput(const NamedPath& output, const Paths& paths) {
@@ -68,21 +69,27 @@ std::string EndingOf(const std::string& path) {
   return ending;
 }
 
+void Paths::Read(std::string_view name, const std::string& path) { read.push_back({std::string(name), path}); }
+
+void Paths::Write(std::string_view name, const std::string& path, std::initializer_list<std::string_view> endings) {
+  written.push_back({std::string(name), path, {endings.begin(), endings.end()}});
+}
+
 void Paths::AddRobotAndGait(const std::string& urdf, const std::string& gait) {
   if (!urdf.empty()) {
-    read.push_back({"--urdf", urdf});
-    read.push_back({"the robot.yaml beside --urdf", (fs::path(urdf).parent_path() / "robot.yaml").string()});
+    Read("--urdf", urdf);
+    Read("the robot.yaml beside --urdf", (fs::path(urdf).parent_path() / "robot.yaml").string());
   }
-  read.push_back({"--gait", GaitFileOf(gait)});
+  Read("--gait", GaitFileOf(gait));
 }
 
 void Paths::AddSequence(const std::string& sequence) {
   const std::string file = SequenceFileOf(sequence);
-  if (!file.empty()) read.push_back({"--sequence", file});
+  if (!file.empty()) Read("--sequence", file);
 }
 
 void Paths::AddTerrain(const std::string& terrain) {
-  for (const std::string& file : TerrainFilesOf(terrain)) read.push_back({"the terrain", file});
+  for (const std::string& file : TerrainFilesOf(terrain)) Read("the terrain", file);
 }
 
 void CheckPaths(const Paths& paths) {

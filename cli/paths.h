@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gaitwright::cli {
@@ -20,6 +22,9 @@ struct Paths {
   std::vector<NamedPath> read, written;
   std::string plot_folder;  ///< gets SVG files
 
+  /// Adds a file that is read, and a file that is written.
+  void Read(std::string_view name, const std::string& path);
+  void Write(std::string_view name, const std::string& path, std::initializer_list<std::string_view> endings = {});
   /// Adds a URDF and the robot.yaml beside it, and the file of `gait` when it names one.
   void AddRobotAndGait(const std::string& urdf, const std::string& gait);
   /// Adds the file of `sequence` when it names one.

@@ -7,45 +7,64 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
+#include "cli/word_list.h"
 #include "workflows/cluster/ranks.h"
 #include "workflows/study/job_journal.h"
 
 namespace gaitwright::cli {
+namespace {
 
-void AddCommon(CLI::App& verb, Common& common, const std::vector<std::string>& examples) {
-  verb.option_defaults()->group("Flags of every verb");
-  verb.add_flag("--json", common.json, "Print one JSON object on standard output, and nothing else there.");
-  verb.add_flag("--quiet", common.quiet, "Print only the verdict (pass or fail), of a list only the names.");
+/// Runs the work of a verb; an exception becomes a failure like any other.
+int Guarded(const Common& common, const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const InvalidArgument& error) {
+    return Report({FailureKind::kBadInput, "invalid_argument", "program", error.what(), {}}, common);
+  } catch (const CannotKeep& error) {
+    const std::vector<std::string> hints = {"make room on the disk", "the same command with --resume goes on"};
+    return Report({FailureKind::kBadInput, "so_far", "JobJournal", error.what(), hints}, common);
+  } catch (const std::exception& error) {
+    const std::string message = fmt::format("the program failed, which is its own fault: {}", error.what());
+    return Report({FailureKind::kBadInput, "internal", "program", message, {}}, common);
+  }
+}
+
+}  // namespace
+
+void AddCommon(Verb verb, Common& common, std::initializer_list<std::string_view> examples) {
+  verb.SetGroup("Flags of every verb");
+  verb.AddSwitch("--json", common.json, "Print one JSON object on standard output, and nothing else there.");
+  verb.AddSwitch("--quiet", common.quiet, "Print only the verdict (pass or fail), of a list only the names.");
   AddWholeNumber(verb, "--seed", 0, common.seed,
                  "Seed of whatever is random, such as --ground-bumps, 0 or more; default 0.");
-  verb.add_option(
+  verb.AddValue(
           "--set", common.sets,
           "Set one of the many options behind the flags; may be repeated, with each key once. They win over flags.")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all();
-  verb.option_defaults()->group("Options");
+      .SetType("KEY=VALUE")
+      .Repeat();
+  verb.SetGroup("Options");
   std::string footer = examples.size() > 1 ? "Examples:\n" : "Example:\n";
-  for (const std::string& example : examples) footer += "  gaitwright " + example + "\n";
-  verb.footer(footer + "\n" + kExitStatuses);
+  for (const std::string_view example : examples) footer += fmt::format("  gaitwright {}\n", example);
+  verb.SetFooter(footer + "\n" + kExitStatuses);
 }
 
 int Report(const Failure& failure, const Common& common) {
-  const std::string hints = failure.hints.empty() ? "" : fmt::format(" (try: {})", fmt::join(failure.hints, "; or: "));
+  const std::string hints = failure.hints.empty() ? "" : fmt::format(" (try: {})", JoinWords(failure.hints, "; or: "));
   fmt::print(stderr, "gaitwright: {}{}\n", failure.message, hints);
   if (common.json) {
     const nlohmann::ordered_json error = {
         {"error",
          {{"code", failure.code}, {"stage", failure.stage}, {"message", failure.message}, {"hints", failure.hints}}}};
-    fmt::print("{}\n", error.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(error);
   }
   return failure.kind == FailureKind::kInfeasible ? kNoPlan : kWrongInput;
 }
 
-int Guarded(const Common& common, const std::function<int()>& verb) {
-  return GuardedInRanks(common, [&]() -> int {
+void SetWork(Verb verb, const Common& common, int& status, const std::function<int()>& work) {
+  SetWorkInRanks(verb, common, status, [work, &common]() -> int {
     const Ranks ranks = Ranks::Join();
-    if (ranks.count() == 1) return verb();
+    if (ranks.count() == 1) return work();
     if (!ranks.leads()) return kPass;
     return Report({FailureKind::kBadInput,
                    "several_processes",
@@ -56,18 +75,8 @@ int Guarded(const Common& common, const std::function<int()>& verb) {
   });
 }
 
-int GuardedInRanks(const Common& common, const std::function<int()>& verb) {
-  try {
-    return verb();
-  } catch (const InvalidArgument& error) {
-    return Report({FailureKind::kBadInput, "invalid_argument", "program", error.what(), {}}, common);
-  } catch (const CannotKeep& error) {
-    const std::vector<std::string> hints = {"make room on the disk", "the same command with --resume goes on"};
-    return Report({FailureKind::kBadInput, "so_far", "JobJournal", error.what(), hints}, common);
-  } catch (const std::exception& error) {
-    const std::string message = fmt::format("the program failed, which is its own fault: {}", error.what());
-    return Report({FailureKind::kBadInput, "internal", "program", message, {}}, common);
-  }
+void SetWorkInRanks(Verb verb, const Common& common, int& status, const std::function<int()>& work) {
+  verb.SetWork([work, &common, &status] { status = Guarded(common, work); });
 }
 
 }  // namespace gaitwright::cli

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "cli/verb.h"
 #include "kinematics/base/result.h"
 
 namespace gaitwright::cli {
@@ -31,38 +33,38 @@ struct Common {
 
 /// Adds the flags of Common to a verb, and to the end of its help the examples (command lines without the program's
 /// name) and the exit statuses.
-void AddCommon(CLI::App& verb, Common& common, const std::vector<std::string>& examples);
+void AddCommon(Verb verb, Common& common, std::initializer_list<std::string_view> examples);
 
 /// Prints a failure (one line on standard error; with --json the error object on standard output) and gives its
 /// status.
 int Report(const Failure& failure, const Common& common);
 
-/// Runs a verb; an exception becomes a failure like any other. Of several processes of an MPI run each would do all of
-/// it and write the same files: it is refused, by the first of them.
-int Guarded(const Common& common, const std::function<int()>& verb);
+/// Sets what a verb does; `status` gets the exit status. An exception of `work` becomes a failure like any other. Of
+/// several processes of an MPI run each would do all of the work and write the same files: the first of them refuses.
+void SetWork(Verb verb, const Common& common, int& status, const std::function<int()>& work);
 
-/// The same of a verb whose work the processes of an MPI run share.
-int GuardedInRanks(const Common& common, const std::function<int()>& verb);
+/// Sets what a verb does, as SetWork, for work that the processes of an MPI run share.
+void SetWorkInRanks(Verb verb, const Common& common, int& status, const std::function<int()>& work);
 
 // One function for each verb: adds it to the program; `status` gets the exit status when it has run.
-void AddWalk(CLI::App& app, int& status);
-void AddPlan(CLI::App& app, int& status);
-void AddAudit(CLI::App& app, int& status);
-void AddPlay(CLI::App& app, int& status);
-void AddTrials(CLI::App& app, int& status);
-void AddSweep(CLI::App& app, int& status);
-void AddTune(CLI::App& app, int& status);
-void AddRobots(CLI::App& app, int& status);
-void AddGaits(CLI::App& app, int& status);
-void AddTerrains(CLI::App& app, int& status);
-void AddBench(CLI::App& app, int& status);
-void AddExport(CLI::App& app, int& status);
-void AddCompare(CLI::App& app, int& status);
-void AddImport(CLI::App& app, int& status);
-void AddView(CLI::App& app, int& status);
-void AddRender(CLI::App& app, int& status);
-void AddLive(CLI::App& app, int& status);
-void AddDo(CLI::App& app, int& status);
-void AddGrade(CLI::App& app, int& status);
+void AddWalk(Verb program, int& status);
+void AddPlan(Verb program, int& status);
+void AddAudit(Verb program, int& status);
+void AddPlay(Verb program, int& status);
+void AddTrials(Verb program, int& status);
+void AddSweep(Verb program, int& status);
+void AddTune(Verb program, int& status);
+void AddRobots(Verb program, int& status);
+void AddGaits(Verb program, int& status);
+void AddTerrains(Verb program, int& status);
+void AddBench(Verb program, int& status);
+void AddExport(Verb program, int& status);
+void AddCompare(Verb program, int& status);
+void AddImport(Verb program, int& status);
+void AddView(Verb program, int& status);
+void AddRender(Verb program, int& status);
+void AddLive(Verb program, int& status);
+void AddDo(Verb program, int& status);
+void AddGrade(Verb program, int& status);
 
 }  // namespace gaitwright::cli

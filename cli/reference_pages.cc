@@ -4,31 +4,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "cli/listed_options.h"
+#include "cli/word_list.h"
 
 namespace gaitwright::cli {
 namespace {
 
 constexpr char kMade[] = "<!-- Written by `gaitwright reference`; do not edit. -->\n\n";
 
-/// All verbs below `app`, each before those below it, with the words that call it.
-struct Verb {
-  std::string words;
-  CLI::App* app;
-};
-
-void Collect(CLI::App& app, const std::string& before, std::vector<Verb>& verbs) {
-  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
-    verbs.push_back({before + verb->get_name(), verb});
-    Collect(*verb, verbs.back().words + " ", verbs);
+/// All verbs below one, each before those below it.
+std::vector<Verb> VerbsBelow(Verb verb) {
+  std::vector<Verb> all;
+  for (const Verb& child : verb.verbs()) {
+    all.push_back(child);
+    const std::vector<Verb> below = VerbsBelow(child);
+    all.insert(all.end(), below.begin(), below.end());
   }
+  return all;
 }
 
 /// Text for a cell of a table: on one line, bars and stars as they are.
-std::string Cell(const std::string& text) {
+std::string TableCell(const std::string& text) {
   std::string cell;
   for (const char c : text) {
     if (c == '|' || c == '*' || c == '<') cell += '\\';
@@ -37,20 +37,19 @@ std::string Cell(const std::string& text) {
   return cell;
 }
 
-std::string OptionsTable(const CLI::App& verb, const std::string& group) {
+std::string OptionsTable(Verb verb, const std::string& group) {
   std::string table = fmt::format("| {} | value | does |\n|---|---|---|\n", group == "Options" ? "flag" : group);
-  for (const CLI::Option* option : verb.get_options()) {
-    if (option->get_group() != group) continue;
-    const std::string type = option->get_type_size() == 0 ? "" : option->get_type_name();
-    const std::string name = option->get_positional() ? option->get_name(true, false) : option->get_name(false, true);
-    table += fmt::format("| `{}` | {} | {} |\n", name, Cell(type), Cell(option->get_description()));
+  for (const Flag& flag : verb.flags()) {
+    if (flag.group() != group) continue;
+    table +=
+        fmt::format("| `{}` | {} | {} |\n", flag.all_names(), TableCell(flag.type()), TableCell(flag.description()));
   }
   return table + "\n";
 }
 
 /// The examples of a help's end.
-std::string ExamplesOf(const CLI::App& verb) {
-  std::istringstream footer(verb.get_footer());
+std::string ExamplesOf(Verb verb) {
+  std::istringstream footer(verb.footer());
   std::string examples;
   for (std::string line; std::getline(footer, line);) {
     if (line.starts_with("  gaitwright ")) examples += line.substr(2) + "\n";
@@ -59,33 +58,30 @@ std::string ExamplesOf(const CLI::App& verb) {
 }
 
 /// Groups of a verb's flags, in order; what every verb has is told once.
-std::vector<std::string> GroupsOf(const CLI::App& verb) {
+std::vector<std::string> GroupsOf(Verb verb) {
   std::vector<std::string> groups;
-  for (const CLI::Option* option : verb.get_options()) {
-    const std::string& group = option->get_group();
-    if (group.empty() || group == "Flags of every verb" || option->get_name(false, true) == "-h,--help") continue;
+  for (const Flag& flag : verb.flags()) {
+    const std::string group = flag.group();
+    if (group.empty() || group == "Flags of every verb" || flag.all_names() == "-h,--help") continue;
     if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
   }
   return groups;
 }
 
 /// What --list-options of a verb would print; empty where it has none.
-OptionFields ListedBy(CLI::App& verb) {
-  CLI::Option* option = verb.get_option_no_throw("--list-options");
-  if (option == nullptr) return {};
-  option->add_result("true");
-  OptionFields fields;
+OptionFields ListedBy(Verb verb) {
+  const std::optional<Flag> list = verb.Find("--list-options");
+  if (!list) return {};
   try {
-    option->run_callback();
+    list->Trigger();
   } catch (const ListedOptions& listed) {
-    fields = listed.fields();
+    return listed.fields();
   }
-  option->clear();
-  return fields;
+  return {};
 }
 
 /// A line of the page of options.
-struct Line {
+struct OptionLine {
   std::string key, text;
   std::vector<std::string> verbs;
 };
@@ -95,19 +91,17 @@ std::string GroupOf(const std::string& key) {
   return dot == std::string::npos ? "" : key.substr(0, dot);
 }
 
-std::vector<Line> LinesOf(CLI::App& app) {
-  std::vector<Verb> verbs;
-  Collect(app, "", verbs);
-  std::vector<Line> lines;
-  for (const Verb& verb : verbs) {
-    for (const OptionField& field : ListedBy(*verb.app)) {
+std::vector<OptionLine> OptionLines(Verb program) {
+  std::vector<OptionLine> lines;
+  for (const Verb& verb : VerbsBelow(program)) {
+    for (const OptionField& field : ListedBy(verb)) {
       const std::string value = OptionText(field);
       const std::string text = fmt::format("{} | {} | {} | {}", value.empty() ? "" : "`" + value + "`", field.unit,
-                                           Cell(AcceptedOf(field)), Cell(field.meaning));
-      const auto same = [&](const Line& line) { return line.key == field.key && line.text == text; };
+                                           TableCell(AcceptedOf(field)), TableCell(field.meaning));
+      const auto same = [&](const OptionLine& line) { return line.key == field.key && line.text == text; };
       auto line = std::find_if(lines.begin(), lines.end(), same);
       if (line == lines.end()) line = lines.insert(lines.end(), {field.key, text, {}});
-      line->verbs.push_back(verb.words);
+      line->verbs.push_back(verb.words());
     }
   }
   return lines;
@@ -115,24 +109,23 @@ std::vector<Line> LinesOf(CLI::App& app) {
 
 }  // namespace
 
-std::string VerbsPage(const CLI::App& app) {
-  std::vector<Verb> verbs;
-  Collect(const_cast<CLI::App&>(app), "", verbs);
+std::string VerbsPage(Verb program) {
+  const std::vector<Verb> verbs = VerbsBelow(program);
   std::string page = std::string(kMade) +
                      "# Every verb and its flags\n\nThe same as `gaitwright VERB --help`. Flags that every verb has "
                      "stand at the end.\n\n";
   for (const Verb& verb : verbs) {
-    page += fmt::format("## {}\n\n{}.\n\n{}", verb.words, verb.app->get_description(), ExamplesOf(*verb.app));
-    for (const std::string& group : GroupsOf(*verb.app)) page += OptionsTable(*verb.app, group);
+    page += fmt::format("## {}\n\n{}.\n\n{}", verb.words(), verb.description(), ExamplesOf(verb));
+    for (const std::string& group : GroupsOf(verb)) page += OptionsTable(verb, group);
   }
   const std::string common = "Flags of every verb";
-  return page + "## " + common + "\n\n" + OptionsTable(*verbs.front().app, common);
+  return page + "## " + common + "\n\n" + OptionsTable(verbs.front(), common);
 }
 
-std::string OptionsPage(CLI::App& app) {
-  const std::vector<Line> lines = LinesOf(app);
+std::string OptionsPage(Verb program) {
+  const std::vector<OptionLine> lines = OptionLines(program);
   std::vector<std::string> groups;
-  for (const Line& line : lines) {
+  for (const OptionLine& line : lines) {
     if (std::find(groups.begin(), groups.end(), GroupOf(line.key)) == groups.end()) groups.push_back(GroupOf(line.key));
   }
   std::sort(groups.begin(), groups.end());
@@ -142,9 +135,9 @@ std::string OptionsPage(CLI::App& app) {
   for (const std::string& group : groups) {
     page += fmt::format("## {}\n\n| key | default | unit | accepted | meaning | of |\n|---|---|---|---|---|---|\n",
                         group.empty() ? "Without a group" : group);
-    for (const Line& line : lines) {
+    for (const OptionLine& line : lines) {
       if (GroupOf(line.key) != group) continue;
-      page += fmt::format("| `{}` | {} | {} |\n", line.key, line.text, fmt::join(line.verbs, ", "));
+      page += fmt::format("| `{}` | {} | {} |\n", line.key, line.text, JoinWords(line.verbs, ", "));
     }
     page += "\n";
   }

@@ -17,9 +17,9 @@
 namespace gaitwright::cli {
 namespace {
 
-constexpr char kStage[] = "ReadMotionToShow";
+constexpr char kShowStage[] = "ReadMotionToShow";
 
-Result<MotionToShow> WithRobot(MotionPlan plan) {
+Result<MotionToShow> ShownPlan(MotionPlan plan) {
   Result<RobotModel> model = RobotOf(plan);
   if (!model) return model.failure();
   const std::string title = TitleOf(*model, plan);
@@ -27,13 +27,13 @@ Result<MotionToShow> WithRobot(MotionPlan plan) {
 }
 
 /// The plan that a log was played from: where it is said to be, or beside the log.
-Result<MotionPlan> PlanOf(const PlaybackLog& log, const std::string& path, const std::string& plan_path) {
+Result<MotionPlan> PlayedPlan(const PlaybackLog& log, const std::string& path, const std::string& plan_path) {
   const std::string beside = (std::filesystem::path(path).parent_path() / "plan.json").string();
   if (plan_path.empty() && !std::filesystem::exists(beside)) {
     return Failure{
         FailureKind::kBadInput,
         "no_plan",
-        kStage,
+        kShowStage,
         fmt::format("'{}' is a log, which does not hold the ground and the plan, and there is no '{}'", path, beside),
         {"--plan FILE, the plan that was played"}};
   }
@@ -43,7 +43,7 @@ Result<MotionPlan> PlanOf(const PlaybackLog& log, const std::string& path, const
     return Failure{
         FailureKind::kBadInput,
         "other_plan",
-        kStage,
+        kShowStage,
         fmt::format("'{}' is not the plan that '{}' was played from: its motion has hash {}, the log says {}", from,
                     path, MotionHash(*plan), log.plan_hash),
         {"--plan FILE, the plan that was played"}};
@@ -63,21 +63,21 @@ Result<MotionToShow> ReadMotionToShow(const std::string& path, const std::string
   const MotionFileKind kind = KindOfText(*text);
   if (kind == MotionFileKind::kPlan) {
     Result<MotionPlan> plan = PlanFromJson(*text, path);
-    return plan ? WithRobot(std::move(*plan)) : plan.failure();
+    return plan ? ShownPlan(std::move(*plan)) : plan.failure();
   }
   if (kind != MotionFileKind::kLog) {
     return Failure{
         FailureKind::kBadInput,
         "no_motion",
-        kStage,
+        kShowStage,
         fmt::format("'{}' is {}, neither a plan nor a log", path, NameOf(kind)),
         {"name a plan.json or log.json, as 'walk' writes them", "a motion of other software: gaitwright import FILE"}};
   }
   Result<PlaybackLog> log = LogFromJson(*text, path);
   if (!log) return log.failure();
-  Result<MotionPlan> plan = PlanOf(*log, path, plan_path);
+  Result<MotionPlan> plan = PlayedPlan(*log, path, plan_path);
   if (!plan) return plan.failure();
-  Result<MotionToShow> shown = WithRobot(std::move(*plan));
+  Result<MotionToShow> shown = ShownPlan(std::move(*plan));
   if (!shown) return shown;
   shown->log = std::move(*log);
   shown->report = Score(shown->model, shown->plan, *shown->log);

@@ -21,7 +21,7 @@ void CheckGivenOnce(const StudyAxis& axis, const StudyArguments& a, const std::v
   }
   for (const std::vector<KeyedFlag>* flags : {&a.walk.keyed, &a.play.keyed}) {
     for (const auto& [flag, key] : *flags) {
-      if (key == axis.key && flag->count() > 0) given.push_back(flag->get_name());
+      if (key == axis.key && flag.given()) given.push_back(flag.name());
     }
   }
   const char* const push[] = {"play.push_force_x_n", "play.push_force_y_n", "play.push_force_z_n"};
@@ -35,21 +35,23 @@ void CheckGivenOnce(const StudyAxis& axis, const StudyArguments& a, const std::v
 
 }  // namespace
 
-void StudyArguments::AddTo(CLI::App& verb, const std::string& over_help) {
+void StudyArguments::AddTo(Verb verb, const std::string& over_help) {
   walk.AddTo(verb);
-  verb.option_defaults()->group("What is varied");
-  verb.add_option("--over", over, over_help)->type_name("KEY=VALUES")->expected(1)->take_all()->required();
-  verb.option_defaults()->group("Options");
+  verb.SetGroup("What is varied");
+  verb.AddValue("--over", over, over_help).SetType("KEY=VALUES").Repeat().Require();
+  verb.SetGroup("Options");
 }
 
-void StudyArguments::AddWorkTo(CLI::App& verb) {
+void StudyArguments::AddWorkTo(Verb verb) {
   play.AddTo(verb);
   options.AddTo(verb);
-  verb.option_defaults()->group("How it is run");
+  verb.SetGroup("How it is run");
   AddWholeNumber(verb, "--threads", 0, threads,
                  "Threads that work; the result is the same for any; default 0: one for each core.");
-  verb.add_flag("--resume", resume, "Go on with a run that was interrupted; the result is that of an unbroken one.");
+  verb.AddSwitch("--resume", resume, "Go on with a run that was interrupted; the result is that of an unbroken one.");
 }
+
+OptionFields StudyArguments::Fields() { return Joined({walk.Fields(), play.Fields()}); }
 
 Paths StudyArguments::PathsToRead() const {
   Paths paths;

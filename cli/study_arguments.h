@@ -23,11 +23,11 @@ struct StudyArguments {
   int threads = 0;
   bool resume = false;
 
-  void AddTo(CLI::App& verb, const std::string& over_help);
-  void AddWorkTo(CLI::App& verb);
+  void AddTo(Verb verb, const std::string& over_help);
+  void AddWorkTo(Verb verb);
   /// What it reads.
   Paths PathsToRead() const;
-  OptionFields Fields() { return Joined({walk.request.Fields(), play.request.Fields()}); }
+  OptionFields Fields();  ///< of the walk and its playback
   /// Puts options, --set and flags into the requests. @throws InvalidArgument when --set or a flag gives what is
   /// varied too, and for axes that the flags leave no room for.
   Result<OptionTexts> Finish(const std::vector<StudyAxis>& axes, const Common& common);

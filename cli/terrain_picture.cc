@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 
 #include "kinematics/spatial/convex_hull.h"
 #include "planning/plan/terrain_shapes.h"
@@ -15,7 +14,7 @@
 namespace gaitwright::cli {
 namespace {
 
-using Box = Eigen::AlignedBox2d;
+using PlanBox = Eigen::AlignedBox2d;
 
 constexpr double kLeft = 60.0, kTop = 50.0;           // of the first picture [px]
 constexpr double kWidest = 1000.0, kHighest = 560.0;  // of the first picture [px]
@@ -32,12 +31,12 @@ constexpr char kStyle[] =
     "none}";
 
 /// What is worth showing: all that is small, the near edges of what is wide, and the robot; with room around.
-Box Window(const Terrain& terrain, const TerrainScale& scale) {
-  Box window(Vector2(scale.front_m - scale.body_length_m, -0.5 * scale.body_width_m),
-             Vector2(scale.front_m, 0.5 * scale.body_width_m));
+PlanBox ShownWindow(const Terrain& terrain, const TerrainScale& scale) {
+  PlanBox window(Vector2(scale.front_m - scale.body_length_m, -0.5 * scale.body_width_m),
+                 Vector2(scale.front_m, 0.5 * scale.body_width_m));
   for (const TerrainPatch& patch : terrain.patches) {
     const std::vector<Vector2> outline = PlanOutline(patch);
-    Box box;
+    PlanBox box;
     for (const Vector2& corner : outline) box.extend(corner);
     if (!box.isEmpty() && box.sizes().maxCoeff() <= kNear) window.extend(box);
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -57,8 +56,8 @@ Box Window(const Terrain& terrain, const TerrainScale& scale) {
 }
 
 /// From metres to pixels, and the heights there are.
-struct View {
-  Box window;
+struct PictureView {
+  PlanBox window;
   double px_per_m = 1.0;
   double lowest = 0.0, highest = 0.0;
 
@@ -68,7 +67,7 @@ struct View {
   double bottom() const { return Y(window.min().y()); }
 };
 
-std::string Points(const View& view, const std::vector<Vector2>& outline) {
+std::string SvgPoints(const PictureView& view, const std::vector<Vector2>& outline) {
   std::string points;
   for (const Vector2& p : outline) points += fmt::format("{:.1f},{:.1f} ", view.X(p.x()), view.Y(p.y()));
   return points;
@@ -82,7 +81,7 @@ std::string Shade(int shade) {
 }
 
 /// Number of the shade at a place; -1 where there is no ground.
-int ShadeAt(const Terrain& terrain, const View& view, const Vector2& p) {
+int ShadeAt(const Terrain& terrain, const PictureView& view, const Vector2& p) {
   const GroundPoint ground = GroundAt(terrain, p);
   if (ground.patch < 0) return -1;
   const double span = view.highest - view.lowest;
@@ -90,7 +89,7 @@ int ShadeAt(const Terrain& terrain, const View& view, const Vector2& p) {
 }
 
 /// Runs of cells of one shade.
-std::string Shading(const Terrain& terrain, const View& view) {
+std::string Shading(const Terrain& terrain, const PictureView& view) {
   std::string svg = "<g shape-rendering=\"crispEdges\">";
   const int columns = static_cast<int>(std::ceil((view.right() - kLeft) / kCell));
   const int rows = static_cast<int>(std::ceil((view.bottom() - kTop) / kCell));
@@ -102,31 +101,30 @@ std::string Shading(const Terrain& terrain, const View& view) {
     for (int column = 0; column < columns;) {
       const int first = column, shade = shade_of(column, row);
       while (column < columns && shade_of(column, row) == shade) ++column;
-      fmt::format_to(std::back_inserter(svg),
-                     "<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" fill=\"{}\"/>",
-                     kLeft + first * kCell, kTop + row * kCell, (column - first) * kCell, kCell,
-                     shade < 0 ? "url(#none)" : Shade(shade));
+      svg += fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" fill=\"{}\"/>",
+                         kLeft + first * kCell, kTop + row * kCell, (column - first) * kCell, kCell,
+                         shade < 0 ? "url(#none)" : Shade(shade));
     }
   }
   return svg + "</g>";
 }
 
 /// Names where they have room, about 6 px a letter.
-std::string Name(const View& view, const Box& box, const std::string& name, const char* fill) {
+std::string NameLabel(const PictureView& view, const PlanBox& box, const std::string& name, const char* fill) {
   const double width = view.px_per_m * box.sizes().x(), height = view.px_per_m * box.sizes().y();
   if (width < 5.5 * static_cast<double>(name.size()) || height < 12.0) return "";
   return fmt::format("<text class=\"n m\" x=\"{:.1f}\" y=\"{:.1f}\" style=\"fill:{}\">{}</text>",
                      view.X(box.center().x()), view.Y(box.center().y()) + 4.0, fill, EscapedXml(name));
 }
 
-std::string Things(const Terrain& terrain, const View& view) {
+std::string OutlinesAndNames(const Terrain& terrain, const PictureView& view) {
   std::string svg;
   const auto add = [&](const std::vector<Vector2>& outline, const std::string& name, const char* css,
                        const char* fill) {
-    Box box;
+    PlanBox box;
     for (const Vector2& p : outline) box.extend(p);
-    svg += fmt::format("<polygon class=\"{}\" points=\"{}\"/>", css, Points(view, outline));
-    svg += Name(view, box.intersection(view.window), name, fill);
+    svg += fmt::format("<polygon class=\"{}\" points=\"{}\"/>", css, SvgPoints(view, outline));
+    svg += NameLabel(view, box.intersection(view.window), name, fill);
   };
   for (const TerrainPatch& patch : terrain.patches) {
     if (!patch.outline_T.empty()) add(PlanOutline(patch), patch.name, "o", "#222");
@@ -147,7 +145,7 @@ std::string Things(const Terrain& terrain, const View& view) {
   return svg;
 }
 
-std::string Frame(const View& view, double top, double bottom) {
+std::string PictureFrame(const PictureView& view, double top, double bottom) {
   std::string svg = fmt::format("<rect class=\"a\" x=\"{}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", kLeft,
                                 top, view.right() - kLeft, bottom - top);
   for (const double x :
@@ -167,16 +165,16 @@ std::string SideTicks(const std::vector<double>& ticks, const std::function<doub
   return svg + SvgText(kLeft - 8.0, to_px(ticks.empty() ? 0.0 : ticks.back()) - 12.0, "e", label);
 }
 
-std::string Robot(const View& view, const TerrainScale& scale) {
+std::string RobotOutline(const PictureView& view, const TerrainScale& scale) {
   const double back = scale.front_m - scale.body_length_m, half = 0.5 * scale.body_width_m;
   return fmt::format(
       "<polygon class=\"r\" points=\"{}\"/><polygon class=\"r\" points=\"{}\"/>",
-      Points(view, {{back, -half}, {scale.front_m, -half}, {scale.front_m, half}, {back, half}}),
-      Points(view, {{scale.front_m, -0.3 * half}, {scale.front_m, 0.3 * half}, {scale.front_m + 0.4 * half, 0.0}}));
+      SvgPoints(view, {{back, -half}, {scale.front_m, -half}, {scale.front_m, half}, {back, half}}),
+      SvgPoints(view, {{scale.front_m, -0.3 * half}, {scale.front_m, 0.3 * half}, {scale.front_m + 0.4 * half, 0.0}}));
 }
 
 /// The scale of shades, at the right of the picture from above.
-std::string Legend(const View& view) {
+std::string ShadeLegend(const PictureView& view) {
   std::string svg;
   const double x = view.right() + 20.0, height = std::min(160.0, view.bottom() - kTop);
   for (int i = 0; i < kShades; ++i) {
@@ -188,13 +186,13 @@ std::string Legend(const View& view) {
 }
 
 /// The heights that the section shows, from a tenth below the ground to above all that stands on it.
-struct Heights {
+struct SectionHeights {
   double low, high, px_per_m;
 
   double height_px() const { return px_per_m * (high - low); }
 };
 
-Heights HeightsOf(const Terrain& terrain, const TerrainScale& scale, const View& view) {
+SectionHeights HeightsInSection(const Terrain& terrain, const TerrainScale& scale, const PictureView& view) {
   double low = std::min(view.lowest, 0.0), high = std::max(view.highest, 1.1 * scale.body_height_m);
   for (const Obstacle& obstacle : terrain.obstacles) {
     for (const Vector3& p : CornersOf(obstacle)) high = std::max(high, 1.02 * p.z());
@@ -204,8 +202,8 @@ Heights HeightsOf(const Terrain& terrain, const TerrainScale& scale, const View&
 }
 
 /// The section along x through the start.
-std::string Section(const Terrain& terrain, const TerrainScale& scale, const View& view, double top) {
-  const auto [low, high, z_px_per_m] = HeightsOf(terrain, scale, view);
+std::string SectionPicture(const Terrain& terrain, const TerrainScale& scale, const PictureView& view, double top) {
+  const auto [low, high, z_px_per_m] = HeightsInSection(terrain, scale, view);
   const double bottom = top + z_px_per_m * (high - low);
   const auto z_px = [base = bottom, scale_px = z_px_per_m, least = low](double z) {
     return base - scale_px * (z - least);
@@ -242,12 +240,12 @@ std::string Section(const Terrain& terrain, const TerrainScale& scale, const Vie
   svg += SvgText(kLeft, top - 14.0, "",
                  steeper > 0.99 ? "section at y = 0, heights to scale"
                                 : fmt::format("section at y = 0, heights times {:.2f}", steeper));
-  return svg + Frame(view, top, bottom) + SideTicks(RoundTicks(low, high, 4), z_px, "z [m]");
+  return svg + PictureFrame(view, top, bottom) + SideTicks(RoundTicks(low, high, 4), z_px, "z [m]");
 }
 
 /// The view on a window, with the heights that are seen in it.
-View MakeView(const Terrain& terrain, const TerrainScale& scale) {
-  View view{Window(terrain, scale)};
+PictureView MakePictureView(const Terrain& terrain, const TerrainScale& scale) {
+  PictureView view{ShownWindow(terrain, scale)};
   view.px_per_m = std::min(kWidest / view.window.sizes().x(), kHighest / view.window.sizes().y());
   bool first = true;
   const Vector2 step = view.window.sizes() / 300.0;
@@ -266,9 +264,9 @@ View MakeView(const Terrain& terrain, const TerrainScale& scale) {
 }  // namespace
 
 std::string TerrainPicture(const Terrain& terrain, const TerrainScale& scale) {
-  const View view = MakeView(terrain, scale);
+  const PictureView view = MakePictureView(terrain, scale);
   const double width = view.right() + 110.0, section = view.bottom() + kBetween;
-  const double height = section + HeightsOf(terrain, scale, view).height_px() + 50.0;
+  const double height = section + HeightsInSection(terrain, scale, view).height_px() + 50.0;
   std::string svg = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" "
       "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\"><style>{2}</style><defs><pattern id=\"none\" width=\"6\" "
@@ -278,11 +276,12 @@ std::string TerrainPicture(const Terrain& terrain, const TerrainScale& scale) {
       "height=\"100%\" fill=\"#fff\"/>",
       width, height, kStyle, kLeft, kTop, view.right() - kLeft, view.bottom() - kTop);
   svg += SvgText(kLeft, 28.0, "t", terrain.name);
-  svg += "<g clip-path=\"url(#in)\">" + Shading(terrain, view) + Things(terrain, view) + Robot(view, scale) + "</g>";
+  svg += "<g clip-path=\"url(#in)\">" + Shading(terrain, view) + OutlinesAndNames(terrain, view) +
+         RobotOutline(view, scale) + "</g>";
   const auto y_px = [&](double y) { return view.Y(y); };
-  svg += Frame(view, kTop, view.bottom());
-  svg += SideTicks(RoundTicks(view.window.min().y(), view.window.max().y(), 6), y_px, "y [m]") + Legend(view);
-  svg += Section(terrain, scale, view, section);
+  svg += PictureFrame(view, kTop, view.bottom());
+  svg += SideTicks(RoundTicks(view.window.min().y(), view.window.max().y(), 6), y_px, "y [m]") + ShadeLegend(view);
+  svg += SectionPicture(terrain, scale, view, section);
   return svg + "</svg>\n";
 }
 

@@ -43,13 +43,13 @@ std::optional<Failure> InVain(const Disturbances& disturbances, const PlayReques
 
 }  // namespace
 
-void DisturbanceArguments::AddTo(CLI::App& verb, const std::string& otherwise) {
+void DisturbanceArguments::AddTo(Verb verb, const std::string& otherwise) {
   AddText(verb, "--disturbances", "FILE", file,
           "What is sampled, as YAML, see docs/trials.md; 'standard' for the standard set; default: " + otherwise + ".");
 }
 
 void DisturbanceArguments::AddPathTo(Paths& paths) const {
-  if (!file.empty() && file != "standard") paths.read.push_back({"--disturbances", file});
+  if (!file.empty() && file != "standard") paths.Read("--disturbances", file);
 }
 
 Result<Disturbances> DisturbanceArguments::Load(const RobotModel& model, PlayRequest request,

@@ -15,7 +15,7 @@ namespace gaitwright::cli {
 struct DisturbanceArguments {
   std::string file;  ///< "" for the standard set
 
-  void AddTo(CLI::App& verb, const std::string& otherwise = "the standard set, scaled to the robot");
+  void AddTo(Verb verb, const std::string& otherwise = "the standard set, scaled to the robot");
   void AddPathTo(Paths& paths) const;
   /// What the file says, or the standard set but for what else says it; a failure where some of it could not be played,
   /// or would act on nothing.

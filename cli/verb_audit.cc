@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/json_text_internal.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/walk_arguments.h"
+#include "cli/word_list.h"
 #include "kinematics/base/file.h"
 #include "kinematics/model/dof_units.h"
 #include "planning/plan/plan_json.h"
@@ -15,14 +17,14 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct AuditSettings {
   Common common;
   std::string plan, derate, start, approach, trials, report;
   bool margins = false, preflight = false;
   AuditOptions options;
   ApproachOptions of_approach;
   PreflightOptions of_preflight;
-  std::vector<CLI::Option*> only_with_preflight;
+  std::vector<Flag> only_with_preflight;
 
   OptionFields Fields() {
     return Joined(
@@ -32,10 +34,7 @@ struct Arguments {
 
 /// --derate torque=0.8,speed=0.9
 void Derate(const std::string& text, AuditOptions& options) {
-  std::istringstream stream(text);
-  std::vector<std::string> shares;
-  for (std::string word; std::getline(stream, word, ',');) shares.push_back(word);
-  ApplySets("--derate", shares,
+  ApplySets("--derate", SplitAtCommas(text),
             {{"torque", &options.derate_torque, "1", 0.01, 1.0, "", {}},
              {"speed", &options.derate_speed, "1", 0.01, 1.0, "", {}},
              {"acceleration", &options.derate_acceleration, "1", 0.01, 1.0, "", {}},
@@ -43,16 +42,20 @@ void Derate(const std::string& text, AuditOptions& options) {
              {"continuous", &options.derate_continuous, "1", 0.01, 1.0, "", {}}});
 }
 
-void CheckFlags(const Arguments& a) {
+void CheckAuditFlags(const AuditSettings& a) {
   if (!a.approach.empty() && a.start.empty())
     throw InvalidArgument("--approach needs --start-posture FILE: the way begins where the robot was measured");
-  for (const CLI::Option* option : a.only_with_preflight) {
-    if (option->count() > 0 && !a.preflight)
-      throw InvalidArgument(fmt::format("{} is for --preflight; add that, or leave it out", option->get_name()));
+  for (const Flag& flag : a.only_with_preflight) {
+    if (flag.given() && !a.preflight)
+      throw InvalidArgument(fmt::format("{} is for --preflight; add that, or leave it out", flag.name()));
   }
-  CheckPaths({{{"the plan", a.plan}, {"--start-posture", a.start}, {"--trials-result", a.trials}},
-              {{"--approach", a.approach, {".json"}}, {"--report", a.report, {".html"}}},
-              ""});
+  Paths paths;
+  paths.Read("the plan", a.plan);
+  paths.Read("--start-posture", a.start);
+  paths.Read("--trials-result", a.trials);
+  paths.Write("--approach", a.approach, {".json"});
+  paths.Write("--report", a.report, {".html"});
+  CheckPaths(paths);
 }
 
 /// Why no way is written where one was asked for.
@@ -80,13 +83,13 @@ nlohmann::ordered_json ApproachJson(const Approach& approach, const std::string&
 }
 
 /// What was looked at: the robot, its plan, and the way there if one was asked for.
-struct Subject {
+struct AuditSubject {
   const RobotModel& model;
   const MotionPlan& plan;
   const std::optional<Approach>& approach;
 };
 
-int RunPreflight(Arguments& a, const Subject& about) {
+int RunPreflight(AuditSettings& a, const AuditSubject& about) {
   PreflightInput input{a.options, a.of_preflight, {}, ""};
   if (!a.approach.empty())
     input.approach = about.approach ? ApproachText(about.model, *about.approach) : NoWayText(a.approach);
@@ -126,7 +129,7 @@ void PrintAudit(const AuditReport& report, const MotionPlan& plan) {
   for (const std::string& note : report.notes) fmt::print("note: {}\n", note);
 }
 
-int RunAudit(Arguments& a, const Subject& about) {
+int AuditOnly(AuditSettings& a, const AuditSubject& about) {
   const Result<AuditReport> report = Audit(about.model, about.plan, a.options);
   if (!report) return Report(report.failure(), a.common);
   if (about.approach) {
@@ -134,11 +137,11 @@ int RunAudit(Arguments& a, const Subject& about) {
     if (!saved) return Report(saved.failure(), a.common);
   }
   if (a.common.json) {
-    auto json = nlohmann::ordered_json::parse(AuditJson(*report));
+    auto json = ParsedJson(AuditJson(*report));
     json["warnings"] = about.plan.warnings;
     if (!a.approach.empty())
       json["approach"] = about.approach ? ApproachJson(*about.approach, a.approach) : nlohmann::ordered_json();
-    fmt::print("{}\n", json.dump(2));
+    PrintJson(json);
   } else if (a.common.quiet) {
     fmt::print("{}\n", report->pass() ? "pass" : "fail");
   } else {
@@ -149,11 +152,11 @@ int RunAudit(Arguments& a, const Subject& about) {
   return report->pass() ? kPass : kVerdictFail;
 }
 
-int Run(Arguments& a) {
+int RunAudit(AuditSettings& a) {
   ApplySets("--set", a.common.sets, a.Fields());
   Derate(a.derate, a.options);
   a.options.margins = a.margins;
-  CheckFlags(a);
+  CheckAuditFlags(a);
   const Result<MotionPlan> plan = LoadPlan(a.plan);
   if (!plan) return Report(plan.failure(), a.common);
   const Result<RobotModel> model = RobotOf(*plan);
@@ -169,20 +172,20 @@ int Run(Arguments& a) {
     if (!planned) return Report(planned.failure(), a.common);
     approach = std::move(planned.value());
   }
-  const Subject about{*model, *plan, approach};
-  return a.preflight ? RunPreflight(a, about) : RunAudit(a, about);
+  const AuditSubject about{*model, *plan, approach};
+  return a.preflight ? RunPreflight(a, about) : AuditOnly(a, about);
 }
 
-void AddStartAndPreflight(CLI::App& verb, Arguments& a) {
-  verb.option_defaults()->group("Before it goes on a robot");
+void AddStartAndPreflight(Verb verb, AuditSettings& a) {
+  verb.SetGroup("Before it goes on a robot");
   AddText(
       verb, "--start-posture", "FILE", a.start,
       "Measured joint positions (YAML, see docs/audit.md), which the first command is held against; default: none.");
   AddText(verb, "--approach", "FILE", a.approach,
           "Write a safe way from the measured posture to the plan's first one, as a plan, where a joint is beyond its "
           "tolerance; default: nowhere.");
-  verb.add_flag("--preflight", a.preflight,
-                "Make the page that an engineer signs: margins, trials, assumptions, go or no-go; default: no.");
+  verb.AddSwitch("--preflight", a.preflight,
+                 "Make the page that an engineer signs: margins, trials, assumptions, go or no-go; default: no.");
   a.only_with_preflight = {AddText(verb, "--trials-result", "FILE", a.trials,
                                    "The result of 'trials' of this plan, for --preflight; default: none."),
                            AddText(verb, "--report", "FILE", a.report,
@@ -192,20 +195,20 @@ void AddStartAndPreflight(CLI::App& verb, Arguments& a) {
 
 }  // namespace
 
-void AddAudit(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("audit", "Check a plan densely against the laws, without a simulator");
-  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.")->required();
+void AddAudit(Verb program, int& status) {
+  auto a = std::make_shared<AuditSettings>();
+  const Verb verb = program.AddVerb("audit", "Check a plan densely against the laws, without a simulator");
+  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.").Require();
   AddText(verb, "--derate", "KEY=SHARE", a->derate,
           "Hold the plan against these shares of the limits, as torque=0.8,speed=0.9; also acceleration, jerk and "
           "continuous; from 0.01 to 1, default 1.");
-  verb.add_flag("--margins", a->margins, "Print how near each law comes to its limit at each place; default: no.");
+  verb.AddSwitch("--margins", a->margins, "Print how near each law comes to its limit at each place; default: no.");
   AddStartAndPreflight(verb, *a);
   AddCommon(verb, a->common,
             {"audit plan.json", "audit plan.json --derate torque=0.8,speed=0.9", "audit plan.json --margins",
              "audit plan.json --preflight --report preflight.html"});
   AddOptionList(verb, a->Fields(), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunAudit(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/program.h"
 #include "workflows/study/centroidal_bench.h"
 
@@ -17,7 +18,7 @@ using Json = nlohmann::ordered_json;
 /// By how much a free total time may be shorter or longer, unless options say.
 constexpr double kFreeTotal = 1.5;
 
-struct Arguments {
+struct BenchSettings {
   Common common;
   std::string problems, filter;
   std::optional<double> distance_m, duration_s, friction;
@@ -29,7 +30,7 @@ struct Arguments {
   OptionFields Fields() { return Joined({options.Fields(), Prefixed("timing", timing.Fields())}); }
 };
 
-Json ToJson(const RigidBodyFaults& faults) {
+Json FaultsJson(const RigidBodyFaults& faults) {
   return {{"force_balance_mg", faults.force_balance},
           {"torque_balance_mg_m", faults.torque_balance},
           {"friction_mg", faults.friction},
@@ -39,7 +40,7 @@ Json ToJson(const RigidBodyFaults& faults) {
           {"goal", faults.goal}};
 }
 
-Json ToJson(const TimingOutcome& t) {
+Json TimingJson(const TimingOutcome& t) {
   return {{"refusal", t.refusal},
           {"keeps_all_laws", t.keeps},
           {"mended", t.mended},
@@ -51,31 +52,31 @@ Json ToJson(const TimingOutcome& t) {
           {"solves", t.solves},
           {"cpu_ms", t.cpu_ms},
           {"node_violation", t.node_violation},
-          {"at_1_khz", ToJson(t.between)}};
+          {"at_1_khz", FaultsJson(t.between)}};
 }
 
-Json ToJson(const CentroidalTask& task) {
+Json TaskJson(const CentroidalTask& task) {
   return {{"distance_m", task.distance_m},
           {"goal_higher_m", task.higher_m},
           {"duration_s", task.duration_s},
           {"friction", task.friction}};
 }
 
-Json ToJson(const AuditOutcome& a) {
+Json AuditOutcomeJson(const AuditOutcome& a) {
   return {{"pass", a.pass()},
           {"refusal", a.refusal},
-          {"as_planned", Json::parse(AuditJson(a.first))},
-          {"in_the_end", Json::parse(AuditJson(a.report))},
+          {"as_planned", ParsedJson(AuditJson(a.first))},
+          {"in_the_end", ParsedJson(AuditJson(a.report))},
           {"rounds_swings_planned", a.swings_planned},
           {"rounds_breaks_halved", a.halvings},
           {"rounds_other_patches", a.changes},
           {"passes_when_eased", a.eased.has_value()},
-          {"eased", a.eased ? ToJson(*a.eased) : Json()},
-          {"eased_in_the_end", a.eased ? Json::parse(AuditJson(a.eased_report)) : Json()},
+          {"eased", a.eased ? TaskJson(*a.eased) : Json()},
+          {"eased_in_the_end", a.eased ? ParsedJson(AuditJson(a.eased_report)) : Json()},
           {"cpu_ms", a.cpu_ms}};
 }
 
-Json ToJson(const CentroidalOutcome& o) {
+Json OutcomeJson(const CentroidalOutcome& o) {
   return {{"robot", o.robot},
           {"schedule", o.schedule},
           {"ground", o.ground},
@@ -93,13 +94,13 @@ Json ToJson(const CentroidalOutcome& o) {
           {"cpu_ms", o.cpu_ms},
           {"cost", o.cost},
           {"node_violation", o.node_violation},
-          {"at_1_khz", ToJson(o.between)},
-          {"timing", o.timing ? ToJson(*o.timing) : Json()},
-          {"audit", o.audit ? ToJson(*o.audit) : Json()},
+          {"at_1_khz", FaultsJson(o.between)},
+          {"timing", o.timing ? TimingJson(*o.timing) : Json()},
+          {"audit", o.audit ? AuditOutcomeJson(*o.audit) : Json()},
           {"peak_memory_mb", o.peak_memory_mb}};
 }
 
-int Run(Arguments& a) {
+int RunBench(BenchSettings& a) {
   if (a.timing_choice == "free") {
     a.timing.least_total = 1.0 / kFreeTotal;
     a.timing.most_total = kFreeTotal;
@@ -126,8 +127,8 @@ int Run(Arguments& a) {
     outcomes.push_back(RunCase(*set, one, task, a.options, {!a.as_asked, timing, a.audit}));
   if (a.common.json) {
     Json list = Json::array();
-    for (const CentroidalOutcome& outcome : outcomes) list.push_back(ToJson(outcome));
-    fmt::print("{}\n", Json{{"bench", "centroidal"}, {"cases", list}, {"files", {{"problems", path}}}}.dump(2));
+    for (const CentroidalOutcome& outcome : outcomes) list.push_back(OutcomeJson(outcome));
+    PrintJson(Json{{"bench", "centroidal"}, {"cases", list}, {"files", {{"problems", path}}}});
   } else {
     fmt::print("{}", CentroidalTable(outcomes));
   }
@@ -136,31 +137,30 @@ int Run(Arguments& a) {
 
 }  // namespace
 
-void AddBench(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("bench", "Run a set of problems and print a table");
-  CLI::App& centroidal =
-      *verb.add_subcommand("centroidal", "Single rigid bodies over given schedules on uneven ground");
+void AddBench(Verb program, int& status) {
+  auto a = std::make_shared<BenchSettings>();
+  const Verb verb = program.AddVerb("bench", "Run a set of problems and print a table");
+  const Verb centroidal = verb.AddVerb("centroidal", "Single rigid bodies over given schedules on uneven ground");
   AddText(centroidal, "--problems", "FILE", a->problems, "A set of your own; default the one that comes with this.");
   AddText(centroidal, "--only", "TEXT", a->filter,
           "Only cases whose ROBOT-NUMBER-GROUND, such as hyq-1-gap, holds this.");
   AddNumber(centroidal, "--distance", "M", a->distance_m, "How far; default as the set says.");
   AddNumber(centroidal, "--duration", "S", a->duration_s, "In what time; default as the set says.");
   AddNumber(centroidal, "--friction", "MU", a->friction, "Of all ground; default as the set says.");
-  centroidal.add_flag("--as-asked", a->as_asked, "Do not ease cases that have no motion.");
-  centroidal.add_flag("--audit", a->audit,
-                      "Have each motion audited at 1 kHz as the plan of a robot, and plan it anew until it passes.");
+  centroidal.AddSwitch("--as-asked", a->as_asked, "Do not ease cases that have no motion.");
+  centroidal.AddSwitch("--audit", a->audit,
+                       "Have each motion audited at 1 kHz as the plan of a robot, and plan it anew until it passes.");
   AddText(centroidal, "--timing", "WHICH", a->timing_choice,
           "Then find times of contacts that cost less: 'fixed' in the same total time, 'free' in one up to 1.5 times "
           "shorter or longer.")
-      ->check(CLI::IsMember({"fixed", "free"}));
+      .AcceptOnly({"fixed", "free"});
   AddOptionList(centroidal, a->Fields(), a->common.json);
   AddCommon(centroidal, a->common,
             {"bench centroidal --only hyq-1-gap", "bench centroidal --only biped-0-flat --duration 3.6 --json",
              "bench centroidal --only hyq-1 --as-asked --timing fixed"});
   AddCommon(verb, a->common, {"bench centroidal --only hyq-1-gap"});
-  verb.require_subcommand(1);
-  centroidal.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  verb.RequireVerbs(1, 1);
+  SetWork(centroidal, a->common, status, [a] { return RunBench(*a); });
 }
 
 }  // namespace gaitwright::cli

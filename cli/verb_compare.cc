@@ -6,6 +6,7 @@
 
 #include "cli/compare_input.h"
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "kinematics/base/file.h"
@@ -14,7 +15,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct CompareSettings {
   Common common;
   CompareFiles files;
   CompareOptions options;
@@ -24,23 +25,24 @@ struct Arguments {
   OptionFields Fields() { return Joined({options.Fields(), files.units.UnitFields()}); }
 };
 
-void CheckPathsOf(const Arguments& a) {
+void CheckComparePaths(const CompareSettings& a) {
   const CompareFiles& files = a.files;
-  Paths paths{{{"A", files.a},
-               {"B", files.b},
-               {"--plan", files.robot.plan},
-               {"--columns", files.columns},
-               {"--columns-b", files.columns_b}},
-              {{"--report", a.report, {".html"}}},
-              ""};
+  Paths paths;
+  paths.Read("A", files.a);
+  paths.Read("B", files.b);
+  paths.Read("--plan", files.robot.plan);
+  paths.Read("--columns", files.columns);
+  paths.Read("--columns-b", files.columns_b);
+  paths.Write("--report", a.report, {".html"});
   paths.AddRobotAndGait(files.robot.urdf, "");
   CheckPaths(paths);
 }
 
 /// Writes the page and prints the comparison. @param page  makes the page, where it is asked for.
 template <class Page>
-int Print(const Arguments& a, const std::string& text, const std::string& json_text, bool same, Page page) {
-  auto json = nlohmann::ordered_json::parse(json_text);
+int PrintComparison(const CompareSettings& a, const std::string& text, const std::string& json_text, bool same,
+                    Page page) {
+  auto json = ParsedJson(json_text);
   json["files"] = nlohmann::ordered_json::object();
   if (!a.report.empty()) {
     const auto written = WriteFileAtomically(a.report, page());
@@ -48,7 +50,7 @@ int Print(const Arguments& a, const std::string& text, const std::string& json_t
     json["files"]["report"] = a.report;
   }
   if (a.common.json) {
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(json);
   } else if (a.common.quiet) {
     fmt::print("{}\n", same ? "same" : "different");
   } else {
@@ -58,42 +60,42 @@ int Print(const Arguments& a, const std::string& text, const std::string& json_t
   return a.require_same && !same ? kVerdictFail : kPass;
 }
 
-int Run(Arguments& a) {
+int RunCompare(CompareSettings& a) {
   ApplySets("--set", a.common.sets, a.Fields());
-  CheckPathsOf(a);
+  CheckComparePaths(a);
   const Result<CompareInput> input = ReadCompareInput(a.files);
   if (!input) return Report(input.failure(), a.common);
   if (input->report_a) {
     const ReportComparison reports = CompareReports(*input->report_a, *input->report_b, a.options.tolerance);
-    return Print(a, ComparisonText(reports), ComparisonJson(reports), reports.same(),
-                 [&] { return ComparisonPage(reports); });
+    return PrintComparison(a, ComparisonText(reports), ComparisonJson(reports), reports.same(),
+                           [&] { return ComparisonPage(reports); });
   }
   const MotionComparison motions = CompareMotions(*input->a, *input->b, a.options);
   const std::vector<MetricPair> metrics =
       MetricsOf(*input->a, *input->b, input->played ? &*input->played : nullptr, a.options.tolerance);
-  return Print(a, ComparisonText(motions, metrics), ComparisonJson(motions, metrics), motions.same(),
-               [&] { return ComparisonPage(*input->a, *input->b, motions, metrics); });
+  return PrintComparison(a, ComparisonText(motions, metrics), ComparisonJson(motions, metrics), motions.same(),
+                         [&] { return ComparisonPage(*input->a, *input->b, motions, metrics); });
 }
 
 }  // namespace
 
-void AddCompare(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb =
-      *app.add_subcommand("compare", "Set two plans, logs or reports side by side, or a robot's log and its plan");
+void AddCompare(Verb program, int& status) {
+  auto a = std::make_shared<CompareSettings>();
+  const Verb verb =
+      program.AddVerb("compare", "Set two plans, logs or reports side by side, or a robot's log and its plan");
   AddText(verb, "A", "FILE", a->files.a,
           "A plan, a log, a report (what 'walk --json' and 'play --json' print), a CSV of a motion or a joint "
           "trajectory of ROS.")
-      ->required();
-  AddText(verb, "B", "FILE", a->files.b, "What it is compared with; differences are B - A.")->required();
+      .Require();
+  AddText(verb, "B", "FILE", a->files.b, "What it is compared with; differences are B - A.").Require();
   const OptionFields fields = a->Fields();
   AddField(verb, "--align", fields, "align");
   AddField(verb, "--tolerance", fields, "tolerance");
-  verb.add_flag("--require-same", a->require_same,
-                "Exit with status 3 where anything is beyond its tolerance; default: 0 when compared.");
+  verb.AddSwitch("--require-same", a->require_same,
+                 "Exit with status 3 where anything is beyond its tolerance; default: 0 when compared.");
   AddText(verb, "--report", "FILE", a->report,
           "Write the comparison to this file, as one HTML page with both motions in its plots; default: nowhere.");
-  verb.option_defaults()->group("How a CSV is read");
+  verb.SetGroup("How a CSV is read");
   AddText(verb, "--columns", "FILE", a->files.columns,
           "YAML that says how the columns of a CSV are called, see docs/import.md; default: by their header.");
   AddText(verb, "--columns-b", "FILE", a->files.columns_b,
@@ -107,7 +109,7 @@ void AddCompare(CLI::App& app, int& status) {
             {"compare plan.json out/plan.json", "compare out/plan.json out/log.json --report compare.html",
              "compare plan.json motion.csv --align best"});
   AddOptionList(verb, fields, a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunCompare(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_text_internal.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/robot_input.h"
@@ -22,7 +23,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct DoSettings {
   Common common;
   std::string text, task_file, robot = "a1", urdf, terrain = "flat";
   LanguageModel interpreter;
@@ -34,7 +35,7 @@ struct Arguments {
   bool asks_model() const { return !interpreter.url.empty(); }
 };
 
-void Check(const Arguments& a) {
+void CheckDo(const DoSettings& a) {
   if (a.text.empty() == a.task_file.empty())
     throw InvalidArgument("what to do is given either as TEXT or by --task-plan FILE");
   if (a.asks_model() != !a.interpreter.model.empty())
@@ -43,17 +44,15 @@ void Check(const Arguments& a) {
     throw InvalidArgument(
         fmt::format("--interpreter-timeout {} is out of its range: 0.1 to 3600 s", a.interpreter.longest_s));
   if (a.asks_model() && a.text.empty()) throw InvalidArgument("--interpreter goes with TEXT, not with --task-plan");
-  Paths paths{{{"--task-plan", a.task_file}},
-              {{"the plan of --out-dir", a.outputs.PathOf(a.outputs.plan), {".json"}},
-               {"the log of --out-dir", a.outputs.PathOf(a.outputs.log), {".json"}},
-               {"the report of --out-dir", a.outputs.PathOf(a.outputs.report), {".html"}}},
-              a.outputs.plot_folder};
+  Paths paths;
+  paths.Read("--task-plan", a.task_file);
+  a.outputs.AddPathsTo(paths);
   paths.AddRobotAndGait(a.urdf, "");
   paths.AddTerrain(a.terrain);
   CheckPaths(paths);
 }
 
-Result<Interpretation> TasksOf(const Arguments& a, const TaskScope& scope) {
+Result<Interpretation> TasksOf(const DoSettings& a, const TaskScope& scope) {
   if (a.task_file.empty()) {
     return Interpret(a.text, scope, a.asks_model() ? std::optional(a.interpreter) : std::nullopt);
   }
@@ -66,14 +65,14 @@ Result<Interpretation> TasksOf(const Arguments& a, const TaskScope& scope) {
 }
 
 /// Whether it is asked on a terminal before it is done.
-bool Asks(const Arguments& a) { return !a.yes && ::isatty(STDIN_FILENO) != 0; }
+bool AsksBeforeDoing(const DoSettings& a) { return !a.yes && ::isatty(STDIN_FILENO) != 0; }
 
 /// The task plan for people, on standard error where standard output is the program's own. What is asked for is shown,
 /// however quiet it is to be.
-void Show(const Interpretation& tasks, const Arguments& a) {
+void ShowTasks(const Interpretation& tasks, const DoSettings& a) {
   std::FILE* const to = a.common.json || a.common.quiet ? stderr : stdout;
   for (const std::string& note : tasks.notes) fmt::print(stderr, "note: {}\n", note);
-  if (a.common.quiet && !Asks(a)) return;
+  if (a.common.quiet && !AsksBeforeDoing(a)) return;
   fmt::print(to, "as understood by the {}:\n", tasks.by == "file" ? "file's writer" : tasks.by);
   for (std::size_t k = 0; k < tasks.plan.tasks.size(); ++k) {
     const Task& task = tasks.plan.tasks[k];
@@ -84,8 +83,8 @@ void Show(const Interpretation& tasks, const Arguments& a) {
 
 /// Whether it shall be done: asked on a terminal. Without one what the grammar understood is done, and what a language
 /// model did only with --yes.
-bool GoesOn(const Arguments& a, const Interpretation& tasks) {
-  if (!Asks(a)) {
+bool GoesOn(const DoSettings& a, const Interpretation& tasks) {
+  if (!AsksBeforeDoing(a)) {
     if (!a.yes && tasks.by == "language model")
       throw InvalidArgument("what a language model understood is done only after it was looked at: give --yes");
     return true;
@@ -96,8 +95,8 @@ bool GoesOn(const Arguments& a, const Interpretation& tasks) {
   return answer == "y" || answer == "Y" || answer == "yes";
 }
 
-void Print(const Judged& judged, const Files& files, const Interpretation& tasks, const PlannedTasks& planned,
-           const Common& common) {
+void PrintDone(const Judged& judged, const Files& files, const Interpretation& tasks, const PlannedTasks& planned,
+               const Common& common) {
   const TaskScores scores = ScoreTasks(planned, judged.played);
   if (!common.json && !common.quiet) {
     for (const std::string& note : planned.notes) fmt::print("note: {}\n", note);
@@ -105,12 +104,12 @@ void Print(const Judged& judged, const Files& files, const Interpretation& tasks
   }
   PrintJudged(judged, files, common,
               {{"tasks", TaskPlanJson(tasks.plan)},
-               {"understood_by", nlohmann::json(tasks.by).dump()},
-               {"notes", nlohmann::json(planned.notes).dump()},
+               {"understood_by", JsonText(tasks.by)},
+               {"notes", JsonText(planned.notes)},
                {"scores", TaskScoresJson(scores)}});
 }
 
-int PlanAndPlay(Arguments& a, const RobotModel& model, const Terrain& terrain, const Interpretation& tasks) {
+int PlanAndPlay(DoSettings& a, const RobotModel& model, const Terrain& terrain, const Interpretation& tasks) {
   const Result<PlannedTasks> planned = PlanTasks(model, terrain, tasks.plan, a.tasks);
   if (!planned) return Report(planned.failure(), a.common);
   const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, a.play.request);
@@ -119,19 +118,19 @@ int PlanAndPlay(Arguments& a, const RobotModel& model, const Terrain& terrain, c
   if (!a.urdf.empty()) judged.mesh_folder = std::filesystem::path(a.urdf).parent_path().string();
   const Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
-  Print(judged, *files, tasks, *planned, a.common);
+  PrintDone(judged, *files, tasks, *planned, a.common);
   return judged.pass() ? kPass : kVerdictFail;
 }
 
-int Run(Arguments& a) {
+int RunDo(DoSettings& a) {
   if (a.schema) {
     fmt::print("{}", TaskPlanSchema());
     return kPass;
   }
   a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
-  ApplySets("--set", a.common.sets, Joined({a.tasks.motion.Fields(), a.play.request.Fields()}));
+  ApplySets("--set", a.common.sets, Joined({a.tasks.motion.Fields(), a.play.Fields()}));
   a.tasks.seed = static_cast<std::uint64_t>(a.common.seed);
-  Check(a);
+  CheckDo(a);
   const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
   if (!model) return Report(model.failure(), a.common);
   const Result<Terrain> terrain = LoadTerrain(a.terrain, ScaleOf(*model));
@@ -148,42 +147,42 @@ int Run(Arguments& a) {
     fmt::print("{}", TaskPlanJson(tasks->plan));
     return kPass;
   }
-  Show(*tasks, a);
+  ShowTasks(*tasks, a);
   if (!GoesOn(a, *tasks)) return kWrongInput;
   return PlanAndPlay(a, *model, *terrain, *tasks);
 }
 
 }  // namespace
 
-void AddDo(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("do", "Do what an instruction in words asks for, in English or Chinese");
+void AddDo(Verb program, int& status) {
+  auto a = std::make_shared<DoSettings>();
+  const Verb verb = program.AddVerb("do", "Do what an instruction in words asks for, in English or Chinese");
   a->outputs.folder = "out";
-  verb.add_option("TEXT", a->text, "The instruction, such as \"walk two steps, then raise the right arm\".")
-      ->type_name("TEXT");
+  verb.AddValue("TEXT", a->text, "The instruction, such as \"walk two steps, then raise the right arm\".")
+      .SetType("TEXT");
   AddText(verb, "--task-plan", "FILE", a->task_file, "A task plan as JSON instead of TEXT, see --schema.");
-  verb.option_defaults()->group("Robot and ground");
-  CLI::Option* named = AddText(verb, "--robot", "NAME", a->robot, "Robot by name; default a1.");
-  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
+  verb.SetGroup("Robot and ground");
+  const Flag named = AddText(verb, "--robot", "NAME", a->robot, "Robot by name; default a1.");
+  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.").Exclude(named);
   AddText(verb, "--terrain", "NAME", a->terrain, "Ground by name or file, with places that have names; default flat.");
-  verb.option_defaults()->group("How words are understood");
+  verb.SetGroup("How words are understood");
   AddText(verb, "--interpreter", "URL", a->interpreter.url,
           "A language model behind an OpenAI-compatible endpoint; its key is taken from GAITWRIGHT_API_KEY or "
           "OPENAI_API_KEY; default: the built-in grammar.");
   AddText(verb, "--model", "NAME", a->interpreter.model, "Its name there, with --interpreter.");
   AddNumber(verb, "--interpreter-timeout", "s", a->interpreter.longest_s,
             "Longest that one of its answers is waited for, 0.1 to 3600; default 60.");
-  verb.add_flag("--yes", a->yes, "Do it without asking; default: asks on a terminal.");
-  verb.add_flag("--tasks-only", a->only_tasks, "Print the task plan as JSON and end.");
-  verb.add_flag("--schema", a->schema, "Print the JSON schema of task plans and end.");
-  verb.option_defaults()->group("Options");
+  verb.AddSwitch("--yes", a->yes, "Do it without asking; default: asks on a terminal.");
+  verb.AddSwitch("--tasks-only", a->only_tasks, "Print the task plan as JSON and end.");
+  verb.AddSwitch("--schema", a->schema, "Print the JSON schema of task plans and end.");
+  verb.SetGroup("Options");
   a->play.AddTo(verb);
   a->outputs.AddTo(verb);
   AddCommon(verb, a->common,
             {"do \"walk forward two steps, then raise the right arm\" --robot nao --yes",
              "do \"起来，小跑两米，然后坐下\" --robot a1 --out-dir trot", "do \"bow twice\" --robot nao --tasks-only"});
-  AddOptionList(verb, Joined({a->tasks.motion.Fields(), a->play.request.Fields()}), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  AddOptionList(verb, Joined({a->tasks.motion.Fields(), a->play.Fields()}), a->common.json);
+  SetWork(verb, a->common, status, [a] { return RunDo(*a); });
 }
 
 }  // namespace gaitwright::cli

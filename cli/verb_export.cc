@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/motion_input.h"
 #include "cli/paths.h"
 #include "cli/program.h"
@@ -14,7 +15,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct ExportSettings {
   Common common;
   MotionRobot robot;
   std::string motion, format = "csv", out;
@@ -38,16 +39,20 @@ std::string UsualOut(ExportFormat format) {
   return "plots";
 }
 
-void CheckPathsOf(const Arguments& a, ExportFormat format) {
+void CheckExportPaths(const ExportSettings& a, ExportFormat format) {
   const bool plots = format == ExportFormat::kSvg;
   const std::string file = plots ? (std::filesystem::path(a.out) / "top_view.svg").string() : a.out;
   const std::string ending = EndingOf(plots ? file : UsualOut(format));
-  Paths paths{{{"the motion", a.motion}, {"--plan", a.robot.plan}}, {{"--out", file, {ending}}}, ""};
+  Paths paths;
+  paths.Read("the motion", a.motion);
+  paths.Read("--plan", a.robot.plan);
+  paths.Write("--out", file, {ending});
   paths.AddRobotAndGait(a.robot.urdf, "");
   CheckPaths(paths);
 }
 
-void Print(const Arguments& a, const std::string& kind, const std::string& robot, const ExportedMotion& done) {
+void PrintExported(const ExportSettings& a, const std::string& kind, const std::string& robot,
+                   const ExportedMotion& done) {
   if (a.common.json) {
     nlohmann::ordered_json json = {{"format", a.format},
                                    {"from", kind},
@@ -63,7 +68,7 @@ void Print(const Arguments& a, const std::string& kind, const std::string& robot
     } else {
       json["files"]["motion"] = a.out;
     }
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(json);
     return;
   }
   if (a.common.quiet) {
@@ -76,34 +81,34 @@ void Print(const Arguments& a, const std::string& kind, const std::string& robot
   for (const OutputFile& file : done.files) fmt::print("{:<7} {}\n", a.format == "svg" ? "plot" : "motion", file.path);
 }
 
-Result<ExportedMotion> Export(const Arguments& a, const MotionInput& input, ExportFormat format) {
+Result<ExportedMotion> ExportInput(const ExportSettings& a, const MotionInput& input, ExportFormat format) {
   if (input.plan) return ExportPlan(*input.model, *input.plan, format, a.rate_hz, a.out);
   return ExportLog(*input.model, *input.log, input.played ? &*input.played : nullptr, format, a.rate_hz, a.out);
 }
 
-int Run(Arguments& a) {
+int RunExport(ExportSettings& a) {
   ApplySets("--set", a.common.sets, {});
   const ExportFormat format = ExportFormatOf(a.format);
   if (a.out.empty()) a.out = UsualOut(format);
-  CheckPathsOf(a, format);
+  CheckExportPaths(a, format);
   const Result<MotionInput> input = ReadMotionInput(a.motion, a.robot);
   if (!input) return Report(input.failure(), a.common);
-  const Result<ExportedMotion> done = Export(a, *input, format);
+  const Result<ExportedMotion> done = ExportInput(a, *input, format);
   if (!done) return Report(done.failure(), a.common);
   const auto written = WriteFilesTogether(done->files);
   if (!written) return Report(written.failure(), a.common);
-  Print(a, input->plan ? "plan" : "log", input->model->name, *done);
+  PrintExported(a, input->plan ? "plan" : "log", input->model->name, *done);
   return kPass;
 }
 
 }  // namespace
 
-void AddExport(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("export", "Write a plan or a log for other programs: CSV, ROS, NumPy, plots");
+void AddExport(Verb program, int& status) {
+  auto a = std::make_shared<ExportSettings>();
+  const Verb verb = program.AddVerb("export", "Write a plan or a log for other programs: CSV, ROS, NumPy, plots");
   AddText(verb, "MOTION", "FILE", a->motion,
           "A plan or a log, as 'plan', 'walk' and 'play' write them; its content says which.")
-      ->required();
+      .Require();
   AddText(verb, "--format", "NAME", a->format,
           "csv, joint-trajectory-yaml, joint-trajectory-json (trajectory_msgs/JointTrajectory of ROS 2), npz (NumPy) "
           "or svg (plots); default csv.");
@@ -119,7 +124,7 @@ void AddExport(CLI::App& app, int& status) {
             {"export plan.json --format csv --rate-hz 500 --out motion.csv",
              "export plan.json --format joint-trajectory-yaml --out trajectory.yaml",
              "export out/log.json --plan out/plan.json --format npz --out motion.npz"});
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunExport(*a); });
 }
 
 }  // namespace gaitwright::cli

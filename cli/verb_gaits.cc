@@ -5,18 +5,26 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/program.h"
 #include "planning/gait/find_gait.h"
 
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct GaitsSettings {
   Common common;
   std::string file;
 };
 
-int Run(const Arguments& a) {
+/// "0.00 0.50": when each foot touches down, as shares of the cycle.
+std::string PhasesText(const std::vector<double>& phases) {
+  std::string text;
+  for (const double phase : phases) text += fmt::format("{}{:.2f}", text.empty() ? "" : " ", phase);
+  return text;
+}
+
+int RunGaits(const GaitsSettings& a) {
   ApplySets("--set", a.common.sets, {});
   const Result<std::vector<GaitEntry>> gaits = a.file.empty() ? BuiltInGaits() : LoadGaits(a.file);
   if (!gaits) return Report(gaits.failure(), a.common);
@@ -43,20 +51,20 @@ int Run(const Arguments& a) {
       continue;
     }
     fmt::print("{:<8} {:>4}  {:>4.2f}  {:<31}  {}\n", gait.name, gait.num_feet(), gait.duty_factor.front(),
-               fmt::format("{:.2f}", fmt::join(gait.phase, " ")), gait.description);
+               PhasesText(gait.phase), gait.description);
   }
-  if (a.common.json) fmt::print("{}\n", nlohmann::ordered_json{{"gaits", list}}.dump(2));
+  if (a.common.json) PrintJson(nlohmann::ordered_json{{"gaits", list}});
   return kPass;
 }
 
 }  // namespace
 
-void AddGaits(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("gaits", "List the gaits, or those of a file");
+void AddGaits(Verb program, int& status) {
+  auto a = std::make_shared<GaitsSettings>();
+  const Verb verb = program.AddVerb("gaits", "List the gaits, or those of a file");
   AddText(verb, "FILE", "", a->file, "A .yaml file of gaits; default: those that come with the program.");
   AddCommon(verb, a->common, {"gaits", "gaits --json"});
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunGaits(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -6,6 +6,7 @@
 
 #include "cli/flags.h"
 #include "cli/interruptible.h"
+#include "cli/json_text_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/progress_bar.h"
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct GradeSettings {
   Common common;
   std::string folder, rubric, out = "grades", python, inputs;
   bool unconfined = false;
@@ -24,18 +25,18 @@ struct Arguments {
   std::string InOut(const std::string& name) const { return (fs::path(out) / name).string(); }
 };
 
-void PrintInputs(const std::vector<OutputFile>& files, const Common& common) {
+void PrintClassInputs(const std::vector<OutputFile>& files, const Common& common) {
   if (common.json) {
     nlohmann::ordered_json paths = nlohmann::ordered_json::object();
     for (const OutputFile& file : files) paths[fs::path(file.path).stem().string()] = file.path;
-    fmt::print("{}\n", nlohmann::ordered_json{{"files", paths}}.dump(2));
+    PrintJson(nlohmann::ordered_json{{"files", paths}});
     return;
   }
   for (const OutputFile& file : files) fmt::print("inputs  {}\n", file.path);
 }
 
 /// Writes what a class is to work out, and marks nothing.
-int WriteInputs(const Arguments& a, const Rubric& rubric) {
+int WriteClassInputs(const GradeSettings& a, const Rubric& rubric) {
   std::vector<OutputFile> files;
   for (const RubricPart& part : rubric.parts) {
     if (part.kind == PartKind::kAnswers)
@@ -47,15 +48,15 @@ int WriteInputs(const Arguments& a, const Rubric& rubric) {
         fmt::format("--write-inputs: '{}' has no part of kind 'answers', which inputs are for", a.rubric));
   const auto written = WriteFilesTogether(files);
   if (!written) return Report(written.failure(), a.common);
-  PrintInputs(files, a.common);
+  PrintClassInputs(files, a.common);
   return kPass;
 }
 
-void Print(const Arguments& a, const ClassMarks& marks) {
+void PrintGrades(const GradeSettings& a, const ClassMarks& marks) {
   if (a.common.json) {
-    auto json = nlohmann::ordered_json::parse(GradesJson(marks));
+    auto json = ParsedJson(GradesJson(marks));
     json["files"] = {{"grades", a.InOut("grades.csv")}, {"index", a.InOut("index.html")}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(json);
     return;
   }
   for (const StudentMarks& student : marks.students) {
@@ -67,7 +68,7 @@ void Print(const Arguments& a, const ClassMarks& marks) {
   if (!a.common.quiet) fmt::print("pages   {}\n", a.InOut("index.html"));
 }
 
-Result<ClassMarks> GradeWithBar(const Arguments& a, const GradeRequest& request) {
+Result<ClassMarks> GradeWithBar(const GradeSettings& a, const GradeRequest& request) {
   const Interruptible interruptible;
   ProgressBar bar(!a.common.quiet, "parts");
   GradeHooks hooks;
@@ -82,7 +83,7 @@ Result<ClassMarks> GradeWithBar(const Arguments& a, const GradeRequest& request)
   });
 }
 
-int Grade(const Arguments& a, Rubric rubric) {
+int MarkClass(const GradeSettings& a, Rubric rubric) {
   GradeRequest request;
   request.rubric = std::move(rubric);
   request.rubric_file = a.rubric;
@@ -99,15 +100,17 @@ int Grade(const Arguments& a, Rubric rubric) {
   const auto written =
       WriteFilesTogether({{a.InOut("grades.csv"), GradesCsv(*marks)}, {a.InOut("index.html"), ClassPage(*marks)}});
   if (!written) return Report(written.failure(), a.common);
-  Print(a, *marks);
+  PrintGrades(a, *marks);
   return kPass;
 }
 
-int Run(const Arguments& a) {
-  Paths paths{{{"--rubric", a.rubric}}, {}, ""};
+int RunGrade(const GradeSettings& a) {
+  Paths paths;
+  paths.Read("--rubric", a.rubric);
   if (a.inputs.empty()) {
     if (a.folder.empty()) throw InvalidArgument("DIR is missing: the folder that has a folder for each student");
-    paths.written = {{"the table", a.InOut("grades.csv")}, {"the page", a.InOut("index.html")}};
+    paths.Write("the table", a.InOut("grades.csv"));
+    paths.Write("the page", a.InOut("index.html"));
   } else if (!a.folder.empty()) {
     throw InvalidArgument(fmt::format("--write-inputs marks nothing, and needs no DIR: '{}'", a.folder));
   }
@@ -116,30 +119,30 @@ int Run(const Arguments& a) {
   CheckPaths(paths);
   Result<Rubric> rubric = LoadRubric(a.rubric);
   if (!rubric) return Report(rubric.failure(), a.common);
-  return a.inputs.empty() ? Grade(a, std::move(*rubric)) : WriteInputs(a, *rubric);
+  return a.inputs.empty() ? MarkClass(a, std::move(*rubric)) : WriteClassInputs(a, *rubric);
 }
 
 }  // namespace
 
-void AddGrade(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("grade", "Mark a class's submissions against a rubric");
+void AddGrade(Verb program, int& status) {
+  auto a = std::make_shared<GradeSettings>();
+  const Verb verb = program.AddVerb("grade", "Mark a class's submissions against a rubric");
   AddText(verb, "DIR", "DIR", a->folder, "A folder with a folder for each student.");
   AddText(verb, "--rubric", "FILE", a->rubric, "What is handed in and what it is worth, a YAML: see docs/grading.md.")
-      ->required();
-  verb.option_defaults()->group("How code is run");
+      .Require();
+  verb.SetGroup("How code is run");
   AddText(verb, "--python", "PROGRAM", a->python,
           "The Python that submissions are run with; default: /usr/bin/python3, else the one on PATH.");
-  verb.add_flag("--unconfined", a->unconfined,
-                "Run submissions where the machine cannot confine them; they may then do all that your user may.");
-  verb.option_defaults()->group("What is written");
+  verb.AddSwitch("--unconfined", a->unconfined,
+                 "Run submissions where the machine cannot confine them; they may then do all that your user may.");
+  verb.SetGroup("What is written");
   AddText(verb, "--out-dir", "DIR", a->out, "Folder of grades.csv and the pages, made if need be; default grades.");
   AddText(verb, "--write-inputs", "DIR", a->inputs,
           "Write the inputs of the parts of kind 'answers' for this seed, to be handed out, and mark nothing.");
   AddCommon(verb, a->common,
             {"grade submissions --rubric rubric.yaml --seed 7",
              "grade --rubric rubric.yaml --seed 7 --write-inputs handout"});
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunGrade(*a); });
 }
 
 }  // namespace gaitwright::cli

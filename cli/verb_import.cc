@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
+#include "cli/numbers.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/robot_input.h"
@@ -14,13 +16,13 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct ImportSettings {
   Common common;
   ImportRequest request;
   std::string robot = "a1", urdf, goal, out = "imported.json";
 };
 
-nlohmann::ordered_json JsonOf(const ImportedMotion& imported, const std::string& path) {
+nlohmann::ordered_json ImportedJson(const ImportedMotion& imported, const std::string& path) {
   nlohmann::ordered_json derived = nlohmann::ordered_json::array();
   for (const DerivedPart& part : imported.notes.derived) derived.push_back({{"what", part.what}, {"how", part.how}});
   return {{"robot", imported.plan.robot},
@@ -32,13 +34,13 @@ nlohmann::ordered_json JsonOf(const ImportedMotion& imported, const std::string&
           {"derived", derived},
           {"unused_columns", imported.unused_columns},
           {"warnings", imported.notes.warnings},
-          {"audit", nlohmann::ordered_json::parse(AuditJson(imported.audit))},
+          {"audit", ParsedJson(AuditJson(imported.audit))},
           {"files", {{"plan", path}}}};
 }
 
-void Print(const ImportedMotion& imported, const std::string& path, const Common& common) {
+void PrintImported(const ImportedMotion& imported, const std::string& path, const Common& common) {
   if (common.json) {
-    fmt::print("{}\n", JsonOf(imported, path).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(ImportedJson(imported, path));
     return;
   }
   if (common.quiet) {
@@ -53,14 +55,16 @@ void Print(const ImportedMotion& imported, const std::string& path, const Common
   fmt::print("{}plan    {}\n", AuditText(imported.audit), path);
 }
 
-int Run(Arguments& a) {
+int RunImport(ImportSettings& a) {
   ApplySets("--set", a.common.sets, a.request.Fields());
   if (!a.goal.empty()) {
     const std::vector<double> pose = ParseNumbers("--goal", a.goal, 3);
     a.request.goal = PlanarPose{pose[0], pose[1], pose[2]};
   }
-  Paths paths{
-      {{"the motion", a.request.file}, {"--columns", a.request.columns_file}}, {{"the plan", a.out, {".json"}}}, ""};
+  Paths paths;
+  paths.Read("the motion", a.request.file);
+  paths.Read("--columns", a.request.columns_file);
+  paths.Write("the plan", a.out, {".json"});
   paths.AddRobotAndGait(a.urdf, "");
   paths.AddTerrain(a.request.terrain);
   CheckPaths(paths);
@@ -70,26 +74,25 @@ int Run(Arguments& a) {
   if (!imported) return Report(imported.failure(), a.common);
   const Result<std::string> saved = SavePlan(imported->plan, a.out);
   if (!saved) return Report(saved.failure(), a.common);
-  Print(*imported, a.out, a.common);
+  PrintImported(*imported, a.out, a.common);
   return imported->audit.pass() ? kPass : kVerdictFail;
 }
 
 }  // namespace
 
-void AddImport(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("import", "Make a plan of a motion that others made, and audit it");
+void AddImport(Verb program, int& status) {
+  auto a = std::make_shared<ImportSettings>();
+  const Verb verb = program.AddVerb("import", "Make a plan of a motion that others made, and audit it");
   AddText(verb, "FILE", "FILE", a->request.file,
           "The motion: a CSV with named columns, or one of OCS2 (.csv, .tsv, .txt); a joint trajectory of ROS, or "
           "footsteps (.yaml, .yml, .json).")
-      ->required();
-  verb.option_defaults()->group("Robot and ground");
-  CLI::Option* named =
-      AddText(verb, "--robot", "NAME", a->robot, "Robot by name, see 'gaitwright robots'; default a1.");
-  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own; default: the robot of --robot.")->excludes(named);
+      .Require();
+  verb.SetGroup("Robot and ground");
+  const Flag named = AddText(verb, "--robot", "NAME", a->robot, "Robot by name, see 'gaitwright robots'; default a1.");
+  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own; default: the robot of --robot.").Exclude(named);
   AddText(verb, "--terrain", "NAME", a->request.terrain,
           "Ground that it goes over, by name or a file, see 'gaitwright terrains'; default flat.");
-  verb.option_defaults()->group("How the file is read");
+  verb.SetGroup("How the file is read");
   AddText(verb, "--columns", "FILE", a->request.columns_file,
           "A YAML that says how the CSV's columns are called, see docs/import.md; default: as its first line says.");
   const OptionFields fields = a->request.Fields();
@@ -99,12 +102,12 @@ void AddImport(CLI::App& app, int& status) {
   AddField(verb, "--time-unit", fields, "time_unit");
   AddText(verb, "--goal", "x,y,yaw", a->goal,
           "Where it was to end, in m, m and rad from its start; default: where it ends.");
-  verb.option_defaults()->group("What is written");
+  verb.SetGroup("What is written");
   AddText(verb, "--out", "FILE", a->out, "The plan, its folder made if need be; default imported.json.");
   AddCommon(verb, a->common,
             {"import motion.csv --robot a1 --out theirs.json", "import motion.csv --set velocities=derived --json"});
   AddOptionList(verb, a->request.Fields(), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunImport(*a); });
 }
 
 }  // namespace gaitwright::cli

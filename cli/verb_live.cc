@@ -32,7 +32,7 @@ OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
   return all;
 }
 
-struct Arguments {
+struct LiveSettings {
   Common common;
   std::string robot = "a1", urdf;
   WalkRequest walk;
@@ -56,7 +56,7 @@ void OpenInBrowser(const std::string& url) {
   std::_Exit(kPass);
 }
 
-int Run(Arguments& a) {
+int RunLive(LiveSettings& a) {
   a.play.play.world.seed = a.common.seed;
   const OptionFields fields = FieldsOf(a.walk, a.play);
   const Result<OptionTexts> options = a.options.Apply(fields, a.common);
@@ -100,27 +100,26 @@ int Run(Arguments& a) {
 
 }  // namespace
 
-void AddLive(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb =
-      *app.add_subcommand("live", "Serve a page on a robot in physics that walks, is pushed and tuned as you watch");
-  verb.option_defaults()->group("Robot");
-  CLI::Option* named =
-      AddText(verb, "--robot", "NAME", a->robot, "Robot by name, see 'gaitwright robots'; default a1.");
-  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
+void AddLive(Verb program, int& status) {
+  auto a = std::make_shared<LiveSettings>();
+  const Verb verb =
+      program.AddVerb("live", "Serve a page on a robot in physics that walks, is pushed and tuned as you watch");
+  verb.SetGroup("Robot");
+  const Flag named = AddText(verb, "--robot", "NAME", a->robot, "Robot by name, see 'gaitwright robots'; default a1.");
+  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.").Exclude(named);
   AddText(
       verb, "--controller", "NAME", a->play.controller,
       "stabilised, joint-pd or recovering, which steps when it is pushed while it stands, and lets stabilised walk; "
       "default stabilised.");
-  verb.option_defaults()->group("Where the page is");
+  verb.SetGroup("Where the page is");
   AddText(
       verb, "--host", "ADDRESS", a->address.host,
       "Address of this machine to listen at; the default 127.0.0.1 is reached from this machine alone, with another "
       "one whoever reaches it moves the robot.");
   AddWholeNumber(verb, "--port", 0, a->address.port, "Port; 0 takes any that is free; default 8017.");
-  verb.add_flag("--no-open", a->no_open, "Do not open the page in this desktop's browser.");
+  verb.AddSwitch("--no-open", a->no_open, "Do not open the page in this desktop's browser.");
   AddNumber(verb, "--for", "s", a->for_s, "End after so long; default 0: by Ctrl-C.");
-  verb.add_flag("--debug", a->debug, "Print each change of contact, planned and measured, on standard error.");
+  verb.AddSwitch("--debug", a->debug, "Print each change of contact, planned and measured, on standard error.");
   a->options.AddTo(verb);
   AddCommon(
       verb, a->common,
@@ -128,7 +127,7 @@ void AddLive(CLI::App& app, int& status) {
   a->listed = a->play;
   a->listed.controller = "recovering";
   AddOptionList(verb, FieldsOf(a->walk, a->listed), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunLive(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_text_internal.h"
 #include "cli/options_file.h"
 #include "cli/paths.h"
 #include "cli/robot_input.h"
@@ -14,14 +15,14 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct PlanSettings {
   Common common;
   WalkArguments walk;
   OptionsFile options;
   std::string out = "plan.json", folder;
 };
 
-void Print(const PlannedWalk& planned, const std::string& path, const Common& common) {
+void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Common& common) {
   if (common.json) {
     nlohmann::ordered_json parts = nlohmann::ordered_json::array();
     for (const MotionPart& part : planned.motion.plan.parts)
@@ -36,9 +37,9 @@ void Print(const PlannedWalk& planned, const std::string& path, const Common& co
                                          {"residual", planned.motion.residual},
                                          {"planning_cpu_s", planned.planning_cpu_s},
                                          {"warnings", planned.motion.plan.warnings},
-                                         {"audit", nlohmann::ordered_json::parse(AuditJson(planned.audit))},
+                                         {"audit", ParsedJson(AuditJson(planned.audit))},
                                          {"files", {{"plan", path}}}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(json);
     return;
   }
   if (common.quiet) {
@@ -53,13 +54,14 @@ void Print(const PlannedWalk& planned, const std::string& path, const Common& co
   fmt::print("plan    {}\n", path);
 }
 
-int Run(Arguments& a) {
-  const Result<OptionTexts> options = a.options.Apply(a.walk.request.Fields(), a.common);
+int RunPlan(PlanSettings& a) {
+  const Result<OptionTexts> options = a.options.Apply(a.walk.Fields(), a.common);
   if (!options) return Report(options.failure(), a.common);
-  ApplySets("--set", a.common.sets, a.walk.request.Fields());
+  ApplySets("--set", a.common.sets, a.walk.Fields());
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   const std::string path = a.folder.empty() ? a.out : (std::filesystem::path(a.folder) / "plan.json").string();
-  Paths paths{{}, {{a.folder.empty() ? "--out" : "the plan of --out-dir", path, {".json"}}}, ""};
+  Paths paths;
+  paths.Write(a.folder.empty() ? "--out" : "the plan of --out-dir", path, {".json"});
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);
@@ -72,27 +74,27 @@ int Run(Arguments& a) {
   if (!planned) return Report(planned.failure(), a.common);
   const Result<std::string> saved = SavePlan(planned->motion.plan, path);
   if (!saved) return Report(saved.failure(), a.common);
-  Print(*planned, path, a.common);
+  PrintPlanned(*planned, path, a.common);
   return planned->audit.pass() ? kPass : kVerdictFail;
 }
 
 }  // namespace
 
-void AddPlan(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("plan", "Plan a walk, audit it and write it to a file");
+void AddPlan(Verb program, int& status) {
+  auto a = std::make_shared<PlanSettings>();
+  const Verb verb = program.AddVerb("plan", "Plan a walk, audit it and write it to a file");
   a->walk.AddTo(verb);
   a->options.AddTo(verb);
-  verb.option_defaults()->group("What is written");
-  CLI::Option* out =
+  verb.SetGroup("What is written");
+  const Flag out =
       AddText(verb, "--out", "FILE", a->out, "The file to write, its folder made if need be; default plan.json.");
   AddText(verb, "--out-dir", "FOLDER", a->folder, "Folder for plan.json, instead of --out; default: where --out says.")
-      ->excludes(out);
+      .Exclude(out);
   AddCommon(verb, a->common,
             {"plan --robot a1 --gait trot --speed 0.3 --distance 1 --out plan.json", "plan --goal 1,0.5,0.7 --json",
              "plan --sequence 'walk: speed=0.1, distance=0.3; trot: speed=0.4' --out parts.json"});
-  AddOptionList(verb, a->walk.request.Fields(), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  AddOptionList(verb, a->walk.Fields(), a->common.json);
+  SetWork(verb, a->common, status, [a] { return RunPlan(*a); });
 }
 
 }  // namespace gaitwright::cli

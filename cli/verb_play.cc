@@ -10,7 +10,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct PlaySettings {
   Common common;
   std::string plan;
   PlayArguments play;
@@ -20,7 +20,7 @@ struct Arguments {
 };
 
 /// The plan as it is played: under the disturbances of one trial where those are given.
-Result<PlayedWalk> PlayAsAsked(Arguments& a, const RobotModel& model, const MotionPlan& plan) {
+Result<PlayedWalk> PlayAsAsked(PlaySettings& a, const RobotModel& model, const MotionPlan& plan) {
   if (a.disturbances.file.empty()) return PlayWalk(model, plan, a.play.request);
   const Result<Disturbances> disturbances = a.disturbances.Load(model, a.play.request);
   if (!disturbances) return disturbances.failure();
@@ -31,16 +31,18 @@ Result<PlayedWalk> PlayAsAsked(Arguments& a, const RobotModel& model, const Moti
   return std::move(trial->played);
 }
 
-int Run(Arguments& a) {
+int RunPlay(PlaySettings& a) {
   a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
-  const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
+  const Result<OptionTexts> options = a.options.Apply(a.play.Fields(), a.common);
   if (!options) return Report(options.failure(), a.common);
-  ApplySets("--set", a.common.sets, a.play.request.Fields());
+  ApplySets("--set", a.common.sets, a.play.Fields());
   a.play.Finish();
   if (a.disturbances.file.empty()) a.play.CheckActs(a.common.sets);
-  Paths paths{{{"the plan", a.plan}},
-              {{"--log", a.outputs.log, {".json"}}, {"--report", a.outputs.report, {".html"}}},
-              a.outputs.plot_folder};
+  Paths paths;
+  paths.Read("the plan", a.plan);
+  paths.Write("--log", a.outputs.log, {".json"});
+  paths.Write("--report", a.outputs.report, {".html"});
+  paths.plot_folder = a.outputs.plot_folder;
   a.disturbances.AddPathTo(paths);
   a.options.AddPathTo(paths);
   CheckPaths(paths);
@@ -62,16 +64,16 @@ int Run(Arguments& a) {
 
 }  // namespace
 
-void AddPlay(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("play", "Play a plan in physics and score it");
+void AddPlay(Verb program, int& status) {
+  auto a = std::make_shared<PlaySettings>();
+  const Verb verb = program.AddVerb("play", "Play a plan in physics and score it");
   a->outputs = {"", "", "", "", ""};
-  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.")->required();
+  AddText(verb, "PLAN", "FILE", a->plan, "A plan file, as 'plan' and 'walk' write it.").Require();
   a->play.AddTo(verb);
   a->options.AddTo(verb);
-  verb.option_defaults()->group("Playback, and what the plan does not know");
+  verb.SetGroup("Playback, and what the plan does not know");
   a->disturbances.AddTo(verb, "none; with it, this is the trial that --seed names");
-  verb.option_defaults()->group("What is written");
+  verb.SetGroup("What is written");
   AddText(verb, "--log", "FILE", a->outputs.log, "Write the log to this file, as JSON; default: nowhere.");
   AddText(verb, "--report", "FILE", a->outputs.report,
           "Write the report to this file, as one HTML page; default: nowhere.");
@@ -80,8 +82,8 @@ void AddPlay(CLI::App& app, int& status) {
   AddCommon(
       verb, a->common,
       {"play plan.json --report report.html", "play plan.json --push 0,20,0 --push-at 1.5 --friction 0.6 --json"});
-  AddOptionList(verb, a->play.request.Fields(), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  AddOptionList(verb, a->play.Fields(), a->common.json);
+  SetWork(verb, a->common, status, [a] { return RunPlay(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/reference_pages.h"
@@ -16,7 +17,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct ReferenceSettings {
   Common common;
   std::string schema, folder;
 };
@@ -33,7 +34,7 @@ int PrintSchema(const std::string& name) {
   return kPass;
 }
 
-void PrintList(const Common& common) {
+void PrintSchemaList(const Common& common) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Document& document : Documents()) {
     list.push_back({{"name", document.name}, {"title", document.title}});
@@ -44,45 +45,44 @@ void PrintList(const Common& common) {
       fmt::print("{:<18} {}\n", document.name, document.title);
     }
   }
-  if (common.json) fmt::print("{}\n", nlohmann::ordered_json{{"schemas", list}}.dump(2));
+  if (common.json) PrintJson(nlohmann::ordered_json{{"schemas", list}});
 }
 
-int Write(CLI::App& app, const Arguments& a) {
+int WriteReference(Verb program, const ReferenceSettings& a) {
   const std::filesystem::path folder(a.folder);
-  std::vector<OutputFile> files = {{(folder / "reference/verbs.md").string(), VerbsPage(app)},
-                                   {(folder / "reference/options.md").string(), OptionsPage(app)}};
+  std::vector<OutputFile> files = {{(folder / "reference/verbs.md").string(), VerbsPage(program)},
+                                   {(folder / "reference/options.md").string(), OptionsPage(program)}};
   for (const Document& document : Documents())
     files.push_back({(folder / "schemas" / (document.name + ".json")).string(), document.schema});
   const auto written = WriteFilesTogether(files);
   if (!written) return Report(written.failure(), a.common);
   if (a.common.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"files", *written}}.dump(2));
+    PrintJson(nlohmann::ordered_json{{"files", *written}});
   } else if (!a.common.quiet) {
     for (const std::string& path : *written) fmt::print("{}\n", path);
   }
   return kPass;
 }
 
-int Run(CLI::App& app, const Arguments& a) {
+int RunReference(Verb program, const ReferenceSettings& a) {
   ApplySets("--set", a.common.sets, {});
   if (!a.schema.empty()) return PrintSchema(a.schema);
-  if (!a.folder.empty()) return Write(app, a);
-  PrintList(a.common);
+  if (!a.folder.empty()) return WriteReference(program, a);
+  PrintSchemaList(a.common);
   return kPass;
 }
 
 }  // namespace
 
-void AddReference(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb =
-      *app.add_subcommand("reference", "List the JSON schemas of all files and results, print or write them");
-  CLI::Option* schema = AddText(verb, "--schema", "NAME", a->schema, "Print this schema; default: a list of all.");
+void AddReference(Verb program, int& status) {
+  auto a = std::make_shared<ReferenceSettings>();
+  const Verb verb = program.AddVerb("reference", "List the JSON schemas of all files and results, print or write them");
+  const Flag schema = AddText(verb, "--schema", "NAME", a->schema, "Print this schema; default: a list of all.");
   AddText(verb, "--out-dir", "FOLDER", a->folder,
           "Write all schemas and the pages of verbs and options into this folder; default: nowhere.")
-      ->excludes(schema);
+      .Exclude(schema);
   AddCommon(verb, a->common, {"reference", "reference --schema motion-plan"});
-  verb.callback([a, &app, &status] { status = Guarded(a->common, [&] { return Run(app, *a); }); });
+  SetWork(verb, a->common, status, [a, program] { return RunReference(program, *a); });
 }
 
 }  // namespace gaitwright::cli

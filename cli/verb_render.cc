@@ -8,10 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/progress_bar.h"
 #include "cli/shown_motion.h"
+#include "cli/word_list.h"
 #include "kinematics/base/file.h"
 #include "playback/report/gait_figure.h"
 #include "playback/viewer/viewer_page.h"
@@ -23,7 +25,7 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // of cycles
 
-struct Arguments {
+struct RenderSettings {
   Common common;
   std::string motion, plan, meshes;
   std::string png, gif, mp4, figure;
@@ -34,13 +36,15 @@ struct Arguments {
   bool wants_page() const { return !png.empty() || !gif.empty() || !mp4.empty(); }
 };
 
-void Check(const Arguments& a) {
-  CheckPaths({{{"the motion", a.motion}, {"--plan", a.plan}},
-              {{"--png", a.png, {".png"}},
-               {"--gif", a.gif, {".gif"}},
-               {"--mp4", a.mp4, {".mp4"}},
-               {"--figure", a.figure, {".svg", ".pdf"}}},
-              ""});
+void CheckRenderPaths(const RenderSettings& a) {
+  Paths paths;
+  paths.Read("the motion", a.motion);
+  paths.Read("--plan", a.plan);
+  paths.Write("--png", a.png, {".png"});
+  paths.Write("--gif", a.gif, {".gif"});
+  paths.Write("--mp4", a.mp4, {".mp4"});
+  paths.Write("--figure", a.figure, {".svg", ".pdf"});
+  CheckPaths(paths);
   if (!a.wants_page() && a.figure.empty())
     throw InvalidArgument("nothing to render is named: --png, --gif, --mp4 or --figure, each with a file");
   if (a.wants_page() && !HasViewer())
@@ -51,7 +55,7 @@ void Check(const Arguments& a) {
 }
 
 /// Nothing that is said is passed over: a flag of pictures or figures that are not made is refused.
-void CheckFlags(const Arguments& a, const CLI::App& verb) {
+void CheckRenderFlags(const RenderSettings& a, Verb verb) {
   const bool film = !a.gif.empty() || !a.mp4.empty(), page = a.wants_page(), figure = !a.figure.empty();
   struct Use {
     std::vector<std::string> flags;
@@ -66,12 +70,12 @@ void CheckFlags(const Arguments& a, const CLI::App& verb) {
       {{"--cycles"}, figure, "--figure"}};
   for (const Use& use : uses) {
     for (const std::string& flag : use.flags)
-      if (!use.used && verb.count(flag) > 0) throw InvalidArgument(fmt::format("{} goes with {}", flag, use.with));
+      if (!use.used && verb.Given(flag)) throw InvalidArgument(fmt::format("{} goes with {}", flag, use.with));
   }
 }
 
 /// Everything that is asked for, before any of it is written.
-Result<std::vector<OutputFile>> Render(Arguments& a, const MotionToShow& motion) {
+Result<std::vector<OutputFile>> RenderAll(RenderSettings& a, const MotionToShow& motion) {
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& path, Result<std::string> made) -> std::optional<Failure> {
     if (!made) return made.failure();
@@ -100,7 +104,7 @@ Result<std::vector<OutputFile>> Render(Arguments& a, const MotionToShow& motion)
 }
 
 /// @param cycles  that the figure has.
-void Print(const Arguments& a, std::optional<double> cycles) {
+void PrintRendered(const RenderSettings& a, std::optional<double> cycles) {
   const std::pair<const char*, const std::string*> files[] = {
       {"png", &a.png}, {"gif", &a.gif}, {"mp4", &a.mp4}, {"figure", &a.figure}};
   if (a.common.json) {
@@ -108,7 +112,7 @@ void Print(const Arguments& a, std::optional<double> cycles) {
     for (const auto& [kind, path] : files)
       if (!path->empty()) json["files"][kind] = *path;
     if (cycles) json["cycles"] = *cycles;
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(json);
     return;
   }
   for (const auto& [kind, path] : files) {
@@ -119,26 +123,26 @@ void Print(const Arguments& a, std::optional<double> cycles) {
     fmt::print("the figure has {:.1f} of {} cycles: the motion ends there\n", *cycles, a.cycles.cycles);
 }
 
-int Run(Arguments& a) {
+int RunRender(RenderSettings& a) {
   ApplySets("--set", a.common.sets, {});
-  Check(a);
+  CheckRenderPaths(a);
   Result<MotionToShow> motion = ReadMotionToShow(a.motion, a.plan);
   if (!motion) return Report(motion.failure(), a.common);
   const std::vector<MotionToShow> shown = {std::move(*motion)};
   CheckShown(shown, a.plan, a.meshes);
-  const Result<std::vector<OutputFile>> files = Render(a, shown.front());
+  const Result<std::vector<OutputFile>> files = RenderAll(a, shown.front());
   if (!files) return Report(files.failure(), a.common);
   const auto written = WriteFilesTogether(*files);
   if (!written) return Report(written.failure(), a.common);
   const MotionToShow& drawn = shown.front();
   std::optional<double> cycles;
   if (!a.figure.empty()) cycles = CyclesShown(drawn.plan, drawn.log ? &*drawn.log : nullptr, a.cycles);
-  Print(a, cycles);
+  PrintRendered(a, cycles);
   return kPass;
 }
 
-void AddPictureFlags(CLI::App& verb, Arguments& a) {
-  verb.option_defaults()->group("How pictures are made");
+void AddPictureFlags(Verb verb, RenderSettings& a) {
+  verb.SetGroup("How pictures are made");
   AddNumber(verb, "--at", "s", a.at_s, "Time of the still picture, on the plan's clock; default: its start.");
   AddNumber(verb, "--from-s", "s", a.picture.from_s,
             "Where moving pictures, and the figure's cycles, begin; default: at the start, and at the first step.");
@@ -148,29 +152,29 @@ void AddPictureFlags(CLI::App& verb, Arguments& a) {
   AddWholeNumber(verb, "--width", 64, a.picture.width_px, "Of a picture in pixels; default 1280.");
   AddWholeNumber(verb, "--height", 64, a.picture.height_px, "Of a picture in pixels; default 720.");
   AddText(verb, "--view", "NAME", a.picture.view,
-          fmt::format("One of {}; default corner.", fmt::join(ViewNames(), ", ")));
-  verb.add_option("--hide", a.picture.hidden,
-                  fmt::format("What is left out: {}; default: nothing.", fmt::join(OverlayNames(), ", ")))
-      ->type_name("NAME,...")
-      ->delimiter(',');
-  verb.add_flag("--dark", a.picture.dark, "Light on dark; default: dark on light.");
+          fmt::format("One of {}; default corner.", JoinWords(ViewNames(), ", ")));
+  verb.AddValue("--hide", a.picture.hidden,
+                fmt::format("What is left out: {}; default: nothing.", JoinWords(OverlayNames(), ", ")))
+      .SetType("NAME,...")
+      .SplitAt(',');
+  verb.AddSwitch("--dark", a.picture.dark, "Light on dark; default: dark on light.");
   AddWholeNumber(verb, "--cycles", 1, a.cycles.cycles, "Cycles of the gait in the figure, at most 1000; default 10.");
 }
 
 }  // namespace
 
-void AddRender(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("render", "Make pictures, films and the figure of a gait from a plan or a log");
-  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as 'plan', 'walk' and 'play' write them.")->required();
+void AddRender(Verb program, int& status) {
+  auto a = std::make_shared<RenderSettings>();
+  const Verb verb = program.AddVerb("render", "Make pictures, films and the figure of a gait from a plan or a log");
+  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as 'plan', 'walk' and 'play' write them.").Require();
   AddText(verb, "--plan", "FILE", a->plan, "The plan that a log was played from; default: plan.json beside the log.");
   AddText(verb, "--meshes", "FOLDER", a->meshes,
           "Folder of the URDF, from which its visual meshes are found; default: none, what touches is drawn.");
-  verb.option_defaults()->group("What is written, by a headless Chromium");
+  verb.SetGroup("What is written, by a headless Chromium");
   AddText(verb, "--png", "FILE", a->png, "A still picture.");
   AddText(verb, "--gif", "FILE", a->gif, "A moving picture for any page; needs ffmpeg.");
   AddText(verb, "--mp4", "FILE", a->mp4, "A film; needs ffmpeg.");
-  verb.option_defaults()->group("What is written, without it");
+  verb.SetGroup("What is written, without it");
   AddText(verb, "--figure", "FILE", a->figure,
           "Support polygons, ZMP and centre of mass over some cycles, for print: .svg, or .pdf where rsvg-convert is "
           "installed.");
@@ -179,12 +183,10 @@ void AddRender(CLI::App& app, int& status) {
             {"render out/log.json --png trot.png --at 1.5 --view side",
              "render out/log.json --mp4 steps.mp4 --from-s 1 --to-s 1.5 --speed 0.5",
              "render out/log.json --figure gait.pdf --cycles 10"});
-  verb.callback([a, &status, &verb] {
-    status = Guarded(a->common, [&] {
-      CheckFlags(*a, verb);
-      a->cycles.from_s = a->picture.from_s;
-      return Run(*a);
-    });
+  SetWork(verb, a->common, status, [a, verb] {
+    CheckRenderFlags(*a, verb);
+    a->cycles.from_s = a->picture.from_s;
+    return RunRender(*a);
   });
 }
 

@@ -6,9 +6,11 @@
 #include <optional>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/robot_input.h"
+#include "cli/word_list.h"
 #include "kinematics/base/file.h"
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/ik/whole_body_ik.h"
@@ -24,13 +26,13 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct RobotsSettings {
   Common common;
   std::string robot, png, page;
   PictureOptions picture;
 };
 
-int List(const Common& common) {
+int ListRobots(const Common& common) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const std::string& name : RobotNames()) {
     const Result<RobotModel> model = LoadNamedRobot(name);
@@ -45,7 +47,7 @@ int List(const Common& common) {
                     {"motors", model->num_dofs()},
                     {"mass_kg", model->total_mass_kg}});
   }
-  if (common.json) fmt::print("{}\n", nlohmann::ordered_json{{"robots", list}}.dump(2));
+  if (common.json) PrintJson(nlohmann::ordered_json{{"robots", list}});
   return kPass;
 }
 
@@ -65,7 +67,8 @@ std::string SelfCollisionText(const CollisionChecker& collision) {
 }
 
 /// The robot as it stands, as a page and as a picture.
-Result<std::vector<OutputFile>> Drawn(const RobotModel& model, const Arguments& a, const std::string& folder) {
+Result<std::vector<OutputFile>> DrawnRobot(const RobotModel& model, const RobotsSettings& a,
+                                           const std::string& folder) {
   constexpr double kStand = 0.5;  // [s]
   const Result<MotionPlan> plan = PlanPosture(model, Hold(StandingKey(model), kStand), {});
   if (!plan) return plan.failure();
@@ -82,25 +85,28 @@ Result<std::vector<OutputFile>> Drawn(const RobotModel& model, const Arguments& 
 }
 
 /// Draws the robot where that is asked for. @return what is wrong, or nothing.
-std::optional<Failure> Draw(const RobotModel& model, const Arguments& a, const std::string& folder) {
+std::optional<Failure> DrawRobot(const RobotModel& model, const RobotsSettings& a, const std::string& folder) {
   if (a.png.empty() && a.page.empty()) return std::nullopt;
   if (!HasViewer())
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which draws robots");
-  CheckPaths({{}, {{"--png", a.png, {".png"}}, {"--page", a.page, {".html"}}}, ""});
-  const Result<std::vector<OutputFile>> files = Drawn(model, a, folder);
+  Paths paths;
+  paths.Write("--png", a.png, {".png"});
+  paths.Write("--page", a.page, {".html"});
+  CheckPaths(paths);
+  const Result<std::vector<OutputFile>> files = DrawnRobot(model, a, folder);
   if (!files) return files.failure();
   const auto written = WriteFilesTogether(*files);
   if (!written) return written.failure();
   return std::nullopt;
 }
 
-int Show(const Arguments& a) {
+int ShowRobot(const RobotsSettings& a) {
   const bool is_file =
       a.robot.ends_with(".urdf") || a.robot.ends_with(".xml") || a.robot.find('/') != std::string::npos;
   Result<RobotModel> model = ReadRobot(a.robot, is_file ? a.robot : "");
   if (!model) return Report(model.failure(), a.common);
   const std::string folder = is_file ? std::filesystem::path(a.robot).parent_path().string() : "";
-  if (const auto failure = Draw(*model, a, folder)) return Report(*failure, a.common);
+  if (const auto failure = DrawRobot(*model, a, folder)) return Report(*failure, a.common);
   const WholeBodyIk ik(*model);
   const CollisionChecker collision(*model);
   model->notes.insert(model->notes.end(), ik.notes().begin(), ik.notes().end());
@@ -109,12 +115,12 @@ int Show(const Arguments& a) {
   model->stiffness = gains.stiffness;
   model->damping = gains.damping;
   if (a.common.json) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::parse(RobotJson(*model));
+    nlohmann::ordered_json json = ParsedJson(RobotJson(*model));
     json["self_collision"] = SelfCollisionJson(collision);
     json["files"] = nlohmann::ordered_json::object();
     if (!a.page.empty()) json["files"]["page"] = a.page;
     if (!a.png.empty()) json["files"]["png"] = a.png;
-    fmt::print("{}\n", json.dump(2));
+    PrintJson(json);
   } else {
     fmt::print("{}\n{}", DescribeRobot(*model), SelfCollisionText(collision));
     for (const std::string& path : {a.page, a.png}) {
@@ -126,25 +132,23 @@ int Show(const Arguments& a) {
 
 }  // namespace
 
-void AddRobots(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
-  CLI::App& show = *verb.add_subcommand("show", "Explain one robot: legs, feet, posture, limits");
-  AddText(show, "ROBOT", "NAME", a->robot, "A name of the list, or the path of a URDF file.")->required();
-  show.option_defaults()->group("Draw it standing");
+void AddRobots(Verb program, int& status) {
+  auto a = std::make_shared<RobotsSettings>();
+  const Verb verb = program.AddVerb("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
+  const Verb show = verb.AddVerb("show", "Explain one robot: legs, feet, posture, limits");
+  AddText(show, "ROBOT", "NAME", a->robot, "A name of the list, or the path of a URDF file.").Require();
+  show.SetGroup("Draw it standing");
   AddText(show, "--png", "FILE", a->png, "A picture of it, by a headless Chromium; default: none.");
   AddText(show, "--page", "FILE", a->page, "A page on which it can be turned and looked at in 3D; default: none.");
   AddText(show, "--view", "NAME", a->picture.view,
-          fmt::format("Of the picture: one of {}; default corner.", fmt::join(ViewNames(), ", ")));
+          fmt::format("Of the picture: one of {}; default corner.", JoinWords(ViewNames(), ", ")));
   AddCommon(verb, a->common, {"robots", "robots show a1"});
   AddCommon(show, a->common,
             {"robots show a1", "robots show nao --json", "robots show nao --png nao.png --view front"});
-  verb.require_subcommand(0, 1);
-  verb.callback([a, &status] {
-    status = Guarded(a->common, [&] {
-      ApplySets("--set", a->common.sets, {});
-      return a->robot.empty() ? List(a->common) : Show(*a);
-    });
+  verb.RequireVerbs(0, 1);
+  SetWork(verb, a->common, status, [a] {
+    ApplySets("--set", a->common.sets, {});
+    return a->robot.empty() ? ListRobots(a->common) : ShowRobot(*a);
   });
 }
 

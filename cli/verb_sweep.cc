@@ -19,7 +19,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct SweepSettings {
   Common common;
   StudyArguments study;
   std::optional<int> samples;
@@ -32,7 +32,7 @@ struct Arguments {
 };
 
 /// The keys of --metrics. @throws InvalidArgument naming the nearest to one that there is not.
-std::vector<std::string> MetricsOf(const std::string& text) {
+std::vector<std::string> MetricKeys(const std::string& text) {
   std::vector<std::string> keys;
   std::istringstream stream(text);
   while ((stream >> std::ws).good()) {
@@ -44,17 +44,17 @@ std::vector<std::string> MetricsOf(const std::string& text) {
 }
 
 /// Of the one process that writes: where the others of an MPI run are, the folders may not be.
-void CheckPathsOf(const Arguments& a) {
+void CheckSweepPaths(const SweepSettings& a) {
   Paths paths = a.study.PathsToRead();
-  paths.written = {{"--out", a.out, {".csv"}},
-                   {"--report", a.report, {".html"}},
-                   {"--map", a.map, {".svg"}},
-                   {"--best", a.best, {".json"}},
-                   {"the sweep so far", a.SoFar()}};
+  paths.Write("--out", a.out, {".csv"});
+  paths.Write("--report", a.report, {".html"});
+  paths.Write("--map", a.map, {".svg"});
+  paths.Write("--best", a.best, {".json"});
+  paths.Write("the sweep so far", a.SoFar());
   CheckPaths(paths);
 }
 
-Result<Study> StudyOf(Arguments& a) {
+Result<Study> SweepStudy(SweepSettings& a) {
   const StudyLayout layout = a.samples ? StudyLayout::kSamples : StudyLayout::kGrid;
   const std::vector<StudyAxis> axes = ParseAxes(a.study.over, layout);
   const Result<OptionTexts> options = a.study.Finish(axes, a.common);
@@ -66,13 +66,13 @@ Result<Study> StudyOf(Arguments& a) {
   Result<RobotModel> model = a.study.FinishFor(axes);
   if (!model) return model.failure();
   Study study{
-      std::move(*model), a.study.walk.request, a.study.play.request, axes, {}, MetricsOf(a.metrics), a.trials, {}};
+      std::move(*model), a.study.walk.request, a.study.play.request, axes, {}, MetricKeys(a.metrics), a.trials, {}};
   study.points =
       a.samples ? SampledPoints(axes, static_cast<std::size_t>(*a.samples), study.walk.seed) : GridPoints(axes);
   return study;
 }
 
-Result<Disturbances> PrepareTrials(Arguments& a, Study& study) {
+Result<Disturbances> PrepareTrials(SweepSettings& a, Study& study) {
   Result<Disturbances> disturbances = a.study.disturbances.Load(study.model, study.play, KeysOf(study.axes));
   if (!disturbances) return disturbances;
   a.study.play.CheckActs(a.common.sets, KeysOf(study.axes), DrawnOptions(*disturbances));
@@ -86,10 +86,10 @@ struct SweepInputs {
   std::string identity;
 };
 
-Result<SweepInputs> ReadAll(Arguments& a) {
+Result<SweepInputs> ReadSweepInputs(SweepSettings& a) {
   if (a.trials == 0 && !a.study.disturbances.file.empty())
     throw InvalidArgument("--disturbances says what trials sample: give --trials too");
-  Result<Study> study = StudyOf(a);
+  Result<Study> study = SweepStudy(a);
   if (!study) return study.failure();
   std::string trials;
   if (a.trials == 0) {
@@ -103,8 +103,8 @@ Result<SweepInputs> ReadAll(Arguments& a) {
   return SweepInputs{std::move(*study), std::move(identity)};
 }
 
-Result<std::vector<PointOutcome>> RunWithBar(const Arguments& a, const SweepInputs& sweep, JobJournal& journal,
-                                             SharedWork& work) {
+Result<std::vector<PointOutcome>> SweepWithBar(const SweepSettings& a, const SweepInputs& sweep, JobJournal& journal,
+                                               SharedWork& work) {
   const Interruptible interruptible;
   ProgressBar bar(!a.common.quiet, "points");
   const int before = static_cast<int>(journal.found());
@@ -115,7 +115,7 @@ Result<std::vector<PointOutcome>> RunWithBar(const Arguments& a, const SweepInpu
   return RunSharedSweep(work, sweep.study, sweep.identity, journal, {a.study.threads, show, Interruptible::asked});
 }
 
-Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const std::vector<PointOutcome>& outcomes) {
+Result<WrittenFiles> WriteSweep(const SweepSettings& a, const Study& study, const std::vector<PointOutcome>& outcomes) {
   WrittenFiles files = {{"map", a.out}};
   std::vector<OutputFile> texts = {{a.out, SweepCsv(study, outcomes)}};
   const auto add = [&](const char* kind, const std::string& path, const std::string& text) {
@@ -135,8 +135,8 @@ Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const std:
   return files;
 }
 
-void Print(const Arguments& a, const Study& study, const std::vector<PointOutcome>& outcomes,
-           const WrittenFiles& files) {
+void PrintSweep(const SweepSettings& a, const Study& study, const std::vector<PointOutcome>& outcomes,
+                const WrittenFiles& files) {
   const SweepSummary summary = SummaryOf(outcomes);
   if (a.common.json) {
     fmt::print("{}", SweepJson(study, outcomes, files));
@@ -151,49 +151,49 @@ void Print(const Arguments& a, const Study& study, const std::vector<PointOutcom
 }
 
 /// See HelpRank0.
-std::optional<Failure> Serve(Arguments& a, SharedWork& work) {
-  const Result<SweepInputs> sweep = ReadAll(a);
+std::optional<Failure> HelpWithSweep(SweepSettings& a, SharedWork& work) {
+  const Result<SweepInputs> sweep = ReadSweepInputs(a);
   if (!sweep) return sweep.failure();
   ServeSweep(work, sweep->study, sweep->identity);
   return std::nullopt;
 }
 
-int Run(Arguments& a) {
+int RunSweep(SweepSettings& a) {
   SharedWork work(Ranks::Join());
-  if (!work.ranks().leads()) return HelpRank0(work, [&] { return Serve(a, work); });
-  CheckPathsOf(a);
-  const Result<SweepInputs> sweep = ReadAll(a);
+  if (!work.ranks().leads()) return HelpRank0(work, [&] { return HelpWithSweep(a, work); });
+  CheckSweepPaths(a);
+  const Result<SweepInputs> sweep = ReadSweepInputs(a);
   if (!sweep) return Report(sweep.failure(), a.common);
   Result<JobJournal> journal = JobJournal::Open(a.SoFar(), sweep->identity, a.study.resume);
   if (!journal) return Report(journal.failure(), a.common);
-  const Result<std::vector<PointOutcome>> outcomes = RunWithBar(a, *sweep, *journal, work);
+  const Result<std::vector<PointOutcome>> outcomes = SweepWithBar(a, *sweep, *journal, work);
   if (!outcomes) {
     const int status = Report(outcomes.failure(), a.common);
     return outcomes.failure().code == "interrupted" ? kInterrupted : status;
   }
-  const Result<WrittenFiles> files = WriteAll(a, sweep->study, *outcomes);
+  const Result<WrittenFiles> files = WriteSweep(a, sweep->study, *outcomes);
   if (!files) return Report(files.failure(), a.common);
   journal->Remove();
-  Print(a, sweep->study, *outcomes, *files);
+  PrintSweep(a, sweep->study, *outcomes, *files);
   return kPass;
 }
 
-void AddFlags(CLI::App& verb, Arguments& a) {
+void AddSweepFlags(Verb verb, SweepSettings& a) {
   a.study.AddTo(
       verb,
       "An option and its values, may be repeated: KEY=FROM:TO:COUNT or KEY=a,b,c for a grid, KEY=FROM:TO with "
       "--samples. KEY is speed, lateral_speed, yaw_rate, step_length or one of --list-options; default: none.");
-  verb.option_defaults()->group("What is varied");
+  verb.SetGroup("What is varied");
   AddWholeNumber(verb, "--samples", 1, a.samples,
                  "So many points of a Halton sequence (see --seed) in place of a grid; default: a grid.");
-  verb.option_defaults()->group("What is done at each point");
+  verb.SetGroup("What is done at each point");
   AddWholeNumber(verb, "--trials", 0, a.trials,
                  "Randomised playbacks of each point whose plan passes its audit, the same for all; default 0.");
   a.study.disturbances.AddTo(verb);
   AddText(verb, "--metrics", "KEYS", a.metrics,
           "Metrics to be told of, with commas between; default " + a.metrics + ".");
   a.study.AddWorkTo(verb);
-  verb.option_defaults()->group("What is written");
+  verb.SetGroup("What is written");
   AddText(verb, "--out", "FILE", a.out,
           "Write the map to this file, as CSV; while it runs FILE.so-far keeps what it has; default sweep.csv.");
   AddText(verb, "--report", "FILE", a.report, "Write the report to this file, as one HTML page; default: nowhere.");
@@ -204,17 +204,16 @@ void AddFlags(CLI::App& verb, Arguments& a) {
 
 }  // namespace
 
-void AddSweep(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb =
-      *app.add_subcommand("sweep", "Walk over a range of options: where does the gait stand, and why not?");
-  AddFlags(verb, *a);
+void AddSweep(Verb program, int& status) {
+  auto a = std::make_shared<SweepSettings>();
+  const Verb verb = program.AddVerb("sweep", "Walk over a range of options: where does the gait stand, and why not?");
+  AddSweepFlags(verb, *a);
   AddCommon(verb, a->common,
             {"sweep --distance 0.3 --over speed=0.2:0.4:2 --quiet",
              "sweep --distance 0.3 --over stabilised.dcm_gain=1,1.5 --trials 1 --report a.html --best a.json",
              "sweep --distance 0.3 --over speed=0.1:0.4 --over gait.cycle_s=0.4:0.6 --samples 2 --json"});
   AddOptionList(verb, a->study.Fields(), a->common.json);
-  verb.callback([a, &status] { status = GuardedInRanks(a->common, [&] { return Run(*a); }); });
+  SetWorkInRanks(verb, a->common, status, [a] { return RunSweep(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/robot_input.h"
@@ -19,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct TerrainsSettings {
   Common common;
   std::string terrain, robot = "a1", urdf, picture;
 };
@@ -44,7 +45,7 @@ void PrintParameters(const std::vector<TerrainParameter>& parameters) {
   }
 }
 
-int List(const Common& common) {
+int ListTerrains(const Common& common) {
   Json list = Json::array();
   for (const BuiltInTerrain& entry : BuiltInTerrains()) {
     std::string keys;
@@ -63,12 +64,12 @@ int List(const Common& common) {
       fmt::print("{:<16} {}\n{:<16}   {}\n", entry.name, entry.description, "", keys);
     }
   }
-  if (common.json) fmt::print("{}\n", Json{{"terrains", list}}.dump(2));
+  if (common.json) PrintJson(Json{{"terrains", list}});
   return kPass;
 }
 
 /// The corners of a patch in W, as [x, y, z].
-Json Corners(const TerrainPatch& patch) {
+Json CornersJson(const TerrainPatch& patch) {
   Json corners = Json::array();
   for (const Vector2& corner_T : patch.outline_T) {
     const Vector3 p = patch.X_WT * Vector3(corner_T.x(), corner_T.y(), 0.0);
@@ -82,18 +83,18 @@ Json PatchJson(const TerrainPatch& patch) {
   return {{"name", patch.name},
           {"origin_m", {origin.x(), origin.y(), origin.z()}},
           {"normal", {normal.x(), normal.y(), normal.z()}},
-          {"outline_m", Corners(patch)},
+          {"outline_m", CornersJson(patch)},
           {"friction", patch.friction}};
 }
 
 /// Lowest and highest of a field.
-std::pair<double, double> HeightsOf(const HeightField& field) {
+std::pair<double, double> HeightRange(const HeightField& field) {
   const auto [low, high] = std::minmax_element(field.height_m.begin(), field.height_m.end());
   return {*low, *high};
 }
 
 Json FieldJson(const HeightField& field) {
-  const auto [low, high] = HeightsOf(field);
+  const auto [low, high] = HeightRange(field);
   return {{"name", field.name},
           {"origin_m", {field.origin_W.x(), field.origin_W.y()}},
           {"resolution_m", field.resolution_m},
@@ -127,7 +128,7 @@ void PrintParts(const Terrain& terrain) {
                patch.friction);
   }
   for (const HeightField& field : terrain.height_fields) {
-    const auto [low, high] = HeightsOf(field);
+    const auto [low, high] = HeightRange(field);
     fmt::print("  {}: {} by {} points {} m apart from ({:.3f}, {:.3f}) m, {:.3f} to {:.3f} m high, friction {}\n",
                field.name, field.columns, field.rows, field.resolution_m, field.origin_W.x(), field.origin_W.y(), low,
                high, field.friction);
@@ -149,13 +150,13 @@ void PrintParts(const Terrain& terrain) {
 }
 
 /// A ground as it is for a robot.
-struct Shown {
+struct ShownTerrain {
   std::string description;
   std::vector<TerrainParameter> parameters;
   Terrain terrain;
 };
 
-Json ToJson(const Shown& shown, const std::string& robot, const std::string& picture) {
+Json ShownTerrainJson(const ShownTerrain& shown, const std::string& robot, const std::string& picture) {
   Json patches = Json::array(), fields = Json::array(), obstacles = Json::array(), markers = Json::array(),
        files = Json::object();
   for (const TerrainPatch& patch : shown.terrain.patches) patches.push_back(PatchJson(patch));
@@ -175,10 +176,10 @@ Json ToJson(const Shown& shown, const std::string& robot, const std::string& pic
           {"files", files}};
 }
 
-Result<Shown> Look(const std::string& text, const TerrainScale& scale) {
+Result<ShownTerrain> LookAtTerrain(const std::string& text, const TerrainScale& scale) {
   Result<Terrain> terrain = LoadTerrain(text, scale);
   if (!terrain) return terrain.failure();
-  Shown shown{"ground of a file", {}, std::move(*terrain)};
+  ShownTerrain shown{"ground of a file", {}, std::move(*terrain)};
   if (!TerrainFileOf(text).empty()) return shown;
   const std::string name = text.substr(0, text.find(':'));
   for (const BuiltInTerrain& entry : BuiltInTerrains()) {
@@ -190,23 +191,23 @@ Result<Shown> Look(const std::string& text, const TerrainScale& scale) {
   return shown;
 }
 
-int Show(const Arguments& a) {
+int ShowTerrain(const TerrainsSettings& a) {
   Paths paths;
   paths.AddRobotAndGait(a.urdf, "");
   paths.AddTerrain(a.terrain);
-  paths.written = {{"--picture", a.picture, {".svg"}}};
+  paths.Write("--picture", a.picture, {".svg"});
   CheckPaths(paths);
   const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
   if (!model) return Report(model.failure(), a.common);
   const TerrainScale scale = ScaleOf(*model);
-  const Result<Shown> shown = Look(a.terrain, scale);
+  const Result<ShownTerrain> shown = LookAtTerrain(a.terrain, scale);
   if (!shown) return Report(shown.failure(), a.common);
   if (!a.picture.empty()) {
     const Result<std::string> written = WriteFileAtomically(a.picture, TerrainPicture(shown->terrain, scale));
     if (!written) return Report(written.failure(), a.common);
   }
   if (a.common.json) {
-    fmt::print("{}\n", ToJson(*shown, model->name, a.picture).dump(2));
+    PrintJson(ShownTerrainJson(*shown, model->name, a.picture));
   } else if (a.common.quiet) {
     fmt::print("{}\n", shown->terrain.name);
   } else {
@@ -221,26 +222,24 @@ int Show(const Arguments& a) {
 
 }  // namespace
 
-void AddTerrains(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("terrains", "List the grounds; 'terrains show X' describes one");
-  CLI::App& show = *verb.add_subcommand("show", "Describe one ground: its sizes, surfaces and obstacles");
+void AddTerrains(Verb program, int& status) {
+  auto a = std::make_shared<TerrainsSettings>();
+  const Verb verb = program.AddVerb("terrains", "List the grounds; 'terrains show X' describes one");
+  const Verb show = verb.AddVerb("show", "Describe one ground: its sizes, surfaces and obstacles");
   AddText(show, "TERRAIN", "NAME", a->terrain,
           "As of --terrain: a name of the list, with parameters or without, or a file; see docs/terrain-format.md.")
-      ->required();
-  CLI::Option* named =
+      .Require();
+  const Flag named =
       AddText(show, "--robot", "NAME", a->robot, "The robot whose sizes are taken where none are given; default a1.");
-  AddText(show, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
+  AddText(show, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.").Exclude(named);
   AddText(show, "--picture", "FILE", a->picture, "Draw it into this SVG file, from above and from the side.");
   AddCommon(verb, a->common, {"terrains", "terrains show stairs"});
   AddCommon(show, a->common,
             {"terrains show stairs --robot nao", "terrains show rough:amplitude_m=0.03,seed=2 --picture rough.svg"});
-  verb.require_subcommand(0, 1);
-  verb.callback([a, &status] {
-    status = Guarded(a->common, [&] {
-      ApplySets("--set", a->common.sets, {});
-      return a->terrain.empty() ? List(a->common) : Show(*a);
-    });
+  verb.RequireVerbs(0, 1);
+  SetWork(verb, a->common, status, [a] {
+    ApplySets("--set", a->common.sets, {});
+    return a->terrain.empty() ? ListTerrains(a->common) : ShowTerrain(*a);
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/helping_rank.h"
 #include "cli/interruptible.h"
+#include "cli/json_text_internal.h"
 #include "cli/options_file.h"
 #include "cli/paths.h"
 #include "cli/progress_bar.h"
@@ -19,7 +20,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct TrialsSettings {
   Common common;
   std::string plan, out = "trials.json", report;
   PlayArguments play;
@@ -30,13 +31,13 @@ struct Arguments {
   bool resume = false, show = false;
 
   std::string SoFar() const { return out + ".so-far"; }
-  OptionFields Fields() { return Joined({Prefixed("trials", trials.Fields()), play.request.Fields()}); }
+  OptionFields Fields() { return Joined({Prefixed("trials", trials.Fields()), play.Fields()}); }
 };
 
-int ShowDisturbances(const Arguments& a, const Disturbances& disturbances) {
+int ShowDisturbances(const TrialsSettings& a, const Disturbances& disturbances) {
   const std::string text = DisturbancesText(disturbances);
   if (a.common.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"disturbances", text}}.dump(2));
+    PrintJson(nlohmann::ordered_json{{"disturbances", text}});
   } else {
     fmt::print("{}", text);
   }
@@ -49,7 +50,7 @@ struct TrialRun {
   int beyond = 0;
 };
 
-void PrintQuietly(const Arguments& a, const RobustnessReport& report, bool enough) {
+void PrintTrialsQuietly(const TrialsSettings& a, const RobustnessReport& report, bool enough) {
   if (a.require_survival) {
     fmt::print("{}\n", enough ? "pass" : "fail");
   } else {
@@ -57,17 +58,17 @@ void PrintQuietly(const Arguments& a, const RobustnessReport& report, bool enoug
   }
 }
 
-void Print(const Arguments& a, const TrialRun& run, bool enough) {
+void PrintTrials(const TrialsSettings& a, const TrialRun& run, bool enough) {
   const RobustnessReport& report = run.report;
   if (a.common.json) {
-    auto json = nlohmann::ordered_json::parse(RobustnessJson(report));
+    auto json = ParsedJson(RobustnessJson(report));
     json["files"] = {{"plan", a.plan}, {"result", a.out}};
     if (!a.report.empty()) json["files"]["report"] = a.report;
     if (run.beyond > 0) json["files"]["so_far"] = a.SoFar();
-    fmt::print("{}\n", json.dump(2));
+    PrintJson(json);
     return;
   }
-  if (a.common.quiet) return PrintQuietly(a, report, enough);
+  if (a.common.quiet) return PrintTrialsQuietly(a, report, enough);
   fmt::print("{}\nresult  {}\n", RobustnessText(report), a.out);
   if (!a.report.empty()) fmt::print("report  {}\n", a.report);
   if (run.beyond > 0)
@@ -75,7 +76,7 @@ void Print(const Arguments& a, const TrialRun& run, bool enough) {
 }
 
 /// The run, with its journal beside the result and a bar on a terminal.
-Result<TrialRun> RunWithBar(const Arguments& a, const TrialStudy& study, SharedWork& work) {
+Result<TrialRun> TrialsWithBar(const TrialsSettings& a, const TrialStudy& study, SharedWork& work) {
   const Interruptible interruptible;
   ProgressBar bar(!a.common.quiet, "trials");
   TrialHooks hooks;
@@ -99,16 +100,20 @@ Result<TrialRun> RunWithBar(const Arguments& a, const TrialStudy& study, SharedW
 }
 
 /// Of the one process that writes: where the others of an MPI run are, the folders may not be.
-void CheckPathsOf(const Arguments& a) {
-  Paths paths{{{"the plan", a.plan}}, {}, ""};
-  if (!a.show)
-    paths.written = {{"--out", a.out, {".json"}}, {"--report", a.report, {".html"}}, {"the run so far", a.SoFar()}};
+void CheckTrialsPaths(const TrialsSettings& a) {
+  Paths paths;
+  paths.Read("the plan", a.plan);
+  if (!a.show) {
+    paths.Write("--out", a.out, {".json"});
+    paths.Write("--report", a.report, {".html"});
+    paths.Write("the run so far", a.SoFar());
+  }
   a.disturbances.AddPathTo(paths);
   a.options.AddPathTo(paths);
   CheckPaths(paths);
 }
 
-void CheckShare(const Arguments& a) {
+void CheckShare(const TrialsSettings& a) {
   if (a.require_survival && (*a.require_survival < 0.0 || *a.require_survival > 1.0)) {
     throw InvalidArgument(fmt::format("--require-survival is {}; it is a share, from 0 to 1", *a.require_survival));
   }
@@ -121,9 +126,9 @@ struct TrialInputs {
   Disturbances disturbances;
 };
 
-Result<TrialInputs> ReadAll(Arguments& a) {
+Result<TrialInputs> ReadTrialInputs(TrialsSettings& a) {
   a.trials.seed = a.common.seed;
-  const Result<OptionTexts> options = a.options.Apply(a.play.request.Fields(), a.common);
+  const Result<OptionTexts> options = a.options.Apply(a.play.Fields(), a.common);
   if (!options) return options.failure();
   ApplySets("--set", a.common.sets, a.Fields());
   a.play.Finish();
@@ -139,36 +144,36 @@ Result<TrialInputs> ReadAll(Arguments& a) {
 }
 
 /// See HelpRank0.
-std::optional<Failure> Serve(Arguments& a, SharedWork& work) {
-  const Result<TrialInputs> read = ReadAll(a);
+std::optional<Failure> HelpWithTrials(TrialsSettings& a, SharedWork& work) {
+  const Result<TrialInputs> read = ReadTrialInputs(a);
   if (!read) return read.failure();
   if (!a.show) ServeTrials(work, {read->model, read->plan, a.play.request, read->disturbances}, a.trials);
   return std::nullopt;
 }
 
-int Run(Arguments& a) {
+int RunTrials(TrialsSettings& a) {
   SharedWork work(Ranks::Join());
-  if (!work.ranks().leads()) return HelpRank0(work, [&] { return Serve(a, work); });
-  CheckPathsOf(a);
-  const Result<TrialInputs> read = ReadAll(a);
+  if (!work.ranks().leads()) return HelpRank0(work, [&] { return HelpWithTrials(a, work); });
+  CheckTrialsPaths(a);
+  const Result<TrialInputs> read = ReadTrialInputs(a);
   if (!read) return Report(read.failure(), a.common);
   if (a.show) return ShowDisturbances(a, read->disturbances);
-  const Result<TrialRun> run = RunWithBar(a, {read->model, read->plan, a.play.request, read->disturbances}, work);
+  const Result<TrialRun> run = TrialsWithBar(a, {read->model, read->plan, a.play.request, read->disturbances}, work);
   if (!run) {
     const int status = Report(run.failure(), a.common);
     return run.failure().code == "interrupted" ? kInterrupted : status;
   }
   const bool enough = !a.require_survival || run->report.survival.share >= *a.require_survival;
-  Print(a, *run, enough);
+  PrintTrials(a, *run, enough);
   return enough ? kPass : kVerdictFail;
 }
 
-void AddFlags(CLI::App& verb, Arguments& a) {
-  AddText(verb, "PLAN", "FILE", a.plan, "A plan file, as 'plan' and 'walk' write it.")->required();
-  verb.option_defaults()->group("Trials");
+void AddTrialsFlags(Verb verb, TrialsSettings& a) {
+  AddText(verb, "PLAN", "FILE", a.plan, "A plan file, as 'plan' and 'walk' write it.").Require();
+  verb.SetGroup("Trials");
   AddWholeNumber(verb, "-n,--trials", 1, a.trials.trials, "How many; default 500.");
   a.disturbances.AddTo(verb);
-  verb.add_flag("--show-disturbances", a.show, "Print what would be sampled, as such a file, and do nothing else.");
+  verb.AddSwitch("--show-disturbances", a.show, "Print what would be sampled, as such a file, and do nothing else.");
   AddField(verb, "--until-width", a.trials.Fields(), "until_width");
   AddWholeNumber(verb, "--until-least", 1, a.trials.until_least, "Not before so many trials; default 50.");
   AddWholeNumber(verb, "--threads", 0, a.trials.threads,
@@ -178,24 +183,24 @@ void AddFlags(CLI::App& verb, Arguments& a) {
             "--quiet prints how many survived.");
   a.play.AddTo(verb);
   a.options.AddTo(verb);
-  verb.option_defaults()->group("What is written");
+  verb.SetGroup("What is written");
   AddText(verb, "--out", "FILE", a.out,
           "Write the result to this file, as JSON; while it runs FILE.so-far keeps what it has; default trials.json.");
   AddText(verb, "--report", "FILE", a.report, "Write the report to this file, as one HTML page; default: nowhere.");
-  verb.add_flag("--resume", a.resume, "Go on with a run that was interrupted; the result is that of an unbroken one.");
+  verb.AddSwitch("--resume", a.resume, "Go on with a run that was interrupted; the result is that of an unbroken one.");
 }
 
 }  // namespace
 
-void AddTrials(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("trials", "Play a plan many times under sampled disturbances: does it survive?");
-  AddFlags(verb, *a);
+void AddTrials(Verb program, int& status) {
+  auto a = std::make_shared<TrialsSettings>();
+  const Verb verb = program.AddVerb("trials", "Play a plan many times under sampled disturbances: does it survive?");
+  AddTrialsFlags(verb, *a);
   AddCommon(verb, a->common,
             {"trials plan.json -n 2 --quiet", "trials plan.json -n 2 --out two.json --report two.html --threads 1",
              "trials plan.json --show-disturbances"});
   AddOptionList(verb, a->Fields(), a->common.json);
-  verb.callback([a, &status] { status = GuardedInRanks(a->common, [&] { return Run(*a); }); });
+  SetWorkInRanks(verb, a->common, status, [a] { return RunTrials(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -12,7 +12,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct TuneSettings {
   Common common;
   StudyArguments study;
   TuneOptions tune;
@@ -21,16 +21,16 @@ struct Arguments {
   std::string SoFar() const { return out + ".so-far"; }
 };
 
-void CheckPathsOf(const Arguments& a) {
+void CheckTunePaths(const TuneSettings& a) {
   Paths paths = a.study.PathsToRead();
-  paths.written = {{"--out", a.out, {".yaml"}},
-                   {"--result", a.result, {".json"}},
-                   {"--report", a.report, {".html"}},
-                   {"the tuning so far", a.SoFar()}};
+  paths.Write("--out", a.out, {".yaml"});
+  paths.Write("--result", a.result, {".json"});
+  paths.Write("--report", a.report, {".html"});
+  paths.Write("the tuning so far", a.SoFar());
   CheckPaths(paths);
 }
 
-Result<Study> StudyOf(Arguments& a) {
+Result<Study> TuneStudy(TuneSettings& a) {
   const std::vector<StudyAxis> axes = ParseAxes(a.study.over, StudyLayout::kTuning);
   CheckTunable(axes);
   const Result<OptionTexts> options = a.study.Finish(axes, a.common);
@@ -40,7 +40,7 @@ Result<Study> StudyOf(Arguments& a) {
   return Study{std::move(*model), a.study.walk.request, a.study.play.request, axes, {}, {}, a.tune.trials, {}};
 }
 
-Result<TuneReport> RunWithBar(const Arguments& a, const Study& study, JobJournal& journal) {
+Result<TuneReport> TuneWithBar(const TuneSettings& a, const Study& study, JobJournal& journal) {
   const Interruptible interruptible;
   ProgressBar bar(!a.common.quiet, "jobs");
   const int before = static_cast<int>(journal.found());
@@ -51,7 +51,7 @@ Result<TuneReport> RunWithBar(const Arguments& a, const Study& study, JobJournal
   return Tune(study, a.tune, journal, {a.study.threads, show, Interruptible::asked});
 }
 
-Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const TuneReport& report) {
+Result<WrittenFiles> WriteTuned(const TuneSettings& a, const Study& study, const TuneReport& report) {
   WrittenFiles files = {{"options", a.out}};
   if (!a.result.empty()) files.emplace_back("result", a.result);
   if (!a.report.empty()) files.emplace_back("report", a.report);
@@ -63,9 +63,9 @@ Result<WrittenFiles> WriteAll(const Arguments& a, const Study& study, const Tune
   return files;
 }
 
-int Run(Arguments& a) {
-  CheckPathsOf(a);
-  Result<Study> study = StudyOf(a);
+int RunTune(TuneSettings& a) {
+  CheckTunePaths(a);
+  Result<Study> study = TuneStudy(a);
   if (!study) return Report(study.failure(), a.common);
   const Result<Disturbances> disturbances = a.study.disturbances.Load(study->model, study->play, KeysOf(study->axes));
   if (!disturbances) return Report(disturbances.failure(), a.common);
@@ -74,14 +74,14 @@ int Run(Arguments& a) {
   const std::string identity = TuneIdentity(*study, a.tune, DisturbancesText(*disturbances));
   Result<JobJournal> journal = JobJournal::Open(a.SoFar(), identity, a.study.resume);
   if (!journal) return Report(journal.failure(), a.common);
-  const Result<TuneReport> report = RunWithBar(a, *study, *journal);
+  const Result<TuneReport> report = TuneWithBar(a, *study, *journal);
   if (!report) {
     const bool interrupted = report.failure().code == "interrupted";
     if (!interrupted) journal->Remove();
     const int status = Report(report.failure(), a.common);
     return interrupted ? kInterrupted : status;
   }
-  const Result<WrittenFiles> files = WriteAll(a, *study, *report);
+  const Result<WrittenFiles> files = WriteTuned(a, *study, *report);
   if (!files) return Report(files.failure(), a.common);
   journal->Remove();
   if (a.common.json) {
@@ -95,13 +95,13 @@ int Run(Arguments& a) {
   return kPass;
 }
 
-void AddFlags(CLI::App& verb, Arguments& a) {
+void AddTuneFlags(Verb verb, TuneSettings& a) {
   a.study.AddTo(
       verb,
       "An option and its range, as KEY=FROM:TO, may be repeated. KEY is one of --list-options that is a number, "
       "but none of play.*, sensors.* and score.*; default: none.");
   const OptionFields fields = a.tune.Fields();
-  verb.option_defaults()->group("How it is searched");
+  verb.SetGroup("How it is searched");
   AddField(verb, "--evaluations", fields, "evaluations");
   AddField(verb, "--trials", fields, "trials");
   AddField(verb, "--finalists", fields, "finalists");
@@ -111,7 +111,7 @@ void AddFlags(CLI::App& verb, Arguments& a) {
   AddField(verb, "--smooth-above", fields, "smooth_above");
   a.study.disturbances.AddTo(verb);
   a.study.AddWorkTo(verb);
-  verb.option_defaults()->group("What is written");
+  verb.SetGroup("What is written");
   AddText(
       verb, "--out", "FILE", a.out,
       "Write the tuned options to this file, for --options of walk, plan, play and trials; while it runs FILE.so-far "
@@ -122,14 +122,14 @@ void AddFlags(CLI::App& verb, Arguments& a) {
 
 }  // namespace
 
-void AddTune(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("tune", "Find better values of options, and prove it on trials never used");
-  AddFlags(verb, *a);
+void AddTune(Verb program, int& status) {
+  auto a = std::make_shared<TuneSettings>();
+  const Verb verb = program.AddVerb("tune", "Find better values of options, and prove it on trials never used");
+  AddTuneFlags(verb, *a);
   AddCommon(verb, a->common,
             {"tune --distance 0.3 --over stabilised.dcm_gain=1:2 --evaluations 3 --trials 1 --held-out 6"});
   AddOptionList(verb, a->study.Fields(), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunTune(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/flags.h"
+#include "cli/json_text_internal.h"
 #include "cli/paths.h"
 #include "cli/program.h"
 #include "cli/shown_motion.h"
@@ -14,15 +15,15 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct ViewSettings {
   Common common;
   std::string motion, beside, plan, meshes, out = "view.html";
 };
 
-void Print(const Arguments& a, const std::string& title, std::size_t bytes) {
+void PrintViewed(const ViewSettings& a, const std::string& title, std::size_t bytes) {
   if (a.common.json) {
     const nlohmann::ordered_json json = {{"shows", title}, {"page_bytes", bytes}, {"files", {{"page", a.out}}}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    PrintJson(json);
   } else if (a.common.quiet) {
     fmt::print("{}\n", a.out);
   } else {
@@ -30,11 +31,14 @@ void Print(const Arguments& a, const std::string& title, std::size_t bytes) {
   }
 }
 
-int Run(const Arguments& a) {
+int RunView(const ViewSettings& a) {
   ApplySets("--set", a.common.sets, {});
-  CheckPaths({{{"the motion", a.motion}, {"the second motion", a.beside}, {"--plan", a.plan}},
-              {{"--out", a.out, {".html"}}},
-              ""});
+  Paths paths;
+  paths.Read("the motion", a.motion);
+  paths.Read("the second motion", a.beside);
+  paths.Read("--plan", a.plan);
+  paths.Write("--out", a.out, {".html"});
+  CheckPaths(paths);
   if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
   std::vector<MotionToShow> motions;
   for (const std::string& path : {a.motion, a.beside}) {
@@ -58,16 +62,16 @@ int Run(const Arguments& a) {
   const std::string page = ViewerPage(title, shown);
   const auto written = WriteFileAtomically(a.out, page);
   if (!written) return Report(written.failure(), a.common);
-  Print(a, title, page.size());
+  PrintViewed(a, title, page.size());
   return kPass;
 }
 
 }  // namespace
 
-void AddView(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb = *app.add_subcommand("view", "Make a page that shows a plan or a log in 3D, or two side by side");
-  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as 'plan', 'walk' and 'play' write them.")->required();
+void AddView(Verb program, int& status) {
+  auto a = std::make_shared<ViewSettings>();
+  const Verb verb = program.AddVerb("view", "Make a page that shows a plan or a log in 3D, or two side by side");
+  AddText(verb, "MOTION", "FILE", a->motion, "A plan or a log, as 'plan', 'walk' and 'play' write them.").Require();
   AddText(verb, "BESIDE", "FILE", a->beside, "A second one, shown beside it under the same clock; default none.");
   AddText(verb, "--plan", "FILE", a->plan, "The plan that a log was played from; default: plan.json beside the log.");
   AddText(verb, "--meshes", "FOLDER", a->meshes,
@@ -75,7 +79,7 @@ void AddView(CLI::App& app, int& status) {
   AddText(verb, "--out", "FILE", a->out, "Write the page to this file; default view.html.");
   AddCommon(verb, a->common,
             {"view plan.json", "view out/log.json --out trot.html", "view out/log.json plan.json --out two.html"});
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  SetWork(verb, a->common, status, [a] { return RunView(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -10,7 +10,7 @@
 namespace gaitwright::cli {
 namespace {
 
-struct Arguments {
+struct WalkSettings {
   Common common;
   WalkArguments walk;
   PlayArguments play;
@@ -18,13 +18,9 @@ struct Arguments {
   Outputs outputs;
 };
 
-void CheckPathsOf(const Arguments& a) {
-  const Outputs& out = a.outputs;
-  Paths paths{{},
-              {{"the plan of --out-dir", out.PathOf(out.plan), {".json"}},
-               {"the log of --out-dir", out.PathOf(out.log), {".json"}},
-               {"the report of --out-dir", out.PathOf(out.report), {".html"}}},
-              out.plot_folder};
+void CheckWalkPaths(const WalkSettings& a) {
+  Paths paths;
+  a.outputs.AddPathsTo(paths);
   paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);
@@ -32,14 +28,14 @@ void CheckPathsOf(const Arguments& a) {
   CheckPaths(paths);
 }
 
-int Run(Arguments& a) {
+int RunWalk(WalkSettings& a) {
   a.play.request.play.world.seed = a.play.request.sensing.sensors.seed = a.common.seed;
-  const OptionFields fields = Joined({a.walk.request.Fields(), a.play.request.Fields()});
+  const OptionFields fields = Joined({a.walk.Fields(), a.play.Fields()});
   const Result<OptionTexts> options = a.options.Apply(fields, a.common);
   if (!options) return Report(options.failure(), a.common);
   ApplySets("--set", a.common.sets, fields);
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
-  CheckPathsOf(a);
+  CheckWalkPaths(a);
   const Result<RobotModel> model = ReadRobot(a.walk.robot, a.walk.urdf);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
@@ -59,10 +55,10 @@ int Run(Arguments& a) {
 
 }  // namespace
 
-void AddWalk(CLI::App& app, int& status) {
-  auto a = std::make_shared<Arguments>();
-  CLI::App& verb =
-      *app.add_subcommand("walk", "Plan, audit, play and score a walk in one go, and write the report: the main job");
+void AddWalk(Verb program, int& status) {
+  auto a = std::make_shared<WalkSettings>();
+  const Verb verb =
+      program.AddVerb("walk", "Plan, audit, play and score a walk in one go, and write the report: the main job");
   a->outputs.folder = "out";
   a->walk.AddTo(verb);
   a->play.AddTo(verb);
@@ -72,8 +68,8 @@ void AddWalk(CLI::App& app, int& status) {
             {"walk --robot a1 --speed 0.3 --distance 1", "walk --robot nao --steps 4 --step-length 0.04 --out-dir nao",
              "walk --sequence 'trot: speed=0.5; stand: duration=1; walk: speed=0.1' --out-dir parts",
              "walk --robot a1 --distance 1 --push 0,30,0 --push-at 2 --quiet"});
-  AddOptionList(verb, Joined({a->walk.request.Fields(), a->play.request.Fields()}), a->common.json);
-  verb.callback([a, &status] { status = Guarded(a->common, [&] { return Run(*a); }); });
+  AddOptionList(verb, Joined({a->walk.Fields(), a->play.Fields()}), a->common.json);
+  SetWork(verb, a->common, status, [a] { return RunWalk(*a); });
 }
 
 }  // namespace gaitwright::cli

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 
+#include "cli/numbers.h"
 #include "workflows/walk/idle_options.h"
 
 namespace gaitwright::cli {
 namespace {
 
 /// Why there is no ready-made set of sensors of that name, or "".
-std::string NotAKind(const std::string& kind) {
+std::string NotASensorKind(const std::string& kind) {
   try {
     SensorsOfKind(kind);
     return "";
@@ -33,69 +34,71 @@ std::vector<std::string> ChangedBy(const std::vector<std::string>& sets, PlayReq
 
 }  // namespace
 
-void WalkArguments::AddTo(CLI::App& verb) {
-  verb.option_defaults()->group("Robot and ground");
-  CLI::Option* named = AddText(verb, "--robot", "NAME", robot, "Robot by name, see 'gaitwright robots'; default a1.");
-  AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own, instead of --robot.")->excludes(named);
+void WalkArguments::AddTo(Verb verb) {
+  verb.SetGroup("Robot and ground");
+  const Flag named = AddText(verb, "--robot", "NAME", robot, "Robot by name, see 'gaitwright robots'; default a1.");
+  AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own, instead of --robot.").Exclude(named);
   AddText(verb, "--terrain", "NAME", request.terrain,
           "Ground by name, with parameters or without, as stairs:rise_m=0.05,count=2, see 'gaitwright terrains'; or a "
           "file of one (YAML, CSV, PNG, OBJ, STL); default flat.");
   AddCommandTo(verb);
-  verb.option_defaults()->group("How it is planned");
-  CLI::Option* method = AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
-                                "How the centre of mass is planned: optimised, closed-form, preview or rigid-body; "
-                                "default optimised, and rigid-body for gaits that fly.");
+  verb.SetGroup("How it is planned");
+  const Flag method = AddText(verb, "--com-method", "NAME", request.motion.centre_of_mass.method,
+                              "How the centre of mass is planned: optimised, closed-form, preview or rigid-body; "
+                              "default optimised, and rigid-body for gaits that fly.");
   keyed.push_back({method, "centre_of_mass.method"});
-  verb.option_defaults()->group("Options");
+  verb.SetGroup("Options");
 }
 
-void WalkArguments::AddCommandTo(CLI::App& verb) {
-  verb.option_defaults()->group("How fast (any mix of these)");
+void WalkArguments::AddCommandTo(Verb verb) {
+  verb.SetGroup("How fast (any mix of these)");
   WalkCommand& c = request.command;
-  CLI::Option* gait =
+  const Flag gait =
       AddText(verb, "--gait", "NAME", request.gait,
               "Gait by name, see 'gaitwright gaits', or a file of gaits: FILE.yaml for its first, FILE.yaml:NAME for "
               "another one; 'walk' is the slow one for the robot's number of legs; default: the robot's best.");
-  CLI::Option* ahead = AddNumber(verb, "--speed", "m/s", c.speed_m_s,
-                                 "Speed ahead, 0 or more; default 0: where no other speed says where to go the robot's "
-                                 "own, see 'gaitwright robots show'.");
-  CLI::Option* aside = AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
-                                 "Speed to the left, negative to the right; default 0.");
-  CLI::Option* turning = AddNumber(
+  const Flag ahead = AddNumber(verb, "--speed", "m/s", c.speed_m_s,
+                               "Speed ahead, 0 or more; default 0: where no other speed says where to go the robot's "
+                               "own, see 'gaitwright robots show'.");
+  const Flag aside = AddNumber(verb, "--lateral-speed", "m/s", c.lateral_speed_m_s,
+                               "Speed to the left, negative to the right; default 0.");
+  const Flag turning = AddNumber(
       verb, "--yaw-rate", "rad/s", c.yaw_rate_rad_s,
       "Turning to the left, negative to the right; default 0. Alone it turns on the spot, with --distance it bends "
       "the way at the robot's own speed.");
-  verb.option_defaults()->group("How far (one of --distance, --duration, --goal, --steps)");
-  CLI::Option* distance =
+  verb.SetGroup("How far (one of --distance, --duration, --goal, --steps)");
+  const Flag distance =
       AddNumber(verb, "--distance", "m", extent.distance_m,
                 "Length of the way in the commanded direction, along the curve where --yaw-rate bends it, more than 0; "
                 "default 1, or a quarter turn where --yaw-rate stands alone.");
-  CLI::Option* duration = AddNumber(
+  const Flag duration = AddNumber(
       verb, "--duration", "s", extent.duration_s,
       "Time of walking at the commanded speeds, in whole cycles of the gait, more than 0; default: as --distance "
       "says.");
-  CLI::Option* pose = AddText(
+  const Flag pose = AddText(
       verb, "--goal", "x,y,yaw", goal,
       "Where to, in m, m and rad from the start: x ahead, y to the left, yaw between -pi and pi. A goal behind is "
       "walked to backward. Speeds given are the largest on the way.");
-  CLI::Option* count = AddWholeNumber(verb, "--steps", 1, extent.steps,
-                                      "So many footfalls at the commanded speeds, the last ones closing the stance; 1 "
-                                      "or more.");
-  CLI::Option* length =
+  const Flag count = AddWholeNumber(verb, "--steps", 1, extent.steps,
+                                    "So many footfalls at the commanded speeds, the last ones closing the stance; 1 "
+                                    "or more.");
+  const Flag length =
       AddNumber(verb, "--step-length", "m", extent.step_length_m,
                 "Advance of the robot in a footfall, with --steps and instead of --speed; 0 steps on the spot, "
                 "negative goes back; default: speed times the time of a footfall.")
-          ->needs(count)
-          ->excludes(ahead);
+          .Need(count)
+          .Exclude(ahead);
   keyed = {{ahead, "speed"}, {aside, "lateral_speed"}, {turning, "yaw_rate"}, {length, "step_length"}};
-  verb.option_defaults()->group("Several gaits one after the other, instead of all these");
-  CLI::Option* parts =
+  verb.SetGroup("Several gaits one after the other, instead of all these");
+  const Flag parts =
       AddText(verb, "--sequence", "PARTS", request.sequence,
               "Parts one after the other in one plan, as 'trot: speed=0.5, distance=1; stand: duration=1; walk', or a "
               "YAML file of them, see docs/gaits.md. Keys are speed, lateral-speed, yaw-rate; distance, duration or "
               "steps; step-length; default: none.");
-  for (CLI::Option* other : {gait, ahead, aside, turning, distance, duration, pose, count}) parts->excludes(other);
+  for (const Flag& other : {gait, ahead, aside, turning, distance, duration, pose, count}) parts.Exclude(other);
 }
+
+OptionFields WalkArguments::Fields() { return request.Fields(); }
 
 void WalkArguments::Finish(const RobotModel& model) {
   if (!goal.empty()) {
@@ -105,24 +108,24 @@ void WalkArguments::Finish(const RobotModel& model) {
   SetExtent(model, extent, request.command, "--");
 }
 
-void PlayArguments::AddTo(CLI::App& verb) {
+void PlayArguments::AddTo(Verb verb) {
   const OptionFields fields = request.Fields();
   const auto add = [&](const std::string& flag, const std::string& key) {
-    CLI::Option* option = AddField(verb, flag, fields, key);
+    const Flag option = AddField(verb, flag, fields, key);
     keyed.push_back({option, key});
     return option;
   };
-  verb.option_defaults()->group("Playback, and what the plan does not know");
+  verb.SetGroup("Playback, and what the plan does not know");
   AddText(verb, "--controller", "NAME", request.controller,
           "stabilised (default), joint-pd, or for plans that stand recovering.");
   add("--state", "state");
   only_with_sensors =
-      verb.add_option_function<std::string>(
+      verb.AddReader(
               "--sensors", [this](const std::string& kind) { request.sensing.sensors = SensorsOfKind(kind); },
               "Figures of the sensors that --state measured and estimated have: ideal, good or hobby, see "
               "docs/sensing.md; --set sensors.* changes single ones; default ideal.")
-          ->type_name("KIND")
-          ->check(NotAKind);
+          .SetType("KIND")
+          .Check(NotASensorKind);
   add("--command-delay", "command_delay_s");
   AddText(verb, "--push", "fx,fy,fz", push,
           "Push on the base in N, world axes: x ahead, y to the left, z up; default none.");
@@ -132,23 +135,25 @@ void PlayArguments::AddTo(CLI::App& verb) {
   add("--friction", "play.friction");
   add("--mass-scale", "play.mass_scale");
   add("--log-rate-hz", "play.log_rate_hz");
-  verb.option_defaults()->group("Options");
+  verb.SetGroup("Options");
 }
+
+OptionFields PlayArguments::Fields() { return request.Fields(); }
 
 void PlayArguments::Finish(const std::vector<std::string>& varied) {
   const auto varies = [&](const char* begins) {
     return std::any_of(varied.begin(), varied.end(), [&](const std::string& key) { return key.starts_with(begins); });
   };
-  if (only_with_sensors->count() > 0 && !varies("state") && request.sensing.state == StateSourceNames().front())
+  if (only_with_sensors->given() && !varies("state") && request.sensing.state == StateSourceNames().front())
     throw InvalidArgument("--sensors is for --state measured or estimated: the true state reads no sensor");
   if (!push.empty()) {
     const std::vector<double> force = ParseNumbers("--push", push, 3);
     request.play.push_force_W = Vector3(force[0], force[1], force[2]);
   }
   const bool pushes = !request.play.push_force_W.isZero(0.0);
-  for (const CLI::Option* flag : only_with_push) {
-    if (flag->count() > 0 && push.empty() && !pushes && !varies("play.push_force"))
-      throw InvalidArgument(flag->get_name() + " is given without --push: how hard is missing");
+  for (const Flag& flag : only_with_push) {
+    if (flag.given() && push.empty() && !pushes && !varies("play.push_force"))
+      throw InvalidArgument(flag.name() + " is given without --push: how hard is missing");
   }
   if (pushes && request.play.push_for_s == 0.0)
     throw InvalidArgument("a push that lasts for 0 s does nothing: --push-for is to be above 0");

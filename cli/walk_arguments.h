@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,23 +19,25 @@ struct WalkArguments {
   WalkExtent extent;
   std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
 
-  void AddTo(CLI::App& verb);
+  void AddTo(Verb verb);
+  OptionFields Fields();  ///< of the request
   /// Puts the flags into the request. @throws InvalidArgument for flags that contradict each other or do not parse.
   void Finish(const RobotModel& model);
 
  private:
-  void AddCommandTo(CLI::App& verb);
+  void AddCommandTo(Verb verb);
 };
 
 /// The flags of a playback, shared by `walk` and `play`.
 struct PlayArguments {
   PlayRequest request;
   std::string push;
-  std::vector<CLI::Option*> only_with_push;
-  CLI::Option* only_with_sensors = nullptr;
+  std::vector<Flag> only_with_push;
+  std::optional<Flag> only_with_sensors;
   std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key
 
-  void AddTo(CLI::App& verb);
+  void AddTo(Verb verb);
+  OptionFields Fields();  ///< of the request
   /// @param varied  options that are given one value after another.
   /// @throws InvalidArgument when --push is not three numbers, or is missing where its time is given, and for --sensors
   /// where none is read.

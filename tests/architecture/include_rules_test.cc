@@ -106,6 +106,11 @@ TEST(IncludeBreaches, PublicHeadersNameStdEigenAndUs) {
   }
 }
 
+TEST(IncludeBreaches, HeadersOfTheProgramDoNotNameCli11) {
+  EXPECT_EQ(Breach("cli/command_line.cc", "<CLI/CLI.hpp>"), "");
+  EXPECT_NE(Breach("cli/command_line.h", "<CLI/CLI.hpp>"), "");
+}
+
 TEST(IncludeBreaches, StrangersAndRelativePathsAreRefused) {
   EXPECT_NE(Breach("kinematics/base/a.cc", "<boost/any.hpp>"), "");
   EXPECT_NE(Breach("kinematics/base/a.cc", "\"result.h\""), "");

@@ -110,7 +110,7 @@ inline const std::vector<Owner> kOwners = {
     {"curl/", {"workflows/words"}},
     {"pybind11/", {"python"}, true},
     {"mpi.h", {"workflows/cluster"}},
-    {"CLI/", {"cli", "examples"}, true},
+    {"CLI/", {"cli", "examples"}},
     // Of the operating system: atomic writing and terminals.
     {"unistd.h", kAnywhere},
     {"fcntl.h", kAnywhere},

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "cli/flags.h"
+#include "cli/numbers.h"
 #include "kinematics/base/result.h"
 #include "tests/fuzz/reader.h"
 
