@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 string(TOUPPER "${CMAKE_BUILD_TYPE}" GAITWRIGHT_BUILD_TYPE_UPPER)
 
-# gaitwright_test_program(NAME ROOM LABEL SOURCES... LINKS ...)
-function(gaitwright_test_program name room label)
+# gaitwright_test_program(NAME ROOM LABEL SHARDS SOURCES... LINKS ...): a program, and tests ROOM.1, ROOM.2, ... that run a
+# part of it each (tests/run_shard.py): what its tests share, such as a plan, is made once in a part.
+function(gaitwright_test_program name room label shards)
   cmake_parse_arguments(test "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${test_SOURCES})
   target_link_libraries(${name} PRIVATE ${test_LINKS} GTest::gtest_main fmt::fmt)
@@ -10,14 +11,23 @@ function(gaitwright_test_program name room label)
   target_compile_options(${name} PRIVATE ${GAITWRIGHT_WARNINGS})
   target_compile_definitions(${name} PRIVATE GAITWRIGHT_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              GAITWRIGHT_BINARY_DIR="${CMAKE_BINARY_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_PREFIX ${room}. PROPERTIES LABELS ${label} TIMEOUT 3600)
+  foreach(shard RANGE 1 ${shards})
+    if(label STREQUAL "long")
+      set(test long.${room}.${shard})
+    else()
+      set(test ${room}.${shard})
+    endif()
+    add_test(NAME ${test} COMMAND ${GAITWRIGHT_TEST_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/run_shard.py $<TARGET_FILE:${name}>
+             --shard ${shard}/${shards} --results ${CMAKE_BINARY_DIR}/test-results/${test}.json)
+    set_tests_properties(${test} PROPERTIES LABELS "${label};shard" TIMEOUT 3600)
+  endforeach()
 endfunction()
 
-# gaitwright_test(ROOM LINKS...): one test program a room, ROOM_tests, of every *_test.cc below tests/ROOM with the
+# gaitwright_test(ROOM SHARDS LINKS...): one test program a room, ROOM_tests, of every *_test.cc below tests/ROOM with the
 # helpers (other .cc files) there. Files called *_long_test.cc make ROOM_long_tests, labelled `long`: only
 # `./test --long` runs them. What needs the viewer (*_in_browser_test.cc, viewer_page_test.cc, view_test.cc, cli/live_test.cc) is left out of a
 # build without it, and what is for such a build (without_viewer_test.cc) of all others.
-function(gaitwright_test room)
+function(gaitwright_test room shards)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*.cc)
   if(NOT DART_FOUND)
     list(FILTER sources EXCLUDE REGEX "dart[a-z_]*\\.cc$")
@@ -35,9 +45,9 @@ function(gaitwright_test room)
   list(FILTER tests EXCLUDE REGEX "_long_test\\.cc$")
   list(FILTER helpers EXCLUDE REGEX "_test\\.cc$")
   if(tests)
-    gaitwright_test_program(${room}_tests ${room} ${room} SOURCES ${tests} ${helpers} LINKS ${ARGN})
+    gaitwright_test_program(${room}_tests ${room} ${room} ${shards} SOURCES ${tests} ${helpers} LINKS ${ARGN})
   endif()
   if(long_tests)
-    gaitwright_test_program(${room}_long_tests ${room} long SOURCES ${long_tests} ${helpers} LINKS ${ARGN})
+    gaitwright_test_program(${room}_long_tests ${room} long 2 SOURCES ${long_tests} ${helpers} LINKS ${ARGN})
   endif()
 endfunction()
