@@ -197,6 +197,8 @@ DataShape Object(std::vector<ShapeMember> members, std::vector<std::vector<std::
   return shape;
 }
 
+DataShape NumberOrNull() { return OrNull(Number()); }
+
 DataShape OrNull(DataShape shape) {
   shape.or_null = true;
   return shape;

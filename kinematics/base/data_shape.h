@@ -65,6 +65,7 @@ DataShape Numbers();
 DataShape MapOf(DataShape of, std::size_t least = 0);
 DataShape Object(std::vector<ShapeMember> members, std::vector<std::vector<std::string>> one_of = {});
 DataShape OrNull(DataShape shape);
+DataShape NumberOrNull();
 DataShape Either(DataShape shape, DataShape other);
 
 /// An option's field as a key that may be left out, with its range and meaning.

@@ -12,10 +12,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kConverged = 1e-11;  // of the scaled error
-constexpr int kMaxIterations = 100;
-constexpr int kPatience = 10;         // steps in a row that bring less than a fiftieth
-constexpr double kLongestStep = 0.5;  // [rad]
+constexpr double kConvergedError = 1e-11;  // of the scaled error
+constexpr int kMaxSteps = 100;
+constexpr int kPatience = 10;              // steps in a row that bring less than a fiftieth
+constexpr double kLongestJointStep = 0.5;  // [rad]
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
@@ -49,7 +49,7 @@ class Descent {
     double cost = Linearise(x);
     double damping = std::min(1e-2, cost);
     int stalled = 0;
-    for (out.iterations = 0; out.iterations < kMaxIterations && !Converged(); ++out.iterations) {
+    for (out.iterations = 0; out.iterations < kMaxSteps && !Converged(); ++out.iterations) {
       Step(x, damping);
       trial_ = (x + step_).cwiseMax(lower_).cwiseMin(upper_);
       if ((trial_ - x).lpNorm<Eigen::Infinity>() < 1e-14) break;  // at rest
@@ -72,7 +72,7 @@ class Descent {
   }
 
  private:
-  bool Converged() const { return error_.lpNorm<Eigen::Infinity>() < kConverged; }
+  bool Converged() const { return error_.lpNorm<Eigen::Infinity>() < kConvergedError; }
 
   /// error_ for a pose; returns its squared length.
   double SetError(const Pose& X) {
@@ -109,7 +109,7 @@ class Descent {
     solved_ = solver_.solve(error_);
     step_ = A_.transpose().lazyProduct(solved_);
     const double longest = step_.lpNorm<Eigen::Infinity>();
-    if (longest > kLongestStep) step_ *= kLongestStep / longest;
+    if (longest > kLongestJointStep) step_ *= kLongestJointStep / longest;
   }
 
   const LegChain& chain_;

@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLevel = 5e-3;  // [m] how far feet may stand apart in height
+constexpr double kLevelFeet = 5e-3;  // [m] how far feet may stand apart in height
 
 /// A joint of a model that may be const.
 template <class Model>
@@ -62,15 +62,15 @@ void CheckLevel(const RobotYaml& yaml, const RobotModel& model) {
                                        [&](const Foot& a, const Foot& b) { return height(a) < height(b); });
   for (const Foot& foot : model.feet) {
     const double above = height(foot) - height(*lowest);
-    if (above <= kLevel || yaml.standing.empty()) continue;
+    if (above <= kLevelFeet || yaml.standing.empty()) continue;
     RefuseYamlLine(yaml.standing.front().line,
                    fmt::format("in the posture of 'standing' foot '{}' is {:.1f} mm above foot '{}'; at most {} mm is "
                                "accepted: all feet stand on level ground",
-                               foot.name, 1e3 * above, lowest->name, 1e3 * kLevel));
+                               foot.name, 1e3 * above, lowest->name, 1e3 * kLevelFeet));
   }
   if (!yaml.standing_base_height_m) return;
   const double stands = -height(*lowest);
-  if (std::abs(*yaml.standing_base_height_m - stands) <= kLevel) return;
+  if (std::abs(*yaml.standing_base_height_m - stands) <= kLevelFeet) return;
   RefuseYamlLine(
       yaml.height_line,
       fmt::format("'standing_base_height_m' is {}, but in the standing posture the base is {:.4f} m over the "

@@ -28,7 +28,7 @@ std::string FootText(const Foot& foot) {
   return text;
 }
 
-std::string JointNames(const RobotModel& model, const Leg& leg) {
+std::string JointNamesText(const RobotModel& model, const Leg& leg) {
   std::string names;
   for (const int joint : leg.joints) {
     const Joint& j = model.joints[static_cast<std::size_t>(joint)];
@@ -137,7 +137,7 @@ std::string DescribeRobot(const RobotModel& model) {
                       model.standing_base_height_m);
   for (const Leg& leg : model.legs) {
     text += fmt::format("  {}: {}\n    joints {}\n", leg.name, FootText(model.feet[static_cast<std::size_t>(leg.foot)]),
-                        JointNames(model, leg));
+                        JointNamesText(model, leg));
     if (leg.knee_joint >= 0) {
       text += fmt::format("    knee {} bends to {}\n", model.joints[static_cast<std::size_t>(leg.knee_joint)].name,
                           leg.knee_sign > 0.0 ? "plus" : "minus");

@@ -10,10 +10,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kAlike = 0.9;     // cosine of 25 degrees
-constexpr double kLevel = 0.43;    // sine of 25 degrees
-constexpr double kNothing = 0.01;  // of what else there is, to be told from none
-constexpr double kNoBend = 0.1;    // [rad] of limits that favour neither side
+constexpr double kAlike = 0.9;       // cosine of 25 degrees
+constexpr double kLevelSine = 0.43;  // sine of 25 degrees
+constexpr double kNothing = 0.01;    // of what else there is, to be told from none
+constexpr double kNoBend = 0.1;      // [rad] of limits that favour neither side
 
 /// Joint axes, origins and the foot of a leg at joint positions zero.
 struct ZeroPose {
@@ -41,7 +41,7 @@ std::vector<std::size_t> LevelJoints(const RobotModel& model, const Leg& leg, co
   for (std::size_t i = 0; i < leg.joints.size(); ++i) {
     const double lever = zero.axis_O[i].cross(zero.p_OF - zero.p_OJ[i]).norm();
     const bool spins = foot.sole_F.empty() && i + 1 == leg.joints.size() && lever < kNothing * size;
-    if (Turns(model, leg.joints[i]) && std::abs(zero.axis_O[i].z()) < kLevel && !spins) level.push_back(i);
+    if (Turns(model, leg.joints[i]) && std::abs(zero.axis_O[i].z()) < kLevelSine && !spins) level.push_back(i);
   }
   return level;
 }

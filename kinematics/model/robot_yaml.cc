@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kLeastSole = 1e-6;  // [m^2]
+constexpr double kSmallestSole = 1e-6;  // [m^2]
 
 FootType ParseFootType(const YAML::Node& node) {
   const std::vector<std::string>& names = FootTypeNames();
@@ -57,13 +57,14 @@ std::vector<Vector2> ParseSole(const YAML::Node& node) {
   }
   if (corners.size() < 3)
     RefuseYaml(node, fmt::format("'sole_m' has {} corners; three or more are needed", corners.size()));
-  if (corners.size() > kMostCorners)
-    RefuseYaml(node, fmt::format("'sole_m' has {} corners; at most {} are accepted", corners.size(), kMostCorners));
+  if (corners.size() > kMaxSoleCorners)
+    RefuseYaml(node, fmt::format("'sole_m' has {} corners; at most {} are accepted", corners.size(), kMaxSoleCorners));
   if (CrossesItself(corners))
     RefuseYaml(node, "the outline 'sole_m' crosses itself; give its corners in order around it");
   Polygon hull = ConvexHull(corners);
-  if (Area(hull) < kLeastSole)
-    RefuseYaml(node, fmt::format("'sole_m' has an area of {:.3g} m^2; {} or more is needed", Area(hull), kLeastSole));
+  if (Area(hull) < kSmallestSole)
+    RefuseYaml(node,
+               fmt::format("'sole_m' has an area of {:.3g} m^2; {} or more is needed", Area(hull), kSmallestSole));
   const double share = std::abs(ShareOfHull(corners));
   if (std::abs(share - 1.0) > 1e-9) {
     RefuseYaml(node, fmt::format("'sole_m' is not convex: it fills {:.0f} % of its hull; give the corners of the hull",

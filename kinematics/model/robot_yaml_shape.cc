@@ -13,7 +13,7 @@ DataShape FootYamlShape() {
   return Object({{"link", Text(), "The link at the end of a chain of moving joints."},
                  Optional("type", Text(FootTypeNames()), "Derived from the link's shapes unless given."),
                  Optional("radius_m", Positive(kLongestPart), "Of a sphere."),
-                 Optional("sole_m", List(Numbers(2), 3, kMostCorners),
+                 Optional("sole_m", List(Numbers(2), 3, kMaxSoleCorners),
                           "Corners [x, y] in the link's plane, convex, in order around it.")});
 }
 

@@ -9,7 +9,7 @@ namespace gaitwright {
 
 inline constexpr double kLongestPart = 1e3;   ///< [m]
 inline constexpr double kLargestValue = 1e9;  ///< of a limit, a gain or what a motor has, in its unit
-inline constexpr std::size_t kMostCorners = 100;
+inline constexpr std::size_t kMaxSoleCorners = 100;
 inline constexpr double kFastestWalk = 100.0;  ///< [m/s]
 
 // What the parts of a robot.yaml may hold.

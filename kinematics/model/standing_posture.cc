@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/model/standing_posture.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/hang_limbs.h"
 #include "kinematics/model/leg_plane.h"
+#include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
@@ -52,7 +52,7 @@ double MoveFoot(const RobotModel& model, const Leg& leg, const Pose& wanted, Vec
       J.col(c) = (error - FootError(model, foot, moved, wanted)) / kStep;
     }
     const MatrixX normal = J.transpose() * J + 1e-9 * MatrixX::Identity(n, n);
-    const VectorX step = normal.ldlt().solve(J.transpose() * error);
+    const VectorX step = SolveSymmetric(normal, J.transpose() * error);
     const double scale = std::min(1.0, 0.2 / std::max(step.cwiseAbs().maxCoeff(), 1e-12));
     const VectorX before = joints;
     for (Eigen::Index c = 0; c < n; ++c) {

@@ -22,6 +22,8 @@ Vector3 RotationLog(const Matrix3& R) {
   return 2.0 * std::atan2(sine, quaternion.w()) / sine * quaternion.vec();
 }
 
+Quaternion RotationBetween(const Vector3& a, const Vector3& b) { return Quaternion::FromTwoVectors(a, b); }
+
 double YawOf(const Matrix3& R_WB) { return std::atan2(R_WB(1, 0), R_WB(0, 0)); }
 
 Matrix3 YawRotation(double yaw_rad) { return Eigen::AngleAxisd(yaw_rad, Vector3::UnitZ()).toRotationMatrix(); }

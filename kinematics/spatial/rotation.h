@@ -11,6 +11,9 @@ Matrix3 RotationExp(const Vector3& rotation_vector);
 /// Rotation vector [rad] of a rotation matrix, length in [0, pi]; exact near zero.
 Vector3 RotationLog(const Matrix3& R);
 
+/// The smallest rotation that turns the direction of a into that of b.
+Quaternion RotationBetween(const Vector3& a, const Vector3& b);
+
 /// Heading of a frame: the angle of its x axis in the horizontal plane [rad], in (-pi, pi].
 double YawOf(const Matrix3& R_WB);
 

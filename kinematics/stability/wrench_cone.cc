@@ -2,7 +2,6 @@
 #include "kinematics/stability/wrench_cone.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,8 +36,9 @@ class ShiftProgramme {
     Eigen::Matrix<double, 6, 2> shift = Eigen::Matrix<double, 6, 2>::Zero();
     shift.bottomRows<3>().col(0) = Vector3::UnitX().cross(along);
     shift.bottomRows<3>().col(1) = Vector3::UnitY().cross(along);
-    const Eigen::HouseholderQR<Eigen::Matrix<double, 6, 2>> qr(shift);
-    across_ = Eigen::Matrix<double, 6, 6>(qr.householderQ()).rightCols<4>();
+    across_.setZero();
+    across_.topLeftCorner<3, 3>().setIdentity();  // a shift changes no force, and no moment about the force's line
+    across_.bottomRightCorner<3, 1>() = along;
     to_shift_ = (shift.transpose() * shift).inverse() * shift.transpose();
   }
 

@@ -62,11 +62,10 @@ Offset OffsetAt(const SwingCurve& curve, double u) {
     return offset;
   }
   if (u <= 0.0 || u >= 1.0) return offset;
-  constexpr int kFixed = 3;
   const int free = static_cast<int>(curve.detour_W.size());
-  const QuinticBasis basis = EvaluateQuinticBasis(free + 2 * kFixed, u);
+  const QuinticBasis basis = EvaluateQuinticBasis(free + 2 * kFixedSwingPoints, u);
   for (int i = 0; i < 6; ++i) {
-    const int point = basis.first + i - kFixed;
+    const int point = basis.first + i - kFixedSwingPoints;
     if (point < 0 || point >= free) continue;
     const auto at = static_cast<std::size_t>(i);
     const Vector3& p = curve.detour_W[static_cast<std::size_t>(point)];

@@ -28,6 +28,9 @@ struct FrameMotion {
   Vector3 a_WF = Vector3::Zero(), alpha_WF = Vector3::Zero();
 };
 
+/// Control points at each end of a swing's detour, which are zero: it starts and ends at rest on its footholds.
+inline constexpr int kFixedSwingPoints = 3;
+
 /// A swing: a minimum-jerk move, or one that cruises, from start to end (SmoothStep) with a bump of `lift_m` along z,
 /// which for one that cruises is a parabola over the way, as of a body in flight; at rest (zero velocity and
 /// acceleration) at both ends. The rotation is the shortest one, about a fixed axis. Where `detour_W` has control

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "kinematics/base/non_finite.h"
 #include "optimisation/centroidal/zmp_knots.h"
 #include "optimisation/numerics/constrained_problem.h"
 
 namespace gaitwright {
 namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// value = A x - b.
 VectorFunction Linear(MatrixX A, VectorX b) {
@@ -100,7 +98,7 @@ class Assembler {
     const bool line = region.size() == 2;
     const auto rows = static_cast<Eigen::Index>(line ? 1 : region.size());
     MatrixX normals(rows, 2);
-    VectorX lower(rows), upper = VectorX::Constant(rows, kInf);
+    VectorX lower(rows), upper = VectorX::Constant(rows, kInfinity);
     for (Eigen::Index i = 0; i < rows; ++i) {
       const auto at = static_cast<std::size_t>(i);
       const Vector2 edge = region[(at + 1) % region.size()] - region[at];

@@ -15,7 +15,7 @@ namespace gaitwright {
 namespace {
 
 /// Longest steps of the integration of angles [s]; with inner momentum, whose third derivative has jumps, shorter.
-constexpr double kStep = 4e-3, kStepWithInner = 1e-3;
+constexpr double kMotionStep_s = 4e-3, kMotionStepWithLegs_s = 1e-3;
 
 Vector3 PowersAt(const std::array<Vector3, 4>& c, double t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
 
@@ -48,7 +48,7 @@ class MomentumOver {
     for (std::size_t i = 0; i < 5; ++i) powers_[i + 1] = torque[i] / static_cast<double>(i + 1);
   }
 
-  double step_s() const { return inner_->empty() ? kStep : kStepWithInner; }
+  double step_s() const { return inner_->empty() ? kMotionStep_s : kMotionStepWithLegs_s; }
 
   /// At a time from the start of the interval.
   Vector3 At(double t) const {

@@ -3,18 +3,16 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/rigid_body_terms.h"
 
 namespace gaitwright {
 namespace {
-
-constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 /// Where the body is at a time and how it is turned, in a term's own numbers of the unknowns; at a break without what
 /// is beyond.
@@ -109,7 +107,7 @@ struct ClearanceTerm {
 /// Ends of a workspace's rows, with its normals.
 Constraint WorkspaceOf(const std::vector<WorkspaceSide>& sides, double margin_m, MatrixX& normals) {
   const auto n = static_cast<Eigen::Index>(sides.size());
-  Constraint rows{"", {}, VectorX::Constant(n, -kNoEnd), VectorX(n)};
+  Constraint rows{"", {}, VectorX::Constant(n, -kInfinity), VectorX(n)};
   normals.resize(n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
     const WorkspaceSide& side = sides[static_cast<std::size_t>(i)];
@@ -142,7 +140,7 @@ Constraint RigidBodyTerms::SwingClearance(std::size_t swing) const {
   Constraint rows{fmt::format("clearance of foot {} in the air from {:.3f} s on", from.foot, from.end_s),
                   {},
                   VectorX(n),
-                  VectorX::Constant(n, kNoEnd)};
+                  VectorX::Constant(n, kInfinity)};
   SeenUnknowns seen;
   std::vector<std::pair<Vector3, FootPlace>> beyond;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -179,7 +177,7 @@ Constraint RigidBodyTerms::Clearance(const RigidClearance& clearance) const {
   SeenUnknowns seen;
   const ClearanceTerm term{clearance.normal_W, clearance.p_CQ_B, BodyAt(problem_, unknowns_, clearance.time_s, seen)};
   return {fmt::format("clearance of {} at {:.3f} s", clearance.of, clearance.time_s), term,
-          VectorX::Constant(1, clearance.offset_m), VectorX::Constant(1, kNoEnd), seen.variables()};
+          VectorX::Constant(1, clearance.offset_m), VectorX::Constant(1, kInfinity), seen.variables()};
 }
 
 }  // namespace gaitwright

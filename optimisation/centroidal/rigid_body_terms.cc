@@ -7,15 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
 namespace {
-
-constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 /// Five even places over an interval, and the weights with which a polynomial of degree four there has the integral
 /// over all of it and over its first half.
@@ -198,7 +196,7 @@ Constraint RigidBodyTerms::Friction(const BoundForce& force, int sides, double m
       AffineRows(force.force, directions * stance.X_WF.linear().transpose(), VectorX::Zero(sides + 1), seen);
   return {fmt::format("friction of foot {} at {:.3f} s", stance.foot, unknowns_.breaks_s()[force.at_break]),
           rows,
-          VectorX::Constant(sides + 1, -kNoEnd),
+          VectorX::Constant(sides + 1, -kInfinity),
           upper,
           seen.variables(),
           true};
@@ -258,7 +256,7 @@ Constraint RigidBodyTerms::Region(std::size_t stance) const {
   return {fmt::format("region of foot {}'s foothold from {:.3f} s on", problem_.stances[stance].foot,
                       problem_.stances[stance].start_s),
           rows,
-          VectorX::Constant(n, -kNoEnd),
+          VectorX::Constant(n, -kInfinity),
           upper,
           {start, start + 1},
           true};

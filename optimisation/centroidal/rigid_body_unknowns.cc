@@ -23,13 +23,11 @@ std::size_t Nearest(const std::vector<double>& times, double t) {
   return static_cast<std::size_t>(std::min(after, times.end() - 1) - times.begin());
 }
 
-constexpr int kFixed = 3;  // control points of a swing at each end, which are zero
-
 /// Adds sum_i of[i] * (control point first + i) of a detour whose numbers begin at `start`, two numbers at a time: the
 /// spline or a derivative of it.
 void AddDetour(int start, int points, int first, const std::array<double, 6>& of, FootPlace& place) {
   const auto column = [&](int number) -> Vector3 {
-    const int i = number / 3 + kFixed - first;
+    const int i = number / 3 + kFixedSwingPoints - first;
     if (i < 0 || i >= 6) return Vector3::Zero();
     return of[static_cast<std::size_t>(i)] * Vector3::Unit(number % 3);
   };
@@ -184,7 +182,7 @@ FootPlace RigidBodyUnknowns::InSwing(std::size_t swing, double share) const {
     return place;
   }
   const int points = static_cast<int>(of.detour_W.size());
-  const QuinticBasis basis = EvaluateQuinticBasis(points + 2 * kFixed, share);
+  const QuinticBasis basis = EvaluateQuinticBasis(points + 2 * kFixedSwingPoints, share);
   AddDetour(detours_[swing], points, basis.first, basis.value, place);
   return place;
 }
@@ -195,7 +193,7 @@ FootPlace RigidBodyUnknowns::InSwingAcceleration(std::size_t swing, double share
   FootPlace place;
   place.Add(-change, footholds_[of.from]).Add(change, footholds_[of.to]);
   const int points = static_cast<int>(of.detour_W.size());
-  const QuinticBasis basis = EvaluateQuinticBasis(points + 2 * kFixed, share);
+  const QuinticBasis basis = EvaluateQuinticBasis(points + 2 * kFixedSwingPoints, share);
   AddDetour(detours_[swing], points, basis.first, basis.acceleration, place);
   return place;
 }

@@ -9,8 +9,8 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kKept = 0.07;   // of the leg
-constexpr double kLeast = 0.25;  // of what is kept
+constexpr double kKept = 0.07;        // of the leg
+constexpr double kLeastShare = 0.25;  // of what is kept
 constexpr double kWindow_s = 0.02;
 
 }  // namespace
@@ -49,7 +49,7 @@ double BodyClearance::Look(const WholeBodyTrajectory& rows, const std::vector<Ri
     for (const GroundHit& hit : NearAt(rows.q[k])) {
       const double kept = kept_m_[static_cast<std::size_t>(hit.part)], lacks = share_ * kept - hit.distance_m;
       if (ends_in_foot_[static_cast<std::size_t>(hit.body)] || lacks <= 0.0) continue;
-      lacking = std::max(lacking, kLeast * kept - hit.distance_m);
+      lacking = std::max(lacking, kLeastShare * kept - hit.distance_m);
       auto& [most, place] = worst[{hit.part, static_cast<int>(sample.time_s / kWindow_s)}];
       if (lacks <= most) continue;
       most = lacks;
@@ -73,7 +73,7 @@ std::vector<RigidClearance> BodyClearance::Wanted() const {
 }
 
 bool BodyClearance::Ease() {
-  const double eased = std::max(0.5 * share_, kLeast);
+  const double eased = std::max(0.5 * share_, kLeastShare);
   const bool less = eased < share_;
   share_ = eased;
   return less;

@@ -14,10 +14,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kUse = 0.95;      // of what motors give
-constexpr double kReserve = 0.03;  // of joints' ranges
-constexpr double kSpare = 1.3;     // times the speed of lift-off that is wanted, to turn and to go ahead too
-constexpr double kLeast = 1.15;    // of it at the least, since a push that ends goes over into flight over a while
+constexpr double kUse = 0.95;           // of what motors give
+constexpr double kJointReserve = 0.03;  // of joints' ranges
+constexpr double kSpareSpeed = 1.3;     // times the speed of lift-off that is wanted, to turn and to go ahead too
+constexpr double kLeastSpeed = 1.15;    // of it at the least, since a push that ends goes over into flight over a while
 
 /// The longest flight of a schedule, and the most feet that push at once since the flight before.
 struct PushedFlight {
@@ -58,7 +58,7 @@ std::string MotorText(const RobotModel& model, int dof, bool speed) {
 
 Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const PushOff& best, double gives,
                   bool by_speed) {
-  const double takes = 0.5 * kGravity * flight.duration_s, longest_s = 2.0 * gives / (kLeast * kGravity);
+  const double takes = 0.5 * kGravity * flight.duration_s, longest_s = 2.0 * gives / (kLeastSpeed * kGravity);
   std::vector<std::string> hints = {"a shorter cycle (--set gait.cycle_s)",
                                     "a larger duty factor (--set gait.duty_factor)"};
   if (longest_s > 0.005) hints.insert(hints.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
@@ -66,7 +66,7 @@ Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const Pus
           fmt::format("a flight of {:.3f} s at {:.2f} s takes a lift-off at {:.2f} m/s and {:.2f} m/s before the push "
                       "ends; with flat soles and a level body the legs of '{}' give {:.2f} m/s at most, with the "
                       "centre of mass {:.3f} m up, where {}",
-                      flight.duration_s, flight.start_s, takes, kLeast * takes, model.name, gives, best.com_m,
+                      flight.duration_s, flight.start_s, takes, kLeastSpeed * takes, model.name, gives, best.com_m,
                       MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
           hints};
 }
@@ -86,7 +86,7 @@ Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactS
   constexpr double kLeastStroke = 0.02;  // of the leg
   const PushedFlight flight = LongestPushedFlight(schedule);
   if (flight.duration_s == 0.0 || flight.pushing == 0) return std::optional<Crouch>();
-  const std::vector<PushOff> at = PushOffs(model, flight.pushing, kReserve, kUse);
+  const std::vector<PushOff> at = PushOffs(model, flight.pushing, kJointReserve, kUse);
   if (at.empty()) return std::optional<Crouch>();
   const double takes = 0.5 * kGravity * flight.duration_s, standing_m = StandingCentreOfMass(model).z();
   const std::vector<double> by_torque = SpeedByTorque(at);
@@ -95,11 +95,11 @@ Result<std::optional<Crouch>> ForFlights(const RobotModel& model, const ContactS
   for (std::size_t i = 1; i < at.size(); ++i) {
     if (gives(i) > gives(best)) best = i;
   }
-  if (gives(best) < kLeast * takes) {
+  if (gives(best) < kLeastSpeed * takes) {
     const bool by_speed = kUse * at[best].speed_m_s <= by_torque[best];
     return CannotFly(model, flight, at[best], gives(best), by_speed);
   }
-  const auto fast_enough = [&](const PushOff& p) { return kUse * p.speed_m_s >= kSpare * takes; };
+  const auto fast_enough = [&](const PushOff& p) { return kUse * p.speed_m_s >= kSpareSpeed * takes; };
   const auto stands = std::find_if(at.begin(), at.end(), [&](const PushOff& p) { return p.com_m < standing_m + 1e-9; });
   if (stands != at.end() && fast_enough(*stands)) return std::optional<Crouch>();
   // The highest at which there is a reserve, or the one with the most.

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimisation/pipeline/leg_motors.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/ik/whole_body_ik.h"
+#include "kinematics/spatial/dense_solvers.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kStill = 1e-9;  // speeds and torques that are none
 
 /// Standing as a target.
@@ -55,7 +54,7 @@ void SetSpeed(const RobotModel& model, WholeBodyIk& ik, BodyTarget target, PushO
   VectorX v, a;
   target.v_WC = Vector3::UnitZ();
   ik.SolveRates(target, at.q, v, a);
-  at.speed_m_s = kNone;
+  at.speed_m_s = kInfinity;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double rate = std::abs(v[6 + d]);
     if (rate < kStill || rate * at.speed_m_s <= model.dof_velocity_limit(d)) continue;
@@ -68,7 +67,7 @@ void SetGain(const RobotModel& model, WholeBodyIk& ik, const BodyTarget& target,
              DynamicsScratch& scratch, PushOff& at) {
   const VectorX held = HoldingTorques(model, ik, target, at.q, 0.0, share, scratch);
   const VectorX by_gain = HoldingTorques(model, ik, target, at.q, 1.0, share, scratch) - held;
-  at.gain_m_s2 = kNone;
+  at.gain_m_s2 = kInfinity;
   for (int d = 0; d < model.num_dofs(); ++d) {
     if (std::abs(by_gain[d]) < 1e-9) continue;
     const double most = use * model.dof_effort_limit(d);
@@ -140,8 +139,8 @@ double FootAccelerationInFlight(const RobotModel& model, const std::vector<int>&
   const Vector3 held = needed(Vector3::Zero());
   Matrix3 by_turning;
   for (int i = 0; i < 3; ++i) by_turning.col(i) = needed(Vector3::Unit(i)) - held;
-  needed(-by_turning.completeOrthogonalDecomposition().solve(held));
-  double most_m_s2 = kNone;
+  needed(-SolveLeastNorm(by_turning, held));
+  double most_m_s2 = kInfinity;
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double torque = std::abs(tau[6 + d]);
     if (torque > kStill) most_m_s2 = std::min(most_m_s2, model.dof_effort_limit(d) / torque);

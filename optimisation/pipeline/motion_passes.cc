@@ -20,10 +20,10 @@ namespace {
 
 /// [m] Out of a support. A reference that hands over from a line starts on the edge, so that every error shows there.
 constexpr double kOutside = 5e-7;
-constexpr int kAdapting = 2;                         // passes in which the body's height is sought
-constexpr double kOffStops = 0.01;                   // of a joint's range, kept to its ends where that is possible
-constexpr double kBend = 0.12;                       // of a cycle, over which its bends are spread
-constexpr double kFirstSpare = 0.03, kSpare = 0.02;  // of the leg, kept of its reach: by guess, and with a pass made
+constexpr int kAdapting = 2;    // passes in which the body's height is sought
+constexpr double kBend = 0.12;  // of a cycle, over which its bends are spread
+constexpr double kFirstSpareReach = 0.03,
+                 kSpareReach = 0.02;  // of the leg, kept of its reach: by guess, and with a pass made
 
 /// Where the centre of mass is in plan view in standing, the base's origin at a planar pose.
 Vector2 CentreOfMassAt(const RobotModel& model, const PlanarPose& at) {
@@ -125,8 +125,8 @@ void MotionPasses::KeepInReach(MotionPass& pass) {
   reach_.clear();
   for (int k = 0; k < body_.knots(); ++k) {
     const double time_s = body_.KnotTime(k), ground_m = body_.GroundAt(time_s).value;
-    const auto change =
-        height.Changes(former.base(time_s), FeetAt(model_, pass, time_s), former_.base ? kSpare : kFirstSpare);
+    const auto change = height.Changes(former.base(time_s), FeetAt(model_, pass, time_s),
+                                       former_.base ? kSpareReach : kFirstSpareReach);
     constexpr double kAnything = 10.0;  // [m] for others to tell
     reach_.push_back({ground_m + (change ? change->low : -kAnything), ground_m + (change ? change->high : kAnything)});
   }
@@ -179,7 +179,7 @@ Result<MotionPass> MotionPasses::MakePass() {
     pass.error_m = std::max(pass.error_m, (pass.solution.zmp_W[k] - pass.centroidal.p_WZ[k]).norm());
   }
   pass.outside_m = Outside(pass);
-  pass.excess = TotalExcess(model_, pass.solution.trajectory, kOffStops);
+  pass.excess = TotalExcess(model_, pass.solution.trajectory, kRangeMargin);
   return pass;
 }
 

@@ -24,10 +24,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kOffStops = 0.01;  // of a joint's range, kept to its ends where that is possible
-constexpr double kReserve = 0.03;   // of the legs' workspaces
-constexpr double kFollows = 0.05;   // of the leg, by which a body makes up for what swings are out of reach
-constexpr double kMotorUse = 0.95;  // of what the motors give at most
+constexpr double kWorkspaceReserve = 0.03;  // of the legs' workspaces
+constexpr double kFollows = 0.05;           // of the leg, by which a body makes up for what swings are out of reach
+constexpr double kMotorUse = 0.95;          // of what the motors give at most
 
 /// How a motion turns the base at a row.
 BaseTurning TurningOf(const RigidBodySample& sample, const Matrix3& inertia_B) {
@@ -63,7 +62,7 @@ std::vector<bool> PressingIn(const std::vector<std::vector<double>>& loads) {
 
 /// The robot as it stands, or crouches, with its feet no farther below it than legs are fast enough for.
 StandingBody CarriedBody(const RobotModel& model, const Crouch* crouch) {
-  StandingBody body = BodyOf(model, kReserve);
+  StandingBody body = BodyOf(model, kWorkspaceReserve);
   if (crouch == nullptr) return body;
   body.p_SB = crouch->p_SB;
   if (crouch->highest_m == 0.0) return body;
@@ -263,7 +262,7 @@ Result<MotionPass> RigidBodyPasses::MakePass() {
   pass.solution = std::move(*solution);
   pass.centroidal.p_WZ = HeldOverFlights(pass.solution.pressure_W, PressingIn(loads));
   pass.error_m = Largest(pass.solution.residual_W, model_.weight_n());
-  pass.excess = TotalExcess(model_, pass.solution.trajectory, kOffStops);
+  pass.excess = TotalExcess(model_, pass.solution.trajectory, kRangeMargin);
   pass.lacks_m = clearance_.Look(pass.solution.trajectory, samples_);
   pass.settled = pass.lacks_m <= 0.0;
   return pass;

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
+#include "kinematics/base/non_finite.h"
+#include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/trajectory/bspline.h"
+#include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/numerics/constrained_problem.h"
 #include "optimisation/numerics/elastic_interior.h"
 #include "optimisation/swing/swing_profile.h"
@@ -19,20 +21,18 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
 /// First guesses for a way down, as shares of the way that the foot is ahead and of the swing that it is there sooner.
 constexpr std::array<std::pair<double, double>, 6> kGuesses = {
     {{0.0, 0.0}, {0.15, 0.0}, {0.35, 0.0}, {-0.35, 0.0}, {0.0, 0.2}, {0.0, 0.3}}};
 const char* const kReach = "the reach";
-constexpr int kFixed = 3;  // control points at each end
 
 /// Values or accelerations of the free control points' basis at fractions of the swing.
 MatrixX BasisAt(const std::vector<double>& fractions, int free, bool acceleration) {
   MatrixX rows = MatrixX::Zero(static_cast<Eigen::Index>(fractions.size()), free);
   for (std::size_t k = 0; k < fractions.size(); ++k) {
-    const QuinticBasis basis = EvaluateQuinticBasis(free + 2 * kFixed, fractions[k]);
+    const QuinticBasis basis = EvaluateQuinticBasis(free + 2 * kFixedSwingPoints, fractions[k]);
     for (int i = 0; i < 6; ++i) {
-      const int point = basis.first + i - kFixed;
+      const int point = basis.first + i - kFixedSwingPoints;
       if (point < 0 || point >= free) continue;
       const auto at = static_cast<std::size_t>(i);
       rows(static_cast<Eigen::Index>(k), point) = acceleration ? basis.acceleration[at] : basis.value[at];
@@ -52,7 +52,7 @@ class Detour {
  public:
   Detour(const SwingCurve& swing, const SwingProfile& profile, const RefineChoice& choice)
       : profile_(profile),
-        free_(choice.control_points - 2 * kFixed),
+        free_(choice.control_points - 2 * kFixedSwingPoints),
         sideways_W_(choice.sideways_m * profile.left_W()),
         variables_(choice.reach.empty() ? 2 * free_ : 3 * free_),
         start_z_(swing.X_WF_start.translation().z()),
@@ -92,14 +92,14 @@ class Detour {
     const auto rows = static_cast<Eigen::Index>(fractions_.size());
     problem.constraints.push_back({"the clearance",
                                    [this](const VectorX& x, VectorX& value, MatrixX* J) { Clearance(x, value, J); },
-                                   VectorX::Zero(rows), VectorX::Constant(rows, kInf)});
+                                   VectorX::Zero(rows), VectorX::Constant(rows, kInfinity)});
     if (within_.rows() == 0) return problem;
     problem.constraints.push_back({kReach,
                                    [this](const VectorX& x, VectorX& value, MatrixX* J) {
                                      value.noalias() = within_ * x;
                                      if (J != nullptr) *J = within_;
                                    },
-                                   VectorX::Constant(within_.rows(), -kInf),
+                                   VectorX::Constant(within_.rows(), -kInfinity),
                                    room_m_,
                                    {},
                                    true});
@@ -128,7 +128,7 @@ class Detour {
       const double gone = Gone((u - std::max(wait, 0.0)) / (1.0 - std::abs(wait)));
       ahead_m[k] = (gone - Gone(u)) * profile_.length_m();
     }
-    return basis_.colPivHouseholderQr().solve(ahead_m);
+    return SolveLeastSquares(basis_, ahead_m);
   }
 
   /// Along the way and upwards, by the fraction of the swing: the mean jerk from each sample to the next, from the
@@ -262,7 +262,7 @@ Result<RefinedSwing> RefineSwing(const SwingCurve& swing, const std::vector<Vect
   const double side = rise_m > 0.0 ? -1.0 : 1.0;
   const double rounding_m = 1e-4 + 0.05 * choice.clearance_m;
   std::optional<RefinedSwing> best;
-  double least_cost = kInf, least_missed_m = kInf, least_out_m = kInf;
+  double least_cost = kInfinity, least_missed_m = kInfinity, least_out_m = kInfinity;
   for (const auto& [lead, wait] : kGuesses) {
     ConstrainedSolution last;
     const Result<ConstrainedSolution> solution =

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "kinematics/base/non_finite.h"
 
 namespace gaitwright {
 namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// The corners of the box about an obstacle along its own axes, in O: lowest and highest.
 std::pair<Vector3, Vector3> BoxAbout(const Obstacle& obstacle) {
@@ -16,7 +15,7 @@ std::pair<Vector3, Vector3> BoxAbout(const Obstacle& obstacle) {
   if (obstacle.type == ShapeType::kCylinder)
     half = Vector3(obstacle.size_m.x(), obstacle.size_m.x(), 0.5 * obstacle.size_m.y());
   if (obstacle.type != ShapeType::kMesh) return {-half, half};
-  Vector3 low = Vector3::Constant(kInf), high = -low;
+  Vector3 low = Vector3::Constant(kInfinity), high = -low;
   for (const Vector3& vertex : obstacle.vertices_O) low = low.cwiseMin(vertex), high = high.cwiseMax(vertex);
   return {low, high};
 }
@@ -27,7 +26,7 @@ std::optional<std::pair<double, double>> HeightsOf(const Obstacle& obstacle, con
   const auto [low, high] = BoxAbout(obstacle);
   const Pose X_OW = obstacle.X_WO.inverse();
   const Vector3 origin = X_OW * Vector3(p_W.x(), p_W.y(), 0.0), up = X_OW.linear().col(2);
-  double from = -kInf, to = kInf;
+  double from = -kInfinity, to = kInfinity;
   for (int axis = 0; axis < 3; ++axis) {
     constexpr double kAcross = 1e-12;
     if (std::abs(up[axis]) < kAcross) {
@@ -50,7 +49,7 @@ bool IsLevelAndBare(const Terrain& terrain) {
 
 double HeightToClear(const Terrain& terrain, const Vector2& p_W, double below_m) {
   const GroundPoint ground = GroundAt(terrain, p_W);
-  double height = ground.patch < 0 ? -kInf : ground.height_m;
+  double height = ground.patch < 0 ? -kInfinity : ground.height_m;
   for (const Obstacle& obstacle : terrain.obstacles) {
     const auto heights = HeightsOf(obstacle, p_W);
     if (heights && heights->first < below_m) height = std::max(height, heights->second);

@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kTouching = 1e-4;  // [m] that solver and rounding may be off by
+constexpr double kTouchingDepth = 1e-4;  // [m] that solver and rounding may be off by
 
 /// The foot's frame F (of a sphere: its centre) where its contact frame is.
 Pose FootFrame(const Foot& foot, Pose X_WF) {
@@ -66,13 +66,14 @@ std::optional<SwingHit> SwingGuard::Check(const SwingTrajectory& swing, double c
   const Foot& foot = model_.feet[static_cast<std::size_t>(swing.foot)];
   const double asked_at_most = AskedAtMost(swing, clearance_m);
   const std::vector<Pose> X_WF = FootPoses(swing);
-  const auto depth = [&](const Pose& at) { return -watch_.NearestToFoot(swing.foot, at, kTouching).distance_m; };
+  const auto depth = [&](const Pose& at) { return -watch_.NearestToFoot(swing.foot, at, kTouchingDepth).distance_m; };
   const double stands_m = std::max(depth(X_WF.front()), depth(X_WF.back()));
   for (int k = 0; k <= kSamples; ++k) {
     const double u = static_cast<double>(k) / kSamples;
-    const double deep = std::max(kShare * SwingDepth(u), (stands_m + kTouching) * SwingEndShare(u));
-    const double asked = asked_at_most * ClearanceRamp(u) - std::max(deep, kTouching);
-    const NearestSolid nearest = watch_.NearestToFoot(swing.foot, X_WF[static_cast<std::size_t>(k)], asked + kTouching);
+    const double deep = std::max(kShare * SwingDepth(u), (stands_m + kTouchingDepth) * SwingEndShare(u));
+    const double asked = asked_at_most * ClearanceRamp(u) - std::max(deep, kTouchingDepth);
+    const NearestSolid nearest =
+        watch_.NearestToFoot(swing.foot, X_WF[static_cast<std::size_t>(k)], asked + kTouchingDepth);
     if (nearest.solid >= 0 && nearest.distance_m < asked)
       return SwingHit{TimeOf(swing, k), foot.link, watch_.solids().SolidName(nearest.solid), nearest.distance_m, asked};
   }
@@ -128,7 +129,7 @@ std::optional<SwingHit> SwingGuard::CheckLegAt(int foot, double time_s) const {
   for (const LegPart& part : parts_[static_cast<std::size_t>(foot)]) {
     const Shape& shape = part.shape.shape();
     const NearestSolid nearest =
-        watch_.solids().Nearest(part.shape, FramePose(scratch_, shape.body, shape.X_BS), kTouching);
+        watch_.solids().Nearest(part.shape, FramePose(scratch_, shape.body, shape.X_BS), kTouchingDepth);
     if (nearest.solid >= 0 && nearest.distance_m < 0.0)
       return SwingHit{time_s, shape.link, watch_.solids().SolidName(nearest.solid), nearest.distance_m, 0.0};
   }

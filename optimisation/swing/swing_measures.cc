@@ -2,18 +2,14 @@
 // What a swing's curve keeps of what is asked of it: clearance and reach.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "kinematics/base/non_finite.h"
 #include "optimisation/swing/refine_swing.h"
 #include "planning/audit/swing_depth.h"
 
 namespace gaitwright {
-namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Vector3> UndersideOf(const Foot& foot) {
   std::vector<Vector3> points = {Vector3::Zero()};
@@ -49,7 +45,7 @@ double ClearanceRamp(double u) {
 double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& underside_F, const GroundHeight& ground,
                       double clearance_m, const SwingRoll& roll) {
   constexpr int kSamples = 180;
-  double least = kInf;
+  double least = kInfinity;
   for (int k = 1; k < kSamples; ++k) {
     const double u = static_cast<double>(k) / kSamples;
     Pose X_WF = Evaluate(curve, curve.start_s + u * (curve.end_s - curve.start_s)).X_WF;
@@ -64,7 +60,7 @@ double SpareClearance(const SwingCurve& curve, const std::vector<Vector3>& under
 }
 
 double OutOfReach(const SwingCurve& curve, const std::vector<ReachAt>& reach, const SwingRoll& roll) {
-  double out = -kInf;
+  double out = -kInfinity;
   for (const ReachAt& at : reach) {
     const double time_s = curve.start_s + at.u * (curve.end_s - curve.start_s);
     const Vector3 p_W = Evaluate(curve, time_s).X_WF.translation() + roll.At(at.u);

@@ -6,12 +6,12 @@
 
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/bspline.h"
+#include "kinematics/trajectory/swing_curve.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kStep = 0.002, kBeyond = 0.1, kShortest = 1e-3;  // [m]
-constexpr int kFixed = 3;                                         // control points at each end
 
 /// Share of the way to the side at a fraction of the swing: what free control points that are all one give.
 double SidewaysShare(int control_points, double u) {
@@ -19,7 +19,8 @@ double SidewaysShare(int control_points, double u) {
   double share = 0.0;
   for (int i = 0; i < 6; ++i) {
     const int point = basis.first + i;
-    if (point >= kFixed && point < control_points - kFixed) share += basis.value[static_cast<std::size_t>(i)];
+    if (point >= kFixedSwingPoints && point < control_points - kFixedSwingPoints)
+      share += basis.value[static_cast<std::size_t>(i)];
   }
   return share;
 }

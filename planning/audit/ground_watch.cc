@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/collision/shape_extent.h"
 #include "planning/plan/terrain_shapes.h"
 
@@ -26,11 +26,10 @@ Shape BallOf(int body, const std::string& link, double radius_m) {
 
 /// Height above which there is nothing solid [m].
 double HighestSolid(const Terrain& terrain) {
-  constexpr double kInf = std::numeric_limits<double>::infinity();
-  double highest = -kInf;
+  double highest = -kInfinity;
   for (const TerrainPatch& patch : terrain.patches) {
     const bool level = patch.X_WT.linear()(2, 2) > 1.0 - 1e-12;
-    if (patch.outline_T.empty()) highest = std::max(highest, level ? patch.X_WT.translation().z() : kInf);
+    if (patch.outline_T.empty()) highest = std::max(highest, level ? patch.X_WT.translation().z() : kInfinity);
     for (const Vector3& corner : SolidUnder(patch)) highest = std::max(highest, corner.z());
   }
   for (const HeightField& field : terrain.height_fields) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/stability/polygon.h"
 
 namespace gaitwright {
@@ -104,13 +104,13 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
     names.push_back(model.dof_names[static_cast<std::size_t>(dof)]);
   }
   const Demand demand = DemandOf(model, scratch, leg, dofs, walk);
-  const Eigen::JacobiSVD<MatrixX> svd(demand.J, Eigen::ComputeFullU);
+  const LeftSingularVectors svd = LeftSingularVectorsOf(demand.J);
   const Eigen::Index needed = demand.J.rows();
-  const auto& sigma = svd.singularValues();
+  const VectorX& sigma = svd.values;
   const auto count = std::count_if(sigma.data(), sigma.data() + sigma.size(), [](double s) { return s >= kWeak; });
   if (count >= needed) return std::nullopt;
   Eigen::Index lacking = 0;
-  svd.matrixU().col(needed - 1).cwiseAbs().maxCoeff(&lacking);
+  svd.U.col(needed - 1).cwiseAbs().maxCoeff(&lacking);
   return Cannot("freedoms",
                 fmt::format("leg '{}' cannot {}: {} of {} freedoms of its foot can be moved from the standing "
                             "posture, and {} is lacking; its own joints are {}",

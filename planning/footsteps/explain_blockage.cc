@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/stability/polygon.h"
 #include "planning/footsteps/step_limits.h"
 
@@ -16,7 +16,6 @@ namespace gaitwright {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Something on the way of a foot.
 struct Hurdle {

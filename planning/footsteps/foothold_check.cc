@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/footsteps/foothold_check.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/stability/polygon.h"
 #include "planning/footsteps/plan_view.h"
@@ -54,14 +54,14 @@ Pose Standing(const PlanarPose& at, double height_m, const Vector3& normal_W) {
 
 /// The plane fitted to points of the ground, lifted onto the highest of them.
 Vector3 PlaneOver(const std::vector<Vector3>& points_W, const PlanarPose& at) {
-  Eigen::MatrixX3d places(static_cast<Eigen::Index>(points_W.size()), 3);
+  MatrixX places(static_cast<Eigen::Index>(points_W.size()), 3);
   VectorX heights(static_cast<Eigen::Index>(points_W.size()));
   for (std::size_t i = 0; i < points_W.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     places.row(row) << (points_W[i].head<2>() - PlaceOf(at)).transpose(), 1.0;
     heights[row] = points_W[i].z();
   }
-  Vector3 plane = places.completeOrthogonalDecomposition().solve(heights);
+  Vector3 plane = SolveLeastNorm(places, heights);
   plane.z() += (heights - places * plane).maxCoeff();
   plane.z() -= plane.head<2>().dot(PlaceOf(at));
   return plane;

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "kinematics/base/non_finite.h"
 
 namespace gaitwright {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void Bound(const Polygon& outline, Vector2& lowest, Vector2& highest) {
   lowest.setConstant(kInfinity);

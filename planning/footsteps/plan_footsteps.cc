@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/spatial/rotation.h"
 #include "planning/footsteps/can_walk.h"
 #include "planning/footsteps/place_feet.h"
 #include "planning/footsteps/route_of.h"
@@ -167,7 +168,7 @@ void PutOnGround(const Terrain& terrain, FootstepPlan& footsteps) {
     const GroundPoint ground = GroundAt(terrain, foothold.X_WF.translation().head<2>());
     foothold.patch = ground.patch;
     foothold.X_WF.translation().z() = ground.height_m;
-    foothold.X_WF.linear() = Quaternion::FromTwoVectors(Vector3::UnitZ(), ground.normal_W) * foothold.X_WF.linear();
+    foothold.X_WF.linear() = RotationBetween(Vector3::UnitZ(), ground.normal_W) * foothold.X_WF.linear();
   }
 }
 

@@ -2,14 +2,12 @@
 #include "planning/footsteps/plan_view.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/stability/polygon.h"
 
 namespace gaitwright {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The gap between two outlines along a unit direction that leads out of `a`.
 double GapAlong(const Polygon& a, const Polygon& b, const Vector2& out) {

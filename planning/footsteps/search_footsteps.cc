@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <queue>
 #include <tuple>
 
+#include "kinematics/base/non_finite.h"
 #include "planning/footsteps/explain_blockage.h"
 #include "planning/footsteps/foothold_table.h"
 #include "planning/footsteps/footstep_graph.h"
@@ -18,8 +18,6 @@
 
 namespace gaitwright {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Anytime search over the stances of a graph.
 class AnytimeSearch {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/body_tree.h"
@@ -90,7 +90,6 @@ void StanceChecker::MeasureBody(const RobotModel& model) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   const Pose X_BW = FramePose(scratch, 0, Pose::Identity()).inverse();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   trunk_low_.setConstant(kInfinity);
   whole_low_.setConstant(kInfinity);
   trunk_high_.setConstant(-kInfinity);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <queue>
 
+#include "kinematics/base/non_finite.h"
 #include "planning/paths/travel_cost.h"
 
 namespace gaitwright {
@@ -188,12 +189,11 @@ std::optional<Hindrance> FirstHindrance(PoseCheck& check, const std::vector<Plan
 
 CoarseWay FindCoarseWay(PoseCheck& check, const CoarseProblem& problem) {
   constexpr double kMuchLonger = 1.3, kNotablyShorter = 0.85;
-  constexpr double kAny = std::numeric_limits<double>::infinity();
   Grid grid(check, problem, kStepOfLeg);
   CoarseWay way;
   way.poses = grid.Search({});
   const double straight = std::hypot(problem.goal.x_m - problem.start.x_m, problem.goal.y_m - problem.start.y_m);
-  const double cost = way.poses.empty() ? kAny : TravelCost(way.poses, problem.weights);
+  const double cost = way.poses.empty() ? kInfinity : TravelCost(way.poses, problem.weights);
   if (cost > kMuchLonger * straight) {
     const Limits limits{false, kNotablyShorter * cost, kMostFineStates};
     std::vector<PlanarPose> shorter = Grid(check, problem, kFineStepOfLeg).Search(limits);

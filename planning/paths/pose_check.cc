@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/paths/travel_cost.h"
 #include "planning/plan/terrain_shapes.h"
@@ -65,7 +65,7 @@ MatrixX SlopeOfHeights(const std::vector<Vector2>& feet, const Vector2& middle) 
   MatrixX places(n, 2);
   for (Eigen::Index f = 0; f < n; ++f) places.row(f) = (feet[static_cast<std::size_t>(f)] - middle).transpose();
   if (n <= 2 || places.col(0).norm() <= kSpread * places.col(1).norm()) return MatrixX::Zero(2, n);
-  const MatrixX from_centred = places.colPivHouseholderQr().solve(MatrixX::Identity(n, n));
+  const MatrixX from_centred = SolveLeastSquares(places, MatrixX::Identity(n, n));
   return from_centred * (MatrixX::Identity(n, n) - MatrixX::Constant(n, n, 1.0 / static_cast<double>(n)));
 }
 

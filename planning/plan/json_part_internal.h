@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,11 @@
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
+
+/// The number, or null where there is none that JSON can hold.
+inline nlohmann::ordered_json JsonOrNull(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
 
 /// A part of a JSON text and the way to it, such as `footholds[3].pose`, for reading strictly: whatever is not as it
 /// must be throws InvalidArgument with that way, what stands there and what is accepted.

@@ -22,10 +22,10 @@
 namespace gaitwright {
 namespace {
 
-constexpr char kStage[] = "PlanApproach";
+constexpr char kApproachStage[] = "PlanApproach";
 
 Failure Infeasible(const std::string& code, const std::string& message, const std::vector<std::string>& hints = {}) {
-  return {FailureKind::kInfeasible, code, kStage, message, hints};
+  return {FailureKind::kInfeasible, code, kApproachStage, message, hints};
 }
 
 /// A move of all joints from rest to rest.
@@ -58,7 +58,7 @@ Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, c
   const auto blocked = [&](const char* posture, const Overlap& pair) {
     return Failure{FailureKind::kBadInput,
                    "self_collision",
-                   kStage,
+                   kApproachStage,
                    fmt::format("in the {} posture {}", posture, PairText(pair)),
                    {}};
   };
@@ -177,7 +177,7 @@ std::optional<Overload> FindOverload(const RobotModel& model, double share, cons
 MotionPlan EmptyPlan(const RobotModel& model, double step_s, ApproachOptions options, AuditOptions reserve) {
   MotionPlan plan;
   SetRobot(model, plan);
-  plan.provenance = {Version(), kStage, {{"approach.base", "hanging"}}, 0};
+  plan.provenance = {Version(), kApproachStage, {{"approach.base", "hanging"}}, 0};
   OptionTexts& shaped = plan.provenance.options;
   for (const auto& [key, text] : TextsOf(options.Fields())) shaped.emplace_back("approach." + key, text);
   for (const auto& [key, text] : TextsOf(reserve.Fields()))
@@ -252,7 +252,7 @@ std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, st
 /// Why the way is none for this robot, or nothing.
 std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, const StartPosture& from) {
   const auto bad = [](const std::string& message) {
-    return Failure{FailureKind::kBadInput, "misfit", kStage, message, {}};
+    return Failure{FailureKind::kBadInput, "misfit", kApproachStage, message, {}};
   };
   if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() != model.nq() || !(plan.whole_body.step_s > 0.0) ||
       from.joints.size() != model.num_dofs())

@@ -16,10 +16,10 @@ namespace {
 
 using Kind = ParameterRule::Kind;
 
-constexpr char kStage[] = "CheckTask";
+constexpr char kCheckStage[] = "CheckTask";
 
 Failure Bad(const std::string& code, const std::string& message, const std::vector<std::string>& hints = {}) {
-  return {FailureKind::kBadInput, code, kStage, message, hints};
+  return {FailureKind::kBadInput, code, kCheckStage, message, hints};
 }
 
 std::vector<std::string> KeysOf(const ActionRule& rule) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLargestTable = std::size_t{128} << 20;  // [byte]
 
-Failure Refused(const std::string& path, const std::string& why) {
+Failure RefusedHeights(const std::string& path, const std::string& why) {
   return {FailureKind::kBadInput, "terrain_file", "ReadHeightMap", fmt::format("'{}' {}", path, why), {}};
 }
 
@@ -159,15 +159,15 @@ Result<HeightField> ReadHeightMap(const std::string& path, const HeightMapOption
       table = ToTable(*image);
     }
     if (table.rows.size() < 2 || table.rows[0].size() < 2) {
-      return Refused(path, fmt::format("has {} rows of {} cells; two by two is the least", table.rows.size(),
-                                       table.rows.empty() ? 0 : table.rows[0].size()));
+      return RefusedHeights(path, fmt::format("has {} rows of {} cells; two by two is the least", table.rows.size(),
+                                              table.rows.empty() ? 0 : table.rows[0].size()));
     }
     CheckHeights(table, given.scale_m, csv ? "line" : "row");
     HeightField field = ToField(table, given);
     field.name = name;
     return field;
   } catch (const InvalidArgument& error) {
-    return Refused(path, error.what());
+    return RefusedHeights(path, error.what());
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kLargestPicture = std::size_t{64} << 20;  // [byte]
 
-Failure Refused(const std::string& path, const std::string& why) {
+Failure RefusedPng(const std::string& path, const std::string& why) {
   return {FailureKind::kBadInput, "terrain_file", "ReadGreyPng", fmt::format("'{}' {}", path, why), {}};
 }
 
@@ -91,11 +91,11 @@ std::string WhyNot(const Reading& reading) {
 
 Result<GreyImage> ReadGreyPng(const std::string& path) {
   Result<std::string> bytes = ReadBytes(path, kLargestPicture);
-  if (!bytes) return Refused(path, fmt::format("cannot be read: {}", bytes.failure().message));
+  if (!bytes) return RefusedPng(path, fmt::format("cannot be read: {}", bytes.failure().message));
   Reading reading(std::move(*bytes));
-  if (!ReadHead(reading)) return Refused(path, fmt::format("is no PNG that can be read: {}", reading.error));
+  if (!ReadHead(reading)) return RefusedPng(path, fmt::format("is no PNG that can be read: {}", reading.error));
   const std::string why = WhyNot(reading);
-  if (!why.empty()) return Refused(path, why);
+  if (!why.empty()) return RefusedPng(path, why);
   GreyImage image;
   image.columns = static_cast<int>(png_get_image_width(reading.png, reading.info));
   image.rows = static_cast<int>(png_get_image_height(reading.png, reading.info));
@@ -106,7 +106,7 @@ Result<GreyImage> ReadGreyPng(const std::string& path) {
   reading.bytes.resize(length * static_cast<std::size_t>(image.rows));
   for (int row = 0; row < image.rows; ++row)
     reading.rows.push_back(&reading.bytes[length * static_cast<std::size_t>(row)]);
-  if (!ReadRows(reading)) return Refused(path, fmt::format("is broken: {}", reading.error));
+  if (!ReadRows(reading)) return RefusedPng(path, fmt::format("is broken: {}", reading.error));
   image.values.reserve(static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows));
   for (std::size_t i = 0; i < reading.bytes.size(); i += wide ? 2 : 1) {
     const int value = wide ? 256 * reading.bytes[i] + reading.bytes[i + 1] : reading.bytes[i];

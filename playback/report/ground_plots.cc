@@ -13,7 +13,7 @@ namespace gaitwright {
 namespace {
 
 /// What is worth showing of the ground: about the footholds, the way of the body and the goal.
-Eigen::AlignedBox2d Window(const PlotData& data) {
+Eigen::AlignedBox2d ShownWindow(const PlotData& data) {
   Eigen::AlignedBox2d window(Vector2(data.plan.goal.x_m, data.plan.goal.y_m));
   for (const Foothold& foothold : data.plan.footsteps.footholds)
     window.extend(Vector2(foothold.X_WF.translation().head<2>()));
@@ -61,7 +61,7 @@ bool IsUneven(const Terrain& terrain) {
 }
 
 void DrawGround(const PlotData& data, SvgPlot& plot) {
-  const Eigen::AlignedBox2d window = Window(data);
+  const Eigen::AlignedBox2d window = ShownWindow(data);
   for (const TerrainPatch& patch : data.plan.terrain.patches) {
     const Polygon outline = Within(window, PlanOutline(patch));
     if (outline.size() >= 3) plot.Area(outline, Ink::kMuted, false, "edges of the ground");
@@ -76,7 +76,7 @@ void DrawGround(const PlotData& data, SvgPlot& plot) {
 
 Plot SideView(const PlotData& data) {
   SvgPlot plot(SvgPlot::ToScale("From the side", "x [m]", "z [m]"));
-  plot.Line(GroundBelow(data.plan.terrain, LineAhead(Window(data))), Ink::kLimit, Stroke::kMeasured, "ground");
+  plot.Line(GroundBelow(data.plan.terrain, LineAhead(ShownWindow(data))), Ink::kLimit, Stroke::kMeasured, "ground");
   for (std::size_t f = 0; f < data.model.feet.size(); ++f) {
     plot.Line(AlongX(data.series.planned, f), Ink::kFoot, Stroke::kPlanned, "feet planned");
     plot.Line(AlongX(data.series.measured, f), Ink::kFoot, Stroke::kMeasured, "feet measured");

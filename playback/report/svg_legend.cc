@@ -10,14 +10,14 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kSwatch = 46.0;      // a sample and the gaps around it [px]
-constexpr double kCharacter = 6.3;    // [px]
-constexpr double kLineHeight = 17.0;  // [px]
+constexpr double kSwatch = 46.0;            // a sample and the gaps around it [px]
+constexpr double kLegendCharacter = 6.3;    // [px]
+constexpr double kLegendLineHeight = 17.0;  // [px]
 
 }  // namespace
 
 double SvgPlot::WidthOf(const LegendEntry& entry) {
-  return kSwatch + kCharacter * static_cast<double>(entry.label.size());
+  return kSwatch + kLegendCharacter * static_cast<double>(entry.label.size());
 }
 
 double SvgPlot::LegendWidth() const {
@@ -69,13 +69,13 @@ std::string SvgPlot::LegendEndingAt(double right_px, double y_px) const {
 }
 
 std::string SvgPlot::Legend(const Frame& f) const {
-  if (f.legend_lines == 0) return LegendEndingAt(f.right, kLineHeight - 4.0);
+  if (f.legend_lines == 0) return LegendEndingAt(f.right, kLegendLineHeight - 4.0);
   std::string svg;
-  double x = f.left, y = f.top - kLineHeight * f.legend_lines + 5.0;
+  double x = f.left, y = f.top - kLegendLineHeight * f.legend_lines + 5.0;
   for (const LegendEntry& entry : legend_) {
     if (x + WidthOf(entry) > f.right + 1.0 && x > f.left) {
       x = f.left;
-      y += kLineHeight;
+      y += kLegendLineHeight;
     }
     svg += DrawEntry(entry, x, y);
     x += WidthOf(entry);

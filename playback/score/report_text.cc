@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "planning/plan/json_part_internal.h"
+
 namespace gaitwright {
 namespace {
 
@@ -13,24 +15,20 @@ constexpr double kNothing = 1e-5;  // [rad]: told as zero, without a sign
 
 using Json = nlohmann::ordered_json;
 
-Json OrNull(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 Json ValueJson(const Metric& metric) {
   if (metric.key == "fell" && metric.value) return *metric.value > 0.0;
   if (metric.key == "scuffs" && metric.value) return static_cast<int>(*metric.value);
-  return OrNull(metric.value);
+  return JsonOrNull(metric.value);
 }
 
 Json MetricJson(const Metric& metric) {
   Json json;
   json["value"] = ValueJson(metric);
-  if (metric.planned) json["planned"] = OrNull(metric.planned);
+  if (metric.planned) json["planned"] = JsonOrNull(metric.planned);
   json["unit"] = metric.unit;
-  json["limit"] = OrNull(metric.limit);
+  json["limit"] = JsonOrNull(metric.limit);
   json["pass"] = metric.pass;
-  json["at_s"] = OrNull(metric.at_s);
+  json["at_s"] = JsonOrNull(metric.at_s);
   if (!metric.not_applied.empty()) json["not_applied"] = metric.not_applied;
   return json;
 }

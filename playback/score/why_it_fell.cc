@@ -2,7 +2,6 @@
 #include "playback/score/why_it_fell.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kStream = 4;
+constexpr int kContactStream = 4;
 
 }  // namespace
 
@@ -14,7 +14,7 @@ ContactSensors::ContactSensors(std::size_t feet, double weight_n, const SensorOp
     : options_(options),
       weight_n_(weight_n),
       clock_(options.contact_rate_hz, step_s),
-      noise_(options.seed, kStream),
+      noise_(options.seed, kContactStream),
       delay_(DelaySteps(options.contact_delay_s, step_s)) {
   now_.load_n.assign(feet, 0.0);
 }

@@ -7,14 +7,14 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kStream = 1;
+constexpr int kEncoderStream = 1;
 
 }  // namespace
 
 Encoders::Encoders(Eigen::Index joints, const SensorOptions& options, double step_s)
     : options_(options),
       clock_(options.encoder_rate_hz, step_s),
-      noise_(options.seed, kStream),
+      noise_(options.seed, kEncoderStream),
       bias_(joints),
       delay_(DelaySteps(options.encoder_delay_s, step_s)) {
   for (double& bias : bias_) bias = options.encoder_bias_rad * (2.0 * noise_.Uniform() - 1.0);

@@ -72,10 +72,6 @@ Distribution OfPush(const DisturbedPush& push, const std::string& key, const Dis
   return at == push.end() ? usual : at->distribution;
 }
 
-bool Has(const DisturbedPush& push, const std::string& key) {
-  return std::any_of(push.begin(), push.end(), [&](const Disturbance& d) { return d.key == key; });
-}
-
 std::string UnitOfSensor(const std::string& key) {
   SensorOptions sensors;
   for (const OptionField& field : Prefixed("sensors", sensors.Fields())) {
@@ -116,12 +112,12 @@ class Sampler {
       return Drawn(name + "." + key, OfPush(push, key, usual));
     };
     double size = 0.0;
-    if (Has(push, "size_n")) size = drawn("size_n", {});
-    if (Has(push, "size_of_weight")) size = model_.weight_n() * drawn("size_of_weight", {});
+    if (HasFigure(push, "size_n")) size = drawn("size_n", {});
+    if (HasFigure(push, "size_of_weight")) size = model_.weight_n() * drawn("size_of_weight", {});
     const double direction = drawn("direction_deg", Distribution::Uniform(0.0, 360.0));
     const double elevation = drawn("elevation_deg", Distribution::Fixed(0.0));
     const double start_s = plan_.whole_body.start_s;
-    const double at_s = Has(push, "at_s")
+    const double at_s = HasFigure(push, "at_s")
                             ? drawn("at_s", {})
                             : start_s + drawn("at_share", Distribution::Uniform(0.1, 0.9)) * plan_.duration_s();
     const double for_s = drawn("duration_s", Distribution::Fixed(0.1));
@@ -134,7 +130,7 @@ class Sampler {
     Record(name + ".direction_deg", "deg", direction);
     Record(name + ".ahead_n", "N", Part(force.x(), size));
     Record(name + ".left_n", "N", Part(force.y(), size));
-    if (Has(push, "elevation_deg")) Record(name + ".up_n", "N", Part(force.z(), size));
+    if (HasFigure(push, "elevation_deg")) Record(name + ".up_n", "N", Part(force.z(), size));
     Record(name + ".at_s", "s", at_s);
     Record(name + ".duration_s", "s", for_s);
     trial_.values.push_back({name + ".place", "", 0.0, place});
@@ -251,6 +247,10 @@ SampledTrial Sampled(const Disturbances& disturbances, const RobotModel& model, 
 }
 
 }  // namespace
+
+bool HasFigure(const DisturbedPush& push, const std::string& key) {
+  return std::any_of(push.begin(), push.end(), [&](const Disturbance& d) { return d.key == key; });
+}
 
 const std::vector<DisturbanceRule>& DisturbanceRules() {
   static const std::vector<DisturbanceRule> rules = [] {

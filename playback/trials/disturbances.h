@@ -50,6 +50,9 @@ struct Disturbance {
 /// A push of every trial: distributions by key of PushRules(), each that is left out as its rule says.
 using DisturbedPush = std::vector<Disturbance>;
 
+/// True when the push has a figure of that key.
+bool HasFigure(const DisturbedPush& push, const std::string& key);
+
 /// What trials sample. What is left out is as the plan has it.
 struct Disturbances {
   std::vector<Disturbance>

@@ -18,9 +18,9 @@ using Steps = std::vector<GaitStep>;
 
 constexpr int kGroups = 10;  // of the jackknife
 constexpr int kLeastTrials = 2 * kGroups;
-constexpr std::size_t kMostTrials = 2000;  // more say no more
-constexpr int kRowsPerUnknown = 4;         // steps that there must be for each figure of a response
-constexpr double kLeastSpread = 1e-6;      // of a disturbance that varies, scaled
+constexpr std::size_t kMostTrialsShown = 2000;  // more say no more
+constexpr int kRowsPerUnknown = 4;              // steps that there must be for each figure of a response
+constexpr double kLeastSpread = 1e-6;           // of a disturbance that varies, scaled
 constexpr Eigen::Index kDisturbances = kStepDisturbances.size(), kIndicators = kStepIndicators.size();
 
 /// Scaled disturbances of a step.
@@ -187,7 +187,7 @@ GaitSensitivity EstimateGaitSensitivity(const std::vector<std::vector<GaitStep>>
   GaitSensitivity result;
   std::vector<const Steps*> all;
   for (const Steps& steps : trials) {
-    if (all.size() == kMostTrials) break;
+    if (all.size() == kMostTrialsShown) break;
     if (steps.size() != trials.front().size())
       throw InvalidArgument(fmt::format("a trial has {} steps, another {}; they must be of one plan", steps.size(),
                                         trials.front().size()));

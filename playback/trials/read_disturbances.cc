@@ -135,12 +135,8 @@ std::vector<Disturbance> ReadFigures(const YAML::Node& node, const std::string& 
   return figures;
 }
 
-bool Has(const std::vector<Disturbance>& figures, const std::string& key) {
-  return std::any_of(figures.begin(), figures.end(), [&](const Disturbance& d) { return d.key == key; });
-}
-
 void NotBoth(const YAML::Node& node, const std::vector<Disturbance>& figures, const char* one, const char* other) {
-  if (Has(figures, one) && Has(figures, other))
+  if (HasFigure(figures, one) && HasFigure(figures, other))
     RefuseYaml(node, fmt::format("both '{}' and '{}' are given; they say the same thing, give one", one, other));
 }
 
@@ -148,7 +144,7 @@ DisturbedPush ReadPush(const YAML::Node& node) {
   DisturbedPush push = ReadFigures(node, "a push", "", PushRules());
   NotBoth(node, push, "size_n", "size_of_weight");
   NotBoth(node, push, "at_s", "at_share");
-  if (!Has(push, "size_n") && !Has(push, "size_of_weight"))
+  if (!HasFigure(push, "size_n") && !HasFigure(push, "size_of_weight"))
     RefuseYaml(node, "a push lacks its size; 'size_n' or 'size_of_weight' is needed");
   return push;
 }
@@ -209,7 +205,8 @@ std::string Quoted(const std::string& word) {
   const bool plain = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0 &&
                      std::all_of(word.begin(), word.end(),
                                  [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
-  return plain ? word : nlohmann::json(word).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return plain ? word
+               : nlohmann::ordered_json(word).dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string QuotedWords(const std::vector<std::string>& words) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "planning/plan/json_part_internal.h"
 #include "playback/score/gates.h"
 #include "playback/trials/robustness_report.h"
 
@@ -14,13 +15,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostTold = 8;  // of a ranking in words
 
-Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json MetricsJson(const RobustnessReport& report) {
   Json metrics = Json::object();
   for (const MetricSpread& m : report.metrics) {
     metrics[m.key] = {{"unit", m.unit},     {"n", m.n},     {"min", m.lowest},  {"p05", m.p05},
-                      {"median", m.median}, {"p95", m.p95}, {"max", m.highest}, {"limit", OrNull(m.limit)},
+                      {"median", m.median}, {"p95", m.p95}, {"max", m.highest}, {"limit", JsonOrNull(m.limit)},
                       {"broken", m.broken}};
   }
   return metrics;
@@ -54,8 +53,8 @@ Json PushesJson(const RobustnessReport& report) {
                     {"n", bin.n},
                     {"fell", bin.fell},
                     {"unknown", bin.unknown},
-                    {"largest_survived_n", OrNull(bin.largest_survived_n)},
-                    {"smallest_fatal_n", OrNull(bin.smallest_fatal_n)}});
+                    {"largest_survived_n", JsonOrNull(bin.largest_survived_n)},
+                    {"smallest_fatal_n", JsonOrNull(bin.smallest_fatal_n)}});
   }
   return list;
 }
@@ -70,7 +69,7 @@ Json GaitSensitivityJson(const GaitSensitivity& gait) {
     }
     response.push_back(std::move(rows));
   }
-  return {{"standard_error", OrNull(gait.standard_error)},
+  return {{"standard_error", JsonOrNull(gait.standard_error)},
           {"missing", gait.missing},
           {"trials", gait.trials},
           {"steps", gait.steps},
@@ -204,7 +203,7 @@ std::string RobustnessJson(const RobustnessReport& report) {
                      {"metrics", MetricsJson(report)},
                      {"causes", TallyJson(report.causes)},
                      {"broken_gates", TallyJson(report.broken_gates)},
-                     {"gait_sensitivity_norm", OrNull(report.gait_sensitivity.norm)},
+                     {"gait_sensitivity_norm", JsonOrNull(report.gait_sensitivity.norm)},
                      {"gait_sensitivity", GaitSensitivityJson(report.gait_sensitivity)},
                      {"sensitivity", SensitivityJson(report)},
                      {"pushes", PushesJson(report)},

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <numeric>
 
 #include "kinematics/base/result.h"
+#include "kinematics/spatial/dense_solvers.h"
 
 namespace gaitwright {
 namespace {
@@ -129,7 +129,7 @@ Eigen::VectorXd LogisticWeights(const Eigen::MatrixXd& standardised, const std::
       gradient += (static_cast<double>(fell[static_cast<std::size_t>(i)] != 0) - chance) * X.row(i).transpose();
       hessian += chance * (1.0 - chance) * X.row(i).transpose() * X.row(i);
     }
-    const Eigen::VectorXd change = hessian.ldlt().solve(gradient);
+    const Eigen::VectorXd change = SolveSymmetric(hessian, gradient);
     w += change;
     if (change.norm() < 1e-9) break;
   }

@@ -3,8 +3,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
-#include <limits>
-
+#include "kinematics/base/non_finite.h"
 #include "python/bindings/playback.h"
 
 namespace gaitwright::python {
@@ -12,15 +11,13 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 const Playback& In(const py::object& self) { return self.cast<const Playback&>(); }
 
 /// What `fill` writes into the row of each sample; rows without one, of states that are not finite, are NaN.
 template <class Fill>
 RowMatrix SampleRows(const Playback& playback, Eigen::Index columns, const Fill& fill) {
   const std::vector<MotionSample>& samples = playback.series().measured;
-  RowMatrix table = RowMatrix::Constant(static_cast<Eigen::Index>(playback.log().samples.size()), columns, kNone);
+  RowMatrix table = RowMatrix::Constant(static_cast<Eigen::Index>(playback.log().samples.size()), columns, kNaN);
   for (std::size_t k = 0; k < samples.size(); ++k) fill(samples[k], table.row(static_cast<Eigen::Index>(k)));
   return table;
 }

@@ -8,8 +8,6 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRounding = 1e-9;  // [s]
-
 double Overlap(const ContactInterval& a, const ContactInterval& b) {
   return std::min(a.end_s, b.end_s) - std::max(a.start_s, b.start_s);
 }
@@ -20,7 +18,8 @@ std::vector<ContactInterval> Shared(const std::vector<ContactInterval>& stances,
   std::vector<ContactInterval> within;
   for (const ContactInterval& stance : stances) {
     const ContactInterval moved{stance.start_s - offset_s, stance.end_s - offset_s};
-    if (moved.end_s > shared.start_s + kRounding && moved.start_s < shared.end_s - kRounding) within.push_back(moved);
+    if (moved.end_s > shared.start_s + kSameTime_s && moved.start_s < shared.end_s - kSameTime_s)
+      within.push_back(moved);
   }
   return within;
 }
@@ -71,7 +70,7 @@ class FootTimes {
   /// Whether rows say that an event is at a time: not in a gap of either side, nor at its end, where it may be late.
   bool Known(double time_s) const {
     return std::none_of(shared_.gaps.begin(), shared_.gaps.end(), [&](const TimeGap& gap) {
-      return time_s > gap.start_s - kRounding && time_s < gap.end_s + kRounding;
+      return time_s > gap.start_s - kSameTime_s && time_s < gap.end_s + kSameTime_s;
     });
   }
 
@@ -126,7 +125,7 @@ std::vector<FootDifference> FeetDifferences(const ComparedMotion& a, const Compa
                                             double tolerance, std::vector<FirstDifference>& beyond) {
   std::vector<FootDifference> feet;
   if (a.stances.empty() || b.stances.empty()) return feet;
-  const double tolerance_s = std::max(tolerance * shared.cycle_s, kRounding);
+  const double tolerance_s = std::max(tolerance * shared.cycle_s, kSameTime_s);
   for (const NamedPair& pair : shared.feet) {
     feet.emplace_back();
     feet.back().foot = pair.name;

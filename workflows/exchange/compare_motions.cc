@@ -13,7 +13,6 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRounding = 1e-9;        // [s]
 constexpr double kLittleAgreement = 0.5;  // below it an offset that was found is doubtful
 
 std::vector<std::string> FootNames(const RobotModel& model) {
@@ -101,13 +100,13 @@ std::vector<double> MomentsOf(const ComparedMotion& a, const ComparedMotion& b, 
   if (a.plan && b.plan) {
     const double rate_hz = std::clamp(1.0 / std::min(StepOf(a), StepOf(b)), kLowestRate, kHighestRate);
     times = TimesAtRate(shared.start_s, shared.end_s, rate_hz);
-    if (shared.end_s - times.back() > kRounding) times.push_back(shared.end_s);
+    if (shared.end_s - times.back() > kSameTime_s) times.push_back(shared.end_s);
     return times;
   }
   const bool by_b = a.plan.has_value();
   for (const double own_s : by_b ? b.rows.time_s : a.rows.time_s) {
     const double time_s = by_b ? own_s - shared.offset_s : own_s;
-    const bool within = time_s > shared.start_s - kRounding && time_s < shared.end_s + kRounding;
+    const bool within = time_s > shared.start_s - kSameTime_s && time_s < shared.end_s + kSameTime_s;
     if (within && !InGap(shared.gaps, time_s)) times.push_back(time_s);
   }
   return times;
@@ -120,7 +119,7 @@ SharedTime Share(const ComparedMotion& a, const ComparedMotion& b, double offset
   shared.end_s = std::min(a.end_s(), b.end_s() - offset_s);
   shared.gaps = GapsOf(a, b, offset_s);
   shared.cycle_s = a.stances.empty() ? CycleOf(b) : CycleOf(a);
-  if (shared.end_s > shared.start_s - kRounding) shared.time_s = MomentsOf(a, b, shared);
+  if (shared.end_s > shared.start_s - kSameTime_s) shared.time_s = MomentsOf(a, b, shared);
   if (!shared.time_s.empty()) return shared;
   throw InvalidArgument(
       fmt::format("the motions share no time: '{}' is from {:.3f} to {:.3f} s, '{}' from {:.3f} to {:.3f} s, its clock "
@@ -133,7 +132,7 @@ SharedTime Share(const ComparedMotion& a, const ComparedMotion& b, double offset
 void CompareEnds(const ComparedMotion& a, const ComparedMotion& b, const SharedTime& shared, double tolerance,
                  std::vector<FirstDifference>& beyond) {
   const double end_a = a.end_s(), end_b = b.end_s() - shared.offset_s,
-               least = std::max(tolerance * shared.cycle_s, kRounding);
+               least = std::max(tolerance * shared.cycle_s, kSameTime_s);
   const bool a_stops = end_a < end_b - least && (a.kind == b.kind || b.plan);
   const bool b_stops = end_b < end_a - least && (a.kind == b.kind || a.plan);
   if (a_stops || b_stops) beyond.push_back({"end of the motion", "s", shared.end_s, end_a, end_b, least});
@@ -149,7 +148,7 @@ void Order(const std::vector<SeriesDifference>& differences, std::vector<FirstDi
     return one.tolerance > 0.0 ? std::abs(one.b - one.a) / one.tolerance : INFINITY;
   };
   std::stable_sort(beyond.begin(), beyond.end(), [&](const FirstDifference& one, const FirstDifference& other) {
-    if (std::abs(one.time_s - other.time_s) > kRounding) return one.time_s < other.time_s;
+    if (std::abs(one.time_s - other.time_s) > kSameTime_s) return one.time_s < other.time_s;
     if (one.derived != other.derived) return other.derived;
     return excess(one) > excess(other);
   });

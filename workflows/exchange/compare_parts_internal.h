@@ -9,6 +9,9 @@
 
 namespace gaitwright {
 
+/// [s] Times nearer than this are one time.
+inline constexpr double kSameTime_s = 1e-9;
+
 /// What the tolerance of a series scales with.
 enum class SeriesScale { kPosition, kSpeed, kTorque, kLength, kAngle };
 

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kRounding = 1e-9;
+constexpr double kLeastReportDifference = 1e-9;
 
 /// A number or a boolean; nothing for null.
 std::optional<double> FigureOf(const Json& json) {
@@ -51,7 +51,7 @@ ReadReport Read(const Json& json) {
 MetricPair Paired(MetricPair pair, double tolerance) {
   if (pair.a && pair.b) {
     const double scale = std::max({std::abs(*pair.a), std::abs(*pair.b), std::abs(pair.limit.value_or(0.0))});
-    pair.differs = std::abs(*pair.b - *pair.a) > std::max(tolerance * scale, kRounding);
+    pair.differs = std::abs(*pair.b - *pair.a) > std::max(tolerance * scale, kLeastReportDifference);
   }
   pair.differs = pair.differs || pair.a.has_value() != pair.b.has_value() || pair.pass_a != pair.pass_b;
   return pair;

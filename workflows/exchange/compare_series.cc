@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/dof_units.h"
 #include "kinematics/spatial/rotation.h"
@@ -16,10 +16,9 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRounding = 1e-9;      // no difference below this, in any unit
-constexpr double kLeastOfSpan = 0.1;    // of the largest span of a joint, so that one that stays still has a scale
-constexpr double kAttitudeScale = 1.0;  // [rad]
+constexpr double kLeastDifference = 1e-9;  // no difference below this, in any unit
+constexpr double kLeastOfSpan = 0.1;       // of the largest span of a joint, so that one that stays still has a scale
+constexpr double kAttitudeScale = 1.0;     // [rad]
 
 double Weight(SeriesScale scale) {
   if (scale == SeriesScale::kSpeed) return 2.0;
@@ -48,18 +47,18 @@ class Side {
 
   double Position(int dof) const { return now_.q[7 + dof]; }
   double Speed(int dof) const { return now_.v[6 + dof]; }
-  double Torque(int dof) const { return dof < now_.tau.size() ? now_.tau[dof] : kNone; }
+  double Torque(int dof) const { return dof < now_.tau.size() ? now_.tau[dof] : kNaN; }
   /// 0 of a speed that is given.
   double NoiseGainOf(int dof) const { return motion_.derives_speed(dof) ? noise_gain_ : 0.0; }
   const VectorX& q() const { return now_.q; }
 
   Vector3 Centre() {
-    if (!now_.q.allFinite()) return Vector3::Constant(kNone);
+    if (!now_.q.allFinite()) return Vector3::Constant(kNaN);
     ForwardKinematics(motion_.model, now_.q, scratch_);
     return CentreOfMass(motion_.model, scratch_);
   }
   Vector2 ZeroMoment() const {
-    if (!motion_.plan || motion_.plan->centroidal.size() == 0) return Vector2::Constant(kNone);
+    if (!motion_.plan || motion_.plan->centroidal.size() == 0) return Vector2::Constant(kNaN);
     return SampleCentroidal(motion_.plan->centroidal, time_s_).p_WZ;
   }
 
@@ -91,7 +90,7 @@ std::vector<ComparedSeries> EmptySeries(const ComparedMotion& a, const ComparedM
 
 /// The angle between two attitudes.
 double AngleBetween(const VectorX& q_a, const VectorX& q_b) {
-  if (!q_a.segment<4>(3).allFinite() || !q_b.segment<4>(3).allFinite()) return kNone;
+  if (!q_a.segment<4>(3).allFinite() || !q_b.segment<4>(3).allFinite()) return kNaN;
   return RotationLog(BaseRotation(q_a).transpose() * BaseRotation(q_b)).norm();
 }
 
@@ -207,7 +206,7 @@ std::vector<SeriesDifference> DifferencesOf(const std::vector<ComparedSeries>& s
     const double scale = IsOfAJoint(one.scale) || leg_length_m > 0.0 ? ScaleOf(one, series, leg_length_m) : 1.0;
     const double noise = noisy && tolerance > 0.0 ? NoiseBetween(one) : 0.0;
     if (one.scale == SeriesScale::kPosition) of_positions = noise;
-    differences.push_back(DifferenceOf(one, shared, std::max(tolerance * scale, kRounding),
+    differences.push_back(DifferenceOf(one, shared, std::max(tolerance * scale, kLeastDifference),
                                        one.noise_gain.empty() ? noise : of_positions));
   }
   return differences;

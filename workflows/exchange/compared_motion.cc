@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "planning/plan/sample_plan.h"
@@ -15,8 +15,6 @@
 
 namespace gaitwright {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Intervals in which rows have a foot on the ground; each changes half way between two rows.
 std::vector<ContactInterval> IntervalsOfRows(const MotionRows& rows, int foot) {
@@ -49,7 +47,7 @@ RateWeights WeightsAt(const std::vector<double>& t, double longest_step_s, std::
 VectorX RateAt(const std::vector<double>& t, double longest_step_s, const std::vector<VectorX>& q, std::size_t k) {
   const RateWeights weights = WeightsAt(t, longest_step_s, k);
   const bool alone = weights.before == 0.0 && weights.after == 0.0;
-  VectorX rate = VectorX::Constant(q[k].size(), alone ? kNone : 0.0);
+  VectorX rate = VectorX::Constant(q[k].size(), alone ? kNaN : 0.0);
   if (weights.before != 0.0) rate += weights.before * (q[k] - q[k - 1]);
   if (weights.after != 0.0) rate += weights.after * (q[k + 1] - q[k]);
   return rate;
@@ -73,7 +71,7 @@ void CheckTable(const RobotModel& model, const MotionTable& table) {
 
 /// The joints' speeds in a row: those that are given, the others from the positions, as far as these are known.
 VectorX SpeedsAt(const RobotModel& model, const MotionTable& table, double longest_step_s, std::size_t k) {
-  VectorX v = table.v.empty() ? VectorX::Constant(model.num_dofs(), kNone) : table.v[k];
+  VectorX v = table.v.empty() ? VectorX::Constant(model.num_dofs(), kNaN) : table.v[k];
   if (v.allFinite()) return v;
   const VectorX derived = RateAt(table.time_s, longest_step_s, table.q, k);
   for (Eigen::Index d = 0; d < v.size(); ++d) {
@@ -142,7 +140,7 @@ ComparedMotion ComparedTable(const RobotModel& model, const MotionTable& table, 
   // Points of a trajectory may be far apart: a curve through them is what they mean.
   if (motion.kind == "csv") WatchGaps(motion);
   for (std::size_t k = 0; k < table.time_s.size(); ++k) {
-    VectorX q = VectorX::Constant(model.nq(), kNone), v = VectorX::Constant(model.nv(), kNone);
+    VectorX q = VectorX::Constant(model.nq(), kNaN), v = VectorX::Constant(model.nv(), kNaN);
     if (!table.base_m.empty()) q.head<3>() = table.base_m[k];
     if (!table.quaternion.empty()) q.segment<4>(3) = table.quaternion[k].normalized();
     q.tail(model.num_dofs()) = table.q[k];
@@ -207,7 +205,7 @@ void SampleCompared(const ComparedMotion& motion, double time_s, RowSample& samp
   if (!motion.plan) {
     SampleRows(motion.rows, time_s, sample);
     if (!InGap(motion.gaps, time_s)) return;
-    for (VectorX* const part : {&sample.q, &sample.v, &sample.tau}) part->setConstant(kNone);
+    for (VectorX* const part : {&sample.q, &sample.v, &sample.tau}) part->setConstant(kNaN);
     return;
   }
   WholeBodySample whole;

@@ -2,16 +2,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "planning/plan/json_part_internal.h"
 #include "workflows/exchange/comparison_text.h"
 
 namespace gaitwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json OrNull(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 Json SeriesJson(const SeriesDifference& one) {
   if (one.samples == 0) return nullptr;
@@ -21,7 +18,7 @@ Json SeriesJson(const SeriesDifference& one) {
           {"at_s", one.at_s},
           {"tolerance", one.tolerance},
           {"noise", one.noise},
-          {"first_beyond_s", OrNull(one.first_s)}};
+          {"first_beyond_s", JsonOrNull(one.first_s)}};
 }
 
 Json NamedSeries(const std::vector<SeriesDifference>& series) {
@@ -45,10 +42,14 @@ Json MetricsJson(const std::vector<MetricPair>& metrics) {
   Json object = Json::object();
   for (const MetricPair& m : metrics) {
     const bool both = m.a && m.b;
-    object[m.key] = {
-        {"a", OrNull(m.a)},   {"b", OrNull(m.b)},         {"change", both ? OrNull(*m.b - *m.a) : Json(nullptr)},
-        {"unit", m.unit},     {"limit", OrNull(m.limit)}, {"pass_a", m.pass_a},
-        {"pass_b", m.pass_b}, {"differs", m.differs}};
+    object[m.key] = {{"a", JsonOrNull(m.a)},
+                     {"b", JsonOrNull(m.b)},
+                     {"change", both ? JsonOrNull(*m.b - *m.a) : Json(nullptr)},
+                     {"unit", m.unit},
+                     {"limit", JsonOrNull(m.limit)},
+                     {"pass_a", m.pass_a},
+                     {"pass_b", m.pass_b},
+                     {"differs", m.differs}};
   }
   return object;
 }
@@ -73,7 +74,7 @@ Json FeetJson(const std::vector<FootDifference>& feet) {
                          {"timing_largest_s", foot.timing.largest},
                          {"at_s", foot.timing.at_s},
                          {"tolerance_s", foot.timing.tolerance},
-                         {"first_beyond_s", OrNull(foot.timing.first_s)}};
+                         {"first_beyond_s", JsonOrNull(foot.timing.first_s)}};
   }
   return object;
 }
@@ -81,7 +82,7 @@ Json FeetJson(const std::vector<FootDifference>& feet) {
 Json FiguresJson(const std::vector<FigurePair>& figures) {
   Json object = Json::object();
   for (const FigurePair& figure : figures)
-    object[figure.key] = {{"a", OrNull(figure.a)}, {"b", OrNull(figure.b)}, {"unit", figure.unit}};
+    object[figure.key] = {{"a", JsonOrNull(figure.a)}, {"b", JsonOrNull(figure.b)}, {"unit", figure.unit}};
   return object;
 }
 

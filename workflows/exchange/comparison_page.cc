@@ -74,10 +74,10 @@ std::string Metrics(const std::vector<MetricPair>& metrics) {
   return Table("Metrics", {"metric", "A", "B", "change", "limit", "unit"}, rows);
 }
 
-std::string Figures(const std::vector<FigurePair>& figures) {
+std::string FiguresTable(const std::vector<FigurePair>& figures) {
   std::string rows;
   for (const FigurePair& f : figures) rows += Row({f.key, OrDash(f.a), OrDash(f.b), f.unit == "1" ? "" : f.unit});
-  return Table("Figures of each", {"figure", "A", "B", "unit"}, rows);
+  return Table("FiguresTable of each", {"figure", "A", "B", "unit"}, rows);
 }
 
 std::string Words(const std::vector<WordDifference>& words) {
@@ -123,7 +123,7 @@ std::string ComparisonPage(const ComparedMotion& a, const ComparedMotion& b, con
     html += fmt::format("<figure id=\"{}\"><div class=\"scroll\">{}</div><figcaption>{}</figcaption></figure>\n",
                         plot.name, plot.svg, EscapedXml(CaptionOf(plot, a.rows, b.rows)));
   }
-  html += Differences(c) + Figures(c.figures) + Metrics(metrics) + Words(c.words);
+  html += Differences(c) + FiguresTable(c.figures) + Metrics(metrics) + Words(c.words);
   return html + "</main></body></html>\n";
 }
 

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMostInOrder = 8;  // told in words
 
 std::string Number(double value) { return fmt::format("{:.4g}", value == 0.0 ? 0.0 : value); }
-std::string OrDash(const std::optional<double>& value) { return value ? Number(*value) : "-"; }
-std::string OrDash(const std::string& text) { return text.empty() ? "-" : text; }
+std::string NumberOrDash(const std::optional<double>& value) { return value ? Number(*value) : "-"; }
+std::string NumberOrDash(const std::string& text) { return text.empty() ? "-" : text; }
 
 std::string UnitAfter(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + unit; }
 
@@ -86,7 +86,8 @@ std::string FigureLines(const std::vector<FigurePair>& figures) {
   if (figures.empty()) return "";
   std::string text = fmt::format("\n  {:<28} {:>12} {:>12}\n", "figure", "A", "B");
   for (const FigurePair& figure : figures)
-    text += fmt::format("  {:<28} {:>12} {:>12} {}\n", figure.key, OrDash(figure.a), OrDash(figure.b), figure.unit);
+    text += fmt::format("  {:<28} {:>12} {:>12} {}\n", figure.key, NumberOrDash(figure.a), NumberOrDash(figure.b),
+                        figure.unit);
   return text;
 }
 
@@ -95,7 +96,7 @@ std::string MetricLines(const std::vector<MetricPair>& metrics) {
   std::string text = fmt::format("\n  {:<28} {:>12} {:>12} {:>12}\n", "metric", "A", "B", "limit");
   for (const MetricPair& metric : metrics) {
     text += fmt::format("{} {:<28} {:>12} {:>12} {:>12} {}{}\n", metric.differs ? "*" : " ", metric.key,
-                        OrDash(metric.a), OrDash(metric.b), OrDash(metric.limit), metric.unit,
+                        NumberOrDash(metric.a), NumberOrDash(metric.b), NumberOrDash(metric.limit), metric.unit,
                         metric.pass_a && metric.pass_b ? ""
                                                        : (metric.pass_a   ? "  B fails"
                                                           : metric.pass_b ? "  A fails"
@@ -109,7 +110,7 @@ std::string WordLines(const std::vector<WordDifference>& words) {
   std::string text = "\nwhat is not the same in words\n";
   const FoldedWords folded = Folded(words);
   for (const WordDifference& word : folded.each)
-    text += fmt::format("  {}: {} against {}\n", word.key, OrDash(word.a), OrDash(word.b));
+    text += fmt::format("  {}: {} against {}\n", word.key, NumberOrDash(word.a), NumberOrDash(word.b));
   if (!folded.only_a.empty()) text += fmt::format("  options of A alone: {}\n", folded.only_a);
   if (!folded.only_b.empty()) text += fmt::format("  options of B alone: {}\n", folded.only_b);
   return text;

@@ -118,9 +118,9 @@ bool AllNumbers(const std::vector<std::string>& cells) {
 }
 
 /// What a table is read from, with the line that is to come.
-class Reader {
+class CsvReader {
  public:
-  Reader(const std::string& text, CsvTable& table) : lines_(text), table_(table) {}
+  CsvReader(const std::string& text, CsvTable& table) : lines_(text), table_(table) {}
 
   void Read() {
     if (!NextLine()) throw InvalidArgument("is empty; its first line names the columns");
@@ -248,7 +248,7 @@ Result<CsvTable> ParseCsvTable(const std::string& text, const std::string& sourc
   CsvTable table;
   table.source = source;
   try {
-    Reader(text, table).Read();
+    CsvReader(text, table).Read();
   } catch (const InvalidArgument& error) {
     return Failure{FailureKind::kBadInput, "csv", "ReadCsvTable", fmt::format("'{}': {}", source, error.what()), {}};
   }

@@ -25,7 +25,7 @@ constexpr Dialect kYaml = {"  - ", "    ", "", "\n"};
 constexpr Dialect kJson = {"    {", "     ", "\"", ",\n"};
 
 /// A text in double quotes, which YAML and JSON read alike.
-std::string Quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string Quoted(const std::string& text) { return nlohmann::ordered_json(text).dump(); }
 
 std::string NamesList(const RobotModel& model) {
   std::string list = "[";

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/spatial/rotation.h"
 #include "kinematics/trajectory/bspline.h"
 #include "planning/plan/sample_plan.h"
@@ -17,8 +17,6 @@
 
 namespace gaitwright {
 namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 std::size_t At(int i) { return static_cast<std::size_t>(i); }
 
@@ -101,7 +99,7 @@ std::vector<FootTrack> FeetOf(const RobotModel& model, const Terrain& terrain, c
       const Pose middle = FramePose(scratch, foot.body, foot.X_BF);
       const GroundPoint ground = GroundAt(terrain, middle.translation().head<2>());
       const Pose X_WF = ContactFrame(model, scratch, static_cast<int>(f), ground.normal_W);
-      double height = kInf, speed = 0.0;
+      double height = kInfinity, speed = 0.0;
       for (const Vector3& p : ContactPoints(foot, X_WF)) {
         const GroundPoint under = GroundAt(terrain, p.head<2>());
         if (under.patch >= 0) height = std::min(height, p.z() - under.height_m);
@@ -174,7 +172,7 @@ FootstepPlan FootholdsOf(const RobotModel& model, const Terrain& terrain, const 
       Foothold foothold;
       foothold.foot = static_cast<int>(f);
       const Matrix3& R = feet[f].X_WF[At((first + last) / 2)].linear();
-      foothold.X_WF.linear() = Quaternion::FromTwoVectors(R.col(2), ground.normal_W).toRotationMatrix() * R;
+      foothold.X_WF.linear() = RotationBetween(R.col(2), ground.normal_W).toRotationMatrix() * R;
       // Along the normal onto the surface.
       const double above = (place.z() - ground.height_m) * ground.normal_W.z();
       foothold.X_WF.translation() = place - above * ground.normal_W;
@@ -216,11 +214,11 @@ SwingTrajectory SwingOf(const Foothold& from, const Foothold& to, const EvenMoti
       if (point >= 0 && point < points) shape(i, point) = basis.value[At(b)];
     }
   }
-  const MatrixX detour = shape.completeOrthogonalDecomposition().solve(offset);
+  const MatrixX detour = SolveLeastNorm(shape, offset);
   farthest_m = std::sqrt((offset - shape * detour).rowwise().squaredNorm().maxCoeff());
   for (int i = 0; i < points; ++i) swing.detour_W.emplace_back(detour.row(i).transpose());
   swing.lift_m = LiftAtHalfTime(CurveOf(swing));
-  swing.clearance_m = kInf;
+  swing.clearance_m = kInfinity;
   for (int i = rows / 3; i <= 2 * rows / 3 && i < rows; ++i)
     swing.clearance_m = std::min(swing.clearance_m, foot.height_m[At(first + i)]);
   if (!std::isfinite(swing.clearance_m)) swing.clearance_m = 0.0;

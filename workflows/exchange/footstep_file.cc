@@ -74,9 +74,9 @@ class SteppingFoot {
   std::size_t next_ = 0;
 };
 
-class Reader {
+class FootstepReader {
  public:
-  Reader(const RobotModel& model, const Terrain& terrain, double grid_s)
+  FootstepReader(const RobotModel& model, const Terrain& terrain, double grid_s)
       : model_(model),
         terrain_(terrain),
         grid_s_(grid_s),
@@ -133,7 +133,7 @@ class Reader {
     }
     Pose X_WF = level;
     X_WF.translation().z() = ground.height_m;
-    X_WF.linear() = Quaternion::FromTwoVectors(Vector3::UnitZ(), ground.normal_W) * level.linear();
+    X_WF.linear() = RotationBetween(Vector3::UnitZ(), ground.normal_W) * level.linear();
     patch = ground.patch;
     return X_WF;
   }
@@ -312,7 +312,7 @@ Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& t
     return Failure{FailureKind::kBadInput, "footsteps", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
   };
   try {
-    return Reader(model, terrain, grid_s).Read(LoadYaml(text));
+    return FootstepReader(model, terrain, grid_s).Read(LoadYaml(text));
   } catch (const InvalidArgument& error) {
     return refused(error.what());
   } catch (const YAML::Exception& error) {

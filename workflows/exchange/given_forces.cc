@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/exchange/given_forces.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/spatial/dense_solvers.h"
 #include "planning/plan/support_plane.h"
 
 namespace gaitwright {
@@ -145,7 +145,7 @@ class ForceTaker {
     }
     for (Eigen::Index i = 0; i < n; ++i)
       A(model_.nv() + i, i) = kSlight * scale_[columns_[static_cast<std::size_t>(i)].axis < 3 ? 0 : 3];
-    const VectorX x = MatrixX(A.transpose() * A).ldlt().solve(VectorX(A.transpose() * b));
+    const VectorX x = SolveSymmetric(A.transpose() * A, A.transpose() * b);
     for (Eigen::Index i = 0; i < n; ++i) {
       const Free& part = columns_[static_cast<std::size_t>(i)];
       (part.axis < 3 ? wrenches[part.foot].force_W[part.axis] : wrenches[part.foot].moment_W[part.axis - 3]) = x[i];

@@ -24,7 +24,7 @@
 namespace gaitwright {
 namespace {
 
-Failure Refused(const std::string& file, const std::string& why) {
+Failure RefusedMotion(const std::string& file, const std::string& why) {
   return {FailureKind::kBadInput, "import", "ImportMotion", fmt::format("'{}': {}", file, why), {}};
 }
 
@@ -110,22 +110,23 @@ Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& te
   CheckImportOptions(request.options);
   std::error_code ignored;
   if (std::filesystem::is_directory(request.file, ignored))
-    return Refused(request.file, "is a folder; a motion is one file in there, as a .csv or .yaml");
+    return RefusedMotion(request.file, "is a folder; a motion is one file in there, as a .csv or .yaml");
   const std::string extension = ExtensionOf(request.file);
   const bool csv = extension == ".csv" || extension == ".tsv" || extension == ".txt";
   const bool yaml = extension == ".yaml" || extension == ".yml" || extension == ".json";
   if (!csv && !yaml) {
-    return Refused(request.file, fmt::format("a motion in a file '{}' is not known; accepted: .csv, .tsv, .txt, .yaml, "
-                                             ".yml, .json",
-                                             extension));
+    return RefusedMotion(request.file,
+                         fmt::format("a motion in a file '{}' is not known; accepted: .csv, .tsv, .txt, .yaml, "
+                                     ".yml, .json",
+                                     extension));
   }
   if (!csv && !request.columns_file.empty())
-    return Refused(request.file, "a file of column names goes with a CSV only");
+    return RefusedMotion(request.file, "a file of column names goes with a CSV only");
   const Result<std::string> text = ReadFile(request.file);
   if (!text) return text.failure();
   const MotionFileKind kind = KindOfText(*text);
   if (const std::string instead = InsteadOfImport(kind); !instead.empty())
-    return Refused(request.file, fmt::format("is {} of this program: {}", NameOf(kind), instead));
+    return RefusedMotion(request.file, fmt::format("is {} of this program: {}", NameOf(kind), instead));
   ImportedMotion imported;
   try {
     if (yaml && HoldsFootsteps(*text)) {
@@ -136,7 +137,7 @@ Result<ImportedMotion> ImportMotionOn(const RobotModel& model, const Terrain& te
       MakePlan(model, terrain, request, std::move(*table), imported);
     }
   } catch (const InvalidArgument& error) {
-    return Refused(request.file, error.what());
+    return RefusedMotion(request.file, error.what());
   }
   imported.plan.provenance = ProvenanceOf(request, imported, *text);
   WarnInPlan(imported);

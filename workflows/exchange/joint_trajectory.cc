@@ -200,7 +200,7 @@ std::string WithoutLastSeparator(const std::string& text) {
   return ends ? text.substr(0, separator + 1) : text;
 }
 
-Failure Refused(const std::string& source, const std::string& why) {
+Failure RefusedTrajectory(const std::string& source, const std::string& why) {
   return {FailureKind::kBadInput, "joint_trajectory", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
 }
 
@@ -212,9 +212,9 @@ Result<MotionTable> ParseJointTrajectory(const RobotModel& model, const std::str
   try {
     return Parser<YamlPart>(model, options, some_joints).Parse(YamlPart(LoadYaml(WithoutLastSeparator(text), kBounds)));
   } catch (const InvalidArgument& error) {
-    return Refused(source, error.what());
+    return RefusedTrajectory(source, error.what());
   } catch (const YAML::Exception& error) {
-    return Refused(source, fmt::format("line {}: {}", error.mark.line + 1, error.msg));
+    return RefusedTrajectory(source, fmt::format("line {}: {}", error.mark.line + 1, error.msg));
   }
 }
 
@@ -225,9 +225,9 @@ Result<MotionTable> ParseJointTrajectoryJson(const RobotModel& model, const std:
     const JsonPart::Json json = ParseJsonOnce(text);
     return Parser<JsonPart>(model, options, some_joints).Parse(JsonPart(json));
   } catch (const InvalidArgument& error) {
-    return Refused(source, error.what());
+    return RefusedTrajectory(source, error.what());
   } catch (const JsonPart::Json::exception&) {
-    return Refused(source, WhyNoJson(text));
+    return RefusedTrajectory(source, WhyNoJson(text));
   }
 }
 

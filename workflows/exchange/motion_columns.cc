@@ -2,22 +2,19 @@
 #include "workflows/exchange/motion_columns.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "kinematics/base/nearest_name.h"
+#include "kinematics/base/non_finite.h"
 #include "kinematics/base/text.h"
 #include "kinematics/spatial/rotation.h"
 #include "workflows/exchange/column_target.h"
 
 namespace gaitwright {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// A column of the file and what it is.
 struct Source {
@@ -252,7 +249,7 @@ class Mapper {
                                         model_.num_dofs(), model_.name, QuotedList(missing),
                                         LikelyFor(missing.front())));
     }
-    const VectorX none = VectorX::Constant(model_.num_dofs(), kNone);
+    const VectorX none = VectorX::Constant(model_.num_dofs(), kNaN);
     if (!missing.empty() && !names_.some_joints)
       motion_.derived.push_back({"position of " + QuotedList(missing), "as in the standing posture"});
     motion_.q = Rows(position_, names_.some_joints ? none : model_.standing_joints);

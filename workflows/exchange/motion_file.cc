@@ -7,7 +7,7 @@ namespace gaitwright {
 namespace {
 
 /// Sees the keys of the outermost object and the text of `format`; stops reading when it knows.
-class Keys : public nlohmann::json_sax<nlohmann::json> {
+class Keys : public nlohmann::json_sax<nlohmann::ordered_json> {
  public:
   std::string format;
   bool metrics = false, verdict = false, n = false, survived = false, survival = false, joint_names = false;
@@ -54,7 +54,7 @@ class Keys : public nlohmann::json_sax<nlohmann::json> {
     return !joint_names;
   }
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
-                   const nlohmann::json::exception& /*why*/) override {
+                   const nlohmann::ordered_json::exception& /*why*/) override {
     return false;
   }
 
@@ -81,7 +81,7 @@ MotionFileKind KindOfText(const std::string& text) {
   if (first == std::string::npos || text[first] != '{')
     return BeginsALine(text, "joint_names:") ? MotionFileKind::kTrajectory : MotionFileKind::kTable;
   Keys keys;
-  nlohmann::json::sax_parse(text, &keys);
+  nlohmann::ordered_json::sax_parse(text, &keys);
   if (keys.format == "gaitwright-motion-plan") return MotionFileKind::kPlan;
   if (keys.format == "gaitwright-playback-log") return MotionFileKind::kLog;
   if (keys.joint_names) return MotionFileKind::kTrajectory;

@@ -24,7 +24,7 @@ int IndexOf(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// A figure of each row of a motion.
-using Figure = double (*)(const MotionRows& rows, std::size_t row, int index);
+using PlottedValue = double (*)(const MotionRows& rows, std::size_t row, int index);
 
 double Position(const MotionRows& rows, std::size_t k, int dof) { return rows.q[k][7 + dof]; }
 double Speed(const MotionRows& rows, std::size_t k, int dof) { return rows.v[k][6 + dof]; }
@@ -67,7 +67,7 @@ class Drawing {
 
   /// A figure of every motion over time; `index(motion)` is -1 where a motion has none.
   template <class Index>
-  void Lines(SvgPlot& plot, Ink ink, Figure figure, Index index) const {
+  void Lines(SvgPlot& plot, Ink ink, PlottedValue figure, Index index) const {
     for (std::size_t m = 0; m < motions_.size(); ++m) {
       const int i = index(motions_[m]);
       if (i < 0) continue;
@@ -107,7 +107,7 @@ Plot TopViewOf(const Drawing& drawing) {
 
 /// Three small plots over time of the base.
 Plot BasePlot(const Drawing& drawing, const std::string& title, const char* const (&names)[3], const char* unit,
-              Figure figure) {
+              PlottedValue figure) {
   std::vector<SvgPlot> plots;
   for (int axis = 0; axis < 3; ++axis) {
     SvgPlot::Options options = drawing.Options(names[axis], unit);
@@ -173,7 +173,7 @@ std::vector<int> MovingDofs(const Drawing& drawing) {
 struct JointFigure {
   const char *name, *title, *turning, *sliding, *caption;
   Ink ink;
-  Figure figure;
+  PlottedValue figure;
 };
 
 constexpr JointFigure kJointFigures[] = {

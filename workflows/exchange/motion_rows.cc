@@ -13,7 +13,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kRounding = 1e-6;          // of a step
+constexpr double kStepRounding = 1e-6;      // of a step
 constexpr double kUsualLowestRate = 200.0;  // [Hz]
 
 void CheckRate(double rate_hz) {
@@ -88,8 +88,8 @@ Place PlaceOf(const std::vector<double>& times, double time_s) {
   const std::size_t row = static_cast<std::size_t>(after - times.begin()) - 1;
   if (row == last) return {last, 0.0, time_s > times.back() + kSame};
   const double step = times[row + 1] - times[row], share = (time_s - times[row]) / step;
-  if (share > 1.0 - kRounding) return {row + 1, 0.0, false};
-  return {row, share < kRounding ? 0.0 : share, false};
+  if (share > 1.0 - kStepRounding) return {row + 1, 0.0, false};
+  return {row, share < kStepRounding ? 0.0 : share, false};
 }
 
 }  // namespace
@@ -97,8 +97,8 @@ Place PlaceOf(const std::vector<double>& times, double time_s) {
 std::vector<double> TimesAtRate(double start_s, double end_s, double rate_hz, LastTime last) {
   CheckRate(rate_hz);
   const double rate = Rounded(rate_hz), steps = (end_s - start_s) * rate;
-  const auto most =
-      static_cast<long>(last == LastTime::kBeforeEnd ? std::floor(steps + kRounding) : std::ceil(steps - kRounding));
+  const auto most = static_cast<long>(last == LastTime::kBeforeEnd ? std::floor(steps + kStepRounding)
+                                                                   : std::ceil(steps - kStepRounding));
   std::vector<double> times;
   for (long k = 0; k <= most; ++k) times.push_back(start_s + static_cast<double>(k) / rate);
   return times;

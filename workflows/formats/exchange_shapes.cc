@@ -8,8 +8,6 @@ using namespace shapes;
 
 namespace {
 
-DataShape NumberOrNull() { return OrNull(Number()); }
-
 DataShape SeriesShape() {
   return Object({{"unit", Text()},
                  {"rms", Number()},

@@ -9,8 +9,6 @@ using namespace shapes;
 
 namespace {
 
-DataShape NumberOrNull() { return OrNull(Number()); }
-
 DataShape LegShape() {
   const DataShape foot = Object({{"link", Text()},
                                  {"type", Text(FootTypeNames())},

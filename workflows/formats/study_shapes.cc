@@ -9,8 +9,6 @@ using namespace shapes;
 
 namespace {
 
-DataShape NumberOrNull() { return OrNull(Number()); }
-
 /// A value of an option: a number, a word or a switch.
 DataShape ValueShape() { return Either(Either(Number(), Text()), Truth()); }
 

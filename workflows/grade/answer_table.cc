@@ -20,7 +20,7 @@ int ColumnOf(const CsvTable& inputs, const std::string& name) {
 }
 
 /// How many columns name_0, name_1, ... there are.
-int CountOf(const CsvTable& inputs, const std::string& name) {
+int SizeOfInput(const CsvTable& inputs, const std::string& name) {
   int count = 0;
   while (inputs.Find(fmt::format("{}_{}", name, count)) >= 0) ++count;
   return count;
@@ -37,7 +37,7 @@ std::string Row(double number, const std::vector<double>& answer, std::size_t wi
 double AnswerCase::Number(const std::string& name) const { return inputs_.At(row_, ColumnOf(inputs_, name)); }
 
 VectorX AnswerCase::Vector(const std::string& name) const {
-  VectorX vector(std::max(1, CountOf(inputs_, name)));  // one that is not there is refused below
+  VectorX vector(std::max(1, SizeOfInput(inputs_, name)));  // one that is not there is refused below
   for (int i = 0; i < vector.size(); ++i) vector[i] = Number(fmt::format("{}_{}", name, i));
   return vector;
 }
@@ -45,7 +45,7 @@ VectorX AnswerCase::Vector(const std::string& name) const {
 MatrixX AnswerCase::Matrix(const std::string& name) const {
   int rows = 0;
   while (inputs_.Find(fmt::format("{}_{}_0", name, rows)) >= 0) ++rows;
-  MatrixX matrix(std::max(1, rows), std::max(1, CountOf(inputs_, name + "_0")));
+  MatrixX matrix(std::max(1, rows), std::max(1, SizeOfInput(inputs_, name + "_0")));
   for (int i = 0; i < matrix.rows(); ++i) {
     for (int j = 0; j < matrix.cols(); ++j) matrix(i, j) = Number(fmt::format("{}_{}_{}", name, i, j));
   }

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLongestName = 60;
+constexpr std::size_t kLongestShownName = 60;
 
 /// A cell in quotes, which no spreadsheet takes for a formula.
 std::string Cell(const std::string& text) {
@@ -67,7 +67,7 @@ std::string PartSection(const PartMark& part, const std::string& page, std::size
 
 std::string PageNameOf(const std::string& student, std::size_t number) {
   std::string name = fmt::format("{:03}-", number + 1);
-  for (const char c : student.substr(0, kLongestName)) {
+  for (const char c : student.substr(0, kLongestShownName)) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     name += plain ? c : '_';
   }

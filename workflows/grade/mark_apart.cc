@@ -23,9 +23,9 @@
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-constexpr mode_t kMayPass = 0711;  // so that a submission's code, which may be nobody's, gets to its own folder
+constexpr mode_t kFolderMayPass = 0711;  // so that a submission's code, which may be nobody's, gets to its own folder
 
 Json JsonOf(const PartMark& mark) {
   Json checks = Json::array(), pages = Json::array();
@@ -99,7 +99,7 @@ PartMark MarkApart(const RubricPart& part, const std::function<PartMark()>& mark
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return mark();
   const TemporaryFolder folder;  // of all that the copy makes, so that it goes however that ends
-  if (folder.there()) chmod(folder.path().c_str(), kMayPass);
+  if (folder.there()) chmod(folder.path().c_str(), kFolderMayPass);
   const pid_t copy = fork();
   if (copy == 0) MarkAndEnd(part, mark, folder.path(), ends[1]);
   close(ends[1]);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostReasons = 3;
+constexpr std::size_t kMostQuestionReasons = 3;
 
 /// A part's question with what it is about.
 class Examiner {
@@ -77,7 +76,7 @@ class Examiner {
 
  private:
   void Tell(int number, const std::string& why) {
-    if (reasons_.size() < kMostReasons) reasons_.push_back(fmt::format("case {}: {}", number, why));
+    if (reasons_.size() < kMostQuestionReasons) reasons_.push_back(fmt::format("case {}: {}", number, why));
   }
 
   const RubricPart& part_;
@@ -90,11 +89,11 @@ class Examiner {
   std::vector<std::string> reasons_;
 };
 
-nlohmann::json JsonOf(const QuestionValue& value) {
+nlohmann::ordered_json JsonOf(const QuestionValue& value) {
   if (!value.word.empty()) return value.word;
   if (value.shape.empty()) return value.number();
   if (value.shape.size() == 1) return value.numbers;
-  nlohmann::json rows = nlohmann::json::array();
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   const auto width = static_cast<std::ptrdiff_t>(value.shape[1]);
   for (auto at = value.numbers.begin(); at != value.numbers.end(); at += width)
     rows.push_back(std::vector<double>(at, at + width));
@@ -102,9 +101,9 @@ nlohmann::json JsonOf(const QuestionValue& value) {
 }
 
 std::string RequestOf(const std::vector<QuestionValue>& inputs) {
-  nlohmann::json call = nlohmann::json::array();
+  nlohmann::ordered_json call = nlohmann::ordered_json::array();
   for (const QuestionValue& input : inputs) call.push_back(JsonOf(input));
-  return nlohmann::json{{"call", call}}.dump();
+  return nlohmann::ordered_json{{"call", call}}.dump();
 }
 
 /// Asks for one case. @return the reason where the code was ended by it.

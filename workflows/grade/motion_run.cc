@@ -2,7 +2,6 @@
 #include "workflows/grade/motion_run.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

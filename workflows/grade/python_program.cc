@@ -78,7 +78,7 @@ const std::vector<std::string> kSystem = {"/usr/lib",       "/usr/lib64",       
                                           "/lib64",         "/usr/local/lib",   "/dev/urandom",
                                           "/etc/localtime", "/etc/ld.so.cache", "/usr/share/zoneinfo"};
 
-PythonProgram FromJson(const nlohmann::json& told) {
+PythonProgram FromJson(const nlohmann::ordered_json& told) {
   PythonProgram python;
   const std::vector<int> version = told.at("version").get<std::vector<int>>();
   python.path = told.at("path").get<std::string>();
@@ -100,7 +100,7 @@ Result<PythonProgram> LookOver(const std::string& program) {
   const Result<std::string> told = RunProgram(path, {"-I", "-B", "-c", kTell, PackageBesideProgram()});
   if (!told) return NoPython(told.failure().message);
   const std::size_t last = told->find("{\"version\"");
-  const auto json = nlohmann::json::parse(last == std::string::npos ? "" : told->substr(last), nullptr, false);
+  const auto json = nlohmann::ordered_json::parse(last == std::string::npos ? "" : told->substr(last), nullptr, false);
   if (json.is_discarded()) return NoPython(fmt::format("'{}' is no Python 3: it said '{}'", path, *told));
   PythonProgram python = FromJson(json);
   if (json.at("version").at(0) != 3 || json.at("version").at(1) < 9)

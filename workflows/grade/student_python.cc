@@ -102,11 +102,11 @@ Result<StudentPython> StudentPython::Start(const PythonProgram& python, const St
   Result<ChildProcess> child = ChildProcess::Start(setup);
   if (!child) return child.failure();
   parts->child = std::make_unique<ChildProcess>(std::move(*child));
-  const nlohmann::json load = {{"load",
-                                {{"code", parts->Code()},
-                                 {"file", code.files.front().path},
-                                 {"function", code.function},
-                                 {"package", code.package ? python.package : ""}}}};
+  const nlohmann::ordered_json load = {{"load",
+                                        {{"code", parts->Code()},
+                                         {"file", code.files.front().path},
+                                         {"function", code.function},
+                                         {"package", code.package ? python.package : ""}}}};
   StudentPython started(std::move(parts));
   const Result<std::string> loaded = started.Ask(load.dump(), kShortAnswer);
   if (!loaded) return loaded.failure();
@@ -143,7 +143,7 @@ Result<std::string> StudentPython::Ask(const std::string& request, std::size_t l
   constexpr std::string_view kAnswer = "{\"answer\": ", kError = "{\"error\": ";
   if (line->starts_with(kAnswer)) return line;
   const auto json =
-      nlohmann::json::parse(line->substr(0, line->starts_with(kError) ? std::string::npos : 0), nullptr, false);
+      nlohmann::ordered_json::parse(line->substr(0, line->starts_with(kError) ? std::string::npos : 0), nullptr, false);
   if (json.is_object() && json.contains("error") && json["error"].is_string()) {
     return Said(ShownWords(Without(parts_->base.path() + "/", json["error"].get<std::string>())));
   }

@@ -18,8 +18,8 @@ namespace gaitwright {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-constexpr char kStage[] = "Chromium";
+using Json = nlohmann::ordered_json;
+constexpr char kChromiumStage[] = "Chromium";
 
 /// The program to start; "" where there is none.
 std::string ProgramOf(const ChromiumOptions& options) {
@@ -72,7 +72,7 @@ std::string FromBase64(const std::string& text) {
   return bytes;
 }
 
-Failure Refused(const std::string& what) { return {FailureKind::kBadInput, "browser", kStage, what, {}}; }
+Failure Refused(const std::string& what) { return {FailureKind::kBadInput, "browser", kChromiumStage, what, {}}; }
 
 }  // namespace
 
@@ -92,27 +92,27 @@ class Chromium::Pipe {
   Pipe& operator=(const Pipe&) = delete;
 
   /// Calls a method and waits for its answer; events that come before it are looked at.
-  Result<json> Call(const std::string& method, const json& parameters = json::object()) {
+  Result<Json> Call(const std::string& method, const Json& parameters = Json::object()) {
     const int id = ++last_id_;
-    json message = {{"id", id}, {"method", method}, {"params", parameters}};
+    Json message = {{"id", id}, {"method", method}, {"params", parameters}};
     if (!session_.empty()) message["sessionId"] = session_;
     const Result<int> sent = pipe_.Send(message);
     if (!sent) return sent.failure();
     while (true) {
-      Result<json> answer = pipe_.Receive(timeout_s_);
+      Result<Json> answer = pipe_.Receive(timeout_s_);
       if (!answer) return answer.failure();
       if (answer->value("id", 0) != id) {
         Look(*answer);
         continue;
       }
       if (answer->contains("error")) return Refused(method + ": " + (*answer)["error"].value("message", "refused"));
-      return answer->value("result", json::object());
+      return answer->value("result", Json::object());
     }
   }
 
-  Result<json> WaitFor(const std::string& event) {
+  Result<Json> WaitFor(const std::string& event) {
     while (true) {
-      Result<json> message = pipe_.Receive(timeout_s_);
+      Result<Json> message = pipe_.Receive(timeout_s_);
       if (!message) return message.failure();
       Look(*message);
       if (message->value("method", "") == event) return message;
@@ -120,24 +120,24 @@ class Chromium::Pipe {
   }
 
   /// Opens a page of that size, and listens to it.
-  Result<json> Attach(const ChromiumOptions& options) {
-    const Result<json> target = Call("Target.createTarget", {{"url", "about:blank"}});
+  Result<Json> Attach(const ChromiumOptions& options) {
+    const Result<Json> target = Call("Target.createTarget", {{"url", "about:blank"}});
     if (!target) return target.failure();
-    const Result<json> session =
+    const Result<Json> session =
         Call("Target.attachToTarget", {{"targetId", target->value("targetId", "")}, {"flatten", true}});
     if (!session) return session.failure();
     session_ = session->value("sessionId", "");
-    const json metrics = {
+    const Json metrics = {
         {"width", options.width_px}, {"height", options.height_px}, {"deviceScaleFactor", 1}, {"mobile", false}};
-    const json scheme = {{"name", "prefers-color-scheme"}, {"value", options.dark ? "dark" : "light"}};
-    const std::vector<std::pair<std::string, json>> calls = {
-        {"Page.enable", json::object()},
-        {"Runtime.enable", json::object()},
-        {"Log.enable", json::object()},
+    const Json scheme = {{"name", "prefers-color-scheme"}, {"value", options.dark ? "dark" : "light"}};
+    const std::vector<std::pair<std::string, Json>> calls = {
+        {"Page.enable", Json::object()},
+        {"Runtime.enable", Json::object()},
+        {"Log.enable", Json::object()},
         {"Emulation.setDeviceMetricsOverride", metrics},
-        {"Emulation.setEmulatedMedia", {{"features", json::array({scheme})}}}};
+        {"Emulation.setEmulatedMedia", {{"features", Json::array({scheme})}}}};
     for (const auto& [method, parameters] : calls) {
-      Result<json> done = Call(method, parameters);
+      Result<Json> done = Call(method, parameters);
       if (!done) return done;
     }
     return session;
@@ -146,9 +146,9 @@ class Chromium::Pipe {
   std::vector<std::string> complaints;
 
  private:
-  void Look(const json& message) {
+  void Look(const Json& message) {
     const std::string method = message.value("method", "");
-    const json parameters = message.value("params", json::object());
+    const Json parameters = message.value("params", Json::object());
     if (method == "Runtime.exceptionThrown") {
       complaints.push_back(parameters["exceptionDetails"].dump());
     } else if (method == "Runtime.consoleAPICalled" && parameters.value("type", "") == "error") {
@@ -173,7 +173,7 @@ Result<std::unique_ptr<Chromium>> Chromium::Start(const ChromiumOptions& options
   if (program.empty()) {
     return Failure{FailureKind::kBadInput,
                    "no_browser",
-                   kStage,
+                   kChromiumStage,
                    "pictures are made by Chromium, and none is installed",
                    {"on Debian: apt-get install chromium", "GAITWRIGHT_CHROMIUM=/path/to/chromium"}};
   }
@@ -182,44 +182,44 @@ Result<std::unique_ptr<Chromium>> Chromium::Start(const ChromiumOptions& options
   Result<DevtoolsPipe> started = DevtoolsPipe::Start(program, ArgumentsOf(profile->path()));
   if (!started) return started.failure();
   auto pipe = std::make_unique<Pipe>(std::move(*started), std::move(profile), options.timeout_s);
-  const Result<json> attached = pipe->Attach(options);
+  const Result<Json> attached = pipe->Attach(options);
   if (!attached) return attached.failure();
   return std::unique_ptr<Chromium>(new Chromium(std::move(pipe)));
 }
 
 Result<std::string> Chromium::Open(const std::string& url) {
-  const Result<json> answer = pipe_->Call("Page.navigate", {{"url", url}});
+  const Result<Json> answer = pipe_->Call("Page.navigate", {{"url", url}});
   if (!answer) return answer.failure();
   if (answer->contains("errorText")) return Refused(url + ": " + answer->value("errorText", ""));
-  const Result<json> loaded = pipe_->WaitFor("Page.loadEventFired");
+  const Result<Json> loaded = pipe_->WaitFor("Page.loadEventFired");
   if (!loaded) return loaded.failure();
   return url;
 }
 
 Result<std::string> Chromium::Evaluate(const std::string& expression) {
-  const Result<json> answer =
+  const Result<Json> answer =
       pipe_->Call("Runtime.evaluate", {{"expression", expression}, {"awaitPromise", true}, {"returnByValue", true}});
   if (!answer) return answer.failure();
   if (answer->contains("exceptionDetails")) {
-    const json& details = (*answer)["exceptionDetails"];
-    const json thrown = details.value("exception", json::object());
+    const Json& details = (*answer)["exceptionDetails"];
+    const Json thrown = details.value("exception", Json::object());
     return Refused(thrown.value("description", details.value("text", "an exception")));
   }
-  const json& result = answer->at("result");
+  const Json& result = answer->at("result");
   return result.contains("value") ? result["value"].dump() : std::string("null");
 }
 
 Result<std::string> Chromium::Png() {
-  const Result<json> answer = pipe_->Call("Page.captureScreenshot", {{"format", "png"}});
+  const Result<Json> answer = pipe_->Call("Page.captureScreenshot", {{"format", "png"}});
   if (!answer) return answer.failure();
   return FromBase64(answer->value("data", ""));
 }
 
 Result<std::string> Chromium::Press(const std::string& key) {
   for (const char* type : {"keyDown", "keyUp"}) {
-    json parameters = {{"type", type}, {"key", key}};
+    Json parameters = {{"type", type}, {"key", key}};
     if (key.size() == 1 && std::string(type) == "keyDown") parameters["text"] = key;
-    const Result<json> done = pipe_->Call("Input.dispatchKeyEvent", parameters);
+    const Result<Json> done = pipe_->Call("Input.dispatchKeyEvent", parameters);
     if (!done) return done.failure();
   }
   return key;
@@ -228,13 +228,13 @@ Result<std::string> Chromium::Press(const std::string& key) {
 Result<std::string> Chromium::Point(Mouse does, double x_px, double y_px) {
   const bool moves = does == Mouse::kMove || does == Mouse::kDrag, down = does == Mouse::kDrag || does == Mouse::kPress;
   const char* const type = moves ? "mouseMoved" : (down ? "mousePressed" : "mouseReleased");
-  const json parameters = {{"type", type},
+  const Json parameters = {{"type", type},
                            {"x", x_px},
                            {"y", y_px},
                            {"button", does == Mouse::kMove ? "none" : "left"},
                            {"buttons", down ? 1 : 0},
                            {"clickCount", moves ? 0 : 1}};
-  const Result<json> done = pipe_->Call("Input.dispatchMouseEvent", parameters);
+  const Result<Json> done = pipe_->Call("Input.dispatchMouseEvent", parameters);
   if (!done) return done.failure();
   return std::string(type);
 }

@@ -107,7 +107,7 @@ DevtoolsPipe::~DevtoolsPipe() {
   }
 }
 
-Result<int> DevtoolsPipe::Send(const nlohmann::json& message) {
+Result<int> DevtoolsPipe::Send(const nlohmann::ordered_json& message) {
   std::string text = message.dump();
   text += '\0';
   for (std::size_t sent = 0; sent < text.size();) {
@@ -119,14 +119,14 @@ Result<int> DevtoolsPipe::Send(const nlohmann::json& message) {
   return static_cast<int>(text.size());
 }
 
-Result<nlohmann::json> DevtoolsPipe::Receive(double timeout_s) {
+Result<nlohmann::ordered_json> DevtoolsPipe::Receive(double timeout_s) {
   using Clock = std::chrono::steady_clock;
   const auto deadline =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout_s));
   std::size_t searched = 0;
   while (true) {
     if (const std::size_t end = buffer_.find('\0', searched); end != std::string::npos) {
-      nlohmann::json message = nlohmann::json::parse(buffer_.substr(0, end), nullptr, false);
+      nlohmann::ordered_json message = nlohmann::ordered_json::parse(buffer_.substr(0, end), nullptr, false);
       buffer_.erase(0, end + 1);
       if (message.is_discarded()) return Broken("sent what is no JSON");
       return message;

@@ -22,9 +22,9 @@ class DevtoolsPipe {
   DevtoolsPipe& operator=(DevtoolsPipe&&) = delete;
 
   /// Sends a message. Failure: nobody reads any more.
-  Result<int> Send(const nlohmann::json& message);
+  Result<int> Send(const nlohmann::ordered_json& message);
   /// The next message. Failure: none came in time, the process has ended, or it sent no JSON.
-  Result<nlohmann::json> Receive(double timeout_s);
+  Result<nlohmann::ordered_json> Receive(double timeout_s);
 
  private:
   DevtoolsPipe() = default;

@@ -84,7 +84,7 @@ class Studio {
     script += "return {stages: v.stages.length, start: v.clock.start, end: v.clock.end}; })()";
     Result<std::string> answer = browser_->Evaluate(script);
     if (!answer) return answer;
-    const auto json = nlohmann::json::parse(*answer);
+    const auto json = nlohmann::ordered_json::parse(*answer);
     if (json.value("stages", 0) == 0) return Failed("no_3d", "this Chromium has no WebGL, which 3D pictures need");
     start_s_ = std::max(json.value("start", 0.0), options.from_s);
     end_s_ = std::min(json.value("end", 0.0), options.to_s);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workflows/study/free_swings.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <optional>
 
+#include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/trajectory/bspline.h"
 #include "kinematics/trajectory/swing_curve.h"
 #include "optimisation/swing/refine_swing.h"
@@ -52,7 +52,7 @@ std::vector<Vector3> DetourOf(const SwingTrajectory& swing) {
     }
     off.row(k) = Evaluate(CurveOf(swing), time_s).X_WF.translation() - Evaluate(straight, time_s).X_WF.translation();
   }
-  const MatrixX found = basis.colPivHouseholderQr().solve(off);
+  const MatrixX found = SolveLeastSquares(basis, off);
   std::vector<Vector3> points;
   for (int i = 0; i < kPoints; ++i) points.emplace_back(found.row(i));
   return points;

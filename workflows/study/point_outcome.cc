@@ -14,8 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 constexpr double kMost = 1e30;  // of any figure, in its unit
 
 /// @throws InvalidArgument for a figure that no point has.
@@ -82,14 +80,19 @@ PointSurvival SurvivalOf(int trials, int survived, double score_mean) {
 
 std::string PointToLine(const PointOutcome& o) {
   Json metrics = Json::array(), survival;
-  for (const std::optional<double>& value : o.metrics) metrics.push_back(OrNull(value));
+  for (const std::optional<double>& value : o.metrics) metrics.push_back(JsonOrNull(value));
   if (o.survival) {
     const PointSurvival& s = *o.survival;
     survival = Json::array({s.trials, s.survived, s.share, s.low, s.high, s.score_mean});
   }
-  const Json json = {
-      {"point", o.point},         {"status", StatusName(o.status)},   {"code", o.code},     {"reason", o.reason},
-      {"score", OrNull(o.score)}, {"fell_at_s", OrNull(o.fell_at_s)}, {"metrics", metrics}, {"survival", survival}};
+  const Json json = {{"point", o.point},
+                     {"status", StatusName(o.status)},
+                     {"code", o.code},
+                     {"reason", o.reason},
+                     {"score", JsonOrNull(o.score)},
+                     {"fell_at_s", JsonOrNull(o.fell_at_s)},
+                     {"metrics", metrics},
+                     {"survival", survival}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

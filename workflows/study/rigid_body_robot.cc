@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/model/load_robot.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr char kAxes[] = "xyz";
 
 std::string Numbers(const Vector3& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
@@ -123,7 +122,7 @@ double FrictionOf(const RigidBodyProblem& problem, int foot) {
 }  // namespace
 
 std::pair<Vector3, Vector3> BoxOf(const std::vector<WorkspaceSide>& workspace_B) {
-  Vector3 low = Vector3::Constant(-kInf), high = -low;
+  Vector3 low = Vector3::Constant(-kInfinity), high = -low;
   for (const WorkspaceSide& side : workspace_B) {
     Eigen::Index axis = 0;
     const double length = side.normal.norm(), along = side.normal.cwiseAbs().maxCoeff(&axis);

@@ -5,12 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planning/plan/json_part_internal.h"
+
 namespace gaitwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 std::string OrEmpty(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; }
 
@@ -88,16 +88,16 @@ Json ValuesJson(const Study& study, std::size_t point) {
 Json PointJson(const Study& study, const PointOutcome& o) {
   Json metrics = Json::object();
   for (std::size_t k = 0; k < study.metrics.size(); ++k)
-    metrics[study.metrics[k]] = k < o.metrics.size() ? OrNull(o.metrics[k]) : Json();
+    metrics[study.metrics[k]] = k < o.metrics.size() ? JsonOrNull(o.metrics[k]) : Json();
   Json json = {{"point", o.point},
                {"values", ValuesJson(study, o.point)},
                {"status", StatusName(o.status)},
                {"verdict", o.status == PointStatus::kPass ? "pass" : "fail"},
                {"audit_pass", o.status == PointStatus::kRefused ? Json() : Json(o.audit_pass())},
-               {"score", OrNull(o.score)},
+               {"score", JsonOrNull(o.score)},
                {"code", o.code},
                {"reason", o.reason},
-               {"fell_at_s", OrNull(o.fell_at_s)},
+               {"fell_at_s", JsonOrNull(o.fell_at_s)},
                {"metrics", metrics}};
   if (study.trials == 0) return json;
   for (const char* key : {"trials", "survived", "survival", "survival_low", "survival_high", "trial_score_mean"})

@@ -15,11 +15,11 @@
 namespace gaitwright {
 namespace {
 
-constexpr char kSensors[] = "sensors.";
+constexpr char kSensorPrefix[] = "sensors.";
 
 bool IsNoise(const std::string& key) {
   const auto has = [&](const char* word) { return key.find(word) != std::string::npos; };
-  return key.starts_with(kSensors) && (has("noise") || has("bias") || has("walk"));
+  return key.starts_with(kSensorPrefix) && (has("noise") || has("bias") || has("walk"));
 }
 
 void SetNumber(OptionFields& fields, const std::string& key, double value) {
@@ -62,7 +62,7 @@ double WithPeriodInSteps(double rate_hz, double step_s) {
 /// A drawn value as a playback can have it.
 double OnTheClock(const std::string& key, double value, double step_s) {
   if (key == "command_delay_s") return InSteps(value, step_s);
-  return key.starts_with(kSensors) && key.ends_with("_rate_hz") ? WithPeriodInSteps(value, step_s) : value;
+  return key.starts_with(kSensorPrefix) && key.ends_with("_rate_hz") ? WithPeriodInSteps(value, step_s) : value;
 }
 
 /// The options of a playback that are not at their usual values.
@@ -77,7 +77,7 @@ std::vector<std::string> ChangedKeys(PlayRequest request) {
 /// each trial has its own seed.
 std::optional<Failure> SaidTwice(const PlayRequest& request, const Disturbances& disturbances) {
   std::vector<std::string> keys = ChangedKeys(request);
-  std::erase_if(keys, [](const std::string& key) { return key.starts_with(kSensors) || key == "play.seed"; });
+  std::erase_if(keys, [](const std::string& key) { return key.starts_with(kSensorPrefix) || key == "play.seed"; });
   const std::vector<std::string> twice = DrawnInPlaceOf(disturbances, keys);
   if (twice.empty()) return std::nullopt;
   return Failure{FailureKind::kBadInput,
@@ -110,7 +110,7 @@ std::optional<Failure> AtBothEnds(const RobotModel& model, const MotionPlan& pla
     }
   } catch (const InvalidArgument& error) {
     const std::string why = error.what();
-    const bool scaled = noise_scale > 1.0 && why.find(std::string("'") + kSensors) != std::string::npos;
+    const bool scaled = noise_scale > 1.0 && why.find(std::string("'") + kSensorPrefix) != std::string::npos;
     return CannotBePlayed("disturbances",
                           why + (scaled ? fmt::format(", where sensor_noise_scale is {}", noise_scale) : ""));
   }
@@ -134,8 +134,8 @@ void AddPushes(const std::vector<TimedPush>& pushes, PlayOptions& play) {
 OptionFields SensorFields(PlayRequest& request) {
   OptionFields own;
   for (OptionField field : request.Fields()) {
-    if (!field.key.starts_with(kSensors)) continue;
-    field.key.erase(0, sizeof(kSensors) - 1);
+    if (!field.key.starts_with(kSensorPrefix)) continue;
+    field.key.erase(0, sizeof(kSensorPrefix) - 1);
     own.push_back(field);
   }
   return own;

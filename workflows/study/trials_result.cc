@@ -16,7 +16,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr int kMost = 1000000000;
+constexpr int kMaxCount = 1000000000;
 
 JsonPart Needed(const JsonPart& object, const char* key) {
   if (!object.json().is_object()) object.Refuse("is no object; one that 'gaitwright trials' wrote is needed");
@@ -38,18 +38,18 @@ std::vector<TrialsResult::Cause> CausesOf(const JsonPart& result) {
   std::vector<TrialsResult::Cause> causes;
   for (const auto& [key, value] : given.json().items()) {
     if (!IsCauseOfFall(key)) given.Refuse(fmt::format("has '{}', which is no cause that a fall has", key));
-    causes.push_back({key, given.At(key).Whole(1, kMost)});
+    causes.push_back({key, given.At(key).Whole(1, kMaxCount)});
   }
   return causes;
 }
 
 /// What one row of `trials` says.
-struct Row {
+struct TrialRow {
   bool survived = false, passed = false;
   std::string cause, log_hash;
 };
 
-std::vector<Row> RowsOf(const JsonPart& result) {
+std::vector<TrialRow> RowsOf(const JsonPart& result) {
   const JsonPart trials = Needed(result, "trials"), columns = Needed(trials, "columns");
   std::vector<std::string> names;
   for (const JsonPart& column : columns.List()) names.push_back(column.Text());
@@ -60,7 +60,7 @@ std::vector<Row> RowsOf(const JsonPart& result) {
   };
   const std::size_t survived = place("survived"), passed = place("passed"), cause = place("cause"),
                     log_hash = place("log_hash");
-  std::vector<Row> rows;
+  std::vector<TrialRow> rows;
   for (const JsonPart& row : Needed(trials, "rows").List()) {
     const std::vector<JsonPart> cells = row.List();
     if (cells.size() != names.size())
@@ -110,7 +110,7 @@ std::string DisturbancesOf(const JsonPart& result) {
 }
 
 /// Refuses counts that are not those of the rows.
-void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::vector<Row>& rows) {
+void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::vector<TrialRow>& rows) {
   const auto hold = [&](int said, const std::string& what, auto is) {
     const auto counted = std::count_if(rows.begin(), rows.end(), is);
     if (said != counted)
@@ -118,12 +118,12 @@ void CheckCounts(const JsonPart& part, const TrialsResult& result, const std::ve
   };
   if (static_cast<std::size_t>(result.n) != rows.size())
     part.Refuse(fmt::format("says that there were {} trials, and has rows of {}", result.n, rows.size()));
-  hold(result.survived, "survived", [](const Row& row) { return row.survived; });
-  hold(result.passed, "passed every gate", [](const Row& row) { return row.passed; });
+  hold(result.survived, "survived", [](const TrialRow& row) { return row.survived; });
+  hold(result.passed, "passed every gate", [](const TrialRow& row) { return row.passed; });
   int told = 0;
   for (const TrialsResult::Cause& cause : result.causes) {
     hold(cause.count, fmt::format("fell as '{}'", cause.name),
-         [&](const Row& row) { return !row.survived && row.cause == cause.name; });
+         [&](const TrialRow& row) { return !row.survived && row.cause == cause.name; });
     told += cause.count;
   }
   if (told != result.n - result.survived)
@@ -143,10 +143,10 @@ void CheckInterval(const JsonPart& part, const TrialsResult& result) {
 }
 
 /// Counts each log once, as the worst of the trials that have it.
-void CountDifferent(const std::vector<Row>& rows, TrialsResult& result) {
-  std::map<std::string, Row> logs;
-  for (const Row& row : rows) {
-    Row& counted = logs.emplace(row.log_hash, row).first->second;
+void CountDifferent(const std::vector<TrialRow>& rows, TrialsResult& result) {
+  std::map<std::string, TrialRow> logs;
+  for (const TrialRow& row : rows) {
+    TrialRow& counted = logs.emplace(row.log_hash, row).first->second;
     counted.survived = counted.survived && row.survived;
     counted.passed = counted.passed && row.passed;
   }
@@ -159,9 +159,9 @@ void CountDifferent(const std::vector<Row>& rows, TrialsResult& result) {
 
 TrialsResult Read(const JsonPart& part) {
   TrialsResult result;
-  result.n = Needed(part, "n").Whole(1, kMost);
-  result.survived = Needed(part, "survived").Whole(0, kMost);
-  result.passed = Needed(part, "passed").Whole(0, kMost);
+  result.n = Needed(part, "n").Whole(1, kMaxCount);
+  result.survived = Needed(part, "survived").Whole(0, kMaxCount);
+  result.passed = Needed(part, "passed").Whole(0, kMaxCount);
   result.survival = Needed(part, "survival").NumberIn(0.0, 1.0);
   result.survival_low = Needed(part, "survival_low").NumberIn(0.0, 1.0);
   result.survival_high = Needed(part, "survival_high").NumberIn(0.0, 1.0);
@@ -174,7 +174,7 @@ TrialsResult Read(const JsonPart& part) {
   result.disturbances = DisturbancesOf(part);
   result.causes = CausesOf(part);
   result.worst = WorstOf(part);
-  const std::vector<Row> rows = RowsOf(part);
+  const std::vector<TrialRow> rows = RowsOf(part);
   CheckCounts(part, result, rows);
   CheckInterval(part, result);
   CountDifferent(rows, result);

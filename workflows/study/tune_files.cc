@@ -5,12 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planning/plan/json_part_internal.h"
+
 namespace gaitwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json ValuesJson(const Study& study, const StudyPoint& values) {
   Json json = Json::object();
@@ -29,7 +29,7 @@ Json CandidateJson(const Study& study, const TuneCandidate& candidate, std::size
   return {{"candidate", number},
           {"found_by", candidate.found_by},
           {"values", ValuesJson(study, candidate.values)},
-          {"value", OrNull(candidate.value)},
+          {"value", JsonOrNull(candidate.value)},
           {"score_mean", tried ? Json(score) : Json()},
           {"survived", tried ? Json(survived) : Json()},
           {"refusal", candidate.worth.refusal}};
@@ -56,7 +56,7 @@ Json ProofJson(const HeldOutProof& proof) {
 Json MetricsJson(const TuneReport& report) {
   Json json = Json::object();
   for (std::size_t k = 0; k < report.metrics.size(); ++k) {
-    const auto of = [&](const PointOutcome& o) { return k < o.metrics.size() ? OrNull(o.metrics[k]) : Json(); };
+    const auto of = [&](const PointOutcome& o) { return k < o.metrics.size() ? JsonOrNull(o.metrics[k]) : Json(); };
     json[report.metrics[k]] = {{"before", of(report.before)}, {"after", of(report.after)}};
   }
   return json;

@@ -37,9 +37,9 @@ const Table& HanMultiples() {
   return multiples;
 }
 
-class Reader {
+class NumberReader {
  public:
-  Reader(const std::vector<Piece>& pieces, std::size_t at) : pieces_(pieces), first_(at), at_(at) {}
+  NumberReader(const std::vector<Piece>& pieces, std::size_t at) : pieces_(pieces), first_(at), at_(at) {}
 
   SpokenNumber Read() {
     double sign = 1.0;
@@ -232,7 +232,7 @@ class Reader {
 
 }  // namespace
 
-SpokenNumber NumberAt(const std::vector<Piece>& pieces, std::size_t at) { return Reader(pieces, at).Read(); }
+SpokenNumber NumberAt(const std::vector<Piece>& pieces, std::size_t at) { return NumberReader(pieces, at).Read(); }
 
 SpokenNumber AfterUnit(const std::vector<Piece>& pieces, std::size_t at) {
   const auto is = [&](std::size_t ahead, const char* text) {

@@ -88,9 +88,9 @@ const std::string& Simplified(const std::string& character) {
   return found == table.end() ? character : found->second;
 }
 
-class Reader {
+class PieceReader {
  public:
-  explicit Reader(const std::string& text) : text_(text) {}
+  explicit PieceReader(const std::string& text) : text_(text) {}
 
   std::vector<Piece> Read() {
     while (at_ < text_.size()) {
@@ -211,7 +211,7 @@ class Reader {
 
 }  // namespace
 
-std::vector<Piece> PiecesOf(const std::string& text) { return Reader(text).Read(); }
+std::vector<Piece> PiecesOf(const std::string& text) { return PieceReader(text).Read(); }
 
 std::string PhraseOf(const std::vector<Piece>& pieces, std::size_t first, std::size_t count) {
   std::string phrase;

@@ -57,7 +57,7 @@ Item Way(Meaning way) {
   return item;
 }
 
-Item Stairs(double value) {
+Item StairsOfRise(double value) {
   Item item;
   item.meaning = M::kStairs;
   item.value = value;
@@ -111,10 +111,10 @@ std::vector<std::pair<std::string, PlaceName>> StairsPlaces(const std::vector<Pl
 std::pair<Item, std::size_t> StairsWordAt(const std::vector<Piece>& pieces, std::size_t at,
                                           const std::vector<Item>& before) {
   if (Is(pieces, at, "next") && (Is(pieces, at + 1, "step") || Is(pieces, at + 1, "stair")) && LeadsTo(before))
-    return {Stairs(2.0), 2};
+    return {StairsOfRise(2.0), 2};
   if (Is(pieces, at, "下") && Is(pieces, at + 1, "一") && IsMeasure(pieces, at + 2) && LeadsTo(before)) {
     const bool noun = Is(pieces, at + 3, "台") && Is(pieces, at + 4, "阶");
-    return {Stairs(2.0), noun ? 5 : 3};
+    return {StairsOfRise(2.0), noun ? 5 : 3};
   }
   const bool ends = at + 1 == pieces.size() || pieces[at + 1].kind == Piece::Kind::kSign;
   if (Is(pieces, at, "one") && ends && !before.empty() && before.back().GoesUpOrDown()) return {Treads(1.0), 1};
@@ -126,7 +126,7 @@ std::pair<Item, std::size_t> StairsWordAt(const std::vector<Piece>& pieces, std:
     if (number > 0 && IsMeasure(pieces, at + 1 + number))
       return {after_verb ? Way(up ? M::kUp : M::kDown) : Verb(up ? kUpStairs : kDownStairs), 1};
   }
-  if (Is(pieces, at, "台") && Is(pieces, at + 1, "阶")) return {Stairs(0.0), 2};
+  if (Is(pieces, at, "台") && Is(pieces, at + 1, "阶")) return {StairsOfRise(0.0), 2};
   return {{}, 0};
 }
 

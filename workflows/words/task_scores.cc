@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "planning/plan/json_part_internal.h"
 #include "playback/score/measurements.h"
 
 namespace gaitwright {
@@ -16,8 +17,6 @@ std::optional<double> ValueOf(const StabilityReport& report, const std::string& 
       std::find_if(report.metrics.begin(), report.metrics.end(), [&](const Metric& m) { return m.key == key; });
   return metric == report.metrics.end() ? std::nullopt : metric->value;
 }
-
-nlohmann::json OrNull(const std::optional<double>& value) { return value ? nlohmann::json(*value) : nlohmann::json(); }
 
 }  // namespace
 
@@ -46,10 +45,11 @@ std::string TaskScoresText(const TaskScores& s) {
 }
 
 std::string TaskScoresJson(const TaskScores& s) {
-  const nlohmann::json json = {{"completion", {{"done", s.done}, {"of", s.asked}}},
-                               {"stability", {{"metric", s.stability_key}, {"value_m", OrNull(s.stability_m)}}},
-                               {"smoothness", {{"jerk_rms_rad_s3", OrNull(s.jerk_rad_s3)}}},
-                               {"energy", {{"work_j", s.energy_j}}}};
+  const nlohmann::ordered_json json = {
+      {"completion", {{"done", s.done}, {"of", s.asked}}},
+      {"stability", {{"metric", s.stability_key}, {"value_m", JsonOrNull(s.stability_m)}}},
+      {"smoothness", {{"jerk_rms_rad_s3", JsonOrNull(s.jerk_rad_s3)}}},
+      {"energy", {{"work_j", s.energy_j}}}};
   return json.dump();
 }
 
