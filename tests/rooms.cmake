@@ -9,6 +9,7 @@ function(gaitwright_test_program name room label shards)
   target_link_libraries(${name} PRIVATE ${test_LINKS} GTest::gtest_main fmt::fmt)
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_compile_options(${name} PRIVATE ${GAITWRIGHT_WARNINGS})
+  gaitwright_unity(${name} ${test_SOURCES})
   target_compile_definitions(${name} PRIVATE GAITWRIGHT_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              GAITWRIGHT_BINARY_DIR="${CMAKE_BINARY_DIR}")
   foreach(shard RANGE 1 ${shards})

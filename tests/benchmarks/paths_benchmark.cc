@@ -9,11 +9,11 @@
 namespace gaitwright {
 namespace {
 
-const char* const kRobots[] = {"a1", "nao"};
+const char* const kPathRobots[] = {"a1", "nao"};
 
 /// A route, with its length and what it costs: of RRT*'s first solution and of its last, and what is handed out.
 void PlanRoute(benchmark::State& state, const Terrain& terrain, const PlanarPose& goal) {
-  const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
+  const RobotModel model = LoadNamedRobot(kPathRobots[state.range(0)]).value();
   BaseRouteOptions options;
   options.iterations = static_cast<int>(state.range(1));
   for (auto _ : state) {
@@ -35,7 +35,7 @@ void RouteAroundWall(benchmark::State& state) {
 }
 
 void PoseCheckCall(benchmark::State& state) {
-  const RobotModel model = LoadNamedRobot(kRobots[state.range(0)]).value();
+  const RobotModel model = LoadNamedRobot(kPathRobots[state.range(0)]).value();
   const Terrain maze = Switchback(7, 1.2, 2.2, 1.0);
   PoseCheck check(model, maze, {});
   double x = 0.0;

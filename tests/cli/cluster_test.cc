@@ -12,7 +12,7 @@ namespace {
 
 #ifdef GAITWRIGHT_MPIRUN
 
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 class Cluster : public Stranger {
  protected:
@@ -22,9 +22,9 @@ class Cluster : public Stranger {
   }
 
   /// Where a sanitizer looks for leaks it finds some of Open MPI's own at the end of a rank.
-  static Words UnderMpi(const Words& arguments) {
-    Words words = {GAITWRIGHT_MPIRUN, "--oversubscribe", "-np", "2", "-x", "ASAN_OPTIONS=detect_leaks=0",
-                   GAITWRIGHT_PROGRAM};
+  static Arguments UnderMpi(const Arguments& arguments) {
+    Arguments words = {GAITWRIGHT_MPIRUN, "--oversubscribe", "-np", "2", "-x", "ASAN_OPTIONS=detect_leaks=0",
+                       GAITWRIGHT_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     return words;
   }
@@ -38,9 +38,9 @@ class Cluster : public Stranger {
 
 TEST_F(Cluster, TrialsAreThoseOfOneProcess) {
   MakePlan("plan.json");
-  const Words trials = {"trials", "plan.json", "-n", "4", "--quiet", "--out"};
+  const Arguments trials = {"trials", "plan.json", "-n", "4", "--quiet", "--out"};
   const auto to = [&](const std::string& file) {
-    Words words = trials;
+    Arguments words = trials;
     words.push_back(file);
     return words;
   };
@@ -51,13 +51,14 @@ TEST_F(Cluster, TrialsAreThoseOfOneProcess) {
   EXPECT_TRUE(alone.out.ends_with(" of 4 survived\n")) << alone.out;
   EXPECT_EQ(shared.out, alone.out) << "one rank speaks";
   EXPECT_TRUE(Read("one.json") == Read("two.json"));
-  EXPECT_EQ(Found(), (Words{"one.json", "plan.json", "two.json"}));
+  EXPECT_EQ(Found(), (Arguments{"one.json", "plan.json", "two.json"}));
 }
 
 TEST_F(Cluster, ASweepIsThatOfOneProcess) {
   const auto to = [](const std::string& file) {
-    return Words{"sweep",    "--distance", "0.3",    "--over", "speed=0.2:0.4:2", "--over", "stabilised.dcm_gain=1,1.5",
-                 "--trials", "1",          "--seed", "5",      "--out",           file,     "--json"};
+    return Arguments{
+        "sweep",    "--distance", "0.3",    "--over", "speed=0.2:0.4:2", "--over", "stabilised.dcm_gain=1,1.5",
+        "--trials", "1",          "--seed", "5",      "--out",           file,     "--json"};
   };
   const Ran alone = Run(to("one.csv"));
   ASSERT_EQ(alone.status, 0) << alone.err;
@@ -71,7 +72,8 @@ TEST_F(Cluster, ASweepIsThatOfOneProcess) {
 }
 
 TEST_F(Cluster, WhatIsNotSharedIsRefusedPlainlyAndByOneRank) {
-  for (const Words& verb : {Words{"tune", "--over", "stabilised.dcm_gain=1:2"}, Words{"walk", "--out-dir", "walked"}}) {
+  for (const Arguments& verb :
+       {Arguments{"tune", "--over", "stabilised.dcm_gain=1:2"}, Arguments{"walk", "--out-dir", "walked"}}) {
     const Ran refused = RunWords(UnderMpi(verb));
     EXPECT_EQ(refused.status, 1) << refused.err;
     const std::string words = "gaitwright: this verb runs in one process, and MPI has started 2";
@@ -94,12 +96,12 @@ class Interrupted : public Cluster {
   void ExpectGoesOn() const {
     EXPECT_TRUE(Holds("it.json.so-far", 3));
     EXPECT_FALSE(std::filesystem::exists(In("it.json")));
-    Words few = trials_;
+    Arguments few = trials_;
     few[3] = "6";
     few.push_back("--resume");
     const bool more = HoldsFrom("it.json.so-far", 6);
     ASSERT_EQ(Run(few).status, 0);
-    Words alone = few;
+    Arguments alone = few;
     alone.pop_back();
     alone[5] = "alone.json";
     ASSERT_EQ(Run(alone).status, 0);
@@ -119,7 +121,7 @@ class Interrupted : public Cluster {
   }
 
  private:
-  const Words trials_ = {"trials", "plan.json", "-n", "100000", "--out", "it.json", "--quiet"};
+  const Arguments trials_ = {"trials", "plan.json", "-n", "100000", "--out", "it.json", "--quiet"};
 };
 
 TEST_F(Interrupted, BySigusr1AllRanksFinishWhatTheyHave) {

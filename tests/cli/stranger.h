@@ -11,7 +11,7 @@
 
 namespace gaitwright::cli {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// What a run of the program left.
 struct Ran {

@@ -11,11 +11,10 @@
 #include "examples/step_picture.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/load_robot.h"
+#include "tests/named_robot.h"
 
 namespace gaitwright::examples {
 namespace {
-
-RobotModel Nao() { return LoadNamedRobot("nao").value(); }
 
 TEST(PdTuningExample, TheKnownAnswerObeysItsEquation) {
   constexpr double kStep = 1e-4, w = 20.0;
@@ -60,7 +59,7 @@ double OffOf(const JointStep& step) {
 
 // Two roads: Bullet's articulated bodies, and the diagonal of our mass matrix in a closed form.
 TEST(PdTuningExample, AJointAnswersAsTheSecondOrderSystemOfItsInertia) {
-  const RobotModel nao = Nao(), a1 = LoadNamedRobot("a1").value();
+  const RobotModel nao = NamedRobot("nao"), a1 = LoadNamedRobot("a1").value();
   const JointStep soft = StepJoint(nao, "LHipPitch", 5.0, 0.6, 0.05),
                   rings = StepJoint(nao, "LHipPitch", 20.0, 0.2, 0.05);
   const JointStep calf = StepJoint(a1, "FL_calf_joint", 10.0, 0.3, -0.1);
@@ -82,14 +81,14 @@ TEST(PdTuningExample, AJointAnswersAsTheSecondOrderSystemOfItsInertia) {
 }
 
 TEST(PdTuningExample, AMotorAtItsLimitIsNoSecondOrderSystem) {
-  const JointStep step = StepJoint(Nao(), "LHipPitch", 200.0, 2.0, 0.1);
+  const JointStep step = StepJoint(NamedRobot("nao"), "LHipPitch", 200.0, 2.0, 0.1);
   EXPECT_EQ(step.torque_use, 1.0);
   EXPECT_GT(OffOf(step), 0.1);
   EXPECT_GT(ShapeOf(step.simulated, step.step_s).rise_s, 1.5 * ShapeOf(step.formula, step.step_s).rise_s);
 }
 
 TEST(PdTuningExample, AnklesGiveWayAsAnInvertedPendulumDoes) {
-  const RobotModel nao = Nao();
+  const RobotModel nao = NamedRobot("nao");
   for (const double scale : {1.0, 0.15}) {
     const StoodByPd stood = StandByPd(nao, scale, true);
     EXPECT_TRUE(stood.stands);
@@ -118,7 +117,7 @@ double LeastOf(const RobotModel& model, const StoodByPd& stood) {
 }
 
 TEST(PdTuningExample, TheAnklesMustBeStifferThanTheWeightTimesItsHeight) {
-  const RobotModel nao = Nao();
+  const RobotModel nao = NamedRobot("nao");
   const StoodByPd whole = StandByPd(nao, 1.0, true);
   const double least = LeastScale(nao, true) * whole.ankles_nm_rad;
   EXPECT_GT(least, whole.needed_nm_rad);
@@ -127,7 +126,7 @@ TEST(PdTuningExample, TheAnklesMustBeStifferThanTheWeightTimesItsHeight) {
 }
 
 TEST(PdTuningExample, AllJointsTogetherSagByTheStiffnessAndNeedMoreOfIt) {
-  const RobotModel nao = Nao();
+  const RobotModel nao = NamedRobot("nao");
   const StoodByPd stiff = StandByPd(nao, 4.0, false), half = StandByPd(nao, 2.0, false);
   EXPECT_TRUE(stiff.stands && half.stands);
   EXPECT_GT(half.sag_m, 5e-5);
@@ -138,7 +137,7 @@ TEST(PdTuningExample, AllJointsTogetherSagByTheStiffnessAndNeedMoreOfIt) {
 }
 
 TEST(PdTuningExample, WhatCannotBeIsNamed) {
-  const RobotModel nao = Nao();
+  const RobotModel nao = NamedRobot("nao");
   EXPECT_THROW(StepJoint(nao, "LHipPitch", 0.0, 1.0, 0.1), InvalidArgument);
   EXPECT_THROW(StepJoint(nao, "LHipPitch", 10.0, -1.0, 0.1), InvalidArgument);
   EXPECT_THROW(StepJoint(nao, "LHipPitch", 10.0, 1.0, 0.0), InvalidArgument);

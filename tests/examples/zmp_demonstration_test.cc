@@ -8,16 +8,15 @@
 #include "examples/shift_picture.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/load_robot.h"
+#include "tests/named_robot.h"
 
 namespace gaitwright::examples {
 namespace {
 
 constexpr double kPeak = 5.7735026918962575;  // acceleration of a minimum-jerk move, over way / time^2: 10 / sqrt(3)
 
-RobotModel Nao() { return LoadNamedRobot("nao").value(); }
-
 TEST(ZmpDemonstrationExample, SlowlyTheZmpIsUnderTheCentreOfMass) {
-  const ShownShift slow = ShiftBody(Nao(), {0.0, 0.03}, 2.0);
+  const ShownShift slow = ShiftBody(NamedRobot("nao"), {0.0, 0.03}, 2.0);
   EXPECT_LT(slow.lead_m, 2e-3);
   EXPECT_LT(slow.off_formula_m, 0.5e-3);
   EXPECT_NEAR(slow.margin_measured_m, slow.margin_planned_m, 1e-4);
@@ -30,7 +29,7 @@ TEST(ZmpDemonstrationExample, SlowlyTheZmpIsUnderTheCentreOfMass) {
 
 // Kajita's table and cart: the lead is (z / g) a, and so falls with the square of the time.
 TEST(ZmpDemonstrationExample, QuicklyItRunsAheadWithTheAcceleration) {
-  const RobotModel nao = Nao();
+  const RobotModel nao = NamedRobot("nao");
   for (const Vector2& shift_m : {Vector2(0.0, 0.03), Vector2(0.02, 0.0)}) {
     const ShownShift quick = ShiftBody(nao, shift_m, 0.4), half = ShiftBody(nao, shift_m, 0.8);
     EXPECT_NEAR(quick.lead_m / half.lead_m, 4.0, 0.1);
@@ -47,7 +46,7 @@ TEST(ZmpDemonstrationExample, QuicklyItRunsAheadWithTheAcceleration) {
 // The second road to the same point: the moment of the ground's force about C is the rate of the angular momentum L,
 //   Z_y = C_y - (z C_y'' - L_x' / m) / (g + z'').
 TEST(ZmpDemonstrationExample, WhatTheFormulaLeavesIsAngularMomentum) {
-  const RobotModel nao = Nao();
+  const RobotModel nao = NamedRobot("nao");
   const ShownShift quick = ShiftBody(nao, {0.0, 0.03}, 0.4);
   DynamicsScratch scratch(nao);
   const auto momentum = [&](std::size_t k) {
@@ -68,7 +67,7 @@ TEST(ZmpDemonstrationExample, WhatTheFormulaLeavesIsAngularMomentum) {
 }
 
 TEST(ZmpDemonstrationExample, AtTheEdgeOfTheSupportItTips) {
-  const RobotModel nao = Nao();
+  const RobotModel nao = NamedRobot("nao");
   const ShownShift tips = ShiftBody(nao, {0.0, 0.03}, 0.25), falls = ShiftBody(nao, {0.0, 0.05}, 0.25);
   for (const ShownShift& shift : {tips, falls}) {
     EXPECT_LT(shift.margin_planned_m, -0.02);
@@ -85,10 +84,10 @@ TEST(ZmpDemonstrationExample, AtTheEdgeOfTheSupportItTips) {
 }
 
 TEST(ZmpDemonstrationExample, WhatCannotBeIsNamed) {
-  EXPECT_THROW(ShiftBody(Nao(), {0.0, 0.03}, 0.0), InvalidArgument);
-  EXPECT_THROW(ShiftBody(Nao(), {0.0, std::nan("")}, 1.0), InvalidArgument);
+  EXPECT_THROW(ShiftBody(NamedRobot("nao"), {0.0, 0.03}, 0.0), InvalidArgument);
+  EXPECT_THROW(ShiftBody(NamedRobot("nao"), {0.0, std::nan("")}, 1.0), InvalidArgument);
   try {
-    ShiftBody(Nao(), {0.0, 0.2}, 2.0);
+    ShiftBody(NamedRobot("nao"), {0.0, 0.2}, 2.0);
     ADD_FAILURE();
   } catch (const InvalidArgument& error) {
     EXPECT_NE(std::string(error.what()).find("cannot reach"), std::string::npos) << error.what();

@@ -36,18 +36,18 @@ class Writable : public testing::Test {
       fs::permissions(folder, static_cast<fs::perms>(0755));
     }
     fs::permissions(folder_ / "open", fs::perms::all);
-    for (const char* file : {"file", "shut/file", "open/locked", "open/free"}) std::ofstream(In(file)) << "text";
-    fs::permissions(In("open/locked"), static_cast<fs::perms>(0444));
-    fs::permissions(In("open/free"), static_cast<fs::perms>(0666));
-    fs::permissions(In("shut"), static_cast<fs::perms>(0555));
+    for (const char* file : {"file", "shut/file", "open/locked", "open/free"}) std::ofstream(InScratch(file)) << "text";
+    fs::permissions(InScratch("open/locked"), static_cast<fs::perms>(0444));
+    fs::permissions(InScratch("open/free"), static_cast<fs::perms>(0666));
+    fs::permissions(InScratch("shut"), static_cast<fs::perms>(0555));
   }
   ~Writable() override {
     std::error_code ignored;
-    fs::permissions(In("shut"), static_cast<fs::perms>(0755), ignored);
+    fs::permissions(InScratch("shut"), static_cast<fs::perms>(0755), ignored);
     fs::remove_all(folder_, ignored);
   }
 
-  std::string In(const std::string& name) const { return (folder_ / name).string(); }
+  std::string InScratch(const std::string& name) const { return (folder_ / name).string(); }
   std::size_t Count() const {
     const fs::recursive_directory_iterator all(folder_);
     return static_cast<std::size_t>(std::distance(begin(all), end(all)));
@@ -59,33 +59,34 @@ class Writable : public testing::Test {
 
 TEST_F(Writable, NothingSpeaksAgainstNewFilesInFoldersThatMayHaveToBeMade) {
   const std::size_t before = Count();
-  for (const char* file : {"file", "new", "a/b/new", "open/free", "open/new"}) EXPECT_EQ(WhyNotWritable(In(file)), "");
+  for (const char* file : {"file", "new", "a/b/new", "open/free", "open/new"})
+    EXPECT_EQ(WhyNotWritable(InScratch(file)), "");
   EXPECT_EQ(WhyNotWritable("new"), "") << "in the present folder";
-  EXPECT_EQ(WhyNoNewFiles(In("a/b")), "");
+  EXPECT_EQ(WhyNoNewFiles(InScratch("a/b")), "");
   EXPECT_EQ(WhyNoNewFiles(""), "");
   EXPECT_EQ(Count(), before) << "nothing is made";
 }
 
 TEST_F(Writable, WhatIsNoFileOrLiesInNoFolderIsToldApart) {
-  EXPECT_EQ(WhyNotWritable(In("open")), "it is a folder; name a file");
-  EXPECT_EQ(WhyNotWritable(In("new/")), "it is the name of a folder; name a file");
+  EXPECT_EQ(WhyNotWritable(InScratch("open")), "it is a folder; name a file");
+  EXPECT_EQ(WhyNotWritable(InScratch("new/")), "it is the name of a folder; name a file");
   EXPECT_EQ(WhyNotWritable(""), "it is the name of a folder; name a file");
   EXPECT_EQ(WhyNotWritable("/dev/null"), "it is there and no regular file");
-  const std::string no_folder = "'" + In("file") + "' is a file, not a folder; name a folder";
-  for (const char* file : {"file/new", "file/a/new"}) EXPECT_EQ(WhyNotWritable(In(file)), no_folder);
-  EXPECT_EQ(WhyNoNewFiles(In("file")), no_folder);
-  EXPECT_NE(WhyNotWritable(In(std::string(300, 'x'))), "") << "no file has so long a name";
+  const std::string no_folder = "'" + InScratch("file") + "' is a file, not a folder; name a folder";
+  for (const char* file : {"file/new", "file/a/new"}) EXPECT_EQ(WhyNotWritable(InScratch(file)), no_folder);
+  EXPECT_EQ(WhyNoNewFiles(InScratch("file")), no_folder);
+  EXPECT_NE(WhyNotWritable(InScratch(std::string(300, 'x'))), "") << "no file has so long a name";
 }
 
 TEST_F(Writable, PermissionsAreThoseOfTheUser) {
   const AsAUser user;
-  EXPECT_EQ(WhyNotWritable(In("open/new")), "") << "else the rest proves nothing";
-  EXPECT_EQ(WhyNotWritable(In("open/free")), "");
-  EXPECT_EQ(WhyNotWritable(In("open/locked")), "Permission denied");
-  const std::string shut = "Permission denied, in the folder '" + In("shut") + "'";
-  for (const char* file : {"shut/new", "shut/a/b/new"}) EXPECT_EQ(WhyNotWritable(In(file)), shut);
-  EXPECT_EQ(WhyNoNewFiles(In("shut/plots")), shut);
-  EXPECT_EQ(WhyNotWritable(In("shut/file")), ::getuid() == 0 ? "Permission denied" : shut)
+  EXPECT_EQ(WhyNotWritable(InScratch("open/new")), "") << "else the rest proves nothing";
+  EXPECT_EQ(WhyNotWritable(InScratch("open/free")), "");
+  EXPECT_EQ(WhyNotWritable(InScratch("open/locked")), "Permission denied");
+  const std::string shut = "Permission denied, in the folder '" + InScratch("shut") + "'";
+  for (const char* file : {"shut/new", "shut/a/b/new"}) EXPECT_EQ(WhyNotWritable(InScratch(file)), shut);
+  EXPECT_EQ(WhyNoNewFiles(InScratch("shut/plots")), shut);
+  EXPECT_EQ(WhyNotWritable(InScratch("shut/file")), ::getuid() == 0 ? "Permission denied" : shut)
       << "a file of its own in a folder that takes no temporary beside it";
 }
 

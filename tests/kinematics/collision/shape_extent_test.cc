@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-Shape Of(ShapeType type, const Vector3& size) {
+Shape ShapeOf(ShapeType type, const Vector3& size) {
   Shape shape;
   shape.type = type;
   shape.size = size;
@@ -23,13 +23,13 @@ Shape Of(ShapeType type, const Vector3& size) {
 
 TEST(ShapeExtent, SupportPointsAreKnown) {
   const Vector3 slanted(1.0, 0.0, -1.0);
-  EXPECT_EQ(SupportPoint(Of(ShapeType::kBox, {0.2, 0.4, 0.6}), Vector3(1.0, -1.0, 1.0)), Vector3(0.1, -0.2, 0.3));
-  EXPECT_TRUE(SupportPoint(Of(ShapeType::kSphere, {0.5, 0.0, 0.0}), slanted).isApprox(0.5 * slanted.normalized()));
-  const Vector3 rim = SupportPoint(Of(ShapeType::kCylinder, {0.5, 2.0, 0.0}), slanted);
+  EXPECT_EQ(SupportPoint(ShapeOf(ShapeType::kBox, {0.2, 0.4, 0.6}), Vector3(1.0, -1.0, 1.0)), Vector3(0.1, -0.2, 0.3));
+  EXPECT_TRUE(SupportPoint(ShapeOf(ShapeType::kSphere, {0.5, 0.0, 0.0}), slanted).isApprox(0.5 * slanted.normalized()));
+  const Vector3 rim = SupportPoint(ShapeOf(ShapeType::kCylinder, {0.5, 2.0, 0.0}), slanted);
   EXPECT_TRUE(rim.isApprox(Vector3(0.5, 0.0, -1.0)));
-  const Vector3 cap = SupportPoint(Of(ShapeType::kCapsule, {0.5, 2.0, 0.0}), slanted);
+  const Vector3 cap = SupportPoint(ShapeOf(ShapeType::kCapsule, {0.5, 2.0, 0.0}), slanted);
   EXPECT_TRUE(cap.isApprox(Vector3(0.0, 0.0, -1.0) + 0.5 * slanted.normalized()));
-  Shape mesh = Of(ShapeType::kMesh, Vector3::Zero());
+  Shape mesh = ShapeOf(ShapeType::kMesh, Vector3::Zero());
   EXPECT_EQ(SupportPoint(mesh, slanted), Vector3(0.0, 0.0, 0.0));
   mesh.vertices = {{0.0, 0.0, 1.0}, {1.0, 2.0, -3.0}, {1.0, 0.0, 1.0}};
   EXPECT_EQ(SupportPoint(mesh, slanted), mesh.vertices[1]);
@@ -38,7 +38,7 @@ TEST(ShapeExtent, SupportPointsAreKnown) {
 /// No point of a shape lies farther along a direction than its support point, nor from its middle than its radius.
 TEST(ShapeExtent, NothingLiesBeyond) {
   for (const ShapeType type : {ShapeType::kBox, ShapeType::kSphere, ShapeType::kCylinder, ShapeType::kCapsule}) {
-    const Shape shape = Of(type, {0.3, 0.7, 0.2});
+    const Shape shape = ShapeOf(type, {0.3, 0.7, 0.2});
     for (int k = 0; k < 200; ++k) {
       const Vector3 d(std::sin(0.7 * k), std::cos(1.3 * k), std::sin(2.1 * k + 0.5));
       const Vector3 farthest = SupportPoint(shape, d);

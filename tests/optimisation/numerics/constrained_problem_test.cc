@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "kinematics/base/non_finite.h"
 #include "tests/optimisation/numerics/by_values.h"
 
 namespace gaitwright {
@@ -18,13 +19,11 @@ using by_values::Of;
 using by_values::Values;
 using by_values::Vec;
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 Constraint Equal(const Function& function, Eigen::Index rows) {
   return {"equal", Of(function), VectorX::Zero(rows), VectorX::Zero(rows)};
 }
 Constraint NotNegative(const Function& function, Eigen::Index rows) {
-  return {"not negative", Of(function), VectorX::Zero(rows), VectorX::Constant(rows, kInf)};
+  return {"not negative", Of(function), VectorX::Zero(rows), VectorX::Constant(rows, kInfinity)};
 }
 
 /// A problem and its least cost; `shift` is what completing squares has left out of the cost.
@@ -246,8 +245,8 @@ TEST(ConstrainedProblem, InfeasibleNamesTheConstraint) {
   problem.start = Vec({0.5, 0.5});
   problem.residuals = {Of([](const VectorX& x) { return Values{x[0], x[1]}; })};
   problem.constraints = {
-      {"inside the disk", Of([](const VectorX& x) { return Values{x.squaredNorm()}; }), Vec({-kInf}), Vec({1.0})},
-      {"beyond the line", Of([](const VectorX& x) { return Values{x[0] + x[1]}; }), Vec({3.0}), Vec({kInf})}};
+      {"inside the disk", Of([](const VectorX& x) { return Values{x.squaredNorm()}; }), Vec({-kInfinity}), Vec({1.0})},
+      {"beyond the line", Of([](const VectorX& x) { return Values{x[0] + x[1]}; }), Vec({3.0}), Vec({kInfinity})}};
   const Result<ConstrainedSolution> solution = Solve(problem);
   ASSERT_FALSE(solution.ok());
   EXPECT_EQ(solution.failure().kind, FailureKind::kInfeasible);
@@ -302,7 +301,7 @@ ConstrainedProblem String(int count, int nail, bool sparse) {
   };
   at("the one end", 0, 0.0, 0.0);
   at("the other end", count - 1, 1.0, 1.0);
-  at("the nail", nail, 2.0, kInf);
+  at("the nail", nail, 2.0, kInfinity);
   return problem;
 }
 
@@ -327,8 +326,8 @@ TEST(ConstrainedProblem, AStringOverANailIsTaut) {
 
 TEST(ConstrainedProblem, BoundsHoldInEveryBlock) {
   ConstrainedProblem problem = String(100, 50, true);
-  problem.lower = VectorX::Constant(100, -kInf);
-  problem.upper = VectorX::Constant(100, kInf);
+  problem.lower = VectorX::Constant(100, -kInfinity);
+  problem.upper = VectorX::Constant(100, kInfinity);
   problem.upper[75] = 0.25;  // a ceiling lower than the taut string
   const Result<ConstrainedSolution> solution = Solve(problem);
   ASSERT_TRUE(solution.ok()) << solution.failure().message;

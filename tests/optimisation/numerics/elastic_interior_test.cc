@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+#include "kinematics/base/non_finite.h"
 #include "tests/optimisation/numerics/by_values.h"
 
 namespace gaitwright {
@@ -17,8 +18,6 @@ namespace {
 using by_values::Of;
 using by_values::Values;
 using by_values::Vec;
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// Nearest to a point: |x - wanted|^2.
 Residual To(const Values& wanted) {
@@ -53,7 +52,7 @@ TEST(SolveElastic, KnownAnswersOfProblemsThatAreNotConvex) {
   hs14.constraints.push_back(
       {"line", Of([](const VectorX& x) { return Values{x[0] - 2.0 * x[1] + 1.0}; }), Vec({0.0}), Vec({0.0})});
   hs14.constraints.push_back({"ellipse", Of([](const VectorX& x) { return Values{0.25 * x[0] * x[0] + x[1] * x[1]}; }),
-                              Vec({-kInf}), Vec({1.0})});
+                              Vec({-kInfinity}), Vec({1.0})});
   EXPECT_NEAR(Solved(hs14).cost, 9.0 - 2.875 * std::sqrt(7.0), 1e-4);
   ConstrainedProblem hs6{Vec({-1.2, 1.0}), {Of([](const VectorX& x) { return Values{1.0 - x[0]}; })}, {}, {}, {}};
   hs6.constraints.push_back(
@@ -77,7 +76,7 @@ TEST(SolveElastic, IsWhereSolveIs) {
     if (!inside) continue;
     const double u = static_cast<double>(i) / kLinks, least = 0.5 - 4.0 * (u - 0.4) * (u - 0.4);
     problem.constraints.push_back(
-        {"bump", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({least}), Vec({kInf}), {i - 1}, true});
+        {"bump", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({least}), Vec({kInfinity}), {i - 1}, true});
   }
   const ConstrainedSolution at = Solved(problem, {.cost_tolerance = 1e-8});
   const Result<ConstrainedSolution> other = Solve(problem, {.tolerance = 1e-7});
@@ -98,7 +97,7 @@ void ExpectMultipliersByMovedEnds(const std::function<ConstrainedSolution(const 
     problem.constraints.push_back({"ends", Of([](const VectorX& x) {
                                      return Values{x[1], x[2], x[0]};
                                    }),
-                                   Vec({-kInf, lower, -kInf}), Vec({upper, kInf, 50.0})});
+                                   Vec({-kInfinity, lower, -kInfinity}), Vec({upper, kInfinity, 50.0})});
     return solve(problem);
   };
   const ConstrainedSolution at = solved(0.5, 2.0, -0.5);
@@ -134,7 +133,7 @@ TEST(SolveElastic, PaysWhatAConstraintIsWorth) {
   ConstrainedProblem problem{
       Vec({0.5}), {Of([](const VectorX& x) { return Values{30.0 * (x[0] - 1.0)}; })}, {}, {}, {}};
   problem.constraints.push_back(
-      {"at most", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInf}), Vec({0.0})});
+      {"at most", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInfinity}), Vec({0.0})});
   const ConstrainedSolution at = Solved(problem, {.price = 1.0, .most_price = 1e4});
   EXPECT_NEAR(at.x[0], 0.0, 1e-6);
   EXPECT_GT(at.outer, 1);
@@ -150,8 +149,10 @@ TEST(SolveElastic, WhereThereIsNoSolutionViolationsAreLeast) {
       Vec({1.0, 1.0}), {Of([](const VectorX& x) { return Values{0.3 * (x[0] - 5.0)}; })}, {}, {}, {}};
   problem.constraints.push_back(
       {"sum", Of([](const VectorX& x) { return Values{x[0] + x[1]}; }), Vec({3.0}), Vec({3.0})});
-  problem.constraints.push_back({"x", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInf}), Vec({0.0})});
-  problem.constraints.push_back({"y", Of([](const VectorX& x) { return Values{x[1]}; }), Vec({-kInf}), Vec({0.0})});
+  problem.constraints.push_back(
+      {"x", Of([](const VectorX& x) { return Values{x[0]}; }), Vec({-kInfinity}), Vec({0.0})});
+  problem.constraints.push_back(
+      {"y", Of([](const VectorX& x) { return Values{x[1]}; }), Vec({-kInfinity}), Vec({0.0})});
   ConstrainedSolution last;
   const Result<ConstrainedSolution> solution = SolveElastic(problem, {}, &last);
   ASSERT_FALSE(solution.ok());
@@ -173,7 +174,7 @@ TEST(SolveElastic, GivesUpEarlyWhereItIsHopeless) {
   problem.constraints.push_back({"bow", Of([](const VectorX& x) {
                                    return Values{std::exp(x[0]), -x[0] * x[0] * x[0]};
                                  }),
-                                 Vec({-kInf, -kInf}), Vec({0.5, -9.0})});
+                                 Vec({-kInfinity, -kInfinity}), Vec({0.5, -9.0})});
   ConstrainedSolution whole, short_one;
   EXPECT_FALSE(SolveElastic(problem, {}, &whole).ok());
   EXPECT_FALSE(SolveElastic(problem, {.screening = 3, .hopeless = 0.1}, &short_one).ok());

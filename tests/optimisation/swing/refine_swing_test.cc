@@ -5,22 +5,21 @@
 
 #include <limits>
 
+#include "kinematics/base/non_finite.h"
 #include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 /// A box across the way, from one place to another, of a height.
-struct Box {
+struct BoxAcross {
   double from_m, to_m, height_m;
 };
 
-GroundHeight Ground(const std::vector<Box>& boxes, double low_m = 0.0) {
+GroundHeight Ground(const std::vector<BoxAcross>& boxes, double low_m = 0.0) {
   return [boxes, low_m](const Vector2& p) {
     double height = low_m;
-    for (const Box& box : boxes) {
+    for (const BoxAcross& box : boxes) {
       if (p.x() > box.from_m && p.x() < box.to_m) height = std::max(height, box.height_m);
     }
     return height;
@@ -43,7 +42,7 @@ SwingCurve Straight(double length_m, double rise_m) {
 struct Scene {
   const char* name;
   SwingCurve swing;
-  std::vector<Box> boxes;
+  std::vector<BoxAcross> boxes;
   double low_m = 0.0;  // the ground beside the boxes
 };
 
@@ -123,7 +122,7 @@ TEST(RefineSwing, NeedsLessJerkThanALiftThatClears) {
 }
 
 TEST(RefineSwing, GoesStraightWhereThereIsNoGround) {
-  const auto nothing = [](const Vector2&) { return -kInf; };
+  const auto nothing = [](const Vector2&) { return -kInfinity; };
   const SwingCurve swing = Straight(0.4, 0.0);
   const Result<RefinedSwing> refined = RefineSwing(swing, UndersideOf(Sole()), nothing, {});
   ASSERT_TRUE(refined.ok()) << refined.failure().message;

@@ -39,7 +39,7 @@ std::pair<double, double> LargestOf(const RobotModel& model, const MotionPlan& p
 /// A joint that moves in the good plan: the one before foot 0.
 int MovingDof(const RobotModel& model) { return model.joints[static_cast<std::size_t>(model.legs[0].knee_joint)].dof; }
 
-Shape Ball(int body, const std::string& link, const Vector3& p_BS, double radius_m) {
+Shape BallUnderFoot(int body, const std::string& link, const Vector3& p_BS, double radius_m) {
   Shape ball;
   ball.type = ShapeType::kSphere;
   ball.body = body;
@@ -193,11 +193,11 @@ TEST_P(AuditLaw, SelfCollisionFindsHowDeepAFootGoesIntoWhatIsAheadOfIt) {
       LargestOf(model(), good(), [&](const Moment& moment) { return -(in_base(moment) - ahead).norm(); });
   constexpr double kSmall = 0.01, kDepth = 0.003, kGrain = 1e-4;
   RobotModel balls = model();
-  balls.collision_shapes = {Ball(lifted.body, lifted.link, lifted.X_BF.translation(), kSmall),
-                            Ball(0, model().feet[1].link, ahead, -nearness - kSmall + kDepth)};
+  balls.collision_shapes = {BallUnderFoot(lifted.body, lifted.link, lifted.X_BF.translation(), kSmall),
+                            BallUnderFoot(0, model().feet[1].link, ahead, -nearness - kSmall + kDepth)};
   // Links of feet may be at the ground. Bodies without shapes would join the two balls.
   for (int body = 1; body < static_cast<int>(model().bodies.size()); ++body) {
-    if (body != lifted.body) balls.collision_shapes.push_back(Ball(body, "grain", Vector3::Zero(), kGrain));
+    if (body != lifted.body) balls.collision_shapes.push_back(BallUnderFoot(body, "grain", Vector3::Zero(), kGrain));
   }
   const auto found = ViolationsOf(balls, good());
   ASSERT_EQ(found.size(), 1U);
@@ -229,7 +229,7 @@ TEST_P(AuditLaw, FootClearanceFindsABumpUnderASwing) {
 TEST_P(AuditLaw, BodyClearanceFindsAPostThatTheTrunkPassesInFourMilliseconds) {
   constexpr double kRadius = 0.02, kOver = 2e-3, kHalf_s = 2e-3, kSample_s = 1e-3;
   RobotModel ball = model();
-  ball.collision_shapes = {Ball(0, "ball", Vector3::Zero(), kRadius)};
+  ball.collision_shapes = {BallUnderFoot(0, "ball", Vector3::Zero(), kRadius)};
   const double middle_s = good().whole_body.start_s + 0.5 * good().duration_s();
   const Moment middle(model(), good(), middle_s);
   MotionPlan plan = good();

@@ -11,22 +11,18 @@
 #include "planning/paths/base_path.h"
 #include "planning/paths/standing_feet.h"
 #include "planning/plan/built_in_terrain.h"
+#include "tests/named_robot.h"
 
 namespace gaitwright {
 namespace {
 
 constexpr double kSame = 1e-9;
 
-const RobotModel& A1() {
-  static const RobotModel model = LoadNamedRobot("a1").value();
-  return model;
-}
-
 WalkPart Part(const std::string& gait, double speed_m_s, double distance_m) {
   WalkPart part;
   part.command.speed_m_s = speed_m_s;
   part.command.distance_m = distance_m;
-  part.gait = FindGait(A1(), gait, speed_m_s, {}).value();
+  part.gait = FindGait(NamedRobot("a1"), gait, speed_m_s, {}).value();
   return part;
 }
 
@@ -38,7 +34,7 @@ WalkPart Stand(double duration_s) {
 }
 
 Result<FootstepSkeleton> Plan(const std::vector<WalkPart>& parts) {
-  return PlanSequence(A1(), FlatTerrain(), parts, {});
+  return PlanSequence(NamedRobot("a1"), FlatTerrain(), parts, {});
 }
 
 /// What is true of every skeleton of parts: phases abut, each stance has one foothold, parts follow each other from
@@ -78,7 +74,7 @@ double SpeedAt(const FootstepSkeleton& skeleton, double time_s) {
 TEST(PlanSequence, OfOnePartIsThatOfPlanFootsteps) {
   const WalkPart trot = Part("trot", 0.5, 1.0);
   const FootstepSkeleton one = Plan({trot}).value();
-  const FootstepSkeleton alone = PlanFootsteps(A1(), FlatTerrain(), trot.gait, trot.command, {}).value();
+  const FootstepSkeleton alone = PlanFootsteps(NamedRobot("a1"), FlatTerrain(), trot.gait, trot.command, {}).value();
   ExpectLaws(one);
   EXPECT_EQ(one.schedule, alone.schedule);
   EXPECT_EQ(one.path.pose, alone.path.pose);
@@ -94,7 +90,7 @@ TEST(PlanSequence, StandsWithItsFeetUnderTheBaseBetween) {
   constexpr double kAlmost = 1e-8;  // the path is straight between its samples
   EXPECT_NEAR(there.x_m, 1.5, kAlmost);
   EXPECT_NEAR(still.x_m, 1.5, kAlmost);
-  const std::vector<Pose> standing = StandingFeet(A1());
+  const std::vector<Pose> standing = StandingFeet(NamedRobot("a1"));
   for (int foot = 0; foot < 4; ++foot) {
     const auto i = static_cast<std::size_t>(FootholdAt(skeleton.footsteps, foot, stand.start_s + 0.1));
     const Foothold& foothold = skeleton.footsteps.footholds[i];

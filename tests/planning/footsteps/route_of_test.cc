@@ -8,19 +8,15 @@
 #include "kinematics/model/load_robot.h"
 #include "planning/gait/find_gait.h"
 #include "planning/paths/travel_cost.h"
+#include "tests/named_robot.h"
 #include "tests/planning/paths/walled_grounds.h"
 
 namespace gaitwright {
 namespace {
 
-const RobotModel& A1() {
-  static const RobotModel a1 = *LoadNamedRobot("a1");
-  return a1;
-}
-
 Result<BaseRoute> RouteFor(const WalkCommand& command, const Terrain& terrain) {
-  const Gait gait = *FindGait(A1(), "", CommandedSpeed(A1(), command), {});
-  return RouteOf(A1(), terrain, command, *MakeCourse(A1(), gait, command, {1.0}), {});
+  const Gait gait = *FindGait(NamedRobot("a1"), "", CommandedSpeed(NamedRobot("a1"), command), {});
+  return RouteOf(NamedRobot("a1"), terrain, command, *MakeCourse(NamedRobot("a1"), gait, command, {1.0}), {});
 }
 
 WalkCommand GoalAt(double x, double y, double yaw) {

@@ -21,7 +21,7 @@ const RobotModel& Named(const char* name) {
 }
 
 /// A length of a1's world for another robot.
-double ScaleOf(const RobotModel& model) { return model.leg_length_m() / Named("a1").leg_length_m(); }
+double LengthScaleOf(const RobotModel& model) { return model.leg_length_m() / Named("a1").leg_length_m(); }
 
 /// Checks what is always true of a route: it leads from the start to the goal without jumps, free at every centimetre.
 void ExpectSound(const RobotModel& model, const Terrain& terrain, const PlanarPose& goal, const BaseRoute& route) {
@@ -57,7 +57,7 @@ TEST(PlanBaseRoute, GoesDirectlyWhereNothingIsInTheWay) {
 
 TEST(PlanBaseRoute, GoesAroundAWallFacingAhead) {
   for (const char* name : {"a1", "nao"}) {
-    const double s = ScaleOf(Named(name));
+    const double s = LengthScaleOf(Named(name));
     const Terrain terrain = Walled({Wall("wall", {1.5 * s, -1.0 * s}, {1.5 * s, 1.0 * s})});
     const PlanarPose goal{3.0 * s, 0.0, 0.0};
     const auto route = PlanBaseRoute(Named(name), terrain, {}, goal, {});
@@ -75,7 +75,7 @@ TEST(PlanBaseRoute, GoesAroundAWallFacingAhead) {
 
 TEST(PlanBaseRoute, GoesThroughDoorwaysAndCorridorsHardlyWiderThanItsRoom) {
   for (const char* name : {"a1", "nao"}) {
-    const double s = ScaleOf(Named(name));
+    const double s = LengthScaleOf(Named(name));
     double width = 0.0;
     for (const Shape& box : BodySpaceOf(Named(name), {}).boxes) width = std::max(width, 1.15 * box.size.y());
     const Terrain doorway = Walled({Wall("right", {1.5 * s, -5.0 * s}, {1.5 * s, 0.6 * s - 0.5 * width}),
@@ -121,7 +121,7 @@ TEST(PlanBaseRoute, ARoomThatMayNotTurnTakesTheShortestWayAroundTheGrownWall) {
   options.lateral = options.backward = 1.0;
   options.turn = 5.0;
   for (const char* name : {"a1", "nao"}) {
-    const double s = ScaleOf(Named(name));
+    const double s = LengthScaleOf(Named(name));
     const Terrain terrain = Walled({Wall("wall", {1.5 * s, -1.0 * s}, {1.5 * s, 0.8 * s}, 0.1 * s)});
     const auto route = PlanBaseRoute(Named(name), terrain, {}, {3.0 * s, 0.0, 0.0}, options);
     ASSERT_TRUE(route.ok()) << route.failure().message;
@@ -139,7 +139,7 @@ TEST(PlanBaseRoute, ARoomThatMayNotTurnTakesTheShortestWayAroundTheGrownWall) {
 
 TEST(PlanBaseRoute, AroundACornerItIsHardlyLongerThanATangentWay) {
   for (const char* name : {"a1", "nao"}) {
-    const double s = ScaleOf(Named(name));
+    const double s = LengthScaleOf(Named(name));
     const Terrain terrain = Walled({Wall("wall", {3.0 * s, -4.0 * s}, {3.0 * s, 1.5 * s}, 0.02 * s)});
     const auto route = PlanBaseRoute(Named(name), terrain, {}, {6.0 * s, 0.0, 0.0}, {});
     ASSERT_TRUE(route.ok()) << route.failure().message;

@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-const RobotModel& Named(const char* name) {
+const RobotModel& RobotCalled(const char* name) {
   static const RobotModel a1 = *LoadNamedRobot("a1"), nao = *LoadNamedRobot("nao");
   return std::string(name) == "a1" ? a1 : nao;
 }
@@ -33,7 +33,7 @@ Eigen::AlignedBox2d PlanOf(const BodySpace& space) {
 
 TEST(BodySpace, HoldsTheStandingFeetAndIsAsWideToBothSides) {
   for (const char* name : {"a1", "nao"}) {
-    const BodySpace space = BodySpaceOf(Named(name), {});
+    const BodySpace space = BodySpaceOf(RobotCalled(name), {});
     ASSERT_EQ(space.boxes.size(), 2u) << name;
     const Eigen::AlignedBox2d plan = PlanOf(space);
     for (const Vector2& foot : space.feet_G) EXPECT_TRUE(plan.contains(foot)) << name;
@@ -44,7 +44,7 @@ TEST(BodySpace, HoldsTheStandingFeetAndIsAsWideToBothSides) {
 }
 
 TEST(BodySpace, ABodyThatSwaysOverOneOfTwoFeetIsGivenRoomForIt) {
-  const RobotModel& nao = Named("nao");
+  const RobotModel& nao = RobotCalled("nao");
   const BodySpaceOptions options;
   const BodySpace space = BodySpaceOf(nao, options);
   const double over_a_foot = 0.5 * (space.feet_G[0] - space.feet_G[1]).norm();
@@ -56,14 +56,14 @@ TEST(BodySpace, ABodyThatSwaysOverOneOfTwoFeetIsGivenRoomForIt) {
 TEST(BodySpace, RefusesOptionsOutOfRange) {
   BodySpaceOptions options;
   options.margin = -0.1;
-  EXPECT_THROW(BodySpaceOf(Named("a1"), options), InvalidArgument);
+  EXPECT_THROW(BodySpaceOf(RobotCalled("a1"), options), InvalidArgument);
 }
 
 TEST(PoseCheck, AWallIsInTheWayFromWhereTheRoomTouchesIt) {
   for (const char* name : {"a1", "nao"}) {
-    const Eigen::AlignedBox2d plan = PlanOf(BodySpaceOf(Named(name), {}));
+    const Eigen::AlignedBox2d plan = PlanOf(BodySpaceOf(RobotCalled(name), {}));
     const Terrain terrain = Walled({Wall("barrier", {1.0, -1.0}, {1.0, 1.0}, 0.1)});
-    PoseCheck check(Named(name), terrain, {});
+    PoseCheck check(RobotCalled(name), terrain, {});
     const double face = 0.95;
     EXPECT_TRUE(check.IsFree({face - plan.max().x() - 1e-3, 0.0, 0.0})) << name;
     EXPECT_FALSE(check.IsFree({face - plan.max().x() + 1e-3, 0.0, 0.0})) << name;
@@ -79,7 +79,7 @@ TEST(PoseCheck, AWallIsInTheWayFromWhereTheRoomTouchesIt) {
 
 TEST(PoseCheck, MotionsBetweenFreePosesAreCheckedThroughout) {
   const Terrain terrain = Walled({Wall("barrier", {1.0, -0.3}, {1.0, 0.3}, 0.01)});
-  PoseCheck check(Named("a1"), terrain, {});
+  PoseCheck check(RobotCalled("a1"), terrain, {});
   EXPECT_TRUE(check.IsFree({2.0, 0.0, 0.0}));
   EXPECT_FALSE(check.IsFreeBetween({}, {2.0, 0.0, 0.0}));
   EXPECT_TRUE(check.IsFreeBetween({0.0, 1.0, 0.0}, {2.0, 1.0, 0.0}));
@@ -87,11 +87,11 @@ TEST(PoseCheck, MotionsBetweenFreePosesAreCheckedThroughout) {
 }
 
 TEST(PoseCheck, WhatIsLowerThanAStepIsWalkedOnAndWhatIsHigherIsNot) {
-  const BodySpace space = BodySpaceOf(Named("a1"), {});
+  const BodySpace space = BodySpaceOf(RobotCalled("a1"), {});
   for (const double share : {0.8, 1.3}) {
     Terrain terrain = FlatTerrain();
     terrain.patches.push_back(Slab("block", {1.0, -1.0}, {3.0, 1.0}, share * space.step_height_m));
-    PoseCheck check(Named("a1"), terrain, {});
+    PoseCheck check(RobotCalled("a1"), terrain, {});
     EXPECT_EQ(check.IsFreeBetween({}, {2.0, 0.0, 0.0}), share < 1.0) << share;
     EXPECT_TRUE(check.IsFree({2.0, 0.0, 0.0})) << "on top of it";
   }
@@ -108,7 +108,7 @@ TEST(PoseCheck, SlopesAreWalkedOnUntilTooSteepOrSlippery) {
     terrain.patches[0].X_WT.linear() =
         Eigen::AngleAxisd(-c.slope_deg * std::numbers::pi / 180.0, Vector3::UnitY()).toRotationMatrix();
     for (const char* name : {"a1", "nao"}) {
-      PoseCheck check(Named(name), terrain, {});
+      PoseCheck check(RobotCalled(name), terrain, {});
       for (const double yaw : {0.0, 0.8, 2.0}) {
         EXPECT_EQ(check.IsFree({0.3, 0.2, yaw}), c.free) << name << " " << c.slope_deg << " deg " << yaw;
       }
@@ -124,7 +124,7 @@ TEST(PoseCheck, AGapIsStoodOverOnlyWhereEachFootReachesGround) {
   for (const double gap : {0.1, 0.6}) {
     Terrain terrain;
     terrain.patches = {Slab("near", {-1.0, -1.0}, {1.0, 1.0}), Slab("far", {1.0 + gap, -1.0}, {3.0, 1.0})};
-    PoseCheck check(Named("a1"), terrain, {});
+    PoseCheck check(RobotCalled("a1"), terrain, {});
     EXPECT_EQ(check.IsFreeBetween({0.5, 0.0, 0.0}, {2.3, 0.0, 0.0}), gap < 0.3) << gap;
     if (gap < 0.3) continue;
     const auto why = check.WhyNot({1.12, 0.0, 0.0});
@@ -142,7 +142,7 @@ TEST(PoseCheck, FeetFindNoPlaceUnderObstacles) {
   carpet.size_m = Vector3(1.0, 1.0, 0.04);
   carpet.X_WO.translation() = Vector3(1.0, 0.0, 0.02);
   terrain.obstacles = {carpet};
-  PoseCheck check(Named("a1"), terrain, {});
+  PoseCheck check(RobotCalled("a1"), terrain, {});
   const auto why = check.WhyNot({1.0, 0.0, 0.0});
   ASSERT_TRUE(why.has_value());
   EXPECT_NE(why->text.find("holds no place that is free and large enough for foot"), std::string::npos) << why->text;
@@ -165,7 +165,7 @@ TEST(PoseCheck, HeightFieldsAndPatchesOfTheSameGroundAgree) {
   }
   Terrain fields;
   fields.height_fields = {field};
-  PoseCheck a(Named("a1"), patches, {}), b(Named("a1"), fields, {});
+  PoseCheck a(RobotCalled("a1"), patches, {}), b(RobotCalled("a1"), fields, {});
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(-1.4, 1.4), yaw(-3.1, 3.1);
   int free = 0, blocked = 0, differing = 0;
@@ -209,7 +209,7 @@ TEST(PoseCheck, JudgesMirroredPosesAlike) {
       }
     }
     const Terrain mirrored = Mirrored(terrain);
-    PoseCheck here(Named(name), terrain, {}), there(Named(name), mirrored, {});
+    PoseCheck here(RobotCalled(name), terrain, {}), there(RobotCalled(name), mirrored, {});
     int free = 0, blocked = 0;
     for (int trial = 0; trial < 500; ++trial) {
       const PlanarPose at{place(random), place(random), yaw(random)};
@@ -224,12 +224,12 @@ TEST(PoseCheck, JudgesMirroredPosesAlike) {
 
 TEST(PoseCheck, AnswersDoNotDependOnWhatWasAskedBefore) {
   const Terrain terrain = Walled({Wall("a", {-1.0, -0.8}, {0.1, -0.9}), Wall("b", {0.9, 0.2}, {0.7, 1.3})});
-  PoseCheck once(Named("a1"), terrain, {});
+  PoseCheck once(RobotCalled("a1"), terrain, {});
   std::mt19937 random(9);
   std::uniform_real_distribution<double> place(-1.5, 1.5), yaw(-3.1, 3.1);
   for (int trial = 0; trial < 100; ++trial) {
     const PlanarPose at{place(random), place(random), yaw(random)};
-    PoseCheck fresh(Named("a1"), terrain, {});
+    PoseCheck fresh(RobotCalled("a1"), terrain, {});
     EXPECT_EQ(once.IsFree(at), fresh.IsFree(at));
     EXPECT_EQ(once.IsFree(at), !once.WhyNot(at).has_value());
   }

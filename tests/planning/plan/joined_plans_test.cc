@@ -7,15 +7,11 @@
 #include "kinematics/spatial/rotation.h"
 #include "planning/plan/carried_plan.h"
 #include "planning/plan/steady_stretch.h"
+#include "tests/named_robot.h"
 #include "tests/planning/audit/good_plan.h"
 
 namespace gaitwright {
 namespace {
-
-const RobotModel& A1() {
-  static const RobotModel model = LoadNamedRobot("a1").value();
-  return model;
-}
 
 /// A trot of some cycles, each a whole number of the plan's steps.
 const MotionPlan& Trot() {
@@ -24,16 +20,16 @@ const MotionPlan& Trot() {
     command.extent = WalkCommand::Extent::kDuration;
     command.duration_s = 5.0;
     command.speed_m_s = 0.4;
-    return PlanOf(A1(), "trot", command, {.cycle_step_s = 0.005});
+    return PlanOf(NamedRobot("a1"), "trot", command, {.cycle_step_s = 0.005});
   }();
   return plan;
 }
 
 SteadyStretch Steady() { return SteadyStretchOf(Trot(), 0).value(); }
 
-std::string Broken(const MotionPlan& plan) { return AuditText(Audit(A1(), plan, {}).value()); }
+std::string Broken(const MotionPlan& plan) { return AuditText(Audit(NamedRobot("a1"), plan, {}).value()); }
 
-bool Passes(const MotionPlan& plan) { return Audit(A1(), plan, {})->pass(); }
+bool Passes(const MotionPlan& plan) { return Audit(NamedRobot("a1"), plan, {})->pass(); }
 
 TEST(JoinedPlans, OneThatIsCutInTwoAndJoinedIsAsItWas) {
   const double at_s = Steady().start_s;

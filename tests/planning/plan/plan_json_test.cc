@@ -21,7 +21,7 @@ const std::string& GoodText() {
 }
 
 /// Why a text is refused; empty when it is not.
-std::string WhyRefused(const std::string& text) {
+std::string WhyPlanJsonRefused(const std::string& text) {
   const Result<MotionPlan> plan = PlanFromJson(text, "x.json");
   if (plan.ok()) return "";
   EXPECT_EQ(plan.failure().kind, FailureKind::kBadInput);
@@ -31,11 +31,11 @@ std::string WhyRefused(const std::string& text) {
   return plan.failure().message.substr(start.size());
 }
 
-std::string WhyRefused(const std::function<void(Json&)>& change) {
+std::string WhyPlanJsonRefused(const std::function<void(Json&)>& change) {
   static const Json good = Json::parse(GoodText());
   Json changed = good;
   change(changed);
-  return WhyRefused(changed.dump());
+  return WhyPlanJsonRefused(changed.dump());
 }
 
 /// The good text with the first number after a key replaced by a word that JSON does not know.
@@ -47,7 +47,7 @@ std::string WithWord(const std::string& key, const std::string& word) {
 }
 
 TEST(PlanJson, AGoodPlanComesBack) {
-  EXPECT_EQ(WhyRefused(GoodText()), "");
+  EXPECT_EQ(WhyPlanJsonRefused(GoodText()), "");
   const MotionPlan& good = GoodPlanOf("a1").plan;
   const MotionPlan back = PlanFromJson(GoodText(), "x.json").value();
   EXPECT_EQ(back.whole_body.q, good.whole_body.q);
@@ -87,21 +87,22 @@ TEST(PlanJson, PartsComeBackInTheirOrder) {
 }
 
 TEST(PlanJson, PartsThatCannotBeAreRefused) {
-  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"] = Json::array(); }), "'parts' is empty; a plan has one part or more");
-  EXPECT_NE(WhyRefused([](Json& j) { j["parts"][0]["end_s"] = -1.0; }).find("it must end after its start"),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["parts"] = Json::array(); }),
+            "'parts' is empty; a plan has one part or more");
+  EXPECT_NE(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["end_s"] = -1.0; }).find("it must end after its start"),
             std::string::npos);
-  EXPECT_NE(WhyRefused([](Json& j) { j["parts"][0]["speed"] = 1.0; }).find("'speed'"), std::string::npos);
+  EXPECT_NE(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["speed"] = 1.0; }).find("'speed'"), std::string::npos);
 }
 
 TEST(PlanJson, NumbersThatAreNoneAreSaid) {
   for (const char* word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "1e999"}) {
     for (const char* key : {"speed_m_s", "centroidal", "q", "contact_wrenches"}) {
-      const std::string why = WhyRefused(WithWord(key, word));
+      const std::string why = WhyPlanJsonRefused(WithWord(key, word));
       EXPECT_EQ(why.rfind(std::string("'") + key + "' holds " + word + " (byte ", 0), 0U) << why;
       EXPECT_NE(why.find("must be finite"), std::string::npos) << why;
     }
   }
-  EXPECT_EQ(WhyRefused([](Json& j) { j["goal"]["x_m"] = std::numeric_limits<double>::quiet_NaN(); }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["goal"]["x_m"] = std::numeric_limits<double>::quiet_NaN(); }),
             "'goal.x_m' is null; a number is needed");
 }
 
@@ -117,97 +118,104 @@ TEST(PlanJson, ASwingOverNoGroundComesBack) {
 }
 
 TEST(PlanJson, TextsThatBreakSayWhere) {
-  EXPECT_EQ(WhyRefused(std::string()), "it is empty");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string()), "it is empty");
   const std::string& good = GoodText();
-  EXPECT_EQ(WhyRefused(good.substr(0, 100)), "its JSON is cut short at byte 100, after the key 'robot_hash'");
-  EXPECT_EQ(WhyRefused(good.substr(0, good.find("\"tau_nm\"") + 20)).find("its JSON is cut short at byte"), 0U);
-  EXPECT_EQ(WhyRefused(good + "}}").find("its JSON is broken at byte " + std::to_string(good.size() + 1)), 0U);
-  EXPECT_EQ(WhyRefused(std::string("\x01\x02")), "its JSON is broken at byte 1");
-  EXPECT_EQ(WhyRefused(std::string(100000, '[')), "it has more than 64 lists and objects in one another");
-  EXPECT_EQ(WhyRefused(std::string("[1, 2]")), "it is no motion plan");
-  EXPECT_EQ(WhyRefused(std::string("{\"format\": \"x\"}")), "it is no motion plan");
+  EXPECT_EQ(WhyPlanJsonRefused(good.substr(0, 100)), "its JSON is cut short at byte 100, after the key 'robot_hash'");
+  EXPECT_EQ(WhyPlanJsonRefused(good.substr(0, good.find("\"tau_nm\"") + 20)).find("its JSON is cut short at byte"), 0U);
+  EXPECT_EQ(WhyPlanJsonRefused(good + "}}").find("its JSON is broken at byte " + std::to_string(good.size() + 1)), 0U);
+  EXPECT_EQ(WhyPlanJsonRefused(std::string("\x01\x02")), "its JSON is broken at byte 1");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string(100000, '[')), "it has more than 64 lists and objects in one another");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string("[1, 2]")), "it is no motion plan");
+  EXPECT_EQ(WhyPlanJsonRefused(std::string("{\"format\": \"x\"}")), "it is no motion plan");
 }
 
 TEST(PlanJson, AKeyThatStandsTwiceIsRefused) {
   std::string text = GoodText();
   const std::string key = "\"step_s\":";
   text.insert(text.find(key), "\"step_s\":0.005,");
-  EXPECT_EQ(WhyRefused(text), "the key 'step_s' stands twice in one object");
+  EXPECT_EQ(WhyPlanJsonRefused(text), "the key 'step_s' stands twice in one object");
 }
 
 TEST(PlanJson, KeysThatAreUnknownOrMissingAreNamed) {
-  EXPECT_EQ(WhyRefused([](Json& j) { j["footholdz"] = 1; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["footholdz"] = 1; }),
             "it has an unknown key 'footholdz'; the nearest is 'footholds'");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["swings"][2]["lift"] = 1; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["swings"][2]["lift"] = 1; }),
             "'swings[2]' has an unknown key 'lift'; the nearest is 'lift_m'");
-  EXPECT_EQ(WhyRefused([](Json& j) { j.erase("tau_nm"); }), "it lacks 'tau_nm'");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["provenance"] = Json::object(); }), "'provenance' lacks 'program_version'");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["footholds"][1].erase("patch"); }), "'footholds[1]' lacks 'patch'");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["terrain"]["patches"][0].erase("friction"); }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j.erase("tau_nm"); }), "it lacks 'tau_nm'");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["provenance"] = Json::object(); }),
+            "'provenance' lacks 'program_version'");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["footholds"][1].erase("patch"); }), "'footholds[1]' lacks 'patch'");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["terrain"]["patches"][0].erase("friction"); }),
             "'terrain.patches[0]' lacks 'friction'");
 }
 
 TEST(PlanJson, KindsThatAreWrongAreNamed) {
-  EXPECT_EQ(WhyRefused([](Json& j) { j["schema"] = "2"; }), "'schema' is '2'; a whole number is needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["robot"] = 5; }), "'robot' is 5; a text is needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["goal"] = Json::array({1, 2}); }), "'goal' is a list of 2; an object is needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["footholds"][0]["foot"] = 0.5; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["schema"] = "2"; }), "'schema' is '2'; a whole number is needed");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["robot"] = 5; }), "'robot' is 5; a text is needed");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
+              j["goal"] = Json::array({1, 2});
+            }),
+            "'goal' is a list of 2; an object is needed");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["footholds"][0]["foot"] = 0.5; }),
             "'footholds[0].foot' is 0.5; a whole number is needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["q"][5][2] = "high"; }), "'q[5][2]' is 'high'; a number is needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["q"] = true; }), "'q' is true; a list is needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["schedule"][0][2] = -1; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["q"][5][2] = "high"; }), "'q[5][2]' is 'high'; a number is needed");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["q"] = true; }), "'q' is true; a list is needed");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["schedule"][0][2] = -1; }),
             "'schedule[0][2]' is -1; a whole number, 0 or more, is needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["schedule"][0].erase(2); }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["schedule"][0].erase(2); }),
             "'schedule[0]' has 2 parts; start, end and stance are needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["provenance"]["options"]["a"] = 1; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["provenance"]["options"]["a"] = 1; }),
             "'provenance.options.a' is 1; a text is needed");
 }
 
 TEST(PlanJson, IndicesAndChoicesThatAreNotThereAreRefused) {
-  EXPECT_EQ(WhyRefused([](Json& j) { j["footholds"][0]["foot"] = 9; }), "'footholds[0].foot' is 9; accepted: 0 to 3");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["swings"][0]["foot"] = -1; }), "'swings[0].foot' is -1; accepted: 0 to 3");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["footholds"][3]["patch"] = 77; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["footholds"][0]["foot"] = 9; }),
+            "'footholds[0].foot' is 9; accepted: 0 to 3");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["swings"][0]["foot"] = -1; }),
+            "'swings[0].foot' is -1; accepted: 0 to 3");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["footholds"][3]["patch"] = 77; }),
             "'footholds[3].patch' is 77; accepted: 0 to 0");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["swings"][0]["foot"] = std::uint64_t{1} << 63U; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["swings"][0]["foot"] = std::uint64_t{1} << 63U; }),
             "'swings[0].foot' is 9223372036854775808; accepted: 0 to 3");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["schedule"][0][2] = std::uint64_t{1} << 40U; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["schedule"][0][2] = std::uint64_t{1} << 40U; }),
             "contact phase 0 names a foot beyond the 4 there are");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"][0]["command"]["extent"] = "foo"; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["command"]["extent"] = "foo"; }),
             "'parts[0].command.extent' is 'foo'; accepted: 'distance', 'goal', 'steps', 'duration'");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"][0]["gait"]["phase"] = Json::array({0}); }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["gait"]["phase"] = Json::array({0}); }),
             "'parts[0].gait.phase' has 1 numbers; 4 are needed");
 }
 
 TEST(PlanJson, ValuesThatCannotBeAreRefused) {
-  EXPECT_EQ(WhyRefused([](Json& j) { j["footholds"][0]["pose"][6] = 0.0; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["footholds"][0]["pose"][6] = 0.0; }),
             "'footholds[0].pose' has a quaternion of length 0; it must be 1");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["swings"][1]["end_pose"][6] = 1.5; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["swings"][1]["end_pose"][6] = 1.5; }),
             "'swings[1].end_pose' has a quaternion of length 1.5; it must be 1");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["q"][7][6] = 0.5; }).find("'q[7]' has a quaternion of length 0.5"), 0U);
-  EXPECT_EQ(WhyRefused([](Json& j) { j["terrain"]["patches"][0]["friction"] = -1.0; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["q"][7][6] = 0.5; }).find("'q[7]' has a quaternion of length 0.5"), 0U);
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["terrain"]["patches"][0]["friction"] = -1.0; }),
             "'terrain.patches[0].friction' is -1; accepted: 0 to 100");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["terrain"]["patches"] = Json::array(); }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["terrain"]["patches"] = Json::array(); }),
             "'terrain' has neither patches nor height fields; a plan needs ground to stand on");
-  EXPECT_EQ(WhyRefused([](Json& j) {
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {1, 0}};
             }),
             "'terrain.patches[0].outline_m' has 2 corners; none makes a plane without end, three or more an outline");
-  EXPECT_EQ(WhyRefused([](Json& j) {
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{0, 0}, {0, 9}, {9, 9}, {9, 0}};
             }),
             "'terrain.patches[0].outline_m' runs clockwise; counter-clockwise is needed");
-  EXPECT_EQ(WhyRefused([](Json& j) {
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               j["terrain"]["patches"][0]["outline_m"] = {{-9, -9}, {9, -9}, {0, 0}, {9, 9}, {-9, 9}};
             }),
             "'terrain.patches[0].outline_m' fills 0.75 of its convex hull; it must be convex");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["parts"][0]["gait"]["cycle_s"] = 0.0; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["parts"][0]["gait"]["cycle_s"] = 0.0; }),
             "'parts[0].gait.cycle_s' is 0; it must be over 0");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["terrain"]["patches"][0]["pose"] = {0, 0, 0, 1, 0, 0, 0}; }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["terrain"]["patches"][0]["pose"] = {0, 0, 0, 1, 0, 0, 0}; }),
             "'terrain.patches[0]' faces down: the z of its normal is -1; it must be over 0");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["step_s"] = 0; }), "'step_s' is 0; it must be positive");
-  EXPECT_EQ(
-      WhyRefused([](Json& j) { j["swings"][0]["end_s"] = j["swings"][0]["start_s"]; }).find("'swings[0]' lasts from "),
-      0U);
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["step_s"] = 0; }), "'step_s' is 0; it must be positive");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
+              j["swings"][0]["end_s"] = j["swings"][0]["start_s"];
+            }).find("'swings[0]' lasts from "),
+            0U);
 }
 
 TEST(PlanJson, FootholdsComeBackInOrder) {
@@ -226,19 +234,19 @@ TEST(PlanJson, FootholdsComeBackInOrder) {
 
 TEST(PlanJson, RowsThatDoNotBelongTogetherAreRefused) {
   const std::size_t rows = GoodPlanOf("a1").plan.whole_body.q.size();
-  EXPECT_EQ(WhyRefused([](Json& j) { j["q"][5].erase(0); }), "'q[5]' has 18 numbers, the first row 19");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["v"].erase(0); }),
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["q"][5].erase(0); }), "'q[5]' has 18 numbers, the first row 19");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["v"].erase(0); }),
             "'v' has " + std::to_string(rows - 1) + " rows; " + std::to_string(rows) + " are needed");
-  EXPECT_EQ(WhyRefused([](Json& j) { j["q"] = Json::array(); }), "'q' has 0 rows; 1 are needed");
-  EXPECT_EQ(WhyRefused([](Json& j) {
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) { j["q"] = Json::array(); }), "'q' has 0 rows; 1 are needed");
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               for (Json& row : j["tau_nm"]) row.erase(0);
             }).find("it has rows of 19, 18, 18 and 11 numbers in 'q', 'v', 'a' and 'tau_nm'"),
             0U);
-  EXPECT_EQ(WhyRefused([](Json& j) {
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               for (Json& row : j["contact_wrenches"]) row.erase(0);
             }),
             "'contact_wrenches' has rows of 23 numbers; each foot has six");
-  EXPECT_EQ(WhyRefused([](Json& j) {
+  EXPECT_EQ(WhyPlanJsonRefused([](Json& j) {
               for (Json& row : j["centroidal"]) row.erase(0);
             }),
             "'centroidal' has rows of 10 numbers; 11 are needed");

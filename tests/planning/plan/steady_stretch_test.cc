@@ -6,22 +6,18 @@
 #include <bit>
 
 #include "kinematics/model/load_robot.h"
+#include "tests/named_robot.h"
 #include "tests/planning/audit/good_plan.h"
 
 namespace gaitwright {
 namespace {
-
-const RobotModel& A1() {
-  static const RobotModel model = LoadNamedRobot("a1").value();
-  return model;
-}
 
 MotionPlan Trot(const GaitOptions& options) {
   WalkCommand command;
   command.extent = WalkCommand::Extent::kDuration;
   command.duration_s = 5.0;
   command.speed_m_s = 0.4;
-  return PlanOf(A1(), "trot", command, options);
+  return PlanOf(NamedRobot("a1"), "trot", command, options);
 }
 
 const MotionPlan& Even() {

@@ -17,7 +17,7 @@ ContactsByFoot FourFeet() {
 
 constexpr FootSet kOneDiagonal = 0b1001, kOther = 0b0110, kAll = 0b1111;
 
-ContactSchedule Trot() {
+ContactSchedule TrotSchedule() {
   return {{{0.0, 0.5, kAll}, {0.5, 0.8, kOneDiagonal}, {0.8, 0.9, kAll}, {0.9, 1.2, kOther}, {1.2, 2.0, kAll}}};
 }
 
@@ -43,7 +43,7 @@ TEST(SupportPlane, GoesThroughThreeFeetAndIsLevelUnderOne) {
 
 TEST(SupportPlane, DoesNotJumpWhereStancesChange) {
   const ContactsByFoot feet = FourFeet();
-  const ContactSchedule schedule = Trot();
+  const ContactSchedule schedule = TrotSchedule();
   for (const double boundary : {0.5, 0.8, 0.9, 1.2}) {
     const GroundPlane before = SupportPlaneAt(schedule, boundary - 1e-9, feet);
     const GroundPlane after = SupportPlaneAt(schedule, boundary + 1e-9, feet);

@@ -12,7 +12,7 @@ using terrain_files::Loaded;
 using terrain_files::Says;
 using terrain_files::Written;
 
-std::string WhyRefused(const std::string& text) { return terrain_files::WhyRefused(Written("wrong.yaml", text)); }
+std::string WhyYamlRefused(const std::string& text) { return terrain_files::WhyRefused(Written("wrong.yaml", text)); }
 
 constexpr char kGood[] = R"(# a yard
 patches:
@@ -59,36 +59,39 @@ TEST(TerrainYaml, MayBeginWithABuiltInGround) {
 }
 
 TEST(TerrainYaml, WhatIsWrongIsNamedWithItsLine) {
+  EXPECT_TRUE(Says(WhyYamlRefused("patchez: []\n"),
+                   "line 1: the file has the unknown key 'patchez'; the nearest is 'patches'"));
   EXPECT_TRUE(
-      Says(WhyRefused("patchez: []\n"), "line 1: the file has the unknown key 'patchez'; the nearest is 'patches'"));
-  EXPECT_TRUE(Says(WhyRefused("patches:\n  - {name: a, height: 0}\n"), "line 2: a patch has the unknown key 'height'"));
-  EXPECT_TRUE(Says(WhyRefused("patches:\n  - {height_m: 0}\n"), "line 2: a patch lacks the key 'name'"));
-  EXPECT_TRUE(Says(WhyRefused("patches:\n  - {name: a}\n"), "needs either 'corners_m' or"));
-  EXPECT_TRUE(Says(WhyRefused("patches:\n  - {name: a, height_m: .nan}\n"), "line 2: height_m is"));
-  EXPECT_TRUE(Says(WhyRefused("patches:\n  - {name: a, height_m: 300}\n"), "height_m is 300; accepted: -50 to 50"));
-  EXPECT_TRUE(Says(WhyRefused("patches:\n  - {name: a, height_m: 0, height_m: 1}\n"), "twice"));
-  EXPECT_TRUE(Says(WhyRefused("patches:\n  - {name: a, corners_m: [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]]}\n"),
-                   "line 2: patch 'a' is not flat"));
+      Says(WhyYamlRefused("patches:\n  - {name: a, height: 0}\n"), "line 2: a patch has the unknown key 'height'"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {height_m: 0}\n"), "line 2: a patch lacks the key 'name'"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {name: a}\n"), "needs either 'corners_m' or"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {name: a, height_m: .nan}\n"), "line 2: height_m is"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {name: a, height_m: 300}\n"), "height_m is 300; accepted: -50 to 50"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches:\n  - {name: a, height_m: 0, height_m: 1}\n"), "twice"));
   EXPECT_TRUE(
-      Says(WhyRefused("patches:\n  - {name: a, corners_m: [[0, 0], [1, 0], [1, 1]]}\n"), "has 2 numbers; 3 are"));
-  EXPECT_TRUE(Says(WhyRefused("patches: [}\n"), "is no YAML from here on"));
-  EXPECT_TRUE(Says(WhyRefused("patches: []\n"), "there is no ground"));
-  EXPECT_TRUE(Says(WhyRefused("- a\n"), "a map of keys is needed"));
-  EXPECT_TRUE(Says(WhyRefused("builtin: stairz\n"), "line 1: there is no terrain 'stairz'"));
-  EXPECT_TRUE(Says(WhyRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: there is no terrain file"));
-  EXPECT_TRUE(Says(WhyRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is YAML too"));
+      Says(WhyYamlRefused("patches:\n  - {name: a, corners_m: [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]]}\n"),
+           "line 2: patch 'a' is not flat"));
+  EXPECT_TRUE(
+      Says(WhyYamlRefused("patches:\n  - {name: a, corners_m: [[0, 0], [1, 0], [1, 1]]}\n"), "has 2 numbers; 3 are"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches: [}\n"), "is no YAML from here on"));
+  EXPECT_TRUE(Says(WhyYamlRefused("patches: []\n"), "there is no ground"));
+  EXPECT_TRUE(Says(WhyYamlRefused("- a\n"), "a map of keys is needed"));
+  EXPECT_TRUE(Says(WhyYamlRefused("builtin: stairz\n"), "line 1: there is no terrain 'stairz'"));
+  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [none.csv]\n"), "line 2: there is no terrain file"));
+  EXPECT_TRUE(Says(WhyYamlRefused("builtin: flat\nfiles: [wrong.yaml]\n"), "is YAML too"));
 }
 
 TEST(TerrainYaml, FieldsAndObstaclesThatCannotBeAreRefused) {
   const auto field = [](const std::string& rows) {
-    return WhyRefused("height_fields:\n  - {name: a, origin_m: [0, 0], resolution_m: 0.1, heights_m: " + rows + "}\n");
+    return WhyYamlRefused("height_fields:\n  - {name: a, origin_m: [0, 0], resolution_m: 0.1, heights_m: " + rows +
+                          "}\n");
   };
   EXPECT_EQ(field("[[0, 0], [0, 0]]"), "");
   EXPECT_TRUE(Says(field("[[0, 0], [0]]"), "line 2: a row of heights_m has"));
   EXPECT_TRUE(Says(field("[[0, 0]]"), "two by two is the least"));
   EXPECT_TRUE(Says(field("[[0, .inf], [0, 0]]"), "heights_m is inf"));
   const auto obstacle = [](const std::string& keys) {
-    return WhyRefused("builtin: flat\nobstacles:\n  - {name: a, " + keys + "}\n");
+    return WhyYamlRefused("builtin: flat\nobstacles:\n  - {name: a, " + keys + "}\n");
   };
   EXPECT_EQ(obstacle("type: box, size_m: [1, 1, 1]"), "");
   EXPECT_TRUE(Says(obstacle("type: ball, size_m: [1]"), "type is 'ball'; accepted: 'box', 'cylinder', 'mesh'"));

@@ -16,7 +16,7 @@ namespace {
 
 class OffPlanTest : public testing::Test {
  protected:
-  PlaybackLog Stand(const PlayOptions& options) const {
+  PlaybackLog StandOffPlan(const PlayOptions& options) const {
     JointPd controller(model_, plan_);
     return Play(model_, plan_, controller, options).value();
   }
@@ -42,10 +42,10 @@ class OffPlanTest : public testing::Test {
 
 TEST_F(OffPlanTest, AShiftOfTheBasesMassMovesWhereTheFeetPress) {
   PlayOptions options;
-  const Vector2 plain = Zmp(Stand(options));
+  const Vector2 plain = Zmp(StandOffPlan(options));
   options.world.com_shift_x_m = 0.02;
   options.world.com_shift_y_m = -0.01;
-  const Vector2 moved = Zmp(Stand(options)) - plain;
+  const Vector2 moved = Zmp(StandOffPlan(options)) - plain;
   const double share = model_.bodies[0].mass / model_.total_mass_kg;
   EXPECT_NEAR(moved.x(), 0.02 * share, 0.15 * 0.02 * share);
   EXPECT_NEAR(moved.y(), -0.01 * share, 0.15 * 0.01 * share);
@@ -83,9 +83,9 @@ TEST_F(OffPlanTest, AShortPushHasItsImpulseAndOneForNoTimeNone) {
     options.push_force_W.y() = force_n;
     options.push_at_s = at_s;
     options.push_for_s = for_s;
-    return Stand(options).samples.back().q;
+    return StandOffPlan(options).samples.back().q;
   };
-  const VectorX plain = Stand({}).samples.back().q, step = pushed(200.0, 0.1, 0.001);
+  const VectorX plain = StandOffPlan({}).samples.back().q, step = pushed(200.0, 0.1, 0.001);
   EXPECT_NE(plain, step);
   EXPECT_LT((pushed(500.0, 0.1, 0.0004) - step).norm(), 1e-9) << "0.4 of a step";
   EXPECT_LT((pushed(500.0, 0.1004, 0.0004) - step).norm(), 1e-9);
@@ -106,7 +106,7 @@ TEST_F(OffPlanTest, StartsOutOfTheGroundAndSettles) {
   q.z() -= 0.05;
   world.SetState(q, VectorX::Zero(model_.nv()));
   EXPECT_NEAR(world.LiftOutOfGround(q0), 0.05, 2e-5);
-  const PlaybackLog log = Stand(options);
+  const PlaybackLog log = StandOffPlan(options);
   const LogSample& first = log.samples.front();
   EXPECT_NEAR(first.q.x() - q0.x(), 0.03, 0.02);
   EXPECT_GT(std::abs(std::atan2(BaseRotation(first.q)(1, 0), BaseRotation(first.q)(0, 0))), 0.05);
@@ -118,7 +118,7 @@ TEST_F(OffPlanTest, StartsOutOfTheGroundAndSettles) {
 TEST_F(OffPlanTest, WithoutOffsetsNothingChanges) {
   PlayOptions options;
   options.start_joints = VectorX::Zero(model_.num_dofs());
-  EXPECT_TRUE(LogToJson(Stand(options)) == LogToJson(Stand({})));
+  EXPECT_TRUE(LogToJson(StandOffPlan(options)) == LogToJson(StandOffPlan({})));
 }
 
 TEST_F(OffPlanTest, ManyPushesAddUp) {
@@ -127,9 +127,9 @@ TEST_F(OffPlanTest, ManyPushesAddUp) {
   one.push_at_s = 0.2;
   two.more_pushes = {{Vector3(10.0, 0.0, 0.0), 0.2, 0.1, "base"}, {Vector3(20.0, 0.0, 0.0), 0.2, 0.1, "base"}};
   const auto pushed = [](const PlaybackLog& log) { return log.samples[55].q; };  // at the push's end
-  const VectorX a = pushed(Stand(one)), b = pushed(Stand(two));
+  const VectorX a = pushed(StandOffPlan(one)), b = pushed(StandOffPlan(two));
   EXPECT_LT((a - b).norm(), 1e-9);
-  EXPECT_GT((a - pushed(Stand({}))).norm(), 1e-4);
+  EXPECT_GT((a - pushed(StandOffPlan({}))).norm(), 1e-4);
 }
 
 TEST_F(OffPlanTest, PushesOnALinkActThere) {
@@ -137,12 +137,12 @@ TEST_F(OffPlanTest, PushesOnALinkActThere) {
   options.push_force_W = Vector3(0.0, 40.0, 0.0);
   options.push_at_s = 0.2;
   options.push_on = "base";
-  const VectorX on_base = Stand(options).samples.back().q;
+  const VectorX on_base = StandOffPlan(options).samples.back().q;
   options.push_on = model_.bodies[3].name;
-  EXPECT_GT((Stand(options).samples.back().q - on_base).norm(), 1e-4);
+  EXPECT_GT((StandOffPlan(options).samples.back().q - on_base).norm(), 1e-4);
   options.push_on = "FR_claf";
   try {
-    (void)Stand(options);
+    (void)StandOffPlan(options);
     ADD_FAILURE() << "a link that there is not was pushed";
   } catch (const InvalidArgument& error) {
     EXPECT_NE(std::string(error.what()).find("'FR_calf'"), std::string::npos) << error.what();
@@ -153,7 +153,7 @@ TEST_F(OffPlanTest, WeakMotorsSag) {
   PlayOptions options;
   options.world.motor_strength = 0.1;
   options.fall_height_lowest = 0.0;
-  const PlaybackLog log = Stand(options);
+  const PlaybackLog log = StandOffPlan(options);
   EXPECT_LT(log.samples.back().q.z(), 0.9 * plan_.whole_body.q.front().z());
   EXPECT_GT(log.saturated_s.maxCoeff(), 0.1);
 }

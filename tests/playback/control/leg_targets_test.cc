@@ -46,8 +46,10 @@ void ExpectWithinLimits(const RobotModel& model, const VectorX& q_planned, const
 
 class LegTargetsTest : public ::testing::TestWithParam<const char*> {
  protected:
-  bool quadruped() const { return model_.legs.size() == 4; }
-  MotionPlan Walk() const { return quadruped() ? ShortWalk(model_, "trot", 6, 0.05) : ShortWalk(model_, "", 4, 0.04); }
+  bool standing_quadruped() const { return model_.legs.size() == 4; }
+  MotionPlan Walk() const {
+    return standing_quadruped() ? ShortWalk(model_, "trot", 6, 0.05) : ShortWalk(model_, "", 4, 0.04);
+  }
 
   const RobotModel model_ = Robot(GetParam());
   const VectorX standing_ = StandingConfiguration(model_), rest_ = VectorX::Zero(model_.nv());
@@ -156,7 +158,7 @@ TEST_P(LegTargetsTest, HeldFeetStandStillUnderAMovingBase) {
       legs_.Hold(leg, Vector3::UnitZ(), 0.0, standing_, v);
       const Vector6 held = ContactVelocity(model_, leg, standing_, v);
       EXPECT_LT(held.head<3>().norm(), 2e-3 * start.norm());
-      if (!quadruped()) {
+      if (!standing_quadruped()) {
         EXPECT_LT(held.segment<2>(3).norm(), 0.05 * start.norm()) << "yaw yields, not roll and pitch";
       }
       EXPECT_EQ(v.head<6>(), start.head<6>());

@@ -10,8 +10,8 @@
 namespace gaitwright {
 namespace {
 
-struct Case : synthetic::Played {
-  Case() : Played(synthetic::Stood()) {}
+struct FallCase : synthetic::Played {
+  FallCase() : Played(synthetic::Stood()) {}
 
   Fall Find() const { return FindFall(plan, log, MakeMotionSeries(model, plan, log, {}), {}); }
 };
@@ -21,7 +21,7 @@ void Turn(VectorX& q, double angle, const Vector3& axis) {
 }
 
 TEST(Fall, StandingIsNone) {
-  const Fall fall = Case{}.Find();
+  const Fall fall = FallCase{}.Find();
   EXPECT_FALSE(fall.fell);
   EXPECT_NEAR(fall.time_s, 1.0, 1e-12) << "the end of the log";
 }
@@ -29,12 +29,12 @@ TEST(Fall, StandingIsNone) {
 TEST(Fall, TiltCountsAgainstThePlansOwnInEveryDirection) {
   for (const double direction : {0.0, 1.0, 2.5, 4.0}) {
     const Vector3 axis(std::cos(direction), std::sin(direction), 0.0);
-    Case upright;
+    FallCase upright;
     Turn(upright.log.samples[50].q, 0.59, axis);
     EXPECT_FALSE(upright.Find().fell);
     Turn(upright.log.samples[50].q, 0.61, axis);
     EXPECT_TRUE(upright.Find().fell);
-    Case leaning;  // a plan that leans by 0.7 rad is no fall, and neither is following it with another yaw
+    FallCase leaning;  // a plan that leans by 0.7 rad is no fall, and neither is following it with another yaw
     for (VectorX& q : leaning.plan.whole_body.q) Turn(q, 0.7, axis);
     for (LogSample& sample : leaning.log.samples) {
       const Quaternion lean(Eigen::AngleAxisd(0.7, axis)), yaw(Eigen::AngleAxisd(2.0, Vector3::UnitZ()));
@@ -47,7 +47,7 @@ TEST(Fall, TiltCountsAgainstThePlansOwnInEveryDirection) {
 }
 
 TEST(Fall, TheFirstOfSeveralIsTold) {
-  Case c;
+  FallCase c;
   synthetic::Sink(c.log, 120, 0.2);
   c.log.body_contacts = {{0.7, "trunk"}, {0.5, "right_z"}};
   const Fall fall = c.Find();
@@ -56,16 +56,16 @@ TEST(Fall, TheFirstOfSeveralIsTold) {
 }
 
 TEST(Fall, HeightIsOverTheFeetWhereTheyStand) {
-  Case downhill;
+  FallCase downhill;
   for (LogSample& sample : downhill.log.samples) sample.q[2] -= 0.4;  // the ground fell away, the robot stands on it
   EXPECT_FALSE(downhill.Find().fell);
-  Case thrown;
+  FallCase thrown;
   for (int i : {9, 12}) thrown.log.samples[20].q[i] -= 0.3;
   EXPECT_TRUE(thrown.Find().fell) << "0.8 m over its feet where the plan has 0.5";
 }
 
 TEST(Fall, InFlightAtAnEdgeTheGroundIsThatOfThePlan) {
-  Case c;
+  FallCase c;
   c.plan.schedule.phases = {{0.0, 0.4, 3}, {0.4, 0.6, 0}, {0.6, 1.0, 3}};
   const VectorX& standing = c.plan.whole_body.q.front();
   TerrainPatch block;
@@ -80,7 +80,7 @@ TEST(Fall, InFlightAtAnEdgeTheGroundIsThatOfThePlan) {
 }
 
 TEST(Fall, InFlightTheGroundIsAsFarFromThatOfThePlanAsWhereItStoodLast) {
-  Case c;
+  FallCase c;
   c.plan.schedule.phases = {{0.0, 0.4, 3}, {0.4, 0.6, 0}, {0.6, 1.0, 3}};
   const double height = c.plan.whole_body.q.front()[2];
   for (LogSample& sample : c.log.samples) sample.q[2] -= 0.8 * height;  // on ground that the plan does not know
@@ -91,7 +91,7 @@ TEST(Fall, InFlightTheGroundIsAsFarFromThatOfThePlanAsWhereItStoodLast) {
 }
 
 TEST(Fall, BoundsAreOptions) {
-  Case c;
+  FallCase c;
   Turn(c.log.samples[50].q, 0.5, Vector3::UnitX());
   ScoreOptions strict;
   strict.fall_tilt_rad = 0.4;
@@ -100,7 +100,7 @@ TEST(Fall, BoundsAreOptions) {
 }
 
 TEST(Fall, IsLookedForWithTheLogsOwnOptions) {
-  Case c;
+  FallCase c;
   Turn(c.log.samples[50].q, 0.5, Vector3::UnitX());
   EXPECT_EQ(Score(c.model, c.plan, c.log).At("fell").value, 0.0);
   c.log.options = {{"play.step_s", "0.001"}, {"score.fall_tilt_rad", "0.4"}, {"score.of_another_version", "1"}};

@@ -8,11 +8,11 @@
 namespace gaitwright {
 namespace {
 
-using Case = synthetic::Played;
+using LawCase = synthetic::Played;
 
 /// A walk whose log is off its plan everywhere, a little and deterministically.
-Case Imperfect(int legs) {
-  Case c = synthetic::Walked(legs);
+LawCase Imperfect(int legs) {
+  LawCase c = synthetic::Walked(legs);
   for (LogSample& sample : c.log.samples) {
     const double t = sample.time_s;
     sample.q.head<3>() += 0.004 * Vector3(std::sin(3.0 * t), std::sin(5.0 * t), std::sin(7.0 * t));
@@ -39,7 +39,7 @@ void MoveWrenches(const Pose& X, std::vector<ContactWrench>& wrenches) {
 }
 
 /// The same playback elsewhere on the plane, with another heading.
-Case Moved(Case c, const Pose& X) {
+LawCase Moved(LawCase c, const Pose& X) {
   WholeBodyTrajectory& body = c.plan.whole_body;
   for (std::size_t k = 0; k < body.q.size(); ++k) {
     VectorX unused = body.q[k];
@@ -76,21 +76,21 @@ void ExpectSameFigures(const StabilityReport& a, const StabilityReport& b) {
 
 TEST(ScoreLaws, WhereAndWhichWayTheRobotWalksDoesNotMatter) {
   for (const int legs : {2, 4}) {
-    const Case c = Imperfect(legs);
+    const LawCase c = Imperfect(legs);
     const StabilityReport here = Score(c.model, c.plan, c.log);
     EXPECT_GT(*here.At("zmp_error_mean_m").value, 1e-4) << "the case must be off its plan to show anything";
     for (const double yaw : {0.0, 0.5, 3.0, -2.2}) {
       Pose X = Pose::Identity();
       X.linear() = Eigen::AngleAxisd(yaw, Vector3::UnitZ()).toRotationMatrix();
       X.translation() = Vector3(3.0, -7.0, 0.0);
-      const Case moved = Moved(c, X);
+      const LawCase moved = Moved(c, X);
       ExpectSameFigures(here, Score(moved.model, moved.plan, moved.log));
     }
   }
 }
 
 /// Left for right: y changes sign, neighbouring legs change places.
-Case Mirrored(Case c) {
+LawCase Mirrored(LawCase c) {
   const auto swap_legs = [&](VectorX& x, Eigen::Index first) {
     for (Eigen::Index leg = 0; leg < static_cast<Eigen::Index>(c.model.feet.size()); leg += 2) {
       const Vector3 left = x.segment<3>(first + 3 * leg);
@@ -145,7 +145,7 @@ Case Mirrored(Case c) {
 
 TEST(ScoreLaws, LeftAndRightAreEqual) {
   for (const int legs : {2, 4}) {
-    const Case c = Imperfect(legs), mirrored = Mirrored(c);
+    const LawCase c = Imperfect(legs), mirrored = Mirrored(c);
     ASSERT_NE(c.plan.schedule, mirrored.plan.schedule);
     ExpectSameFigures(Score(c.model, c.plan, c.log), Score(mirrored.model, mirrored.plan, mirrored.log));
   }
@@ -153,7 +153,7 @@ TEST(ScoreLaws, LeftAndRightAreEqual) {
 
 TEST(ScoreLaws, APlanPlayedPerfectlyHasTheFiguresItPlanned) {
   for (const int legs : {2, 4}) {
-    Case c = Imperfect(legs);
+    LawCase c = Imperfect(legs);
     c.log = synthetic::PerfectLog(c.model, c.plan);
     const StabilityReport report = Score(c.model, c.plan, c.log);
     for (const char* key :

@@ -14,7 +14,7 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kStep = 0.001;
+constexpr double kSensorStep = 0.001;
 
 struct Statistics {
   double mean = 0.0, deviation = 0.0;
@@ -84,8 +84,8 @@ TEST(NoiseStream, IsTheSameForASeedAndAnotherForAnother) {
 
 TEST(DelayLine, HandsOutWhatWentInSoManyStepsAgo) {
   for (const double delay_s : {0.0, 0.001, 0.004, 0.0044, 0.1}) {
-    DelayLine<int> line(DelaySteps(delay_s, kStep));
-    const int late = static_cast<int>(std::lround(delay_s / kStep));
+    DelayLine<int> line(DelaySteps(delay_s, kSensorStep));
+    const int late = static_cast<int>(std::lround(delay_s / kSensorStep));
     for (int k = 0; k < 300; ++k) EXPECT_EQ(line.Push(k), std::max(0, k - late)) << delay_s;
     line.Reset();
     EXPECT_EQ(line.Push(1000), 1000);
@@ -93,16 +93,16 @@ TEST(DelayLine, HandsOutWhatWentInSoManyStepsAgo) {
 }
 
 TEST(Encoders, PerfectOnesTellPositionsAndTheirDifferences) {
-  Encoders encoders(2, {}, kStep);
+  Encoders encoders(2, {}, kSensorStep);
   for (int k = 0; k < 50; ++k) {
-    const double t = k * kStep;
+    const double t = k * kSensorStep;
     const Vector2 q(std::sin(20.0 * t), 0.3 * t);
     const JointReading& reading = encoders.Read(q);
     EXPECT_EQ(reading.q_raw, q);
     EXPECT_NEAR((reading.q - q).norm(), 0.0, 1e-15);
-    const Vector2 before(std::sin(20.0 * (t - kStep)), 0.3 * (t - kStep));
+    const Vector2 before(std::sin(20.0 * (t - kSensorStep)), 0.3 * (t - kSensorStep));
     if (k > 0) {
-      EXPECT_NEAR((reading.v - (q - before) / kStep).norm(), 0.0, 1e-10);
+      EXPECT_NEAR((reading.v - (q - before) / kSensorStep).norm(), 0.0, 1e-10);
     }
   }
 }
@@ -114,7 +114,7 @@ TEST(Encoders, HaveTheNoiseBiasAndResolutionOfTheirSheet) {
   std::vector<double> biases;
   for (int seed = 0; seed < 300; ++seed) {
     sheet.seed = seed;
-    Encoders encoders(1, sheet, kStep);
+    Encoders encoders(1, sheet, kSensorStep);
     std::vector<double> errors;
     for (int k = 0; k < 2000; ++k) errors.push_back(encoders.Read(VectorX::Constant(1, 0.7)).q_raw[0] - 0.7);
     EXPECT_NEAR(Of(errors).deviation, 2e-3, 2e-4);
@@ -125,7 +125,7 @@ TEST(Encoders, HaveTheNoiseBiasAndResolutionOfTheirSheet) {
   EXPECT_NEAR(Of(biases).deviation, 0.01 / std::sqrt(3.0), 5e-4);
   SensorOptions coarse;
   coarse.encoder_resolution_rad = 0.01;
-  Encoders steps(1, coarse, kStep);
+  Encoders steps(1, coarse, kSensorStep);
   for (int k = 0; k < 100; ++k) {
     const double q = 0.00123 * k, read = steps.Read(VectorX::Constant(1, q)).q_raw[0];
     EXPECT_LE(std::abs(read - q), 0.005 + 1e-12);
@@ -137,7 +137,7 @@ TEST(Encoders, AreReadAtTheirRateAndLate) {
   SensorOptions sheet;
   sheet.encoder_rate_hz = 200.0;
   sheet.encoder_delay_s = 0.003;
-  Encoders encoders(1, sheet, kStep);
+  Encoders encoders(1, sheet, kSensorStep);
   for (int k = 0; k < 100; ++k) {
     const JointReading& reading = encoders.Read(VectorX::Constant(1, k));
     const int then = std::max(0, k - 3);
@@ -151,33 +151,33 @@ TEST(Encoders, AreReadAtTheirRateAndLate) {
 TEST(Encoders, SpeedsFollowWithoutErrorAndSmoothAsTheFilterSays) {
   SensorOptions sheet;
   sheet.speed_cutoff_hz = 40.0;
-  Encoders clean(1, sheet, kStep);
+  Encoders clean(1, sheet, kSensorStep);
   JointReading reading;
-  for (int k = 0; k < 500; ++k) reading = clean.Read(VectorX::Constant(1, 2.0 * k * kStep));
+  for (int k = 0; k < 500; ++k) reading = clean.Read(VectorX::Constant(1, 2.0 * k * kSensorStep));
   EXPECT_NEAR(reading.v[0], 2.0, 1e-6);
-  EXPECT_NEAR(reading.q[0], 2.0 * 499 * kStep, 1e-6);
+  EXPECT_NEAR(reading.q[0], 2.0 * 499 * kSensorStep, 1e-6);
   sheet.encoder_noise_rad = 1e-3;
   const auto noise_of = [](const SensorOptions& options) {
-    Encoders noisy(1, options, kStep);
+    Encoders noisy(1, options, kSensorStep);
     std::vector<double> speeds;
     for (int k = 0; k < 100000; ++k) speeds.push_back(noisy.Read(VectorX::Zero(1)).v[0]);
     return Of(speeds).deviation;
   };
   const double w = 2.0 * std::numbers::pi * 40.0;
-  EXPECT_NEAR(noise_of(sheet) / (1e-3 * std::sqrt(kStep * w * w * w) / 2.0), 1.0, 0.25);
+  EXPECT_NEAR(noise_of(sheet) / (1e-3 * std::sqrt(kSensorStep * w * w * w) / 2.0), 1.0, 0.25);
   sheet.speed_cutoff_hz = 0.0;
-  EXPECT_NEAR(noise_of(sheet), std::sqrt(2.0) * 1e-3 / kStep, 0.02);
+  EXPECT_NEAR(noise_of(sheet), std::sqrt(2.0) * 1e-3 / kSensorStep, 0.02);
 }
 
 TEST(Imu, APerfectOneTellsRateAndSpecificForce) {
-  Imu imu({}, kStep);
+  Imu imu({}, kSensorStep);
   const Vector3 w_B(0.3, -0.5, 0.8), a_W(1.0, 2.0, -3.0);
   VectorX q = AtRest(), v = VectorX::Zero(6);
   Matrix3 R = RotationExp(Vector3(0.2, 0.1, -0.4));
   for (int k = 0; k < 20; ++k) {
-    R = R * RotationExp(kStep * w_B);
+    R = R * RotationExp(kSensorStep * w_B);
     q.segment<4>(3) = Quaternion(R).coeffs();
-    v.head<3>() += kStep * a_W;
+    v.head<3>() += kSensorStep * a_W;
     v.segment<3>(3) = R * w_B;
     const ImuReading& reading = imu.Read(q, v);
     EXPECT_NEAR((reading.rate_B - w_B).norm(), 0.0, 1e-9);
@@ -220,7 +220,7 @@ TEST(Imu, BiasesHaveTheirMagnitudeInAnyDirectionAndWander) {
   Vector3 mean = Vector3::Zero();
   for (int seed = 0; seed < 400; ++seed) {
     sheet.seed = seed;
-    Imu imu(sheet, kStep);
+    Imu imu(sheet, kSensorStep);
     const ImuReading reading = imu.Read(AtRest(), VectorX::Zero(6));
     EXPECT_NEAR(reading.rate_B.norm(), 0.01, 1e-12);
     EXPECT_NEAR((reading.force_B - Vector3(0.0, 0.0, kGravity)).norm(), 0.2, 1e-9);
@@ -246,14 +246,14 @@ TEST(Imu, SlowOnesTellTheMeanSinceTheReadingBeforeAndLateOnesTellItLate) {
   SensorOptions sheet;
   sheet.imu_rate_hz = 250.0;
   sheet.imu_delay_s = 0.002;
-  Imu imu(sheet, kStep);
+  Imu imu(sheet, kSensorStep);
   VectorX v = VectorX::Zero(6);
   for (int k = 0; k < 60; ++k) {
     v[0] = 0.01 * k * k;
     const double force = imu.Read(AtRest(), v).force_B.x();
     const int read = (k - 2) / 4 * 4;  // the step of the reading
     if (k >= 6) {
-      EXPECT_NEAR(force, (0.01 * read * read - 0.01 * (read - 4) * (read - 4)) / (4 * kStep), 1e-9) << k;
+      EXPECT_NEAR(force, (0.01 * read * read - 0.01 * (read - 4) * (read - 4)) / (4 * kSensorStep), 1e-9) << k;
     }
   }
 }
@@ -263,7 +263,7 @@ std::vector<ContactWrench> Loads(double first_n, double second_n) {
 }
 
 TEST(ContactSensors, PerfectOnesTellWhoTouchesAndHowHard) {
-  ContactSensors sensors(2, 100.0, {}, kStep);
+  ContactSensors sensors(2, 100.0, {}, kSensorStep);
   const ContactReading reading = sensors.Read(FootBit(0), Loads(30.0, 0.0));
   EXPECT_EQ(reading.contact, FootBit(0));
   EXPECT_EQ(reading.load_n, (std::vector<double>{30.0, 0.0}));
@@ -272,12 +272,12 @@ TEST(ContactSensors, PerfectOnesTellWhoTouchesAndHowHard) {
 TEST(ContactSensors, HaveAThresholdNoiseAndWrongReadings) {
   SensorOptions sheet;
   sheet.contact_threshold = 0.1;
-  ContactSensors threshold(2, 100.0, sheet, kStep);
+  ContactSensors threshold(2, 100.0, sheet, kSensorStep);
   EXPECT_EQ(threshold.Read(AllFeet(2), Loads(9.9, 10.1)).contact, FootBit(1));
   sheet.contact_noise = 0.01;
   sheet.contact_missed = 0.03;
   sheet.contact_false = 0.05;
-  ContactSensors noisy(2, 100.0, sheet, kStep);
+  ContactSensors noisy(2, 100.0, sheet, kSensorStep);
   std::vector<double> loads;
   int missed = 0, wrong = 0;
   for (int k = 0; k < 20000; ++k) {
@@ -297,7 +297,7 @@ TEST(ContactSensors, AreReadAtTheirRateAndLate) {
   SensorOptions sheet;
   sheet.contact_rate_hz = 500.0;
   sheet.contact_delay_s = 0.002;
-  ContactSensors sensors(2, 100.0, sheet, kStep);
+  ContactSensors sensors(2, 100.0, sheet, kSensorStep);
   for (int k = 0; k < 40; ++k) {
     const double load = sensors.Read(AllFeet(2), Loads(k + 1.0, 1.0)).load_n[0];
     EXPECT_EQ(load, std::max(0, k - 2) / 2 * 2 + 1.0);

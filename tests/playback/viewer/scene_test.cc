@@ -17,7 +17,7 @@
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// The bytes of base64, read without the code that wrote it.
 std::string Unpacked(const std::string& text) {

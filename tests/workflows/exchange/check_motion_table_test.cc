@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/base/file.h"
+#include "tests/named_robot.h"
 #include "tests/scratch_folder.h"
 #include "tests/workflows/exchange/other_software.h"
 #include "workflows/exchange/csv_motion.h"
@@ -15,11 +16,6 @@
 
 namespace gaitwright {
 namespace {
-
-const RobotModel& Robot(const std::string& name) {
-  static const RobotModel a1 = *ChooseRobot("a1", ""), nao = *ChooseRobot("nao", "");
-  return name == "a1" ? a1 : nao;
-}
 
 /// A stance of a robot, its feet on the ground unless it says otherwise.
 OtherStance StanceOf(const RobotModel& model) { return {.base_z_m = model.standing_base_height_m}; }
@@ -40,12 +36,12 @@ void ExpectWhy(const Result<ImportedMotion>& imported, const std::vector<std::st
 
 MotionTable TableOf(const std::string& text, const ImportOptions& options = {}) {
   CsvReading reading{"", options};
-  return *MotionOfCsv(Robot("a1"), *ParseCsvTable(text, "motion.csv"), reading);
+  return *MotionOfCsv(NamedRobot("a1"), *ParseCsvTable(text, "motion.csv"), reading);
 }
 
 std::string WhyChecked(const MotionTable& table, const ImportOptions& options = {}) {
   try {
-    CheckMotionTable(Robot("a1"), FlatTerrain(), options, table);
+    CheckMotionTable(NamedRobot("a1"), FlatTerrain(), options, table);
   } catch (const InvalidArgument& error) {
     return error.what();
   }
@@ -53,31 +49,31 @@ std::string WhyChecked(const MotionTable& table, const ImportOptions& options = 
 }
 
 TEST(CheckMotionTable, KeyframesFarApartAreTakenWhenTheirUnitIsSaid) {
-  OtherStance keyframes = StanceOf(Robot("a1"));
+  OtherStance keyframes = StanceOf(NamedRobot("a1"));
   keyframes.step_s = 0.6;
   keyframes.rows = 5;
-  ExpectWhy(Imported(Robot("a1"), keyframes),
+  ExpectWhy(Imported(NamedRobot("a1"), keyframes),
             {"its rows are 0.6 s apart", "--time-unit ms takes them so, --time-unit s as they are"});
   ImportOptions seconds;
   seconds.time_unit = "s";
-  const Result<ImportedMotion> imported = Imported(Robot("a1"), keyframes, seconds);
+  const Result<ImportedMotion> imported = Imported(NamedRobot("a1"), keyframes, seconds);
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   EXPECT_NEAR(imported->plan.duration_s(), 2.4, 1e-9);
 }
 
 TEST(CheckMotionTable, TheUnitOfTimesIsGuessedByTheirSteps) {
-  OtherStance stance = StanceOf(Robot("a1"));
+  OtherStance stance = StanceOf(NamedRobot("a1"));
   for (const auto& [step, unit] : {std::pair{20.0, "ms"}, {5000.0, "us"}, {5e6, "ns"}, {1e6, "ns"}}) {
     stance.step_s = step;
-    ExpectWhy(Imported(Robot("a1"), stance), {fmt::format("--time-unit {} takes them so", unit)});
+    ExpectWhy(Imported(NamedRobot("a1"), stance), {fmt::format("--time-unit {} takes them so", unit)});
     ImportOptions options;
     options.time_unit = unit;
-    EXPECT_TRUE(Imported(Robot("a1"), stance, options).ok()) << unit;
+    EXPECT_TRUE(Imported(NamedRobot("a1"), stance, options).ok()) << unit;
   }
 }
 
 TEST(CheckMotionTable, RadiansBeyondTheLimitsAreTakenWhenTheyAreSaidToBeSuch) {
-  const RobotModel& nao = Robot("nao");
+  const RobotModel& nao = NamedRobot("nao");
   OtherStance stance = StanceOf(nao);
   stance.joints["LShoulderPitch"] = nao.dof_upper(nao.DofIndex("LShoulderPitch")) + 0.6;
   ExpectWhy(Imported(nao, stance), {"joint 'LShoulderPitch' is at", "--angle-unit rad as they are"});
@@ -89,16 +85,16 @@ TEST(CheckMotionTable, RadiansBeyondTheLimitsAreTakenWhenTheyAreSaidToBeSuch) {
 }
 
 TEST(CheckMotionTable, MetresAreBelievedWhenTheyAreSaidToBeSuch) {
-  OtherStance stance = StanceOf(Robot("a1"));
+  OtherStance stance = StanceOf(NamedRobot("a1"));
   stance.base_z_m = 300.0;
-  ExpectWhy(Imported(Robot("a1"), stance), {"--length-unit mm takes them so, --length-unit m as they are"});
+  ExpectWhy(Imported(NamedRobot("a1"), stance), {"--length-unit mm takes them so, --length-unit m as they are"});
   ImportOptions metres;
   metres.length_unit = "m";
-  ExpectWhy(Imported(Robot("a1"), stance, metres), {"over the ground in most rows"});
+  ExpectWhy(Imported(NamedRobot("a1"), stance, metres), {"over the ground in most rows"});
 }
 
 TEST(CheckMotionTable, AWrongHeightIsNotLaidToTheOrderOfTheQuaternion) {
-  const RobotModel& a1 = Robot("a1");
+  const RobotModel& a1 = NamedRobot("a1");
   const OtherStance low;  // its base at 0
   const std::string lift = fmt::format("--set lift_m={:.4f}", a1.standing_base_height_m);
   ExpectWhy(Imported(a1, low), {"under the ground in most rows", lift});
@@ -113,36 +109,36 @@ TEST(CheckMotionTable, AWrongHeightIsNotLaidToTheOrderOfTheQuaternion) {
 TEST(CheckMotionTable, TheOrderIsStillAskedWhereHeightsAreWrong) {
   OtherStance low;
   low.turn = "1,0,0,0";
-  const std::string why = WhyChecked(TableOf(CsvOf(Robot("a1"), low)));
+  const std::string why = WhyChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
   EXPECT_NE(why.find("the base's quaternion likely has w first"), std::string::npos) << why;
   low.turn = "0,0.7071,0,0.7071";  // on its side in either
-  const std::string neither = WhyChecked(TableOf(CsvOf(Robot("a1"), low)));
+  const std::string neither = WhyChecked(TableOf(CsvOf(NamedRobot("a1"), low)));
   EXPECT_NE(neither.find("the robot is upright in no order of the base's quaternion"), std::string::npos) << neither;
 }
 
 TEST(CheckMotionTable, AStandingRobotIsTakenAsItIsNamed) {
-  OtherStance stance = StanceOf(Robot("a1"));
+  OtherStance stance = StanceOf(NamedRobot("a1"));
   for (const char* turn : {"0,0,0,1", "0,0,1,0"}) {
     stance.turn = turn;
-    EXPECT_EQ(WhyChecked(TableOf(CsvOf(Robot("a1"), stance))), "") << turn;
+    EXPECT_EQ(WhyChecked(TableOf(CsvOf(NamedRobot("a1"), stance))), "") << turn;
   }
 }
 
 TEST(CheckMotionTable, AnglesOfTheBaseHaveNoOrder) {
-  OtherStance stance = StanceOf(Robot("a1"));
+  OtherStance stance = StanceOf(NamedRobot("a1"));
   stance.turn_columns = "base_roll_rad,base_pitch_rad,base_yaw_rad";
   stance.turn = "1.3,0,0";
-  EXPECT_EQ(WhyChecked(TableOf(CsvOf(Robot("a1"), stance))), "") << "a robot may lean";
+  EXPECT_EQ(WhyChecked(TableOf(CsvOf(NamedRobot("a1"), stance))), "") << "a robot may lean";
   ImportOptions options;
   options.quaternion_order = "wxyz";
   stance.turn = "0,0,0";
-  const MotionTable table = TableOf(CsvOf(Robot("a1"), stance), options);
+  const MotionTable table = TableOf(CsvOf(NamedRobot("a1"), stance), options);
   EXPECT_EQ(WhyChecked(table, options), "");
   EXPECT_EQ(table.quaternion.front(), Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
 }
 
 TEST(CheckMotionTable, ClocksAreBounded) {
-  MotionTable table = TableOf(CsvOf(Robot("a1"), StanceOf(Robot("a1"))));
+  MotionTable table = TableOf(CsvOf(NamedRobot("a1"), StanceOf(NamedRobot("a1"))));
   table.time_s.back() = 3601.0;
   ImportOptions seconds;
   seconds.time_unit = "s";
@@ -154,12 +150,12 @@ TEST(CheckMotionTable, ClocksAreBounded) {
 std::string WhyNoGrid(double grid_step_s, double duration_s) {
   ImportOptions options;
   options.grid_step_s = grid_step_s;
-  MotionTable table = TableOf(CsvOf(Robot("a1"), StanceOf(Robot("a1"))));
+  MotionTable table = TableOf(CsvOf(NamedRobot("a1"), StanceOf(NamedRobot("a1"))));
   table.time_s.back() = duration_s;
   std::vector<DerivedPart> derived;
   std::vector<std::string> warnings;
   try {
-    Resample(Robot("a1"), table, options, derived, warnings);
+    Resample(NamedRobot("a1"), table, options, derived, warnings);
   } catch (const InvalidArgument& error) {
     return error.what();
   }
@@ -176,7 +172,7 @@ TEST(GridStep, IsNoneOrOneThatAPlanCanHave) {
             "makes fewer");
   ImportOptions options;
   options.grid_step_s = 1e-9;
-  EXPECT_THROW(Imported(Robot("a1"), StanceOf(Robot("a1")), options), InvalidArgument);
+  EXPECT_THROW(Imported(NamedRobot("a1"), StanceOf(NamedRobot("a1")), options), InvalidArgument);
 }
 
 }  // namespace

@@ -12,9 +12,9 @@
 namespace gaitwright {
 namespace {
 
-synthetic::Played Walker() { return synthetic::Walked(2, {.count = 8}); }
+synthetic::Played LongWalker() { return synthetic::Walked(2, {.count = 8}); }
 
-ComparedMotion PlanSide(const synthetic::Played& walker) {
+ComparedMotion PlanWithGapsSide(const synthetic::Played& walker) {
   return ComparedPlan(walker.model, walker.plan, "plan.json");
 }
 
@@ -35,7 +35,7 @@ ComparedMotion Side(const synthetic::Played& walker, const MotionTable& table) {
   return ComparedTable(walker.model, table, "robot.csv");
 }
 
-bool Notes(const MotionComparison& c, const std::string& part) {
+bool NotesOfGaps(const MotionComparison& c, const std::string& part) {
   return std::any_of(c.notes.begin(), c.notes.end(),
                      [&](const std::string& note) { return synthetic::Says(note, part); });
 }
@@ -43,30 +43,30 @@ bool Notes(const MotionComparison& c, const std::string& part) {
 const TimeGap kGaps[] = {{0.8, 1.8}, {1.0, 2.0}, {0.5, 2.5}, {0.01, 2.0}};
 
 TEST(CompareGaps, DoNotMoveTheClockAndAreNoDifference) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = LongWalker();
   ASSERT_GT(walker.plan.duration_s(), 4.0) << "something is left of it";
   for (const TimeGap& gap : kGaps) {
     for (const double ahead_s : {0.0, 37.25}) {
       SCOPED_TRACE(testing::Message() << gap.start_s << " to " << gap.end_s << ", ahead by " << ahead_s);
-      const ComparedMotion plan = PlanSide(walker), table = Side(walker, TableWithout(walker, gap, ahead_s));
+      const ComparedMotion plan = PlanWithGapsSide(walker), table = Side(walker, TableWithout(walker, gap, ahead_s));
       for (const bool turned : {false, true}) {
         const MotionComparison c = turned ? CompareMotions(table, plan) : CompareMotions(plan, table);
         EXPECT_EQ(c.aligned_by, "best");
         EXPECT_NEAR(c.offset_s, turned ? -ahead_s : ahead_s, 1e-3);
         EXPECT_GT(c.best_offset->agreement, 0.99);
         EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
-        EXPECT_TRUE(Notes(c, "'robot.csv', rows are missing: for "));
+        EXPECT_TRUE(NotesOfGaps(c, "'robot.csv', rows are missing: for "));
       }
     }
   }
 }
 
 TEST(CompareGaps, OfTwoTablesNothingIsComparedInTheGapsOfEither) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = LongWalker();
   const ComparedMotion whole = Side(walker, TableWithout(walker, {})),
                        early = Side(walker, TableWithout(walker, kGaps[0])),
                        late = Side(walker, TableWithout(walker, {2.4, 3.0}));
-  EXPECT_FALSE(Notes(CompareMotions(whole, whole), "rows are missing"));
+  EXPECT_FALSE(NotesOfGaps(CompareMotions(whole, whole), "rows are missing"));
   const int all = CompareMotions(whole, whole).samples;
   const MotionComparison one = CompareMotions(whole, early), two = CompareMotions(early, late);
   EXPECT_EQ(one.samples, early.rows.size());
@@ -78,29 +78,29 @@ TEST(CompareGaps, OfTwoTablesNothingIsComparedInTheGapsOfEither) {
 }
 
 TEST(CompareGaps, OfALogOfOursToo) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = LongWalker();
   synthetic::Played cut = walker;
   std::erase_if(cut.log.samples, [](const LogSample& s) { return s.time_s > 0.01 && s.time_s < 1.99; });
   const MotionComparison c =
-      CompareMotions(PlanSide(walker), ComparedLog(cut.model, cut.log, "log.json"), {.align = "best"});
+      CompareMotions(PlanWithGapsSide(walker), ComparedLog(cut.model, cut.log, "log.json"), {.align = "best"});
   EXPECT_NEAR(c.offset_s, 0.0, 1e-3);
   EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
-  EXPECT_TRUE(Notes(c, "'log.json', rows are missing"));
+  EXPECT_TRUE(NotesOfGaps(c, "'log.json', rows are missing"));
 }
 
 TEST(CompareGaps, WhatDiffersOutsideOfThemIsTold) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = LongWalker();
   MotionTable table = TableWithout(walker, kGaps[1]);
   const auto first = std::find_if(table.time_s.begin(), table.time_s.end(), [](double t) { return t > 1.9; });
   for (auto k = static_cast<std::size_t>(first - table.time_s.begin()); k < table.q.size(); ++k) table.q[k][3] += 0.05;
-  const MotionComparison c = CompareMotions(PlanSide(walker), Side(walker, table));
+  const MotionComparison c = CompareMotions(PlanWithGapsSide(walker), Side(walker, table));
   ASSERT_FALSE(c.same());
   EXPECT_EQ(c.in_order.front().quantity, "position of right_x");
   EXPECT_DOUBLE_EQ(c.in_order.front().time_s, *first);
 }
 
 TEST(CompareGaps, ASpeedBesideOneIsWorkedOutFromItsOwnSide) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = LongWalker();
   MotionTable table;
   for (int k = 0; k < 20; ++k) {
     const bool behind = k >= 10;
@@ -114,16 +114,16 @@ TEST(CompareGaps, ASpeedBesideOneIsWorkedOutFromItsOwnSide) {
 }
 
 TEST(CompareGaps, AJointThatIsLackingIsNamedAndTheOthersAreCompared) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = LongWalker();
   MotionTable table = TableWithout(walker, {});
   for (VectorX& q : table.q) q[3] = NAN;
-  const MotionComparison c = CompareMotions(PlanSide(walker), Side(walker, table));
+  const MotionComparison c = CompareMotions(PlanWithGapsSide(walker), Side(walker, table));
   EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
   EXPECT_EQ(c.joints.size(), 5U);
   for (const JointDifference& joint : c.joints) EXPECT_EQ(joint.position.samples, c.samples) << joint.joint;
   EXPECT_EQ(c.joints_only_a, std::vector<std::string>{"right_x"});
   EXPECT_TRUE(c.joints_only_b.empty());
-  EXPECT_TRUE(Notes(c, "'robot.csv' lacks 1 of 6 joints")) << ComparisonText(c, {});
+  EXPECT_TRUE(NotesOfGaps(c, "'robot.csv' lacks 1 of 6 joints")) << ComparisonText(c, {});
   EXPECT_TRUE(synthetic::Says(ComparisonText(c, {}), "only in A: right_x"));
 }
 

@@ -15,9 +15,9 @@
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-synthetic::Played Walker() { return synthetic::Walked(2, {.count = 6}); }
+synthetic::Played SixStepWalker() { return synthetic::Walked(2, {.count = 6}); }
 
 ComparedMotion PlanSide(const synthetic::Played& walker) {
   return ComparedPlan(walker.model, walker.plan, "plan.json");
@@ -38,7 +38,7 @@ ComparedMotion TableSide(const synthetic::Played& walker, double ahead_s) {
 const SeriesDifference& Base(const MotionComparison& c, std::size_t i) { return c.base.at(i); }
 
 TEST(CompareMotions, APlanIsTheSameAsItselfToTheLast) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   const MotionComparison c = CompareMotions(PlanSide(walker), PlanSide(walker), {.align = "best", .tolerance = 0.0});
   EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
   EXPECT_EQ(c.offset_s, 0.0);
@@ -57,7 +57,7 @@ TEST(CompareMotions, APlanIsTheSameAsItselfToTheLast) {
 }
 
 TEST(CompareMotions, NamesTheJointThatDiffersFirstAndWhen) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   synthetic::Played other = walker;
   for (std::size_t k = 400; k < other.log.samples.size(); ++k) other.log.samples[k].q[7 + 3] += 0.03;  // from 2.0 s on
   for (std::size_t k = 500; k < other.log.samples.size(); ++k) other.log.samples[k].q[0] += 0.2;       // from 2.5 s on
@@ -79,7 +79,7 @@ TEST(CompareMotions, NamesTheJointThatDiffersFirstAndWhen) {
 }
 
 TEST(CompareMotions, AttitudeIsTheAngleBetweenTheTwo) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   synthetic::Played other = walker;
   for (LogSample& sample : other.log.samples) sample.q.segment<4>(3) << 0.0, std::sin(0.1), 0.0, -std::cos(0.1);
   const MotionComparison c = CompareMotions(LogSide(walker), LogSide(other));
@@ -89,7 +89,7 @@ TEST(CompareMotions, AttitudeIsTheAngleBetweenTheTwo) {
 }
 
 TEST(CompareMotions, FindsTheOffsetOfAForeignClock) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   for (const double ahead_s : {0.0, 37.25, -3.0017}) {
     const MotionComparison c = CompareMotions(PlanSide(walker), TableSide(walker, ahead_s));
     EXPECT_EQ(c.aligned_by, "best");
@@ -103,7 +103,7 @@ TEST(CompareMotions, FindsTheOffsetOfAForeignClock) {
 }
 
 TEST(CompareMotions, FindsTheOffsetOfALogThatWasCutShort) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   synthetic::Played cut = walker;
   cut.log.samples.erase(cut.log.samples.begin() + 450, cut.log.samples.end());
   cut.log.samples.erase(cut.log.samples.begin(), cut.log.samples.begin() + 100);
@@ -114,7 +114,7 @@ TEST(CompareMotions, FindsTheOffsetOfALogThatWasCutShort) {
 }
 
 TEST(CompareMotions, AlignsAsItIsTold) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   const ComparedMotion plan = PlanSide(walker), table = TableSide(walker, 40.0);
   EXPECT_NEAR(CompareMotions(plan, table, {.align = "start"}).offset_s, 40.0, 1e-12);
   try {
@@ -129,7 +129,7 @@ TEST(CompareMotions, AlignsAsItIsTold) {
 }
 
 TEST(CompareMotions, TakesAPlansTorqueAtTheMiddleOfTheLogsInterval) {
-  synthetic::Played walker = Walker();
+  synthetic::Played walker = SixStepWalker();
   WholeBodyTrajectory& body = walker.plan.whole_body;
   for (std::size_t k = 0; k < body.tau.size(); ++k) body.tau[k].setConstant(10.0 * static_cast<double>(k));
   for (std::size_t k = 1; k < body.tau.size(); ++k)  // the mean over the interval before the sample
@@ -142,7 +142,7 @@ TEST(CompareMotions, TakesAPlansTorqueAtTheMiddleOfTheLogsInterval) {
 }
 
 TEST(CompareMotions, TellsLateAndMissingContacts) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   synthetic::Played late = walker;
   int moved = -1;
   for (StanceRecord& stance : late.log.stances) {
@@ -166,7 +166,7 @@ TEST(CompareMotions, TellsLateAndMissingContacts) {
 }
 
 TEST(CompareMotions, ALogMayGoOnBehindItsPlanButNotEndBeforeIt) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   synthetic::Played longer = walker, shorter = walker;
   for (int k = 1; k <= 100; ++k) {
     longer.log.samples.push_back(longer.log.samples.back());
@@ -184,7 +184,7 @@ TEST(CompareMotions, ALogMayGoOnBehindItsPlanButNotEndBeforeIt) {
 }
 
 TEST(CompareMotions, NamesRobotsJointsAndOptionsThatAreNotTheSame) {
-  const synthetic::Played biped = Walker(), quadruped = synthetic::Walked(4, {.count = 2});
+  const synthetic::Played biped = SixStepWalker(), quadruped = synthetic::Walked(4, {.count = 2});
   const MotionComparison c = CompareMotions(PlanSide(biped), PlanSide(quadruped));
   EXPECT_TRUE(c.joints.empty());
   EXPECT_EQ(c.joints_only_a.size(), 6U);
@@ -205,7 +205,7 @@ TEST(CompareMotions, NamesRobotsJointsAndOptionsThatAreNotTheSame) {
 }
 
 TEST(CompareMotions, OptionsOfOneSideAloneAreToldInOneLine) {
-  const synthetic::Played planned = Walker();
+  const synthetic::Played planned = SixStepWalker();
   synthetic::Played imported = planned;
   synthetic::Played first = planned;
   first.plan.provenance.options = {{"gait", "trot"},           {"terrain", ""},      {"swing.height_m", "0.08"},
@@ -225,7 +225,7 @@ TEST(CompareMotions, OptionsOfOneSideAloneAreToldInOneLine) {
 }
 
 TEST(CompareMotions, IsToldInJsonAndDrawnOnAPage) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = SixStepWalker();
   synthetic::Played other = walker;
   for (std::size_t k = 400; k < other.log.samples.size(); ++k) other.log.samples[k].q[7 + 3] += 0.03;
   const ComparedMotion a = PlanSide(walker), b = LogSide(other);

@@ -26,9 +26,9 @@ struct Logger {
   double speed_noise_m_s = 0.05;  ///< standard deviation
 };
 
-synthetic::Played Walker() { return synthetic::Walked(2, {.count = 6}); }
+synthetic::Played NoisyWalker() { return synthetic::Walked(2, {.count = 6}); }
 
-ComparedMotion PlanSide(const synthetic::Played& walker) {
+ComparedMotion NoisyPlanSide(const synthetic::Played& walker) {
   return ComparedPlan(walker.model, walker.plan, "plan.json");
 }
 
@@ -52,34 +52,34 @@ ComparedMotion RobotSide(const synthetic::Played& walker, const Logger& logger) 
   return ComparedTable(walker.model, table, "robot.csv");
 }
 
-bool Notes(const MotionComparison& c, const std::string& part) {
+bool NotesOfNoise(const MotionComparison& c, const std::string& part) {
   return std::any_of(c.notes.begin(), c.notes.end(),
                      [&](const std::string& note) { return synthetic::Says(note, part); });
 }
 
 TEST(CompareNoise, OfARobotThatDoesAsPlannedIsNoDifference) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = NoisyWalker();
   const Logger at_200{.rate_hz = 200.0, .ahead_s = 37.25, .noise_m = 5e-4};
   Logger at_500 = at_200, rougher = at_200, with_speeds = at_200;
   at_500.rate_hz = 500.0;
   rougher.noise_m = 1e-3;
   with_speeds.gives_speeds = true;
   for (const Logger& logger : {at_200, at_500, rougher, with_speeds}) {
-    const MotionComparison c = CompareMotions(PlanSide(walker), RobotSide(walker, logger));
+    const MotionComparison c = CompareMotions(NoisyPlanSide(walker), RobotSide(walker, logger));
     EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
     EXPECT_NEAR(c.offset_s, 37.25, 0.015);
     for (const JointDifference& joint : c.joints) EXPECT_NEAR(joint.position.noise, logger.noise_m, 2e-4);
-    EXPECT_FALSE(CompareMotions(PlanSide(walker), RobotSide(walker, logger), {.tolerance = 0.0}).same())
+    EXPECT_FALSE(CompareMotions(NoisyPlanSide(walker), RobotSide(walker, logger), {.tolerance = 0.0}).same())
         << "without a tolerance nothing is let pass";
   }
 }
 
 TEST(CompareNoise, StepsOfEncodersAreNoDifference) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = NoisyWalker();
   const Logger logger{.ahead_s = 37.25, .step_m = 0.002};
   const ComparedMotion robot = RobotSide(walker, logger);
   EXPECT_NEAR(robot.ResolutionOf(kFaulty), 0.002, 1e-12);
-  const MotionComparison c = CompareMotions(PlanSide(walker), robot);
+  const MotionComparison c = CompareMotions(NoisyPlanSide(walker), robot);
   EXPECT_TRUE(c.same()) << FirstDifferenceText(c);
   EXPECT_GE(c.joints[kFaulty].position.noise, 0.002 / std::sqrt(12.0) - 1e-12);
 }
@@ -102,10 +102,11 @@ TEST(Resolution, IsTheStepThatPositionsAreMultiplesOf) {
 }
 
 TEST(CompareNoise, AFaultIsNamedBeforeWhatNoiseAndDerivativesMakeOfIt) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = NoisyWalker();
   for (const double rate_hz : {200.0, 500.0}) {
-    const MotionComparison c = CompareMotions(
-        PlanSide(walker), RobotSide(walker, {.rate_hz = rate_hz, .ahead_s = -3.0017, .noise_m = 5e-4, .fault_m = 0.1}));
+    const MotionComparison c =
+        CompareMotions(NoisyPlanSide(walker),
+                       RobotSide(walker, {.rate_hz = rate_hz, .ahead_s = -3.0017, .noise_m = 5e-4, .fault_m = 0.1}));
     ASSERT_FALSE(c.same());
     const FirstDifference& first = c.in_order.front();
     EXPECT_EQ(first.quantity, "position of right_x") << FirstDifferenceText(c);
@@ -120,30 +121,31 @@ TEST(CompareNoise, AFaultIsNamedBeforeWhatNoiseAndDerivativesMakeOfIt) {
 }
 
 TEST(CompareNoise, AJumpOfAPositionDoesNotMoveTheClock) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = NoisyWalker();
   for (const double rate_hz : {200.0, 500.0, 1000.0}) {
     const Logger logger{.rate_hz = rate_hz, .ahead_s = 12.5, .fault_m = 0.4};
-    const MotionComparison c = CompareMotions(PlanSide(walker), RobotSide(walker, logger));
+    const MotionComparison c = CompareMotions(NoisyPlanSide(walker), RobotSide(walker, logger));
     EXPECT_NEAR(c.offset_s, 12.5, 2e-3) << rate_hz;
   }
 }
 
 TEST(CompareNoise, WhatIsLetPassIsSaid) {
-  const synthetic::Played walker = Walker();
-  const ComparedMotion plan = PlanSide(walker);
+  const synthetic::Played walker = NoisyWalker();
+  const ComparedMotion plan = NoisyPlanSide(walker);
   const Logger logger{.noise_m = 5e-4};
   const MotionComparison c = CompareMotions(plan, RobotSide(walker, logger));
-  EXPECT_TRUE(Notes(c, "speeds of B are worked out from positions, whose noise")) << c.notes.size();
-  EXPECT_TRUE(Notes(c, "5 standard deviations"));
+  EXPECT_TRUE(NotesOfNoise(c, "speeds of B are worked out from positions, whose noise")) << c.notes.size();
+  EXPECT_TRUE(NotesOfNoise(c, "5 standard deviations"));
   EXPECT_NEAR(c.joints[0].speed.noise, 5e-4 * std::sqrt(0.5) / 0.005, 0.02);
   EXPECT_GT(c.joints[0].speed.tolerance, 5.0 * c.joints[0].speed.noise);
-  EXPECT_TRUE(Notes(CompareMotions(RobotSide(walker, logger), plan), "speeds of A are worked out"));
-  EXPECT_TRUE(Notes(CompareMotions(RobotSide(walker, logger), RobotSide(walker, logger)), "speeds of A and B are"));
+  EXPECT_TRUE(NotesOfNoise(CompareMotions(RobotSide(walker, logger), plan), "speeds of A are worked out"));
+  EXPECT_TRUE(
+      NotesOfNoise(CompareMotions(RobotSide(walker, logger), RobotSide(walker, logger)), "speeds of A and B are"));
   Logger with_speeds = logger;
   with_speeds.gives_speeds = true;
-  EXPECT_FALSE(Notes(CompareMotions(plan, RobotSide(walker, with_speeds)), "are worked out from positions"));
+  EXPECT_FALSE(NotesOfNoise(CompareMotions(plan, RobotSide(walker, with_speeds)), "are worked out from positions"));
   const MotionComparison of_log = CompareMotions(plan, ComparedLog(walker.model, walker.log, "log.json"));
-  EXPECT_FALSE(Notes(of_log, "worked out"));
+  EXPECT_FALSE(NotesOfNoise(of_log, "worked out"));
   for (const JointDifference& joint : of_log.joints)
     EXPECT_EQ(joint.position.noise, 0.0) << "of what we play there is none";
 }
@@ -157,7 +159,7 @@ TEST(NoiseGain, IsThatOfCentralDifferencesAndTwiceThatAtAnEnd) {
 }
 
 TEST(NoiseGain, IsWhatNoiseComesOutWithBetweenUnevenRows) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = NoisyWalker();
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0.0, 1e-3);
   MotionTable table;

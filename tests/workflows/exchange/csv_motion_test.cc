@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "kinematics/base/file.h"
+#include "tests/named_robot.h"
 #include "tests/scratch_folder.h"
 #include "tests/workflows/exchange/other_software.h"
 #include "workflows/exchange/compare_motions.h"
@@ -18,13 +19,8 @@
 namespace gaitwright {
 namespace {
 
-const RobotModel& A1() {
-  static const RobotModel model = *ChooseRobot("a1", "");
-  return model;
-}
-
 Result<ComparedMotion> Side(const std::string& text, const CsvReading& reading = {}) {
-  return ComparedCsv(A1(), *ParseCsvTable(text, "robot.csv"), reading);
+  return ComparedCsv(NamedRobot("a1"), *ParseCsvTable(text, "robot.csv"), reading);
 }
 
 std::string FileWith(const std::string& text) {
@@ -40,7 +36,7 @@ void ExpectWhy(const std::string& text, const std::vector<std::string>& parts, c
   for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
 }
 
-OtherStance Standing() { return {.base_z_m = A1().standing_base_height_m}; }
+OtherStance Standing() { return {.base_z_m = NamedRobot("a1").standing_base_height_m}; }
 
 TEST(ComparedCsv, TheOrderOfTheQuaternionIsApplied) {
   OtherWalk walk;
@@ -73,43 +69,45 @@ TEST(ComparedCsv, IsHeldToWhatMotionsAre) {
   OtherStance short_turn = Standing(), far = Standing();
   short_turn.turn = "0,0,0,0.5";
   far.base_z_m = 1e9;
-  ExpectWhy(CsvOf(A1(), short_turn), {"the quaternion of row 1 (0 s) has length 0.5"});
-  ExpectWhy(CsvOf(A1(), far), {"the base's position of row 1", "at most 1e+08"});
+  ExpectWhy(CsvOf(NamedRobot("a1"), short_turn), {"the quaternion of row 1 (0 s) has length 0.5"});
+  ExpectWhy(CsvOf(NamedRobot("a1"), far), {"the base's position of row 1", "at most 1e+08"});
 }
 
 TEST(ComparedCsv, ClocksOfNanosecondsAndLongerAreRefused) {
   OtherStance stance = Standing();
   stance.step_s = 5e6;
-  ExpectWhy(CsvOf(A1(), stance), {"its rows are 5e+06 s apart", "--time-unit ns takes them so"});
+  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"its rows are 5e+06 s apart", "--time-unit ns takes them so"});
   CsvReading seconds;
   seconds.options.time_unit = "s";
-  ExpectWhy(CsvOf(A1(), stance), {"lasts 2.45e+08 s; at most 3600 s are taken"}, seconds);
+  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"lasts 2.45e+08 s; at most 3600 s are taken"}, seconds);
   stance.step_s = 1e30;
-  ExpectWhy(CsvOf(A1(), stance), {"at most 3600 s are taken"}, seconds);
+  ExpectWhy(CsvOf(NamedRobot("a1"), stance), {"at most 3600 s are taken"}, seconds);
 }
 
 TEST(ComparedCsv, SpeedsThatAreNotGivenAreWorkedOut) {
   std::string text = "time_s";
-  for (const std::string& name : A1().dof_names) text += "," + name;
+  for (const std::string& name : NamedRobot("a1").dof_names) text += "," + name;
   text += ",v_FL_hip_joint_rad_s";
   for (int row = 0; row < 6; ++row) {
     text += fmt::format("\n{}", 0.01 * row);
-    for (int d = 0; d < A1().num_dofs(); ++d) text += fmt::format(",{}", A1().standing_joints[d] + 0.02 * row);
+    for (int d = 0; d < NamedRobot("a1").num_dofs(); ++d)
+      text += fmt::format(",{}", NamedRobot("a1").standing_joints[d] + 0.02 * row);
     text += ",7";
   }
   const Result<ComparedMotion> side = Side(text + "\n");
   ASSERT_TRUE(side.ok()) << side.failure().message;
   for (const VectorX& v : side->rows.v) {
-    for (int d = 0; d < A1().num_dofs(); ++d)
-      EXPECT_NEAR(v[6 + d], A1().dof_names[static_cast<std::size_t>(d)] == "FL_hip_joint" ? 7.0 : 2.0, 1e-9);
+    for (int d = 0; d < NamedRobot("a1").num_dofs(); ++d)
+      EXPECT_NEAR(v[6 + d], NamedRobot("a1").dof_names[static_cast<std::size_t>(d)] == "FL_hip_joint" ? 7.0 : 2.0,
+                  1e-9);
   }
 }
 
 TEST(ComparedCsv, SpeedsThatNoRobotHasAreRefused) {
   OtherStance stance = Standing();
   stance.step_s = 1e-12;
-  std::string text = CsvOf(A1(), stance);
-  const std::string usual = fmt::format(",{}\n", A1().standing_joints[A1().num_dofs() - 1]);
+  std::string text = CsvOf(NamedRobot("a1"), stance);
+  const std::string usual = fmt::format(",{}\n", NamedRobot("a1").standing_joints[NamedRobot("a1").num_dofs() - 1]);
   const std::size_t last = text.rfind(usual);
   ASSERT_NE(last, std::string::npos);
   text.replace(last, usual.size(), ",0\n");
@@ -125,9 +123,9 @@ std::string Ocs2Stance() {
     for (const char* joint : {"HAA", "HFE", "KFE"}) text += fmt::format(",jointAngle_{}_{}", leg, joint);
   }
   for (int row = 0; row < 10; ++row) {
-    text += fmt::format("\n{},0,0,{},1,0,0,0", 0.01 * row, A1().standing_base_height_m);
+    text += fmt::format("\n{},0,0,{},1,0,0,0", 0.01 * row, NamedRobot("a1").standing_base_height_m);
     for (int leg = 0; leg < 4; ++leg) {
-      for (int joint = 0; joint < 3; ++joint) text += fmt::format(",{}", A1().standing_joints[joint]);
+      for (int joint = 0; joint < 3; ++joint) text += fmt::format(",{}", NamedRobot("a1").standing_joints[joint]);
     }
   }
   return text + "\n";
@@ -142,7 +140,7 @@ TEST(ComparedCsv, HowItWasUnderstoodIsAmongTheNotes) {
   OtherStance with_battery = Standing();
   with_battery.turn_columns += ",battery";
   with_battery.turn += ",12";
-  const Result<ComparedMotion> with_more = Side(CsvOf(A1(), with_battery));
+  const Result<ComparedMotion> with_more = Side(CsvOf(NamedRobot("a1"), with_battery));
   ASSERT_TRUE(with_more.ok()) << with_more.failure().message;
   ASSERT_EQ(with_more->notes.size(), 1U);
   EXPECT_EQ(with_more->notes.front(), "'robot.csv', columns that are not used: 'battery'");
@@ -153,8 +151,8 @@ TEST(ComparedCsv, JointsThatItLacksAreNotANumber) {
   text.replace(text.find("q_FR_hip_joint_rad"), 18, "shoulder");
   const Result<ComparedMotion> side = Side(text);
   ASSERT_TRUE(side.ok()) << side.failure().message;
-  const int dof = A1().DofIndex("FR_hip_joint");
-  for (int d = 0; d < A1().num_dofs(); ++d) EXPECT_EQ(side->HasJoint(d), d != dof);
+  const int dof = NamedRobot("a1").DofIndex("FR_hip_joint");
+  for (int d = 0; d < NamedRobot("a1").num_dofs(); ++d) EXPECT_EQ(side->HasJoint(d), d != dof);
   EXPECT_NE(side->notes.front().find("lacks 1 of 12 joints"), std::string::npos) << side->notes.front();
   const MotionComparison c = CompareMotions(*side, *side);
   EXPECT_EQ(c.joints.size(), 11U);
@@ -163,7 +161,7 @@ TEST(ComparedCsv, JointsThatItLacksAreNotANumber) {
 }
 
 TEST(ComparedCsv, NamesMayBeForAnotherFileToo) {
-  const std::string text = CsvOf(A1(), Standing());
+  const std::string text = CsvOf(NamedRobot("a1"), Standing());
   CsvReading reading;
   reading.columns_file = FileWith("columns: {clock: time_s}\nscale: {clock: 2}\nignore: [battery]\n");
   ExpectWhy(text, {"there is no column 'clock' to take as 'time_s'"}, reading);
@@ -172,7 +170,7 @@ TEST(ComparedCsv, NamesMayBeForAnotherFileToo) {
 }
 
 TEST(ComparedCsv, MotionsOfMoreThanAnHourAreNotCompared) {
-  Result<ComparedMotion> side = Side(CsvOf(A1(), Standing()));
+  Result<ComparedMotion> side = Side(CsvOf(NamedRobot("a1"), Standing()));
   ASSERT_TRUE(side.ok());
   ComparedMotion longer = *side;
   longer.rows.time_s.back() = 1e15;

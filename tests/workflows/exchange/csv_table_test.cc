@@ -20,7 +20,7 @@ CsvTable Parsed(const std::string& text) {
   return table.ok() ? *table : CsvTable{};
 }
 
-std::string WhyRefused(const std::string& text) {
+std::string WhyCsvTableRefused(const std::string& text) {
   const Result<CsvTable> table = ParseCsvTable(text, "motion.csv");
   EXPECT_FALSE(table.ok()) << text;
   if (table.ok()) return "";
@@ -94,44 +94,47 @@ TEST(CsvTable, ByteOrderMarkIsNoPartOfAName) {
 }
 
 TEST(CsvTable, SaysWhereItIsWrong) {
-  EXPECT_EQ(WhyRefused(""), "'motion.csv': is empty; its first line names the columns");
-  EXPECT_EQ(WhyRefused("a,b\n"), "'motion.csv': has no row of numbers below the names of its columns");
-  EXPECT_EQ(WhyRefused("a,b\n1,2\n3\n"), "'motion.csv': line 3 has 1 cells; line 1 names 2 columns");
-  EXPECT_EQ(WhyRefused("a,b\n1,2,3\n"), "'motion.csv': line 2 has 3 cells; line 1 names 2 columns");
-  EXPECT_EQ(WhyRefused("a,b\n1,nan\n"), "'motion.csv': line 2, column 2 'b' holds 'nan', which is not a finite number");
-  EXPECT_EQ(WhyRefused("a,b\n1,-inf\n"),
+  EXPECT_EQ(WhyCsvTableRefused(""), "'motion.csv': is empty; its first line names the columns");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n"), "'motion.csv': has no row of numbers below the names of its columns");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2\n3\n"), "'motion.csv': line 3 has 1 cells; line 1 names 2 columns");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,2,3\n"), "'motion.csv': line 2 has 3 cells; line 1 names 2 columns");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,nan\n"),
+            "'motion.csv': line 2, column 2 'b' holds 'nan', which is not a finite number");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,-inf\n"),
             "'motion.csv': line 2, column 2 'b' holds '-inf', which is not a finite number");
-  EXPECT_EQ(WhyRefused("a,b\n1,1e999\n"),
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,1e999\n"),
             "'motion.csv': line 2, column 2 'b' holds '1e999', which is not a finite number");
-  EXPECT_EQ(WhyRefused("a,b\n1,\n"), "'motion.csv': line 2, column 2 'b' is empty; each cell must hold a number");
-  EXPECT_EQ(WhyRefused("a,b\n,1\n"), "'motion.csv': line 2, column 1 'a' is empty; each cell must hold a number");
-  EXPECT_EQ(WhyRefused("a;b\n1;2,5\n"),
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,\n"),
+            "'motion.csv': line 2, column 2 'b' is empty; each cell must hold a number");
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n,1\n"),
+            "'motion.csv': line 2, column 1 'a' is empty; each cell must hold a number");
+  EXPECT_EQ(WhyCsvTableRefused("a;b\n1;2,5\n"),
             "'motion.csv': line 2, column 2 'b' holds '2,5', which is not a finite number; decimals are written with a "
             "point");
-  EXPECT_EQ(WhyRefused("a,b\n1,0x10\n"),
+  EXPECT_EQ(WhyCsvTableRefused("a,b\n1,0x10\n"),
             "'motion.csv': line 2, column 2 'b' holds '0x10', which is not a finite number");
 }
 
 TEST(CsvTable, SaysWhatIsWrongWithItsNames) {
-  EXPECT_EQ(WhyRefused("a,b,a\n1,2,3\n"), "'motion.csv': line 1: columns 1 and 3 are both named 'a'");
-  EXPECT_EQ(WhyRefused("a,,b\n1,2,3\n"), "'motion.csv': line 1: column 2 has no name");
-  EXPECT_EQ(WhyRefused("1,2,3\n4,5,6\n"),
+  EXPECT_EQ(WhyCsvTableRefused("a,b,a\n1,2,3\n"), "'motion.csv': line 1: columns 1 and 3 are both named 'a'");
+  EXPECT_EQ(WhyCsvTableRefused("a,,b\n1,2,3\n"), "'motion.csv': line 1: column 2 has no name");
+  EXPECT_EQ(WhyCsvTableRefused("1,2,3\n4,5,6\n"),
             "'motion.csv': line 1 holds numbers only; the first line must name the columns");
-  EXPECT_EQ(WhyRefused("\"a,b\n1,2\n"),
+  EXPECT_EQ(WhyCsvTableRefused("\"a,b\n1,2\n"),
             "'motion.csv': line 1: a quote (\") without its end; a cell ends on its own line");
-  EXPECT_EQ(WhyRefused("\"a\"x,b\n1,2\n"), "'motion.csv': line 1, cell 1: text behind a closing quote");
+  EXPECT_EQ(WhyCsvTableRefused("\"a\"x,b\n1,2\n"), "'motion.csv': line 1, cell 1: text behind a closing quote");
 }
 
 TEST(CsvTable, HasALimitOfColumns) {
   std::string names = "c0", row = "0";
   for (int i = 1; i <= kMostCsvColumns; ++i) names += ",c" + std::to_string(i), row += ",0";
-  EXPECT_EQ(WhyRefused(names + "\n" + row + "\n"), "'motion.csv': line 1: more than 1000 columns");
+  EXPECT_EQ(WhyCsvTableRefused(names + "\n" + row + "\n"), "'motion.csv': line 1: more than 1000 columns");
 }
 
 TEST(CsvTable, HasALimitOfRows) {
   std::string text = "a\n";
   for (int i = 0; i <= kMostCsvRows; ++i) text += "0\n";
-  EXPECT_EQ(WhyRefused(text), "'motion.csv': line 1000002: more than 1000000 rows");
+  EXPECT_EQ(WhyCsvTableRefused(text), "'motion.csv': line 1000002: more than 1000000 rows");
 }
 
 TEST(CsvTable, FileThatIsNotThereIsNamed) {

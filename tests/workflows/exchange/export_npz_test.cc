@@ -81,10 +81,10 @@ struct Npy {
   }
 };
 
-synthetic::Played Walker() { return synthetic::Walked(2, {.count = 2}); }
+synthetic::Played ShortWalker() { return synthetic::Walked(2, {.count = 2}); }
 
 TEST(MotionNpzArchive, HoldsEveryRowExactly) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = ShortWalker();
   const MotionRows rows = RowsOfPlan(walker.model, walker.plan, 500.0);
   const std::string npz = MotionNpz(walker.model, rows);
   EXPECT_TRUE(npz == MotionNpz(walker.model, rows)) << "the same bytes again";
@@ -121,7 +121,7 @@ TEST(MotionNpzArchive, NamesAreTextsOfOneWidth) {
 }
 
 TEST(MotionNpzArchive, OfALogHasNoAccelerations) {
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = ShortWalker();
   const auto files = Unzipped(MotionNpz(walker.model, RowsOfLog(walker.model, walker.log, 200.0)));
   EXPECT_EQ(files.count("a.npy"), 0U);
   EXPECT_EQ(files.count("tau.npy"), 1U);
@@ -146,7 +146,7 @@ std::string PythonWithNumPy() {
 TEST(MotionNpzArchive, IsOpenedByNumPy) {
   const std::string python = PythonWithNumPy();
   ASSERT_NE(python, "") << "NumPy is not installed (Debian: python3-numpy)";
-  const synthetic::Played walker = Walker();
+  const synthetic::Played walker = ShortWalker();
   const MotionRows rows = RowsOfPlan(walker.model, walker.plan, 200.0);
   const std::string file = ScratchFile("numpy.npz");
   ASSERT_TRUE(WriteFileAtomically(file, MotionNpz(walker.model, rows)));

@@ -11,17 +11,13 @@
 
 #include "kinematics/base/file.h"
 #include "planning/plan/plan_json.h"
+#include "tests/named_robot.h"
 #include "tests/scratch_folder.h"
 #include "tests/workflows/exchange/other_software.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright {
 namespace {
-
-const RobotModel& A1() {
-  static const RobotModel model = *ChooseRobot("a1", "");
-  return model;
-}
 
 /// A file in the tests' folder with a text.
 std::string FileWith(const std::string& name, const std::string& text) {
@@ -34,10 +30,10 @@ Result<ImportedMotion> Imported(const std::string& name, const std::string& text
   ImportRequest request;
   request.file = FileWith(name, text);
   request.options = options;
-  return ImportMotion(A1(), request);
+  return ImportMotion(NamedRobot("a1"), request);
 }
 
-std::string WhyRefused(const std::string& text, const ImportOptions& options = {}) {
+std::string WhyImportMotionRefused(const std::string& text, const ImportOptions& options = {}) {
   const Result<ImportedMotion> imported = Imported("refused.csv", text, options);
   EXPECT_FALSE(imported.ok());
   if (imported.ok()) return "";
@@ -84,7 +80,7 @@ TEST(ImportOthers, TrotOfOtherSoftwareIsAuditedPlayedAndScored) {
   EXPECT_NE(std::find(laws.begin(), laws.end(), "zmp_support"), laws.end());
   for (const std::string& law : laws)
     EXPECT_TRUE(law == "consistency" || law == "zmp_support" || law == "dynamics") << law;
-  const Result<PlayedWalk> played = PlayWalk(A1(), imported->plan, {});
+  const Result<PlayedWalk> played = PlayWalk(NamedRobot("a1"), imported->plan, {});
   ASSERT_TRUE(played.ok()) << played.failure().message;
   EXPECT_TRUE(played->report.pass) << played->report.reason;
   EXPECT_GT(played->report.score, 70.0);
@@ -99,7 +95,7 @@ TEST(ImportOthers, CrawlThatTipsOverFallsAndTheReportSaysWhy) {
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   PlayRequest request;
   request.controller = "joint-pd";
-  const Result<PlayedWalk> played = PlayWalk(A1(), imported->plan, request);
+  const Result<PlayedWalk> played = PlayWalk(NamedRobot("a1"), imported->plan, request);
   ASSERT_TRUE(played.ok()) << played.failure().message;
   EXPECT_FALSE(played->report.pass);
   ExpectSays(played->report.reason, {"it fell at", "ZMP outside of the support"});
@@ -132,7 +128,7 @@ TEST(ImportOthers, BaseIsWorkedOutFromTheFeetThatStand) {
   };
   EXPECT_LT(off_feet(*without), 1.5e-3);
   EXPECT_GT(off_feet(*with), 3e-3);
-  const Result<PlayedWalk> played = PlayWalk(A1(), without->plan, {});
+  const Result<PlayedWalk> played = PlayWalk(NamedRobot("a1"), without->plan, {});
   ASSERT_TRUE(played.ok());
   EXPECT_TRUE(played->report.pass) << played->report.reason;
 }
@@ -186,8 +182,8 @@ TEST(ImportOthers, RowsALittleOverTheCoarsestStepApartAreBroughtOntoTheGridToo) 
 TEST(ImportRefusals, QuaternionWithWFirstIsFoundByTheMotion) {
   OtherWalk walk;
   walk.w_first = true;
-  ExpectSays(WhyRefused(CsvOf(walk)), {"the base's quaternion likely has w first", "leaning by 3.14 rad",
-                                       "--quaternion-order wxyz takes it so"});
+  ExpectSays(WhyImportMotionRefused(CsvOf(walk)), {"the base's quaternion likely has w first", "leaning by 3.14 rad",
+                                                   "--quaternion-order wxyz takes it so"});
   ImportOptions options;
   options.quaternion_order = "wxyz";
   EXPECT_TRUE(Imported("w_first.csv", CsvOf(walk), options).ok());
@@ -198,10 +194,11 @@ TEST(ImportRefusals, UnitsAreFoundByTheMotion) {
   degrees.joint_scale = 180.0 / std::numbers::pi;
   millimetres.length_scale = 1000.0;
   milliseconds.time_scale = 1000.0;
-  ExpectSays(WhyRefused(CsvOf(degrees)),
+  ExpectSays(WhyImportMotionRefused(CsvOf(degrees)),
              {"_joint' is at -", "within theirs as degrees: --angle-unit deg takes them so"});
-  ExpectSays(WhyRefused(CsvOf(millimetres)), {"the base is 300 m high, robot 'a1' stands", "--length-unit mm"});
-  ExpectSays(WhyRefused(CsvOf(milliseconds)), {"its rows are 5 s apart", "--time-unit ms takes them so"});
+  ExpectSays(WhyImportMotionRefused(CsvOf(millimetres)),
+             {"the base is 300 m high, robot 'a1' stands", "--length-unit mm"});
+  ExpectSays(WhyImportMotionRefused(CsvOf(milliseconds)), {"its rows are 5 s apart", "--time-unit ms takes them so"});
   ImportOptions options;
   options.angle_unit = "deg";
   EXPECT_TRUE(Imported("deg.csv", CsvOf(degrees), options).ok());
@@ -215,12 +212,13 @@ TEST(ImportRefusals, UnitsAreFoundByTheMotion) {
 
 TEST(ImportRefusals, NamesAreHeldAgainstTheRobot) {
   const std::string good = CsvOf({});
-  ExpectSays(WhyRefused(Replaced(good, "q_FR_hip_joint_rad", "q_FR_hop_joint_rad")),
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "q_FR_hip_joint_rad", "q_FR_hop_joint_rad")),
              {"column 9 'q_FR_hop_joint_rad' is unknown for robot 'a1'; the nearest is 'q_FR_hip_joint_rad'"});
-  ExpectSays(WhyRefused(Replaced(good, "q_FR_hip_joint_rad", "shoulder")),
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "q_FR_hip_joint_rad", "shoulder")),
              {"lacks 1 of 12 joint positions of robot 'a1': 'q_FR_hip_joint_rad'", "not used: 'shoulder'"});
-  ExpectSays(WhyRefused(Replaced(good, "time_s", "moment")), {"has no column of times: 'time_s' is needed"});
-  ExpectSays(WhyRefused(Replaced(good, "base_z_m", "height")),
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "time_s", "moment")),
+             {"has no column of times: 'time_s' is needed"});
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "base_z_m", "height")),
              {"has 'base_x_m' and lacks 'base_z_m'; all of them are needed, or none"});
   ImportOptions options;
   options.missing_joints = "standing";
@@ -233,35 +231,36 @@ TEST(ImportRefusals, NamesAreHeldAgainstTheRobot) {
 
 TEST(ImportRefusals, TimesMustRise) {
   const std::string good = CsvOf({});
-  ExpectSays(WhyRefused(Replaced(good, "\n0.01,", "\n0.005,")),
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\n0.005,")),
              {"line 4, column 1 'time_s': 0.005 does not come after 0.005 in the row before; times must rise"});
-  ExpectSays(WhyRefused(Replaced(good, "\n0.01,", "\n0.001,")), {"0.001 does not come after 0.005"});
-  ExpectSays(WhyRefused(Replaced(good, "\n0.01,", "\nnan,")), {"line 4, column 1 'time_s' holds 'nan'"});
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\n0.001,")), {"0.001 does not come after 0.005"});
+  ExpectSays(WhyImportMotionRefused(Replaced(good, "\n0.01,", "\nnan,")), {"line 4, column 1 'time_s' holds 'nan'"});
   std::size_t end = 0;
   for (int line = 0; line < 4; ++line) end = good.find('\n', end) + 1;
-  ExpectSays(WhyRefused(good.substr(0, end)), {"has 3 rows; 5 or more make a motion"});
+  ExpectSays(WhyImportMotionRefused(good.substr(0, end)), {"has 3 rows; 5 or more make a motion"});
 }
 
 TEST(ImportRefusals, ValuesAreSuchAsMotionsHave) {
-  ExpectSays(WhyRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-1e9")),
+  ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-1e9")),
              {"the base's position of row 2 (0.005 s)", "at most 1e+08 up or down"});
-  ExpectSays(WhyRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-12345")),
+  ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), "\n0.005,", "\n0.005,-12345")),
              {"s from its start", "a position there jumps"});
 }
 
 TEST(ImportRefusals, QuaternionsMustBeRotations) {
-  ExpectSays(WhyRefused(Replaced(CsvOf({}), ",0,0,0,1,", ",0,0,0,0.5,")),
+  ExpectSays(WhyImportMotionRefused(Replaced(CsvOf({}), ",0,0,0,1,", ",0,0,0,0.5,")),
              {"the quaternion of row 1 (0 s) has length 0.5; a rotation's is 1"});
 }
 
 TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {
   ImportOptions options;
   options.lift_m = 0.1;
-  ExpectSays(WhyRefused(CsvOf({}), options), {"lowest foot is 0.100 m over the ground in most rows", "lift_m="});
+  ExpectSays(WhyImportMotionRefused(CsvOf({}), options),
+             {"lowest foot is 0.100 m over the ground in most rows", "lift_m="});
   options = {};
   options.contact_speed = 0.0;
   options.contact_height = 0.0;
-  ExpectSays(WhyRefused(CsvOf({}), options), {"never stands on the ground"});
+  ExpectSays(WhyImportMotionRefused(CsvOf({}), options), {"never stands on the ground"});
   EXPECT_FALSE(Imported("motion.bag", "x").ok());
   ExpectSays(Imported("motion.bag", "x").failure().message, {"accepted: .csv, .tsv, .txt, .yaml, .yml, .json"});
 }
@@ -269,7 +268,8 @@ TEST(ImportRefusals, FeetMustBeNearTheGroundAndStand) {
 TEST(ImportRefusals, JointsTurnedTheOtherWayAreNamedFirst) {
   OtherWalk walk;
   walk.joint_scale = -1.0;
-  ExpectSays(WhyRefused(CsvOf(walk)), {"_calf_joint' and 3 more are past their limits in most rows: is a sign"});
+  ExpectSays(WhyImportMotionRefused(CsvOf(walk)),
+             {"_calf_joint' and 3 more are past their limits in most rows: is a sign"});
 }
 
 TEST(ImportOthers, FeetThatDoNotRollAreSaid) {
@@ -283,11 +283,11 @@ TEST(ImportOthers, FeetThatDoNotRollAreSaid) {
 }
 
 TEST(ImportOthers, AccelerationsThatAreNotThoseOfTheMotionAreLeftOut) {
-  OtherStance stance{.base_z_m = A1().standing_base_height_m};
+  OtherStance stance{.base_z_m = NamedRobot("a1").standing_base_height_m};
   stance.step_s = 0.005;
   stance.turn_columns += ",v_FL_hip_joint_rad_s,a_FL_hip_joint_rad_s2";
   stance.turn += ",0,20";
-  const Result<ImportedMotion> imported = Imported("not_so.csv", CsvOf(A1(), stance));
+  const Result<ImportedMotion> imported = Imported("not_so.csv", CsvOf(NamedRobot("a1"), stance));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   for (const VectorX& a : imported->plan.whole_body.a) ASSERT_LT(a.norm(), 1e-6);
   EXPECT_NE(

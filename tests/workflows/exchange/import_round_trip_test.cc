@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/base/file.h"
+#include "tests/named_robot.h"
 #include "tests/scratch_folder.h"
 #include "workflows/exchange/export_csv.h"
 #include "workflows/exchange/export_trajectory.h"
@@ -16,11 +17,6 @@
 
 namespace gaitwright {
 namespace {
-
-const RobotModel& A1() {
-  static const RobotModel model = *ChooseRobot("a1", "");
-  return model;
-}
 
 Result<ImportedMotion> Imported(const RobotModel& model, const std::string& text,
                                 const std::string& name = "round_trip.csv") {
@@ -149,10 +145,11 @@ TEST(ImportRoundTrip, ExportedGaitsThatFlyPassTheirAudit) {
     request.gait = gait;
     request.command.distance_m = 0.6;
     request.command.speed_m_s = 0.5;
-    const Result<PlannedWalk> walk = PlanWalk(A1(), request);
+    const Result<PlannedWalk> walk = PlanWalk(NamedRobot("a1"), request);
     ASSERT_TRUE(walk.ok()) << walk.failure().message;
     const MotionPlan& plan = walk->motion.plan;
-    const Result<ImportedMotion> imported = Imported(A1(), MotionCsv(A1(), RowsOfPlan(A1(), plan, UsualRate(plan))));
+    const Result<ImportedMotion> imported =
+        Imported(NamedRobot("a1"), MotionCsv(NamedRobot("a1"), RowsOfPlan(NamedRobot("a1"), plan, UsualRate(plan))));
     ASSERT_TRUE(imported.ok()) << imported.failure().message;
     EXPECT_TRUE(imported->audit.pass()) << gait << "\n" << AuditText(imported->audit);
     EXPECT_TRUE(imported->notes.warnings.empty());
@@ -164,9 +161,9 @@ TEST(ImportRoundTrip, OverFlightsTheReferenceStaysInItsSupports) {
   bound.gait = "bound";
   bound.command.distance_m = 0.6;
   bound.command.speed_m_s = 0.5;
-  const Result<PlannedWalk> walk = PlanWalk(A1(), bound);
+  const Result<PlannedWalk> walk = PlanWalk(NamedRobot("a1"), bound);
   ASSERT_TRUE(walk.ok()) << walk.failure().message;
-  const Result<ImportedMotion> imported = Imported(A1(), CsvOfPlan(A1(), walk->motion.plan));
+  const Result<ImportedMotion> imported = Imported(NamedRobot("a1"), CsvOfPlan(NamedRobot("a1"), walk->motion.plan));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   for (const Violation& violation : imported->audit.violations)
     EXPECT_NE(violation.where, "reference of the zero-moment point") << AuditText(imported->audit);

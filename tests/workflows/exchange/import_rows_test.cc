@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "kinematics/base/file.h"
+#include "tests/named_robot.h"
 #include "tests/scratch_folder.h"
 #include "tests/workflows/exchange/other_software.h"
 #include "workflows/exchange/import_motion.h"
@@ -19,16 +20,11 @@
 namespace gaitwright {
 namespace {
 
-const RobotModel& A1() {
-  static const RobotModel model = *ChooseRobot("a1", "");
-  return model;
-}
-
-Result<ImportedMotion> Imported(const std::string& name, const std::string& text) {
+Result<ImportedMotion> ImportedRows(const std::string& name, const std::string& text) {
   ImportRequest request;
   request.file = ScratchFile(name);
   EXPECT_TRUE(WriteFileAtomically(request.file, text).ok());
-  return ImportMotion(A1(), request);
+  return ImportMotion(NamedRobot("a1"), request);
 }
 
 /// How something was worked out, or empty.
@@ -69,8 +65,8 @@ TEST(ImportRows, ALastStepThatIsShorterLeavesTheOthersAsTheyAre) {
   OtherWalk walk;
   for (const auto& [step_s, end] : {std::pair(0.005, "3.402"), std::pair(0.002, "3.4005")}) {
     walk.step_s = step_s;
-    const Result<ImportedMotion> even = Imported("even.csv", CsvOf(walk)),
-                                 more = Imported("more.csv", WithLastRowAgainAt(CsvOf(walk), end));
+    const Result<ImportedMotion> even = ImportedRows("even.csv", CsvOf(walk)),
+                                 more = ImportedRows("more.csv", WithLastRowAgainAt(CsvOf(walk), end));
     ASSERT_TRUE(even.ok() && more.ok()) << more.failure().message;
     EXPECT_EQ(more->plan.whole_body.step_s, step_s);
     EXPECT_EQ(HowOf(*more, "rows"), "") << "they are the file's own";
@@ -83,7 +79,7 @@ TEST(ImportRows, ALastStepThatIsShorterLeavesTheOthersAsTheyAre) {
 }
 
 TEST(ImportRows, ALastStepThatIsLongerIsAHoleLikeAnyOther) {
-  const Result<ImportedMotion> imported = Imported("late.csv", WithLastRowAgainAt(CsvOf({}), "3.6"));
+  const Result<ImportedMotion> imported = ImportedRows("late.csv", WithLastRowAgainAt(CsvOf({}), "3.6"));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   EXPECT_NE(HowOf(*imported, "rows"), "");
   EXPECT_NE(WarningOf(*imported, "rows are missing: for 0.2 s from the file's 3.4 s on"), "");
@@ -91,9 +87,9 @@ TEST(ImportRows, ALastStepThatIsLongerIsAHoleLikeAnyOther) {
 
 TEST(ImportRows, HolesAreWarnedOf) {
   const std::string whole = CsvOf({}), one = Without(whole, 0.1, 0.4), two = Without(one, 3.0, 3.1);
-  const Result<ImportedMotion> of_whole = Imported("whole.csv", whole), of_one = Imported("one.csv", one),
-                               of_two = Imported("two.csv", two),
-                               of_few = Imported("few.csv", Without(whole, 0.1, 0.115));
+  const Result<ImportedMotion> of_whole = ImportedRows("whole.csv", whole), of_one = ImportedRows("one.csv", one),
+                               of_two = ImportedRows("two.csv", two),
+                               of_few = ImportedRows("few.csv", Without(whole, 0.1, 0.115));
   ASSERT_TRUE(of_whole.ok() && of_one.ok() && of_two.ok() && of_few.ok());
   EXPECT_EQ(WarningOf(*of_whole, "rows are missing"), "");
   EXPECT_EQ(WarningOf(*of_few, "rows are missing"), "") << "20 ms";
@@ -122,26 +118,26 @@ std::string Retimed(const std::string& csv, const std::function<double(int row, 
 TEST(ImportRows, TimesOfArrivalAreWarnedOf) {
   const std::string whole = CsvOf({});
   const auto late = [](int row, double time_s) { return time_s + 1e-3 * std::sin(2.7 * row); };
-  const Result<ImportedMotion> even = Imported("even.csv", whole),
-                               uneven = Imported("uneven.csv", Retimed(whole, late));
+  const Result<ImportedMotion> even = ImportedRows("even.csv", whole),
+                               uneven = ImportedRows("uneven.csv", Retimed(whole, late));
   ASSERT_TRUE(even.ok() && uneven.ok());
   EXPECT_EQ(WarningOf(*even, "rows come"), "");
   EXPECT_NE(WarningOf(*uneven, "rows come unevenly, every "), "");
 }
 
 TEST(ImportRows, FewRowsAreWarnedOf) {
-  OtherStance stance{.base_z_m = A1().standing_base_height_m};
+  OtherStance stance{.base_z_m = NamedRobot("a1").standing_base_height_m};
   stance.step_s = 0.03;
-  EXPECT_EQ(WarningOf(*Imported("often.csv", CsvOf(A1(), stance)), "rows come"), "");
+  EXPECT_EQ(WarningOf(*ImportedRows("often.csv", CsvOf(NamedRobot("a1"), stance)), "rows come"), "");
   stance.step_s = 0.2;
-  EXPECT_NE(WarningOf(*Imported("seldom.csv", CsvOf(A1(), stance)), "rows come every 200 ms only"), "");
+  EXPECT_NE(WarningOf(*ImportedRows("seldom.csv", CsvOf(NamedRobot("a1"), stance)), "rows come every 200 ms only"), "");
 }
 
 TEST(ImportRows, VelocitiesThatAreNotThoseOfThePositionsAreWarnedOfWithUnitAndTime) {
-  OtherStance stance{.base_z_m = A1().standing_base_height_m};
+  OtherStance stance{.base_z_m = NamedRobot("a1").standing_base_height_m};
   stance.turn_columns += ",v_FL_hip_joint_rad_s";
   stance.turn += ",3";
-  const Result<ImportedMotion> imported = Imported("still.csv", CsvOf(A1(), stance));
+  const Result<ImportedMotion> imported = ImportedRows("still.csv", CsvOf(NamedRobot("a1"), stance));
   ASSERT_TRUE(imported.ok()) << imported.failure().message;
   const std::string said = WarningOf(*imported, "the velocities of joint 'FL_hip_joint' differ");
   EXPECT_NE(said.find("by up to 3 rad/s, at 0 s; it moves with up to "), std::string::npos) << said;
@@ -149,7 +145,7 @@ TEST(ImportRows, VelocitiesThatAreNotThoseOfThePositionsAreWarnedOfWithUnitAndTi
 
 TEST(ImportRefusals, FilesOfOursAreToldWhatToDoWithThem) {
   const auto why = [](const std::string& name, const std::string& text) {
-    const Result<ImportedMotion> imported = Imported(name, text);
+    const Result<ImportedMotion> imported = ImportedRows(name, text);
     EXPECT_FALSE(imported.ok()) << name;
     return imported.ok() ? "" : imported.failure().message;
   };
@@ -173,7 +169,7 @@ TEST(ImportRefusals, AFolderIsNoMotion) {
   for (const char* name : {"a_folder", "motions.csv"}) {
     request.file = ScratchFile(name);
     std::filesystem::create_directories(request.file);
-    const Result<ImportedMotion> imported = ImportMotion(A1(), request);
+    const Result<ImportedMotion> imported = ImportMotion(NamedRobot("a1"), request);
     ASSERT_FALSE(imported.ok());
     EXPECT_NE(imported.failure().message.find(std::string(name) + "': is a folder"), std::string::npos)
         << imported.failure().message;

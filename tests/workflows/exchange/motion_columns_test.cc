@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "kinematics/base/file.h"
+#include "tests/named_robot.h"
 #include "tests/scratch_folder.h"
 #include "workflows/exchange/column_target.h"
 #include "workflows/exchange/ocs2_columns.h"
@@ -18,11 +19,6 @@ namespace gaitwright {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-const RobotModel& Robot(const std::string& name) {
-  static const RobotModel a1 = *ChooseRobot("a1", ""), nao = *ChooseRobot("nao", "");
-  return name == "a1" ? a1 : nao;
-}
 
 /// A table of two rows with a column of time and all joints of a robot at 0.1, 0.2, ...
 CsvTable TableOf(const RobotModel& model, const std::vector<std::pair<std::string, double>>& more = {}) {
@@ -38,7 +34,7 @@ CsvTable TableOf(const RobotModel& model, const std::vector<std::pair<std::strin
 
 Result<MotionTable> Taken(const CsvTable& table, const ColumnNames& names = {}, const ImportOptions& options = {},
                           const std::string& robot = "a1") {
-  return MotionFromCsv(Robot(robot), table, names, options);
+  return MotionFromCsv(NamedRobot(robot), table, names, options);
 }
 
 void ExpectRefusal(const Result<MotionTable>& motion, const std::string& part) {
@@ -49,10 +45,10 @@ void ExpectRefusal(const Result<MotionTable>& motion, const std::string& part) {
 
 TEST(MotionColumns, TakesWhatNamesSay) {
   const Result<MotionTable> motion = Taken(
-      TableOf(Robot("a1"),
+      TableOf(NamedRobot("a1"),
               {{"v_FL_hip_joint_rad_s", 2.0}, {"tau_FL_hip_joint_nm", 3.0}, {"base_vx_m_s", 9.0}, {"battery", 12.0}}));
   ASSERT_TRUE(motion.ok()) << motion.failure().message;
-  const int dof = Robot("a1").DofIndex("FL_hip_joint");
+  const int dof = NamedRobot("a1").DofIndex("FL_hip_joint");
   EXPECT_NEAR(motion->q[1][dof], 0.1 * (dof + 1), 1e-12);
   EXPECT_EQ(motion->v[0][dof], 2.0);
   EXPECT_TRUE(std::isnan(motion->v[0][dof == 0 ? 1 : 0])) << "one that is not there is worked out";
@@ -62,12 +58,12 @@ TEST(MotionColumns, TakesWhatNamesSay) {
 }
 
 TEST(MotionColumns, AnglesOfTheBaseAreARotation) {
-  const Result<MotionTable> motion = Taken(TableOf(Robot("a1"), {{"base_x_m", 1},
-                                                                 {"base_y_m", 2},
-                                                                 {"base_z_mm", 300},
-                                                                 {"base_roll_deg", 90},
-                                                                 {"base_pitch_rad", 0},
-                                                                 {"base_yaw_deg", 90}}));
+  const Result<MotionTable> motion = Taken(TableOf(NamedRobot("a1"), {{"base_x_m", 1},
+                                                                      {"base_y_m", 2},
+                                                                      {"base_z_mm", 300},
+                                                                      {"base_roll_deg", 90},
+                                                                      {"base_pitch_rad", 0},
+                                                                      {"base_yaw_deg", 90}}));
   ASSERT_TRUE(motion.ok()) << motion.failure().message;
   EXPECT_NEAR(motion->base_m[0].z(), 0.3, 1e-12);
   const Eigen::Vector4d c = motion->quaternion[0];
@@ -77,7 +73,7 @@ TEST(MotionColumns, AnglesOfTheBaseAreARotation) {
 }
 
 TEST(MotionColumns, AJointsNameMayStandWithItsUnitAndWithoutItsQ) {
-  const RobotModel& a1 = Robot("a1");
+  const RobotModel& a1 = NamedRobot("a1");
   const CsvTable ours = TableOf(a1);
   for (const auto& [unit, scale] : {std::pair{"", 1.0}, {"_rad", 1.0}, {"_deg", kDegree}}) {
     CsvTable theirs = ours;
@@ -90,7 +86,7 @@ TEST(MotionColumns, AJointsNameMayStandWithItsUnitAndWithoutItsQ) {
 }
 
 TEST(MotionColumns, OfASlideTheUnitIsALength) {
-  RobotModel model = Robot("a1");
+  RobotModel model = NamedRobot("a1");
   model.joints[static_cast<std::size_t>(model.dof_joint[2])].type = JointType::kPrismatic;
   const std::string& name = model.dof_names[2];
   const auto targets = ColumnTargets(model, {});
@@ -100,7 +96,7 @@ TEST(MotionColumns, OfASlideTheUnitIsALength) {
 }
 
 TEST(MotionColumns, AJointThatIsCalledLikeAnothersUnitKeepsItsName) {
-  RobotModel model = Robot("a1");
+  RobotModel model = NamedRobot("a1");
   const int arm = model.dof_joint[0], other = model.dof_joint[1];
   model.joints[static_cast<std::size_t>(arm)].name = "arm";
   model.joints[static_cast<std::size_t>(other)].name = "arm_rad";
@@ -111,7 +107,7 @@ TEST(MotionColumns, AJointThatIsCalledLikeAnothersUnitKeepsItsName) {
 }
 
 TEST(MotionColumns, TheTimeIsNamedWhereSomeColumnIsLikelyIt) {
-  CsvTable table = TableOf(Robot("a1"));
+  CsvTable table = TableOf(NamedRobot("a1"));
   for (const char* likely : {"Time [s]", "timestamp_ms", "tims", "Stamp"}) {
     table.columns[0] = likely;
     ExpectRefusal(Taken(table),
@@ -125,7 +121,7 @@ TEST(MotionColumns, UnitsScaleWhatHasNone) {
   ImportOptions options;
   options.angle_unit = "deg";
   options.time_unit = "ms";
-  const Result<MotionTable> motion = Taken(TableOf(Robot("a1")), {}, options);
+  const Result<MotionTable> motion = Taken(TableOf(NamedRobot("a1")), {}, options);
   ASSERT_TRUE(motion.ok());
   EXPECT_NEAR(motion->q[0][1], 0.2 * kDegree, 1e-15);
   EXPECT_NEAR(motion->time_s[1], 1e-5, 1e-15);
@@ -133,24 +129,24 @@ TEST(MotionColumns, UnitsScaleWhatHasNone) {
 
 TEST(MotionColumns, FeetAndForces) {
   std::vector<std::pair<std::string, double>> more;
-  for (const Foot& foot : Robot("a1").feet) {
+  for (const Foot& foot : NamedRobot("a1").feet) {
     more.emplace_back("contact_" + foot.link, foot.link == "FL_foot" ? 0.0 : 1.0);
     for (const char axis : {'x', 'y', 'z'})
       more.emplace_back(fmt::format("force_{}_{}_n", foot.link, axis), axis - 'x');
   }
-  const Result<MotionTable> motion = Taken(TableOf(Robot("a1"), more));
+  const Result<MotionTable> motion = Taken(TableOf(NamedRobot("a1"), more));
   ASSERT_TRUE(motion.ok()) << motion.failure().message;
   for (int f = 0; f < 4; ++f)
-    EXPECT_EQ(Contains(motion->contact[0], f), Robot("a1").feet[static_cast<std::size_t>(f)].link != "FL_foot");
+    EXPECT_EQ(Contains(motion->contact[0], f), NamedRobot("a1").feet[static_cast<std::size_t>(f)].link != "FL_foot");
   EXPECT_EQ(motion->force_W[1][3], Vector3(0.0, 1.0, 2.0));
   more.front().second = 0.5;
-  ExpectRefusal(Taken(TableOf(Robot("a1"), more)), "0.5 is neither 0 nor 1");
+  ExpectRefusal(Taken(TableOf(NamedRobot("a1"), more)), "0.5 is neither 0 nor 1");
   more.pop_back();
-  ExpectRefusal(Taken(TableOf(Robot("a1"), more)), "all of them are needed, or none");
+  ExpectRefusal(Taken(TableOf(NamedRobot("a1"), more)), "all of them are needed, or none");
 }
 
 TEST(MotionColumns, RefusesWhatDoesNotGoTogether) {
-  const RobotModel& a1 = Robot("a1");
+  const RobotModel& a1 = NamedRobot("a1");
   ExpectRefusal(Taken(TableOf(a1, {{"v_FL_hip_joint_deg", 1}})),
                 "is unknown for robot 'a1'; the nearest is 'v_FL_hip_joint_deg_s'");
   ExpectRefusal(Taken(TableOf(a1, {{"contact_FL_fot", 1}})), "the nearest is 'contact_FL_foot'");
@@ -168,7 +164,7 @@ TEST(MotionColumns, RefusesWhatDoesNotGoTogether) {
 }
 
 TEST(MotionColumns, EachNameOfTheFileOfNamesIsAColumn) {
-  const RobotModel& a1 = Robot("a1");
+  const RobotModel& a1 = NamedRobot("a1");
   const CsvTable table = TableOf(a1, {{"hip vel", 1.0}, {"battery", 12.0}});
   ExpectRefusal(Taken(table, {{{"hip_vel", "v_FL_hip_joint_rad_s"}}, {}, {}}),
                 "there is no column 'hip_vel' to take as 'v_FL_hip_joint_rad_s'; the nearest is 'hip vel'");
@@ -182,7 +178,8 @@ TEST(MotionColumns, EachNameOfTheFileOfNamesIsAColumn) {
 }
 
 TEST(MotionColumns, TheQuaternionIsBroughtIntoOurOrder) {
-  const CsvTable table = TableOf(Robot("a1"), {{"base_qx", 0.1}, {"base_qy", 0.2}, {"base_qz", 0.3}, {"base_qw", 0.9}});
+  const CsvTable table =
+      TableOf(NamedRobot("a1"), {{"base_qx", 0.1}, {"base_qy", 0.2}, {"base_qz", 0.3}, {"base_qw", 0.9}});
   ImportOptions options;
   EXPECT_EQ(Taken(table, {}, options)->quaternion[0], Eigen::Vector4d(0.1, 0.2, 0.3, 0.9));
   options.quaternion_order = "wxyz";
@@ -190,7 +187,7 @@ TEST(MotionColumns, TheQuaternionIsBroughtIntoOurOrder) {
 }
 
 TEST(MotionColumns, JointsThatFollowAreHeldAgainstTheirLeaders) {
-  const RobotModel& nao = Robot("nao");
+  const RobotModel& nao = NamedRobot("nao");
   const auto mimic = std::find_if(nao.joints.begin(), nao.joints.end(), [](const Joint& j) { return j.is_mimic; });
   ASSERT_NE(mimic, nao.joints.end());
   const double right = mimic->multiplier * 0.1 * (mimic->dof + 1) + mimic->offset;
@@ -276,9 +273,9 @@ CsvTable Ocs2Table() {
 TEST(Ocs2Columns, AreTakenAsTheyAre) {
   const CsvTable table = Ocs2Table();
   ASSERT_TRUE(IsOcs2Motion(table));
-  EXPECT_FALSE(IsOcs2Motion(TableOf(Robot("a1"))));
+  EXPECT_FALSE(IsOcs2Motion(TableOf(NamedRobot("a1"))));
   std::vector<DerivedPart> derived;
-  const RobotModel& a1 = Robot("a1");
+  const RobotModel& a1 = NamedRobot("a1");
   const Result<ColumnNames> names = Ocs2ColumnNames(a1, table, derived);
   ASSERT_TRUE(names.ok()) << names.failure().message;
   ASSERT_EQ(derived.size(), 1U);
@@ -301,7 +298,7 @@ TEST(Ocs2Columns, OneThatIsMisnamedIsTold) {
     std::replace(table.columns.begin(), table.columns.end(), std::string(theirs), theirs + std::string("x"));
     ASSERT_TRUE(IsOcs2Motion(table));
     std::vector<DerivedPart> derived;
-    const Result<ColumnNames> names = Ocs2ColumnNames(Robot("a1"), table, derived);
+    const Result<ColumnNames> names = Ocs2ColumnNames(NamedRobot("a1"), table, derived);
     ASSERT_FALSE(names.ok());
     EXPECT_NE(names.failure().message.find(fmt::format("'{0}x'; the nearest is '{0}'", theirs)), std::string::npos)
         << names.failure().message;
@@ -314,14 +311,14 @@ TEST(Ocs2Columns, MayLackWhatIsNotNeeded) {
     if (column.starts_with("contact")) column = "other_" + column;
   }
   std::vector<DerivedPart> derived;
-  const Result<ColumnNames> names = Ocs2ColumnNames(Robot("a1"), table, derived);
+  const Result<ColumnNames> names = Ocs2ColumnNames(NamedRobot("a1"), table, derived);
   ASSERT_TRUE(names.ok()) << names.failure().message;
   EXPECT_TRUE(Taken(table, *names).ok());
 }
 
 TEST(Ocs2Columns, NeedALeggedRobotOfThatKind) {
   std::vector<DerivedPart> derived;
-  const Result<ColumnNames> names = Ocs2ColumnNames(Robot("nao"), Ocs2Table(), derived);
+  const Result<ColumnNames> names = Ocs2ColumnNames(NamedRobot("nao"), Ocs2Table(), derived);
   ASSERT_FALSE(names.ok());
   EXPECT_NE(names.failure().message.find("robot 'nao' has no such legs"), std::string::npos);
 }

@@ -24,7 +24,7 @@ std::string PartOfLimit(double time_s) {
 }
 const std::string kPart = PartOfLimit(30.0);
 constexpr double kSoon = 1.0;  // [s]
-const std::string kRight = "    return c[:2] - a[:2] * h / 9.81\n";
+const std::string kRightCode = "    return c[:2] - a[:2] * h / 9.81\n";
 
 class Hostile : public MadeClass {
  protected:
@@ -44,8 +44,8 @@ class Hostile : public MadeClass {
   }
   /// The function's body, of a function that goes on to the right answer.
   PartMark MarkBody(const std::string& body, double time_s = 30.0) const {
-    return MarkCode(PartOfLimit(time_s),
-                    "import ctypes, os, socket, sys, time\ndef pendulum_zmp(c, a, h):\n    " + body + "\n" + kRight);
+    return MarkCode(PartOfLimit(time_s), "import ctypes, os, socket, sys, time\ndef pendulum_zmp(c, a, h):\n    " +
+                                             body + "\n" + kRightCode);
   }
   /// What an attempt came to, in the submission's own words.
   std::string Attempt(const std::string& expression) const {

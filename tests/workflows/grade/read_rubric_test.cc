@@ -7,8 +7,8 @@ namespace gaitwright {
 namespace {
 
 const std::string kHead = "title: t\nparts:\n";
-const std::string kZmp = "- {name: zmp, kind: function, file: z.py, points: 5, reference: pendulum_zmp";
-const std::string kTrot =
+const std::string kZmpRubric = "- {name: zmp, kind: function, file: z.py, points: 5, reference: pendulum_zmp";
+const std::string kTrotRubric =
     "- {name: trot, kind: parameters, file: t.yaml, points: 5, robot: a1, command: {speed_m_s: 0.3, distance_m: 1}";
 const std::string kPass = ", checks: [{measure: pass, points: 5}]";
 
@@ -22,7 +22,8 @@ void ExpectRefused(const std::string& text, const std::vector<std::string>& word
 
 TEST(ReadRubric, ReadsPartsOfEachSort) {
   const Result<Rubric> rubric = ReadRubric(
-      kHead + kZmp + ", limits: {time_s: 2, memory_mb: 256}, inputs: {com_height_m: [0.2, 0.3]}}\n" + kTrot +
+      kHead + kZmpRubric + ", limits: {time_s: 2, memory_mb: 256}, inputs: {com_height_m: [0.2, 0.3]}}\n" +
+          kTrotRubric +
           ", runs: 3, trials: 4, options: [gait.cycle_s, swing.*], play: {play.friction: [0.5, 0.9], state: estimated}"
           ", checks: [{measure: pass, points: 3, none_at: 0}, {measure: goal_error_m, points: 2, full_at: 0.05, "
           "none_at: 0.2}]}\n",
@@ -59,12 +60,12 @@ TEST(ReadRubric, ChecksGivePointsInProportion) {
 
 TEST(ReadRubric, RefusesUnknownKeysWithTheNearest) {
   ExpectRefused("titel: t\nparts: []\n", {"'r.yaml', line 1", "'titel'", "'title'"});
-  ExpectRefused(kHead + kZmp + ", tolerence: 1}\n", {"line 3", "'tolerence'", "'tolerance'"});
-  ExpectRefused(kHead + kZmp + ", robots: a1}\n", {"'robots'", "'robot'"});
-  ExpectRefused(kHead + kZmp + ", limits: {times_s: 1}}\n", {"'times_s'", "'time_s'"});
-  ExpectRefused(kHead + kZmp + ", inputs: {com_hight_m: 1}}\n", {"'com_hight_m'", "'com_height_m'"});
-  ExpectRefused(kHead + kZmp + ", controller: stabilised}\n", {"'controller'"});
-  ExpectRefused(kHead + kTrot + kPass + ", speed: 1}\n", {"'speed'"});
+  ExpectRefused(kHead + kZmpRubric + ", tolerence: 1}\n", {"line 3", "'tolerence'", "'tolerance'"});
+  ExpectRefused(kHead + kZmpRubric + ", robots: a1}\n", {"'robots'", "'robot'"});
+  ExpectRefused(kHead + kZmpRubric + ", limits: {times_s: 1}}\n", {"'times_s'", "'time_s'"});
+  ExpectRefused(kHead + kZmpRubric + ", inputs: {com_hight_m: 1}}\n", {"'com_hight_m'", "'com_height_m'"});
+  ExpectRefused(kHead + kZmpRubric + ", controller: stabilised}\n", {"'controller'"});
+  ExpectRefused(kHead + kTrotRubric + kPass + ", speed: 1}\n", {"'speed'"});
   ExpectRefused(kHead + "- {name: p, kind: functoin, file: f, points: 1}\n", {"'functoin'", "'function'"});
 }
 
@@ -73,34 +74,36 @@ TEST(ReadRubric, RefusesWhatThereIsNot) {
                 {"no reference 'zmp_pendulum'"});
   ExpectRefused(kHead + "- {name: p, kind: function, file: f, points: 1, reference: leg_ik}\n",
                 {"lacks the key 'robot'"});
-  ExpectRefused(kHead + kTrot + ", checks: [{measure: goal_eror_m, points: 5}]}\n",
+  ExpectRefused(kHead + kTrotRubric + ", checks: [{measure: goal_eror_m, points: 5}]}\n",
                 {"'goal_eror_m'", "'goal_error_m'"});
-  ExpectRefused(kHead + kTrot + ", checks: [{measure: goal_error_m, points: 5}]}\n", {"lacks 'full_at'"});
-  ExpectRefused(kHead + kTrot + "}\n", {"lacks the key 'checks'"});
-  ExpectRefused(kHead + kTrot + kPass + ", options: [gait.cicle_s]}\n", {"'gait.cicle_s'", "'gait.cycle_s'"});
-  ExpectRefused(kHead + kTrot + kPass + ", play: {play.frction: 1}}\n", {"'play.frction'", "'play.friction'"});
-  ExpectRefused(kHead + kTrot + kPass + ", controller: stabilized}\n", {"'stabilized'", "'stabilised'"});
-  ExpectRefused(kHead + kTrot + kPass + ", gait: troot}\n", {"'troot'", "'trot'"});
-  ExpectRefused(kHead + kTrot + kPass + ", disturbances: none}\n", {"'none'", "'standard'"});
-  ExpectRefused(kHead + kTrot + kPass + ", terrain: my.yaml}\n", {"'my.yaml' is a file"});
+  ExpectRefused(kHead + kTrotRubric + ", checks: [{measure: goal_error_m, points: 5}]}\n", {"lacks 'full_at'"});
+  ExpectRefused(kHead + kTrotRubric + "}\n", {"lacks the key 'checks'"});
+  ExpectRefused(kHead + kTrotRubric + kPass + ", options: [gait.cicle_s]}\n", {"'gait.cicle_s'", "'gait.cycle_s'"});
+  ExpectRefused(kHead + kTrotRubric + kPass + ", play: {play.frction: 1}}\n", {"'play.frction'", "'play.friction'"});
+  ExpectRefused(kHead + kTrotRubric + kPass + ", controller: stabilized}\n", {"'stabilized'", "'stabilised'"});
+  ExpectRefused(kHead + kTrotRubric + kPass + ", gait: troot}\n", {"'troot'", "'trot'"});
+  ExpectRefused(kHead + kTrotRubric + kPass + ", disturbances: none}\n", {"'none'", "'standard'"});
+  ExpectRefused(kHead + kTrotRubric + kPass + ", terrain: my.yaml}\n", {"'my.yaml' is a file"});
   ExpectRefused(kHead + "- {name: p, kind: planner, file: f, points: 1, robot: noa" + kPass + "}\n",
                 {"no robot 'noa'", "'nao'"});
 }
 
 TEST(ReadRubric, RefusesValuesOutOfRange) {
-  ExpectRefused(kHead + kZmp + ", cases: 0}\n", {"'cases' is 0", "1 to 10000"});
-  ExpectRefused(kHead + kZmp + ", cases: 2.5}\n", {"'cases' is 2.5", "whole"});
-  ExpectRefused(kHead + kZmp + ", limits: {memory_mb: 1}}\n", {"'memory_mb'", "1"});
-  ExpectRefused(kHead + kZmp + ", inputs: {com_height_m: [2, 1]}}\n", {"from 2 to 1", "backwards"});
-  ExpectRefused(kHead + kZmp + ", inputs: {com_height_m: [2]}}\n", {"has 1 numbers"});
-  ExpectRefused(kHead + kZmp + ", checks: [{measure: share_right, points: 4}]}\n", {"of 4 points, the part of 5"});
-  ExpectRefused(kHead + kZmp + ", checks: [{measure: share_right, points: 5, full_at: 1, none_at: 1}]}\n", {"both 1"});
+  ExpectRefused(kHead + kZmpRubric + ", cases: 0}\n", {"'cases' is 0", "1 to 10000"});
+  ExpectRefused(kHead + kZmpRubric + ", cases: 2.5}\n", {"'cases' is 2.5", "whole"});
+  ExpectRefused(kHead + kZmpRubric + ", limits: {memory_mb: 1}}\n", {"'memory_mb'", "1"});
+  ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2, 1]}}\n", {"from 2 to 1", "backwards"});
+  ExpectRefused(kHead + kZmpRubric + ", inputs: {com_height_m: [2]}}\n", {"has 1 numbers"});
+  ExpectRefused(kHead + kZmpRubric + ", checks: [{measure: share_right, points: 4}]}\n",
+                {"of 4 points, the part of 5"});
+  ExpectRefused(kHead + kZmpRubric + ", checks: [{measure: share_right, points: 5, full_at: 1, none_at: 1}]}\n",
+                {"both 1"});
   ExpectRefused(kHead + "- {name: 1p, kind: function, file: f, points: 1, reference: dcm}\n", {"'1p'", "letter"});
   ExpectRefused(kHead + "- {name: p, kind: function, file: ../f, points: 1, reference: dcm}\n",
                 {"'../f'", "without folders"});
   ExpectRefused(kHead + "- {name: p, kind: function, file: f, points: 0, reference: dcm}\n",
                 {"'points' is 0", "over zero"});
-  ExpectRefused(kHead + kZmp + "}\n" + kZmp + "}\n", {"two parts are called 'zmp'"});
+  ExpectRefused(kHead + kZmpRubric + "}\n" + kZmpRubric + "}\n", {"two parts are called 'zmp'"});
   ExpectRefused(kHead + "- {name: p, kind: planner, file: f, points: 5, robot: nao" + kPass + "}\n", {"lacks a goal"});
   ExpectRefused("title: t\nparts: []\n", {"0 parts"});
   ExpectRefused("just words\n", {"no rubric"});

@@ -15,7 +15,7 @@
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using Mouse = Chromium::Mouse;
 
 /// A robot that is run, and a browser at its page.

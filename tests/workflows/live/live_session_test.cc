@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 RobotModel Robot() { return ChooseRobot("a1", "").value(); }
 

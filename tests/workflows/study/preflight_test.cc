@@ -18,7 +18,7 @@
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 struct Walked {
   RobotModel model;

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> kOver = {"speed=0.3:0.7:5", "play.push_on=base,robot"};
 

@@ -40,17 +40,18 @@ PlayedWalk Pushed(const Stander& stander, const std::string& controller, double 
 
 bool Fell(const PlayedWalk& played) { return *played.report.At("fell").value > 0.0; }
 
-struct Case {
+struct RecoveryCase {
   std::string robot;
   double force_n, direction_deg;
 };
 
-class Recovering : public testing::TestWithParam<Case> {};
+class Recovering : public testing::TestWithParam<RecoveryCase> {};
 INSTANTIATE_TEST_SUITE_P(Pushes, Recovering,
-                         testing::Values(Case{"humanoid", 300.0, 0.0}, Case{"humanoid", 280.0, 90.0},
-                                         Case{"humanoid", 280.0, -90.0}, Case{"humanoid", 125.0, 180.0},
-                                         Case{"nao", 27.0, 135.0}, Case{"nao", 27.0, -135.0}, Case{"a1", 190.0, 0.0},
-                                         Case{"a1", 210.0, 180.0}, Case{"a1", 210.0, 45.0}));
+                         testing::Values(RecoveryCase{"humanoid", 300.0, 0.0}, RecoveryCase{"humanoid", 280.0, 90.0},
+                                         RecoveryCase{"humanoid", 280.0, -90.0}, RecoveryCase{"humanoid", 125.0, 180.0},
+                                         RecoveryCase{"nao", 27.0, 135.0}, RecoveryCase{"nao", 27.0, -135.0},
+                                         RecoveryCase{"a1", 190.0, 0.0}, RecoveryCase{"a1", 210.0, 180.0},
+                                         RecoveryCase{"a1", 210.0, 45.0}));
 
 TEST_P(Recovering, StepsWhereStandingDoesNotDo) {
   const auto& [robot, force_n, direction_deg] = GetParam();

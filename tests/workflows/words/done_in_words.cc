@@ -23,7 +23,8 @@ Done DoneInWords(const RobotModel& model, const std::string& text, const Terrain
   EXPECT_TRUE(planned.ok()) << (planned ? "" : planned.failure().message);
   if (!planned) return {};
   EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
-  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, PlayRequest{});
+  const PlayRequest request;
+  const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, request);
   EXPECT_TRUE(played.ok()) << (played ? "" : played.failure().message);
   if (!played) return {};
   EXPECT_TRUE(played->report.pass) << played->report.reason;
