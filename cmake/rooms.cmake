@@ -5,7 +5,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 takes "text" + std::string for overlapping copies (GCC bug 105651).
   list(APPEND GAITWRIGHT_WARNINGS -Wno-restrict)
 endif()
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+# Most of what a compiler does for one of our files it does for its neighbours again: headers and templates. So the files of a
+# folder are compiled together, some at a time; OFF compiles each alone, as editors and clang-tidy want them.
+option(GAITWRIGHT_UNITY "Compile the files of a folder together, which takes a third of the time" ON)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND GAITWRIGHT_UNITY)
   # GCC collects its garbage later: a tenth faster, and 1.5 GB instead of 1.2 GB for the largest group of files.
   add_compile_options(--param=ggc-min-heapsize=1000000)
 endif()
@@ -14,9 +17,6 @@ if(GAITWRIGHT_FUZZ)
 endif()
 set(GAITWRIGHT_ROOMS "")
 
-# Most of what a compiler does for one of our files it does for its neighbours again: headers and templates. So the files of a
-# folder are compiled together, some at a time; OFF compiles each alone, as editors and clang-tidy want them.
-option(GAITWRIGHT_UNITY "Compile the files of a folder together, which takes a third of the time" ON)
 # A changed file is compiled with its neighbours, so they must not be too many.
 set(GAITWRIGHT_UNITY_BYTES 60000 CACHE STRING "Size of the sources that are compiled together")
 mark_as_advanced(GAITWRIGHT_UNITY_BYTES)

@@ -37,7 +37,7 @@ def run_all(build, choice, quick):
         old.unlink()
     junit.unlink(missing_ok=True)
     environment = dict(os.environ, **({"GAITWRIGHT_QUICK_TESTS": "1"} if quick else {}))
-    status = ctest(build, f"-j{os.cpu_count()}", "--output-on-failure", f"--output-junit={junit}", *choice,
+    status = ctest(build, f"-j{os.cpu_count() + 1}", "--output-on-failure", "--output-junit", str(junit), *choice,
                    env=environment).returncode
     return status, counts_of(results, junit)
 
@@ -45,15 +45,16 @@ def run_all(build, choice, quick):
 def counts_of(results, junit):
     """{outcome: names} of all tests of a run: single ones of the shards, the others as CTest has them."""
     counts = {"passed": [], "failed": [], "skipped": []}
-    shards = set()
+    shards = {}
     for file in results.glob("*.json"):
-        shards.add(file.stem)
         report = json.loads(file.read_text())
         for test in report["tests"]:
             counts[test["outcome"]].append(f"{report['program']}: {test['name']}")
+        shards[file.stem] = any(test["outcome"] == "failed" for test in report["tests"])
     for case in xml.parse(junit).getroot().iter("testcase") if junit.exists() else []:
         outcome = {"run": "passed", "fail": "failed"}.get(case.get("status"), "skipped")
-        if case.get("name") not in shards:
+        named = shards.get(case.get("name"))
+        if named is None or (outcome == "failed" and not named):
             counts[outcome].append(case.get("name"))
     return counts
 

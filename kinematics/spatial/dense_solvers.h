@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decompositions of small dense matrices whose size is known only at run time. As plain functions they are compiled once:
-// each is worth a second or two of the compiler in every file that instantiates it. For inner loops of known size use Eigen.
+// Decompositions of small dense matrices whose size is known only at run time. As plain functions they are compiled
+// once: each is worth a second or two of the compiler in every file that instantiates it. For inner loops of known size
+// use Eigen.
 #pragma once
 
 #include "kinematics/spatial/pose.h"
@@ -16,11 +17,13 @@ MatrixX SolveLeastSquares(const MatrixX& A, const MatrixX& B);
 /// As SolveLeastSquares, but of all that minimise it the X of least norm: complete orthogonal decomposition.
 MatrixX SolveLeastNorm(const MatrixX& A, const MatrixX& B);
 
-/// Singular values, in decreasing order, and left singular vectors U, m x m, of A, m x n.
+/// Singular values, in decreasing order, and left singular vectors U, m x m, of a matrix A, m x n.
 struct LeftSingularVectors {
   VectorX values;
   MatrixX U;
 };
+
+/// Singular values and left singular vectors of A, by one-sided Jacobi rotations.
 LeftSingularVectors LeftSingularVectorsOf(const MatrixX& A);
 
 }  // namespace gaitwright
