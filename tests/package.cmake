@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The packages that users install. They are made of the program as a reader has it: optimised, with the Python module.
+# The packages that users install. Only an optimised build with the Python module makes them.
 if(NOT CMAKE_BUILD_TYPE STREQUAL "Release" OR NOT TARGET python_core)
   return()
 endif()

@@ -93,7 +93,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--build", default="build/release", type=Path, help="folder of the build; default build/release")
-    parser.add_argument("--quick", action="store_true", help="only what is quick: no test of tests/slow_tests.txt, no documents")
+    parser.add_argument("--quick", action="store_true", help="leave out the tests of tests/slow_tests.txt, the handbook and the packages")
     parser.add_argument("--long", action="store_true", help="only the long tests")
     parser.add_argument("--renew-slow", action="store_true", help="write tests/slow_tests.txt anew; run no test")
     arguments = parser.parse_args()

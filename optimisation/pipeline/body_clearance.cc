@@ -10,7 +10,7 @@ namespace gaitwright {
 namespace {
 
 constexpr double kKept = 0.07;        // of the leg
-constexpr double kLeastShare = 0.25;  // of what is kept
+constexpr double kLeastShare = 0.25;  // of the clearance that is kept
 constexpr double kWindow_s = 0.02;
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace gaitwright {
 
-/// The number, or null where there is none that JSON can hold.
+/// The value as a JSON number, or null if it is missing or not finite.
 inline nlohmann::ordered_json JsonOrNull(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
