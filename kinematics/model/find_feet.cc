@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "kinematics/model/body_tree.h"
+#include "kinematics/model/shape_support.h"
 #include "kinematics/model/yaml_line.h"
 #include "kinematics/spatial/convex_hull.h"
 
@@ -53,15 +54,7 @@ std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
 
 /// How far a shape reaches along a direction of its body's frame from its origin.
 double SupportAlong(const Shape& shape, const Vector3& d) {
-  if (shape.type == ShapeType::kCylinder) {
-    const Vector3 axis = shape.X_BS.linear().col(2);
-    const double along = axis.dot(d);
-    return shape.X_BS.translation().dot(d) + 0.5 * shape.size.y() * std::abs(along) +
-           shape.size.x() * std::sqrt(std::max(0.0, 1.0 - along * along));
-  }
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Vector3& corner : Corners(shape)) most = std::max(most, corner.dot(d));
-  return most + Radius(shape);
+  return d.dot(shape.X_BS * SupportPoint(shape, shape.X_BS.linear().transpose() * d));
 }
 
 double Extent(const Shape& shape) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace gaitwright {
 struct RobotLoading {
   std::string yaml_path = {};  ///< "" takes `robot.yaml` beside the description where there is one, "none" takes none
   bool strict = false;         ///< what would be mended (see MendUrdf and MendInertia) is refused
+  std::map<std::string, std::string> packages = {};         ///< folders by name, before those that are found
+  std::map<std::string, std::string> xacro_arguments = {};  ///< values by name
 };
 
 /// The robot of a URDF file. What is wrong in it and has one plain meaning is mended, and told in the model's findings.
