@@ -17,6 +17,7 @@ inline const std::vector<Layer> kLayers = {
     {"kinematics/base", 10},
     {"kinematics/spatial", 11},
     {"kinematics/trajectory", 12},
+    {"kinematics/description", 12},  // beside it: descriptions of robots need no trajectories
     {"kinematics/model", 13},
     {"kinematics/dynamics", 14},
     {"kinematics/stability", 15},
@@ -95,7 +96,7 @@ inline const std::vector<Owner> kOwners = {
     {"urdf_world/", {"kinematics/model"}},
     {"urdf_exception/", {"kinematics/model"}},
     {"console_bridge/", {"kinematics/model"}},
-    {"tinyxml2.h", {"kinematics/model"}},
+    {"tinyxml2.h", {"kinematics/description", "kinematics/model"}},
     {"fcl/", {"kinematics/collision"}},
     {"ccd/", {"kinematics/collision"}},
     {"ompl/", {"planning"}},
