@@ -62,6 +62,54 @@ Vector3 Spread(int i, int n) {
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
+std::size_t FarthestOf(const std::vector<Vector3>& points, const Vector3& direction) {
+  std::size_t farthest = 0;
+  double most = points.front().dot(direction);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double along = points[i].dot(direction);
+    if (along <= most) continue;
+    most = along;
+    farthest = i;
+  }
+  return farthest;
+}
+
+/// The farthest of the points in each of many directions. Few points can be so in a direction near a given one: with
+/// the points within R of a middle c, who is farthest along d is no nearer along D than what is known to be reached
+/// along d less R |D - d|.
+std::vector<Vector3> FarthestAlong(const std::vector<Vector3>& points, const std::vector<Vector3>& directions) {
+  constexpr int kCoarse = 64;
+  Vector3 low = points.front(), high = low;
+  for (const Vector3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vector3 middle = 0.5 * (low + high);
+  const double radius = 0.5 * (high - low).norm();
+  std::vector<Vector3> coarse, extremes;
+  for (int k = 0; k < kCoarse; ++k) {
+    coarse.push_back(Spread(k, kCoarse));
+    extremes.push_back(points[FarthestOf(points, coarse.back())]);
+  }
+  std::vector<std::vector<std::size_t>> near(kCoarse);
+  for (std::size_t i = 0; i < directions.size(); ++i) near[FarthestOf(coarse, directions[i])].push_back(i);
+  std::vector<Vector3> farthest(directions.size(), points.front()), candidates;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : near[k]) {
+      const Vector3& d = directions[i];
+      const double reached = (extremes[FarthestOf(extremes, d)] - middle).dot(d);
+      least = std::min(least, reached - radius * ((coarse[k] - d).norm() + 1e-9));
+    }
+    candidates.clear();
+    for (const Vector3& p : points) {
+      if ((p - middle).dot(coarse[k]) >= least) candidates.push_back(p);
+    }
+    for (const std::size_t i : near[k]) farthest[i] = candidates[FarthestOf(candidates, directions[i])];
+  }
+  return farthest;
+}
+
 }  // namespace
 
 Result<Mesh> ReadMesh(const std::string& path) {
@@ -102,13 +150,9 @@ std::vector<Vector3> HullPoints(std::vector<Vector3> points) {
   };
   once(points);
   if (points.size() <= kMany) return points;
-  std::vector<Vector3> farthest;
-  for (int i = 0; i < kDirections; ++i) {
-    const Vector3 direction = Spread(i, kDirections);
-    farthest.push_back(*std::max_element(points.begin(), points.end(), [&](const Vector3& a, const Vector3& b) {
-      return a.dot(direction) < b.dot(direction);
-    }));
-  }
+  std::vector<Vector3> directions;
+  for (int i = 0; i < kDirections; ++i) directions.push_back(Spread(i, kDirections));
+  std::vector<Vector3> farthest = FarthestAlong(points, directions);
   once(farthest);
   return farthest;
 }

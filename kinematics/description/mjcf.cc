@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/description/mjcf.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "kinematics/base/file.h"
+#include "kinematics/description/mjcf_keyframe_internal.h"
+#include "kinematics/description/mjcf_others_internal.h"
+#include "kinematics/description/mjcf_write_internal.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestMjcfFile = std::size_t{16} << 20;  // [byte]
+
+/// Inertias and shapes of the robot's bodies.
+void ReadMjcfBodies(MjcfContext& context, MjcfRobot& robot) {
+  const MjcfMeshAssets assets = ReadMjcfMeshes(context);
+  const std::set<std::string> paired = MjcfPairedGeoms(context);
+  const std::size_t count = robot.tree.bodies.size();
+  robot.inertias.resize(count);
+  robot.collision.resize(count);
+  robot.visual.resize(count);
+  MjcfInertias inertias(context, assets);
+  for (std::size_t b = 0; b < count; ++b) {
+    if (!robot.tree.in_robot[b]) continue;
+    const std::vector<MjcfGeom> geoms = ReadMjcfGeoms(context, robot.tree.bodies[b], paired);
+    robot.inertias[b] = inertias.Of(robot.tree.bodies[b], geoms);
+    for (const MjcfGeom& geom : geoms) {
+      if (!geom.collides && !geom.is_shown) continue;
+      const std::optional<MjcfUrdfShape> shape = ShapeOfMjcfGeom(context, geom, assets);
+      if (shape && geom.collides) robot.collision[b].push_back(*shape);
+      if (shape && geom.is_shown) robot.visual[b].push_back(*shape);
+    }
+  }
+}
+
+/// Scales masses and inertias to a total mass, where <compiler> gives one.
+void SetMjcfTotalMass(MjcfContext& context, MjcfRobot& robot) {
+  double total = 0.0;
+  for (const MjcfInertia& inertia : robot.inertias) total += inertia.mass;
+  if (!(context.compiler.settotalmass > 0.0) || !(total > 0.0)) return;
+  const double scale = context.compiler.settotalmass / total;
+  for (MjcfInertia& inertia : robot.inertias) {
+    inertia.mass *= scale;
+    inertia.I_C *= scale;
+  }
+}
+
+std::string NameOfMjcf(const MjcfContext& context) {
+  MjcfAttributes::Values values;
+  if (const char* name = context.document.root().Attribute("model")) values["model"] = name;
+  return MjcfAttributes(context.document.Owner(context.document.root()), values).Name("model");
+}
+
+ConvertedMjcf ConvertMjcfOrThrow(const std::string& text, const MjcfFiles& files, const std::string& name) {
+  MjcfContext context(text, files, name);
+  MjcfRobot robot;
+  robot.name = NameOfMjcf(context);
+  robot.tree = ReadMjcfTree(context);
+  ReadMjcfBodies(context, robot);
+  SetMjcfTotalMass(context, robot);
+  robot.drives = ReadMjcfDrives(context, robot.tree);
+  robot.couplings = ReadMjcfCouplings(context, robot.tree, robot.drives);
+  std::vector<bool> follows;
+  for (const MjcfCoupling& coupling : robot.couplings) follows.push_back(!coupling.moves_alone());
+  robot.efforts = MjcfEfforts(context, robot.tree, robot.drives, follows);
+  robot.posture = ReadMjcfPosture(context, robot.tree, robot.couplings);
+  NoteMjcfOthers(context);
+  ConvertedMjcf converted;
+  converted.urdf = WriteMjcfUrdf(robot);
+  converted.yaml = WriteMjcfYaml(context, robot);
+  converted.notes = std::move(context.notes);
+  return converted;
+}
+
+}  // namespace
+
+bool IsMjcf(const std::string& text) {
+  std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  while (true) {
+    at = text.find_first_not_of(" \t\r\n", at);
+    if (at == std::string::npos || text[at] != '<') return false;
+    const bool is_comment = text.compare(at, 4, "<!--") == 0;
+    if (!is_comment && text[at + 1] != '?' && text[at + 1] != '!') break;
+    const std::size_t end = text.find(is_comment ? "-->" : ">", at);
+    if (end == std::string::npos) return false;
+    at = end + (is_comment ? 3 : 1);
+  }
+  const std::string name = text.substr(at + 1, text.find_first_of(" \t\r\n/>", at) - at - 1);
+  return name == "mujoco" || name == "mujocoinclude";
+}
+
+Result<ConvertedMjcf> ConvertMjcfText(const std::string& text, const MjcfFiles& files, const std::string& name) {
+  try {
+    return ConvertMjcfOrThrow(text, files, name);
+  } catch (const Failure& failure) {
+    return failure;
+  }
+}
+
+Result<ConvertedMjcf> ConvertMjcf(const std::string& path, const MjcfMeshReader& read_mesh) {
+  const Result<std::string> text = ReadFile(path, kLargestMjcfFile);
+  if (!text) return text.failure();
+  const fs::path folder = fs::path(path).parent_path();
+  MjcfFiles files;
+  files.text = [&](const std::string& file) { return ReadFile((folder / file).string(), kLargestMjcfFile); };
+  if (read_mesh) files.mesh = [&](const std::string& file) { return read_mesh((folder / file).string()); };
+  return ConvertMjcfText(*text, files, fs::path(path).filename().string());
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kinematics/base/result.h"
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+/// A robot of a MuJoCo model (MJCF) as the texts that LoadRobotFromText takes.
+struct ConvertedMjcf {
+  std::string urdf;
+  std::string yaml;                ///< name, standing posture, gains, rotor inertias: what a URDF cannot say
+  std::vector<std::string> notes;  ///< what was left out or taken otherwise, each with its file, line and element
+};
+
+/// Triangles of a mesh file, in its own frame and unit.
+struct MjcfMesh {
+  std::vector<Vector3> vertices;
+  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
+};
+
+/// Reads a mesh file by its path. Needed only for bodies whose inertia MuJoCo computes from a mesh.
+using MjcfMeshReader = std::function<Result<MjcfMesh>(const std::string& path)>;
+
+/// How the files are read that a model names.
+struct MjcfFiles {
+  std::function<Result<std::string>(const std::string& file)> text;  ///< an included file, as `<include>` names it
+  MjcfMeshReader mesh;  ///< a mesh, by the path that the URDF has: relative to the model's folder, or absolute
+};
+
+/// Whether a text is a MuJoCo model: its root element is <mujoco> or <mujocoinclude>.
+bool IsMjcf(const std::string& text);
+
+/// Converts a MuJoCo model into a URDF and a robot.yaml. Paths of meshes in the URDF are relative to the folder of
+/// `path`, as if the URDF stood there.
+///
+/// = Taken over =
+///   bodies, joints with their anchors, limits, damping, friction and armature, inertia (given or from geoms), geoms,
+///   effort limits and servo gains of actuators, linear joint equalities (mimic), the keyframe `home` or the first one
+///
+/// = Taken otherwise =
+///   ellipsoid: a capsule or box around it      prismatic joint without range: 1 km either way
+///   joint without actuator beside joints that have one: effort limit of 1e-6 N m, so that no plan relies on it
+///   joint whose actuators have no force limit, and all joints of a model without actuators: effort 0, unknown
+///   first body without free joint: floating base all the same
+///
+/// @param read_mesh  for inertia from meshes; without it a body that needs one is refused.
+/// @return the texts; or a Failure of kind kBadInput that names file, line, element and value: not XML, numbers or
+/// names that are wrong, connect and weld (closed loops), tendon and slider-crank actuators, equalities that are not
+/// linear, <replicate>, <attach>, <composite>, <flexcomp>, and more than 16 MiB of text, 200 levels, 100 files, 1000
+/// bodies. Format: MuJoCo XML reference, https://mujoco.readthedocs.io/en/stable/XMLreference.html
+Result<ConvertedMjcf> ConvertMjcf(const std::string& path, const MjcfMeshReader& read_mesh = {});
+
+/// Converts the text of a model. @param name  of the model's file, for messages.
+Result<ConvertedMjcf> ConvertMjcfText(const std::string& text, const MjcfFiles& files = {},
+                                      const std::string& name = "model.xml");
+
+}  // namespace gaitwright

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/description/mjcf_model_internal.h"
+
+namespace gaitwright {
+
+/// What all actuators of a joint do together, at the joint.
+struct MjcfDrive {
+  int actuators = 0;
+  bool is_bounded = true;            ///< each of them has a force limit
+  Vector3 effort = Vector3::Zero();  ///< largest by axis of a ball joint; of another joint x [N m, N]
+  double stiffness = 0.0;            ///< gain on position [N m/rad, N/m]; 0 without one
+  double damping = 0.0;              ///< gain on speed [N m s/rad, N s/m]; 0 without one
+};
+
+/// The drives by joint. Effort is |gear| times the largest force, which `forcerange` bounds, and `ctrlrange` where
+/// force is control times a gain. Throws a Failure on actuators of tendons and slider-cranks and on unknown joints;
+/// those that act on sites, bodies and joints that do not move are noted.
+std::vector<MjcfDrive> ReadMjcfDrives(MjcfContext& context, const MjcfTree& tree);
+
+/// Effort below which no motion counts on a joint that has no actuator [N m, N].
+inline constexpr double kMjcfPassiveEffort = 1e-6;
+
+/// The effort limits of the URDF by joint: 0 where none is known. Joints without a limit and without an actuator are
+/// noted. @param follows  by joint: it follows another one and needs no actuator.
+std::vector<double> MjcfEfforts(MjcfContext& context, const MjcfTree& tree, const std::vector<MjcfDrive>& drives,
+                                const std::vector<bool>& follows);
+
+}  // namespace gaitwright

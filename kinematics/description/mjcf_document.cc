@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "kinematics/base/text.h"
+#include "kinematics/description/mjcf_document_internal.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr std::size_t kLargestMjcf = std::size_t{16} << 20;  // [byte] of all files together
+constexpr std::size_t kMostMjcfFiles = 100;
+constexpr int kDeepestMjcf = 200;
+
+bool IsMjcfInclude(const tinyxml2::XMLElement& element) { return std::strcmp(element.Name(), "include") == 0; }
+
+/// The place of a character reference to zero, such as "&#0;", or npos.
+std::size_t FindMjcfZeroReference(const std::string& text) {
+  for (std::size_t at = text.find("&#"); at != std::string::npos; at = text.find("&#", at + 1)) {
+    const std::size_t end = text.find_first_not_of("xX0", at + 2);
+    if (end != std::string::npos && end > at + 2 && text[end] == ';') return at;
+  }
+  return std::string::npos;
+}
+
+}  // namespace
+
+void RefuseMjcf(const std::string& code, const std::string& message) {
+  throw Failure{FailureKind::kBadInput, code, "ConvertMjcf", message, {}};
+}
+
+MjcfDocument::MjcfDocument(const std::string& text, const std::string& name, const TextReader& read_text) {
+  const tinyxml2::XMLElement& model = Parse(text, name);
+  if (std::strcmp(model.Name(), "mujoco") != 0 && std::strcmp(model.Name(), "mujocoinclude") != 0) {
+    RefuseMjcf("not_mjcf",
+               fmt::format("{}: the root element is <{}>; a MuJoCo model has <mujoco>", name, Shortened(model.Name())));
+  }
+  Include(model, 1, read_text);
+}
+
+const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const std::string& name) {
+  bytes_ += text.size();
+  if (bytes_ > kLargestMjcf) {
+    RefuseMjcf("large_mjcf", fmt::format("{}: the model has more than {} bytes with all files that it includes; at "
+                                         "most that many are read",
+                                         name, kLargestMjcf));
+  }
+  if (text.find('\0') != std::string::npos || FindMjcfZeroReference(text) != std::string::npos)
+    RefuseMjcf("not_xml", fmt::format("{}: it is not XML: it holds the character 0x00", name));
+  files_.push_back(std::make_unique<File>());
+  File& file = *files_.back();
+  file.name = name;
+  name_of_[&file.xml] = name;
+  if (file.xml.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
+    RefuseMjcf("not_xml",
+               fmt::format("{}, line {}: it is not XML: {}", name, file.xml.ErrorLineNum(), file.xml.ErrorName()));
+  if (file.xml.RootElement() == nullptr) RefuseMjcf("not_xml", fmt::format("{}: it has no element", name));
+  return *file.xml.RootElement();
+}
+
+const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElement& include,
+                                                       const TextReader& read_text) {
+  const char* named = include.Attribute("file");
+  if (named == nullptr || *named == '\0')
+    RefuseMjcf("mjcf_missing", fmt::format("{}: it has no 'file'", Owner(include)));
+  if (files_.size() >= kMostMjcfFiles)
+    RefuseMjcf("large_mjcf", fmt::format("{}: over {} files are included; at most that many are read", Owner(include),
+                                         kMostMjcfFiles));
+  if (!read_text)
+    RefuseMjcf("no_file",
+               fmt::format("{}: the file '{}' does not come with the text of the model", Owner(include), named));
+  std::string name = std::filesystem::path(named).lexically_normal().string();
+  Result<std::string> text = read_text(name);
+  if (!text && include.GetDocument() != &files_.front()->xml) {
+    // Paths are relative to the model's folder; where there is no such file, to that of the file that includes it.
+    const std::filesystem::path folder = std::filesystem::path(name_of_.at(include.GetDocument())).parent_path();
+    const std::string beside = (folder / named).lexically_normal().string();
+    Result<std::string> second = read_text(beside);
+    if (second) {
+      text = std::move(second);
+      name = beside;
+    }
+  }
+  if (!text) RefuseMjcf("no_file", fmt::format("{}: {}", Owner(include), text.failure().message));
+  const bool again =
+      std::any_of(files_.begin(), files_.end(), [&](const std::unique_ptr<File>& file) { return file->name == name; });
+  if (again)
+    RefuseMjcf("mjcf_include",
+               fmt::format("{}: the file '{}' is included twice, or includes itself", Owner(include), named));
+  return Parse(*text, name);
+}
+
+void MjcfDocument::Include(const tinyxml2::XMLElement& parent, int depth, const TextReader& read_text) {
+  if (depth > kDeepestMjcf) {
+    RefuseMjcf("large_mjcf", fmt::format("{}: elements stand over {} deep in one another; at most that many are read",
+                                         Owner(parent), kDeepestMjcf));
+  }
+  for (const auto* child = parent.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    if (!IsMjcfInclude(*child)) {
+      Include(*child, depth + 1, read_text);
+      continue;
+    }
+    const tinyxml2::XMLElement& root = ReadIncluded(*child, read_text);
+    included_[child] = &root;
+    Include(root, depth + 1, read_text);
+  }
+}
+
+std::vector<const tinyxml2::XMLElement*> MjcfDocument::Children(const tinyxml2::XMLElement& parent) const {
+  std::vector<const tinyxml2::XMLElement*> children;
+  for (const auto* child = parent.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    const auto include = included_.find(child);
+    if (include == included_.end()) {
+      children.push_back(child);
+      continue;
+    }
+    const std::vector<const tinyxml2::XMLElement*> inner = Children(*include->second);
+    children.insert(children.end(), inner.begin(), inner.end());
+  }
+  return children;
+}
+
+std::vector<const tinyxml2::XMLElement*> MjcfDocument::Sections(const std::string& name) const {
+  std::vector<const tinyxml2::XMLElement*> sections = Children(root());
+  std::erase_if(sections, [&](const tinyxml2::XMLElement* section) { return section->Name() != name; });
+  return sections;
+}
+
+std::vector<const tinyxml2::XMLElement*> MjcfDocument::InSections(const std::string& name) const {
+  std::vector<const tinyxml2::XMLElement*> all;
+  for (const tinyxml2::XMLElement* section : Sections(name)) {
+    const std::vector<const tinyxml2::XMLElement*> children = Children(*section);
+    all.insert(all.end(), children.begin(), children.end());
+  }
+  return all;
+}
+
+std::string MjcfDocument::Owner(const tinyxml2::XMLElement& element) const {
+  const std::string place = fmt::format("{}, line {}", name_of_.at(element.GetDocument()), element.GetLineNum());
+  const bool is_class = std::strcmp(element.Name(), "default") == 0;
+  const char* name = element.Attribute(is_class ? "class" : "name");
+  if (name == nullptr || *name == '\0' || !IsPlainText(name))
+    return fmt::format("{}: <{}>", place, Shortened(element.Name()));
+  return fmt::format("{}: {} '{}'", place, Shortened(element.Name()), Shortened(name));
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "kinematics/base/nearest_name.h"
+#include "kinematics/base/text.h"
+#include "kinematics/description/mjcf_equality_internal.h"
+
+namespace gaitwright {
+namespace {
+
+/// Whether an equality between bodies has a part in the robot. Sites are taken for the robot's.
+bool TouchesMjcfRobot(const MjcfAttributes& attributes, const MjcfTree& tree) {
+  if (attributes.Has("site1") || attributes.Has("site2")) return true;
+  for (const char* key : {"body1", "body2"}) {
+    const auto at = tree.body_named.find(attributes.Text(key));
+    if (at != tree.body_named.end() && tree.in_robot[static_cast<std::size_t>(at->second)]) return true;
+  }
+  return false;
+}
+
+/// The joint that an equality names; -1 where it names none.
+int MjcfCoupledJoint(const MjcfAttributes& attributes, const MjcfTree& tree, const std::string& key) {
+  const std::string name = attributes.Name(key);
+  if (name.empty()) return -1;
+  const auto at = tree.joint_named.find(name);
+  if (at != tree.joint_named.end()) return at->second;
+  std::vector<std::string> names;
+  for (const auto& [known, index] : tree.joint_named) names.push_back(known);
+  RefuseMjcf("mjcf_equality", fmt::format("{}: its {} '{}' does not exist{}", attributes.owner(), key, Shortened(name),
+                                          NearestOrAll(name, names)));
+}
+
+/// Couples joints one by one.
+class MjcfCoupler {
+ public:
+  MjcfCoupler(MjcfContext& context, const MjcfTree& tree, const std::vector<MjcfDrive>& drives)
+      : context_(context), tree_(tree), drives_(drives), couplings_(tree.joints.size()) {}
+
+  /// MuJoCo's law: q1 - ref1 = a0 + a1 (q2 - ref2) + ...
+  void Couple(const MjcfAttributes& attributes) {
+    const int first = MjcfCoupledJoint(attributes, tree_, "joint1");
+    const int second = MjcfCoupledJoint(attributes, tree_, "joint2");
+    if (first < 0) RefuseMjcf("mjcf_missing", fmt::format("{}: it has no 'joint1'", attributes.owner()));
+    if (!tree_.IsRobotJoint(first) && (second < 0 || !tree_.IsRobotJoint(second))) return;  // noted with its body
+    if (!tree_.Moves(first) || (second >= 0 && !tree_.Moves(second))) {
+      context_.Note(attributes.owner(), "it couples a joint that is left out; so is the equality");
+      return;
+    }
+    if (!JointAt(first).is_scalar() || (second >= 0 && !JointAt(second).is_scalar()) || first == second)
+      RefuseMjcf("mjcf_equality", fmt::format("{}: it couples a ball joint, or a joint to itself", attributes.owner()));
+    std::vector<double> a = {0.0, 1.0, 0.0, 0.0, 0.0};
+    const std::vector<double> given = attributes.Numbers("polycoef", 1, a.size());
+    std::copy(given.begin(), given.end(), a.begin());
+    if (a[2] != 0.0 || a[3] != 0.0 || a[4] != 0.0)
+      RefuseMjcf("mjcf_equality", fmt::format("{}: 'polycoef' is '{}'; only linear couplings are supported: the last "
+                                              "three numbers must be 0",
+                                              attributes.owner(), Shortened(attributes.Text("polycoef"))));
+    constexpr double kLeast = 1e-6, kMost = 1e6;
+    if (a[1] != 0.0 && !(std::abs(a[1]) >= kLeast && std::abs(a[1]) <= kMost))
+      RefuseMjcf("mjcf_equality", fmt::format("{}: the second number of 'polycoef' is {}; accepted: 0, and {} to {} up "
+                                              "or down",
+                                              attributes.owner(), a[1], kLeast, kMost));
+    if (second < 0 || a[1] == 0.0) {
+      Lock(attributes, first, JointAt(first).ref + a[0]);
+    } else {
+      const double offset = JointAt(first).ref + a[0] - a[1] * JointAt(second).ref;
+      Follow(attributes, {first, second}, a[1], offset);
+    }
+  }
+
+  /// What follows a joint that stands still stands still too.
+  std::vector<MjcfCoupling> Take() {
+    for (std::size_t j = 0; j < couplings_.size(); ++j) {
+      std::vector<int> chain = {static_cast<int>(j)};
+      while (CouplingOf(chain.back()).leader >= 0) chain.push_back(CouplingOf(chain.back()).leader);
+      for (std::size_t i = chain.size() - 1; i > 0 && CouplingOf(chain[i]).locked; --i) {
+        const MjcfCoupling follows = CouplingOf(chain[i - 1]);
+        CouplingOf(chain[i - 1]) = {-1, 1.0, 0.0, follows.multiplier * *CouplingOf(chain[i]).locked + follows.offset};
+      }
+    }
+    return std::move(couplings_);
+  }
+
+ private:
+  const MjcfJoint& JointAt(int joint) const { return tree_.joints[static_cast<std::size_t>(joint)]; }
+  MjcfCoupling& CouplingOf(int joint) { return couplings_[static_cast<std::size_t>(joint)]; }
+  bool IsDriven(int joint) const { return drives_[static_cast<std::size_t>(joint)].actuators > 0; }
+
+  void RefuseSecond(const MjcfAttributes& attributes, int joint) const {
+    RefuseMjcf("mjcf_equality", fmt::format("{}: joint '{}' is coupled by another equality already", attributes.owner(),
+                                            JointAt(joint).name));
+  }
+
+  void Lock(const MjcfAttributes& attributes, int joint, double position) {
+    if (!CouplingOf(joint).moves_alone()) RefuseSecond(attributes, joint);
+    CouplingOf(joint).locked = position;
+    context_.Note(attributes.owner(), fmt::format("joint '{}' stands still at {}: it becomes a fixed joint",
+                                                  JointAt(joint).name, position));
+  }
+
+  /// Whether following `leader` leads back to `joint`.
+  bool LeadsTo(int leader, int joint) {
+    for (int at = leader; at >= 0; at = CouplingOf(at).leader) {
+      if (at == joint) return true;
+    }
+    return false;
+  }
+
+  /// The first joint follows the second; the other way round where the first alone has an actuator, or follows already.
+  void Follow(const MjcfAttributes& attributes, std::pair<int, int> joints, double multiplier, double offset) {
+    auto [follower, leader] = joints;
+    const bool other_way = !CouplingOf(follower).moves_alone() || (IsDriven(follower) && !IsDriven(leader));
+    if (other_way && CouplingOf(leader).moves_alone()) {
+      std::swap(follower, leader);
+      offset = -offset / multiplier;
+      multiplier = 1.0 / multiplier;
+    }
+    if (!CouplingOf(follower).moves_alone()) RefuseSecond(attributes, follower);
+    if (LeadsTo(leader, follower))
+      RefuseMjcf("mjcf_equality", fmt::format("{}: the joints follow one another in a circle", attributes.owner()));
+    CouplingOf(follower) = {leader, multiplier, offset, std::nullopt};
+    if (IsDriven(follower))
+      context_.Note(attributes.owner(), fmt::format("joint '{}' follows '{}'; its own actuators are left out",
+                                                    JointAt(follower).name, JointAt(leader).name));
+  }
+
+  MjcfContext& context_;
+  const MjcfTree& tree_;
+  const std::vector<MjcfDrive>& drives_;
+  std::vector<MjcfCoupling> couplings_;
+};
+
+}  // namespace
+
+std::vector<MjcfCoupling> ReadMjcfCouplings(MjcfContext& context, const MjcfTree& tree,
+                                            const std::vector<MjcfDrive>& drives) {
+  MjcfCoupler coupler(context, tree, drives);
+  for (const tinyxml2::XMLElement* element : context.document.InSections("equality")) {
+    const std::string tag = element->Name();
+    const MjcfAttributes attributes = context.defaults.Of(*element, "equality");
+    if (!attributes.Flag("active", true)) {
+      context.Note(attributes.owner(), "it is not active; left out");
+    } else if (tag == "joint") {
+      coupler.Couple(attributes);
+    } else if ((tag == "connect" || tag == "weld") && !TouchesMjcfRobot(attributes, tree)) {
+      context.Note(attributes.owner(), "it is no part of the robot; left out");
+    } else {
+      RefuseMjcf(tag == "connect" || tag == "weld" ? "mjcf_loop" : "mjcf_equality",
+                 fmt::format("{}: an equality <{}> is not supported: {}", attributes.owner(), tag,
+                             tag == "connect" || tag == "weld"
+                                 ? "it closes a loop, or ties the robot to the world; the joints must form a tree"
+                                 : "equalities of joints are"));
+    }
+  }
+  return coupler.Take();
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kinematics/description/mjcf_model_internal.h"
+
+namespace gaitwright {
+
+enum class MjcfGeomType { kSphere, kCapsule, kCylinder, kEllipsoid, kBox, kMesh };
+
+/// A geom in its body's frame; `size` as MuJoCo has it: radius, half of the length, half of the edges.
+struct MjcfGeom {
+  std::string owner, name;
+  MjcfGeomType type = MjcfGeomType::kSphere;
+  Pose X_BG = Pose::Identity();
+  Vector3 size = Vector3::Zero();
+  std::string mesh;       ///< name of the asset
+  bool collides = true;   ///< with something: `contype` or `conaffinity` is not zero, or a <pair> names it
+  bool is_shown = true;   ///< in a group that MuJoCo draws by default
+  bool is_shell = false;  ///< its mass is on its surface
+  double group = 0.0;
+  std::optional<double> mass;  ///< [kg]
+  double density = 1000.0;     ///< [kg/m^3], without mass
+};
+
+/// A mesh asset: a point p of the file is the point A p + b of the geom.
+struct MjcfMeshAsset {
+  std::string owner, file;  ///< file as the URDF has it; "" where the model itself holds the mesh
+  Vector3 scale = Vector3::Ones(), p_ref = Vector3::Zero();
+  Matrix3 R_ref = Matrix3::Identity();
+  bool is_shell = false;  ///< mass is on the surface
+
+  Matrix3 A() const { return scale.asDiagonal() * R_ref.transpose(); }
+  Vector3 b() const { return -A() * p_ref; }
+};
+
+using MjcfMeshAssets = std::map<std::string, MjcfMeshAsset>;
+
+/// The <mesh> of all <asset>. Throws a Failure on two of one name.
+MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context);
+
+/// The asset that a geom names. Throws a Failure where it does not exist.
+const MjcfMeshAsset& MjcfMeshOf(const MjcfGeom& geom, const MjcfMeshAssets& assets);
+
+/// Names of the geoms that stand in a <pair> of <contact>.
+std::set<std::string> MjcfPairedGeoms(const MjcfContext& context);
+
+/// The geoms of a body; planes, height fields and the like are noted and left out.
+std::vector<MjcfGeom> ReadMjcfGeoms(MjcfContext& context, const MjcfBody& body, const std::set<std::string>& paired);
+
+}  // namespace gaitwright
