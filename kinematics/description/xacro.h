@@ -16,6 +16,7 @@ struct XacroRequest {
   std::string path;
   std::map<std::string, std::string> arguments;  ///< values of `$(arg NAME)`
   PackageFolders packages;                       ///< folders for `$(find NAME)`, which are tried first
+  bool strict = false;                           ///< files in another encoding than UTF-8 are refused, not converted
 };
 
 /// What an expansion takes from outside of the text.

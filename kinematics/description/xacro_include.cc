@@ -99,18 +99,20 @@ void XacroExpander::Include(const Element& element, Node& out, XacroScope& scope
   }
 }
 
+/// Each call makes a value of its own, since lists may be changed.
 XacroValue XacroExpander::LoadYamlFile(const std::string& path) {
-  const auto known = yaml_.find(path);
-  if (known != yaml_.end()) return known->second;
-  const Result<std::string> text = sources_.read(path);
-  if (!text) throw XacroProblem{"xacro_yaml", text.failure().message};
-  bytes_read_ += text->size();
-  if (bytes_read_ > kMostXacroRead)
-    throw XacroProblem{"xacro_limit", fmt::format("the files have more than {} MiB", kMostXacroRead >> 20)};
+  if (!yaml_.contains(path)) {
+    const Result<std::string> text = sources_.read(path);
+    if (!text) throw XacroProblem{"xacro_yaml", text.failure().message};
+    bytes_read_ += text->size();
+    if (bytes_read_ > kMostXacroRead)
+      throw XacroProblem{"xacro_limit", fmt::format("the files have more than {} MiB", kMostXacroRead >> 20)};
+    yaml_[path] = *text;
+  }
   XacroScope none;
   XacroScopeContext context(*this, none, *at_);
   try {
-    return yaml_[path] = XacroFromYaml(*text, context);
+    return XacroFromYaml(yaml_[path], context);
   } catch (XacroProblem& problem) {
     problem.message = fmt::format("{}: {}", path, problem.message);
     throw;

@@ -16,7 +16,7 @@ const std::vector<std::string> kXacroTextMethods = {"lower",      "upper", "stri
                                                     "capitalize", "title", "split",    "join",    "replace",
                                                     "find",       "count", "endswith", "isdigit", "startswith"};
 const std::vector<std::string> kXacroDictMethods = {"get", "keys", "values", "items"};
-const std::vector<std::string> kXacroListMethods = {"index", "count"};
+const std::vector<std::string> kXacroListMethods = {"index", "count", "pop"};
 
 /// The text argument at a place.
 const std::string& XacroTextArgument(const std::vector<XacroValue>& arguments, std::size_t place,
@@ -139,6 +139,20 @@ XacroValue DictMethod(const XacroDict& dict, const std::string& name, const std:
   return XacroListOf(std::move(items), budget);
 }
 
+/// Takes the last item, or the one at a place, from a list, by which macros that call themselves go over a list.
+XacroValue PoppedItem(XacroList& list, const std::vector<XacroValue>& arguments, XacroBudget& budget) {
+  const std::int64_t size = static_cast<std::int64_t>(list.items.size());
+  if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0].whole() == nullptr))
+    RefuseXacroType("pop() takes the index of an item");
+  const std::int64_t given = arguments.empty() ? -1 : *arguments[0].whole(), place = given < 0 ? given + size : given;
+  if (place < 0 || place >= size)
+    throw XacroProblem{"xacro_index", fmt::format("pop() of item {} from a list of {}", given, size)};
+  budget.Spend(1 + list.items.size() / 8);
+  XacroValue item = list.items[static_cast<std::size_t>(place)];
+  list.items.erase(list.items.begin() + place);
+  return item;
+}
+
 XacroValue ListMethod(const XacroList& list, const std::string& name, const std::vector<XacroValue>& arguments,
                       XacroBudget& budget) {
   if (arguments.size() != 1) RefuseXacroType(fmt::format("{}() takes one argument", name));
@@ -167,6 +181,7 @@ XacroValue CallXacroMethod(const XacroValue& object, const std::string& name, co
   }
   if (object.text() != nullptr) return TextMethod(*object.text(), name, arguments, budget);
   if (object.dict() != nullptr) return DictMethod(*object.dict(), name, arguments, budget);
+  if (name == "pop") return PoppedItem(*std::get<std::shared_ptr<XacroList>>(object.held), arguments, budget);
   return ListMethod(*object.list(), name, arguments, budget);
 }
 

@@ -137,7 +137,7 @@ XacroBudget::Level::Level(XacroBudget& budget) : budget_(budget) {
 }
 
 const XacroList* XacroValue::list() const {
-  const auto* pointer = std::get_if<std::shared_ptr<const XacroList>>(&held);
+  const auto* pointer = std::get_if<std::shared_ptr<XacroList>>(&held);
   return pointer == nullptr ? nullptr : pointer->get();
 }
 
@@ -166,7 +166,7 @@ XacroValue XacroListOf(std::vector<XacroValue> items, XacroBudget& budget) {
   int depth = 0;
   for (const XacroValue& item : items) depth = std::max(depth, DepthOfXacro(item));
   CheckXacroSize(items.size(), depth + 1);
-  return {std::make_shared<const XacroList>(XacroList{std::move(items), depth + 1})};
+  return {std::make_shared<XacroList>(XacroList{std::move(items), depth + 1})};
 }
 
 XacroValue XacroDictOf(std::vector<std::pair<XacroValue, XacroValue>> entries, XacroBudget& budget) {

@@ -78,6 +78,7 @@ XacroValue XacroValueOfYaml(const YAML::Node& node, XacroContext& context) {
 }  // namespace
 
 XacroValue XacroFromYaml(const std::string& text, XacroContext& context) {
+  context.budget.Spend(1 + text.size() / 8);
   try {
     return XacroValueOfYaml(LoadYaml(text, kXacroYaml), context);
   } catch (const YAML::Exception& error) {
