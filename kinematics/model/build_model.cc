@@ -268,7 +268,10 @@ std::optional<Failure> CheckFollowers(const RobotModel& model) {
   return std::nullopt;
 }
 
-std::optional<Failure> CheckInertiaBeyondJoints(const RobotModel& model) {
+/// Names of the joints that move nothing: all beyond them has no inertia about their axis.
+std::vector<std::string> IdleJoints(const RobotModel& model) {
+  constexpr double kNothing = 1e-12;  // [kg m^2], [kg]
+  std::vector<std::string> idle;
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     const Pose X_OJ = X_OB[static_cast<std::size_t>(model.joints[j].parent_body)] * model.joints[j].X_PJ;
@@ -283,16 +286,24 @@ std::optional<Failure> CheckInertiaBeyondJoints(const RobotModel& model) {
                      ? body.mass
                      : axis_B.dot(body.I_C * axis_B) + body.mass * axis.cross(arm).squaredNorm();
     }
-    if (inertia < 1e-12) {
-      return Failure{
-          FailureKind::kBadInput,
-          "no_inertia",
-          "LoadRobot",
-          fmt::format("joint '{}' moves nothing: all beyond it has no inertia about its axis", model.joints[j].name),
-          {"give a link beyond it an <inertial>, or make the joint fixed"}};
+    if (inertia < kNothing) idle.push_back(model.joints[j].name);
+  }
+  return idle;
+}
+
+/// Fixes joints, and those that mimic them. @return their names.
+std::vector<std::string> FixJoints(urdf::ModelInterface& urdf, std::vector<std::string> names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (const auto& [name, joint] : urdf.joints_) {
+      if (name == names[i]) {
+        joint->type = urdf::Joint::FIXED;
+        joint->mimic.reset();
+      } else if (joint->mimic && joint->mimic->joint_name == names[i]) {
+        names.push_back(name);
+      }
     }
   }
-  return std::nullopt;
+  return names;
 }
 
 /// Keeps what urdfdom says, which would go to standard error.
@@ -331,7 +342,7 @@ urdf::ModelInterfaceSharedPtr ParseTree(const std::string& tree_text, std::strin
 
 }  // namespace
 
-Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, double scale) {
+Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, double scale, bool strict) {
   std::string reason;
   const urdf::ModelInterfaceSharedPtr urdf = ParseTree(parts.tree_text, reason);
   if (!urdf || !urdf->getRoot()) {
@@ -351,7 +362,21 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
                    {"give its links an <inertial>"}};
   }
   if (auto failure = CheckFollowers(model)) return *failure;
-  if (auto failure = CheckInertiaBeyondJoints(model)) return *failure;
+  const std::vector<std::string> idle = IdleJoints(model);
+  if (idle.empty()) return model;
+  if (strict) {
+    return Failure{FailureKind::kBadInput,
+                   "no_inertia",
+                   "LoadRobot",
+                   fmt::format("joint '{}' moves nothing: all beyond it has no inertia about its axis", idle.front()),
+                   {"give a link beyond it an <inertial>, or make the joint fixed"}};
+  }
+  const std::vector<std::string> fixed = FixJoints(*urdf, idle);
+  model = Builder(*urdf, parts, name, scale).Take();
+  for (const std::string& joint : fixed) {
+    model.findings.push_back({FindingLevel::kWarning, "no_inertia", fmt::format("joint '{}'", joint), 0,
+                              "it moves nothing, since all beyond it has no inertia about its axis: taken as fixed"});
+  }
   return model;
 }
 

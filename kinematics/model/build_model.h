@@ -14,8 +14,8 @@ namespace gaitwright {
 /// topological. An inertia that is zero, or the same for all links whatever they weigh, is taken from the link's
 /// shapes.
 /// @param scale  by which the tree's lengths are multiplied; those of the shapes have it already. Masses and inertias
-/// stay, as they do in Bullet. Failure: urdfdom refuses it (with its reason), it has no mass, or everything beyond a
-/// joint has no inertia about its axis.
-Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, double scale);
+/// stay, as they do in Bullet. A joint beyond which nothing has inertia about its axis is
+/// fixed, and where `strict` a failure. Failure: urdfdom refuses it (with its reason), or it has no mass.
+Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, double scale, bool strict = false);
 
 }  // namespace gaitwright

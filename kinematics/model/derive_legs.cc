@@ -22,6 +22,58 @@ namespace {
 
 constexpr std::size_t kMostLegs = 64;  // that a set of feet as bits holds
 
+/// A limb whose end can come down, and how far [m].
+struct LimbThatReaches {
+  double lowest = 0.0;
+  std::vector<int> chain;
+};
+
+/// Of limbs that part late, as the fingers of a hand or the toes of a foot do, the one that comes down farthest is
+/// left.
+void DropBranches(std::vector<LimbThatReaches>& limbs) {
+  constexpr std::size_t kShared = 2;  // joints that legs may have in common, as a waist
+  std::vector<LimbThatReaches> kept;
+  for (LimbThatReaches& limb : limbs) {
+    const bool branch = std::any_of(kept.begin(), kept.end(), [&](const LimbThatReaches& other) {
+      std::size_t shared = 0;
+      while (shared < std::min(limb.chain.size(), other.chain.size()) && limb.chain[shared] == other.chain[shared])
+        ++shared;
+      return shared > kShared;
+    });
+    if (!branch) kept.push_back(std::move(limb));
+  }
+  limbs = std::move(kept);
+}
+
+/// Legs come in pairs of left and right. Beside two that do, a limb without a like on the other side that has more
+/// joints than they is an arm, a neck or a tail, however far down it comes.
+void DropArms(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
+  constexpr double kSame = 0.1;  // share of the reach
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  const auto root = [&](const LimbThatReaches& limb) -> Vector3 {
+    return X_OB[static_cast<std::size_t>(limb.chain.front()) + 1].translation();
+  };
+  const auto mirrored = [&](const LimbThatReaches& limb) {
+    return std::any_of(limbs.begin(), limbs.end(), [&](const LimbThatReaches& other) {
+      const Vector3 away = root(other) - Vector3(root(limb).x(), -root(limb).y(), root(limb).z());
+      return other.chain.front() != limb.chain.front() && other.chain.size() == limb.chain.size() &&
+             away.norm() < -kSame * limb.lowest;
+    });
+  };
+  std::size_t paired = 0, joints = 0;
+  for (const LimbThatReaches& limb : limbs) {
+    if (!mirrored(limb)) continue;
+    ++paired;
+    joints = std::max(joints, limb.chain.size());
+  }
+  if (paired < 2) return;
+  std::vector<LimbThatReaches> legs;
+  for (const LimbThatReaches& limb : limbs) {
+    if (mirrored(limb) || limb.chain.size() <= joints) legs.push_back(limb);
+  }
+  limbs = std::move(legs);
+}
+
 /// Why there are too few legs: no joint at all, joints that make up no limb, or limbs that end too high.
 Failure NoLegs(const RobotModel& model, std::size_t found) {
   const std::string count = fmt::format("robot '{}': {} legs found", model.name, found);
@@ -93,14 +145,17 @@ void SortLegs(RobotModel& model) {
 }  // namespace
 
 std::vector<int> EndBodies(const RobotModel& model) {
-  std::vector<std::pair<double, int>> leaves;
-  for (const std::vector<int>& limb : Limbs(model)) leaves.emplace_back(LowestReach(model, limb), limb.back() + 1);
-  std::sort(leaves.begin(), leaves.end());
-  std::vector<int> ends;
+  std::vector<LimbThatReaches> limbs;
+  for (const std::vector<int>& limb : Limbs(model)) limbs.push_back({LowestReach(model, limb), limb});
+  std::stable_sort(limbs.begin(), limbs.end(), [](const auto& a, const auto& b) { return a.lowest < b.lowest; });
   constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher
-  for (const auto& [lowest, body] : leaves) {
-    if (lowest < 0.0 && lowest <= leaves.front().first * (1.0 - kShare)) ends.push_back(body);
-  }
+  std::erase_if(limbs, [least = limbs.empty() ? 0.0 : limbs.front().lowest * (1.0 - kShare)](const auto& limb) {
+    return !(limb.lowest < 0.0 && limb.lowest <= least);
+  });
+  DropBranches(limbs);
+  DropArms(model, limbs);
+  std::vector<int> ends;
+  for (const LimbThatReaches& limb : limbs) ends.push_back(limb.chain.back() + 1);
   return ends;
 }
 

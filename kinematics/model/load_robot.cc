@@ -127,7 +127,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   std::vector<MissingMesh> missing;
   Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, missing);
   if (!meshes) return meshes.failure();
-  Result<RobotModel> built = BuildModel(parts, texts.name, yaml.scale);
+  Result<RobotModel> built = BuildModel(parts, texts.name, yaml.scale, texts.strict);
   if (!built) return built;
   RobotModel model = std::move(*built);
   model.findings.insert(model.findings.begin(), mended.findings.begin(), mended.findings.end());

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,18 +24,21 @@ Failure Cannot(const std::string& code, const std::string& message, const std::s
   return {FailureKind::kInfeasible, code, "PlanFootsteps", message, {hint}};
 }
 
-/// Least width of a polygon in any direction.
+/// Least width of a polygon in any direction, which is across one of its edges. Edges of almost no length have no
+/// direction, so the width is taken between both sides.
 double WidthOf(const Polygon& polygon) {
   if (polygon.size() < 3) return 0.0;
-  double least = (polygon[1] - polygon[0]).norm();
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2 edge = (polygon[(i + 1) % polygon.size()] - polygon[i]).normalized();
-    double width = 0.0;
+    double low = 0.0, high = 0.0;
     for (const Vector2& p : polygon) {
       const Vector2 r = p - polygon[i];
-      width = std::max(width, edge.x() * r.y() - edge.y() * r.x());
+      const double across = edge.x() * r.y() - edge.y() * r.x();
+      low = std::min(low, across);
+      high = std::max(high, across);
     }
-    least = std::min(least, width);
+    least = std::min(least, high - low);
   }
   return least;
 }

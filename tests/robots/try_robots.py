@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Walks every robot of a folder for a metre, with nothing but its description, and prints a table.
+
+A robot is a URDF, xacro or MJCF file in a folder of its own. With --kept FILE the outcomes are compared with those of that
+file: a line `NAME OUTCOME`, where OUTCOME is `walks`, or the code of the refusal. Exit status: 0 as kept, 1 not so.
+"""
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ENDINGS = (".urdf", ".xacro", ".xml")
+
+
+def described(folder):
+    """(name, file) of each robot of the folder."""
+    for place in sorted(path for path in folder.iterdir() if path.is_dir()):
+        files = [path for path in sorted(place.iterdir()) if path.suffix in ENDINGS and path.name != "package.xml"]
+        if files:
+            yield place.name, files[0]
+
+
+def run_json(program, *arguments):
+    done = subprocess.run([program, *map(str, arguments), "--json"], capture_output=True, text=True)
+    try:
+        return done.returncode, json.loads(done.stdout)
+    except ValueError:
+        return done.returncode, {"error": {"code": f"status {done.returncode}", "message": done.stderr.strip()[:200]}}
+
+
+def tried(program, file):
+    """One row of the table."""
+    flag = "--mjcf" if file.suffix == ".xml" else "--urdf"
+    began = time.monotonic()
+    _, checked = run_json(program, "robots", "check", file)
+    loads = checked.get("errors", 1) == 0
+    with tempfile.TemporaryDirectory() as out:
+        status, walk = run_json(program, "walk", flag, file, "--distance", "1", "--out-dir", out) if loads else (1, checked)
+    if not loads:
+        finding = next((f for f in checked.get("findings", []) if f["level"] == "error"), None)
+        error = finding or checked.get("error", {"code": "unknown", "message": ""})
+    else:
+        error = walk.get("error", {"code": f"falls: {walk.get('reason', '')}" if status == 3 else "", "message": walk.get("reason", "")})
+    return {"loads": loads, "warnings": checked.get("warnings", 0), "walks": status == 0, "score": walk.get("score"),
+            "seconds": time.monotonic() - began, "code": error["code"], "why": "" if status == 0 else error["message"]}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program", help="path of gaitwright")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--kept", type=Path, help="outcomes that are expected")
+    arguments = parser.parse_args()
+    kept = {}
+    if arguments.kept:
+        lines = [line.split(None, 1) for line in arguments.kept.read_text().splitlines() if line and not line.startswith("#")]
+        kept = {name: outcome.strip() for name, outcome in lines}
+    different = []
+    print(f"{'robot':<18} loads  warnings  walks  score  seconds")
+    for name, file in described(arguments.folder):
+        row = tried(arguments.program, file)
+        score = "" if row["score"] is None else f"{row['score']:.1f}"
+        print(f"{name:<18} {'yes' if row['loads'] else 'no':<6} {row['warnings']:<9} {'yes' if row['walks'] else 'no':<6} "
+              f"{score:<6} {row['seconds']:<7.1f} {row['why']}", flush=True)
+        outcome = "walks" if row["walks"] else row["code"]
+        if kept and kept.get(name) != outcome:
+            different.append(f"{name}: {outcome}, kept is {kept.get(name, 'nothing')}")
+    for line in different:
+        print("different:", line)
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
