@@ -28,6 +28,8 @@ std::size_t FindMjcfZeroReference(const std::string& text) {
 
 }  // namespace
 
+std::string ShownMjcf(const std::string& text) { return IsPlainText(text) ? Shortened(text) : "(no text)"; }
+
 void RefuseMjcf(const std::string& code, const std::string& message) {
   throw Failure{FailureKind::kBadInput, code, "ConvertMjcf", message, {}};
 }
@@ -36,7 +38,7 @@ MjcfDocument::MjcfDocument(const std::string& text, const std::string& name, con
   const tinyxml2::XMLElement& model = Parse(text, name);
   if (std::strcmp(model.Name(), "mujoco") != 0 && std::strcmp(model.Name(), "mujocoinclude") != 0) {
     RefuseMjcf("not_mjcf",
-               fmt::format("{}: the root element is <{}>; a MuJoCo model has <mujoco>", name, Shortened(model.Name())));
+               fmt::format("{}: the root element is <{}>; a MuJoCo model has <mujoco>", name, ShownMjcf(model.Name())));
   }
   Include(model, 1, read_text);
 }
@@ -50,6 +52,8 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
   }
   if (text.find('\0') != std::string::npos || FindMjcfZeroReference(text) != std::string::npos)
     RefuseMjcf("not_xml", fmt::format("{}: it is not XML: it holds the character 0x00", name));
+  if (!IsPlainText(text))
+    RefuseMjcf("not_text", fmt::format("{}: it holds what is no text in UTF-8, or a control character", name));
   files_.push_back(std::make_unique<File>());
   File& file = *files_.back();
   file.name = name;
@@ -64,14 +68,14 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
 const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElement& include,
                                                        const TextReader& read_text) {
   const char* named = include.Attribute("file");
-  if (named == nullptr || *named == '\0')
+  if (named == nullptr || *named == '\0' || !IsPlainText(named))
     RefuseMjcf("mjcf_missing", fmt::format("{}: it has no 'file'", Owner(include)));
   if (files_.size() >= kMostMjcfFiles)
     RefuseMjcf("large_mjcf", fmt::format("{}: over {} files are included; at most that many are read", Owner(include),
                                          kMostMjcfFiles));
   if (!read_text)
-    RefuseMjcf("no_file",
-               fmt::format("{}: the file '{}' does not come with the text of the model", Owner(include), named));
+    RefuseMjcf("no_file", fmt::format("{}: the file '{}' does not come with the text of the model", Owner(include),
+                                      Shortened(named)));
   std::string name = std::filesystem::path(named).lexically_normal().string();
   Result<std::string> text = read_text(name);
   if (!text && include.GetDocument() != &files_.front()->xml) {
@@ -88,8 +92,8 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
   const bool again =
       std::any_of(files_.begin(), files_.end(), [&](const std::unique_ptr<File>& file) { return file->name == name; });
   if (again)
-    RefuseMjcf("mjcf_include",
-               fmt::format("{}: the file '{}' is included twice, or includes itself", Owner(include), named));
+    RefuseMjcf("mjcf_include", fmt::format("{}: the file '{}' is included twice, or includes itself", Owner(include),
+                                           Shortened(named)));
   return Parse(*text, name);
 }
 
@@ -143,8 +147,8 @@ std::string MjcfDocument::Owner(const tinyxml2::XMLElement& element) const {
   const bool is_class = std::strcmp(element.Name(), "default") == 0;
   const char* name = element.Attribute(is_class ? "class" : "name");
   if (name == nullptr || *name == '\0' || !IsPlainText(name))
-    return fmt::format("{}: <{}>", place, Shortened(element.Name()));
-  return fmt::format("{}: {} '{}'", place, Shortened(element.Name()), Shortened(name));
+    return fmt::format("{}: <{}>", place, ShownMjcf(element.Name()));
+  return fmt::format("{}: {} '{}'", place, ShownMjcf(element.Name()), ShownMjcf(name));
 }
 
 }  // namespace gaitwright
