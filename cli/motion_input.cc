@@ -15,12 +15,10 @@ namespace gaitwright::cli {
 
 void MotionRobot::AddTo(Verb verb) {
   verb.SetGroup("Whose motion it is, where the file does not say");
-  const Flag named = AddText(verb, "--robot", "NAME", robot,
-                             "Robot by name, see 'gaitwright robots'; a plan knows its own; default none.");
-  const Flag file = AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own; default none.");
   const Flag played = AddText(verb, "--plan", "FILE", plan, "The plan that was played; default none.");
-  named.Exclude(file).Exclude(played);
-  file.Exclude(played);
+  for (const Flag& flag :
+       robot.AddTo(verb, "Robot by name, see 'gaitwright robots'; a plan knows its own; default none."))
+    played.Exclude(flag);
   verb.SetGroup("Options");
 }
 
@@ -43,7 +41,7 @@ Result<MotionInput> NamedInput(const MotionRobot& robot) {
     input.played = std::move(*plan);
     input.model = std::move(*model);
   } else if (robot.given()) {
-    Result<RobotModel> model = ReadRobot(robot.robot, robot.urdf);
+    Result<RobotModel> model = ReadRobot(robot.robot);
     if (!model) return model.failure();
     input.model = std::move(*model);
   }
@@ -57,7 +55,7 @@ Result<MotionInput> ReadMotionInput(const std::string& path, const MotionRobot& 
   if (kind == MotionFileKind::kPlan) {
     if (robot.given()) {
       throw InvalidArgument(
-          fmt::format("'{}' is a plan and knows its robot: --robot, --urdf and --plan are for logs", path));
+          fmt::format("'{}' is a plan and knows its robot: --robot, --urdf, --mjcf and --plan are for logs", path));
     }
     Result<MotionPlan> plan = PlanFromJson(*text, path);
     return plan ? PlanInput(std::move(*plan)) : plan.failure();

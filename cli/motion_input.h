@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/robot_input.h"
 #include "cli/verb.h"
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
@@ -14,10 +15,11 @@ namespace gaitwright::cli {
 
 /// The flags that say whose a motion is where its file does not.
 struct MotionRobot {
-  std::string robot, urdf, plan;
+  RobotFlags robot = {.name = ""};
+  std::string plan;
 
   void AddTo(Verb verb);
-  bool given() const { return !robot.empty() || !urdf.empty() || !plan.empty(); }
+  bool given() const { return !robot.name.empty() || robot.is_file() || !plan.empty(); }
 };
 
 /// A motion that was read: a plan, or a log with the plan that was played where that is known.

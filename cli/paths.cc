@@ -75,13 +75,7 @@ void Paths::Write(std::string_view name, const std::string& path, std::initializ
   written.push_back({std::string(name), path, {endings.begin(), endings.end()}});
 }
 
-void Paths::AddRobotAndGait(const std::string& urdf, const std::string& gait) {
-  if (!urdf.empty()) {
-    Read("--urdf", urdf);
-    Read("the robot.yaml beside --urdf", (fs::path(urdf).parent_path() / "robot.yaml").string());
-  }
-  Read("--gait", GaitFileOf(gait));
-}
+void Paths::AddGait(const std::string& gait) { Read("--gait", GaitFileOf(gait)); }
 
 void Paths::AddSequence(const std::string& sequence) {
   const std::string file = SequenceFileOf(sequence);

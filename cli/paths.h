@@ -25,8 +25,8 @@ struct Paths {
   /// Adds a file that is read, and a file that is written.
   void Read(std::string_view name, const std::string& path);
   void Write(std::string_view name, const std::string& path, std::initializer_list<std::string_view> endings = {});
-  /// Adds a URDF and the robot.yaml beside it, and the file of `gait` when it names one.
-  void AddRobotAndGait(const std::string& urdf, const std::string& gait);
+  /// Adds the file of `gait` when it names one.
+  void AddGait(const std::string& gait);
   /// Adds the file of `sequence` when it names one.
   void AddSequence(const std::string& sequence);
   /// Adds the files of `terrain` when it names any.

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
+#include "cli/flags.h"
 #include "kinematics/base/file.h"
 #include "kinematics/model/draft_yaml.h"
-#include "workflows/walk/walk.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 constexpr char kDraft[] = "robot.draft.yaml";
 
 /// Tells of a draft, once it is there.
-void AddDraft(const std::string& urdf, Failure& failure) {
-  const Result<std::string> text = ReadFile(urdf);
+void AddDraft(const std::string& file, Failure& failure) {
+  const Result<std::string> text = ReadFile(file);
   const std::string draft = text ? DraftRobotYaml(*text, failure) : "";
   std::error_code error;
   if (draft.empty() || std::filesystem::exists(kDraft, error)) return;
@@ -29,11 +29,50 @@ void AddDraft(const std::string& urdf, Failure& failure) {
 
 }  // namespace
 
-Result<RobotModel> ReadRobot(const std::string& name, const std::string& urdf) {
-  Result<RobotModel> model = ChooseRobot(name, urdf);
-  if (model || urdf.empty() || !WantsRobotYaml(model.failure())) return model;
+std::vector<Flag> RobotFlags::AddTo(Verb verb, const std::string& text) {
+  const Flag named = AddText(verb, "--robot", "NAME", name, text);
+  const Flag urdf = AddText(verb, "--urdf", "FILE", file, "A URDF or xacro file of your own; default none.");
+  const Flag mjcf =
+      AddText(verb, "--mjcf", "FILE", file, "An MJCF file of your own, as MuJoCo reads it; default none.");
+  named.Exclude(urdf).Exclude(mjcf);
+  urdf.Exclude(mjcf);
+  AddLoadingTo(verb);
+  return {named, urdf, mjcf};
+}
+
+void RobotFlags::AddLoadingTo(Verb verb) {
+  verb.AddSwitch("--strict", loading.strict, "Refuse a robot description in which anything is to be mended.");
+  const auto add = [&](const char* flag, const char* type, auto& target, const char* help) {
+    verb.AddReader(
+            flag,
+            [&target, flag, type](const std::string& text) {
+              const std::size_t equals = text.find('=');
+              if (equals == 0 || equals == std::string::npos)
+                throw InvalidArgument(fmt::format("{}: '{}' is not {}", flag, text, type));
+              target.insert_or_assign(text.substr(0, equals), text.substr(equals + 1));
+            },
+            help)
+        .SetType(type)
+        .Repeat();
+  };
+  add("--package", "NAME=DIR", loading.packages, "Where package://NAME and $(find NAME) are; default: looked for.");
+  add("--xacro-arg", "NAME=VALUE", loading.xacro_arguments, "An argument of a xacro file; default: the file's own.");
+}
+
+std::string RobotFlags::folder() const { return std::filesystem::path(file).parent_path().string(); }
+
+void RobotFlags::AddTo(Paths& paths) const {
+  if (file.empty()) return;
+  paths.Read("the robot's file", file);
+  paths.Read("the robot.yaml beside it", (std::filesystem::path(file).parent_path() / "robot.yaml").string());
+}
+
+Result<RobotModel> ReadRobot(const RobotFlags& flags) {
+  if (!flags.is_file()) return LoadNamedRobot(flags.name);
+  Result<RobotModel> model = LoadRobot(flags.file, flags.loading);
+  if (model || !WantsRobotYaml(model.failure())) return model;
   Failure failure = model.failure();
-  AddDraft(urdf, failure);
+  AddDraft(flags.file, failure);
   return failure;
 }
 

@@ -55,7 +55,8 @@ OptionFields StudyArguments::Fields() { return Joined({walk.Fields(), play.Field
 
 Paths StudyArguments::PathsToRead() const {
   Paths paths;
-  paths.AddRobotAndGait(walk.urdf, walk.request.gait);
+  walk.robot.AddTo(paths);
+  paths.AddGait(walk.request.gait);
   paths.AddSequence(walk.request.sequence);
   paths.AddTerrain(walk.request.terrain);
   options.AddPathTo(paths);
@@ -84,7 +85,7 @@ Result<OptionTexts> StudyArguments::Finish(const std::vector<StudyAxis>& axes, c
 }
 
 Result<RobotModel> StudyArguments::FinishFor(const std::vector<StudyAxis>& axes) {
-  Result<RobotModel> model = ReadRobot(walk.robot, walk.urdf);
+  Result<RobotModel> model = ReadRobot(walk.robot);
   if (!model) return model;
   const Result<double> stride_m = OwnStride(*model, walk.request.gait);
   if (!stride_m) return stride_m.failure();  // no such gait, said once and not at each point

@@ -34,7 +34,7 @@ void CheckComparePaths(const CompareSettings& a) {
   paths.Read("--columns", files.columns);
   paths.Read("--columns-b", files.columns_b);
   paths.Write("--report", a.report, {".html"});
-  paths.AddRobotAndGait(files.robot.urdf, "");
+  files.robot.robot.AddTo(paths);
   CheckPaths(paths);
 }
 

@@ -25,7 +25,8 @@ namespace {
 
 struct DoSettings {
   Common common;
-  std::string text, task_file, robot = "a1", urdf, terrain = "flat";
+  std::string text, task_file, terrain = "flat";
+  RobotFlags robot;
   LanguageModel interpreter;
   TaskOptions tasks;
   PlayArguments play;
@@ -47,7 +48,7 @@ void CheckDo(const DoSettings& a) {
   Paths paths;
   paths.Read("--task-plan", a.task_file);
   a.outputs.AddPathsTo(paths);
-  paths.AddRobotAndGait(a.urdf, "");
+  a.robot.AddTo(paths);
   paths.AddTerrain(a.terrain);
   CheckPaths(paths);
 }
@@ -115,7 +116,7 @@ int PlanAndPlay(DoSettings& a, const RobotModel& model, const Terrain& terrain, 
   const Result<PlayedWalk> played = PlayWalk(planned->robot, planned->plan, a.play.request);
   if (!played) return Report(played.failure(), a.common);
   Judged judged{planned->robot, planned->plan, *played, planned->audit, planned->planning_cpu_s, true};
-  if (!a.urdf.empty()) judged.mesh_folder = std::filesystem::path(a.urdf).parent_path().string();
+  if (a.robot.is_file()) judged.mesh_folder = a.robot.folder();
   const Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
   PrintDone(judged, *files, tasks, *planned, a.common);
@@ -131,7 +132,7 @@ int RunDo(DoSettings& a) {
   ApplySets("--set", a.common.sets, Joined({a.tasks.motion.Fields(), a.play.Fields()}));
   a.tasks.seed = static_cast<std::uint64_t>(a.common.seed);
   CheckDo(a);
-  const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
+  const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
   const Result<Terrain> terrain = LoadTerrain(a.terrain, ScaleOf(*model));
   if (!terrain) return Report(terrain.failure(), a.common);
@@ -162,8 +163,7 @@ void AddDo(Verb program, int& status) {
       .SetType("TEXT");
   AddText(verb, "--task-plan", "FILE", a->task_file, "A task plan as JSON instead of TEXT, see --schema.");
   verb.SetGroup("Robot and ground");
-  const Flag named = AddText(verb, "--robot", "NAME", a->robot, "Robot by name; default a1.");
-  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.").Exclude(named);
+  a->robot.AddTo(verb);
   AddText(verb, "--terrain", "NAME", a->terrain, "Ground by name or file, with places that have names; default flat.");
   verb.SetGroup("How words are understood");
   AddText(verb, "--interpreter", "URL", a->interpreter.url,

@@ -47,7 +47,7 @@ void CheckExportPaths(const ExportSettings& a, ExportFormat format) {
   paths.Read("the motion", a.motion);
   paths.Read("--plan", a.robot.plan);
   paths.Write("--out", file, {ending});
-  paths.AddRobotAndGait(a.robot.urdf, "");
+  a.robot.robot.AddTo(paths);
   CheckPaths(paths);
 }
 

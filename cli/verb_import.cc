@@ -19,7 +19,8 @@ namespace {
 struct ImportSettings {
   Common common;
   ImportRequest request;
-  std::string robot = "a1", urdf, goal, out = "imported.json";
+  RobotFlags robot;
+  std::string goal, out = "imported.json";
 };
 
 nlohmann::ordered_json ImportedJson(const ImportedMotion& imported, const std::string& path) {
@@ -65,10 +66,10 @@ int RunImport(ImportSettings& a) {
   paths.Read("the motion", a.request.file);
   paths.Read("--columns", a.request.columns_file);
   paths.Write("the plan", a.out, {".json"});
-  paths.AddRobotAndGait(a.urdf, "");
+  a.robot.AddTo(paths);
   paths.AddTerrain(a.request.terrain);
   CheckPaths(paths);
-  const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
+  const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
   const Result<ImportedMotion> imported = ImportMotion(*model, a.request);
   if (!imported) return Report(imported.failure(), a.common);
@@ -88,8 +89,7 @@ void AddImport(Verb program, int& status) {
           "footsteps (.yaml, .yml, .json).")
       .Require();
   verb.SetGroup("Robot and ground");
-  const Flag named = AddText(verb, "--robot", "NAME", a->robot, "Robot by name, see 'gaitwright robots'; default a1.");
-  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own; default: the robot of --robot.").Exclude(named);
+  a->robot.AddTo(verb);
   AddText(verb, "--terrain", "NAME", a->request.terrain,
           "Ground that it goes over, by name or a file, see 'gaitwright terrains'; default flat.");
   verb.SetGroup("How the file is read");

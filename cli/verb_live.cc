@@ -34,7 +34,7 @@ OptionFields FieldsOf(WalkRequest& walk, PlayRequest& play) {
 
 struct LiveSettings {
   Common common;
-  std::string robot = "a1", urdf;
+  RobotFlags robot;
   WalkRequest walk;
   PlayRequest play, listed;  ///< `listed` has what --list-options prints: all that a robot here may take
   OptionsFile options;
@@ -66,18 +66,17 @@ int RunLive(LiveSettings& a) {
   CheckController(a.play.controller);
   if (!HasViewer()) throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF)");
   Paths paths;
-  paths.AddRobotAndGait(a.urdf, "");
+  a.robot.AddTo(paths);
   a.options.AddPathTo(paths);
   CheckPaths(paths);
-  const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
+  const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
   Result<std::unique_ptr<LiveServer>> server = LiveServer::Start(a.address, LivePage(model->name + ", live"));
   if (!server) return Report(server.failure(), a.common);
   if (!a.common.quiet) fmt::print(stderr, "plans how {} walks\n", model->name);
   Result<std::unique_ptr<LiveWorld>> live = LiveWorld::Make(*model, a.walk, a.play);
   if (!live) return Report(live.failure(), a.common);
-  const std::optional<std::string> meshes =
-      a.urdf.empty() ? std::nullopt : std::optional(std::filesystem::path(a.urdf).parent_path().string());
+  const std::optional<std::string> meshes = a.robot.is_file() ? std::optional(a.robot.folder()) : std::nullopt;
   (*server)->Greet(LiveGreeting(**live, meshes));
   const std::string url = (*server)->url();
   fmt::print("{}\n", a.common.json ? fmt::format("{{\"url\": \"{}\"}}", url)
@@ -105,8 +104,7 @@ void AddLive(Verb program, int& status) {
   const Verb verb =
       program.AddVerb("live", "Serve a page on a robot in physics that walks, is pushed and tuned as you watch");
   verb.SetGroup("Robot");
-  const Flag named = AddText(verb, "--robot", "NAME", a->robot, "Robot by name, see 'gaitwright robots'; default a1.");
-  AddText(verb, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.").Exclude(named);
+  a->robot.AddTo(verb);
   AddText(
       verb, "--controller", "NAME", a->play.controller,
       "stabilised, joint-pd or recovering, which steps when it is pushed while it stands, and lets stabilised walk; "

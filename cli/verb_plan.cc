@@ -62,12 +62,13 @@ int RunPlan(PlanSettings& a) {
   const std::string path = a.folder.empty() ? a.out : (std::filesystem::path(a.folder) / "plan.json").string();
   Paths paths;
   paths.Write(a.folder.empty() ? "--out" : "the plan of --out-dir", path, {".json"});
-  paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
+  a.walk.robot.AddTo(paths);
+  paths.AddGait(a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);
   a.options.AddPathTo(paths);
   CheckPaths(paths);
-  const Result<RobotModel> model = ReadRobot(a.walk.robot, a.walk.urdf);
+  const Result<RobotModel> model = ReadRobot(a.walk.robot);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
   const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -12,11 +12,14 @@
 #include "cli/robot_input.h"
 #include "cli/word_list.h"
 #include "kinematics/base/file.h"
+#include "kinematics/check/check_robot.h"
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/model/describe.h"
 #include "kinematics/model/load_robot.h"
+#include "kinematics/model/repaired_urdf.h"
 #include "optimisation/pipeline/plan_posture.h"
+#include "planning/footsteps/can_walk.h"
 #include "planning/tasks/repertoire.h"
 #include "playback/control/gains.h"
 #include "playback/viewer/viewer_page.h"
@@ -28,9 +31,23 @@ namespace {
 
 struct RobotsSettings {
   Common common;
-  std::string robot, png, page;
+  std::string robot, png, page, against, repaired;
+  RobotFlags loading;  ///< how its file is read
   PictureOptions picture;
 };
+
+/// Whether a text names a robot description rather than a robot of the list.
+bool IsFileOfARobot(const std::string& text) {
+  const std::string ending = EndingOf(text);
+  return ending == ".urdf" || ending == ".xacro" || ending == ".xml" || ending == ".mjcf" ||
+         text.find('/') != std::string::npos;
+}
+
+/// The flags that name such a robot.
+RobotFlags FlagsOf(const std::string& text, const RobotLoading& loading) {
+  const bool is_file = IsFileOfARobot(text);
+  return {is_file ? "" : text, is_file ? text : "", loading};
+}
 
 int ListRobots(const Common& common) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -100,13 +117,37 @@ std::optional<Failure> DrawRobot(const RobotModel& model, const RobotsSettings& 
   return std::nullopt;
 }
 
+std::string VerdictOn(const RobotModel& model, std::size_t warnings) {
+  if (const auto failure = WhyCannotWalk(model)) return "cannot walk: " + failure->message;
+  return warnings == 0 ? "walks" : fmt::format("walks with warnings ({})", warnings);
+}
+
+std::size_t CountOf(const std::vector<Finding>& findings, FindingLevel level) {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.level == level; }));
+}
+
+const char* NameOf(FindingLevel level) {
+  return level == FindingLevel::kError ? "error" : level == FindingLevel::kWarning ? "warning" : "info";
+}
+
+nlohmann::ordered_json FindingsJson(const std::vector<Finding>& findings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Finding& finding : findings) {
+    nlohmann::ordered_json json = {{"level", NameOf(finding.level)}, {"code", finding.code}, {"part", finding.part}};
+    json["line"] = nullptr;
+    if (finding.line > 0) json["line"] = finding.line;
+    json["message"] = finding.message;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 int ShowRobot(const RobotsSettings& a) {
-  const bool is_file =
-      a.robot.ends_with(".urdf") || a.robot.ends_with(".xml") || a.robot.find('/') != std::string::npos;
-  Result<RobotModel> model = ReadRobot(a.robot, is_file ? a.robot : "");
+  const RobotFlags robot = FlagsOf(a.robot, a.loading.loading);
+  Result<RobotModel> model = ReadRobot(robot);
   if (!model) return Report(model.failure(), a.common);
-  const std::string folder = is_file ? std::filesystem::path(a.robot).parent_path().string() : "";
-  if (const auto failure = DrawRobot(*model, a, folder)) return Report(*failure, a.common);
+  if (const auto failure = DrawRobot(*model, a, robot.folder())) return Report(*failure, a.common);
   const WholeBodyIk ik(*model);
   const CollisionChecker collision(*model);
   model->notes.insert(model->notes.end(), ik.notes().begin(), ik.notes().end());
@@ -114,14 +155,18 @@ int ShowRobot(const RobotsSettings& a) {
   const Gains gains = DeriveGains(*model);  // those of robot.yaml where it has some
   model->stiffness = gains.stiffness;
   model->damping = gains.damping;
+  const std::vector<Finding> findings = CheckRobot(*model);
   if (a.common.json) {
     nlohmann::ordered_json json = ParsedJson(RobotJson(*model));
+    json["verdict"] = VerdictOn(*model, CountOf(findings, FindingLevel::kWarning));
+    json["findings"] = FindingsJson(findings);
     json["self_collision"] = SelfCollisionJson(collision);
     json["files"] = nlohmann::ordered_json::object();
     if (!a.page.empty()) json["files"]["page"] = a.page;
     if (!a.png.empty()) json["files"]["png"] = a.png;
     PrintJson(json);
   } else {
+    fmt::print("{}: {}\n", model->name, VerdictOn(*model, CountOf(findings, FindingLevel::kWarning)));
     fmt::print("{}\n{}", DescribeRobot(*model), SelfCollisionText(collision));
     for (const std::string& path : {a.page, a.png}) {
       if (!path.empty()) fmt::print("drawn   {}\n", path);
@@ -130,13 +175,66 @@ int ShowRobot(const RobotsSettings& a) {
   return kPass;
 }
 
+/// Findings of a robot description, and of another one against it where that is given.
+std::vector<Finding> FindingsOf(const RobotsSettings& a, const Result<RobotModel>& model) {
+  const auto not_loaded = [](const Failure& failure, const std::string& message) {
+    return Finding{FindingLevel::kError, failure.code, "robot", 0, message};
+  };
+  if (!model) return {not_loaded(model.failure(), model.failure().message)};
+  std::vector<Finding> findings = CheckRobot(*model);
+  if (a.against.empty()) return findings;
+  const Result<RobotModel> other = ReadRobot(FlagsOf(a.against, a.loading.loading));
+  if (!other) {
+    findings.push_back(not_loaded(other.failure(), fmt::format("'{}': {}", a.against, other.failure().message)));
+    return findings;
+  }
+  const std::vector<Finding> differences = CompareRobots(*model, *other);
+  findings.insert(findings.end(), differences.begin(), differences.end());
+  return findings;
+}
+
+int CheckOneRobot(const RobotsSettings& a) {
+  Paths paths;
+  paths.Write("--repaired", a.repaired, {".urdf"});
+  CheckPaths(paths);
+  const Result<RobotModel> model = ReadRobot(FlagsOf(a.robot, a.loading.loading));
+  const std::vector<Finding> findings = FindingsOf(a, model);
+  const std::size_t errors = CountOf(findings, FindingLevel::kError);
+  const std::size_t warnings = CountOf(findings, FindingLevel::kWarning);
+  const std::string verdict = model ? VerdictOn(*model, warnings) : "is not loaded";
+  nlohmann::ordered_json files = nlohmann::ordered_json::object();
+  if (model && !a.repaired.empty()) {
+    const auto written = WriteFileAtomically(a.repaired, RepairedUrdf(*model));
+    if (!written) return Report(written.failure(), a.common);
+    files["repaired"] = a.repaired;
+  }
+  if (a.common.json) {
+    PrintJson(nlohmann::ordered_json{{"robot", model ? model->name : a.robot},
+                                     {"verdict", verdict},
+                                     {"errors", errors},
+                                     {"warnings", warnings},
+                                     {"findings", FindingsJson(findings)},
+                                     {"files", files}});
+  } else {
+    for (const Finding& finding : findings) {
+      if (a.common.quiet && finding.level == FindingLevel::kInfo) continue;
+      fmt::print("{}{}: {}: {}: {} [{}]\n", a.robot, finding.line > 0 ? fmt::format(":{}", finding.line) : "",
+                 NameOf(finding.level), finding.part, finding.message, finding.code);
+    }
+    fmt::print("{}: {} errors, {} warnings; {}\n", model ? model->name : a.robot, errors, warnings, verdict);
+  }
+  return errors == 0 ? kPass : kWrongInput;
+}
+
 }  // namespace
 
 void AddRobots(Verb program, int& status) {
   auto a = std::make_shared<RobotsSettings>();
   const Verb verb = program.AddVerb("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
   const Verb show = verb.AddVerb("show", "Explain one robot: legs, feet, posture, limits");
-  AddText(show, "ROBOT", "NAME", a->robot, "A name of the list, or the path of a URDF file.").Require();
+  constexpr char kRobot[] = "A name of the list, or the path of a URDF, xacro or MJCF file.";
+  AddText(show, "ROBOT", "NAME", a->robot, kRobot).Require();
+  a->loading.AddLoadingTo(show);
   show.SetGroup("Draw it standing");
   AddText(show, "--png", "FILE", a->png, "A picture of it, by a headless Chromium; default: none.");
   AddText(show, "--page", "FILE", a->page, "A page on which it can be turned and looked at in 3D; default: none.");
@@ -145,9 +243,18 @@ void AddRobots(Verb program, int& status) {
   AddCommon(verb, a->common, {"robots", "robots show a1"});
   AddCommon(show, a->common,
             {"robots show a1", "robots show nao --json", "robots show nao --png nao.png --view front"});
+  const Verb check =
+      verb.AddVerb("check", "Look for faults in a robot description: a line a finding, status 1 on errors");
+  AddText(check, "ROBOT", "NAME", a->robot, kRobot).Require();
+  a->loading.AddLoadingTo(check);
+  AddText(check, "--against", "FILE", a->against,
+          "Another description of the same robot, to compare with; default none.");
+  AddText(check, "--repaired", "FILE", a->repaired, "Write the URDF with all that was mended; default none.");
+  AddCommon(check, a->common, {"robots check a1", "robots check nao --json", "robots check go1 --repaired go1.urdf"});
   verb.RequireVerbs(0, 1);
-  SetWork(verb, a->common, status, [a] {
+  SetWork(verb, a->common, status, [a, verb, check] {
     ApplySets("--set", a->common.sets, {});
+    if (verb.chosen() == check) return CheckOneRobot(*a);
     return a->robot.empty() ? ListRobots(a->common) : ShowRobot(*a);
   });
 }

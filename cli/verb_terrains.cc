@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 
 struct TerrainsSettings {
   Common common;
-  std::string terrain, robot = "a1", urdf, picture;
+  RobotFlags robot;
+  std::string terrain, picture;
 };
 
 Json ParametersJson(const std::vector<TerrainParameter>& parameters) {
@@ -193,11 +194,11 @@ Result<ShownTerrain> LookAtTerrain(const std::string& text, const TerrainScale& 
 
 int ShowTerrain(const TerrainsSettings& a) {
   Paths paths;
-  paths.AddRobotAndGait(a.urdf, "");
+  a.robot.AddTo(paths);
   paths.AddTerrain(a.terrain);
   paths.Write("--picture", a.picture, {".svg"});
   CheckPaths(paths);
-  const Result<RobotModel> model = ReadRobot(a.robot, a.urdf);
+  const Result<RobotModel> model = ReadRobot(a.robot);
   if (!model) return Report(model.failure(), a.common);
   const TerrainScale scale = ScaleOf(*model);
   const Result<ShownTerrain> shown = LookAtTerrain(a.terrain, scale);
@@ -229,9 +230,7 @@ void AddTerrains(Verb program, int& status) {
   AddText(show, "TERRAIN", "NAME", a->terrain,
           "As of --terrain: a name of the list, with parameters or without, or a file; see docs/terrain-format.md.")
       .Require();
-  const Flag named =
-      AddText(show, "--robot", "NAME", a->robot, "The robot whose sizes are taken where none are given; default a1.");
-  AddText(show, "--urdf", "FILE", a->urdf, "A URDF file of your own, instead of --robot.").Exclude(named);
+  a->robot.AddTo(show, "The robot whose sizes are taken where none are given; default a1.");
   AddText(show, "--picture", "FILE", a->picture, "Draw it into this SVG file, from above and from the side.");
   AddCommon(verb, a->common, {"terrains", "terrains show stairs"});
   AddCommon(show, a->common,

@@ -21,7 +21,8 @@ struct WalkSettings {
 void CheckWalkPaths(const WalkSettings& a) {
   Paths paths;
   a.outputs.AddPathsTo(paths);
-  paths.AddRobotAndGait(a.walk.urdf, a.walk.request.gait);
+  a.walk.robot.AddTo(paths);
+  paths.AddGait(a.walk.request.gait);
   paths.AddSequence(a.walk.request.sequence);
   paths.AddTerrain(a.walk.request.terrain);
   a.options.AddPathTo(paths);
@@ -36,7 +37,7 @@ int RunWalk(WalkSettings& a) {
   ApplySets("--set", a.common.sets, fields);
   a.walk.request.seed = static_cast<std::uint64_t>(a.common.seed);
   CheckWalkPaths(a);
-  const Result<RobotModel> model = ReadRobot(a.walk.robot, a.walk.urdf);
+  const Result<RobotModel> model = ReadRobot(a.walk.robot);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
   a.play.Finish();
@@ -46,7 +47,7 @@ int RunWalk(WalkSettings& a) {
   const Result<PlayedWalk> played = PlayWalk(*model, planned->motion.plan, a.play.request);
   if (!played) return Report(played.failure(), a.common);
   Judged judged{*model, planned->motion.plan, *played, planned->audit, planned->planning_cpu_s, true};
-  if (!a.walk.urdf.empty()) judged.mesh_folder = std::filesystem::path(a.walk.urdf).parent_path().string();
+  if (a.walk.robot.is_file()) judged.mesh_folder = a.walk.robot.folder();
   const Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
   PrintJudged(judged, *files, a.common);

@@ -36,8 +36,7 @@ std::vector<std::string> ChangedBy(const std::vector<std::string>& sets, PlayReq
 
 void WalkArguments::AddTo(Verb verb) {
   verb.SetGroup("Robot and ground");
-  const Flag named = AddText(verb, "--robot", "NAME", robot, "Robot by name, see 'gaitwright robots'; default a1.");
-  AddText(verb, "--urdf", "FILE", urdf, "A URDF file of your own, instead of --robot.").Exclude(named);
+  robot.AddTo(verb);
   AddText(verb, "--terrain", "NAME", request.terrain,
           "Ground by name, with parameters or without, as stairs:rise_m=0.05,count=2, see 'gaitwright terrains'; or a "
           "file of one (YAML, CSV, PNG, OBJ, STL); default flat.");

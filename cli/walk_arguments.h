@@ -7,6 +7,7 @@
 
 #include "cli/flags.h"
 #include "cli/program.h"
+#include "cli/robot_input.h"
 #include "workflows/walk/walk.h"
 #include "workflows/walk/walk_extent.h"
 
@@ -14,7 +15,8 @@ namespace gaitwright::cli {
 
 /// The flags that say which robot walks how, shared by `walk` and `plan`.
 struct WalkArguments {
-  std::string robot = "a1", urdf, goal;
+  RobotFlags robot;
+  std::string goal;
   WalkRequest request;
   WalkExtent extent;
   std::vector<KeyedFlag> keyed;  ///< those of its flags that a study may vary by key

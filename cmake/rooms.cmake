@@ -60,7 +60,7 @@ function(gaitwright_unity target)
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # GCC takes an included .cc for a header, in which a class may not have members of a type of that file alone. A name may
-  # shadow one of a neighbour; the preset `threads`, which compiles each file alone, has all of -Wshadow.
+  # shadow one of a neighbour; clang-tidy, which sees each file alone, has all of -Wshadow.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage -Wno-shadow -Wshadow=local>)
 endfunction()
 

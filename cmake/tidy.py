@@ -3,7 +3,8 @@
 """Runs clang-tidy over every .cc file of the tree that has changed since it was found clean.
 
 A file has changed when it, a header of ours that it includes, its compiler flags, .clang-tidy or the tool has. Files that
-were found clean are kept by the hash of all that. Needs the compile commands of single files: `cmake --preset editor`.
+were found clean are kept by the hash of all that, and docs/long-test-results.md names the last commit at which all files
+were clean. Needs the compile commands of single files: `cmake --preset editor`.
 Exit status: 0 all clean, 1 findings.
 """
 
@@ -36,20 +37,42 @@ def included(file, known):
     return reached
 
 
-def keyed_files(build, rooms):
-    """(key, file) of each .cc file of the rooms; the key is the hash of all that its findings depend on."""
+def keyed_files(build, rooms, clean):
+    """(key, file) of each .cc file of the rooms; the key is the hash of all that its findings depend on. Those that are as
+    they were when all were clean are noted in the folder `clean`."""
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True).stdout
     common = version + (ROOT / ".clang-tidy").read_text()
-    known, keyed = {}, {}
+    known, keyed, changed = {}, {}, changed_since_clean()
     for entry in json.loads((build / "compile_commands.json").read_text()):
         file = Path(entry["file"])
         if not file.is_relative_to(ROOT) or file.relative_to(ROOT).parts[0] not in rooms:
             continue
         hashed = hashlib.sha256((common + entry["command"]).encode())
-        for path in sorted(included(file, known)):
+        paths = sorted(included(file, known))
+        for path in paths:
             hashed.update(path.read_bytes())
         keyed[file] = hashed.hexdigest()
+        if changed is not None and changed.isdisjoint(paths):
+            (clean / keyed[file]).touch()
     return sorted((key, file) for file, key in keyed.items())
+
+
+def git(*arguments):
+    return subprocess.run(["git", *arguments], check=True, capture_output=True, text=True, cwd=ROOT).stdout
+
+
+def changed_since_clean():
+    """Paths that differ from the last commit at which clang-tidy passed; None where that tells nothing."""
+    try:
+        page = git("show", "HEAD:docs/long-test-results.md")
+        commit = re.search(r"at commit ([0-9a-f]+),", page)
+        if not commit or not re.search(r"^\| clang-tidy \| passed \|", page, re.M):
+            return None
+        paths = git("diff", "--name-only", commit[1]) + git("ls-files", "--others", "--exclude-standard")
+    except (OSError, subprocess.CalledProcessError):
+        return None  # no repository, or one without that commit
+    changed = {ROOT / name for name in paths.splitlines()}
+    return None if ROOT / ".clang-tidy" in changed else changed
 
 
 def findings(build, file):
@@ -67,7 +90,7 @@ def main():
     parser.add_argument("--clean", default=ROOT / "build/long-tests/clean", type=Path, help="folder that keeps what is clean")
     arguments = parser.parse_args()
     arguments.clean.mkdir(parents=True, exist_ok=True)
-    files = keyed_files(arguments.build, arguments.rooms)
+    files = keyed_files(arguments.build, arguments.rooms, arguments.clean)
     if not files:
         print(f"no .cc file of {', '.join(arguments.rooms)} is in {arguments.build}/compile_commands.json", file=sys.stderr)
         return 1

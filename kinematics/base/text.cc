@@ -4,8 +4,27 @@
 #include <utf8cpp/utf8.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace gaitwright {
+namespace {
+
+std::string FromUtf16(const std::string& bytes, bool little) {
+  std::u16string units;
+  for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+    const auto a = static_cast<unsigned char>(bytes[i]), b = static_cast<unsigned char>(bytes[i + 1]);
+    units.push_back(static_cast<char16_t>(little ? b << 8 | a : a << 8 | b));
+  }
+  std::string text;
+  try {
+    utf8::utf16to8(units.begin(), units.end(), std::back_inserter(text));
+  } catch (const utf8::exception&) {
+    return bytes;
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string Trimmed(const std::string& text) {
   constexpr const char* kBlank = " \t\r\n";
@@ -25,6 +44,16 @@ bool IsPlainText(const std::string& text) {
     return (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7f;
   };
   return std::none_of(text.begin(), text.end(), is_control) && utf8::is_valid(text.begin(), text.end());
+}
+
+std::optional<std::string> InUtf8(const std::string& text) {
+  if (text.starts_with("\xFF\xFE")) return FromUtf16(text, true);
+  if (text.starts_with("\xFE\xFF")) return FromUtf16(text, false);
+  if (utf8::is_valid(text.begin(), text.end())) return std::nullopt;
+  std::string mended;
+  for (const char c : text)
+    utf8::append(static_cast<char32_t>(static_cast<unsigned char>(c)), std::back_inserter(mended));
+  return mended;
 }
 
 std::string Shortened(const std::string& text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace gaitwright {
@@ -14,6 +15,9 @@ std::string LowerCase(std::string text);
 /// Whether a text is UTF-8 without control characters other than tabs and ends of lines, so that it can be shown and
 /// written to any file.
 bool IsPlainText(const std::string& text);
+
+/// The UTF-8 of a text in another encoding: UTF-16 by its byte order mark, else Latin-1. Nothing where it is UTF-8.
+std::optional<std::string> InUtf8(const std::string& text);
 
 /// A text as messages show it: its first 60 bytes or so, with dots where it goes on.
 std::string Shortened(const std::string& text);

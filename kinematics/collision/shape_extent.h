@@ -3,17 +3,12 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/model/robot_model.h"
+#include "kinematics/model/shape_support.h"
 
 namespace gaitwright {
 
-/// The point of a shape that lies farthest along a direction, both in S [m]; of a mesh without vertices the origin.
-Vector3 SupportPoint(const Shape& shape, const Vector3& direction_S);
-
 /// The lowest point of a shape at the scratch's pose, in W; of a mesh without vertices its origin.
 Vector3 LowestPoint(const DynamicsScratch& scratch, const Shape& shape);
-
-/// Radius about the origin of S that holds the whole shape [m].
-double BoundingRadius(const Shape& shape);
 
 /// True for the shapes that touch the ground with their foot, so that playing, judging and planning take the foot for
 /// them: those of the foot's link, and any of its body that reaches as low as it does, to 2 mm, as the box of an ankle

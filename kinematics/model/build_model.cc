@@ -13,6 +13,7 @@
 #include <mutex>
 
 #include "kinematics/model/body_tree.h"
+#include "kinematics/model/mend_inertia.h"
 #include "kinematics/model/solid_inertia.h"
 #include "kinematics/model/urdf_pose_internal.h"
 #include "kinematics/spatial/steiner.h"
@@ -49,6 +50,8 @@ void AddInertia(Body& body, double link_mass, const Vector3& p, const Matrix3& I
   body.p_BC = centre;
 }
 
+double LargestMoment(const Matrix3& I) { return PrincipalMoments(I).cwiseAbs().maxCoeff(); }
+
 /// Walks the URDF's tree and fills a model.
 class Builder {
  public:
@@ -63,6 +66,7 @@ class Builder {
     VisitLink(*urdf.getRoot(), 0, Pose::Identity());
     AssignCoordinates();
     for (const Body& body : model_.bodies) model_.total_mass_kg += body.mass;
+    TellMendedInertias();
     model_.stiffness = model_.damping = model_.standing_joints = VectorX::Zero(model_.num_dofs());
   }
   RobotModel Take() { return std::move(model_); }
@@ -88,22 +92,52 @@ class Builder {
     return X;
   }
 
-  /// Its inertia is that of its shapes where the URDF has none, or a placeholder.
+  /// Its inertia is that of its shapes where the URDF has a placeholder, and mended where no body has it.
   void AddLink(const urdf::Link& link, const Pose& X_BL, Body& body) {
     const urdf::Inertial& inertial = *link.inertial;
-    const Pose X_BI = X_BL * Scaled(inertial.origin);
-    Matrix3 I = X_BI.linear() * TensorOf(inertial) * X_BI.linear().transpose();
-    const bool none = inertial.mass > 0.0 && TensorOf(inertial).isZero(0.0);
-    if (none || placeholder_inertias_) {
-      std::vector<const Shape*> shapes = ShapesOf(collision_, link.name);
-      if (shapes.empty()) shapes = ShapesOf(visual_, link.name);
-      if (const auto solid = SolidInertia(shapes, inertial.mass)) {
-        I = X_BL.linear() * *solid * X_BL.linear().transpose();
-        model_.notes.push_back(fmt::format("link '{}': its inertia is {}; that of its shapes is used", link.name,
-                                           none ? "zero" : "that of all links, a placeholder"));
-      }
+    const Pose X_LI = Scaled(inertial.origin), X_BI = X_BL * X_LI;
+    const Matrix3 given = X_LI.linear() * TensorOf(inertial) * X_LI.linear().transpose();
+    std::vector<const Shape*> shapes = ShapesOf(collision_, link.name);
+    if (shapes.empty()) shapes = ShapesOf(visual_, link.name);
+    Matrix3 I = given;
+    if (auto mended = MendInertia(given, inertial.mass, shapes)) {
+      I = mended->I;
+      mended_.push_back({link.name, std::move(*mended), I - given});
     }
-    AddInertia(body, inertial.mass, X_BI.translation(), I);
+    if (const auto solid = placeholder_inertias_ ? SolidInertia(shapes, inertial.mass) : std::nullopt) {
+      I = *solid;
+      model_.findings.push_back({FindingLevel::kWarning, "placeholder_inertia", fmt::format("link '{}'", link.name), 0,
+                                 "its inertia is that of all links, a placeholder; that of its shapes is used"});
+    }
+    AddInertia(body, inertial.mass, X_BI.translation(), X_BL.linear() * I * X_BL.linear().transpose());
+  }
+
+  /// Largest moment of the whole robot about its centre of mass at joint positions zero [kg m^2].
+  double RobotMoment() const {
+    const std::vector<Pose> X_OB = BodyPoses(model_, VectorX::Zero(model_.num_dofs()));
+    Body whole;
+    for (std::size_t b = 0; b < X_OB.size(); ++b) {
+      const Body& body = model_.bodies[b];
+      AddInertia(whole, body.mass, X_OB[b] * body.p_BC, X_OB[b].linear() * body.I_C * X_OB[b].linear().transpose());
+    }
+    return LargestMoment(whole.I_C);
+  }
+
+  /// One finding a link whose inertia is mended; none for one that the robot would not notice.
+  void TellMendedInertias() {
+    constexpr double kOfNoAccount = 1e-6;  // share of the robot's inertia
+    if (mended_.empty()) return;
+    const double whole = RobotMoment();
+    for (const Mended& mended : mended_) {
+      const double share = LargestMoment(mended.change) / std::max(whole, 1e-12);
+      if (mended.by.was.empty() || share < kOfNoAccount) continue;
+      const Vector3 moments = PrincipalMoments(mended.by.I);
+      model_.findings.push_back(
+          {FindingLevel::kWarning, "impossible_inertia", fmt::format("link '{}'", mended.link), 0,
+           fmt::format("its inertia {}; {} is used, with the principal moments {:.4g}, {:.4g} and {:.4g} kg m^2, which "
+                       "is {:.2g} % of the robot's",
+                       mended.by.was, mended.by.used, moments[0], moments[1], moments[2], 100.0 * share)});
+    }
   }
 
   static std::vector<const Shape*> ShapesOf(const std::vector<Shape>& all, const std::string& link) {
@@ -200,8 +234,15 @@ class Builder {
     }
   }
 
+  struct Mended {
+    std::string link;
+    MendedInertia by;
+    Matrix3 change;
+  };
+
   const std::vector<Shape>&collision_, &visual_;
   const double scale_;
+  std::vector<Mended> mended_;
   const bool placeholder_inertias_;
   RobotModel model_;
   std::vector<double> heaviest_;

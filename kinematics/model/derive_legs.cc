@@ -22,19 +22,6 @@ namespace {
 
 constexpr std::size_t kMostLegs = 64;  // that a set of feet as bits holds
 
-/// Bodies at the ends of legs: leaves that can come down nearly as far as the lowest.
-std::vector<int> EndBodies(const RobotModel& model) {
-  std::vector<std::pair<double, int>> leaves;
-  for (const std::vector<int>& limb : Limbs(model)) leaves.emplace_back(LowestReach(model, limb), limb.back() + 1);
-  std::sort(leaves.begin(), leaves.end());
-  std::vector<int> ends;
-  constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher
-  for (const auto& [lowest, body] : leaves) {
-    if (lowest < 0.0 && lowest <= leaves.front().first * (1.0 - kShare)) ends.push_back(body);
-  }
-  return ends;
-}
-
 /// Why there are too few legs: no joint at all, joints that make up no limb, or limbs that end too high.
 Failure NoLegs(const RobotModel& model, std::size_t found) {
   const std::string count = fmt::format("robot '{}': {} legs found", model.name, found);
@@ -104,6 +91,18 @@ void SortLegs(RobotModel& model) {
 }
 
 }  // namespace
+
+std::vector<int> EndBodies(const RobotModel& model) {
+  std::vector<std::pair<double, int>> leaves;
+  for (const std::vector<int>& limb : Limbs(model)) leaves.emplace_back(LowestReach(model, limb), limb.back() + 1);
+  std::sort(leaves.begin(), leaves.end());
+  std::vector<int> ends;
+  constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher
+  for (const auto& [lowest, body] : leaves) {
+    if (lowest < 0.0 && lowest <= leaves.front().first * (1.0 - kShare)) ends.push_back(body);
+  }
+  return ends;
+}
 
 Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX& standing) {
   const std::vector<FootOverride>& feet = given.feet;

@@ -60,4 +60,7 @@ struct LegChoices {
 /// that cannot be. @throws InvalidArgument with the line of an override that contradicts the robot.
 Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX& standing);
 
+/// Bodies at the ends of legs: leaves that can come down nearly as far as the lowest. Lowest first.
+std::vector<int> EndBodies(const RobotModel& model);
+
 }  // namespace gaitwright

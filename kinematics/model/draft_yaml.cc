@@ -10,6 +10,7 @@
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/lowest_reach.h"
+#include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/urdf_check.h"
 #include "kinematics/model/urdf_shapes.h"
 
@@ -71,8 +72,9 @@ bool WantsRobotYaml(const Failure& failure) {
 
 std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {
   constexpr double kAsLow = 0.6;  // of the lowest
-  if (CheckUrdf(urdf_text)) return "";
-  const std::string tree = WithoutBallJoints(urdf_text);
+  const std::string mended = MendUrdf(urdf_text).text;
+  if (CheckUrdf(mended)) return "";
+  const std::string tree = WithoutBallJoints(mended);
   if (CheckUrdf(tree)) return "";
   UrdfParts parts = SplitUrdf(tree, 1.0);
   std::erase_if(parts.collision, [](const Shape& shape) { return shape.type == ShapeType::kMesh; });

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "kinematics/model/body_tree.h"
+#include "kinematics/model/shape_support.h"
 #include "kinematics/model/yaml_line.h"
 #include "kinematics/spatial/convex_hull.h"
 
@@ -49,6 +50,11 @@ std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
     if (shape.body == body) shapes.push_back(&shape);
   }
   return shapes;
+}
+
+/// How far a shape reaches along a direction of its body's frame from its origin.
+double SupportAlong(const Shape& shape, const Vector3& d) {
+  return d.dot(shape.X_BS * SupportPoint(shape, shape.X_BS.linear().transpose() * d));
 }
 
 double Extent(const Shape& shape) {
@@ -115,6 +121,20 @@ std::string NameOf(const std::vector<const Shape*>& shapes) {
                      first.link);
 }
 
+constexpr double kLeastGive = 2e-3;  // [m]
+
+/// By how much rubber gives [m]: what of a mesh is no higher than that over its lowest point touches the ground too, so
+/// that the hull of a rounded sole has the area that people see. It goes with the size of the foot.
+double GiveOf(const std::vector<Vector3>& corners) {
+  constexpr double kShare = 0.02, kMost = 0.006;
+  Vector2 low = corners.front().head<2>(), high = low;
+  for (const Vector3& p : corners) {
+    low = low.cwiseMin(p.head<2>());
+    high = high.cwiseMax(p.head<2>());
+  }
+  return std::clamp(kShare * (high - low).maxCoeff(), kLeastGive, kMost);
+}
+
 /// The flat bottom of shapes of a foot's body in a posture: its corners, frame and what it is derived from.
 bool FindFlatBottom(const std::vector<Pose>& X_OB, const std::vector<const Shape*>& shapes, Foot& foot) {
   const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
@@ -125,9 +145,11 @@ bool FindFlatBottom(const std::vector<Pose>& X_OB, const std::vector<const Shape
   std::vector<Vector2> touching;
   std::vector<const Shape*> at_bottom;
   for (const Shape* shape : shapes) {
-    for (const Vector3& corner : Corners(*shape)) {
-      const Vector3 p = X_OE * corner;
-      if (p.z() - Radius(*shape) >= bottom + 2e-3) continue;
+    std::vector<Vector3> corners = Corners(*shape);
+    for (Vector3& corner : corners) corner = X_OE * corner;
+    const double give = shape->type == ShapeType::kMesh ? GiveOf(corners) : kLeastGive;
+    for (const Vector3& p : corners) {
+      if (p.z() - Radius(*shape) >= bottom + give) continue;
       touching.push_back(p.head<2>());
       if (at_bottom.empty() || at_bottom.back() != shape) at_bottom.push_back(shape);
     }
@@ -165,7 +187,8 @@ bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const S
 /// The farthest point of the shapes from the last joint: the middle of those points of one shape that are as far, so
 /// that a box that hangs straight down ends in the middle of its bottom. Without shapes: the frame that is farthest.
 void FindTip(const RobotModel& model, const std::vector<const Shape*>& shapes, Foot& foot) {
-  constexpr double kSame = 1e-3;  // [m]
+  constexpr double kPointRadius = 1e-3;  // [m] a smaller ball is a point
+  constexpr double kSame = 1e-3;         // [m]
   double farthest = -1.0;
   const Shape* tip = nullptr;
   for (const Shape* shape : shapes) {
@@ -184,7 +207,7 @@ void FindTip(const RobotModel& model, const std::vector<const Shape*>& shapes, F
       count += 1.0;
     }
     foot.X_BF.translation() = sum / count;
-    foot.radius = Radius(*tip);
+    foot.radius = Radius(*tip) < kPointRadius ? 0.0 : Radius(*tip);
     foot.link = tip->link;
     foot.derived_from = fmt::format("a {} from {}, the farthest from its last joint",
                                     foot.radius > 0.0 ? "rolling foot" : "point", NameOf({tip}));
@@ -197,6 +220,38 @@ void FindTip(const RobotModel& model, const std::vector<const Shape*>& shapes, F
     foot.derived_from = fmt::format("a point at the frame of link '{}', since no shape is there", frame.name);
   }
   foot.type = foot.radius > 0.0 ? FootType::kSphere : FootType::kPoint;
+}
+
+/// The wheel that shapes of a body make about its joint: all round to one radius. It is held still and stands as a ball
+/// of its radius does, about its axle. @return whether there is one.
+bool FindWheel(const RobotModel& model, const std::vector<const Shape*>& shapes, Foot& foot) {
+  constexpr double kRound = 0.05;  // share of the radius that a wheel may be out of round
+  constexpr int kDirections = 24;
+  const Joint& axle = model.joints[static_cast<std::size_t>(foot.body - 1)];
+  if (shapes.empty() || axle.is_prismatic() || axle.upper - axle.lower < 2.0 * std::numbers::pi) return false;
+  const Vector3 across = axle.axis_J.unitOrthogonal(), up = axle.axis_J.cross(across);
+  double widest = 0.0, least = std::numeric_limits<double>::infinity();
+  double near = std::numeric_limits<double>::infinity(), far = -near;
+  for (int i = 0; i < kDirections; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / kDirections;
+    const Vector3 d = std::cos(turn) * across + std::sin(turn) * up;
+    double reach = 0.0;
+    for (const Shape* shape : shapes) {
+      reach = std::max(reach, SupportAlong(*shape, d));
+      near = std::min(near, -SupportAlong(*shape, -axle.axis_J));
+      far = std::max(far, SupportAlong(*shape, axle.axis_J));
+    }
+    widest = std::max(widest, reach);
+    least = std::min(least, reach);
+  }
+  if (least < (1.0 - kRound) * widest || far - near > 2.0 * widest) return false;
+  foot.X_BF.translation() = 0.5 * (near + far) * axle.axis_J;
+  foot.radius = widest;
+  foot.link = shapes.front()->link;
+  foot.type = FootType::kSphere;
+  foot.derived_from =
+      fmt::format("a wheel that is held still, round its axle '{}', from {}", axle.name, NameOf(shapes));
+  return true;
 }
 
 /// A foot whose sole the user gives.
@@ -256,7 +311,8 @@ Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given
   const bool tip = given != nullptr && (given->type || given->radius_m > 0.0);
   if (given != nullptr && !given->sole_m.empty()) {
     TakeSole(model, *given, foot);
-  } else if (tip || leg.joints.size() < kSoleJoints || !FindSole(model, leg, shapes, foot)) {
+  } else if (tip || (!FindWheel(model, shapes, foot) &&
+                     (leg.joints.size() < kSoleJoints || !FindSole(model, leg, shapes, foot)))) {
     FindTip(model, shapes, foot);
   }
   if (given != nullptr) TakeType(*given, foot);

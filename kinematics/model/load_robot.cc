@@ -11,11 +11,13 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "kinematics/base/options.h"
+#include "kinematics/base/text.h"
 #include "kinematics/model/apply_yaml.h"
 #include "kinematics/model/ball_joints.h"
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/check_feet.h"
 #include "kinematics/model/derive_legs.h"
+#include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/mesh_file.h"
 #include "kinematics/model/robot_yaml.h"
 #include "kinematics/model/urdf_check.h"
@@ -59,6 +61,43 @@ Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshS
   return meshes;
 }
 
+/// The hull of a mesh file, one that was read before or a new one, which is kept.
+const MeshHull* HullOf(const std::string& file, const MeshSource& source, std::vector<MeshHull>& meshes) {
+  const auto known = std::find_if(meshes.begin(), meshes.end(), [&](const MeshHull& m) { return m.file == file; });
+  if (known != meshes.end()) return &*known;
+  Result<std::vector<Vector3>> hull = source(file);
+  if (!hull) return nullptr;
+  meshes.push_back({file, std::move(*hull)});
+  return &meshes.back();
+}
+
+/// A foot that has no collision shape meets the ground with what is seen of it.
+void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource& source, RobotModel& model,
+                       std::vector<MeshHull>& meshes) {
+  std::vector<int> ends;
+  for (const FootOverride& foot : named) {
+    for (const Frame& frame : model.frames) {
+      if (frame.name == foot.link) ends.push_back(frame.body);
+    }
+  }
+  if (named.empty()) ends = EndBodies(model);
+  for (const int body : ends) {
+    const auto of_body = [&](const Shape& shape) { return shape.body == body; };
+    if (std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(), of_body)) continue;
+    for (Shape shape : model.visual_shapes) {
+      if (!of_body(shape)) continue;
+      if (shape.type == ShapeType::kMesh) {
+        const MeshHull* hull = HullOf(shape.mesh_file, source, meshes);
+        if (hull == nullptr) continue;
+        for (const Vector3& v : hull->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
+      }
+      model.findings.push_back({FindingLevel::kWarning, "visual_foot", fmt::format("link '{}'", shape.link), 0,
+                                "its foot has no collision geometry: what is seen of it stands on the ground"});
+      model.collision_shapes.push_back(std::move(shape));
+    }
+  }
+}
+
 /// Of the texts and of the meshes' points.
 std::string RobotHash(const RobotModel& model) {
   std::string bytes = model.urdf_text + '\0' + model.yaml_text;
@@ -69,26 +108,36 @@ std::string RobotHash(const RobotModel& model) {
   return HexHash(bytes);
 }
 
-Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_text, const std::string& name,
-                        const MeshSource& source) {
-  if (const auto failure = CheckUrdf(urdf_text)) return *failure;
-  const std::string tree = WithoutBallJoints(urdf_text);
-  if (tree != urdf_text) {
+/// What a robot is made of.
+struct RobotTexts {
+  const std::string& urdf;
+  const std::string& yaml;
+  const std::string& name;
+  bool strict;
+};
+
+Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
+  const MendedUrdf mended = texts.strict ? MendedUrdf{texts.urdf, {}} : MendUrdf(texts.urdf);
+  if (const auto failure = CheckUrdf(mended.text, texts.strict)) return *failure;
+  const std::string tree = WithoutBallJoints(mended.text);
+  if (tree != mended.text) {
     if (const auto failure = CheckUrdf(tree)) return *failure;
   }
-  const RobotYaml yaml = ParseRobotYaml(yaml_text);
+  const RobotYaml yaml = ParseRobotYaml(texts.yaml);
   UrdfParts parts = SplitUrdf(tree, yaml.scale);
   std::vector<MissingMesh> missing;
-  const Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, missing);
+  Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, missing);
   if (!meshes) return meshes.failure();
-  Result<RobotModel> built = BuildModel(parts, name, yaml.scale);
+  Result<RobotModel> built = BuildModel(parts, texts.name, yaml.scale);
   if (!built) return built;
   RobotModel model = std::move(*built);
-  model.name = yaml.name.empty() ? name : yaml.name;
+  model.findings.insert(model.findings.begin(), mended.findings.begin(), mended.findings.end());
+  model.name = yaml.name.empty() ? texts.name : yaml.name;
   model.description = yaml.description;
   ApplyAxes(yaml, model);
   ApplyLimits(yaml, model);
   ApplyMotors(yaml, model);
+  TakeVisualsOfFeet(yaml.feet, source, model, *meshes);
   const Result<int> legs = DeriveLegs(model, yaml, GivenPosture(yaml, model));
   if (!legs) return legs.failure();
   if (const auto failure = CheckFeetAreKnown(model, yaml.feet, missing)) return *failure;
@@ -99,20 +148,29 @@ Result<RobotModel> Load(const std::string& urdf_text, const std::string& yaml_te
   ApplyRests(yaml, model);
   const std::vector<std::string> notes = DerivationNotes(yaml, model);
   model.notes.insert(model.notes.begin(), notes.begin(), notes.end());
-  model.urdf_text = urdf_text;
-  model.yaml_text = yaml_text;
+  model.urdf_text = texts.urdf;
+  model.yaml_text = texts.yaml;
   model.meshes = *meshes;
   model.hash = RobotHash(model);
   return model;
 }
 
-Result<RobotModel> LoadGuarded(const std::string& urdf_text, const std::string& yaml_text, const std::string& name,
-                               const MeshSource& source) {
+Result<RobotModel> LoadGuarded(const RobotTexts& texts, const MeshSource& source) {
   try {
-    return Load(urdf_text, yaml_text, name, source);
+    return Load(texts, source);
   } catch (const InvalidArgument& error) {
     return BadInput("robot_yaml", error.what());
   }
+}
+
+/// The text of a robot description; where not `strict`, one in another encoding than UTF-8 too.
+Result<std::string> ReadDescription(const std::string& path, bool strict) {
+  Result<std::string> text = ReadFile(path);
+  if (text || strict || text.failure().code != "not_text") return text;
+  const Result<std::string> bytes = ReadBytes(path);
+  if (!bytes) return bytes;
+  const std::optional<std::string> converted = InUtf8(*bytes);
+  return converted ? Result<std::string>(*converted) : text;
 }
 
 void NoteMissingPictures(const std::string& folder, RobotModel& model) {
@@ -128,18 +186,24 @@ void NoteMissingPictures(const std::string& folder, RobotModel& model) {
 std::string RobotsFolder() { return DataPath("robots", "GAITWRIGHT_ROBOTS"); }
 
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
-                                     const std::string& name, const std::vector<MeshHull>& meshes) {
-  return LoadGuarded(urdf_text, yaml_text, name, [&](const std::string& file) -> Result<std::vector<Vector3>> {
+                                     const std::string& name, const std::vector<MeshHull>& meshes, bool strict) {
+  const MeshSource source = [&](const std::string& file) -> Result<std::vector<Vector3>> {
     for (const MeshHull& mesh : meshes) {
       if (mesh.file == file) return mesh.vertices;
     }
     return BadInput("no_file", fmt::format("the mesh '{}' does not come with the text of the robot", file));
-  });
+  };
+  return LoadGuarded({urdf_text, yaml_text, name, strict}, source);
 }
 
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path) {
-  const Result<std::string> urdf = ReadFile(urdf_path);
+  return LoadRobot(urdf_path, RobotLoading{.yaml_path = yaml_path});
+}
+
+Result<RobotModel> LoadRobot(const std::string& urdf_path, const RobotLoading& loading) {
+  const Result<std::string> urdf = ReadDescription(urdf_path, loading.strict);
   if (!urdf) return urdf.failure();
+  const std::string& yaml_path = loading.yaml_path;
   const fs::path folder = fs::path(urdf_path).parent_path();
   std::string yaml_text;
   std::error_code error;
@@ -150,14 +214,14 @@ Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& ya
   }
   const std::string stem = fs::path(urdf_path).stem().string();
   const std::string name = stem == "robot" && folder.has_filename() ? folder.filename().string() : stem;
-  Result<RobotModel> model =
-      LoadGuarded(*urdf, yaml_text, name, [&](const std::string& file) -> Result<std::vector<Vector3>> {
-        const Result<std::string> path = FindMeshFile(file, folder.string());
-        if (!path) return path.failure();
-        Result<Mesh> mesh = ReadMesh(*path);
-        if (!mesh) return mesh.failure();
-        return HullPoints(std::move(mesh->vertices));
-      });
+  const MeshSource source = [&](const std::string& file) -> Result<std::vector<Vector3>> {
+    const Result<std::string> path = FindMeshFile(file, folder.string());
+    if (!path) return path.failure();
+    Result<Mesh> mesh = ReadMesh(*path);
+    if (!mesh) return mesh.failure();
+    return HullPoints(std::move(mesh->vertices));
+  };
+  Result<RobotModel> model = LoadGuarded({*urdf, yaml_text, name, loading.strict}, source);
   if (model) NoteMissingPictures(folder.string(), *model);
   return model;
 }

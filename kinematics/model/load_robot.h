@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,16 +10,26 @@
 
 namespace gaitwright {
 
-/// The robot of a URDF file. Its collision meshes are read (see FindMeshFile). One that is unreadable is a failure that
-/// names the file and the link; so is a missing one that alone tells the shape of a foot. Another missing one, and a
-/// missing visual mesh, is a note. @param yaml_path overrides for what derivation cannot know; "" takes `robot.yaml`
-/// beside the URDF where there is one, "none" uses nothing but the URDF.
+/// How a robot description is read.
+struct RobotLoading {
+  std::string yaml_path = {};  ///< "" takes `robot.yaml` beside the description where there is one, "none" takes none
+  bool strict = false;         ///< what would be mended (see MendUrdf and MendInertia) is refused
+  std::map<std::string, std::string> packages = {};         ///< folders by name, before those that are found
+  std::map<std::string, std::string> xacro_arguments = {};  ///< values by name
+};
+
+/// The robot of a URDF file. What is wrong in it and has one plain meaning is mended, and told in the model's findings.
+/// Its collision meshes are read (see FindMeshFile). One that is unreadable is a failure that names the file and the
+/// link; so is a missing one that alone tells the shape of a foot. Another missing one, and a missing visual mesh, is a
+/// note. The robot.yaml overrides what derivation cannot know.
+Result<RobotModel> LoadRobot(const std::string& urdf_path, const RobotLoading& loading);
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 
 /// The same from texts. @param name used where the robot.yaml gives none. @param meshes the hulls of the URDF's
 /// collision meshes, as RobotModel::meshes has them.
 Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::string& yaml_text,
-                                     const std::string& name = "robot", const std::vector<MeshHull>& meshes = {});
+                                     const std::string& name = "robot", const std::vector<MeshHull>& meshes = {},
+                                     bool strict = false);
 
 /// A robot of the `robots` folder by name. The folder is that of the environment variable GAITWRIGHT_ROBOTS, else the
 /// one that comes with the program (see DataPath). An unknown name is a failure that lists what exists.

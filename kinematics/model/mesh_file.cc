@@ -2,7 +2,6 @@
 #include "kinematics/model/mesh_file.h"
 
 #include <fmt/format.h>
-#include <tinyxml2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 #include "kinematics/base/file.h"
 #include "kinematics/base/options.h"
@@ -62,32 +62,52 @@ Vector3 Spread(int i, int n) {
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-/// The name in a folder's package.xml, or "".
-std::string PackageName(const fs::path& folder) {
-  tinyxml2::XMLDocument document;
-  const std::string file = (folder / "package.xml").string();
-  if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS || document.RootElement() == nullptr) return "";
-  const tinyxml2::XMLElement* name = document.RootElement()->FirstChildElement("name");
-  return name == nullptr || name->GetText() == nullptr ? "" : name->GetText();
+std::size_t FarthestOf(const std::vector<Vector3>& points, const Vector3& direction) {
+  std::size_t farthest = 0;
+  double most = points.front().dot(direction);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double along = points[i].dot(direction);
+    if (along <= most) continue;
+    most = along;
+    farthest = i;
+  }
+  return farthest;
 }
 
-/// Where the file may be, nearest first.
-std::vector<fs::path> Candidates(const std::string& name, const fs::path& folder) {
-  const std::size_t scheme = name.find("://");
-  if (scheme == std::string::npos) return {folder / name};
-  const std::string rest = name.substr(scheme + 3);
-  if (name.starts_with("file://")) return {folder / rest};
-  if (!name.starts_with("package://")) return {};
-  const std::size_t slash = rest.find('/');
-  if (slash == std::string::npos) return {};
-  const std::string package = rest.substr(0, slash), path = rest.substr(slash + 1);
-  std::vector<fs::path> candidates;
-  std::error_code error;
-  for (fs::path at = fs::weakly_canonical(folder.empty() ? "." : folder, error);; at = at.parent_path()) {
-    if (at.filename() == package || PackageName(at) == package) candidates.push_back(at / path);
-    if (fs::is_directory(at / package, error)) candidates.push_back(at / package / path);
-    if (at == at.parent_path()) return candidates;
+/// The farthest of the points in each of many directions. Few points can be so in a direction near a given one: with
+/// the points within R of a middle c, who is farthest along d is no nearer along D than what is known to be reached
+/// along d less R |D - d|.
+std::vector<Vector3> FarthestAlong(const std::vector<Vector3>& points, const std::vector<Vector3>& directions) {
+  constexpr int kCoarse = 64;
+  Vector3 low = points.front(), high = low;
+  for (const Vector3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
+  const Vector3 middle = 0.5 * (low + high);
+  const double radius = 0.5 * (high - low).norm();
+  std::vector<Vector3> coarse, extremes;
+  for (int k = 0; k < kCoarse; ++k) {
+    coarse.push_back(Spread(k, kCoarse));
+    extremes.push_back(points[FarthestOf(points, coarse.back())]);
+  }
+  std::vector<std::vector<std::size_t>> near(kCoarse);
+  for (std::size_t i = 0; i < directions.size(); ++i) near[FarthestOf(coarse, directions[i])].push_back(i);
+  std::vector<Vector3> farthest(directions.size(), points.front()), candidates;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : near[k]) {
+      const Vector3& d = directions[i];
+      const double reached = (extremes[FarthestOf(extremes, d)] - middle).dot(d);
+      least = std::min(least, reached - radius * ((coarse[k] - d).norm() + 1e-9));
+    }
+    candidates.clear();
+    for (const Vector3& p : points) {
+      if ((p - middle).dot(coarse[k]) >= least) candidates.push_back(p);
+    }
+    for (const std::size_t i : near[k]) farthest[i] = candidates[FarthestOf(candidates, directions[i])];
+  }
+  return farthest;
 }
 
 }  // namespace
@@ -130,33 +150,41 @@ std::vector<Vector3> HullPoints(std::vector<Vector3> points) {
   };
   once(points);
   if (points.size() <= kMany) return points;
-  std::vector<Vector3> farthest;
-  for (int i = 0; i < kDirections; ++i) {
-    const Vector3 direction = Spread(i, kDirections);
-    farthest.push_back(*std::max_element(points.begin(), points.end(), [&](const Vector3& a, const Vector3& b) {
-      return a.dot(direction) < b.dot(direction);
-    }));
-  }
+  std::vector<Vector3> directions;
+  for (int i = 0; i < kDirections; ++i) directions.push_back(Spread(i, kDirections));
+  std::vector<Vector3> farthest = FarthestAlong(points, directions);
   once(farthest);
   return farthest;
 }
 
-Result<std::string> FindMeshFile(const std::string& name, const std::string& folder) {
+Result<std::string> FindMeshFile(const std::string& name, const std::string& folder, const PackageFolders& packages) {
+  constexpr std::string_view kPackage = "package://", kFile = "file://";
   std::vector<std::string> tried;
-  std::error_code error;
-  for (const fs::path& candidate : Candidates(name, folder)) {
-    if (fs::is_regular_file(candidate, error)) return candidate.lexically_normal().string();
-    tried.push_back(candidate.lexically_normal().string());
+  const auto is_there = [&tried](const fs::path& file) {
+    std::error_code error;
+    tried.push_back(file.lexically_normal().string());
+    return fs::is_regular_file(file, error);
+  };
+  const std::size_t slash = name.find('/', kPackage.size());
+  std::string reason;
+  if (name.starts_with(kPackage) && slash != std::string::npos) {
+    const std::string path = name.substr(slash + 1);
+    const Result<std::string> package =
+        FindPackage(name.substr(kPackage.size(), slash - kPackage.size()), folder, packages,
+                    [&](const auto& at) { return is_there(fs::path(at) / path); });
+    if (package) return tried.back();
+    reason = package.failure().message;
+  } else if (name.starts_with(kFile) || name.find("://") == std::string::npos) {
+    const std::string path = name.starts_with(kFile) ? name.substr(kFile.size()) : name;
+    if (is_there(fs::path(folder) / path)) return tried.back();
   }
-  if (!tried.empty()) {
+  if (!tried.empty())
     return Refused("no_file", fmt::format("the mesh '{}' is not there; looked for {}", name, QuotedList(tried)));
-  }
   return Refused(
       "no_file",
-      name.starts_with("package://")
-          ? fmt::format("the mesh '{}' is not found: no folder above '{}' is or holds its package", name,
-                        folder.empty() ? "." : folder)
-          : fmt::format("the mesh '{}' cannot be looked for; a path, 'file://' or 'package://NAME/' can", name));
+      reason.empty()
+          ? fmt::format("the mesh '{}' cannot be looked for; a path, 'file://' or 'package://NAME/' can", name)
+          : fmt::format("the mesh '{}' is not found: {}", name, reason));
 }
 
 }  // namespace gaitwright

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kinematics/base/result.h"
+#include "kinematics/description/find_package.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
@@ -25,9 +26,9 @@ Result<Mesh> ReadMesh(const std::string& path);
 std::vector<Vector3> HullPoints(std::vector<Vector3> points);
 
 /// Where the file is that a URDF names: a path relative to `folder` (the URDF's; "" the present one) or absolute,
-/// `file://PATH`, or `package://NAME/PATH`, where the package is a folder NAME or one whose package.xml has that name,
-/// looked for in and beside `folder` and every folder above it. Failure: there is none; the message lists where it was
-/// looked for.
-Result<std::string> FindMeshFile(const std::string& name, const std::string& folder);
+/// `file://PATH`, or `package://NAME/PATH`, where FindPackage looks for folders of the package and the first that holds
+/// the file is taken. Failure `no_file`: there is none; the message lists where it was looked for.
+Result<std::string> FindMeshFile(const std::string& name, const std::string& folder,
+                                 const PackageFolders& packages = {});
 
 }  // namespace gaitwright

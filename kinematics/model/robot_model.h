@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/model/finding.h"
 #include "kinematics/model/motor.h"
 #include "kinematics/spatial/pose.h"
 
@@ -155,6 +156,7 @@ struct RobotModel {
   VectorX stiffness, damping;  ///< [N m/rad], [N m s/rad]
   std::vector<Motor> motors;   ///< by dof; see MotorOf
 
+  std::vector<Finding> findings;     ///< what was wrong or doubtful in the description, and what is used
   std::vector<std::string> notes;    ///< what was derived, from what, and what was odd; for people
   std::string urdf_text, yaml_text;  ///< what it was made from, with
   std::vector<MeshHull> meshes;      ///< those of the collision shapes, each file once, in the order of the URDF

@@ -146,7 +146,7 @@ void CheckCounts(const XMLElement& robot) {
     Refuse("large_urdf", fmt::format("the robot has {} moving joints; at most {} are read", moving, kMostMoving));
 }
 
-void CheckDocument(const std::string& urdf_text) {
+void CheckDocument(const std::string& urdf_text, bool strict) {
   CheckText(urdf_text);
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf_text.c_str(), urdf_text.size()) != tinyxml2::XML_SUCCESS) {
@@ -167,7 +167,7 @@ void CheckDocument(const std::string& urdf_text) {
     if (!tree.links.insert(name).second)
       Refuse("double_name", fmt::format("{}: there are two links of that name", owner));
     tree.link_names.push_back(name);
-    CheckLink(*link, owner);
+    CheckLink(*link, strict, owner);
   }
   if (tree.links.empty()) Refuse("not_urdf", "the URDF has no link");
   for (const XMLElement* joint = robot->FirstChildElement("joint"); joint != nullptr;
@@ -180,9 +180,9 @@ void CheckDocument(const std::string& urdf_text) {
 
 }  // namespace
 
-std::optional<Failure> CheckUrdf(const std::string& urdf_text) {
+std::optional<Failure> CheckUrdf(const std::string& urdf_text, bool strict) {
   try {
-    CheckDocument(urdf_text);
+    CheckDocument(urdf_text, strict);
   } catch (const Failure& failure) {
     return failure;
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <sstream>
 
 #include "kinematics/base/text.h"
+#include "kinematics/model/mend_inertia.h"
 #include "kinematics/model/urdf_xml_internal.h"
 #include "kinematics/spatial/symmetric_matrix.h"
 
@@ -19,21 +19,7 @@ using tinyxml2::XMLElement;
 
 constexpr std::size_t kLongestAttribute = 1000;  // [byte]
 
-void CheckMoments(const Matrix3& tensor, const std::string& owner) {
-  const Vector3 moments = Eigen::SelfAdjointEigenSolver<Matrix3>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
-  const double slack = 1e-6 * std::max(moments.cwiseAbs().maxCoeff(), 1e-12);
-  if (moments[0] < -slack) {
-    Refuse("impossible_inertia",
-           fmt::format("{}: its inertia has the negative principal moment {:.3g} kg m^2", owner, moments[0]));
-  }
-  if (moments[0] + moments[1] < moments[2] - slack) {
-    Refuse("impossible_inertia",
-           fmt::format("{}: its inertia breaks the triangle inequality: {:.4g} + {:.4g} < {:.4g} kg m^2", owner,
-                       moments[0], moments[1], moments[2]));
-  }
-}
-
-void CheckInertial(const XMLElement& link, const std::string& owner) {
+void CheckInertial(const XMLElement& link, bool strict, const std::string& owner) {
   const XMLElement* inertial = link.FirstChildElement("inertial");
   if (inertial == nullptr) return;
   CheckOrigin(*inertial, owner);
@@ -45,7 +31,9 @@ void CheckInertial(const XMLElement& link, const std::string& owner) {
   const double m = Number(*mass, "value", owner, kHeaviest);
   if (m < 0.0) Refuse("negative_mass", fmt::format("{}: its mass is {} kg; zero or more is accepted", owner, m));
   const auto I = [&](const char* name) { return Number(*inertia, name, owner, kHeaviest); };
-  CheckMoments(SymmetricMatrix(I("ixx"), I("ixy"), I("ixz"), I("iyy"), I("iyz"), I("izz")), owner);
+  const Matrix3 tensor = SymmetricMatrix(I("ixx"), I("ixy"), I("ixz"), I("iyy"), I("iyz"), I("izz"));
+  const std::string broken = tensor.isZero(0.0) ? "" : BrokenInertiaLaw(tensor, m);
+  if (strict && !broken.empty()) Refuse("impossible_inertia", fmt::format("{}: its inertia {}", owner, broken));
 }
 
 void CheckMesh(const XMLElement& mesh, const std::string& owner) {
@@ -135,8 +123,8 @@ void CheckOrigin(const XMLElement& parent, const std::string& owner) {
   }
 }
 
-void CheckLink(const XMLElement& link, const std::string& owner) {
-  CheckInertial(link, owner);
+void CheckLink(const XMLElement& link, bool strict, const std::string& owner) {
+  CheckInertial(link, strict, owner);
   for (const char* kind : {"visual", "collision"}) {
     for (const XMLElement* e = link.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind)) {
       CheckOrigin(*e, owner);

@@ -26,8 +26,8 @@ double Number(const tinyxml2::XMLElement& element, const char* name, const std::
 /// Refuses an <origin> in `parent` whose numbers are none.
 void CheckOrigin(const tinyxml2::XMLElement& parent, const std::string& owner);
 
-/// Refuses an impossible mass, inertia or geometry of a link.
-void CheckLink(const tinyxml2::XMLElement& link, const std::string& owner);
+/// Refuses an impossible mass or geometry of a link, and where `strict` an impossible inertia.
+void CheckLink(const tinyxml2::XMLElement& link, bool strict, const std::string& owner);
 
 /// Refuses a joint's axis, limits and dynamics that are missing or wrong.
 void CheckMotion(const tinyxml2::XMLElement& joint, const std::string& type, const std::string& owner);

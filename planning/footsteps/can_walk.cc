@@ -62,7 +62,11 @@ struct Demand {
   std::vector<std::string> names;
 };
 
-enum class Walk { kStraight, kTurning };
+enum class Walk { kAhead, kSideways, kTurning };
+
+const char* What(Walk walk) {
+  return walk == Walk::kTurning ? "turn as it walks" : walk == Walk::kSideways ? "walk sideways" : "walk";
+}
 
 Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const Leg& leg, const std::vector<int>& dofs,
                 Walk walk) {
@@ -71,13 +75,17 @@ Demand DemandOf(const RobotModel& model, const DynamicsScratch& scratch, const L
   PointJacobian(model, scratch, foot.body, foot.X_BF.translation(), whole);
   whole.topRows<3>() /= std::max(leg.length_m, 1e-6);
   Demand demand;
-  demand.names = {"moving its foot ahead", "moving its foot sideways", "moving its foot up"};
-  std::vector<int> rows = {0, 1, 2};
+  demand.names = {"moving its foot ahead", "moving its foot up"};
+  std::vector<int> rows = {0, 2};
+  if (walk != Walk::kAhead) {
+    rows.push_back(1);
+    demand.names.emplace_back("moving its foot sideways");
+  }
   if (!foot.sole_F.empty()) {
     rows.push_back(4);
     demand.names.emplace_back("a joint to keep its sole level ahead");
   }
-  if (foot.type == FootType::kSole) {
+  if (foot.type == FootType::kSole && walk != Walk::kAhead) {
     rows.push_back(3);
     demand.names.emplace_back("a joint to keep its sole level sideways");
   }
@@ -114,8 +122,8 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
   return Cannot("freedoms",
                 fmt::format("leg '{}' cannot {}: {} of {} freedoms of its foot can be moved from the standing "
                             "posture, and {} is lacking; its own joints are {}",
-                            leg.name, walk == Walk::kTurning ? "turn as it walks" : "walk", count, needed,
-                            demand.names[static_cast<std::size_t>(lacking)], QuotedList(names)),
+                            leg.name, What(walk), count, needed, demand.names[static_cast<std::size_t>(lacking)],
+                            QuotedList(names)),
                 "give the leg a joint for it, or free one that is fixed or follows another");
 }
 
@@ -136,8 +144,12 @@ DynamicsScratch Standing(const RobotModel& model) {
 
 std::optional<Failure> WhyCannotWalk(const RobotModel& model) {
   const DynamicsScratch scratch = Standing(model);
-  if (auto lacks = LacksFreedom(model, scratch, Walk::kStraight)) return lacks;
+  if (auto lacks = LacksFreedom(model, scratch, Walk::kAhead)) return lacks;
   return LacksSupport(model, scratch);
+}
+
+std::optional<Failure> WhyCannotSidestep(const RobotModel& model) {
+  return LacksFreedom(model, Standing(model), Walk::kSideways);
 }
 
 std::optional<Failure> WhyCannotTurn(const RobotModel& model) {

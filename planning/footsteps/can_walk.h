@@ -12,8 +12,13 @@ namespace gaitwright {
 ///   `no_support`  in its standing posture what its feet touch has no area: two point feet cannot stand still
 ///   `freedoms`    names a leg whose joints cannot move its foot in some direction there, or not keep its sole level,
 ///                 what it lacks, and the joints that it has
-/// A sole's turning about the upright axis, and a line's rolling and turning, may be lacking.
+/// A foot's moving sideways, a sole's rolling and its turning about the upright axis may be lacking: then it walks
+/// straight ahead and back.
 std::optional<Failure> WhyCannotWalk(const RobotModel& model);
+
+/// Why a robot that can walk cannot step sideways, or nothing. Failure kInfeasible `freedoms` names a leg that has no
+/// joint to move its foot sideways, or none to keep its sole level sideways.
+std::optional<Failure> WhyCannotSidestep(const RobotModel& model);
 
 /// Why a robot that can walk cannot turn as it does, or nothing. Failure kInfeasible `freedoms` names a leg that has no
 /// joint to turn its sole about the upright axis.

@@ -101,12 +101,25 @@ bool Turns(const BasePath& path) {
   });
 }
 
-/// A skeleton of one part alone, of a robot that can turn if it does.
+/// Whether the path leaves the straight line along its first heading.
+bool Sidesteps(const BasePath& path) {
+  constexpr double kAside = 1e-3;  // [m]
+  const PlanarPose& first = path.pose.front();
+  const Vector2 left(-std::sin(first.yaw_rad), std::cos(first.yaw_rad));
+  return std::any_of(path.pose.begin(), path.pose.end(), [&](const PlanarPose& pose) {
+    return std::abs(left.dot(Vector2(pose.x_m - first.x_m, pose.y_m - first.y_m))) > kAside;
+  });
+}
+
+/// A skeleton of one part alone, of a robot that can turn and step sideways if it does.
 Result<FootstepSkeleton> WithPart(const RobotModel& model, Result<FootstepSkeleton> skeleton, const Gait& gait,
                                   const WalkCommand& command) {
   if (!skeleton) return skeleton;
   if (Turns(skeleton->path)) {
     if (auto failure = WhyCannotTurn(model)) return *failure;
+  }
+  if (Sidesteps(skeleton->path)) {
+    if (auto failure = WhyCannotSidestep(model)) return *failure;
   }
   skeleton->parts = {{gait, command, skeleton->goal, skeleton->schedule.start_s(), skeleton->schedule.end_s()}};
   return skeleton;

@@ -22,6 +22,7 @@ inline const std::vector<Layer> kLayers = {
     {"kinematics/stability", 15},
     {"kinematics/collision", 16},
     {"kinematics/ik", 17},
+    {"kinematics/check", 18},
 
     {"planning/plan", 20},
     {"planning/terrain", 21},

@@ -3,6 +3,7 @@
 #include "kinematics/base/text.h"
 #include "kinematics/description/mjcf.h"
 #include "kinematics/model/load_robot.h"
+#include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/urdf_check.h"
 #include "tests/fuzz/inputs.h"
 #include "tests/fuzz/reader.h"
@@ -14,7 +15,9 @@ namespace {
 Verdict ReadUrdf(const std::string& input) {
   const Result<RobotModel> model = LoadRobotFromText(input, "");
   if (!model) return Verdict::kRefused;
-  Require(!CheckUrdf(input), "a robot is not made of a URDF that the check refuses");
+  const MendedUrdf mended = MendUrdf(input);
+  Require(!CheckUrdf(mended.text), "a robot is not made of a URDF that the check refuses");
+  Require(MendUrdf(mended.text).text == mended.text, "what is mended needs no mending");
   CheckRobotLaws(*model);
   return Verdict::kAccepted;
 }

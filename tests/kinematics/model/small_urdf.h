@@ -24,8 +24,8 @@ inline void ExpectSays(const std::string& message, const std::vector<std::string
 }
 
 /// Why a robot is refused; "" when it is not.
-inline std::string MessageOf(const std::string& urdf, const std::string& yaml = "") {
-  const Result<RobotModel> model = LoadRobotFromText(urdf, yaml);
+inline std::string MessageOf(const std::string& urdf, const std::string& yaml = "", bool strict = false) {
+  const Result<RobotModel> model = LoadRobotFromText(urdf, yaml, "robot", {}, strict);
   return model.ok() ? "" : model.failure().message;
 }
 

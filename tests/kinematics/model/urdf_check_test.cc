@@ -64,10 +64,11 @@ TEST(UrdfCheck, AChainOfMimicsMovesAsItsProduct) {
   }
 }
 
-TEST(UrdfCheck, RefusesLimitsThatAreLeftOut) {
-  ExpectSays(With(" lower='-2' upper='1'", ""), {"joint 'A_hip'", "'lower'", "takes for 0"});
-  ExpectSays(With(" lower='-2'", ""), {"joint 'A_hip'", "'lower'"});
-  ExpectSays(With(" upper='1'", ""), {"joint 'A_hip'", "'upper'"});
+TEST(UrdfCheck, StrictlyRefusesLimitsThatAreLeftOut) {
+  const auto strictly = [](const std::string& from) { return MessageOf(Replaced(FourLegs(), from, ""), "", true); };
+  ExpectSays(strictly(" lower='-2' upper='1'"), {"joint 'A_hip'", "'lower'", "takes for 0"});
+  ExpectSays(strictly(" lower='-2'"), {"joint 'A_hip'", "'lower'"});
+  ExpectSays(strictly(" upper='1'"), {"joint 'A_hip'", "'upper'"});
   EXPECT_EQ(With("'revolute'", "'continuous'"), "");
   EXPECT_EQ(MessageOf(Replaced(Replaced(FourLegs(), "'revolute'", "'continuous'"), " lower='-2' upper='1'", "")), "");
 }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "kinematics/check/check_parts_internal.h"
+#include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/body_tree.h"
+#include "kinematics/model/shape_support.h"
+
+namespace gaitwright {
+namespace {
+
+/// Radii of gyration over the diameter of a body: a homogeneous ball has 0.32, a thin ring 0.5, and nothing that lies
+/// within a ball has more than 0.71; joints and frames tell the size less well than shapes do.
+constexpr double kWidestOfShapes = 0.75, kWidestOfFrames = 2.0, kNarrowest = 0.01;
+constexpr double kOfAccount = 0.01;  // share of the robot's mass
+constexpr double kHeavyWithoutShape = 0.1;
+
+/// Diameter of what is known of a body: its shapes, else its joints and frames. @param shaped  which of the two.
+double DiameterOf(const RobotModel& model, int body, bool& shaped) {
+  std::vector<Vector3> points;
+  const auto add = [&](const std::vector<Shape>& shapes) {
+    for (const Shape& shape : shapes) {
+      if (shape.body != body || (shape.type == ShapeType::kMesh && shape.vertices.empty())) continue;
+      for (int i = 0; i < 6; ++i) {
+        const Vector3 d_S = (i < 3 ? 1.0 : -1.0) * Vector3::Unit(i % 3);
+        points.push_back(shape.X_BS * SupportPoint(shape, d_S));
+      }
+    }
+  };
+  add(model.collision_shapes);
+  add(model.visual_shapes);
+  shaped = !points.empty();
+  if (!shaped) {
+    points.push_back(Vector3::Zero());
+    points.push_back(model.bodies[static_cast<std::size_t>(body)].p_BC);
+  }
+  for (const Joint& joint : model.joints) {
+    if (joint.parent_body == body) points.push_back(joint.X_PJ.translation());
+  }
+  for (const Frame& frame : model.frames) {
+    if (frame.body == body) points.push_back(frame.X_BF.translation());
+  }
+  double diameter = 0.0;
+  for (const Vector3& p : points) {
+    for (const Vector3& q : points) diameter = std::max(diameter, (p - q).norm());
+  }
+  return diameter;
+}
+
+}  // namespace
+
+void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body& body = model.bodies[b];
+    const auto add = [&](FindingLevel level, const char* code, const std::string& message) {
+      findings.push_back({level, code, fmt::format("link '{}'", body.name), 0, message});
+    };
+    bool shaped = false;
+    const double diameter = DiameterOf(model, static_cast<int>(b), shaped);
+    const bool collides = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
+                                      [&](const Shape& shape) { return shape.body == static_cast<int>(b); });
+    if (body.mass <= 0.0) {
+      if (collides) add(FindingLevel::kWarning, "shape_without_mass", "it has a collision shape and no mass");
+      continue;
+    }
+    if (!collides && body.mass > kHeavyWithoutShape * model.total_mass_kg)
+      add(FindingLevel::kInfo, "mass_without_shape",
+          fmt::format("it has {:.3g} kg and no collision shape: nothing can touch it", body.mass));
+    const double gyration = std::sqrt(0.5 * body.I_C.trace() / body.mass);
+    if (diameter > 0.0 && gyration > (shaped ? kWidestOfShapes : kWidestOfFrames) * diameter) {
+      add(FindingLevel::kWarning, "large_inertia",
+          fmt::format("its inertia is that of {:.3g} kg at {:.3g} m from its centre, and all that is known of it lies "
+                      "within {:.3g} m",
+                      body.mass, gyration, diameter));
+    } else if (gyration < kNarrowest * diameter && body.mass > kOfAccount * model.total_mass_kg) {
+      add(FindingLevel::kWarning, "small_inertia",
+          fmt::format("its inertia is that of {:.3g} kg at {:.2g} m from its centre, though it is {:.3g} m long",
+                      body.mass, gyration, diameter));
+    }
+  }
+}
+
+void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
+  constexpr double kLargestPower = 5e4;  // [W] torque times speed of one joint
+  constexpr double kStrongest = 5.0;     // times what it takes to lift the whole robot at arm's length
+  constexpr double kFastest = 100.0;     // [rad/s]
+  const std::vector<int> leg_of = LegsOfDofs(model);
+  const double lift = model.weight_n() * model.leg_length_m();
+  for (int dof = 0; dof < model.num_dofs(); ++dof) {
+    const Joint& joint = model.LeaderOf(dof);
+    const std::string part = fmt::format("joint '{}'", joint.name);
+    const bool of_leg = leg_of[static_cast<std::size_t>(dof)] >= 0;
+    const double effort = model.dof_effort_limit(dof), speed = model.dof_velocity_limit(dof);
+    const auto add = [&](FindingLevel level, const char* code, const std::string& message) {
+      findings.push_back({level, code, part, 0, message});
+    };
+    if (!std::isfinite(effort)) {
+      if (of_leg) add(FindingLevel::kInfo, "unknown_effort", "its torque limit is not known, so that none is checked");
+      continue;
+    }
+    if (joint.is_prismatic()) continue;
+    if (effort > kStrongest * lift)
+      add(FindingLevel::kWarning, "strong_motor",
+          fmt::format("its torque limit is {:.4g} N m; to lift the whole robot at the length of its legs takes {:.3g}",
+                      effort, lift));
+    if (std::isfinite(speed) && speed > kFastest)
+      add(FindingLevel::kWarning, "fast_motor",
+          fmt::format("its speed limit is {:.4g} rad/s; few joints reach 60", speed));
+    if (std::isfinite(speed) && effort * speed > kLargestPower)
+      add(FindingLevel::kWarning, "strong_motor",
+          fmt::format("torque and speed limits together are {:.0f} kW", 1e-3 * effort * speed));
+    if (std::isfinite(speed) && of_leg && speed < 0.1)
+      add(FindingLevel::kWarning, "slow_motor",
+          fmt::format("its speed limit is {:.3g} rad/s, too slow to step", speed));
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// Mass, inertia and size of each body against each other.
+void CheckBodies(const RobotModel& model, std::vector<Finding>& findings);
+
+/// Torque and speed of each joint against what motors have.
+void CheckMotors(const RobotModel& model, std::vector<Finding>& findings);
+
+}  // namespace gaitwright

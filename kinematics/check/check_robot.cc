@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/check/check_robot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "kinematics/check/check_parts_internal.h"
+#include "kinematics/collision/collision_checker.h"
+#include "kinematics/collision/shape_extent.h"
+#include "kinematics/dynamics/dynamics.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kSunk = 0.005;  // [m] of a part in the ground as the robot stands
+constexpr double kAlike = 0.01;  // share by which two numbers may differ that ought to be one
+
+bool Differ(double a, double b) {
+  if (!std::isfinite(a) || !std::isfinite(b)) return std::isfinite(a) != std::isfinite(b);
+  return std::abs(a - b) > kAlike * std::max(std::abs(a), std::abs(b)) + 1e-9;
+}
+
+/// Left and right of a pair of legs that mirror each other.
+void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::vector<Finding>& findings) {
+  if (left.joints.size() != right.joints.size()) {
+    findings.push_back(
+        {FindingLevel::kWarning, "sides_differ", fmt::format("leg '{}'", left.name), 0,
+         fmt::format("it has {} joints and its mirror '{}' {}", left.joints.size(), right.name, right.joints.size())});
+    return;
+  }
+  for (std::size_t i = 0; i < left.joints.size(); ++i) {
+    const Joint& a = model.joints[static_cast<std::size_t>(left.joints[i])];
+    const Joint& b = model.joints[static_cast<std::size_t>(right.joints[i])];
+    const auto compare = [&](const char* what, double of_a, double of_b, const char* unit) {
+      if (!Differ(of_a, of_b)) return;
+      findings.push_back({FindingLevel::kWarning, "sides_differ", fmt::format("joint '{}'", a.name), 0,
+                          fmt::format("its {} is {:.4g}{} and that of its mirror '{}' {:.4g}{}", what, of_a, unit,
+                                      b.name, of_b, unit)});
+    };
+    compare("effort limit", a.effort_limit, b.effort_limit, " N m");
+    compare("speed limit", a.velocity_limit, b.velocity_limit, " rad/s");
+    compare("range", a.upper - a.lower, b.upper - b.lower, " rad");
+    compare("distance from the joint before", a.X_PJ.translation().norm(), b.X_PJ.translation().norm(), " m");
+    compare("link's mass", model.bodies[static_cast<std::size_t>(left.joints[i]) + 1].mass,
+            model.bodies[static_cast<std::size_t>(right.joints[i]) + 1].mass, " kg");
+  }
+}
+
+void CheckSides(const RobotModel& model, std::vector<Finding>& findings) {
+  for (std::size_t i = 0; i < model.legs.size(); ++i) {
+    const int mirror = model.legs[i].mirror;
+    if (mirror > static_cast<int>(i))
+      CheckPair(model, model.legs[i], model.legs[static_cast<std::size_t>(mirror)], findings);
+  }
+}
+
+void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  std::set<std::string> told;
+  for (const Shape& shape : model.collision_shapes) {
+    if (IsShapeOfAFoot(model, shape)) continue;
+    const double z = LowestPoint(scratch, shape).z();
+    if (z >= -kSunk || !told.insert(shape.link).second) continue;
+    findings.push_back({FindingLevel::kWarning, "in_the_ground", fmt::format("link '{}'", shape.link), 0,
+                        fmt::format("it is {:.1f} mm in the ground as the robot stands", -1e3 * z)});
+  }
+  const CollisionChecker collision(model);
+  for (const LeftOutPair& pair : collision.left_out()) {
+    if (pair.reason.starts_with("adjacent")) continue;
+    findings.push_back({FindingLevel::kInfo, "self_collision", fmt::format("link '{}'", pair.link_a), 0,
+                        fmt::format("it and '{}': {}", pair.link_b, pair.reason)});
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> CheckRobot(const RobotModel& model) {
+  std::vector<Finding> findings = model.findings;
+  CheckBodies(model, findings);
+  CheckMotors(model, findings);
+  CheckSides(model, findings);
+  CheckStanding(model, findings);
+  return findings;
+}
+
+std::vector<Finding> CompareRobots(const RobotModel& a, const RobotModel& b) {
+  std::vector<Finding> findings;
+  const auto add = [&](const std::string& part, const std::string& message) {
+    findings.push_back({FindingLevel::kWarning, "descriptions_differ", part, 0, message});
+  };
+  const auto compare = [&](const std::string& part, const char* what, double of_a, double of_b, const char* unit) {
+    if (Differ(of_a, of_b))
+      add(part, fmt::format("its {} is {:.4g}{} here and {:.4g}{} there", what, of_a, unit, of_b, unit));
+  };
+  compare("robot", "mass", a.total_mass_kg, b.total_mass_kg, " kg");
+  for (int dof = 0; dof < a.num_dofs(); ++dof) {
+    const std::string& name = a.dof_names[static_cast<std::size_t>(dof)];
+    const std::string part = fmt::format("joint '{}'", name);
+    const auto other = std::find(b.dof_names.begin(), b.dof_names.end(), name);
+    if (other == b.dof_names.end()) {
+      add(part, "it is here alone");
+      continue;
+    }
+    const int there = static_cast<int>(other - b.dof_names.begin());
+    compare(part, "lower limit", a.dof_lower(dof), b.dof_lower(there), " rad");
+    compare(part, "upper limit", a.dof_upper(dof), b.dof_upper(there), " rad");
+    compare(part, "effort limit", a.dof_effort_limit(dof), b.dof_effort_limit(there), " N m");
+    if (std::isfinite(a.dof_velocity_limit(dof)) && std::isfinite(b.dof_velocity_limit(there)))
+      compare(part, "speed limit", a.dof_velocity_limit(dof), b.dof_velocity_limit(there), " rad/s");
+  }
+  for (const std::string& name : b.dof_names) {
+    if (std::find(a.dof_names.begin(), a.dof_names.end(), name) == a.dof_names.end())
+      add(fmt::format("joint '{}'", name), "it is there alone");
+  }
+  return findings;
+}
+
+}  // namespace gaitwright

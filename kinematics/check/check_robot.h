@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// What is doubtful about a robot that was loaded, though no law forbids it: numbers that a drawing office would ask
+/// about. Inertia against mass and size; left against right; mass without shape and shape without mass; limits of
+/// torque and speed that no motor has; parts in the ground or in each other as it stands. The model's own findings come
+/// first.
+std::vector<Finding> CheckRobot(const RobotModel& model);
+
+/// Where two descriptions of one robot differ: joints, their limits, masses. @param b  the other one.
+std::vector<Finding> CompareRobots(const RobotModel& a, const RobotModel& b);
+
+}  // namespace gaitwright

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The functions of Python and of its module math that expressions may call.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "kinematics/base/text.h"
+#include "kinematics/description/xacro_evaluate_internal.h"
+
+namespace gaitwright {
+namespace {
+
+using XacroArguments = std::vector<XacroValue>;
+
+/// A function with the numbers of arguments that it takes.
+struct XacroFunction {
+  std::size_t least, most;
+  XacroValue (*call)(const XacroArguments&, XacroBudget&);
+};
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+double RealOf(const XacroValue& value) {
+  if (const auto number = XacroNumber(value)) return *number;
+  RefuseXacroType(fmt::format("a number is needed, not a {}", XacroKind(value)));
+}
+
+/// A function of one number. Refuses an argument for which it is not defined.
+template <double (*kFunction)(double)>
+XacroValue OfOne(const XacroArguments& arguments, XacroBudget&) {
+  const double x = RealOf(arguments[0]), y = kFunction(x);
+  if (std::isfinite(x) && !std::isfinite(y))
+    throw XacroProblem{"xacro_number", fmt::format("it has no finite value at {}", x)};
+  return {y};
+}
+
+/// A function of two numbers.
+template <double (*kFunction)(double, double)>
+XacroValue OfTwo(const XacroArguments& arguments, XacroBudget&) {
+  const double x = RealOf(arguments[0]), y = RealOf(arguments[1]), z = kFunction(x, y);
+  if (std::isfinite(x) && std::isfinite(y) && !std::isfinite(z))
+    throw XacroProblem{"xacro_number", fmt::format("it has no finite value at {}, {}", x, y)};
+  return {z};
+}
+
+double ToRadians(double degrees) { return degrees * kDegree; }
+double ToDegrees(double radians) { return radians / kDegree; }
+
+XacroValue WholeFrom(double number) {
+  if (!(number >= -9.2e18 && number <= 9.2e18))
+    throw XacroProblem{"xacro_number", fmt::format("{} is not a whole number of 64 bits", number)};
+  return {static_cast<std::int64_t>(number)};
+}
+
+template <double (*kRounding)(double)>
+XacroValue RoundedBy(const XacroArguments& arguments, XacroBudget&) {
+  if (arguments[0].whole() != nullptr) return arguments[0];
+  return WholeFrom(kRounding(RealOf(arguments[0])));
+}
+
+/// Python's round(): to the even neighbour half-way; with a number of digits it stays a real number.
+XacroValue Round(const XacroArguments& arguments, XacroBudget&) {
+  const double number = RealOf(arguments[0]);
+  if (arguments.size() == 1 || arguments[1].is_none()) return WholeFrom(std::nearbyint(number));
+  if (arguments[1].whole() == nullptr) RefuseXacroType("the digits of round() are a whole number");
+  const std::int64_t digits = std::clamp<std::int64_t>(*arguments[1].whole(), -20, 20);
+  if (!std::isfinite(number)) return {number};
+  double rounded = 0.0;
+  if (digits >= 0) {
+    rounded = *XacroRealOf(fmt::format("{:.{}f}", number, digits));  // exact, as Python rounds
+  } else {
+    const double unit = std::pow(10.0, static_cast<double>(-digits));
+    rounded = std::nearbyint(number / unit) * unit;
+  }
+  return arguments[0].whole() != nullptr ? WholeFrom(rounded) : XacroValue{rounded};
+}
+
+XacroValue Logarithm(const XacroArguments& arguments, XacroBudget&) {
+  const double x = RealOf(arguments[0]), base = arguments.size() == 2 ? RealOf(arguments[1]) : std::numbers::e;
+  if (!(x > 0.0) || !(base > 0.0) || base == 1.0)
+    throw XacroProblem{"xacro_number", fmt::format("log of {} to the base {} is not defined", x, base)};
+  return {arguments.size() == 2 ? std::log(x) / std::log(base) : std::log(x)};
+}
+
+XacroValue Absolute(const XacroArguments& arguments, XacroBudget& budget) {
+  if (arguments[0].whole() == nullptr) return {std::abs(RealOf(arguments[0]))};
+  return *arguments[0].whole() < 0 ? XacroArithmetic("-", {std::int64_t{0}}, arguments[0], budget) : arguments[0];
+}
+
+/// The least or greatest of the arguments, or of the items of one.
+XacroValue Extreme(const XacroArguments& arguments, const char* better, XacroBudget& budget) {
+  const XacroArguments items = arguments.size() == 1 ? XacroItems(arguments[0], budget) : arguments;
+  if (items.empty()) RefuseXacroType("min() and max() need one item at least");
+  XacroValue best = items[0];
+  for (const XacroValue& item : items) {
+    if (XacroCompared(better, item, best, budget)) best = item;
+  }
+  return best;
+}
+XacroValue Least(const XacroArguments& arguments, XacroBudget& budget) { return Extreme(arguments, "<", budget); }
+XacroValue Greatest(const XacroArguments& arguments, XacroBudget& budget) { return Extreme(arguments, ">", budget); }
+
+XacroValue ToWhole(const XacroArguments& arguments, XacroBudget&) {
+  if (arguments.empty()) return {std::int64_t{0}};
+  if (arguments[0].whole() != nullptr) return arguments[0];
+  if (const std::string* text = arguments[0].text()) {
+    if (const auto whole = XacroWholeOf(*text)) return {*whole};
+    RefuseXacroType(fmt::format("int('{}') is not a whole number", Shortened(*text)));
+  }
+  return WholeFrom(std::trunc(RealOf(arguments[0])));
+}
+
+XacroValue ToReal(const XacroArguments& arguments, XacroBudget&) {
+  if (arguments.empty()) return {0.0};
+  if (const std::string* text = arguments[0].text()) {
+    if (const auto real = XacroRealOf(*text)) return {*real};
+    RefuseXacroType(fmt::format("float('{}') is not a number", Shortened(*text)));
+  }
+  return {RealOf(arguments[0])};
+}
+
+XacroValue ToText(const XacroArguments& arguments, XacroBudget& budget) {
+  return arguments.empty() ? XacroValue{std::string()} : XacroText(XacroPrinted(arguments[0], budget));
+}
+
+XacroValue ToTruth(const XacroArguments& arguments, XacroBudget&) {
+  return {!arguments.empty() && XacroTruth(arguments[0])};
+}
+
+XacroValue ToList(const XacroArguments& arguments, XacroBudget& budget) {
+  return XacroListOf(arguments.empty() ? XacroArguments{} : XacroItems(arguments[0], budget), budget);
+}
+
+XacroValue Length(const XacroArguments& arguments, XacroBudget& budget) {
+  if (const std::string* text = arguments[0].text()) return {static_cast<std::int64_t>(text->size())};
+  return {static_cast<std::int64_t>(XacroItems(arguments[0], budget).size())};
+}
+
+XacroValue Sum(const XacroArguments& arguments, XacroBudget& budget) {
+  XacroValue sum = arguments.size() == 2 ? arguments[1] : XacroValue{std::int64_t{0}};
+  for (const XacroValue& item : XacroItems(arguments[0], budget)) sum = XacroArithmetic("+", sum, item, budget);
+  return sum;
+}
+
+XacroValue Any(const XacroArguments& arguments, XacroBudget& budget) {
+  const XacroArguments items = XacroItems(arguments[0], budget);
+  return {std::any_of(items.begin(), items.end(), XacroTruth)};
+}
+
+XacroValue All(const XacroArguments& arguments, XacroBudget& budget) {
+  const XacroArguments items = XacroItems(arguments[0], budget);
+  return {std::all_of(items.begin(), items.end(), XacroTruth)};
+}
+
+/// By insertion after a binary search, so that values that cannot be compared are refused and not undefined.
+XacroValue Sorted(const XacroArguments& arguments, XacroBudget& budget) {
+  XacroArguments sorted;
+  for (const XacroValue& item : XacroItems(arguments[0], budget)) {
+    std::size_t from = 0, to = sorted.size();
+    while (from < to) {
+      const std::size_t middle = (from + to) / 2;
+      if (XacroCompared("<", item, sorted[middle], budget)) {
+        to = middle;
+      } else {
+        from = middle + 1;
+      }
+    }
+    budget.Spend(1 + (sorted.size() - from) / 2);
+    sorted.insert(sorted.begin() + static_cast<std::ptrdiff_t>(from), item);
+  }
+  return XacroListOf(std::move(sorted), budget);
+}
+
+XacroValue Range(const XacroArguments& arguments, XacroBudget& budget) {
+  for (const XacroValue& argument : arguments) {
+    if (argument.whole() == nullptr) RefuseXacroType("range() takes whole numbers");
+  }
+  const std::int64_t first = arguments.size() > 1 ? *arguments[0].whole() : 0;
+  const std::int64_t end = *arguments[arguments.size() > 1 ? 1 : 0].whole();
+  const std::int64_t step = arguments.size() > 2 ? *arguments[2].whole() : 1;
+  if (step == 0) RefuseXacroType("the step of range() is not 0");
+  XacroArguments items;
+  for (std::int64_t i = first; step > 0 ? i < end : i > end;) {
+    if (items.size() > kMostXacroItems) throw XacroProblem{"xacro_limit", "range() of too many numbers"};
+    items.push_back({i});
+    if (__builtin_add_overflow(i, step, &i)) break;
+  }
+  return XacroListOf(std::move(items), budget);
+}
+
+/// [[0, a], [1, b] ...]
+XacroValue Enumerate(const XacroArguments& arguments, XacroBudget& budget) {
+  XacroArguments pairs;
+  for (const XacroValue& item : XacroItems(arguments[0], budget))
+    pairs.push_back(XacroListOf({XacroValue{static_cast<std::int64_t>(pairs.size())}, item}, budget));
+  return XacroListOf(std::move(pairs), budget);
+}
+
+const std::map<std::string, XacroFunction>& XacroFunctions() {
+  static const std::map<std::string, XacroFunction> functions = {{"sin", {1, 1, OfOne<std::sin>}},
+                                                                 {"cos", {1, 1, OfOne<std::cos>}},
+                                                                 {"tan", {1, 1, OfOne<std::tan>}},
+                                                                 {"asin", {1, 1, OfOne<std::asin>}},
+                                                                 {"acos", {1, 1, OfOne<std::acos>}},
+                                                                 {"atan", {1, 1, OfOne<std::atan>}},
+                                                                 {"sinh", {1, 1, OfOne<std::sinh>}},
+                                                                 {"cosh", {1, 1, OfOne<std::cosh>}},
+                                                                 {"tanh", {1, 1, OfOne<std::tanh>}},
+                                                                 {"atan2", {2, 2, OfTwo<std::atan2>}},
+                                                                 {"hypot", {2, 2, OfTwo<std::hypot>}},
+                                                                 {"fmod", {2, 2, OfTwo<std::fmod>}},
+                                                                 {"pow", {2, 2, OfTwo<std::pow>}},
+                                                                 {"copysign", {2, 2, OfTwo<std::copysign>}},
+                                                                 {"sqrt", {1, 1, OfOne<std::sqrt>}},
+                                                                 {"exp", {1, 1, OfOne<std::exp>}},
+                                                                 {"log10", {1, 1, OfOne<std::log10>}},
+                                                                 {"log2", {1, 1, OfOne<std::log2>}},
+                                                                 {"fabs", {1, 1, OfOne<std::fabs>}},
+                                                                 {"radians", {1, 1, OfOne<ToRadians>}},
+                                                                 {"degrees", {1, 1, OfOne<ToDegrees>}},
+                                                                 {"log", {1, 2, Logarithm}},
+                                                                 {"floor", {1, 1, RoundedBy<std::floor>}},
+                                                                 {"ceil", {1, 1, RoundedBy<std::ceil>}},
+                                                                 {"trunc", {1, 1, RoundedBy<std::trunc>}},
+                                                                 {"round", {1, 2, Round}},
+                                                                 {"abs", {1, 1, Absolute}},
+                                                                 {"min", {1, 100, Least}},
+                                                                 {"max", {1, 100, Greatest}},
+                                                                 {"int", {0, 1, ToWhole}},
+                                                                 {"float", {0, 1, ToReal}},
+                                                                 {"str", {0, 1, ToText}},
+                                                                 {"bool", {0, 1, ToTruth}},
+                                                                 {"list", {0, 1, ToList}},
+                                                                 {"tuple", {0, 1, ToList}},
+                                                                 {"len", {1, 1, Length}},
+                                                                 {"sum", {1, 2, Sum}},
+                                                                 {"any", {1, 1, Any}},
+                                                                 {"all", {1, 1, All}},
+                                                                 {"sorted", {1, 1, Sorted}},
+                                                                 {"range", {1, 3, Range}},
+                                                                 {"enumerate", {1, 1, Enumerate}}};
+  return functions;
+}
+
+}  // namespace
+
+std::vector<XacroValue> XacroItems(const XacroValue& value, XacroBudget& budget) {
+  std::vector<XacroValue> items;
+  if (value.list() != nullptr) {
+    items = value.list()->items;
+  } else if (value.dict() != nullptr) {
+    for (const auto& [key, entry] : value.dict()->entries) items.push_back(key);
+  } else if (value.text() != nullptr && value.text()->size() <= kMostXacroItems) {
+    for (const char c : *value.text()) items.push_back({std::string(1, c)});
+  } else {
+    RefuseXacroType(fmt::format("a list is needed, not a {}", XacroKind(value)));
+  }
+  budget.Spend(1 + items.size() / 2);
+  return items;
+}
+
+std::vector<std::string> XacroFunctionNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, function] : XacroFunctions()) names.push_back(name);
+  return names;
+}
+
+std::optional<XacroValue> CallXacroFunction(const std::string& name, const std::vector<XacroValue>& arguments,
+                                            XacroBudget& budget) {
+  const auto known = XacroFunctions().find(name);
+  if (known == XacroFunctions().end()) return std::nullopt;
+  const auto& [least, most, call] = known->second;
+  if (arguments.size() < least || arguments.size() > most) {
+    throw XacroProblem{
+        "xacro_type",
+        fmt::format("{}() takes {} arguments, not {}", name,
+                    least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most), arguments.size())};
+  }
+  try {
+    return call(arguments, budget);
+  } catch (XacroProblem& problem) {
+    if (problem.code != "xacro_limit") problem.message = fmt::format("{}(): {}", name, problem.message);
+    throw;
+  }
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files of a description.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "kinematics/base/strict_yaml_internal.h"
+#include "kinematics/base/text.h"
+#include "kinematics/description/xacro_expander_internal.h"
+
+namespace gaitwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+using tinyxml2::XMLElement;
+
+constexpr std::size_t kLargestXacroFile = std::size_t{16} << 20, kMostXacroRead = std::size_t{64} << 20;  // [byte]
+
+/// Why a text is not XML that can be read, behind the name of its file; "" where it is. tinyxml2 ends a text at a byte
+/// 0x00.
+std::string ReasonNotXml(const std::string& text, tinyxml2::XMLDocument& document) {
+  if (text.size() > kLargestXacroFile)
+    return fmt::format(": it has {} bytes; at most {} are read", text.size(), kLargestXacroFile);
+  if (text.find('\0') != std::string::npos) return ": it has a byte 0x00";
+  if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
+    return fmt::format(":{}: it is not XML: {}", document.ErrorLineNum(), document.ErrorName());
+  return document.RootElement() == nullptr ? ": it has no element" : "";
+}
+
+}  // namespace
+
+const XacroFile& XacroExpander::FileOf(const Element& element) {
+  return *static_cast<const XacroFile*>(element.GetDocument()->GetUserData());
+}
+
+std::string XacroExpander::PlaceOf(const Element& element) {
+  return fmt::format("{}:{}", FileOf(element).path, element.GetLineNum());
+}
+
+std::string XacroExpander::FolderOf(const Element& element) {
+  return fs::path(FileOf(element).path).parent_path().string();
+}
+
+std::string XacroExpander::PathBeside(const Element& element, const std::string& path) {
+  return (fs::path(FileOf(element).path).parent_path() / path).lexically_normal().string();
+}
+
+const XacroFile& XacroExpander::Parse(const std::string& text, const std::string& path) {
+  bytes_read_ += text.size();
+  if (bytes_read_ > kMostXacroRead)
+    throw XacroProblem{"xacro_limit", fmt::format("the included files have more than {} MiB", kMostXacroRead >> 20)};
+  auto file = std::make_unique<XacroFile>();
+  file->path = path;
+  file->xml.SetUserData(file.get());
+  if (const std::string reason = ReasonNotXml(text, file->xml); !reason.empty())
+    throw XacroProblem{"not_xml", path + reason};
+  file->bare_tags = file->xml.RootElement()->Attribute("xmlns:xacro") != nullptr;
+  return *(files_[path] = std::move(file));
+}
+
+void XacroExpander::Include(const Element& element, Node& out, XacroScope& scope) {
+  CheckXacroAttributes(element, {"filename", "ns", "optional"});
+  const std::string name = PrintedAttribute(element, "filename", scope);
+  if (Trimmed(name).empty()) throw XacroProblem{"xacro_include", "the attribute 'filename' is empty"};
+  if (name.find_first_of("*?[") != std::string::npos) {
+    throw XacroProblem{"xacro_include",
+                       fmt::format("'{}' is a pattern; only single files are included", Shortened(name))};
+  }
+  const std::string path = PathBeside(element, Trimmed(name));
+  const bool optional = element.Attribute("optional") != nullptr &&
+                        XacroTruthOfText(Evaluated(element.Attribute("optional"), scope), "'optional'");
+  const auto known = files_.find(path);
+  const XacroFile* file = known == files_.end() ? nullptr : known->second.get();
+  if (std::find(including_.begin(), including_.end(), file) != including_.end() && file != nullptr)
+    throw XacroProblem{"xacro_recursion", fmt::format("'{}' includes itself", path)};
+  if (file == nullptr) {
+    const Result<std::string> text = sources_.read(path);
+    if (!text && optional && text.failure().code == "no_such_file") return;
+    if (!text) throw XacroProblem{"xacro_include", text.failure().message};
+    file = &Parse(*text, path);
+  }
+  XacroScope* inner = &scope;
+  if (element.Attribute("ns") != nullptr) {
+    auto space = std::make_unique<XacroScope>();
+    space->parent = space->caller = &scope;
+    inner = space.get();
+    scope.namespaces[PrintedAttribute(element, "ns", scope)] = std::move(space);
+  }
+  including_.push_back(file);
+  ExpandNodes(file->xml.RootElement()->FirstChild(), out, *inner);
+  including_.pop_back();
+  Element* result_root = result_.RootElement();
+  for (const tinyxml2::XMLAttribute* a = file->xml.RootElement()->FirstAttribute(); a != nullptr; a = a->Next()) {
+    const std::string attribute = a->Name();
+    if (attribute.starts_with("xmlns:") && attribute != "xmlns:xacro" && result_root->Attribute(a->Name()) == nullptr)
+      SetAttribute(*result_root, attribute, a->Value());
+  }
+}
+
+XacroValue XacroExpander::LoadYamlFile(const std::string& path) {
+  const auto known = yaml_.find(path);
+  if (known != yaml_.end()) return known->second;
+  const Result<std::string> text = sources_.read(path);
+  if (!text) throw XacroProblem{"xacro_yaml", text.failure().message};
+  bytes_read_ += text->size();
+  if (bytes_read_ > kMostXacroRead)
+    throw XacroProblem{"xacro_limit", fmt::format("the files have more than {} MiB", kMostXacroRead >> 20)};
+  XacroScope none;
+  XacroScopeContext context(*this, none, *at_);
+  try {
+    return yaml_[path] = XacroFromYaml(*text, context);
+  } catch (XacroProblem& problem) {
+    problem.message = fmt::format("{}: {}", path, problem.message);
+    throw;
+  }
+}
+
+}  // namespace gaitwright

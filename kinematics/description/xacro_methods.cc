@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The methods of texts, lists and dictionaries that expressions may call.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinematics/base/nearest_name.h"
+#include "kinematics/base/options.h"
+#include "kinematics/base/text.h"
+#include "kinematics/description/xacro_evaluate_internal.h"
+
+namespace gaitwright {
+namespace {
+
+const std::vector<std::string> kTextMethods = {"lower",      "upper", "strip",    "lstrip",  "rstrip",
+                                               "capitalize", "title", "split",    "join",    "replace",
+                                               "find",       "count", "endswith", "isdigit", "startswith"};
+const std::vector<std::string> kDictMethods = {"get", "keys", "values", "items"};
+const std::vector<std::string> kListMethods = {"index", "count"};
+
+/// The text argument at a place.
+const std::string& TextArgument(const std::vector<XacroValue>& arguments, std::size_t place, const std::string& name) {
+  if (place >= arguments.size() || arguments[place].text() == nullptr)
+    RefuseXacroType(fmt::format("{}() needs a text as argument {}", name, place + 1));
+  return *arguments[place].text();
+}
+
+XacroValue SplitText(const std::string& text, const std::vector<XacroValue>& arguments, XacroBudget& budget) {
+  std::vector<XacroValue> parts;
+  if (arguments.empty()) {
+    constexpr const char* kBlanks = " \t\r\n";
+    for (std::size_t from = text.find_first_not_of(kBlanks); from != std::string::npos;) {
+      const std::size_t end = std::min(text.find_first_of(kBlanks, from), text.size());
+      parts.push_back({text.substr(from, end - from)});
+      from = text.find_first_not_of(kBlanks, end);
+    }
+  } else {
+    const std::string& separator = TextArgument(arguments, 0, "split");
+    if (separator.empty()) RefuseXacroType("the separator of split() is not empty");
+    std::size_t from = 0;
+    for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, from)) {
+      parts.push_back({text.substr(from, end - from)});
+      from = end + separator.size();
+    }
+    parts.push_back({text.substr(from)});
+  }
+  budget.Spend(parts.size());
+  return XacroListOf(std::move(parts), budget);
+}
+
+XacroValue JoinText(const std::string& separator, const XacroValue& list, XacroBudget& budget) {
+  std::string joined;
+  bool first = true;
+  for (const XacroValue& item : XacroItems(list, budget)) {
+    if (item.text() == nullptr) RefuseXacroType(fmt::format("join() joins texts, not a {}", XacroKind(item)));
+    joined += (first ? "" : separator) + *item.text();
+    first = false;
+    budget.Spend(1 + (separator.size() + item.text()->size()) / 16);
+    if (joined.size() > kLongestXacroText) break;
+  }
+  return XacroText(std::move(joined));
+}
+
+XacroValue ReplaceText(const std::string& text, const std::string& from, const std::string& to, XacroBudget& budget) {
+  if (from.empty()) RefuseXacroType("replace() needs a text that is not empty");
+  std::string replaced;
+  std::size_t at = 0;
+  for (std::size_t found = text.find(from); found != std::string::npos; found = text.find(from, at)) {
+    replaced.append(text, at, found - at);
+    replaced += to;
+    at = found + from.size();
+    budget.Spend(1 + to.size() / 16);
+    if (replaced.size() > kLongestXacroText) break;
+  }
+  return XacroText(replaced + text.substr(at));
+}
+
+/// Each letter small, but for the first of the text or of each word.
+std::string Capitalised(const std::string& text, bool each_word) {
+  std::string result = LowerCase(text);
+  bool begins = true;
+  for (char& c : result) {
+    const bool letter = c >= 'a' && c <= 'z';
+    if (begins && letter) c = static_cast<char>(c - 'a' + 'A');
+    begins = each_word && !letter;
+  }
+  return result;
+}
+
+std::string StrippedText(const std::string& text, const std::string& characters, const std::string& method) {
+  const std::size_t first = method == "rstrip" ? 0 : text.find_first_not_of(characters);
+  const std::size_t last = method == "lstrip" ? text.size() : text.find_last_not_of(characters) + 1;
+  return first == std::string::npos || last <= first ? "" : text.substr(first, last - first);
+}
+
+XacroValue TextMethod(const std::string& text, const std::string& name, const std::vector<XacroValue>& arguments,
+                      XacroBudget& budget) {
+  budget.Spend(1 + text.size() / 8);
+  if (name == "lower") return {LowerCase(text)};
+  if (name == "upper") {
+    std::string upper = text;
+    for (char& c : upper) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return {upper};
+  }
+  if (name == "capitalize" || name == "title") return {Capitalised(text, name == "title")};
+  if (name == "isdigit")
+    return {!text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; })};
+  if (name == "split") return SplitText(text, arguments, budget);
+  if (name.ends_with("strip"))
+    return {StrippedText(text, arguments.empty() ? " \t\r\n" : TextArgument(arguments, 0, name), name)};
+  if (name == "join") {
+    if (arguments.size() != 1) RefuseXacroType("join() takes one list");
+    return JoinText(text, arguments[0], budget);
+  }
+  const std::string& part = TextArgument(arguments, 0, name);
+  if (name == "startswith") return {text.starts_with(part)};
+  if (name == "endswith") return {text.ends_with(part)};
+  if (name == "replace") return ReplaceText(text, part, TextArgument(arguments, 1, name), budget);
+  const std::size_t found = text.find(part);
+  if (name == "find") return {found == std::string::npos ? std::int64_t{-1} : static_cast<std::int64_t>(found)};
+  std::int64_t count = 0;
+  for (std::size_t at = found; at != std::string::npos && !part.empty(); at = text.find(part, at + part.size()))
+    ++count;
+  return {count};
+}
+
+XacroValue DictMethod(const XacroDict& dict, const std::string& name, const std::vector<XacroValue>& arguments,
+                      XacroBudget& budget) {
+  if (name == "get") {
+    if (arguments.empty() || arguments.size() > 2) RefuseXacroType("get() takes a key and a default");
+    const XacroValue* value = dict.Find(arguments[0], budget);
+    if (value != nullptr) return *value;
+    return arguments.size() == 2 ? arguments[1] : XacroValue{};
+  }
+  std::vector<XacroValue> items;
+  for (const auto& [key, value] : dict.entries)
+    items.push_back(name == "keys" ? key : name == "values" ? value : XacroListOf({key, value}, budget));
+  return XacroListOf(std::move(items), budget);
+}
+
+XacroValue ListMethod(const XacroList& list, const std::string& name, const std::vector<XacroValue>& arguments,
+                      XacroBudget& budget) {
+  if (arguments.size() != 1) RefuseXacroType(fmt::format("{}() takes one argument", name));
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    if (!XacroEqual(list.items[i], arguments[0], budget)) continue;
+    if (name == "index") return {static_cast<std::int64_t>(i)};
+    ++count;
+  }
+  if (name == "index") RefuseXacroType("index(): the list does not have the item");
+  return {count};
+}
+
+}  // namespace
+
+XacroValue CallXacroMethod(const XacroValue& object, const std::string& name, const std::vector<XacroValue>& arguments,
+                           XacroBudget& budget) {
+  const std::vector<std::string>* methods = object.text() != nullptr   ? &kTextMethods
+                                            : object.dict() != nullptr ? &kDictMethods
+                                            : object.list() != nullptr ? &kListMethods
+                                                                       : nullptr;
+  if (methods == nullptr) RefuseXacroType(fmt::format("a {} has no method '{}'", XacroKind(object), Shortened(name)));
+  if (std::find(methods->begin(), methods->end(), name) == methods->end()) {
+    throw XacroProblem{"unknown_function", fmt::format("the method '{}' of a {} is not known{}", Shortened(name),
+                                                       XacroKind(object), NearestOrAll(name, *methods))};
+  }
+  if (object.text() != nullptr) return TextMethod(*object.text(), name, arguments, budget);
+  if (object.dict() != nullptr) return DictMethod(*object.dict(), name, arguments, budget);
+  return ListMethod(*object.list(), name, arguments, budget);
+}
+
+}  // namespace gaitwright

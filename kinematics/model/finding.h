@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace gaitwright {
+
+/// How much a finding about a robot description weighs.
+enum class FindingLevel {
+  kInfo,     ///< worth knowing; nothing is wrong
+  kWarning,  ///< wrong or doubtful; the robot is loaded all the same
+  kError,    ///< the robot is not loaded, or what is computed of it means nothing
+};
+
+/// Something that is wrong or doubtful in a robot description, and what is used in its place.
+struct Finding {
+  FindingLevel level = FindingLevel::kWarning;
+  std::string code;     ///< its kind, as `impossible_inertia`
+  std::string part;     ///< where: "link 'trunk'", "joint 'FL_KFE'", "robot"
+  int line = 0;         ///< of the file; 0 where it is of no single line
+  std::string message;  ///< what was found, and what is used
+
+  bool operator==(const Finding&) const = default;
+};
+
+}  // namespace gaitwright

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/mend_inertia.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "kinematics/model/solid_inertia.h"
+
+namespace gaitwright {
+namespace {
+
+constexpr double kRounding = 1e-9, kRelativeRounding = 1e-6;  // [kg m^2], of the largest moment
+constexpr double kThinnest = 1e-6;  // least second moment that is used, of the largest: a body has an extent
+constexpr double kFarOff = 0.5;     // change of a tensor, of its size, from which its numbers tell nothing
+
+Matrix3 NearestOfABody(const Matrix3& I) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3> second(0.5 * I.trace() * Matrix3::Identity() - I);
+  const double least = kThinnest * second.eigenvalues().cwiseAbs().maxCoeff();
+  const Vector3 kept = second.eigenvalues().cwiseMax(least);
+  const Matrix3 S = second.eigenvectors() * kept.asDiagonal() * second.eigenvectors().transpose();
+  return S.trace() * Matrix3::Identity() - S;
+}
+
+}  // namespace
+
+Vector3 PrincipalMoments(const Matrix3& I) {
+  return Eigen::SelfAdjointEigenSolver<Matrix3>(I, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+std::string BrokenInertiaLaw(const Matrix3& I, double mass) {
+  if (mass > 0.0 && I.isZero(0.0)) return "is zero";
+  const Vector3 moments = PrincipalMoments(I);
+  const double slack = std::max(kRounding, kRelativeRounding * moments.cwiseAbs().maxCoeff());
+  if (moments[0] < -slack) return fmt::format("has the negative principal moment {:.3g} kg m^2", moments[0]);
+  if (moments[0] + moments[1] < moments[2] - slack) {
+    return fmt::format("breaks the triangle inequality: {:.4g} + {:.4g} < {:.4g} kg m^2", moments[0], moments[1],
+                       moments[2]);
+  }
+  return "";
+}
+
+std::optional<MendedInertia> MendInertia(const Matrix3& I, double mass, const std::vector<const Shape*>& shapes) {
+  const std::string broken = BrokenInertiaLaw(I, mass);
+  if (broken.empty()) {
+    const Vector3 moments = PrincipalMoments(I);
+    const bool sound = moments[0] >= 0.0 && moments[0] + moments[1] >= moments[2];
+    if (sound) return std::nullopt;
+    return MendedInertia{NearestOfABody(I), "", ""};
+  }
+  const Matrix3 nearest = NearestOfABody(I);
+  if (I.isZero(0.0) || (nearest - I).norm() >= kFarOff * I.norm()) {
+    if (const auto solid = SolidInertia(shapes, mass); solid && mass > 0.0)
+      return MendedInertia{*solid, broken, "that of its shapes"};
+    if (I.isZero(0.0)) return std::nullopt;  // a point mass
+  }
+  return MendedInertia{nearest, broken, "the nearest that a body can have"};
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include "kinematics/model/mend_urdf_internal.h"
+
+namespace gaitwright {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr char kThin[] = "0.0001";   // [m] of a shape that has the size 0
+constexpr char kNoLimit[] = "1000";  // [rad], [m] where a limit is not given and the joint is not continuous
+
+/// What is said of the parts of a link or a joint.
+struct PartNotes {
+  const std::string& part;
+  std::vector<Finding>& findings;
+
+  void Add(FindingLevel level, const char* code, const XMLElement& element, std::string message) const {
+    findings.push_back({level, code, part, element.GetLineNum(), std::move(message)});
+  }
+};
+
+bool IsZero(const char* text) {
+  char* end = nullptr;
+  const double value = std::strtod(text, &end);
+  return end != text && value == 0.0;
+}
+
+/// Sizes that are 0 become thin. @return whether any was.
+bool ThickenShape(XMLElement& shape, const PartNotes& notes) {
+  bool thickened = false;
+  for (const char* name : {"radius", "length"}) {
+    if (shape.Attribute(name) == nullptr || !IsZero(shape.Attribute(name))) continue;
+    shape.SetAttribute(name, kThin);
+    thickened = true;
+  }
+  if (const char* size = shape.Attribute("size"); size != nullptr) {
+    std::string mended;
+    std::string_view rest = size;
+    while (!rest.empty()) {
+      const std::size_t begin = rest.find_first_not_of(" \t\r\n");
+      if (begin == std::string_view::npos) break;
+      const std::size_t end = std::min(rest.find_first_of(" \t\r\n", begin), rest.size());
+      const std::string word(rest.substr(begin, end - begin));
+      mended += (mended.empty() ? "" : " ") + (IsZero(word.c_str()) ? std::string(kThin) : word);
+      if (IsZero(word.c_str())) thickened = true;
+      rest.remove_prefix(end);
+    }
+    if (thickened) shape.SetAttribute("size", mended.c_str());
+  }
+  if (thickened)
+    notes.Add(FindingLevel::kInfo, "zero_size", shape,
+              fmt::format("a {} has the size 0: taken as {} m", shape.Name(), kThin));
+  return thickened;
+}
+
+/// Whether a visual has a shape that can be shown.
+bool CanBeShown(const XMLElement& visual) {
+  const XMLElement* geometry = visual.FirstChildElement("geometry");
+  const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+  if (shape == nullptr) return false;
+  if (std::strcmp(shape->Name(), "mesh") != 0) return true;
+  const char* file = shape->Attribute("filename");
+  return file != nullptr && *file != '\0';
+}
+
+bool MendShapes(XMLElement& link, const PartNotes& notes) {
+  bool mended = false;
+  for (const char* kind : {"visual", "collision"}) {
+    for (XMLElement* e = link.FirstChildElement(kind); e != nullptr;) {
+      XMLElement* next = e->NextSiblingElement(kind);
+      const XMLElement* geometry = e->FirstChildElement("geometry");
+      const bool empty = geometry == nullptr || geometry->FirstChildElement() == nullptr;
+      if (empty || (std::strcmp(kind, "visual") == 0 && !CanBeShown(*e))) {
+        notes.Add(FindingLevel::kInfo, "no_geometry", *e, fmt::format("a <{}> has no geometry: left out", kind));
+        link.DeleteChild(e);
+        mended = true;
+      } else {
+        mended = ThickenShape(*e->FirstChildElement("geometry")->FirstChildElement(), notes) || mended;
+      }
+      e = next;
+    }
+  }
+  return mended;
+}
+
+bool MendInertial(XMLElement& link, const PartNotes& notes) {
+  XMLElement* inertial = link.FirstChildElement("inertial");
+  if (inertial == nullptr) return false;
+  XMLElement* mass = inertial->FirstChildElement("mass");
+  XMLElement* inertia = inertial->FirstChildElement("inertia");
+  if (mass == nullptr && inertia == nullptr) {
+    notes.Add(FindingLevel::kInfo, "empty_inertial", *inertial, "its <inertial> holds nothing: left out");
+    link.DeleteChild(inertial);
+    return true;
+  }
+  bool mended = false;
+  if (mass == nullptr) {
+    inertial->InsertNewChildElement("mass")->SetAttribute("value", "0");
+    notes.Add(FindingLevel::kWarning, "no_mass", *inertial, "it has an inertia and no mass: taken as 0 kg");
+    mended = true;
+  }
+  if (inertia == nullptr) {
+    inertia = inertial->InsertNewChildElement("inertia");
+    notes.Add(FindingLevel::kWarning, "no_inertia", *inertial, "it has a mass and no inertia");
+  }
+  for (const char* name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
+    if (inertia->Attribute(name) != nullptr) continue;
+    inertia->SetAttribute(name, "0");
+    mended = true;
+  }
+  return mended;
+}
+
+/// Gives a joint the attributes of <limit> that it lacks.
+bool MendLimit(XMLElement& joint, const std::string& type, const PartNotes& notes) {
+  const bool turns = type == "continuous" || type == "spherical";
+  XMLElement* limit = joint.FirstChildElement("limit");
+  if (limit == nullptr) {
+    if (turns) return false;
+    limit = joint.InsertNewChildElement("limit");
+  }
+  bool mended = false;
+  const auto lacks = [&](const char* name) { return limit->Attribute(name) == nullptr; };
+  if (type == "revolute" && lacks("lower") && lacks("upper")) {
+    joint.SetAttribute("type", "continuous");
+    notes.Add(FindingLevel::kInfo, "missing_limit", joint, "its position has no limits in the file: none are used");
+    mended = true;
+  } else if (!turns && (lacks("lower") || lacks("upper"))) {
+    notes.Add(FindingLevel::kInfo, "missing_limit", joint,
+              fmt::format("its position has no {} limit in the file: none is used", lacks("lower") && lacks("upper")
+                                                                                        ? "lower or upper"
+                                                                                    : lacks("lower") ? "lower"
+                                                                                                     : "upper"));
+    if (lacks("lower")) limit->SetAttribute("lower", (std::string("-") + kNoLimit).c_str());
+    if (lacks("upper")) limit->SetAttribute("upper", kNoLimit);
+    mended = true;
+  }
+  for (const char* name : {"effort", "velocity"}) {
+    if (!lacks(name)) continue;
+    limit->SetAttribute(name, "0");  // which is read as unknown
+    notes.Add(FindingLevel::kInfo, "missing_limit", joint,
+              fmt::format("its {} limit is not given: none is used", name));
+    mended = true;
+  }
+  return mended;
+}
+
+}  // namespace
+
+bool MendLink(XMLElement& link, const std::string& part, std::vector<Finding>& findings) {
+  const PartNotes notes{part, findings};
+  const bool numbers = MendNumbers(link, part, findings);
+  const bool inertial = MendInertial(link, notes);
+  return MendShapes(link, notes) || inertial || numbers;
+}
+
+bool MendJoint(XMLElement& joint, const std::string& part, bool at_root, std::vector<Finding>& findings) {
+  const PartNotes notes{part, findings};
+  bool mended = MendNumbers(joint, part, findings);
+  const char* given = joint.Attribute("type");
+  const std::string type = given == nullptr ? "" : given;
+  if (at_root && (type == "floating" || type == "planar")) {
+    joint.SetAttribute("type", "fixed");
+    notes.Add(
+        FindingLevel::kInfo, "floating_root", joint,
+        fmt::format("of type '{}' at the root: the robot's base is free by itself, and this joint is that", type));
+    return true;
+  }
+  if (type == "revolute" || type == "prismatic" || type == "continuous" || type == "spherical")
+    mended = MendLimit(joint, type, notes) || mended;
+  return mended;
+}
+
+}  // namespace gaitwright

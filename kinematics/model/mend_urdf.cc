@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/mend_urdf.h"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "kinematics/base/text.h"
+#include "kinematics/model/mend_urdf_internal.h"
+
+namespace gaitwright {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr int kDeepest = 100;  // elements within elements that are looked into
+
+std::string TextOr(const char* text) { return text == nullptr ? "" : text; }
+
+/// The URDF's links or joints, by pointers that stay while others are deleted.
+std::vector<XMLElement*> ElementsOf(XMLElement& robot, const char* kind) {
+  std::vector<XMLElement*> elements;
+  for (XMLElement* e = robot.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind))
+    elements.push_back(e);
+  return elements;
+}
+
+std::string LinkAt(const XMLElement& joint, const char* end) {
+  const XMLElement* element = joint.FirstChildElement(end);
+  return element == nullptr ? "" : TextOr(element->Attribute("link"));
+}
+
+std::string Printed(const XMLElement& element) {
+  tinyxml2::XMLPrinter printer(nullptr, true);
+  element.Accept(&printer);
+  return printer.CStr();
+}
+
+/// Takes a prefix, as `urdf` of <urdf:robot>, from the names of all elements that have it.
+bool DropPrefix(XMLElement& element, const std::string& prefix, int depth = 0) {
+  bool dropped = false;
+  const std::string name = element.Name();
+  if (name.starts_with(prefix)) {
+    element.SetName(name.substr(prefix.size()).c_str());
+    dropped = true;
+  }
+  if (depth > kDeepest) return dropped;
+  for (XMLElement* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
+    dropped = DropPrefix(*child, prefix, depth + 1) || dropped;
+  return dropped;
+}
+
+/// Mends the parts of a document whose root is <robot>.
+class Mender {
+ public:
+  Mender(XMLElement& robot, std::vector<Finding>& findings) : robot_(robot), findings_(findings) {}
+
+  bool Run() {
+    DropDoubleLinks();
+    DropLooseLinks();
+    RenameDoubleJoints();
+    const std::set<std::string> roots = Roots();
+    for (XMLElement* link : ElementsOf(robot_, "link"))
+      mended_ = MendLink(*link, PartOf("link", *link), findings_) || mended_;
+    for (XMLElement* joint : ElementsOf(robot_, "joint")) {
+      const bool at_root = roots.contains(LinkAt(*joint, "parent"));
+      mended_ = MendJoint(*joint, PartOf("joint", *joint), at_root, findings_) || mended_;
+    }
+    return mended_;
+  }
+
+ private:
+  static std::string PartOf(const char* kind, const XMLElement& element) {
+    return fmt::format("{} '{}'", kind, TextOr(element.Attribute("name")));
+  }
+  void Add(const char* code, const char* kind, const XMLElement& element, const std::string& message) {
+    findings_.push_back({FindingLevel::kWarning, code, PartOf(kind, element), element.GetLineNum(), message});
+    mended_ = true;
+  }
+
+  std::set<std::string> Roots() const {
+    std::set<std::string> roots;
+    for (const XMLElement* link : ElementsOf(robot_, "link")) roots.insert(TextOr(link->Attribute("name")));
+    for (const XMLElement* joint : ElementsOf(robot_, "joint")) roots.erase(LinkAt(*joint, "child"));
+    return roots;
+  }
+
+  void DropDoubleLinks() {
+    std::map<std::string, XMLElement*> first;
+    for (XMLElement* link : ElementsOf(robot_, "link")) {
+      const auto [known, is_new] = first.try_emplace(TextOr(link->Attribute("name")), link);
+      if (is_new || Printed(*link) != Printed(*known->second)) continue;
+      Add("double_name", "link", *link,
+          fmt::format("it is given twice alike, in the lines {} and {}", known->second->GetLineNum(),
+                      link->GetLineNum()));
+      robot_.DeleteChild(link);
+    }
+  }
+
+  /// Where one root has the tree, links that no joint names are none of the robot's.
+  void DropLooseLinks() {
+    std::set<std::string> held;
+    for (const XMLElement* joint : ElementsOf(robot_, "joint")) {
+      held.insert(LinkAt(*joint, "parent"));
+      held.insert(LinkAt(*joint, "child"));
+    }
+    if (held.empty()) return;
+    for (XMLElement* link : ElementsOf(robot_, "link")) {
+      if (held.contains(TextOr(link->Attribute("name")))) continue;
+      Add("loose_link", "link", *link, "no joint holds it: left out");
+      robot_.DeleteChild(link);
+    }
+  }
+
+  void RenameDoubleJoints() {
+    std::set<std::string> names;
+    for (const XMLElement* joint : ElementsOf(robot_, "joint")) names.insert(TextOr(joint->Attribute("name")));
+    std::set<std::string> seen;
+    for (XMLElement* joint : ElementsOf(robot_, "joint")) {
+      const std::string name = TextOr(joint->Attribute("name"));
+      if (seen.insert(name).second || name.empty()) continue;
+      int number = 2;
+      while (names.contains(fmt::format("{}_{}", name, number))) ++number;
+      const std::string renamed = fmt::format("{}_{}", name, number);
+      Add("double_name", "joint", *joint, fmt::format("it is the second of that name: called '{}'", renamed));
+      joint->SetAttribute("name", renamed.c_str());
+      names.insert(renamed);
+    }
+  }
+
+  XMLElement& robot_;
+  std::vector<Finding>& findings_;
+  bool mended_ = false;
+};
+
+}  // namespace
+
+MendedUrdf MendUrdf(const std::string& urdf_text) {
+  MendedUrdf mended{urdf_text, {}};
+  if (const auto text = InUtf8(urdf_text)) {
+    mended.text = *text;
+    mended.findings.push_back(
+        {FindingLevel::kInfo, "encoding", "robot", 0, "the file is not in UTF-8: read as UTF-16 or Latin-1"});
+  }
+  tinyxml2::XMLDocument document;
+  if (document.Parse(mended.text.c_str(), mended.text.size()) != tinyxml2::XML_SUCCESS) return mended;
+  XMLElement* robot = document.RootElement();
+  if (robot == nullptr) return mended;
+  const std::string name = robot->Name();
+  bool changed = false;
+  if (const std::size_t colon = name.find(':'); colon != std::string::npos && name.substr(colon + 1) == "robot") {
+    changed = DropPrefix(*robot, name.substr(0, colon + 1));
+    mended.findings.push_back({FindingLevel::kInfo, "namespace", "robot", robot->GetLineNum(),
+                               fmt::format("its elements are in the namespace '{}'", name.substr(0, colon))});
+  }
+  if (std::strcmp(robot->Name(), "robot") != 0) return mended;
+  changed = Mender(*robot, mended.findings).Run() || changed;
+  if (!changed) return mended;
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  mended.text = printer.CStr();
+  return mended;
+}
+
+}  // namespace gaitwright

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A whole quadruped in files: macros for legs and inertias, sizes in YAML, a package.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "kinematics/model/load_robot.h"
+#include "tests/kinematics/description/xacro_files.h"
+
+namespace gaitwright {
+namespace {
+
+const std::string kMadeQuadruped =
+    std::string(GAITWRIGHT_SOURCE_DIR) + "/tests/kinematics/description/made_quadruped/urdf/robot.xacro";
+
+TEST(XacroRobot, AQuadrupedHasFourLegsOfThreeJoints) {
+  const Result<std::string> urdf = ExpandXacro({kMadeQuadruped, {}, {}});
+  ASSERT_TRUE(urdf.ok()) << urdf.failure().message;
+  EXPECT_FALSE(IsXacro(*urdf));
+  const Result<RobotModel> model = LoadRobotFromText(*urdf, "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  ASSERT_EQ(model->legs.size(), 4U);
+  for (const Leg& leg : model->legs) EXPECT_EQ(leg.joints.size(), 3U) << leg.name;
+  EXPECT_EQ(model->num_dofs(), 12);
+  EXPECT_NE(urdf->find("<robot name=\"made\">"), std::string::npos);
+  EXPECT_EQ(urdf->find("gazebo"), std::string::npos);
+  EXPECT_NE(urdf->find("<transmission name=\"RR_transmission\">"), std::string::npos);
+
+  // Trunk 9 kg; leg of mass m: 1.75 m and a foot of 0.05 kg, with m 0.8 in front and 0.9 behind.
+  EXPECT_NEAR(model->total_mass_kg, 9.0 + 4 * 0.05 + 2 * 1.75 * (0.8 + 0.9), 1e-12);
+  const int hip = model->DofIndex("FR_hip_joint");
+  EXPECT_EQ(model->dof_lower(hip), -std::numbers::pi / 4);
+  for (const Foot& foot : model->feet) EXPECT_EQ(foot.radius, 0.02);
+}
+
+TEST(XacroRobot, LeftAndRightMirrorEachOther) {
+  const std::string urdf = ExpandXacro({kMadeQuadruped, {}, {}}).value();
+  EXPECT_NE(urdf.find("<origin xyz=\"0.25 0.1 0\"/>"), std::string::npos);
+  EXPECT_NE(urdf.find("<origin xyz=\"0.25 -0.1 0\"/>"), std::string::npos);
+  EXPECT_NE(urdf.find("<origin xyz=\"-0.25 -0.1 0\"/>"), std::string::npos);
+}
+
+TEST(XacroRobot, ArgumentsChooseWhatItHas) {
+  const Result<std::string> urdf = ExpandXacro({kMadeQuadruped, {{"simulated", "true"}, {"name", "other"}}, {}});
+  ASSERT_TRUE(urdf.ok()) << urdf.failure().message;
+  EXPECT_NE(urdf->find("<robot name=\"other\">"), std::string::npos);
+  EXPECT_NE(urdf->find("<plugin name=\"control\" filename=\"libcontrol.so\"/>"), std::string::npos);
+}
+
+TEST(XacroRobot, TheSameFilesGiveTheSameText) {
+  const std::string once = ExpandXacro({kMadeQuadruped, {}, {}}).value();
+  EXPECT_EQ(once, ExpandXacro({kMadeQuadruped, {}, {}}).value());
+  EXPECT_EQ(once, ExpandXacroText(once, "again", {}, SourcesWith({})).value());
+}
+
+TEST(XacroRobot, AFileThatDoesNotExistIsRefused) {
+  const Result<std::string> none = ExpandXacro({"no/such.xacro", {}, {}});
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.failure().code, "no_such_file");
+}
+
+}  // namespace
+}  // namespace gaitwright
