@@ -116,7 +116,7 @@ Result<ConvertedMjcf> ConvertMjcf(const std::string& path, const MjcfMeshReader&
   const fs::path folder = fs::path(path).parent_path();
   MjcfFiles files;
   files.text = [&](const std::string& file) { return ReadFile((folder / file).string(), kLargestMjcfFile); };
-  if (read_mesh) files.mesh = [&](const std::string& file) { return read_mesh((folder / file).string()); };
+  files.mesh = read_mesh;
   return ConvertMjcfText(*text, files, fs::path(path).filename().string());
 }
 
