@@ -53,7 +53,7 @@ std::string MjcfAttributes::Text(const std::string& key) const {
 }
 
 std::string MjcfAttributes::Name(const std::string& key) const {
-  const std::string name = Text(key);
+  std::string name = Text(key);
   if (name.size() > kLongestMjcfName)
     RefuseMjcf("mjcf_name",
                fmt::format("{}: '{}' has {} bytes; at most {} are read", owner_, key, name.size(), kLongestMjcfName));
@@ -89,7 +89,7 @@ Vector3 MjcfAttributes::Three(const std::string& key, const Vector3& fallback) c
 std::string MjcfAttributes::Choice(const std::string& key, const std::vector<std::string>& choices,
                                    const std::string& fallback) const {
   if (!Has(key)) return fallback;
-  const std::string text = Text(key);
+  std::string text = Text(key);
   if (std::find(choices.begin(), choices.end(), text) == choices.end())
     RefuseMjcf("mjcf_choice",
                fmt::format("{}: '{}' is '{}'; accepted: {}", owner_, key, ShownMjcf(text), QuotedList(choices)));

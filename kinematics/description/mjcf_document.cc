@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kLargestMjcf = std::size_t{16} << 20;  // [byte] of all files together
 constexpr std::size_t kMostMjcfFiles = 100;
+constexpr std::size_t kMostMjcfAttributes = 1000;  // of an element: the time to parse them goes with the square
 constexpr int kDeepestMjcf = 200;
 
 bool IsMjcfInclude(const tinyxml2::XMLElement& element) { return std::strcmp(element.Name(), "include") == 0; }
@@ -24,6 +25,39 @@ std::size_t FindMjcfZeroReference(const std::string& text) {
     if (end != std::string::npos && end > at + 2 && text[end] == ';') return at;
   }
   return std::string::npos;
+}
+
+/// The end of what begins at a '<' and is no element: a comment, text that stands for itself, a declaration.
+std::size_t EndOfMjcfAside(const std::string& text, std::size_t at) {
+  if (text.compare(at, 4, "<!--") == 0) return text.find("-->", at);
+  if (text.compare(at, 9, "<![CDATA[") == 0) return text.find("]]>", at);
+  const bool is_aside = at + 1 < text.size() && (text[at + 1] == '!' || text[at + 1] == '?');
+  return is_aside ? text.find('>', at) : at;
+}
+
+/// Whether some element has more attributes than are read.
+bool HasManyMjcfAttributes(const std::string& text) {
+  std::size_t count = 0;
+  char quote = '\0';
+  bool in_tag = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quote != '\0') {
+      if (c == quote) quote = '\0';
+    } else if (c == '<' && !in_tag) {
+      const std::size_t end = EndOfMjcfAside(text, at);
+      in_tag = end == at;
+      at = std::min(end, text.size());
+      count = 0;
+    } else if (in_tag && c == '>') {
+      in_tag = false;
+    } else if (in_tag && (c == '"' || c == '\'')) {
+      quote = c;
+    } else if (in_tag && c == '=' && ++count > kMostMjcfAttributes) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -52,6 +86,9 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
   }
   if (text.find('\0') != std::string::npos || FindMjcfZeroReference(text) != std::string::npos)
     RefuseMjcf("not_xml", fmt::format("{}: it is not XML: it holds the character 0x00", name));
+  if (HasManyMjcfAttributes(text))
+    RefuseMjcf("large_mjcf", fmt::format("{}: an element has over {} attributes; at most that many are read", name,
+                                         kMostMjcfAttributes));
   if (!IsPlainText(text))
     RefuseMjcf("not_text", fmt::format("{}: it holds what is no text in UTF-8, or a control character", name));
   files_.push_back(std::make_unique<File>());

@@ -112,6 +112,10 @@ TEST(MjcfDocument, RefusesWhatIsTooLarge) {
   ExpectSays(MjcfMessage("<mujoco><worldbody>" + bodies + "</worldbody></mujoco>"), {"over 1000 bodies"});
   for (int i = 0; i < 600; ++i) classes += fmt::format("<default class='c{}'/>", i);
   ExpectSays(MjcfMessage("<mujoco><default>" + classes + "</default></mujoco>"), {"over 500 classes"});
+  std::string attributes;
+  for (int i = 0; i < 1001; ++i) attributes += fmt::format(" a{}='='", i);
+  ExpectSays(MjcfMessage("<mujoco" + attributes + "/>"), {"over 1000 attributes"});
+  ExpectSays(MjcfMessage("<mujoco><!--" + std::string(2000, '=') + "--></mujoco>"), {"no body"});
   // Each file may be deep, and includes go on from there.
   std::map<std::string, std::string> files;
   for (int i = 0; i < 4; ++i) {

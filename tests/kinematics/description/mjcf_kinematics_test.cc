@@ -14,8 +14,6 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 struct DrawnJoint {
   std::string name, type;
   Vector3 pos, axis;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <numbers>
 
 #include "kinematics/description/mjcf_compiler_internal.h"
 #include "kinematics/description/mjcf_shapes_internal.h"
@@ -8,8 +7,6 @@
 
 namespace gaitwright {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Matrix3 TurnAbout(const Vector3& axis, double degrees) {
   return Eigen::AngleAxisd(kDegree * degrees, axis.normalized()).toRotationMatrix();

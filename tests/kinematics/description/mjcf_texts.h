@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "tests/kinematics/model/small_urdf.h"
 
 namespace gaitwright {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;  // [rad]
 
 /// A model of one free body 'base' of 1 kg. @param inside  what else stands in it. @param sections  beside <worldbody>.
 inline std::string MjcfOf(const std::string& inside, const std::string& sections = "") {
