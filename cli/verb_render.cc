@@ -181,7 +181,7 @@ void AddRender(Verb program, int& status) {
   AddPictureFlags(verb, *a);
   AddCommon(verb, a->common,
             {"render out/log.json --png trot.png --at 1.5 --view side",
-             "render out/log.json --mp4 steps.mp4 --from-s 1 --to-s 1.5 --speed 0.5",
+             "render out/log.json --mp4 steps.mp4 --from-s 1 --to-s 1.5 --width 640 --height 360",
              "render out/log.json --figure gait.pdf --cycles 10"});
   SetWork(verb, a->common, status, [a, verb] {
     CheckRenderFlags(*a, verb);

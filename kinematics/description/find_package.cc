@@ -56,7 +56,8 @@ class PackageSearch {
   const std::optional<std::string>& found() const { return found_; }
 
   bool Take(const fs::path& folder) {
-    const std::string path = folder.lexically_normal().string();
+    std::error_code error;
+    const std::string path = fs::absolute(folder, error).lexically_normal().string();
     if (!tried_.insert(path).second) return false;
     if (!accepts_ || accepts_(path)) found_ = path;
     return found_.has_value();

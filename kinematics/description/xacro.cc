@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kinematics/base/file.h"
+#include "kinematics/base/text.h"
 #include "kinematics/description/xacro_expander_internal.h"
 
 namespace gaitwright {
@@ -26,6 +27,15 @@ std::string WithoutXmlComments(const std::string& text) {
   return rest.append(text, at);
 }
 
+/// The text of a file; where not `strict`, one in another encoding than UTF-8 too.
+Result<std::string> ReadXacroText(const std::string& path, bool strict) {
+  Result<std::string> text = ReadFile(path, kMostXacroBytes);
+  if (text || strict || text.failure().code != "not_text") return text;
+  const Result<std::string> bytes = ReadBytes(path, kMostXacroBytes);
+  const std::optional<std::string> converted = bytes ? InUtf8(*bytes) : std::nullopt;
+  return converted ? Result<std::string>(*converted) : text;
+}
+
 }  // namespace
 
 bool IsXacro(const std::string& text) {
@@ -41,10 +51,10 @@ Result<std::string> ExpandXacroText(const std::string& text, const std::string& 
 }
 
 Result<std::string> ExpandXacro(const XacroRequest& request) {
-  const Result<std::string> text = ReadFile(request.path, kMostXacroBytes);
-  if (!text) return text;
   XacroSources sources;
-  sources.read = [](const std::string& path) { return ReadFile(path, kMostXacroBytes); };
+  sources.read = [&](const std::string& path) { return ReadXacroText(path, request.strict); };
+  const Result<std::string> text = sources.read(request.path);
+  if (!text) return text;
   sources.find_package = [&](const std::string& package, const std::string& folder) {
     return FindPackage(package, folder, request.packages);
   };

@@ -16,6 +16,7 @@ struct XacroRequest {
   std::string path;
   std::map<std::string, std::string> arguments;  ///< values of `$(arg NAME)`
   PackageFolders packages;                       ///< folders for `$(find NAME)`, which are tried first
+  bool strict = false;                           ///< files in another encoding than UTF-8 are refused, not converted
 };
 
 /// What an expansion takes from outside of the text.
@@ -39,8 +40,8 @@ bool IsXacro(const std::string& text);
 /// are known where the root declares the namespace.
 ///
 /// Differences from xacro: attributes of the root are evaluated last, so that they may use arguments that the file
-/// declares; `**` of whole numbers and all other whole numbers have 64 bits; messages of `xacro.message()`, `warning()`
-/// and `error()` are dropped.
+/// declares; whole numbers have 64 bits; one file at a time is included, no pattern; what `message()`, `warning()`
+/// and `error()` of xacro say is dropped.
 ///
 /// Failure: FILE:LINE: with the element and the reason, where a file is not XML, a name is not defined, an expression
 /// is wrong, a macro is called without a parameter, a file or package is not found, an argument is given that the file

@@ -16,9 +16,10 @@ using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;
 using ParameterKind = XacroParameter::Kind;
 
-constexpr std::size_t kMostCalls = 100;  // in one another
+constexpr std::size_t kMostMacroCalls = 100;  // in one another
+constexpr std::size_t kStepsOfCall = 100;     // that a call counts for, beside its expressions
 
-std::vector<std::string> NamesOfValues(const XacroMacro& macro) {
+std::vector<std::string> NamesOfMacroValues(const XacroMacro& macro) {
   std::vector<std::string> names;
   for (const XacroParameter& parameter : macro.parameters) {
     if (parameter.kind == ParameterKind::kValue) names.push_back(parameter.name);
@@ -27,7 +28,7 @@ std::vector<std::string> NamesOfValues(const XacroMacro& macro) {
 }
 
 /// A parameter has the number that its text stands for.
-XacroProperty ParameterOf(XacroValue value, const XMLElement& where) {
+XacroProperty MacroParameterOf(XacroValue value, const XMLElement& where) {
   if (value.text() != nullptr) value = XacroLiteral(*value.text());
   return {std::move(value), false, false, &where};
 }
@@ -37,7 +38,7 @@ XacroProperty ParameterOf(XacroValue value, const XMLElement& where) {
 void XacroExpander::GiveAttributes(const Element& element, const XacroMacro& macro, XacroScope& local,
                                    XacroScope& scope) {
   const bool is_call = std::string(element.Name()) == "xacro:call";
-  const std::vector<std::string> names = NamesOfValues(macro);
+  const std::vector<std::string> names = NamesOfMacroValues(macro);
   for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
     const std::string name = a->Name();
     if (name.starts_with("xmlns") || (is_call && name == "macro")) continue;
@@ -46,7 +47,7 @@ void XacroExpander::GiveAttributes(const Element& element, const XacroMacro& mac
                          fmt::format("the macro '{}' ({}) has no parameter '{}'{}", macro.name, PlaceOf(*macro.body),
                                      Shortened(name), NearestOrAll(name, names))};
     }
-    local.properties[name] = ParameterOf(Evaluated(a->Value(), scope), element);
+    local.properties[name] = MacroParameterOf(Evaluated(a->Value(), scope), element);
   }
 }
 
@@ -80,9 +81,9 @@ void XacroExpander::GiveDefaults(const XacroMacro& macro, XacroScope& local, Xac
     const auto [outer, owner] =
         parameter.forwarded ? scope.FindProperty(parameter.name, budget_) : std::pair<XacroProperty*, XacroScope*>{};
     if (outer != nullptr) {
-      local.properties[parameter.name] = ParameterOf(Resolve(parameter.name, *outer, *owner), *macro.body);
+      local.properties[parameter.name] = MacroParameterOf(Resolve(parameter.name, *outer, *owner), *macro.body);
     } else if (parameter.default_text) {
-      local.properties[parameter.name] = ParameterOf(Evaluated(*parameter.default_text, scope), *macro.body);
+      local.properties[parameter.name] = MacroParameterOf(Evaluated(*parameter.default_text, scope), *macro.body);
     } else {
       missing.push_back(parameter.name);
     }
@@ -101,11 +102,12 @@ void XacroExpander::CallMacro(const Element& element, const std::string& name, N
     if (hint.empty()) hint = "; a macro stands before its call, here or in an included file";
     throw XacroProblem{"unknown_macro", fmt::format("the macro '{}' is not defined{}", Shortened(name), hint)};
   }
-  if (calls_.size() >= kMostCalls) {
-    throw XacroProblem{
-        "xacro_limit",
-        fmt::format("more than {} macros in one another; does '{}' call itself without end?", kMostCalls, macro->name)};
+  if (calls_.size() >= kMostMacroCalls) {
+    throw XacroProblem{"xacro_limit",
+                       fmt::format("more than {} macros in one another; does '{}' call itself without end?",
+                                   kMostMacroCalls, macro->name)};
   }
+  budget_.Spend(kStepsOfCall);
   XacroScope local;
   local.parent = seen;
   local.caller = &scope;

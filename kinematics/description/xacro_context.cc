@@ -12,10 +12,10 @@
 namespace gaitwright {
 namespace {
 
-const std::vector<std::string> kSubstitutions = {"arg", "dirname", "env", "eval", "find", "optenv"};
+const std::vector<std::string> kXacroSubstitutions = {"arg", "dirname", "env", "eval", "find", "optenv"};
 
 /// `$(eval ...)`: arguments are names, before properties.
-class ArgumentContext : public XacroScopeContext {
+class XacroArgumentContext : public XacroScopeContext {
  public:
   using XacroScopeContext::XacroScopeContext;
 
@@ -140,7 +140,7 @@ std::string XacroScopeContext::Substitution(const std::string& command, const st
   }
   if (command != "env" && command != "optenv") {
     throw XacroProblem{"unknown_substitution", fmt::format("'$({} ...)' is not supported; there are {}",
-                                                           Shortened(command), QuotedList(kSubstitutions))};
+                                                           Shortened(command), QuotedList(kXacroSubstitutions))};
   }
   need(1, command == "env" ? 1 : 1000);
   if (const auto value = expander_.sources().environment(words[0])) return *value;
@@ -153,7 +153,7 @@ std::string XacroScopeContext::Substitution(const std::string& command, const st
 }
 
 XacroValue XacroScopeContext::EvalSubstitution(const std::string& expression) {
-  ArgumentContext context(expander_, scope_, where_);
+  XacroArgumentContext context(expander_, scope_, where_);
   return EvaluateXacro(expression, context);
 }
 

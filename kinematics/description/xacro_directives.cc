@@ -16,14 +16,14 @@ namespace {
 using tinyxml2::XMLElement;
 
 /// Refuses a name of a property that no expression can use.
-void CheckPropertyName(const std::string& name) {
+void CheckXacroName(const std::string& name) {
   if (!name.empty() && name.find_first_of(" \t\r\n${}") == std::string::npos) return;
   throw XacroProblem{"bad_name",
                      fmt::format("'{}' is not a name; it has no blanks, '$', '{{' nor '}}'", Shortened(name))};
 }
 
 /// Refuses the name of a made element or attribute that XML does not allow, and one of xacro's own.
-void CheckXmlName(const std::string& name) {
+void CheckMadeName(const std::string& name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
   };
@@ -113,14 +113,14 @@ void XacroExpander::InsertBlock(const Element& element, Node& out, XacroScope& s
 void XacroExpander::MakeAttribute(const Element& element, Node& out, XacroScope& scope) {
   CheckXacroAttributes(element, {"name", "value"});
   const std::string name = PrintedAttribute(element, "name", scope);
-  CheckXmlName(name);
+  CheckMadeName(name);
   if (out.ToElement() == nullptr) throw XacroProblem{"xacro_missing", "there is no element around it"};
   SetAttribute(*out.ToElement(), name, PrintedAttribute(element, "value", scope));
 }
 
 void XacroExpander::MakeElement(const Element& element, Node& out, XacroScope& scope) {
   const std::string name = PrintedAttribute(element, "xacro:name", scope);
-  CheckXmlName(name);
+  CheckMadeName(name);
   Element& made = AppendElement(name, out);
   CopyAttributes(element, made, scope, true);
   ExpandNodes(element.FirstChild(), made, scope);
@@ -143,7 +143,7 @@ void XacroExpander::DefineArgument(const Element& element, Node&, XacroScope& sc
 void XacroExpander::DefineProperty(const Element& element, Node&, XacroScope& scope) {
   CheckXacroAttributes(element, {"name", "value", "default", "scope", "lazy_eval", "remove"});
   const std::string name = PrintedAttribute(element, "name", scope);
-  CheckPropertyName(name);
+  CheckXacroName(name);
   const char *value = element.Attribute("value"), *usual = element.Attribute("default");
   const std::string where = element.Attribute("scope") == nullptr ? "local" : element.Attribute("scope");
   const auto switched = [&](const char* key, bool absent) {
@@ -182,7 +182,7 @@ void XacroExpander::DefineMacro(const Element& element, Node&, XacroScope& scope
   XacroMacro macro;
   macro.name = NeededXacroAttribute(element, "name");
   if (macro.name.starts_with("xacro:")) macro.name.erase(0, 6);
-  CheckPropertyName(macro.name);
+  CheckXacroName(macro.name);
   if (DirectiveOf(macro.name) != nullptr)
     throw XacroProblem{"bad_name", fmt::format("'{}' cannot be the name of a macro: xacro has it", macro.name)};
   macro.parameters = ParseXacroParameters(element.Attribute("params") == nullptr ? "" : element.Attribute("params"));

@@ -25,7 +25,7 @@ std::optional<XacroValue> XacroConstant(const std::string& name) {
 }
 
 /// Position in a sequence: from its end where negative. Refuses what is beyond.
-std::size_t PlaceIn(std::size_t size, const XacroValue& index, const std::string& kind) {
+std::size_t PlaceInSequence(std::size_t size, const XacroValue& index, const std::string& kind) {
   if (index.whole() == nullptr)
     RefuseXacroType(fmt::format("the index of a {} is a whole number, not a {}", kind, XacroKind(index)));
   const std::int64_t place = *index.whole() < 0 ? *index.whole() + static_cast<std::int64_t>(size) : *index.whole();
@@ -209,9 +209,10 @@ class XacroEvaluator {
     const XacroValue container = Value(node.children[0]);
     const XacroValue index = Value(node.children[1]);
     if (container.dict() != nullptr) return Entry(container, index);
-    if (const XacroList* list = container.list()) return list->items[PlaceIn(list->items.size(), index, "list")];
+    if (const XacroList* list = container.list())
+      return list->items[PlaceInSequence(list->items.size(), index, "list")];
     if (const std::string* text = container.text())
-      return {std::string(1, (*text)[PlaceIn(text->size(), index, "text")])};
+      return {std::string(1, (*text)[PlaceInSequence(text->size(), index, "text")])};
     RefuseXacroType(fmt::format("a {} has no items", XacroKind(container)));
   }
 

@@ -17,12 +17,12 @@ using tinyxml2::XMLElement;
 using tinyxml2::XMLNode;
 
 constexpr std::string_view kXacroPrefix = "xacro:";
-constexpr int kMostAttributes = 1000;
-constexpr std::size_t kDeepestElement = 90;  // tinyxml2 reads 100
-constexpr std::size_t kMostCallsShown = 6;
+constexpr int kMostXacroAttributes = 1000;
+constexpr std::size_t kDeepestXacroElement = 90;  // tinyxml2 reads 100
+constexpr std::size_t kMostMacroCallsShown = 6;
 
 /// Bytes of a text in XML.
-std::size_t EscapedSize(const std::string& text) {
+std::size_t EscapedXmlSize(const std::string& text) {
   const auto escaped = std::count_if(
       text.begin(), text.end(), [](char c) { return std::string_view("&<>\"'").find(c) != std::string_view::npos; });
   return text.size() + 5 * static_cast<std::size_t>(escaped);
@@ -53,9 +53,9 @@ std::string XacroExpander::PrintedAttribute(const Element& element, const char* 
 XMLElement& XacroExpander::AppendElement(const std::string& name, Node& out) {
   budget_.Visit();
   const std::size_t depth = DepthInResult(&out);
-  if (depth > kDeepestElement)
+  if (depth > kDeepestXacroElement)
     throw XacroProblem{"xacro_limit",
-                       fmt::format("the result has more than {} elements in one another", kDeepestElement)};
+                       fmt::format("the result has more than {} elements in one another", kDeepestXacroElement)};
   budget_.Write(2 * name.size() + 8 + 8 * depth);
   XMLElement* made = out.GetDocument()->NewElement(name.c_str());
   out.InsertEndChild(made);
@@ -63,13 +63,13 @@ XMLElement& XacroExpander::AppendElement(const std::string& name, Node& out) {
 }
 
 void XacroExpander::SetAttribute(Element& element, const std::string& name, const std::string& value) {
-  budget_.Write(name.size() + EscapedSize(value) + 4);
+  budget_.Write(name.size() + EscapedXmlSize(value) + 4);
   element.SetAttribute(name.c_str(), value.c_str());
 }
 
 void XacroExpander::AppendText(const std::string& text, bool cdata, Node& out) {
   budget_.Visit();
-  budget_.Write(EscapedSize(text) + 16);
+  budget_.Write(EscapedXmlSize(text) + 16);
   tinyxml2::XMLText* made = out.GetDocument()->NewText(text.c_str());
   made->SetCData(cdata);
   out.InsertEndChild(made);
@@ -98,8 +98,8 @@ void XacroExpander::CopyAttributes(const Element& element, Element& made, XacroS
       throw XacroProblem{"unknown_attribute",
                          fmt::format("the attribute '{}' is not known; <xacro:attribute> makes attributes", name)};
     }
-    if (++count > kMostAttributes)
-      throw XacroProblem{"xacro_limit", fmt::format("it has more than {} attributes", kMostAttributes)};
+    if (++count > kMostXacroAttributes)
+      throw XacroProblem{"xacro_limit", fmt::format("it has more than {} attributes", kMostXacroAttributes)};
     SetAttribute(made, name, Printed(attribute->Value(), scope));
   }
 }
@@ -182,7 +182,7 @@ std::string XacroExpander::ExpandRoot(const std::string& text, const std::string
 
 std::vector<std::string> XacroExpander::CallHints() const {
   std::vector<std::string> hints;
-  for (auto call = calls_.rbegin(); call != calls_.rend() && hints.size() < kMostCallsShown; ++call)
+  for (auto call = calls_.rbegin(); call != calls_.rend() && hints.size() < kMostMacroCallsShown; ++call)
     hints.push_back(fmt::format("called by <{}> in {}", (*call)->Name(), PlaceOf(**call)));
   return hints;
 }

@@ -99,7 +99,7 @@ class XacroExpander {
   std::map<std::string, std::string> arguments_;  ///< given and default ones
   std::set<std::string> used_;                    ///< arguments that the files declare or read
   std::map<std::string, std::unique_ptr<XacroFile>> files_;
-  std::map<std::string, XacroValue> yaml_;
+  std::map<std::string, std::string> yaml_;  ///< texts by path
   std::size_t bytes_read_ = 0;
   std::vector<const XacroFile*> including_;  ///< files that are being expanded, outer ones first
   std::vector<const Element*> calls_;        ///< calls of macros that are being expanded, outer ones first

@@ -18,7 +18,7 @@ struct XacroConversion {
 };
 
 /// Reads digits of a width or precision, at most two of them.
-int FormatDigits(const std::string& format, std::size_t& at) {
+int XacroFormatDigits(const std::string& format, std::size_t& at) {
   int number = 0;
   for (int count = 0; at < format.size() && format[at] >= '0' && format[at] <= '9'; ++at) {
     if (++count > 2) throw XacroProblem{"xacro_limit", "a format has a width of more than two digits"};
@@ -27,13 +27,13 @@ int FormatDigits(const std::string& format, std::size_t& at) {
   return number;
 }
 
-XacroConversion ConversionAt(const std::string& format, std::size_t& at) {
+XacroConversion XacroConversionAt(const std::string& format, std::size_t& at) {
   XacroConversion conversion;
   for (; at < format.size() && std::string_view("-+ 0#").find(format[at]) != std::string_view::npos; ++at) {
     if (conversion.flags.find(format[at]) == std::string::npos) conversion.flags += format[at];
   }
-  conversion.width = FormatDigits(format, at);
-  if (at < format.size() && format[at] == '.') conversion.precision = FormatDigits(format, ++at);
+  conversion.width = XacroFormatDigits(format, at);
+  if (at < format.size() && format[at] == '.') conversion.precision = XacroFormatDigits(format, ++at);
   if (at >= format.size() || std::string_view("sdifFeEgGxX").find(format[at]) == std::string_view::npos) {
     RefuseXacroType(
         fmt::format("the format '{}' has a conversion that is not one of %s %d %i %f %e %g %x and %%", format));
@@ -42,7 +42,7 @@ XacroConversion ConversionAt(const std::string& format, std::size_t& at) {
   return conversion;
 }
 
-std::string Converted(const XacroConversion& conversion, const XacroValue& value, XacroBudget& budget) {
+std::string XacroConverted(const XacroConversion& conversion, const XacroValue& value, XacroBudget& budget) {
   if (conversion.letter == 's') {
     std::string text = XacroPrinted(value, budget);
     if (conversion.precision >= 0) text = text.substr(0, static_cast<std::size_t>(conversion.precision));
@@ -59,10 +59,9 @@ std::string Converted(const XacroConversion& conversion, const XacroValue& value
   if (conversion.precision >= 0) pattern += "." + std::to_string(conversion.precision);
   pattern += whole ? std::string("ll") + conversion.letter : std::string(1, conversion.letter);
   char text[512];  // a number of 309 digits with 99 behind its point
+  if (!whole) return {text, static_cast<std::size_t>(std::snprintf(text, sizeof(text), pattern.c_str(), *number))};
   const long long rounded = value.whole() != nullptr ? *value.whole() : static_cast<long long>(*number);
-  const int size = whole ? std::snprintf(text, sizeof(text), pattern.c_str(), rounded)
-                         : std::snprintf(text, sizeof(text), pattern.c_str(), *number);
-  return {text, static_cast<std::size_t>(size)};
+  return {text, static_cast<std::size_t>(std::snprintf(text, sizeof(text), pattern.c_str(), rounded))};
 }
 
 }  // namespace
@@ -79,11 +78,11 @@ std::string XacroFormatted(const std::string& format, const XacroValue& value, X
       text += '%';
       at += 2;
     } else {
-      const XacroConversion conversion = ConversionAt(format, ++at);
+      const XacroConversion conversion = XacroConversionAt(format, ++at);
       if (used >= values.size())
         RefuseXacroType(fmt::format("the format '{}' has more conversions than values", format));
       budget.Spend(8);
-      text += Converted(conversion, values[used++], budget);
+      text += XacroConverted(conversion, values[used++], budget);
     }
     if (text.size() > kLongestXacroText) throw XacroProblem{"xacro_limit", "a formatted text of more than 1 MiB"};
   }

@@ -21,17 +21,17 @@ struct XacroFunction {
   XacroValue (*call)(const XacroArguments&, XacroBudget&);
 };
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kXacroDegree = std::numbers::pi / 180.0;
 
-double RealOf(const XacroValue& value) {
+double RealOfXacro(const XacroValue& value) {
   if (const auto number = XacroNumber(value)) return *number;
   RefuseXacroType(fmt::format("a number is needed, not a {}", XacroKind(value)));
 }
 
 /// A function of one number. Refuses an argument for which it is not defined.
 template <double (*kFunction)(double)>
-XacroValue OfOne(const XacroArguments& arguments, XacroBudget&) {
-  const double x = RealOf(arguments[0]), y = kFunction(x);
+XacroValue CallOfOne(const XacroArguments& arguments, XacroBudget&) {
+  const double x = RealOfXacro(arguments[0]), y = kFunction(x);
   if (std::isfinite(x) && !std::isfinite(y))
     throw XacroProblem{"xacro_number", fmt::format("it has no finite value at {}", x)};
   return {y};
@@ -39,32 +39,32 @@ XacroValue OfOne(const XacroArguments& arguments, XacroBudget&) {
 
 /// A function of two numbers.
 template <double (*kFunction)(double, double)>
-XacroValue OfTwo(const XacroArguments& arguments, XacroBudget&) {
-  const double x = RealOf(arguments[0]), y = RealOf(arguments[1]), z = kFunction(x, y);
+XacroValue CallOfTwo(const XacroArguments& arguments, XacroBudget&) {
+  const double x = RealOfXacro(arguments[0]), y = RealOfXacro(arguments[1]), z = kFunction(x, y);
   if (std::isfinite(x) && std::isfinite(y) && !std::isfinite(z))
     throw XacroProblem{"xacro_number", fmt::format("it has no finite value at {}, {}", x, y)};
   return {z};
 }
 
-double ToRadians(double degrees) { return degrees * kDegree; }
-double ToDegrees(double radians) { return radians / kDegree; }
+double XacroRadians(double degrees) { return degrees * kXacroDegree; }
+double XacroDegrees(double radians) { return radians / kXacroDegree; }
 
-XacroValue WholeFrom(double number) {
+XacroValue XacroWholeFrom(double number) {
   if (!(number >= -9.2e18 && number <= 9.2e18))
     throw XacroProblem{"xacro_number", fmt::format("{} is not a whole number of 64 bits", number)};
   return {static_cast<std::int64_t>(number)};
 }
 
 template <double (*kRounding)(double)>
-XacroValue RoundedBy(const XacroArguments& arguments, XacroBudget&) {
+XacroValue CallRounding(const XacroArguments& arguments, XacroBudget&) {
   if (arguments[0].whole() != nullptr) return arguments[0];
-  return WholeFrom(kRounding(RealOf(arguments[0])));
+  return XacroWholeFrom(kRounding(RealOfXacro(arguments[0])));
 }
 
 /// Python's round(): to the even neighbour half-way; with a number of digits it stays a real number.
-XacroValue Round(const XacroArguments& arguments, XacroBudget&) {
-  const double number = RealOf(arguments[0]);
-  if (arguments.size() == 1 || arguments[1].is_none()) return WholeFrom(std::nearbyint(number));
+XacroValue CallRound(const XacroArguments& arguments, XacroBudget&) {
+  const double number = RealOfXacro(arguments[0]);
+  if (arguments.size() == 1 || arguments[1].is_none()) return XacroWholeFrom(std::nearbyint(number));
   if (arguments[1].whole() == nullptr) RefuseXacroType("the digits of round() are a whole number");
   const std::int64_t digits = std::clamp<std::int64_t>(*arguments[1].whole(), -20, 20);
   if (!std::isfinite(number)) return {number};
@@ -75,23 +75,25 @@ XacroValue Round(const XacroArguments& arguments, XacroBudget&) {
     const double unit = std::pow(10.0, static_cast<double>(-digits));
     rounded = std::nearbyint(number / unit) * unit;
   }
-  return arguments[0].whole() != nullptr ? WholeFrom(rounded) : XacroValue{rounded};
+  return arguments[0].whole() != nullptr ? XacroWholeFrom(rounded) : XacroValue{rounded};
 }
 
-XacroValue Logarithm(const XacroArguments& arguments, XacroBudget&) {
-  const double x = RealOf(arguments[0]), base = arguments.size() == 2 ? RealOf(arguments[1]) : std::numbers::e;
+XacroValue CallLog(const XacroArguments& arguments, XacroBudget&) {
+  const double x = RealOfXacro(arguments[0]),
+               base = arguments.size() == 2 ? RealOfXacro(arguments[1]) : std::numbers::e;
   if (!(x > 0.0) || !(base > 0.0) || base == 1.0)
     throw XacroProblem{"xacro_number", fmt::format("log of {} to the base {} is not defined", x, base)};
   return {arguments.size() == 2 ? std::log(x) / std::log(base) : std::log(x)};
 }
 
-XacroValue Absolute(const XacroArguments& arguments, XacroBudget& budget) {
-  if (arguments[0].whole() == nullptr) return {std::abs(RealOf(arguments[0]))};
+XacroValue CallAbs(const XacroArguments& arguments, XacroBudget& budget) {
+  if (arguments[0].is_truth()) return {std::int64_t{XacroTruth(arguments[0])}};
+  if (arguments[0].whole() == nullptr) return {std::abs(RealOfXacro(arguments[0]))};
   return *arguments[0].whole() < 0 ? XacroArithmetic("-", {std::int64_t{0}}, arguments[0], budget) : arguments[0];
 }
 
 /// The least or greatest of the arguments, or of the items of one.
-XacroValue Extreme(const XacroArguments& arguments, const char* better, XacroBudget& budget) {
+XacroValue XacroExtreme(const XacroArguments& arguments, const char* better, XacroBudget& budget) {
   const XacroArguments items = arguments.size() == 1 ? XacroItems(arguments[0], budget) : arguments;
   if (items.empty()) RefuseXacroType("min() and max() need one item at least");
   XacroValue best = items[0];
@@ -100,63 +102,67 @@ XacroValue Extreme(const XacroArguments& arguments, const char* better, XacroBud
   }
   return best;
 }
-XacroValue Least(const XacroArguments& arguments, XacroBudget& budget) { return Extreme(arguments, "<", budget); }
-XacroValue Greatest(const XacroArguments& arguments, XacroBudget& budget) { return Extreme(arguments, ">", budget); }
+XacroValue CallMin(const XacroArguments& arguments, XacroBudget& budget) {
+  return XacroExtreme(arguments, "<", budget);
+}
+XacroValue CallMax(const XacroArguments& arguments, XacroBudget& budget) {
+  return XacroExtreme(arguments, ">", budget);
+}
 
-XacroValue ToWhole(const XacroArguments& arguments, XacroBudget&) {
+XacroValue CallInt(const XacroArguments& arguments, XacroBudget&) {
   if (arguments.empty()) return {std::int64_t{0}};
   if (arguments[0].whole() != nullptr) return arguments[0];
   if (const std::string* text = arguments[0].text()) {
     if (const auto whole = XacroWholeOf(*text)) return {*whole};
     RefuseXacroType(fmt::format("int('{}') is not a whole number", Shortened(*text)));
   }
-  return WholeFrom(std::trunc(RealOf(arguments[0])));
+  return XacroWholeFrom(std::trunc(RealOfXacro(arguments[0])));
 }
 
-XacroValue ToReal(const XacroArguments& arguments, XacroBudget&) {
+XacroValue CallFloat(const XacroArguments& arguments, XacroBudget&) {
   if (arguments.empty()) return {0.0};
   if (const std::string* text = arguments[0].text()) {
     if (const auto real = XacroRealOf(*text)) return {*real};
     RefuseXacroType(fmt::format("float('{}') is not a number", Shortened(*text)));
   }
-  return {RealOf(arguments[0])};
+  return {RealOfXacro(arguments[0])};
 }
 
-XacroValue ToText(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallStr(const XacroArguments& arguments, XacroBudget& budget) {
   return arguments.empty() ? XacroValue{std::string()} : XacroText(XacroPrinted(arguments[0], budget));
 }
 
-XacroValue ToTruth(const XacroArguments& arguments, XacroBudget&) {
+XacroValue CallBool(const XacroArguments& arguments, XacroBudget&) {
   return {!arguments.empty() && XacroTruth(arguments[0])};
 }
 
-XacroValue ToList(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallList(const XacroArguments& arguments, XacroBudget& budget) {
   return XacroListOf(arguments.empty() ? XacroArguments{} : XacroItems(arguments[0], budget), budget);
 }
 
-XacroValue Length(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallLen(const XacroArguments& arguments, XacroBudget& budget) {
   if (const std::string* text = arguments[0].text()) return {static_cast<std::int64_t>(text->size())};
   return {static_cast<std::int64_t>(XacroItems(arguments[0], budget).size())};
 }
 
-XacroValue Sum(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallSum(const XacroArguments& arguments, XacroBudget& budget) {
   XacroValue sum = arguments.size() == 2 ? arguments[1] : XacroValue{std::int64_t{0}};
   for (const XacroValue& item : XacroItems(arguments[0], budget)) sum = XacroArithmetic("+", sum, item, budget);
   return sum;
 }
 
-XacroValue Any(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallAny(const XacroArguments& arguments, XacroBudget& budget) {
   const XacroArguments items = XacroItems(arguments[0], budget);
   return {std::any_of(items.begin(), items.end(), XacroTruth)};
 }
 
-XacroValue All(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallAll(const XacroArguments& arguments, XacroBudget& budget) {
   const XacroArguments items = XacroItems(arguments[0], budget);
   return {std::all_of(items.begin(), items.end(), XacroTruth)};
 }
 
 /// By insertion after a binary search, so that values that cannot be compared are refused and not undefined.
-XacroValue Sorted(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallSorted(const XacroArguments& arguments, XacroBudget& budget) {
   XacroArguments sorted;
   for (const XacroValue& item : XacroItems(arguments[0], budget)) {
     std::size_t from = 0, to = sorted.size();
@@ -174,7 +180,7 @@ XacroValue Sorted(const XacroArguments& arguments, XacroBudget& budget) {
   return XacroListOf(std::move(sorted), budget);
 }
 
-XacroValue Range(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallRange(const XacroArguments& arguments, XacroBudget& budget) {
   for (const XacroValue& argument : arguments) {
     if (argument.whole() == nullptr) RefuseXacroType("range() takes whole numbers");
   }
@@ -192,7 +198,7 @@ XacroValue Range(const XacroArguments& arguments, XacroBudget& budget) {
 }
 
 /// [[0, a], [1, b] ...]
-XacroValue Enumerate(const XacroArguments& arguments, XacroBudget& budget) {
+XacroValue CallEnumerate(const XacroArguments& arguments, XacroBudget& budget) {
   XacroArguments pairs;
   for (const XacroValue& item : XacroItems(arguments[0], budget))
     pairs.push_back(XacroListOf({XacroValue{static_cast<std::int64_t>(pairs.size())}, item}, budget));
@@ -200,48 +206,48 @@ XacroValue Enumerate(const XacroArguments& arguments, XacroBudget& budget) {
 }
 
 const std::map<std::string, XacroFunction>& XacroFunctions() {
-  static const std::map<std::string, XacroFunction> functions = {{"sin", {1, 1, OfOne<std::sin>}},
-                                                                 {"cos", {1, 1, OfOne<std::cos>}},
-                                                                 {"tan", {1, 1, OfOne<std::tan>}},
-                                                                 {"asin", {1, 1, OfOne<std::asin>}},
-                                                                 {"acos", {1, 1, OfOne<std::acos>}},
-                                                                 {"atan", {1, 1, OfOne<std::atan>}},
-                                                                 {"sinh", {1, 1, OfOne<std::sinh>}},
-                                                                 {"cosh", {1, 1, OfOne<std::cosh>}},
-                                                                 {"tanh", {1, 1, OfOne<std::tanh>}},
-                                                                 {"atan2", {2, 2, OfTwo<std::atan2>}},
-                                                                 {"hypot", {2, 2, OfTwo<std::hypot>}},
-                                                                 {"fmod", {2, 2, OfTwo<std::fmod>}},
-                                                                 {"pow", {2, 2, OfTwo<std::pow>}},
-                                                                 {"copysign", {2, 2, OfTwo<std::copysign>}},
-                                                                 {"sqrt", {1, 1, OfOne<std::sqrt>}},
-                                                                 {"exp", {1, 1, OfOne<std::exp>}},
-                                                                 {"log10", {1, 1, OfOne<std::log10>}},
-                                                                 {"log2", {1, 1, OfOne<std::log2>}},
-                                                                 {"fabs", {1, 1, OfOne<std::fabs>}},
-                                                                 {"radians", {1, 1, OfOne<ToRadians>}},
-                                                                 {"degrees", {1, 1, OfOne<ToDegrees>}},
-                                                                 {"log", {1, 2, Logarithm}},
-                                                                 {"floor", {1, 1, RoundedBy<std::floor>}},
-                                                                 {"ceil", {1, 1, RoundedBy<std::ceil>}},
-                                                                 {"trunc", {1, 1, RoundedBy<std::trunc>}},
-                                                                 {"round", {1, 2, Round}},
-                                                                 {"abs", {1, 1, Absolute}},
-                                                                 {"min", {1, 100, Least}},
-                                                                 {"max", {1, 100, Greatest}},
-                                                                 {"int", {0, 1, ToWhole}},
-                                                                 {"float", {0, 1, ToReal}},
-                                                                 {"str", {0, 1, ToText}},
-                                                                 {"bool", {0, 1, ToTruth}},
-                                                                 {"list", {0, 1, ToList}},
-                                                                 {"tuple", {0, 1, ToList}},
-                                                                 {"len", {1, 1, Length}},
-                                                                 {"sum", {1, 2, Sum}},
-                                                                 {"any", {1, 1, Any}},
-                                                                 {"all", {1, 1, All}},
-                                                                 {"sorted", {1, 1, Sorted}},
-                                                                 {"range", {1, 3, Range}},
-                                                                 {"enumerate", {1, 1, Enumerate}}};
+  static const std::map<std::string, XacroFunction> functions = {{"sin", {1, 1, CallOfOne<std::sin>}},
+                                                                 {"cos", {1, 1, CallOfOne<std::cos>}},
+                                                                 {"tan", {1, 1, CallOfOne<std::tan>}},
+                                                                 {"asin", {1, 1, CallOfOne<std::asin>}},
+                                                                 {"acos", {1, 1, CallOfOne<std::acos>}},
+                                                                 {"atan", {1, 1, CallOfOne<std::atan>}},
+                                                                 {"sinh", {1, 1, CallOfOne<std::sinh>}},
+                                                                 {"cosh", {1, 1, CallOfOne<std::cosh>}},
+                                                                 {"tanh", {1, 1, CallOfOne<std::tanh>}},
+                                                                 {"atan2", {2, 2, CallOfTwo<std::atan2>}},
+                                                                 {"hypot", {2, 2, CallOfTwo<std::hypot>}},
+                                                                 {"fmod", {2, 2, CallOfTwo<std::fmod>}},
+                                                                 {"pow", {2, 2, CallOfTwo<std::pow>}},
+                                                                 {"copysign", {2, 2, CallOfTwo<std::copysign>}},
+                                                                 {"sqrt", {1, 1, CallOfOne<std::sqrt>}},
+                                                                 {"exp", {1, 1, CallOfOne<std::exp>}},
+                                                                 {"log10", {1, 1, CallOfOne<std::log10>}},
+                                                                 {"log2", {1, 1, CallOfOne<std::log2>}},
+                                                                 {"fabs", {1, 1, CallOfOne<std::fabs>}},
+                                                                 {"radians", {1, 1, CallOfOne<XacroRadians>}},
+                                                                 {"degrees", {1, 1, CallOfOne<XacroDegrees>}},
+                                                                 {"log", {1, 2, CallLog}},
+                                                                 {"floor", {1, 1, CallRounding<std::floor>}},
+                                                                 {"ceil", {1, 1, CallRounding<std::ceil>}},
+                                                                 {"trunc", {1, 1, CallRounding<std::trunc>}},
+                                                                 {"round", {1, 2, CallRound}},
+                                                                 {"abs", {1, 1, CallAbs}},
+                                                                 {"min", {1, 100, CallMin}},
+                                                                 {"max", {1, 100, CallMax}},
+                                                                 {"int", {0, 1, CallInt}},
+                                                                 {"float", {0, 1, CallFloat}},
+                                                                 {"str", {0, 1, CallStr}},
+                                                                 {"bool", {0, 1, CallBool}},
+                                                                 {"list", {0, 1, CallList}},
+                                                                 {"tuple", {0, 1, CallList}},
+                                                                 {"len", {1, 1, CallLen}},
+                                                                 {"sum", {1, 2, CallSum}},
+                                                                 {"any", {1, 1, CallAny}},
+                                                                 {"all", {1, 1, CallAll}},
+                                                                 {"sorted", {1, 1, CallSorted}},
+                                                                 {"range", {1, 3, CallRange}},
+                                                                 {"enumerate", {1, 1, CallEnumerate}}};
   return functions;
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t kLargestXacroFile = std::size_t{16} << 20, kMostXacroRead 
 
 /// Why a text is not XML that can be read, behind the name of its file; "" where it is. tinyxml2 ends a text at a byte
 /// 0x00.
-std::string ReasonNotXml(const std::string& text, tinyxml2::XMLDocument& document) {
+std::string ReasonNotXacroXml(const std::string& text, tinyxml2::XMLDocument& document) {
   if (text.size() > kLargestXacroFile)
     return fmt::format(": it has {} bytes; at most {} are read", text.size(), kLargestXacroFile);
   if (text.find('\0') != std::string::npos) return ": it has a byte 0x00";
@@ -54,7 +54,7 @@ const XacroFile& XacroExpander::Parse(const std::string& text, const std::string
   auto file = std::make_unique<XacroFile>();
   file->path = path;
   file->xml.SetUserData(file.get());
-  if (const std::string reason = ReasonNotXml(text, file->xml); !reason.empty())
+  if (const std::string reason = ReasonNotXacroXml(text, file->xml); !reason.empty())
     throw XacroProblem{"not_xml", path + reason};
   file->bare_tags = file->xml.RootElement()->Attribute("xmlns:xacro") != nullptr;
   return *(files_[path] = std::move(file));
@@ -99,18 +99,20 @@ void XacroExpander::Include(const Element& element, Node& out, XacroScope& scope
   }
 }
 
+/// Each call makes a value of its own, since lists may be changed.
 XacroValue XacroExpander::LoadYamlFile(const std::string& path) {
-  const auto known = yaml_.find(path);
-  if (known != yaml_.end()) return known->second;
-  const Result<std::string> text = sources_.read(path);
-  if (!text) throw XacroProblem{"xacro_yaml", text.failure().message};
-  bytes_read_ += text->size();
-  if (bytes_read_ > kMostXacroRead)
-    throw XacroProblem{"xacro_limit", fmt::format("the files have more than {} MiB", kMostXacroRead >> 20)};
+  if (!yaml_.contains(path)) {
+    const Result<std::string> text = sources_.read(path);
+    if (!text) throw XacroProblem{"xacro_yaml", text.failure().message};
+    bytes_read_ += text->size();
+    if (bytes_read_ > kMostXacroRead)
+      throw XacroProblem{"xacro_limit", fmt::format("the files have more than {} MiB", kMostXacroRead >> 20)};
+    yaml_[path] = *text;
+  }
   XacroScope none;
   XacroScopeContext context(*this, none, *at_);
   try {
-    return yaml_[path] = XacroFromYaml(*text, context);
+    return XacroFromYaml(yaml_[path], context);
   } catch (XacroProblem& problem) {
     problem.message = fmt::format("{}: {}", path, problem.message);
     throw;

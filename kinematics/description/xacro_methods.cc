@@ -12,14 +12,15 @@
 namespace gaitwright {
 namespace {
 
-const std::vector<std::string> kTextMethods = {"lower",      "upper", "strip",    "lstrip",  "rstrip",
-                                               "capitalize", "title", "split",    "join",    "replace",
-                                               "find",       "count", "endswith", "isdigit", "startswith"};
-const std::vector<std::string> kDictMethods = {"get", "keys", "values", "items"};
-const std::vector<std::string> kListMethods = {"index", "count"};
+const std::vector<std::string> kXacroTextMethods = {"lower",      "upper", "strip",    "lstrip",  "rstrip",
+                                                    "capitalize", "title", "split",    "join",    "replace",
+                                                    "find",       "count", "endswith", "isdigit", "startswith"};
+const std::vector<std::string> kXacroDictMethods = {"get", "keys", "values", "items"};
+const std::vector<std::string> kXacroListMethods = {"index", "count", "pop"};
 
 /// The text argument at a place.
-const std::string& TextArgument(const std::vector<XacroValue>& arguments, std::size_t place, const std::string& name) {
+const std::string& XacroTextArgument(const std::vector<XacroValue>& arguments, std::size_t place,
+                                     const std::string& name) {
   if (place >= arguments.size() || arguments[place].text() == nullptr)
     RefuseXacroType(fmt::format("{}() needs a text as argument {}", name, place + 1));
   return *arguments[place].text();
@@ -35,7 +36,7 @@ XacroValue SplitText(const std::string& text, const std::vector<XacroValue>& arg
       from = text.find_first_not_of(kBlanks, end);
     }
   } else {
-    const std::string& separator = TextArgument(arguments, 0, "split");
+    const std::string& separator = XacroTextArgument(arguments, 0, "split");
     if (separator.empty()) RefuseXacroType("the separator of split() is not empty");
     std::size_t from = 0;
     for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, from)) {
@@ -76,7 +77,7 @@ XacroValue ReplaceText(const std::string& text, const std::string& from, const s
 }
 
 /// Each letter small, but for the first of the text or of each word.
-std::string Capitalised(const std::string& text, bool each_word) {
+std::string CapitalisedText(const std::string& text, bool each_word) {
   std::string result = LowerCase(text);
   bool begins = true;
   for (char& c : result) {
@@ -102,20 +103,20 @@ XacroValue TextMethod(const std::string& text, const std::string& name, const st
     for (char& c : upper) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     return {upper};
   }
-  if (name == "capitalize" || name == "title") return {Capitalised(text, name == "title")};
+  if (name == "capitalize" || name == "title") return {CapitalisedText(text, name == "title")};
   if (name == "isdigit")
     return {!text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; })};
   if (name == "split") return SplitText(text, arguments, budget);
   if (name.ends_with("strip"))
-    return {StrippedText(text, arguments.empty() ? " \t\r\n" : TextArgument(arguments, 0, name), name)};
+    return {StrippedText(text, arguments.empty() ? " \t\r\n" : XacroTextArgument(arguments, 0, name), name)};
   if (name == "join") {
     if (arguments.size() != 1) RefuseXacroType("join() takes one list");
     return JoinText(text, arguments[0], budget);
   }
-  const std::string& part = TextArgument(arguments, 0, name);
+  const std::string& part = XacroTextArgument(arguments, 0, name);
   if (name == "startswith") return {text.starts_with(part)};
   if (name == "endswith") return {text.ends_with(part)};
-  if (name == "replace") return ReplaceText(text, part, TextArgument(arguments, 1, name), budget);
+  if (name == "replace") return ReplaceText(text, part, XacroTextArgument(arguments, 1, name), budget);
   const std::size_t found = text.find(part);
   if (name == "find") return {found == std::string::npos ? std::int64_t{-1} : static_cast<std::int64_t>(found)};
   std::int64_t count = 0;
@@ -138,6 +139,20 @@ XacroValue DictMethod(const XacroDict& dict, const std::string& name, const std:
   return XacroListOf(std::move(items), budget);
 }
 
+/// Takes the last item, or the one at a place, from a list, by which macros that call themselves go over a list.
+XacroValue PoppedItem(XacroList& list, const std::vector<XacroValue>& arguments, XacroBudget& budget) {
+  const std::int64_t size = static_cast<std::int64_t>(list.items.size());
+  if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0].whole() == nullptr))
+    RefuseXacroType("pop() takes the index of an item");
+  const std::int64_t given = arguments.empty() ? -1 : *arguments[0].whole(), place = given < 0 ? given + size : given;
+  if (place < 0 || place >= size)
+    throw XacroProblem{"xacro_index", fmt::format("pop() of item {} from a list of {}", given, size)};
+  budget.Spend(1 + list.items.size() / 8);
+  XacroValue item = list.items[static_cast<std::size_t>(place)];
+  list.items.erase(list.items.begin() + place);
+  return item;
+}
+
 XacroValue ListMethod(const XacroList& list, const std::string& name, const std::vector<XacroValue>& arguments,
                       XacroBudget& budget) {
   if (arguments.size() != 1) RefuseXacroType(fmt::format("{}() takes one argument", name));
@@ -155,9 +170,9 @@ XacroValue ListMethod(const XacroList& list, const std::string& name, const std:
 
 XacroValue CallXacroMethod(const XacroValue& object, const std::string& name, const std::vector<XacroValue>& arguments,
                            XacroBudget& budget) {
-  const std::vector<std::string>* methods = object.text() != nullptr   ? &kTextMethods
-                                            : object.dict() != nullptr ? &kDictMethods
-                                            : object.list() != nullptr ? &kListMethods
+  const std::vector<std::string>* methods = object.text() != nullptr   ? &kXacroTextMethods
+                                            : object.dict() != nullptr ? &kXacroDictMethods
+                                            : object.list() != nullptr ? &kXacroListMethods
                                                                        : nullptr;
   if (methods == nullptr) RefuseXacroType(fmt::format("a {} has no method '{}'", XacroKind(object), Shortened(name)));
   if (std::find(methods->begin(), methods->end(), name) == methods->end()) {
@@ -166,6 +181,7 @@ XacroValue CallXacroMethod(const XacroValue& object, const std::string& name, co
   }
   if (object.text() != nullptr) return TextMethod(*object.text(), name, arguments, budget);
   if (object.dict() != nullptr) return DictMethod(*object.dict(), name, arguments, budget);
+  if (name == "pop") return PoppedItem(*std::get<std::shared_ptr<XacroList>>(object.held), arguments, budget);
   return ListMethod(*object.list(), name, arguments, budget);
 }
 

@@ -13,20 +13,25 @@ namespace {
 
 [[noreturn]] void RefuseXacroNumber(const std::string& message) { throw XacroProblem{"xacro_number", message}; }
 
-std::optional<std::int64_t> WholeOf(const XacroValue& value) {
+std::optional<std::int64_t> WholeOfXacro(const XacroValue& value) {
   if (const auto* truth = std::get_if<bool>(&value.held)) return *truth ? 1 : 0;
   if (value.whole() != nullptr) return *value.whole();
   return std::nullopt;
 }
 
-/// Quotient rounded down, and the remainder that goes with it.
+/// Quotient rounded down, and the remainder that goes with it, which has the sign of b.
 std::int64_t FloorQuotient(std::int64_t a, std::int64_t b) {
   return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
+}
+std::int64_t FloorRemainder(std::int64_t a, std::int64_t b) {
+  const std::int64_t rest = a % b;
+  return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
 }
 
 double FloorRemainder(double a, double b) {
   const double rest = std::fmod(a, b);
-  return rest != 0.0 && (rest < 0.0) != (b < 0.0) ? rest + b : rest;
+  if (rest == 0.0) return std::copysign(0.0, b);
+  return (rest < 0.0) != (b < 0.0) ? rest + b : rest;
 }
 
 /// Quotient rounded down, by way of the remainder as Python has it: 1.0 // 0.1 is 9, since 0.1 is a little more.
@@ -57,7 +62,7 @@ XacroValue WholeArithmetic(const std::string& operation, std::int64_t a, std::in
     if (b == -1) {
       overflow = operation == "//" && __builtin_sub_overflow(std::int64_t{0}, a, &result);
     } else {
-      result = operation == "//" ? FloorQuotient(a, b) : a - b * FloorQuotient(a, b);
+      result = operation == "//" ? FloorQuotient(a, b) : FloorRemainder(a, b);
     }
   }
   if (overflow) RefuseXacroNumber(fmt::format("{} {} {} is beyond the whole numbers of 64 bits", a, operation, b));
@@ -81,7 +86,7 @@ XacroValue RealArithmetic(const std::string& operation, double a, double b) {
 }
 
 /// A text or list repeated.
-XacroValue Repeated(const XacroValue& value, std::int64_t times, XacroBudget& budget) {
+XacroValue RepeatedXacroValue(const XacroValue& value, std::int64_t times, XacroBudget& budget) {
   const std::size_t count = static_cast<std::size_t>(std::max<std::int64_t>(times, 0));
   const std::size_t size = value.text() != nullptr ? value.text()->size() : value.list()->items.size();
   if (size > 0 && count > kLongestXacroText / size)
@@ -112,15 +117,16 @@ std::optional<XacroValue> TextArithmetic(const std::string& operation, const Xac
     items.insert(items.end(), right.list()->items.begin(), right.list()->items.end());
     return XacroListOf(std::move(items), budget);
   }
-  if (operation == "*" && sequence && WholeOf(right)) return Repeated(left, *WholeOf(right), budget);
-  if (operation == "*" && WholeOf(left) && (right.text() != nullptr || right.list() != nullptr))
-    return Repeated(right, *WholeOf(left), budget);
+  if (operation == "*" && sequence && WholeOfXacro(right))
+    return RepeatedXacroValue(left, *WholeOfXacro(right), budget);
+  if (operation == "*" && WholeOfXacro(left) && (right.text() != nullptr || right.list() != nullptr))
+    return RepeatedXacroValue(right, *WholeOfXacro(left), budget);
   if (operation == "%" && left.text() != nullptr) return XacroText(XacroFormatted(*left.text(), right, budget));
   return std::nullopt;
 }
 
 /// Less, equal or more: -1, 0, 1; 2 where one is not a number.
-int Ordered(const std::string& operation, const XacroValue& left, const XacroValue& right, XacroBudget& budget) {
+int OrderOfXacro(const std::string& operation, const XacroValue& left, const XacroValue& right, XacroBudget& budget) {
   budget.Spend(1);
   if (left.text() != nullptr && right.text() != nullptr) {
     budget.Spend(left.text()->size() / 16);
@@ -130,7 +136,7 @@ int Ordered(const std::string& operation, const XacroValue& left, const XacroVal
   if (left.list() != nullptr && right.list() != nullptr) {
     const auto &a = left.list()->items, &b = right.list()->items;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-      if (!XacroEqual(a[i], b[i], budget)) return Ordered(operation, a[i], b[i], budget);
+      if (!XacroEqual(a[i], b[i], budget)) return OrderOfXacro(operation, a[i], b[i], budget);
     }
     return a.size() < b.size() ? -1 : a.size() > b.size() ? 1 : 0;
   }
@@ -139,12 +145,12 @@ int Ordered(const std::string& operation, const XacroValue& left, const XacroVal
     RefuseXacroType(fmt::format("'{}' cannot compare a {} with a {}{}", operation, XacroKind(left), XacroKind(right),
                                 a || b ? "; float() makes a number of a text" : ""));
   }
-  if (WholeOf(left) && WholeOf(right))
-    return *WholeOf(left) < *WholeOf(right) ? -1 : *WholeOf(left) > *WholeOf(right) ? 1 : 0;
+  if (WholeOfXacro(left) && WholeOfXacro(right))
+    return *WholeOfXacro(left) < *WholeOfXacro(right) ? -1 : *WholeOfXacro(left) > *WholeOfXacro(right) ? 1 : 0;
   return *a < *b ? -1 : *a > *b ? 1 : *a == *b ? 0 : 2;
 }
 
-bool Contains(const XacroValue& container, const XacroValue& item, XacroBudget& budget) {
+bool XacroContains(const XacroValue& container, const XacroValue& item, XacroBudget& budget) {
   if (container.text() != nullptr && item.text() != nullptr) {
     budget.Spend(1 + container.text()->size() / 4);
     return container.text()->find(*item.text()) != std::string::npos;
@@ -172,7 +178,7 @@ XacroValue XacroArithmetic(const std::string& operation, const XacroValue& left,
     RefuseXacroType(fmt::format("'{}' cannot join a {} and a {}{}", operation, XacroKind(left), XacroKind(right),
                                 mixed ? fmt::format("; the text is '{}'", Shortened(*text.text())) : ""));
   }
-  const auto whole = WholeOf(left), other = WholeOf(right);
+  const auto whole = WholeOfXacro(left), other = WholeOfXacro(right);
   if (whole && other && operation == "**" && !(*whole == 0 && *other < 0)) return WholePower(*whole, *other);
   if (whole && other && operation != "/" && operation != "**") return WholeArithmetic(operation, *whole, *other);
   return RealArithmetic(operation, *a, *b);
@@ -185,9 +191,9 @@ bool XacroCompared(const std::string& operation, const XacroValue& left, const X
     const bool same = left.held.index() == right.held.index() && XacroEqual(left, right, budget);
     return same == (operation == "is");
   }
-  if (operation == "in") return Contains(right, left, budget);
-  if (operation == "not in") return !Contains(right, left, budget);
-  const int order = Ordered(operation, left, right, budget);
+  if (operation == "in") return XacroContains(right, left, budget);
+  if (operation == "not in") return !XacroContains(right, left, budget);
+  const int order = OrderOfXacro(operation, left, right, budget);
   if (order == 2) return false;
   if (operation == "<") return order < 0;
   if (operation == "<=") return order <= 0;

@@ -10,15 +10,15 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kMostNamesListed = 1000;
+constexpr std::size_t kMostXacroNames = 1000;
 constexpr std::string_view kParameterBlanks = " \t\r\n";
 
-bool IsBlankAt(const std::string& text, std::size_t at) {
+bool IsParameterBlank(const std::string& text, std::size_t at) {
   return kParameterBlanks.find(text[at]) != std::string_view::npos;
 }
 
 /// The namespace that a dotted name leads to, from a scope upward, and the name in it.
-std::pair<XacroScope*, std::string> NamespaceOf(XacroScope* scope, const std::string& name, XacroBudget& budget) {
+std::pair<XacroScope*, std::string> XacroNamespaceOf(XacroScope* scope, const std::string& name, XacroBudget& budget) {
   const std::size_t first = name.find('.');
   if (first == std::string::npos) return {nullptr, name};
   for (XacroScope* at = scope; at != nullptr; at = at->parent) {
@@ -40,15 +40,15 @@ std::pair<XacroScope*, std::string> NamespaceOf(XacroScope* scope, const std::st
 
 /// The names of a table of each scope, with NAMESPACE. before those of namespaces.
 template <class Table>
-std::vector<std::string> NamesUpward(const XacroScope* scope, Table XacroScope::*table) {
+std::vector<std::string> XacroNamesUpward(const XacroScope* scope, Table XacroScope::*table) {
   std::vector<std::string> names;
   for (; scope != nullptr; scope = scope->parent) {
     for (const auto& [name, value] : scope->*table) {
-      if (names.size() < kMostNamesListed) names.push_back(name);
+      if (names.size() < kMostXacroNames) names.push_back(name);
     }
     for (const auto& [prefix, space] : scope->namespaces) {
       for (const auto& [name, value] : (*space).*table) {
-        if (names.size() < kMostNamesListed) names.push_back(prefix + "." + name);
+        if (names.size() < kMostXacroNames) names.push_back(prefix + "." + name);
       }
     }
   }
@@ -56,9 +56,9 @@ std::vector<std::string> NamesUpward(const XacroScope* scope, Table XacroScope::
 }
 
 /// The end of a default: the next blank that is not in quotes nor in `${}` or `$()`.
-std::size_t DefaultEnd(const std::string& text, std::size_t from) {
+std::size_t ParameterDefaultEnd(const std::string& text, std::size_t from) {
   std::size_t at = from;
-  while (at < text.size() && !IsBlankAt(text, at)) {
+  while (at < text.size() && !IsParameterBlank(text, at)) {
     const bool group = text[at] == '$' && at + 1 < text.size() && (text[at + 1] == '{' || text[at + 1] == '(');
     char closing = '\0';
     if (text[at] == '\'' || text[at] == '"') closing = text[at];
@@ -81,7 +81,7 @@ std::pair<XacroProperty*, XacroScope*> XacroScope::FindProperty(const std::strin
     const auto found = at->properties.find(name);
     if (found != at->properties.end()) return {&found->second, at};
   }
-  const auto [space, inner] = NamespaceOf(this, name, budget);
+  const auto [space, inner] = XacroNamespaceOf(this, name, budget);
   if (space == nullptr) return {nullptr, nullptr};
   const auto found = space->properties.find(inner);
   if (found == space->properties.end()) return {nullptr, nullptr};
@@ -95,7 +95,7 @@ std::pair<std::shared_ptr<const XacroMacro>, XacroScope*> XacroScope::FindMacro(
     const auto found = at->macros.find(name);
     if (found != at->macros.end()) return {found->second, this};
   }
-  const auto [space, inner] = NamespaceOf(this, name, budget);
+  const auto [space, inner] = XacroNamespaceOf(this, name, budget);
   if (space == nullptr) return {nullptr, nullptr};
   const auto found = space->macros.find(inner);
   if (found == space->macros.end()) return {nullptr, nullptr};
@@ -111,9 +111,9 @@ const XacroBlock* XacroScope::FindBlock(const std::string& name, XacroBudget& bu
   return nullptr;
 }
 
-std::vector<std::string> XacroScope::PropertyNames() const { return NamesUpward(this, &XacroScope::properties); }
-std::vector<std::string> XacroScope::MacroNames() const { return NamesUpward(this, &XacroScope::macros); }
-std::vector<std::string> XacroScope::BlockNames() const { return NamesUpward(this, &XacroScope::blocks); }
+std::vector<std::string> XacroScope::PropertyNames() const { return XacroNamesUpward(this, &XacroScope::properties); }
+std::vector<std::string> XacroScope::MacroNames() const { return XacroNamesUpward(this, &XacroScope::macros); }
+std::vector<std::string> XacroScope::BlockNames() const { return XacroNamesUpward(this, &XacroScope::blocks); }
 
 std::vector<XacroParameter> ParseXacroParameters(const std::string& text) {
   std::vector<XacroParameter> parameters;
@@ -127,14 +127,14 @@ std::vector<XacroParameter> ParseXacroParameters(const std::string& text) {
       parameter.kind = stars == 1 ? XacroParameter::Kind::kBlock : XacroParameter::Kind::kContent;
       parameter.name.erase(0, stars);
     }
-    if (end < text.size() && !IsBlankAt(text, end)) {
+    if (end < text.size() && !IsParameterBlank(text, end)) {
       const std::size_t from = text.find_first_not_of(":=", end);
       if (text[end] == ':' && (end + 1 >= text.size() || text[end + 1] != '=')) {
         throw XacroProblem{"xacro_syntax", fmt::format("params: '{}:' is not understood; a default is written "
                                                        "'{}:=VALUE'",
                                                        Shortened(parameter.name), Shortened(parameter.name))};
       }
-      end = from == std::string::npos ? text.size() : DefaultEnd(text, from);
+      end = from == std::string::npos ? text.size() : ParameterDefaultEnd(text, from);
       std::string value = from == std::string::npos ? "" : text.substr(from, end - from);
       parameter.forwarded = value.starts_with('^');
       if (!parameter.forwarded) parameter.default_text = value;

@@ -11,15 +11,15 @@
 namespace gaitwright {
 namespace {
 
-constexpr std::size_t kLongestExpression = 65536;  // [byte]
-constexpr int kDeepestExpression = 64;
+constexpr std::size_t kLongestXacroExpression = 65536;  // [byte]
+constexpr int kDeepestXacroExpression = 64;
 
-XacroNode NodeOf(XacroNodeKind kind, std::vector<XacroNode> children, std::vector<std::string> operators = {},
-                 std::string text = "") {
+XacroNode XacroNodeOf(XacroNodeKind kind, std::vector<XacroNode> children, std::vector<std::string> operators = {},
+                      std::string text = "") {
   return {kind, std::move(text), {}, std::move(children), std::move(operators)};
 }
 
-XacroNode ConstantOf(XacroValue value) { return {XacroNodeKind::kConstant, "", std::move(value), {}, {}}; }
+XacroNode XacroConstantOf(XacroValue value) { return {XacroNodeKind::kConstant, "", std::move(value), {}, {}}; }
 
 /// Reads an expression by recursive descent, one function for each rank of operators.
 class XacroParser {
@@ -34,7 +34,7 @@ class XacroParser {
       while (Take(",")) {
         if (!IsEnd()) items.push_back(Expression());
       }
-      node = NodeOf(XacroNodeKind::kList, std::move(items));
+      node = XacroNodeOf(XacroNodeKind::kList, std::move(items));
     }
     if (!IsEnd()) Refuse();
     return node;
@@ -68,9 +68,10 @@ class XacroParser {
 
   /// Counts expressions in one another.
   struct Deeper {
-    explicit Deeper(int& level) : level(level) {
-      if (level >= kDeepestExpression) {
-        throw XacroProblem{"xacro_limit", fmt::format("more than {} expressions in one another", kDeepestExpression)};
+    explicit Deeper(int& depth) : level(depth) {
+      if (level >= kDeepestXacroExpression) {
+        throw XacroProblem{"xacro_limit",
+                           fmt::format("more than {} expressions in one another", kDeepestXacroExpression)};
       }
       ++level;
     }
@@ -91,7 +92,7 @@ class XacroParser {
     parts.push_back(std::move(condition));
     parts.push_back(std::move(value));
     parts.push_back(std::move(other));
-    return NodeOf(XacroNodeKind::kChoice, std::move(parts));
+    return XacroNodeOf(XacroNodeKind::kChoice, std::move(parts));
   }
 
   /// Operands of the next rank that are joined by some of these operators.
@@ -108,7 +109,7 @@ class XacroParser {
       ++at_;
       operands.push_back((this->*next)());
     }
-    return operands.empty() ? std::move(first) : NodeOf(kind, std::move(operands), std::move(operators));
+    return operands.empty() ? std::move(first) : XacroNodeOf(kind, std::move(operands), std::move(operators));
   }
 
   XacroNode Or() { return Joined(XacroNodeKind::kOr, {"or"}, &XacroParser::And); }
@@ -120,7 +121,7 @@ class XacroParser {
     ++at_;
     std::vector<XacroNode> child;
     child.push_back((this->*operand)());
-    return NodeOf(XacroNodeKind::kUnary, std::move(child), {sign});
+    return XacroNodeOf(XacroNodeKind::kUnary, std::move(child), {sign});
   }
 
   XacroNode Not() { return Is("not") ? Unary(&XacroParser::Not) : Comparison(); }
@@ -146,7 +147,7 @@ class XacroParser {
       operands.push_back(Sum());
     }
     if (operands.empty()) return first;
-    return NodeOf(XacroNodeKind::kCompare, std::move(operands), std::move(operators));
+    return XacroNodeOf(XacroNodeKind::kCompare, std::move(operands), std::move(operators));
   }
 
   XacroNode Sum() { return Joined(XacroNodeKind::kChain, {"+", "-"}, &XacroParser::Product); }
@@ -160,7 +161,7 @@ class XacroParser {
     std::vector<XacroNode> parts;
     parts.push_back(std::move(base));
     parts.push_back(Signed());
-    return NodeOf(XacroNodeKind::kPower, std::move(parts));
+    return XacroNodeOf(XacroNodeKind::kPower, std::move(parts));
   }
 
   /// An atom with its members, indices and calls.
@@ -174,7 +175,7 @@ class XacroParser {
       parts.push_back(std::move(node));
       if (Take(".")) {
         if (Token().kind != XacroToken::Kind::kName) Refuse("; the name of a member is needed");
-        node = NodeOf(XacroNodeKind::kMember, std::move(parts), {}, Token().text);
+        node = XacroNodeOf(XacroNodeKind::kMember, std::move(parts), {}, Token().text);
         ++at_;
       } else {
         node = Take("[") ? Subscript(std::move(parts)) : Call(std::move(parts));
@@ -185,14 +186,14 @@ class XacroParser {
 
   XacroNode Subscript(std::vector<XacroNode> parts) {
     const bool from_start = Is(":");
-    parts.push_back(from_start ? ConstantOf({}) : Expression());
+    parts.push_back(from_start ? XacroConstantOf({}) : Expression());
     if (!Take(":")) {
       Need("]");
-      return NodeOf(XacroNodeKind::kIndex, std::move(parts));
+      return XacroNodeOf(XacroNodeKind::kIndex, std::move(parts));
     }
-    parts.push_back(Is("]") ? ConstantOf({}) : Expression());
+    parts.push_back(Is("]") ? XacroConstantOf({}) : Expression());
     Need("]");
-    return NodeOf(XacroNodeKind::kSlice, std::move(parts));
+    return XacroNodeOf(XacroNodeKind::kSlice, std::move(parts));
   }
 
   XacroNode Call(std::vector<XacroNode> parts) {
@@ -210,7 +211,7 @@ class XacroParser {
       if (!Take(",")) break;
     }
     Need(")");
-    return NodeOf(XacroNodeKind::kCall, std::move(parts), std::move(keywords));
+    return XacroNodeOf(XacroNodeKind::kCall, std::move(parts), std::move(keywords));
   }
 
   /// An expression, or `EXPRESSION for NAME in LIST [if CONDITION]`.
@@ -224,8 +225,8 @@ class XacroParser {
     std::vector<XacroNode> parts;
     parts.push_back(std::move(item));
     parts.push_back(Or());
-    parts.push_back(Take("if") ? Or() : ConstantOf({true}));
-    return NodeOf(XacroNodeKind::kComprehension, std::move(parts), {}, variable);
+    parts.push_back(Take("if") ? Or() : XacroConstantOf({true}));
+    return XacroNodeOf(XacroNodeKind::kComprehension, std::move(parts), {}, variable);
   }
 
   /// The items up to a closing bracket, which is taken too. One comprehension stands for the list itself.
@@ -240,7 +241,7 @@ class XacroParser {
     Need(close);
     const bool single = items.size() == 1 && !comma;
     if (single && (one_is_itself || items[0].kind == XacroNodeKind::kComprehension)) return std::move(items[0]);
-    return NodeOf(XacroNodeKind::kList, std::move(items));
+    return XacroNodeOf(XacroNodeKind::kList, std::move(items));
   }
 
   XacroNode Dict() {
@@ -252,19 +253,19 @@ class XacroParser {
       if (!Take(",")) break;
     }
     Need("}");
-    return NodeOf(XacroNodeKind::kDict, std::move(parts));
+    return XacroNodeOf(XacroNodeKind::kDict, std::move(parts));
   }
 
   XacroNode Atom() {
     const XacroToken token = Token();
     if (token.kind == XacroToken::Kind::kNumber) {
       ++at_;
-      return ConstantOf(token.value);
+      return XacroConstantOf(token.value);
     }
     if (token.kind == XacroToken::Kind::kText) {
       std::string text;
       for (; Token().kind == XacroToken::Kind::kText; ++at_) text += Token().text;
-      return ConstantOf(XacroText(text));
+      return XacroConstantOf(XacroText(text));
     }
     if (token.kind == XacroToken::Kind::kName) return Word(token);
     if (Take("(")) return Items(")", true);
@@ -279,10 +280,10 @@ class XacroParser {
     }
     if (token.text == "lambda") Refuse("; functions cannot be defined");
     ++at_;
-    if (token.text == "True") return ConstantOf({true});
-    if (token.text == "False") return ConstantOf({false});
-    if (token.text == "None") return ConstantOf({});
-    return NodeOf(XacroNodeKind::kName, {}, {}, token.text);
+    if (token.text == "True") return XacroConstantOf({true});
+    if (token.text == "False") return XacroConstantOf({false});
+    if (token.text == "None") return XacroConstantOf({});
+    return XacroNodeOf(XacroNodeKind::kName, {}, {}, token.text);
   }
 
   std::vector<XacroToken> tokens_;
@@ -293,9 +294,9 @@ class XacroParser {
 }  // namespace
 
 XacroNode ParseXacroExpression(const std::string& expression) {
-  if (expression.size() > kLongestExpression) {
+  if (expression.size() > kLongestXacroExpression) {
     throw XacroProblem{"xacro_limit", fmt::format("an expression of {} bytes; at most {} are read", expression.size(),
-                                                  kLongestExpression)};
+                                                  kLongestXacroExpression)};
   }
   return XacroParser(expression).Whole();
 }

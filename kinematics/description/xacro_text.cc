@@ -13,7 +13,7 @@ namespace {
 
 /// Behind the bracket that closes the one at `open`, passing over brackets of the same kind in between and, where
 /// `quotes`, over texts in quotes; npos where none does.
-std::size_t BehindBracket(const std::string& text, std::size_t open, bool quotes) {
+std::size_t BehindXacroBracket(const std::string& text, std::size_t open, bool quotes) {
   const char opening = text[open], closing = opening == '{' ? '}' : ')';
   int level = 0;
   for (std::size_t at = open; at < text.size(); ++at) {
@@ -31,10 +31,10 @@ std::size_t BehindBracket(const std::string& text, std::size_t open, bool quotes
 
 /// The end of an expression or substitution that begins at `at`. Where quotes do not match, the next bracket ends it,
 /// so that the message tells of the expression alone.
-std::size_t PieceEnd(const std::string& text, std::size_t at) {
+std::size_t XacroPieceEnd(const std::string& text, std::size_t at) {
   const bool quotes = text[at + 1] == '{' || std::string_view(text).substr(at).starts_with("$(eval");
-  std::size_t end = quotes ? BehindBracket(text, at + 1, true) : std::string::npos;
-  if (end == std::string::npos) end = BehindBracket(text, at + 1, false);
+  std::size_t end = quotes ? BehindXacroBracket(text, at + 1, true) : std::string::npos;
+  if (end == std::string::npos) end = BehindXacroBracket(text, at + 1, false);
   if (end == std::string::npos) {
     throw XacroProblem{
         "xacro_syntax",
@@ -44,7 +44,7 @@ std::size_t PieceEnd(const std::string& text, std::size_t at) {
   return end;
 }
 
-std::vector<std::string> WordsOf(const std::string& text) {
+std::vector<std::string> XacroWordsOf(const std::string& text) {
   std::vector<std::string> words;
   constexpr const char* kBlanks = " \t\r\n";
   for (std::size_t from = text.find_first_not_of(kBlanks); from != std::string::npos;) {
@@ -55,13 +55,13 @@ std::vector<std::string> WordsOf(const std::string& text) {
   return words;
 }
 
-std::string PrintedText(const std::string& text, XacroContext& context) {
+std::string PrintedXacroText(const std::string& text, XacroContext& context) {
   return text.find('$') == std::string::npos ? text : XacroPrinted(EvaluateXacroText(text, context), context.budget);
 }
 
-XacroValue SubstitutionPiece(const std::string& inside, XacroContext& context) {
-  const std::string text = PrintedText(inside, context);
-  std::vector<std::string> words = WordsOf(text);
+XacroValue XacroSubstitutionPiece(const std::string& inside, XacroContext& context) {
+  const std::string text = PrintedXacroText(inside, context);
+  std::vector<std::string> words = XacroWordsOf(text);
   if (words.empty()) throw XacroProblem{"unknown_substitution", "'$()' is empty"};
   const std::string command = words[0];
   if (command == "eval") return context.EvalSubstitution(Trimmed(text.substr(text.find("eval") + 4)));
@@ -70,7 +70,7 @@ XacroValue SubstitutionPiece(const std::string& inside, XacroContext& context) {
 }
 
 /// Where the next piece begins: a '$' with a bracket or with more of its kind and a bracket behind it; npos for none.
-std::size_t NextPiece(const std::string& text, std::size_t from) {
+std::size_t NextXacroPiece(const std::string& text, std::size_t from) {
   for (std::size_t at = text.find('$', from); at != std::string::npos; at = text.find('$', at + 1)) {
     const std::size_t behind = text.find_first_not_of('$', at);
     if (behind == std::string::npos) return behind;
@@ -87,7 +87,7 @@ XacroValue EvaluateXacroText(const std::string& text, XacroContext& context) {
   context.budget.Spend(1 + text.size() / 16);
   std::string joined;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t piece = std::min(NextPiece(text, at), text.size());
+    const std::size_t piece = std::min(NextXacroPiece(text, at), text.size());
     joined.append(text, at, piece - at);
     at = piece;
     if (piece == text.size()) break;
@@ -97,10 +97,10 @@ XacroValue EvaluateXacroText(const std::string& text, XacroContext& context) {
       at = bracket + 1;
       continue;
     }
-    at = PieceEnd(text, piece);
+    at = XacroPieceEnd(text, piece);
     const std::string inside = text.substr(piece + 2, at - piece - 3);
-    const XacroValue value = text[piece + 1] == '{' ? EvaluateXacro(PrintedText(inside, context), context)
-                                                    : SubstitutionPiece(inside, context);
+    const XacroValue value = text[piece + 1] == '{' ? EvaluateXacro(PrintedXacroText(inside, context), context)
+                                                    : XacroSubstitutionPiece(inside, context);
     if (piece == 0 && at == text.size()) return value;
     joined += XacroPrinted(value, context.budget);
     if (joined.size() > kLongestXacroText) break;

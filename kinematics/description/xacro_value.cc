@@ -17,7 +17,7 @@ constexpr std::size_t kMostXacroUnits = 5000000, kMostXacroElements = 1000000;
 constexpr std::size_t kLargestExpansion = std::size_t{64} << 20;  // [byte]
 constexpr int kDeepestXacroLevel = 400;
 
-int DepthOf(const XacroValue& value) {
+int DepthOfXacro(const XacroValue& value) {
   if (value.list() != nullptr) return value.list()->depth;
   return value.dict() != nullptr ? value.dict()->depth : 0;
 }
@@ -32,7 +32,7 @@ void CheckXacroSize(std::size_t items, int depth) {
 }
 
 /// A number as Python prints it: the fewest digits that read back exactly, with an exponent below 1e-4 and from 1e16.
-std::string PrintedReal(double number) {
+std::string PrintedXacroReal(double number) {
   if (std::isnan(number)) return "nan";
   if (std::isinf(number)) return number > 0.0 ? "inf" : "-inf";
   const double size = std::abs(number);
@@ -46,7 +46,7 @@ std::string PrintedReal(double number) {
 }
 
 /// A text as Python's repr() prints it.
-std::string QuotedText(const std::string& text) {
+std::string QuotedXacroText(const std::string& text) {
   const char quote = text.find('\'') != std::string::npos && text.find('"') == std::string::npos ? '"' : '\'';
   std::string quoted(1, quote);
   for (const char c : text) {
@@ -68,10 +68,10 @@ void AppendXacro(const XacroValue& value, bool quotes, std::string& out, XacroBu
   } else if (const auto* whole = value.whole()) {
     out += std::to_string(*whole);
   } else if (const auto* real = std::get_if<double>(&value.held)) {
-    out += PrintedReal(*real);
+    out += PrintedXacroReal(*real);
   } else if (const auto* text = value.text()) {
     budget.Spend(text->size() / 16);
-    out += quotes ? QuotedText(*text) : *text;
+    out += quotes ? QuotedXacroText(*text) : *text;
   } else if (const XacroList* list = value.list()) {
     for (std::size_t i = 0; i < list->items.size(); ++i) {
       out += i == 0 ? "[" : ", ";
@@ -92,7 +92,7 @@ void AppendXacro(const XacroValue& value, bool quotes, std::string& out, XacroBu
 }
 
 /// Two scalars, of which none is a list or dictionary.
-bool EqualScalars(const XacroValue& a, const XacroValue& b) {
+bool EqualXacroScalars(const XacroValue& a, const XacroValue& b) {
   if (a.whole() != nullptr && b.whole() != nullptr) return *a.whole() == *b.whole();
   const auto number = XacroNumber(a), other = XacroNumber(b);
   if (number || other) return number && other && *number == *other;
@@ -100,7 +100,7 @@ bool EqualScalars(const XacroValue& a, const XacroValue& b) {
 }
 
 /// The text without blanks around it and without a plus sign before a digit or point; empty where it is no number.
-std::string NumberText(const std::string& text) {
+std::string XacroNumberText(const std::string& text) {
   std::string trimmed = Trimmed(text.substr(0, 400));
   if (text.size() > 400 || trimmed.find("+-") == 0 || trimmed.find("++") == 0) return "";
   if (!trimmed.empty() && trimmed[0] == '+') trimmed.erase(0, 1);
@@ -137,7 +137,7 @@ XacroBudget::Level::Level(XacroBudget& budget) : budget_(budget) {
 }
 
 const XacroList* XacroValue::list() const {
-  const auto* pointer = std::get_if<std::shared_ptr<const XacroList>>(&held);
+  const auto* pointer = std::get_if<std::shared_ptr<XacroList>>(&held);
   return pointer == nullptr ? nullptr : pointer->get();
 }
 
@@ -148,8 +148,8 @@ const XacroDict* XacroValue::dict() const {
 
 const XacroValue* XacroDict::Find(const XacroValue& key, XacroBudget& budget) const {
   budget.Spend(1 + entries.size() / 8);
-  const auto found =
-      std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return EqualScalars(entry.first, key); });
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const auto& entry) { return EqualXacroScalars(entry.first, key); });
   return found == entries.end() ? nullptr : &found->second;
 }
 
@@ -164,21 +164,22 @@ XacroValue XacroText(std::string text) {
 XacroValue XacroListOf(std::vector<XacroValue> items, XacroBudget& budget) {
   budget.Spend(1 + items.size() / 8);
   int depth = 0;
-  for (const XacroValue& item : items) depth = std::max(depth, DepthOf(item));
+  for (const XacroValue& item : items) depth = std::max(depth, DepthOfXacro(item));
   CheckXacroSize(items.size(), depth + 1);
-  return {std::make_shared<const XacroList>(XacroList{std::move(items), depth + 1})};
+  return {std::make_shared<XacroList>(XacroList{std::move(items), depth + 1})};
 }
 
 XacroValue XacroDictOf(std::vector<std::pair<XacroValue, XacroValue>> entries, XacroBudget& budget) {
   int depth = 0;
   XacroDict dict;
   for (auto& [key, value] : entries) {
-    if (DepthOf(key) > 0)
+    if (DepthOfXacro(key) > 0)
       throw XacroProblem{"xacro_type", fmt::format("a {} cannot be the key of a dictionary", XacroKind(key))};
     budget.Spend(1 + dict.entries.size() / 8);
-    depth = std::max(depth, DepthOf(value));
-    const auto known = std::find_if(dict.entries.begin(), dict.entries.end(),
-                                    [&, &name = key](const auto& entry) { return EqualScalars(entry.first, name); });
+    depth = std::max(depth, DepthOfXacro(value));
+    const auto known = std::find_if(dict.entries.begin(), dict.entries.end(), [&, &name = key](const auto& entry) {
+      return EqualXacroScalars(entry.first, name);
+    });
     if (known != dict.entries.end()) {
       known->second = std::move(value);
     } else {
@@ -225,9 +226,9 @@ bool XacroEqual(const XacroValue& a, const XacroValue& b, XacroBudget& budget) {
     }
     return true;
   }
-  if (a.held.index() != b.held.index() && (DepthOf(a) > 0 || DepthOf(b) > 0)) return false;
+  if (a.held.index() != b.held.index() && (DepthOfXacro(a) > 0 || DepthOfXacro(b) > 0)) return false;
   if (a.text() != nullptr) budget.Spend(a.text()->size() / 16);
-  return EqualScalars(a, b);
+  return EqualXacroScalars(a, b);
 }
 
 std::string XacroPrinted(const XacroValue& value, XacroBudget& budget) {
@@ -237,7 +238,7 @@ std::string XacroPrinted(const XacroValue& value, XacroBudget& budget) {
 }
 
 std::optional<std::int64_t> XacroWholeOf(const std::string& text) {
-  const std::string number = NumberText(text);
+  const std::string number = XacroNumberText(text);
   std::int64_t whole = 0;
   const auto end = std::from_chars(number.data(), number.data() + number.size(), whole);
   if (number.empty() || end.ec != std::errc{} || end.ptr != number.data() + number.size()) return std::nullopt;
@@ -245,7 +246,7 @@ std::optional<std::int64_t> XacroWholeOf(const std::string& text) {
 }
 
 std::optional<double> XacroRealOf(const std::string& text) {
-  const std::string number = NumberText(text);
+  const std::string number = XacroNumberText(text);
   double real = 0.0;
   const auto end = std::from_chars(number.data(), number.data() + number.size(), real);
   if (number.empty() || end.ptr != number.data() + number.size()) return std::nullopt;

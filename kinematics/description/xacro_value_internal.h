@@ -53,9 +53,10 @@ class XacroBudget {
 struct XacroList;
 struct XacroDict;
 
-/// A value of an expression, with the kinds and the meaning that Python gives them.
+/// A value of an expression, with the kinds and the meaning that Python gives them. Copies of a list are one list: what
+/// pop() takes from one is gone from all.
 struct XacroValue {
-  using Held = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::shared_ptr<const XacroList>,
+  using Held = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::shared_ptr<XacroList>,
                             std::shared_ptr<const XacroDict>>;
 
   Held held;

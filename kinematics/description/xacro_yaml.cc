@@ -23,18 +23,18 @@ const std::map<std::string, double> kXacroUnits = {{"!radians", 1.0},      {"!de
                                                    {"!millimeters", 1e-3}, {"!foot", 0.3048},
                                                    {"!feet", 0.3048},      {"!inches", 0.0254}};
 
-bool IsOneOf(const std::string& word, std::initializer_list<const char*> words) {
+bool IsYamlWord(const std::string& word, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(), [&](const char* one) { return word == one; });
 }
 
 /// A word without quotes: nothing, a truth value, a number or a text, as YAML 1.1 has them.
-XacroValue PlainYaml(const std::string& word) {
-  if (IsOneOf(word, {"", "~", "null", "Null", "NULL"})) return {};
-  if (IsOneOf(word, {"true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON"})) return {true};
-  if (IsOneOf(word, {"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF"})) return {false};
-  if (IsOneOf(word, {".inf", ".Inf", ".INF", "+.inf"})) return {kInfinity};
-  if (IsOneOf(word, {"-.inf", "-.Inf", "-.INF"})) return {-kInfinity};
-  if (IsOneOf(word, {".nan", ".NaN", ".NAN"})) return {kNaN};
+XacroValue PlainXacroYaml(const std::string& word) {
+  if (IsYamlWord(word, {"", "~", "null", "Null", "NULL"})) return {};
+  if (IsYamlWord(word, {"true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON"})) return {true};
+  if (IsYamlWord(word, {"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF"})) return {false};
+  if (IsYamlWord(word, {".inf", ".Inf", ".INF", "+.inf"})) return {kInfinity};
+  if (IsYamlWord(word, {"-.inf", "-.Inf", "-.INF"})) return {-kInfinity};
+  if (IsYamlWord(word, {".nan", ".NaN", ".NAN"})) return {kNaN};
   const bool digits = word.find_first_of("0123456789") != std::string::npos;
   if (const auto whole = XacroWholeOf(word)) return {*whole};
   if (const auto real = XacroRealOf(word); real && digits) return {*real};
@@ -42,7 +42,7 @@ XacroValue PlainYaml(const std::string& word) {
 }
 
 /// A number with a unit: the value of an expression, in SI.
-XacroValue UnitYaml(const YAML::Node& node, double unit, XacroContext& context) {
+XacroValue UnitXacroYaml(const YAML::Node& node, double unit, XacroContext& context) {
   const XacroValue value = EvaluateXacro(node.Scalar(), context);
   const auto number = XacroNumber(value);
   if (!number) {
@@ -52,17 +52,17 @@ XacroValue UnitYaml(const YAML::Node& node, double unit, XacroContext& context) 
   return {*number * unit};
 }
 
-XacroValue ValueOfYaml(const YAML::Node& node, XacroContext& context) {
+XacroValue XacroValueOfYaml(const YAML::Node& node, XacroContext& context) {
   context.budget.Spend(4);
   if (node.IsScalar()) {
     const auto unit = kXacroUnits.find(node.Tag());
-    if (unit != kXacroUnits.end()) return UnitYaml(node, unit->second, context);
+    if (unit != kXacroUnits.end()) return UnitXacroYaml(node, unit->second, context);
     const bool quoted = node.Tag() == "!" || node.Tag() == "tag:yaml.org,2002:str";
-    return quoted ? XacroText(node.Scalar()) : PlainYaml(node.Scalar());
+    return quoted ? XacroText(node.Scalar()) : PlainXacroYaml(node.Scalar());
   }
   if (node.IsSequence()) {
     std::vector<XacroValue> items;
-    for (const YAML::Node& item : node) items.push_back(ValueOfYaml(item, context));
+    for (const YAML::Node& item : node) items.push_back(XacroValueOfYaml(item, context));
     return XacroListOf(std::move(items), context.budget);
   }
   if (!node.IsMap()) return {};
@@ -70,7 +70,7 @@ XacroValue ValueOfYaml(const YAML::Node& node, XacroContext& context) {
   for (const auto& entry : node) {
     if (!entry.first.IsScalar())
       throw XacroProblem{"xacro_yaml", fmt::format("line {}: a key is not a word", LineOf(entry.first))};
-    entries.emplace_back(ValueOfYaml(entry.first, context), ValueOfYaml(entry.second, context));
+    entries.emplace_back(XacroValueOfYaml(entry.first, context), XacroValueOfYaml(entry.second, context));
   }
   return XacroDictOf(std::move(entries), context.budget);
 }
@@ -78,8 +78,9 @@ XacroValue ValueOfYaml(const YAML::Node& node, XacroContext& context) {
 }  // namespace
 
 XacroValue XacroFromYaml(const std::string& text, XacroContext& context) {
+  context.budget.Spend(1 + text.size() / 8);
   try {
-    return ValueOfYaml(LoadYaml(text, kXacroYaml), context);
+    return XacroValueOfYaml(LoadYaml(text, kXacroYaml), context);
   } catch (const YAML::Exception& error) {
     throw XacroProblem{"xacro_yaml", fmt::format("line {}: it is not YAML: {}", error.mark.line + 1, error.msg)};
   } catch (const InvalidArgument& error) {

@@ -11,7 +11,6 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "kinematics/base/options.h"
-#include "kinematics/base/text.h"
 #include "kinematics/model/apply_yaml.h"
 #include "kinematics/model/ball_joints.h"
 #include "kinematics/model/build_model.h"
@@ -163,20 +162,10 @@ Result<RobotModel> LoadGuarded(const RobotTexts& texts, const MeshSource& source
   }
 }
 
-/// The text of a robot description; where not `strict`, one in another encoding than UTF-8 too.
-Result<std::string> ReadDescription(const std::string& path, bool strict) {
-  Result<std::string> text = ReadFile(path);
-  if (text || strict || text.failure().code != "not_text") return text;
-  const Result<std::string> bytes = ReadBytes(path);
-  if (!bytes) return bytes;
-  const std::optional<std::string> converted = InUtf8(*bytes);
-  return converted ? Result<std::string>(*converted) : text;
-}
-
-void NoteMissingPictures(const std::string& folder, RobotModel& model) {
+void NoteMissingPictures(const std::string& folder, const PackageFolders& packages, RobotModel& model) {
   for (const Shape& shape : model.visual_shapes) {
     if (shape.type != ShapeType::kMesh) continue;
-    const Result<std::string> file = FindMeshFile(shape.mesh_file, folder);
+    const Result<std::string> file = FindMeshFile(shape.mesh_file, folder, packages);
     if (!file) model.notes.push_back(fmt::format("link '{}': no picture: {}", shape.link, file.failure().message));
   }
 }
@@ -200,29 +189,26 @@ Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& ya
   return LoadRobot(urdf_path, RobotLoading{.yaml_path = yaml_path});
 }
 
-Result<RobotModel> LoadRobot(const std::string& urdf_path, const RobotLoading& loading) {
-  const Result<std::string> urdf = ReadDescription(urdf_path, loading.strict);
-  if (!urdf) return urdf.failure();
-  const std::string& yaml_path = loading.yaml_path;
-  const fs::path folder = fs::path(urdf_path).parent_path();
-  std::string yaml_text;
-  std::error_code error;
-  if (yaml_path.empty() ? fs::exists(folder / "robot.yaml", error) : yaml_path != "none") {
-    const Result<std::string> yaml = ReadFile(yaml_path.empty() ? (folder / "robot.yaml").string() : yaml_path);
-    if (!yaml) return yaml.failure();
-    yaml_text = *yaml;
-  }
-  const std::string stem = fs::path(urdf_path).stem().string();
-  const std::string name = stem == "robot" && folder.has_filename() ? folder.filename().string() : stem;
+Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loading) {
+  const Result<RobotDescription> description = ReadDescription(path, loading);
+  if (!description) return description.failure();
+  const fs::path folder = fs::path(path).parent_path();
+  std::string stem = fs::path(path).stem().string();
+  if (fs::path(stem).extension() == ".urdf") stem = fs::path(stem).stem().string();  // of `go1.urdf.xacro`
+  const bool named_by_folder = (stem == "robot" || stem.empty()) && folder.has_filename();
+  const std::string name = named_by_folder ? folder.filename().string() : stem;
+  const PackageFolders packages(loading.packages.begin(), loading.packages.end());
   const MeshSource source = [&](const std::string& file) -> Result<std::vector<Vector3>> {
-    const Result<std::string> path = FindMeshFile(file, folder.string());
-    if (!path) return path.failure();
-    Result<Mesh> mesh = ReadMesh(*path);
+    const Result<std::string> mesh_path = FindMeshFile(file, folder.string(), packages);
+    if (!mesh_path) return mesh_path.failure();
+    Result<Mesh> mesh = ReadMesh(*mesh_path);
     if (!mesh) return mesh.failure();
     return HullPoints(std::move(mesh->vertices));
   };
-  Result<RobotModel> model = LoadGuarded({*urdf, yaml_text, name, loading.strict}, source);
-  if (model) NoteMissingPictures(folder.string(), *model);
+  Result<RobotModel> model = LoadGuarded({description->urdf, description->yaml, name, loading.strict}, source);
+  if (!model) return model;
+  NoteMissingPictures(folder.string(), packages, *model);
+  model->findings.insert(model->findings.begin(), description->findings.begin(), description->findings.end());
   return model;
 }
 

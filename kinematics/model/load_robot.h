@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "kinematics/base/result.h"
+#include "kinematics/model/read_description.h"
 #include "kinematics/model/robot_model.h"
 
 namespace gaitwright {
 
-/// How a robot description is read.
-struct RobotLoading {
-  std::string yaml_path = {};  ///< "" takes `robot.yaml` beside the description where there is one, "none" takes none
-  bool strict = false;         ///< what would be mended (see MendUrdf and MendInertia) is refused
-  std::map<std::string, std::string> packages = {};         ///< folders by name, before those that are found
-  std::map<std::string, std::string> xacro_arguments = {};  ///< values by name
-};
-
-/// The robot of a URDF file. What is wrong in it and has one plain meaning is mended, and told in the model's findings.
-/// Its collision meshes are read (see FindMeshFile). One that is unreadable is a failure that names the file and the
-/// link; so is a missing one that alone tells the shape of a foot. Another missing one, and a missing visual mesh, is a
-/// note. The robot.yaml overrides what derivation cannot know.
+/// The robot of a URDF, xacro or MJCF file. What is wrong in it and has one plain meaning is mended, and told in the
+/// model's findings. Its collision meshes are read (see FindMeshFile). One that is unreadable is a failure that names
+/// the file and the link; so is a missing one that alone tells the shape of a foot. Another missing one, and a missing
+/// visual mesh, is a note. The robot.yaml overrides what derivation cannot know.
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const RobotLoading& loading);
 Result<RobotModel> LoadRobot(const std::string& urdf_path, const std::string& yaml_path = "");
 

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <optional>
+
 #include "kinematics/base/options.h"
 #include "kinematics/base/text.h"
 #include "kinematics/description/mjcf.h"
+#include "kinematics/description/xacro.h"
 #include "kinematics/model/load_robot.h"
 #include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/urdf_check.h"
@@ -19,6 +24,44 @@ Verdict ReadUrdf(const std::string& input) {
   Require(!CheckUrdf(mended.text), "a robot is not made of a URDF that the check refuses");
   Require(MendUrdf(mended.text).text == mended.text, "what is mended needs no mending");
   CheckRobotLaws(*model);
+  return Verdict::kAccepted;
+}
+
+/// Beside it lie `part.xacro`, in the package `bot` too, `sizes.yaml` and, as `self.xacro`, the input again.
+Result<std::string> ExpandInput(const std::string& input) {
+  const auto missing = [](const std::string& what) {
+    return Failure{FailureKind::kBadInput, "no_such_file", "File", fmt::format("no such file: '{}'", what), {}};
+  };
+  XacroSources sources;
+  sources.read = [&](const std::string& path) -> Result<std::string> {
+    if (path == "self.xacro") return input;
+    if (path == "sizes.yaml")
+      return std::string("leg: {length: 0.2, angle: !degrees 30, names: [a, 'b', 3]}\nmass: 1.5\n");
+    if (path != "part.xacro" && path != "/bot/part.xacro") return missing(path);
+    return std::string(
+        "<robot xmlns:xacro='x'><xacro:property name='part' value='2'/><xacro:macro name='part' params='n:=1 *o'>"
+        "<part n='${n * part}'><xacro:insert_block name='o'/></part></xacro:macro></robot>");
+  };
+  sources.find_package = [&](const std::string& name, const std::string&) -> Result<std::string> {
+    return name == "bot" ? Result<std::string>(std::string("/bot")) : missing(name);
+  };
+  sources.environment = [](const std::string& name) {
+    return name == "ROBOT" ? std::optional<std::string>("bot") : std::nullopt;
+  };
+  return ExpandXacroText(input, "input.xacro", {}, sources);
+}
+
+Verdict ReadXacro(const std::string& input) {
+  const Result<std::string> expanded = ExpandInput(input);
+  if (!expanded) {
+    Require(!expanded.failure().code.empty() && !expanded.failure().message.empty(),
+            "a refusal has a code and a reason");
+    return Verdict::kRefused;
+  }
+  if (expanded->find('$') != std::string::npos) return Verdict::kAccepted;  // an escape, which a second pass evaluates
+  const Result<std::string> again = ExpandInput(*expanded);
+  Require(again.ok(), "what is expanded is plain XML");
+  Require(ExpandInput(*again).value() == *again, "what is expanded stays as it is");
   return Verdict::kAccepted;
 }
 
@@ -143,6 +186,60 @@ const std::vector<std::string> kUrdfWords = {"<link name='x'/>",
                                              "A_knee",
                                              "A_thigh",
                                              "B_foot"};
+const std::vector<std::string> kXacroWords = {"<xacro:property name='a' value='${b}'/>",
+                                              "<xacro:property name='b' default='1' scope='global' lazy_eval='false'/>",
+                                              "scope='parent'",
+                                              "<xacro:macro name='m' params='a b:=1 *c **d e:=^|2'>",
+                                              "</xacro:macro>",
+                                              "<xacro:m a='1'><o/><p/></xacro:m>",
+                                              "<xacro:insert_block name='c'/>",
+                                              "<xacro:if value='${a}'>",
+                                              "</xacro:if>",
+                                              "<xacro:unless value='0'/>",
+                                              "<xacro:include filename='part.xacro' ns='n'/>",
+                                              "<xacro:include filename='self.xacro'/>",
+                                              "<xacro:arg name='k' default='1'/>",
+                                              "<xacro:element xacro:name='x'/>",
+                                              "<xacro:attribute name='x' value='1'/>",
+                                              "<xacro:call macro='m'/>",
+                                              "${load_yaml('sizes.yaml')}",
+                                              "${",
+                                              "}",
+                                              "$$",
+                                              "$(arg k)",
+                                              "$(find bot)",
+                                              "$(env ROBOT)",
+                                              "$(optenv NONE x)",
+                                              "$(eval 1 + 1)",
+                                              "$(dirname)",
+                                              " ** ",
+                                              " // ",
+                                              " % ",
+                                              " and ",
+                                              " if a else b",
+                                              " in ",
+                                              "[1, 2][0]",
+                                              "{'k': 1}",
+                                              ".k",
+                                              "[1:]",
+                                              "dict(a=1)",
+                                              "[x for x in range(9)]",
+                                              "'a' * 1000",
+                                              "'%5.2f' % pi",
+                                              "9223372036854775807",
+                                              "1e308",
+                                              "-1",
+                                              "nan",
+                                              "None",
+                                              "'text'",
+                                              "sqrt(2)",
+                                              "round(0.5, 3)",
+                                              "sorted([2, 1])",
+                                              ".split('a')",
+                                              "&#13;",
+                                              "&#0;",
+                                              "]]>",
+                                              "<![CDATA["};
 const std::vector<std::string> kYamlWords = {"name",
                                              "description",
                                              "limits",
@@ -277,6 +374,7 @@ const std::vector<std::string> kColladaWords = {"<node id=\"n\">",
 const std::vector<Reader>& Readers() {
   static const std::vector<Reader> readers = {
       {"urdf", ReadUrdf, kUrdfWords, {}, nullptr, 300},
+      {"xacro", ReadXacro, kXacroWords, {}},
       {"robot_yaml", ReadRobotYaml, kYamlWords, {}, nullptr, 400},
       {"mjcf", ReadMjcf, kMjcfWords, {}, nullptr, 400},
       {"mesh_stl", ReadStl, kStlWords, {}},

@@ -75,6 +75,8 @@ TEST_F(FindsPackages, GivenFoldersComeFirst) {
   const std::string urdf = Folder("a/bot/urdf"), other = Folder("other");
   EXPECT_EQ(Found("bot", urdf), folder_ + "/a/bot");
   EXPECT_EQ(Found("bot", urdf, {{"bot", other}}), other);
+  const std::string relative = fs::relative(other).string();
+  EXPECT_EQ(Found("bot", urdf, {{"bot", relative}}), other);
 }
 
 TEST_F(FindsPackages, InTheEnvironment) {

@@ -71,6 +71,14 @@ TEST(XacroMacro, MacrosCallMacrosAndThemselves) {
   ExpectRefusal(inner + "<xacro:outer/><xacro:inner/>", {"unknown_macro", "'inner'"});
 }
 
+TEST(XacroMacro, GoesOverAListByTakingItsItems) {
+  const std::string loop = XacroMacro("loop", "items:=^",
+                                      "<xacro:if value='${items}'><xacro:property name='item' value='${items.pop(0)}'/>"
+                                      "<i v='${item}'/><xacro:loop/></xacro:if>");
+  EXPECT_EQ(InnerXacro(loop + "<xacro:property name='items' value=\"${[1, 'a', 2.5]}\"/><xacro:loop/>"),
+            "<i v=\"1\"/><i v=\"a\"/><i v=\"2.5\"/>");
+}
+
 TEST(XacroMacro, SeesThePropertiesOfItsCaller) {
   const std::string m = XacroMacro("m", "", "${x}") + XacroMacro("n", "x", "<xacro:m/>");
   EXPECT_EQ(InnerXacro(m + "<xacro:n x='4'/>"), "4");

@@ -4,8 +4,10 @@
 
 #include <numbers>
 
+#include "kinematics/base/file.h"
 #include "kinematics/model/load_robot.h"
 #include "tests/kinematics/description/xacro_files.h"
+#include "tests/scratch_folder.h"
 
 namespace gaitwright {
 namespace {
@@ -51,6 +53,15 @@ TEST(XacroRobot, TheSameFilesGiveTheSameText) {
   const std::string once = ExpandXacro({kMadeQuadruped, {}, {}}).value();
   EXPECT_EQ(once, ExpandXacro({kMadeQuadruped, {}, {}}).value());
   EXPECT_EQ(once, ExpandXacroText(once, "again", {}, SourcesWith({})).value());
+}
+
+TEST(XacroRobot, ATextInLatin1IsConvertedUnlessThatIsRefused) {
+  const std::string file = ScratchFile("latin.xacro");
+  ASSERT_TRUE(WriteFileAtomically(file, "<robot name='b\xf6t'><a b='${1 + 1}'/></robot>").ok());
+  const Result<std::string> expanded = ExpandXacro({file, {}, {}});
+  ASSERT_TRUE(expanded.ok()) << expanded.failure().message;
+  EXPECT_NE(expanded->find("<robot name=\"b\u00f6t\">"), std::string::npos) << *expanded;
+  EXPECT_EQ(ExpandXacro({file, {}, {}, true}).failure().code, "not_text");
 }
 
 TEST(XacroRobot, AFileThatDoesNotExistIsRefused) {

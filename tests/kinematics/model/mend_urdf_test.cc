@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/base/text.h"
 #include "kinematics/model/mend_inertia.h"
 #include "kinematics/model/urdf_check.h"
 #include "tests/kinematics/model/small_urdf.h"
@@ -27,7 +28,9 @@ RobotModel Mended(const std::string& from, const std::string& to, const std::str
   if (!model) throw std::runtime_error(model.failure().message);
   const Finding* finding = FindingOf(*model, code);
   EXPECT_NE(finding, nullptr) << code;
-  if (finding != nullptr) EXPECT_EQ(finding->part, part);
+  if (finding != nullptr) {
+    EXPECT_EQ(finding->part, part);
+  }
   EXPECT_NE(MessageOf(urdf, "", true), "") << "strictly it is refused";
   return std::move(*model);
 }

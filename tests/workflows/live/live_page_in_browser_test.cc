@@ -26,7 +26,7 @@ class LivePageTest : public testing::Test {
     server_ = std::move(LiveServer::Start({}, LivePage("a1, live")).value());
     server_->Greet(LiveGreeting(*live_));
     runs_ = std::thread([this] { LiveSession(*live_, *server_, {}).Run([this] { return stop_.load(); }); });
-    browser_ = std::move(Chromium::Start({}).value());
+    browser_ = std::move(Chromium::Start({.pixel_ratio = 0.25}).value());
     ASSERT_TRUE(browser_->Open(server_->url()).ok());
     Await("L.stage !== null");
   }

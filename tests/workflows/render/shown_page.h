@@ -25,7 +25,7 @@ ShownWalk MakeShownWalk(const std::string& robot, const WalkRequest& request, co
 class ShownPage {
  public:
   /// @throws std::runtime_error where the browser does not start or the page does not load.
-  explicit ShownPage(const std::string& html, const ChromiumOptions& options = {});
+  explicit ShownPage(const std::string& html, const ChromiumOptions& options = {.pixel_ratio = 0.25});
   ~ShownPage();
 
   /// The value of an expression of JavaScript, in which `v` is the page's first viewer.
