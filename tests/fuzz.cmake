@@ -43,7 +43,7 @@ function(gaitwright_fuzz_room room)
   endif()
 endfunction()
 
-gaitwright_fuzz_room(kinematics PARTS robot_laws READERS urdf xacro robot_yaml mesh_stl mesh_obj mesh_dae option)
+gaitwright_fuzz_room(kinematics PARTS robot_laws READERS urdf xacro robot_yaml mjcf mesh_stl mesh_obj mesh_dae option)
 gaitwright_fuzz_room(planning PARTS plan_laws READERS gaits sequence_text sequence_file terrain_spec terrain_yaml height_csv
                      height_png mesh_ground start_posture plan)
 gaitwright_fuzz_room(playback READERS log disturbances outcome)

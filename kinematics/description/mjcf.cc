@@ -69,11 +69,18 @@ ConvertedMjcf ConvertMjcfOrThrow(const std::string& text, const MjcfFiles& files
   std::vector<bool> follows;
   for (const MjcfCoupling& coupling : robot.couplings) follows.push_back(!coupling.moves_alone());
   robot.efforts = MjcfEfforts(context, robot.tree, robot.drives, follows);
+  for (std::size_t j = 0; j < robot.couplings.size(); ++j) {
+    const MjcfJoint& joint = robot.tree.joints[j];
+    if (robot.couplings[j].leader >= 0 && joint.armature > 0.0)
+      context.Note(joint.owner, "it follows another joint; its armature is left out");
+  }
   robot.posture = ReadMjcfPosture(context, robot.tree, robot.couplings);
   NoteMjcfOthers(context);
   ConvertedMjcf converted;
   converted.urdf = WriteMjcfUrdf(robot);
-  converted.yaml = WriteMjcfYaml(context, robot);
+  converted.yaml = WriteMjcfYaml(robot);
+  robot.posture.clear();
+  converted.yaml_without_posture = WriteMjcfYaml(robot);
   converted.notes = std::move(context.notes);
   return converted;
 }
@@ -109,7 +116,7 @@ Result<ConvertedMjcf> ConvertMjcf(const std::string& path, const MjcfMeshReader&
   const fs::path folder = fs::path(path).parent_path();
   MjcfFiles files;
   files.text = [&](const std::string& file) { return ReadFile((folder / file).string(), kLargestMjcfFile); };
-  if (read_mesh) files.mesh = [&](const std::string& file) { return read_mesh((folder / file).string()); };
+  files.mesh = read_mesh;
   return ConvertMjcfText(*text, files, fs::path(path).filename().string());
 }
 

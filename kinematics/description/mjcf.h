@@ -13,8 +13,10 @@ namespace gaitwright {
 /// A robot of a MuJoCo model (MJCF) as the texts that LoadRobotFromText takes.
 struct ConvertedMjcf {
   std::string urdf;
-  std::string yaml;                ///< name, standing posture, gains, rotor inertias: what a URDF cannot say
-  std::vector<std::string> notes;  ///< what was left out or taken otherwise, each with its file, line and element
+  std::string yaml;                  ///< name, standing posture, gains, rotor inertias: what a URDF cannot say
+  std::string yaml_without_posture;  ///< for a keyframe in which the feet do not stand on level ground: then the
+                                     ///< posture is refused (code `robot_yaml`), and can be derived instead
+  std::vector<std::string> notes;    ///< what was left out or taken otherwise, each with its file, line and element
 };
 
 /// Triangles of a mesh file, in its own frame and unit.
@@ -23,13 +25,14 @@ struct MjcfMesh {
   std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
 };
 
-/// Reads a mesh file by its path. Needed only for bodies whose inertia MuJoCo computes from a mesh.
+/// Reads a mesh file by the path that the URDF has: relative to the model's folder, or absolute. Needed only for bodies
+/// whose inertia MuJoCo computes from a mesh.
 using MjcfMeshReader = std::function<Result<MjcfMesh>(const std::string& path)>;
 
 /// How the files are read that a model names.
 struct MjcfFiles {
   std::function<Result<std::string>(const std::string& file)> text;  ///< an included file, as `<include>` names it
-  MjcfMeshReader mesh;  ///< a mesh, by the path that the URDF has: relative to the model's folder, or absolute
+  MjcfMeshReader mesh;
 };
 
 /// Whether a text is a MuJoCo model: its root element is <mujoco> or <mujocoinclude>.

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "kinematics/base/nearest_name.h"
-#include "kinematics/base/text.h"
 #include "kinematics/description/mjcf_actuators_internal.h"
 
 namespace gaitwright {
@@ -72,7 +71,7 @@ int MjcfDrivenJoint(MjcfContext& context, const MjcfAttributes& attributes, cons
     if (attributes.Has(key))
       RefuseMjcf("mjcf_actuator",
                  fmt::format("{}: it drives '{}' by '{}', which is not supported; actuators of joints are",
-                             attributes.owner(), Shortened(attributes.Text(key)), key));
+                             attributes.owner(), ShownMjcf(attributes.Text(key)), key));
   }
   const std::string key = attributes.Has("joint") ? "joint" : "jointinparent";
   if (!attributes.Has(key)) {
@@ -84,7 +83,7 @@ int MjcfDrivenJoint(MjcfContext& context, const MjcfAttributes& attributes, cons
   if (at == tree.joint_named.end()) {
     std::vector<std::string> names;
     for (const auto& [known, index] : tree.joint_named) names.push_back(known);
-    RefuseMjcf("mjcf_actuator", fmt::format("{}: there is no joint '{}'{}", attributes.owner(), Shortened(name),
+    RefuseMjcf("mjcf_actuator", fmt::format("{}: there is no joint '{}'{}", attributes.owner(), ShownMjcf(name),
                                             NearestOrAll(name, names)));
   }
   if (tree.Moves(at->second)) return at->second;
@@ -148,7 +147,9 @@ std::vector<double> MjcfEfforts(MjcfContext& context, const MjcfTree& tree, cons
   std::vector<double> efforts(drives.size(), 0.0);
   const bool any =
       std::any_of(drives.begin(), drives.end(), [](const MjcfDrive& drive) { return drive.actuators > 0; });
-  if (!any) context.notes.emplace_back("the model has no actuator of a joint: effort limits are not known");
+  if (!any)
+    context.Note(context.document.Owner(context.document.root()),
+                 "the model has no actuator of a joint: effort limits are not known");
   for (std::size_t j = 0; j < drives.size(); ++j) {
     const MjcfJoint& joint = tree.joints[j];
     if (!tree.Moves(static_cast<int>(j)) || follows[j]) continue;

@@ -39,7 +39,7 @@ double MjcfNumber(const std::string& word, const std::string& where) {
   const char* begin = word.data() + (word.front() == '+' ? 1 : 0);
   const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
-    RefuseMjcf("mjcf_number", fmt::format("{}: '{}' is not a finite number", where, Shortened(word)));
+    RefuseMjcf("mjcf_number", fmt::format("{}: '{}' is not a finite number", where, ShownMjcf(word)));
   if (std::abs(value) > kLargestMjcfNumber)
     RefuseMjcf("mjcf_number", fmt::format("{}: {} is absurd; at most {} is accepted", where, word, kLargestMjcfNumber));
   return value;
@@ -53,7 +53,7 @@ std::string MjcfAttributes::Text(const std::string& key) const {
 }
 
 std::string MjcfAttributes::Name(const std::string& key) const {
-  const std::string name = Text(key);
+  std::string name = Text(key);
   if (name.size() > kLongestMjcfName)
     RefuseMjcf("mjcf_name",
                fmt::format("{}: '{}' has {} bytes; at most {} are read", owner_, key, name.size(), kLongestMjcfName));
@@ -71,7 +71,7 @@ std::vector<double> MjcfAttributes::Numbers(const std::string& key, std::size_t 
   if (numbers.size() < least || numbers.size() > most) {
     const std::string needed = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
     RefuseMjcf("mjcf_number", fmt::format("{}: '{}' is '{}', which holds {} numbers; {} are needed", owner_, key,
-                                          Shortened(Text(key)), numbers.size(), needed));
+                                          ShownMjcf(Text(key)), numbers.size(), needed));
   }
   return numbers;
 }
@@ -89,10 +89,10 @@ Vector3 MjcfAttributes::Three(const std::string& key, const Vector3& fallback) c
 std::string MjcfAttributes::Choice(const std::string& key, const std::vector<std::string>& choices,
                                    const std::string& fallback) const {
   if (!Has(key)) return fallback;
-  const std::string text = Text(key);
+  std::string text = Text(key);
   if (std::find(choices.begin(), choices.end(), text) == choices.end())
     RefuseMjcf("mjcf_choice",
-               fmt::format("{}: '{}' is '{}'; accepted: {}", owner_, key, Shortened(text), QuotedList(choices)));
+               fmt::format("{}: '{}' is '{}'; accepted: {}", owner_, key, ShownMjcf(text), QuotedList(choices)));
   return text;
 }
 

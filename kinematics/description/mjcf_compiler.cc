@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "kinematics/base/text.h"
 #include "kinematics/description/mjcf_compiler_internal.h"
 
 namespace gaitwright {
@@ -30,7 +29,7 @@ Vector3 MjcfUnit(const Vector3& v, const std::string& key, const MjcfAttributes&
   if (v.norm() < kShortestMjcfAxis)
     RefuseMjcf("mjcf_axis", fmt::format("{}: '{}' is '{}', whose direction is not defined: an axis is zero or parallel "
                                         "to another",
-                                        attributes.owner(), key, Shortened(attributes.Text(key))));
+                                        attributes.owner(), key, ShownMjcf(attributes.Text(key))));
   return v.normalized();
 }
 
@@ -72,7 +71,7 @@ MjcfCompiler ReadMjcfCompiler(const MjcfDocument& document) {
   if (given.Has("eulerseq")) compiler.eulerseq = given.Text("eulerseq");
   if (compiler.eulerseq.size() != 3 || compiler.eulerseq.find_first_not_of("xyzXYZ") != std::string::npos)
     RefuseMjcf("mjcf_choice", fmt::format("{}: 'eulerseq' is '{}'; three letters of x, y, z, X, Y, Z are needed",
-                                          given.owner(), Shortened(compiler.eulerseq)));
+                                          given.owner(), ShownMjcf(compiler.eulerseq)));
   compiler.meshdir = given.Name("meshdir");
   compiler.strippath = given.Flag("strippath", false);
   compiler.autolimits = given.Flag("autolimits", true);

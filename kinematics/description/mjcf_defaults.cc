@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "kinematics/base/nearest_name.h"
-#include "kinematics/base/text.h"
 #include "kinematics/description/mjcf_defaults_internal.h"
 
 namespace gaitwright {
@@ -66,7 +65,7 @@ void MjcfDefaults::Read(const tinyxml2::XMLElement& section, const std::string& 
       if (text.size() > kLongestMjcfDefault)
         RefuseMjcf("large_mjcf",
                    fmt::format("{}: '{}' has {} bytes; in <default> at most {} are read", document_.Owner(*child),
-                               Shortened(key), text.size(), kLongestMjcfDefault));
+                               ShownMjcf(key), text.size(), kLongestMjcfDefault));
     }
     MergeMjcfValues(classes_[name][kind], values);
     if (classes_[name][kind].size() > kMostMjcfDefaults)
@@ -92,7 +91,7 @@ const MjcfDefaults::Class& MjcfDefaults::Named(const std::string& name, const ti
   if (at != classes_.end()) return at->second;
   std::vector<std::string> names;
   for (const auto& [known, values] : classes_) names.push_back(known);
-  RefuseMjcf("mjcf_class", fmt::format("{}: there is no class '{}'{}", document_.Owner(element), Shortened(name),
+  RefuseMjcf("mjcf_class", fmt::format("{}: there is no class '{}'{}", document_.Owner(element), ShownMjcf(name),
                                        NearestOrAll(name, names)));
 }
 

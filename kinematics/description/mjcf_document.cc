@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kLargestMjcf = std::size_t{16} << 20;  // [byte] of all files together
 constexpr std::size_t kMostMjcfFiles = 100;
+constexpr std::size_t kMostMjcfAttributes = 1000;  // of an element: the time to parse them goes with the square
 constexpr int kDeepestMjcf = 200;
 
 bool IsMjcfInclude(const tinyxml2::XMLElement& element) { return std::strcmp(element.Name(), "include") == 0; }
@@ -26,7 +27,42 @@ std::size_t FindMjcfZeroReference(const std::string& text) {
   return std::string::npos;
 }
 
+/// The end of what begins at a '<' and is no element: a comment, text that stands for itself, a declaration.
+std::size_t EndOfMjcfAside(const std::string& text, std::size_t at) {
+  if (text.compare(at, 4, "<!--") == 0) return text.find("-->", at);
+  if (text.compare(at, 9, "<![CDATA[") == 0) return text.find("]]>", at);
+  const bool is_aside = at + 1 < text.size() && (text[at + 1] == '!' || text[at + 1] == '?');
+  return is_aside ? text.find('>', at) : at;
+}
+
+/// Whether some element has more attributes than are read.
+bool HasManyMjcfAttributes(const std::string& text) {
+  std::size_t count = 0;
+  char quote = '\0';
+  bool in_tag = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quote != '\0') {
+      if (c == quote) quote = '\0';
+    } else if (c == '<' && !in_tag) {
+      const std::size_t end = EndOfMjcfAside(text, at);
+      in_tag = end == at;
+      at = std::min(end, text.size());
+      count = 0;
+    } else if (in_tag && c == '>') {
+      in_tag = false;
+    } else if (in_tag && (c == '"' || c == '\'')) {
+      quote = c;
+    } else if (in_tag && c == '=' && ++count > kMostMjcfAttributes) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+std::string ShownMjcf(const std::string& text) { return IsPlainText(text) ? Shortened(text) : "(no text)"; }
 
 void RefuseMjcf(const std::string& code, const std::string& message) {
   throw Failure{FailureKind::kBadInput, code, "ConvertMjcf", message, {}};
@@ -36,7 +72,7 @@ MjcfDocument::MjcfDocument(const std::string& text, const std::string& name, con
   const tinyxml2::XMLElement& model = Parse(text, name);
   if (std::strcmp(model.Name(), "mujoco") != 0 && std::strcmp(model.Name(), "mujocoinclude") != 0) {
     RefuseMjcf("not_mjcf",
-               fmt::format("{}: the root element is <{}>; a MuJoCo model has <mujoco>", name, Shortened(model.Name())));
+               fmt::format("{}: the root element is <{}>; a MuJoCo model has <mujoco>", name, ShownMjcf(model.Name())));
   }
   Include(model, 1, read_text);
 }
@@ -50,6 +86,11 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
   }
   if (text.find('\0') != std::string::npos || FindMjcfZeroReference(text) != std::string::npos)
     RefuseMjcf("not_xml", fmt::format("{}: it is not XML: it holds the character 0x00", name));
+  if (HasManyMjcfAttributes(text))
+    RefuseMjcf("large_mjcf", fmt::format("{}: an element has over {} attributes; at most that many are read", name,
+                                         kMostMjcfAttributes));
+  if (!IsPlainText(text))
+    RefuseMjcf("not_text", fmt::format("{}: it holds what is no text in UTF-8, or a control character", name));
   files_.push_back(std::make_unique<File>());
   File& file = *files_.back();
   file.name = name;
@@ -64,14 +105,14 @@ const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const s
 const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElement& include,
                                                        const TextReader& read_text) {
   const char* named = include.Attribute("file");
-  if (named == nullptr || *named == '\0')
+  if (named == nullptr || *named == '\0' || !IsPlainText(named))
     RefuseMjcf("mjcf_missing", fmt::format("{}: it has no 'file'", Owner(include)));
   if (files_.size() >= kMostMjcfFiles)
     RefuseMjcf("large_mjcf", fmt::format("{}: over {} files are included; at most that many are read", Owner(include),
                                          kMostMjcfFiles));
   if (!read_text)
-    RefuseMjcf("no_file",
-               fmt::format("{}: the file '{}' does not come with the text of the model", Owner(include), named));
+    RefuseMjcf("no_file", fmt::format("{}: the file '{}' does not come with the text of the model", Owner(include),
+                                      Shortened(named)));
   std::string name = std::filesystem::path(named).lexically_normal().string();
   Result<std::string> text = read_text(name);
   if (!text && include.GetDocument() != &files_.front()->xml) {
@@ -88,8 +129,8 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
   const bool again =
       std::any_of(files_.begin(), files_.end(), [&](const std::unique_ptr<File>& file) { return file->name == name; });
   if (again)
-    RefuseMjcf("mjcf_include",
-               fmt::format("{}: the file '{}' is included twice, or includes itself", Owner(include), named));
+    RefuseMjcf("mjcf_include", fmt::format("{}: the file '{}' is included twice, or includes itself", Owner(include),
+                                           Shortened(named)));
   return Parse(*text, name);
 }
 
@@ -143,8 +184,8 @@ std::string MjcfDocument::Owner(const tinyxml2::XMLElement& element) const {
   const bool is_class = std::strcmp(element.Name(), "default") == 0;
   const char* name = element.Attribute(is_class ? "class" : "name");
   if (name == nullptr || *name == '\0' || !IsPlainText(name))
-    return fmt::format("{}: <{}>", place, Shortened(element.Name()));
-  return fmt::format("{}: {} '{}'", place, Shortened(element.Name()), Shortened(name));
+    return fmt::format("{}: <{}>", place, ShownMjcf(element.Name()));
+  return fmt::format("{}: {} '{}'", place, ShownMjcf(element.Name()), ShownMjcf(name));
 }
 
 }  // namespace gaitwright

@@ -16,6 +16,9 @@ namespace gaitwright {
 /// Ends the conversion with a Failure that ConvertMjcfText catches.
 [[noreturn]] void RefuseMjcf(const std::string& code, const std::string& message);
 
+/// A text of the model as messages show it: shortened, and nothing of what is no text.
+std::string ShownMjcf(const std::string& text);
+
 /// The texts of a model: its own and those of the files that it includes.
 class MjcfDocument {
  public:

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "kinematics/base/nearest_name.h"
-#include "kinematics/base/text.h"
 #include "kinematics/description/mjcf_equality_internal.h"
 
 namespace gaitwright {
@@ -31,7 +30,7 @@ int MjcfCoupledJoint(const MjcfAttributes& attributes, const MjcfTree& tree, con
   if (at != tree.joint_named.end()) return at->second;
   std::vector<std::string> names;
   for (const auto& [known, index] : tree.joint_named) names.push_back(known);
-  RefuseMjcf("mjcf_equality", fmt::format("{}: its {} '{}' does not exist{}", attributes.owner(), key, Shortened(name),
+  RefuseMjcf("mjcf_equality", fmt::format("{}: its {} '{}' does not exist{}", attributes.owner(), key, ShownMjcf(name),
                                           NearestOrAll(name, names)));
 }
 
@@ -59,7 +58,7 @@ class MjcfCoupler {
     if (a[2] != 0.0 || a[3] != 0.0 || a[4] != 0.0)
       RefuseMjcf("mjcf_equality", fmt::format("{}: 'polycoef' is '{}'; only linear couplings are supported: the last "
                                               "three numbers must be 0",
-                                              attributes.owner(), Shortened(attributes.Text("polycoef"))));
+                                              attributes.owner(), ShownMjcf(attributes.Text("polycoef"))));
     constexpr double kLeast = 1e-6, kMost = 1e6;
     if (a[1] != 0.0 && !(std::abs(a[1]) >= kLeast && std::abs(a[1]) <= kMost))
       RefuseMjcf("mjcf_equality", fmt::format("{}: the second number of 'polycoef' is {}; accepted: 0, and {} to {} up "

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "kinematics/base/nearest_name.h"
-#include "kinematics/base/text.h"
 #include "kinematics/description/mjcf_geoms_internal.h"
 
 namespace gaitwright {
@@ -143,7 +142,7 @@ MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
     if (name.empty()) name = std::filesystem::path(mesh.file).stem().string();
     if (name.empty()) RefuseMjcf("mjcf_missing", fmt::format("{}: it has neither 'name' nor 'file'", mesh.owner));
     if (!assets.emplace(name, mesh).second)
-      RefuseMjcf("double_name", fmt::format("{}: there are two meshes '{}'", mesh.owner, Shortened(name)));
+      RefuseMjcf("double_name", fmt::format("{}: there are two meshes '{}'", mesh.owner, ShownMjcf(name)));
   }
   return assets;
 }
@@ -153,7 +152,7 @@ const MjcfMeshAsset& MjcfMeshOf(const MjcfGeom& geom, const MjcfMeshAssets& asse
   if (at != assets.end()) return at->second;
   std::vector<std::string> names;
   for (const auto& [name, asset] : assets) names.push_back(name);
-  RefuseMjcf("mjcf_mesh", fmt::format("{}: there is no mesh '{}'{}", geom.owner, Shortened(geom.mesh),
+  RefuseMjcf("mjcf_mesh", fmt::format("{}: there is no mesh '{}'{}", geom.owner, ShownMjcf(geom.mesh),
                                       NearestOrAll(geom.mesh, names)));
 }
 

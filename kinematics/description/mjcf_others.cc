@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "kinematics/base/nearest_name.h"
-#include "kinematics/base/text.h"
 #include "kinematics/description/mjcf_others_internal.h"
 
 namespace gaitwright {
@@ -68,7 +67,7 @@ void NoteUnknownMjcfAttributes(MjcfContext& context, const XMLElement& element) 
   for (const auto* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
     if (context.has_many_notes()) return;
     if (std::find(known->second.begin(), known->second.end(), a->Name()) != known->second.end()) continue;
-    const std::string name = Shortened(a->Name());
+    const std::string name = ShownMjcf(a->Name());
     context.Note(context.document.Owner(element),
                  fmt::format("the attribute '{}' is not known{}; left out", name, NearestHint(name, known->second)));
   }
@@ -108,7 +107,7 @@ void NoteMjcfOption(MjcfContext& context, const XMLElement& option) {
 std::string MjcfPairText(const XMLElement& element, const char* first, const char* second) {
   const char* one = element.Attribute(first);
   const char* two = element.Attribute(second);
-  return fmt::format("'{}' and '{}'", one == nullptr ? "" : Shortened(one), two == nullptr ? "" : Shortened(two));
+  return fmt::format("'{}' and '{}'", one == nullptr ? "" : ShownMjcf(one), two == nullptr ? "" : ShownMjcf(two));
 }
 
 void NoteMjcfContacts(MjcfContext& context) {

@@ -42,7 +42,7 @@ std::string ReasonNoMjcfMesh(const MjcfMeshAsset& asset) {
   const std::string kind = LowerCase(std::filesystem::path(asset.file).extension().string());
   if (kind == ".stl" || kind == ".obj" || kind == ".dae") return "";
   return fmt::format("its mesh '{}' is of a kind that is not read; there are '.stl', '.obj', '.dae'",
-                     Shortened(asset.file));
+                     ShownMjcf(asset.file));
 }
 
 std::optional<MjcfUrdfShape> MeshOfMjcfGeom(MjcfContext& context, const MjcfGeom& geom, const MjcfMeshAssets& assets) {

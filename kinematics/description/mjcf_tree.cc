@@ -5,7 +5,6 @@
 #include <set>
 
 #include "kinematics/base/nearest_name.h"
-#include "kinematics/base/text.h"
 #include "kinematics/description/mjcf_model_internal.h"
 
 namespace gaitwright {
@@ -95,7 +94,7 @@ class MjcfTreeReader {
     if (joint.type == MjcfJointType::kFree && of.parent >= 0)
       RefuseMjcf("mjcf_joint",
                  fmt::format("{}: a free joint stands in body '{}'; only a body of the world may have one", joint.owner,
-                             Shortened(of.name)));
+                             ShownMjcf(of.name)));
     if (tree_.joints.size() >= kMostMjcfJoints)
       RefuseMjcf("large_mjcf",
                  fmt::format("{}: over {} joints; at most that many are read", joint.owner, kMostMjcfJoints));

@@ -29,6 +29,6 @@ struct MjcfRobot {
 std::string WriteMjcfUrdf(const MjcfRobot& robot);
 
 /// The robot.yaml: name, limits that a URDF cannot say, gains, motors and standing posture.
-std::string WriteMjcfYaml(MjcfContext& context, const MjcfRobot& robot);
+std::string WriteMjcfYaml(const MjcfRobot& robot);
 
 }  // namespace gaitwright

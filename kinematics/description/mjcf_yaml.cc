@@ -46,16 +46,13 @@ std::string MjcfGains(const MjcfJoint& joint, const MjcfDrive& drive) {
 
 }  // namespace
 
-std::string WriteMjcfYaml(MjcfContext& context, const MjcfRobot& robot) {
+std::string WriteMjcfYaml(const MjcfRobot& robot) {
   constexpr double kPlaceholder = 1000.0;  // from which on the URDF's effort is taken for unknown
   MjcfYamlMap limits("limits"), gains("gains"), motors("motors");
   for (std::size_t j = 0; j < robot.tree.joints.size(); ++j) {
     const MjcfJoint& joint = robot.tree.joints[j];
     if (!robot.tree.Moves(static_cast<int>(j)) || robot.couplings[j].locked) continue;
-    if (!robot.couplings[j].moves_alone()) {
-      if (joint.armature > 0.0) context.Note(joint.owner, "it follows another joint; its armature is left out");
-      continue;
-    }
+    if (!robot.couplings[j].moves_alone()) continue;
     const bool slides = joint.type == MjcfJointType::kSlide;
     const std::string own = MjcfGains(joint, robot.drives[j]);
     for (const std::string& name : NamesOfMjcf(joint)) {

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "kinematics/base/options.h"
+#include "kinematics/base/text.h"
+#include "kinematics/description/mjcf.h"
 #include "kinematics/description/xacro.h"
 #include "kinematics/model/load_robot.h"
 #include "kinematics/model/mend_urdf.h"
@@ -68,6 +70,37 @@ Verdict ReadRobotYaml(const std::string& input) {
   static const std::string urdf = SourceFile("tests/fuzz/corpus/urdf/four_legs.urdf");
   const Result<RobotModel> model = LoadRobotFromText(urdf, input);
   if (!model) return Verdict::kRefused;
+  CheckRobotLaws(*model);
+  return Verdict::kAccepted;
+}
+
+/// A model, whose meshes are all one tetrahedron and whose included files are all one leg.
+Verdict ReadMjcf(const std::string& input) {
+  static const std::string leg = SourceFile("tests/fuzz/corpus/mjcf/leg.xml");
+  MjcfFiles files;
+  files.text = [](const std::string& file) -> Result<std::string> {
+    if (file == "leg.xml") return leg;
+    return Failure{FailureKind::kBadInput, "no_file", "ReadFile", "no such file", {}};
+  };
+  files.mesh = [](const std::string&) -> Result<MjcfMesh> {
+    return MjcfMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  };
+  const Result<ConvertedMjcf> converted = ConvertMjcfText(input, files);
+  if (!converted) {
+    Require(IsPlainText(converted.failure().message), "the reason why a model is refused can be shown");
+    return Verdict::kRefused;
+  }
+  Require(IsMjcf(input), "what is converted is known as a model");
+  for (const std::string& note : converted->notes) Require(IsPlainText(note), "a note can be shown");
+  Result<RobotModel> model = LoadRobotFromText(converted->urdf, converted->yaml);
+  if (!model && model.failure().code == "robot_yaml")  // the keyframe is no stance
+    model = LoadRobotFromText(converted->urdf, converted->yaml_without_posture);
+  if (!model) {
+    Require(model.failure().code != "not_xml" && model.failure().code != "robot_yaml" &&
+                model.failure().code != "unknown_link" && model.failure().code != "urdf_missing",
+            "the URDF and the robot.yaml of a model are whole: " + model.failure().message);
+    return Verdict::kRefused;
+  }
   CheckRobotLaws(*model);
   return Verdict::kAccepted;
 }
@@ -269,6 +302,45 @@ const std::vector<std::string> kYamlWords = {"name",
                                              ".inf",
                                              "%YAML 1.2",
                                              "\t"};
+const std::vector<std::string> kMjcfWords = {
+    "<body name='x' pos='0 0 1'>",
+    "</body>",
+    "<joint name='j' type='ball' pos='0 0 1'/>",
+    "<joint type='slide' range='-1 1' ref='0.5'/>",
+    "<freejoint/>",
+    "<frame euler='10 20 30'>",
+    "</frame>",
+    "<geom type='capsule' size='0.1' fromto='0 0 0 0 0 1'/>",
+    "<geom type='ellipsoid' size='0.1 0.2 0.3'/>",
+    "<geom type='mesh' mesh='m'/>",
+    "<inertial pos='0 0 0' mass='1' fullinertia='1 1 1 0 0 0'/>",
+    "<compiler angle='radian' balanceinertia='true' settotalmass='9'/>",
+    "<compiler inertiafromgeom='true' boundmass='0.1' boundinertia='0.1'/>",
+    "<default><default class='c'><geom size='0.1'/></default></default>",
+    "childclass='c'",
+    "class='c'",
+    "<asset><mesh name='m' file='m.stl' scale='1 1 -1' refpos='1 0 0'/></asset>",
+    "<include file='leg.xml'/>",
+    "<equality><joint joint1='A_hip' joint2='B_hip' polycoef='0 2'/></equality>",
+    "<equality><joint joint1='A_hip'/></equality>",
+    "<connect body1='A_thigh' body2='trunk'/>",
+    "<motor joint='A_hip' gear='2' ctrlrange='-1 1'/>",
+    "<position joint='A_knee' kp='10' kv='1' forcerange='-5 5'/>",
+    "<key name='home' qpos='0 0 0 1 0 0 0'/>",
+    "<replicate count='3'/>",
+    "quat='1 0 0 0'",
+    "axisangle='1 0 0 90'",
+    "xyaxes='1 0 0 0 1 0'",
+    "zaxis='0 0 -1'",
+    "limited='true'",
+    "true",
+    "A_hip",
+    "trunk",
+    "&#1;",
+    "&#xD800;",
+    "<!--",
+    "-->",
+    "<![CDATA["};
 const std::vector<std::string> kStlWords = {"solid",   "facet normal 0 0 1", "outer loop", "vertex 0 0 1",
                                             "endloop", "endfacet",           "endsolid",   "vertex nan inf 1e99"};
 const std::vector<std::string> kObjWords = {"v 1 2 3\n",          "f 1 2 3\n",  "f -1 -2 -3\n",
@@ -304,6 +376,7 @@ const std::vector<Reader>& Readers() {
       {"urdf", ReadUrdf, kUrdfWords, {}, nullptr, 300},
       {"xacro", ReadXacro, kXacroWords, {}},
       {"robot_yaml", ReadRobotYaml, kYamlWords, {}, nullptr, 400},
+      {"mjcf", ReadMjcf, kMjcfWords, {}, nullptr, 400},
       {"mesh_stl", ReadStl, kStlWords, {}},
       {"mesh_obj", ReadObj, kObjWords, {}},
       {"mesh_dae", ReadCollada, kColladaWords, {}},
