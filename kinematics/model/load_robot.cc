@@ -206,6 +206,12 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
     return HullPoints(std::move(mesh->vertices));
   };
   Result<RobotModel> model = LoadGuarded({description->urdf, description->yaml, name, loading.strict}, source);
+  if (!model && model.failure().code == "robot_yaml" && !description->yaml_without_posture.empty()) {
+    model = LoadGuarded({description->urdf, description->yaml_without_posture, name, loading.strict}, source);
+    if (model)
+      model->findings.push_back({FindingLevel::kInfo, "mjcf", "robot", 0,
+                                 "its keyframe is no posture in which it stands: one is worked out"});
+  }
   if (!model) return model;
   NoteMissingPictures(folder.string(), packages, *model);
   model->findings.insert(model->findings.begin(), description->findings.begin(), description->findings.end());

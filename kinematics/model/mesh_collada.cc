@@ -37,7 +37,7 @@ void ForEachWord(const XMLElement& element, Take take) {
   for (std::string word; words >> word;) take(word);
 }
 
-std::vector<double> Numbers(const XMLElement& element) {
+std::vector<double> NumbersIn(const XMLElement& element) {
   std::vector<double> numbers;
   ForEachWord(element, [&](const std::string& word) {
     numbers.push_back(MeshNumber(word, fmt::format("line {}: a number of <{}>", element.GetLineNum(), element.Name())));
@@ -90,7 +90,7 @@ const Value& Named(const std::map<std::string, Value>& all, const XMLElement& at
 std::vector<Vector3> Points(const XMLElement& source) {
   const XMLElement& array = Needed(source, "float_array");
   const XMLElement& accessor = Needed(Needed(source, "technique_common"), "accessor");
-  const std::vector<double> numbers = Numbers(array);
+  const std::vector<double> numbers = NumbersIn(array);
   const auto count = static_cast<std::size_t>(WholeAttribute(accessor, "count", 0));
   const auto stride = static_cast<std::size_t>(WholeAttribute(accessor, "stride", 1));
   const auto offset = static_cast<std::size_t>(WholeAttribute(accessor, "offset", 0));
@@ -195,7 +195,7 @@ Transform TransformOf(const XMLElement& element) {
   const std::string kind = element.Name();
   Transform made = Transform::Identity();
   const auto numbers = [&](std::size_t count) {
-    std::vector<double> all = Numbers(element);
+    std::vector<double> all = NumbersIn(element);
     if (all.size() != count) Refuse(element, fmt::format("has {} numbers; {} are needed", all.size(), count));
     return all;
   };
@@ -237,6 +237,7 @@ class SceneReader {
       if (!(meter > 0.0)) Refuse(*said, fmt::format("has a meter of {}; it must be over 0", meter));
       unit.scale(meter);
     }
+    unit = unit * UpAxis(asset == nullptr ? nullptr : asset->FirstChildElement("up_axis"));
     const XMLElement* shown = Needed(root_, "scene").FirstChildElement("instance_visual_scene");
     if (shown == nullptr) Refuse(root_, "has no <instance_visual_scene>");
     ForEachChild(*Named(scenes_, *shown, "url"), "node", [&](const XMLElement& node) { Visit(node, unit); });
@@ -244,6 +245,16 @@ class SceneReader {
   }
 
  private:
+  /// From the file's axes to those with z up, as Gazebo turns them: of Y_UP right, up and out are x, y and z, of X_UP
+  /// -y, x and z, of Z_UP x, z and -y. Without a word the file has z up.
+  static Transform UpAxis(const XMLElement* said) {
+    Transform turned = Transform::Identity();
+    const std::string axis = said == nullptr || said->GetText() == nullptr ? "" : Trimmed(said->GetText());
+    if (axis == "Y_UP") turned.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    if (axis == "X_UP") turned.linear() << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+    return turned;
+  }
+
   void NoteNamed(const XMLElement& library) {
     ForEachChild(library, "geometry", [&](const XMLElement& e) { geometries_[Text(e, "id")] = &e; });
     ForEachChild(library, "visual_scene", [&](const XMLElement& e) { scenes_[Text(e, "id")] = &e; });

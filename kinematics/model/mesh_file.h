@@ -16,8 +16,8 @@ struct Mesh {
   std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
 };
 
-/// Reads an STL (text or binary), OBJ or Collada (.dae) file. A Collada file's unit is kept to (its numbers become
-/// metres) and its up-axis is not: links have their own axes. Failure: no such file, another kind of file, one that
+/// Reads an STL (text or binary), OBJ or Collada (.dae) file. A Collada file's unit and up-axis are kept to: its
+/// numbers become metres, with z up. Failure: no such file, another kind of file, one that
 /// cannot be read (with the reason), one without triangles or with numbers that are not finite.
 Result<Mesh> ReadMesh(const std::string& path);
 

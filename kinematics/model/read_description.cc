@@ -70,7 +70,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
   const fs::path folder = fs::path(path).parent_path();
   const Result<std::string> yaml = ReadYaml(folder, loading.yaml_path);
   if (!yaml) return yaml.failure();
-  RobotDescription description{*text, *yaml, {}};
+  RobotDescription description{*text, *yaml, "", {}};
   const auto note = [&](const char* code, const std::string& message) {
     description.findings.push_back({FindingLevel::kInfo, code, "robot", 0, message});
   };
@@ -81,6 +81,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
     description.urdf = std::move(converted->urdf);
     try {
       description.yaml = Joined(*yaml, converted->yaml);
+      description.yaml_without_posture = Joined(*yaml, converted->yaml_without_posture);
     } catch (const YAML::Exception&) {
       description.yaml = *yaml;  // which is refused when it is read
     }

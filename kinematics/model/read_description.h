@@ -21,8 +21,9 @@ struct RobotLoading {
 /// A robot description as texts that LoadRobotFromText takes.
 struct RobotDescription {
   std::string urdf;
-  std::string yaml;               ///< the robot.yaml, with what an MJCF says and a URDF cannot where it does not say it
-  std::vector<Finding> findings;  ///< on how the file was read
+  std::string yaml;  ///< the robot.yaml, with what an MJCF says and a URDF cannot where it does not say it
+  std::string yaml_without_posture;  ///< of an MJCF, whose keyframe need not stand level; else ""
+  std::vector<Finding> findings;     ///< on how the file was read
 };
 
 /// Reads a URDF, a xacro file, which is expanded, or an MJCF, which is converted; which it is, its content tells. Where
