@@ -107,9 +107,14 @@ class Mender {
       held.insert(LinkAt(*joint, "parent"));
       held.insert(LinkAt(*joint, "child"));
     }
-    if (held.empty()) return;
+    std::vector<XMLElement*> loose;
     for (XMLElement* link : ElementsOf(robot_, "link")) {
-      if (held.contains(TextOr(link->Attribute("name")))) continue;
+      if (held.erase(TextOr(link->Attribute("name"))) == 0) loose.push_back(link);
+    }
+    constexpr std::size_t kMost = 20;     // more are no slip
+    const bool misspelt = !held.empty();  // a joint names what is no link
+    if (misspelt || loose.size() > kMost || loose.size() == ElementsOf(robot_, "link").size()) return;
+    for (XMLElement* link : loose) {
       Add("loose_link", "link", *link, "no joint holds it: left out");
       robot_.DeleteChild(link);
     }

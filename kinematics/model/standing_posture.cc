@@ -164,10 +164,11 @@ void ReachFrom(const BentLeg& bent, const VectorX& guess, const Pose& wanted, Ve
   }
 }
 
-/// Bends hip, knee and ankle of a leg and brings the foot under its hip, or out of it.
-void BendLeg(const RobotModel& model, const Leg& leg, VectorX& joints) {
-  const BentLeg bent(model, leg);
-  const double share = bent.has_sole() ? kUprightShare : kCrouchedShare;
+/// Bends hip, knee and ankle of a leg and brings the foot under its hip, or out of it. @param share  hip to foot over
+/// the straight leg.
+void BendLegTo(const BentLeg& bent, double share, VectorX& joints) {
+  const RobotModel& model = bent.model;
+  const Leg& leg = bent.leg;
   const VectorX guess = BentGuess(bent, share, joints);
   Pose wanted = Pose::Identity();
   wanted.translation() = bent.p_OF;
@@ -187,6 +188,29 @@ void BendLeg(const RobotModel& model, const Leg& leg, VectorX& joints) {
     wanted.translation() = bent.has_sole() ? p_OF : PlaceBelow(bent, in_plane.norm());
   }
   ReachFrom(bent, guess, wanted, joints);
+}
+
+/// Whether the ankle of a leg with a sole has less than a share of its range left, which a stance needs to go ahead.
+bool IsAnkleSpent(const BentLeg& bent, const VectorX& joints) {
+  constexpr double kSpent = 0.6;
+  if (!bent.has_sole() || bent.plane.joints.size() < 3) return false;
+  const int dof = bent.model.joints[static_cast<std::size_t>(bent.plane.joints[2])].dof;
+  const double q = joints[dof];
+  return q < kSpent * bent.model.dof_lower(dof) || q > kSpent * bent.model.dof_upper(dof);
+}
+
+/// As far as its kind usually is, or straighter where the ankle would have little left.
+void BendLeg(const RobotModel& model, const Leg& leg, VectorX& joints) {
+  constexpr double kStraightest = 0.97, kStep = 0.01;
+  const BentLeg bent(model, leg);
+  const VectorX before = joints;
+  double share = bent.has_sole() ? kUprightShare : kCrouchedShare;
+  BendLegTo(bent, share, joints);
+  while (IsAnkleSpent(bent, joints) && share + kStep < kStraightest) {
+    share += kStep;
+    joints = before;
+    BendLegTo(bent, share, joints);
+  }
 }
 
 Vector3 CentreOfMassInBase(const RobotModel& model, const VectorX& joints) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/body_tree.h"
@@ -13,12 +14,22 @@
 #include "playback/control/momentum_feedback.h"
 
 namespace gaitwright {
+namespace {
+
+constexpr std::size_t kForce = 3;  // components of a force, and joints that it takes to push with all of them
+
+}  // namespace
 
 StanceFeedback::StanceFeedback(const RobotModel& model, const StabilisedOptions& options)
     : model_(model), options_(options), leg_of_(LegsOfDofs(model)), moved_weight_(model.nv()) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
   inertia_B_ = LockedInertia(model, scratch).diagonal();
+  for (const Leg& leg : model.legs) {
+    std::set<int> dofs;
+    for (const int joint : leg.joints) dofs.insert(model.joints[static_cast<std::size_t>(joint)].dof);
+    if (dofs.size() < kForce) planar_ = true;
+  }
 }
 
 void StanceFeedback::Update(const Situation& now, const Footing& footing, VectorX& tau, const MomentumFeedback* ahead) {
@@ -31,6 +42,7 @@ void StanceFeedback::Update(const Situation& now, const Footing& footing, Vector
   const Vector2 lean = Lean(now, footing);
   dcm_error_W_ = DivergentComponent(now.measured.p_WC, now.measured.v_WC, now.omega_rad_s) -
                  DivergentComponent(now.planned.p_WC, now.planned.v_WC, now.omega_rad_s) - lean;
+  if (planar_) return;
   const PointWrench planned = PlannedWrench(now);
   if (now.bearing != 0 && planned.force_W.z() > kLeastPlanned * model_.weight_n()) {
     GatherContacts(now, planned.force_W.z());

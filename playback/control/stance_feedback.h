@@ -48,8 +48,9 @@ class StanceFeedback {
 
   const RobotModel& model_;
   const StabilisedOptions& options_;
-  const std::vector<int> leg_of_;        // by joint coordinate, or -1
-  VectorX moved_weight_;                 // of BearLegs
+  const std::vector<int> leg_of_;  // by joint coordinate, or -1
+  VectorX moved_weight_;           // of BearLegs
+  bool planar_ = false;  ///< a leg of fewer than three joints cannot push aside, so that no wrench is asked of the legs
   Vector3 inertia_B_ = Vector3::Ones();  // of the standing robot, about its centre of mass
   // Of the last Update.
   double lifted_m_s2_ = 0.0;

@@ -24,10 +24,16 @@ TEST(CanWalk, TwoPointsCannotStandStill) {
   ExpectRefused(unusual::PointBiped(), "no_support", {"cannot stand still", "'a_foot'", "'b_foot'", "two points"});
 }
 
-TEST(CanWalk, ALegNeedsThreeFreedoms) {
-  ExpectRefused(unusual::Planar(), "freedoms",
-                {"leg 'a_foot'", "2 of 3", "sideways is lacking", "'a2_joint', 'a3_joint'"});
-  ExpectRefused(unusual::Pantograph(), "freedoms", {"leg 'a_foot'", "2 of 3", "'a1_joint', 'a2_joint'"});
+TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
+  ExpectRefused(unusual::Pantograph(), "freedoms", {"leg 'a_foot'", "1 of 2", "'a1_joint', 'a2_joint'"});
+  const RobotModel planar = LoadRobotFromText(unusual::Planar(), "").value();
+  EXPECT_FALSE(WhyCannotWalk(planar).has_value()) << "straight ahead it can";
+  const auto failure = WhyCannotSidestep(planar);
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->code, "freedoms");
+  for (const char* part : {"leg 'a_foot'", "2 of 3", "sideways is lacking", "'a2_joint', 'a3_joint'"})
+    EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
+  EXPECT_TRUE(WhyCannotTurn(planar).has_value());
 }
 
 TEST(CanWalk, OthersCan) {
