@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/ik/leg_ik.h"
 #include "optimisation/swing/refine_swing.h"
 #include "optimisation/swing/swing_ground.h"
 #include "planning/plan/sample_plan.h"
@@ -319,7 +320,26 @@ class SwingPlanner {
 }  // namespace
 
 double SwingLift(const RobotModel& model, const SwingOptions& options) {
-  return options.height_m > 0.0 ? options.height_m : kLiftPerLegLength * model.leg_length_m();
+  constexpr double kRoom = 1.3;   // of the lift: a foot ahead of or behind its place bends the ankle more
+  constexpr double kLess = 0.85;  // of the lift, from try to try
+  constexpr int kTries = 10;
+  if (options.height_m > 0.0) return options.height_m;
+  double lift = kLiftPerLegLength * model.leg_length_m();
+  for (const Leg& leg : model.legs) {
+    if (!model.feet[static_cast<std::size_t>(leg.foot)].has_sole()) continue;
+    const LegIk ik(model, leg.foot);
+    VectorX standing(static_cast<Eigen::Index>(ik.dofs().size()));
+    for (std::size_t i = 0; i < ik.dofs().size(); ++i)
+      standing[static_cast<Eigen::Index>(i)] = model.standing_joints[ik.dofs()[i]];
+    const Pose X_BF = ik.FootPose(standing);
+    for (int i = 0; i < kTries; ++i) {
+      Pose raised = X_BF;
+      raised.translation().z() += kRoom * lift;
+      if (ik.Solve(raised)) break;
+      lift *= kLess;
+    }
+  }
+  return lift;
 }
 
 Result<std::vector<SwingTrajectory>> PlanSwings(const RobotModel& model, const Terrain& terrain,
