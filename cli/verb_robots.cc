@@ -17,6 +17,7 @@
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/model/describe.h"
 #include "kinematics/model/load_robot.h"
+#include "kinematics/model/names_description.h"
 #include "kinematics/model/repaired_urdf.h"
 #include "optimisation/pipeline/plan_posture.h"
 #include "planning/footsteps/can_walk.h"
@@ -36,16 +37,9 @@ struct RobotsSettings {
   PictureOptions picture;
 };
 
-/// Whether a text names a robot description rather than a robot of the list.
-bool IsFileOfARobot(const std::string& text) {
-  const std::string ending = EndingOf(text);
-  return ending == ".urdf" || ending == ".xacro" || ending == ".xml" || ending == ".mjcf" ||
-         text.find('/') != std::string::npos;
-}
-
-/// The flags that name such a robot.
+/// The flags of a robot by its name or its description.
 RobotFlags FlagsOf(const std::string& text, const RobotLoading& loading) {
-  const bool is_file = IsFileOfARobot(text);
+  const bool is_file = NamesDescription(text);
   return {is_file ? "" : text, is_file ? text : "", loading};
 }
 

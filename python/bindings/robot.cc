@@ -11,6 +11,7 @@
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/model/describe.h"
 #include "kinematics/model/load_robot.h"
+#include "kinematics/model/names_description.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/errors.h"
 
@@ -19,11 +20,13 @@ namespace {
 
 namespace py = pybind11;
 
-SharedRobot Load(const std::filesystem::path& named, const std::filesystem::path& beside) {
+SharedRobot Load(const std::filesystem::path& named, const std::filesystem::path& beside, bool strict) {
   const std::string name_or_urdf = named.string(), yaml = beside.string();
-  const bool is_file = name_or_urdf.find('/') != std::string::npos || name_or_urdf.ends_with(".urdf");
+  const bool is_file = NamesDescription(name_or_urdf);
   if (!is_file && !yaml.empty()) throw InvalidArgument("yaml goes with the path of a URDF, not with a robot's name");
-  return std::make_shared<RobotModel>(Value(is_file ? LoadRobot(name_or_urdf, yaml) : LoadNamedRobot(name_or_urdf)));
+  return std::make_shared<RobotModel>(
+      Value(is_file ? LoadRobot(name_or_urdf, RobotLoading{.yaml_path = yaml, .strict = strict})
+                    : LoadNamedRobot(name_or_urdf)));
 }
 
 /// One figure of every independent joint.
@@ -97,13 +100,14 @@ SI units; z of the world is up, x ahead.)")
                            model.num_dofs(), model.total_mass_kg);
       });
 
-  module.def("load_robot", Load, py::arg("name_or_urdf"), py::arg("yaml") = "",
-             R"(A robot by its name (see `robot_names`), or from the path of a URDF.
+  module.def("load_robot", Load, py::arg("name_or_urdf"), py::arg("yaml") = "", py::arg("strict") = false,
+             R"(A robot by its name (see `robot_names`), or from the path of a URDF, xacro or MJCF file.
 
 Args:
-    name_or_urdf: a name; a text with a slash, or that ends in ``.urdf``, is a path.
+    name_or_urdf: a name; a text with a slash, or that ends in ``.urdf``, ``.xacro``, ``.xml`` or ``.mjcf``, is a path.
     yaml: path of a robot.yaml with what cannot be derived; "" takes the one beside the URDF where there is one,
         "none" uses the URDF alone.
+    strict: refuse a description in which anything would be mended.
 
 Raises:
     BadInputError: no such robot or file, or one that is wrong: the message says where.)");
