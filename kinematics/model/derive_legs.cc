@@ -148,12 +148,12 @@ std::vector<int> EndBodies(const RobotModel& model) {
   std::vector<LimbThatReaches> limbs;
   for (const std::vector<int>& limb : Limbs(model)) limbs.push_back({LowestReach(model, limb), limb});
   std::stable_sort(limbs.begin(), limbs.end(), [](const auto& a, const auto& b) { return a.lowest < b.lowest; });
-  constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher
-  std::erase_if(limbs, [least = limbs.empty() ? 0.0 : limbs.front().lowest * (1.0 - kShare)](const auto& limb) {
-    return !(limb.lowest < 0.0 && limb.lowest <= least);
-  });
+  std::erase_if(limbs, [](const auto& limb) { return !(limb.lowest < 0.0); });
   DropBranches(limbs);
   DropArms(model, limbs);
+  constexpr double kShare = 0.25;  // of the longest reach, by which a leg may end higher
+  const double least = limbs.empty() ? 0.0 : limbs.front().lowest * (1.0 - kShare);
+  std::erase_if(limbs, [least](const auto& limb) { return limb.lowest > least; });
   std::vector<int> ends;
   for (const LimbThatReaches& limb : limbs) ends.push_back(limb.chain.back() + 1);
   return ends;
