@@ -170,6 +170,24 @@ void NoteMissingPictures(const std::string& folder, const PackageFolders& packag
   }
 }
 
+/// Gives findings on a link or a joint the line on which the text begins it.
+void FillLines(const std::string& text, std::vector<Finding>& findings) {
+  for (Finding& finding : findings) {
+    const std::size_t quote = finding.part.find(" '");
+    if (finding.line > 0 || quote == std::string::npos) continue;
+    const std::string kind = "<" + finding.part.substr(0, quote);
+    const std::string name = finding.part.substr(quote + 2, finding.part.size() - quote - 3);
+    for (std::size_t at = text.find(kind); at != std::string::npos; at = text.find(kind, at + 1)) {
+      const std::string head = text.substr(at, std::min(text.find('>', at), text.size()) - at);
+      if (head.find("\"" + name + "\"") == std::string::npos && head.find("'" + name + "'") == std::string::npos)
+        continue;
+      finding.line =
+          1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 std::string RobotsFolder() { return DataPath("robots", "GAITWRIGHT_ROBOTS"); }
@@ -214,6 +232,7 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
   }
   if (!model) return model;
   NoteMissingPictures(folder.string(), packages, *model);
+  if (description->findings.empty()) FillLines(description->urdf, model->findings);  // it is the file's own text
   model->findings.insert(model->findings.begin(), description->findings.begin(), description->findings.end());
   return model;
 }
