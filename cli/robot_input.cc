@@ -63,8 +63,10 @@ std::string RobotFlags::folder() const { return std::filesystem::path(file).pare
 
 void RobotFlags::AddTo(Paths& paths) const {
   if (file.empty()) return;
-  paths.Read("the robot's file", file);
-  paths.Read("the robot.yaml beside it", (std::filesystem::path(file).parent_path() / "robot.yaml").string());
+  const std::string ending = EndingOf(file);
+  const std::string flag = ending == ".xml" || ending == ".mjcf" ? "--mjcf" : "--urdf";
+  paths.Read(flag, file);
+  paths.Read("the robot.yaml beside " + flag, (std::filesystem::path(file).parent_path() / "robot.yaml").string());
 }
 
 Result<RobotModel> ReadRobot(const RobotFlags& flags) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <set>
@@ -107,12 +108,15 @@ class Mender {
       held.insert(LinkAt(*joint, "parent"));
       held.insert(LinkAt(*joint, "child"));
     }
+    std::set<std::string> names;
     std::vector<XMLElement*> loose;
     for (XMLElement* link : ElementsOf(robot_, "link")) {
-      if (held.erase(TextOr(link->Attribute("name"))) == 0) loose.push_back(link);
+      names.insert(TextOr(link->Attribute("name")));
+      if (!held.contains(TextOr(link->Attribute("name")))) loose.push_back(link);
     }
-    constexpr std::size_t kMost = 20;     // more are no slip
-    const bool misspelt = !held.empty();  // a joint names what is no link
+    constexpr std::size_t kMost = 20;  // more are no slip
+    const bool misspelt =              // a joint names what is no link
+        !std::includes(names.begin(), names.end(), held.begin(), held.end());
     if (misspelt || loose.size() > kMost || loose.size() == ElementsOf(robot_, "link").size()) return;
     for (XMLElement* link : loose) {
       Add("loose_link", "link", *link, "no joint holds it: left out");

@@ -10,28 +10,17 @@ namespace gaitwright::cli {
 namespace {
 
 /// Every verb, in an order in which each finds the files that its examples read.
-const std::vector<std::vector<std::string>> kVerbs = {{"plan"},
-                                                      {"walk"},
-                                                      {"audit"},
-                                                      {"play"},
-                                                      {"trials"},
-                                                      {"sweep"},
-                                                      {"tune"},
-                                                      {"grade"},
-                                                      {"export"},
-                                                      {"import"},
-                                                      {"view"},
-                                                      {"render"},
-                                                      {"compare"},
-                                                      {"robots"},
-                                                      {"robots", "show"},
-                                                      {"robots", "check"},
-                                                      {"gaits"},
-                                                      {"reference"},
-                                                      {"terrains"},
-                                                      {"terrains", "show"},
-                                                      {"bench"},
-                                                      {"bench", "centroidal"}};
+const std::vector<std::vector<std::string>> kVerbs = {{"plan"},           {"walk"},
+                                                      {"audit"},          {"play"},
+                                                      {"trials"},         {"sweep"},
+                                                      {"tune"},           {"grade"},
+                                                      {"export"},         {"import"},
+                                                      {"view"},           {"render"},
+                                                      {"compare"},        {"robots"},
+                                                      {"robots", "show"}, {"robots", "check"},
+                                                      {"gaits"},          {"reference"},
+                                                      {"terrains"},       {"terrains", "show"},
+                                                      {"bench"},          {"bench", "centroidal"}};
 
 class Help : public Stranger {
  protected:
@@ -94,9 +83,9 @@ TEST_F(Help, NamesTheExitStatusesAndFitsItsLines) {
 }
 
 TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
-  const std::vector<std::string> bare = {"--help",    "--json",     "--quiet",  "--list-options",
-                                         "--set",     "--urdf",     "--resume", "--show-disturbances",
-                                         "--margins", "--preflight"};
+  const std::vector<std::string> bare = {"--help",    "--json",      "--quiet",  "--list-options",
+                                         "--set",     "--urdf",      "--resume", "--show-disturbances",
+                                         "--margins", "--preflight", "--strict"};
   for (const char* verb : {"walk", "plan", "play", "trials", "audit"}) {
     std::istringstream help(Of({verb}));
     std::string flag, text;
@@ -112,7 +101,8 @@ TEST_F(Help, FlagsSayWhatTheyTakeAndWhatHoldsWithoutThem) {
         flag = Words(line).front();
         text = line;
         const bool switches = flag == "--json" || flag == "--quiet" || flag == "--list-options" || flag == "--resume" ||
-                              flag == "--show-disturbances" || flag == "--margins" || flag == "--preflight";
+                              flag == "--show-disturbances" || flag == "--margins" || flag == "--preflight" ||
+                              flag == "--strict";
         EXPECT_TRUE(switches || line.substr(2 + flag.size(), 2) != "  ")
             << verb << " " << flag << " has no type or unit";
       } else if (line.starts_with("     ")) {

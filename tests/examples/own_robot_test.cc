@@ -51,9 +51,9 @@ TEST(OwnRobotExample, SaysWhyARobotCannotWalk) {
   const Result<PlannedWalk> points = PlanOwnWalk(Read(unusual::PointBiped()).value());
   ASSERT_FALSE(points.ok());
   ExpectText(WhyNot(points.failure()), {"cannot stand still", "two points", "\nhint  give it soles"});
-  const Result<PlannedWalk> planar = PlanOwnWalk(Read(unusual::Planar()).value());
-  ASSERT_FALSE(planar.ok());
-  ExpectText(WhyNot(planar.failure()), {"leg 'a_foot' cannot walk", "sideways", "\nhint  "});
+  const Result<PlannedWalk> stiff = PlanOwnWalk(Read(unusual::Pantograph()).value());
+  ASSERT_FALSE(stiff.ok());
+  ExpectText(WhyNot(stiff.failure()), {"leg 'a_foot' cannot walk", "ahead", "\nhint  "});
 }
 
 TEST(OwnRobotExample, SaysWhatIsWrongInAFile) {

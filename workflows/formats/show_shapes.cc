@@ -50,6 +50,15 @@ DataShape SelfCollisionShape() {
   return Object({{"pairs", Whole(), "Of links that are looked at."}, {"left_out", List(left_out)}});
 }
 
+/// A finding of the linter of robot descriptions.
+DataShape FindingShape() {
+  return Object({{"level", Text(), "error, warning or info."},
+                 {"code", Text(), "Its kind."},
+                 {"part", Text(), "The link, the joint or the robot."},
+                 {"line", OrNull(Whole()), "Of the file."},
+                 {"message", Text()}});
+}
+
 DataShape RobotShape() {
   return Object(
       {{"name", Text()},
@@ -68,8 +77,19 @@ DataShape RobotShape() {
        {"motor_limits", MapOf(MotorShape()), "By joint; rad, s, N m, kg m^2, of one that slides m, s, N, kg."},
        {"notes", TextsShape(), "What was derived from the URDF, and how."},
        {"hash", Text()},
+       {"verdict", Text(), "Whether it walks."},
+       {"findings", List(FindingShape())},
        {"self_collision", SelfCollisionShape()},
        {"files", FilesShape({"page", "png"})}});
+}
+
+DataShape RobotCheckShape() {
+  return Object({{"robot", Text()},
+                 {"verdict", Text(), "Whether it walks."},
+                 {"errors", Whole()},
+                 {"warnings", Whole()},
+                 {"findings", List(FindingShape())},
+                 {"files", FilesShape({"repaired"})}});
 }
 
 DataShape ParameterShape() {
@@ -118,7 +138,8 @@ DataShape TerrainShape() {
 
 DataShape RobotsResultShape() {
   const DataShape entry = Object({{"name", Text()}, {"legs", Whole()}, {"motors", Whole()}, {"mass_kg", Number()}});
-  return Either(Object({{"robots", List(entry), "Without `show`."}}), RobotShape());
+  return Either(Either(Object({{"robots", List(entry), "Without `show` and `check`."}}), RobotShape()),
+                RobotCheckShape());
 }
 
 DataShape GaitsResultShape() {

@@ -127,8 +127,10 @@ class Chromium::Pipe {
         Call("Target.attachToTarget", {{"targetId", target->value("targetId", "")}, {"flatten", true}});
     if (!session) return session.failure();
     session_ = session->value("sessionId", "");
-    const Json metrics = {
-        {"width", options.width_px}, {"height", options.height_px}, {"deviceScaleFactor", options.pixel_ratio}, {"mobile", false}};
+    const Json metrics = {{"width", options.width_px},
+                          {"height", options.height_px},
+                          {"deviceScaleFactor", options.pixel_ratio},
+                          {"mobile", false}};
     const Json scheme = {{"name", "prefers-color-scheme"}, {"value", options.dark ? "dark" : "light"}};
     const std::vector<std::pair<std::string, Json>> calls = {
         {"Page.enable", Json::object()},

@@ -15,8 +15,8 @@ struct ChromiumOptions {
       {};  ///< its path; "" takes GAITWRIGHT_CHROMIUM, else the first of Chromium's usual names on PATH
   int width_px = 1280, height_px = 720;
   double pixel_ratio = 1.0;  ///< of what is drawn over what the page has: less draws the same page in less time
-  bool dark = false;        ///< what pages are told that the reader prefers
-  double timeout_s = 60.0;  ///< for each answer
+  bool dark = false;         ///< what pages are told that the reader prefers
+  double timeout_s = 60.0;   ///< for each answer
 };
 
 /// One page in a headless Chromium of its own, driven over its debugging pipe (Chrome DevTools Protocol). It opens no
