@@ -126,9 +126,8 @@ void AddTune(Verb program, int& status) {
   auto a = std::make_shared<TuneSettings>();
   const Verb verb = program.AddVerb("tune", "Find better values of options, and prove it on trials never used");
   AddTuneFlags(verb, *a);
-  AddCommon(
-      verb, a->common,
-      {"tune --distance 0.3 --over stabilised.dcm_gain=1:2 --evaluations 2 --trials 1 --finalists 1 --held-out 2"});
+  AddCommon(verb, a->common,
+            {"tune --distance 0.3 --over stabilised.dcm_gain=1:2 --evaluations 2 --trials 1 --held-out 6"});
   AddOptionList(verb, a->study.Fields(), a->common.json);
   SetWork(verb, a->common, status, [a] { return RunTune(*a); });
 }

@@ -78,10 +78,29 @@ TEST(UnusualRobots, ThreeLegsWalkOneAtATime) {
   EXPECT_TRUE(played->report.pass) << played->report.reason;
 }
 
+TEST(UnusualRobots, LegsOfTwoJointsWalkStraightAndDoNotTurn) {
+  const RobotModel model = *LoadRobotFromText(unusual::Planar(), "");
+  WalkRequest request;
+  request.command.distance_m = 0.5;
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  ASSERT_TRUE(planned.ok()) << planned.failure().message;
+  EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
+  const Result<PlayedWalk> played = PlayWalk(model, planned->motion.plan, PlayRequest{});
+  ASSERT_TRUE(played.ok());
+  EXPECT_TRUE(played->report.pass) << played->report.reason;
+  for (const auto& [lateral_m_s, yaw_rad_s] : {std::pair(0.1, 0.0), {0.0, 0.2}}) {
+    WalkRequest aside = request;
+    aside.command.lateral_speed_m_s = lateral_m_s;
+    aside.command.yaw_rate_rad_s = yaw_rad_s;
+    const Result<PlannedWalk> refused = PlanWalk(model, aside);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.failure().code, "freedoms") << refused.failure().message;
+  }
+}
+
 TEST(UnusualRobots, WhatCannotWalkIsToldWhy) {
   const std::vector<std::pair<std::string, std::string>> refused = {
       {unusual::PointBiped(), "cannot stand still"},
-      {unusual::Planar(), "leg 'a_foot' cannot walk"},
       {unusual::Pantograph(), "leg 'a_foot' cannot walk"},
       {unusual::SoledBiped(false, false), "no joint of its leg (5 joints) rolls it"}};
   for (const auto& [urdf, why] : refused) {
