@@ -232,7 +232,11 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
   }
   if (!model) return model;
   NoteMissingPictures(folder.string(), packages, *model);
-  if (description->findings.empty()) FillLines(description->urdf, model->findings);  // it is the file's own text
+  if (description->findings.empty()) {
+    FillLines(description->urdf, model->findings);
+  } else {  // lines of a text that was made of the file mean nothing to its reader
+    for (Finding& finding : model->findings) finding.line = 0;
+  }
   model->findings.insert(model->findings.begin(), description->findings.begin(), description->findings.end());
   return model;
 }

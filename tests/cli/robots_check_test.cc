@@ -59,6 +59,18 @@ TEST_F(RobotsCheck, TheRepairedFileIsTakenStrictly) {
   EXPECT_TRUE(Of(again.json(), "impossible_inertia").empty());
 }
 
+TEST_F(RobotsCheck, LinesAreThoseOfTheFileOrNone) {
+  const std::string urdf = Replaced(FourLegs(), "<link name='A_foot'>", "\n\n<link name='A_foot'>");
+  Write("robot.urdf", Replaced(urdf, "radius='0.02'", "radius='0'"));
+  EXPECT_EQ(Of(Run({"robots", "check", "robot.urdf", "--json"}).json(), "zero_size").front().at("line"), 3);
+  const std::string declared =
+      "<robot xmlns:xacro='http://www.ros.org/wiki/xacro' name='four'><xacro:property name='r' value='0'/>";
+  Write("robot.xacro", Replaced(Replaced(urdf, "<robot name='four'>", declared), "radius='0.02'", "radius='${r}'"));
+  const Ran expanded = Run({"robots", "check", "robot.xacro", "--json"});
+  ASSERT_EQ(expanded.status, 0) << expanded.out;
+  EXPECT_TRUE(Of(expanded.json(), "zero_size").front().at("line").is_null());
+}
+
 TEST_F(RobotsCheck, SizesAreJudged) {
   Write("heavy.urdf", Replaced(FourLegs(), "ixx='0.01' iyy='0.01' izz='0.01'", "ixx='3' iyy='3' izz='3'"));
   EXPECT_FALSE(Of(Run({"robots", "check", "heavy.urdf", "--json"}).json(), "large_inertia").empty());
