@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/flags.h"
@@ -15,9 +16,9 @@ namespace {
 constexpr char kDraft[] = "robot.draft.yaml";
 
 /// Tells of a draft, once it is there.
-void AddDraft(const std::string& file, Failure& failure) {
-  const Result<std::string> text = ReadFile(file);
-  const std::string draft = text ? DraftRobotYaml(*text, failure) : "";
+void AddDraft(const RobotFlags& flags, Failure& failure) {
+  const Result<RobotDescription> description = ReadDescription(flags.file, flags.loading);
+  const std::string draft = description ? DraftRobotYaml(description->urdf, failure) : "";
   std::error_code error;
   if (draft.empty() || std::filesystem::exists(kDraft, error)) return;
   if (!WriteFileAtomically(kDraft, draft)) return;
@@ -74,7 +75,16 @@ Result<RobotModel> ReadRobot(const RobotFlags& flags) {
   Result<RobotModel> model = LoadRobot(flags.file, flags.loading);
   if (model || !WantsRobotYaml(model.failure())) return model;
   Failure failure = model.failure();
-  AddDraft(flags.file, failure);
+  AddDraft(flags, failure);
+  return failure;
+}
+
+Failure WithDraft(Failure failure, const RobotFlags& flags, const RobotModel& model) {
+  const bool unknown = std::any_of(model.feet.begin(), model.feet.end(), [&](const Foot& foot) {
+    return std::none_of(model.collision_shapes.begin(), model.collision_shapes.end(),
+                        [&](const Shape& shape) { return shape.body == foot.body; });
+  });
+  if (flags.is_file() && unknown && failure.code == "no_support") AddDraft(flags, failure);
   return failure;
 }
 

@@ -31,4 +31,8 @@ struct RobotFlags {
 /// robot.draft.yaml in the present folder, unless there is such a file, and the failure says so.
 Result<RobotModel> ReadRobot(const RobotFlags& flags);
 
+/// The failure of a plan. Where the robot has no area to stand on, and no shape tells how its feet meet the ground, a
+/// draft is written as by ReadRobot.
+Failure WithDraft(Failure failure, const RobotFlags& flags, const RobotModel& model);
+
 }  // namespace gaitwright::cli

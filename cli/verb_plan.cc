@@ -72,7 +72,7 @@ int RunPlan(PlanSettings& a) {
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
   const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);
-  if (!planned) return Report(planned.failure(), a.common);
+  if (!planned) return Report(WithDraft(planned.failure(), a.walk.robot, *model), a.common);
   const Result<std::string> saved = SavePlan(planned->motion.plan, path);
   if (!saved) return Report(saved.failure(), a.common);
   PrintPlanned(*planned, path, a.common);

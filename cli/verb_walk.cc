@@ -43,7 +43,7 @@ int RunWalk(WalkSettings& a) {
   a.play.Finish();
   a.play.CheckActs(a.common.sets);
   const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);
-  if (!planned) return Report(planned.failure(), a.common);
+  if (!planned) return Report(WithDraft(planned.failure(), a.walk.robot, *model), a.common);
   const Result<PlayedWalk> played = PlayWalk(*model, planned->motion.plan, a.play.request);
   if (!played) return Report(played.failure(), a.common);
   Judged judged{*model, planned->motion.plan, *played, planned->audit, planned->planning_cpu_s, true};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wrong input: status 1, one sentence that names the offender, and nothing written.
 #include "tests/cli/stranger.h"
+#include "tests/kinematics/model/small_urdf.h"
 
 namespace gaitwright::cli {
 namespace {
@@ -296,6 +297,27 @@ TEST_F(Refusals, JsonHasTheErrorObject) {
     }
   }
   ExpectNothingWritten();
+}
+
+TEST_F(Refusals, ABipedWhoseFeetHaveNoShapeGetsADraftThatAsksForThem) {
+  std::string urdf = "<robot name='bare'>" + SmallLink("trunk", "<box size='0.1 0.3 0.3'/>");
+  for (const std::string leg : {"L", "R"}) {
+    const std::string side = leg == "L" ? "0 0.1 0" : "0 -0.1 0";
+    urdf += SmallLink(leg + "_yaw") + SmallLink(leg + "_roll") + SmallLink(leg + "_thigh") + SmallLink(leg + "_shank") +
+            SmallLink(leg + "_ankle") + SmallLink(leg + "_foot");
+    urdf += Replaced(PitchJoint(leg + "_j1", "trunk", leg + "_yaw", side), "0 1 0", "0 0 1");
+    urdf += Replaced(PitchJoint(leg + "_j2", leg + "_yaw", leg + "_roll", "0 0 0"), "0 1 0", "1 0 0");
+    urdf += PitchJoint(leg + "_j3", leg + "_roll", leg + "_thigh", "0 0 0");
+    urdf += Replaced(PitchJoint(leg + "_j4", leg + "_thigh", leg + "_shank", "0 0 -0.3"), "lower='-2' upper='1'",
+                     "lower='0' upper='2'");
+    urdf += PitchJoint(leg + "_j5", leg + "_shank", leg + "_ankle", "0 0 -0.3");
+    urdf += Replaced(PitchJoint(leg + "_j6", leg + "_ankle", leg + "_foot", "0 0 0"), "0 1 0", "1 0 0");
+  }
+  Write("bare.urdf", urdf + "</robot>");
+  const Ran ran = Run({"walk", "--urdf", "bare.urdf", "--json"});
+  EXPECT_EQ(ran.status, 2) << ran.out;
+  EXPECT_EQ(ran.json().at("error").at("code"), "no_support") << ran.out;
+  EXPECT_NE(Read("robot.draft.yaml").find("sole_m"), std::string::npos);
 }
 
 }  // namespace
