@@ -107,6 +107,19 @@ std::string RobotHash(const RobotModel& model) {
   return HexHash(bytes);
 }
 
+/// Takes what the robot.yaml says of joints that move nothing and were fixed.
+void DropFixedJoints(const RobotModel& model, RobotYaml& yaml) {
+  const auto is_fixed = [&](const auto& entry) {
+    const std::string part = fmt::format("joint '{}'", entry.joint);
+    return std::any_of(model.findings.begin(), model.findings.end(),
+                       [&](const Finding& f) { return f.code == "no_inertia" && f.part == part; });
+  };
+  std::erase_if(yaml.limits, is_fixed);
+  std::erase_if(yaml.standing, is_fixed);
+  std::erase_if(yaml.gains, is_fixed);
+  std::erase_if(yaml.motors, is_fixed);
+}
+
 /// What a robot is made of.
 struct RobotTexts {
   const std::string& urdf;
@@ -122,7 +135,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   if (tree != mended.text) {
     if (const auto failure = CheckUrdf(tree)) return *failure;
   }
-  const RobotYaml yaml = ParseRobotYaml(texts.yaml);
+  RobotYaml yaml = ParseRobotYaml(texts.yaml);
   UrdfParts parts = SplitUrdf(tree, yaml.scale);
   std::vector<MissingMesh> missing;
   Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, missing);
@@ -130,6 +143,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   Result<RobotModel> built = BuildModel(parts, texts.name, yaml.scale, texts.strict);
   if (!built) return built;
   RobotModel model = std::move(*built);
+  DropFixedJoints(model, yaml);
   model.findings.insert(model.findings.begin(), mended.findings.begin(), mended.findings.end());
   model.name = yaml.name.empty() ? texts.name : yaml.name;
   model.description = yaml.description;
