@@ -9,7 +9,8 @@
 namespace gaitwright {
 namespace {
 
-std::string FromUtf16(const std::string& bytes, bool little) {
+/// Nothing where the bytes are no UTF-16.
+std::optional<std::string> FromUtf16(const std::string& bytes, bool little) {
   std::u16string units;
   for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
     const auto a = static_cast<unsigned char>(bytes[i]), b = static_cast<unsigned char>(bytes[i + 1]);
@@ -19,7 +20,7 @@ std::string FromUtf16(const std::string& bytes, bool little) {
   try {
     utf8::utf16to8(units.begin(), units.end(), std::back_inserter(text));
   } catch (const utf8::exception&) {
-    return bytes;
+    return std::nullopt;
   }
   return text;
 }
@@ -47,8 +48,10 @@ bool IsPlainText(const std::string& text) {
 }
 
 std::optional<std::string> InUtf8(const std::string& text) {
-  if (text.starts_with("\xFF\xFE")) return FromUtf16(text, true);
-  if (text.starts_with("\xFE\xFF")) return FromUtf16(text, false);
+  const bool little = text.starts_with("\xFF\xFE");
+  if (little || text.starts_with("\xFE\xFF")) {
+    if (auto converted = FromUtf16(text, little)) return converted;
+  }
   if (utf8::is_valid(text.begin(), text.end())) return std::nullopt;
   std::string mended;
   for (const char c : text)

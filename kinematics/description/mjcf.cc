@@ -104,7 +104,15 @@ bool IsMjcf(const std::string& text) {
 
 Result<ConvertedMjcf> ConvertMjcfText(const std::string& text, const MjcfFiles& files, const std::string& name) {
   try {
-    return ConvertMjcfOrThrow(text, files, name);
+    ConvertedMjcf converted = ConvertMjcfOrThrow(text, files, name);
+    if (!IsMjcf(text)) {
+      return Failure{FailureKind::kBadInput,
+                     "not_mjcf",
+                     "LoadRobot",
+                     fmt::format("{}: it does not begin with <mujoco>, as a MuJoCo model does", name),
+                     {}};
+    }
+    return converted;
   } catch (const Failure& failure) {
     return failure;
   }

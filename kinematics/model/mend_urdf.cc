@@ -171,6 +171,7 @@ MendedUrdf MendUrdf(const std::string& urdf_text) {
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);
   mended.text = printer.CStr();
+  if (const auto text = InUtf8(mended.text)) mended.text = *text;  // numbers of characters may stand for none
   return mended;
 }
 
