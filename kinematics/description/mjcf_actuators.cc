@@ -65,7 +65,7 @@ MjcfForce ReadMjcfForce(MjcfContext& context, const MjcfAttributes& attributes, 
   return force;
 }
 
-/// The joint that an actuator drives; -1 where there is none that moves, which is noted.
+/// Index of the joint that an actuator drives. Where it drives no moving joint: -1, and a note is added.
 int MjcfDrivenJoint(MjcfContext& context, const MjcfAttributes& attributes, const MjcfTree& tree) {
   for (const char* key : {"tendon", "cranksite"}) {
     if (attributes.Has(key))

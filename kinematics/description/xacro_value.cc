@@ -91,7 +91,7 @@ void AppendXacro(const XacroValue& value, bool quotes, std::string& out, XacroBu
   }
 }
 
-/// Two scalars, of which none is a list or dictionary.
+/// Whether two scalars (numbers, booleans, texts) are equal. A list or a dictionary is equal to nothing here.
 bool EqualXacroScalars(const XacroValue& a, const XacroValue& b) {
   if (a.whole() != nullptr && b.whole() != nullptr) return *a.whole() == *b.whole();
   const auto number = XacroNumber(a), other = XacroNumber(b);

@@ -15,7 +15,7 @@ struct ChromiumOptions {
       {};  ///< its path; "" takes GAITWRIGHT_CHROMIUM, else the first of Chromium's usual names on PATH
   int width_px = 1280, height_px = 720;
   double pixel_ratio = 1.0;  ///< of what is drawn over what the page has: less draws the same page in less time
-  bool dark = false;         ///< what pages are told that the reader prefers
+  bool dark = false;         ///< colour scheme of the page (prefers-color-scheme): dark or light
   double timeout_s = 60.0;   ///< for each answer
 };
 
