@@ -91,7 +91,7 @@ void AppendXacro(const XacroValue& value, bool quotes, std::string& out, XacroBu
   }
 }
 
-/// Whether two scalars (numbers, booleans, texts) are equal. A list or a dictionary is equal to nothing here.
+/// Whether two scalars (numbers, booleans, texts) are equal. Neither may be a list or a dictionary.
 bool EqualXacroScalars(const XacroValue& a, const XacroValue& b) {
   if (a.whole() != nullptr && b.whole() != nullptr) return *a.whole() == *b.whole();
   const auto number = XacroNumber(a), other = XacroNumber(b);
