@@ -20,7 +20,6 @@
 #include "kinematics/model/names_description.h"
 #include "kinematics/model/repaired_urdf.h"
 #include "optimisation/pipeline/plan_posture.h"
-#include "planning/footsteps/can_walk.h"
 #include "planning/tasks/repertoire.h"
 #include "playback/control/gains.h"
 #include "playback/viewer/viewer_page.h"
@@ -111,8 +110,22 @@ std::optional<Failure> DrawRobot(const RobotModel& model, const RobotsSettings& 
   return std::nullopt;
 }
 
+/// Why there is no sound plan for a metre at the robot's own speed, or nothing.
+std::optional<std::string> WhyNoWalk(const RobotModel& model) {
+  WalkRequest request;
+  request.own_pace = true;
+  request.command.distance_m = 1.0;
+  const Result<PlannedWalk> planned = PlanWalk(model, request);
+  if (!planned) return planned.failure().message;
+  if (planned->audit.pass()) return std::nullopt;
+  const Violation& first = planned->audit.violations.front();
+  return fmt::format("the plan of a metre breaks the law '{}' at {:.2f} s: {}, {} where {} is the limit", first.law,
+                     first.at_s, first.where, AuditFigure(first.value, first.unit),
+                     AuditFigure(first.limit, first.unit));
+}
+
 std::string VerdictOn(const RobotModel& model, std::size_t warnings) {
-  if (const auto failure = WhyCannotWalk(model)) return "cannot walk: " + failure->message;
+  if (const auto reason = WhyNoWalk(model)) return "cannot walk: " + *reason;
   return warnings == 0 ? "walks" : fmt::format("walks with warnings ({})", warnings);
 }
 

@@ -9,6 +9,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/body_tree.h"
+#include "kinematics/model/passive_joints.h"
 #include "kinematics/model/shape_support.h"
 
 namespace gaitwright {
@@ -100,7 +101,11 @@ void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
       findings.push_back({level, code, part, 0, message});
     };
     if (!std::isfinite(effort)) {
-      if (of_leg) add(FindingLevel::kInfo, "unknown_effort", "its torque limit is not known, so that none is checked");
+      if (IsPassive(model, dof))
+        add(of_leg ? FindingLevel::kWarning : FindingLevel::kInfo, "no_motor",
+            of_leg ? "its torque limit is 0: it has no motor" : "its torque limit is 0: it is held as it stands");
+      else if (of_leg)
+        add(FindingLevel::kInfo, "unknown_effort", "its torque limit is not known, so that none is checked");
       continue;
     }
     if (joint.is_prismatic()) continue;

@@ -13,6 +13,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr char kThin[] = "0.0001";   // [m] of a shape that has the size 0
+constexpr char kUnknownLimit[] = "1e9";  // of effort and speed: more than any joint has, which is read as unknown
 constexpr char kNoLimit[] = "1000";  // [rad], [m] where a limit is not given and the joint is not continuous
 
 /// What is said of the parts of a link or a joint.
@@ -143,7 +144,7 @@ bool MendLimit(XMLElement& joint, const std::string& type, const PartNotes& note
   }
   for (const char* name : {"effort", "velocity"}) {
     if (!lacks(name)) continue;
-    limit->SetAttribute(name, "0");  // which is read as unknown
+    limit->SetAttribute(name, kUnknownLimit);
     notes.Add(FindingLevel::kInfo, "missing_limit", joint,
               fmt::format("its {} limit is not given: none is used", name));
     mended = true;

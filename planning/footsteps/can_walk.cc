@@ -11,6 +11,8 @@
 #include "kinematics/base/options.h"
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/body_tree.h"
+#include "kinematics/model/passive_joints.h"
 #include "kinematics/spatial/dense_solvers.h"
 #include "kinematics/stability/polygon.h"
 
@@ -138,6 +140,26 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
   return std::nullopt;
 }
 
+std::optional<Failure> LacksMotor(const RobotModel& model) {
+  const std::vector<int> leg_of = LegsOfDofs(model);
+  std::vector<std::string> passive;
+  int leg = -1;
+  for (int dof = 0; dof < model.num_dofs(); ++dof) {
+    const int own = leg_of[static_cast<std::size_t>(dof)];
+    if (own < 0 || (leg >= 0 && own != leg) || !IsPassive(model, dof)) continue;
+    leg = own;
+    passive.push_back(model.dof_names[static_cast<std::size_t>(dof)]);
+  }
+  if (passive.empty()) return std::nullopt;
+  return Cannot("passive_joint",
+                fmt::format("leg '{}' cannot be held: {} {} no motor (effort limit 0), and the file does not tell "
+                            "which spring or rod holds {}",
+                            model.legs[static_cast<std::size_t>(leg)].name, QuotedList(passive),
+                            passive.size() == 1 ? "has" : "have", passive.size() == 1 ? "it" : "them"),
+                "where a stiff spring holds it, make the joint 'fixed'; where a motor drives it, give its torque "
+                "(robot.yaml, limits: effort_nm)");
+}
+
 DynamicsScratch Standing(const RobotModel& model) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
@@ -147,6 +169,7 @@ DynamicsScratch Standing(const RobotModel& model) {
 }  // namespace
 
 std::optional<Failure> WhyCannotWalk(const RobotModel& model) {
+  if (auto lacks = LacksMotor(model)) return lacks;
   const DynamicsScratch scratch = Standing(model);
   if (auto lacks = LacksFreedom(model, scratch, Walk::kAhead)) return lacks;
   return LacksSupport(model, scratch);

@@ -30,6 +30,14 @@ TEST_F(RobotsCheck, RobotsOfOursHaveNoWarnings) {
   }
 }
 
+TEST_F(RobotsCheck, TheVerdictIsThatOfAPlan) {
+  for (const char* robot : {"a1", "h1"}) {
+    const Ran shown = Run({"robots", "show", robot, "--json"});
+    const Ran planned = Run({"plan", "--robot", robot, "--distance", "1", "--quiet"});
+    EXPECT_EQ(shown.json().at("verdict").get<std::string>().starts_with("walks"), planned.status == 0) << robot;
+  }
+}
+
 TEST_F(RobotsCheck, WhatIsMendedIsAWarningWithItsPlace) {
   Write("robot.urdf", Replaced(FourLegs(), "izz='0.01' ixy", "izz='0.03' ixy"));
   const Ran ran = Run({"robots", "check", "robot.urdf", "--json"});

@@ -63,9 +63,9 @@ double LargestBetween(double known, double high, const std::function<bool(double
 }  // namespace
 
 bool IsTooMuch(const Failure& failure) {
-  static const std::set<std::string> kWhateverThePace = {"freedoms",     "height",        "no_support",
-                                                         "no_footholds", "search_budget", "start_blocked",
-                                                         "goal_blocked", "way_blocked",   "way_not_found"};
+  static const std::set<std::string> kWhateverThePace = {
+      "passive_joint", "freedoms",      "height",       "no_support",  "no_footholds",
+      "search_budget", "start_blocked", "goal_blocked", "way_blocked", "way_not_found"};
   return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts" &&
          !kWhateverThePace.contains(failure.code);
 }

@@ -24,6 +24,12 @@ TEST(CanWalk, TwoPointsCannotStandStill) {
   ExpectRefused(unusual::PointBiped(), "no_support", {"cannot stand still", "'a_foot'", "'b_foot'", "two points"});
 }
 
+TEST(CanWalk, ALegNeedsAMotorAtEachOfItsJoints) {
+  unusual::UrdfText::Motion knee = unusual::Knee();
+  knee.effort = 0.0;
+  ExpectRefused(unusual::FourLegged(unusual::Abduction(), knee), "passive_joint", {"leg 'a_foot'", "'a3_joint'"});
+}
+
 TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
   ExpectRefused(unusual::Pantograph(), "freedoms", {"leg 'a_foot'", "1 of 2", "'a1_joint', 'a2_joint'"});
   const RobotModel planar = LoadRobotFromText(unusual::Planar(), "").value();
