@@ -190,26 +190,41 @@ void BendLegTo(const BentLeg& bent, double share, VectorX& joints) {
   ReachFrom(bent, guess, wanted, joints);
 }
 
-/// Whether the ankle of a leg with a sole has less than a share of its range left, which a stance needs to go ahead.
-bool IsAnkleSpent(const BentLeg& bent, const VectorX& joints) {
-  constexpr double kSpent = 0.6;
-  if (!bent.has_sole() || bent.plane.joints.size() < 3) return false;
-  const int dof = bent.model.joints[static_cast<std::size_t>(bent.plane.joints[2])].dof;
-  const double q = joints[dof];
-  return q < kSpent * bent.model.dof_lower(dof) || q > kSpent * bent.model.dof_upper(dof);
+/// What a posture of a leg leaves to its joints for steps, from nothing (0) up to enough (1): of the ankle of a leg
+/// with a sole a share of its range, of the bending joints of others a distance from their limits.
+double RoomOf(const BentLeg& bent, const VectorX& joints) {
+  constexpr double kOfAnkle = 0.4, kOfBending = 0.3;  // share of the limit, [rad]
+  double room = 1.0;
+  for (std::size_t i = 0; i < bent.plane.joints.size() && i < 3; ++i) {
+    const Joint& joint = bent.model.joints[static_cast<std::size_t>(bent.plane.joints[i])];
+    const double q = joints[joint.dof], lower = bent.model.dof_lower(joint.dof),
+                 upper = bent.model.dof_upper(joint.dof);
+    if (bent.has_sole() && i == 2) {
+      if (q < 0.0) room = std::min(room, (1.0 - q / lower) / kOfAnkle);
+      if (q > 0.0) room = std::min(room, (1.0 - q / upper) / kOfAnkle);
+    } else if (!bent.has_sole() && !joint.is_prismatic()) {
+      room = std::min(room, std::min(q - lower, upper - q) / kOfBending);
+    }
+  }
+  return room;
 }
 
-/// As far as its kind usually is, or straighter where the ankle would have little left.
+/// As far as its kind usually is, or straighter where a joint would have little room left.
 void BendLeg(const RobotModel& model, const Leg& leg, VectorX& joints) {
-  constexpr double kStraightest = 0.97, kStep = 0.01;
+  constexpr double kStep = 0.01;
   const BentLeg bent(model, leg);
+  const double straightest = bent.has_sole() ? 0.97 : 0.9;
   const VectorX before = joints;
-  double share = bent.has_sole() ? kUprightShare : kCrouchedShare;
-  BendLegTo(bent, share, joints);
-  while (IsAnkleSpent(bent, joints) && share + kStep < kStraightest) {
-    share += kStep;
-    joints = before;
-    BendLegTo(bent, share, joints);
+  double most = -std::numeric_limits<double>::infinity();
+  VectorX tried;
+  for (double share = bent.has_sole() ? kUprightShare : kCrouchedShare; share < straightest && most < 1.0;
+       share += kStep) {
+    tried = before;
+    BendLegTo(bent, share, tried);
+    const double room = RoomOf(bent, tried);
+    if (room <= most) continue;
+    most = room;
+    joints = tried;
   }
 }
 
