@@ -16,6 +16,7 @@
 #include "kinematics/model/build_model.h"
 #include "kinematics/model/check_feet.h"
 #include "kinematics/model/derive_legs.h"
+#include "kinematics/model/inertia_box.h"
 #include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/mesh_file.h"
 #include "kinematics/model/robot_yaml.h"
@@ -154,8 +155,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   const Result<int> legs = DeriveLegs(model, yaml, GivenPosture(yaml, model));
   if (!legs) return legs.failure();
   if (const auto failure = CheckFeetAreKnown(model, yaml.feet, missing)) return *failure;
-  for (const MissingMesh& mesh : missing)
-    model.notes.push_back(fmt::format("link '{}': {}; what it touches is not known", mesh.link, mesh.why));
+  TakeInertiaBoxes(missing, model);
   model.missing_meshes = std::move(missing);
   ApplyStanding(yaml, model);
   ApplyRests(yaml, model);

@@ -144,10 +144,32 @@ TEST_F(MeshFile, WhereFeetAreKnownAMissingMeshIsANote) {
   ASSERT_EQ(model->missing_meshes.size(), 2U);
   std::string notes;
   for (const std::string& note : model->notes) notes += note + "\n";
-  ExpectSays(notes, {"link 'A_thigh': the mesh 'no.stl' is not there", "what it touches is not known"});
+  ExpectSays(notes, {"link 'A_foot': the mesh 'no.stl' is not there", "what it touches is not known"});
   const Result<RobotModel> text = LoadRobotFromText(model->urdf_text, "", model->name, model->meshes);
   ASSERT_TRUE(text.ok()) << text.failure().message;
   EXPECT_EQ(text->hash, model->hash);
+}
+
+TEST_F(MeshFile, TheBoxOfItsInertiaStandsForAMissingMesh) {
+  // A box of 1 kg with edges of 0.1, 0.2 and 0.3 m.
+  const std::string mesh = "<collision><geometry><mesh filename='no.stl'/></geometry></collision></link>";
+  const std::string thigh = SmallLink("A_thigh");
+  std::string boxed = Replaced(Replaced(thigh, "</link>", mesh), "ixx='0.01' iyy='0.01' izz='0.01'",
+                               "ixx='0.0108333333' iyy='0.0083333333' izz='0.0041666667'");
+  boxed = Replaced(boxed, "<mass", "<origin xyz='0 0 -0.1'/><mass");
+  const Result<RobotModel> model = LoadRobot(Write("robot.urdf", Replaced(FourLegs(), thigh, boxed)));
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  const auto box = std::find_if(model->collision_shapes.begin(), model->collision_shapes.end(),
+                                [](const Shape& shape) { return shape.link == "A_thigh"; });
+  ASSERT_NE(box, model->collision_shapes.end());
+  EXPECT_EQ(box->type, ShapeType::kBox);
+  EXPECT_TRUE(box->X_BS.translation().isApprox(Vector3(0.0, 0.0, -0.1)));
+  const Vector3 along = (box->X_BS.linear() * box->size.asDiagonal()).cwiseAbs().rowwise().sum();
+  EXPECT_TRUE(along.isApprox(Vector3(0.1, 0.2, 0.3), 1e-6)) << along.transpose();
+  const auto warning = std::find_if(model->findings.begin(), model->findings.end(),
+                                    [](const Finding& f) { return f.code == "missing_mesh"; });
+  ASSERT_NE(warning, model->findings.end());
+  EXPECT_EQ(warning->part, "link 'A_thigh'");
 }
 
 TEST_F(MeshFile, AFootThatNothingElseTellsOfIsToBeSaid) {
