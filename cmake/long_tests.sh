@@ -32,7 +32,7 @@ step() {
     failures=$((failures + 1))
   fi
   local detail row
-  detail=$(grep -E '^[0-9]+ passed, |tests passed|No tests were found|files are clean|findings in|inputs over' "$log" | tail -n 1 || true)
+  detail=$(grep -E '^[0-9]+ passed, |tests passed|No tests were found|are clean|findings in|inputs over' "$log" | tail -n 1 || true)
   row="| $name | $outcome | ${detail:-see the output} | $((SECONDS - start)) |"
   results+=("$row")
   mkdir -p "$logs/passed"
@@ -79,10 +79,15 @@ fuzzed_readers() {
   [ "$failed" = 0 ]
 }
 
-# Every .cc file of the tree that has changed since it was found clean, each as the compiler sees it alone.
+# Every .cc file of the tree that has changed since it was found clean.
 tidy() {
-  configure editor
   "$root/cmake/tidy.py" $rooms
+}
+
+# Every .cc file as the compiler sees it without the others of its folder.
+alone() {
+  configure editor
+  "$root/cmake/tidy.py" --alone $rooms
 }
 
 write_results() {
@@ -103,6 +108,7 @@ run_long_tests() {
   local room
   mkdir -p "$logs"
   step "clang-tidy" tidy
+  step "files alone" alone
   for room in $tested_rooms; do step "sanitizers: $room" sanitized_tests "$room."; done
   step "sanitizers: readers" sanitized_tests fuzz.
   step "threads" threaded_tests

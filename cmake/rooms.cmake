@@ -6,7 +6,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND GAITWRIGHT_WARNINGS -Wno-restrict)
 endif()
 # Most of what a compiler does for one of our files it does for its neighbours again: headers and templates. So the files of a
-# folder are compiled together, some at a time; OFF compiles each alone, as editors and clang-tidy want them.
+# folder are compiled together, some at a time; OFF compiles each alone, as editors want them.
 option(GAITWRIGHT_UNITY "Compile the files of a folder together, which takes a third of the time" ON)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND GAITWRIGHT_UNITY)
   # GCC collects its garbage later: a tenth faster, and 1.5 GB instead of 1.2 GB for the largest group of files.
