@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "playback/bullet/condensed_solver_internal.h"
+#include "playback/bullet/contact_rows_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
 
 namespace gaitwright::bullet {
@@ -12,16 +13,7 @@ namespace {
 constexpr double kSettled = 1e-9;  // relative change of impulses at which iterating ends
 constexpr double kHeld = 1e-13;  // share of a row's own A that is rounding: others hold it, as friction does at a stop
 
-btMultiBody* BodyOf(const btMultiBodySolverConstraint& row) {
-  return row.m_multiBodyA != nullptr ? row.m_multiBodyA : row.m_multiBodyB;
-}
-
-/// Where a row's J is in Bullet's arrays.
-int JacobianAt(const btMultiBodySolverConstraint& row) {
-  return row.m_multiBodyA != nullptr ? row.m_jacAindex : row.m_jacBindex;
-}
-
-/// Of the row J qd + softness * impulse = target, less what J qd is without it.
+/// Of the row J x + softness * impulse = target.
 double Target(const btMultiBodySolverConstraint& row) { return row.m_rhs / row.m_jacDiagABInv; }
 double Softness(const btMultiBodySolverConstraint& row) { return row.m_cfm / row.m_jacDiagABInv; }
 
@@ -35,6 +27,8 @@ double Bounded(const btMultiBodySolverConstraint& row, double impulse) {
 
 }  // namespace
 
+CondensedSolver::CondensedSolver(JointSpaceInertia& inertia) : inertia_(inertia), factor_(inertia.tree()) {}
+
 btScalar CondensedSolver::solveGroupCacheFriendlySetup(btCollisionObject** bodies, int num_bodies,
                                                        btPersistentManifold** manifolds, int num_manifolds,
                                                        btTypedConstraint** constraints, int num_constraints,
@@ -44,37 +38,60 @@ btScalar CondensedSolver::solveGroupCacheFriendlySetup(btCollisionObject** bodie
                                                                    constraints, num_constraints, info, debug);
 }
 
+void CondensedSolver::convertContacts(btPersistentManifold** manifolds, int num_manifolds,
+                                      const btContactSolverInfo& info) {
+  inertia_.Update();
+  for (int i = 0; i < num_manifolds; ++i) {
+    AddContactRows(*manifolds[i], inertia_, info,
+                   {m_multiBodyNormalContactConstraints, m_multiBodyFrictionContactConstraints, m_data});
+  }
+  for (int i = 0; i < m_tmpNumMultiBodyConstraints; ++i) {
+    m_tmpMultiBodyConstraints[i]->createConstraintRows(m_multiBodyNonContactConstraints, m_data, info);
+  }
+}
+
 btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int num_bodies,
                                                             btPersistentManifold** manifolds, int num_manifolds,
                                                             btTypedConstraint** constraints, int num_constraints,
                                                             const btContactSolverInfo& info, btIDebugDraw* debug) {
-  btMultiBody* body = Gather();
-  if (body == nullptr) return 0.0;
+  if (!Gather()) return 0.0;
   WarmStart();
   bool taken_in = false;
   do {
     if (!Condense()) {  // gears that contradict each other: let projected Gauss-Seidel find a compromise
+      FillResponses(inertia_, m_data);
       return btMultiBodyConstraintSolver::solveGroupCacheFriendlyIterations(
           bodies, num_bodies, manifolds, num_manifolds, constraints, num_constraints, info, debug);
     }
     Iterate(info.m_numIterations);
+    Recover();
   } while (MoveTurned() || (!std::exchange(taken_in, true) && TakeInStuck()) || MoveSaturated());
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const Line& line = lines_[i];
-    const double own = OwnImpulse(line, impulse_[static_cast<Eigen::Index>(i)]);
-    line.row->m_appliedImpulse = own;
-    if (line.loss < 0) continue;
-    impulse_[line.loss] = impulse_[static_cast<Eigen::Index>(i)] - own;
+    lines_[i].row->m_appliedImpulse = impulse_[static_cast<Eigen::Index>(i)];
   }
-  impulse_by_column_.setZero(U_.cols());
-  for (std::size_t i = 0; i < lines_.size(); ++i) impulse_by_column_[column_[i]] += lines_[i].row->m_appliedImpulse;
-  const VectorX change = U_ * impulse_by_column_;
-  body->applyDeltaVeeMultiDof2(change.data(), 1.0);
-  body->setPosUpdated(false);
+  btMultiBody& body = *lines_.front().row->m_multiBodyA;
+  body.applyDeltaVeeMultiDof2(velocity_.data(), 1.0);
+  body.setPosUpdated(false);
   return 0.0;
 }
 
-btMultiBody* CondensedSolver::Gather() {
+Eigen::Map<const VectorX> CondensedSolver::JacobianOf(const Line& line) const {
+  return Eigen::Map<const VectorX>(&m_data.m_jacobians[line.row->m_jacAindex], inertia_.size());
+}
+
+void CondensedSolver::AddForce(const Line& line, double impulse, VectorX& force) const {
+  if (line.coordinate >= 0) {
+    force[line.coordinate] += line.share * impulse;
+  } else {
+    force += impulse * JacobianOf(line);
+  }
+}
+
+double CondensedSolver::Along(const Line& line, const VectorX& velocity) const {
+  return line.coordinate >= 0 ? line.share * velocity[line.coordinate] : JacobianOf(line).dot(velocity);
+}
+
+bool CondensedSolver::Gather() {
   lines_.clear();
   direct_.clear();
   iterated_.clear();
@@ -83,60 +100,13 @@ btMultiBody* CondensedSolver::Gather() {
   const int normals_at = static_cast<int>(lines_.size());
   AddLines(m_multiBodyNormalContactConstraints, Kind::kNormal, 0);
   AddLines(m_multiBodyFrictionContactConstraints, Kind::kFriction, normals_at);
-  if (lines_.empty()) return nullptr;
-
-  btMultiBody* body = BodyOf(*lines_.front().row);
-  GatherMatrices(6 + body->getNumDofs());
   impulse_.setZero(static_cast<Eigen::Index>(lines_.size()));
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (i > 0 && Join(i - 1, i)) continue;
     const Kind kind = lines_[i].kind;
     auto& set = kind == Kind::kDirect ? direct_ : kind == Kind::kSliding ? sliding_ : iterated_;
     set.push_back(static_cast<Eigen::Index>(i));
   }
-  return body;
-}
-
-bool CondensedSolver::Join(std::size_t drive, std::size_t loss) {
-  Line &first = lines_[drive], &second = lines_[loss];
-  const bool are = first.kind == Kind::kDirect && second.kind == Kind::kDirect && column_[drive] == column_[loss] &&
-                   first.row->m_orgDofIndex == MotorRow::kDrive && second.row->m_orgDofIndex == MotorRow::kLoss;
-  if (!are) return false;
-  const double together = first.softness + second.softness;
-  first.b = (second.softness * first.b + first.softness * second.b) / together;
-  first.softness *= second.softness / together;
-  first.loss = static_cast<Eigen::Index>(loss);
-  return true;
-}
-
-void CondensedSolver::Part(Line& drive) {
-  drive.b = Target(*drive.row);
-  drive.softness = Softness(*drive.row);
-  direct_.push_back(std::exchange(drive.loss, -1));
-}
-
-double CondensedSolver::OwnImpulse(const Line& line, double impulse) const {
-  if (line.loss < 0) return impulse;
-  const Line& loss = lines_[static_cast<std::size_t>(line.loss)];
-  const double own = Softness(*line.row), together = own + loss.softness;
-  return (Target(*line.row) - loss.b + loss.softness * impulse) / together;
-}
-
-void CondensedSolver::GatherMatrices(Eigen::Index n) {
-  column_.clear();
-  Eigen::Index columns = 0;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const bool shared = i > 0 && JacobianAt(*lines_[i].row) == JacobianAt(*lines_[i - 1].row);
-    column_.push_back(shared ? columns - 1 : columns++);
-  }
-  J_.resize(n, columns);
-  U_.resize(n, columns);
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const int at = JacobianAt(*lines_[i].row);
-    J_.col(column_[i]) = Eigen::Map<const VectorX>(&m_data.m_jacobians[at], n);
-    U_.col(column_[i]) = Eigen::Map<const VectorX>(&m_data.m_deltaVelocitiesUnitImpulse[at], n);
-  }
-  A_.noalias() = J_.transpose() * U_;
+  return !lines_.empty();
 }
 
 void CondensedSolver::AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at) {
@@ -150,6 +120,11 @@ void CondensedSolver::AddLines(btMultiBodyConstraintArray& rows, Kind kind, int 
     if (rubs && !Holds(row, last)) is = Kind::kSliding;
     lines_.push_back(
         {&row, is, normals_at + row.m_frictionIndex, Target(row), Softness(row), Bounded(row, last), rubs});
+    if (!of_joint) continue;
+    const auto& terms = static_cast<const JointSpaceConstraint*>(row.m_orgConstraint)->terms();
+    if (terms.size() != 1) continue;
+    lines_.back().coordinate = terms.front().coordinate;
+    lines_.back().share = terms.front().share;
   }
 }
 
@@ -170,99 +145,203 @@ void CondensedSolver::WarmStart() {
 }
 
 bool CondensedSolver::Condense() {
-  const auto nd = static_cast<Eigen::Index>(direct_.size()), ni = static_cast<Eigen::Index>(iterated_.size());
-  position_.assign(lines_.size(), -1);
-  b_direct_.resize(nd);
-  b_small_.resize(ni);
-  p_small_.resize(ni);
-  softness_small_.resize(ni);
-  ColumnsOf(direct_, direct_columns_);
-  ColumnsOf(iterated_, iterated_columns_);
-  if (nd > 0) A_direct_ = A_(direct_columns_, direct_columns_);
-  for (Eigen::Index k = 0; k < nd; ++k) {
-    const Eigen::Index i = direct_[static_cast<std::size_t>(k)];
-    A_direct_(k, k) += lines_[static_cast<std::size_t>(i)].softness;
-    b_direct_[k] = lines_[static_cast<std::size_t>(i)].b - BySliding(i);
-  }
-  for (Eigen::Index k = 0; k < ni; ++k) {
-    const Eigen::Index i = iterated_[static_cast<std::size_t>(k)];
-    position_[static_cast<std::size_t>(i)] = k;
-    b_small_[k] = lines_[static_cast<std::size_t>(i)].b - BySliding(i);
-    softness_small_[k] = lines_[static_cast<std::size_t>(i)].softness;
-    p_small_[k] = impulse_[i];
-  }
-  if (nd > 0) {
-    factor_.compute(A_direct_);
-    if (factor_.info() != Eigen::Success) return false;
-  }
-  if (ni == 0) return true;
-  A_small_ = A_(iterated_columns_, iterated_columns_);
-  if (nd > 0) {
-    coupling_ = A_(direct_columns_, iterated_columns_);
-    elimination_ = factor_.solve(coupling_);
-    A_small_.noalias() -= coupling_.transpose() * elimination_;
-    b_small_.noalias() -= elimination_.transpose() * b_direct_;
-  }
+  Fold();
+  FillHalves(iterated_, halves_, b_small_);
+  A_small_.noalias() = halves_.transpose() * halves_;
+  if (!Eliminate()) return false;
+  FillPlaces();
   w_small_.noalias() = A_small_ * p_small_;
   return true;
 }
 
-void CondensedSolver::Iterate(int most) {
-  const Eigen::Index ni = p_small_.size();
-  for (int iteration = 0; iteration < most; ++iteration) {
-    double change = 0.0;
-    for (Eigen::Index k = 0; k < ni; ++k) {
-      const bool friction =
-          lines_[static_cast<std::size_t>(iterated_[static_cast<std::size_t>(k)])].kind == Kind::kFriction;
-      change = std::max(change, friction ? SolveCone(k) : SolveLine(k));
-      if (friction) ++k;
+void CondensedSolver::Fold() {
+  M_ = inertia_.matrix();
+  force_.setZero(inertia_.size());
+  held_velocity_.setZero(inertia_.size());
+  is_held_.assign(static_cast<std::size_t>(inertia_.size()), 0);
+  any_held_ = false;
+  dense_.clear();
+  for (const Eigen::Index i : direct_) {
+    Line& line = lines_[static_cast<std::size_t>(i)];
+    const int at = line.coordinate;
+    line.is_soft = at >= 0 && line.softness > 0.0;
+    line.holds = at >= 0 && !line.is_soft && is_held_[static_cast<std::size_t>(at)] == 0;
+    if (line.is_soft) {
+      M_[inertia_.tree().offset(at) + static_cast<std::size_t>(inertia_.tree().depth(at))] +=
+          line.share * line.share / line.softness;
+      force_[at] += line.share * line.b / line.softness;
+    } else if (line.holds) {
+      is_held_[static_cast<std::size_t>(at)] = 1;
+      held_velocity_[at] = line.b / line.share;
+      any_held_ = true;
+    } else {
+      dense_.push_back(i);
     }
-    if (ni == 0 || change <= kSettled * p_small_.lpNorm<Eigen::Infinity>()) break;
   }
-  for (Eigen::Index k = 0; k < ni; ++k) impulse_[iterated_[static_cast<std::size_t>(k)]] = p_small_[k];
-  if (direct_.empty()) return;
-  VectorX direct = b_direct_;
-  if (ni > 0) direct.noalias() -= coupling_ * p_small_;
-  factor_.solveInPlace(direct);
-  for (std::size_t k = 0; k < direct_.size(); ++k) impulse_[direct_[k]] = direct[static_cast<Eigen::Index>(k)];
+  for (const Eigen::Index i : sliding_) AddForce(lines_[static_cast<std::size_t>(i)], impulse_[i], force_);
+  free_ = force_;
+  if (any_held_) TakeOutHeld();
+  factor_.Compute(M_);
+  factor_.SolveUpper(free_.data());
 }
 
-void CondensedSolver::ChangeImpulse(Eigen::Index k, double change) {
-  p_small_[k] += change;
-  w_small_ += change * A_small_.col(k);
+void CondensedSolver::TakeOutHeld() {
+  const CoordinateTree& tree = inertia_.tree();
+  scratch_.resize(inertia_.size());
+  Multiply(tree, M_, held_velocity_.data(), scratch_.data());
+  free_ -= scratch_;
+  for (int i = 0; i < tree.size(); ++i) {
+    double* row = &M_[tree.offset(i)];
+    const bool held = is_held_[static_cast<std::size_t>(i)] != 0;
+    for (int a = 0; a <= tree.depth(i); ++a) {
+      if (held || is_held_[static_cast<std::size_t>(tree.path(i)[a])] != 0) row[a] = 0.0;
+    }
+    if (!held) continue;
+    row[tree.depth(i)] = 1.0;
+    free_[i] = 0.0;
+  }
+}
+
+void CondensedSolver::FillHalves(const std::vector<Eigen::Index>& lines, MatrixX& halves, VectorX& b) const {
+  const auto count = static_cast<Eigen::Index>(lines.size());
+  halves.resize(inertia_.size(), count);
+  b.resize(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Line& line = lines_[static_cast<std::size_t>(lines[static_cast<std::size_t>(k)])];
+    auto half = halves.col(k);
+    half = JacobianOf(line);
+    b[k] = line.b;
+    for (std::size_t i = 0; any_held_ && i < is_held_.size(); ++i) {
+      if (is_held_[i] == 0) continue;
+      const auto at = static_cast<Eigen::Index>(i);
+      b[k] -= std::exchange(half[at], 0.0) * held_velocity_[at];
+    }
+    factor_.SolveUpper(half.data());
+    b[k] -= half.dot(free_);
+  }
+}
+
+bool CondensedSolver::Eliminate() {
+  if (dense_.empty()) return true;
+  FillHalves(dense_, halves_direct_, b_direct_);
+  A_direct_.noalias() = halves_direct_.transpose() * halves_direct_;
+  for (std::size_t k = 0; k < dense_.size(); ++k) {
+    A_direct_.diagonal()[static_cast<Eigen::Index>(k)] += lines_[static_cast<std::size_t>(dense_[k])].softness;
+  }
+  dense_factor_.compute(A_direct_);
+  if (dense_factor_.info() != Eigen::Success) return false;
+  if (iterated_.empty()) return true;
+  coupling_.noalias() = halves_direct_.transpose() * halves_;
+  elimination_ = dense_factor_.solve(coupling_);
+  A_small_.noalias() -= coupling_.transpose() * elimination_;
+  b_small_.noalias() -= elimination_.transpose() * b_direct_;
+  return true;
+}
+
+void CondensedSolver::FillPlaces() {
+  const auto count = static_cast<Eigen::Index>(iterated_.size());
+  position_.assign(lines_.size(), -1);
+  places_.resize(iterated_.size());
+  p_small_.resize(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Index i = iterated_[static_cast<std::size_t>(k)];
+    const Line& line = lines_[static_cast<std::size_t>(i)];
+    Place& place = places_[static_cast<std::size_t>(k)];
+    position_[static_cast<std::size_t>(i)] = k;
+    p_small_[k] = impulse_[i];
+    place.softness = line.softness;
+    place.is_cone = line.kind == Kind::kFriction && (k == 0 || !places_[static_cast<std::size_t>(k - 1)].is_cone);
+    if (line.kind != Kind::kFriction) {
+      const double alone = 1.0 / line.row->m_jacDiagABInv - line.softness;
+      place.is_held = A_small_(k, k) + line.softness <= kHeld * alone;
+      place.lowest = line.row->m_lowerLimit;
+      place.highest = line.row->m_upperLimit;
+    } else if (place.is_cone) {
+      Eigen::Matrix2d block = A_small_.block<2, 2>(k, k);
+      block(0, 0) += line.softness;
+      block(1, 1) += lines_[static_cast<std::size_t>(i + 1)].softness;
+      const double half = 0.5 * block.trace();
+      place.inverse = block.inverse();
+      place.largest = half + std::sqrt(std::max(0.0, half * half - block.determinant()));
+      place.friction = line.row->m_friction;
+      place.normal = position_[static_cast<std::size_t>(line.normal)];
+    }
+  }
+}
+
+void CondensedSolver::Iterate(int most) {
+  const Eigen::Index count = p_small_.size();
+  for (int iteration = 0; iteration < most; ++iteration) {
+    double change = 0.0;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const bool is_cone = places_[static_cast<std::size_t>(k)].is_cone;
+      change = std::max(change, is_cone ? SolveCone(k) : SolveLine(k));
+      if (is_cone) ++k;
+    }
+    if (count == 0 || change <= kSettled * p_small_.lpNorm<Eigen::Infinity>()) break;
+  }
+  for (Eigen::Index k = 0; k < count; ++k) impulse_[iterated_[static_cast<std::size_t>(k)]] = p_small_[k];
 }
 
 double CondensedSolver::SolveLine(Eigen::Index k) {
-  const Eigen::Index i = iterated_[static_cast<std::size_t>(k)];
-  const btMultiBodySolverConstraint& row = *lines_[static_cast<std::size_t>(i)].row;
-  const double s = softness_small_[k], now = p_small_[k];
-  const Eigen::Index column = column_[static_cast<std::size_t>(i)];
-  if (A_small_(k, k) + s <= kHeld * A_(column, column)) return 0.0;
-  const double free = now + (b_small_[k] - w_small_[k] - s * now) / (A_small_(k, k) + s);
-  const double change = std::clamp<double>(free, row.m_lowerLimit, row.m_upperLimit) - now;
-  if (change != 0.0) ChangeImpulse(k, change);
+  const Place& place = places_[static_cast<std::size_t>(k)];
+  if (place.is_held) return 0.0;
+  const double now = p_small_[k];
+  const double free = now + (b_small_[k] - w_small_[k] - place.softness * now) / (A_small_(k, k) + place.softness);
+  const double change = std::clamp(free, place.lowest, place.highest) - now;
+  if (change == 0.0) return 0.0;
+  p_small_[k] += change;
+  w_small_ += change * A_small_.col(k);
   return std::abs(change);
 }
 
 double CondensedSolver::SolveCone(Eigen::Index k) {
-  const Line& line = lines_[static_cast<std::size_t>(iterated_[static_cast<std::size_t>(k)])];
-  const double radius = line.row->m_friction * p_small_[position_[static_cast<std::size_t>(line.normal)]];
-  const Vector2 now = p_small_.segment<2>(k), s = softness_small_.segment<2>(k);
-  Eigen::Matrix2d block = A_small_.block<2, 2>(k, k);
-  block.diagonal() += s;
+  const Place& place = places_[static_cast<std::size_t>(k)];
+  const double radius = place.friction * p_small_[place.normal];
+  const Vector2 now = p_small_.segment<2>(k);
+  const Vector2 s(place.softness, places_[static_cast<std::size_t>(k + 1)].softness);
   const Vector2 residual = b_small_.segment<2>(k) - w_small_.segment<2>(k) - s.cwiseProduct(now);
   // A step by the larger eigenvalue keeps the projection onto the disc a descent; the exact step is taken inside it.
-  Vector2 wanted = now + block.inverse() * residual;
+  Vector2 wanted = now + place.inverse * residual;
   if (wanted.norm() > radius) {
-    const double half = 0.5 * block.trace();
-    const double largest = half + std::sqrt(std::max(0.0, half * half - block.determinant()));
-    wanted = now + residual / largest;
+    wanted = now + residual / place.largest;
     if (wanted.norm() > radius) wanted *= radius / wanted.norm();
   }
   const Vector2 change = wanted - now;
-  if (change.x() != 0.0) ChangeImpulse(k, change.x());
-  if (change.y() != 0.0) ChangeImpulse(k + 1, change.y());
+  if (change.x() == 0.0 && change.y() == 0.0) return 0.0;
+  p_small_.segment<2>(k) += change;
+  w_small_ += change.x() * A_small_.col(k) + change.y() * A_small_.col(k + 1);
   return change.lpNorm<Eigen::Infinity>();
+}
+
+void CondensedSolver::Recover() {
+  velocity_ = free_;
+  velocity_.noalias() += halves_ * p_small_;
+  if (!dense_.empty()) {
+    p_direct_ = b_direct_;
+    if (!iterated_.empty()) p_direct_.noalias() -= coupling_ * p_small_;
+    dense_factor_.solveInPlace(p_direct_);
+    velocity_.noalias() += halves_direct_ * p_direct_;
+    for (std::size_t k = 0; k < dense_.size(); ++k) impulse_[dense_[k]] = p_direct_[static_cast<Eigen::Index>(k)];
+  }
+  factor_.SolveLower(velocity_.data());
+  if (any_held_) velocity_ += held_velocity_;  // which is zero elsewhere, as velocity_ was where it is not
+  for (const Eigen::Index i : direct_) {
+    const Line& line = lines_[static_cast<std::size_t>(i)];
+    if (line.is_soft) impulse_[i] = (line.b - line.share * velocity_[line.coordinate]) / line.softness;
+  }
+  if (any_held_) RecoverHolding();
+}
+
+void CondensedSolver::RecoverHolding() {
+  Multiply(inertia_.tree(), inertia_.matrix(), velocity_.data(), scratch_.data());
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (!lines_[i].holds) AddForce(lines_[i], -impulse_[static_cast<Eigen::Index>(i)], scratch_);
+  }
+  for (const Eigen::Index i : direct_) {
+    const Line& line = lines_[static_cast<std::size_t>(i)];
+    if (line.holds) impulse_[i] = scratch_[line.coordinate] / line.share;
+  }
 }
 
 bool CondensedSolver::TakeInStuck() {
@@ -279,10 +358,8 @@ bool CondensedSolver::TakeInStuck() {
 
 bool CondensedSolver::MoveTurned() {
   const auto turned = [&](Eigen::Index i) {
-    double left = lines_[static_cast<std::size_t>(i)].b;  // of the velocity it is against; it pushes that way
-    for (std::size_t k = 0; k < lines_.size(); ++k) {
-      left -= A_(column_[static_cast<std::size_t>(i)], column_[k]) * impulse_[static_cast<Eigen::Index>(k)];
-    }
+    const Line& line = lines_[static_cast<std::size_t>(i)];
+    const double left = line.b - Along(line, velocity_);  // of the velocity it is against; it pushes that way
     return left * impulse_[i] < 0.0;
   };
   const auto kept = std::stable_partition(sliding_.begin(), sliding_.end(), [&](Eigen::Index i) { return !turned(i); });
@@ -295,39 +372,22 @@ bool CondensedSolver::MoveTurned() {
   return true;
 }
 
-double CondensedSolver::BySliding(Eigen::Index i) const {
-  double velocity = 0.0;
-  for (const Eigen::Index k : sliding_) {
-    velocity += A_(column_[static_cast<std::size_t>(i)], column_[static_cast<std::size_t>(k)]) * impulse_[k];
-  }
-  return velocity;
-}
-
-void CondensedSolver::ColumnsOf(const std::vector<Eigen::Index>& lines, std::vector<Eigen::Index>& columns) const {
-  columns.clear();
-  for (const Eigen::Index i : lines) columns.push_back(column_[static_cast<std::size_t>(i)]);
-}
-
 bool CondensedSolver::MoveSaturated() {
   const auto beyond = [&](Eigen::Index i) {
     const Line& line = lines_[static_cast<std::size_t>(i)];
-    const double own = OwnImpulse(line, impulse_[i]);
-    return own < line.row->m_lowerLimit || own > line.row->m_upperLimit;
+    return impulse_[i] < line.row->m_lowerLimit || impulse_[i] > line.row->m_upperLimit;
   };
   const auto kept = std::stable_partition(direct_.begin(), direct_.end(), [&](Eigen::Index i) { return !beyond(i); });
   if (kept == direct_.end()) return false;
   for (auto moved = kept; moved != direct_.end(); ++moved) {
     Line& line = lines_[static_cast<std::size_t>(*moved)];
-    impulse_[*moved] = Bounded(*line.row, OwnImpulse(line, impulse_[*moved]));
+    impulse_[*moved] = Bounded(*line.row, impulse_[*moved]);
     line.kind = Kind::kBounded;
+    line.is_soft = line.holds = false;
   }
   // First, so that friction lines stay in pairs behind their normals.
-  const auto first = iterated_.insert(iterated_.begin(), kept, direct_.end());
-  const auto moved = direct_.end() - kept;
+  iterated_.insert(iterated_.begin(), kept, direct_.end());
   direct_.erase(kept, direct_.end());
-  for (auto i = first; i != first + moved; ++i) {
-    if (Line& line = lines_[static_cast<std::size_t>(*i)]; line.loss >= 0) Part(line);
-  }
   return true;
 }
 

@@ -8,27 +8,37 @@
 
 #include "kinematics/spatial/pose.h"
 #include "playback/bullet/contact_thinning_internal.h"
+#include "playback/bullet/joint_space_inertia_internal.h"
 
 namespace gaitwright::bullet {
 
 /// Solves the rows of one multibody on static ground: motors and gears directly, contacts and stops by projected
 /// Gauss-Seidel on what is left.
 ///
-/// With rows J, response U = M^-1 J^T, A = J U, softness s and impulses p, each row asks (A p + s p = b)_i within the
-/// bounds of p_i. Motors and gears (D) are linear unless saturated, so they are eliminated:
-///   (A_DD + s_D) p_D = b_D - A_DI p_I,   A'_II = A_II - A_ID (A_DD + s_D)^-1 A_DI,
-/// and only contacts, stops and saturated motors (I) are iterated on, in the small dense A'. A motor that comes out
-/// beyond its limit moves to I, and the step is solved again. Dry friction of a joint is in D where it held in the last
-/// step; where it slid it is a known impulse, until the joint turns back: then it is in I, and taken into D once when
-/// it comes to hold. Stiff motors cost no iterations, which projected Gauss-Seidel on all rows needs hundreds of.
-/// Friction is a cone: the two rows of a contact are projected together. Iterations start from the contact's impulses
-/// of the last step and end at `solver_iterations` or a relative change of 1e-9. Points that cannot matter get no rows,
-/// see ContactThinning.
+/// With M the mass matrix, rows J, softness s and impulses p, the change x of the velocities is M x = J^T p, and each
+/// row asks J x + s p = b within the bounds of p. Motors and gears are linear unless saturated, so they are eliminated:
+///   a row on one joint's rate, J = c, s > 0   p = (b - c x) / s, so that M gets c^2 / s on its diagonal and the
+///                                             right-hand side c b / s: M keeps the zeros of the robot's tree
+///   a row on one joint's rate, s = 0          x = b / c is known, the joint is taken out of M, p is what holds it
+///   other rows (D), as gears and twins        (A_DD + s_D) p_D = b_D - A_DI p_I, with A = J M^-1 J^T of that M
+/// Only contacts, stops and saturated motors (I) are iterated on, in the small dense
+///   A'_II = A_II - A_ID (A_DD + s_D)^-1 A_DI.
+/// A motor that comes out beyond its limit moves to I, and the step is solved again. Dry friction of a joint is in D
+/// where it held in the last step; where it slid it is a known impulse, until the joint turns back: then it is in I,
+/// and taken into D once when it comes to hold. Stiff motors cost no iterations, which projected Gauss-Seidel on all
+/// rows needs hundreds of. Friction is a cone: the two rows of a contact are projected together. Iterations start from
+/// the contact's impulses of the last step and end at `solver_iterations` or a relative change of 1e-9. Points that
+/// cannot matter get no rows, see ContactThinning.
 class CondensedSolver : public btMultiBodyConstraintSolver {
+ public:
+  /// @param inertia  of the one multibody, which must outlive this.
+  explicit CondensedSolver(JointSpaceInertia& inertia);
+
  protected:
   btScalar solveGroupCacheFriendlySetup(btCollisionObject** bodies, int num_bodies, btPersistentManifold** manifolds,
                                         int num_manifolds, btTypedConstraint** constraints, int num_constraints,
                                         const btContactSolverInfo& info, btIDebugDraw* debug) override;
+  void convertContacts(btPersistentManifold** manifolds, int num_manifolds, const btContactSolverInfo& info) override;
   btScalar solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int num_bodies,
                                              btPersistentManifold** manifolds, int num_manifolds,
                                              btTypedConstraint** constraints, int num_constraints,
@@ -41,43 +51,70 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
     Kind kind;
     int normal;  ///< of friction: the line of its normal
     double b, softness;
-    double last = 0.0;       ///< of dry friction in a joint: impulse of the last step
-    bool rubs = false;       ///< it is one
-    Eigen::Index loss = -1;  ///< of a drive: line of the joint's loss, while both are solved as one
+    double last = 0.0;     ///< of dry friction in a joint: impulse of the last step
+    bool rubs = false;     ///< it is one
+    int coordinate = -1;   ///< the only one in J, or -1
+    double share = 0.0;    ///< J there
+    bool is_soft = false;  ///< direct: in the diagonal of M
+    bool holds = false;    ///< direct: its coordinate is taken out of M
+  };
+  /// A line on which iterations go.
+  struct Place {
+    bool is_cone;     ///< the first of the two lines of a contact's friction
+    bool is_held;     ///< its velocity is others', as that of a joint at its stop is dry friction's
+    double softness;  ///< of the line
+    double lowest, highest;
+    double friction;
+    Eigen::Index normal;  ///< of a cone: place of its normal
+    Eigen::Matrix2d inverse;
+    double largest;  ///< eigenvalue of the cone's block
   };
 
-  btMultiBody* Gather();
-  void GatherMatrices(Eigen::Index n);
+  bool Gather();
   void AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at);
   void WarmStart();
+  /// @return whether the direct lines can be held, all of them.
   bool Condense();
+  /// Takes direct lines on one coordinate into M, and what sliding lines give into the right-hand side.
+  void Fold();
+  void TakeOutHeld();
+  bool Eliminate();
+  void FillHalves(const std::vector<Eigen::Index>& lines, MatrixX& halves, VectorX& b) const;
+  void FillPlaces();
   void Iterate(int most);
+  /// Velocities and the impulses of direct lines, from those of the others.
+  void Recover();
+  void RecoverHolding();
   double SolveLine(Eigen::Index k);
   double SolveCone(Eigen::Index k);
-  void ChangeImpulse(Eigen::Index k, double change);
-  /// A drive and the loss of its joint act on one velocity, so that their sum is as one softer row. Part undoes it.
-  bool Join(std::size_t drive, std::size_t loss);
-  void Part(Line& drive);
-  /// What of a line's impulse is its row's own.
-  double OwnImpulse(const Line& line, double impulse) const;
-  /// Velocity along line i by the friction of joints that slide.
-  double BySliding(Eigen::Index i) const;
-  void ColumnsOf(const std::vector<Eigen::Index>& lines, std::vector<Eigen::Index>& columns) const;
   bool MoveTurned();
   bool TakeInStuck();
   bool MoveSaturated();
+  Eigen::Map<const VectorX> JacobianOf(const Line& line) const;
+  void AddForce(const Line& line, double impulse, VectorX& force) const;
+  double Along(const Line& line, const VectorX& velocity) const;
 
+  JointSpaceInertia& inertia_;
   ContactThinning thinning_;
   std::vector<Line> lines_;
   std::vector<Eigen::Index> direct_, iterated_, sliding_;  ///< lines
-  std::vector<Eigen::Index> direct_columns_, iterated_columns_;
-  std::vector<Eigen::Index> position_;         ///< by line: place in iterated_
-  std::vector<Eigen::Index> column_;           ///< by line: of J; lines of one joint share theirs
-  MatrixX J_, U_, A_;                          ///< by column; A by column and column
+  std::vector<Eigen::Index> dense_;                        ///< those of direct_ that are in A_DD
+  std::vector<Eigen::Index> position_;                     ///< by line: place in iterated_
+  std::vector<Place> places_;
+
+  std::vector<double> M_;  ///< with soft lines and without held coordinates
+  TreeFactor factor_;      ///< of it
+  VectorX force_;          ///< of soft and sliding lines, without their part by velocity
+  VectorX free_;           ///< half of the change of velocity that it makes: L^-T force_
+  std::vector<char> is_held_;
+  bool any_held_ = false;
+  VectorX held_velocity_, scratch_;
+
+  MatrixX halves_, halves_direct_;             ///< L^-T J^T by place, by place in dense_
   MatrixX A_direct_, coupling_, elimination_;  ///< A_DD + s, A_DI, its solution
   MatrixX A_small_;                            ///< A' by place
-  VectorX b_direct_, b_small_, p_small_, w_small_, softness_small_, impulse_, impulse_by_column_;
-  Eigen::LLT<MatrixX> factor_;
+  VectorX b_direct_, b_small_, p_direct_, p_small_, w_small_, impulse_, velocity_;
+  Eigen::LLT<MatrixX> dense_factor_;
 };
 
 }  // namespace gaitwright::bullet

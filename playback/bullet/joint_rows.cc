@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "playback/bullet/contact_rows_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
 
 namespace gaitwright::bullet {
@@ -13,65 +14,44 @@ constexpr double kGearCorrection = 0.5;  // share of a gear's error that a step 
 
 }  // namespace
 
-JointSpaceConstraint::JointSpaceConstraint(btMultiBody& body, int link, int rows)
-    : btMultiBodyConstraint(&body, nullptr, link, -1, rows, false, MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR),
-      jacobian_(static_cast<std::size_t>(6 + body.getNumDofs()), 0.0) {
+JointSpaceConstraint::JointSpaceConstraint(RobotBody& robot, int link, int rows)
+    : btMultiBodyConstraint(&robot.multibody(), nullptr, link, -1, rows, false, MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR),
+      inertia_(robot.inertia()) {
   m_data.resize(rows);
 }
 
 int JointSpaceConstraint::getIslandIdA() const { return m_bodyA->getBaseCollider()->getIslandTag(); }
 
-void JointSpaceConstraint::AddTerm(int dof_row, double coefficient) {
-  jacobian_.at(static_cast<std::size_t>(6 + dof_row)) += coefficient;
+void JointSpaceConstraint::AddTerm(int dof_row, double share) {
+  if (share != 0.0) terms_.push_back({6 + dof_row, share});
 }
 
 JointSpaceConstraint::Response JointSpaceConstraint::Respond(btMultiBodyJacobianData& data) {
-  const int n = 6 + m_bodyA->getNumDofs(), at = data.m_jacobians.size();
-  data.m_jacobians.resize(at + n);
-  data.m_deltaVelocitiesUnitImpulse.resize(at + n);
-  btScalar* J = &data.m_jacobians[at];
-  btScalar* response = &data.m_deltaVelocitiesUnitImpulse[at];
-  std::copy(jacobian_.begin(), jacobian_.end(), J);
-  m_bodyA->calcAccelerationDeltasMultiDof(J, response, data.scratch_r, data.scratch_v);
-  Response result{at, 0.0, 0.0};
-  for (int i = 6; i < n; ++i) {
-    result.inverse_inertia += J[i] * response[i];
-    result.velocity += J[i] * m_bodyA->getVelocityVector()[i];
+  Response result{AddJacobian(inertia_.size(), data), 0.0, 0.0};
+  double* J = &data.m_jacobians[result.at];
+  for (const Term& term : terms_) {
+    J[term.coordinate] = term.share;
+    result.velocity += term.share * m_bodyA->getVelocityVector()[term.coordinate];
   }
+  result.inverse_inertia = inertia_.InverseAlong(J);
   return result;
 }
 
 void JointSpaceConstraint::AddRow(const Row& wanted, const Response& response, btMultiBodyConstraintArray& rows,
                                   btMultiBodyJacobianData& data) {
-  btMultiBodySolverConstraint& row = rows.expandNonInitializing();
-  row = btMultiBodySolverConstraint();
+  btMultiBodySolverConstraint& row = AddEmptyRow(*m_bodyA, m_linkA, rows, data);
   row.m_orgConstraint = this;
   row.m_orgDofIndex = wanted.index;
-  row.m_multiBodyA = m_bodyA;
-  row.m_linkA = m_linkA;
-  row.m_deltaVelAindex = m_bodyA->getCompanionId();
-  if (row.m_deltaVelAindex < 0) {
-    row.m_deltaVelAindex = data.m_deltaVelocities.size();
-    m_bodyA->setCompanionId(row.m_deltaVelAindex);
-    data.m_deltaVelocities.resize(row.m_deltaVelAindex + 6 + m_bodyA->getNumDofs());
-  }
   row.m_jacAindex = response.at;
   row.m_jacDiagABInv = 1.0 / (response.inverse_inertia + wanted.softness);
   row.m_rhs = (wanted.target_velocity - response.velocity) * row.m_jacDiagABInv;
   row.m_cfm = wanted.softness * row.m_jacDiagABInv;
   row.m_lowerLimit = wanted.lowest;
   row.m_upperLimit = wanted.highest;
-  row.m_appliedImpulse = row.m_appliedPushImpulse = row.m_rhsPenetration = row.m_friction = 0.0;
-  for (btVector3* part : {&row.m_relpos1CrossNormal, &row.m_contactNormal1, &row.m_relpos2CrossNormal,
-                          &row.m_contactNormal2, &row.m_angularComponentA, &row.m_angularComponentB}) {
-    part->setZero();
-  }
-  row.m_originalContactPoint = nullptr;
-  row.m_frictionIndex = row.m_overrideNumSolverIterations = row.m_deltaVelBindex = row.m_jacBindex = 0;
 }
 
-MotorRow::MotorRow(const RobotBody& robot, btMultiBody& body, int dof, const Traits& traits)
-    : JointSpaceConstraint(body, robot.members(dof).front().joint, 4), members_(robot.members(dof)), traits_(traits) {
+MotorRow::MotorRow(RobotBody& robot, int dof, const Traits& traits)
+    : JointSpaceConstraint(robot, robot.members(dof).front().joint, 4), members_(robot.members(dof)), traits_(traits) {
   for (const RobotBody::Member& member : members_) AddTerm(robot.Row(member.joint), member.share);
 }
 
@@ -136,8 +116,8 @@ double MotorRow::Torque(double step_s) {
   return std::clamp(target_.tau_ff + row, target_.limits.lowest, target_.limits.highest);
 }
 
-GearRow::GearRow(const RobotBody& robot, btMultiBody& body, const Joint& joint, int follower, int leader)
-    : JointSpaceConstraint(body, follower, 1),
+GearRow::GearRow(RobotBody& robot, const Joint& joint, int follower, int leader)
+    : JointSpaceConstraint(robot, follower, 1),
       follower_(follower),
       leader_(leader),
       multiplier_(joint.multiplier),

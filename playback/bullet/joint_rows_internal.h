@@ -11,10 +11,17 @@
 namespace gaitwright::bullet {
 
 /// A constraint on the joint velocities of one multibody, made of rows J qd with constant J. The second body of
-/// Bullet's rows stays empty, which halves their cost.
+/// Bullet's rows stays empty.
 class JointSpaceConstraint : public btMultiBodyConstraint {
  public:
-  JointSpaceConstraint(btMultiBody& body, int link, int rows);
+  JointSpaceConstraint(RobotBody& robot, int link, int rows);
+
+  /// What is not zero in J: `share` of the velocity with that number among Bullet's.
+  struct Term {
+    int coordinate;
+    double share;
+  };
+  const std::vector<Term>& terms() const { return terms_; }
 
   void finalizeMultiDof() override {}
   int getIslandIdA() const override;
@@ -28,10 +35,10 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
     double softness;         ///< J qd + softness * impulse = target_velocity
     double lowest, highest;  ///< impulse [N m s]
   };
-  void AddTerm(int dof_row, double coefficient);
+  void AddTerm(int dof_row, double share);
   /// What rows with the same J have in common.
   struct Response {
-    int at;                  ///< of J and M^-1 J^T in Bullet's arrays
+    int at;                  ///< of J in Bullet's arrays
     double inverse_inertia;  ///< J M^-1 J^T: the velocity J qd that a unit impulse gives
     double velocity;         ///< J qd under all forces of the step but those of rows
   };
@@ -40,7 +47,8 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
               btMultiBodyJacobianData& data);
 
  private:
-  std::vector<double> jacobian_;
+  JointSpaceInertia& inertia_;
+  std::vector<Term> terms_;
 };
 
 /// The motor of one independent coordinate, with the mechanical stops at its position limits and what its joints lose.
@@ -66,7 +74,7 @@ class MotorRow : public JointSpaceConstraint {
 
     bool drags() const { return damping > 0.0 || rotor_inertia > 0.0; }
   };
-  MotorRow(const RobotBody& robot, btMultiBody& body, int dof, const Traits& traits);
+  MotorRow(RobotBody& robot, int dof, const Traits& traits);
 
   struct Target {
     double q, v;
@@ -104,7 +112,7 @@ class MotorRow : public JointSpaceConstraint {
 /// Holds follower = multiplier * leader + offset.
 class GearRow : public JointSpaceConstraint {
  public:
-  GearRow(const RobotBody& robot, btMultiBody& body, const Joint& joint, int follower, int leader);
+  GearRow(RobotBody& robot, const Joint& joint, int follower, int leader);
 
   void createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
                             const btContactSolverInfo& info) override;

@@ -91,6 +91,7 @@ RobotBody::RobotBody(const RobotModel& model, const BodyOptions& options)
   body_->setMaxAppliedImpulse(1e6);
   for (int i = 0; i < links; ++i) SetupJoint(model, i, options.mass_scale);
   body_->finalizeMultiDof();
+  inertia_ = std::make_unique<JointSpaceInertia>(*body_);
   AddColliders(model, options);
   SetState(options.q0, VectorX::Zero(model.nv()));
 }

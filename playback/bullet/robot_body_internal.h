@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kinematics/model/robot_model.h"
+#include "playback/bullet/joint_space_inertia_internal.h"
 
 namespace gaitwright::bullet {
 
@@ -66,6 +67,7 @@ class RobotBody {
 
   btMultiBody& multibody() { return *body_; }
   const btMultiBody& multibody() const { return *body_; }
+  JointSpaceInertia& inertia() { return *inertia_; }
   const Pose& X_BM(int body) const { return X_BM_[static_cast<std::size_t>(body)]; }
   const ColliderPart& part(int body, int child) const;
   /// Index of the row of a joint in Bullet's vectors of joint velocities, -1 when locked.
@@ -90,6 +92,7 @@ class RobotBody {
   std::vector<std::vector<ColliderPart>> parts_;             ///< by body, child
   std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
   std::unique_ptr<btMultiBody> body_;
+  std::unique_ptr<JointSpaceInertia> inertia_;
   btAlignedObjectArray<btScalar> scratch_r_;
   btAlignedObjectArray<btVector3> scratch_v_;
   btAlignedObjectArray<btMatrix3x3> scratch_m_;

@@ -118,6 +118,7 @@ struct BulletWorld::Impl {
         ground(terrain, options, BumpsOf(robot, q0, options)),
         body(robot, BodyOptionsOf(options, q0, ground)),
         dispatcher(&configuration),
+        solver(body.inertia()),
         world(&dispatcher, &broadphase, &solver, &configuration),
         reader(robot, body, terrain),
         before(robot),
@@ -157,14 +158,14 @@ struct BulletWorld::Impl {
       drives.push_back(DriveOf(model, options, dof));
       bounds.push_back(BoundOf(model, dof));
       if (body.locked(dof)) continue;
-      motors.back() = std::make_unique<bullet::MotorRow>(body, body.multibody(), dof, TraitsOf(model, options, dof));
+      motors.back() = std::make_unique<bullet::MotorRow>(body, dof, TraitsOf(model, options, dof));
       world.addMultiBodyConstraint(motors.back().get());
     }
     for (std::size_t i = 0; i < model.joints.size(); ++i) {
       const Joint& joint = model.joints[i];
       if (!joint.is_mimic || body.locked(joint.dof)) continue;
       const int leader = model.dof_joint[static_cast<std::size_t>(joint.dof)];
-      gears.push_back(std::make_unique<bullet::GearRow>(body, body.multibody(), joint, static_cast<int>(i), leader));
+      gears.push_back(std::make_unique<bullet::GearRow>(body, joint, static_cast<int>(i), leader));
       world.addMultiBodyConstraint(gears.back().get());
     }
   }
