@@ -8,18 +8,6 @@
 namespace gaitwright {
 namespace {
 
-/// Rotation by an angle about a unit axis (Rodrigues).
-Matrix3 AxisRotation(const Vector3& axis, double angle) {
-  const double s = std::sin(angle), c = std::cos(angle);
-  const Vector3 t = (1.0 - c) * axis;
-  const Vector3 sa = s * axis;
-  Matrix3 R;
-  R << t.x() * axis.x() + c, t.x() * axis.y() - sa.z(), t.x() * axis.z() + sa.y(),  //
-      t.x() * axis.y() + sa.z(), t.y() * axis.y() + c, t.y() * axis.z() - sa.x(),   //
-      t.x() * axis.z() - sa.y(), t.y() * axis.z() + sa.x(), t.z() * axis.z() + c;
-  return R;
-}
-
 double JointRate(const Joint& joint, const VectorX& v) { return joint.multiplier * v[6 + joint.dof]; }
 
 /// Own inertia of a body, about O in world axes.
@@ -54,25 +42,6 @@ DynamicsScratch::DynamicsScratch(const RobotModel& model) {
   }
   axis_W.assign(model.joints.size(), Vector3::Zero());
   composite.assign(n, {0.0, Vector3::Zero(), Matrix3::Zero()});
-}
-
-void ForwardKinematics(const RobotModel& model, const VectorX& q, DynamicsScratch& scratch) {
-  scratch.p_WB[0] = q.head<3>();
-  scratch.R_WB[0] = BaseRotation(q);
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    const Joint& joint = model.joints[j];
-    const auto parent = static_cast<std::size_t>(joint.parent_body);
-    const double position = joint.multiplier * q[7 + joint.dof] + joint.offset;
-    const Matrix3 R_WJ = scratch.R_WB[parent] * joint.X_PJ.linear();
-    scratch.axis_W[j].noalias() = R_WJ * joint.axis_J;
-    scratch.p_WB[j + 1] = scratch.p_WB[parent] + scratch.R_WB[parent] * joint.X_PJ.translation();
-    if (joint.is_prismatic()) {
-      scratch.R_WB[j + 1] = R_WJ;
-      scratch.p_WB[j + 1] += position * scratch.axis_W[j];
-    } else {
-      scratch.R_WB[j + 1].noalias() = R_WJ * AxisRotation(joint.axis_J, position);
-    }
-  }
 }
 
 void ForwardVelocities(const RobotModel& model, const VectorX& q, const VectorX& v, DynamicsScratch& scratch) {

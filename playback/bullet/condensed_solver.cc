@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "playback/bullet/condensed_solver_internal.h"
-#include "playback/bullet/contact_rows_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
 
 namespace gaitwright::bullet {
@@ -12,10 +11,6 @@ namespace {
 
 constexpr double kSettled = 1e-9;  // relative change of impulses at which iterating ends
 constexpr double kHeld = 1e-13;  // share of a row's own A that is rounding: others hold it, as friction does at a stop
-
-/// Of the row J x + softness * impulse = target.
-double Target(const btMultiBodySolverConstraint& row) { return row.m_rhs / row.m_jacDiagABInv; }
-double Softness(const btMultiBodySolverConstraint& row) { return row.m_cfm / row.m_jacDiagABInv; }
 
 bool Holds(const btMultiBodySolverConstraint& row, double impulse) {
   return impulse > row.m_lowerLimit && impulse < row.m_upperLimit;
@@ -42,8 +37,7 @@ void CondensedSolver::convertContacts(btPersistentManifold** manifolds, int num_
                                       const btContactSolverInfo& info) {
   inertia_.Update();
   for (int i = 0; i < num_manifolds; ++i) {
-    AddContactRows(*manifolds[i], inertia_, info,
-                   {m_multiBodyNormalContactConstraints, m_multiBodyFrictionContactConstraints, m_data});
+    AddContactRows(*manifolds[i], inertia_, info, Rows());
   }
   for (int i = 0; i < m_tmpNumMultiBodyConstraints; ++i) {
     m_tmpMultiBodyConstraints[i]->createConstraintRows(m_multiBodyNonContactConstraints, m_data, info);
@@ -59,7 +53,7 @@ btScalar CondensedSolver::solveGroupCacheFriendlyIterations(btCollisionObject** 
   bool taken_in = false;
   do {
     if (!Condense()) {  // gears that contradict each other: let projected Gauss-Seidel find a compromise
-      FillResponses(inertia_, m_data);
+      NormaliseRows(inertia_, Rows());
       return btMultiBodyConstraintSolver::solveGroupCacheFriendlyIterations(
           bodies, num_bodies, manifolds, num_manifolds, constraints, num_constraints, info, debug);
     }
@@ -91,6 +85,11 @@ double CondensedSolver::Along(const Line& line, const VectorX& velocity) const {
   return line.coordinate >= 0 ? line.share * velocity[line.coordinate] : JacobianOf(line).dot(velocity);
 }
 
+SolverRows CondensedSolver::Rows() {
+  return {m_multiBodyNonContactConstraints, m_multiBodyNormalContactConstraints, m_multiBodyFrictionContactConstraints,
+          m_data};
+}
+
 bool CondensedSolver::Gather() {
   lines_.clear();
   direct_.clear();
@@ -118,13 +117,13 @@ void CondensedSolver::AddLines(btMultiBodyConstraintArray& rows, Kind kind, int 
     Kind is = kind;
     if (of_joint && row.m_orgDofIndex == MotorRow::kStop) is = Kind::kBounded;
     if (rubs && !Holds(row, last)) is = Kind::kSliding;
-    lines_.push_back(
-        {&row, is, normals_at + row.m_frictionIndex, Target(row), Softness(row), Bounded(row, last), rubs});
+    lines_.push_back({&row, is, normals_at + row.m_frictionIndex, row.m_rhs, row.m_cfm, Bounded(row, last), rubs});
+    lines_.back().last_coordinate = inertia_.last_coordinate(row.m_linkA);
     if (!of_joint) continue;
     const auto& terms = static_cast<const JointSpaceConstraint*>(row.m_orgConstraint)->terms();
-    if (terms.size() != 1) continue;
-    lines_.back().coordinate = terms.front().coordinate;
-    lines_.back().share = terms.front().share;
+    const bool is_one = terms.size() == 1;
+    lines_.back().coordinate = lines_.back().last_coordinate = is_one ? terms.front().coordinate : -1;
+    if (is_one) lines_.back().share = terms.front().share;
   }
 }
 
@@ -202,22 +201,41 @@ void CondensedSolver::TakeOutHeld() {
   }
 }
 
-void CondensedSolver::FillHalves(const std::vector<Eigen::Index>& lines, MatrixX& halves, VectorX& b) const {
+void CondensedSolver::FillHalves(const std::vector<Eigen::Index>& lines, MatrixX& halves, VectorX& b) {
   const auto count = static_cast<Eigen::Index>(lines.size());
-  halves.resize(inertia_.size(), count);
+  halves.setZero(inertia_.size(), count);
   b.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Line& line = lines_[static_cast<std::size_t>(lines[static_cast<std::size_t>(k)])];
+    b[k] = line.b;
+    if (line.last_coordinate >= 0) {
+      FillHalfAlong(line, halves.col(k), b[k]);
+      continue;
+    }
     auto half = halves.col(k);
     half = JacobianOf(line);
-    b[k] = line.b;
-    for (std::size_t i = 0; any_held_ && i < is_held_.size(); ++i) {
-      if (is_held_[i] == 0) continue;
-      const auto at = static_cast<Eigen::Index>(i);
-      b[k] -= std::exchange(half[at], 0.0) * held_velocity_[at];
+    for (Eigen::Index i = 0; any_held_ && i < half.size(); ++i) {
+      if (is_held_[static_cast<std::size_t>(i)] != 0) b[k] -= std::exchange(half[i], 0.0) * held_velocity_[i];
     }
     factor_.SolveUpper(half.data());
     b[k] -= half.dot(free_);
+  }
+}
+
+void CondensedSolver::FillHalfAlong(const Line& line, Eigen::Ref<VectorX> half, double& b) {
+  const int* path = inertia_.tree().path(line.last_coordinate);
+  const int depth = inertia_.tree().depth(line.last_coordinate);
+  const double* J = JacobianOf(line).data();
+  scratch_.resize(inertia_.size());
+  for (int a = 0; a <= depth; ++a) {
+    const bool held = any_held_ && is_held_[static_cast<std::size_t>(path[a])] != 0;
+    scratch_[a] = held ? 0.0 : J[path[a]];
+    if (held) b -= J[path[a]] * held_velocity_[path[a]];
+  }
+  factor_.SolveUpperAlong(line.last_coordinate, scratch_.data());
+  for (int a = 0; a <= depth; ++a) {
+    half[path[a]] = scratch_[a];
+    b -= scratch_[a] * free_[path[a]];
   }
 }
 
@@ -229,7 +247,8 @@ bool CondensedSolver::Eliminate() {
     A_direct_.diagonal()[static_cast<Eigen::Index>(k)] += lines_[static_cast<std::size_t>(dense_[k])].softness;
   }
   dense_factor_.compute(A_direct_);
-  if (dense_factor_.info() != Eigen::Success) return false;
+  const auto pivots = dense_factor_.matrixLLT().diagonal().array().square();
+  if (dense_factor_.info() != Eigen::Success || (pivots <= kHeld * A_direct_.diagonal().array()).any()) return false;
   if (iterated_.empty()) return true;
   coupling_.noalias() = halves_direct_.transpose() * halves_;
   elimination_ = dense_factor_.solve(coupling_);
@@ -252,8 +271,9 @@ void CondensedSolver::FillPlaces() {
     place.softness = line.softness;
     place.is_cone = line.kind == Kind::kFriction && (k == 0 || !places_[static_cast<std::size_t>(k - 1)].is_cone);
     if (line.kind != Kind::kFriction) {
-      const double alone = 1.0 / line.row->m_jacDiagABInv - line.softness;
-      place.is_held = A_small_(k, k) + line.softness <= kHeld * alone;
+      place.inverse_diagonal = 1.0 / (A_small_(k, k) + line.softness);
+      place.is_held = line.kind == Kind::kBounded &&
+                      A_small_(k, k) + line.softness <= kHeld * inertia_.InverseAlong(JacobianOf(line).data());
       place.lowest = line.row->m_lowerLimit;
       place.highest = line.row->m_upperLimit;
     } else if (place.is_cone) {
@@ -287,7 +307,7 @@ double CondensedSolver::SolveLine(Eigen::Index k) {
   const Place& place = places_[static_cast<std::size_t>(k)];
   if (place.is_held) return 0.0;
   const double now = p_small_[k];
-  const double free = now + (b_small_[k] - w_small_[k] - place.softness * now) / (A_small_(k, k) + place.softness);
+  const double free = now + (b_small_[k] - w_small_[k] - place.softness * now) * place.inverse_diagonal;
   const double change = std::clamp(free, place.lowest, place.highest) - now;
   if (change == 0.0) return 0.0;
   p_small_[k] += change;
@@ -303,9 +323,9 @@ double CondensedSolver::SolveCone(Eigen::Index k) {
   const Vector2 residual = b_small_.segment<2>(k) - w_small_.segment<2>(k) - s.cwiseProduct(now);
   // A step by the larger eigenvalue keeps the projection onto the disc a descent; the exact step is taken inside it.
   Vector2 wanted = now + place.inverse * residual;
-  if (wanted.norm() > radius) {
+  if (wanted.squaredNorm() > radius * radius) {
     wanted = now + residual / place.largest;
-    if (wanted.norm() > radius) wanted *= radius / wanted.norm();
+    if (wanted.squaredNorm() > radius * radius) wanted *= radius / wanted.norm();
   }
   const Vector2 change = wanted - now;
   if (change.x() == 0.0 && change.y() == 0.0) return 0.0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics/spatial/pose.h"
+#include "playback/bullet/contact_rows_internal.h"
 #include "playback/bullet/contact_thinning_internal.h"
 #include "playback/bullet/joint_space_inertia_internal.h"
 
@@ -51,12 +52,13 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
     Kind kind;
     int normal;  ///< of friction: the line of its normal
     double b, softness;
-    double last = 0.0;     ///< of dry friction in a joint: impulse of the last step
-    bool rubs = false;     ///< it is one
-    int coordinate = -1;   ///< the only one in J, or -1
-    double share = 0.0;    ///< J there
-    bool is_soft = false;  ///< direct: in the diagonal of M
-    bool holds = false;    ///< direct: its coordinate is taken out of M
+    double last = 0.0;         ///< of dry friction in a joint: impulse of the last step
+    bool rubs = false;         ///< it is one
+    int coordinate = -1;       ///< the only one in J, or -1
+    double share = 0.0;        ///< J there
+    int last_coordinate = -1;  ///< on whose path J is, or -1
+    bool is_soft = false;      ///< direct: in the diagonal of M
+    bool holds = false;        ///< direct: its coordinate is taken out of M
   };
   /// A line on which iterations go.
   struct Place {
@@ -64,12 +66,14 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
     bool is_held;     ///< its velocity is others', as that of a joint at its stop is dry friction's
     double softness;  ///< of the line
     double lowest, highest;
+    double inverse_diagonal;  ///< of A' + softness
     double friction;
     Eigen::Index normal;  ///< of a cone: place of its normal
     Eigen::Matrix2d inverse;
     double largest;  ///< eigenvalue of the cone's block
   };
 
+  SolverRows Rows();
   bool Gather();
   void AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at);
   void WarmStart();
@@ -79,7 +83,8 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   void Fold();
   void TakeOutHeld();
   bool Eliminate();
-  void FillHalves(const std::vector<Eigen::Index>& lines, MatrixX& halves, VectorX& b) const;
+  void FillHalves(const std::vector<Eigen::Index>& lines, MatrixX& halves, VectorX& b);
+  void FillHalfAlong(const Line& line, Eigen::Ref<VectorX> half, double& b);
   void FillPlaces();
   void Iterate(int most);
   /// Velocities and the impulses of direct lines, from those of the others.

@@ -17,26 +17,10 @@ struct TouchingPoint {
   Vector3 p_W;
 };
 
-/// A row without values, and what they are made of.
-struct RowAlong {
-  btMultiBodySolverConstraint& row;
-  double inverse_inertia;  ///< J M^-1 J^T
-  double velocity;         ///< J qd
-
-  /// J qd + softness * impulse = target
-  void Ask(double target, double softness, double relaxation) {
-    row.m_jacDiagABInv = relaxation / (inverse_inertia + softness);
-    row.m_rhs = (target - velocity) * row.m_jacDiagABInv;
-    row.m_cfm = softness * row.m_jacDiagABInv;
-  }
-  void Bound(double lowest, double highest) {
-    row.m_lowerLimit = lowest;
-    row.m_upperLimit = highest;
-  }
-};
-
-RowAlong AddRowAlong(const TouchingPoint& touching, const btVector3& direction, JointSpaceInertia& inertia,
-                     btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data) {
+/// A row that asks for no velocity along a direction.
+btMultiBodySolverConstraint& AddRowAlong(const TouchingPoint& touching, const btVector3& direction,
+                                         const JointSpaceInertia& inertia, btMultiBodyConstraintArray& rows,
+                                         btMultiBodyJacobianData& data) {
   btMultiBody& body = *touching.collider.m_multiBody;
   btMultiBodySolverConstraint& row = AddEmptyRow(body, touching.collider.m_link, rows, data);
   row.m_originalContactPoint = &touching.point;
@@ -45,33 +29,37 @@ RowAlong AddRowAlong(const TouchingPoint& touching, const btVector3& direction, 
   double* J = &data.m_jacobians[row.m_jacAindex];
   inertia.FillPointJacobian(touching.collider.m_link, touching.p_W, touching.sign * FromBullet(direction), J);
   const Eigen::Map<const VectorX> along(J, inertia.size()), velocity(body.getVelocityVector(), inertia.size());
-  return {row, inertia.InverseAlong(J), along.dot(velocity)};
+  row.m_rhs = -along.dot(velocity);
+  return row;
 }
 
-void AddRowsOfPoint(const TouchingPoint& touching, JointSpaceInertia& inertia, const btContactSolverInfo& info,
-                    const ContactRows& rows) {
+void AddRowsOfPoint(const TouchingPoint& touching, const JointSpaceInertia& inertia, const btContactSolverInfo& info,
+                    const SolverRows& rows) {
   btManifoldPoint& point = touching.point;
   const double h = info.m_timeStep, distance = point.getDistance() + info.m_linearSlop;
-  const int normal_at = rows.normals.size(), frictions_at = rows.frictions.size();
-  RowAlong normal = AddRowAlong(touching, point.m_normalWorldOnB, inertia, rows.normals, rows.data);
-  normal.Ask(-(distance > 0.0 ? 1.0 : info.m_erp2) * distance / h, info.m_globalCfm / h, info.m_sor);
-  normal.Bound(0.0, kUnlimitedPush);
-  normal.row.m_frictionIndex = frictions_at;
+  const int normal_at = rows.normals.size();
+  auto& normal = AddRowAlong(touching, point.m_normalWorldOnB, inertia, rows.normals, rows.data);
+  normal.m_rhs -= (distance > 0.0 ? 1.0 : info.m_erp2) * distance / h;
+  normal.m_cfm = info.m_globalCfm / h;
+  normal.m_lowerLimit = 0.0;
+  normal.m_upperLimit = kUnlimitedPush;
+  normal.m_frictionIndex = rows.frictions.size();
 
   btPlaneSpace1(point.m_normalWorldOnB, point.m_lateralFrictionDir1, point.m_lateralFrictionDir2);
   for (btVector3* direction : {&point.m_lateralFrictionDir1, &point.m_lateralFrictionDir2}) {
     direction->normalize();
-    RowAlong friction = AddRowAlong(touching, *direction, inertia, rows.frictions, rows.data);
-    friction.Ask(0.0, info.m_frictionCFM / h, info.m_sor);
-    friction.Bound(-point.m_combinedFriction, point.m_combinedFriction);
-    friction.row.m_frictionIndex = normal_at;
+    auto& friction = AddRowAlong(touching, *direction, inertia, rows.frictions, rows.data);
+    friction.m_cfm = info.m_frictionCFM / h;
+    friction.m_lowerLimit = -point.m_combinedFriction;
+    friction.m_upperLimit = point.m_combinedFriction;
+    friction.m_frictionIndex = normal_at;
   }
 }
 
 }  // namespace
 
-void AddContactRows(btPersistentManifold& manifold, JointSpaceInertia& inertia, const btContactSolverInfo& info,
-                    const ContactRows& rows) {
+void AddContactRows(btPersistentManifold& manifold, const JointSpaceInertia& inertia, const btContactSolverInfo& info,
+                    const SolverRows& rows) {
   const auto* first = btMultiBodyLinkCollider::upcast(manifold.getBody0());
   const auto* collider = first != nullptr ? first : btMultiBodyLinkCollider::upcast(manifold.getBody1());
   if (collider == nullptr) return;
@@ -95,6 +83,8 @@ btMultiBodySolverConstraint& AddEmptyRow(btMultiBody& body, int link, btMultiBod
     body.setCompanionId(row.m_deltaVelAindex);
     data.m_deltaVelocities.resize(row.m_deltaVelAindex + 6 + body.getNumDofs());
   }
+  row.m_jacDiagABInv = 1.0;
+  row.m_rhs = row.m_cfm = 0.0;
   row.m_appliedImpulse = row.m_appliedPushImpulse = row.m_rhsPenetration = row.m_friction = 0.0;
   for (btVector3* part : {&row.m_relpos1CrossNormal, &row.m_contactNormal1, &row.m_relpos2CrossNormal,
                           &row.m_contactNormal2, &row.m_angularComponentA, &row.m_angularComponentB}) {
@@ -112,11 +102,23 @@ int AddJacobian(int size, btMultiBodyJacobianData& data) {
   return at;
 }
 
-void FillResponses(const JointSpaceInertia& inertia, btMultiBodyJacobianData& data) {
+void NormaliseRows(const JointSpaceInertia& inertia, const SolverRows& rows) {
+  btMultiBodyJacobianData& data = rows.data;
+  const Eigen::Index n = inertia.size();
   data.m_deltaVelocitiesUnitImpulse = data.m_jacobians;
   for (int at = 0; at < data.m_jacobians.size(); at += inertia.size()) {
     inertia.factor().SolveUpper(&data.m_deltaVelocitiesUnitImpulse[at]);
     inertia.factor().SolveLower(&data.m_deltaVelocitiesUnitImpulse[at]);
+  }
+  for (btMultiBodyConstraintArray* some : {&rows.joints, &rows.normals, &rows.frictions}) {
+    for (int i = 0; i < some->size(); ++i) {
+      btMultiBodySolverConstraint& row = (*some)[i];
+      const Eigen::Map<const VectorX> J(&data.m_jacobians[row.m_jacAindex], n);
+      const Eigen::Map<const VectorX> response(&data.m_deltaVelocitiesUnitImpulse[row.m_jacAindex], n);
+      row.m_jacDiagABInv = 1.0 / (J.dot(response) + row.m_cfm);
+      row.m_rhs *= row.m_jacDiagABInv;
+      row.m_cfm *= row.m_jacDiagABInv;
+    }
   }
 }
 

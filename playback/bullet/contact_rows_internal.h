@@ -8,21 +8,22 @@
 
 namespace gaitwright::bullet {
 
-/// Where rows go.
-struct ContactRows {
+/// Bullet's arrays that rows go into. Rows are kept unscaled, J qd + m_cfm * impulse = J qd + m_rhs, with
+/// m_jacDiagABInv 1, and without M^-1 J^T: see NormaliseRows.
+struct SolverRows {
+  btMultiBodyConstraintArray& joints;
   btMultiBodyConstraintArray& normals;
   btMultiBodyConstraintArray& frictions;  ///< two for each normal
   btMultiBodyJacobianData& data;
 };
 
 /// Rows of the contacts of a multibody with ground that never moves. They ask what btMultiBodyConstraintSolver asks for
-/// the same points, with two directions of friction and without restitution, which nothing here has: with v the
-/// velocity along the normal under all forces but those of rows, h the step, d the distance and p the impulse,
-///   v + J M^-1 J^T p + cfm / h p = -d / h apart, -erp2 d / h in the ground, p >= 0.
-/// J is made along the path of the link and J M^-1 J^T from the factor of M, by which a row costs a tenth of Bullet's.
-/// M^-1 J^T is not made: see FillResponses.
-void AddContactRows(btPersistentManifold& manifold, JointSpaceInertia& inertia, const btContactSolverInfo& info,
-                    const ContactRows& rows);
+/// the same points, with two directions of friction and without restitution and over-relaxation, which nothing here
+/// has: with v the velocity along the normal after the step, h the step, d the distance and p >= 0 the impulse,
+///   v + cfm / h p = -d / h apart, -erp2 d / h in the ground.
+/// J is made along the path of the link only.
+void AddContactRows(btPersistentManifold& manifold, const JointSpaceInertia& inertia, const btContactSolverInfo& info,
+                    const SolverRows& rows);
 
 /// A row of a multibody, without values: at the end of `rows`, with the index of the body's change of velocity in the
 /// arrays of `data`, which is new to them with the first row of a step.
@@ -32,7 +33,7 @@ btMultiBodySolverConstraint& AddEmptyRow(btMultiBody& body, int link, btMultiBod
 /// Room for one more J in the arrays of `data`, all zero. @return where it begins.
 int AddJacobian(int size, btMultiBodyJacobianData& data);
 
-/// M^-1 J^T of all rows in the arrays of `data`, which only Bullet's own iterations need.
-void FillResponses(const JointSpaceInertia& inertia, btMultiBodyJacobianData& data);
+/// Scales rows by 1 / (J M^-1 J^T + m_cfm) and makes M^-1 J^T, as Bullet's own iterations need them.
+void NormaliseRows(const JointSpaceInertia& inertia, const SolverRows& rows);
 
 }  // namespace gaitwright::bullet

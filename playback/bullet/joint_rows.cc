@@ -27,14 +27,21 @@ void JointSpaceConstraint::AddTerm(int dof_row, double share) {
 }
 
 JointSpaceConstraint::Response JointSpaceConstraint::Respond(btMultiBodyJacobianData& data) {
-  Response result{AddJacobian(inertia_.size(), data), 0.0, 0.0};
+  Response result{AddJacobian(inertia_.size(), data), 0.0};
   double* J = &data.m_jacobians[result.at];
   for (const Term& term : terms_) {
     J[term.coordinate] = term.share;
     result.velocity += term.share * m_bodyA->getVelocityVector()[term.coordinate];
   }
-  result.inverse_inertia = inertia_.InverseAlong(J);
   return result;
+}
+
+double JointSpaceConstraint::InverseInertia() const {
+  const Term& first = terms_.front();
+  if (terms_.size() == 1) return first.share * first.share * inertia_.InverseAt(first.coordinate);
+  VectorX J = VectorX::Zero(inertia_.size());
+  for (const Term& term : terms_) J[term.coordinate] = term.share;
+  return inertia_.InverseAlong(J.data());
 }
 
 void JointSpaceConstraint::AddRow(const Row& wanted, const Response& response, btMultiBodyConstraintArray& rows,
@@ -43,9 +50,8 @@ void JointSpaceConstraint::AddRow(const Row& wanted, const Response& response, b
   row.m_orgConstraint = this;
   row.m_orgDofIndex = wanted.index;
   row.m_jacAindex = response.at;
-  row.m_jacDiagABInv = 1.0 / (response.inverse_inertia + wanted.softness);
-  row.m_rhs = (wanted.target_velocity - response.velocity) * row.m_jacDiagABInv;
-  row.m_cfm = wanted.softness * row.m_jacDiagABInv;
+  row.m_rhs = wanted.target_velocity - response.velocity;
+  row.m_cfm = wanted.softness;
   row.m_lowerLimit = wanted.lowest;
   row.m_upperLimit = wanted.highest;
 }
@@ -90,7 +96,7 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
     AddRow({kDrive, target_velocity, 1.0 / drive, std::max(-kUnlimited, lowest), std::min(kUnlimited, highest)},
            *response, rows, data);
     const double most = std::min(target_.limits.largest(), std::abs(pull) + target_.damping * std::abs(velocity));
-    gain = traits_.torque_scale * response->inverse_inertia * h * most;
+    gain = traits_.torque_scale * InverseInertia() * h * most;
   }
   if (response) AddLosses(h, *response, rows, data);
   // A stop acts only when the coming step could pass it.

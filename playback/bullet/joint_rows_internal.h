@@ -38,10 +38,11 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
   void AddTerm(int dof_row, double share);
   /// What rows with the same J have in common.
   struct Response {
-    int at;                  ///< of J in Bullet's arrays
-    double inverse_inertia;  ///< J M^-1 J^T: the velocity J qd that a unit impulse gives
-    double velocity;         ///< J qd under all forces of the step but those of rows
+    int at;           ///< of J in Bullet's arrays
+    double velocity;  ///< J qd under all forces of the step but those of rows
   };
+  /// J M^-1 J^T: the velocity J qd that a unit impulse gives.
+  double InverseInertia() const;
   Response Respond(btMultiBodyJacobianData& data);
   void AddRow(const Row& row, const Response& response, btMultiBodyConstraintArray& rows,
               btMultiBodyJacobianData& data);

@@ -115,11 +115,18 @@ double JointSpaceInertia::InverseAlong(const double* J) {
   return half_.squaredNorm();
 }
 
+double JointSpaceInertia::InverseAt(int coordinate) {
+  half_.setZero(tree_.depth(coordinate) + 1);
+  half_[tree_.depth(coordinate)] = 1.0;
+  factor_.SolveUpperAlong(coordinate, half_.data());
+  return half_.squaredNorm();
+}
+
 void JointSpaceInertia::FillPointJacobian(int link, const Vector3& p_W, const Vector3& direction_W, double* J) const {
   const Vector3 turning = (p_W - FromBullet(body_.getBasePos())).cross(direction_W);
   Eigen::Map<Vector3>{J} = turning;
   Eigen::Map<Vector3>{J + 3} = direction_W;
-  const int last = last_coordinate_[static_cast<std::size_t>(link + 1)];
+  const int last = last_coordinate(link);
   const int* path = tree_.path(last);
   for (int a = kBaseCoordinates; a <= tree_.depth(last); ++a) {
     const Motion& motion = motions_[static_cast<std::size_t>(path[a])];

@@ -29,8 +29,12 @@ class JointSpaceInertia {
   const CoordinateTree& tree() const { return tree_; }
   const std::vector<double>& matrix() const { return M_; }
   const TreeFactor& factor() const { return factor_; }
+  /// Of those that move a link, the one at the end of the path. @param link  Bullet's number, -1 for the base.
+  int last_coordinate(int link) const { return last_coordinate_[static_cast<std::size_t>(link + 1)]; }
   /// J M^-1 J^T. @param J  of size().
   double InverseAlong(const double* J);
+  /// (M^-1)_ii of a coordinate i.
+  double InverseAt(int coordinate);
 
   /// J of the velocity along a direction of the point of a link that is at p_W.
   /// @param link  Bullet's number, -1 for the base.  @param J  of size(), all zero before.

@@ -61,6 +61,15 @@ void TreeFactor::SolveUpper(double* x) const {
   }
 }
 
+void TreeFactor::SolveUpperAlong(int coordinate, double* x) const {
+  const int* path = tree_.path(coordinate);
+  for (int a = tree_.depth(coordinate); a >= 0; --a) {
+    const double* row = &L_[tree_.offset(path[a])];
+    const double value = x[a] *= row[a];
+    for (int b = 0; b < a; ++b) x[b] -= row[b] * value;
+  }
+}
+
 void TreeFactor::SolveLower(double* x) const {
   for (int i = 0; i < tree_.size(); ++i) {
     const double* row = &L_[tree_.offset(i)];

@@ -42,6 +42,8 @@ class TreeFactor {
   /// x := L^-T x, which leaves zeros but on the paths of what is not zero. M^-1 x is SolveLower of it, and
   /// x1^T M^-1 x2 the product of two such halves.
   void SolveUpper(double* x) const;
+  /// SolveUpper for what is zero off the path of a coordinate. @param x  along it, depth + 1 numbers.
+  void SolveUpperAlong(int coordinate, double* x) const;
   /// x := L^-1 x
   void SolveLower(double* x) const;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "kinematics/dynamics/chain_kinematics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/unknown_motor.h"
 #include "kinematics/spatial/rotation.h"
@@ -13,6 +14,7 @@
 namespace gaitwright {
 
 LegTargets::LegTargets(const RobotModel& model) : model_(model), scratch_(model), whole_(6, model.nv()) {
+  for (const Foot& foot : model.feet) chains_.push_back(JointsTo(model, foot.body));
   std::vector<int> users(static_cast<std::size_t>(model.num_dofs()), 0);
   for (const Leg& leg : model.legs) {
     std::set<int> dofs;
@@ -62,7 +64,7 @@ void LegTargets::Solve(int leg, const FootMotion& wanted, const VectorX& q_plann
   const auto highest = [&](int dof) { return std::max(model_.dof_upper(dof) - kMargin, q_planned[7 + dof]); };
   Vector6 error;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    ForwardKinematics(model_, q, scratch_);
+    ChainKinematics(model_, q, chains_[static_cast<std::size_t>(leg)], scratch_);
     UpdateJacobian(leg, foot.X_BF.translation());
     const Pose X_WF = FramePose(scratch_, foot.body, foot.X_BF);
     error << wanted.X_WF.translation() - X_WF.translation(),
@@ -93,7 +95,7 @@ void LegTargets::SetRates(int leg, const Vector6& wanted, VectorX& v) const {
 
 void LegTargets::Hold(int leg, const Vector3& normal_W, double creep_m_s, const VectorX& q, VectorX& v) {
   const Foot& foot = model_.feet[static_cast<std::size_t>(leg)];
-  ForwardKinematics(model_, q, scratch_);
+  ChainKinematics(model_, q, chains_[static_cast<std::size_t>(leg)], scratch_);
   const auto body = static_cast<std::size_t>(foot.body);
   const Vector3 p_WQ = ContactFrame(model_, scratch_, leg, normal_W).translation();
   UpdateJacobian(leg, scratch_.R_WB[body].transpose() * (p_WQ - scratch_.p_WB[body]));

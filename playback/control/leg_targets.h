@@ -52,6 +52,7 @@ class LegTargets {
   const RobotModel& model_;
   DynamicsScratch scratch_;
   std::vector<std::vector<int>> dofs_;
+  std::vector<std::vector<int>> chains_;  ///< by foot: joints between it and the base
   std::vector<double> fastest_;  ///< by dof [rad/s or m/s]; near a straight knee a slow foot asks for any speed
   MatrixX whole_;
   Jacobian jacobian_;
