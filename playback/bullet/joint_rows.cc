@@ -16,14 +16,17 @@ constexpr double kGearCorrection = 0.5;  // share of a gear's error that a step 
 
 JointSpaceConstraint::JointSpaceConstraint(RobotBody& robot, int link, int rows)
     : btMultiBodyConstraint(&robot.multibody(), nullptr, link, -1, rows, false, MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR),
-      inertia_(robot.inertia()) {
+      inertia_(robot.inertia()),
+      jacobian_(VectorX::Zero(inertia_.size())) {
   m_data.resize(rows);
 }
 
 int JointSpaceConstraint::getIslandIdA() const { return m_bodyA->getBaseCollider()->getIslandTag(); }
 
 void JointSpaceConstraint::AddTerm(int dof_row, double share) {
-  if (share != 0.0) terms_.push_back({6 + dof_row, share});
+  if (share == 0.0) return;
+  terms_.push_back({6 + dof_row, share});
+  jacobian_[6 + dof_row] = share;
 }
 
 JointSpaceConstraint::Response JointSpaceConstraint::Respond(btMultiBodyJacobianData& data) {
@@ -39,9 +42,7 @@ JointSpaceConstraint::Response JointSpaceConstraint::Respond(btMultiBodyJacobian
 double JointSpaceConstraint::InverseInertia() const {
   const Term& first = terms_.front();
   if (terms_.size() == 1) return first.share * first.share * inertia_.InverseAt(first.coordinate);
-  VectorX J = VectorX::Zero(inertia_.size());
-  for (const Term& term : terms_) J[term.coordinate] = term.share;
-  return inertia_.InverseAlong(J.data());
+  return inertia_.InverseAlong(jacobian_.data());
 }
 
 void JointSpaceConstraint::AddRow(const Row& wanted, const Response& response, btMultiBodyConstraintArray& rows,

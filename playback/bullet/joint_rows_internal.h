@@ -50,6 +50,7 @@ class JointSpaceConstraint : public btMultiBodyConstraint {
  private:
   JointSpaceInertia& inertia_;
   std::vector<Term> terms_;
+  VectorX jacobian_;
 };
 
 /// The motor of one independent coordinate, with the mechanical stops at its position limits and what its joints lose.

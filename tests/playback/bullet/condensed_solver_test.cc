@@ -86,7 +86,7 @@ template <class Solver>
 struct SmallWorld {
   SmallWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q0)
       : ground(terrain, WorldOptions(), Bumps()),
-        body(model, {.q0 = q0}),
+        body(model, {.locked_dofs = {}, .q0 = q0}),
         dispatcher(&configuration),
         solver(body.inertia()),
         world(&dispatcher, &broadphase, &solver, &configuration) {
@@ -118,13 +118,13 @@ TEST_P(ContactRowsTest, AreThoseThatBulletMakes) {
   const RobotModel model = AnyRobot(GetParam());
   for (const char* terrain : {"flat", "rough"}) {
     SmallWorld<ComparedSolver> made(model, MakeTerrain(terrain, TerrainScale()).value(), StandingConfiguration(model));
-    for (int k = 0; k < 1500 && !HasFailure(); ++k) made.world.stepSimulation(0.001, 0);  // it falls in a heap
+    for (int k = 0; k < 1000 && !HasFailure(); ++k) made.world.stepSimulation(0.001, 0);  // it falls in a heap
     EXPECT_GT(made.solver.rows, 1000);
     EXPECT_EQ(made.solver.feet_and_others, 3) << "base and links touch the ground";
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, ContactRowsTest, testing::Values("a1", "nao", "sliding"),
+INSTANTIATE_TEST_SUITE_P(Robots, ContactRowsTest, testing::Values("a1", "nao"),
                          [](const auto& i) { return std::string(i.param); });
 
 /// One gear twice says nothing new; the impulses of the two are not unique, the motion is.
@@ -147,7 +147,7 @@ TEST(CondensedSolver, GearsThatDependOnEachOtherAreHeldStill) {
     for (int k = 0; k < 100; ++k) {
       made.body.multibody().addJointTorque(leader, 0.01);
       made.world.stepSimulation(0.001, 0);
-      if (gears > 0) EXPECT_LT(std::abs(rows.front()->Error()), 1e-6);
+      for (const auto& row : rows) EXPECT_LT(std::abs(row->Error()), 1e-6);
     }
     return made.body.multibody().getJointVel(leader);
   };

@@ -16,7 +16,9 @@ class JointSpaceInertiaTest : public testing::TestWithParam<const char*> {
 
   /// Every third joint is welded where `welded`.
   RobotBody Body(bool welded) {
-    BodyOptions options{.base_com_shift_B = {0.01, -0.02, 0.03}, .q0 = random_.Configuration(model_)};
+    BodyOptions options;
+    options.base_com_shift_B = {0.01, -0.02, 0.03};
+    options.q0 = random_.Configuration(model_);
     for (int dof = 0; welded && dof < model_.num_dofs(); dof += 3) options.locked_dofs.push_back(dof);
     return RobotBody(model_, options);
   }
@@ -62,7 +64,9 @@ TEST_P(JointSpaceInertiaTest, RespondsAsBulletsArticulatedBodiesDo) {
 }
 
 TEST_P(JointSpaceInertiaTest, HasTheKineticEnergyOfOurOwnMassMatrix) {
-  RobotBody body(model_, {.q0 = random_.Configuration(model_)});
+  BodyOptions options;
+  options.q0 = random_.Configuration(model_);
+  RobotBody body(model_, options);
   DynamicsScratch scratch(model_);
   MatrixX M(model_.nv(), model_.nv());
   for (int trial = 0; trial < 5; ++trial) {
