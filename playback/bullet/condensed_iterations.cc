@@ -16,7 +16,11 @@ constexpr double kHeld = 1e-13;  // share of a row's own A that is rounding: oth
 bool CondensedSolver::Condense() {
   Fold();
   FillHalves(iterated_, halves_, b_small_);
-  A_small_.noalias() = halves_.transpose() * halves_;
+  A_small_.setZero(halves_.cols(), halves_.cols());
+  if (!iterated_.empty()) {
+    A_small_.selfadjointView<Eigen::Lower>().rankUpdate(halves_.transpose());
+    A_small_.triangularView<Eigen::StrictlyUpper>() = A_small_.transpose();
+  }
   if (!Eliminate()) return false;
   FillPlaces();
   w_small_.noalias() = A_small_ * p_small_;

@@ -118,7 +118,7 @@ TEST_P(ContactRowsTest, AreThoseThatBulletMakes) {
   const RobotModel model = AnyRobot(GetParam());
   for (const char* terrain : {"flat", "rough"}) {
     SmallWorld<ComparedSolver> made(model, MakeTerrain(terrain, TerrainScale()).value(), StandingConfiguration(model));
-    for (int k = 0; k < 1000 && !HasFailure(); ++k) made.world.stepSimulation(0.001, 0);  // it falls in a heap
+    for (int k = 0; k < 1500 && !HasFailure(); ++k) made.world.stepSimulation(0.001, 0);  // it falls in a heap
     EXPECT_GT(made.solver.rows, 1000);
     EXPECT_EQ(made.solver.feet_and_others, 3) << "base and links touch the ground";
   }
