@@ -3,7 +3,6 @@
 
 #include "kinematics/dynamics/chain_kinematics.h"
 #include "kinematics/dynamics/dynamics.h"
-#include "kinematics/spatial/rotation.h"
 
 namespace gaitwright {
 namespace {

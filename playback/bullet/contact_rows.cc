@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
+#include <algorithm>
+
 #include "playback/bullet/contact_rows_internal.h"
 #include "playback/bullet/robot_body_internal.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "kinematics/spatial/pose.h"
