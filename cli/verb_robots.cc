@@ -24,6 +24,7 @@
 #include "playback/control/gains.h"
 #include "playback/viewer/viewer_page.h"
 #include "workflows/render/render_pictures.h"
+#include "workflows/render/robot_drawing.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright::cli {
@@ -76,8 +77,12 @@ std::string SelfCollisionText(const CollisionChecker& collision) {
   return text;
 }
 
-/// The robot as it stands, as a page and as a picture.
-Result<std::vector<OutputFile>> DrawnRobot(const RobotModel& model, const RobotsSettings& a,
+constexpr char kDrawing[] = "drawing";  // the view that is no 3D picture
+
+bool NeedsViewer(const RobotsSettings& a) { return !a.page.empty() || a.picture.view != kDrawing; }
+
+/// The robot as it stands in 3D: as a page, and as a picture where one of its views is asked for.
+Result<std::vector<OutputFile>> ShownRobot(const RobotModel& model, const RobotsSettings& a,
                                            const std::string& folder) {
   constexpr double kStand = 0.5;  // [s]
   const Result<MotionPlan> plan = PlanPosture(model, Hold(StandingKey(model), kStand), {});
@@ -87,7 +92,7 @@ Result<std::vector<OutputFile>> DrawnRobot(const RobotModel& model, const Robots
   const std::string page = ViewerPage(model.name, {shown});
   std::vector<OutputFile> files;
   if (!a.page.empty()) files.push_back({a.page, page});
-  if (a.png.empty()) return files;
+  if (a.png.empty() || a.picture.view == kDrawing) return files;
   Result<std::string> png = RenderPng(page, 0.0, a.picture);
   if (!png) return png.failure();
   files.push_back({a.png, std::move(*png)});
@@ -97,14 +102,20 @@ Result<std::vector<OutputFile>> DrawnRobot(const RobotModel& model, const Robots
 /// Draws the robot where that is asked for. @return what is wrong, or nothing.
 std::optional<Failure> DrawRobot(const RobotModel& model, const RobotsSettings& a, const std::string& folder) {
   if (a.png.empty() && a.page.empty()) return std::nullopt;
-  if (!HasViewer())
+  if (NeedsViewer(a) && !HasViewer())
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which draws robots");
   Paths paths;
   paths.Write("--png", a.png, {".png"});
   paths.Write("--page", a.page, {".html"});
   CheckPaths(paths);
-  const Result<std::vector<OutputFile>> files = DrawnRobot(model, a, folder);
+  Result<std::vector<OutputFile>> files = std::vector<OutputFile>();
+  if (NeedsViewer(a)) files = ShownRobot(model, a, folder);
   if (!files) return files.failure();
+  if (!a.png.empty() && a.picture.view == kDrawing) {
+    Result<std::string> png = SvgToPng(RobotDrawing(model, folder));
+    if (!png) return png.failure();
+    files->push_back({a.png, std::move(*png)});
+  }
   const auto written = WriteFilesTogether(*files);
   if (!written) return written.failure();
   return std::nullopt;
@@ -244,12 +255,19 @@ void AddRobots(Verb program, int& status) {
   a->loading.AddLoadingTo(show);
   show.SetGroup("Draw it standing");
   AddText(show, "--png", "FILE", a->png, "A picture of it, by a headless Chromium; default: none.");
+  std::vector<std::string> views = ViewNames();
+  views.insert(views.begin(), kDrawing);
+  a->picture.view = kDrawing;
   AddText(show, "--page", "FILE", a->page, "A page on which it can be turned and looked at in 3D; default: none.");
-  AddText(show, "--view", "NAME", a->picture.view,
-          fmt::format("Of the picture: one of {}; default corner.", JoinWords(ViewNames(), ", ")));
+  AddText(
+      show, "--view", "NAME", a->picture.view,
+      fmt::format("Of the picture: drawing (views to scale with soles, joint axes and centre of mass), or in 3D one "
+                  "of {}; default drawing.",
+                  JoinWords(ViewNames(), ", ")))
+      .AcceptOnly(views);
   AddCommon(verb, a->common, {"robots", "robots show a1"});
   AddCommon(show, a->common,
-            {"robots show a1", "robots show nao --json", "robots show nao --png nao.png --view front"});
+            {"robots show a1", "robots show nao --json", "robots show nao --png nao.png"});
   const Verb check =
       verb.AddVerb("check", "Look for faults in a robot description: a line a finding, status 1 on errors");
   AddText(check, "ROBOT", "NAME", a->robot, kRobot).Require();
