@@ -135,8 +135,9 @@ std::optional<std::string> WhyNoWalk(const RobotModel& model) {
                      AuditFigure(first.limit, first.unit));
 }
 
-std::string VerdictOn(const RobotModel& model, std::size_t warnings) {
+std::string VerdictOn(const RobotModel& model, std::size_t errors, std::size_t warnings) {
   if (const auto reason = WhyNoWalk(model)) return "cannot walk: " + *reason;
+  if (errors > 0) return fmt::format("walks with errors ({}) and warnings ({})", errors, warnings);
   return warnings == 0 ? "walks" : fmt::format("walks with warnings ({})", warnings);
 }
 
@@ -174,9 +175,11 @@ int ShowRobot(const RobotsSettings& a) {
   model->stiffness = gains.stiffness;
   model->damping = gains.damping;
   const std::vector<Finding> findings = CheckRobot(*model);
+  const std::string verdict =
+      VerdictOn(*model, CountOf(findings, FindingLevel::kError), CountOf(findings, FindingLevel::kWarning));
   if (a.common.json) {
     nlohmann::ordered_json json = ParsedJson(RobotJson(*model));
-    json["verdict"] = VerdictOn(*model, CountOf(findings, FindingLevel::kWarning));
+    json["verdict"] = verdict;
     json["findings"] = FindingsJson(findings);
     json["self_collision"] = SelfCollisionJson(collision);
     json["files"] = nlohmann::ordered_json::object();
@@ -184,7 +187,7 @@ int ShowRobot(const RobotsSettings& a) {
     if (!a.png.empty()) json["files"]["png"] = a.png;
     PrintJson(json);
   } else {
-    fmt::print("{}: {}\n", model->name, VerdictOn(*model, CountOf(findings, FindingLevel::kWarning)));
+    fmt::print("{}: {}\n", model->name, verdict);
     fmt::print("{}\n{}", DescribeRobot(*model), SelfCollisionText(collision));
     for (const std::string& path : {a.page, a.png}) {
       if (!path.empty()) fmt::print("drawn   {}\n", path);
@@ -219,7 +222,7 @@ int CheckOneRobot(const RobotsSettings& a) {
   const std::vector<Finding> findings = FindingsOf(a, model);
   const std::size_t errors = CountOf(findings, FindingLevel::kError);
   const std::size_t warnings = CountOf(findings, FindingLevel::kWarning);
-  const std::string verdict = model ? VerdictOn(*model, warnings) : "is not loaded";
+  const std::string verdict = model ? VerdictOn(*model, errors, warnings) : "is not loaded";
   nlohmann::ordered_json files = nlohmann::ordered_json::object();
   if (model && !a.repaired.empty()) {
     const auto written = WriteFileAtomically(a.repaired, RepairedUrdf(*model));
@@ -266,8 +269,7 @@ void AddRobots(Verb program, int& status) {
                   JoinWords(ViewNames(), ", ")))
       .AcceptOnly(views);
   AddCommon(verb, a->common, {"robots", "robots show a1"});
-  AddCommon(show, a->common,
-            {"robots show a1", "robots show nao --json", "robots show nao --png nao.png"});
+  AddCommon(show, a->common, {"robots show a1", "robots show nao --json", "robots show nao --png nao.png"});
   const Verb check =
       verb.AddVerb("check", "Look for faults in a robot description: a line a finding, status 1 on errors");
   AddText(check, "ROBOT", "NAME", a->robot, kRobot).Require();

@@ -83,6 +83,7 @@ std::vector<Finding> CheckRobot(const RobotModel& model) {
   std::vector<Finding> findings = model.findings;
   CheckBodies(model, findings);
   CheckMotors(model, findings);
+  CheckHolding(model, findings);
   CheckSides(model, findings);
   CheckStanding(model, findings);
   return findings;
