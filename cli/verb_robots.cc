@@ -214,6 +214,28 @@ std::vector<Finding> FindingsOf(const RobotsSettings& a, const Result<RobotModel
   return findings;
 }
 
+/// Prints a line a finding; findings of one kind and one text share the line of the first.
+void PrintFindings(const RobotsSettings& a, const std::vector<Finding>& findings) {
+  constexpr std::size_t kNamed = 4;  // parts of one line
+  std::vector<bool> printed(findings.size(), false);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const Finding& first = findings[i];
+    if (printed[i] || (a.common.quiet && first.level == FindingLevel::kInfo)) continue;
+    std::vector<std::string> parts;
+    for (std::size_t k = i; k < findings.size(); ++k) {
+      if (findings[k].level != first.level || findings[k].code != first.code || findings[k].message != first.message)
+        continue;
+      printed[k] = true;
+      parts.push_back(findings[k].part);
+    }
+    const std::size_t more = parts.size() > kNamed ? parts.size() - kNamed : 0;
+    parts.resize(parts.size() - more);
+    const std::string named = JoinWords(parts, ", ") + (more > 0 ? fmt::format(" and {} more", more) : "");
+    fmt::print("{}{}: {}: {}: {} [{}]\n", a.robot, first.line > 0 ? fmt::format(":{}", first.line) : "",
+               NameOf(first.level), named, first.message, first.code);
+  }
+}
+
 int CheckOneRobot(const RobotsSettings& a) {
   Paths paths;
   paths.Write("--repaired", a.repaired, {".urdf"});
@@ -237,11 +259,7 @@ int CheckOneRobot(const RobotsSettings& a) {
                                      {"findings", FindingsJson(findings)},
                                      {"files", files}});
   } else {
-    for (const Finding& finding : findings) {
-      if (a.common.quiet && finding.level == FindingLevel::kInfo) continue;
-      fmt::print("{}{}: {}: {}: {} [{}]\n", a.robot, finding.line > 0 ? fmt::format(":{}", finding.line) : "",
-                 NameOf(finding.level), finding.part, finding.message, finding.code);
-    }
+    PrintFindings(a, findings);
     fmt::print("{}: {} errors, {} warnings; {}\n", model ? model->name : a.robot, errors, warnings, verdict);
   }
   return errors == 0 ? kPass : kWrongInput;

@@ -21,6 +21,8 @@ namespace {
 
 constexpr double kTight = 0.8;  // share of a torque limit that standing still may take without a word
 
+constexpr double kBeforeGear = 3.0;  // share that is no matter of a posture
+
 /// The legs that carry the robot.
 struct HeldStance {
   std::vector<int> legs;
@@ -200,9 +202,10 @@ void CheckHolding(const RobotModel& model, std::vector<Finding>& findings) {
       of_dof[d] = {
           share > 1.0 ? FindingLevel::kError : FindingLevel::kWarning, "weak_motor",
           fmt::format("joint '{}'", joint.name), 0,
-          fmt::format(
-              "to hold the robot still {} it has to give {:.3g} {} at the least, {:.0f} % of its limit of {:.3g} {}",
-              stance.words, effort, unit, 100.0 * share, limit, unit)};
+          fmt::format("to hold the robot still {} it has to give {:.3g} {} at the least, {:.0f} % of its limit of "
+                      "{:.3g} {}{}",
+                      stance.words, effort, unit, 100.0 * share, limit, unit,
+                      share > kBeforeGear ? "; the limit may be that of the motor before its gear" : "")};
     }
   }
   for (Finding& finding : of_dof) {

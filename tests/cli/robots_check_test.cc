@@ -96,6 +96,42 @@ TEST_F(RobotsCheck, SizesAreJudged) {
   EXPECT_FALSE(Of(Run({"robots", "check", "strong.urdf", "--json"}).json(), "strong_motor").empty());
 }
 
+TEST_F(RobotsCheck, FindingsOfOneTextShareALine) {
+  Write("loose.urdf", Replaced(FourLegs(), " effort='30'", ""));
+  const Ran json = Run({"robots", "check", "loose.urdf", "--json"});
+  EXPECT_EQ(Of(json.json(), "unknown_effort").size(), 8U) << json.out;
+  const std::string words = Run({"robots", "check", "loose.urdf"}).out;
+  const std::size_t at = words.find("[unknown_effort]");
+  EXPECT_NE(at, std::string::npos) << words;
+  EXPECT_EQ(words.find("[unknown_effort]", at + 1), std::string::npos) << words;
+  EXPECT_NE(words.find(" and 4 more: "), std::string::npos) << words;
+}
+
+TEST_F(RobotsCheck, FeetThatAreLongerBehindFaceBack) {
+  const std::string nao = LoadNamedRobot("nao")->urdf_text, yaml = LoadNamedRobot("nao")->yaml_text;
+  Write("robot.yaml", yaml);
+  Write("ahead.urdf", nao);
+  EXPECT_TRUE(Of(Run({"robots", "check", "ahead.urdf", "--json"}).json(), "faces_back").empty());
+  // The box of its sole, which is 31 mm ahead of the ankle, as far behind it.
+  const std::string behind = Replaced(nao, "xyz=\"0.0315 ", "xyz=\"-0.0315 ");
+  ASSERT_NE(behind, nao);
+  Write("behind.urdf", behind);
+  EXPECT_EQ(Of(Run({"robots", "check", "behind.urdf", "--json"}).json(), "faces_back").size(), 1U);
+}
+
+TEST_F(RobotsCheck, ASmallLinkWithoutShapesIsNoFault) {
+  const auto with = [](const std::string& inertia) {
+    return Replaced(FourLegs(),
+                    "<link name='A_thigh'><inertial><mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01'",
+                    "<link name='A_thigh'><inertial><mass value='1'/><inertia " + inertia);
+  };
+  Write("dense.urdf",
+        Replaced(with("ixx='0.02' iyy='0.02' izz='0.02'"), "xyz='0 0 -0.2'/><axis", "xyz='0 0 -0.02'/><axis"));
+  EXPECT_TRUE(Of(Run({"robots", "check", "dense.urdf", "--json"}).json(), "large_inertia").empty());
+  Write("wide.urdf", with("ixx='0.5' iyy='0.5' izz='0.5'"));
+  EXPECT_EQ(Of(Run({"robots", "check", "wide.urdf", "--json"}).json(), "large_inertia").size(), 1U);
+}
+
 TEST_F(RobotsCheck, WeakMotorsAreNamedWithTheirStance) {
   EXPECT_TRUE(Of(Run({"robots", "check", "a1", "--json"}).json(), "weak_motor").empty());
   const Result<RobotModel> four = LoadRobotFromText(FourLegs(), "");

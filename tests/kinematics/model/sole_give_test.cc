@@ -9,7 +9,7 @@ namespace gaitwright {
 namespace {
 
 /// NAO with soles of which 3 mm are bevelled all round: 140 by 70 mm below, 157 by 88 mm above, 20 mm thick.
-Result<RobotModel> Bevelled(const std::string& more_yaml, const std::string& shape = "<mesh filename=\"sole.obj\"/>") {
+Result<RobotModel> Bevelled(const std::string& more_yaml) {
   const RobotModel nao = LoadNamedRobot("nao").value();
   MeshHull hull{"sole.obj", {}};
   const auto add = [&](double x, double y, double z) {
@@ -20,7 +20,7 @@ Result<RobotModel> Bevelled(const std::string& more_yaml, const std::string& sha
   add(0.070, 0.035, -0.010);
   add(0.0785, 0.044, -0.007);
   add(0.0785, 0.044, 0.010);
-  return LoadRobotFromText(Replaced(nao.urdf_text, "<box size=\"0.157 0.088 0.02\"/>", shape),
+  return LoadRobotFromText(Replaced(nao.urdf_text, "<box size=\"0.157 0.088 0.02\"/>", "<mesh filename=\"sole.obj\"/>"),
                            nao.yaml_text + "\n" + more_yaml + "\n", "nao", {hull});
 }
 
@@ -73,15 +73,19 @@ TEST(SoleGive, OfAFootComesBeforeThatOfAll) {
 }
 
 TEST(SoleGive, HoldsForShapesOfAnyKind) {
-  const std::string balls = "<sphere radius=\"0.01\"/></geometry></collision>";
-  std::string shape;  // three balls at one height and one that is 3 mm higher
-  for (const char* at : {"0.05 0.03 0", "0.05 -0.03 0", "-0.05 0.03 0", "-0.05 -0.03 0.003"}) {
-    if (!shape.empty()) shape += std::string("<collision><origin xyz=\"") + at + "\"/><geometry>";
-    shape += shape.empty() ? balls : balls;
+  const RobotModel nao = LoadNamedRobot("nao").value();
+  std::string urdf = Replaced(nao.urdf_text, "<box size=\"0.157 0.088 0.02\"/>", "<sphere radius=\"0.001\"/>");
+  std::string balls;  // three at one height and one that is 3 mm higher
+  for (const char* at : {"0.05 0.03 -0.04", "0.05 -0.03 -0.04", "-0.05 0.03 -0.04", "-0.05 -0.03 -0.037"}) {
+    balls += std::string("<collision><origin xyz=\"") + at +
+             "\"/><geometry><sphere radius=\"0.01\"/></geometry></collision>";
   }
-  shape = shape.substr(0, shape.size() - std::string("</geometry></collision>").size());
-  const Result<RobotModel> usual = Bevelled("", shape), wide = Bevelled("sole_give_m: 0.01", shape);
-  ASSERT_TRUE(usual.ok() && wide.ok());
+  for (const char* link : {"<link name=\"l_ankle\">", "<link name=\"r_ankle\">"})
+    urdf = Replaced(urdf, link, link + balls);
+  const Result<RobotModel> usual = LoadRobotFromText(urdf, nao.yaml_text, "nao");
+  const Result<RobotModel> wide = LoadRobotFromText(urdf, nao.yaml_text + "\nsole_give_m: 0.0035\n", "nao");
+  ASSERT_TRUE(usual.ok()) << usual.failure().message;
+  ASSERT_TRUE(wide.ok()) << wide.failure().message;
   EXPECT_NE(usual->feet[0].derived_from.find("3 spheres"), std::string::npos) << usual->feet[0].derived_from;
   EXPECT_NE(wide->feet[0].derived_from.find("4 spheres"), std::string::npos) << wide->feet[0].derived_from;
 }
