@@ -112,7 +112,7 @@ std::string NameOfJoint(const RobotModel& model, const Joint& joint) {
 
 void AddJoints(const RobotModel& model, const DynamicsScratch& scratch, const Vector2& at_px, double width_px,
                DrawnTable& table) {
-  constexpr double kNumberWide = 28.0, kBetween = 22.0, kWidestName = 250.0;
+  constexpr double kNumberWide = 28.0, kBetween = 12.0, kWidestName = 250.0;
   AddHeading("Joints: number, name, axis as it stands", at_px, table);
   const std::size_t n = model.joints.size();
   double name_wide = 0.0, axis_wide = 0.0;
@@ -122,7 +122,7 @@ void AddJoints(const RobotModel& model, const DynamicsScratch& scratch, const Ve
   }
   name_wide = std::min(name_wide + 8.0, kWidestName);
   const double wide = kNumberWide + name_wide + axis_wide + kBetween;
-  const std::size_t columns = std::max<std::size_t>(1, static_cast<std::size_t>(width_px / wide));
+  const std::size_t columns = std::max<std::size_t>(1, static_cast<std::size_t>((width_px + kBetween) / wide));
   const std::size_t rows = (n + columns - 1) / columns;
   for (std::size_t j = 0; j < n; ++j) {
     const double x = at_px.x() + wide * static_cast<double>(j / rows);
