@@ -24,6 +24,7 @@
 #include "playback/control/gains.h"
 #include "playback/viewer/viewer_page.h"
 #include "workflows/render/render_pictures.h"
+#include "workflows/render/robot_drawing.h"
 #include "workflows/walk/walk.h"
 
 namespace gaitwright::cli {
@@ -76,8 +77,12 @@ std::string SelfCollisionText(const CollisionChecker& collision) {
   return text;
 }
 
-/// The robot as it stands, as a page and as a picture.
-Result<std::vector<OutputFile>> DrawnRobot(const RobotModel& model, const RobotsSettings& a,
+constexpr char kDrawing[] = "drawing";  // the view that is no 3D picture
+
+bool NeedsViewer(const RobotsSettings& a) { return !a.page.empty() || a.picture.view != kDrawing; }
+
+/// The robot as it stands in 3D: as a page, and as a picture where one of its views is asked for.
+Result<std::vector<OutputFile>> ShownRobot(const RobotModel& model, const RobotsSettings& a,
                                            const std::string& folder) {
   constexpr double kStand = 0.5;  // [s]
   const Result<MotionPlan> plan = PlanPosture(model, Hold(StandingKey(model), kStand), {});
@@ -87,7 +92,7 @@ Result<std::vector<OutputFile>> DrawnRobot(const RobotModel& model, const Robots
   const std::string page = ViewerPage(model.name, {shown});
   std::vector<OutputFile> files;
   if (!a.page.empty()) files.push_back({a.page, page});
-  if (a.png.empty()) return files;
+  if (a.png.empty() || a.picture.view == kDrawing) return files;
   Result<std::string> png = RenderPng(page, 0.0, a.picture);
   if (!png) return png.failure();
   files.push_back({a.png, std::move(*png)});
@@ -97,14 +102,20 @@ Result<std::vector<OutputFile>> DrawnRobot(const RobotModel& model, const Robots
 /// Draws the robot where that is asked for. @return what is wrong, or nothing.
 std::optional<Failure> DrawRobot(const RobotModel& model, const RobotsSettings& a, const std::string& folder) {
   if (a.png.empty() && a.page.empty()) return std::nullopt;
-  if (!HasViewer())
+  if (NeedsViewer(a) && !HasViewer())
     throw InvalidArgument("this program was built without the viewer (GAITWRIGHT_VIEWER=OFF), which draws robots");
   Paths paths;
   paths.Write("--png", a.png, {".png"});
   paths.Write("--page", a.page, {".html"});
   CheckPaths(paths);
-  const Result<std::vector<OutputFile>> files = DrawnRobot(model, a, folder);
+  Result<std::vector<OutputFile>> files = std::vector<OutputFile>();
+  if (NeedsViewer(a)) files = ShownRobot(model, a, folder);
   if (!files) return files.failure();
+  if (!a.png.empty() && a.picture.view == kDrawing) {
+    Result<std::string> png = SvgToPng(RobotDrawing(model, folder));
+    if (!png) return png.failure();
+    files->push_back({a.png, std::move(*png)});
+  }
   const auto written = WriteFilesTogether(*files);
   if (!written) return written.failure();
   return std::nullopt;
@@ -124,8 +135,9 @@ std::optional<std::string> WhyNoWalk(const RobotModel& model) {
                      AuditFigure(first.limit, first.unit));
 }
 
-std::string VerdictOn(const RobotModel& model, std::size_t warnings) {
+std::string VerdictOn(const RobotModel& model, std::size_t errors, std::size_t warnings) {
   if (const auto reason = WhyNoWalk(model)) return "cannot walk: " + *reason;
+  if (errors > 0) return fmt::format("walks with errors ({}) and warnings ({})", errors, warnings);
   return warnings == 0 ? "walks" : fmt::format("walks with warnings ({})", warnings);
 }
 
@@ -163,9 +175,11 @@ int ShowRobot(const RobotsSettings& a) {
   model->stiffness = gains.stiffness;
   model->damping = gains.damping;
   const std::vector<Finding> findings = CheckRobot(*model);
+  const std::string verdict =
+      VerdictOn(*model, CountOf(findings, FindingLevel::kError), CountOf(findings, FindingLevel::kWarning));
   if (a.common.json) {
     nlohmann::ordered_json json = ParsedJson(RobotJson(*model));
-    json["verdict"] = VerdictOn(*model, CountOf(findings, FindingLevel::kWarning));
+    json["verdict"] = verdict;
     json["findings"] = FindingsJson(findings);
     json["self_collision"] = SelfCollisionJson(collision);
     json["files"] = nlohmann::ordered_json::object();
@@ -173,7 +187,7 @@ int ShowRobot(const RobotsSettings& a) {
     if (!a.png.empty()) json["files"]["png"] = a.png;
     PrintJson(json);
   } else {
-    fmt::print("{}: {}\n", model->name, VerdictOn(*model, CountOf(findings, FindingLevel::kWarning)));
+    fmt::print("{}: {}\n", model->name, verdict);
     fmt::print("{}\n{}", DescribeRobot(*model), SelfCollisionText(collision));
     for (const std::string& path : {a.page, a.png}) {
       if (!path.empty()) fmt::print("drawn   {}\n", path);
@@ -200,6 +214,28 @@ std::vector<Finding> FindingsOf(const RobotsSettings& a, const Result<RobotModel
   return findings;
 }
 
+/// Prints a line a finding; findings of one kind and one text share the line of the first.
+void PrintFindings(const RobotsSettings& a, const std::vector<Finding>& findings) {
+  constexpr std::size_t kNamed = 4;  // parts of one line
+  std::vector<bool> printed(findings.size(), false);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const Finding& first = findings[i];
+    if (printed[i] || (a.common.quiet && first.level == FindingLevel::kInfo)) continue;
+    std::vector<std::string> parts;
+    for (std::size_t k = i; k < findings.size(); ++k) {
+      if (findings[k].level != first.level || findings[k].code != first.code || findings[k].message != first.message)
+        continue;
+      printed[k] = true;
+      parts.push_back(findings[k].part);
+    }
+    const std::size_t more = parts.size() > kNamed ? parts.size() - kNamed : 0;
+    parts.resize(parts.size() - more);
+    const std::string named = JoinWords(parts, ", ") + (more > 0 ? fmt::format(" and {} more", more) : "");
+    fmt::print("{}{}: {}: {}: {} [{}]\n", a.robot, first.line > 0 ? fmt::format(":{}", first.line) : "",
+               NameOf(first.level), named, first.message, first.code);
+  }
+}
+
 int CheckOneRobot(const RobotsSettings& a) {
   Paths paths;
   paths.Write("--repaired", a.repaired, {".urdf"});
@@ -208,7 +244,7 @@ int CheckOneRobot(const RobotsSettings& a) {
   const std::vector<Finding> findings = FindingsOf(a, model);
   const std::size_t errors = CountOf(findings, FindingLevel::kError);
   const std::size_t warnings = CountOf(findings, FindingLevel::kWarning);
-  const std::string verdict = model ? VerdictOn(*model, warnings) : "is not loaded";
+  const std::string verdict = model ? VerdictOn(*model, errors, warnings) : "is not loaded";
   nlohmann::ordered_json files = nlohmann::ordered_json::object();
   if (model && !a.repaired.empty()) {
     const auto written = WriteFileAtomically(a.repaired, RepairedUrdf(*model));
@@ -223,11 +259,7 @@ int CheckOneRobot(const RobotsSettings& a) {
                                      {"findings", FindingsJson(findings)},
                                      {"files", files}});
   } else {
-    for (const Finding& finding : findings) {
-      if (a.common.quiet && finding.level == FindingLevel::kInfo) continue;
-      fmt::print("{}{}: {}: {}: {} [{}]\n", a.robot, finding.line > 0 ? fmt::format(":{}", finding.line) : "",
-                 NameOf(finding.level), finding.part, finding.message, finding.code);
-    }
+    PrintFindings(a, findings);
     fmt::print("{}: {} errors, {} warnings; {}\n", model ? model->name : a.robot, errors, warnings, verdict);
   }
   return errors == 0 ? kPass : kWrongInput;
@@ -244,12 +276,18 @@ void AddRobots(Verb program, int& status) {
   a->loading.AddLoadingTo(show);
   show.SetGroup("Draw it standing");
   AddText(show, "--png", "FILE", a->png, "A picture of it, by a headless Chromium; default: none.");
+  std::vector<std::string> views = ViewNames();
+  views.insert(views.begin(), kDrawing);
+  a->picture.view = kDrawing;
   AddText(show, "--page", "FILE", a->page, "A page on which it can be turned and looked at in 3D; default: none.");
-  AddText(show, "--view", "NAME", a->picture.view,
-          fmt::format("Of the picture: one of {}; default corner.", JoinWords(ViewNames(), ", ")));
+  AddText(
+      show, "--view", "NAME", a->picture.view,
+      fmt::format("Of the picture: drawing (views to scale with soles, joint axes and centre of mass), or in 3D one "
+                  "of {}; default drawing.",
+                  JoinWords(ViewNames(), ", ")))
+      .AcceptOnly(views);
   AddCommon(verb, a->common, {"robots", "robots show a1"});
-  AddCommon(show, a->common,
-            {"robots show a1", "robots show nao --json", "robots show nao --png nao.png --view front"});
+  AddCommon(show, a->common, {"robots show a1", "robots show nao --json", "robots show nao --png nao.png"});
   const Verb check =
       verb.AddVerb("check", "Look for faults in a robot description: a line a finding, status 1 on errors");
   AddText(check, "ROBOT", "NAME", a->robot, kRobot).Require();

@@ -18,7 +18,10 @@ namespace {
 /// Radii of gyration over the diameter of a body: a homogeneous ball has 0.32, a thin ring 0.5, and nothing that lies
 /// within a ball has more than 0.71; joints and frames tell the size less well than shapes do.
 constexpr double kWidestOfShapes = 0.75, kWidestOfFrames = 2.0, kNarrowest = 0.01;
-constexpr double kOfAccount = 0.01;  // share of the robot's mass
+constexpr double kSteel = 8000.0;      // [kg/m^3] shapes that would be denser stand for a part of the body
+constexpr double kLoosest = 100.0;     // [kg/m^3] a cube so light is as wide as links are for their mass
+constexpr double kOfAccount = 0.01;    // share of the robot's mass
+constexpr double kOfNoAccount = 1e-4;  // share of the robot's mass below which no inertia matters
 constexpr double kHeavyWithoutShape = 0.1;
 
 /// Diameter of what is known of a body: its shapes, else its joints and frames. @param shaped  which of the two.
@@ -53,6 +56,23 @@ double DiameterOf(const RobotModel& model, int body, bool& shaped) {
   return diameter;
 }
 
+/// What is known of how large a body is.
+struct KnownSize {
+  double diameter = 0.0;         ///< of its shapes, or of its joints and frames [m]
+  bool shaped = false;           ///< its shapes are as large as a body of that mass
+  double widest_gyration = 0.0;  ///< that such a body may have [m]
+};
+
+KnownSize SizeOfBody(const RobotModel& model, int body) {
+  KnownSize size;
+  const double mass = model.bodies[static_cast<std::size_t>(body)].mass;
+  size.diameter = DiameterOf(model, body, size.shaped);
+  size.shaped = size.shaped && mass <= kSteel * std::numbers::pi / 6.0 * std::pow(size.diameter, 3);
+  size.widest_gyration = size.shaped ? kWidestOfShapes * size.diameter
+                                     : std::max(kWidestOfFrames * size.diameter, std::cbrt(mass / kLoosest));
+  return size;
+}
+
 }  // namespace
 
 void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
@@ -61,8 +81,6 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
     const auto add = [&](FindingLevel level, const char* code, const std::string& message) {
       findings.push_back({level, code, fmt::format("link '{}'", body.name), 0, message});
     };
-    bool shaped = false;
-    const double diameter = DiameterOf(model, static_cast<int>(b), shaped);
     const bool collides = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
                                       [&](const Shape& shape) { return shape.body == static_cast<int>(b); });
     if (body.mass <= 0.0) {
@@ -73,15 +91,23 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
       add(FindingLevel::kInfo, "mass_without_shape",
           fmt::format("it has {:.3g} kg and no collision shape: nothing can touch it", body.mass));
     const double gyration = std::sqrt(0.5 * body.I_C.trace() / body.mass);
-    if (diameter > 0.0 && gyration > (shaped ? kWidestOfShapes : kWidestOfFrames) * diameter) {
+    const KnownSize size = SizeOfBody(model, static_cast<int>(b));
+    if (gyration > size.widest_gyration && body.mass > kOfNoAccount * model.total_mass_kg) {
       add(FindingLevel::kWarning, "large_inertia",
-          fmt::format("its inertia is that of {:.3g} kg at {:.3g} m from its centre, and all that is known of it lies "
-                      "within {:.3g} m",
-                      body.mass, gyration, diameter));
-    } else if (gyration < kNarrowest * diameter && body.mass > kOfAccount * model.total_mass_kg) {
+          fmt::format(
+              "its radius of gyration is {:.3g} m at {:.3g} kg, too much for {}; the inertia may be in another "
+              "unit, or about another point than the centre of mass",
+              gyration, body.mass,
+              size.shaped
+                  ? fmt::format("shapes that are {:.3g} m across", size.diameter)
+                  : fmt::format("a link of that mass whose shapes do not tell its size: at most {:.3g} m is likely",
+                                size.widest_gyration)));
+    } else if (gyration < kNarrowest * size.diameter && body.mass > kOfAccount * model.total_mass_kg) {
       add(FindingLevel::kWarning, "small_inertia",
-          fmt::format("its inertia is that of {:.3g} kg at {:.2g} m from its centre, though it is {:.3g} m long",
-                      body.mass, gyration, diameter));
+          fmt::format(
+              "its radius of gyration is {:.2g} m at {:.3g} kg, though it is {:.3g} m long: its inertia is nearly "
+              "zero",
+              gyration, body.mass, size.diameter));
     }
   }
 }

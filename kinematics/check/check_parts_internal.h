@@ -13,4 +13,8 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings);
 /// Torque and speed of each joint against what motors have.
 void CheckMotors(const RobotModel& model, std::vector<Finding>& findings);
 
+/// The torque that gravity asks of each joint as the robot stands, on all its feet and on half of them, against what
+/// the joint can give.
+void CheckHolding(const RobotModel& model, std::vector<Finding>& findings);
+
 }  // namespace gaitwright

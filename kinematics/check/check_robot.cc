@@ -12,6 +12,7 @@
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/collision/shape_extent.h"
 #include "kinematics/dynamics/dynamics.h"
+#include "kinematics/dynamics/foot_contact.h"
 
 namespace gaitwright {
 namespace {
@@ -58,6 +59,36 @@ void CheckSides(const RobotModel& model, std::vector<Finding>& findings) {
   }
 }
 
+/// "touching in the standing posture, and in ..."
+std::string WithoutColon(std::string reason) {
+  const std::size_t at = reason.find(": ");
+  return at == std::string::npos ? reason : reason.replace(at, 1, ",");
+}
+
+/// Feet are longer ahead of the ankle than behind it. Where those of all legs are not, the robot looks back.
+void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
+  constexpr double kShorter = 0.7;  // of the part behind the ankle
+  DynamicsScratch scratch(model);
+  ForwardKinematics(model, StandingConfiguration(model), scratch);
+  double ahead = 0.0, behind = 0.0;
+  for (std::size_t i = 0; i < model.legs.size(); ++i) {
+    const std::vector<Vector3> corners_W = ContactPoints(model, scratch, static_cast<int>(i));
+    if (corners_W.size() < 3) return;
+    const double ankle = scratch.p_WB[static_cast<std::size_t>(model.legs[i].joints.back()) + 1].x();
+    const auto by_x = [](const Vector3& a, const Vector3& b) { return a.x() < b.x(); };
+    const auto [back, front] = std::minmax_element(corners_W.begin(), corners_W.end(), by_x);
+    ahead = front->x() - ankle;
+    behind = ankle - back->x();
+    if (ahead > kShorter * behind) return;
+  }
+  if (model.legs.empty()) return;
+  findings.push_back(
+      {FindingLevel::kWarning, "faces_back", "robot", 0,
+       fmt::format("its feet reach {:.0f} mm ahead of the ankles and {:.0f} mm behind them, as if it faced "
+                   "the other way; if it does, give 'ahead' and 'up' in robot.yaml",
+                   1e3 * ahead, 1e3 * behind)});
+}
+
 void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
   DynamicsScratch scratch(model);
   ForwardKinematics(model, StandingConfiguration(model), scratch);
@@ -73,7 +104,7 @@ void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
   for (const LeftOutPair& pair : collision.left_out()) {
     if (pair.reason.starts_with("adjacent")) continue;
     findings.push_back({FindingLevel::kInfo, "self_collision", fmt::format("link '{}'", pair.link_a), 0,
-                        fmt::format("it and '{}': {}", pair.link_b, pair.reason)});
+                        fmt::format("contact with '{}' is not checked: {}", pair.link_b, WithoutColon(pair.reason))});
   }
 }
 
@@ -83,7 +114,9 @@ std::vector<Finding> CheckRobot(const RobotModel& model) {
   std::vector<Finding> findings = model.findings;
   CheckBodies(model, findings);
   CheckMotors(model, findings);
+  CheckHolding(model, findings);
   CheckSides(model, findings);
+  CheckFacing(model, findings);
   CheckStanding(model, findings);
   return findings;
 }

@@ -9,8 +9,8 @@ namespace gaitwright {
 
 /// What is doubtful about a robot that was loaded, though no law forbids it: numbers that a drawing office would ask
 /// about. Inertia against mass and size; left against right; mass without shape and shape without mass; limits of
-/// torque and speed that no motor has; parts in the ground or in each other as it stands. The model's own findings come
-/// first.
+/// torque and speed that no motor has; joints that are too weak to hold it; parts in the ground or in each other as it
+/// stands. The model's own findings come first.
 std::vector<Finding> CheckRobot(const RobotModel& model);
 
 /// Where two descriptions of one robot differ: joints, their limits, masses. @param b  the other one.

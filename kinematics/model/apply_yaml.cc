@@ -184,7 +184,7 @@ void ApplyRests(const RobotYaml& yaml, RobotModel& model) {
     const auto of_link = [&](const Foot& foot) { return foot.link == rest.link; };
     if (std::any_of(model.feet.begin(), model.feet.end(), of_link))
       RefuseYamlLine(rest.line, fmt::format("link '{}' is a foot, or a rest already", rest.link));
-    const std::optional<Foot> found = FindRest(model, rest.link);
+    const std::optional<Foot> found = FindRest(model, rest.link, yaml.sole_give_m);
     if (!found) RefuseYamlLine(rest.line, fmt::format("link '{}' has no flat bottom to lie on", rest.link));
     model.feet.push_back(*found);
     model.notes.push_back(fmt::format("it may lie on link '{}': {}", rest.link, found->derived_from));

@@ -98,6 +98,9 @@ std::vector<std::string> DerivationNotes(const RobotYaml& yaml, const RobotModel
   NoteMirrors(yaml, model, notes);
   NoteStanding(yaml, model, notes);
   NoteLimits(yaml, model, notes);
+  if (yaml.sole_give_m &&
+      std::none_of(model.feet.begin(), model.feet.end(), [](const Foot& f) { return f.has_sole(); }))
+    notes.push_back("'sole_give_m' of robot.yaml changes nothing: no foot has a sole");
   notes.push_back(yaml.gains.empty() ? "gains: from the inertia that each joint has to command"
                                      : fmt::format("gains of {}: from robot.yaml; the others from the inertia that "
                                                    "each joint has to command",

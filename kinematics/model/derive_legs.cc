@@ -179,7 +179,7 @@ Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX
     Leg leg;
     leg.foot = static_cast<int>(i);
     leg.joints = ChainTo(model, ends[i]);
-    model.feet.push_back(FindFoot(model, leg, feet.empty() ? nullptr : &feet[i]));
+    model.feet.push_back(FindFoot(model, leg, given, feet.empty() ? nullptr : &feet[i]));
     leg.name = model.feet.back().name;
     MeasureLeg(model, leg, model.feet.back());
     model.legs.push_back(leg);

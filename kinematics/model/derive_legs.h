@@ -15,8 +15,9 @@ struct FootOverride {
   std::string link;
   std::optional<FootType> type;
   double radius_m = 0.0;
-  std::vector<Vector2> sole_m;  ///< corners in the link's frame's xy plane, counter-clockwise
-  int line = 0;                 ///< of the file that says it
+  std::vector<Vector2> sole_m;        ///< corners in the link's frame's xy plane, counter-clockwise
+  std::optional<double> sole_give_m;  ///< in place of that of all feet
+  int line = 0;                       ///< of the file that says it
 };
 
 /// What a user says of the leg that ends in a foot.
@@ -39,6 +40,8 @@ struct LegChoices {
   std::vector<FootOverride> feet;
   std::vector<LegOverride> legs;
   std::optional<std::vector<MirrorPair>> mirror_pairs;  ///< all of them, where said
+  std::optional<double> sole_give_m;  ///< what of a foot's shapes is that little over their lowest point is its sole
+  int sole_give_line = 0;
 };
 
 /// Finds legs, feet, symmetry and a standing posture from the tree and its collision geometry alone; names play no

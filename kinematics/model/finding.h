@@ -9,7 +9,7 @@ namespace gaitwright {
 enum class FindingLevel {
   kInfo,     ///< worth knowing; nothing is wrong
   kWarning,  ///< wrong or doubtful; the robot is loaded all the same
-  kError,    ///< the robot is not loaded, or what is computed of it means nothing
+  kError,    ///< the robot is not loaded, what is computed of it means nothing, or it cannot stand as it is
 };
 
 /// Something that is wrong or doubtful in a robot description, and what is used in its place.

@@ -83,12 +83,19 @@ FootOverride ParseFoot(const YAML::Node& node) {
   if (const YAML::Node* type = map.Find("type")) foot.type = ParseFootType(*type);
   foot.radius_m = map.InRange("radius_m").value_or(0.0);
   if (const YAML::Node* sole = map.Find("sole_m")) foot.sole_m = ParseSole(*sole);
+  foot.sole_give_m = map.InRange("sole_give_m");
   const bool flat = foot.type == FootType::kSole || foot.type == FootType::kLine;
   const std::string who = fmt::format("foot '{}'", foot.link);
   if (flat && foot.sole_m.empty()) RefuseYaml(node, who + " of type sole or line needs its corners: 'sole_m'");
   if (foot.type && !flat && !foot.sole_m.empty()) RefuseYaml(node, who + " is no sole or line, and has 'sole_m'");
   if (foot.radius_m > 0.0 && (foot.type.value_or(FootType::kSphere) != FootType::kSphere || !foot.sole_m.empty())) {
     RefuseYaml(node, who + " is no sphere, and has 'radius_m'");
+  }
+  if (foot.sole_give_m && (foot.type || foot.radius_m > 0.0 || !foot.sole_m.empty())) {
+    RefuseYaml(node, who + " has 'sole_give_m', which is for a sole that is found in the link's shapes, and its own " +
+                         (foot.type             ? "'type'"
+                          : foot.sole_m.empty() ? "'radius_m'"
+                                                : "'sole_m'"));
   }
   return foot;
 }
@@ -239,6 +246,8 @@ RobotYaml Parse(const YAML::Node& root) {
     for (const YAML::Node& foot : ListOf(*feet, "'feet'")) yaml.feet.push_back(ParseFoot(foot));
     if (yaml.feet.empty()) RefuseYaml(*feet, "'feet' is empty; leave it out to have the feet derived");
   }
+  yaml.sole_give_m = map.InRange("sole_give_m");
+  if (yaml.sole_give_m) yaml.sole_give_line = LineOf(*map.Find("sole_give_m"));
   if (const YAML::Node* pairs = map.Find("mirror_pairs")) yaml.mirror_pairs = ParsePairs(*pairs);
   ForEach(map, "legs", [&](const auto& entry) { yaml.legs.push_back(ParseLeg(entry)); });
   ForEach(map, "limits", [&](const auto& entry) { yaml.limits.push_back(ParseLimits(entry)); });

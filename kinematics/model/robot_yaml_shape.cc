@@ -2,6 +2,7 @@
 #include "kinematics/model/robot_yaml_shape.h"
 
 #include "kinematics/model/base_axes.h"
+#include "kinematics/model/flat_bottom.h"
 #include "kinematics/model/robot_model.h"
 #include "kinematics/model/robot_yaml_shape_internal.h"
 
@@ -14,7 +15,8 @@ DataShape FootYamlShape() {
                  Optional("type", Text(FootTypeNames()), "Derived from the link's shapes unless given."),
                  Optional("radius_m", Positive(kLongestPart), "Of a sphere."),
                  Optional("sole_m", List(Numbers(2), 3, kMaxSoleCorners),
-                          "Corners [x, y] in the link's plane, convex, in order around it.")});
+                          "Corners [x, y] in the link's plane, convex, in order around it."),
+                 Optional("sole_give_m", Number(0.0, kLargestSoleGive), "In place of that of all feet.")});
 }
 
 DataShape LegYamlShape() {
@@ -68,6 +70,8 @@ DataShape RobotYamlShape() {
                  Optional("ahead", axis, "Axis of the root link, with 'up'."),
                  Optional("limits", MapOf(LimitsYamlShape()), "By joint, in place of the URDF's."),
                  Optional("feet", List(FootYamlShape(), 1), "All feet."),
+                 Optional("sole_give_m", Number(0.0, kLargestSoleGive),
+                          "What of a foot's shapes is no higher than that over their lowest point is its sole."),
                  Optional("legs", MapOf(LegYamlShape()), "By the foot's link: what differs in its leg."),
                  Optional("mirror_pairs", List(List(Text(), 2, 2)), "All pairs of feet that mirror each other."),
                  Optional("standing", MapOf(by_joint), "By joint: its position in the standing posture [rad], [m]."),

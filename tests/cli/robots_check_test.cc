@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The linter of robot descriptions.
-#include <algorithm>
-#include <filesystem>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "kinematics/dynamics/dynamics.h"
 #include "tests/cli/stranger.h"
 #include "tests/kinematics/model/small_urdf.h"
 
@@ -89,6 +94,74 @@ TEST_F(RobotsCheck, SizesAreJudged) {
   EXPECT_FALSE(Of(Run({"robots", "check", "sides.urdf", "--json"}).json(), "sides_differ").empty());
   Write("strong.urdf", Replaced(FourLegs(), "effort='30'", "effort='900'"));
   EXPECT_FALSE(Of(Run({"robots", "check", "strong.urdf", "--json"}).json(), "strong_motor").empty());
+}
+
+TEST_F(RobotsCheck, FindingsOfOneTextShareALine) {
+  Write("loose.urdf", Replaced(FourLegs(), " effort='30'", ""));
+  const Ran json = Run({"robots", "check", "loose.urdf", "--json"});
+  EXPECT_EQ(Of(json.json(), "unknown_effort").size(), 8U) << json.out;
+  const std::string words = Run({"robots", "check", "loose.urdf"}).out;
+  const std::size_t at = words.find("[unknown_effort]");
+  EXPECT_NE(at, std::string::npos) << words;
+  EXPECT_EQ(words.find("[unknown_effort]", at + 1), std::string::npos) << words;
+  EXPECT_NE(words.find(" and 4 more: "), std::string::npos) << words;
+}
+
+TEST_F(RobotsCheck, FeetThatAreLongerBehindFaceBack) {
+  const std::string nao = LoadNamedRobot("nao")->urdf_text, yaml = LoadNamedRobot("nao")->yaml_text;
+  Write("robot.yaml", yaml);
+  Write("ahead.urdf", nao);
+  EXPECT_TRUE(Of(Run({"robots", "check", "ahead.urdf", "--json"}).json(), "faces_back").empty());
+  // The box of its sole, which is 31 mm ahead of the ankle, as far behind it.
+  const std::string behind = Replaced(nao, "xyz=\"0.0315 ", "xyz=\"-0.0315 ");
+  ASSERT_NE(behind, nao);
+  Write("behind.urdf", behind);
+  EXPECT_EQ(Of(Run({"robots", "check", "behind.urdf", "--json"}).json(), "faces_back").size(), 1U);
+}
+
+TEST_F(RobotsCheck, ASmallLinkWithoutShapesIsNoFault) {
+  const auto with = [](const std::string& inertia) {
+    return Replaced(FourLegs(),
+                    "<link name='A_thigh'><inertial><mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01'",
+                    "<link name='A_thigh'><inertial><mass value='1'/><inertia " + inertia);
+  };
+  Write("dense.urdf",
+        Replaced(with("ixx='0.02' iyy='0.02' izz='0.02'"), "xyz='0 0 -0.2'/><axis", "xyz='0 0 -0.02'/><axis"));
+  EXPECT_TRUE(Of(Run({"robots", "check", "dense.urdf", "--json"}).json(), "large_inertia").empty());
+  Write("wide.urdf", with("ixx='0.5' iyy='0.5' izz='0.5'"));
+  EXPECT_EQ(Of(Run({"robots", "check", "wide.urdf", "--json"}).json(), "large_inertia").size(), 1U);
+}
+
+TEST_F(RobotsCheck, WeakMotorsAreNamedWithTheirStance) {
+  EXPECT_TRUE(Of(Run({"robots", "check", "a1", "--json"}).json(), "weak_motor").empty());
+  const Result<RobotModel> four = LoadRobotFromText(FourLegs(), "");
+  ASSERT_TRUE(four.ok());
+  // A knee under half the weight of a robot that stands on a diagonal: the force through the foot times how far the
+  // foot is from under the knee, less what the shank and the foot weigh themselves.
+  DynamicsScratch scratch(*four);
+  ForwardKinematics(*four, StandingConfiguration(*four), scratch);
+  const Foot& foot = four->feet[0];
+  const auto shank = static_cast<std::size_t>(foot.body);
+  const Vector3 p_WF = FramePose(scratch, foot.body, foot.X_BF).translation(), p_WK = scratch.p_WB[shank];
+  const Body& body = four->bodies[shank];
+  const Vector3 p_WS = scratch.p_WB[shank] + scratch.R_WB[shank] * body.p_BC;
+  const double knee_nm =
+      std::abs(0.5 * four->weight_n() * (p_WF - p_WK).x() - body.mass * kGravity * (p_WS - p_WK).x());
+  for (const auto& [limit_nm, level] :
+       std::map<double, std::string>{{0.95 * knee_nm, "error"}, {1.1 * knee_nm, "warning"}, {1.4 * knee_nm, ""}}) {
+    Write("weak.urdf", FourLegs());
+    Write("robot.yaml", fmt::format("limits: {{A_knee: {{effort_nm: {}}}}}\n", limit_nm));
+    const Ran ran = Run({"robots", "check", "weak.urdf", "--json"});
+    const std::vector<Json> found = Of(ran.json(), "weak_motor");
+    ASSERT_EQ(found.size(), level.empty() ? 0U : 1U) << ran.out;
+    EXPECT_EQ(ran.status, level == "error" ? 1 : 0);
+    if (level.empty()) continue;
+    EXPECT_EQ(found.front().at("level"), level);
+    EXPECT_EQ(found.front().at("part"), "joint 'A_knee'");
+    const std::string message = found.front().at("message");
+    EXPECT_NE(message.find("'A_foot' and 'D_foot' alone"), std::string::npos) << message;
+    EXPECT_NE(message.find("at the least"), std::string::npos) << message;
+  }
 }
 
 TEST_F(RobotsCheck, TwoDescriptionsOfOneRobotAreCompared) {
