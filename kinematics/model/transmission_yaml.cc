@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 
 #include "kinematics/model/robot_yaml_shape_internal.h"
@@ -56,8 +57,12 @@ RobotYaml::SharedMotor ParseSharedMotor(const YAML::Node& node, const RobotYaml:
     RefuseYaml(*map.Find("ratios"), fmt::format("motor '{}' has {} ratios; transmission '{}' has {} joints", motor.name,
                                                 ratios.size(), drive.name, drive.joints.size()));
   }
-  for (const YAML::Node& ratio : ratios)
+  for (const YAML::Node& ratio : ratios) {
     motor.ratios.push_back(NumberOf(ratio, "a number of 'ratios'", -kLargestRatio, kLargestRatio));
+    if (const double size = std::abs(motor.ratios.back()); size > 0.0 && size < 1.0 / kLargestRatio)
+      RefuseYaml(ratio, fmt::format("a number of 'ratios' is {}; 0 or a size of {:g} or more is needed",
+                                    motor.ratios.back(), 1.0 / kLargestRatio));
+  }
   motor.effort = keys.Take("effort_nm", "effort_n");
   motor.velocity = keys.Take("velocity_rad_s", "velocity_m_s");
   ParseTraits(map, keys, node, motor);
