@@ -5,6 +5,7 @@
 
 #include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
+#include "playback/bullet/shared_motors_internal.h"
 
 namespace gaitwright::bullet {
 namespace {
@@ -94,7 +95,46 @@ btMultiBody* CondensedSolver::Gather() {
     auto& set = kind == Kind::kDirect ? direct_ : kind == Kind::kSliding ? sliding_ : iterated_;
     set.push_back(static_cast<Eigen::Index>(i));
   }
+  GatherSharedSoftness();
   return body;
+}
+
+void CondensedSolver::GatherSharedSoftness() {
+  const auto motor_of = [](const Line& line) -> const SharedMotorRow* {
+    const bool is = line.kind == Kind::kDirect && line.row->m_orgDofIndex == SharedMotorRow::kSharedDrive;
+    return is ? static_cast<const SharedMotorRow*>(line.row->m_orgConstraint) : nullptr;
+  };
+  shared_softness_.clear();
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const SharedMotorRow* first = motor_of(lines_[i]);
+    if (first == nullptr) continue;
+    for (std::size_t j = i + 1; j < lines_.size(); ++j) {
+      const SharedMotorRow* second = motor_of(lines_[j]);
+      if (second == nullptr || &second->motors() != &first->motors()) continue;
+      shared_softness_.push_back({static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j),
+                                  first->motors().SofteningOf(first->index(), second->index())});
+    }
+  }
+}
+
+void CondensedSolver::AddSharedSoftness(MatrixX& of_direct, MatrixX& across, MatrixX& of_iterated) const {
+  for (const auto& [i, j, softness] : shared_softness_) {
+    const Eigen::Index direct_i = direct_position_[static_cast<std::size_t>(i)],
+                       direct_j = direct_position_[static_cast<std::size_t>(j)];
+    const Eigen::Index other_i = position_[static_cast<std::size_t>(i)],
+                       other_j = position_[static_cast<std::size_t>(j)];
+    if (direct_i >= 0 && direct_j >= 0) {
+      of_direct(direct_i, direct_j) += softness;
+      of_direct(direct_j, direct_i) += softness;
+    } else if (direct_i >= 0) {
+      across(direct_i, other_j) += softness;
+    } else if (direct_j >= 0) {
+      across(direct_j, other_i) += softness;
+    } else {
+      of_iterated(other_i, other_j) += softness;
+      of_iterated(other_j, other_i) += softness;
+    }
+  }
 }
 
 bool CondensedSolver::Join(std::size_t drive, std::size_t loss) {
@@ -172,6 +212,7 @@ void CondensedSolver::WarmStart() {
 bool CondensedSolver::Condense() {
   const auto nd = static_cast<Eigen::Index>(direct_.size()), ni = static_cast<Eigen::Index>(iterated_.size());
   position_.assign(lines_.size(), -1);
+  direct_position_.assign(lines_.size(), -1);
   b_direct_.resize(nd);
   b_small_.resize(ni);
   p_small_.resize(ni);
@@ -181,6 +222,7 @@ bool CondensedSolver::Condense() {
   if (nd > 0) A_direct_ = A_(direct_columns_, direct_columns_);
   for (Eigen::Index k = 0; k < nd; ++k) {
     const Eigen::Index i = direct_[static_cast<std::size_t>(k)];
+    direct_position_[static_cast<std::size_t>(i)] = k;
     A_direct_(k, k) += lines_[static_cast<std::size_t>(i)].softness;
     b_direct_[k] = lines_[static_cast<std::size_t>(i)].b - BySliding(i);
   }
@@ -191,14 +233,15 @@ bool CondensedSolver::Condense() {
     softness_small_[k] = lines_[static_cast<std::size_t>(i)].softness;
     p_small_[k] = impulse_[i];
   }
+  if (ni > 0) A_small_ = A_(iterated_columns_, iterated_columns_);
+  if (ni > 0 && nd > 0) coupling_ = A_(direct_columns_, iterated_columns_);
+  AddSharedSoftness(A_direct_, coupling_, A_small_);
   if (nd > 0) {
     factor_.compute(A_direct_);
     if (factor_.info() != Eigen::Success) return false;
   }
   if (ni == 0) return true;
-  A_small_ = A_(iterated_columns_, iterated_columns_);
   if (nd > 0) {
-    coupling_ = A_(direct_columns_, iterated_columns_);
     elimination_ = factor_.solve(coupling_);
     A_small_.noalias() -= coupling_.transpose() * elimination_;
     b_small_.noalias() -= elimination_.transpose() * b_direct_;

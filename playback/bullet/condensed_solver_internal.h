@@ -21,9 +21,10 @@ namespace gaitwright::bullet {
 /// beyond its limit moves to I, and the step is solved again. Dry friction of a joint is in D where it held in the last
 /// step; where it slid it is a known impulse, until the joint turns back: then it is in I, and taken into D once when
 /// it comes to hold. Stiff motors cost no iterations, which projected Gauss-Seidel on all rows needs hundreds of.
-/// Friction is a cone: the two rows of a contact are projected together. Iterations start from the contact's impulses
-/// of the last step and end at `solver_iterations` or a relative change of 1e-9. Points that cannot matter get no rows,
-/// see ContactThinning.
+/// Motors of a transmission have a softness in common beside their own, S_ij p_j in the row of motor i (SharedMotors),
+/// which counts as part of A between their two rows. Friction is a cone: the two rows of a contact are projected
+/// together. Iterations start from the contact's impulses of the last step and end at `solver_iterations` or a relative
+/// change of 1e-9. Points that cannot matter get no rows, see ContactThinning.
 class CondensedSolver : public btMultiBodyConstraintSolver {
  protected:
   btScalar solveGroupCacheFriendlySetup(btCollisionObject** bodies, int num_bodies, btPersistentManifold** manifolds,
@@ -46,7 +47,15 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
     Eigen::Index loss = -1;  ///< of a drive: line of the joint's loss, while both are solved as one
   };
 
+  /// Softness that the drives of two motors of one transmission have in common, by their lines.
+  struct SharedSoftness {
+    Eigen::Index first, second;
+    double softness;
+  };
+
   btMultiBody* Gather();
+  void GatherSharedSoftness();
+  void AddSharedSoftness(MatrixX& of_direct, MatrixX& across, MatrixX& of_iterated) const;
   void GatherMatrices(Eigen::Index n);
   void AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at);
   void WarmStart();
@@ -71,7 +80,9 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   std::vector<Line> lines_;
   std::vector<Eigen::Index> direct_, iterated_, sliding_;  ///< lines
   std::vector<Eigen::Index> direct_columns_, iterated_columns_;
+  std::vector<SharedSoftness> shared_softness_;
   std::vector<Eigen::Index> position_;         ///< by line: place in iterated_
+  std::vector<Eigen::Index> direct_position_;  ///< by line: place in direct_
   std::vector<Eigen::Index> column_;           ///< by line: of J; lines of one joint share theirs
   MatrixX J_, U_, A_;                          ///< by column; A by column and column
   MatrixX A_direct_, coupling_, elimination_;  ///< A_DD + s, A_DI, its solution

@@ -100,7 +100,7 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
   const double drive = traits_.torque_scale * (h * h * target_.stiffness + h * target_.damping);
   driven_ = drive > 0.0;
   std::optional<Response> response;
-  if (driven_ || traits_.drags() || traits_.friction > 0.0) response = Respond(data);
+  if (driven_ || target_.from_transmission > 0.0 || traits_.drags() || traits_.friction > 0.0) response = Respond(data);
   double gain = 0.0;  // what the motor may add to the velocity in the step
   if (driven_) {
     const double pull = target_.excess + target_.stiffness * (target_.q - q) + target_.damping * target_.v;
@@ -112,6 +112,8 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
     const double most = std::min(target_.limits.largest(), std::abs(pull) + target_.damping * std::abs(velocity));
     gain = traits_.torque_scale * response->inverse_inertia * h * most;
   }
+  if (target_.from_transmission > 0.0)
+    gain = traits_.torque_scale * response->inverse_inertia * h * target_.from_transmission;
   if (response) AddLosses(h, *response, rows, data);
   // A stop acts only when the coming step could pass it.
   const double carried = traits_.rotor_inertia > 0.0 ? std::abs(start_rate_) : 0.0;
