@@ -44,13 +44,14 @@ struct Actuator {
 Actuator ActuatorOf(const RobotModel& model, int index);
 std::vector<Actuator> ActuatorsOf(const RobotModel& model);
 
-/// The motor that comes nearest to its limit, by its index, and the share of the limit that it uses: 1 at the limit;
-/// -1 and 0 where no limit is known.
+/// A motor by its index, and the share of its limit that it uses, 1 at the limit; -1 and 0 where no limit is known.
 struct LargestUse {
   int motor = -1;
   double share = 0.0;
 };
+/// The motor that torques of the joints bring nearest to its effort limit.
 LargestUse LargestEffortUse(const RobotModel& model, const VectorX& tau);
+/// The motor that speeds of the joints bring nearest to its speed limit.
 LargestUse LargestSpeedUse(const RobotModel& model, const VectorX& v);
 
 /// Torques of the joints when each motor that is asked for more than its effort limit gives that limit, and the others

@@ -31,6 +31,7 @@ struct Transmission {
   MatrixX ratios;                         ///< R: a row for each motor, a column for each of dofs
   MatrixX inverse;                        ///< R^-1; AddTransmission computes it
 
+  /// How many joints it drives, and motors it has.
   Eigen::Index size() const { return static_cast<Eigen::Index>(dofs.size()); }
   /// Those of a vector of all joints that are its own, and the reverse.
   VectorX Own(const Eigen::Ref<const VectorX>& joints) const;

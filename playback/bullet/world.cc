@@ -10,8 +10,6 @@
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/model/actuator.h"
 #include "kinematics/model/check_state.h"
-#include "kinematics/model/joint_losses.h"
-#include "kinematics/model/unknown_motor.h"
 #include "planning/plan/sole_support.h"
 #include "playback/bullet/bounds_internal.h"
 #include "playback/bullet/condensed_solver_internal.h"
@@ -19,6 +17,7 @@
 #include "playback/bullet/drive_internal.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
+#include "playback/bullet/motor_setup_internal.h"
 #include "playback/bullet/robot_body_internal.h"
 #include "playback/bullet/shared_motors_internal.h"
 
@@ -51,62 +50,6 @@ bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q,
   body.sole_plates = options.sole_contact == "plate" || (by_ground && ground.has_edges());
   if (by_ground) body.sole_spacing_m = kSoleSampling * ground.finest_m();
   return body;
-}
-
-/// What a joint is like as a motor's load; disturbances come on top of what the model says.
-bullet::MotorRow::Traits TraitsOf(const RobotModel& model, const WorldOptions& options, int dof) {
-  bullet::MotorRow::Traits traits{
-      .lower = model.dof_lower(dof),
-      .upper = model.dof_upper(dof),
-      .damping = 0.0,
-      .friction = options.joint_friction_nm,
-      .rotor_inertia = model.TransmissionOf(dof) == nullptr ? options.rotor_inertia_kg_m2 : 0.0,
-      .torque_scale = options.torque_scale,
-  };
-  if (!options.joint_losses) return traits;
-  const JointLosses losses = LossesOf(model, dof);
-  traits.damping += losses.damping;
-  traits.friction += losses.friction;
-  traits.rotor_inertia += losses.rotor_inertia;
-  return traits;
-}
-
-bullet::SharedMotors::Traits TraitsOf(const Transmission& transmission, const WorldOptions& options) {
-  bullet::SharedMotors::Traits traits{
-      .rotor_inertia = VectorX::Constant(transmission.size(), options.rotor_inertia_kg_m2),
-      .torque_scale = options.torque_scale,
-      .step_s = options.step_s,
-      .has_rows = options.actuation != "torque",
-  };
-  for (Eigen::Index m = 0; options.joint_losses && m < transmission.size(); ++m)
-    traits.rotor_inertia[m] += transmission.motors[static_cast<std::size_t>(m)].motor.rotor_inertia;
-  return traits;
-}
-
-bullet::Drive DriveOf(const Actuator& actuator, const WorldOptions& options) {
-  Motor motor = actuator.motor;
-  if (!options.motor_curve) motor.corner_speed = motor.no_load_speed = Motor::kNone;
-  if (!options.thermal_limit) motor.continuous_effort = Motor::kNone;
-  return {motor, options.motor_strength * actuator.effort_limit};
-}
-
-/// The most that a motor gives whose effort nothing limits; infinite for one that has a limit.
-double BoundOf(const RobotModel& model, const Actuator& actuator) {
-  if (std::isfinite(actuator.effort_limit)) return Motor::kNone;
-  double bound = 0.0;
-  for (const Actuator::Term& term : actuator.terms)
-    if (term.by_effort != 0.0) bound += std::abs(term.by_effort) * BoundsOfUnknownMotor(model, term.dof).effort;
-  return bound;
-}
-
-/// Of the limit that way. A motor that can give nothing one way is at its limit when it is asked to push that way; one
-/// whose limit is not known has none to be at. @param bound  see BoundOf.
-double ShareOfLimit(double torque, double wanted, const bullet::EffortRange& limits, double bound) {
-  const double direction = torque != 0.0 ? torque : wanted;
-  if (direction == 0.0) return 0.0;
-  const double limit = direction > 0.0 ? limits.highest : -limits.lowest;
-  if (limit >= bound) return 0.0;
-  return std::abs(torque) >= limit * (1.0 - 1e-9) ? 1.0 : std::abs(torque) / limit;
 }
 
 void CheckSize(const VectorX& values, const char* what, int n) {
@@ -176,10 +119,11 @@ struct BulletWorld::Impl {
     for (int dof = 0; dof < model.num_dofs(); ++dof) {
       motors.push_back(nullptr);
       const Actuator actuator = ActuatorOf(model, dof);
-      drives.push_back(DriveOf(actuator, options));
-      bounds.push_back(BoundOf(model, actuator));
+      drives.push_back(bullet::DriveOf(actuator, options));
+      bounds.push_back(bullet::BoundOf(model, actuator));
       if (body.locked(dof)) continue;
-      motors.back() = std::make_unique<bullet::MotorRow>(body, body.multibody(), dof, TraitsOf(model, options, dof));
+      motors.back() =
+          std::make_unique<bullet::MotorRow>(body, body.multibody(), dof, bullet::TraitsOf(model, options, dof));
       world.addMultiBodyConstraint(motors.back().get());
     }
     for (const Transmission& transmission : model.transmissions) AddShared(transmission);
@@ -197,7 +141,7 @@ struct BulletWorld::Impl {
     for (const int dof : transmission.dofs) joints.push_back(motors[static_cast<std::size_t>(dof)].get());
     if (std::none_of(joints.begin(), joints.end(), [](const auto* joint) { return joint != nullptr; })) return;
     shared.push_back(std::make_unique<bullet::SharedMotors>(body, body.multibody(), transmission, joints,
-                                                            TraitsOf(transmission, options)));
+                                                            bullet::TraitsOf(transmission, options)));
     for (auto& row : shared.back()->rows()) world.addMultiBodyConstraint(row.get());
   }
 
@@ -252,7 +196,7 @@ struct BulletWorld::Impl {
   void ReadMotor(int index, double torque, double wanted, const bullet::EffortRange& limits) {
     const auto i = static_cast<std::size_t>(index);
     motor_torque[index] = torque;
-    effort_use[index] = ShareOfLimit(torque, wanted, limits, bounds[i]);
+    effort_use[index] = bullet::ShareOfLimit(torque, wanted, limits, bounds[i]);
     drives[i].Warm(torque, options.step_s);
   }
 
