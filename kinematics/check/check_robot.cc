@@ -146,6 +146,21 @@ std::vector<Finding> CompareRobots(const RobotModel& a, const RobotModel& b) {
     if (std::isfinite(a.dof_velocity_limit(dof)) && std::isfinite(b.dof_velocity_limit(there)))
       compare(part, "speed limit", a.dof_velocity_limit(dof), b.dof_velocity_limit(there), " rad/s");
   }
+  for (const Transmission& of_a : a.transmissions) {
+    const auto named = [&](const Transmission& t) { return t.name == of_a.name; };
+    const auto of_b = std::find_if(b.transmissions.begin(), b.transmissions.end(), named);
+    const std::string part = fmt::format("transmission '{}'", of_a.name);
+    if (of_b == b.transmissions.end()) {
+      add(part, "it is here alone");
+    } else if (of_a.ratios.rows() != of_b->ratios.rows() || !of_a.ratios.isApprox(of_b->ratios, 1e-9)) {
+      add(part, "its ratios are others here than there");
+    }
+  }
+  for (const Transmission& of_b : b.transmissions) {
+    const auto named = [&](const Transmission& t) { return t.name == of_b.name; };
+    if (std::none_of(a.transmissions.begin(), a.transmissions.end(), named))
+      add(fmt::format("transmission '{}'", of_b.name), "it is there alone");
+  }
   for (const std::string& name : b.dof_names) {
     if (std::find(a.dof_names.begin(), a.dof_names.end(), name) == a.dof_names.end())
       add(fmt::format("joint '{}'", name), "it is there alone");

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/base/options.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/model/apply_yaml.h"
 
 namespace gaitwright {
@@ -73,7 +74,24 @@ void NoteStanding(const RobotYaml& yaml, const RobotModel& model, std::vector<st
 
 void NoteLimits(const RobotYaml& yaml, const RobotModel& model, std::vector<std::string>& notes) {
   if (!yaml.limits.empty()) notes.push_back("limits of " + JointsOf(yaml.limits) + ": from robot.yaml");
+  for (const Transmission& transmission : model.transmissions) {
+    std::string driven;
+    for (const int dof : transmission.dofs)
+      driven += fmt::format("{}'{}'", driven.empty() ? "" : ", ", model.dof_names[static_cast<std::size_t>(dof)]);
+    notes.push_back(
+        fmt::format("limits of speed and effort of {}: those of the motors of transmission '{}' "
+                    "(robot.yaml), not the URDF's",
+                    driven, transmission.name));
+  }
+  for (const Actuator& motor : ActuatorsOf(model)) {
+    if (!motor.shared()) continue;
+    if (!std::isfinite(motor.effort_limit))
+      notes.push_back(fmt::format("motor '{}': its effort limit is not known", motor.name));
+    if (!std::isfinite(motor.velocity_limit))
+      notes.push_back(fmt::format("motor '{}': its speed limit is not known", motor.name));
+  }
   for (const Joint& joint : model.joints) {
+    if (model.TransmissionOf(joint.dof) != nullptr) continue;
     if (joint.effort_limit_is_placeholder)
       notes.push_back(
           fmt::format("joint '{}': effort limit {} is a placeholder and not used", joint.name, joint.effort_limit));
@@ -81,12 +99,12 @@ void NoteLimits(const RobotYaml& yaml, const RobotModel& model, std::vector<std:
       notes.push_back(
           fmt::format("joint '{}': velocity limit {} is a placeholder and not used", joint.name, joint.velocity_limit));
   }
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    if (!model.MotorOf(d).has_curve() || std::isfinite(model.dof_effort_limit(d))) continue;
+  for (const Actuator& motor : ActuatorsOf(model)) {
+    if (!motor.motor.has_curve() || std::isfinite(motor.effort_limit)) continue;
     notes.push_back(fmt::format(
-        "joint '{}': its torque-speed curve has no peak to fall from, and limits nothing under the no-load speed; give "
-        "its effort in 'limits' of robot.yaml",
-        model.dof_names[static_cast<std::size_t>(d)]));
+        "{} '{}': its torque-speed curve has no peak to fall from, and limits nothing under the no-load speed; give "
+        "its effort in '{}' of robot.yaml",
+        motor.shared() ? "motor" : "joint", motor.name, motor.shared() ? "transmissions" : "limits"));
   }
 }
 

@@ -126,6 +126,49 @@ std::string MotorTexts(const RobotModel& model) {
   return text.empty() ? text : "\nmotors and joints     (rad, rad/s, N m, kg m^2; sliding: m, m/s, N, kg)\n" + text;
 }
 
+Json TransmissionJson(const RobotModel& model, const Transmission& transmission) {
+  Json joints = Json::array(), motors = Json::array();
+  for (const int dof : transmission.dofs) joints.push_back(model.dof_names[static_cast<std::size_t>(dof)]);
+  for (std::size_t m = 0; m < transmission.motors.size(); ++m) {
+    const TransmissionMotor& motor = transmission.motors[m];
+    Json ratios = Json::array();
+    for (const double ratio : transmission.ratios.row(static_cast<Eigen::Index>(m))) ratios.push_back(ratio);
+    motors.push_back({{"name", motor.name},
+                      {"ratios", ratios},
+                      {"slides", motor.slides},
+                      {"effort_limit", Finite(motor.effort_limit)},
+                      {"velocity_limit", Finite(motor.velocity_limit)},
+                      {"corner_speed", Finite(motor.motor.corner_speed)},
+                      {"no_load_speed", Finite(motor.motor.no_load_speed)},
+                      {"continuous_effort", Finite(motor.motor.continuous_effort)},
+                      {"thermal_s", motor.motor.thermal_s},
+                      {"rotor_inertia", motor.motor.rotor_inertia}});
+  }
+  return {{"name", transmission.name}, {"joints", joints}, {"motors", motors}};
+}
+
+std::string TransmissionTexts(const RobotModel& model) {
+  std::string text;
+  for (const Transmission& transmission : model.transmissions) {
+    std::string joints;
+    for (const int dof : transmission.dofs)
+      joints += (joints.empty() ? "" : ", ") + model.dof_names[static_cast<std::size_t>(dof)];
+    text += fmt::format("  {}: joints {}\n", transmission.name, joints);
+    for (std::size_t m = 0; m < transmission.motors.size(); ++m) {
+      const TransmissionMotor& motor = transmission.motors[m];
+      std::string ratios;
+      for (const double ratio : transmission.ratios.row(static_cast<Eigen::Index>(m)))
+        ratios += fmt::format("{}{:g}", ratios.empty() ? "" : ", ", ratio);
+      const std::string words = MotorText(motor.motor, {});
+      text += fmt::format("    {:<18} ratios [{}], speed {:.2f}, effort {:.2f}{}{}\n", motor.name, ratios,
+                          motor.velocity_limit, motor.effort_limit, words.empty() ? "" : ", ", words);
+    }
+  }
+  return text.empty()
+             ? text
+             : "\ntransmissions         (limits of joints above are the box around what the motors give)\n" + text;
+}
+
 }  // namespace
 
 std::string DescribeRobot(const RobotModel& model) {
@@ -151,12 +194,16 @@ std::string DescribeRobot(const RobotModel& model) {
                         model.dof_upper(d), model.dof_velocity_limit(d), model.dof_effort_limit(d));
   }
   text += MotorTexts(model);
+  text += TransmissionTexts(model);
   if (!model.notes.empty()) text += "\nnotes\n";
   for (const std::string& note : model.notes) text += "  " + note + "\n";
   return text;
 }
 
 std::string RobotJson(const RobotModel& model) {
+  Json transmissions = Json::array();
+  for (const Transmission& transmission : model.transmissions)
+    transmissions.push_back(TransmissionJson(model, transmission));
   Json legs = Json::object(), standing = Json::object(), limits = Json::object(), gains = Json::object(),
        motors = Json::object();
   for (const Leg& leg : model.legs) legs[leg.name] = LegJson(model, leg);
@@ -180,6 +227,7 @@ std::string RobotJson(const RobotModel& model) {
                      {"limits", limits},
                      {"gains", gains},
                      {"motor_limits", motors},
+                     {"transmissions", transmissions},
                      {"notes", model.notes},
                      {"hash", model.hash}};
   return json.dump(2);

@@ -18,12 +18,17 @@ struct JointLosses {
 
 /// The losses that robot.yaml and URDF tell of coordinate `dof`. Damping and friction are those of all joints that it
 /// moves: sums of multiplier^2 * damping and of |multiplier| * friction.
+/// Rotors of a transmission are not in it: they couple its joints (Transmission::RotorInertia).
 JointLosses LossesOf(const RobotModel& model, int dof);
 
 /// The robot as it would be if its joints took nothing for themselves: no damping, friction or rotor inertia.
 RobotModel WithoutLosses(const RobotModel& model);
 
-/// Adds the rotors' inertia to the diagonal of a mass matrix M(q), size nv x nv.
+/// Adds the rotors' inertia to a mass matrix M(q), size nv x nv: to its diagonal, and beside it where motors of a
+/// transmission drive several joints.
 void AddRotorInertia(const RobotModel& model, MatrixX& M);
+
+/// Inertia of rotors and gears as felt at coordinate `dof` while all others are still: the diagonal of AddRotorInertia.
+double RotorInertiaAt(const RobotModel& model, int dof);
 
 }  // namespace gaitwright

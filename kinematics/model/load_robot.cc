@@ -11,6 +11,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/base/hash.h"
 #include "kinematics/base/options.h"
+#include "kinematics/model/apply_transmissions.h"
 #include "kinematics/model/apply_yaml.h"
 #include "kinematics/model/ball_joints.h"
 #include "kinematics/model/build_model.h"
@@ -151,6 +152,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   ApplyAxes(yaml, model);
   ApplyLimits(yaml, model);
   ApplyMotors(yaml, model);
+  ApplyTransmissions(yaml, model);
   TakeVisualsOfFeet(yaml.feet, source, model, *meshes);
   const Result<int> legs = DeriveLegs(model, yaml, GivenPosture(yaml, model));
   if (!legs) return legs.failure();

@@ -66,6 +66,14 @@ const Motor& RobotModel::MotorOf(int dof) const {
   return at < motors.size() ? motors[at] : plain;
 }
 
+const Transmission* RobotModel::TransmissionOf(int dof) const {
+  const auto drives = [dof](const Transmission& t) {
+    return std::find(t.dofs.begin(), t.dofs.end(), dof) != t.dofs.end();
+  };
+  const auto at = std::find_if(transmissions.begin(), transmissions.end(), drives);
+  return at == transmissions.end() ? nullptr : &*at;
+}
+
 double RobotModel::leg_length_m() const {
   double longest = 0.0;
   for (const Leg& leg : legs) longest = std::max(longest, leg.length_m);

@@ -7,6 +7,7 @@
 
 #include "kinematics/model/finding.h"
 #include "kinematics/model/motor.h"
+#include "kinematics/model/transmission.h"
 #include "kinematics/spatial/pose.h"
 
 namespace gaitwright {
@@ -153,8 +154,9 @@ struct RobotModel {
   std::vector<int> dof_joint;          ///< index of that joint, size n
 
   /// Gains from robot.yaml, by dof; zero where they are to be derived from the effective inertia.
-  VectorX stiffness, damping;  ///< [N m/rad], [N m s/rad]
-  std::vector<Motor> motors;   ///< by dof; see MotorOf
+  VectorX stiffness, damping;               ///< [N m/rad], [N m s/rad]
+  std::vector<Motor> motors;                ///< by dof; see MotorOf
+  std::vector<Transmission> transmissions;  ///< of motors that drive several joints together; see AddTransmission
 
   std::vector<Finding> findings;     ///< what was wrong or doubtful in the description, and what is used
   std::vector<std::string> notes;    ///< what was derived, from what, and what was odd; for people
@@ -169,7 +171,9 @@ struct RobotModel {
   double weight_n() const { return total_mass_kg * kGravity; }
 
   /// Limits of an independent coordinate: of position and speed the tightest of all joints that it moves, of effort
-  /// that of the joint that leads; infinite where they are placeholders.
+  /// that of the joint that leads; infinite where they are placeholders. What a plan or a playback is held against are
+  /// the limits of the motors (Actuator): those of a joint that a transmission drives are the box around what its
+  /// motors give.
   double dof_lower(int dof) const;
   double dof_upper(int dof) const;
   double dof_velocity_limit(int dof) const;
@@ -178,8 +182,13 @@ struct RobotModel {
   /// The joint that leads an independent coordinate.
   const Joint& LeaderOf(int dof) const;
 
-  /// The motor of an independent coordinate; one without further limits where nothing is known of it.
+  /// What is known of an independent coordinate's motor; one without further limits where nothing is known of it. Of a
+  /// joint that a transmission drives the limits of acceleration and jerk alone: its motors are those of
+  /// TransmissionOf.
   const Motor& MotorOf(int dof) const;
+
+  /// The transmission that drives an independent coordinate; null where it has a motor of its own.
+  const Transmission* TransmissionOf(int dof) const;
 
   /// Longest leg, hip to contact, straight [m]; the length that limits scale with.
   double leg_length_m() const;

@@ -11,6 +11,8 @@
 #include "kinematics/model/base_axes.h"
 #include "kinematics/model/robot_yaml_shape.h"
 #include "kinematics/model/robot_yaml_shape_internal.h"
+#include "kinematics/model/transmission_yaml_internal.h"
+#include "kinematics/model/unit_keys_internal.h"
 #include "kinematics/model/yaml_line.h"
 #include "kinematics/spatial/convex_hull.h"
 
@@ -130,26 +132,6 @@ std::vector<MirrorPair> ParsePairs(const YAML::Node& node) {
   return pairs;
 }
 
-/// One of two keys of a joint, by its unit; notes in `turning` and `sliding` which kind was used.
-struct UnitKeys {
-  const YamlMap& map;
-  bool turning = false, sliding = false;
-
-  std::optional<double> Take(const std::string& of_turning, const std::string& of_sliding) {
-    turning = turning || map.Find(of_turning) != nullptr;
-    sliding = sliding || map.Find(of_sliding) != nullptr;
-    return map.InRange(map.Find(of_turning) != nullptr ? of_turning : of_sliding);
-  }
-  bool Sliding(const YamlMap::Entry& entry) const {
-    if (turning && sliding) {
-      RefuseYaml(
-          entry.key_node,
-          fmt::format("joint '{}' has keys of a turning joint and of a sliding one; it is one of both", entry.key));
-    }
-    return sliding;
-  }
-};
-
 RobotYaml::JointGains ParseGains(const YamlMap::Entry& entry) {
   const DataShape shape = GainsYamlShape();
   const YamlMap map(entry.value, fmt::format("the gains of '{}'", entry.key), shape);
@@ -159,7 +141,7 @@ RobotYaml::JointGains ParseGains(const YamlMap::Entry& entry) {
   gains.line = LineOf(entry.key_node);
   gains.stiffness = keys.Take("stiffness_nm_rad", "stiffness_n_m");
   gains.damping = keys.Take("damping_nm_s_rad", "damping_n_s_m");
-  gains.sliding = keys.Sliding(entry);
+  gains.sliding = keys.Sliding(entry.key_node, fmt::format("joint '{}'", entry.key));
   return gains;
 }
 
@@ -174,7 +156,7 @@ RobotYaml::JointLimits ParseLimits(const YamlMap::Entry& entry) {
   limits.upper = keys.Take("upper_rad", "upper_m");
   limits.velocity = keys.Take("velocity_rad_s", "velocity_m_s");
   limits.effort = keys.Take("effort_nm", "effort_n");
-  limits.sliding = keys.Sliding(entry);
+  limits.sliding = keys.Sliding(entry.key_node, fmt::format("joint '{}'", entry.key));
   return limits;
 }
 
@@ -199,7 +181,7 @@ RobotYaml::JointMotor ParseMotor(const YamlMap::Entry& entry) {
   motor.jerk_limit = keys.Take("jerk_rad_s3", "jerk_m_s3");
   motor.damping = keys.Take("damping_nm_s_rad", "damping_n_s_m");
   motor.friction = keys.Take("friction_nm", "friction_n");
-  motor.sliding = keys.Sliding(entry);
+  motor.sliding = keys.Sliding(entry.key_node, fmt::format("joint '{}'", entry.key));
   motor.has_units = keys.turning || keys.sliding;
   return motor;
 }
@@ -253,6 +235,7 @@ RobotYaml Parse(const YAML::Node& root) {
   ForEach(map, "limits", [&](const auto& entry) { yaml.limits.push_back(ParseLimits(entry)); });
   ForEach(map, "gains", [&](const auto& entry) { yaml.gains.push_back(ParseGains(entry)); });
   ForEach(map, "motors", [&](const auto& entry) { yaml.motors.push_back(ParseMotor(entry)); });
+  if (const YAML::Node* all = map.Find("transmissions")) yaml.transmissions = ParseTransmissions(*all);
   if (const YAML::Node* rests = map.Find("rests")) {
     for (const YAML::Node& rest : ListOf(*rests, "rests")) yaml.rests.push_back({TextOf(rest, "a rest"), LineOf(rest)});
   }

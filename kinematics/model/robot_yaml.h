@@ -43,6 +43,22 @@ struct RobotYaml : LegChoices {
     int line = 0;
   };
 
+  /// A motor of a transmission, with its row of ratios; units are those of a motor that slides where `sliding`.
+  struct SharedMotor {
+    std::string name;
+    std::vector<double> ratios;
+    std::optional<double> effort, velocity, corner_speed, no_load_speed, continuous_effort, thermal_s, rotor_inertia;
+    bool sliding = false;
+    int line = 0;
+  };
+  /// Motors that drive several joints together; see Transmission.
+  struct SharedDrive {
+    std::string name;
+    std::vector<std::string> joints;
+    std::vector<SharedMotor> motors;
+    int line = 0;
+  };
+
   std::string name, description;
   double scale = 1.0;                ///< by which the URDF's lengths are multiplied
   std::optional<Vector3> ahead, up;  ///< axes of the root link; `up` too where `ahead` is given, and across it
@@ -56,6 +72,7 @@ struct RobotYaml : LegChoices {
   std::vector<JointPosition> standing;
   std::vector<JointGains> gains;
   std::vector<JointMotor> motors;
+  std::vector<SharedDrive> transmissions;
   std::optional<double> standing_base_height_m, nominal_speed_m_s;
   int height_line = 0;  ///< of standing_base_height_m
 };

@@ -61,6 +61,32 @@ DataShape MotorYamlShape() {
                  Optional("friction_n", positive)});
 }
 
+DataShape TransmissionMotorYamlShape() {
+  const DataShape positive = Positive(kLargestValue);
+  return Object({{"name", Text(), "What reports call it."},
+                 {"ratios", List(Number(-kLargestRatio, kLargestRatio), 2, kMostShared),
+                  "Speed of the motor for a speed of 1 of each joint, in the order of 'joints'."},
+                 Optional("effort_nm", positive, "Largest torque; not checked unless given."),
+                 Optional("velocity_rad_s", positive, "Largest speed; not checked unless given."),
+                 Optional("corner_velocity_rad_s", positive, "Up to there the motor gives its whole effort."),
+                 Optional("no_load_velocity_rad_s", positive, "There it gives none."),
+                 Optional("continuous_nm", positive, "Root mean square of effort that it bears without end."),
+                 Optional("thermal_s", positive, "Time over which that mean is taken; 10 unless given."),
+                 Optional("rotor_inertia_kg_m2", positive, "Of rotor and gear, as felt at the motor's own shaft."),
+                 Optional("effort_n", positive, "Largest force of a motor that slides, as all that follow."),
+                 Optional("velocity_m_s", positive),
+                 Optional("corner_velocity_m_s", positive),
+                 Optional("no_load_velocity_m_s", positive),
+                 Optional("continuous_n", positive),
+                 Optional("rotor_mass_kg", positive)});
+}
+
+DataShape TransmissionYamlShape() {
+  return Object({{"name", Text(), "What messages call it."},
+                 {"joints", List(Text(), 2, kMostShared), "The joints that its motors drive together."},
+                 {"motors", List(TransmissionMotorYamlShape(), 2, kMostShared), "As many as joints."}});
+}
+
 DataShape RobotYamlShape() {
   const DataShape axis = Text(AxisNames()), by_joint = Number(-kLargestValue, kLargestValue);
   return Object({Optional("name", Text(), "What the robot is called."),
@@ -79,6 +105,7 @@ DataShape RobotYamlShape() {
                  Optional("nominal_speed_m_s", Positive(kFastestWalk), "Of a walk that does not say its own."),
                  Optional("gains", MapOf(GainsYamlShape()), "By joint: gains of its motor."),
                  Optional("motors", MapOf(MotorYamlShape()), "By joint: what its motor can and takes."),
+                 Optional("transmissions", List(TransmissionYamlShape()), "Motors that drive several joints together."),
                  Optional("rests", List(Text()), "Links that the robot may lie on.")});
 }
 

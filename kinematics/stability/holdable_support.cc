@@ -1,9 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/stability/holdable_support.h"
 
+#include <vector>
+
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/actuator.h"
 
 namespace gaitwright {
+namespace {
+
+/// Torque of a joint near the ground by where the ZMP is:  tau = normal_n (1 - share) (across . Z - middle).
+struct AnkleTorque {
+  int dof;
+  double share;
+  Vector2 across;
+  double middle;
+};
+
+void KeepStrip(const Vector2& across, double middle, double most, Polygon& held) {
+  const Polygon part = Clipped(Clipped(held, across, middle - most), -across, -middle - most);
+  if (part.size() >= 3) held = part;
+}
+
+/// What the motors of a transmission leave, whose torque is a sum of those of its joints.
+void KeepSharedStrip(const Actuator& motor, const std::vector<AnkleTorque>& ankles, double normal_n, double use,
+                     Polygon& held) {
+  Vector2 across = Vector2::Zero();
+  double middle = 0.0;
+  for (const AnkleTorque& ankle : ankles) {
+    for (const Actuator::Term& term : motor.terms) {
+      if (term.dof != ankle.dof) continue;
+      across += term.by_effort * (1.0 - ankle.share) * ankle.across;
+      middle += term.by_effort * (1.0 - ankle.share) * ankle.middle;
+    }
+  }
+  if (across.isZero()) return;
+  KeepStrip(across, middle, use * motor.effort_limit / normal_n, held);
+}
+
+}  // namespace
 
 Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch, int foot, const Polygon& support,
                         const Vector3& p_WC, double normal_n, double use) {
@@ -13,6 +48,7 @@ Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch,
   const double ground = ContactFrame(model, scratch, foot).translation().z();
   const double height = p_WC.z() - ground;
   Polygon held = support;
+  std::vector<AnkleTorque> shared;
   for (const int index : model.legs[static_cast<std::size_t>(foot)].joints) {
     const auto j = static_cast<std::size_t>(index);
     const Joint& joint = model.joints[j];
@@ -21,10 +57,16 @@ Polygon HoldableSupport(const RobotModel& model, const DynamicsScratch& scratch,
     if (joint.is_prismatic() || share > kLow || axis.head<2>().norm() < kFlat) continue;
     // tau = N (a_y (x - p_x) - a_x (y - p_y)) at the point (x, y) = Z + (C - Z) share of the force's line.
     const Vector2 across(axis.y(), -axis.x());
-    const double most = use * model.dof_effort_limit(joint.dof) / (normal_n * (1.0 - share));
     const double middle = across.dot(p_WJ.head<2>() - share * p_WC.head<2>()) / (1.0 - share);
-    const Polygon part = Clipped(Clipped(held, across, middle - most), -across, -middle - most);
-    if (part.size() >= 3) held = part;
+    if (model.TransmissionOf(joint.dof) != nullptr) {
+      shared.push_back({joint.dof, share, across, middle});
+      continue;
+    }
+    KeepStrip(across, middle, use * model.dof_effort_limit(joint.dof) / (normal_n * (1.0 - share)), held);
+  }
+  for (int dof = 0; !shared.empty() && dof < model.num_dofs(); ++dof) {
+    const Actuator motor = ActuatorOf(model, dof);
+    if (motor.shared()) KeepSharedStrip(motor, shared, normal_n, use, held);
   }
   return held;
 }

@@ -12,10 +12,11 @@ namespace gaitwright {
 /// With the contact force f = N z + N (C - Z)_xy / h through the ZMP Z and the centre of mass C, a revolute joint with
 /// unit axis a through P, at height z below h / 2, takes  tau = -((Z + (C - Z) z / h - P) x N z) . a, linear in Z; each
 /// joint leaves the strip where |tau| <= use * limit. Joints higher up hardly feel where the ZMP is, and are left out.
+/// Of a transmission each motor leaves the strip where its own torque, a sum of those of its joints, is in its limit.
 ///
 /// @param support   convex, in plan view, of the ground at the height of the foot's contact frame; W [m].
 /// @param p_WC      centre of mass [m];  @param normal_n  force N that the foot carries [N].
-/// @param use       share of the joints' effort limits, > 0.
+/// @param use       share of the motors' effort limits, > 0.
 /// @return the part of `support`; `support` itself when it has no area. A joint that would leave nothing is passed
 /// over.
 /// Needs ForwardKinematics on the scratch.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "kinematics/model/actuator.h"
 #include "optimisation/pipeline/leg_motors.h"
 #include "optimisation/pipeline/robot_body.h"
 
@@ -49,11 +50,11 @@ std::vector<double> SpeedByTorque(const std::vector<PushOff>& at) {
   return speed;
 }
 
-std::string MotorText(const RobotModel& model, int dof, bool speed) {
-  if (dof < 0) return "no motor";
-  const std::string& name = model.dof_names[static_cast<std::size_t>(dof)];
-  return speed ? fmt::format("'{}' turns at {:.3g} rad/s at most", name, model.dof_velocity_limit(dof))
-               : fmt::format("'{}' holds {:.3g} N m at most", name, model.dof_effort_limit(dof));
+std::string MotorText(const RobotModel& model, int index, bool speed) {
+  if (index < 0) return "no motor";
+  const Actuator motor = ActuatorOf(model, index);
+  return speed ? fmt::format("'{}' turns at {:.3g} rad/s at most", motor.name, motor.velocity_limit)
+               : fmt::format("'{}' holds {:.3g} N m at most", motor.name, motor.effort_limit);
 }
 
 Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const PushOff& best, double gives,

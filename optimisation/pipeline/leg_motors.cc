@@ -8,6 +8,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/ik/whole_body_ik.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/spatial/dense_solvers.h"
 
 namespace gaitwright {
@@ -56,9 +57,10 @@ void SetSpeed(const RobotModel& model, WholeBodyIk& ik, BodyTarget target, PushO
   ik.SolveRates(target, at.q, v, a);
   at.speed_m_s = kInfinity;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    const double rate = std::abs(v[6 + d]);
-    if (rate < kStill || rate * at.speed_m_s <= model.dof_velocity_limit(d)) continue;
-    at.speed_m_s = model.dof_velocity_limit(d) / rate;
+    const Actuator motor = ActuatorOf(model, d);
+    const double rate = std::abs(motor.Speed(v.tail(model.num_dofs())));
+    if (rate < kStill || rate * at.speed_m_s <= motor.velocity_limit) continue;
+    at.speed_m_s = motor.velocity_limit / rate;
     at.fastest = d;
   }
 }
@@ -69,9 +71,10 @@ void SetGain(const RobotModel& model, WholeBodyIk& ik, const BodyTarget& target,
   const VectorX by_gain = HoldingTorques(model, ik, target, at.q, 1.0, share, scratch) - held;
   at.gain_m_s2 = kInfinity;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    if (std::abs(by_gain[d]) < 1e-9) continue;
-    const double most = use * model.dof_effort_limit(d);
-    const double gain = ((by_gain[d] > 0.0 ? most : -most) - held[d]) / by_gain[d];
+    const Actuator motor = ActuatorOf(model, d);
+    const double by = motor.Effort(by_gain), most = use * motor.effort_limit;
+    if (std::abs(by) < 1e-9) continue;
+    const double gain = ((by > 0.0 ? most : -most) - motor.Effort(held)) / by;
     if (gain >= at.gain_m_s2) continue;
     at.gain_m_s2 = gain;
     at.strongest = d;
@@ -142,8 +145,9 @@ double FootAccelerationInFlight(const RobotModel& model, const std::vector<int>&
   needed(-SolveLeastNorm(by_turning, held));
   double most_m_s2 = kInfinity;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    const double torque = std::abs(tau[6 + d]);
-    if (torque > kStill) most_m_s2 = std::min(most_m_s2, model.dof_effort_limit(d) / torque);
+    const Actuator motor = ActuatorOf(model, d);
+    const double torque = std::abs(motor.Effort(tau.tail(model.num_dofs())));
+    if (torque > kStill) most_m_s2 = std::min(most_m_s2, motor.effort_limit / torque);
   }
   return most_m_s2;
 }

@@ -14,8 +14,8 @@ struct PushOff {
   double com_m = 0.0;      ///< height of the centre of mass over the ground
   double speed_m_s = 0.0;  ///< the fastest that it rises while the feet stand
   double gain_m_s2 = 0.0;  ///< the most with which it gathers speed upward; below 0 where it cannot be held
-  int fastest = -1;        ///< the joint coordinate that says so of the speed; -1 where none does
-  int strongest = -1;      ///< the one that says so of what it gathers
+  int fastest = -1;        ///< the motor (ActuatorOf) that limits the speed; -1 where none does
+  int strongest = -1;      ///< the motor that limits what it gathers
 };
 
 /// Postures by height, from straight legs down to the lowest in which joints keep `reserve` of their range to their

@@ -6,17 +6,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/model/actuator.h"
 #include "kinematics/model/dof_units.h"
 
 namespace gaitwright {
 namespace {
 
-/// What the trajectory asks of a joint beyond its limits; not positive where it keeps them.
+/// What the trajectory asks of a joint's position, and of the speed and effort of the motor of the same index, beyond
+/// their limits; not positive where it keeps them.
 struct LimitExcess {
   double position = 0.0, speed = 0.0, torque = 0.0;  ///< [rad, rad/s, N m] or [m, m/s, N]
 };
 
-LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, int dof, double spare) {
+LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion, const Actuator& motor, int dof,
+                     double spare) {
   const double first = model.dof_lower(dof), last = model.dof_upper(dof), standing = model.standing_joints[dof];
   const double kept = std::isfinite(last - first) ? spare * (last - first) : 0.0;
   const double lower = std::min(first + kept, std::max(first, standing));
@@ -25,11 +28,11 @@ LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion,
   for (std::size_t k = 0; k < motion.q.size(); ++k) {
     low = std::min(low, motion.q[k][7 + dof]);
     high = std::max(high, motion.q[k][7 + dof]);
-    speed = std::max(speed, std::abs(motion.v[k][6 + dof]));
-    torque = std::max(torque, std::abs(motion.tau[k][dof]));
+    speed = std::max(speed, std::abs(motor.Speed(motion.v[k].tail(model.num_dofs()))));
+    torque = std::max(torque, std::abs(motor.Effort(motion.tau[k])));
   }
-  return {std::max({0.0, lower - low, high - upper}), std::max(0.0, speed - model.dof_velocity_limit(dof)),
-          std::max(0.0, torque - model.dof_effort_limit(dof))};
+  return {std::max({0.0, lower - low, high - upper}), std::max(0.0, speed - motor.velocity_limit),
+          std::max(0.0, torque - motor.effort_limit)};
 }
 
 }  // namespace
@@ -37,10 +40,11 @@ LimitExcess ExcessOf(const RobotModel& model, const WholeBodyTrajectory& motion,
 double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion, double spare) {
   double total = 0.0;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    const LimitExcess over = ExcessOf(model, motion, d, spare);
+    const Actuator motor = ActuatorOf(model, d);
+    const LimitExcess over = ExcessOf(model, motion, motor, d, spare);
     if (over.position > 0.0) total += over.position / std::max(model.dof_upper(d) - model.dof_lower(d), 1e-6);
-    if (over.speed > 0.0) total += over.speed / std::max(model.dof_velocity_limit(d), 1e-6);
-    if (over.torque > 0.0) total += over.torque / std::max(model.dof_effort_limit(d), 1e-6);
+    if (over.speed > 0.0) total += over.speed / std::max(motor.velocity_limit, 1e-6);
+    if (over.torque > 0.0) total += over.torque / std::max(motor.effort_limit, 1e-6);
   }
   return total;
 }
@@ -48,14 +52,14 @@ double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion, d
 std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion) {
   std::vector<std::string> warnings;
   for (int d = 0; d < model.num_dofs(); ++d) {
-    const LimitExcess over = ExcessOf(model, motion, d, 0.0);
-    const std::string& name = model.dof_names[static_cast<std::size_t>(d)];
-    const auto warn = [&](double by, int decimals, const char* unit, const char* limit) {
+    const Actuator motor = ActuatorOf(model, d);
+    const LimitExcess over = ExcessOf(model, motion, motor, d, 0.0);
+    const auto warn = [&](const std::string& name, double by, int decimals, const char* unit, const char* limit) {
       if (by > 0.0) warnings.push_back(fmt::format("{} is {:.{}f} {} {} limit", name, by, decimals, unit, limit));
     };
-    warn(over.position, 3, PositionUnit(model, d), "past its");
-    warn(over.speed, 2, SpeedUnit(model, d), "over its speed");
-    warn(over.torque, 2, EffortUnit(model, d), Slides(model, d) ? "over its force" : "over its torque");
+    warn(model.dof_names[static_cast<std::size_t>(d)], over.position, 3, PositionUnit(model, d), "past its");
+    warn(motor.name, over.speed, 2, motor.speed_unit(), "over its speed");
+    warn(motor.name, over.torque, 2, motor.effort_unit(), motor.slides ? "over its force" : "over its torque");
   }
   return warnings;
 }

@@ -12,11 +12,11 @@ namespace gaitwright {
 /// Share of a joint's range that a plan keeps free at either end where that is possible.
 inline constexpr double kRangeMargin = 0.01;
 
-/// How far the joints are past their limits, summed in shares of the limits: 0 where all are kept.
+/// How far joints and motors (Actuator) are past their limits, summed in shares of the limits: 0 where all are kept.
 /// @param spare  share of a joint's range, nearer than which to either end counts as past it, other than to stand.
 double TotalExcess(const RobotModel& model, const WholeBodyTrajectory& motion, double spare);
 
-/// Joint limits that the trajectory does not keep, worst of each joint and kind.
+/// Limits of joints and motors that the trajectory does not keep, worst of each joint or motor and kind.
 std::vector<std::string> LimitWarnings(const RobotModel& model, const WholeBodyTrajectory& motion);
 
 }  // namespace gaitwright

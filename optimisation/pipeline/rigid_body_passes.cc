@@ -12,6 +12,7 @@
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/spatial/rotation.h"
 #include "optimisation/centroidal/body_limits.h"
 #include "optimisation/pipeline/fitted_options.h"
@@ -288,17 +289,23 @@ MotorLimits RigidBodyPasses::MotorsOf(const MotionPass& pass, int foot, std::siz
   Vector6 w;
   w << wrench.force_W, wrench.moment_W;
   AddPointWrench(model_, scratch, described.body, X_WF.translation(), w, given);
-  std::vector<int> own;
-  for (int d = 0; d < model_.num_dofs(); ++d) {
-    if (by_force.row(d).norm() > 1e-9 && std::isfinite(model_.dof_effort_limit(d))) own.push_back(d);
+  std::vector<Actuator> own;
+  std::vector<VectorX> by_force_of;
+  for (const Actuator& motor : ActuatorsOf(model_)) {
+    VectorX by = VectorX::Zero(by_force.cols());
+    for (const Actuator::Term& term : motor.terms) by += term.by_effort * by_force.row(term.dof).transpose();
+    if (by.norm() <= 1e-9 || !std::isfinite(motor.effort_limit)) continue;
+    own.push_back(motor);
+    by_force_of.push_back(by);
   }
+  const VectorX free = rows.tau[row] + given.tail(model_.num_dofs());  // torques without contacts
   const auto n = static_cast<Eigen::Index>(own.size());
   MotorLimits limits{MatrixX(n, by_force.cols()), VectorX(n), VectorX(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
-    const int d = own[static_cast<std::size_t>(i)];
+    const Actuator& motor = own[static_cast<std::size_t>(i)];
     // tau = tau without contacts - J^T f
-    const double alone = rows.tau[row][d] + given[6 + d], most = kMotorUse * model_.dof_effort_limit(d);
-    limits.by_force.row(i) = by_force.row(d);
+    const double alone = motor.Effort(free), most = kMotorUse * motor.effort_limit;
+    limits.by_force.row(i) = by_force_of[static_cast<std::size_t>(i)].transpose();
     limits.lower[i] = alone - most;
     limits.upper[i] = limits.lower[i] + 2.0 * most;
   }

@@ -8,6 +8,7 @@
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
 #include "kinematics/ik/leg_polytope.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/spatial/rotation.h"
 #include "planning/paths/base_path.h"
 #include "planning/plan/support_plane.h"
@@ -23,8 +24,9 @@ double MostUpright(const RobotModel& model, const DynamicsScratch& scratch, int 
   PointJacobian(model, scratch, f.body, f.X_BF.translation(), J);
   double most = kMost * model.weight_n();
   for (int d = 0; d < model.num_dofs(); ++d) {
-    const double arm = std::abs(J(2, 6 + d));
-    if (arm > 1e-6) most = std::min(most, model.dof_effort_limit(d) / arm);
+    const Actuator motor = ActuatorOf(model, d);
+    const double arm = std::abs(motor.Effort(J.row(2).tail(model.num_dofs()).transpose()));
+    if (arm > 1e-6) most = std::min(most, motor.effort_limit / arm);
   }
   return most;
 }

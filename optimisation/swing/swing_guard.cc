@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kinematics/collision/shape_extent.h"
+#include "kinematics/model/actuator.h"
 #include "optimisation/swing/refine_swing.h"
 #include "planning/audit/swing_depth.h"
 #include "planning/plan/sample_plan.h"
@@ -88,19 +89,36 @@ VectorX SwingGuard::StandingLeg(int foot) const {
   return leg;
 }
 
+namespace {
+
+/// Whether motors turn the leg's joints so far in a time; other joints that they drive are still.
+bool MotorsFollow(const std::vector<Actuator>& motors, const std::vector<int>& dofs, const VectorX& way,
+                  double step_s) {
+  for (const Actuator& motor : motors) {
+    double turned = 0.0;
+    for (const Actuator::Term& term : motor.terms) {
+      const auto at = std::find(dofs.begin(), dofs.end(), term.dof);
+      if (at != dofs.end()) turned += term.by_speed * way[at - dofs.begin()];
+    }
+    if (std::abs(turned) > motor.velocity_limit * step_s) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool SwingGuard::LegFollows(const SwingTrajectory& swing) const {
   if (!former_.base) return true;
   const LegIk& ik = ik_[static_cast<std::size_t>(swing.foot)];
   const double step_s = (swing.end_s - swing.start_s) / kSamples;
   const std::vector<Pose> X_WF = FootPoses(swing);
   VectorX guess = StandingLeg(swing.foot);
+  std::vector<Actuator> motors;
+  for (const int dof : ik.dofs()) motors.push_back(ActuatorOf(model_, dof));
   for (int k = 0; k <= kSamples; ++k) {
     const auto leg = ik.Solve(former_.base(TimeOf(swing, k)).inverse() * X_WF[static_cast<std::size_t>(k)], guess);
     if (!leg) return false;
-    for (Eigen::Index i = 0; k > 0 && i < guess.size(); ++i) {
-      const double limit = model_.dof_velocity_limit(ik.dofs()[static_cast<std::size_t>(i)]);
-      if (std::abs(leg->joints[i] - guess[i]) > limit * step_s) return false;
-    }
+    if (k > 0 && !MotorsFollow(motors, ik.dofs(), leg->joints - guess, step_s)) return false;
     guess = leg->joints;
   }
   return true;

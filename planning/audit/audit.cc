@@ -167,7 +167,14 @@ AuditReport Auditor::Run() {
 }
 
 void Auditor::NoteUnknown(AuditReport& report) const {
+  for (const Actuator& motor : ActuatorsOf(model_)) {
+    if (motor.shared() && !std::isfinite(motor.effort_limit))
+      report.notes.push_back(fmt::format("motor '{}': its torque limit is not known", motor.name));
+    if (motor.shared() && !std::isfinite(motor.velocity_limit))
+      report.notes.push_back(fmt::format("motor '{}': its speed limit is not known", motor.name));
+  }
   for (const Joint& joint : model_.joints) {
+    if (model_.TransmissionOf(joint.dof) != nullptr) continue;
     if (joint.effort_limit_is_placeholder)
       report.notes.push_back(fmt::format("joint '{}': its torque limit is a placeholder", joint.name));
     if (joint.velocity_limit_is_placeholder)

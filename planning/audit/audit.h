@@ -90,8 +90,9 @@ struct AuditOptions {
 ///                  of the leg's length
 ///   start_posture  the first command within a tolerance of the measured joints, where these are given, and at rest
 ///   joint_...      position, velocity, acceleration, jerk and torque within limits, torque_speed inside the motor's
-///                  curve, continuous_torque at most what it bears without end (JointWatch). Torques are those of the
-///                  motor: what its joint and rotor take is added (MotorEffort). Limits that are not known are none
+///                  curve, continuous_torque at most what it bears without end (JointWatch). Speeds and torques are
+///                  those of the motors, which a transmission shares among joints (Actuator), and name them; what joint
+///                  and rotor take is added (MotorEffort). Limits that are not known are none
 /// In a part that hangs (HangingGait) the base is held from outside, by forces that are not looked at; it must stand
 /// still. A plan of the pipeline stays below a tenth of most of these, and below half of the ZMP's.
 ///

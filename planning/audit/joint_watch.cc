@@ -24,25 +24,26 @@ JointWatch::JointWatch(const RobotModel& model, const AuditOptions& options, int
 
 JointWatch::Watched JointWatch::Watch(int dof, int samples) {
   const std::string& name = model_.dof_names[static_cast<std::size_t>(dof)];
-  const Motor& motor = model_.MotorOf(dof);
-  const std::string of_position = PositionUnit(model_, dof), of_effort = EffortUnit(model_, dof);
+  const Actuator& actuator = effort_.motors()[static_cast<std::size_t>(dof)];
+  const Motor& motor = actuator.motor;
+  const std::string of_position = PositionUnit(model_, dof), of_effort = actuator.effort_unit();
   Watched joint = {};
   joint.lower = model_.dof_lower(dof);
   joint.upper = model_.dof_upper(dof);
   joint.position_scale_lower = kRelative * std::max(1.0, std::abs(joint.lower));
   joint.position_scale_upper = kRelative * std::max(1.0, std::abs(joint.upper));
-  joint.speed = options_.derate_speed * model_.dof_velocity_limit(dof);
-  joint.acceleration = options_.derate_acceleration * motor.acceleration_limit;
-  joint.jerk = options_.derate_jerk * motor.jerk_limit;
-  joint.effort = options_.derate_torque * model_.dof_effort_limit(dof);
+  joint.speed = options_.derate_speed * actuator.velocity_limit;
+  joint.acceleration = options_.derate_acceleration * model_.MotorOf(dof).acceleration_limit;
+  joint.jerk = options_.derate_jerk * model_.MotorOf(dof).jerk_limit;
+  joint.effort = options_.derate_torque * actuator.effort_limit;
   joint.continuous = options_.derate_continuous * motor.continuous_effort;
   joint.position = findings_.Place("joint_position", name, of_position);
-  joint.velocity = findings_.Place("joint_velocity", name, SpeedUnit(model_, dof));
+  joint.velocity = findings_.Place("joint_velocity", actuator.name, actuator.speed_unit());
   joint.accelerated = findings_.Place("joint_acceleration", name, of_position + "/s^2");
   joint.jerked = findings_.Place("joint_jerk", name, of_position + "/s^3");
-  joint.torque = findings_.Place("joint_torque", name, of_effort);
-  joint.curve = findings_.Place("torque_speed", name, of_effort);
-  joint.heat = findings_.Place("continuous_torque", name, of_effort);
+  joint.torque = findings_.Place("joint_torque", actuator.name, of_effort);
+  joint.curve = findings_.Place("torque_speed", actuator.name, of_effort);
+  joint.heat = findings_.Place("continuous_torque", actuator.name, of_effort);
   if (std::isfinite(joint.jerk)) joint.accelerations.assign(jerk_steps_, 0.0);
   if (std::isfinite(joint.continuous)) {
     const double steps = std::min(std::round(motor.thermal_s * options_.rate_hz), static_cast<double>(samples));
@@ -53,21 +54,23 @@ JointWatch::Watched JointWatch::Watch(int dof, int samples) {
 }
 
 void JointWatch::Look(const WholeBodySample& sample, double time_s) {
+  const Eigen::Index n = model_.num_dofs();
   for (int d = 0; d < model_.num_dofs(); ++d) {
     Watched& joint = joints_[static_cast<std::size_t>(d)];
-    const double v = sample.v[6 + d], a = sample.a[6 + d];
-    const double effort = effort_.Of(d, sample.tau[d], v, a);
-    LookAtMotion(joint, sample.q[7 + d], v, a, time_s);
-    LookAtEffort(joint, model_.MotorOf(d), effort, v, time_s);
+    const Actuator& actuator = effort_.motors()[static_cast<std::size_t>(d)];
+    const double speed = actuator.Speed(sample.v.tail(n));
+    const double effort = effort_.Of(d, sample.tau, sample.v.tail(n), sample.a.tail(n));
+    LookAtMotion(joint, sample.q[7 + d], speed, sample.a[6 + d], time_s);
+    LookAtEffort(joint, actuator.motor, effort, speed, time_s);
     LookAtHeat(joint, effort, time_s);
   }
   ++count_;
 }
 
-void JointWatch::LookAtMotion(Watched& joint, double q, double v, double a, double time_s) {
+void JointWatch::LookAtMotion(Watched& joint, double q, double motor_speed, double a, double time_s) {
   findings_.Hold(joint.position, time_s, q, joint.lower, q - joint.lower, joint.position_scale_lower);
   findings_.Hold(joint.position, time_s, q, joint.upper, joint.upper - q, joint.position_scale_upper);
-  const double speed = std::abs(v), size = std::abs(a);
+  const double speed = std::abs(motor_speed), size = std::abs(a);
   findings_.Hold(joint.velocity, time_s, speed, joint.speed, joint.speed - speed, kRelative * joint.speed);
   findings_.Hold(joint.accelerated, time_s, size, joint.acceleration, joint.acceleration - size,
                  kRelative * joint.acceleration);
@@ -118,19 +121,24 @@ std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
   struct Known {
     const char* law;
     const char* what;
+    bool of_joint;  // rather than of the motor
     bool (*of)(const Motor&);
   };
   const Known all[] = {
-      {"joint_acceleration", "limit of acceleration",
+      {"joint_acceleration", "limit of acceleration", true,
        [](const Motor& m) { return std::isfinite(m.acceleration_limit); }},
-      {"joint_jerk", "limit of jerk", [](const Motor& m) { return std::isfinite(m.jerk_limit); }},
-      {"torque_speed", "torque-speed curve", [](const Motor& m) { return m.has_curve(); }},
-      {"continuous_torque", "continuous torque", [](const Motor& m) { return std::isfinite(m.continuous_effort); }}};
+      {"joint_jerk", "limit of jerk", true, [](const Motor& m) { return std::isfinite(m.jerk_limit); }},
+      {"torque_speed", "torque-speed curve", false, [](const Motor& m) { return m.has_curve(); }},
+      {"continuous_torque", "continuous torque", false,
+       [](const Motor& m) { return std::isfinite(m.continuous_effort); }}};
+  const std::vector<Actuator> motors = ActuatorsOf(model);
   std::vector<std::string> lines;
   for (const Known& known : all) {
     std::vector<std::string> without;
     for (int d = 0; d < model.num_dofs(); ++d) {
-      if (!known.of(model.MotorOf(d))) without.push_back(model.dof_names[static_cast<std::size_t>(d)]);
+      const Actuator& motor = motors[static_cast<std::size_t>(d)];
+      if (!known.of(known.of_joint ? model.MotorOf(d) : motor.motor))
+        without.push_back(known.of_joint ? model.dof_names[static_cast<std::size_t>(d)] : motor.name);
     }
     if (without.empty()) continue;
     const bool none = static_cast<int>(without.size()) == model.num_dofs();
@@ -139,9 +147,8 @@ std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
                                 known.what));
   }
   std::vector<std::string> endless;
-  for (int d = 0; d < model.num_dofs(); ++d) {
-    if (model.MotorOf(d).has_curve() && !std::isfinite(model.dof_effort_limit(d)))
-      endless.push_back(model.dof_names[static_cast<std::size_t>(d)]);
+  for (const Actuator& motor : motors) {
+    if (motor.motor.has_curve() && !std::isfinite(motor.effort_limit)) endless.push_back(motor.name);
   }
   if (!endless.empty()) {
     lines.push_back(

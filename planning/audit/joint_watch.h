@@ -11,8 +11,9 @@
 
 namespace gaitwright {
 
-/// Holds each joint's motion and its motor's effort against their limits, sample by sample: laws joint_position,
-/// joint_velocity, joint_acceleration, joint_jerk, joint_torque, torque_speed and continuous_torque.
+/// Holds each joint's motion and each motor's speed and effort against their limits, sample by sample: laws
+/// joint_position, joint_acceleration and joint_jerk of the joints; joint_velocity, joint_torque, torque_speed and
+/// continuous_torque of the motors (Actuator), which have the names of their joints but for those of transmissions.
 ///
 /// Jerk is the change of acceleration over `jerk_over_s`, since rows that are joined piece by piece have jumps of jerk
 /// at each of them that no motor sees. Continuous effort is the root mean square over the motor's `thermal_s`, or over
@@ -28,7 +29,7 @@ class JointWatch {
   void Finish(double time_s);
 
  private:
-  /// A coordinate with the places of its laws, and what is remembered of it.
+  /// A coordinate, the motor of the same index, the places of their laws and what is remembered of them.
   struct Watched {
     double lower, upper, speed, acceleration, jerk, effort, continuous;  // as derated; infinite for none
     double position_scale_lower, position_scale_upper;
@@ -39,7 +40,7 @@ class JointWatch {
     double sum = 0.0;
   };
   Watched Watch(int dof, int samples);
-  void LookAtMotion(Watched& joint, double q, double v, double a, double time_s);
+  void LookAtMotion(Watched& joint, double q, double speed, double a, double time_s);
   void LookAtEffort(Watched& joint, const Motor& motor, double effort, double v, double time_s);
   void LookAtHeat(Watched& joint, double effort, double time_s);
 

@@ -157,7 +157,7 @@ std::optional<Failure> LacksMotor(const RobotModel& model) {
                             model.legs[static_cast<std::size_t>(leg)].name, QuotedList(passive),
                             passive.size() == 1 ? "has" : "have", passive.size() == 1 ? "it" : "them"),
                 "where a stiff spring holds it, make the joint 'fixed'; where a motor drives it, give its torque "
-                "(robot.yaml, limits: effort_nm)");
+                "(robot.yaml, limits: effort_nm, or transmissions where rods drive several joints)");
 }
 
 DynamicsScratch Standing(const RobotModel& model) {

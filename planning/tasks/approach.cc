@@ -96,8 +96,10 @@ double TimeOf(const RobotModel& model, const ApproachOptions& options, const Sha
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double way = std::abs(to[d] - from[d]);
     const Motor& motor = model.MotorOf(d);
+    const Actuator actuator = ActuatorOf(model, d);
     const double most = Slides(model, d) ? options.speed_m_s : options.speed_rad_s;
-    time_s = std::max({time_s, kSpeed * way / std::min(most, shares.speed * model.dof_velocity_limit(d)),
+    time_s = std::max({time_s, kSpeed * way / most,
+                       kSpeed * std::abs(actuator.Speed(to - from)) / (shares.speed * actuator.velocity_limit),
                        std::sqrt(kAcceleration * way / (shares.acceleration * motor.acceleration_limit)),
                        std::cbrt(kJerk * way / (shares.jerk * motor.jerk_limit))});
   }
@@ -148,7 +150,7 @@ void FillRows(const RobotModel& model, const std::vector<Move>& moves, const Vec
 
 /// A motor that has to give more than its share, and whether it has to at rest too.
 struct Overload {
-  int dof = 0;
+  int motor = 0;
   double effort = 0.0, limit = 0.0;
   bool at_rest = false;
 };
@@ -162,10 +164,12 @@ std::optional<Overload> FindOverload(const RobotModel& model, double share, cons
   std::optional<Overload> worst;
   for (std::size_t k = 0; k < w.q.size(); ++k) {
     InverseDynamics(model, w.q[k], still, still, scratch, holding);
+    const Eigen::Index n = model.num_dofs();
     for (int d = 0; d < model.num_dofs(); ++d) {
-      const double limit = share * model.dof_effort_limit(d);
-      const double moving = std::abs(motors.Of(d, w.tau[k][d], w.v[k][6 + d], w.a[k][6 + d]));
-      const double resting = std::abs(holding[6 + d]);
+      const Actuator& actuator = motors.motors()[static_cast<std::size_t>(d)];
+      const double limit = share * actuator.effort_limit;
+      const double moving = std::abs(motors.Of(d, w.tau[k], w.v[k].tail(n), w.a[k].tail(n)));
+      const double resting = std::abs(actuator.Effort(holding.tail(n)));
       if (resting > limit) return Overload{d, resting, limit, true};
       if (moving > limit && (!worst || moving / limit > worst->effort / worst->limit))
         worst = Overload{d, moving, limit, false};
@@ -238,11 +242,12 @@ std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, st
     const auto over = FindOverload(model, torque_share, plan);
     if (!over) return std::nullopt;
     if (over->at_rest || tries == kMostTries) {
-      return Infeasible("torque", fmt::format("joint '{}' needs {:.4g} {} {} on the way to the plan's first posture, "
-                                              "with the base held in the air; its share of the limit is {:.4g}",
-                                              model.dof_names[static_cast<std::size_t>(over->dof)], over->effort,
-                                              EffortUnit(model, over->dof),
-                                              over->at_rest ? "only to hold" : "to move however slowly", over->limit));
+      const Actuator motor = ActuatorOf(model, over->motor);
+      return Infeasible("torque",
+                        fmt::format("{} '{}' needs {:.4g} {} {} on the way to the plan's first posture, "
+                                    "with the base held in the air; its share of the limit is {:.4g}",
+                                    motor.shared() ? "motor" : "joint", motor.name, over->effort, motor.effort_unit(),
+                                    over->at_rest ? "only to hold" : "to move however slowly", over->limit));
     }
     for (Move& move : moves)
       move.duration_s = std::ceil(kSlower * move.duration_s / plan.whole_body.step_s) * plan.whole_body.step_s;

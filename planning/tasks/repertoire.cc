@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/model/dof_units.h"
 #include "kinematics/model/upper_body.h"
 #include "planning/tasks/gestures.h"
@@ -26,8 +27,10 @@ double TimeOf(const RobotModel& model, const PostureKey& from, const PostureKey&
   time_s = std::max(time_s, kPeakOfMean * (to.turn_rad - from.turn_rad).cwiseAbs().maxCoeff() / kTurnRate);
   for (int d = 0; d < model.num_dofs(); ++d) {
     const double natural = Slides(model, d) ? kSlideRate : kJointRate;
-    const double rate = std::min(natural, kSpeedShare * model.dof_velocity_limit(d));
-    time_s = std::max(time_s, kPeakOfMean * std::abs(to.joints[d] - from.joints[d]) / rate);
+    const Actuator motor = ActuatorOf(model, d);
+    const double turns = std::abs(motor.Speed(to.joints - from.joints));
+    time_s = std::max({time_s, kPeakOfMean * std::abs(to.joints[d] - from.joints[d]) / natural,
+                       kPeakOfMean * turns / (kSpeedShare * motor.velocity_limit)});
   }
   return time_s;
 }

@@ -21,10 +21,32 @@ bool CondensedSolver::Condense() {
     A_small_.selfadjointView<Eigen::Lower>().rankUpdate(halves_.transpose());
     A_small_.triangularView<Eigen::StrictlyUpper>() = A_small_.transpose();
   }
+  FillPositions();
+  AddSharedSoftness(position_, position_, A_small_);
   if (!Eliminate()) return false;
   FillPlaces();
   w_small_.noalias() = A_small_ * p_small_;
   return true;
+}
+
+void CondensedSolver::FillPositions() {
+  position_.assign(lines_.size(), -1);
+  dense_position_.assign(lines_.size(), -1);
+  for (std::size_t k = 0; k < iterated_.size(); ++k)
+    position_[static_cast<std::size_t>(iterated_[k])] = static_cast<Eigen::Index>(k);
+  for (std::size_t k = 0; k < dense_.size(); ++k)
+    dense_position_[static_cast<std::size_t>(dense_[k])] = static_cast<Eigen::Index>(k);
+}
+
+void CondensedSolver::AddSharedSoftness(const std::vector<Eigen::Index>& row_places,
+                                        const std::vector<Eigen::Index>& column_places, MatrixX& matrix) const {
+  for (const SharedSoftness& shared : shared_softness_) {
+    for (const auto& [a, b] : {std::pair(shared.first, shared.second), std::pair(shared.second, shared.first)}) {
+      const Eigen::Index row = row_places[static_cast<std::size_t>(a)];
+      const Eigen::Index column = column_places[static_cast<std::size_t>(b)];
+      if (row >= 0 && column >= 0) matrix(row, column) += shared.softness;
+    }
+  }
 }
 
 void CondensedSolver::Fold() {
@@ -37,8 +59,8 @@ void CondensedSolver::Fold() {
   for (const Eigen::Index i : direct_) {
     Line& line = lines_[static_cast<std::size_t>(i)];
     const int at = line.coordinate;
-    line.is_soft = at >= 0 && line.softness > 0.0;
-    line.holds = at >= 0 && !line.is_soft && is_held_[static_cast<std::size_t>(at)] == 0;
+    line.is_soft = at >= 0 && line.softness > 0.0 && !line.is_coupled;
+    line.holds = at >= 0 && line.softness <= 0.0 && is_held_[static_cast<std::size_t>(at)] == 0;
     if (line.is_soft) {
       M_[inertia_.tree().offset(at) + static_cast<std::size_t>(inertia_.tree().depth(at))] +=
           line.share * line.share / line.softness;
@@ -120,11 +142,13 @@ bool CondensedSolver::Eliminate() {
   for (std::size_t k = 0; k < dense_.size(); ++k) {
     A_direct_.diagonal()[static_cast<Eigen::Index>(k)] += lines_[static_cast<std::size_t>(dense_[k])].softness;
   }
+  AddSharedSoftness(dense_position_, dense_position_, A_direct_);
   dense_factor_.compute(A_direct_);
   const auto pivots = dense_factor_.matrixLLT().diagonal().array().square();
   if (dense_factor_.info() != Eigen::Success || (pivots <= kHeld * A_direct_.diagonal().array()).any()) return false;
   if (iterated_.empty()) return true;
   coupling_.noalias() = halves_direct_.transpose() * halves_;
+  AddSharedSoftness(dense_position_, position_, coupling_);
   elimination_ = dense_factor_.solve(coupling_);
   A_small_.noalias() -= coupling_.transpose() * elimination_;
   b_small_.noalias() -= elimination_.transpose() * b_direct_;
@@ -133,14 +157,12 @@ bool CondensedSolver::Eliminate() {
 
 void CondensedSolver::FillPlaces() {
   const auto count = static_cast<Eigen::Index>(iterated_.size());
-  position_.assign(lines_.size(), -1);
   places_.resize(iterated_.size());
   p_small_.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Eigen::Index i = iterated_[static_cast<std::size_t>(k)];
     const Line& line = lines_[static_cast<std::size_t>(i)];
     Place& place = places_[static_cast<std::size_t>(k)];
-    position_[static_cast<std::size_t>(i)] = k;
     p_small_[k] = impulse_[i];
     place.softness = line.softness;
     place.is_cone = line.kind == Kind::kFriction && (k == 0 || !places_[static_cast<std::size_t>(k - 1)].is_cone);

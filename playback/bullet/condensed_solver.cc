@@ -4,6 +4,7 @@
 
 #include "playback/bullet/condensed_solver_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
+#include "playback/bullet/shared_motors_internal.h"
 
 namespace gaitwright::bullet {
 namespace {
@@ -101,7 +102,27 @@ bool CondensedSolver::Gather() {
     auto& set = kind == Kind::kDirect ? direct_ : kind == Kind::kSliding ? sliding_ : iterated_;
     set.push_back(static_cast<Eigen::Index>(i));
   }
+  GatherSharedSoftness();
   return !lines_.empty();
+}
+
+void CondensedSolver::GatherSharedSoftness() {
+  const auto motor_of = [](const Line& line) -> const SharedMotorRow* {
+    const bool is = line.kind == Kind::kDirect && line.row->m_orgDofIndex == SharedMotorRow::kSharedDrive;
+    return is ? static_cast<const SharedMotorRow*>(line.row->m_orgConstraint) : nullptr;
+  };
+  shared_softness_.clear();
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const SharedMotorRow* first = motor_of(lines_[i]);
+    if (first == nullptr) continue;
+    for (std::size_t j = i + 1; j < lines_.size(); ++j) {
+      const SharedMotorRow* second = motor_of(lines_[j]);
+      if (second == nullptr || &second->motors() != &first->motors()) continue;
+      lines_[i].is_coupled = lines_[j].is_coupled = true;
+      shared_softness_.push_back({static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j),
+                                  first->motors().SofteningOf(first->index(), second->index())});
+    }
+  }
 }
 
 void CondensedSolver::AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at) {

@@ -22,6 +22,8 @@ namespace gaitwright::bullet {
 ///                                             right-hand side c b / s: M keeps the zeros of the robot's tree
 ///   a row on one joint's rate, s = 0          x = b / c is known, the joint is taken out of M, p is what holds it
 ///   other rows (D), as gears and twins        (A_DD + s_D) p_D = b_D - A_DI p_I, with A = J M^-1 J^T of that M
+/// Motors of a transmission are in D, and have a softness in common beside their own: S_ij p_j in the row of motor i
+/// (SharedMotors), which counts as part of A between their two rows.
 /// Only contacts, stops and saturated motors (I) are iterated on, in the small dense
 ///   A'_II = A_II - A_ID (A_DD + s_D)^-1 A_DI.
 /// A motor that comes out beyond its limit moves to I, and the step is solved again. Dry friction of a joint is in D
@@ -59,6 +61,7 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
     int last_coordinate = -1;  ///< on whose path J is, or -1
     bool is_soft = false;      ///< direct: in the diagonal of M
     bool holds = false;        ///< direct: its coordinate is taken out of M
+    bool is_coupled = false;   ///< a line of shared_softness_
   };
   /// A line on which iterations go.
   struct Place {
@@ -74,7 +77,14 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   };
 
   SolverRows Rows();
+  /// Softness that the drives of two motors of one transmission have in common, by their lines.
+  struct SharedSoftness {
+    Eigen::Index first, second;
+    double softness;
+  };
+
   bool Gather();
+  void GatherSharedSoftness();
   void AddLines(btMultiBodyConstraintArray& rows, Kind kind, int normals_at);
   void WarmStart();
   /// @return whether the direct lines can be held, all of them.
@@ -83,8 +93,12 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   void Fold();
   void TakeOutHeld();
   bool Eliminate();
+  /// Adds shared softness between two sets of lines, which may be the same. @param places  of lines in either, or -1.
+  void AddSharedSoftness(const std::vector<Eigen::Index>& row_places, const std::vector<Eigen::Index>& column_places,
+                         MatrixX& matrix) const;
   void FillHalves(const std::vector<Eigen::Index>& lines, MatrixX& halves, VectorX& b);
   void FillHalfAlong(const Line& line, Eigen::Ref<VectorX> half, double& b);
+  void FillPositions();
   void FillPlaces();
   void Iterate(int most);
   /// Velocities and the impulses of direct lines, from those of the others.
@@ -104,7 +118,9 @@ class CondensedSolver : public btMultiBodyConstraintSolver {
   std::vector<Line> lines_;
   std::vector<Eigen::Index> direct_, iterated_, sliding_;  ///< lines
   std::vector<Eigen::Index> dense_;                        ///< those of direct_ that are in A_DD
-  std::vector<Eigen::Index> position_;                     ///< by line: place in iterated_
+  std::vector<Eigen::Index> position_;                     ///< by line: place in iterated_, or -1
+  std::vector<Eigen::Index> dense_position_;               ///< by line: place in dense_, or -1
+  std::vector<SharedSoftness> shared_softness_;
   std::vector<Place> places_;
 
   std::vector<double> M_;  ///< with soft lines and without held coordinates

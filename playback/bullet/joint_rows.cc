@@ -99,6 +99,7 @@ void MotorRow::createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBod
     const double most = std::min(target_.limits.largest(), std::abs(pull) + target_.damping * std::abs(velocity));
     gain = traits_.torque_scale * InverseInertia() * h * most;
   }
+  if (target_.from_transmission > 0.0) gain = traits_.torque_scale * InverseInertia() * h * target_.from_transmission;
   if (response) AddLosses(h, *response, rows, data);
   // A stop acts only when the coming step could pass it.
   const double carried = traits_.rotor_inertia > 0.0 ? std::abs(start_rate_) : 0.0;

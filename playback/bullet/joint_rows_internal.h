@@ -85,6 +85,7 @@ class MotorRow : public JointSpaceConstraint {
     double excess = 0.0;  ///< feed-forward beyond the limits: the row has it, so that the sum is what is limited
     double wanted = 0.0;  ///< by the state at the start of the step, without limits
     EffortRange limits = {};
+    double from_transmission = 0.0;  ///< the most that rows of a transmission's motors push in the step, either way
   };
   /// For the coming step; to be called at its start, when the joints have their old velocities still.
   void SetTarget(const Target& target);

@@ -41,7 +41,7 @@ class Interval {
     }
     ++steps_;
     sample_.tau += world.tau();
-    sample_.tau_peak = sample_.tau_peak.cwiseMax(world.tau().cwiseAbs());
+    sample_.tau_peak = sample_.tau_peak.cwiseMax(world.motor_torque().cwiseAbs());
     sample_.effort_use = sample_.effort_use.cwiseMax(world.effort_use());
     sample_.contact = 0;
     for (std::size_t i = 0; i < world.feet().size(); ++i) {

@@ -8,9 +8,8 @@
 #include <numbers>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/model/check_state.h"
-#include "kinematics/model/joint_losses.h"
-#include "kinematics/model/unknown_motor.h"
 #include "planning/plan/sole_support.h"
 #include "playback/bullet/bounds_internal.h"
 #include "playback/bullet/condensed_solver_internal.h"
@@ -18,7 +17,9 @@
 #include "playback/bullet/drive_internal.h"
 #include "playback/bullet/ground_internal.h"
 #include "playback/bullet/joint_rows_internal.h"
+#include "playback/bullet/motor_setup_internal.h"
 #include "playback/bullet/robot_body_internal.h"
+#include "playback/bullet/shared_motors_internal.h"
 
 namespace gaitwright {
 namespace {
@@ -49,46 +50,6 @@ bullet::BodyOptions BodyOptionsOf(const WorldOptions& options, const VectorX& q,
   body.sole_plates = options.sole_contact == "plate" || (by_ground && ground.has_edges());
   if (by_ground) body.sole_spacing_m = kSoleSampling * ground.finest_m();
   return body;
-}
-
-/// What a joint is like as a motor's load; disturbances come on top of what the model says.
-bullet::MotorRow::Traits TraitsOf(const RobotModel& model, const WorldOptions& options, int dof) {
-  bullet::MotorRow::Traits traits{
-      .lower = model.dof_lower(dof),
-      .upper = model.dof_upper(dof),
-      .damping = 0.0,
-      .friction = options.joint_friction_nm,
-      .rotor_inertia = options.rotor_inertia_kg_m2,
-      .torque_scale = options.torque_scale,
-  };
-  if (!options.joint_losses) return traits;
-  const JointLosses losses = LossesOf(model, dof);
-  traits.damping += losses.damping;
-  traits.friction += losses.friction;
-  traits.rotor_inertia += losses.rotor_inertia;
-  return traits;
-}
-
-bullet::Drive DriveOf(const RobotModel& model, const WorldOptions& options, int dof) {
-  Motor motor = model.MotorOf(dof);
-  if (!options.motor_curve) motor.corner_speed = motor.no_load_speed = Motor::kNone;
-  if (!options.thermal_limit) motor.continuous_effort = Motor::kNone;
-  return {motor, options.motor_strength * model.dof_effort_limit(dof)};
-}
-
-/// The most that a motor gives whose effort nothing limits; infinite for one that has a limit.
-double BoundOf(const RobotModel& model, int dof) {
-  return std::isfinite(model.dof_effort_limit(dof)) ? Motor::kNone : BoundsOfUnknownMotor(model, dof).effort;
-}
-
-/// Of the limit that way. A motor that can give nothing one way is at its limit when it is asked to push that way; one
-/// whose limit is not known has none to be at. @param bound  see BoundOf.
-double ShareOfLimit(double torque, const bullet::MotorRow::Target& target, double bound) {
-  const double direction = torque != 0.0 ? torque : target.wanted;
-  if (direction == 0.0) return 0.0;
-  const double limit = direction > 0.0 ? target.limits.highest : -target.limits.lowest;
-  if (limit >= bound) return 0.0;
-  return std::abs(torque) >= limit * (1.0 - 1e-9) ? 1.0 : std::abs(torque) / limit;
 }
 
 void CheckSize(const VectorX& values, const char* what, int n) {
@@ -129,13 +90,16 @@ struct BulletWorld::Impl {
     AddMotors();
     tau = VectorX::Zero(model.num_dofs());
     feed_forward = tau;
-    effort_use = tau;
+    effort_use = motor_torque = tau;
     Refresh();
   }
 
   ~Impl() {
     for (auto& motor : motors) {
       if (motor) world.removeMultiBodyConstraint(motor.get());
+    }
+    for (auto& motors_of_one : shared) {
+      for (auto& row : motors_of_one->rows()) world.removeMultiBodyConstraint(row.get());
     }
     for (auto& gear : gears) world.removeMultiBodyConstraint(gear.get());
     world.removeMultiBody(&body.multibody());
@@ -155,12 +119,14 @@ struct BulletWorld::Impl {
   void AddMotors() {
     for (int dof = 0; dof < model.num_dofs(); ++dof) {
       motors.push_back(nullptr);
-      drives.push_back(DriveOf(model, options, dof));
-      bounds.push_back(BoundOf(model, dof));
+      const Actuator actuator = ActuatorOf(model, dof);
+      drives.push_back(bullet::DriveOf(actuator, options));
+      bounds.push_back(bullet::BoundOf(model, actuator));
       if (body.locked(dof)) continue;
-      motors.back() = std::make_unique<bullet::MotorRow>(body, dof, TraitsOf(model, options, dof));
+      motors.back() = std::make_unique<bullet::MotorRow>(body, dof, bullet::TraitsOf(model, options, dof));
       world.addMultiBodyConstraint(motors.back().get());
     }
+    for (const Transmission& transmission : model.transmissions) AddShared(transmission);
     for (std::size_t i = 0; i < model.joints.size(); ++i) {
       const Joint& joint = model.joints[i];
       if (!joint.is_mimic || body.locked(joint.dof)) continue;
@@ -168,6 +134,15 @@ struct BulletWorld::Impl {
       gears.push_back(std::make_unique<bullet::GearRow>(body, joint, static_cast<int>(i), leader));
       world.addMultiBodyConstraint(gears.back().get());
     }
+  }
+
+  void AddShared(const Transmission& transmission) {
+    std::vector<bullet::MotorRow*> joints;
+    for (const int dof : transmission.dofs) joints.push_back(motors[static_cast<std::size_t>(dof)].get());
+    if (std::none_of(joints.begin(), joints.end(), [](const auto* joint) { return joint != nullptr; })) return;
+    shared.push_back(
+        std::make_unique<bullet::SharedMotors>(body, transmission, joints, bullet::TraitsOf(transmission, options)));
+    for (auto& row : shared.back()->rows()) world.addMultiBodyConstraint(row.get());
   }
 
   /// Our state and kinematics from Bullet's.
@@ -186,26 +161,60 @@ struct BulletWorld::Impl {
     return {0.0, 0.0, std::clamp(wanted, limits.lowest, limits.highest), 0.0, 0.0, 0.0, wanted, limits};
   }
 
+  /// What the motor of an index may give at a speed.
+  bullet::EffortRange RangeOf(int index, double speed) const {
+    const auto d = static_cast<std::size_t>(index);
+    const bullet::EffortRange range = drives[d].At(speed);
+    return {std::max(range.lowest, -bounds[d]), std::min(range.highest, bounds[d])};
+  }
+
+  void CommandShared(const JointCommand& command, bullet::SharedMotors& motors_of_one) {
+    const Transmission& t = motors_of_one.transmission();
+    const VectorX speeds = motors_of_one.Speeds();
+    std::vector<bullet::EffortRange> limits;
+    for (Eigen::Index m = 0; m < t.size(); ++m)
+      limits.push_back(RangeOf(t.dofs[static_cast<std::size_t>(m)], speeds[m]));
+    const VectorX torques = motors_of_one.SetTarget(
+        {t.Own(command.q), t.Own(command.v), t.Own(command.tau_ff), t.Own(command.stiffness), t.Own(command.damping)},
+        limits);
+    t.Put(options.torque_scale * torques, feed_forward);
+  }
+
   void Command(const JointCommand& command) {
+    for (const auto& motors_of_one : shared) CommandShared(command, *motors_of_one);
     for (int dof = 0; dof < model.num_dofs(); ++dof) {
       const auto d = static_cast<std::size_t>(dof);
-      if (!motors[d]) continue;
-      const bullet::EffortRange range = drives[d].At(v[6 + dof]);
-      const auto target =
-          TargetOf(command, dof, {std::max(range.lowest, -bounds[d]), std::min(range.highest, bounds[d])});
+      if (!motors[d] || model.TransmissionOf(dof) != nullptr) continue;
+      const auto target = TargetOf(command, dof, RangeOf(dof, v[6 + dof]));
       motors[d]->SetTarget(target);
       feed_forward[dof] = options.torque_scale * target.tau_ff;
     }
     body.AddTorque(feed_forward);
   }
 
+  /// Takes note of what the motor of an index gave.
+  void ReadMotor(int index, double torque, double wanted, const bullet::EffortRange& limits) {
+    const auto i = static_cast<std::size_t>(index);
+    motor_torque[index] = torque;
+    effort_use[index] = bullet::ShareOfLimit(torque, wanted, limits, bounds[i]);
+    drives[i].Warm(torque, options.step_s);
+  }
+
   void ReadTorques() {
-    for (std::size_t i = 0; i < motors.size(); ++i) {
-      if (!motors[i]) continue;
-      const double torque = motors[i]->Torque(options.step_s);
-      tau[static_cast<Eigen::Index>(i)] = torque;
-      effort_use[static_cast<Eigen::Index>(i)] = ShareOfLimit(torque, motors[i]->target(), bounds[i]);
-      drives[i].Warm(torque, options.step_s);
+    for (int dof = 0; dof < model.num_dofs(); ++dof) {
+      bullet::MotorRow* motor = motors[static_cast<std::size_t>(dof)].get();
+      if (motor == nullptr || model.TransmissionOf(dof) != nullptr) continue;
+      tau[dof] = motor->Torque(options.step_s);
+      ReadMotor(dof, tau[dof], motor->target().wanted, motor->target().limits);
+    }
+    for (const auto& motors_of_one : shared) {
+      const Transmission& t = motors_of_one->transmission();
+      const VectorX torques = motors_of_one->Torques();
+      t.Put(motors_of_one->JointTorques(torques), tau);
+      for (Eigen::Index m = 0; m < t.size(); ++m) {
+        const auto place = static_cast<std::size_t>(m);
+        ReadMotor(t.dofs[place], torques[m], motors_of_one->wanted()[m], motors_of_one->limits()[place]);
+      }
     }
   }
 
@@ -241,13 +250,14 @@ struct BulletWorld::Impl {
   btDbvtBroadphase broadphase;
   bullet::CondensedSolver solver;
   btMultiBodyDynamicsWorld world;
-  std::vector<std::unique_ptr<bullet::MotorRow>> motors;  ///< by dof; null where locked
-  std::vector<bullet::Drive> drives;                      ///< by dof
-  std::vector<double> bounds;                             ///< by dof; see BoundOf
+  std::vector<std::unique_ptr<bullet::MotorRow>> motors;      ///< by dof; null where locked
+  std::vector<std::unique_ptr<bullet::SharedMotors>> shared;  ///< of transmissions with a joint that is not locked
+  std::vector<bullet::Drive> drives;                          ///< by motor (ActuatorOf)
+  std::vector<double> bounds;                                 ///< by motor; see BoundOf
   std::vector<std::unique_ptr<bullet::GearRow>> gears;
   bullet::ContactReader reader;
   DynamicsScratch before, after;
-  VectorX q, v, tau, feed_forward, effort_use;
+  VectorX q, v, tau, motor_torque, feed_forward, effort_use;
 };
 
 BulletWorld::BulletWorld(const RobotModel& model, const Terrain& terrain, const VectorX& q, const WorldOptions& options)
@@ -265,6 +275,7 @@ void BulletWorld::SetState(const VectorX& q, const VectorX& v) {
 const VectorX& BulletWorld::q() const { return impl_->q; }
 const VectorX& BulletWorld::v() const { return impl_->v; }
 const VectorX& BulletWorld::tau() const { return impl_->tau; }
+const VectorX& BulletWorld::motor_torque() const { return impl_->motor_torque; }
 const VectorX& BulletWorld::effort_use() const { return impl_->effort_use; }
 VectorX BulletWorld::mean_square_effort() const {
   VectorX squares(impl_->model.num_dofs());

@@ -29,7 +29,8 @@ struct FootContact {
 /// states out in our own order and frames. Deterministic; make a new one for each playback.
 ///
 /// The state is integrated semi-implicitly (q' = q + h v'). Motors are implicit PD with feed-forward and a limit on the
-/// sum, which follows torque-speed curves and warmth (see Motor); damping, dry friction and rotor inertia of the joints
+/// sum, which follows torque-speed curves and warmth (see Motor); motors of a transmission are so in motor space, each
+/// within its own limit; damping, dry friction and rotor inertia of the joints
 /// act implicitly, and never add energy; position limits are hard stops; mimic joints are geared to their leader (NAO's
 /// RHipYawPitch), and the torque of the coordinate drives the whole gear. Contact is hard, friction a cone, restitution
 /// zero; the robot does not touch itself.
@@ -71,9 +72,10 @@ class BulletWorld {
   void Step(const JointCommand& command);
 
   // Of the last step.
-  const VectorX& tau() const;                    ///< of the motors, by independent joint; zero where locked
-  const VectorX& effort_use() const;             ///< share of the effort limit in force, 1 at it; 0 without one
-  const std::vector<FootContact>& feet() const;  ///< by foot
+  const VectorX& tau() const;           ///< that motors give, by independent joint; zero where locked
+  const VectorX& motor_torque() const;  ///< by motor (ActuatorOf): tau but for motors of transmissions
+  const VectorX& effort_use() const;    ///< by motor: share of the effort limit in force, 1 at it; 0 without one
+  const std::vector<FootContact>& feet() const;           ///< by foot
   const std::vector<std::string>& body_contacts() const;  ///< links other than feet that touch the ground
 
   /// Mean square of each motor's effort over its thermal_s, cold at first: what a thermal limit goes by; 0 where the

@@ -23,7 +23,7 @@ Gain FromInertia(double inertia, double frequency_rad_s, double damping_ratio) {
 Gain LegGain(const RobotModel& model, const Leg& leg, int dof, const GainOptions& options) {
   const double mass = model.total_mass_kg / static_cast<double>(model.legs.size());
   const double share = model.LeaderOf(dof).is_prismatic() ? mass : mass * leg.length_m * leg.length_m;
-  const double inertia = share + model.MotorOf(dof).rotor_inertia;
+  const double inertia = share + RotorInertiaAt(model, dof);
   return FromInertia(inertia, options.stance_frequency * std::sqrt(kGravity / leg.length_m), options.stance_damping);
 }
 

@@ -8,6 +8,7 @@
 
 #include "kinematics/dynamics/chain_kinematics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/model/unknown_motor.h"
 #include "kinematics/spatial/rotation.h"
 
@@ -90,6 +91,16 @@ void LegTargets::SetRates(int leg, const Vector6& wanted, VectorX& v) const {
   for (std::size_t c = 0; c < dofs.size(); ++c) {
     const double fastest = fastest_[static_cast<std::size_t>(dofs[c])];
     v[6 + dofs[c]] = std::clamp(rate[static_cast<Eigen::Index>(c)], -fastest, fastest);
+  }
+  if (!model_.transmissions.empty()) KeepMotorSpeeds(dofs, v);
+}
+
+/// Holds motors that drive several joints of the leg to their speeds.
+void LegTargets::KeepMotorSpeeds(const std::vector<int>& dofs, VectorX& v) const {
+  const Eigen::Index n = model_.num_dofs();
+  const VectorX kept = ClampedSpeeds(model_, v.tail(n));
+  for (const int dof : dofs) {
+    if (model_.TransmissionOf(dof) != nullptr) v[6 + dof] = kept[dof];
   }
 }
 

@@ -47,6 +47,7 @@ class LegTargets {
 
   void UpdateJacobian(int leg, const Vector3& p_BQ);
   void SetRates(int leg, const Vector6& wanted, VectorX& v) const;
+  void KeepMotorSpeeds(const std::vector<int>& dofs, VectorX& v) const;
   Joints LeastSquares(const Vector6& rows) const;
 
   const RobotModel& model_;

@@ -10,9 +10,9 @@ namespace gaitwright {
 
 /// What motors must give on top of a plan's torques, which know rigid bodies only, for what the joints take for
 /// themselves:  tau += share (J a + d v + f tanh(v / v_s)),
-/// with J the rotor's inertia, d the damping and f the dry friction of robot.yaml or URDF, v and a of the plan, and v_s
-/// `friction_speed_rad_s` (times a leg's length for a slide), so that a joint that rests is not shaken by the sign of
-/// next to nothing. It costs nothing for a robot of which nothing is known.
+/// with J the rotor's inertia (of a transmission R^T J R), d the damping and f the dry friction of robot.yaml or URDF,
+/// v and a of the plan, and v_s `friction_speed_rad_s` (times a leg's length for a slide), so that a joint that rests
+/// is not shaken by the sign of next to nothing. It costs nothing for a robot of which nothing is known.
 class LossFeedForward {
  public:
   /// @throws InvalidArgument for an option out of its range.
@@ -29,7 +29,13 @@ class LossFeedForward {
     JointLosses losses;     ///< times the share
     double friction_speed;  ///< [rad/s] or [m/s]
   };
+  /// Rotors that motors of a transmission turn: their inertia R^T J R at its joints, times the share.
+  struct SharedRotors {
+    std::vector<int> dofs;
+    MatrixX inertia;
+  };
   std::vector<Loss> losses_;  ///< of the joints that have any
+  std::vector<SharedRotors> shared_;
 };
 
 }  // namespace gaitwright

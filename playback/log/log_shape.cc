@@ -61,9 +61,9 @@ DataShape LogShape() {
                  {"time_s", List(Numbers(1)), "The end of each sample's interval."},
                  {"q", RowsShape()},
                  {"v", RowsShape()},
-                 {"tau_nm", RowsShape(), "Means over the interval, by motor."},
-                 {"tau_peak_nm", RowsShape()},
-                 {"effort_use", RowsShape(), "Largest share of the effort limit in force."},
+                 {"tau_nm", RowsShape(), "Means over the interval, by joint."},
+                 {"tau_peak_nm", RowsShape(), "Largest magnitude in the interval, by motor."},
+                 {"effort_use", RowsShape(), "Largest share of the effort limit in force, by motor."},
                  {"contact_wrenches", RowsShape(), "Force and moment of each foot, means over the interval."},
                  Optional("estimate", List(Numbers(13)), "What the controller took for the base."),
                  {"contact", List(Whole()), "By sample: bit i is set when foot i touches."}});

@@ -22,9 +22,9 @@ struct BaseEstimate {
 struct LogSample {
   double time_s = 0.0;
   VectorX q, v;                         ///< in the orders of RobotModel
-  VectorX tau;                          ///< applied by the independent joints, mean [N m]
-  VectorX tau_peak;                     ///< largest magnitude in the interval [N m]
-  VectorX effort_use;                   ///< largest share of the effort limit in force, 1 at it; 0 without one
+  VectorX tau;                          ///< applied at the independent joints, mean [N m]
+  VectorX tau_peak;                     ///< by motor (ActuatorOf): largest magnitude in the interval [N m]
+  VectorX effort_use;                   ///< by motor: largest share of the limit in force, 1 at it; 0 without one
   std::vector<ContactWrench> wrenches;  ///< by foot: mean over the interval, moment about the contact frame origin
   FootSet contact = 0;                  ///< feet that touch at time_s
   std::optional<BaseEstimate> estimate = {};  ///< of q and v, where the controller had no more; in all samples or none
@@ -80,7 +80,7 @@ struct PlaybackLog {
   std::vector<BodyContact> body_contacts;  ///< first contact of each link
   std::vector<GateRecord> gates;           ///< of the plan, as far as it was played
   std::vector<TimedPush> pushes;           ///< that began while it was played, in that order
-  VectorX saturated_s;                     ///< time each independent joint spent at its effort limit [s]
+  VectorX saturated_s;                     ///< time each motor (ActuatorOf) spent at its effort limit [s]
   std::vector<std::pair<std::string, std::string>>
       options;            ///< every option of the playback, "play." before those of Play
   std::string broke_off;  ///< why it could not go on, such as a state that is not finite; "" where it could

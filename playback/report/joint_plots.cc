@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "kinematics/model/dof_units.h"
 #include "playback/report/plot_grid.h"
@@ -51,30 +52,36 @@ SvgPlot::Options SmallPlot(const PlotData& data, int dof, bool last_row) {
   return options;
 }
 
-double Limit(const RobotModel& model, int dof) { return model.dof_effort_limit(dof); }
-
-/// Largest torque of a joint in the part that is shown, over its limit [%].
+/// Largest torque of the motor of an index in the part that is shown, over its limit [%].
 struct Use {
   double planned = 0.0, measured = 0.0;
 };
 
-Use UseOf(const PlotData& data, int dof) {
+Use UseOf(const PlotData& data, int index) {
   Use use;
+  const Actuator motor = ActuatorOf(data.model, index);
   for (std::size_t k = 0; k < data.series.measured.size(); ++k) {
-    if (data.series.plan[k].tau.size() > dof)
-      use.planned = std::max(use.planned, std::abs(data.series.plan[k].tau[dof]));
-    use.measured = std::max(use.measured, data.log.samples[k].tau_peak[dof]);
+    if (data.series.plan[k].tau.size() == data.model.num_dofs())
+      use.planned = std::max(use.planned, std::abs(motor.Effort(data.series.plan[k].tau)));
+    use.measured = std::max(use.measured, data.log.samples[k].tau_peak[index]);
   }
-  const double scale = 100.0 / Limit(data.model, dof);
+  const double scale = 100.0 / motor.effort_limit;
   return {scale * use.planned, scale * use.measured};
 }
 
-/// All limits at a glance: one bar a joint, the robot's limit being 100 %.
+/// The limit of a joint's torque that does not depend on other joints; nothing for one that a transmission drives.
+std::optional<double> OwnTorqueLimit(const RobotModel& model, int dof) {
+  const Actuator motor = ActuatorOf(model, dof);
+  if (motor.shared() || !HasTorqueLimit(motor)) return std::nullopt;
+  return motor.effort_limit;
+}
+
+/// All limits at a glance: one bar a motor, the robot's limit being 100 %.
 std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& shown) {
   constexpr double kRowHeight = 21.0, kAround = 76.0;  // [px]
   std::vector<int> limited;
   std::copy_if(shown.begin(), shown.end(), std::back_inserter(limited),
-               [&](int dof) { return HasTorqueLimit(data.model, dof); });
+               [&](int dof) { return HasTorqueLimit(ActuatorOf(data.model, dof)); });
   if (limited.empty()) return {};
   SvgPlot::Options options;
   options.title = "Largest torques against their limits";
@@ -83,8 +90,8 @@ std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& sh
   options.x_highest = 105.0;
   options.height_px = kAround + kRowHeight * static_cast<double>(limited.size());
   for (const int dof : limited) {
-    options.rows.push_back(fmt::format("{}, {:.4g} {}", data.model.dof_names[static_cast<std::size_t>(dof)],
-                                       Limit(data.model, dof), EffortUnit(data.model, dof)));
+    const Actuator motor = ActuatorOf(data.model, dof);
+    options.rows.push_back(fmt::format("{}, {:.4g} {}", motor.name, motor.effort_limit, motor.effort_unit()));
     options.x_highest = std::max(*options.x_highest, 1.05 * UseOf(data, dof).planned);
   }
   SvgPlot plot(options);
@@ -95,17 +102,16 @@ std::vector<Plot> TorqueUsePlot(const PlotData& data, const std::vector<int>& sh
   }
   plot.AcrossY(100.0, Ink::kLimit, "limit");
   return {{"torque_use",
-           "Largest torque of each joint as a share of its limit, which stands after its name: planned (broad) and "
+           "Largest torque of each motor as a share of its limit, which stands after its name: planned (broad) and "
            "measured (narrow), peaks within the log's intervals included.",
            plot.Svg()}};
 }
 
 SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
   options.y_label = Slides(data.model, dof) ? "force [N]" : "torque [N m]";
-  options.y_least_span = HasTorqueLimit(data.model, dof) ? 0.02 * Limit(data.model, dof) : 0.1;
-  if (HasTorqueLimit(data.model, dof)) {
-    options.title += fmt::format(", limit \u00b1{:.4g} {}", Limit(data.model, dof), EffortUnit(data.model, dof));
-  }
+  const std::optional<double> limit = OwnTorqueLimit(data.model, dof);
+  options.y_least_span = limit ? 0.02 * *limit : 0.1;
+  if (limit) options.title += fmt::format(", limit \u00b1{:.4g} {}", *limit, EffortUnit(data.model, dof));
   SvgPlot plot(options);
   std::vector<Vector2> planned, measured;
   for (std::size_t k = 0; k < data.series.measured.size(); ++k) {
@@ -115,11 +121,10 @@ SvgPlot TorquePlot(const PlotData& data, SvgPlot::Options options, int dof) {
   }
   plot.Line(planned, Ink::kJoint, Stroke::kPlanned, "planned");
   plot.Line(measured, Ink::kJoint, Stroke::kMeasured, "measured");
-  if (HasTorqueLimit(data.model, dof)) {
-    const double limit = Limit(data.model, dof);
+  if (limit) {
     const bool near = UseOf(data, dof).measured > 50.0;
-    plot.AcrossX(limit, Ink::kLimit, "", near);
-    plot.AcrossX(-limit, Ink::kLimit, "", near);
+    plot.AcrossX(*limit, Ink::kLimit, "", near);
+    plot.AcrossX(-*limit, Ink::kLimit, "", near);
   }
   MarkTimes(data, plot, false);
   return plot;
@@ -157,7 +162,8 @@ std::vector<Plot> JointPlots(const PlotData& data) {
   std::vector<Plot> plots = TorqueUsePlot(data, shown);
   plots.push_back(
       {"joint_torques",
-       "Torque of each joint over time; dashed is its limit, drawn where the torque comes within half of it.",
+       "Torque of each joint over time; dashed is its limit, drawn where the torque comes within half of it. A joint "
+       "whose motors drive several joints has no limit of its own.",
        GridOfPlots(torques, kColumns, "Torques of the joints")});
   plots.push_back({"joint_positions", "Position of each joint; dashed is a limit that it comes near to.",
                    GridOfPlots(positions, kColumns, "Positions of the joints")});

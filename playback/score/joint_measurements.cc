@@ -6,26 +6,17 @@
 
 namespace gaitwright {
 
-bool HasTorqueLimit(const RobotModel& model, int dof) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
-  const double limit = model.dof_effort_limit(dof);
-  return !joint.effort_limit_is_placeholder && std::isfinite(limit) && limit > 0.0;
-}
+bool HasTorqueLimit(const Actuator& motor) { return std::isfinite(motor.effort_limit) && motor.effort_limit > 0.0; }
 
-bool MayBeAtALimit(const RobotModel& model, int dof) {
-  const Motor& motor = model.MotorOf(dof);
-  return HasTorqueLimit(model, dof) || std::isfinite(motor.continuous_effort) || motor.has_curve();
+bool MayBeAtALimit(const Actuator& motor) {
+  return HasTorqueLimit(motor) || std::isfinite(motor.motor.continuous_effort) || motor.motor.has_curve();
 }
 
 namespace {
 
 const char* const kNoTorqueLimit = "no joint has a torque limit that is more than a placeholder";
 
-bool HasSpeedLimit(const RobotModel& model, int dof) {
-  const Joint& joint = model.joints[static_cast<std::size_t>(model.dof_joint[static_cast<std::size_t>(dof)])];
-  const double limit = model.dof_velocity_limit(dof);
-  return !joint.velocity_limit_is_placeholder && std::isfinite(limit) && limit > 0.0;
-}
+bool HasSpeedLimit(const Actuator& motor) { return std::isfinite(motor.velocity_limit) && motor.velocity_limit > 0.0; }
 
 /// A joint that the plan holds still may be parked at its limit (a closed hand, a stretched arm).
 bool Moves(const ScoreInputs& in, int dof) {
@@ -38,15 +29,18 @@ bool Moves(const ScoreInputs& in, int dof) {
   return most - least > kStill;
 }
 
-/// The extremes over time of some figures of the joints, of plan and log alike.
+/// The extremes over time of some figures of joints and motors, of plan and log alike.
 struct JointExtremes {
   Extreme speed{Extreme::Kind::kLargest}, margin{Extreme::Kind::kSmallest};
 
   std::vector<bool> moves;  ///< by joint
 
-  void See(const RobotModel& model, const VectorX& q, const VectorX& v, double time_s) {
+  void See(const ScoreInputs& in, const VectorX& q, const VectorX& v, double time_s) {
+    const RobotModel& model = in.model;
     for (int i = 0; i < model.num_dofs(); ++i) {
-      if (HasSpeedLimit(model, i)) speed.See(std::abs(v[6 + i]) / model.dof_velocity_limit(i), time_s);
+      const Actuator& motor = in.motors[static_cast<std::size_t>(i)];
+      if (HasSpeedLimit(motor))
+        speed.See(std::abs(motor.Speed(v.tail(model.num_dofs()))) / motor.velocity_limit, time_s);
       const double room = std::min(q[7 + i] - model.dof_lower(i), model.dof_upper(i) - q[7 + i]);
       if (moves[static_cast<std::size_t>(i)] && std::isfinite(room)) margin.See(room, time_s);
     }
@@ -60,9 +54,10 @@ Measurement TorqueUse(const ScoreInputs& in) {
     const LogSample& sample = in.log.samples[k];
     const VectorX& wanted = in.series.plan[k].tau;
     for (int i = 0; i < in.model.num_dofs(); ++i) {
-      if (HasTorqueLimit(in.model, i) || sample.effort_use[i] > 0.0) measured.See(sample.effort_use[i], sample.time_s);
-      if (HasTorqueLimit(in.model, i) && wanted.size() > i)
-        planned.See(std::abs(wanted[i]) / in.model.dof_effort_limit(i), sample.time_s);
+      const Actuator& motor = in.motors[static_cast<std::size_t>(i)];
+      if (HasTorqueLimit(motor) || sample.effort_use[i] > 0.0) measured.See(sample.effort_use[i], sample.time_s);
+      if (HasTorqueLimit(motor) && wanted.size() == in.model.num_dofs())
+        planned.See(std::abs(motor.Effort(wanted)) / motor.effort_limit, sample.time_s);
     }
   }
   return FromExtremes("torque_use_max", measured, planned, kNoTorqueLimit);
@@ -72,7 +67,8 @@ Measurement Saturated(const ScoreInputs& in) {
   const double duration = in.log.samples.back().time_s - in.log.start_s;
   Extreme largest(Extreme::Kind::kLargest);
   for (int i = 0; i < std::min(in.model.num_dofs(), static_cast<int>(in.log.saturated_s.size())); ++i) {
-    if (MayBeAtALimit(in.model, i) && duration > 0.0) largest.See(in.log.saturated_s[i] / duration, 0.0);
+    if (MayBeAtALimit(in.motors[static_cast<std::size_t>(i)]) && duration > 0.0)
+      largest.See(in.log.saturated_s[i] / duration, 0.0);
   }
   if (!largest.value) return {"torque_saturated_fraction", {}, {}, {}, kNoTorqueLimit};
   return {"torque_saturated_fraction", *largest.value, {}, {}, ""};
@@ -124,13 +120,14 @@ Measurement Jerk(const ScoreInputs& in) {
   return {"smoothness_jerk_rms", std::sqrt(sum / terms), std::sqrt(planned / terms), largest.at_s, ""};
 }
 
-/// Largest change of a joint's torque from one log interval to the next, within two of a switch of the schedule.
+/// Largest change of a motor's torque from one log interval to the next, within two of a switch of the schedule.
 Measurement TorqueStep(const ScoreInputs& in) {
   const double near = 2.0 / in.log.log_rate_hz;
   Extreme measured(Extreme::Kind::kLargest), planned(Extreme::Kind::kLargest);
   const auto see = [&](const VectorX& before, const VectorX& now, double time_s, Extreme& largest) {
-    for (int i = 0; i < std::min(in.model.num_dofs(), static_cast<int>(now.size())); ++i) {
-      if (HasTorqueLimit(in.model, i)) largest.See(std::abs(now[i] - before[i]) / in.model.dof_effort_limit(i), time_s);
+    for (const Actuator& motor : in.motors) {
+      if (HasTorqueLimit(motor) && now.size() == in.model.num_dofs() && before.size() == now.size())
+        largest.See(std::abs(motor.Effort(now - before)) / motor.effort_limit, time_s);
     }
   };
   const auto& phases = in.plan.schedule.phases;
@@ -163,8 +160,8 @@ std::vector<Measurement> JointMeasurements(const ScoreInputs& in) {
   for (std::size_t k = 0; k < in.series.measured.size(); ++k) {
     const LogSample& sample = in.log.samples[k];
     const WholeBodySample& wanted = in.series.plan[k];
-    measured.See(in.model, sample.q, sample.v, sample.time_s);
-    planned.See(in.model, wanted.q, wanted.v, sample.time_s);
+    measured.See(in, sample.q, sample.v, sample.time_s);
+    planned.See(in, wanted.q, wanted.v, sample.time_s);
   }
   return {TorqueUse(in),
           Saturated(in),

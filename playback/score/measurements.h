@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/model/actuator.h"
 #include "playback/score/fall.h"
 #include "playback/score/motion_series.h"
 
@@ -26,6 +27,7 @@ struct ScoreInputs {
   MotionSeries series;
   Fall fall;
   double leg_length_m = 0.0;
+  std::vector<Actuator> motors = ActuatorsOf(model);
 };
 
 /// The extreme of a sequence and when it came.
@@ -69,11 +71,11 @@ struct EstimateError {
 /// Of a sample with an estimate.
 EstimateError ErrorOf(const LogSample& sample);
 
-/// Whether the torque limit of an independent joint is more than a placeholder.
-bool HasTorqueLimit(const RobotModel& model, int dof);
-/// Whether anything may hold its motor back. Without a peak its continuous effort does, once it is warm, and its curve
+/// Whether the torque limit of a motor is known.
+bool HasTorqueLimit(const Actuator& motor);
+/// Whether anything may hold a motor back. Without a peak its continuous effort does, once it is warm, and its curve
 /// from the no-load speed on.
-bool MayBeAtALimit(const RobotModel& model, int dof);
+bool MayBeAtALimit(const Actuator& motor);
 
 /// Share of the planned time on the ground in which the support is a line or a point.
 double ShareWithoutArea(const MotionSeries& series);

@@ -89,13 +89,14 @@ Event PlanBeyondLimits(const ScoreInputs& in) {
   Event first;
   for (int i = 0; i < in.model.num_dofs(); ++i) {
     Excess position, torque;
-    const double limit = in.model.dof_effort_limit(i);
+    const Actuator& motor = in.motors[static_cast<std::size_t>(i)];
+    const double limit = motor.effort_limit;
     for (std::size_t k = 0; k < in.series.plan.size(); ++k) {
       const WholeBodySample& row = in.series.plan[k];
       const double time = in.series.planned[k].time_s, q = row.q[7 + i];
       position.See(time, std::max(in.model.dof_lower(i) - q, q - in.model.dof_upper(i)), 0.0, kSlack);
-      if (HasTorqueLimit(in.model, i) && row.tau.size() > i)
-        torque.See(time, std::abs(row.tau[i]), limit, kSlack * limit);
+      if (HasTorqueLimit(motor) && row.tau.size() == in.model.num_dofs())
+        torque.See(time, std::abs(motor.Effort(row.tau)), limit, kSlack * limit);
     }
     const std::string& name = in.model.dof_names[static_cast<std::size_t>(i)];
     Earlier(position, Kind::kPlanBeyondLimits,
@@ -104,7 +105,7 @@ Event PlanBeyondLimits(const ScoreInputs& in) {
             first);
     Earlier(torque, Kind::kPlanBeyondLimits,
             fmt::format("the plan itself asks up to {0:.2f} {3} of '{1}', whose limit is {2:.2f} {3}", torque.worst,
-                        name, limit, EffortUnit(in.model, i)),
+                        motor.name, limit, motor.effort_unit()),
             first);
   }
   return first;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/base/result.h"
@@ -72,7 +73,12 @@ void CutAt(double time_s, MotionSeries& series) {
 
 std::vector<std::string> NotesOf(const RobotModel& model) {
   std::vector<std::string> efforts, speeds, notes;
+  for (const Actuator& motor : ActuatorsOf(model)) {
+    if (motor.shared() && !std::isfinite(motor.effort_limit)) efforts.push_back(motor.name);
+    if (motor.shared() && !std::isfinite(motor.velocity_limit)) speeds.push_back(motor.name);
+  }
   for (const Joint& joint : model.joints) {
+    if (model.TransmissionOf(joint.dof) != nullptr) continue;
     if (joint.effort_limit_is_placeholder) efforts.push_back(joint.name);
     if (joint.velocity_limit_is_placeholder) speeds.push_back(joint.name);
   }

@@ -120,21 +120,23 @@ Event Slip(const ScoreInputs& in) {
 }
 
 /// " of 33.50 N m (less for the motor's warmth)", where a motor could give less than the robot's limit.
-std::string WhatIsLeft(const ScoreInputs& in, int dof, const LogSample& sample) {
+std::string WhatIsLeft(const ScoreInputs& in, int index, const LogSample& sample) {
   constexpr double kNear = 0.98;  // of a limit, since speeds are those at the end of a sample
-  const double whole = in.model.dof_effort_limit(dof), limit = sample.tau_peak[dof];
-  if (limit > kNear * whole || !HasTorqueLimit(in.model, dof)) return "";
+  const Actuator& actuator = in.motors[static_cast<std::size_t>(index)];
+  const double whole = actuator.effort_limit, limit = sample.tau_peak[index];
+  if (limit > kNear * whole || !HasTorqueLimit(actuator)) return "";
   const LogOptions options(in.log);
-  const Motor& motor = in.model.MotorOf(dof);
+  const Motor& motor = actuator.motor;
   std::vector<std::string> takers;
   const double strong = options.At("play.motor_strength", 1.0) * whole;
   if (strong < kNear * whole) takers.emplace_back("strength");
-  const double speed = std::copysign(1.0, sample.tau[dof]) * sample.v[6 + dof];
+  const double speed =
+      std::copysign(1.0, actuator.Effort(sample.tau)) * actuator.Speed(sample.v.tail(in.model.num_dofs()));
   const double fast = options.Text("play.motor_curve") == "false" ? strong : motor.EffortAt(speed, strong);
   if (fast < kNear * strong) takers.emplace_back("speed");
   const bool warms = motor.continuous_effort < strong && options.Text("play.thermal_limit") != "false";
   if (warms && limit < kNear * fast) takers.emplace_back("warmth");
-  const std::string whole_limit = fmt::format(" of {:.2f} {}", whole, EffortUnit(in.model, dof));
+  const std::string whole_limit = fmt::format(" of {:.2f} {}", whole, actuator.effort_unit());
   return takers.empty() ? whole_limit
                         : fmt::format("{} (less for the motor's {})", whole_limit, fmt::join(takers, " and "));
 }
@@ -142,15 +144,16 @@ std::string WhatIsLeft(const ScoreInputs& in, int dof, const LogSample& sample) 
 Event TorqueLimit(const ScoreInputs& in) {
   Event first;
   for (int i = 0; i < in.model.num_dofs(); ++i) {
-    if (!MayBeAtALimit(in.model, i)) continue;
+    const Actuator& motor = in.motors[static_cast<std::size_t>(i)];
+    if (!MayBeAtALimit(motor)) continue;
     const auto at =
         FirstPersistent(in.series.measured, [&](std::size_t k) { return in.log.samples[k].effort_use[i] >= 1.0; });
     if (!at || (first && first->time_s <= in.series.measured[*at].time_s)) continue;
     const double time = in.series.measured[*at].time_s;
     first = FailureEvent{Kind::kTorqueLimit, time,
-                         fmt::format("the torque of '{}' was at its limit {:.2f} {}{} from {:.2f} s",
-                                     in.model.dof_names[static_cast<std::size_t>(i)], in.log.samples[*at].tau_peak[i],
-                                     EffortUnit(in.model, i), WhatIsLeft(in, i, in.log.samples[*at]), time)};
+                         fmt::format("the torque of '{}' was at its limit {:.2f} {}{} from {:.2f} s", motor.name,
+                                     in.log.samples[*at].tau_peak[i], motor.effort_unit(),
+                                     WhatIsLeft(in, i, in.log.samples[*at]), time)};
   }
   return first;
 }

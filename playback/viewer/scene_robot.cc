@@ -48,11 +48,12 @@ Json JointsJson(const RobotModel& model) {
 Json DofsJson(const RobotModel& model) {
   Json list = Json::array();
   for (int dof = 0; dof < model.num_dofs(); ++dof) {
+    const bool shared = model.TransmissionOf(dof) != nullptr;  // no limit is the joint's own
     list.push_back({{"name", model.dof_names[static_cast<std::size_t>(dof)]},
                     {"unit", model.LeaderOf(dof).is_prismatic() ? "m" : "rad"},
                     {"lower", FiniteOrNull(model.dof_lower(dof))},
                     {"upper", FiniteOrNull(model.dof_upper(dof))},
-                    {"effort_limit", FiniteOrNull(model.dof_effort_limit(dof))}});
+                    {"effort_limit", shared ? Json(nullptr) : FiniteOrNull(model.dof_effort_limit(dof))}});
   }
   return list;
 }

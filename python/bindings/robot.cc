@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kinematics/base/nearest_name.h"
+#include "kinematics/model/actuator.h"
 #include "kinematics/model/describe.h"
 #include "kinematics/model/load_robot.h"
 #include "kinematics/model/names_description.h"
@@ -35,6 +36,62 @@ VectorX ByDof(const RobotModel& model) {
   VectorX figures(model.num_dofs());
   for (int dof = 0; dof < model.num_dofs(); ++dof) figures[dof] = (model.*Figure)(dof);
   return figures;
+}
+
+std::vector<std::string> MotorsOf(const RobotModel& model) {
+  std::vector<std::string> names;
+  for (const Actuator& motor : ActuatorsOf(model)) names.push_back(motor.name);
+  return names;
+}
+
+/// One figure of every motor.
+template <double Actuator::*Figure>
+VectorX ByMotor(const RobotModel& model) {
+  VectorX figures(model.num_dofs());
+  for (int index = 0; index < model.num_dofs(); ++index) figures[index] = ActuatorOf(model, index).*Figure;
+  return figures;
+}
+
+void CheckJoints(const RobotModel& model, const VectorX& values, const char* what) {
+  if (values.size() == model.num_dofs()) return;
+  throw InvalidArgument(
+      fmt::format("{} has {} numbers; '{}' has {} joints", what, values.size(), model.name, model.num_dofs()));
+}
+
+VectorX MotorTorques(const RobotModel& model, const VectorX& torques) {
+  CheckJoints(model, torques, "torques");
+  VectorX of_motors(model.num_dofs());
+  for (int index = 0; index < model.num_dofs(); ++index) of_motors[index] = ActuatorOf(model, index).Effort(torques);
+  return of_motors;
+}
+
+VectorX MotorSpeeds(const RobotModel& model, const VectorX& rates) {
+  CheckJoints(model, rates, "rates");
+  VectorX of_motors(model.num_dofs());
+  for (int index = 0; index < model.num_dofs(); ++index) of_motors[index] = ActuatorOf(model, index).Speed(rates);
+  return of_motors;
+}
+
+VectorX ClampTorques(const RobotModel& model, const VectorX& torques) {
+  CheckJoints(model, torques, "torques");
+  return ClampedEfforts(model, torques);
+}
+
+/// Names of joints and motors, and R.
+py::list TransmissionsOf(const RobotModel& model) {
+  py::list all;
+  for (const Transmission& transmission : model.transmissions) {
+    std::vector<std::string> joints, motors;
+    for (const int dof : transmission.dofs) joints.push_back(model.dof_names[static_cast<std::size_t>(dof)]);
+    for (const TransmissionMotor& motor : transmission.motors) motors.push_back(motor.name);
+    py::dict one;
+    one["name"] = transmission.name;
+    one["joints"] = joints;
+    one["motors"] = motors;
+    one["ratios"] = transmission.ratios;
+    all.append(one);
+  }
+  return all;
 }
 
 std::vector<std::string> FeetOf(const RobotModel& model) {
@@ -88,10 +145,29 @@ SI units; z of the world is up, x ahead.)")
       .def_property_readonly("links", LinksOf, "Names of all URDF links.")
       .def_property_readonly("lower", ByDof<&RobotModel::dof_lower>, "Lowest positions of the joints [rad] or [m].")
       .def_property_readonly("upper", ByDof<&RobotModel::dof_upper>, "Highest positions of the joints [rad] or [m].")
-      .def_property_readonly("velocity_limit", ByDof<&RobotModel::dof_velocity_limit>,
-                             "[rad/s] or [m/s]; infinite where unknown.")
+      .def_property_readonly(
+          "velocity_limit", ByDof<&RobotModel::dof_velocity_limit>,
+          "[rad/s] or [m/s]; infinite where unknown. Of a joint that a transmission drives it is the\n"
+          "largest that its motors give: see motor_velocity_limit.")
       .def_property_readonly("effort_limit", ByDof<&RobotModel::dof_effort_limit>,
-                             "[N m] or [N]; infinite where unknown.")
+                             "[N m] or [N]; infinite where unknown. Of a joint that a transmission drives it is the\n"
+                             "largest that its motors give: see motor_effort_limit.")
+      .def_property_readonly("motors", MotorsOf,
+                             "Names of the motors, as many as joints: those of the joints, but for motors of\n"
+                             "transmissions, which stand where the joints stand.")
+      .def_property_readonly("motor_velocity_limit", ByMotor<&Actuator::velocity_limit>,
+                             "By motor [rad/s] or [m/s]; infinite where unknown.")
+      .def_property_readonly("motor_effort_limit", ByMotor<&Actuator::effort_limit>,
+                             "By motor [N m] or [N]; infinite where unknown.")
+      .def_property_readonly(
+          "transmissions", TransmissionsOf,
+          "Motors that drive several joints together: a dictionary each with `name`, `joints`,\n"
+          "`motors` and `ratios`, R: speeds of the motors = R @ rates of the joints, torques of the\n"
+          "joints = R.T @ torques of the motors.")
+      .def("motor_torques", MotorTorques, py::arg("torques"), "Torques of the motors for those of the joints.")
+      .def("motor_speeds", MotorSpeeds, py::arg("rates"), "Speeds of the motors for those of the joints.")
+      .def("clamp_torques", ClampTorques, py::arg("torques"),
+           "Torques of the joints with each motor held to its own limit.")
       .def_readonly("notes", &RobotModel::notes, "What was derived, from what, and what was odd.")
       .def_property_readonly("standing", StandingConfiguration, "q of the nominal posture above the world's origin.")
       .def("describe", DescribeRobot, "What it is and what was derived from what, as text.")

@@ -87,8 +87,10 @@ def _plot_contact(axes: Axes, plan: Plan, played: Playback | None) -> None:
 
 
 def _plot_torque(axes: Axes, plan: Plan, played: Playback | None) -> None:
-    limit = np.where(np.isfinite(plan.robot.effort_limit), plan.robot.effort_limit, np.nan)
-    _plot_both(axes, plan, played, lambda tau: 100.0 * _largest(np.abs(tau) / limit), "tau")
+    robot = plan.robot
+    limit = np.where(np.isfinite(robot.motor_effort_limit), robot.motor_effort_limit, np.nan)
+    to_motors = np.array([robot.motor_torques(joint) for joint in np.eye(robot.num_joints)])
+    _plot_both(axes, plan, played, lambda tau: 100.0 * _largest(np.abs(tau @ to_motors) / limit), "tau")
     axes.set(title="Largest share of a torque limit", xlabel="time [s]", ylabel="[%]")
 
 

@@ -82,6 +82,11 @@ void CheckPosture(const RobotModel& model) {
                 motor.rotor_inertia >= 0.0,
             "what a motor has is over zero");
   }
+  for (const Transmission& t : model.transmissions) {
+    for (const int dof : t.dofs) Require(IsIn(dof, model.dof_names.size()), "transmissions drive coordinates");
+    Require(t.motors.size() == t.dofs.size() && (t.ratios * t.inverse).isIdentity(1e-6),
+            "motors and joints of a transmission move each other");
+  }
   Require(std::isfinite(model.standing_base_height_m) && std::isfinite(model.nominal_speed_m_s) &&
               model.nominal_speed_m_s >= 0.0,
           "height and speed are finite");

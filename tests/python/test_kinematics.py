@@ -87,3 +87,24 @@ def test_wrong_states_are_refused_in_words(a1):
         gw.RobotState(a1, np.full(a1.nq, np.nan))
     with pytest.raises(gw.BadInputError, match="FL_foot"):
         gw.RobotState(a1).pose("FL_fot")
+
+
+def test_motors_of_a_transmission_are_held_to_their_own_limits(tmp_path):
+    yaml = tmp_path / "robot.yaml"
+    motor = "{{name: {}, ratios: [1, {}], effort_nm: 10, velocity_rad_s: 4}}"
+    yaml.write_text(
+        "transmissions:\n  - name: leg\n    joints: [FL_hip_joint, FL_thigh_joint]\n    motors:\n"
+        f"      - {motor.format('front', 1)}\n      - {motor.format('rear', -1)}\n"
+    )
+    robot = gw.load_robot(ROBOTS / "a1" / "robot.urdf", yaml=yaml)
+    (transmission,) = robot.transmissions
+    hip, thigh = (robot.joints.index(joint) for joint in transmission["joints"])
+    assert [robot.motors[hip], robot.motors[thigh]] == transmission["motors"] == ["front", "rear"]
+    assert robot.motor_effort_limit[hip] == 10.0 and robot.effort_limit[hip] == 20.0
+    torques = np.zeros(robot.num_joints)
+    torques[[hip, thigh]] = 15.0
+    assert np.allclose(robot.motor_torques(torques)[[hip, thigh]], [15.0, 0.0])
+    assert np.allclose(transmission["ratios"].T @ [10.0, 0.0], robot.clamp_torques(torques)[[hip, thigh]])
+    assert np.allclose(robot.motor_speeds(torques)[[hip, thigh]], [30.0, 0.0])
+    with pytest.raises(gw.GaitwrightError):
+        robot.motor_torques(torques[1:])

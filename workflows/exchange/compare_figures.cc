@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "kinematics/model/actuator.h"
 #include "playback/bullet/play.h"
 #include "workflows/exchange/compare_parts_internal.h"
 #include "workflows/walk/walk.h"
@@ -40,11 +41,12 @@ void AddBase(const MotionRows& rows, Figures& figures) {
 
 void AddJoints(const RobotModel& model, const MotionRows& rows, Figures& figures) {
   double speed_use = 0.0, torque_use = 0.0;
+  const std::vector<Actuator> motors = ActuatorsOf(model);
   for (std::size_t k = 0; k < rows.v.size(); ++k) {
-    for (int dof = 0; dof < model.num_dofs(); ++dof) {
-      speed_use = std::max(speed_use, std::abs(rows.v[k][6 + dof]) / model.dof_velocity_limit(dof));
+    for (const Actuator& motor : motors) {
+      speed_use = std::max(speed_use, std::abs(motor.Speed(rows.v[k].tail(model.num_dofs()))) / motor.velocity_limit);
       if (!rows.tau.empty())
-        torque_use = std::max(torque_use, std::abs(rows.tau[k][dof]) / model.dof_effort_limit(dof));
+        torque_use = std::max(torque_use, std::abs(motor.Effort(rows.tau[k])) / motor.effort_limit);
     }
   }
   figures.push_back({"joint_speed_use_max", "1", speed_use});

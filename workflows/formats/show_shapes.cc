@@ -45,6 +45,20 @@ DataShape MotorShape() {
                  {"friction", Number()}});
 }
 
+DataShape TransmissionShape() {
+  const DataShape motor = Object({{"name", Text()},
+                                  {"ratios", Numbers(), "Its speed for a speed of 1 of each joint."},
+                                  {"slides", Truth(), "Its units are m, s, N, kg."},
+                                  {"effort_limit", NumberOrNull()},
+                                  {"velocity_limit", NumberOrNull()},
+                                  {"corner_speed", NumberOrNull()},
+                                  {"no_load_speed", NumberOrNull()},
+                                  {"continuous_effort", NumberOrNull()},
+                                  {"thermal_s", Number()},
+                                  {"rotor_inertia", Number(), "At the motor's own shaft."}});
+  return Object({{"name", Text()}, {"joints", List(Text())}, {"motors", List(motor)}});
+}
+
 DataShape SelfCollisionShape() {
   const DataShape left_out = Object({{"links", List(Text(), 2, 2)}, {"reason", Text()}});
   return Object({{"pairs", Whole(), "Of links that are looked at."}, {"left_out", List(left_out)}});
@@ -75,6 +89,7 @@ DataShape RobotShape() {
                            {"lower_m", "upper_m", "velocity_m_s", "effort_n"})},
        {"gains", PerJoint({"stiffness_nm_rad", "damping_nm_s_rad"}, {"stiffness_n_m", "damping_n_s_m"})},
        {"motor_limits", MapOf(MotorShape()), "By joint; rad, s, N m, kg m^2, of one that slides m, s, N, kg."},
+       {"transmissions", List(TransmissionShape()), "Motors that drive several joints together."},
        {"notes", TextsShape(), "What was derived from the URDF, and how."},
        {"hash", Text()},
        {"verdict", Text(), "Whether it walks."},

@@ -319,7 +319,7 @@ LogSample LiveWorld::TakeSample() {
   LogSample sample = std::exchange(sums_, {});
   const double share = 1.0 / std::exchange(summed_, 0);
   sample.tau *= share;
-  sample.tau_peak = sample.tau;
+  sample.tau_peak = world_.motor_torque().cwiseAbs();
   sample.effort_use = world_.effort_use();
   for (ContactWrench& wrench : sample.wrenches) {
     wrench.force_W *= share;

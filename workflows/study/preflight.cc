@@ -9,6 +9,7 @@
 
 #include "kinematics/base/version.h"
 #include "kinematics/collision/collision_checker.h"
+#include "kinematics/model/joint_losses.h"
 #include "planning/audit/joint_watch.h"
 #include "planning/plan/parts_text.h"
 #include "planning/plan/plan_json.h"
@@ -67,7 +68,7 @@ std::string OwnTorqueText(const RobotModel& model) {
     damping = damping || joint.damping > 0.0;
     friction = friction || joint.friction > 0.0;
   }
-  for (int d = 0; d < model.num_dofs(); ++d) rotor = rotor || model.MotorOf(d).rotor_inertia > 0.0;
+  for (int d = 0; d < model.num_dofs(); ++d) rotor = rotor || RotorInertiaAt(model, d) > 0.0;
   std::string known;
   const auto add = [&](bool is, const char* what) {
     if (is) known += (known.empty() ? "" : ", ") + std::string(what);

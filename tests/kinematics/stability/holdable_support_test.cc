@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/actuator.h"
 #include "tests/kinematics/random_state.h"
 
 namespace gaitwright {
@@ -36,22 +37,24 @@ class HoldableSupportTest : public ::testing::TestWithParam<int> {
     return HoldableSupport(model_, scratch_, GetParam(), sole_, p_WC_, model_.weight_n(), use);
   }
 
-  /// Largest share of its limit that a revolute joint below half of the height of C takes, by virtual work: the force
-  /// through Z and C on the foot, its torques J^T f.
-  double Effort(const Vector2& zmp) const {
+  /// Largest share of its limit that the motor of a revolute joint below half of the height of C takes, by virtual
+  /// work: the force through Z and C on the foot, its torques J^T f.
+  double Effort(const Vector2& zmp) const { return Effort(model_, zmp); }
+  double Effort(const RobotModel& model, const Vector2& zmp) const {
     const double ground = ContactFrame(model_, scratch_, GetParam()).translation().z();
     const Vector3 p_WZ(zmp.x(), zmp.y(), ground);
     const Vector3 force = (p_WC_ - p_WZ) * model_.weight_n() / (p_WC_.z() - ground);
     VectorX tau = VectorX::Zero(model_.nv());
     AddPointForce(model_, scratch_, model_.feet[static_cast<std::size_t>(GetParam())].body, p_WZ, force, tau);
-    double most = 0.0;
+    VectorX near = VectorX::Zero(model.num_dofs());
     for (const int index : model_.legs[static_cast<std::size_t>(GetParam())].joints) {
       const auto joint = static_cast<std::size_t>(index);
       if (scratch_.p_WB[joint + 1].z() - ground > 0.5 * (p_WC_.z() - ground)) continue;
       if (scratch_.axis_W[joint].head<2>().norm() < 0.5) continue;
       const int dof = model_.joints[joint].dof;
-      most = std::max(most, std::abs(tau[6 + dof]) / model_.dof_effort_limit(dof));
+      near[dof] = tau[6 + dof];
     }
+    const double most = LargestEffortUse(model, near).share;
     return most;
   }
 
@@ -79,6 +82,36 @@ TEST_P(HoldableSupportTest, IsWhereTheTorquesOfVirtualWorkHold) {
   }
   EXPECT_GT(inside, 100);
   EXPECT_GT(outside, 100) << "the ankles hold the robot everywhere: this tests nothing";
+}
+
+TEST_P(HoldableSupportTest, OfMotorsOfATransmissionIsWhereTheirTorquesHold) {
+  constexpr double kUse = 0.8;
+  RobotModel driven = model_;
+  const std::vector<int>& joints = model_.legs[static_cast<std::size_t>(GetParam())].joints;
+  Transmission ankle{.name = "ankle", .dofs = {}, .motors = {}, .ratios = MatrixX(2, 2), .inverse = {}};
+  ankle.ratios << 1.0, 1.0, 1.0, -1.0;
+  for (std::size_t i = joints.size() - 2; i < joints.size(); ++i) {
+    ankle.dofs.push_back(model_.joints[static_cast<std::size_t>(joints[i])].dof);
+    ankle.motors.push_back({.name = "motor", .effort_limit = 0.6 * model_.dof_effort_limit(ankle.dofs.back())});
+  }
+  AddTransmission(ankle, driven);
+  const Polygon held = HoldableSupport(driven, scratch_, GetParam(), sole_, p_WC_, driven.weight_n(), kUse);
+  ASSERT_GE(held.size(), 3U);
+  int inside = 0, outside = 0, others = 0;
+  for (double u = 0.01; u < 1.0; u += 0.02) {
+    for (double w = 0.01; w < 1.0; w += 0.02) {
+      const auto [low, high] = Extent(sole_);
+      const Vector2 zmp = low + Vector2(u, w).cwiseProduct(high - low);
+      const double distance = SignedDistance(held, zmp);
+      if (SignedDistance(sole_, zmp) <= 0.0 || std::abs(distance) < 1e-6) continue;
+      EXPECT_EQ(distance > 0.0, Effort(driven, zmp) <= kUse) << zmp.transpose();
+      ++(distance > 0.0 ? inside : outside);
+      others += (Effort(zmp) <= kUse) != (distance > 0.0);
+    }
+  }
+  EXPECT_GT(inside, 100);
+  EXPECT_GT(outside, 100);
+  EXPECT_GT(others, 50) << "boxes of the joints say otherwise";
 }
 
 TEST_P(HoldableSupportTest, LiesInTheSoleAndGrowsWithTheTorque) {

@@ -46,5 +46,23 @@ TEST_F(LimitExcess, TheEndOfARangeIsSparedOtherThanToStand) {
   EXPECT_NEAR(Excess(upper_ - 0.02 * range_, kSpare), 0.01, 1e-9);
 }
 
+TEST_F(LimitExcess, OfMotorsThatDriveSeveralJointsIsTheirs) {
+  const int thigh = model_.DofIndex("FL_thigh_joint");
+  Transmission leg{.name = "leg", .dofs = {thigh, knee_}, .motors = {}, .ratios = MatrixX(2, 2), .inverse = {}};
+  leg.ratios << 1.0, 1.0, 1.0, -1.0;
+  for (const char* name : {"front", "rear"})
+    leg.motors.push_back({.name = name, .effort_limit = 10.0, .velocity_limit = 4.0});
+  AddTransmission(leg, model_);
+  WholeBodyTrajectory motion = With(model_.standing_joints[knee_]);
+  motion.tau[0][thigh] = motion.tau[0][knee_] = 12.0;  // within the box of 20: 12 and 0
+  motion.v[0][6 + thigh] = 3.0;
+  motion.v[0][6 + knee_] = -3.0;  // within the box of 4: 0 and 6
+  EXPECT_NEAR(TotalExcess(model_, motion, 0.0), 0.2 + 0.5, 1e-9);
+  const std::vector<std::string> warnings = LimitWarnings(model_, motion);
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_TRUE(warnings[0].starts_with("front is 2.00 N m over")) << warnings[0];
+  EXPECT_TRUE(warnings[1].starts_with("rear is 2.00 rad/s over")) << warnings[1];
+}
+
 }  // namespace
 }  // namespace gaitwright

@@ -284,7 +284,9 @@ TEST(MotorEffortOfMimics, CountsTheJointsThatFollow) {
   follows->damping = 2.0;
   follows->friction = 3.0;
   const double r = follows->multiplier;
-  EXPECT_NEAR(MotorEffort(model).Of(follows->dof, 1.0, 0.5, 7.0), 1.0 + 2.0 * r * r * 0.5 + 3.0 * std::abs(r), 1e-12);
+  const auto all = [&](double each) { return VectorX(VectorX::Constant(model.num_dofs(), each)); };
+  EXPECT_NEAR(MotorEffort(model).Of(follows->dof, all(1.0), all(0.5), all(7.0)),
+              1.0 + 2.0 * r * r * 0.5 + 3.0 * std::abs(r), 1e-12);
 }
 
 }  // namespace

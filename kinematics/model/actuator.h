@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace gaitwright {
+
+/// A motor of the robot, and what it may give: the one owner of limits of speed and effort. Most motors drive one
+/// joint; those of a Transmission drive several together. A robot has as many motors as independent coordinates, so
+/// that vectors by motor have the size of vectors by coordinate: motor d drives coordinate d alone, or is the motor of
+/// the transmission of d that stands where d stands among its joints.
+///
+/// Limits hold for the motor, never for a joint of a transmission:
+///   |Effort(tau)| <= effort_limit,   |Speed(v)| <= velocity_limit.
+struct Actuator {
+  /// Of one joint: speed = sum of by_speed * v[dof], effort = sum of by_effort * tau[dof].
+  struct Term {
+    int dof;
+    double by_speed;   ///< of R
+    double by_effort;  ///< of R^-T
+  };
+
+  std::string name;                      ///< the joint's name for the motor of one joint
+  std::vector<Term> terms;               ///< one for a motor of one joint
+  double effort_limit = Motor::kNone;    ///< [N m] or [N]; infinite where it is not known
+  double velocity_limit = Motor::kNone;  ///< [rad/s] or [m/s]; infinite where it is not known
+  bool slides = false;
+  Motor motor;
+  int transmission = -1;  ///< index into RobotModel::transmissions; -1 for the motor of one joint
+
+  bool shared() const { return transmission >= 0; }
+  /// Speed and effort of the motor for those of all joints, size num_dofs.
+  double Speed(const Eigen::Ref<const VectorX>& v) const;
+  double Effort(const Eigen::Ref<const VectorX>& tau) const;
+
+  const char* speed_unit() const { return slides ? "m/s" : "rad/s"; }
+  const char* effort_unit() const { return slides ? "N" : "N m"; }
+};
+
+/// Motor `index` of a robot, and all of them, size num_dofs.
+Actuator ActuatorOf(const RobotModel& model, int index);
+std::vector<Actuator> ActuatorsOf(const RobotModel& model);
+
+/// A motor by its index, and the share of its limit that it uses, 1 at the limit; -1 and 0 where no limit is known.
+struct LargestUse {
+  int motor = -1;
+  double share = 0.0;
+};
+/// The motor that torques of the joints bring nearest to its effort limit.
+LargestUse LargestEffortUse(const RobotModel& model, const VectorX& tau);
+/// The motor that speeds of the joints bring nearest to its speed limit.
+LargestUse LargestSpeedUse(const RobotModel& model, const VectorX& v);
+
+/// Torques of the joints when each motor that is asked for more than its effort limit gives that limit, and the others
+/// give what they are asked for: R^T clamp(R^-T tau). The torques of a transmission so change at all its joints when
+/// one of its motors is at its limit. ClampedSpeeds likewise: R^-1 clamp(R v).
+VectorX ClampedEfforts(const RobotModel& model, const VectorX& tau);
+VectorX ClampedSpeeds(const RobotModel& model, const VectorX& v);
+
+}  // namespace gaitwright

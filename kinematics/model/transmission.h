@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/model/motor.h"
+#include "kinematics/spatial/pose.h"
+
+namespace gaitwright {
+
+struct RobotModel;
+
+/// One of the motors of a transmission. All its figures are the motor's own, not a joint's.
+struct TransmissionMotor {
+  std::string name;
+  double effort_limit = Motor::kNone;    ///< [N m]; infinite where it is not known
+  double velocity_limit = Motor::kNone;  ///< [rad/s]; infinite where it is not known
+  bool slides = false;                   ///< its units are N, m/s and kg
+  Motor motor = {};                      ///< curve, warmth and rotor; limits of acceleration and jerk are the joints'
+};
+
+/// Motors that drive several joints together, such as the two motors that move pitch and roll of an ankle by rods.
+/// With v and tau the speeds and torques of its joints, w and m those of its motors, and a constant matrix R:
+///   w = R v,   tau = R^T m,   so that   m^T w = tau^T v,   v = R^-1 w,   m = R^-T tau.
+/// A rotor of inertia J adds R^T diag(J) R to the inertia of the joints.
+struct Transmission {
+  std::string name;
+  std::vector<int> dofs;                  ///< independent coordinates that it drives
+  std::vector<TransmissionMotor> motors;  ///< as many as dofs
+  MatrixX ratios;                         ///< R: a row for each motor, a column for each of dofs
+  MatrixX inverse;                        ///< R^-1; AddTransmission computes it
+
+  /// How many joints it drives, and motors it has.
+  Eigen::Index size() const { return static_cast<Eigen::Index>(dofs.size()); }
+  /// Those of a vector of all joints that are its own, and the reverse.
+  VectorX Own(const Eigen::Ref<const VectorX>& joints) const;
+  void Put(const VectorX& own, Eigen::Ref<VectorX> joints) const;
+
+  /// w and m for speeds and torques of all joints of the robot.
+  VectorX MotorSpeeds(const Eigen::Ref<const VectorX>& v) const { return ratios * Own(v); }
+  VectorX MotorEfforts(const Eigen::Ref<const VectorX>& tau) const { return inverse.transpose() * Own(tau); }
+  /// R^T diag(J) R of the rotors.
+  MatrixX RotorInertia() const;
+};
+
+/// How far a matrix of ratios is from a singular one: its least singular value over the largest, once each row and then
+/// each column has length 1, so that units and gear ratios do not matter. 0 for a singular matrix.
+double Regularity(const MatrixX& ratios);
+
+/// Least Regularity that a transmission may have.
+inline constexpr double kLeastRegularity = 1e-3;
+
+/// Adds a transmission to a model. Limits of speed and effort of its joints become the box around what the motors give:
+/// the largest speed and effort of each joint that any speeds and efforts of the motors give. Code that looks at a
+/// joint alone so never takes it for weaker than it is; what the motors give together, Actuator says.
+/// @throws InvalidArgument for sizes that do not fit, a joint that another transmission drives, or a Regularity below
+/// kLeastRegularity.
+void AddTransmission(Transmission transmission, RobotModel& model);
+
+}  // namespace gaitwright
