@@ -36,13 +36,13 @@ JointWatch::Watched JointWatch::Watch(int dof, int samples) {
   joint.jerk = options_.derate_jerk * motor.jerk_limit;
   joint.effort = options_.derate_torque * model_.dof_effort_limit(dof);
   joint.continuous = options_.derate_continuous * motor.continuous_effort;
-  joint.position = findings_.Place("joint_position", name, of_position);
-  joint.velocity = findings_.Place("joint_velocity", name, SpeedUnit(model_, dof));
-  joint.accelerated = findings_.Place("joint_acceleration", name, of_position + "/s^2");
-  joint.jerked = findings_.Place("joint_jerk", name, of_position + "/s^3");
-  joint.torque = findings_.Place("joint_torque", name, of_effort);
-  joint.curve = findings_.Place("torque_speed", name, of_effort);
-  joint.heat = findings_.Place("continuous_torque", name, of_effort);
+  joint.position = findings_.Place(Law::kJointPosition, name, of_position);
+  joint.velocity = findings_.Place(Law::kJointVelocity, name, SpeedUnit(model_, dof));
+  joint.accelerated = findings_.Place(Law::kJointAcceleration, name, of_position + "/s^2");
+  joint.jerked = findings_.Place(Law::kJointJerk, name, of_position + "/s^3");
+  joint.torque = findings_.Place(Law::kJointTorque, name, of_effort);
+  joint.curve = findings_.Place(Law::kTorqueSpeed, name, of_effort);
+  joint.heat = findings_.Place(Law::kContinuousTorque, name, of_effort);
   if (std::isfinite(joint.jerk)) joint.accelerations.assign(jerk_steps_, 0.0);
   if (std::isfinite(joint.continuous)) {
     const double steps = std::min(std::round(motor.thermal_s * options_.rate_hz), static_cast<double>(samples));
@@ -116,16 +116,16 @@ void JointWatch::Finish(double time_s) {
 
 std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
   struct Known {
-    const char* law;
+    Law law;
     const char* what;
     bool (*of)(const Motor&);
   };
   const Known all[] = {
-      {"joint_acceleration", "limit of acceleration",
+      {Law::kJointAcceleration, "limit of acceleration",
        [](const Motor& m) { return std::isfinite(m.acceleration_limit); }},
-      {"joint_jerk", "limit of jerk", [](const Motor& m) { return std::isfinite(m.jerk_limit); }},
-      {"torque_speed", "torque-speed curve", [](const Motor& m) { return m.has_curve(); }},
-      {"continuous_torque", "continuous torque", [](const Motor& m) { return std::isfinite(m.continuous_effort); }}};
+      {Law::kJointJerk, "limit of jerk", [](const Motor& m) { return std::isfinite(m.jerk_limit); }},
+      {Law::kTorqueSpeed, "torque-speed curve", [](const Motor& m) { return m.has_curve(); }},
+      {Law::kContinuousTorque, "continuous torque", [](const Motor& m) { return std::isfinite(m.continuous_effort); }}};
   std::vector<std::string> lines;
   for (const Known& known : all) {
     std::vector<std::string> without;
@@ -134,7 +134,7 @@ std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
     }
     if (without.empty()) continue;
     const bool none = static_cast<int>(without.size()) == model.num_dofs();
-    lines.push_back(fmt::format("{} not applied{}: no robot.yaml gives {} {}", known.law,
+    lines.push_back(fmt::format("{} not applied{}: no robot.yaml gives {} {}", LawName(known.law),
                                 none ? "" : fmt::format(" to {}", QuotedList(without)), none ? "any" : "their",
                                 known.what));
   }
