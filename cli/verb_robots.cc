@@ -130,8 +130,8 @@ std::optional<std::string> WhyNoWalk(const RobotModel& model) {
   if (!planned) return planned.failure().message;
   if (planned->audit.pass()) return std::nullopt;
   const Violation& first = planned->audit.violations.front();
-  return fmt::format("the plan of a metre breaks the law '{}' at {:.2f} s: {}, {} where {} is the limit", first.law,
-                     first.at_s, first.where, AuditFigure(first.value, first.unit),
+  return fmt::format("the plan of a metre breaks the law '{}' at {:.2f} s: {}, {} where {} is the limit",
+                     LawName(first.law), first.at_s, first.where, AuditFigure(first.value, first.unit),
                      AuditFigure(first.limit, first.unit));
 }
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/base/law.h"
+
 namespace gaitwright {
 
 /// Thrown for what a caller can get wrong: the message names the offender, its value and what is accepted.
@@ -28,6 +30,7 @@ struct Failure {
   std::string stage;  ///< the stage that failed, such as `LoadRobot`
   std::string message;
   std::vector<std::string> hints;
+  std::optional<Violation> violation = {};  ///< the law that forbids it, where that is the reason
 
   bool operator==(const Failure&) const = default;
 };

@@ -182,7 +182,8 @@ Result<OptimisedZmp> OptimiseZmp(const ZmpProblem& problem, const ZmpWeights& we
                    "zmp_support",
                    "PlanCentreOfMass",
                    fmt::format(fmt::runtime(last.worst_constraint), 1e3 * last.violation),
-                   {"stand longer at the ends, or take smaller or slower steps"}};
+                   {"stand longer at the ends, or take smaller or slower steps"},
+                   Violation{Law::kZmpSupport, std::nan(""), "zero-moment point", last.violation, 0.0, "m"}};
   }
   return OptimisedZmp{zmp->Sample(Clamped(*zmp, last.x)), zmp->Margins(), zmp->num_variables, last.brief};
 }

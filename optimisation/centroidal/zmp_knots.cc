@@ -116,7 +116,8 @@ class Placer {
                       "PlanCentreOfMass",
                       fmt::format("in phase {} the support at {:.2f} s has no place that is {:.1f} mm from its edge",
                                   phase, time_s, 1e3 * margin_m_),
-                      {"lower centre_of_mass.zmp_margin_m"}};
+                      {"lower centre_of_mass.zmp_margin_m"},
+                      Violation{Law::kZmpSupport, time_s, "zero-moment point", margin_m_, 0.0, "m"}};
   }
 
   /// The samples of a phase from its knots; a sample on a boundary belongs to the later phase.

@@ -42,23 +42,24 @@ Auditor::Auditor(const RobotModel& model, const MotionPlan& plan, const AuditOpt
 }
 
 void Auditor::NamePlaces() {
-  places_.columns = findings_.Place("consistency", "columns, as a share of what they may be off", "1");
-  places_.base_force = findings_.Place("dynamics", "base force", "N");
-  places_.base_moment = findings_.Place("dynamics", "base moment", "N m");
-  places_.zmp = findings_.Place("zmp_support", "zero-moment point", "m");
-  places_.reference = findings_.Place("zmp_support", "reference of the zero-moment point", "m");
-  places_.self = findings_.Place("self_collision", "nearest links", "m");
-  places_.body = findings_.Place("body_clearance", "nearest link", "m");
+  places_.columns = findings_.Place(Law::kConsistency, "columns, as a share of what they may be off", "1");
+  places_.base_force = findings_.Place(Law::kDynamics, "base force", "N");
+  places_.base_moment = findings_.Place(Law::kDynamics, "base moment", "N m");
+  places_.zmp = findings_.Place(Law::kZmpSupport, "zero-moment point", "m");
+  places_.reference = findings_.Place(Law::kZmpSupport, "reference of the zero-moment point", "m");
+  places_.self = findings_.Place(Law::kSelfCollision, "nearest links", "m");
+  places_.body = findings_.Place(Law::kBodyClearance, "nearest link", "m");
   for (int d = 0; d < model_.num_dofs(); ++d) {
     places_.residual.push_back(
-        findings_.Place("dynamics", model_.dof_names[static_cast<std::size_t>(d)], Slides(d) ? "N" : "N m"));
+        findings_.Place(Law::kDynamics, model_.dof_names[static_cast<std::size_t>(d)], Slides(d) ? "N" : "N m"));
   }
   for (int f = 0; f < static_cast<int>(model_.feet.size()); ++f) {
-    places_.reach.push_back(findings_.Place("reach", FootName(f), "m"));
-    places_.friction.push_back(findings_.Place("friction_cone", FootName(f) + ", tangential over normal force", "1"));
-    places_.press.push_back(findings_.Place("unilateral", FootName(f) + ", normal force in mid stance", "N"));
-    places_.edge.push_back(findings_.Place("unilateral", FootName(f) + ", centre of pressure outside", "m"));
-    places_.swing.push_back(findings_.Place("foot_clearance", FootName(f) + ", height in mid swing", "m"));
+    places_.reach.push_back(findings_.Place(Law::kReach, FootName(f), "m"));
+    places_.friction.push_back(
+        findings_.Place(Law::kFrictionCone, FootName(f) + ", tangential over normal force", "1"));
+    places_.press.push_back(findings_.Place(Law::kUnilateral, FootName(f) + ", normal force in mid stance", "N"));
+    places_.edge.push_back(findings_.Place(Law::kUnilateral, FootName(f) + ", centre of pressure outside", "m"));
+    places_.swing.push_back(findings_.Place(Law::kFootClearance, FootName(f) + ", height in mid swing", "m"));
   }
 }
 
@@ -124,7 +125,7 @@ AuditReport Auditor::Run() {
     const double time_s = plan_.whole_body.start_s + k * step;
     SampleWholeBody(plan_.whole_body, time_s, sample_);
     if (!AllFinite()) {
-      findings_.Note("consistency", "a number that is none", time_s, std::nan(""), 0.0, "1");
+      findings_.Note(Law::kConsistency, "a number that is none", time_s, std::nan(""), 0.0, "1");
       continue;
     }
     const auto phase = [&](double t) {

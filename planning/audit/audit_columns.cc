@@ -27,7 +27,8 @@ void Auditor::CheckColumns() {
   for (std::size_t k = 0; k < w.q.size(); ++k) {
     const double time_s = w.start_s + static_cast<double>(k) * h;
     const double norm = w.q[k].segment<4>(3).norm();
-    if (!(std::abs(norm - 1.0) <= kRelative)) findings_.Note("consistency", "quaternion norm", time_s, norm, 1.0, "1");
+    if (!(std::abs(norm - 1.0) <= kRelative))
+      findings_.Note(Law::kConsistency, "quaternion norm", time_s, norm, 1.0, "1");
     if (k + 1 == w.q.size()) break;
     const VectorX step = StepOf(h, w.v[k], w.v[k + 1], w.a[k], w.a[k + 1]);
     const VectorX change = (w.v[k + 1] - w.v[k]) / h - 0.5 * (w.a[k] + w.a[k + 1]);
@@ -54,7 +55,7 @@ void Auditor::CheckCentroidal() {
   const CentroidalTrajectory& c = plan_.centroidal;
   const WholeBodyTrajectory& w = plan_.whole_body;
   if (c.p_WC.size() != w.q.size() || c.start_s != w.start_s || c.step_s != w.step_s) {
-    findings_.Note("consistency", "centroidal rows", w.start_s, static_cast<double>(c.p_WC.size()),
+    findings_.Note(Law::kConsistency, "centroidal rows", w.start_s, static_cast<double>(c.p_WC.size()),
                    static_cast<double>(w.q.size()), "1");
     return;
   }
@@ -116,7 +117,7 @@ void Auditor::CheckPendulum() {
   height /= static_cast<double>(c.p_WC.size());
   const double frequency = std::sqrt(kGravity / height);
   if (!(std::abs(c.omega_rad_s - frequency) <= kFrequency * frequency))
-    findings_.Note("consistency", "frequency of the pendulum", c.start_s, c.omega_rad_s, frequency, "rad/s");
+    findings_.Note(Law::kConsistency, "frequency of the pendulum", c.start_s, c.omega_rad_s, frequency, "rad/s");
 }
 
 }  // namespace gaitwright

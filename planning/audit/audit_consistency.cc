@@ -42,9 +42,10 @@ void Auditor::CheckSchedule() {
   for (const MotionPart& part : plan_.parts) {
     const auto phases = static_cast<double>(part.gait.phase.size());
     const auto duties = static_cast<double>(part.gait.duty_factor.size());
-    if (phases != feet) findings_.Note("consistency", "number of the gait's phases", part.start_s, phases, feet, "1");
+    if (phases != feet)
+      findings_.Note(Law::kConsistency, "number of the gait's phases", part.start_s, phases, feet, "1");
     if (duties != feet)
-      findings_.Note("consistency", "number of the gait's duty factors", part.start_s, duties, feet, "1");
+      findings_.Note(Law::kConsistency, "number of the gait's duty factors", part.start_s, duties, feet, "1");
   }
 }
 
@@ -72,7 +73,7 @@ void Auditor::CheckStand(const MotionPart& part) {
   for (const ContactPhase& phase : plan_.schedule.phases) {
     const bool within = phase.end_s > part.start_s + kTime && phase.start_s < part.end_s - kTime;
     if (within && (phase.stance & all) != all) {
-      findings_.Note("consistency", "feet on the ground while it stands", std::max(part.start_s, phase.start_s),
+      findings_.Note(Law::kConsistency, "feet on the ground while it stands", std::max(part.start_s, phase.start_s),
                      std::popcount(phase.stance & all), static_cast<double>(model_.legs.size()), "1");
     }
   }
@@ -109,7 +110,7 @@ void Auditor::CheckCommand(const MotionPart& part, const PlanarPose& start) {
     const double most = c.steps * std::abs(c.step_length_m);
     const double least = most - static_cast<double>(model_.feet.size()) * std::abs(c.step_length_m);
     if (!(distance <= most + position && distance >= least - position))
-      findings_.Note("consistency", "goal against the command's steps", start_s, distance, most, "m");
+      findings_.Note(Law::kConsistency, "goal against the command's steps", start_s, distance, most, "m");
   }
 }
 
@@ -117,12 +118,12 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
   const std::string& foot = FootName(foothold.foot);
   const auto time = [&](const char* what, double value, double limit) {
     if (!(std::abs(value - limit) <= kTime))
-      findings_.Note("consistency", foot + " foothold's " + what + " against schedule", limit, value, limit, "s");
+      findings_.Note(Law::kConsistency, foot + " foothold's " + what + " against schedule", limit, value, limit, "s");
   };
   time("touch-down", foothold.touchdown_s, interval.start_s);
   time("lift-off", foothold.liftoff_s, interval.end_s);
   if (!HoldsSurface(foothold.patch)) {
-    findings_.Note("consistency", foot + " foothold's patch", foothold.touchdown_s, foothold.patch,
+    findings_.Note(Law::kConsistency, foot + " foothold's patch", foothold.touchdown_s, foothold.patch,
                    plan_.terrain.num_surfaces() - 1.0, "1");
     return;
   }
@@ -138,7 +139,8 @@ void Auditor::CheckFoothold(const Foothold& foothold, const ContactInterval& int
   if (of_foot.type != FootType::kSole) return;
   const double share = Area(SupportOf(of_foot, foothold, plan_.terrain, 0.0)) / Area(of_foot.sole_F);
   if (!(share >= kOnPatchShare))
-    findings_.Note("consistency", foot + " sole's share on its patch", foothold.touchdown_s, share, kOnPatchShare, "1");
+    findings_.Note(Law::kConsistency, foot + " sole's share on its patch", foothold.touchdown_s, share, kOnPatchShare,
+                   "1");
 }
 
 /// True for a sole that is tilted from the surface under its middle, and over another one too.
@@ -224,13 +226,13 @@ void Auditor::CheckFootholds() {
       ++i;
     }
     if (i != intervals.size()) {
-      findings_.Note("consistency", FootName(f) + " number of footholds", plan_.schedule.start_s(),
+      findings_.Note(Law::kConsistency, FootName(f) + " number of footholds", plan_.schedule.start_s(),
                      static_cast<double>(i), static_cast<double>(intervals.size()), "1");
     }
   }
   for (const Foothold& foothold : plan_.footsteps.footholds) {
     if (foothold.foot < 0 || foothold.foot >= feet)
-      findings_.Note("consistency", "foothold of a foot that is not there", foothold.touchdown_s, foothold.foot,
+      findings_.Note(Law::kConsistency, "foothold of a foot that is not there", foothold.touchdown_s, foothold.foot,
                      feet - 1.0, "1");
   }
 }

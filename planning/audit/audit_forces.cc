@@ -57,10 +57,10 @@ void Auditor::CheckContactForces(double time_s) {
     const Footing& ground = footing_[static_cast<std::size_t>(f)];
     const double normal = wrench.force_W.dot(ground.normal_W);
     const double tangential = (wrench.force_W - normal * ground.normal_W).norm();
-    if (!(normal >= -slack)) findings_.Note("unilateral", FootName(f), time_s, normal, 0.0, "N");
+    if (!(normal >= -slack)) findings_.Note(Law::kUnilateral, FootName(f), time_s, normal, 0.0, "N");
     const double cone = ground.friction * std::max(normal, 0.0);
     forces_hold_ = forces_hold_ && normal >= -slack && tangential <= cone + slack;
-    if (!(tangential <= cone + slack)) findings_.Note("friction_cone", FootName(f), time_s, tangential, cone, "N");
+    if (!(tangential <= cone + slack)) findings_.Note(Law::kFrictionCone, FootName(f), time_s, tangential, cone, "N");
     const auto place = static_cast<std::size_t>(f);
     if (normal >= kLeastLoad * model_.weight_n()) {
       const double used = tangential / normal;
@@ -69,7 +69,7 @@ void Auditor::CheckContactForces(double time_s) {
     if (Contains(stance_, f) && InMiddle(f, time_s, true))
       findings_.Near(places_.press[place], time_s, normal, 0.0, normal);
     if (normal > kSwingLoad * model_.weight_n() && SwingsThroughout(f, time_s)) {
-      findings_.Note("consistency", FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
+      findings_.Note(Law::kConsistency, FootName(f) + " pushes in its swing", time_s, normal, 0.0, "N");
     }
     const Foot& foot = model_.feet[static_cast<std::size_t>(f)];
     if (foot.sole_F.empty() || normal < kLeastLoad * model_.weight_n()) continue;
@@ -81,7 +81,8 @@ void Auditor::CheckContactForces(double time_s) {
     forces_hold_ = forces_hold_ && outside <= kPressureSlack;
     findings_.Near(places_.edge[place], time_s, outside, kPressureSlack, kPressureSlack - outside);
     if (outside > kPressureSlack)
-      findings_.Note("unilateral", FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack, "m");
+      findings_.Note(Law::kUnilateral, FootName(f) + " centre of pressure outside", time_s, outside, kPressureSlack,
+                     "m");
   }
 }
 
@@ -113,7 +114,7 @@ void Auditor::CheckWrenchCone(double time_s) {
   const PointWrench needed{scratch_.p_WB[0], needed_.head<3>(), needed_.segment<3>(3)};
   const double outside = std::min(-WrenchConeMargin(contacts, needed), kFarthest);
   if (!(outside <= kSupportLine))
-    findings_.Note("zmp_support", "contact wrench cone", time_s, outside, kSupportLine, "m");
+    findings_.Note(Law::kZmpSupport, "contact wrench cone", time_s, outside, kSupportLine, "m");
 }
 
 bool Auditor::PressesOn(const GroundPlane& plane) const {

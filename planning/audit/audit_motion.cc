@@ -30,19 +30,19 @@ void Auditor::CheckStanceFeet(double time_s) {
         slip_W_[i].setZero();
         const double off = (X_WF.translation() - foothold.X_WF.translation()).norm();
         if (!(off <= kPosition))
-          findings_.Note("consistency", FootName(f) + " off its foothold", time_s, off, kPosition, "m");
+          findings_.Note(Law::kConsistency, FootName(f) + " off its foothold", time_s, off, kPosition, "m");
       }
       slip_W_[i] += PointVelocity(scratch_, foot.body, p_BQ).head<3>() / options_.rate_hz;
       if (!(slip_W_[i].norm() <= kPosition))
-        findings_.Note("consistency", FootName(f) + " slides", time_s, slip_W_[i].norm(), kPosition, "m");
+        findings_.Note(Law::kConsistency, FootName(f) + " slides", time_s, slip_W_[i].norm(), kPosition, "m");
       continue;
     }
     const double off = (X_WF.translation() - foothold.X_WF.translation()).norm();
     const double turned = RotationLog(X_WF.linear() * foothold.X_WF.linear().transpose()).norm();
     if (!(off <= kPosition))
-      findings_.Note("consistency", FootName(f) + " off its foothold", time_s, off, kPosition, "m");
+      findings_.Note(Law::kConsistency, FootName(f) + " off its foothold", time_s, off, kPosition, "m");
     if (foot.type == FootType::kSole && !(turned <= kRotation)) {
-      findings_.Note("consistency", FootName(f) + " turned from its foothold", time_s, turned, kRotation, "rad");
+      findings_.Note(Law::kConsistency, FootName(f) + " turned from its foothold", time_s, turned, kRotation, "rad");
     }
   }
 }
@@ -81,12 +81,12 @@ void Auditor::CheckHeight(const std::string& where, const Vector3& p_W, double l
   const double height = p_W.z() - ground.height_m;
   if (ground.patch < 0 || height >= limit) return;
   if (height > -kSolidDepth && watch_.PointDistance(p_W) >= limit) return;
-  findings_.Note("foot_clearance", where, time_s, height, limit, "m");
+  findings_.Note(Law::kFootClearance, where, time_s, height, limit, "m");
 }
 
 void Auditor::CheckBodies(double time_s) {
   for (const Overlap& overlap : collision_.Overlaps(scratch_)) {
-    findings_.Note("self_collision", overlap.link_a + " and " + overlap.link_b, time_s, overlap.depth_m, 0.0, "m");
+    findings_.Note(Law::kSelfCollision, overlap.link_a + " and " + overlap.link_b, time_s, overlap.depth_m, 0.0, "m");
   }
 }
 
@@ -94,10 +94,10 @@ void Auditor::CheckBodies(double time_s) {
 void Auditor::CheckSolids(double time_s) {
   for (const GroundHit& hit : watch_.Look(scratch_, limits_to_ground_)) {
     if (hit.foot < 0) {
-      findings_.Note("body_clearance", *hit.link, time_s, hit.distance_m, limits_to_ground_.body_m, "m");
+      findings_.Note(Law::kBodyClearance, *hit.link, time_s, hit.distance_m, limits_to_ground_.body_m, "m");
     } else {
       const double limit = limits_to_ground_.foot_m[static_cast<std::size_t>(hit.foot)];
-      findings_.Note("foot_clearance", FootName(hit.foot), time_s, hit.distance_m, limit, "m");
+      findings_.Note(Law::kFootClearance, FootName(hit.foot), time_s, hit.distance_m, limit, "m");
     }
   }
 }

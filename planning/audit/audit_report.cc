@@ -11,7 +11,7 @@ namespace {
 nlohmann::ordered_json MarginsJson(const std::vector<AuditMargin>& margins) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const AuditMargin& m : margins) {
-    list.push_back({{"law", m.law},
+    list.push_back({{"law", LawName(m.law)},
                     {"at_s", m.at_s},
                     {"where", m.where},
                     {"value", m.value},
@@ -27,7 +27,7 @@ std::string MarginsText(const std::vector<AuditMargin>& margins) {
   if (margins.empty()) return "";
   std::string text = "margins, the least of each law and place:\n";
   for (const AuditMargin& m : margins) {
-    text += fmt::format("  {:<18} {:>5}  at {:6.3f} s  {}: {} (limit {:.4g})\n", m.law,
+    text += fmt::format("  {:<18} {:>5}  at {:6.3f} s  {}: {} (limit {:.4g})\n", LawName(m.law),
                         m.share ? fmt::format("{:.0f} %", 100.0 * *m.share) : "", m.at_s, m.where,
                         AuditFigure(m.value, m.unit), m.limit);
   }
@@ -35,14 +35,6 @@ std::string MarginsText(const std::vector<AuditMargin>& margins) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& AuditLaws() {
-  static const std::vector<std::string> laws = {
-      "consistency",   "start_posture",  "joint_position", "joint_velocity", "joint_acceleration", "joint_jerk",
-      "reach",         "self_collision", "foot_clearance", "body_clearance", "zmp_support",        "unilateral",
-      "friction_cone", "dynamics",       "joint_torque",   "torque_speed",   "continuous_torque"};
-  return laws;
-}
 
 std::vector<AuditMargin> TightestOfEachLaw(const std::vector<AuditMargin>& margins) {
   std::vector<AuditMargin> tightest;
@@ -65,7 +57,7 @@ std::string AuditText(const AuditReport& report) {
   std::string text = fmt::format("audit: fail, {} violation{} in {} samples\n", report.violations.size(),
                                  report.violations.size() == 1 ? "" : "s", report.samples);
   for (const Violation& v : report.violations) {
-    text += fmt::format("  {:<18} at {:6.3f} s  {}: {} (limit {:.4g})\n", v.law, v.at_s, v.where,
+    text += fmt::format("  {:<18} at {:6.3f} s  {}: {} (limit {:.4g})\n", LawName(v.law), v.at_s, v.where,
                         AuditFigure(v.value, v.unit), v.limit);
   }
   for (const std::string& remark : report.remarks) text += "  note: " + remark + "\n";
@@ -75,7 +67,7 @@ std::string AuditText(const AuditReport& report) {
 std::string AuditJson(const AuditReport& report) {
   nlohmann::ordered_json violations = nlohmann::ordered_json::array();
   for (const Violation& v : report.violations) {
-    violations.push_back({{"law", v.law},
+    violations.push_back({{"law", LawName(v.law)},
                           {"at_s", v.at_s},
                           {"where", v.where},
                           {"value", v.value},

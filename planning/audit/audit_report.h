@@ -5,18 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/law.h"
+
 namespace gaitwright {
-
-/// A law that a plan breaks: where it is worst.
-struct Violation {
-  std::string law;    ///< dynamics, unilateral, friction_cone, zmp_support, joint_position, ...
-  double at_s = 0.0;  ///< when it is worst
-  std::string where;  ///< joint, foot or pair of links
-  double value = 0.0, limit = 0.0;
-  std::string unit;
-
-  bool operator==(const Violation&) const = default;
-};
 
 /// How places of the law start_posture end that are speeds.
 inline constexpr char kStartSpeed[] = ", speed";
@@ -25,7 +16,7 @@ inline constexpr char kStartTilt[] = "base tilt";
 
 /// How near a plan comes to the limit of a law at one place, whether or not it keeps it.
 struct AuditMargin {
-  std::string law;    ///< one of AuditLaws
+  Law law = Law::kConsistency;
   double at_s = 0.0;  ///< when it is nearest
   std::string where;  ///< joint, foot or pair of links
   double value = 0.0, limit = 0.0;
@@ -47,11 +38,6 @@ struct AuditReport {
 
   bool pass() const { return violations.empty(); }
 };
-
-/// The names of all laws, in the order of reports: a law stands before those that its breach breaks too, so that the
-/// first named is the cause. Columns that disagree make all else doubtful; then come what the postures alone show, what
-/// no forces could mend, forces that the ground cannot give, and last the torques.
-const std::vector<std::string>& AuditLaws();
 
 /// The margins of the law that has least to spare at each place, one a law: the first of each in a report's list.
 std::vector<AuditMargin> TightestOfEachLaw(const std::vector<AuditMargin>& margins);

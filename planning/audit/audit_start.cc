@@ -34,7 +34,7 @@ void Auditor::CheckStart() {
     const double jump = std::abs(q[7 + d] - start.joints[d]);
     const double limit = Slides(d) ? options_.start_tolerance_m : options_.start_tolerance_rad;
     const int place =
-        findings_.Place("start_posture", model_.dof_names[static_cast<std::size_t>(d)], Slides(d) ? "m" : "rad");
+        findings_.Place(Law::kStartPosture, model_.dof_names[static_cast<std::size_t>(d)], Slides(d) ? "m" : "rad");
     findings_.Hold(place, time_s, jump, limit, limit - jump);
   }
   CheckStartSpeeds();
@@ -46,7 +46,7 @@ void Auditor::CheckStartTilt(const Quaternion& R_WB) {
   constexpr double kFarFromUpright = 1.0;  // [rad]
   const VectorX& q = plan_.whole_body.q.front();
   const double tilt = TiltBetween(q, R_WB), limit = options_.start_tilt_rad;
-  const int place = findings_.Place("start_posture", kStartTilt, "rad");
+  const int place = findings_.Place(Law::kStartPosture, kStartTilt, "rad");
   findings_.Hold(place, plan_.whole_body.start_s, tilt, limit, limit - tilt);
   const double w_first = TiltBetween(q, Quaternion(R_WB.x(), R_WB.y(), R_WB.z(), R_WB.w()));
   if (tilt <= kFarFromUpright || w_first > limit) return;
@@ -62,7 +62,7 @@ void Auditor::CheckStartSpeeds() {
   const VectorX& v = plan_.whole_body.v.front();
   const auto hold = [&](const std::string& where, double speed, bool slides) {
     const double limit = slides ? options_.start_speed_m_s : options_.start_speed_rad_s;
-    const int place = findings_.Place("start_posture", where + kStartSpeed, slides ? "m/s" : "rad/s");
+    const int place = findings_.Place(Law::kStartPosture, where + kStartSpeed, slides ? "m/s" : "rad/s");
     findings_.Hold(place, time_s, speed, limit, limit - speed);
   };
   for (int d = 0; d < model_.num_dofs(); ++d)
@@ -76,7 +76,7 @@ void Auditor::CheckHanging(const MotionPart& part) {
   for (const ContactPhase& phase : plan_.schedule.phases) {
     const bool within = phase.end_s > part.start_s + kTime && phase.start_s < part.end_s - kTime;
     if (within && phase.stance != 0) {
-      findings_.Note("consistency", "feet on the ground while it hangs", std::max(part.start_s, phase.start_s),
+      findings_.Note(Law::kConsistency, "feet on the ground while it hangs", std::max(part.start_s, phase.start_s),
                      std::popcount(phase.stance), 0.0, "1");
     }
   }

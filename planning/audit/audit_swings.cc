@@ -60,7 +60,7 @@ void Auditor::CheckSwingClearance(int foot, const Pose& X_WF, double time_s, dou
   X_WS.translation() += of_foot.radius * X_WF.linear().col(2);
   constexpr double kNear = 1e-3;  // [m]
   const double distance = watch_.NearestToFoot(foot, X_WS, kNear).distance_m;
-  if (!(distance >= limit)) findings_.Note("foot_clearance", where, time_s, distance, limit, "m");
+  if (!(distance >= limit)) findings_.Note(Law::kFootClearance, where, time_s, distance, limit, "m");
 }
 
 /// The swings of each foot in order, one for each gap between two of its intervals of contact.
@@ -71,7 +71,8 @@ void Auditor::CheckSwings() {
     if (swing.foot >= 0 && swing.foot < feet) {
       swings[static_cast<std::size_t>(swing.foot)].push_back(&swing);
     } else {
-      findings_.Note("consistency", "swing of a foot that is not there", swing.start_s, swing.foot, feet - 1.0, "1");
+      findings_.Note(Law::kConsistency, "swing of a foot that is not there", swing.start_s, swing.foot, feet - 1.0,
+                     "1");
     }
   }
   for (int f = 0; f < static_cast<int>(model_.legs.size()); ++f) {  // rests go with the body that they are part of
@@ -79,7 +80,7 @@ void Auditor::CheckSwings() {
     const auto& of_foot = swings[static_cast<std::size_t>(f)];
     const std::size_t gaps = intervals.empty() ? 0 : intervals.size() - 1;
     if (of_foot.size() != gaps) {
-      findings_.Note("consistency", FootName(f) + " number of swings", plan_.schedule.start_s(),
+      findings_.Note(Law::kConsistency, FootName(f) + " number of swings", plan_.schedule.start_s(),
                      static_cast<double>(of_foot.size()), static_cast<double>(gaps), "1");
     }
     for (std::size_t i = 0; i < std::min(gaps, of_foot.size()); ++i)
@@ -91,7 +92,7 @@ void Auditor::CheckSwing(const SwingTrajectory& swing, const ContactInterval& ga
   const std::string& foot = FootName(swing.foot);
   const auto fits = [&](const char* what, double value, double limit) {
     if (std::abs(value - limit) <= kTime) return true;
-    findings_.Note("consistency", foot + " swing's " + what + " against schedule", limit, value, limit, "s");
+    findings_.Note(Law::kConsistency, foot + " swing's " + what + " against schedule", limit, value, limit, "s");
     return false;
   };
   const bool starts = fits("start", swing.start_s, gap.start_s), ends = fits("end", swing.end_s, gap.end_s);

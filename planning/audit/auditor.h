@@ -81,7 +81,7 @@ class Auditor {
   /// Notes a breach of consistency unless `off` is at most `limit`.
   void Expect(const std::string& where, double time_s, double off, double limit, const char* unit) {
     findings_.Near(places_.columns, time_s, off / limit, 1.0, 1.0 - off / limit);
-    if (!(off <= limit)) findings_.Note("consistency", where, time_s, off, limit, unit);
+    if (!(off <= limit)) findings_.Note(Law::kConsistency, where, time_s, off, limit, unit);
   }
   /// Whether enough of the needed force presses on the ground, and on a plane, for a ZMP there to mean something.
   bool PressesOn(const GroundPlane& plane) const;

@@ -11,14 +11,14 @@ namespace {
 double SpareOf(const AuditMargin& margin) { return margin.share ? *margin.share : margin.margin; }
 
 /// Laws whose limits are sizes from zero up, so that a share of them means something.
-bool IsOfSize(const std::string& law) {
-  return law != "joint_position" && law != "zmp_support" && law != "unilateral" && !law.ends_with("_clearance") &&
-         law != "self_collision";
+bool IsOfSize(Law law) {
+  return law != Law::kJointPosition && law != Law::kZmpSupport && law != Law::kUnilateral &&
+         law != Law::kFootClearance && law != Law::kBodyClearance && law != Law::kSelfCollision;
 }
 
 }  // namespace
 
-int Findings::Place(const std::string& law, const std::string& where, const std::string& unit) {
+int Findings::Place(Law law, const std::string& where, const std::string& unit) {
   places_.emplace_back();
   names_.push_back({law, where, unit});
   return static_cast<int>(names_.size()) - 1;
@@ -29,17 +29,16 @@ void Findings::Break(int place, double at_s, double value, double limit) {
   Note(named.law, named.where, at_s, value, limit, named.unit.c_str());
 }
 
-void Findings::Note(const std::string& law, const std::string& where, double at_s, double value, double limit,
-                    const char* unit) {
+void Findings::Note(Law law, const std::string& where, double at_s, double value, double limit, const char* unit) {
   // A value that is no number breaks its law too.
   const double excess = std::isfinite(value) ? std::abs(value - limit) : 1e300;
-  auto& entry = worst_[{law, where}];
-  if (entry.second.law.empty() || excess > entry.first) entry = {excess, {law, at_s, where, value, limit, unit}};
+  const auto [entry, is_first] = worst_.try_emplace({law, where});
+  if (is_first || excess > entry->second.first) entry->second = {excess, {law, at_s, where, value, limit, unit}};
 }
 
 std::vector<Violation> Findings::Sorted() const {
   std::vector<Violation> sorted;
-  for (const std::string& law : AuditLaws()) {
+  for (const Law law : AllLaws()) {
     std::vector<std::pair<double, Violation>> of_law;
     for (const auto& [key, entry] : worst_) {
       if (key.first == law) of_law.push_back(entry);
@@ -52,7 +51,7 @@ std::vector<Violation> Findings::Sorted() const {
 
 std::vector<AuditMargin> Findings::Margins() const {
   std::vector<AuditMargin> sorted;
-  for (const std::string& law : AuditLaws()) {
+  for (const Law law : AllLaws()) {
     std::vector<AuditMargin> of_law;
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const Closest& closest = places_[i];

@@ -14,7 +14,7 @@ namespace gaitwright {
 class Findings {
  public:
   /// Names a place that a law is looked at. @return its number for Hold and Near, which allocate nothing.
-  int Place(const std::string& law, const std::string& where, const std::string& unit);
+  int Place(Law law, const std::string& where, const std::string& unit);
 
   /// What a place has at a time. `room` is how far it is inside of its limit, negative beyond; it breaks its law where
   /// that is less than -slack or no number. A limit that is infinite is none.
@@ -36,10 +36,9 @@ class Findings {
   void Rename(int place, const std::string& where) { names_[static_cast<std::size_t>(place)].where = where; }
 
   /// Notes a value that is past its limit; the one farthest past it is kept for each law and place.
-  void Note(const std::string& law, const std::string& where, double at_s, double value, double limit,
-            const char* unit);
+  void Note(Law law, const std::string& where, double at_s, double value, double limit, const char* unit);
 
-  /// Violations by law in the order of AuditLaws, then worst first.
+  /// Violations by law in the order of AllLaws, then worst first.
   std::vector<Violation> Sorted() const;
   /// The places that came near a limit at all, by law, then the one with the least to spare first.
   std::vector<AuditMargin> Margins() const;
@@ -49,13 +48,14 @@ class Findings {
     double room = 1e300, at_s = 0.0, value = 0.0, limit = 0.0;
   };
   struct Named {
-    std::string law, where, unit;
+    Law law;
+    std::string where, unit;
   };
   void Break(int place, double at_s, double value, double limit);
 
   std::vector<Closest> places_;
   std::vector<Named> names_;  // by place
-  std::map<std::pair<std::string, std::string>, std::pair<double, Violation>> worst_;
+  std::map<std::pair<Law, std::string>, std::pair<double, Violation>> worst_;
 };
 
 }  // namespace gaitwright

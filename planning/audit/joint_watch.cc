@@ -37,13 +37,13 @@ JointWatch::Watched JointWatch::Watch(int dof, int samples) {
   joint.jerk = options_.derate_jerk * model_.MotorOf(dof).jerk_limit;
   joint.effort = options_.derate_torque * actuator.effort_limit;
   joint.continuous = options_.derate_continuous * motor.continuous_effort;
-  joint.position = findings_.Place("joint_position", name, of_position);
-  joint.velocity = findings_.Place("joint_velocity", actuator.name, actuator.speed_unit());
-  joint.accelerated = findings_.Place("joint_acceleration", name, of_position + "/s^2");
-  joint.jerked = findings_.Place("joint_jerk", name, of_position + "/s^3");
-  joint.torque = findings_.Place("joint_torque", actuator.name, of_effort);
-  joint.curve = findings_.Place("torque_speed", actuator.name, of_effort);
-  joint.heat = findings_.Place("continuous_torque", actuator.name, of_effort);
+  joint.position = findings_.Place(Law::kJointPosition, name, of_position);
+  joint.velocity = findings_.Place(Law::kJointVelocity, actuator.name, actuator.speed_unit());
+  joint.accelerated = findings_.Place(Law::kJointAcceleration, name, of_position + "/s^2");
+  joint.jerked = findings_.Place(Law::kJointJerk, name, of_position + "/s^3");
+  joint.torque = findings_.Place(Law::kJointTorque, actuator.name, of_effort);
+  joint.curve = findings_.Place(Law::kTorqueSpeed, actuator.name, of_effort);
+  joint.heat = findings_.Place(Law::kContinuousTorque, actuator.name, of_effort);
   if (std::isfinite(joint.jerk)) joint.accelerations.assign(jerk_steps_, 0.0);
   if (std::isfinite(joint.continuous)) {
     const double steps = std::min(std::round(motor.thermal_s * options_.rate_hz), static_cast<double>(samples));
@@ -119,17 +119,17 @@ void JointWatch::Finish(double time_s) {
 
 std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
   struct Known {
-    const char* law;
+    Law law;
     const char* what;
     bool of_joint;  // rather than of the motor
     bool (*of)(const Motor&);
   };
   const Known all[] = {
-      {"joint_acceleration", "limit of acceleration", true,
+      {Law::kJointAcceleration, "limit of acceleration", true,
        [](const Motor& m) { return std::isfinite(m.acceleration_limit); }},
-      {"joint_jerk", "limit of jerk", true, [](const Motor& m) { return std::isfinite(m.jerk_limit); }},
-      {"torque_speed", "torque-speed curve", false, [](const Motor& m) { return m.has_curve(); }},
-      {"continuous_torque", "continuous torque", false,
+      {Law::kJointJerk, "limit of jerk", true, [](const Motor& m) { return std::isfinite(m.jerk_limit); }},
+      {Law::kTorqueSpeed, "torque-speed curve", false, [](const Motor& m) { return m.has_curve(); }},
+      {Law::kContinuousTorque, "continuous torque", false,
        [](const Motor& m) { return std::isfinite(m.continuous_effort); }}};
   const std::vector<Actuator> motors = ActuatorsOf(model);
   std::vector<std::string> lines;
@@ -142,7 +142,7 @@ std::vector<std::string> UnknownOfMotors(const RobotModel& model) {
     }
     if (without.empty()) continue;
     const bool none = static_cast<int>(without.size()) == model.num_dofs();
-    lines.push_back(fmt::format("{} not applied{}: no robot.yaml gives {} {}", known.law,
+    lines.push_back(fmt::format("{} not applied{}: no robot.yaml gives {} {}", LawName(known.law),
                                 none ? "" : fmt::format(" to {}", QuotedList(without)), none ? "any" : "their",
                                 known.what));
   }

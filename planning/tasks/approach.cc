@@ -279,10 +279,13 @@ std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& wa
   if (!audit) return audit.failure();
   if (audit->pass()) return std::nullopt;
   const Violation& worst = audit->violations.front();
-  return Infeasible(worst.law,
-                    fmt::format("the way to the plan's first posture breaks the law '{}': {}, {} at {:.2f} s "
-                                "(limit {:.4g})",
-                                worst.law, worst.where, AuditFigure(worst.value, worst.unit), worst.at_s, worst.limit));
+  Failure failure = Infeasible(
+      LawName(worst.law),
+      fmt::format("the way to the plan's first posture breaks the law '{}': {}, {} at {:.2f} s "
+                  "(limit {:.4g})",
+                  LawName(worst.law), worst.where, AuditFigure(worst.value, worst.unit), worst.at_s, worst.limit));
+  failure.violation = worst;
+  return failure;
 }
 
 }  // namespace

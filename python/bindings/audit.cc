@@ -26,18 +26,18 @@ AuditReport AuditOf(const Plan& plan, bool margins, const py::dict& options) {
 
 void BindAudit(py::module_& module) {
   py::class_<Violation>(module, "Violation", "A law that a plan breaks, where it is worst.")
-      .def_readonly("law", &Violation::law)
+      .def_property_readonly("law", [](const Violation& v) { return LawName(v.law); })
       .def_readonly("at_s", &Violation::at_s)
       .def_readonly("where", &Violation::where, "Joint, foot or pair of links.")
       .def_readonly("value", &Violation::value)
       .def_readonly("limit", &Violation::limit)
       .def_readonly("unit", &Violation::unit)
       .def("__repr__", [](const Violation& v) {
-        return fmt::format("<gaitwright.Violation {} at {:.3f} s, {}: {:.4g} over {:.4g} {}>", v.law, v.at_s, v.where,
-                           v.value, v.limit, v.unit);
+        return fmt::format("<gaitwright.Violation {} at {:.3f} s, {}: {:.4g} over {:.4g} {}>", LawName(v.law), v.at_s,
+                           v.where, v.value, v.limit, v.unit);
       });
   py::class_<AuditMargin>(module, "AuditMargin", "How near a plan comes to the limit of a law at one place.")
-      .def_readonly("law", &AuditMargin::law)
+      .def_property_readonly("law", [](const AuditMargin& m) { return LawName(m.law); })
       .def_readonly("at_s", &AuditMargin::at_s, "When it is nearest.")
       .def_readonly("where", &AuditMargin::where)
       .def_readonly("value", &AuditMargin::value)
@@ -58,7 +58,7 @@ void BindAudit(py::module_& module) {
         return fmt::format("<gaitwright.AuditReport {}: {} violations, {} samples>", report.pass() ? "pass" : "fail",
                            report.violations.size(), report.samples);
       });
-  module.attr("AUDIT_LAWS") = AuditLaws();
+  module.attr("AUDIT_LAWS") = LawNames();
   module.def("audit", AuditOf, py::arg("plan").none(false), py::arg("margins") = false, py::arg("options") = py::dict(),
              R"(Looks at a plan at 1 kHz, between its nodes too: dynamics, forces, limits, reach, clearance and more.
 

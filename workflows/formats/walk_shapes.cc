@@ -32,7 +32,7 @@ DataShape FilesShape(const std::vector<std::string>& kinds) {
 }
 
 DataShape MarginShape() {
-  return Object({{"law", Text(AuditLaws())},
+  return Object({{"law", Text(LawNames())},
                  {"at_s", Number()},
                  {"where", Text()},
                  {"value", Number()},
@@ -43,7 +43,7 @@ DataShape MarginShape() {
 }
 
 DataShape AuditShape() {
-  const DataShape violation = Object({{"law", Text(AuditLaws())},
+  const DataShape violation = Object({{"law", Text(LawNames())},
                                       {"at_s", Number(), "When it is worst."},
                                       {"where", Text(), "Joint, foot or pair of links."},
                                       {"value", Number()},

@@ -74,7 +74,7 @@ void Judge(const JudgeSetup& setup, const MotionRun& run, const MotionPlan& plan
   outcome.audit_passes = audit.pass();
   if (!audit.pass()) {
     const Violation& worst = audit.violations.front();
-    outcome.audit_words = fmt::format("{} at {:.2f} s, {}: {}, limit {}", worst.law, worst.at_s, worst.where,
+    outcome.audit_words = fmt::format("{} at {:.2f} s, {}: {}, limit {}", LawName(worst.law), worst.at_s, worst.where,
                                       AuditFigure(worst.value, worst.unit), AuditFigure(worst.limit, worst.unit));
   }
   const PlayedWalk played = PlayOnce(setup, plan, run.play);

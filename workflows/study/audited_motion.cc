@@ -19,7 +19,7 @@ namespace {
 double StrayOf(const AuditReport& report) {
   double stray_m = 0.0;
   for (const Violation& v : report.violations) {
-    if (v.law == "joint_position") stray_m = std::max(stray_m, std::abs(v.value - v.limit));
+    if (v.law == Law::kJointPosition) stray_m = std::max(stray_m, std::abs(v.value - v.limit));
   }
   return stray_m;
 }

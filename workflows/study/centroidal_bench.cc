@@ -165,7 +165,7 @@ std::string FirstOf(const AuditReport& report) {
   if (report.samples == 0) return "no plan";
   if (report.pass()) return "pass";
   const Violation& first = report.violations.front();
-  return fmt::format("{} {:.3f} s", first.law, first.at_s);
+  return fmt::format("{} {:.3f} s", LawName(first.law), first.at_s);
 }
 
 /// What the audit says of cases: of motions as planned, and after they were planned anew until they pass; nothing where

@@ -101,7 +101,7 @@ std::string ShareText(const TrialsResult& trials, int k, int different_k, const 
 void JudgeStart(const PreflightInput& input, Preflight& preflight) {
   bool moves = false, jumps = false;
   for (const Violation& v : preflight.audit.violations) {
-    if (v.law != "start_posture") continue;
+    if (v.law != Law::kStartPosture) continue;
     if (v.where == kStartTilt) {
       preflight.remarks.push_back(
           fmt::format("the measured base is tilted by {} against the first command, which no way of the joints mends: "
@@ -183,15 +183,15 @@ void Assume(const RobotModel& model, const MotionPlan& plan, const PreflightInpu
 
 }  // namespace
 
-std::string LawWords(const std::string& law) {
-  std::string words = law == "zmp_support"     ? "balance (ZMP in the support)"
-                      : law == "unilateral"    ? "feet only push"
-                      : law == "torque_speed"  ? "torque at speed"
-                      : law == "consistency"   ? "columns agree"
-                      : law == "start_posture" ? "start posture"
-                      : law == "friction_cone" ? "friction"
-                      : law == "dynamics"      ? "forces give the motion"
-                                               : law;
+std::string LawWords(Law law) {
+  std::string words = law == Law::kZmpSupport     ? "balance (ZMP in the support)"
+                      : law == Law::kUnilateral   ? "feet only push"
+                      : law == Law::kTorqueSpeed  ? "torque at speed"
+                      : law == Law::kConsistency  ? "columns agree"
+                      : law == Law::kStartPosture ? "start posture"
+                      : law == Law::kFrictionCone ? "friction"
+                      : law == Law::kDynamics     ? "forces give the motion"
+                                                  : LawName(law);
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
 }

@@ -76,7 +76,7 @@ std::string PreflightJson(const Preflight& preflight,
 std::string PreflightPage(const Preflight& preflight);
 
 /// A law in words, as "joint torque".
-std::string LawWords(const std::string& law);
+std::string LawWords(Law law);
 
 /// "487 of 500 trials survived: 97.4 %, and with 95 % certainty from 95.6 to 98.5 %"; where trials repeat others, of
 /// those that differ.

@@ -10,14 +10,14 @@ namespace gaitwright {
 namespace {
 
 /// Laws with a limit of each joint, in the order of their columns, and how these are headed.
-const std::vector<std::pair<std::string, std::string>>& JointLaws() {
-  static const std::vector<std::pair<std::string, std::string>> laws = {{"joint_position", "to its stop"},
-                                                                        {"joint_velocity", "speed"},
-                                                                        {"joint_acceleration", "acceleration"},
-                                                                        {"joint_jerk", "jerk"},
-                                                                        {"joint_torque", "torque"},
-                                                                        {"torque_speed", "torque at speed"},
-                                                                        {"continuous_torque", "continuous"}};
+const std::vector<std::pair<Law, std::string>>& JointLaws() {
+  static const std::vector<std::pair<Law, std::string>> laws = {{Law::kJointPosition, "to its stop"},
+                                                                {Law::kJointVelocity, "speed"},
+                                                                {Law::kJointAcceleration, "acceleration"},
+                                                                {Law::kJointJerk, "jerk"},
+                                                                {Law::kJointTorque, "torque"},
+                                                                {Law::kTorqueSpeed, "torque at speed"},
+                                                                {Law::kContinuousTorque, "continuous"}};
   return laws;
 }
 
@@ -29,8 +29,8 @@ std::string CellOf(const AuditMargin& margin) {
 
 JointMargins JointMarginsOf(const std::vector<AuditMargin>& margins) {
   JointMargins table;
-  std::map<std::string, std::map<std::string, const AuditMargin*>> of;  // by joint and law
-  std::vector<std::string> laws;
+  std::map<std::string, std::map<Law, const AuditMargin*>> of;  // by joint and law
+  std::vector<Law> laws;
   for (const auto& [law, heading] : JointLaws()) {
     for (const AuditMargin& margin : margins) {
       if (margin.law != law) continue;
@@ -43,7 +43,7 @@ JointMargins JointMarginsOf(const std::vector<AuditMargin>& margins) {
   }
   for (const auto& [joint, by_law] : of) {
     JointMargins::Row row{joint, {}, {}};
-    for (const std::string& law : laws) {
+    for (const Law law : laws) {
       const auto found = by_law.find(law);
       row.cells.push_back(found == by_law.end() ? "\u2013" : CellOf(*found->second));
       row.broken.push_back(found != by_law.end() && found->second->margin < 0.0);

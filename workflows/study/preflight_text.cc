@@ -71,8 +71,9 @@ std::string JointsText(const Preflight& preflight) {
 }
 
 Json MarginJson(const AuditMargin& m) {
-  return {{"law", m.law},     {"at_s", m.at_s}, {"where", m.where},   {"value", m.value},
-          {"limit", m.limit}, {"unit", m.unit}, {"margin", m.margin}, {"share", m.share ? Json(*m.share) : Json()}};
+  return {
+      {"law", LawName(m.law)}, {"at_s", m.at_s}, {"where", m.where},   {"value", m.value},
+      {"limit", m.limit},      {"unit", m.unit}, {"margin", m.margin}, {"share", m.share ? Json(*m.share) : Json()}};
 }
 
 Json DifferentJson(const TrialsResult& trials) {

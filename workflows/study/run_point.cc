@@ -43,7 +43,7 @@ void Judge(PointOutcome& outcome, const PlannedWalk& planned, const StabilityRep
   }
   if (planned.audit.pass()) return;
   outcome.status = PointStatus::kAuditFailed;
-  outcome.code = planned.audit.violations.front().law;
+  outcome.code = LawName(planned.audit.violations.front().law);
   outcome.reason = fmt::format("the plan fails its audit: {}; in physics: {}", outcome.code, report.reason);
 }
 

@@ -68,7 +68,7 @@ CandidateWorth JudgeCandidate(const Study& study, RecentPlans& plans, const Stud
   const RecentPlans::Shared planned = plans.Take(values);
   if (!planned->ok()) return {planned->failure().message, {}};
   const AuditReport& audit = planned->value().audit;
-  if (!audit.pass()) return {"the plan fails its audit: " + audit.violations.front().law, {}};
+  if (!audit.pass()) return {"the plan fails its audit: " + LawName(audit.violations.front().law), {}};
   try {
     return JudgeOver(study, values, planned->value(), first, count);
   } catch (const InvalidArgument& error) {

@@ -75,10 +75,12 @@ double EaseOf(const AuditReport& audit) {
   double ease = 1.0;
   for (const Violation& v : BrokenLimits(audit)) {
     double share = kOtherwise;
-    if (v.law.starts_with("joint_") && v.law != "joint_position") share = std::abs(v.limit / v.value);
+    if (v.law == Law::kJointVelocity || v.law == Law::kJointAcceleration || v.law == Law::kJointJerk ||
+        v.law == Law::kJointTorque)
+      share = std::abs(v.limit / v.value);
     // Torques and accelerations go with the square of the pace, jerk with its cube.
-    if (v.law == "joint_torque" || v.law == "joint_acceleration") share = std::sqrt(share);
-    if (v.law == "joint_jerk") share = std::cbrt(share);
+    if (v.law == Law::kJointTorque || v.law == Law::kJointAcceleration) share = std::sqrt(share);
+    if (v.law == Law::kJointJerk) share = std::cbrt(share);
     ease = std::min(ease, share);
   }
   return std::clamp(kSpare * ease, kLeast, kMost);

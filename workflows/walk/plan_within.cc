@@ -27,6 +27,8 @@ bool IsInPlace(const WalkCommand& c) {
          c.yaw_rate_rad_s == 0.0 && c.step_length_m == 0.0;
 }
 
+bool IsOfBalance(const Failure& failure) { return failure.violation && failure.violation->law == Law::kZmpSupport; }
+
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
 /// enough, and no matter how good.
 WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
@@ -87,7 +89,7 @@ class Search {
       Result<PlannedWalk> eased = IsOwnPace() ? Eased(command, kOwnEases) : Eased(command, kEases);
       return eased ? eased : first;
     }
-    const bool ground = first ? BrokenLimits(first->audit).empty() : first.failure().code == "zmp_support";
+    const bool ground = first ? BrokenLimits(first->audit).empty() : IsOfBalance(first.failure());
     Result<PlannedWalk> other = FirstOf(ground ? std::vector<int>{-1, -2, -3, -4, 1, 2, 3, 4, 5, 6}
                                                : std::vector<int>{1, 2, 3, 4, 5, 6, -1, -2, -3, -4},
                                         *cycles, command);

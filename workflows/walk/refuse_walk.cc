@@ -25,9 +25,9 @@ double Digits(double value, int digits) {
 }
 
 bool IsLimit(const Violation& v) {
-  static const std::set<std::string> kLimits = {"joint_position",    "joint_velocity", "joint_acceleration",
-                                                "joint_jerk",        "joint_torque",   "torque_speed",
-                                                "continuous_torque", "reach",          "self_collision"};
+  static const std::set<Law> kLimits = {Law::kJointPosition,    Law::kJointVelocity, Law::kJointAcceleration,
+                                        Law::kJointJerk,        Law::kJointTorque,   Law::kTorqueSpeed,
+                                        Law::kContinuousTorque, Law::kReach,         Law::kSelfCollision};
   return kLimits.contains(v.law);
 }
 
@@ -77,11 +77,11 @@ std::vector<Violation> BrokenLimits(const AuditReport& audit) {
                    [](const Violation& a, const Violation& b) { return Passed(a) > Passed(b); });
   const auto too_fast = [&](const std::string& where) {
     return std::any_of(broken.begin(), broken.end(),
-                       [&](const Violation& v) { return v.law == "joint_velocity" && v.where == where; });
+                       [&](const Violation& v) { return v.law == Law::kJointVelocity && v.where == where; });
   };
   std::vector<Violation> causes,
       followers;  // a motor past its no-load speed has no torque left, however little it needs
-  for (const Violation& v : broken) (v.law == "torque_speed" && too_fast(v.where) ? followers : causes).push_back(v);
+  for (const Violation& v : broken) (v.law == Law::kTorqueSpeed && too_fast(v.where) ? followers : causes).push_back(v);
   causes.insert(causes.end(), followers.begin(), followers.end());
   return causes;
 }
@@ -107,38 +107,39 @@ Failure WhyForbidden(const PlannedWalk& planned) {
   const std::size_t limits = BrokenLimits(planned.audit).size();
   return {
       FailureKind::kInfeasible,
-      limits > 0 ? "limits" : forbidding.front().law,
+      limits > 0 ? "limits" : LawName(forbidding.front().law),
       "PlanWalk",
       LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} limits that are broken)", limits) : ""),
-      {}};
+      {},
+      forbidding.front()};
 }
 
 std::string LimitText(const Violation& v) {
-  if (v.law == "self_collision") return fmt::format("{} collide at {:.2f} s", v.where, v.at_s);
-  if (v.law == "dynamics" && v.where.starts_with("base")) {
+  if (v.law == Law::kSelfCollision) return fmt::format("{} collide at {:.2f} s", v.where, v.at_s);
+  if (v.law == Law::kDynamics && v.where.starts_with("base")) {
     return fmt::format(
         "at {:.2f} s the feet on the ground cannot push as the motion needs: {:.3g} {} are lacking, "
         "where {:.2g} may be; there is too little friction, or too little ground to balance on",
         v.at_s, v.value, v.unit, v.limit);
   }
-  if (v.law == "zmp_support") {
+  if (v.law == Law::kZmpSupport) {
     return fmt::format("the {} is {:.1f} mm outside the feet on the ground at {:.2f} s, where {:.2g} mm may be",
                        v.where, 1e3 * v.value, v.at_s, 1e3 * v.limit);
   }
-  if (v.law == "body_clearance")
+  if (v.law == Law::kBodyClearance)
     return fmt::format("'{}' is {:.1f} mm in the ground or an obstacle at {:.2f} s", v.where, -1e3 * v.value, v.at_s);
   if (!IsLimit(v)) {
-    return fmt::format("the plan breaks the law '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", v.law, v.where,
-                       v.value, v.unit, v.at_s, v.limit);
+    return fmt::format("the plan breaks the law '{}': {}, {:.4g} {} at {:.2f} s (limit {:.4g})", LawName(v.law),
+                       v.where, v.value, v.unit, v.at_s, v.limit);
   }
-  const char* what = v.law == "joint_torque"         ? "needs"
-                     : v.law == "torque_speed"       ? "needs, at the speed that it has,"
-                     : v.law == "continuous_torque"  ? "needs, as a mean over time,"
-                     : v.law == "joint_velocity"     ? "moves at"
-                     : v.law == "joint_acceleration" ? "accelerates at"
-                     : v.law == "joint_jerk"         ? "changes its acceleration by"
-                     : v.law == "joint_position"     ? "is at"
-                                                     : "reaches for";
+  const char* what = v.law == Law::kJointTorque         ? "needs"
+                     : v.law == Law::kTorqueSpeed       ? "needs, at the speed that it has,"
+                     : v.law == Law::kContinuousTorque  ? "needs, as a mean over time,"
+                     : v.law == Law::kJointVelocity     ? "moves at"
+                     : v.law == Law::kJointAcceleration ? "accelerates at"
+                     : v.law == Law::kJointJerk         ? "changes its acceleration by"
+                     : v.law == Law::kJointPosition     ? "is at"
+                                                        : "reaches for";
   return fmt::format("'{}' {} {:.4g} {} at {:.2f} s, {:.3g} {} past its limit of {:.4g}", v.where, what, v.value,
                      v.unit, v.at_s, std::abs(v.value - v.limit), v.unit, v.limit);
 }

@@ -21,7 +21,7 @@ std::vector<std::string> Lines(const std::string& text) {
 }  // namespace
 
 std::string Judged::objection() const {
-  return audit_counts && !audit.pass() ? "the plan fails its audit: " + audit.violations.front().law : "";
+  return audit_counts && !audit.pass() ? "the plan fails its audit: " + LawName(audit.violations.front().law) : "";
 }
 
 std::string WalkReport(const Judged& judged) {

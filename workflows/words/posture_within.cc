@@ -13,10 +13,10 @@ namespace gaitwright::tasks {
 namespace {
 
 /// Laws that more time does not mend.
-bool IsOfPlace(const std::string& law) {
-  constexpr std::array<const char*, 5> kOfPlace = {"joint_position", "reach", "self_collision", "foot_clearance",
-                                                   "body_clearance"};
-  return std::any_of(kOfPlace.begin(), kOfPlace.end(), [&](const char* of_place) { return law == of_place; });
+bool IsOfPlace(Law law) {
+  constexpr std::array<Law, 5> kOfPlace = {Law::kJointPosition, Law::kReach, Law::kSelfCollision, Law::kFootClearance,
+                                           Law::kBodyClearance};
+  return std::find(kOfPlace.begin(), kOfPlace.end(), law) != kOfPlace.end();
 }
 
 /// One size, slower and slower.
@@ -31,7 +31,7 @@ Result<PostureMotion> Try(const RobotModel& model, const PostureMotion& motion, 
     if (!audit) return audit.failure();
     if (audit->pass()) return slower;
     failure = WhyBroken(motion.name, *audit);
-    if (IsOfPlace(failure.code)) break;
+    if (IsOfPlace(failure.violation->law)) break;
   }
   return failure;
 }
@@ -51,10 +51,11 @@ Failure WhyBroken(const std::string& what, const AuditReport& audit) {
   const std::vector<Violation> forbidding = Forbidding(audit);
   const Violation& worst = forbidding.empty() ? audit.violations.front() : forbidding.front();
   return {FailureKind::kInfeasible,
-          worst.law,
+          LawName(worst.law),
           "PlanTasks",
-          fmt::format("'{}' breaks the law '{}': {}", what, worst.law, LimitText(worst)),
-          {}};
+          fmt::format("'{}' breaks the law '{}': {}", what, LawName(worst.law), LimitText(worst)),
+          {},
+          worst};
 }
 
 Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize& motion, const Sizes& sizes,

@@ -25,7 +25,7 @@ class AuditConsistency : public testing::TestWithParam<std::string> {
     MotionPlan plan = good();
     change(plan);
     const auto found = ViolationsOf(model(), plan);
-    EXPECT_EQ(LawsOf(found), Laws{"consistency"}) << where;
+    EXPECT_EQ(LawsOf(found), Laws{Law::kConsistency}) << where;
     return At(found, where);
   }
   static std::size_t SwingOfFoot0(const MotionPlan& plan) {
@@ -99,7 +99,7 @@ TEST_P(AuditConsistency, ASwingsCurveThroughTheGroundIsNamedForThat) {
   SwingTrajectory& swing = plan.swings[SwingOfFoot0(plan)];
   swing.lift_m = -0.05;
   const auto found = ViolationsOf(model(), plan);
-  EXPECT_EQ(LawsOf(found), (Laws{"consistency", "foot_clearance"}));
+  EXPECT_EQ(LawsOf(found), (Laws{Law::kConsistency, Law::kFootClearance}));
   const Violation& depth = At(found, foot() + " on its swing");
   EXPECT_NEAR(depth.value, -0.05, 1e-3);
   EXPECT_NEAR(depth.at_s, 0.5 * (swing.start_s + swing.end_s), 3e-3);
@@ -226,7 +226,7 @@ TEST(AuditConsistencyOfCurves, HoldsForArcsAndCrawls) {
     MotionPlan plan = PlanOf(a1, "trot", command);
     EXPECT_EQ(ViolationsOf(a1, plan), std::vector<Violation>{});
     plan.parts.front().command.yaw_rate_rad_s = -arc.yaw_rate_rad_s;
-    EXPECT_EQ(LawsOf(ViolationsOf(a1, plan)), Laws{"consistency"});
+    EXPECT_EQ(LawsOf(ViolationsOf(a1, plan)), Laws{Law::kConsistency});
   }
   WalkCommand crawl;
   crawl.speed_m_s = 0.1;

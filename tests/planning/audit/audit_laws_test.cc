@@ -62,7 +62,7 @@ TEST_P(AuditLaw, DynamicsFindsATorqueThatIsNotOfTheMotion) {
   plan.whole_body.tau[row()][0] += 1.5 * limit;
   const auto found = ViolationsOf(model(), plan);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "dynamics");
+  EXPECT_EQ(found[0].law, Law::kDynamics);
   EXPECT_EQ(found[0].where, model().dof_names[0]);
   EXPECT_NEAR(found[0].at_s, row_s(), 1e-9);
   EXPECT_NEAR(found[0].value, 1.5 * limit, 0.1 * limit);
@@ -75,7 +75,7 @@ TEST_P(AuditLaw, UnilateralFindsAFootThatPulls) {
   plan.whole_body.wrenches[row()][0].force_W.z() -= pull;
   const auto found = ViolationsOf(model(), plan);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "unilateral");
+  EXPECT_EQ(found[0].law, Law::kUnilateral);
   EXPECT_EQ(found[0].where, foot());
   EXPECT_NEAR(found[0].at_s, row_s(), 1e-9);
   EXPECT_NEAR(found[0].value, -pull, 1e-9);
@@ -92,7 +92,7 @@ TEST_P(AuditLaw, FrictionConeFindsAGroundTooSlippery) {
   MotionPlan plan = good();
   plan.terrain = FlatTerrain(0.8 * LargestOf(model(), good(), use).second);
   const auto found = ViolationsOf(model(), plan);
-  EXPECT_EQ(LawsOf(found), Laws{"friction_cone"});
+  EXPECT_EQ(LawsOf(found), Laws{Law::kFrictionCone});
   for (std::size_t f = 0; f < model().feet.size(); ++f) {
     const auto at =
         std::find_if(found.begin(), found.end(), [&](const auto& v) { return v.where == model().feet[f].name; });
@@ -108,7 +108,7 @@ TEST_P(AuditLaw, ZmpSupportFindsAnAccelerationThatPutsItOut) {
   MotionPlan plan = good();
   plan.whole_body.a[row()][1] += out * kGravity / height;
   const auto found = ViolationsOf(model(), plan);
-  EXPECT_EQ(LawsOf(found), (Laws{"consistency", "zmp_support", "dynamics"}));
+  EXPECT_EQ(LawsOf(found), (Laws{Law::kConsistency, Law::kZmpSupport, Law::kDynamics}));
   const Violation& zmp = At(found, "zero-moment point");
   EXPECT_NEAR(zmp.at_s, row_s(), 1e-9);
   EXPECT_LT(zmp.value, out);
@@ -119,7 +119,7 @@ TEST_P(AuditLaw, ZmpSupportFindsAReferenceOutside) {
   MotionPlan plan = good();
   plan.centroidal.p_WZ[row()].y() += 0.2;
   const auto found = ViolationsOf(model(), plan);
-  EXPECT_EQ(LawsOf(found), (Laws{"consistency", "zmp_support"}));
+  EXPECT_EQ(LawsOf(found), (Laws{Law::kConsistency, Law::kZmpSupport}));
   EXPECT_NEAR(At(found, "reference of the zero-moment point").at_s, row_s(), 1e-9);
 }
 
@@ -130,7 +130,7 @@ TEST_P(AuditLaw, JointPositionFindsALimitPassed) {
   stiff.joints[static_cast<std::size_t>(stiff.dof_joint[static_cast<std::size_t>(dof)])].upper = most - 0.01;
   const auto found = ViolationsOf(stiff, good());
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "joint_position");
+  EXPECT_EQ(found[0].law, Law::kJointPosition);
   EXPECT_EQ(found[0].where, model().dof_names[static_cast<std::size_t>(dof)]);
   EXPECT_NEAR(found[0].value, most, 1e-12);
   EXPECT_NEAR(found[0].at_s, at_s, 1e-9);
@@ -145,7 +145,7 @@ TEST_P(AuditLaw, JointVelocityFindsALimitPassed) {
   slow.joints[static_cast<std::size_t>(slow.dof_joint[static_cast<std::size_t>(dof)])].velocity_limit = 0.95 * most;
   const auto found = ViolationsOf(slow, good());
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "joint_velocity");
+  EXPECT_EQ(found[0].law, Law::kJointVelocity);
   EXPECT_EQ(found[0].where, model().dof_names[static_cast<std::size_t>(dof)]);
   EXPECT_NEAR(found[0].value, most, 1e-9);
   EXPECT_NEAR(found[0].at_s, at_s, 1e-9);
@@ -160,7 +160,7 @@ TEST_P(AuditLaw, JointTorqueFindsALimitPassed) {
   weak.joints[static_cast<std::size_t>(weak.dof_joint[static_cast<std::size_t>(dof)])].effort_limit = 0.95 * most;
   const auto found = ViolationsOf(weak, good());
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "joint_torque");
+  EXPECT_EQ(found[0].law, Law::kJointTorque);
   EXPECT_EQ(found[0].where, model().dof_names[static_cast<std::size_t>(dof)]);
   EXPECT_NEAR(found[0].value, most, 1e-9);
   EXPECT_NEAR(found[0].at_s, at_s, 1e-9);
@@ -171,7 +171,7 @@ TEST_P(AuditLaw, ReachFindsAFootholdFartherThanTheLegIsLong) {
   Foothold& last = plan.footsteps.footholds[static_cast<std::size_t>(FootholdAt(plan.footsteps, 0, 1e9))];
   last.X_WF.translation().x() += 2.0 * model().leg_length_m();
   const auto found = ViolationsOf(model(), plan);
-  EXPECT_EQ(LawsOf(found), (Laws{"consistency", "reach"}));
+  EXPECT_EQ(LawsOf(found), (Laws{Law::kConsistency, Law::kReach}));
   const Violation& reach = found.back();
   EXPECT_EQ(reach.where, foot());
   EXPECT_GE(reach.at_s, last.touchdown_s);
@@ -201,7 +201,7 @@ TEST_P(AuditLaw, SelfCollisionFindsHowDeepAFootGoesIntoWhatIsAheadOfIt) {
   }
   const auto found = ViolationsOf(balls, good());
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "self_collision");
+  EXPECT_EQ(found[0].law, Law::kSelfCollision);
   EXPECT_EQ(found[0].where, lifted.link + " and " + model().feet[1].link);
   EXPECT_NEAR(found[0].value, kDepth, 1e-5);
   EXPECT_NEAR(found[0].at_s, at_s, 1.5e-3);
@@ -219,7 +219,7 @@ TEST_P(AuditLaw, FootClearanceFindsABumpUnderASwing) {
   const auto found = ViolationsOf(model(), plan);
   // Whatever else comes along there, such as a shank, may hit it too.
   ASSERT_FALSE(found.empty());
-  EXPECT_EQ(found[0].law, "foot_clearance");
+  EXPECT_EQ(found[0].law, Law::kFootClearance);
   for (const Violation& violation : found) EXPECT_TRUE(violation.law.ends_with("_clearance")) << violation.law;
   const Violation& hit = At(found, foot());
   EXPECT_NEAR(hit.at_s, row_s(), 0.01);
@@ -241,7 +241,7 @@ TEST_P(AuditLaw, BodyClearanceFindsAPostThatTheTrunkPassesInFourMilliseconds) {
   plan.terrain.patches.push_back(post);
   const auto found = ViolationsOf(ball, plan);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "body_clearance");
+  EXPECT_EQ(found[0].law, Law::kBodyClearance);
   EXPECT_EQ(found[0].where, "ball");
   EXPECT_NEAR(found[0].at_s, middle_s, 2.0 * kHalf_s + kSample_s);
   EXPECT_NEAR(found[0].value, -kOver, 2e-4);
@@ -336,7 +336,7 @@ TEST(AuditOfSlides, GivesLengthsAndForces) {
   slides.joints[0].type = JointType::kPrismatic;
   slides.joints[0].lower = 0.01;
   const auto found = ViolationsOf(slides, nao.plan);
-  EXPECT_EQ(LawsOf(found), (Laws{"joint_position", "dynamics"}));
+  EXPECT_EQ(LawsOf(found), (Laws{Law::kJointPosition, Law::kDynamics}));
   EXPECT_EQ(found[0].where, nao.model.dof_names[0]);
   EXPECT_EQ(found[0].unit, "m");
   EXPECT_EQ(At({found[1]}, nao.model.dof_names[0]).unit, "N");
@@ -349,7 +349,7 @@ TEST(AuditOfTorques, FindsAQuarterNewtonMetreOnASmallJoint) {
   for (VectorX& tau : plan.whole_body.tau) tau[head] += 0.25;
   const auto found = ViolationsOf(nao.model, plan);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "dynamics");
+  EXPECT_EQ(found[0].law, Law::kDynamics);
   EXPECT_EQ(found[0].where, "HeadYaw");
   EXPECT_NEAR(found[0].value, 0.25, 1e-3);
 }

@@ -69,7 +69,7 @@ TEST_P(MotorLaw, TorqueSpeedFindsATorqueThatTheMotorDoesNotHaveAtItsSpeed) {
   EXPECT_TRUE(Passes());
   motor().no_load_speed = 0.97 * least;
   const Violation found = Only();
-  EXPECT_EQ(found.law, "torque_speed");
+  EXPECT_EQ(found.law, Law::kTorqueSpeed);
   const Moment at(model_, plan_, found.at_s);
   EXPECT_NEAR(found.value, std::abs(at.sample.tau[dof_]), 1e-9);
   EXPECT_NEAR(found.limit, std::max(0.0, peak * (1.0 - std::abs(at.sample.v[6 + dof_]) / motor().no_load_speed)), 1e-9);
@@ -86,7 +86,7 @@ TEST_P(MotorLaw, DeratingNarrowsTheCurve) {
   options.derate_speed = 0.9 * fastest / motor().no_load_speed;
   const auto found = Audit(model_, plan_, options).value().violations;
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Violation& each) {
-    return each.law == "torque_speed" && each.where == name() && each.limit == 0.0;
+    return each.law == Law::kTorqueSpeed && each.where == name() && each.limit == 0.0;
   }));
 }
 
@@ -100,14 +100,14 @@ TEST_P(MotorLaw, TorqueSpeedTellsItsMarginWhereTheWholePeakHoldsToo) {
   const AuditReport report = Audit(model_, plan_, options).value();
   EXPECT_TRUE(report.pass()) << AuditText(report);
   const auto found = std::find_if(report.margins.begin(), report.margins.end(),
-                                  [](const AuditMargin& m) { return m.law == "torque_speed"; });
+                                  [](const AuditMargin& m) { return m.law == Law::kTorqueSpeed; });
   ASSERT_NE(found, report.margins.end()) << "a curve that is kept is a law that was looked at";
   EXPECT_EQ(found->where, name());
   const auto [most, at_s] = Largest([&](std::size_t k) { return std::abs(tau(k)); });
   EXPECT_EQ(std::pair(found->value, found->at_s), std::pair(most, at_s));
   EXPECT_NEAR(found->limit, 0.9 * model_.dof_effort_limit(dof_), 1e-12) << "the limit in force";
   joint().effort_limit = 0.5 * most;
-  EXPECT_EQ(Only().law, "joint_torque") << "below the corner that law says it alone";
+  EXPECT_EQ(Only().law, Law::kJointTorque) << "below the corner that law says it alone";
 }
 
 TEST_P(MotorLaw, ACurveWhosePeakIsAPlaceholderIsNotTakenForKnown) {
@@ -124,7 +124,7 @@ TEST_P(MotorLaw, ACurveWhosePeakIsAPlaceholderIsNotTakenForKnown) {
   AuditOptions options;
   options.margins = true;
   const AuditReport report = Audit(model_, plan_, options).value();
-  for (const AuditMargin& margin : report.margins) EXPECT_NE(margin.law, "torque_speed");
+  for (const AuditMargin& margin : report.margins) EXPECT_NE(margin.law, Law::kTorqueSpeed);
 }
 
 TEST_P(MotorLaw, AccelerationFindsALimitPassed) {
@@ -133,7 +133,7 @@ TEST_P(MotorLaw, AccelerationFindsALimitPassed) {
   EXPECT_TRUE(Passes());
   motor().acceleration_limit = 0.95 * most;
   const Violation found = Only();
-  EXPECT_EQ(found.law, "joint_acceleration");
+  EXPECT_EQ(found.law, Law::kJointAcceleration);
   EXPECT_NEAR(found.value, most, 1e-9);
   EXPECT_NEAR(found.at_s, at_s, 1e-9);
   EXPECT_EQ(found.unit, "rad/s^2");
@@ -149,14 +149,14 @@ TEST_P(MotorLaw, JerkFindsALimitPassedOverTenMilliseconds) {
   EXPECT_TRUE(Passes());
   motor().jerk_limit = 0.95 * most;
   const Violation found = Only();
-  EXPECT_EQ(found.law, "joint_jerk");
+  EXPECT_EQ(found.law, Law::kJointJerk);
   EXPECT_NEAR(found.value, most, 1e-6 * most);
   EXPECT_NEAR(found.at_s, at_s - 0.005, 1e-9);
   EXPECT_EQ(found.unit, "rad/s^3");
   motor().jerk_limit = 1.05 * most;
   AuditOptions options;
   options.derate_jerk = 0.9;
-  EXPECT_EQ(Only(options).law, "joint_jerk");
+  EXPECT_EQ(Only(options).law, Law::kJointJerk);
 }
 
 TEST_P(MotorLaw, ContinuousTorqueIsTheMeanOverTheWholePlanWhereThatIsShort) {
@@ -168,7 +168,7 @@ TEST_P(MotorLaw, ContinuousTorqueIsTheMeanOverTheWholePlanWhereThatIsShort) {
   EXPECT_TRUE(Passes());
   motor().continuous_effort = 0.98 * mean;
   const Violation found = Only();
-  EXPECT_EQ(found.law, "continuous_torque");
+  EXPECT_EQ(found.law, Law::kContinuousTorque);
   EXPECT_NEAR(found.value, mean, 1e-6 * mean);
   EXPECT_NEAR(found.at_s, times_.back(), 1e-9);
 }
@@ -187,13 +187,13 @@ TEST_P(MotorLaw, ContinuousTorqueIsTheWorstMeanOverTheThermalTime) {
   EXPECT_TRUE(Passes());
   motor().continuous_effort = 0.98 * most;
   const Violation found = Only();
-  EXPECT_EQ(found.law, "continuous_torque");
+  EXPECT_EQ(found.law, Law::kContinuousTorque);
   EXPECT_NEAR(found.value, most, 1e-6 * most);
   EXPECT_NEAR(found.at_s, at_s, 1e-9);
   motor().continuous_effort = 1.05 * most;
   AuditOptions options;
   options.derate_continuous = 0.9;
-  EXPECT_EQ(Only(options).law, "continuous_torque");
+  EXPECT_EQ(Only(options).law, Law::kContinuousTorque);
 }
 
 TEST_P(MotorLaw, WhatJointAndRotorTakeThemselvesIsPartOfTheTorque) {
@@ -210,7 +210,7 @@ TEST_P(MotorLaw, WhatJointAndRotorTakeThemselvesIsPartOfTheTorque) {
   joint().friction = c;
   motor().rotor_inertia = inertia;
   const Violation found = Only();
-  EXPECT_EQ(found.law, "joint_torque");
+  EXPECT_EQ(found.law, Law::kJointTorque);
   EXPECT_NEAR(found.value, with, 1e-9);
   EXPECT_NEAR(found.at_s, later_s, 1e-9);
   joint().effort_limit = 1.001 * with;
@@ -227,19 +227,19 @@ TEST_P(MotorLaw, MarginsAreTheClosestApproachOfEachLaw) {
   EXPECT_TRUE(report.pass());
   std::vector<std::string> laws;
   for (const AuditMargin& m : TightestOfEachLaw(report.margins)) laws.push_back(m.law);
-  for (const char* law :
-       {"consistency", "joint_position", "joint_velocity", "reach", "self_collision", "foot_clearance",
-        "body_clearance", "zmp_support", "unilateral", "friction_cone", "dynamics", "joint_torque"})
+  for (const char* law : {Law::kConsistency, Law::kJointPosition, Law::kJointVelocity, Law::kReach, Law::kSelfCollision,
+                          Law::kFootClearance, Law::kBodyClearance, Law::kZmpSupport, Law::kUnilateral,
+                          Law::kFrictionCone, Law::kDynamics, Law::kJointTorque})
     EXPECT_EQ(std::count(laws.begin(), laws.end(), law), 1) << law;
   EXPECT_EQ(laws.size(), 12U) << "and none without a limit";
   for (const AuditMargin& m : report.margins) {
     EXPECT_GE(m.margin, -2e-3) << m.law << " " << m.where;
     EXPECT_NEAR(std::abs(m.limit - m.value), std::abs(m.margin), 1e-12) << m.law;
     if (m.where != name()) continue;
-    if (m.law == "joint_torque") {
+    if (m.law == Law::kJointTorque) {
       EXPECT_EQ(std::pair(m.value, m.at_s), most_torque);
     }
-    if (m.law == "joint_velocity") {
+    if (m.law == Law::kJointVelocity) {
       EXPECT_EQ(std::pair(m.value, m.at_s), most_speed);
     }
     if (m.share) {
@@ -255,7 +255,7 @@ TEST_P(MotorLaw, MarginsOfABrokenLimitAreNegative) {
   options.margins = true;
   const AuditReport report = Audit(model_, plan_, options).value();
   const auto at = std::find_if(report.margins.begin(), report.margins.end(),
-                               [](const AuditMargin& m) { return m.law == "joint_velocity"; });
+                               [](const AuditMargin& m) { return m.law == Law::kJointVelocity; });
   ASSERT_NE(at, report.margins.end());
   EXPECT_EQ(at->where, name()) << "the least of a law comes first";
   EXPECT_NEAR(at->margin, -0.1 * most, 1e-9);

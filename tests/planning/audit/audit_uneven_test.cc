@@ -56,7 +56,8 @@ TEST_P(AuditUneven, APlanIsAsGoodOnALevelField) {
   ReplaceByField(plan = CarriedWithGround(Elsewhere(), good()), 0.45 + 0.012);
   const auto found = ViolationsOf(model(), plan);
   EXPECT_NEAR(At(found, foot() + " foothold off its patch").value, 0.012, 1e-4);
-  const auto sunk = std::find_if(found.begin(), found.end(), [](const auto& v) { return v.law == "foot_clearance"; });
+  const auto sunk =
+      std::find_if(found.begin(), found.end(), [](const auto& v) { return v.law == Law::kFootClearance; });
   ASSERT_NE(sunk, found.end());
   EXPECT_NEAR(sunk->value, -0.012, 2e-3);
 }
@@ -102,7 +103,7 @@ TEST_P(AuditUneven, FootClearanceFindsARiserBesideASwing) {
   plan.terrain.patches.push_back(riser);
   const auto found = ViolationsOf(model(), plan);
   ASSERT_FALSE(found.empty());
-  EXPECT_EQ(found[0].law, "foot_clearance");
+  EXPECT_EQ(found[0].law, Law::kFootClearance);
   const Violation& hit = At(found, foot());
   EXPECT_LE(hit.value, -0.8 * std::min(into, above));
   // As thin a riser a hand farther out is not in the way.
@@ -143,7 +144,7 @@ TEST_P(AuditUneven, BodyClearanceFindsAWallThroughTheShank) {
   plan.terrain.obstacles = {Box(middle, Vector3::Constant(0.004))};
   const auto found = ViolationsOf(model(), plan);
   const Violation& hit = At(found, shank->link);
-  EXPECT_EQ(hit.law, "body_clearance");
+  EXPECT_EQ(hit.law, Law::kBodyClearance);
   EXPECT_NEAR(hit.at_s, mid_swing_s(), 0.1);
   EXPECT_LT(hit.value, -0.002);
 }
@@ -190,7 +191,7 @@ TEST(AuditInAValley, HoldsTheWrenchAgainstTheConeWhereContactsPullOffTheirPlane)
     plan.terrain.patches[0].friction = friction;
     std::vector<std::string> where;
     for (const Violation& violation : ViolationsOf(a1.model, plan)) {
-      if (violation.law == "zmp_support") where.push_back(violation.where);
+      if (violation.law == Law::kZmpSupport) where.push_back(violation.where);
     }
     return where;
   };

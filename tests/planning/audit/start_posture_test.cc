@@ -97,7 +97,7 @@ TEST_F(StartPostures, AJumpOfTheFirstCommandIsNamedWithItsSize) {
   options.start->joints[4] += 0.26;
   const auto found = Audit(model(), plan(), options)->violations;
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].law, "start_posture");
+  EXPECT_EQ(found[0].law, Law::kStartPosture);
   EXPECT_EQ(found[0].where, model().dof_names[4]);
   EXPECT_NEAR(found[0].value, 0.3, 1e-9);
   EXPECT_EQ(found[0].limit, 0.05);
@@ -112,7 +112,7 @@ TEST_F(StartPostures, AFirstCommandThatMovesIsAJumpForARobotAtRest) {
   options.start = StartPosture{First(), {}};
   const auto speeds = [&] {
     std::vector<Violation> found = Audit(model(), moving, options)->violations;
-    std::erase_if(found, [](const Violation& v) { return v.law != "start_posture"; });
+    std::erase_if(found, [](const Violation& v) { return v.law != Law::kStartPosture; });
     return found;
   };
   EXPECT_TRUE(speeds().empty());

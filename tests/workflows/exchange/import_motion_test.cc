@@ -79,7 +79,7 @@ TEST(ImportOthers, TrotOfOtherSoftwareIsAuditedPlayedAndScored) {
   const std::vector<std::string> laws = LawsOf(imported->audit);
   EXPECT_NE(std::find(laws.begin(), laws.end(), "zmp_support"), laws.end());
   for (const std::string& law : laws)
-    EXPECT_TRUE(law == "consistency" || law == "zmp_support" || law == "dynamics") << law;
+    EXPECT_TRUE(law == Law::kConsistency || law == Law::kZmpSupport || law == Law::kDynamics) << law;
   const Result<PlayedWalk> played = PlayWalk(NamedRobot("a1"), imported->plan, {});
   ASSERT_TRUE(played.ok()) << played.failure().message;
   EXPECT_TRUE(played->report.pass) << played->report.reason;
@@ -122,7 +122,7 @@ TEST(ImportOthers, BaseIsWorkedOutFromTheFeetThatStand) {
   const auto off_feet = [](const ImportedMotion& motion) {
     double most = 0.0;
     for (const Violation& violation : motion.audit.violations) {
-      if (violation.law == "consistency") most = std::max(most, violation.value);
+      if (violation.law == Law::kConsistency) most = std::max(most, violation.value);
     }
     return most;
   };

@@ -128,7 +128,7 @@ TEST(ImportRoundTrip, JointTrajectoriesOfAnyRateComeBackWithTheirBase) {
       }
       EXPECT_LT(off_m, 0.005);
       for (const Violation& violation : back->audit.violations) {
-        if (violation.law == "dynamics") {
+        if (violation.law == Law::kDynamics) {
           EXPECT_LT(violation.value, 0.02 * model.weight_n());
         }
       }

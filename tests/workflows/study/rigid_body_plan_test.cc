@@ -138,24 +138,25 @@ TEST(RigidBodyPlan, WhatIsBrokenOnPurposeIsNamed) {
   EXPECT_TRUE(Names(broken([](MotionPlan& p) {
                       for (auto& row : p.whole_body.wrenches) row[0].force_W *= 0.9;
                     }),
-                    "dynamics"));
+                    Law::kDynamics));
   EXPECT_TRUE(Names(broken([](MotionPlan& p) {
                       for (auto& row : p.whole_body.wrenches) row[0].force_W *= -1.0;
                     }),
-                    "unilateral"));
+                    Law::kUnilateral));
   EXPECT_TRUE(Names(broken([](MotionPlan& p) {
                       for (TerrainPatch& patch : p.terrain.patches) patch.friction = 0.05;
                     }),
-                    "friction_cone"));
+                    Law::kFrictionCone));
   EXPECT_TRUE(
-      Names(broken([](MotionPlan& p) { p.footsteps.footholds[5].X_WF.translation().x() += 0.05; }), "consistency"));
-  EXPECT_TRUE(Names(broken([](MotionPlan& p) { p.footsteps.footholds[5].X_WF.translation().x() += 1.5; }), "reach"));
+      Names(broken([](MotionPlan& p) { p.footsteps.footholds[5].X_WF.translation().x() += 0.05; }), Law::kConsistency));
   EXPECT_TRUE(
-      Names(broken([](MotionPlan& p) { p.terrain.patches[0].X_WT.translation().z() += 0.02; }), "foot_clearance"));
+      Names(broken([](MotionPlan& p) { p.footsteps.footholds[5].X_WF.translation().x() += 1.5; }), Law::kReach));
+  EXPECT_TRUE(
+      Names(broken([](MotionPlan& p) { p.terrain.patches[0].X_WT.translation().z() += 0.02; }), Law::kFootClearance));
   EXPECT_TRUE(Names(broken([&](MotionPlan& p) {
                       for (VectorX& q : p.whole_body.q) q[2] += 0.15;
                     }),
-                    "consistency"));
+                    Law::kConsistency));
 }
 
 TEST(RigidBodyPlan, RefusesARobotThatIsNotItsOwnAndMomentumInside) {
@@ -175,7 +176,7 @@ TEST(AuditedMotion, FeetInTheAirAreBroughtWithinReach) {
   const Solved solved = Solve("hyq-0-slope");
   const auto refined = [&](int rounds) { return *RefineByAudit(solved.ground, solved.plan, {}, rounds); };
   const AuditedMotion before = refined(0), after = refined(6);
-  EXPECT_TRUE(Names(before.report, "joint_position")) << AuditText(before.report);
+  EXPECT_TRUE(Names(before.report, Law::kJointPosition)) << AuditText(before.report);
   EXPECT_TRUE(after.report.pass()) << AuditText(after.report);
   EXPECT_EQ(LawsOf(after.first), LawsOf(before.report));
   EXPECT_GE(after.swings_planned, 1);
@@ -186,7 +187,7 @@ TEST(AuditedMotion, FeetInTheAirAreBroughtWithinReach) {
 TEST(AuditedMotion, SwingsOntoABlockArePlannedAlongWithTheBody) {
   const Solved solved = Solve("monoped-1-block");
   const AuditedMotion motion = *RefineByAudit(solved.ground, solved.plan, {}, 8);
-  EXPECT_TRUE(Names(motion.first, "joint_position")) << AuditText(motion.first);
+  EXPECT_TRUE(Names(motion.first, Law::kJointPosition)) << AuditText(motion.first);
   EXPECT_TRUE(motion.report.pass()) << AuditText(motion.report) << motion.refusal;
   const RigidBodyProblem& problem = motion.choice.problem;
   ASSERT_FALSE(problem.swings.empty());
@@ -218,7 +219,7 @@ TEST(AuditedMotion, CoarseNodesFailTheAuditAndAreRefinedUntilItPasses) {
     const Solved solved = Solve(name, coarse);
     const Result<AuditedMotion> motion = RefineByAudit(solved.ground, solved.plan, coarse, 6);
     ASSERT_TRUE(motion.ok()) << name << " " << motion.failure().message;
-    EXPECT_TRUE(Names(motion->first, "joint_position")) << name;
+    EXPECT_TRUE(Names(motion->first, Law::kJointPosition)) << name;
     EXPECT_GT(motion->first.violations.at(0).at_s, 0.0);
     EXPECT_TRUE(motion->report.pass()) << name << "\n" << AuditText(motion->report) << motion->refusal;
     EXPECT_GE(motion->halvings, 1) << name;

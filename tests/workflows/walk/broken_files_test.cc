@@ -38,21 +38,21 @@ bool Has(const Laws& laws, const std::string& law) { return std::find(laws.begin
 TEST_P(BrokenFile, AFootholdMovedIsInconsistentAndTheJointsWalkAsBefore) {
   MotionPlan plan = bench().plan;
   plan.footsteps.footholds[MiddleFoothold(plan)].X_WF.translation().x() -= 0.05;
-  EXPECT_EQ(BrokenLaws(model(), plan), Laws{"consistency"});
+  EXPECT_EQ(BrokenLaws(model(), plan), Laws{Law::kConsistency});
   ExpectNoMatterInPhysics(plan);
 }
 
 TEST_P(BrokenFile, AZmpReferenceShiftedOutIsNamedAndTheJointsWalkAsBefore) {
   MotionPlan plan = bench().plan;
   for (Vector2& p_WZ : plan.centroidal.p_WZ) p_WZ.y() += 0.05;
-  EXPECT_EQ(BrokenLaws(model(), plan), (Laws{"consistency", "zmp_support"}));
+  EXPECT_EQ(BrokenLaws(model(), plan), (Laws{Law::kConsistency, Law::kZmpSupport}));
   ExpectNoMatterInPhysics(plan);
 }
 
 TEST_P(BrokenFile, AccelerationsThatPutTheZmpOutAreNamedAndTheJointsWalkAsBefore) {
   MotionPlan plan = bench().plan;
   for (VectorX& a : plan.whole_body.a) a[1] += 0.05 * kGravity / plan.centroidal.p_WC[0].z();
-  EXPECT_EQ(BrokenLaws(model(), plan), (Laws{"consistency", "zmp_support", "dynamics"}));
+  EXPECT_EQ(BrokenLaws(model(), plan), (Laws{Law::kConsistency, Law::kZmpSupport, Law::kDynamics}));
   ExpectNoMatterInPhysics(plan);
 }
 
@@ -60,8 +60,8 @@ TEST_P(BrokenFile, PositionsOfASwingThroughTheGroundScuff) {
   MotionPlan plan = bench().plan;
   plan.whole_body.q = WithSwingsThroughTheGround(bench(), 0).whole_body.q;
   const Laws laws = BrokenLaws(model(), plan);
-  EXPECT_EQ(laws.front(), "consistency");
-  EXPECT_TRUE(Has(laws, "foot_clearance"));
+  EXPECT_EQ(laws.front(), Law::kConsistency);
+  EXPECT_TRUE(Has(laws, Law::kFootClearance));
   ExpectFails(plan, "joint-pd", "'" + model().feet[0].name + "' did not leave the ground when its swing began");
 }
 
@@ -72,8 +72,8 @@ TEST_P(BrokenFile, AJointPastItsLimitFallsAndIsBlamed) {
   const double past = leg.knee_sign > 0.0 ? model().dof_upper(dof) + 0.1 : model().dof_lower(dof) - 0.1;
   for (VectorX& q : plan.whole_body.q) q[7 + dof] = past;
   const Laws laws = BrokenLaws(model(), plan);
-  EXPECT_EQ(laws.front(), "consistency");
-  EXPECT_TRUE(Has(laws, "joint_position"));
+  EXPECT_EQ(laws.front(), Law::kConsistency);
+  EXPECT_TRUE(Has(laws, Law::kJointPosition));
   const std::string& name = model().dof_names[static_cast<std::size_t>(dof)];
   ExpectFails(plan, "joint-pd", "the plan itself takes '" + name + "' past its limit, by up to 0.100 rad");
 }
@@ -83,7 +83,7 @@ TEST_P(BrokenFile, ForcesOutsideTheConeMatterToTheControllerThatUsesThem) {
   for (auto& wrenches : plan.whole_body.wrenches) {
     for (ContactWrench& wrench : wrenches) wrench.force_W.x() += wrench.force_W.z();
   }
-  EXPECT_EQ(BrokenLaws(model(), plan), (Laws{"friction_cone", "dynamics"}));
+  EXPECT_EQ(BrokenLaws(model(), plan), (Laws{Law::kFrictionCone, Law::kDynamics}));
   EXPECT_TRUE(Played(model(), plan, "joint-pd").report.pass) << "it replays joints only";
   ExpectFails(plan, "stabilised", "along the ground with up to");
 }
@@ -92,8 +92,8 @@ TEST_P(BrokenFile, TorquesDoubledLiftFeetAndAreBlamed) {
   MotionPlan plan = bench().plan;
   for (VectorX& tau : plan.whole_body.tau) tau *= 2.0;
   const Laws laws = BrokenLaws(model(), plan);
-  EXPECT_EQ(laws.front(), "dynamics");
-  EXPECT_TRUE(laws.size() == 1 || laws == (Laws{"dynamics", "joint_torque"}));
+  EXPECT_EQ(laws.front(), Law::kDynamics);
+  EXPECT_TRUE(laws.size() == 1 || laws == (Laws{Law::kDynamics, Law::kJointTorque}));
   for (const char* controller : {"joint-pd", "stabilised"})
     ExpectFails(plan, controller, "the plan's torques are not those of its motion");
 }

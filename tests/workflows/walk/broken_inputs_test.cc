@@ -83,7 +83,7 @@ TEST_P(BrokenInput, AZmpShiftedOutTipsTheRobot) {
                                                static_cast<int>(model().feet.size()));
   ShiftZmp({0.0, std::copysign(0.05, aside.y())}, phase, phase, shifted);
   shifted = WithWholeBodyAnew(model(), shifted);
-  EXPECT_EQ(BrokenLaws(model(), shifted), (Laws{"zmp_support", "dynamics"})) << "no contact forces can do it";
+  EXPECT_EQ(BrokenLaws(model(), shifted), (Laws{Law::kZmpSupport, Law::kDynamics})) << "no contact forces can do it";
   const StabilityReport report = Played(model(), shifted).report;
   EXPECT_FALSE(report.pass);
   EXPECT_TRUE(Says(report.reason, "first, from")) << report.reason;
@@ -93,7 +93,7 @@ TEST_P(BrokenInput, AZmpShiftedOutTipsTheRobot) {
 
 TEST_P(BrokenInput, ASwingThroughTheGroundScuffs) {
   const MotionPlan low = WithSwingsThroughTheGround(bench(), 0);
-  EXPECT_EQ(BrokenLaws(model(), low), Laws{"foot_clearance"});
+  EXPECT_EQ(BrokenLaws(model(), low), Laws{Law::kFootClearance});
   const StabilityReport report = Played(model(), low).report;
   EXPECT_FALSE(report.pass);
   EXPECT_FALSE(report.At("scuffs").pass);
@@ -108,7 +108,7 @@ TEST_P(BrokenInput, AJointThatBendsLessThanThePlannerThoughtStopsAtItsLimit) {
   for (const VectorX& q : bench().plan.whole_body.q) most = std::abs(q[7 + dof]) > std::abs(most) ? q[7 + dof] : most;
   Joint& joint = stiff.joints[static_cast<std::size_t>(knee)];
   (most > 0.0 ? joint.upper : joint.lower) = 0.9 * most;
-  EXPECT_EQ(BrokenLaws(stiff, bench().plan), Laws{"joint_position"});
+  EXPECT_EQ(BrokenLaws(stiff, bench().plan), Laws{Law::kJointPosition});
   const StabilityReport report = Played(stiff, bench().plan).report;
   EXPECT_FALSE(report.pass);
   EXPECT_FALSE(report.At("joint_limit_margin_min_rad").pass);
@@ -118,7 +118,7 @@ TEST_P(BrokenInput, AJointThatBendsLessThanThePlannerThoughtStopsAtItsLimit) {
 TEST_P(BrokenInput, AGroundMoreSlipperyThanThePlannerThoughtSlips) {
   MotionPlan ice = bench().plan;
   for (TerrainPatch& patch : ice.terrain.patches) patch.friction = 0.25 * FrictionUsed(bench());
-  EXPECT_EQ(BrokenLaws(model(), ice), Laws{"friction_cone"});
+  EXPECT_EQ(BrokenLaws(model(), ice), Laws{Law::kFrictionCone});
   EXPECT_FALSE(Played(model(), ice, "joint-pd").report.At("slip_max_step_m").pass);
   for (const char* controller : {"joint-pd", "stabilised"}) {
     const StabilityReport report = Played(model(), ice, controller).report;
@@ -142,8 +142,8 @@ TEST_P(BrokenInput, TorquesForTwiceTheMassAreNotThoseOfTheMotion) {
   EXPECT_EQ(BrokenLaws(heavy, doubled), Laws{}) << "its columns agree";
   const Laws laws = BrokenLaws(model(), doubled);
   ASSERT_FALSE(laws.empty());
-  EXPECT_EQ(laws.front(), "dynamics");
-  EXPECT_TRUE(laws.size() == 1 || laws == (Laws{"dynamics", "joint_torque"}));
+  EXPECT_EQ(laws.front(), Law::kDynamics);
+  EXPECT_TRUE(laws.size() == 1 || laws == (Laws{Law::kDynamics, Law::kJointTorque}));
   const StabilityReport report = Played(model(), doubled).report;
   EXPECT_FALSE(report.pass);
   EXPECT_TRUE(Says(report.reason, "the plan's contact forces are not those of its motion")) << report.reason;
@@ -155,7 +155,7 @@ TEST(BrokenInputOfAQuadruped, AFootholdMovedAfterTheZmpWasPlannedLeavesItOffItsL
   Pose& X_WF = moved.footsteps.footholds[MiddleFoothold(moved)].X_WF;
   X_WF.translation().y() += std::copysign(0.05, X_WF.translation().y());
   moved = WithWholeBodyAnew(a1.model, moved);
-  EXPECT_EQ(BrokenLaws(a1.model, moved), (Laws{"zmp_support", "dynamics"}));
+  EXPECT_EQ(BrokenLaws(a1.model, moved), (Laws{Law::kZmpSupport, Law::kDynamics}));
   const StabilityReport report = Played(a1.model, moved).report;
   EXPECT_FALSE(report.At("contact_timing_error_max_s").pass) << report.reason;
   EXPECT_TRUE(Says(report.reason, "the plan itself has its ZMP outside of the support of 'FL_foot', 'RR_foot'"))

@@ -58,25 +58,25 @@ TEST_F(BrokenPlan, TheWholeOnePasses) {
 TEST_F(BrokenPlan, FootholdMoved) {
   MotionPlan plan = *plan_;
   plan.footsteps.footholds[6].X_WF.translation().x() += 0.05;
-  ExpectNames(plan, "consistency");
+  ExpectNames(plan, Law::kConsistency);
 }
 
 TEST_F(BrokenPlan, ZmpShiftedOut) {
   MotionPlan plan = *plan_;
   for (VectorX& a : plan.whole_body.a) a[1] += 0.05 * kGravity / plan.centroidal.p_WC[0].z();
-  ExpectNames(plan, "zmp_support");
+  ExpectNames(plan, Law::kZmpSupport);
 }
 
 TEST_F(BrokenPlan, SwingThroughTheGround) {
   MotionPlan plan = *plan_;
   for (std::size_t k = MidSwing() - 5; k < MidSwing() + 5; ++k) plan.whole_body.q[k][2] -= 0.08;
-  ExpectNames(plan, "foot_clearance");
+  ExpectNames(plan, Law::kFootClearance);
 }
 
 TEST_F(BrokenPlan, JointPastItsLimit) {
   MotionPlan plan = *plan_;
   for (VectorX& q : plan.whole_body.q) q[7] = model_->dof_upper(0) + 0.1;
-  ExpectNames(plan, "joint_position");
+  ExpectNames(plan, Law::kJointPosition);
 }
 
 TEST_F(BrokenPlan, ForcesOutsideTheCone) {
@@ -84,19 +84,19 @@ TEST_F(BrokenPlan, ForcesOutsideTheCone) {
   for (auto& wrenches : plan.whole_body.wrenches) {
     for (ContactWrench& wrench : wrenches) wrench.force_W.x() += wrench.force_W.z();
   }
-  ExpectNames(plan, "friction_cone");
+  ExpectNames(plan, Law::kFrictionCone);
 }
 
 TEST_F(BrokenPlan, TorqueDoubled) {
   MotionPlan plan = *plan_;
   for (VectorX& tau : plan.whole_body.tau) tau *= 2.0;
-  ExpectNames(plan, "dynamics");
+  ExpectNames(plan, Law::kDynamics);
 }
 
 TEST_F(BrokenPlan, PullingForce) {
   MotionPlan plan = *plan_;
   plan.whole_body.wrenches[10][0].force_W.z() = -5.0;
-  ExpectNames(plan, "unilateral");
+  ExpectNames(plan, Law::kUnilateral);
 }
 
 TEST_F(BrokenPlan, NotANumber) {
@@ -111,7 +111,7 @@ TEST_F(BrokenPlan, LimitsCanBeDerated) {
   options.derate_torque = 0.1;
   const AuditReport report = *Audit(*model_, *plan_, options);
   ASSERT_FALSE(report.pass());
-  EXPECT_EQ(report.violations[0].law, "joint_torque");
+  EXPECT_EQ(report.violations[0].law, Law::kJointTorque);
 }
 
 TEST_F(BrokenPlan, FilesComeBackAsTheyWere) {

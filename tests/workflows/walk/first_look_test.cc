@@ -86,14 +86,14 @@ double Ease(const std::vector<Violation>& violations) {
 }
 
 TEST(EaseOf, GoesBySpeedsOfJointsAndRootsOfTheirTorques) {
-  const Violation fast{"joint_velocity", 1.0, "knee", 42.0, 21.0, "rad/s"};
-  const Violation strong{"joint_torque", 1.0, "hip", -90.0, 40.0, "N m"};
+  const Violation fast{Law::kJointVelocity, 1.0, "knee", 42.0, 21.0, "rad/s"};
+  const Violation strong{Law::kJointTorque, 1.0, "hip", -90.0, 40.0, "N m"};
   EXPECT_NEAR(Ease({fast}), 0.95 * 0.5, 1e-12);
   EXPECT_NEAR(Ease({strong}), 0.95 * 2.0 / 3.0, 1e-12);
   EXPECT_NEAR(Ease({strong, fast}), 0.95 * 0.5, 1e-12) << "the one that is passed most counts";
   EXPECT_GT(Ease({}), 0.5) << "where no limit is broken";
-  EXPECT_LT(Ease({{"joint_velocity", 1.0, "knee", 21.1, 21.0, "rad/s"}}), 0.9) << "a step that is worth a look";
-  EXPECT_GE(Ease({{"joint_velocity", 1.0, "knee", 2100.0, 21.0, "rad/s"}}), 0.3) << "but none too long";
+  EXPECT_LT(Ease({{Law::kJointVelocity, 1.0, "knee", 21.1, 21.0, "rad/s"}}), 0.9) << "a step that is worth a look";
+  EXPECT_GE(Ease({{Law::kJointVelocity, 1.0, "knee", 2100.0, 21.0, "rad/s"}}), 0.3) << "but none too long";
 }
 
 /// The first hint of a refusal is a pace with which a plan is given.

@@ -74,7 +74,7 @@ TEST(Limits, AMotorThatTurnsTooFastIsNamedForThatRatherThanForTheTorqueThatItHas
   EXPECT_NE(planned.failure().message.find("' moves at "), std::string::npos) << planned.failure().message;
   request.motion.pipeline.allow_limits = true;
   const std::vector<Violation> broken = BrokenLimits(PlanWalk(nao, request)->audit);
-  EXPECT_TRUE(std::any_of(broken.begin(), broken.end(), [](const auto& v) { return v.law == "torque_speed"; }));
+  EXPECT_TRUE(std::any_of(broken.begin(), broken.end(), [](const auto& v) { return v.law == Law::kTorqueSpeed; }));
 }
 
 TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
@@ -108,11 +108,11 @@ TEST(Limits, AWalkThatTheGroundCannotHoldIsRefusedWhereTheTimeOfSteppingIsGiven)
   WalkRequest amble = Asked(0.8, 0.0, 0.0);
   amble.gait = "amble";
   amble.gait_options.cycle_s = 0.38;
-  ExpectRefusedFor("dynamics", *LoadNamedRobot("a1"), amble);
+  ExpectRefusedFor(Law::kDynamics, *LoadNamedRobot("a1"), amble);
   WalkRequest wave = Asked(0.32, 0.0, 0.0);
   wave.gait = "wave";
   wave.gait_options.cycle_s = 0.72;
-  ExpectRefusedFor("dynamics", *LoadRobotFromText(unusual::Tripod(), ""), wave);
+  ExpectRefusedFor(Law::kDynamics, *LoadRobotFromText(unusual::Tripod(), ""), wave);
 }
 
 TEST(Limits, WhatTheGroundCannotHoldIsSteppedSlowerAtTheSpeedAskedFor) {
@@ -168,11 +168,11 @@ TEST(LargestPace, AboveAKnownOneIsFoundWithFewQuestions) {
 TEST(Limits, ComeBeforeOtherLaws) {
   AuditReport audit;
   EXPECT_TRUE(Forbidding(audit).empty());
-  audit.violations = {{"body_clearance", 1.0, "trunk", -0.002, 0.0, "m"}};
-  audit.violations.push_back({"joint_velocity", 1.2, "FR_hip_joint", 22.0, 21.0, "rad/s"});
+  audit.violations = {{Law::kBodyClearance, 1.0, "trunk", -0.002, 0.0, "m"}};
+  audit.violations.push_back({Law::kJointVelocity, 1.2, "FR_hip_joint", 22.0, 21.0, "rad/s"});
   const std::vector<Violation> forbidding = Forbidding(audit);
   ASSERT_EQ(forbidding.size(), 2u);
-  EXPECT_EQ(forbidding[0].law, "joint_velocity");
+  EXPECT_EQ(forbidding[0].law, Law::kJointVelocity);
   EXPECT_EQ(LimitText(forbidding[1]), "'trunk' is 2.0 mm in the ground or an obstacle at 1.00 s");
 }
 

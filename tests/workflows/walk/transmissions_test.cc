@@ -106,7 +106,7 @@ TEST(Transmissions, TheAuditFindsAMotorPastItsLimitWhereBoxesWouldPass) {
   ASSERT_TRUE(audit.ok());
   ASSERT_FALSE(audit->violations.empty());
   for (const Violation& violation : audit->violations) {
-    EXPECT_EQ(violation.law, "joint_torque");
+    EXPECT_EQ(violation.law, Law::kJointTorque);
     EXPECT_TRUE(violation.where.ends_with("_front") || violation.where.ends_with("_rear")) << violation.where;
     EXPECT_NEAR(violation.limit, effort, 1e-9);
     EXPECT_GT(violation.value, effort);
@@ -114,7 +114,7 @@ TEST(Transmissions, TheAuditFindsAMotorPastItsLimitWhereBoxesWouldPass) {
   const Result<AuditReport> slow = Audit(BipedWith(Ankles("1, 1", "1, -1", 500.0, 0.01)), plan, {});
   ASSERT_TRUE(slow.ok());
   ASSERT_FALSE(slow->violations.empty());
-  EXPECT_EQ(slow->violations[0].law, "joint_velocity");
+  EXPECT_EQ(slow->violations[0].law, Law::kJointVelocity);
   EXPECT_TRUE(slow->violations[0].where.ends_with("_front") || slow->violations[0].where.ends_with("_rear"));
 }
 
