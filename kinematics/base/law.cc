@@ -2,6 +2,7 @@
 #include "kinematics/base/law.h"
 
 #include <algorithm>
+#include <ostream>
 
 namespace gaitwright {
 
@@ -30,5 +31,7 @@ std::optional<Law> LawOfName(std::string_view name) {
   if (found == names.end()) return std::nullopt;
   return static_cast<Law>(found - names.begin());
 }
+
+std::ostream& operator<<(std::ostream& out, Law law) { return out << LawName(law); }
 
 }  // namespace gaitwright

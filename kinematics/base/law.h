@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,8 @@ const std::string& LawName(Law law);
 /// The names of all laws, in their order.
 const std::vector<std::string>& LawNames();
 std::optional<Law> LawOfName(std::string_view name);
+/// Writes its name.
+std::ostream& operator<<(std::ostream& out, Law law);
 
 /// A law that a motion breaks: where it is worst.
 struct Violation {

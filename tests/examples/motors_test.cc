@@ -44,7 +44,7 @@ TEST(MotorsExample, SaysAllThatPlaybackAndAuditKnowOfMotors) {
   AuditOptions options;
   options.margins = true;
   const AuditReport audit = Audit(Geared(), AWalk(), options).value();
-  for (const char* law : {"torque_speed", "continuous_torque"}) {
+  for (const Law law : {Law::kTorqueSpeed, Law::kContinuousTorque}) {
     EXPECT_EQ(std::count_if(audit.margins.begin(), audit.margins.end(), [&](const auto& m) { return m.law == law; }),
               12)
         << law;

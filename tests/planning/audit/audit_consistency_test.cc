@@ -11,7 +11,7 @@
 namespace gaitwright {
 namespace {
 
-using Laws = std::vector<std::string>;
+using Laws = std::vector<Law>;
 
 class AuditConsistency : public testing::TestWithParam<std::string> {
  protected:

@@ -225,11 +225,11 @@ TEST_P(MotorLaw, MarginsAreTheClosestApproachOfEachLaw) {
   const auto most_speed = Largest([&](std::size_t k) { return std::abs(v(k)); });
   const AuditReport report = Audit(model_, plan_, options).value();
   EXPECT_TRUE(report.pass());
-  std::vector<std::string> laws;
+  std::vector<Law> laws;
   for (const AuditMargin& m : TightestOfEachLaw(report.margins)) laws.push_back(m.law);
-  for (const char* law : {Law::kConsistency, Law::kJointPosition, Law::kJointVelocity, Law::kReach, Law::kSelfCollision,
-                          Law::kFootClearance, Law::kBodyClearance, Law::kZmpSupport, Law::kUnilateral,
-                          Law::kFrictionCone, Law::kDynamics, Law::kJointTorque})
+  for (const Law law : {Law::kConsistency, Law::kJointPosition, Law::kJointVelocity, Law::kReach, Law::kSelfCollision,
+                        Law::kFootClearance, Law::kBodyClearance, Law::kZmpSupport, Law::kUnilateral,
+                        Law::kFrictionCone, Law::kDynamics, Law::kJointTorque})
     EXPECT_EQ(std::count(laws.begin(), laws.end(), law), 1) << law;
   EXPECT_EQ(laws.size(), 12U) << "and none without a limit";
   for (const AuditMargin& m : report.margins) {

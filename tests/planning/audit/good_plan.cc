@@ -37,8 +37,8 @@ std::vector<Violation> ViolationsOf(const RobotModel& model, const MotionPlan& p
   return Audit(model, plan, {}).value().violations;
 }
 
-std::vector<std::string> LawsOf(const std::vector<Violation>& violations) {
-  std::vector<std::string> laws;
+std::vector<Law> LawsOf(const std::vector<Violation>& violations) {
+  std::vector<Law> laws;
   for (const Violation& violation : violations) {
     if (laws.empty() || laws.back() != violation.law) laws.push_back(violation.law);
   }
@@ -49,7 +49,7 @@ const Violation& At(const std::vector<Violation>& violations, const std::string&
   std::string all;
   for (const Violation& violation : violations) {
     if (violation.where == where) return violation;
-    all += "\n  " + violation.law + ": " + violation.where;
+    all += "\n  " + LawName(violation.law) + ": " + violation.where;
   }
   throw InvalidArgument("nothing is found at '" + where + "', only at" + all);
 }

@@ -28,7 +28,7 @@ MotionPlan PlanOf(const RobotModel& model, const std::string& gait, const WalkCo
 std::vector<Violation> ViolationsOf(const RobotModel& model, const MotionPlan& plan);
 
 /// The laws of violations, each once, in their order.
-std::vector<std::string> LawsOf(const std::vector<Violation>& violations);
+std::vector<Law> LawsOf(const std::vector<Violation>& violations);
 
 /// The violation of a place. @throws InvalidArgument that lists what there is.
 const Violation& At(const std::vector<Violation>& violations, const std::string& where);

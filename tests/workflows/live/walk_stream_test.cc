@@ -24,8 +24,8 @@ std::string Broken(const RobotModel& model, const MotionPlan& plan) {
   const AuditReport report = Audit(model, plan, {}).value();
   if (report.pass()) return "";
   const Violation& v = report.violations.front();
-  return v.law + ", " + v.where + " at " + std::to_string(v.at_s) + " s: " + std::to_string(v.value) + " against " +
-         std::to_string(v.limit);
+  return LawName(v.law) + ", " + v.where + " at " + std::to_string(v.at_s) + " s: " + std::to_string(v.value) +
+         " against " + std::to_string(v.limit);
 }
 
 TEST(PacePlans, HaveAStretchThatRepeatsItself) {

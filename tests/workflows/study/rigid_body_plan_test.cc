@@ -36,14 +36,14 @@ Solved Solve(const std::string& name, const RigidBodyOptions& options = {}) {
 }
 
 /// The laws that a report names.
-std::vector<std::string> LawsOf(const AuditReport& report) {
-  std::vector<std::string> laws;
+std::vector<Law> LawsOf(const AuditReport& report) {
+  std::vector<Law> laws;
   for (const Violation& v : report.violations) laws.push_back(v.law);
   return laws;
 }
 
-bool Names(const AuditReport& report, const std::string& law) {
-  const std::vector<std::string> laws = LawsOf(report);
+bool Names(const AuditReport& report, Law law) {
+  const std::vector<Law> laws = LawsOf(report);
   return std::find(laws.begin(), laws.end(), law) != laws.end();
 }
 

@@ -36,8 +36,8 @@ const Bench& BenchOf(const std::string& robot) {
   return found != benches.end() ? found->second : benches.emplace(robot, Make(robot)).first->second;
 }
 
-std::vector<std::string> BrokenLaws(const RobotModel& model, const MotionPlan& plan) {
-  std::vector<std::string> laws;
+std::vector<Law> BrokenLaws(const RobotModel& model, const MotionPlan& plan) {
+  std::vector<Law> laws;
   const AuditReport report = Audit(model, plan, {}).value();
   for (const Violation& violation : report.violations) {
     if (laws.empty() || laws.back() != violation.law) laws.push_back(violation.law);

@@ -20,7 +20,7 @@ struct Bench {
 const Bench& BenchOf(const std::string& robot);
 
 /// The laws that the plan breaks, each once, in the audit's order.
-std::vector<std::string> BrokenLaws(const RobotModel& model, const MotionPlan& plan);
+std::vector<Law> BrokenLaws(const RobotModel& model, const MotionPlan& plan);
 
 /// @throws std::logic_error when it cannot be played at all.
 PlayedWalk Played(const RobotModel& model, const MotionPlan& plan, const std::string& controller = "joint-pd");

@@ -10,7 +10,7 @@
 namespace gaitwright {
 namespace {
 
-using Laws = std::vector<std::string>;
+using Laws = std::vector<Law>;
 
 class BrokenFile : public testing::TestWithParam<std::string> {
  protected:
@@ -33,7 +33,7 @@ class BrokenFile : public testing::TestWithParam<std::string> {
 INSTANTIATE_TEST_SUITE_P(Robots, BrokenFile, testing::Values("a1", "nao"),
                          [](const auto& robot) { return robot.param; });
 
-bool Has(const Laws& laws, const std::string& law) { return std::find(laws.begin(), laws.end(), law) != laws.end(); }
+bool Has(const Laws& laws, Law law) { return std::find(laws.begin(), laws.end(), law) != laws.end(); }
 
 TEST_P(BrokenFile, AFootholdMovedIsInconsistentAndTheJointsWalkAsBefore) {
   MotionPlan plan = bench().plan;

@@ -12,7 +12,7 @@
 namespace gaitwright {
 namespace {
 
-using Laws = std::vector<std::string>;
+using Laws = std::vector<Law>;
 
 class BrokenInput : public testing::TestWithParam<std::string> {
  protected:

@@ -24,13 +24,13 @@ class BrokenPlan : public testing::Test {
     delete model_;
   }
 
-  static std::vector<std::string> Broken(const MotionPlan& plan) {
-    std::vector<std::string> laws;
+  static std::vector<Law> Broken(const MotionPlan& plan) {
+    std::vector<Law> laws;
     const AuditReport report = *Audit(*model_, plan, {});
     for (const Violation& violation : report.violations) laws.push_back(violation.law);
     return laws;
   }
-  static void ExpectNames(const MotionPlan& plan, const std::string& law) {
+  static void ExpectNames(const MotionPlan& plan, Law law) {
     const auto laws = Broken(plan);
     EXPECT_NE(std::find(laws.begin(), laws.end(), law), laws.end()) << law;
   }

@@ -88,11 +88,12 @@ TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
 }
 
 /// Refused for a law of the ground rather than a limit of the robot; what is offered instead passes.
-void ExpectRefusedFor(const std::string& law, const RobotModel& model, WalkRequest request) {
+void ExpectRefusedFor(Law law, const RobotModel& model, WalkRequest request) {
   const Result<PlannedWalk> planned = PlanWalk(model, request);
   ASSERT_FALSE(planned.ok());
   EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
-  EXPECT_EQ(planned.failure().code, law);
+  ASSERT_TRUE(planned.failure().violation.has_value());
+  EXPECT_EQ(planned.failure().violation->law, law);
   ASSERT_EQ(planned.failure().hints.front().rfind("--speed ", 0), 0u) << planned.failure().hints.front();
   request.motion.pipeline.allow_limits = true;
   const Result<PlannedWalk> anyway = PlanWalk(model, request);
