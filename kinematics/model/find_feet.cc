@@ -10,39 +10,13 @@
 #include <numbers>
 
 #include "kinematics/model/body_tree.h"
+#include "kinematics/model/flat_bottom.h"
 #include "kinematics/model/shape_support.h"
 #include "kinematics/model/yaml_line.h"
 #include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
 namespace {
-
-/// Points that, blown up by Radius, span a shape (a sphere: its centre; a capsule: those of its ends), in the body's
-/// frame.
-std::vector<Vector3> Corners(const Shape& shape) {
-  std::vector<Vector3> corners;
-  if (shape.type == ShapeType::kMesh) {
-    for (const Vector3& v : shape.vertices) corners.push_back(shape.X_BS * v);
-    return corners;
-  }
-  if (shape.type == ShapeType::kSphere) return {shape.X_BS.translation()};
-  if (shape.type == ShapeType::kCapsule) {
-    const Vector3 end(0.0, 0.0, 0.5 * shape.size.y());
-    return {shape.X_BS * Vector3(-end), shape.X_BS * end};
-  }
-  Vector3 half = 0.5 * shape.size;
-  if (shape.type != ShapeType::kBox) half = Vector3(shape.size.x(), shape.size.x(), 0.5 * shape.size.y());
-  for (int i = 0; i < 8; ++i) {
-    corners.push_back(shape.X_BS * Vector3((i & 1) != 0 ? half.x() : -half.x(), (i & 2) != 0 ? half.y() : -half.y(),
-                                           (i & 4) != 0 ? half.z() : -half.z()));
-  }
-  return corners;
-}
-
-/// Of a shape with round ends.
-double Radius(const Shape& shape) {
-  return shape.type == ShapeType::kSphere || shape.type == ShapeType::kCapsule ? shape.size.x() : 0.0;
-}
 
 std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
   std::vector<const Shape*> shapes;
@@ -59,37 +33,8 @@ double SupportAlong(const Shape& shape, const Vector3& d) {
 
 double Extent(const Shape& shape) {
   double extent = 0.0;
-  for (const Vector3& corner : Corners(shape)) extent = std::max(extent, corner.norm() + Radius(shape));
+  for (const Vector3& corner : ShapeCorners(shape)) extent = std::max(extent, corner.norm() + RoundRadius(shape));
   return extent;
-}
-
-/// At most this many corners of a mesh's flat bottom are kept, which of a disc is 95 % of the area.
-constexpr int kMostCorners = 12;
-
-/// The convex hull of points in the plane, or the polygon of its points that are farthest in evenly spread directions.
-Polygon Outline(const std::vector<Vector2>& points) {
-  Polygon hull = ConvexHull(points);
-  if (hull.size() <= kMostCorners) return hull;
-  std::vector<Vector2> farthest;
-  for (int i = 0; i < kMostCorners; ++i) {
-    const double turn = 2.0 * std::numbers::pi * i / kMostCorners;
-    const Vector2 d(std::cos(turn), std::sin(turn));
-    farthest.push_back(
-        *std::max_element(hull.begin(), hull.end(), [&](const auto& a, const auto& b) { return a.dot(d) < b.dot(d); }));
-  }
-  return ConvexHull(farthest);
-}
-
-/// Axis-aligned rectangle around points in the plane, counter-clockwise, and its middle.
-Polygon Rectangle(const std::vector<Vector2>& points, Vector2& middle) {
-  Vector2 low = points.front(), high = points.front();
-  for (const Vector2& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  middle = 0.5 * (low + high);
-  const Vector2 half = 0.5 * (high - low);
-  return {{-half.x(), -half.y()}, {half.x(), -half.y()}, {half.x(), half.y()}, {-half.x(), half.y()}};
 }
 
 bool HasRoll(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X_OB) {
@@ -104,81 +49,38 @@ bool HasRoll(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X
   });
 }
 
-constexpr double kLeastSole = 1e-4;     // [m^2] a flat bottom smaller than this is a tip
-constexpr double kThinnestSole = 1e-3;  // of its length: a round limb that lies level touches the ground in a line
-
-/// "the mesh 'foot.stl' of link 'l_foot'", "4 spheres of link 'l_foot'": for people.
-std::string NameOf(const std::vector<const Shape*>& shapes) {
-  const char* const kinds[] = {"box", "cylinder", "sphere", "capsule", "mesh"};
-  const Shape& first = *shapes.front();
-  const std::string kind = kinds[static_cast<int>(first.type)];
-  if (shapes.size() > 1) {
-    const bool alike = std::all_of(shapes.begin(), shapes.end(), [&](const Shape* s) { return s->type == first.type; });
-    return fmt::format("{} {} of link '{}'", shapes.size(), alike ? kind + (kind == "box" ? "es" : "s") : "shapes",
-                       first.link);
-  }
-  return fmt::format("the {}{} of link '{}'", kind, first.mesh_file.empty() ? "" : " '" + first.mesh_file + "'",
-                     first.link);
+/// A foot's body in a posture, turned about the vertical to where it points at joint positions zero, and by the little
+/// that its bottom is aslant.
+Pose LevelledPose(const RobotModel& model, int body, const VectorX& given, const std::vector<const Shape*>& shapes) {
+  const auto b = static_cast<std::size_t>(body);
+  const VectorX posture = given.unaryExpr([](double q) { return std::isfinite(q) ? q : 0.0; });
+  Pose X_OE = BodyPoses(model, posture)[b];
+  const Vector3 ahead =
+      X_OE.linear() * BodyPoses(model, VectorX::Zero(model.num_dofs()))[b].linear().transpose().col(0);
+  X_OE = Eigen::AngleAxisd(-std::atan2(ahead.y(), ahead.x()), Vector3::UnitZ()) * X_OE;
+  return BottomTilt(X_OE, shapes).inverse() * X_OE;
 }
 
-constexpr double kLeastGive = 2e-3;  // [m]
-
-/// By how much rubber gives [m]: what of a mesh is no higher than that over its lowest point touches the ground too, so
-/// that the hull of a rounded sole has the area that people see. It goes with the size of the foot.
-double GiveOf(const std::vector<Vector3>& corners) {
-  constexpr double kShare = 0.02, kMost = 0.006;
-  Vector2 low = corners.front().head<2>(), high = low;
-  for (const Vector3& p : corners) {
-    low = low.cwiseMin(p.head<2>());
-    high = high.cwiseMax(p.head<2>());
-  }
-  return std::clamp(kShare * (high - low).maxCoeff(), kLeastGive, kMost);
-}
-
-/// The flat bottom of shapes of a foot's body in a posture: its corners, frame and what it is derived from.
-bool FindFlatBottom(const std::vector<Pose>& X_OB, const std::vector<const Shape*>& shapes, Foot& foot) {
+/// The flat bottom of shapes of the last body at joint positions zero, as a sole. Where it is larger by far in a
+/// posture that is given, which a sole is that lies aslant at zero, that one.
+bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, const VectorX& given,
+              Foot& foot) {
+  constexpr double kLarger = 1.5;
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
   const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
-  double bottom = std::numeric_limits<double>::infinity();
-  for (const Shape* shape : shapes) {
-    for (const Vector3& corner : Corners(*shape)) bottom = std::min(bottom, (X_OE * corner).z() - Radius(*shape));
-  }
-  std::vector<Vector2> touching;
-  std::vector<const Shape*> at_bottom;
-  for (const Shape* shape : shapes) {
-    std::vector<Vector3> corners = Corners(*shape);
-    for (Vector3& corner : corners) corner = X_OE * corner;
-    const double give = shape->type == ShapeType::kMesh ? GiveOf(corners) : kLeastGive;
-    for (const Vector3& p : corners) {
-      if (p.z() - Radius(*shape) >= bottom + give) continue;
-      touching.push_back(p.head<2>());
-      if (at_bottom.empty() || at_bottom.back() != shape) at_bottom.push_back(shape);
-    }
-  }
-  if (touching.size() < 3) return false;
-  Vector2 middle;
-  foot.sole_F = Rectangle(touching, middle);
-  const Vector2 size = foot.sole_F[2] - foot.sole_F[0];
-  if (size.minCoeff() < kThinnestSole * size.maxCoeff()) {
-    foot.sole_F.clear();
+  Foot found = foot;
+  const bool at_zero = FindFlatBottom(X_OE, shapes, found);
+  const bool is_given = std::all_of(leg.joints.begin(), leg.joints.end(), [&](int j) {
+    return std::isfinite(given[model.joints[static_cast<std::size_t>(j)].dof]);
+  });
+  Foot there = foot;
+  if (is_given && FindFlatBottom(LevelledPose(model, foot.body, given, shapes), shapes, there) &&
+      (!at_zero || Area(there.sole_F) > kLarger * Area(found.sole_F))) {
+    found = there;
+  } else if (!at_zero) {
     return false;
   }
-  if (std::any_of(at_bottom.begin(), at_bottom.end(), [](const auto* s) { return s->type == ShapeType::kMesh; })) {
-    for (Vector2& p : touching) p -= middle;
-    const Polygon outline = Outline(touching);
-    foot.sole_F = Area(outline) < kLeastSole ? Polygon{} : outline;
-    if (foot.sole_F.empty()) return false;
-  }
-  Pose X_OF = Pose::Identity();
-  X_OF.translation() = Vector3(middle.x(), middle.y(), bottom);
-  foot.X_BF = X_OE.inverse() * X_OF;
-  foot.derived_from = fmt::format("the flat bottom of {}", NameOf(at_bottom));
-  return true;
-}
-
-/// The flat bottom of shapes of the last body at joint positions zero, as a sole.
-bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, Foot& foot) {
-  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
-  if (!FindFlatBottom(X_OB, shapes, foot)) return false;
+  foot = found;
   foot.type = HasRoll(model, leg, X_OB) ? FootType::kSole : FootType::kLine;
   foot.derived_from = fmt::format("a {} from {}", foot.type == FootType::kSole ? "sole" : "line", foot.derived_from);
   return true;
@@ -201,16 +103,16 @@ void FindTip(const RobotModel& model, const std::vector<const Shape*>& shapes, F
   if (tip != nullptr) {
     Vector3 sum = Vector3::Zero();
     double count = 0.0;
-    for (const Vector3& corner : Corners(*tip)) {
-      if (corner.norm() + Radius(*tip) < farthest - kSame) continue;
+    for (const Vector3& corner : ShapeCorners(*tip)) {
+      if (corner.norm() + RoundRadius(*tip) < farthest - kSame) continue;
       sum += corner;
       count += 1.0;
     }
     foot.X_BF.translation() = sum / count;
-    foot.radius = Radius(*tip) < kPointRadius ? 0.0 : Radius(*tip);
+    foot.radius = RoundRadius(*tip) < kPointRadius ? 0.0 : RoundRadius(*tip);
     foot.link = tip->link;
     foot.derived_from = fmt::format("a {} from {}, the farthest from its last joint",
-                                    foot.radius > 0.0 ? "rolling foot" : "point", NameOf({tip}));
+                                    foot.radius > 0.0 ? "rolling foot" : "point", NamesOfShapes({tip}));
   }
   for (const Frame& frame : model.frames) {
     if (tip != nullptr || frame.body != foot.body || frame.X_BF.translation().norm() < farthest) continue;
@@ -250,7 +152,7 @@ bool FindWheel(const RobotModel& model, const std::vector<const Shape*>& shapes,
   foot.link = shapes.front()->link;
   foot.type = FootType::kSphere;
   foot.derived_from =
-      fmt::format("a wheel that is held still, round its axle '{}', from {}", axle.name, NameOf(shapes));
+      fmt::format("a wheel that is held still, round its axle '{}', from {}", axle.name, NamesOfShapes(shapes));
   return true;
 }
 
@@ -296,7 +198,7 @@ double FarthestExtent(const RobotModel& model, int body) {
   return extent;
 }
 
-Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given) {
+Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given, const VectorX& standing) {
   Foot foot;
   foot.body = leg.joints.back() + 1;
   foot.link = model.bodies[static_cast<std::size_t>(foot.body)].name;
@@ -312,7 +214,7 @@ Foot FindFoot(const RobotModel& model, const Leg& leg, const FootOverride* given
   if (given != nullptr && !given->sole_m.empty()) {
     TakeSole(model, *given, foot);
   } else if (tip || (!FindWheel(model, shapes, foot) &&
-                     (leg.joints.size() < kSoleJoints || !FindSole(model, leg, shapes, foot)))) {
+                     (leg.joints.size() < kSoleJoints || !FindSole(model, leg, shapes, standing, foot)))) {
     FindTip(model, shapes, foot);
   }
   if (given != nullptr) TakeType(*given, foot);
@@ -330,7 +232,8 @@ std::optional<Foot> FindRest(const RobotModel& model, const std::string& link) {
   rest.name = rest.link = link;
   rest.body = frame.body;
   rest.type = FootType::kSole;
-  if (!FindFlatBottom(BodyPoses(model, model.standing_joints), shapes, rest)) return std::nullopt;
+  const Pose X_OE = BodyPoses(model, model.standing_joints)[static_cast<std::size_t>(rest.body)];
+  if (!FindFlatBottom(X_OE, shapes, rest)) return std::nullopt;
   rest.derived_from = "a rest from " + rest.derived_from;
   return rest;
 }
