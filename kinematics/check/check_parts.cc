@@ -59,7 +59,9 @@ double DiameterOf(const RobotModel& model, int body, bool& shaped) {
     for (const Vector3& q : points) diameter = std::max(diameter, (p - q).norm());
   }
   constexpr double kLightest = 300.0;  // [kg/m^3] of a ball as large as a body of its mass is at the most
-  if (!shaped) diameter = std::max(diameter, std::cbrt(6.0 * of.mass / (std::numbers::pi * kLightest)));
+  if (!shaped && diameter > 0.0) {
+    diameter = std::max(diameter, std::cbrt(6.0 * of.mass / (std::numbers::pi * kLightest)));
+  }
   return diameter;
 }
 
