@@ -24,12 +24,18 @@ constexpr double kOfAccount = 0.01;    // share of the robot's mass
 constexpr double kOfNoAccount = 1e-4;  // share of the robot's mass below which no inertia matters
 constexpr double kHeavyWithoutShape = 0.1;
 
-/// Diameter of what is known of a body: its shapes, else its joints and frames. @param shaped  which of the two.
+/// Diameter of what is known of a body: its shapes, else its joints, frames and mass; 0 where all its shapes are meshes
+/// that are not read, as those that are only seen. @param shaped  whether shapes tell it.
 double DiameterOf(const RobotModel& model, int body, bool& shaped) {
   std::vector<Vector3> points;
+  bool unread = false;
   const auto add = [&](const std::vector<Shape>& shapes) {
     for (const Shape& shape : shapes) {
-      if (shape.body != body || (shape.type == ShapeType::kMesh && shape.vertices.empty())) continue;
+      if (shape.body != body) continue;
+      if (shape.type == ShapeType::kMesh && shape.vertices.empty()) {
+        unread = true;
+        continue;
+      }
       for (int i = 0; i < 6; ++i) {
         const Vector3 d_S = (i < 3 ? 1.0 : -1.0) * Vector3::Unit(i % 3);
         points.push_back(shape.X_BS * SupportPoint(shape, d_S));
@@ -39,9 +45,11 @@ double DiameterOf(const RobotModel& model, int body, bool& shaped) {
   add(model.collision_shapes);
   add(model.visual_shapes);
   shaped = !points.empty();
+  if (!shaped && unread) return 0.0;
+  const Body& of = model.bodies[static_cast<std::size_t>(body)];
   if (!shaped) {
     points.push_back(Vector3::Zero());
-    points.push_back(model.bodies[static_cast<std::size_t>(body)].p_BC);
+    points.push_back(of.p_BC);
   }
   for (const Joint& joint : model.joints) {
     if (joint.parent_body == body) points.push_back(joint.X_PJ.translation());
@@ -52,6 +60,10 @@ double DiameterOf(const RobotModel& model, int body, bool& shaped) {
   double diameter = 0.0;
   for (const Vector3& p : points) {
     for (const Vector3& q : points) diameter = std::max(diameter, (p - q).norm());
+  }
+  constexpr double kLightest = 300.0;  // [kg/m^3] of a ball as large as a body of its mass is at the most
+  if (!shaped && diameter > 0.0) {
+    diameter = std::max(diameter, std::cbrt(6.0 * of.mass / (std::numbers::pi * kLightest)));
   }
   return diameter;
 }

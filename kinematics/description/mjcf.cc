@@ -8,6 +8,7 @@
 #include "kinematics/base/file.h"
 #include "kinematics/description/mjcf_keyframe_internal.h"
 #include "kinematics/description/mjcf_others_internal.h"
+#include "kinematics/description/mjcf_tendons_internal.h"
 #include "kinematics/description/mjcf_write_internal.h"
 
 namespace gaitwright {
@@ -26,9 +27,14 @@ void ReadMjcfBodies(MjcfContext& context, MjcfRobot& robot) {
   robot.collision.resize(count);
   robot.visual.resize(count);
   MjcfInertias inertias(context, assets);
+  std::vector<std::vector<MjcfGeom>> geoms_of(count);
+  for (std::size_t b = 0; b < count; ++b) {
+    if (robot.tree.in_robot[b]) geoms_of[b] = ReadMjcfGeoms(context, robot.tree.bodies[b], paired);
+  }
+  LetHiddenMjcfGeomsCollide(context, geoms_of);
   for (std::size_t b = 0; b < count; ++b) {
     if (!robot.tree.in_robot[b]) continue;
-    const std::vector<MjcfGeom> geoms = ReadMjcfGeoms(context, robot.tree.bodies[b], paired);
+    const std::vector<MjcfGeom>& geoms = geoms_of[b];
     robot.inertias[b] = inertias.Of(robot.tree.bodies[b], geoms);
     for (const MjcfGeom& geom : geoms) {
       if (!geom.collides && !geom.is_shown) continue;
@@ -65,7 +71,10 @@ ConvertedMjcf ConvertMjcfOrThrow(const std::string& text, const MjcfFiles& files
   ReadMjcfBodies(context, robot);
   SetMjcfTotalMass(context, robot);
   robot.drives = ReadMjcfDrives(context, robot.tree);
-  robot.couplings = ReadMjcfCouplings(context, robot.tree, robot.drives);
+  DriveMjcfJointsByTendons(context, robot.tree, robot.drives);
+  std::vector<double> masses;
+  for (const MjcfInertia& inertia : robot.inertias) masses.push_back(inertia.mass);
+  robot.couplings = ReadMjcfCouplings(context, robot.tree, robot.drives, masses);
   std::vector<bool> follows;
   for (const MjcfCoupling& coupling : robot.couplings) follows.push_back(!coupling.moves_alone());
   robot.efforts = MjcfEfforts(context, robot.tree, robot.drives, follows);

@@ -47,13 +47,15 @@ bool IsMjcf(const std::string& text);
 ///
 /// = Taken otherwise =
 ///   ellipsoid: a capsule or box around it      prismatic joint without range: 1 km either way
-///   joint without actuator beside joints that have one: effort limit of 1e-6 N m, so that no plan relies on it
-///   joint whose actuators have no force limit, and all joints of a model without actuators: effort 0, unknown
+///   joint without actuator beside joints that have one: effort limit 0, which says that it has no motor
+///   joint whose actuators have no force limit, and all joints of a model without actuators: effort 1e6, unknown
+///   closed loop of connect or weld in a small part that carries no foot, such as a gripper: its joints stand still
+///   actuator of a tendon or slider-crank: left out; fixed tendon held in a narrow range: it carries motors' torque on
 ///   first body without free joint: floating base all the same
 ///
 /// @param read_mesh  for inertia from meshes; without it a body that needs one is refused.
 /// @return the texts; or a Failure of kind kBadInput that names file, line, element and value: not XML, numbers or
-/// names that are wrong, connect and weld (closed loops), tendon and slider-crank actuators, equalities that are not
+/// names that are wrong, connect and weld that close other loops or tie the robot to the world, equalities that are not
 /// linear, <replicate>, <attach>, <composite>, <flexcomp>, and more than 16 MiB of text, 200 levels, 100 files, 1000
 /// bodies. Format: MuJoCo XML reference, https://mujoco.readthedocs.io/en/stable/XMLreference.html
 Result<ConvertedMjcf> ConvertMjcf(const std::string& path, const MjcfMeshReader& read_mesh = {});

@@ -68,10 +68,11 @@ MjcfForce ReadMjcfForce(MjcfContext& context, const MjcfAttributes& attributes, 
 /// Index of the joint that an actuator drives. Where it drives no moving joint: -1, and a note is added.
 int MjcfDrivenJoint(MjcfContext& context, const MjcfAttributes& attributes, const MjcfTree& tree) {
   for (const char* key : {"tendon", "cranksite"}) {
-    if (attributes.Has(key))
-      RefuseMjcf("mjcf_actuator",
-                 fmt::format("{}: it drives '{}' by '{}', which is not supported; actuators of joints are",
-                             attributes.owner(), ShownMjcf(attributes.Text(key)), key));
+    if (!attributes.Has(key)) continue;
+    context.Note(attributes.owner(), fmt::format("it drives '{}' by '{}', which is not supported; left out: the joints "
+                                                 "that it moves have no motor here",
+                                                 ShownMjcf(attributes.Text(key)), key));
+    return -1;
   }
   const std::string key = attributes.Has("joint") ? "joint" : "jointinparent";
   if (!attributes.Has(key)) {
@@ -144,7 +145,7 @@ std::vector<MjcfDrive> ReadMjcfDrives(MjcfContext& context, const MjcfTree& tree
 
 std::vector<double> MjcfEfforts(MjcfContext& context, const MjcfTree& tree, const std::vector<MjcfDrive>& drives,
                                 const std::vector<bool>& follows) {
-  std::vector<double> efforts(drives.size(), 0.0);
+  std::vector<double> efforts(drives.size(), kMjcfUnknownEffort);
   const bool any =
       std::any_of(drives.begin(), drives.end(), [](const MjcfDrive& drive) { return drive.actuators > 0; });
   if (!any)
@@ -154,18 +155,18 @@ std::vector<double> MjcfEfforts(MjcfContext& context, const MjcfTree& tree, cons
     const MjcfJoint& joint = tree.joints[j];
     if (!tree.Moves(static_cast<int>(j)) || follows[j]) continue;
     if (any && drives[j].actuators == 0) {
-      efforts[j] = kMjcfPassiveEffort;
-      context.Note(joint.owner, fmt::format("it has no actuator, so that no motion may rely on it: its effort limit is "
-                                            "{}; where a motor drives it, say so in robot.yaml: limits: {{'{}': "
-                                            "{{{}: ...}}}}",
-                                            kMjcfPassiveEffort, joint.is_scalar() ? joint.name : joint.name + "_x",
-                                            joint.type == MjcfJointType::kSlide ? "effort_n" : "effort_nm"));
+      efforts[j] = 0.0;
+      context.Note(joint.owner,
+                   fmt::format("it has no actuator, so that it has no motor here; where one drives it, say "
+                               "so in robot.yaml: limits: {{'{}': {{{}: ...}}}}",
+                               joint.is_scalar() ? joint.name : joint.name + "_x",
+                               joint.type == MjcfJointType::kSlide ? "effort_n" : "effort_nm"));
       continue;
     }
-    const double own = any && drives[j].is_bounded ? MjcfEffortOf(context, joint, drives[j]) : 0.0;
-    const double at_joint = joint.force_limit.value_or(0.0);
-    efforts[j] = own > 0.0 && at_joint > 0.0 ? std::min(own, at_joint) : std::max(own, at_joint);
-    if (any && efforts[j] == 0.0)
+    const double own = any && drives[j].is_bounded ? MjcfEffortOf(context, joint, drives[j]) : kMjcfUnknownEffort;
+    efforts[j] = std::min(own, joint.force_limit.value_or(kMjcfUnknownEffort));
+    if (efforts[j] <= 0.0) efforts[j] = kMjcfUnknownEffort;
+    if (any && efforts[j] == kMjcfUnknownEffort)
       context.Note(joint.owner, "its actuators have no force limit: its effort limit is not known");
   }
   return efforts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,14 @@ struct MjcfDrive {
 };
 
 /// The drives by joint. Effort is |gear| times the largest force, which `forcerange` bounds, and `ctrlrange` where
-/// force is control times a gain. Throws a Failure on actuators of tendons and slider-cranks and on unknown joints;
-/// those that act on sites, bodies and joints that do not move are noted.
+/// force is control times a gain. Throws a Failure on unknown joints; actuators of tendons and slider-cranks, and those
+/// that act on sites, bodies and joints that do not move, are noted and left out.
 std::vector<MjcfDrive> ReadMjcfDrives(MjcfContext& context, const MjcfTree& tree);
 
-/// Effort below which no motion counts on a joint that has no actuator [N m, N].
-inline constexpr double kMjcfPassiveEffort = 1e-6;
+/// Effort of a joint of whose motor no limit is known. The URDF has a number so large that it is none.
+inline constexpr double kMjcfUnknownEffort = std::numeric_limits<double>::infinity();
 
-/// The effort limits of the URDF by joint: 0 where none is known. Joints without a limit and without an actuator are
+/// The effort limits by joint: 0 for a joint that has no motor. Joints without a limit and without an actuator are
 /// noted. @param follows  by joint: it follows another one and needs no actuator.
 std::vector<double> MjcfEfforts(MjcfContext& context, const MjcfTree& tree, const std::vector<MjcfDrive>& drives,
                                 const std::vector<bool>& follows);

@@ -8,19 +8,10 @@
 
 #include "kinematics/base/nearest_name.h"
 #include "kinematics/description/mjcf_equality_internal.h"
+#include "kinematics/description/mjcf_loops_internal.h"
 
 namespace gaitwright {
 namespace {
-
-/// Whether an equality between bodies has a part in the robot. Sites are taken for the robot's.
-bool TouchesMjcfRobot(const MjcfAttributes& attributes, const MjcfTree& tree) {
-  if (attributes.Has("site1") || attributes.Has("site2")) return true;
-  for (const char* key : {"body1", "body2"}) {
-    const auto at = tree.body_named.find(attributes.Text(key));
-    if (at != tree.body_named.end() && tree.in_robot[static_cast<std::size_t>(at->second)]) return true;
-  }
-  return false;
-}
 
 /// The joint that an equality names; -1 where it names none.
 int MjcfCoupledJoint(const MjcfAttributes& attributes, const MjcfTree& tree, const std::string& key) {
@@ -71,6 +62,8 @@ class MjcfCoupler {
       Follow(attributes, {first, second}, a[1], offset);
     }
   }
+
+  std::vector<MjcfCoupling>& couplings() { return couplings_; }
 
   /// What follows a joint that stands still stands still too.
   std::vector<MjcfCoupling> Take() {
@@ -137,7 +130,7 @@ class MjcfCoupler {
 }  // namespace
 
 std::vector<MjcfCoupling> ReadMjcfCouplings(MjcfContext& context, const MjcfTree& tree,
-                                            const std::vector<MjcfDrive>& drives) {
+                                            const std::vector<MjcfDrive>& drives, const std::vector<double>& masses) {
   MjcfCoupler coupler(context, tree, drives);
   for (const tinyxml2::XMLElement* element : context.document.InSections("equality")) {
     const std::string tag = element->Name();
@@ -146,16 +139,12 @@ std::vector<MjcfCoupling> ReadMjcfCouplings(MjcfContext& context, const MjcfTree
       context.Note(attributes.owner(), "it is not active; left out");
     } else if (tag == "joint") {
       coupler.Couple(attributes);
-    } else if ((tag == "connect" || tag == "weld") && !TouchesMjcfRobot(attributes, tree)) {
-      context.Note(attributes.owner(), "it is no part of the robot; left out");
-    } else {
-      RefuseMjcf(tag == "connect" || tag == "weld" ? "mjcf_loop" : "mjcf_equality",
-                 fmt::format("{}: an equality <{}> is not supported: {}", attributes.owner(), tag,
-                             tag == "connect" || tag == "weld"
-                                 ? "it closes a loop, or ties the robot to the world; the joints must form a tree"
-                                 : "equalities of joints are"));
+    } else if (tag != "connect" && tag != "weld") {
+      RefuseMjcf("mjcf_equality", fmt::format("{}: an equality <{}> is not supported: equalities of joints are",
+                                              attributes.owner(), tag));
     }
   }
+  LockMjcfLoops(context, tree, masses, coupler.couplings());
   return coupler.Take();
 }
 

@@ -17,9 +17,9 @@ struct MjcfCoupling {
   bool moves_alone() const { return leader < 0 && !locked; }
 };
 
-/// The couplings by joint. Throws a Failure on what closes a loop (connect, weld), is not linear, or couples a joint
-/// twice.
+/// The couplings by joint. Throws a Failure on what is not linear, couples a joint twice, or closes a loop that cannot
+/// stand still (see LockMjcfLoops). @param masses  by body [kg].
 std::vector<MjcfCoupling> ReadMjcfCouplings(MjcfContext& context, const MjcfTree& tree,
-                                            const std::vector<MjcfDrive>& drives);
+                                            const std::vector<MjcfDrive>& drives, const std::vector<double>& masses);
 
 }  // namespace gaitwright

@@ -175,4 +175,21 @@ std::vector<MjcfGeom> ReadMjcfGeoms(MjcfContext& context, const MjcfBody& body, 
   return geoms;
 }
 
+void LetHiddenMjcfGeomsCollide(MjcfContext& context, std::vector<std::vector<MjcfGeom>>& geoms) {
+  const auto any = [&](auto&& is_so) {
+    return std::any_of(geoms.begin(), geoms.end(), [&](const std::vector<MjcfGeom>& of_body) {
+      return std::any_of(of_body.begin(), of_body.end(), is_so);
+    });
+  };
+  if (any([](const MjcfGeom& geom) { return geom.collides; })) return;
+  if (!any([](const MjcfGeom& geom) { return !geom.is_shown; })) return;
+  context.Note(
+      context.document.Owner(context.document.root()),
+      "no geom of the robot can touch another by 'contype' and 'conaffinity', and no <pair> names one; the geoms "
+      "that are not shown, of group 3 and up, are taken for its collision geometry");
+  for (std::vector<MjcfGeom>& of_body : geoms) {
+    for (MjcfGeom& geom : of_body) geom.collides = !geom.is_shown;
+  }
+}
+
 }  // namespace gaitwright

@@ -53,4 +53,8 @@ std::set<std::string> MjcfPairedGeoms(const MjcfContext& context);
 /// The geoms of a body; planes, height fields and the like are noted and left out.
 std::vector<MjcfGeom> ReadMjcfGeoms(MjcfContext& context, const MjcfBody& body, const std::set<std::string>& paired);
 
+/// Where no geom of the robot collides, as in a model whose contacts another file gives by pairs, those that are not
+/// shown do: the usual place of collision geometry. @param geoms  by body.
+void LetHiddenMjcfGeomsCollide(MjcfContext& context, std::vector<std::vector<MjcfGeom>>& geoms);
+
 }  // namespace gaitwright

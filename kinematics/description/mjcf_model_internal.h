@@ -78,7 +78,8 @@ struct MjcfTree {
   int root = -1;               ///< the robot's first body
   std::vector<bool> in_robot;  ///< by body
   std::map<std::string, int> body_named, joint_named;
-  std::vector<int> body_of;  ///< by joint
+  std::map<std::string, int> body_of_site;  ///< by the site's name; -1 for a site of the world
+  std::vector<int> body_of;                 ///< by joint
 
   bool IsRobotJoint(int joint) const;
   /// Whether the joint becomes one of the URDF: it is the robot's and does not join its first body to the world.

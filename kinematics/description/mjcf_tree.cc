@@ -33,6 +33,8 @@ class MjcfTreeReader {
   void ReadContents(const MjcfPart& around, int body) {
     for (const XMLElement* child : context_.document.Children(*around.element)) {
       const std::string tag = child->Name();
+      if (const char* name = child->Attribute("name"); tag == "site" && name != nullptr)
+        tree_.body_of_site[name] = body;
       if (tag == "body") {
         ReadBody({child, around.X_BF, around.childclass}, body);
       } else if (tag == "frame") {

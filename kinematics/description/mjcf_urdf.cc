@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <tinyxml2.h>
 
+#include <cmath>
 #include <set>
 
 #include "kinematics/description/mjcf_write_internal.h"
@@ -151,7 +152,8 @@ class MjcfUrdfWriter {
         limit = {{"lower", MjcfText(range.first)}, {"upper", MjcfText(range.second)}};
       }
     }
-    limit.emplace_back("effort", MjcfText(robot_.efforts[j]));
+    constexpr double kNoLimit = 1e6;  // [N m, N] no motor has it
+    limit.emplace_back("effort", MjcfText(std::isfinite(robot_.efforts[j]) ? robot_.efforts[j] : kNoLimit));
     limit.emplace_back("velocity", "0");  // not known
     Element("limit", limit);
     if (joint.damping > 0.0 || joint.friction > 0.0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "kinematics/description/mjcf_write_internal.h"
 
 namespace gaitwright {
@@ -56,7 +58,7 @@ std::string WriteMjcfYaml(const MjcfRobot& robot) {
     const bool slides = joint.type == MjcfJointType::kSlide;
     const std::string own = MjcfGains(joint, robot.drives[j]);
     for (const std::string& name : NamesOfMjcf(joint)) {
-      if (robot.efforts[j] >= kPlaceholder)
+      if (robot.efforts[j] >= kPlaceholder && std::isfinite(robot.efforts[j]))
         limits.Add(name, fmt::format("{}: {}", slides ? "effort_n" : "effort_nm", robot.efforts[j]));
       if (!own.empty()) gains.Add(name, own);
       if (joint.armature > 0.0)

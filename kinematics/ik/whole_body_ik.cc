@@ -26,19 +26,37 @@ Vector3 WantedPosition(const Foot& foot, const FootTarget& target, const Matrix3
   return target.p_WF + foot.radius * RotationLog(R_WF * target.R_anchor.transpose()).cross(target.normal_anchor_W);
 }
 
-/// The column, beyond the base's six, whose unit vector has most left once directions (orthonormal) are taken out.
-std::size_t LeastUsed(const std::vector<Eigen::RowVectorXd>& directions) {
+/// The column, beyond the base's six, whose unit vector has most left once directions (orthonormal) are taken out: of
+/// those `shared` by legs while any has something left, else of all.
+std::size_t LeastUsed(const std::vector<Eigen::RowVectorXd>& directions, const std::vector<bool>& shared) {
   constexpr double kTie = 1e-9;
   std::size_t least = 6;
   double most_left = -1.0;
+  bool of_shared = false;
   for (Eigen::Index c = 6; c < directions.front().size(); ++c) {
     double left = 1.0;
     for (const auto& direction : directions) left -= direction[c] * direction[c];
-    if (left < most_left - kTie) continue;
+    const bool is_shared = shared[static_cast<std::size_t>(c)] && left > kDependent * kDependent;
+    if (is_shared == of_shared ? left < most_left - kTie : of_shared) continue;
+    of_shared = is_shared;
     most_left = left;
     least = static_cast<std::size_t>(c);
   }
   return least;
+}
+
+/// Of each joint coordinate (n), whether it moves more than one leg, as a waist does.
+std::vector<bool> SharedByLegs(const RobotModel& model) {
+  std::vector<int> last(static_cast<std::size_t>(model.num_dofs()), -1);
+  std::vector<bool> shared(last.size(), false);
+  for (std::size_t leg = 0; leg < model.legs.size(); ++leg) {
+    for (const int joint : model.legs[leg].joints) {
+      const auto dof = static_cast<std::size_t>(model.joints[static_cast<std::size_t>(joint)].dof);
+      shared[dof] = shared[dof] || (last[dof] >= 0 && last[dof] != static_cast<int>(leg));
+      last[dof] = static_cast<int>(leg);
+    }
+  }
+  return shared;
 }
 
 void Integrate(const VectorX& step, VectorX& q) {
@@ -112,9 +130,15 @@ void WholeBodyIk::ChooseRows() {
     }
   }
   rows_ = chosen;
-  // Legs with freedoms to spare: hold those that the tasks use least, one after the other.
+  // Legs with freedoms to spare: hold those that the tasks use least, one after the other. A waist that carries the
+  // legs goes first: without it both legs still move alike.
+  const std::vector<bool> shared_by_legs = SharedByLegs(*model_);
+  std::vector<bool> shared(columns_.size(), false);
+  for (std::size_t c = 6; c < columns_.size(); ++c) {
+    shared[c] = shared_by_legs[static_cast<std::size_t>(columns_[c] - 6)];
+  }
   while (basis.size() < columns_.size()) {
-    const std::size_t held = LeastUsed(basis);
+    const std::size_t held = LeastUsed(basis, shared);
     Eigen::RowVectorXd unit = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(columns_.size()));
     unit[static_cast<Eigen::Index>(held)] = 1.0;
     if (!take(unit)) break;

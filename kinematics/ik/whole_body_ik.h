@@ -49,9 +49,9 @@ struct BodyTarget {
 /// top while they are independent of those above and freedoms are left; the rest yields (NAO has 17 freedoms for 18
 /// rows: its yaw follows from the coupled hip). Rows lie along the axes of the base's heading, those of a foot's
 /// rotation along the axes of its F, so that what yields is the same wherever the robot turns to. Freedoms that are
-/// still left are held where the target's posture has them: joints outside the legs first. So the system is square:
-/// positions are solved to 1e-10, velocities and accelerations are its exact derivatives. Once made it allocates
-/// nothing, failures excepted.
+/// still left are held where the target's posture has them: joints outside the legs first, then those that carry
+/// several legs. So the system is square: positions are solved to 1e-10, velocities and accelerations are its exact
+/// derivatives. Once made it allocates nothing, failures excepted.
 ///
 /// Tuning: "does not converge" means a target out of reach: the failure names the foot that is farthest from its
 /// target.

@@ -28,17 +28,21 @@ struct LimbThatReaches {
   std::vector<int> chain;
 };
 
+constexpr std::size_t kMostShared = 2;  // joints that legs may have in common, as a waist
+
+/// How many joints two chains begin with in common.
+std::size_t SharedJoints(const std::vector<int>& one, const std::vector<int>& other) {
+  const auto [end, unused] = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
+  return static_cast<std::size_t>(end - one.begin());
+}
+
 /// Of limbs that part late, as the fingers of a hand or the toes of a foot do, the one that comes down farthest is
 /// left.
 void DropBranches(std::vector<LimbThatReaches>& limbs) {
-  constexpr std::size_t kShared = 2;  // joints that legs may have in common, as a waist
   std::vector<LimbThatReaches> kept;
   for (LimbThatReaches& limb : limbs) {
     const bool branch = std::any_of(kept.begin(), kept.end(), [&](const LimbThatReaches& other) {
-      std::size_t shared = 0;
-      while (shared < std::min(limb.chain.size(), other.chain.size()) && limb.chain[shared] == other.chain[shared])
-        ++shared;
-      return shared > kShared;
+      return SharedJoints(limb.chain, other.chain) > kMostShared;
     });
     if (!branch) kept.push_back(std::move(limb));
   }
@@ -50,14 +54,15 @@ void DropBranches(std::vector<LimbThatReaches>& limbs) {
 void DropArms(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
   constexpr double kSame = 0.1;  // share of the reach
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
-  const auto root = [&](const LimbThatReaches& limb) -> Vector3 {
-    return X_OB[static_cast<std::size_t>(limb.chain.front()) + 1].translation();
-  };
   const auto mirrored = [&](const LimbThatReaches& limb) {
     return std::any_of(limbs.begin(), limbs.end(), [&](const LimbThatReaches& other) {
-      const Vector3 away = root(other) - Vector3(root(limb).x(), -root(limb).y(), root(limb).z());
-      return other.chain.front() != limb.chain.front() && other.chain.size() == limb.chain.size() &&
-             away.norm() < -kSame * limb.lowest;
+      const std::size_t shared = SharedJoints(limb.chain, other.chain);  // a waist, from which both legs go
+      if (other.chain.size() != limb.chain.size() || shared > kMostShared || shared == limb.chain.size()) return false;
+      const auto root = [&](const std::vector<int>& chain) -> Vector3 {
+        return X_OB[static_cast<std::size_t>(chain[shared]) + 1].translation();
+      };
+      const Vector3 own = root(limb.chain), away = root(other.chain) - Vector3(own.x(), -own.y(), own.z());
+      return away.norm() < -kSame * limb.lowest;
     });
   };
   std::size_t paired = 0, joints = 0;
@@ -179,7 +184,7 @@ Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX
     Leg leg;
     leg.foot = static_cast<int>(i);
     leg.joints = ChainTo(model, ends[i]);
-    model.feet.push_back(FindFoot(model, leg, given, feet.empty() ? nullptr : &feet[i]));
+    model.feet.push_back(FindFoot(model, leg, given, feet.empty() ? nullptr : &feet[i], standing));
     leg.name = model.feet.back().name;
     MeasureLeg(model, leg, model.feet.back());
     model.legs.push_back(leg);

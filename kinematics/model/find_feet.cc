@@ -13,9 +13,12 @@
 #include "kinematics/model/flat_bottom.h"
 #include "kinematics/model/shape_support.h"
 #include "kinematics/model/yaml_line.h"
+#include "kinematics/spatial/convex_hull.h"
 
 namespace gaitwright {
 namespace {
+
+constexpr std::size_t kSoleJoints = 5;  // legs of fewer have no sole
 
 std::vector<const Shape*> ShapesOf(const RobotModel& model, int body) {
   std::vector<const Shape*> shapes;
@@ -48,11 +51,38 @@ bool HasRoll(const RobotModel& model, const Leg& leg, const std::vector<Pose>& X
   });
 }
 
-/// The flat bottom of shapes of the last body at joint positions zero, as a sole.
-bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes,
+/// A foot's body in a posture, turned about the vertical to where it points at joint positions zero, and by the little
+/// that its bottom is aslant.
+Pose LevelledPose(const RobotModel& model, int body, const VectorX& given, const std::vector<const Shape*>& shapes) {
+  const auto b = static_cast<std::size_t>(body);
+  const VectorX posture = given.unaryExpr([](double q) { return std::isfinite(q) ? q : 0.0; });
+  Pose X_OE = BodyPoses(model, posture)[b];
+  const Vector3 ahead =
+      X_OE.linear() * BodyPoses(model, VectorX::Zero(model.num_dofs()))[b].linear().transpose().col(0);
+  X_OE = Eigen::AngleAxisd(-std::atan2(ahead.y(), ahead.x()), Vector3::UnitZ()) * X_OE;
+  return BottomTilt(X_OE, shapes).inverse() * X_OE;
+}
+
+/// The flat bottom of shapes of the last body at joint positions zero, as a sole. Where it is larger by far in a
+/// posture that is given, which a sole is that lies aslant at zero, that one.
+bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, const VectorX& given,
               std::optional<double> give_m, Foot& foot) {
+  constexpr double kLarger = 1.5;
   const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
-  if (!FindFlatBottom(X_OB, shapes, give_m, foot)) return false;
+  const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
+  Foot found = foot;
+  const bool at_zero = FindFlatBottom(X_OE, shapes, give_m, found);
+  const bool is_given = std::all_of(leg.joints.begin(), leg.joints.end(), [&](int j) {
+    return std::isfinite(given[model.joints[static_cast<std::size_t>(j)].dof]);
+  });
+  Foot there = foot;
+  if (is_given && FindFlatBottom(LevelledPose(model, foot.body, given, shapes), shapes, give_m, there) &&
+      (!at_zero || Area(there.sole_F) > kLarger * Area(found.sole_F))) {
+    found = there;
+  } else if (!at_zero) {
+    return false;
+  }
+  foot = found;
   foot.type = HasRoll(model, leg, X_OB) ? FootType::kSole : FootType::kLine;
   foot.derived_from = fmt::format("a {} from {}", foot.type == FootType::kSole ? "sole" : "line", foot.derived_from);
   return true;
@@ -131,13 +161,13 @@ bool FindWheel(const RobotModel& model, const std::vector<const Shape*>& shapes,
 /// Refuses a sole's give that changes nothing or takes the sole away: where the foot is given one, or would have a sole
 /// without it.
 void CheckGiveIsIdle(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes,
-                     const LegChoices& choices, const FootOverride* given, bool can_have_sole) {
+                     const LegChoices& choices, const FootOverride* given, const VectorX& standing) {
   Foot foot;
   foot.body = leg.joints.back() + 1;
   const std::string name = given != nullptr ? given->link : model.bodies[static_cast<std::size_t>(foot.body)].name;
   const bool own = given != nullptr && given->sole_give_m.has_value();
   const int line = own ? given->line : choices.sole_give_line;
-  if (can_have_sole && FindSole(model, leg, shapes, std::nullopt, foot)) {
+  if (leg.joints.size() >= kSoleJoints && FindSole(model, leg, shapes, standing, std::nullopt, foot)) {
     RefuseYamlLine(line,
                    fmt::format("'sole_give_m' leaves foot '{}' no sole: no area of its shapes lies within {} m of "
                                "their lowest point; without it there is one",
@@ -191,7 +221,8 @@ double FarthestExtent(const RobotModel& model, int body) {
   return extent;
 }
 
-Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices, const FootOverride* given) {
+Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices, const FootOverride* given,
+              const VectorX& standing) {
   Foot foot;
   foot.body = leg.joints.back() + 1;
   foot.link = model.bodies[static_cast<std::size_t>(foot.body)].name;
@@ -202,16 +233,15 @@ Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices
                  [&](const Shape* shape) { return shape->link == given->link; });
     if (!own.empty()) shapes = own;
   }
-  constexpr std::size_t kSoleJoints = 5;
   const bool tip = given != nullptr && (given->type || given->radius_m > 0.0);
   const std::optional<double> give_m =
       given != nullptr && given->sole_give_m ? given->sole_give_m : choices.sole_give_m;
   if (given != nullptr && !given->sole_m.empty()) {
     TakeSole(model, *given, foot);
   } else if (tip || (!FindWheel(model, shapes, foot) &&
-                     (leg.joints.size() < kSoleJoints || !FindSole(model, leg, shapes, give_m, foot)))) {
+                     (leg.joints.size() < kSoleJoints || !FindSole(model, leg, shapes, standing, give_m, foot)))) {
     FindTip(model, shapes, foot);
-    if (give_m && !tip) CheckGiveIsIdle(model, leg, shapes, choices, given, leg.joints.size() >= kSoleJoints);
+    if (give_m && !tip) CheckGiveIsIdle(model, leg, shapes, choices, given, standing);
   }
   if (given != nullptr) TakeType(*given, foot);
   foot.name = foot.link;
@@ -228,7 +258,9 @@ std::optional<Foot> FindRest(const RobotModel& model, const std::string& link, s
   rest.name = rest.link = link;
   rest.body = frame.body;
   rest.type = FootType::kSole;
-  if (!FindFlatBottom(BodyPoses(model, model.standing_joints), shapes, give_m, rest)) return std::nullopt;
+  if (!FindFlatBottom(BodyPoses(model, model.standing_joints)[static_cast<std::size_t>(rest.body)], shapes, give_m,
+                      rest))
+    return std::nullopt;
   rest.derived_from = "a rest from " + rest.derived_from;
   return rest;
 }

@@ -12,10 +12,12 @@ namespace gaitwright {
 /// Distance from a body's joint to the farthest of its collision geometry and its frames [m].
 double FarthestExtent(const RobotModel& model, int body);
 
-/// The foot at the end of a leg; @param choices have the give of soles, unless `given`, which is of this foot, has it.
-/// X_BF has the base's axes at joint positions zero (a sphere's are set with the
-/// posture).
-Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices, const FootOverride* given);
+/// The foot at the end of a leg; X_BF has the base's axes at joint positions zero, or where a sole that lies aslant
+/// there is level (a sphere's are set with the posture).
+/// @param choices   have the give of soles, unless `given`, which is of this foot, has it.
+/// @param standing  joint positions by coordinate, in which such a sole is level; NaN where none is given.
+Foot FindFoot(const RobotModel& model, const Leg& leg, const LegChoices& choices, const FootOverride* given,
+              const VectorX& standing);
 
 /// A part of the robot that is no foot and that it may lie on: the flat bottom of a link's shapes in the standing
 /// posture, with the sole's give of FindFlatBottom. Nothing where it has none. @throws InvalidArgument for a link that

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,6 +67,16 @@ double GiveOf(const Shape& shape, const std::vector<Vector3>& corners, std::opti
   return shape.type == ShapeType::kMesh ? DerivedGiveOf(corners) : kLeastGive;
 }
 
+/// Height in O of the lowest point of shapes.
+double LowestOf(const Pose& X_OE, const std::vector<const Shape*>& shapes) {
+  double bottom = std::numeric_limits<double>::infinity();
+  for (const Shape* shape : shapes) {
+    for (const Vector3& corner : SpanningCorners(*shape))
+      bottom = std::min(bottom, (X_OE * corner).z() - RoundingRadius(*shape));
+  }
+  return bottom;
+}
+
 }  // namespace
 
 std::vector<Vector3> SpanningCorners(const Shape& shape) {
@@ -105,14 +116,9 @@ std::string NameOfShapes(const std::vector<const Shape*>& shapes) {
                      first.link);
 }
 
-bool FindFlatBottom(const std::vector<Pose>& X_OB, const std::vector<const Shape*>& shapes,
-                    std::optional<double> given_give_m, Foot& foot) {
-  const Pose& X_OE = X_OB[static_cast<std::size_t>(foot.body)];
-  double bottom = std::numeric_limits<double>::infinity();
-  for (const Shape* shape : shapes) {
-    for (const Vector3& corner : SpanningCorners(*shape))
-      bottom = std::min(bottom, (X_OE * corner).z() - RoundingRadius(*shape));
-  }
+bool FindFlatBottom(const Pose& X_OE, const std::vector<const Shape*>& shapes, std::optional<double> given_give_m,
+                    Foot& foot) {
+  const double bottom = LowestOf(X_OE, shapes);
   std::vector<Vector2> touching;
   std::vector<const Shape*> at_bottom;
   for (const Shape* shape : shapes) {
@@ -146,6 +152,34 @@ bool FindFlatBottom(const std::vector<Pose>& X_OB, const std::vector<const Shape
   if (given_give_m)
     foot.derived_from += fmt::format(", within {:.4g} mm of its lowest point (robot.yaml)", 1e3 * *given_give_m);
   return true;
+}
+
+Eigen::Quaterniond BottomTilt(const Pose& X_OE, const std::vector<const Shape*>& shapes) {
+  constexpr double kNear = 0.006, kFlat = 1e-3;  // [m]
+  constexpr double kMost = 0.1;                  // [rad]
+  const double bottom = LowestOf(X_OE, shapes);
+  std::vector<Vector3> points;
+  Vector3 middle = Vector3::Zero();
+  for (const Shape* shape : shapes) {
+    for (const Vector3& corner : SpanningCorners(*shape)) {
+      const Vector3 p = X_OE * corner - RoundingRadius(*shape) * Vector3::UnitZ();
+      if (p.z() > bottom + kNear) continue;
+      points.push_back(p);
+      middle += p;
+    }
+  }
+  const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
+  if (points.size() < 3) return none;
+  middle /= static_cast<double>(points.size());
+  Matrix3 spread = Matrix3::Zero();
+  for (const Vector3& p : points) spread += (p - middle) * (p - middle).transpose();
+  const Eigen::SelfAdjointEigenSolver<Matrix3> axes(spread / static_cast<double>(points.size()));
+  const Vector3 spreads = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  if (spreads[0] > kFlat || spreads[1] < 10.0 * kFlat) return none;
+  Vector3 normal = axes.eigenvectors().col(0);
+  if (normal.z() < 0.0) normal = -normal;
+  if (std::acos(std::min(normal.z(), 1.0)) > kMost) return none;
+  return Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), normal);
 }
 
 }  // namespace gaitwright

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "kinematics/model/body_tree.h"
 #include "kinematics/spatial/rotation.h"
@@ -58,6 +59,25 @@ std::vector<std::size_t> LargestGroup(const std::vector<std::size_t>& level, con
     if (more || (group.size() == best.size() && across(group) > across(best) + 1e-9)) best = group;
   }
   return best;
+}
+
+/// The length of a leg that its bending joints can straighten: what lies between their axes in the leg's plane, and
+/// from the last one on the way to the foot, of a sole the ankle's height. Joints that lie beside one another across
+/// the plane make no leg longer. Nothing for legs that slide, or that have no knee or a sole without an ankle.
+std::optional<double> LengthInPlane(const RobotModel& model, const Leg& leg, const Foot& foot, const LegPlane& plane) {
+  const bool has_sole = !foot.sole_F.empty();
+  const std::size_t needed = has_sole ? 3 : 2;
+  const bool slides = std::any_of(leg.joints.begin(), leg.joints.end(), [&](int j) { return !Turns(model, j); });
+  if (slides || plane.joints.size() < needed) return std::nullopt;
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  const auto origin = [&](std::size_t i) { return X_OB[static_cast<std::size_t>(plane.joints[i]) + 1].translation(); };
+  const auto across = [&](const Vector3& v) { return (v - plane.normal_O * plane.normal_O.dot(v)).norm(); };
+  const std::size_t last = has_sole ? 2 : plane.joints.size() - 1;
+  const Vector3 p_OF = (X_OB[static_cast<std::size_t>(foot.body)] * foot.X_BF).translation();
+  const Vector3 rest = p_OF - origin(last);
+  double length = has_sole ? std::abs(rest.z()) : across(rest);
+  for (std::size_t i = 0; i < last; ++i) length += across(origin(i + 1) - origin(i));
+  return length;
 }
 
 /// Whether an upright axis and no level one comes before the joint at that place.
@@ -133,15 +153,14 @@ void MeasureLeg(const RobotModel& model, Leg& leg, const Foot& foot) {
     const Matrix3& R_OE = X_OB[static_cast<std::size_t>(foot.body)].linear();
     p_BF = R_OE.transpose() * Vector3(0.0, 0.0, (R_OE * p_BF).z());
   }
-  leg.length_m = StraightLength(model, leg, first, p_BF) + foot.radius;
+  const std::optional<double> in_plane = LengthInPlane(model, leg, foot, plane);
+  leg.length_m = in_plane.value_or(StraightLength(model, leg, first, p_BF)) + foot.radius;
   if (plane.joints.size() < 2) return;
   leg.knee_joint = plane.joints[1];
   const Joint& knee = model.joints[static_cast<std::size_t>(leg.knee_joint)];
   const Vector3 axis_O = X_OB[static_cast<std::size_t>(leg.knee_joint) + 1].linear() * knee.axis_J;
-  double side = 0.0;
-  if (std::isfinite(knee.lower + knee.upper)) {
-    side = WrapAngle(KneeBend(model, leg, foot, zeros) + 0.5 * (knee.lower + knee.upper));
-  }
+  const double middle = 0.5 * (knee.lower + knee.upper);  // of limits; without them a knee that is drawn bent tells
+  double side = WrapAngle(KneeBend(model, leg, foot, zeros) + (std::isfinite(middle) ? middle : 0.0));
   if (std::abs(side) <= 0.5 * kNoBend) {
     // Limits favour neither side: a knee that sprawls stands high, four legs bend it back, two legs forward.
     const double back = -axis_O.dot(plane.normal_O);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 
@@ -18,6 +19,7 @@
 #include "kinematics/model/check_feet.h"
 #include "kinematics/model/derive_legs.h"
 #include "kinematics/model/inertia_box.h"
+#include "kinematics/model/leg_plane.h"
 #include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/mesh_file.h"
 #include "kinematics/model/robot_yaml.h"
@@ -170,6 +172,15 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   return model;
 }
 
+/// Whether some knee is stretched in the standing posture.
+bool HasStraightKnee(const RobotModel& model) {
+  constexpr double kStraight = 0.05;  // [rad]
+  return std::any_of(model.legs.begin(), model.legs.end(), [&](const Leg& leg) {
+    const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
+    return leg.knee_joint >= 0 && std::abs(KneeBend(model, leg, foot, model.standing_joints)) < kStraight;
+  });
+}
+
 Result<RobotModel> LoadGuarded(const RobotTexts& texts, const MeshSource& source) {
   try {
     return Load(texts, source);
@@ -240,11 +251,20 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
     return HullPoints(std::move(mesh->vertices));
   };
   Result<RobotModel> model = LoadGuarded({description->urdf, description->yaml, name, loading.strict}, source);
-  if (!model && model.failure().code == "robot_yaml" && !description->yaml_without_posture.empty()) {
-    model = LoadGuarded({description->urdf, description->yaml_without_posture, name, loading.strict}, source);
-    if (model)
-      model->findings.push_back({FindingLevel::kInfo, "mjcf", "robot", 0,
-                                 "its keyframe is no posture in which it stands: one is worked out"});
+  const bool has_key =
+      description->yaml_without_posture != description->yaml && description->yaml_without_posture != "";
+  const bool stands = model.ok() || model.failure().code != "robot_yaml";
+  if (has_key && (!stands || (model && HasStraightKnee(*model)))) {
+    Result<RobotModel> other =
+        LoadGuarded({description->urdf, description->yaml_without_posture, name, loading.strict}, source);
+    if (other) {
+      other->findings.push_back({FindingLevel::kInfo, "mjcf", "robot", 0,
+                                 stands
+                                     ? "a leg is straight in its keyframe, from which no foot can be lifted: a posture "
+                                       "is worked out"
+                                     : "its keyframe is no posture in which it stands: one is worked out"});
+    }
+    if (other || !stands) model = std::move(other);
   }
   if (!model) return model;
   NoteMissingPictures(folder.string(), packages, *model);

@@ -144,6 +144,16 @@ std::vector<VectorX> MoreGuesses(const BentLeg& bent, const VectorX& guess) {
   return guesses;
 }
 
+/// Takes whole turns out of joints that may turn so far, which a search can go through.
+void Unwind(const RobotModel& model, const Leg& leg, VectorX& joints) {
+  for (const int j : leg.joints) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+    const double angle = WrapAngle(joints[joint.dof]);
+    const bool within = angle >= model.dof_lower(joint.dof) && angle <= model.dof_upper(joint.dof);
+    if (!joint.is_prismatic() && !joint.is_mimic && within) joints[joint.dof] = angle;
+  }
+}
+
 /// Brings the foot to a place with the knee bent to its side. Of guesses that miss, what comes nearest; before those
 /// the ones that bend the knee back.
 void ReachFrom(const BentLeg& bent, const VectorX& guess, const Pose& wanted, VectorX& joints) {
@@ -154,6 +164,7 @@ void ReachFrom(const BentLeg& bent, const VectorX& guess, const Pose& wanted, Ve
   for (const VectorX& start : guesses) {
     VectorX tried = start;
     const double left = MoveFoot(bent.model, bent.leg, wanted, tried);
+    Unwind(bent.model, bent.leg, tried);
     const bool bends_back = KneeBend(bent.model, bent.leg, bent.foot, tried) * bent.leg.knee_sign < 0.0;
     const std::pair<bool, double> rank{bends_back && bent.has_knee(), left};
     const bool missed = left > kMissed && best.second <= kMissed;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/description/mjcf_actuators_internal.h"
+#include "kinematics/model/passive_joints.h"
 #include "kinematics/model/robot_yaml.h"
 #include "tests/kinematics/description/mjcf_texts.h"
 
@@ -12,8 +13,10 @@ std::string Driven(const std::string& actuators, const std::string& joint = "", 
                 sections + "<actuator>" + actuators + "<motor name='of_k' joint='k' ctrlrange='-1 1'/></actuator>");
 }
 
+/// 0 where none is known.
 double EffortOf(const std::string& actuators, const std::string& joint = "", const std::string& sections = "") {
-  return JointNamed(TreeOf(Converted(Driven(actuators, joint, sections))), "j").effort_limit;
+  const Joint of = JointNamed(TreeOf(Converted(Driven(actuators, joint, sections))), "j");
+  return of.effort_limit_is_placeholder ? 0.0 : of.effort_limit;
 }
 
 RobotYaml YamlOf(const std::string& actuators, const std::string& joint = "") {
@@ -71,12 +74,22 @@ TEST(MjcfActuators, AJointWithoutLimitHasAnUnknownOne) {
   ExpectNote(converted, {"joint 'j'", "no force limit"});
 }
 
-TEST(MjcfActuators, AJointWithoutActuatorCarriesNothing) {
+TEST(MjcfActuators, AJointWithoutActuatorHasNoMotorAndOneWithoutLimitHas) {
   const ConvertedMjcf converted = Converted(Driven(""));
-  const Joint joint = JointNamed(TreeOf(converted), "j");
-  EXPECT_FALSE(joint.effort_limit_is_placeholder);
-  EXPECT_EQ(joint.effort_limit, kMjcfPassiveEffort);
+  const RobotModel model = TreeOf(converted);
+  EXPECT_EQ(JointNamed(model, "j").effort_limit, 0.0);
+  EXPECT_TRUE(IsPassive(model, model.DofIndex("j")));
+  EXPECT_FALSE(IsPassive(model, model.DofIndex("k")));
   ExpectNote(converted, {"joint 'j'", "no actuator", "limits: {'j': {effort_nm: ...}}"});
+  const RobotModel driven = TreeOf(Converted(Driven("<position joint='j' kp='50'/>")));
+  EXPECT_FALSE(IsPassive(driven, driven.DofIndex("j")));
+}
+
+TEST(MjcfActuators, WithoutActuatorsTheJointsOwnLimitsAreTheKnownOnes) {
+  const RobotModel model = TreeOf(Converted(MjcfOf(
+      MjcfBodyOf("thigh", "<joint name='j'/>" + MjcfBodyOf("shank", "<joint name='k' actuatorfrcrange='-9 9'/>")))));
+  EXPECT_EQ(model.dof_effort_limit(model.DofIndex("k")), 9.0);
+  EXPECT_FALSE(IsPassive(model, model.DofIndex("j")));
 }
 
 TEST(MjcfActuators, WithoutAnyActuatorAllLimitsAreUnknown) {
@@ -134,12 +147,33 @@ TEST(MjcfActuators, OfABallJointTheWeakestAxisCounts) {
 
 TEST(MjcfActuators, RefusesOrNotesWhatDrivesNoJoint) {
   const auto message = [](const std::string& actuators) { return MjcfMessage(Driven(actuators)); };
-  ExpectSays(message("<motor name='m' tendon='t'/>"), {"model.xml, line 2: motor 'm'", "'t' by 'tendon'"});
-  ExpectSays(message("<motor name='m' cranksite='s'/>"), {"motor 'm'", "'s' by 'cranksite'"});
+  ExpectNote(Converted(Driven("<motor name='m' tendon='t'/>")),
+             {"model.xml, line 2: motor 'm'", "'t' by 'tendon'", "left out"});
+  ExpectNote(Converted(Driven("<motor name='m' cranksite='s'/>")), {"motor 'm'", "'s' by 'cranksite'"});
   ExpectSays(message("<motor name='m' joint='jj'/>"), {"motor 'm'", "no joint 'jj'", "nearest is 'j'"});
   ExpectNote(Converted(Driven("<motor name='m' site='s'/>")), {"motor 'm'", "drives no joint; left out"});
   ExpectNote(Converted(Driven("<adhesion name='m' body='b'/>")), {"adhesion 'm'", "left out"});
   ExpectNote(Converted(Driven("<engine name='m' joint='j'/>")), {"engine 'm'", "not known"});
+}
+
+/// 'j' and 'k', driven, and 'p', which a tendon ties to them.
+std::string WithTendon(const std::string& attributes) {
+  const std::string joints = MjcfBodyOf("thigh", "<joint name='j'/>" + MjcfBodyOf("shank", "<joint name='k'/>")) +
+                             MjcfBodyOf("waist", "<joint name='p'/>");
+  return MjcfOf(
+      joints,
+      "<actuator><motor joint='j' ctrlrange='-6 6'/><motor joint='k' ctrlrange='-8 8'/></actuator><tendon><fixed "
+      "name='t' " +
+          attributes + "><joint joint='j' coef='0.5'/><joint joint='k' coef='-0.5'/><joint joint='p' coef='2'/>" +
+          "</fixed></tendon>");
+}
+
+TEST(MjcfActuators, ATendonThatIsHeldCarriesTorqueOn) {
+  const ConvertedMjcf tied = Converted(WithTendon("range='-0.01 0.01'"));
+  EXPECT_DOUBLE_EQ(JointNamed(TreeOf(tied), "p").effort_limit, 2.0 * 6.0 / 0.5);
+  ExpectNote(tied, {"fixed 't'", "torque of motors to joint 'p'"});
+  for (const char* loose : {"", "range='-1 1'", "range='-0.01 0.01' limited='false'"})
+    EXPECT_EQ(JointNamed(TreeOf(Converted(WithTendon(loose))), "p").effort_limit, 0.0) << loose;
 }
 
 }  // namespace

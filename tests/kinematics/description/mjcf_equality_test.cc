@@ -69,8 +69,10 @@ TEST(MjcfEquality, RefusesLoopsAndWhatIsNotLinear) {
   const auto with = [](const std::string& sections) { return MjcfMessage(Chain(sections)); };
   ExpectSays(with("<equality>\n<connect name='e' body1='three' body2='base' anchor='0 0 0'/></equality>"),
              {"model.xml, line 3: connect 'e'", "closes a loop"});
-  ExpectSays(with("<equality><weld name='e' body1='three'/></equality>"), {"weld 'e'", "closes a loop"});
-  ExpectSays(with("<equality><connect site1='p' site2='q'/></equality>"), {"<connect>", "closes a loop"});
+  ExpectSays(with("<equality><weld name='e' body1='three'/></equality>"), {"weld 'e'", "to the world"});
+  ExpectSays(with("<equality><connect site1='p' site2='q'/></equality>"), {"<connect>", "site1 'p' does not exist"});
+  ExpectSays(with("<equality><connect name='e' body1='three' body2='bass'/></equality>"),
+             {"'bass'", "nearest is 'base'"});
   ExpectSays(with("<equality><tendon name='e' tendon1='t'/></equality>"), {"tendon 'e'", "not supported"});
   ExpectSays(with(Equal("joint1='a' joint2='b' polycoef='0 1 0.5 0 0'")), {"joint 'e'", "only linear"});
   ExpectSays(with(Equal("joint1='a' joint2='b' polycoef='0 1e-9 0 0 0'")), {"joint 'e'", "1e-09"});

@@ -3,8 +3,11 @@
 // meshes to look at, primitive shapes to touch with, a keyframe to stand in.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "kinematics/model/leg_plane.h"
+#include "kinematics/model/passive_joints.h"
 #include "kinematics/spatial/convex_hull.h"
 #include "tests/kinematics/description/mjcf_texts.h"
 
@@ -215,12 +218,26 @@ TEST(MjcfRobots, ABipedStandsOnTwoSoles) {
   EXPECT_GT(model.standing_base_height_m, 0.8);
 }
 
-TEST(MjcfRobots, PassiveJointsAreLoadedWithAnEffortThatHoldsNothing) {
+TEST(MjcfRobots, PassiveJointsAreLoadedWithoutMotor) {
   const std::string text = Replaced(Walker(), "<position name='l_elbow'", "<position name='other' class='main'");
   const std::string passive = Replaced(text, "joint='l_elbow'", "joint='r_elbow'");
   const RobotModel model = LoadedModel(Converted(passive));
-  EXPECT_EQ(model.dof_effort_limit(model.DofIndex("l_elbow")), 1e-6);
+  EXPECT_TRUE(IsPassive(model, model.DofIndex("l_elbow")));
   EXPECT_EQ(model.dof_effort_limit(model.DofIndex("r_elbow")), 50.0);
+}
+
+TEST(MjcfRobots, AKeyframeWithStraightLegsIsLeftForAPostureWithBentKnees) {
+  const std::string file = std::string(GAITWRIGHT_SOURCE_DIR) + "/tests/robots/made/mjcf_waist/robot.xml";
+  const Result<RobotModel> model = LoadRobot(file);
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  ASSERT_EQ(model->legs.size(), 2U);
+  for (const Leg& leg : model->legs) {
+    const Foot& foot = model->feet[static_cast<std::size_t>(leg.foot)];
+    EXPECT_GT(std::abs(KneeBend(*model, leg, foot, model->standing_joints)), 0.3);
+  }
+  EXPECT_TRUE(std::any_of(model->findings.begin(), model->findings.end(), [](const Finding& finding) {
+    return finding.code == "mjcf" && finding.message.find("straight in its keyframe") != std::string::npos;
+  }));
 }
 
 }  // namespace

@@ -68,7 +68,10 @@ TEST(MjcfShapes, CollideOrAreShownAsTheirGroupsAndBitsSay) {
   EXPECT_EQ(count("group='3'"), std::pair(1UL, 0UL));
   EXPECT_EQ(count("group='2' contype='0' conaffinity='0'"), std::pair(0UL, 1UL));
   EXPECT_EQ(count("group='2' contype='0' conaffinity='1'"), std::pair(1UL, 1UL));
-  EXPECT_EQ(count("group='4' contype='0' conaffinity='0'"), std::pair(0UL, 0UL));
+  const RobotModel two =
+      TreeOf(Converted(MjcfOf("<geom size='1'/><geom size='2' group='4' contype='0' conaffinity='0'/>")));
+  EXPECT_EQ(two.collision_shapes.size(), 1U);
+  EXPECT_EQ(two.visual_shapes.size(), 1U);
   // A pair collides whatever its bits say.
   EXPECT_EQ(count("group='4' contype='0' conaffinity='0'", "<contact><pair geom1='floor' geom2='g'/></contact>"),
             std::pair(1UL, 0UL));
@@ -124,6 +127,20 @@ TEST(MjcfShapes, RefuseSizesByLine) {
              {"line 2: <mesh>", "'refquat' together with a scale"});
   ExpectSays(with("", "<asset><mesh file='m.stl'/>\n<mesh file='n/m.stl'/></asset>"), {"line 3", "two meshes 'm'"});
   ExpectSays(with("", "<asset><mesh file='m.stl' scale='1 0 1'/></asset>"), {"its scale is 0"});
+}
+
+TEST(MjcfShapes, WhereNoGeomCollidesThoseThatAreNotShownDo) {
+  const std::string none = "<default><geom contype='0' conaffinity='0'/></default>";
+  const std::string geoms = "<geom name='skin' size='1' group='1'/><geom name='hull' size='2' group='3'/>";
+  const ConvertedMjcf converted = Converted(MjcfOf(geoms, none));
+  const UrdfParts parts = SplitUrdf(converted.urdf, 1.0);
+  ASSERT_EQ(parts.collision.size(), 1U);
+  EXPECT_EQ(parts.collision[0].size.x(), 2.0);
+  ExpectNote(converted, {"no geom of the robot can touch", "group 3"});
+  const std::string pair = "<contact><pair geom1='skin' geom2='skin'/></contact>";
+  const UrdfParts paired = SplitUrdf(Converted(MjcfOf(geoms, none + pair)).urdf, 1.0);
+  ASSERT_EQ(paired.collision.size(), 1U);
+  EXPECT_EQ(paired.collision[0].size.x(), 1.0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "tests/kinematics/made_robots.h"
+#include "tests/kinematics/model/small_urdf.h"
 
 namespace gaitwright {
 namespace {
@@ -199,6 +200,44 @@ TEST(WholeBodyIk, OnlyTheYawOfNaoYields) {
   const WholeBodyIk ik(nao);
   ASSERT_EQ(ik.notes().size(), 1U);
   EXPECT_NE(ik.notes()[0].find("base yaw yields"), std::string::npos);
+}
+
+/// Two legs of six joints below a waist of two.
+std::string LegsBelowAWaist() {
+  struct Part {
+    std::string name, axis, at;
+  };
+  const auto joint = [](const Part& part, const std::string& parent) {
+    return Replaced(PitchJoint(part.name + "_joint", parent, part.name, part.at), "<axis xyz='0 1 0'/>",
+                    "<axis xyz='" + part.axis + "'/>");
+  };
+  std::string text = "<robot name='waist'>" + SmallLink("trunk", "<box size='0.1 0.2 0.2'/>") + SmallLink("girdle") +
+                     SmallLink("pelvis") + joint({"girdle", "0 0 1", "0 0 -0.1"}, "trunk") +
+                     joint({"pelvis", "1 0 0", "0 0 -0.02"}, "girdle");
+  for (const std::string side : {"left", "right"}) {
+    std::string parent = "pelvis";
+    for (const Part& part : std::vector<Part>{{"_turn", "0 0 1", side == "left" ? "0 0.1 -0.05" : "0 -0.1 -0.05"},
+                                              {"_splay", "1 0 0", "0 0 0"},
+                                              {"_thigh", "0 1 0", "0 0 0"},
+                                              {"_shank", "0 1 0", "0 0 -0.3"},
+                                              {"_ankle", "0 1 0", "0 0 -0.3"},
+                                              {"_foot", "1 0 0", "0 0 -0.05"}}) {
+      const std::string name = side + part.name;
+      text += SmallLink(name, part.name == "_foot" ? "<box size='0.2 0.1 0.02'/>" : "") +
+              joint({name, part.axis, part.at}, parent);
+      parent = name;
+    }
+  }
+  return text + "</robot>";
+}
+
+TEST(WholeBodyIk, AWaistIsHeldBeforeJointsOfOneLeg) {
+  const Result<RobotModel> model = LoadRobotFromText(LegsBelowAWaist(), "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  const WholeBodyIk ik(*model);
+  ASSERT_EQ(ik.notes().size(), 2U);
+  EXPECT_NE(ik.notes()[0].find("girdle_joint is held"), std::string::npos) << ik.notes()[0];
+  EXPECT_NE(ik.notes()[1].find("pelvis_joint is held"), std::string::npos) << ik.notes()[1];
 }
 
 }  // namespace

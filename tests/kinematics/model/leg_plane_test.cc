@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/model/leg_plane.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "kinematics/dynamics/dynamics.h"
 #include "kinematics/dynamics/foot_contact.h"
+#include "kinematics/model/body_tree.h"
 #include "kinematics/model/load_robot.h"
+#include "kinematics/spatial/convex_hull.h"
 #include "tests/unusual_robots.h"
 
 namespace gaitwright {
@@ -70,6 +75,89 @@ TEST(LegPlane, AWheelDoesNotBendItsLeg) {
     const LegPlane plane = FindLegPlane(model, leg, model.feet[static_cast<std::size_t>(leg.foot)]);
     EXPECT_EQ(plane.joints, (std::vector<int>{leg.joints[1], leg.joints[2]}));
     EXPECT_NEAR(leg.length_m, 0.4 + 0.08, 1e-12);
+  }
+}
+
+/// A biped whose knees lie beside its hips, and whose ankles' roll axes begin behind its ankles. @param tilt  of its
+/// soles at joint positions zero, toes up [rad]. @param type  of its joints in the plane of a leg.
+std::string OffsetBiped(double tilt = 0.0, const std::string& type = "revolute") {
+  unusual::UrdfText urdf;
+  urdf.Link("trunk", 10.0, 0.3, urdf.Block(0.15, 0.2, 0.3));
+  for (const double side : {1.0, -1.0}) {
+    const std::string n = side > 0.0 ? "l_" : "r_";
+    const auto add = [&](const std::string& parent, const std::string& child, const Vector3& at, const char* axis,
+                         const std::string& kind, const std::string& shape = "") {
+      urdf.Link(n + child, 0.5, 0.1, shape);
+      urdf.Joint(parent, n + child, {at.x(), side * at.y(), at.z()}, {.type = kind, .axis = axis, .effort = 100.0});
+    };
+    const std::string sole = fmt::format(
+        "<collision><origin xyz='0.05 0 -0.05' rpy='0 {} 0'/><geometry><box size='0.2 0.1 "
+        "0.02'/></geometry></collision>",
+        -tilt);
+    add("trunk", "yaw", {0.0, 0.1, -0.15}, "0 0 1", "revolute");
+    add(n + "yaw", "roll", {0.0, 0.0, 0.0}, "1 0 0", "revolute");
+    add(n + "roll", "thigh", {0.0, 0.0, 0.0}, "0 1 0", type);
+    add(n + "thigh", "shank", {0.0, 0.05, -0.3}, "0 1 0", type);
+    add(n + "shank", "ankle", {0.0, -0.05, -0.3}, "0 1 0", type);
+    add(n + "ankle", "foot", {-0.04, 0.03, 0.0}, "1 0 0", "revolute", sole);
+  }
+  return urdf.Done("offset_biped");
+}
+
+TEST(LegPlane, WhatLiesBesideAJointMakesNoLegLonger) {
+  const RobotModel model = Loaded(OffsetBiped());
+  ASSERT_EQ(model.legs.size(), 2U);
+  for (const Leg& leg : model.legs) {
+    EXPECT_NEAR(leg.length_m, 0.3 + 0.3 + 0.06, 1e-12);
+    const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
+    EXPECT_NEAR(std::cos(0.5 * KneeBend(model, leg, foot, model.standing_joints)), 0.92, 0.01);
+  }
+}
+
+/// Of knees without limits those bend to the front that are drawn so, and the others as four legs usually do.
+TEST(LegPlane, AKneeWithoutLimitsBendsAsItIsDrawn) {
+  for (const double drawn : {0.0, 0.05, -0.05}) {
+    unusual::UrdfText urdf;
+    urdf.Link("trunk", 5.0, 0.3, urdf.Block(0.4, 0.2, 0.1));
+    for (const unusual::Hip& hip : unusual::Four()) {
+      const std::string& n = hip.name;
+      urdf.Link(n + "1", 0.4, 0.08);
+      urdf.Link(n + "2", 0.7, 0.2);
+      urdf.Link(n + "3", 0.25, 0.2);
+      urdf.Link(n + "_foot", 0.05, 0.05, urdf.Ball(0.02));
+      urdf.Joint("trunk", n + "1", {hip.x, hip.y, 0.0}, {.axis = "1 0 0"});
+      urdf.Joint(n + "1", n + "2", {0.0, 0.0, 0.0}, {});
+      urdf.Joint(n + "2", n + "3", {0.0, 0.0, -0.2}, {.type = "continuous"});
+      urdf.Joint(n + "3", n + "_foot", {drawn, 0.0, -0.2}, {.type = "fixed"});
+    }
+    const RobotModel model = Loaded(urdf.Done("drawn"));
+    for (const Leg& leg : model.legs) EXPECT_EQ(leg.knee_sign, drawn < 0.0 ? 1.0 : -1.0) << drawn;
+  }
+}
+
+TEST(StandingPosture, TurnsNoJointAllTheWayRound) {
+  const RobotModel model = Loaded(OffsetBiped(0.0, "continuous"));
+  for (const Leg& leg : model.legs) {
+    const Foot& foot = model.feet[static_cast<std::size_t>(leg.foot)];
+    EXPECT_GT(std::abs(KneeBend(model, leg, foot, model.standing_joints)), 0.3);
+  }
+  EXPECT_LT(model.standing_joints.cwiseAbs().maxCoeff(), 1.5);
+}
+
+TEST(StandingPosture, ASoleThatIsAslantAtZeroIsLevelInAGivenOne) {
+  const std::string posture =
+      "standing: {l_yaw_joint: 0.1, l_roll_joint: 0, l_thigh_joint: -0.4, l_shank_joint: 0.8, l_ankle_joint: -0.19, "
+      "l_foot_joint: 0, r_yaw_joint: -0.1, r_roll_joint: 0, r_thigh_joint: -0.4, r_shank_joint: 0.8, r_ankle_joint: "
+      "-0.19, r_foot_joint: 0}";
+  const Result<RobotModel> model = LoadRobotFromText(OffsetBiped(0.2), posture);
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  const std::vector<Pose> X_OB = BodyPoses(*model, VectorX::Zero(model->num_dofs()));
+  for (const Foot& foot : model->feet) {
+    ASSERT_EQ(foot.type, FootType::kSole);
+    EXPECT_NEAR(Area(foot.sole_F), 0.2 * 0.1, 1e-9);
+    // The sole's frame is the box's, which is turned by the tilt at zero, whatever the posture lacks of levelling it.
+    const Matrix3 R_OF = X_OB[static_cast<std::size_t>(foot.body)].linear() * foot.X_BF.linear();
+    EXPECT_LT((R_OF - Eigen::AngleAxisd(-0.2, Vector3::UnitY()).toRotationMatrix()).norm(), 1e-9);
   }
 }
 

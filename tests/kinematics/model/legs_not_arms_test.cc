@@ -82,5 +82,39 @@ TEST(Legs, AJointThatMovesNothingIsFixed) {
   EXPECT_EQ(MessageOf(text, "standing: {spin: 0.1}\n"), "") << "what is said of it is not missed";
 }
 
+/// Two legs of three joints below a waist, and arms of two joints, straight out to both sides.
+std::string LegsBelowAWaist() {
+  std::string text = "<robot name='waist'>" + SmallLink("trunk") + SmallLink("pelvis", "<box size='0.1 0.2 0.05'/>");
+  text += Replaced(PitchJoint("waist", "trunk", "pelvis", "0 0 -0.1"), "0 1 0", "0 0 1");
+  for (const std::string side : {"left", "right"}) {
+    const std::string y = side == "left" ? "" : "-";
+    std::string parent = "pelvis", at = "0 " + y + "0.1 0";
+    for (const std::string part : {"_thigh", "_shank", "_foot"}) {
+      text += SmallLink(side + part, part == "_foot" ? "<box size='0.2 0.1 0.04'/>" : "");
+      text += PitchJoint(side + part + "_joint", parent, side + part, at);
+      parent = side + part;
+      at = "0 0 -0.3";
+    }
+    parent = "trunk";
+    at = "0 " + y + "0.15 0.3";
+    for (const std::string part : {"_upper", "_lower"}) {
+      text += SmallLink(side + part, "<box size='0.04 0.04 0.04'/>");
+      text += Replaced(PitchJoint(side + part + "_joint", parent, side + part, at), "0 1 0", "1 0 0");
+      parent = side + part;
+      at = "0 " + y + "0.3 0";
+    }
+  }
+  return text + "</robot>";
+}
+
+TEST(Legs, BelowAWaistAreNoneTheLess) {
+  const Result<RobotModel> model = LoadRobotFromText(LegsBelowAWaist(), "");
+  ASSERT_TRUE(model.ok()) << model.failure().message;
+  ASSERT_EQ(model->legs.size(), 2U);
+  EXPECT_EQ(model->feet[0].link, "left_foot");
+  EXPECT_EQ(model->feet[1].link, "right_foot");
+  for (const Leg& leg : model->legs) EXPECT_EQ(leg.joints.size(), 4U);
+}
+
 }  // namespace
 }  // namespace gaitwright
