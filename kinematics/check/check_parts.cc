@@ -16,8 +16,10 @@ namespace gaitwright {
 namespace {
 
 /// Radii of gyration over the diameter of a body: a homogeneous ball has 0.32, a thin ring 0.5, and nothing that lies
-/// within a ball has more than 0.71; joints and frames tell the size less well than shapes do.
+/// within a ball has more than 0.71. Joints and frames tell the size less well than shapes do: those of an ankle may
+/// all be in one point. Where they are all that is known, a part of the leg's length is a size too.
 constexpr double kWidestOfShapes = 0.75, kWidestOfFrames = 2.0, kNarrowest = 0.01;
+constexpr double kWidestOfLegs = 0.25;
 constexpr double kOfAccount = 0.01;  // share of the robot's mass
 constexpr double kHeavyWithoutShape = 0.1;
 
@@ -73,7 +75,9 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
       add(FindingLevel::kInfo, "mass_without_shape",
           fmt::format("it has {:.3g} kg and no collision shape: nothing can touch it", body.mass));
     const double gyration = std::sqrt(0.5 * body.I_C.trace() / body.mass);
-    if (diameter > 0.0 && gyration > (shaped ? kWidestOfShapes : kWidestOfFrames) * diameter) {
+    const double widest = shaped ? kWidestOfShapes * diameter
+                                 : std::max(kWidestOfFrames * diameter, kWidestOfLegs * model.leg_length_m());
+    if (diameter > 0.0 && gyration > widest) {
       add(FindingLevel::kWarning, "large_inertia",
           fmt::format("its inertia is that of {:.3g} kg at {:.3g} m from its centre, and all that is known of it lies "
                       "within {:.3g} m",

@@ -13,4 +13,7 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings);
 /// Torque and speed of each joint against what motors have.
 void CheckMotors(const RobotModel& model, std::vector<Finding>& findings);
 
+/// Whether two numbers that ought to be one differ by more than 1 %; infinite ones are alike.
+bool NumbersDiffer(double a, double b);
+
 }  // namespace gaitwright
