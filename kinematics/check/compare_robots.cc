@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -66,16 +67,20 @@ class Comparison {
       Add(part, fmt::format("its {} is {:.4g}{} here and {:.4g}{} there", what, of_a, unit, of_b, unit));
   }
 
-  /// Where the origin of b's base frame is in that of a: the middle of what the joints of both tell.
+  /// Where the origin of b's base frame is in that of a: the median of what the joints of both tell.
   void FindOffset() {
-    double joints = 0.0;
+    std::array<std::vector<double>, 3> apart;
     for (std::size_t j = 0; j < a_.joints.size(); ++j) {
       const int other = IndexIn(b_, a_.joints[j].name);
       if (other < 0) continue;
-      offset_ += X_OA_[j + 1].translation() - X_OB_[static_cast<std::size_t>(other) + 1].translation();
-      joints += 1.0;
+      const Vector3 p = X_OA_[j + 1].translation() - X_OB_[static_cast<std::size_t>(other) + 1].translation();
+      for (std::size_t axis = 0; axis < 3; ++axis) apart[axis].push_back(p[static_cast<Eigen::Index>(axis)]);
     }
-    if (joints > 0.0) offset_ /= joints;
+    for (std::size_t axis = 0; axis < 3 && !apart[axis].empty(); ++axis) {
+      const auto middle = apart[axis].begin() + static_cast<std::ptrdiff_t>(apart[axis].size() / 2);
+      std::nth_element(apart[axis].begin(), middle, apart[axis].end());
+      offset_[static_cast<Eigen::Index>(axis)] = *middle;
+    }
   }
 
   void Places(const std::string& part, const char* what, const Vector3& p_a, const Vector3& p_b) {

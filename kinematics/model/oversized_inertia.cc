@@ -12,16 +12,16 @@
 namespace gaitwright {
 namespace {
 
-constexpr double kFarOut = 3.0;  // radius of gyration over the extent
+constexpr double kFarOut = 4.0;  // radius of gyration over the extent
 
 }  // namespace
 
 double LinkExtent(const std::vector<const Shape*>& shapes, std::vector<Vector3> points) {
   for (const Shape* shape : shapes) {
     if (shape->type == ShapeType::kMesh && shape->vertices.empty()) continue;
-    for (int i = 0; i < 6; ++i) {
-      const Vector3 d_S = (i < 3 ? 1.0 : -1.0) * Vector3::Unit(i % 3);
-      points.push_back(shape->X_BS * SupportPoint(*shape, d_S));
+    for (int i = 0; i < 27; ++i) {  // along the axes and the diagonals
+      const Vector3 d_S(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      if (!d_S.isZero()) points.push_back(shape->X_BS * SupportPoint(*shape, d_S.normalized()));
     }
   }
   double extent = 0.0;

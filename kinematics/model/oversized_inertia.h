@@ -15,7 +15,7 @@ double LinkExtent(const std::vector<const Shape*>& shapes, std::vector<Vector3> 
 
 /// The inertia of the shapes in place of one that is far too large for the link: files with another unit, or with
 /// numbers that nobody worked out. No body has a radius of gyration sqrt(tr(I) / (2 m)) larger than its extent. Shapes
-/// may show a link in part, so that only three times the extent or more is mended; a link without shapes keeps what it
+/// may show a link in part, so that only four times the extent or more is mended; a link without shapes keeps what it
 /// has.
 std::optional<MendedInertia> MendOversizedInertia(const Matrix3& I, double mass, double extent_m,
                                                   const std::vector<const Shape*>& shapes);
