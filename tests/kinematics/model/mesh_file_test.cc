@@ -97,6 +97,7 @@ TEST_F(MeshFile, FindsPathsFilesAndPackages) {
   same("package://my_robot/meshes/foot.stl", from, file);
   same("package://named/meshes/foot.stl", folder_ + "/other/urdf", named);
   same("package://another_name/meshes/foot.stl", from, file);  // a copy in a folder of its own name
+  same("package:///meshes/foot.stl", folder_ + "/my_robot", file);
   const fs::path here = fs::current_path();
   fs::current_path(from);  // a URDF that is named without a folder
   same("../meshes/foot.stl", "", "../meshes/foot.stl");

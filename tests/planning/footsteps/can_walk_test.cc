@@ -28,46 +28,47 @@ TEST(CanWalk, ALegNeedsAMotorAtEachOfItsJoints) {
   unusual::UrdfText::Motion knee = unusual::Knee();
   knee.effort = 0.0;
   ExpectRefused(unusual::FourLegged(unusual::Abduction(), knee), "passive_joint", {"leg 'a_foot'", "'a3_joint'"});
+}
 
-  TEST(CanWalk, LegsOnOneAxisAreTheHalvesOfOneLeg) {
-    ExpectRefused(unusual::OpenFiveBars(), "parallel_legs", {"'a_foot'", "'b_foot'", "one leg with two motors"});
-  }
+TEST(CanWalk, LegsOnOneAxisAreTheHalvesOfOneLeg) {
+  ExpectRefused(unusual::OpenFiveBars(), "parallel_legs", {"'a_foot'", "'b_foot'", "one leg with two motors"});
+}
 
-  TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
-    ExpectRefused(unusual::Pantograph(), "freedoms", {"leg 'a_foot'", "1 of 2", "'a1_joint', 'a2_joint'"});
-    const RobotModel planar = LoadRobotFromText(unusual::Planar(), "").value();
-    EXPECT_FALSE(WhyCannotWalk(planar).has_value()) << "straight ahead it can";
-    const auto failure = WhyCannotSidestep(planar);
-    ASSERT_TRUE(failure.has_value());
-    EXPECT_EQ(failure->code, "freedoms");
-    for (const char* part : {"leg 'a_foot'", "2 of 3", "sideways is lacking", "'a2_joint', 'a3_joint'"})
-      EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
-    EXPECT_TRUE(WhyCannotTurn(planar).has_value());
-  }
+TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
+  ExpectRefused(unusual::Pantograph(), "freedoms", {"leg 'a_foot'", "1 of 2", "'a1_joint', 'a2_joint'"});
+  const RobotModel planar = LoadRobotFromText(unusual::Planar(), "").value();
+  EXPECT_FALSE(WhyCannotWalk(planar).has_value()) << "straight ahead it can";
+  const auto failure = WhyCannotSidestep(planar);
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->code, "freedoms");
+  for (const char* part : {"leg 'a_foot'", "2 of 3", "sideways is lacking", "'a2_joint', 'a3_joint'"})
+    EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
+  EXPECT_TRUE(WhyCannotTurn(planar).has_value());
+}
 
-  TEST(CanWalk, OthersCan) {
-    for (const std::string& urdf :
-         {unusual::Plain(), unusual::Telescopic(), unusual::Insect(), unusual::Tripod(), unusual::Wheeled(),
-          unusual::SoledBiped(true, false), LoadNamedRobot("a1")->urdf_text, LoadNamedRobot("nao")->urdf_text}) {
-      const auto failure = WhyCannotWalk(*LoadRobotFromText(urdf, ""));
-      EXPECT_FALSE(failure.has_value()) << failure->message;
-    }
+TEST(CanWalk, OthersCan) {
+  for (const std::string& urdf :
+       {unusual::Plain(), unusual::Telescopic(), unusual::Insect(), unusual::Tripod(), unusual::Wheeled(),
+        unusual::SoledBiped(true, false), LoadNamedRobot("a1")->urdf_text, LoadNamedRobot("nao")->urdf_text}) {
+    const auto failure = WhyCannotWalk(*LoadRobotFromText(urdf, ""));
+    EXPECT_FALSE(failure.has_value()) << failure->message;
   }
+}
 
-  TEST(CanWalk, TurningTakesAJointForEachSole) {
-    for (const char* name : {"a1", "nao", "h1"}) {
-      const auto failure = WhyCannotTurn(*LoadNamedRobot(name));
-      EXPECT_FALSE(failure.has_value()) << failure->message;
-    }
-    const RobotModel stork =
-        LoadRobot(std::string(GAITWRIGHT_SOURCE_DIR) + "/examples/robots/stork.urdf", "none").value();
-    EXPECT_FALSE(WhyCannotWalk(stork).has_value());
-    const auto failure = WhyCannotTurn(stork);
-    ASSERT_TRUE(failure.has_value());
-    EXPECT_EQ(failure->code, "freedoms");
-    EXPECT_NE(failure->message.find("leg 'sx_piede' cannot turn as it walks: 5 of 6"), std::string::npos)
-        << failure->message;
+TEST(CanWalk, TurningTakesAJointForEachSole) {
+  for (const char* name : {"a1", "nao", "h1"}) {
+    const auto failure = WhyCannotTurn(*LoadNamedRobot(name));
+    EXPECT_FALSE(failure.has_value()) << failure->message;
   }
+  const RobotModel stork =
+      LoadRobot(std::string(GAITWRIGHT_SOURCE_DIR) + "/examples/robots/stork.urdf", "none").value();
+  EXPECT_FALSE(WhyCannotWalk(stork).has_value());
+  const auto failure = WhyCannotTurn(stork);
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->code, "freedoms");
+  EXPECT_NE(failure->message.find("leg 'sx_piede' cannot turn as it walks: 5 of 6"), std::string::npos)
+      << failure->message;
+}
 
 }  // namespace
 }  // namespace gaitwright
