@@ -130,14 +130,16 @@ class Builder {
                                       const std::vector<const Shape*>& shapes) const {
     constexpr double kOfNoWeight = 1e-3;  // share of the robot's mass, as of an inertial unit
     const double mass = link.inertial->mass;
-    if (mass < kOfNoWeight * total_mass_ || incomplete_.contains(link.name)) return MendInertia(given, mass, shapes);
+    auto mended = MendInertia(given, mass, shapes);
+    if (mass < kOfNoWeight * total_mass_ || incomplete_.contains(link.name)) return mended;
     std::vector<const Shape*> known = ShapesOf(collision_, link.name);
     for (const Shape* shape : ShapesOf(visual_, link.name)) known.push_back(shape);
     std::vector<Vector3> points = {Vector3::Zero(), centre};
     for (const auto& joint : link.child_joints)
       points.push_back(Scaled(joint->parent_to_joint_origin_transform).translation());
-    if (auto mended = MendOversizedInertia(given, mass, LinkExtent(known, points) / scale_, shapes)) return mended;
-    return MendInertia(given, mass, shapes);
+    const Matrix3& I = mended ? mended->I : given;
+    if (auto sized = MendOversizedInertia(I, mass, LinkExtent(known, points) / scale_, shapes)) return sized;
+    return mended;
   }
 
   /// Largest moment of the whole robot about its centre of mass at joint positions zero [kg m^2].
