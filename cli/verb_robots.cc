@@ -13,6 +13,7 @@
 #include "cli/word_list.h"
 #include "kinematics/base/file.h"
 #include "kinematics/check/check_robot.h"
+#include "kinematics/check/compare_robots.h"
 #include "kinematics/collision/collision_checker.h"
 #include "kinematics/ik/whole_body_ik.h"
 #include "kinematics/model/describe.h"
@@ -32,12 +33,37 @@ namespace {
 
 struct RobotsSettings {
   Common common;
-  std::string robot, png, page, against, repaired;
+  std::string robot, file, png, page, against, repaired;
   RobotFlags loading;  ///< how its file is read
   PictureOptions picture;
 };
 
+/// The text that the flags name a robot by.
+const std::string& RobotText(const RobotsSettings& a) {
+  if (a.robot.empty() && a.file.empty())
+    throw InvalidArgument("ROBOT is required: a name of the list, or the path of a URDF, xacro or MJCF file");
+  return a.file.empty() ? a.robot : a.file;
+}
+
+/// A robot by name, or its description by position or by flag.
+void AddRobotTo(const Verb& verb, RobotsSettings& a) {
+  const Flag named =
+      AddText(verb, "ROBOT", "NAME", a.robot, "A name of the list, or the path of a URDF, xacro or MJCF file.");
+  const Flag urdf = AddText(verb, "--urdf", "FILE", a.file, "A URDF or xacro file, as with other verbs; default none.");
+  const Flag mjcf = AddText(verb, "--mjcf", "FILE", a.file, "An MJCF file, as with other verbs; default none.");
+  named.Exclude(urdf).Exclude(mjcf);
+  urdf.Exclude(mjcf);
+  a.loading.AddLoadingTo(verb);
+}
+
 /// The flags of a robot by its name or its description.
+RobotFlags FlagsOf(const RobotsSettings& a) {
+  if (!a.file.empty()) return {"", a.file, a.loading.loading};
+  const bool is_file = NamesDescription(RobotText(a));
+  return {is_file ? "" : a.robot, is_file ? a.robot : "", a.loading.loading};
+}
+
+/// The flags of another description.
 RobotFlags FlagsOf(const std::string& text, const RobotLoading& loading) {
   const bool is_file = NamesDescription(text);
   return {is_file ? "" : text, is_file ? text : "", loading};
@@ -163,7 +189,7 @@ nlohmann::ordered_json FindingsJson(const std::vector<Finding>& findings) {
 }
 
 int ShowRobot(const RobotsSettings& a) {
-  const RobotFlags robot = FlagsOf(a.robot, a.loading.loading);
+  const RobotFlags robot = FlagsOf(a);
   Result<RobotModel> model = ReadRobot(robot);
   if (!model) return Report(model.failure(), a.common);
   if (const auto failure = DrawRobot(*model, a, robot.folder())) return Report(*failure, a.common);
@@ -231,7 +257,7 @@ void PrintFindings(const RobotsSettings& a, const std::vector<Finding>& findings
     const std::size_t more = parts.size() > kNamed ? parts.size() - kNamed : 0;
     parts.resize(parts.size() - more);
     const std::string named = JoinWords(parts, ", ") + (more > 0 ? fmt::format(" and {} more", more) : "");
-    fmt::print("{}{}: {}: {}: {} [{}]\n", a.robot, first.line > 0 ? fmt::format(":{}", first.line) : "",
+    fmt::print("{}{}: {}: {}: {} [{}]\n", RobotText(a), first.line > 0 ? fmt::format(":{}", first.line) : "",
                NameOf(first.level), named, first.message, first.code);
   }
 }
@@ -240,7 +266,7 @@ int CheckOneRobot(const RobotsSettings& a) {
   Paths paths;
   paths.Write("--repaired", a.repaired, {".urdf"});
   CheckPaths(paths);
-  const Result<RobotModel> model = ReadRobot(FlagsOf(a.robot, a.loading.loading));
+  const Result<RobotModel> model = ReadRobot(FlagsOf(a));
   const std::vector<Finding> findings = FindingsOf(a, model);
   const std::size_t errors = CountOf(findings, FindingLevel::kError);
   const std::size_t warnings = CountOf(findings, FindingLevel::kWarning);
@@ -252,7 +278,7 @@ int CheckOneRobot(const RobotsSettings& a) {
     files["repaired"] = a.repaired;
   }
   if (a.common.json) {
-    PrintJson(nlohmann::ordered_json{{"robot", model ? model->name : a.robot},
+    PrintJson(nlohmann::ordered_json{{"robot", model ? model->name : RobotText(a)},
                                      {"verdict", verdict},
                                      {"errors", errors},
                                      {"warnings", warnings},
@@ -260,7 +286,7 @@ int CheckOneRobot(const RobotsSettings& a) {
                                      {"files", files}});
   } else {
     PrintFindings(a, findings);
-    fmt::print("{}: {} errors, {} warnings; {}\n", model ? model->name : a.robot, errors, warnings, verdict);
+    fmt::print("{}: {} errors, {} warnings; {}\n", model ? model->name : RobotText(a), errors, warnings, verdict);
   }
   return errors == 0 ? kPass : kWrongInput;
 }
@@ -271,9 +297,7 @@ void AddRobots(Verb program, int& status) {
   auto a = std::make_shared<RobotsSettings>();
   const Verb verb = program.AddVerb("robots", "List the robots; 'robots show X' tells what was derived from a URDF");
   const Verb show = verb.AddVerb("show", "Explain one robot: legs, feet, posture, limits");
-  constexpr char kRobot[] = "A name of the list, or the path of a URDF, xacro or MJCF file.";
-  AddText(show, "ROBOT", "NAME", a->robot, kRobot).Require();
-  a->loading.AddLoadingTo(show);
+  AddRobotTo(show, *a);
   show.SetGroup("Draw it standing");
   AddText(show, "--png", "FILE", a->png, "A picture of it, by a headless Chromium; default: none.");
   std::vector<std::string> views = ViewNames();
@@ -290,17 +314,16 @@ void AddRobots(Verb program, int& status) {
   AddCommon(show, a->common, {"robots show a1", "robots show nao --json", "robots show nao --png nao.png"});
   const Verb check =
       verb.AddVerb("check", "Look for faults in a robot description: a line a finding, status 1 on errors");
-  AddText(check, "ROBOT", "NAME", a->robot, kRobot).Require();
-  a->loading.AddLoadingTo(check);
+  AddRobotTo(check, *a);
   AddText(check, "--against", "FILE", a->against,
           "Another description of the same robot, to compare with; default none.");
   AddText(check, "--repaired", "FILE", a->repaired, "Write the URDF with all that was mended; default none.");
   AddCommon(check, a->common, {"robots check a1", "robots check nao --json", "robots check go1 --repaired go1.urdf"});
   verb.RequireVerbs(0, 1);
-  SetWork(verb, a->common, status, [a, verb, check] {
+  SetWork(verb, a->common, status, [a, verb, show, check] {
     ApplySets("--set", a->common.sets, {});
     if (verb.chosen() == check) return CheckOneRobot(*a);
-    return a->robot.empty() ? ListRobots(a->common) : ShowRobot(*a);
+    return verb.chosen() == show ? ShowRobot(*a) : ListRobots(a->common);
   });
 }
 

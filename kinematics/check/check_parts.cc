@@ -16,7 +16,8 @@ namespace gaitwright {
 namespace {
 
 /// Radii of gyration over the diameter of a body: a homogeneous ball has 0.32, a thin ring 0.5, and nothing that lies
-/// within a ball has more than 0.71; joints and frames tell the size less well than shapes do.
+/// within a ball has more than 0.71. Joints and frames tell the size less well than shapes do: those of an ankle may
+/// all be in one point.
 constexpr double kWidestOfShapes = 0.75, kWidestOfFrames = 2.0, kNarrowest = 0.01;
 constexpr double kSteel = 8000.0;      // [kg/m^3] shapes that would be denser stand for a part of the body
 constexpr double kLoosest = 100.0;     // [kg/m^3] a cube so light is as wide as links are for their mass

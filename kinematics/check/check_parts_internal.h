@@ -16,5 +16,7 @@ void CheckMotors(const RobotModel& model, std::vector<Finding>& findings);
 /// The torque that gravity asks of each joint as the robot stands, on all its feet and on half of them, against what
 /// the joint can give.
 void CheckHolding(const RobotModel& model, std::vector<Finding>& findings);
+/// Whether two numbers that ought to be one differ by more than 1 %; infinite ones are alike.
+bool NumbersDiffer(double a, double b);
 
 }  // namespace gaitwright

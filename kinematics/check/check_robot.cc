@@ -18,12 +18,6 @@ namespace gaitwright {
 namespace {
 
 constexpr double kSunk = 0.005;  // [m] of a part in the ground as the robot stands
-constexpr double kAlike = 0.01;  // share by which two numbers may differ that ought to be one
-
-bool Differ(double a, double b) {
-  if (!std::isfinite(a) || !std::isfinite(b)) return std::isfinite(a) != std::isfinite(b);
-  return std::abs(a - b) > kAlike * std::max(std::abs(a), std::abs(b)) + 1e-9;
-}
 
 /// Left and right of a pair of legs that mirror each other.
 void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::vector<Finding>& findings) {
@@ -37,7 +31,7 @@ void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::
     const Joint& a = model.joints[static_cast<std::size_t>(left.joints[i])];
     const Joint& b = model.joints[static_cast<std::size_t>(right.joints[i])];
     const auto compare = [&](const char* what, double of_a, double of_b, const char* unit) {
-      if (!Differ(of_a, of_b)) return;
+      if (!NumbersDiffer(of_a, of_b)) return;
       findings.push_back({FindingLevel::kWarning, "sides_differ", fmt::format("joint '{}'", a.name), 0,
                           fmt::format("its {} is {:.4g}{} and that of its mirror '{}' {:.4g}{}", what, of_a, unit,
                                       b.name, of_b, unit)});
@@ -118,53 +112,6 @@ std::vector<Finding> CheckRobot(const RobotModel& model) {
   CheckSides(model, findings);
   CheckFacing(model, findings);
   CheckStanding(model, findings);
-  return findings;
-}
-
-std::vector<Finding> CompareRobots(const RobotModel& a, const RobotModel& b) {
-  std::vector<Finding> findings;
-  const auto add = [&](const std::string& part, const std::string& message) {
-    findings.push_back({FindingLevel::kWarning, "descriptions_differ", part, 0, message});
-  };
-  const auto compare = [&](const std::string& part, const char* what, double of_a, double of_b, const char* unit) {
-    if (Differ(of_a, of_b))
-      add(part, fmt::format("its {} is {:.4g}{} here and {:.4g}{} there", what, of_a, unit, of_b, unit));
-  };
-  compare("robot", "mass", a.total_mass_kg, b.total_mass_kg, " kg");
-  for (int dof = 0; dof < a.num_dofs(); ++dof) {
-    const std::string& name = a.dof_names[static_cast<std::size_t>(dof)];
-    const std::string part = fmt::format("joint '{}'", name);
-    const auto other = std::find(b.dof_names.begin(), b.dof_names.end(), name);
-    if (other == b.dof_names.end()) {
-      add(part, "it is here alone");
-      continue;
-    }
-    const int there = static_cast<int>(other - b.dof_names.begin());
-    compare(part, "lower limit", a.dof_lower(dof), b.dof_lower(there), " rad");
-    compare(part, "upper limit", a.dof_upper(dof), b.dof_upper(there), " rad");
-    compare(part, "effort limit", a.dof_effort_limit(dof), b.dof_effort_limit(there), " N m");
-    if (std::isfinite(a.dof_velocity_limit(dof)) && std::isfinite(b.dof_velocity_limit(there)))
-      compare(part, "speed limit", a.dof_velocity_limit(dof), b.dof_velocity_limit(there), " rad/s");
-  }
-  for (const Transmission& of_a : a.transmissions) {
-    const auto named = [&](const Transmission& t) { return t.name == of_a.name; };
-    const auto of_b = std::find_if(b.transmissions.begin(), b.transmissions.end(), named);
-    const std::string part = fmt::format("transmission '{}'", of_a.name);
-    if (of_b == b.transmissions.end()) {
-      add(part, "it is here alone");
-    } else if (of_a.ratios.rows() != of_b->ratios.rows() || !of_a.ratios.isApprox(of_b->ratios, 1e-9)) {
-      add(part, "its ratios are others here than there");
-    }
-  }
-  for (const Transmission& of_b : b.transmissions) {
-    const auto named = [&](const Transmission& t) { return t.name == of_b.name; };
-    if (std::none_of(a.transmissions.begin(), a.transmissions.end(), named))
-      add(fmt::format("transmission '{}'", of_b.name), "it is there alone");
-  }
-  for (const std::string& name : b.dof_names) {
-    if (std::find(a.dof_names.begin(), a.dof_names.end(), name) == a.dof_names.end())
-      add(fmt::format("joint '{}'", name), "it is there alone");
-  }
   return findings;
 }
 

@@ -13,7 +13,4 @@ namespace gaitwright {
 /// stands. The model's own findings come first.
 std::vector<Finding> CheckRobot(const RobotModel& model);
 
-/// Where two descriptions of one robot differ: joints, their limits, masses. @param b  the other one.
-std::vector<Finding> CompareRobots(const RobotModel& a, const RobotModel& b);
-
 }  // namespace gaitwright

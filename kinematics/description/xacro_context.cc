@@ -79,11 +79,10 @@ const std::string& XacroExpander::Argument(const std::string& name) {
   if (argument != arguments_.end()) return argument->second;
   std::vector<std::string> names;
   for (const auto& [known, value] : arguments_) names.push_back(known);
-  throw XacroProblem{
-      "xacro_argument",
-      fmt::format("the argument '{}' has no value: give {}:=VALUE, or define it by <xacro:arg> before its "
-                  "use{}",
-                  Shortened(name), Shortened(name), NearestOrAll(name, names))};
+  throw XacroProblem{"xacro_argument",
+                     fmt::format("the argument '{}' has no value: give it ({}=VALUE with --xacro-arg), or define it by "
+                                 "<xacro:arg> before its use{}",
+                                 Shortened(name), Shortened(name), NearestOrAll(name, names))};
 }
 
 std::optional<XacroValue> XacroScopeContext::Property(const std::string& name) {
@@ -92,8 +91,8 @@ std::optional<XacroValue> XacroScopeContext::Property(const std::string& name) {
   return expander_.Resolve(name, *property, *owner);
 }
 
-std::string XacroScopeContext::FoundPackage(const std::string& name) {
-  const Result<std::string> folder = expander_.sources().find_package(name, XacroExpander::FolderOf(where_));
+std::string XacroExpander::FoundPackage(const Element& element, const std::string& name) const {
+  const Result<std::string> folder = sources_.find_package(name, FolderOf(element));
   if (folder) return *folder;
   std::string message = folder.failure().message;
   for (const std::string& hint : folder.failure().hints) message += "; " + hint;
@@ -131,7 +130,7 @@ std::string XacroScopeContext::Substitution(const std::string& command, const st
   }
   if (command == "find") {
     need(1, 1);
-    return FoundPackage(words[0]);
+    return expander_.FoundPackage(where_, words[0]);
   }
   if (command == "dirname") {
     need(0, 0);

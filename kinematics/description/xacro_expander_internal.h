@@ -44,6 +44,7 @@ class XacroExpander {
   XacroValue LoadYamlFile(const std::string& path);
   static std::string PathBeside(const tinyxml2::XMLElement& element, const std::string& path);
   static std::string FolderOf(const tinyxml2::XMLElement& element);
+  std::string FoundPackage(const tinyxml2::XMLElement& element, const std::string& name) const;
   void UseArgument(const std::string& name) { used_.insert(name); }
 
  private:
@@ -87,6 +88,7 @@ class XacroExpander {
 
   // xacro_include.cc: files.
   const XacroFile& Parse(const std::string& text, const std::string& path);
+  std::string PathOfUrl(const Element& element, const std::string& url) const;
   void Include(const Element& element, Node& out, XacroScope& scope);
 
   static const XacroFile& FileOf(const Element& element);
@@ -125,8 +127,6 @@ class XacroScopeContext : public XacroContext {
   XacroExpander& expander_;
 
  private:
-  std::string FoundPackage(const std::string& name);
-
   XacroScope& scope_;
   const tinyxml2::XMLElement& where_;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "kinematics/base/strict_yaml_internal.h"
 #include "kinematics/base/text.h"
@@ -47,6 +48,16 @@ std::string XacroExpander::PathBeside(const Element& element, const std::string&
   return (fs::path(FileOf(element).path).parent_path() / path).lexically_normal().string();
 }
 
+/// A path as it is written, beside the file of the element, or by `package://NAME/` or `file://`.
+std::string XacroExpander::PathOfUrl(const Element& element, const std::string& url) const {
+  constexpr std::string_view kPackage = "package://", kFile = "file://";
+  if (url.starts_with(kFile)) return PathBeside(element, url.substr(kFile.size()));
+  if (!url.starts_with(kPackage)) return PathBeside(element, url);
+  const std::size_t slash = std::min(url.find('/', kPackage.size()), url.size());
+  const std::string name = url.substr(kPackage.size(), slash - kPackage.size());
+  return (fs::path(FoundPackage(element, name)) / url.substr(std::min(slash + 1, url.size()))).string();
+}
+
 const XacroFile& XacroExpander::Parse(const std::string& text, const std::string& path) {
   bytes_read_ += text.size();
   if (bytes_read_ > kMostXacroRead)
@@ -68,7 +79,7 @@ void XacroExpander::Include(const Element& element, Node& out, XacroScope& scope
     throw XacroProblem{"xacro_include",
                        fmt::format("'{}' is a pattern; only single files are included", Shortened(name))};
   }
-  const std::string path = PathBeside(element, Trimmed(name));
+  const std::string path = PathOfUrl(element, Trimmed(name));
   const bool optional = element.Attribute("optional") != nullptr &&
                         XacroTruthOfText(Evaluated(element.Attribute("optional"), scope), "'optional'");
   const auto known = files_.find(path);

@@ -17,6 +17,9 @@ constexpr double kConverged = 1e-10;
 constexpr int kMaxIterations = 40;
 constexpr double kLongestStep = 0.3;  // [m, rad] of any coordinate in one iteration
 constexpr double kDependent = 1e-3;   // of a row's length, left after those above are taken out
+/// The same of feet's rows that no joint moves, as those across planar legs: they alone hold the base, and where legs
+/// differ in length by some millimetres what is left of such a row is no freedom, but their difference.
+constexpr double kOfBaseAlone = 0.02;
 
 /// r [n]x: added to the linear Jacobian by the angular one, it gives the material point under a sphere.
 Matrix3 RollMatrix(const Foot& foot, const Vector3& normal) { return foot.radius * Skew(normal); }
@@ -115,15 +118,18 @@ void WholeBodyIk::ChooseRows() {
   UpdateJacobians(standing);
   std::vector<Eigen::RowVectorXd> basis;
   std::vector<Row> chosen;
-  const auto take = [&](Eigen::RowVectorXd row) {
+  const auto take = [&](Eigen::RowVectorXd row, double dependent = kDependent) {
     const double length = row.norm();
     for (const auto& direction : basis) row -= row.dot(direction) * direction;
-    if (basis.size() == columns_.size() || row.norm() < kDependent * length) return false;
+    if (basis.size() == columns_.size() || row.norm() < dependent * length) return false;
     basis.push_back(row.normalized());
     return true;
   };
   for (const Row& row : rows_) {
-    if (take(RowJacobian(row)(columns_))) {
+    const Eigen::RowVectorXd all = RowJacobian(row)(columns_);
+    const double of_joints = all.tail(all.size() - 6).norm();
+    const bool of_base_alone = tasks_[row.task].foot >= 0 && of_joints < kOfBaseAlone * all.norm();
+    if (take(all, of_base_alone ? kOfBaseAlone : kDependent)) {
       chosen.push_back(row);
     } else {
       notes_.push_back(fmt::format("whole-body IK: {} yields, the legs have no freedom left for it", row.name));

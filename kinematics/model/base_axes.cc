@@ -74,14 +74,15 @@ double Spread(const std::vector<Limb>& limbs, int axis) {
   return high->to[axis] - low->to[axis];
 }
 
-/// Whether limbs that mirror each other along x too bend to the sides: more of their joints turn about x than about y,
-/// and none about the upright axis, which swings a leg's plane about.
-bool BendSideways(const std::vector<Limb>& limbs) {
+/// Whether limbs bend to the sides: more of their joints turn about x than about y, and none about the upright axis,
+/// which swings a leg's plane about. Where none turns about y, no leg can step along x; else the limbs need to mirror
+/// each other along x too.
+bool BendSideways(const std::vector<Limb>& limbs, bool mirror_along_x) {
   std::array<int, 3> turning = {};
   for (const Limb& limb : limbs) {
     for (std::size_t axis = 0; axis < 3; ++axis) turning[axis] += limb.turning[axis];
   }
-  return turning[2] == 0 && turning[0] > turning[1];
+  return turning[2] == 0 && turning[0] > turning[1] && (mirror_along_x || turning[1] == 0);
 }
 
 }  // namespace
@@ -107,8 +108,8 @@ BaseAxes DeriveBaseAxes(const RobotModel& model) {
   const double size = SizeOf(limbs);
   std::array<bool, 3> mirrors = {};
   for (int axis = 0; axis < 3; ++axis) mirrors[static_cast<std::size_t>(axis)] = Mirrors(limbs, axis, size);
-  const bool sideways = mirrors[0] && mirrors[1] && BendSideways(limbs);
-  if ((mirrors[1] && !sideways) || (!mirrors[0] && !mirrors[2])) return {};
+  const bool sideways = mirrors[1] && BendSideways(limbs, mirrors[0]);
+  if (!sideways && (mirrors[1] || (!mirrors[0] && !mirrors[2]))) return {};
   Vector3 hang = Vector3::Zero(), middle = Vector3::Zero();
   double length = 0.0;
   for (const Limb& limb : limbs) {
@@ -123,7 +124,7 @@ BaseAxes DeriveBaseAxes(const RobotModel& model) {
   constexpr double kHang = 0.5;  // of all their length; else it does not tell what is down
   if (std::abs(hang[up]) < kHang * length) return {};
   // Four legs mirror each other along both axes that are level: they stand farther apart along the robot.
-  int across = mirrors[0] ? 0 : 2;
+  int across = mirrors[0] || sideways ? 0 : 2;
   if (mirrors[0] && mirrors[2]) across = Spread(limbs, 0) < Spread(limbs, 2) ? 0 : 2;
   const int ahead = 3 - up - across;
   return {Signed(ahead, middle[ahead]), Signed(up, -hang[up])};

@@ -23,8 +23,8 @@ std::string NameOfAxis(const Vector3& axis);
 
 /// What the tree at joint positions zero tells: a robot whose limbs mirror each other from y to minus y has x ahead and
 /// z up, as the conventions want it. One whose limbs do so along another axis alone, or along x too and bend about x,
-/// has that axis across, its limbs hang down, and its feet are longer ahead than behind. Names play no part; a robot
-/// with x up and y across is not seen as such. Needs bodies, joints and collision shapes.
+/// or bend about x alone, has that axis across, its limbs hang down, and its feet are longer ahead than behind. Names
+/// play no part; a robot with x up and y across is not seen as such. Needs bodies, joints and collision shapes.
 BaseAxes DeriveBaseAxes(const RobotModel& model);
 
 /// The same robot with a base frame that has x ahead and z up: everything on the base is turned.

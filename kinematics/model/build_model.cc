@@ -11,9 +11,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 
 #include "kinematics/model/body_tree.h"
 #include "kinematics/model/mend_inertia.h"
+#include "kinematics/model/oversized_inertia.h"
 #include "kinematics/model/solid_inertia.h"
 #include "kinematics/model/urdf_pose_internal.h"
 #include "kinematics/spatial/steiner.h"
@@ -41,6 +44,12 @@ bool InertiasArePlaceholders(const urdf::ModelInterface& urdf) {
   return std::all_of(all.begin(), all.end(), same_tensor) && !std::all_of(all.begin(), all.end(), same_mass);
 }
 
+double MassOfLinks(const urdf::ModelInterface& urdf) {
+  double mass = 0.0;
+  for (const auto& [name, link] : urdf.links_) mass += link->inertial ? std::max(link->inertial->mass, 0.0) : 0.0;
+  return mass;
+}
+
 /// Adds a link's mass to a body. @param I  about the link's centre of mass p, in the body's axes.
 void AddInertia(Body& body, double link_mass, const Vector3& p, const Matrix3& I) {
   const double mass = body.mass + link_mass;
@@ -58,7 +67,9 @@ class Builder {
   Builder(const urdf::ModelInterface& urdf, const UrdfParts& parts, const std::string& name, double scale)
       : collision_(parts.collision),
         visual_(parts.visual),
+        incomplete_(parts.incomplete),
         scale_(scale),
+        total_mass_(MassOfLinks(urdf)),
         placeholder_inertias_(InertiasArePlaceholders(urdf)) {
     model_.name = name;
     model_.bodies.emplace_back();
@@ -70,6 +81,7 @@ class Builder {
     model_.stiffness = model_.damping = model_.standing_joints = VectorX::Zero(model_.num_dofs());
   }
   RobotModel Take() { return std::move(model_); }
+  std::vector<LinkInertia> TakeUsedInertias() { return std::move(used_); }
 
  private:
   void VisitLink(const urdf::Link& link, int body, const Pose& X_BL) {
@@ -100,16 +112,34 @@ class Builder {
     std::vector<const Shape*> shapes = ShapesOf(collision_, link.name);
     if (shapes.empty()) shapes = ShapesOf(visual_, link.name);
     Matrix3 I = given;
-    if (auto mended = MendInertia(given, inertial.mass, shapes)) {
-      I = mended->I;
-      mended_.push_back({link.name, std::move(*mended), I - given});
-    }
     if (const auto solid = placeholder_inertias_ ? SolidInertia(shapes, inertial.mass) : std::nullopt) {
       I = *solid;
+      used_.push_back({link.name, I});
       model_.findings.push_back({FindingLevel::kWarning, "placeholder_inertia", fmt::format("link '{}'", link.name), 0,
                                  "its inertia is that of all links, a placeholder; that of its shapes is used"});
+    } else if (auto mended = Mended(link, given, X_LI.translation(), shapes)) {
+      I = mended->I;
+      if (!mended->was.empty()) used_.push_back({link.name, I});
+      mended_.push_back({link.name, std::move(*mended), I - given});
     }
     AddInertia(body, inertial.mass, X_BI.translation(), X_BL.linear() * I * X_BL.linear().transpose());
+  }
+
+  /// What is used in place of an inertia that no body has, or none of the link's size; nothing for a sound one.
+  std::optional<MendedInertia> Mended(const urdf::Link& link, const Matrix3& given, const Vector3& centre,
+                                      const std::vector<const Shape*>& shapes) const {
+    constexpr double kOfNoWeight = 1e-3;  // share of the robot's mass, as of an inertial unit
+    const double mass = link.inertial->mass;
+    auto mended = MendInertia(given, mass, shapes);
+    if (mass < kOfNoWeight * total_mass_ || incomplete_.contains(link.name)) return mended;
+    std::vector<const Shape*> known = ShapesOf(collision_, link.name);
+    for (const Shape* shape : ShapesOf(visual_, link.name)) known.push_back(shape);
+    std::vector<Vector3> points = {Vector3::Zero(), centre};
+    for (const auto& joint : link.child_joints)
+      points.push_back(Scaled(joint->parent_to_joint_origin_transform).translation());
+    const Matrix3& I = mended ? mended->I : given;
+    if (auto sized = MendOversizedInertia(I, mass, LinkExtent(known, points) / scale_, shapes)) return sized;
+    return mended;
   }
 
   /// Largest moment of the whole robot about its centre of mass at joint positions zero [kg m^2].
@@ -128,15 +158,16 @@ class Builder {
     constexpr double kOfNoAccount = 1e-6;  // share of the robot's inertia
     if (mended_.empty()) return;
     const double whole = RobotMoment();
-    for (const Mended& mended : mended_) {
+    for (const MendedLink& mended : mended_) {
       const double share = LargestMoment(mended.change) / std::max(whole, 1e-12);
       if (mended.by.was.empty() || share < kOfNoAccount) continue;
       const Vector3 moments = PrincipalMoments(mended.by.I);
+      const std::string change = share < 1.0 ? fmt::format("which is {:.2g} % of the robot's", 100.0 * share)
+                                             : fmt::format("where the whole robot then has {:.4g} kg m^2", whole);
       model_.findings.push_back(
           {FindingLevel::kWarning, "impossible_inertia", fmt::format("link '{}'", mended.link), 0,
-           fmt::format("its inertia {}; {} is used, with the principal moments {:.4g}, {:.4g} and {:.4g} kg m^2, which "
-                       "is {:.2g} % of the robot's",
-                       mended.by.was, mended.by.used, moments[0], moments[1], moments[2], 100.0 * share)});
+           fmt::format("its inertia {}; {} is used, with the principal moments {:.4g}, {:.4g} and {:.4g} kg m^2, {}",
+                       mended.by.was, mended.by.used, moments[0], moments[1], moments[2], change)});
     }
   }
 
@@ -234,20 +265,31 @@ class Builder {
     }
   }
 
-  struct Mended {
+  struct MendedLink {
     std::string link;
     MendedInertia by;
     Matrix3 change;
   };
 
   const std::vector<Shape>&collision_, &visual_;
-  const double scale_;
-  std::vector<Mended> mended_;
+  const std::set<std::string>& incomplete_;
+  const double scale_, total_mass_;
+  std::vector<MendedLink> mended_;
+  std::vector<LinkInertia> used_;
   const bool placeholder_inertias_;
   RobotModel model_;
   std::vector<double> heaviest_;
   std::map<std::size_t, std::string> leader_;
 };
+
+/// What a strict reader refuses: an inertia that is mended by the sizes of shapes.
+std::optional<Failure> RefusedInertia(const RobotModel& model) {
+  for (const Finding& finding : model.findings) {
+    if (finding.code != "impossible_inertia") continue;
+    return Failure{FailureKind::kBadInput, finding.code, "LoadRobot", finding.part + ": " + finding.message, {}};
+  }
+  return std::nullopt;
+}
 
 /// Chains of mimics multiply, and what is absurd then was not so in any one of them.
 std::optional<Failure> CheckFollowers(const RobotModel& model) {
@@ -361,6 +403,7 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
                                model.frames.size(), model.total_mass_kg, kLightestRobot),
                    {"give its links an <inertial>"}};
   }
+  if (auto failure = strict ? RefusedInertia(model) : std::nullopt) return *failure;
   if (auto failure = CheckFollowers(model)) return *failure;
   const std::vector<std::string> idle = IdleJoints(model);
   if (idle.empty()) return model;
@@ -378,6 +421,13 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
                               "it moves nothing, since all beyond it has no inertia about its axis: taken as fixed"});
   }
   return model;
+}
+
+std::vector<LinkInertia> InertiasUsed(const UrdfParts& parts, double scale) {
+  std::string reason;
+  const urdf::ModelInterfaceSharedPtr urdf = ParseTree(parts.tree_text, reason);
+  if (!urdf || !urdf->getRoot()) return {};
+  return Builder(*urdf, parts, "", scale).TakeUsedInertias();
 }
 
 }  // namespace gaitwright

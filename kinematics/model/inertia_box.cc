@@ -10,6 +10,8 @@
 namespace gaitwright {
 namespace {
 
+constexpr double kCore = 0.5;  // of the box's edges
+
 int BodyOfLink(const RobotModel& model, const std::string& link) {
   const auto frame =
       std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& f) { return f.name == link; });
@@ -50,9 +52,11 @@ void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model
       model.notes.push_back(fmt::format("link '{}': {}; what it touches is not known", mesh.link, mesh.why));
       continue;
     }
-    model.findings.push_back({FindingLevel::kWarning, "missing_mesh", fmt::format("link '{}'", mesh.link), 0,
-                              fmt::format("{}: the box of its inertia, {:.3f} x {:.3f} x {:.3f} m, stands for it",
-                                          mesh.why, box->size.x(), box->size.y(), box->size.z())});
+    box->size *= kCore;
+    model.findings.push_back(
+        {FindingLevel::kWarning, "missing_mesh", fmt::format("link '{}'", mesh.link), 0,
+         fmt::format("{}: the core of its inertia's box, {:.3f} x {:.3f} x {:.3f} m, stands for it", mesh.why,
+                     box->size.x(), box->size.y(), box->size.z())});
     model.collision_shapes.push_back(std::move(*box));
   }
 }

@@ -12,8 +12,10 @@ namespace gaitwright {
 std::optional<Shape> InertiaBox(const RobotModel& model, int body);
 
 /// Gives the bodies whose collision meshes are missing, and which have no other collision shape and no foot, their
-/// inertia boxes; each is a warning. Boxes that are longer than the legs, which no link is, are left out, and so is
-/// what stands for part of a body: there it is noted that nothing is known.
+/// inertia boxes at half their size; each is a warning. A body with weight at its ends, as an ankle with its motors,
+/// has a box that reaches beyond it, into the ground or into the other leg, and what is guessed shall refuse no walk.
+/// Boxes that are longer than the legs, which no link is, are left out, and so is what stands for part of a body: there
+/// it is noted that nothing is known.
 void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model);
 
 }  // namespace gaitwright

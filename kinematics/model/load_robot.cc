@@ -22,6 +22,7 @@
 #include "kinematics/model/leg_plane.h"
 #include "kinematics/model/mend_urdf.h"
 #include "kinematics/model/mesh_file.h"
+#include "kinematics/model/name_of_description.h"
 #include "kinematics/model/robot_yaml.h"
 #include "kinematics/model/urdf_check.h"
 
@@ -144,6 +145,7 @@ Result<RobotModel> Load(const RobotTexts& texts, const MeshSource& source) {
   std::vector<MissingMesh> missing;
   Result<std::vector<MeshHull>> meshes = FillMeshes(parts.collision, source, missing);
   if (!meshes) return meshes.failure();
+  for (const MissingMesh& mesh : missing) parts.incomplete.insert(mesh.link);
   Result<RobotModel> built = BuildModel(parts, texts.name, yaml.scale, texts.strict);
   if (!built) return built;
   RobotModel model = std::move(*built);
@@ -238,10 +240,7 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
   const Result<RobotDescription> description = ReadDescription(path, loading);
   if (!description) return description.failure();
   const fs::path folder = fs::path(path).parent_path();
-  std::string stem = fs::path(path).stem().string();
-  if (fs::path(stem).extension() == ".urdf") stem = fs::path(stem).stem().string();  // of `go1.urdf.xacro`
-  const bool named_by_folder = (stem == "robot" || stem.empty()) && folder.has_filename();
-  const std::string name = named_by_folder ? folder.filename().string() : stem;
+  const std::string name = NameOfDescription(path, description->urdf);
   const PackageFolders packages(loading.packages.begin(), loading.packages.end());
   const MeshSource source = [&](const std::string& file) -> Result<std::vector<Vector3>> {
     const Result<std::string> mesh_path = FindMeshFile(file, folder.string(), packages);

@@ -118,15 +118,32 @@ bool MendInertial(XMLElement& link, const PartNotes& notes) {
   return mended;
 }
 
-/// Gives a joint the attributes of <limit> that it lacks.
-bool MendLimit(XMLElement& joint, const std::string& type, const PartNotes& notes) {
+/// Whether a limit holds a joint to less than a turn.
+bool HoldsToPartOfATurn(const XMLElement* limit) {
+  constexpr double kNearlyATurn = 6.0;  // [rad]; -pi to pi is what is written for wheels
+  if (limit == nullptr || limit->Attribute("lower") == nullptr || limit->Attribute("upper") == nullptr) return false;
+  const double lower = std::strtod(limit->Attribute("lower"), nullptr);
+  const double upper = std::strtod(limit->Attribute("upper"), nullptr);
+  return lower < upper && upper - lower < kNearlyATurn;
+}
+
+/// Gives a joint the attributes of <limit> that it lacks, and a continuous one that has limits of position the type
+/// that goes by them.
+bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& notes) {
+  const bool held = given == "continuous" && HoldsToPartOfATurn(joint.FirstChildElement("limit"));
+  const std::string type = held ? "revolute" : given;
+  if (held) {
+    joint.SetAttribute("type", "revolute");
+    notes.Add(FindingLevel::kInfo, "limited_continuous", joint,
+              "of type 'continuous' with limits of its position in the file: they are used");
+  }
   const bool turns = type == "continuous" || type == "spherical";
   XMLElement* limit = joint.FirstChildElement("limit");
   if (limit == nullptr) {
     if (turns) return false;
     limit = joint.InsertNewChildElement("limit");
   }
-  bool mended = false;
+  bool mended = held;
   const auto lacks = [&](const char* name) { return limit->Attribute(name) == nullptr; };
   if (type == "revolute" && lacks("lower") && lacks("upper")) {
     joint.SetAttribute("type", "continuous");

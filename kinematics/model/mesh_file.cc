@@ -159,9 +159,10 @@ std::vector<Vector3> HullPoints(std::vector<Vector3> points) {
 
 Result<std::string> FindMeshFile(const std::string& name, const std::string& folder, const PackageFolders& packages) {
   constexpr std::string_view kPackage = "package://", kFile = "file://";
+  constexpr int kFoldersAbove = 2;
+  std::error_code error;
   std::vector<std::string> tried;
-  const auto is_there = [&tried](const fs::path& file) {
-    std::error_code error;
+  const auto is_there = [&](const fs::path& file) {
     tried.push_back(file.lexically_normal().string());
     return fs::is_regular_file(file, error);
   };
@@ -174,6 +175,12 @@ Result<std::string> FindMeshFile(const std::string& name, const std::string& fol
                     [&](const auto& at) { return is_there(fs::path(at) / path); });
     if (package) return tried.back();
     reason = package.failure().message;
+    // A package that lies in a folder of another name: a copy, or an archive that was unpacked.
+    fs::path above = fs::weakly_canonical(folder.empty() ? "." : folder, error);
+    for (int level = 0; level <= kFoldersAbove; ++level, above = above.parent_path()) {
+      if (is_there(above / path)) return tried.back();
+    }
+    tried.clear();
   } else if (name.starts_with(kFile) || name.find("://") == std::string::npos) {
     const std::string path = name.starts_with(kFile) ? name.substr(kFile.size()) : name;
     if (is_there(fs::path(folder) / path)) return tried.back();

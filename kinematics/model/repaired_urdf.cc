@@ -3,33 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
-#include "kinematics/model/mend_inertia.h"
+#include "kinematics/model/ball_joints.h"
+#include "kinematics/model/build_model.h"
 #include "kinematics/model/mend_urdf.h"
+#include "kinematics/model/robot_yaml.h"
 #include "kinematics/model/urdf_pose_internal.h"
 #include "kinematics/model/urdf_xml_internal.h"
-#include "kinematics/spatial/symmetric_matrix.h"
 
 namespace gaitwright {
 namespace {
 
 using tinyxml2::XMLElement;
-
-/// Shapes of a link in its own frame.
-std::vector<Shape> ShapesInLink(const RobotModel& model, const std::string& link) {
-  const Pose X_LB = model.frames[static_cast<std::size_t>(model.FrameIndex(link))].X_BF.inverse();
-  std::vector<Shape> shapes;
-  for (const std::vector<Shape>* all : {&model.collision_shapes, &model.visual_shapes}) {
-    if (!shapes.empty()) break;
-    for (Shape shape : *all) {
-      if (shape.link != link) continue;
-      shape.X_BS = X_LB * shape.X_BS;
-      shapes.push_back(std::move(shape));
-    }
-  }
-  return shapes;
-}
 
 /// The rotation of <origin rpy>.
 Matrix3 AxesOf(const XMLElement& inertial) {
@@ -41,30 +28,39 @@ Matrix3 AxesOf(const XMLElement& inertial) {
   return FromUrdf(pose).linear();
 }
 
+/// The inertias that the model has in place of those of its URDF, whose text is mended.
+std::vector<LinkInertia> InertiasOf(const RobotModel& model, const std::string& text) {
+  const double scale = ParseRobotYaml(model.yaml_text).scale;
+  UrdfParts parts = SplitUrdf(WithoutBallJoints(text), scale);
+  for (Shape& shape : parts.collision) {
+    const auto hull = std::find_if(model.meshes.begin(), model.meshes.end(),
+                                   [&](const MeshHull& mesh) { return mesh.file == shape.mesh_file; });
+    if (shape.type != ShapeType::kMesh || hull == model.meshes.end()) continue;
+    for (const Vector3& v : hull->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
+  }
+  std::erase_if(parts.collision,
+                [](const Shape& shape) { return shape.type == ShapeType::kMesh && shape.vertices.empty(); });
+  for (const MissingMesh& mesh : model.missing_meshes) parts.incomplete.insert(mesh.link);
+  return InertiasUsed(parts, scale);
+}
+
 /// @return whether the link's inertia was written anew.
-bool WriteMendedInertia(const RobotModel& model, XMLElement& link) {
+bool WriteInertia(const std::vector<LinkInertia>& used, XMLElement& link) {
   XMLElement* inertial = link.FirstChildElement("inertial");
-  if (inertial == nullptr) return false;
-  XMLElement& inertia = *inertial->FirstChildElement("inertia");
-  const auto I = [&](const char* name) { return Number(inertia, name, "inertia"); };
-  const Matrix3 given = SymmetricMatrix(I("ixx"), I("ixy"), I("ixz"), I("iyy"), I("iyz"), I("izz"));
-  const std::vector<Shape> shapes = ShapesInLink(model, link.Attribute("name"));
-  std::vector<const Shape*> pointers;
-  for (const Shape& shape : shapes) pointers.push_back(&shape);
+  const std::string name = link.Attribute("name");
+  const auto mended =
+      std::find_if(used.begin(), used.end(), [&](const LinkInertia& inertia) { return inertia.link == name; });
+  if (inertial == nullptr || mended == used.end()) return false;
   const Matrix3 R = AxesOf(*inertial);
-  const double mass = Number(*inertial->FirstChildElement("mass"), "value", "mass");
-  const auto mended = MendInertia(R * given * R.transpose(), mass, pointers);
-  if (!mended || mended->was.empty()) return false;
-  const Matrix3 used = R.transpose() * mended->I * R;
-  const auto put = [&](const char* name, double value) {
-    inertia.SetAttribute(name, fmt::format("{}", value).c_str());
-  };
-  put("ixx", used(0, 0));
-  put("ixy", used(0, 1));
-  put("ixz", used(0, 2));
-  put("iyy", used(1, 1));
-  put("iyz", used(1, 2));
-  put("izz", used(2, 2));
+  const Matrix3 I = R.transpose() * mended->I * R;
+  XMLElement& inertia = *inertial->FirstChildElement("inertia");
+  const auto put = [&](const char* key, double value) { inertia.SetAttribute(key, fmt::format("{}", value).c_str()); };
+  put("ixx", I(0, 0));
+  put("ixy", I(0, 1));
+  put("ixz", I(0, 2));
+  put("iyy", I(1, 1));
+  put("iyz", I(1, 2));
+  put("izz", I(2, 2));
   return true;
 }
 
@@ -74,10 +70,11 @@ std::string RepairedUrdf(const RobotModel& model) {
   const std::string text = MendUrdf(model.urdf_text).text;
   tinyxml2::XMLDocument document;
   if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) return text;
+  const std::vector<LinkInertia> used = InertiasOf(model, text);
   bool changed = false;
   XMLElement* robot = document.RootElement();
   for (XMLElement* link = robot->FirstChildElement("link"); link != nullptr; link = link->NextSiblingElement("link"))
-    changed = WriteMendedInertia(model, *link) || changed;
+    changed = WriteInertia(used, *link) || changed;
   if (!changed) return text;
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace gaitwright {
 struct UrdfParts {
   std::string tree_text;
   std::vector<Shape> collision, visual;
+  std::set<std::string> incomplete = {};  ///< links that had a collision mesh which is not there
 };
 
 /// Splits a URDF that CheckUrdf has passed. @param scale  by which the lengths of the shapes are multiplied.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -60,6 +61,46 @@ std::optional<Failure> LacksSupport(const RobotModel& model, const DynamicsScrat
                             model.name, QuotedList(names), model.feet.size() == 2 ? "two points" : "points in line",
                             1e3 * width, 1e3 * least),
                 "give it soles (robot.yaml, feet: sole_m) or a third foot");
+}
+
+/// The hip of a leg at joint positions zero, in the base frame O.
+struct Hip {
+  Vector3 p_O, axis_O;
+};
+
+/// Two legs that hang on one axis, on one side of the base: the halves of a leg with two motors at its hip, which are
+/// one at their ends. No other legs are so near to each other.
+std::optional<Failure> HasHalvesOfLegs(const RobotModel& model) {
+  constexpr double kParallel = 0.995, kOffAxis = 0.05, kNear = 0.5;  // cosine; lengths in legs' lengths
+  const std::vector<Pose> X_OB = BodyPoses(model, VectorX::Zero(model.num_dofs()));
+  std::vector<std::optional<Hip>> hips;
+  for (const Leg& leg : model.legs) {
+    if (leg.hip_joint < 0) {
+      hips.emplace_back();
+      continue;
+    }
+    const auto hip = static_cast<std::size_t>(leg.hip_joint);
+    hips.push_back(Hip{X_OB[hip + 1].translation(), X_OB[hip + 1].linear() * model.joints[hip].axis_J});
+  }
+  const double length = model.leg_length_m();
+  for (std::size_t i = 0; i < hips.size(); ++i) {
+    for (std::size_t j = i + 1; j < hips.size(); ++j) {
+      if (!hips[i] || !hips[j] || hips[i]->p_O.y() * hips[j]->p_O.y() <= 0.0) continue;
+      const Vector3 apart = hips[j]->p_O - hips[i]->p_O;
+      if (std::abs(hips[i]->axis_O.dot(hips[j]->axis_O)) < kParallel || apart.norm() > kNear * length ||
+          apart.cross(hips[i]->axis_O).norm() > kOffAxis * length)
+        continue;
+      return Cannot(
+          "parallel_legs",
+          fmt::format("legs '{}' and '{}' of robot '{}' turn about one axis on one side of its base: they are "
+                      "the halves of one leg with two motors at its hip, and the joint that closes the loop "
+                      "between their ends is not in the description",
+                      model.legs[i].name, model.legs[j].name, model.name),
+          "legs with closed loops are not planned; name one half of each leg in robot.yaml, feet, if its "
+          "knee has a motor");
+    }
+  }
+  return std::nullopt;
 }
 
 /// What a foot must be able to do: rows of its Jacobian in W, lengths in legs' lengths.
@@ -169,6 +210,7 @@ DynamicsScratch Standing(const RobotModel& model) {
 }  // namespace
 
 std::optional<Failure> WhyCannotWalk(const RobotModel& model) {
+  if (auto halves = HasHalvesOfLegs(model)) return halves;
   if (auto lacks = LacksMotor(model)) return lacks;
   const DynamicsScratch scratch = Standing(model);
   if (auto lacks = LacksFreedom(model, scratch, Walk::kAhead)) return lacks;

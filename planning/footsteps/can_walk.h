@@ -9,6 +9,7 @@
 namespace gaitwright {
 
 /// Why a robot cannot walk whatever it is asked, or nothing. Failure kInfeasible:
+///   `parallel_legs`  two legs turn about one axis on one side of the base: halves of one leg, whose loop is left open
 ///   `passive_joint`  a joint of a leg has no motor: see IsPassive
 ///   `no_support`  in its standing posture what its feet touch has no area: two point feet cannot stand still
 ///   `freedoms`    names a leg whose joints cannot move its foot in some direction there, or not keep its sole level,

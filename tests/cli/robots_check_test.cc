@@ -164,6 +164,15 @@ TEST_F(RobotsCheck, WeakMotorsAreNamedWithTheirStance) {
   }
 }
 
+TEST_F(RobotsCheck, FilesGoByFlagsAsWithOtherVerbs) {
+  Write("a.urdf", FourLegs());
+  EXPECT_EQ(Run({"robots", "check", "--urdf", "a.urdf"}).out, Run({"robots", "check", "a.urdf"}).out);
+  EXPECT_EQ(Run({"robots", "show", "--urdf", "a.urdf", "--json"}).json().at("name"), "a");
+  EXPECT_EQ(Run({"robots", "check", "a.urdf", "--urdf", "a.urdf"}).status, 1);
+  EXPECT_EQ(Run({"robots", "check"}).status, 1);
+  EXPECT_EQ(Run({"robots", "show"}).status, 1);
+}
+
 TEST_F(RobotsCheck, TwoDescriptionsOfOneRobotAreCompared) {
   Write("a.urdf", FourLegs());
   Write("b.urdf", Replaced(FourLegs(), "upper='1'", "upper='1.5'"));

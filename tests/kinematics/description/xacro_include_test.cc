@@ -37,6 +37,16 @@ TEST(XacroInclude, PackagesAreFound) {
            {"no_package: robot.xacro:2: <xacro:include>", "'bott' is not found", "bott=DIR"});
 }
 
+TEST(XacroInclude, FilesGoByTheUrlsOfMeshesToo) {
+  const TextFiles files = {{"/packages/bot/urdf/a.xacro", XacroFileText("<a/>")}, {"/b.xacro", XacroFileText("<b/>")}};
+  EXPECT_EQ(InnerXacro(XacroIncludes("package://bot/urdf/a.xacro"), files), "<a/>");
+  EXPECT_EQ(InnerXacro(XacroIncludes("file://$(find bot)/urdf/a.xacro"), files), "<a/>");
+  EXPECT_EQ(InnerXacro(XacroIncludes("file:///b.xacro"), files), "<b/>");
+  ExpectIn(InnerXacro(XacroIncludes("package://bott/urdf/a.xacro"), files), {"no_package", "'bott' is not found"});
+  ExpectIn(InnerXacro(XacroIncludes("package://bot"), files), {"xacro_include", "no such file"});
+  ExpectIn(InnerXacro(XacroIncludes("package://"), files), {"no_package"});
+}
+
 TEST(XacroInclude, ANamespaceKeepsNamesApart) {
   const TextFiles files = {{"arm.xacro", XacroFileText("<xacro:property name='n' value='${k + 6}'/><xacro:property "
                                                        "name='k' value='1'/><xacro:macro name='m' params='a:=1'>"

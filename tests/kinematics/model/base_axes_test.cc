@@ -75,6 +75,15 @@ TEST(BaseAxes, FourLegsHangDownAndStandFartherApartAlong) {
   }
 }
 
+/// Legs of which no joint turns about y cannot step along x, though left and right are not quite alike.
+TEST(BaseAxes, LegsThatTurnAboutXAloneStepAlongY) {
+  std::string urdf = Replaced(FourLegs(), "<axis xyz='0 1 0'/>", "<axis xyz='1 0 0'/>");
+  for (const std::string y : {"0.1", "-0.1"}) urdf = Replaced(urdf, "xyz='0.2 " + y + " 0'", "xyz='0.26 " + y + " 0'");
+  const RobotModel one = LoadRobotFromText(urdf, "").value();
+  const Vector3 axis_B = one.joints[0].X_PJ.linear() * one.joints[0].axis_J;
+  EXPECT_NEAR(std::abs(axis_B.y()), 1.0, 1e-9);
+}
+
 TEST(BaseAxes, RobotYamlSaysWhatCannotBeSeen) {
   const RobotModel a1 = Robot("a1");
   const std::string backwards = Turned(a1.urdf_text, "base", Axes("-y", "z"));

@@ -50,6 +50,18 @@ TEST(MendUrdf, LimitsThatAreNotGivenAreNone) {
   EXPECT_TRUE(std::isinf(Mended(" effort='30'", "", "missing_limit", "joint 'A_hip'").dof_effort_limit(0)));
 }
 
+TEST(MendUrdf, LimitsOfAContinuousJointHoldItWhereTheyAreLessThanATurn) {
+  const auto knees = [](const std::string& limit) {
+    const std::string urdf = Replaced(FourLegs(), "type='revolute'", "type='continuous'");
+    return LoadRobotFromText(Replaced(urdf, "lower='-2' upper='1'", limit), "").value().joints[1];
+  };
+  EXPECT_EQ(knees("lower='-2' upper='1'").type, JointType::kRevolute);
+  EXPECT_NEAR(knees("lower='-2' upper='1'").upper, 1.0, 1e-12);
+  for (const std::string limit :
+       {"lower='-3.15' upper='3.15'", "lower='0' upper='0'", "lower='1' upper='-1'", "upper='1'"})
+    EXPECT_EQ(knees(limit).type, JointType::kContinuous) << limit;
+}
+
 TEST(MendUrdf, CommasAreReadAsPointsOrAsSpaces) {
   const RobotModel points = Mended("0 0 -0.2", "0 0 -0,25", "number_format", "joint 'A_knee'");
   EXPECT_DOUBLE_EQ(points.joints[1].X_PJ.translation().z(), -0.25);

@@ -100,7 +100,8 @@ TEST(RobotYaml, RefusesMotorsThatContradictThemselves) {
 }
 
 TEST(RobotYaml, LimitsBoundAContinuousJointAndReplaceAPlaceholder) {
-  const std::string urdf = Replaced(Replaced(FourLegs(), "revolute", "continuous"), "effort='30'", "effort='1e6'");
+  const std::string turning = Replaced(Replaced(FourLegs(), "revolute", "continuous"), "lower='-2' upper='1'", "");
+  const std::string urdf = Replaced(turning, "effort='30'", "effort='1e6'");
   const Result<RobotModel> model =
       LoadRobotFromText(urdf, "limits: {A_knee: {lower_rad: -1, upper_rad: 1, effort_nm: 2000}}");
   ASSERT_TRUE(model.ok()) << model.failure().message;

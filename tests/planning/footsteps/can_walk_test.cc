@@ -30,6 +30,10 @@ TEST(CanWalk, ALegNeedsAMotorAtEachOfItsJoints) {
   ExpectRefused(unusual::FourLegged(unusual::Abduction(), knee), "passive_joint", {"leg 'a_foot'", "'a3_joint'"});
 }
 
+TEST(CanWalk, LegsOnOneAxisAreTheHalvesOfOneLeg) {
+  ExpectRefused(unusual::OpenFiveBars(), "parallel_legs", {"'a_foot'", "'b_foot'", "one leg with two motors"});
+}
+
 TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
   ExpectRefused(unusual::Pantograph(), "freedoms", {"leg 'a_foot'", "1 of 2", "'a1_joint', 'a2_joint'"});
   const RobotModel planar = LoadRobotFromText(unusual::Planar(), "").value();
