@@ -38,7 +38,7 @@ def tried(program, file):
     flag = "--mjcf" if file.suffix == ".xml" else "--urdf"
     began = time.monotonic()
     _, checked = run_json(program, "robots", "check", file)
-    loads = checked.get("errors", 1) == 0
+    loads = checked.get("verdict", "is not loaded") != "is not loaded"
     with tempfile.TemporaryDirectory() as out:
         status, walk = run_json(program, "walk", flag, file, "--distance", "1", "--out-dir", out) if loads else (1, checked)
     if not loads:

@@ -71,11 +71,11 @@ TEST_P(AuditUneven, ARobotStandsOnASlope) {
   MotionPlan icy = plan;
   icy.terrain.patches[0].friction = 0.8 * std::tan(angle_rad);
   const auto slips = ViolationsOf(model(), icy);
-  EXPECT_EQ(LawsOf(slips), std::vector<std::string>{"friction_cone"});
+  EXPECT_EQ(LawsOf(slips), std::vector<Law>{Law::kFrictionCone});
 
   MotionPlan out = plan;
   for (Vector2& p : out.centroidal.p_WZ) p.y() += 0.4;
-  EXPECT_EQ(LawsOf(ViolationsOf(model(), out)), (std::vector<std::string>{"consistency", "zmp_support"}));
+  EXPECT_EQ(LawsOf(ViolationsOf(model(), out)), (std::vector<Law>{Law::kConsistency, Law::kZmpSupport}));
 
   MotionPlan level = plan;  // the same robot on ground that is not tilted
   level.terrain = FlatTerrain();
@@ -127,7 +127,7 @@ TEST_P(AuditUneven, BodyClearanceFindsALintelOverTheBody) {
   MotionPlan plan = good();
   plan.terrain.obstacles = {Box({0.0, 0.0, top + 0.1 - kInto}, {4.0, 4.0, 0.2})};
   const auto found = ViolationsOf(model(), plan);
-  EXPECT_EQ(LawsOf(found), std::vector<std::string>{"body_clearance"});
+  EXPECT_EQ(LawsOf(found), std::vector<Law>{Law::kBodyClearance});
   EXPECT_NEAR(At(found, highest->link).value, -kInto, 5e-4);
   plan.terrain.obstacles[0].X_WO.translation().z() += kInto + 1e-4;
   EXPECT_TRUE(Audit(model(), plan, {})->pass()) << Text(plan);

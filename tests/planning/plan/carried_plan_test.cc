@@ -21,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Carried, testing::Values("a1", "nao"), [](const
 
 TEST_P(Carried, APlanKeepsAllLawsElsewhereAndLater) {
   const MotionPlan there = CarriedPlan(Away(), 3.5, plan());
-  EXPECT_EQ(LawsOf(ViolationsOf(model(), there)), std::vector<std::string>());
+  EXPECT_EQ(LawsOf(ViolationsOf(model(), there)), std::vector<Law>());
   EXPECT_NEAR(there.whole_body.start_s, plan().whole_body.start_s + 3.5, 1e-12);
   EXPECT_NEAR(there.schedule.end_s(), plan().schedule.end_s() + 3.5, 1e-12);
   EXPECT_NEAR(there.goal.yaw_rad, WrapAngle(plan().goal.yaw_rad + 2.1), 1e-12);
