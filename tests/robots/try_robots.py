@@ -22,11 +22,12 @@ def described(folder):
     for place in sorted(path for path in folder.iterdir() if path.is_dir()):
         files = [path for path in sorted(place.iterdir()) if path.suffix in ENDINGS and path.name != "package.xml"]
         if files:
-            yield place.name, files[0]
+            yield place.name, files[0].resolve()
 
 
-def run_json(program, *arguments):
-    done = subprocess.run([program, *map(str, arguments), "--json"], capture_output=True, text=True)
+def run_json(folder, program, *arguments):
+    """Status and answer of a call in a folder of its own, where the program may write a draft of a robot.yaml."""
+    done = subprocess.run([program, *map(str, arguments), "--json"], capture_output=True, text=True, cwd=folder)
     try:
         return done.returncode, json.loads(done.stdout)
     except ValueError:
@@ -37,10 +38,10 @@ def tried(program, file):
     """One row of the table."""
     flag = "--mjcf" if file.suffix == ".xml" else "--urdf"
     began = time.monotonic()
-    _, checked = run_json(program, "robots", "check", file)
-    loads = checked.get("verdict", "is not loaded") != "is not loaded"
-    with tempfile.TemporaryDirectory() as out:
-        status, walk = run_json(program, "walk", flag, file, "--distance", "1", "--out-dir", out) if loads else (1, checked)
+    with tempfile.TemporaryDirectory() as folder:
+        _, checked = run_json(folder, program, "robots", "check", file)
+        loads = checked.get("verdict", "is not loaded") != "is not loaded"
+        status, walk = run_json(folder, program, "walk", flag, file, "--distance", "1", "--out-dir", folder) if loads else (1, checked)
     if not loads:
         finding = next((f for f in checked.get("findings", []) if f["level"] == "error"), None)
         error = finding or checked.get("error", {"code": "unknown", "message": ""})
@@ -63,7 +64,7 @@ def main():
     different = []
     print(f"{'robot':<18} loads  warnings  walks  score  seconds")
     for name, file in described(arguments.folder):
-        row = tried(arguments.program, file)
+        row = tried(Path(arguments.program).resolve(), file)
         score = "" if row["score"] is None else f"{row['score']:.1f}"
         print(f"{name:<18} {'yes' if row['loads'] else 'no':<6} {row['warnings']:<9} {'yes' if row['walks'] else 'no':<6} "
               f"{score:<6} {row['seconds']:<7.1f} {row['why']}", flush=True)
