@@ -46,8 +46,8 @@ void ExpectSays(const std::string& message, const std::vector<std::string>& part
 }
 
 /// The laws that a report names, each once.
-std::vector<std::string> LawsOf(const AuditReport& report) {
-  std::vector<std::string> laws;
+std::vector<Law> LawsOf(const AuditReport& report) {
+  std::vector<Law> laws;
   for (const Violation& violation : report.violations) {
     if (std::find(laws.begin(), laws.end(), violation.law) == laws.end()) laws.push_back(violation.law);
   }
@@ -76,9 +76,9 @@ TEST(ImportOthers, TrotOfOtherSoftwareIsAuditedPlayedAndScored) {
     EXPECT_TRUE(IsDerived(*imported, what)) << what;
   // It trots open loop, upon lines between feet: the audit says so.
   EXPECT_FALSE(imported->audit.pass());
-  const std::vector<std::string> laws = LawsOf(imported->audit);
-  EXPECT_NE(std::find(laws.begin(), laws.end(), "zmp_support"), laws.end());
-  for (const std::string& law : laws)
+  const std::vector<Law> laws = LawsOf(imported->audit);
+  EXPECT_NE(std::find(laws.begin(), laws.end(), Law::kZmpSupport), laws.end());
+  for (const Law law : laws)
     EXPECT_TRUE(law == Law::kConsistency || law == Law::kZmpSupport || law == Law::kDynamics) << law;
   const Result<PlayedWalk> played = PlayWalk(NamedRobot("a1"), imported->plan, {});
   ASSERT_TRUE(played.ok()) << played.failure().message;
