@@ -12,9 +12,9 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr char kThin[] = "0.0001";   // [m] of a shape that has the size 0
+constexpr char kThin[] = "0.0001";       // [m] of a shape that has the size 0
 constexpr char kUnknownLimit[] = "1e9";  // of effort and speed: more than any joint has, which is read as unknown
-constexpr char kNoLimit[] = "1000";  // [rad], [m] where a limit is not given and the joint is not continuous
+constexpr char kNoLimit[] = "1000";      // [rad], [m] where a limit is not given and the joint is not continuous
 
 /// What is said of the parts of a link or a joint.
 struct PartNotes {
