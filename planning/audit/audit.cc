@@ -125,7 +125,7 @@ AuditReport Auditor::Run() {
     const double time_s = plan_.whole_body.start_s + k * step;
     SampleWholeBody(plan_.whole_body, time_s, sample_);
     if (!AllFinite()) {
-      findings_.Note(Law::kConsistency, "a number that is none", time_s, std::nan(""), 0.0, "1");
+      findings_.Note(Law::kConsistency, "not a number", time_s, std::nan(""), 0.0, "1");
       continue;
     }
     const auto phase = [&](double t) {
