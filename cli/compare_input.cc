@@ -25,8 +25,8 @@ struct SideFile {
   bool has_units() const { return table || kind == MotionFileKind::kTrajectory; }
 };
 
-Failure ComparisonRefused(const std::string& code, const std::string& message, std::vector<std::string> hints = {}) {
-  return {FailureKind::kBadInput, code, "ReadCompareInput", message, std::move(hints)};
+Failure ComparisonRefused(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions = {}) {
+  return {FailureKind::kBadInput, code, "ReadCompareInput", message, std::move(suggestions)};
 }
 
 Result<SideFile> ReadSide(const std::string& path) {
@@ -35,17 +35,18 @@ Result<SideFile> ReadSide(const std::string& path) {
   SideFile side{path, *text, KindOfText(*text)};
   if (side.kind == MotionFileKind::kJson) {
     return ComparisonRefused(
-        "no_motion", fmt::format("'{}' is JSON, but no plan, log or report", path),
+        FailureCode::kNoMotion, fmt::format("'{}' is JSON, but no plan, log or report", path),
         {"name a plan.json, a log.json, what 'walk --json' prints, a CSV of a motion, or a joint trajectory"});
   }
   if (side.kind == MotionFileKind::kTrials)
-    return ComparisonRefused("no_motion", fmt::format("'{}' is {}; these are not compared", path, NameOf(side.kind)),
+    return ComparisonRefused(FailureCode::kNoMotion,
+                             fmt::format("'{}' is {}; these are not compared", path, NameOf(side.kind)),
                              {"'trials --report FILE' makes a page of each"});
   if (side.kind != MotionFileKind::kTable) return side;
   Result<CsvTable> table = ParseCsvTable(side.text, path);
   const std::string extension = std::filesystem::path(path).extension().string();
   if (!table && (extension == ".yaml" || extension == ".yml")) {
-    return ComparisonRefused("no_motion",
+    return ComparisonRefused(FailureCode::kNoMotion,
                              fmt::format("'{}' is no joint trajectory, and other YAML is not compared", path),
                              {"'import' makes a plan of footsteps, which is compared"});
   }
@@ -65,22 +66,23 @@ Result<ComparedMotion> ReadPlanSide(const SideFile& side) {
 Result<ComparedMotion> ReadLogSide(const SideFile& side, const RobotModel* model) {
   const Result<PlaybackLog> log = LogFromJson(side.text, side.path);
   if (!log) return log.failure();
-  const std::vector<std::string> hints = {"--plan FILE, the plan that was played", "--robot " + log->robot};
+  const std::vector<Suggestion> suggestions = {"--plan FILE, the plan that was played", "--robot " + log->robot};
   if (model == nullptr)
-    return ComparisonRefused(
-        "no_robot", fmt::format("'{}' is a log of robot '{}', which it does not hold", side.path, log->robot), hints);
+    return ComparisonRefused(FailureCode::kNoRobot,
+                             fmt::format("'{}' is a log of robot '{}', which it does not hold", side.path, log->robot),
+                             suggestions);
   if (model->hash != log->robot_hash) {
-    return ComparisonRefused("robot_hash",
+    return ComparisonRefused(FailureCode::kRobotHash,
                              fmt::format("'{}' is a log of robot '{}' ({}), not of '{}' ({})", side.path, log->robot,
                                          log->robot_hash, model->name, model->hash),
-                             hints);
+                             suggestions);
   }
   return ComparedLog(*model, *log, side.path);
 }
 
 Result<ComparedMotion> ReadTableSide(const SideFile& side, const RobotModel* model) {
   if (model == nullptr) {
-    return ComparisonRefused("no_robot", fmt::format("'{}' does not say whose motion it is", side.path),
+    return ComparisonRefused(FailureCode::kNoRobot, fmt::format("'{}' does not say whose motion it is", side.path),
                              {"--robot NAME", "--urdf FILE", "--plan FILE, the plan that was played"});
   }
   if (!side.table) return ComparedTrajectory(*model, side.text, side.path, side.reading.options);
@@ -106,8 +108,9 @@ void SayHowToRead(const CompareFiles& files, SideFile& a, SideFile& b) {
 
 Result<CompareInput> ReadReports(const SideFile& a, const SideFile& b) {
   if (a.kind != b.kind) {
-    return ComparisonRefused("not_alike", fmt::format("'{}' is {}, '{}' is {}: a report is compared with a report",
-                                                      a.path, NameOf(a.kind), b.path, NameOf(b.kind)));
+    return ComparisonRefused(FailureCode::kNotAlike,
+                             fmt::format("'{}' is {}, '{}' is {}: a report is compared with a report", a.path,
+                                         NameOf(a.kind), b.path, NameOf(b.kind)));
   }
   const Result<ReadReport> of_a = ReportFromJson(a.text, a.path), of_b = ReportFromJson(b.text, b.path);
   if (!of_a) return of_a.failure();

@@ -62,7 +62,7 @@ Result<MotionInput> ReadMotionInput(const std::string& path, const MotionRobot& 
   }
   if (kind != MotionFileKind::kLog) {
     return Failure{FailureKind::kBadInput,
-                   "no_motion",
+                   FailureCode::kNoMotion,
                    "ReadMotion",
                    fmt::format("'{}' is {}, neither a plan nor a log", path, NameOf(kind)),
                    {"name a plan.json or log.json, as 'walk' writes them"}};
@@ -71,7 +71,7 @@ Result<MotionInput> ReadMotionInput(const std::string& path, const MotionRobot& 
   if (!log) return log.failure();
   if (!robot.given()) {
     return Failure{FailureKind::kBadInput,
-                   "no_robot",
+                   FailureCode::kNoRobot,
                    "ReadMotion",
                    fmt::format("'{}' is a log of robot '{}', which it does not hold", path, log->robot),
                    {"--plan FILE, the plan that was played", "--robot " + log->robot}};

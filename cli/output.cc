@@ -94,6 +94,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
     json.update(ParsedJson(ReportJson(judged.played.report)));
     json["audit"] = ParsedJson(AuditJson(judged.audit));
     json["warnings"] = judged.plan.warnings;
+    json["adjustments"] = AdjustmentsToJson(judged.plan.adjustments);
     if (judged.played.report.pass && !judged.pass()) {
       json["verdict"] = "fail";
       json["reason"] = judged.objection();
@@ -116,6 +117,7 @@ void PrintJudged(const Judged& judged, const Files& files, const Common& common,
   fmt::print("{}", ReportText(judged.played.report));
   if (const std::string parts = PartsText(judged.plan.parts); !parts.empty()) fmt::print("\nparts: {}\n", parts);
   fmt::print("\n{}", AuditText(judged.audit));
+  for (const Adjustment& adjustment : judged.plan.adjustments) fmt::print("adjusted: {}\n", AdjustmentText(adjustment));
   for (const std::string& warning : judged.plan.warnings) fmt::print("warning: {}\n", warning);
   if (const auto drawn = DrawnOf(judged.played.log); !drawn.empty()) {
     fmt::print("drawn: {}\nlog hash {}\n", DrawnText(drawn), SamplesHash(judged.played.log));

@@ -10,6 +10,7 @@
 #include "cli/json_text_internal.h"
 #include "cli/word_list.h"
 #include "workflows/cluster/ranks.h"
+#include "workflows/formats/failure_json.h"
 #include "workflows/study/job_journal.h"
 
 namespace gaitwright::cli {
@@ -20,13 +21,13 @@ int Guarded(const Common& common, const std::function<int()>& work) {
   try {
     return work();
   } catch (const InvalidArgument& error) {
-    return Report({FailureKind::kBadInput, "invalid_argument", "program", error.what(), {}}, common);
+    return Report({FailureKind::kBadInput, FailureCode::kInvalidArgument, "program", error.what(), {}}, common);
   } catch (const CannotKeep& error) {
-    const std::vector<std::string> hints = {"make room on the disk", "the same command with --resume goes on"};
-    return Report({FailureKind::kBadInput, "so_far", "JobJournal", error.what(), hints}, common);
+    const std::vector<Suggestion> suggestions = {"make room on the disk", "the same command with --resume goes on"};
+    return Report({FailureKind::kBadInput, FailureCode::kSoFar, "JobJournal", error.what(), suggestions}, common);
   } catch (const std::exception& error) {
     const std::string message = fmt::format("the program failed, which is its own fault: {}", error.what());
-    return Report({FailureKind::kBadInput, "internal", "program", message, {}}, common);
+    return Report({FailureKind::kBadInput, FailureCode::kInternal, "program", message, {}}, common);
   }
 }
 
@@ -50,12 +51,12 @@ void AddCommon(Verb verb, Common& common, std::initializer_list<std::string_view
 }
 
 int Report(const Failure& failure, const Common& common) {
-  const std::string hints = failure.hints.empty() ? "" : fmt::format(" (try: {})", JoinWords(failure.hints, "; or: "));
-  fmt::print(stderr, "gaitwright: {}{}\n", failure.message, hints);
+  std::vector<std::string> hints;
+  for (const Suggestion& suggestion : failure.suggestions) hints.push_back(suggestion.text);
+  const std::string tries = hints.empty() ? "" : fmt::format(" (try: {})", JoinWords(hints, "; or: "));
+  fmt::print(stderr, "gaitwright: {}{}\n", failure.message, tries);
   if (common.json) {
-    const nlohmann::ordered_json error = {
-        {"error",
-         {{"code", failure.code}, {"stage", failure.stage}, {"message", failure.message}, {"hints", failure.hints}}}};
+    const nlohmann::ordered_json error = {{"error", FailureToJson(failure)}};
     PrintJson(error);
   }
   return failure.kind == FailureKind::kInfeasible ? kNoPlan : kWrongInput;
@@ -67,7 +68,7 @@ void SetWork(Verb verb, const Common& common, int& status, const std::function<i
     if (ranks.count() == 1) return work();
     if (!ranks.leads()) return kPass;
     return Report({FailureKind::kBadInput,
-                   "several_processes",
+                   FailureCode::kSeveralProcesses,
                    "program",
                    fmt::format("this verb runs in one process, and MPI has started {}", ranks.count()),
                    {"start it without mpirun or srun; trials and sweep share their work"}},

@@ -22,7 +22,7 @@ void AddDraft(const RobotFlags& flags, Failure& failure) {
   std::error_code error;
   if (draft.empty() || std::filesystem::exists(kDraft, error)) return;
   if (!WriteFileAtomically(kDraft, draft)) return;
-  failure.hints.push_back(
+  failure.suggestions.push_back(
       fmt::format("a draft of the robot.yaml that is needed was written to '{}': correct it and put it beside the URDF "
                   "as robot.yaml",
                   kDraft));
@@ -84,7 +84,7 @@ Failure WithDraft(Failure failure, const RobotFlags& flags, const RobotModel& mo
     return std::none_of(model.collision_shapes.begin(), model.collision_shapes.end(),
                         [&](const Shape& shape) { return shape.body == foot.body; });
   });
-  if (flags.is_file() && unknown && failure.code == "no_support") AddDraft(flags, failure);
+  if (flags.is_file() && unknown && failure.code == FailureCode::kNoSupport) AddDraft(flags, failure);
   return failure;
 }
 

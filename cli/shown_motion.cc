@@ -32,7 +32,7 @@ Result<MotionPlan> PlayedPlan(const PlaybackLog& log, const std::string& path, c
   if (plan_path.empty() && !std::filesystem::exists(beside)) {
     return Failure{
         FailureKind::kBadInput,
-        "no_plan",
+        FailureCode::kNoPlan,
         kShowStage,
         fmt::format("'{}' is a log, which does not hold the ground and the plan, and there is no '{}'", path, beside),
         {"--plan FILE, the plan that was played"}};
@@ -42,7 +42,7 @@ Result<MotionPlan> PlayedPlan(const PlaybackLog& log, const std::string& path, c
   if (plan && MotionHash(*plan) != log.plan_hash) {
     return Failure{
         FailureKind::kBadInput,
-        "other_plan",
+        FailureCode::kOtherPlan,
         kShowStage,
         fmt::format("'{}' is not the plan that '{}' was played from: its motion has hash {}, the log says {}", from,
                     path, MotionHash(*plan), log.plan_hash),
@@ -68,7 +68,7 @@ Result<MotionToShow> ReadMotionToShow(const std::string& path, const std::string
   if (kind != MotionFileKind::kLog) {
     return Failure{
         FailureKind::kBadInput,
-        "no_motion",
+        FailureCode::kNoMotion,
         kShowStage,
         fmt::format("'{}' is {}, neither a plan nor a log", path, NameOf(kind)),
         {"name a plan.json or log.json, as 'walk' writes them", "a motion of other software: gaitwright import FILE"}};

@@ -24,7 +24,7 @@ std::string ActsAs(const Disturbance& figure) {
 std::optional<Failure> InVain(const Disturbances& disturbances, const PlayRequest& request,
                               const std::vector<std::string>& varied) {
   const auto failure = [](const std::string& message, const std::string& hint) {
-    return Failure{FailureKind::kBadInput, "in_vain", "LoadDisturbances", message, {hint}};
+    return Failure{FailureKind::kBadInput, FailureCode::kInVain, "LoadDisturbances", message, {hint}};
   };
   if (const std::vector<std::string> twice = DrawnInPlaceOf(disturbances, varied); !twice.empty()) {
     return failure(fmt::format("the disturbances draw {}, which --over varies", QuotedList(twice)),

@@ -75,7 +75,7 @@ std::string UsageText(Verb program, Verb verb, const UsageError& error) {
 Failure UsageFailure(Verb program, const UsageError& error) {
   const Verb verb = ReachedVerb(program);
   const std::string help = verb == program ? "gaitwright --help" : fmt::format("gaitwright {} --help", verb.words());
-  return {FailureKind::kBadInput, "usage", "program", UsageText(program, verb, error), {help}};
+  return {FailureKind::kBadInput, FailureCode::kUsage, "program", UsageText(program, verb, error), {help}};
 }
 
 }  // namespace gaitwright::cli

@@ -116,7 +116,7 @@ int RunBench(BenchSettings& a) {
   const std::vector<CentroidalCase> cases = CasesOf(*set, a.filter);
   if (cases.empty()) {
     return Report({FailureKind::kBadInput,
-                   "no_such_case",
+                   FailureCode::kNoSuchCase,
                    "bench",
                    fmt::format("no case holds '{}'", a.filter),
                    {"a case is ROBOT-NUMBER-GROUND, such as hyq-1-gap"}},

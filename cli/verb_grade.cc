@@ -95,7 +95,7 @@ int MarkClass(const GradeSettings& a, Rubric rubric) {
   const Result<ClassMarks> marks = GradeWithBar(a, request);
   if (!marks) {
     const int status = Report(marks.failure(), a.common);
-    return marks.failure().code == "interrupted" ? kInterrupted : status;
+    return marks.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
   }
   const auto written =
       WriteFilesTogether({{a.InOut("grades.csv"), GradesCsv(*marks)}, {a.InOut("index.html"), ClassPage(*marks)}});

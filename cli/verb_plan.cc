@@ -37,6 +37,7 @@ void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Com
                                          {"residual", planned.motion.residual},
                                          {"planning_cpu_s", planned.planning_cpu_s},
                                          {"warnings", planned.motion.plan.warnings},
+                                         {"adjustments", AdjustmentsToJson(planned.motion.plan.adjustments)},
                                          {"audit", ParsedJson(AuditJson(planned.audit))},
                                          {"files", {{"plan", path}}}};
     PrintJson(json);
@@ -49,6 +50,8 @@ void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Com
   fmt::print("{} {}: {}\nplanned in {:.2f} s of CPU\n", planned.motion.plan.robot, GaitNames(planned.motion.plan.parts),
              planned.motion.summary, planned.planning_cpu_s);
   if (const std::string parts = PartsText(planned.motion.plan.parts); !parts.empty()) fmt::print("parts: {}\n", parts);
+  for (const Adjustment& adjustment : planned.motion.plan.adjustments)
+    fmt::print("adjusted: {}\n", AdjustmentText(adjustment));
   for (const std::string& warning : planned.motion.plan.warnings) fmt::print("warning: {}\n", warning);
   fmt::print("{}", AuditText(planned.audit));
   fmt::print("plan    {}\n", path);

@@ -179,7 +179,8 @@ const char* NameOf(FindingLevel level) {
 nlohmann::ordered_json FindingsJson(const std::vector<Finding>& findings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Finding& finding : findings) {
-    nlohmann::ordered_json json = {{"level", NameOf(finding.level)}, {"code", finding.code}, {"part", finding.part}};
+    nlohmann::ordered_json json = {
+        {"level", NameOf(finding.level)}, {"code", FailureCodeName(finding.code)}, {"part", finding.part}};
     json["line"] = nullptr;
     if (finding.line > 0) json["line"] = finding.line;
     json["message"] = finding.message;
@@ -258,7 +259,7 @@ void PrintFindings(const RobotsSettings& a, const std::vector<Finding>& findings
     parts.resize(parts.size() - more);
     const std::string named = JoinWords(parts, ", ") + (more > 0 ? fmt::format(" and {} more", more) : "");
     fmt::print("{}{}: {}: {}: {} [{}]\n", RobotText(a), first.line > 0 ? fmt::format(":{}", first.line) : "",
-               NameOf(first.level), named, first.message, first.code);
+               NameOf(first.level), named, first.message, FailureCodeName(first.code));
   }
 }
 

@@ -169,7 +169,7 @@ int RunSweep(SweepSettings& a) {
   const Result<std::vector<PointOutcome>> outcomes = SweepWithBar(a, *sweep, *journal, work);
   if (!outcomes) {
     const int status = Report(outcomes.failure(), a.common);
-    return outcomes.failure().code == "interrupted" ? kInterrupted : status;
+    return outcomes.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
   }
   const Result<WrittenFiles> files = WriteSweep(a, sweep->study, *outcomes);
   if (!files) return Report(files.failure(), a.common);

@@ -161,7 +161,7 @@ int RunTrials(TrialsSettings& a) {
   const Result<TrialRun> run = TrialsWithBar(a, {read->model, read->plan, a.play.request, read->disturbances}, work);
   if (!run) {
     const int status = Report(run.failure(), a.common);
-    return run.failure().code == "interrupted" ? kInterrupted : status;
+    return run.failure().code == FailureCode::kInterrupted ? kInterrupted : status;
   }
   const bool enough = !a.require_survival || run->report.survival.share >= *a.require_survival;
   PrintTrials(a, *run, enough);

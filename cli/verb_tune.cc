@@ -76,7 +76,7 @@ int RunTune(TuneSettings& a) {
   if (!journal) return Report(journal.failure(), a.common);
   const Result<TuneReport> report = TuneWithBar(a, *study, *journal);
   if (!report) {
-    const bool interrupted = report.failure().code == "interrupted";
+    const bool interrupted = report.failure().code == FailureCode::kInterrupted;
     if (!interrupted) journal->Remove();
     const int status = Report(report.failure(), a.common);
     return interrupted ? kInterrupted : status;

@@ -9,7 +9,7 @@ Result<std::vector<std::string>> WriteResults(const std::vector<OutputFile>& fil
   Result<std::vector<std::string>> written = WriteFilesTogether(files);
   if (written) return written;
   Failure failure = written.failure();
-  failure.hints.push_back(
+  failure.suggestions.push_back(
       fmt::format("the same command with --resume once that can be written: '{}' keeps all that is done", so_far));
   return failure;
 }

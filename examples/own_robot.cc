@@ -29,7 +29,7 @@ Result<PlannedWalk> PlanOwnWalk(const RobotModel& model) {
 
 std::string WhyNot(const Failure& failure) {
   std::string text = failure.message + "\n";
-  for (const std::string& hint : failure.hints) text += "hint  " + hint + "\n";
+  for (const Suggestion& suggestion : failure.suggestions) text += "hint  " + suggestion.text + "\n";
   return text;
 }
 

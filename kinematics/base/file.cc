@@ -24,12 +24,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Failure FileFailure(const std::string& code, const std::string& message) {
+Failure FileFailure(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "File", message, {}};
 }
 
 Failure Unwritable(const std::string& path, const std::string& why) {
-  return FileFailure("unwritable_file", fmt::format("cannot write '{}': {}", path, why));
+  return FileFailure(FailureCode::kUnwritableFile, fmt::format("cannot write '{}': {}", path, why));
 }
 
 Failure Unwritable(const std::string& path, const std::error_code& error) { return Unwritable(path, error.message()); }
@@ -77,8 +77,9 @@ class Transaction {
     std::error_code error;
     const fs::path target(file.path);
     if (!MakeFolder(target.parent_path(), error)) {
-      return FileFailure("unwritable_file", fmt::format("cannot make the folder '{}' for '{}': {}",
-                                                        target.parent_path().string(), file.path, error.message()));
+      return FileFailure(FailureCode::kUnwritableFile,
+                         fmt::format("cannot make the folder '{}' for '{}': {}", target.parent_path().string(),
+                                     file.path, error.message()));
     }
     steps_.push_back({target, file.path + fmt::format(".{}.part", ::getpid()), {}, false});
     errno = 0;
@@ -170,13 +171,14 @@ class Transaction {
 Result<std::string> ReadBytes(const std::string& path, std::size_t most) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return FileFailure("no_such_file", fmt::format("no such file: '{}'", path));
-  if (fs::is_directory(status)) return FileFailure("not_a_file", fmt::format("'{}' is a folder, not a file", path));
+  if (!fs::exists(status)) return FileFailure(FailureCode::kNoSuchFile, fmt::format("no such file: '{}'", path));
+  if (fs::is_directory(status))
+    return FileFailure(FailureCode::kNotAFile, fmt::format("'{}' is a folder, not a file", path));
   if (!fs::is_regular_file(status) && !fs::is_fifo(status)) {
-    return FileFailure("not_a_file", fmt::format("'{}' is a device or a socket, not a file", path));
+    return FileFailure(FailureCode::kNotAFile, fmt::format("'{}' is a device or a socket, not a file", path));
   }
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return FileFailure("unreadable_file", fmt::format("cannot read '{}'", path));
+  if (!stream) return FileFailure(FailureCode::kUnreadableFile, fmt::format("cannot read '{}'", path));
   std::string bytes;
   constexpr std::size_t kPiece = std::size_t{1} << 16;
   for (std::size_t size = 0; stream && size <= most; size = bytes.size()) {
@@ -185,11 +187,12 @@ Result<std::string> ReadBytes(const std::string& path, std::size_t most) {
     bytes.resize(size + static_cast<std::size_t>(stream.gcount()));
   }
   if (bytes.size() > most) {
-    return FileFailure("large_file", fmt::format("'{}' has more than {} bytes, which is the most that is read of such "
-                                                 "a file",
-                                                 path, most));
+    return FileFailure(FailureCode::kLargeFile,
+                       fmt::format("'{}' has more than {} bytes, which is the most that is read of such "
+                                   "a file",
+                                   path, most));
   }
-  if (stream.bad()) return FileFailure("unreadable_file", fmt::format("cannot read '{}'", path));
+  if (stream.bad()) return FileFailure(FailureCode::kUnreadableFile, fmt::format("cannot read '{}'", path));
   return bytes;
 }
 
@@ -200,11 +203,11 @@ Result<std::string> ReadFile(const std::string& path, std::size_t most) {
   text.erase(text.find_last_not_of('\0') + 1);
   if (const std::size_t nothing = text.find('\0'); nothing != std::string::npos) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(nothing);
-    return FileFailure("not_text", fmt::format("'{}' line {} is not text: there is a byte 0x00", path,
-                                               1 + std::count(text.begin(), end, '\n')));
+    return FileFailure(FailureCode::kNotText, fmt::format("'{}' line {} is not text: there is a byte 0x00", path,
+                                                          1 + std::count(text.begin(), end, '\n')));
   }
   if (const auto bad = utf8::find_invalid(text.begin(), text.end()); bad != text.end()) {
-    return FileFailure("not_text",
+    return FileFailure(FailureCode::kNotText,
                        fmt::format("'{}' line {} is not text in UTF-8: there is a byte 0x{:02x}", path,
                                    1 + std::count(text.begin(), bad, '\n'), static_cast<unsigned char>(*bad)));
   }
@@ -225,7 +228,8 @@ Result<std::vector<std::string>> WriteFilesTogether(const std::vector<OutputFile
   for (const OutputFile& file : files) {
     for (const std::string& other : paths) {
       if (IsSameFile(other, file.path)) {
-        return FileFailure("file_named_twice", fmt::format("'{}' is named for two outputs: give each its own", other));
+        return FileFailure(FailureCode::kFileNamedTwice,
+                           fmt::format("'{}' is named for two outputs: give each its own", other));
       }
     }
     if (auto failure = transaction.Prepare(file)) return *failure;

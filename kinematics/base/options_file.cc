@@ -34,7 +34,7 @@ Result<OptionTexts> LoadOptionsFile(const std::string& path, OptionFields fields
   if (!text) return text.failure();
   const auto bad = [&](const std::string& message) {
     return Failure{FailureKind::kBadInput,
-                   "options_file",
+                   FailureCode::kOptionsFile,
                    "LoadOptionsFile",
                    fmt::format("'{}', {}", path, message),
                    {"a line is KEY: VALUE, with the keys of --list-options"}};

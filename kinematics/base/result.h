@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/base/failure_code.h"
 #include "kinematics/base/law.h"
+#include "kinematics/base/suggestion.h"
 
 namespace gaitwright {
 
@@ -26,10 +28,10 @@ enum class FailureKind {
 /// Why a stage has no value to give: one plain sentence and what would help.
 struct Failure {
   FailureKind kind = FailureKind::kBadInput;
-  std::string code;   ///< short and stable, such as `urdf_loop`
+  FailureCode code = FailureCode::kInternal;
   std::string stage;  ///< the stage that failed, such as `LoadRobot`
   std::string message;
-  std::vector<std::string> hints;
+  std::vector<Suggestion> suggestions;      ///< what would help, the most promising first
   std::optional<Violation> violation = {};  ///< the law that forbids it, where that is the reason
 
   bool operator==(const Failure&) const = default;

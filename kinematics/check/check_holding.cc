@@ -200,7 +200,7 @@ void CheckHolding(const RobotModel& model, std::vector<Finding>& findings) {
       worst[d] = share;
       const char* unit = joint.is_prismatic() ? "N" : "N m";
       of_dof[d] = {
-          share > 1.0 ? FindingLevel::kError : FindingLevel::kWarning, "weak_motor",
+          share > 1.0 ? FindingLevel::kError : FindingLevel::kWarning, FailureCode::kWeakMotor,
           fmt::format("joint '{}'", joint.name), 0,
           fmt::format("to hold the robot still {} it has to give {:.3g} {} at the least, {:.0f} % of its limit of "
                       "{:.3g} {}{}",
@@ -209,7 +209,7 @@ void CheckHolding(const RobotModel& model, std::vector<Finding>& findings) {
     }
   }
   for (Finding& finding : of_dof) {
-    if (!finding.code.empty()) findings.push_back(std::move(finding));
+    if (!finding.part.empty()) findings.push_back(std::move(finding));
   }
 }
 

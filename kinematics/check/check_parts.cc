@@ -91,22 +91,22 @@ KnownSize SizeOfBody(const RobotModel& model, int body) {
 void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];
-    const auto add = [&](FindingLevel level, const char* code, const std::string& message) {
+    const auto add = [&](FindingLevel level, FailureCode code, const std::string& message) {
       findings.push_back({level, code, fmt::format("link '{}'", body.name), 0, message});
     };
     const bool collides = std::any_of(model.collision_shapes.begin(), model.collision_shapes.end(),
                                       [&](const Shape& shape) { return shape.body == static_cast<int>(b); });
     if (body.mass <= 0.0) {
-      if (collides) add(FindingLevel::kWarning, "shape_without_mass", "it has a collision shape and no mass");
+      if (collides) add(FindingLevel::kWarning, FailureCode::kShapeWithoutMass, "it has a collision shape and no mass");
       continue;
     }
     if (!collides && body.mass > kHeavyWithoutShape * model.total_mass_kg)
-      add(FindingLevel::kInfo, "mass_without_shape",
+      add(FindingLevel::kInfo, FailureCode::kMassWithoutShape,
           fmt::format("it has {:.3g} kg and no collision shape: nothing can touch it", body.mass));
     const double gyration = std::sqrt(0.5 * body.I_C.trace() / body.mass);
     const KnownSize size = SizeOfBody(model, static_cast<int>(b));
     if (gyration > size.widest_gyration && body.mass > kOfNoAccount * model.total_mass_kg) {
-      add(FindingLevel::kWarning, "large_inertia",
+      add(FindingLevel::kWarning, FailureCode::kLargeInertia,
           fmt::format(
               "its radius of gyration is {:.3g} m at {:.3g} kg, too much for {}; the inertia may be in another "
               "unit, or about another point than the centre of mass",
@@ -116,7 +116,7 @@ void CheckBodies(const RobotModel& model, std::vector<Finding>& findings) {
                   : fmt::format("a link of that mass whose shapes do not tell its size: at most {:.3g} m is likely",
                                 size.widest_gyration)));
     } else if (gyration < kNarrowest * size.diameter && body.mass > kOfAccount * model.total_mass_kg) {
-      add(FindingLevel::kWarning, "small_inertia",
+      add(FindingLevel::kWarning, FailureCode::kSmallInertia,
           fmt::format(
               "its radius of gyration is {:.2g} m at {:.3g} kg, though it is {:.3g} m long: its inertia is nearly "
               "zero",
@@ -136,30 +136,30 @@ void CheckMotors(const RobotModel& model, std::vector<Finding>& findings) {
     const std::string part = fmt::format("joint '{}'", joint.name);
     const bool of_leg = leg_of[static_cast<std::size_t>(dof)] >= 0;
     const double effort = model.dof_effort_limit(dof), speed = model.dof_velocity_limit(dof);
-    const auto add = [&](FindingLevel level, const char* code, const std::string& message) {
+    const auto add = [&](FindingLevel level, FailureCode code, const std::string& message) {
       findings.push_back({level, code, part, 0, message});
     };
     if (!std::isfinite(effort)) {
       if (IsPassive(model, dof))
-        add(of_leg ? FindingLevel::kWarning : FindingLevel::kInfo, "no_motor",
+        add(of_leg ? FindingLevel::kWarning : FindingLevel::kInfo, FailureCode::kNoMotor,
             of_leg ? "its torque limit is 0: it has no motor" : "its torque limit is 0: it is held as it stands");
       else if (of_leg)
-        add(FindingLevel::kInfo, "unknown_effort", "its torque limit is not known, so that none is checked");
+        add(FindingLevel::kInfo, FailureCode::kUnknownEffort, "its torque limit is not known, so that none is checked");
       continue;
     }
     if (joint.is_prismatic()) continue;
     if (effort > kStrongest * lift)
-      add(FindingLevel::kWarning, "strong_motor",
+      add(FindingLevel::kWarning, FailureCode::kStrongMotor,
           fmt::format("its torque limit is {:.4g} N m; to lift the whole robot at the length of its legs takes {:.3g}",
                       effort, lift));
     if (std::isfinite(speed) && speed > kFastest)
-      add(FindingLevel::kWarning, "fast_motor",
+      add(FindingLevel::kWarning, FailureCode::kFastMotor,
           fmt::format("its speed limit is {:.4g} rad/s; few joints reach 60", speed));
     if (std::isfinite(speed) && effort * speed > kLargestPower)
-      add(FindingLevel::kWarning, "strong_motor",
+      add(FindingLevel::kWarning, FailureCode::kStrongMotor,
           fmt::format("torque and speed limits together are {:.0f} kW", 1e-3 * effort * speed));
     if (std::isfinite(speed) && of_leg && speed < 0.1)
-      add(FindingLevel::kWarning, "slow_motor",
+      add(FindingLevel::kWarning, FailureCode::kSlowMotor,
           fmt::format("its speed limit is {:.3g} rad/s, too slow to step", speed));
   }
 }

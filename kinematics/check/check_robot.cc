@@ -23,7 +23,7 @@ constexpr double kSunk = 0.005;  // [m] of a part in the ground as the robot sta
 void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::vector<Finding>& findings) {
   if (left.joints.size() != right.joints.size()) {
     findings.push_back(
-        {FindingLevel::kWarning, "sides_differ", fmt::format("leg '{}'", left.name), 0,
+        {FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("leg '{}'", left.name), 0,
          fmt::format("it has {} joints and its mirror '{}' {}", left.joints.size(), right.name, right.joints.size())});
     return;
   }
@@ -32,7 +32,7 @@ void CheckPair(const RobotModel& model, const Leg& left, const Leg& right, std::
     const Joint& b = model.joints[static_cast<std::size_t>(right.joints[i])];
     const auto compare = [&](const char* what, double of_a, double of_b, const char* unit) {
       if (!NumbersDiffer(of_a, of_b)) return;
-      findings.push_back({FindingLevel::kWarning, "sides_differ", fmt::format("joint '{}'", a.name), 0,
+      findings.push_back({FindingLevel::kWarning, FailureCode::kSidesDiffer, fmt::format("joint '{}'", a.name), 0,
                           fmt::format("its {} is {:.4g}{} and that of its mirror '{}' {:.4g}{}", what, of_a, unit,
                                       b.name, of_b, unit)});
     };
@@ -77,7 +77,7 @@ void CheckFacing(const RobotModel& model, std::vector<Finding>& findings) {
   }
   if (model.legs.empty()) return;
   findings.push_back(
-      {FindingLevel::kWarning, "faces_back", "robot", 0,
+      {FindingLevel::kWarning, FailureCode::kFacesBack, "robot", 0,
        fmt::format("its feet reach {:.0f} mm ahead of the ankles and {:.0f} mm behind them, as if it faced "
                    "the other way; if it does, give 'ahead' and 'up' in robot.yaml",
                    1e3 * ahead, 1e3 * behind)});
@@ -91,13 +91,13 @@ void CheckStanding(const RobotModel& model, std::vector<Finding>& findings) {
     if (IsShapeOfAFoot(model, shape)) continue;
     const double z = LowestPoint(scratch, shape).z();
     if (z >= -kSunk || !told.insert(shape.link).second) continue;
-    findings.push_back({FindingLevel::kWarning, "in_the_ground", fmt::format("link '{}'", shape.link), 0,
+    findings.push_back({FindingLevel::kWarning, FailureCode::kInTheGround, fmt::format("link '{}'", shape.link), 0,
                         fmt::format("it is {:.1f} mm in the ground as the robot stands", -1e3 * z)});
   }
   const CollisionChecker collision(model);
   for (const LeftOutPair& pair : collision.left_out()) {
-    if (pair.reason.starts_with("adjacent")) continue;
-    findings.push_back({FindingLevel::kInfo, "self_collision", fmt::format("link '{}'", pair.link_a), 0,
+    if (pair.adjacent) continue;
+    findings.push_back({FindingLevel::kInfo, FailureCode::kSelfCollision, fmt::format("link '{}'", pair.link_a), 0,
                         fmt::format("contact with '{}' is not checked: {}", pair.link_b, WithoutColon(pair.reason))});
   }
 }

@@ -60,7 +60,7 @@ class Comparison {
   }
 
   void Add(const std::string& part, const std::string& message) {
-    findings_.push_back({FindingLevel::kWarning, "descriptions_differ", part, 0, message});
+    findings_.push_back({FindingLevel::kWarning, FailureCode::kDescriptionsDiffer, part, 0, message});
   }
 
   void Numbers(const std::string& part, const char* what, double of_a, double of_b, const char* unit) {

@@ -112,8 +112,8 @@ struct CollisionChecker::Scene {
   }
 
   /// Once for two links, whatever their shapes.
-  void LeaveOut(const Pair& pair, const std::string& reason) {
-    const LeftOutPair entry{parts[pair.a].shape->link, parts[pair.b].shape->link, reason};
+  void LeaveOut(const Pair& pair, bool adjacent, const std::string& reason) {
+    const LeftOutPair entry{parts[pair.a].shape->link, parts[pair.b].shape->link, adjacent, reason};
     const bool known = std::any_of(left_out.begin(), left_out.end(), [&](const LeftOutPair& other) {
       return other.link_a == entry.link_a && other.link_b == entry.link_b;
     });
@@ -131,7 +131,7 @@ struct CollisionChecker::Scene {
       for (std::size_t k = 0; k < touching.size(); ++k) touched[k] += Touch(touching[k]) ? 1 : 0;
     }
     for (std::size_t k = 0; k < touching.size(); ++k) {
-      LeaveOut(touching[k],
+      LeaveOut(touching[k], false,
                touched[k] == kPostures
                    ? fmt::format("always touching: in all of {} postures over the joints' ranges", kPostures)
                    : fmt::format("touching in the standing posture: and in {} of {} others over the joints' ranges",
@@ -163,7 +163,7 @@ CollisionChecker::CollisionChecker(const RobotModel& model) : scene_(std::make_u
       const Joint* joint = CarryingJoint(model, has_shapes, a, b);
       if (joint == nullptr) joint = CarryingJoint(model, has_shapes, b, a);
       if (joint != nullptr) {
-        scene_->LeaveOut({i, j}, fmt::format("adjacent: joint '{}' joins them", joint->name));
+        scene_->LeaveOut({i, j}, true, fmt::format("adjacent: joint '{}' joins them", joint->name));
       } else if (scene_->Touch({i, j})) {
         touching.push_back({i, j});
       } else {

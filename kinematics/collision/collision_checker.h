@@ -19,7 +19,8 @@ struct Overlap {
 /// Two links that are not held against each other, and why.
 struct LeftOutPair {
   std::string link_a, link_b;
-  std::string reason;  ///< "adjacent: ...", "always touching: ..." or "touching in the standing posture: ..."
+  bool adjacent = false;  ///< a joint joins them; else they touch as the robot stands
+  std::string reason;     ///< "adjacent: ...", "always touching: ..." or "touching in the standing posture: ..."
 
   bool operator==(const LeftOutPair&) const = default;
 };

@@ -135,7 +135,7 @@ Result<std::string> FindPackage(const std::string& name, const std::string& fold
   if (is_name && (search.Above(from) || search.InEnvironment() || search.At(here))) return *search.found();
   return Failure{
       FailureKind::kBadInput,
-      "no_package",
+      FailureCode::kNoPackage,
       "FindPackage",
       fmt::format("the package '{}' is not found: no folder in or above '{}' has that name or a package.xml "
                   "with it, nor has one in {}, {} or the current folder",

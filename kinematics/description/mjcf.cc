@@ -116,7 +116,7 @@ Result<ConvertedMjcf> ConvertMjcfText(const std::string& text, const MjcfFiles& 
     ConvertedMjcf converted = ConvertMjcfOrThrow(text, files, name);
     if (!IsMjcf(text)) {
       return Failure{FailureKind::kBadInput,
-                     "not_mjcf",
+                     FailureCode::kNotMjcf,
                      "LoadRobot",
                      fmt::format("{}: it does not begin with <mujoco>, as a MuJoCo model does", name),
                      {}};

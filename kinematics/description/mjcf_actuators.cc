@@ -84,8 +84,8 @@ int MjcfDrivenJoint(MjcfContext& context, const MjcfAttributes& attributes, cons
   if (at == tree.joint_named.end()) {
     std::vector<std::string> names;
     for (const auto& [known, index] : tree.joint_named) names.push_back(known);
-    RefuseMjcf("mjcf_actuator", fmt::format("{}: there is no joint '{}'{}", attributes.owner(), ShownMjcf(name),
-                                            NearestOrAll(name, names)));
+    RefuseMjcf(FailureCode::kMjcfActuator, fmt::format("{}: there is no joint '{}'{}", attributes.owner(),
+                                                       ShownMjcf(name), NearestOrAll(name, names)));
   }
   if (tree.Moves(at->second)) return at->second;
   if (!tree.IsRobotJoint(at->second)) return -1;  // noted with its body

@@ -39,9 +39,10 @@ double MjcfNumber(const std::string& word, const std::string& where) {
   const char* begin = word.data() + (word.front() == '+' ? 1 : 0);
   const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
-    RefuseMjcf("mjcf_number", fmt::format("{}: '{}' is not a finite number", where, ShownMjcf(word)));
+    RefuseMjcf(FailureCode::kMjcfNumber, fmt::format("{}: '{}' is not a finite number", where, ShownMjcf(word)));
   if (std::abs(value) > kLargestMjcfNumber)
-    RefuseMjcf("mjcf_number", fmt::format("{}: {} is absurd; at most {} is accepted", where, word, kLargestMjcfNumber));
+    RefuseMjcf(FailureCode::kMjcfNumber,
+               fmt::format("{}: {} is absurd; at most {} is accepted", where, word, kLargestMjcfNumber));
   return value;
 }
 
@@ -55,10 +56,10 @@ std::string MjcfAttributes::Text(const std::string& key) const {
 std::string MjcfAttributes::Name(const std::string& key) const {
   std::string name = Text(key);
   if (name.size() > kLongestMjcfName)
-    RefuseMjcf("mjcf_name",
+    RefuseMjcf(FailureCode::kMjcfName,
                fmt::format("{}: '{}' has {} bytes; at most {} are read", owner_, key, name.size(), kLongestMjcfName));
   if (!IsPlainText(name) || name.find_first_of("\t\r\n") != std::string::npos)
-    RefuseMjcf("mjcf_name",
+    RefuseMjcf(FailureCode::kMjcfName,
                fmt::format("{}: '{}' holds what is no text in UTF-8, or a control character", owner_, key));
   return name;
 }
@@ -70,8 +71,8 @@ std::vector<double> MjcfAttributes::Numbers(const std::string& key, std::size_t 
     numbers.push_back(MjcfNumber(word, fmt::format("{}: '{}'", owner_, key)));
   if (numbers.size() < least || numbers.size() > most) {
     const std::string needed = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
-    RefuseMjcf("mjcf_number", fmt::format("{}: '{}' is '{}', which holds {} numbers; {} are needed", owner_, key,
-                                          ShownMjcf(Text(key)), numbers.size(), needed));
+    RefuseMjcf(FailureCode::kMjcfNumber, fmt::format("{}: '{}' is '{}', which holds {} numbers; {} are needed", owner_,
+                                                     key, ShownMjcf(Text(key)), numbers.size(), needed));
   }
   return numbers;
 }
@@ -91,7 +92,7 @@ std::string MjcfAttributes::Choice(const std::string& key, const std::vector<std
   if (!Has(key)) return fallback;
   std::string text = Text(key);
   if (std::find(choices.begin(), choices.end(), text) == choices.end())
-    RefuseMjcf("mjcf_choice",
+    RefuseMjcf(FailureCode::kMjcfChoice,
                fmt::format("{}: '{}' is '{}'; accepted: {}", owner_, key, ShownMjcf(text), QuotedList(choices)));
   return text;
 }
@@ -106,10 +107,10 @@ bool MjcfAttributes::IsLimited(const std::string& flag, const std::string& range
   const std::vector<double> ends = Numbers(range, 2, 2);
   const bool has_range = !ends.empty() && (ends[0] != 0.0 || ends[1] != 0.0);
   if (said == "auto" && !(autolimits && has_range)) return false;
-  if (!has_range) RefuseMjcf("mjcf_range", fmt::format("{}: it is limited, and has no '{}'", owner_, range));
+  if (!has_range) RefuseMjcf(FailureCode::kMjcfRange, fmt::format("{}: it is limited, and has no '{}'", owner_, range));
   if (ends[0] >= ends[1])
-    RefuseMjcf("mjcf_range", fmt::format("{}: the lower end {} of its '{}' is not below the upper end {}", owner_,
-                                         ends[0], range, ends[1]));
+    RefuseMjcf(FailureCode::kMjcfRange, fmt::format("{}: the lower end {} of its '{}' is not below the upper end {}",
+                                                    owner_, ends[0], range, ends[1]));
   return true;
 }
 

@@ -27,9 +27,10 @@ MjcfAttributes MergedMjcfCompiler(const MjcfDocument& document) {
 /// A direction of length 1.
 Vector3 MjcfUnit(const Vector3& v, const std::string& key, const MjcfAttributes& attributes) {
   if (v.norm() < kShortestMjcfAxis)
-    RefuseMjcf("mjcf_axis", fmt::format("{}: '{}' is '{}', whose direction is not defined: an axis is zero or parallel "
-                                        "to another",
-                                        attributes.owner(), key, ShownMjcf(attributes.Text(key))));
+    RefuseMjcf(FailureCode::kMjcfAxis,
+               fmt::format("{}: '{}' is '{}', whose direction is not defined: an axis is zero or parallel "
+                           "to another",
+                           attributes.owner(), key, ShownMjcf(attributes.Text(key))));
   return v.normalized();
 }
 
@@ -63,15 +64,16 @@ MjcfCompiler ReadMjcfCompiler(const MjcfDocument& document) {
   MjcfCompiler compiler;
   if (given.Choice("coordinate", {"local", "global"}, "local") == "global")
     RefuseMjcf(
-        "mjcf_coordinate",
+        FailureCode::kMjcfCoordinate,
         fmt::format("{}: global coordinates are not supported: MuJoCo 2.3.3 was the last to read them, and saves "
                     "such a model in local ones",
                     given.owner()));
   compiler.degrees = given.Choice("angle", {"degree", "radian"}, "degree") == "degree";
   if (given.Has("eulerseq")) compiler.eulerseq = given.Text("eulerseq");
   if (compiler.eulerseq.size() != 3 || compiler.eulerseq.find_first_not_of("xyzXYZ") != std::string::npos)
-    RefuseMjcf("mjcf_choice", fmt::format("{}: 'eulerseq' is '{}'; three letters of x, y, z, X, Y, Z are needed",
-                                          given.owner(), ShownMjcf(compiler.eulerseq)));
+    RefuseMjcf(FailureCode::kMjcfChoice,
+               fmt::format("{}: 'eulerseq' is '{}'; three letters of x, y, z, X, Y, Z are needed", given.owner(),
+                           ShownMjcf(compiler.eulerseq)));
   compiler.meshdir = given.Name("meshdir");
   compiler.strippath = given.Flag("strippath", false);
   compiler.autolimits = given.Flag("autolimits", true);
@@ -94,14 +96,15 @@ Matrix3 MjcfRotation(const MjcfAttributes& attributes, const MjcfCompiler& compi
   int given = 0;
   for (const char* key : {"quat", "axisangle", "euler", "xyaxes", "zaxis"}) given += attributes.Has(key) ? 1 : 0;
   if (given > 1)
-    RefuseMjcf("mjcf_orientation",
+    RefuseMjcf(FailureCode::kMjcfOrientation,
                fmt::format("{}: it has {} orientations; one of 'quat', 'axisangle', 'euler', 'xyaxes', 'zaxis' is "
                            "accepted",
                            attributes.owner(), given));
   if (const auto q = attributes.Numbers("quat", 4, 4); !q.empty()) {
     const Quaternion quaternion(q[0], q[1], q[2], q[3]);
     if (quaternion.norm() < kShortestMjcfAxis)
-      RefuseMjcf("mjcf_orientation", fmt::format("{}: 'quat' is zero, which is no rotation", attributes.owner()));
+      RefuseMjcf(FailureCode::kMjcfOrientation,
+                 fmt::format("{}: 'quat' is zero, which is no rotation", attributes.owner()));
     return quaternion.normalized().toRotationMatrix();
   }
   if (const auto a = attributes.Numbers("axisangle", 4, 4); !a.empty()) {

@@ -63,24 +63,24 @@ void MjcfDefaults::Read(const tinyxml2::XMLElement& section, const std::string& 
     const MjcfAttributes::Values values = ValuesOfMjcf(*child);
     for (const auto& [key, text] : values) {
       if (text.size() > kLongestMjcfDefault)
-        RefuseMjcf("large_mjcf",
+        RefuseMjcf(FailureCode::kLargeMjcf,
                    fmt::format("{}: '{}' has {} bytes; in <default> at most {} are read", document_.Owner(*child),
                                ShownMjcf(key), text.size(), kLongestMjcfDefault));
     }
     MergeMjcfValues(classes_[name][kind], values);
     if (classes_[name][kind].size() > kMostMjcfDefaults)
-      RefuseMjcf("large_mjcf", fmt::format("{}: over {} attributes in <default>; at most that many are read",
-                                           document_.Owner(*child), kMostMjcfDefaults));
+      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: over {} attributes in <default>; at most that many are read",
+                                                      document_.Owner(*child), kMostMjcfDefaults));
   }
   for (const tinyxml2::XMLElement* inner : nested) {
     const MjcfAttributes attributes(document_.Owner(*inner), ValuesOfMjcf(*inner));
     const std::string own = attributes.Name("class");
-    if (own.empty()) RefuseMjcf("mjcf_class", fmt::format("{}: it has no 'class'", attributes.owner()));
+    if (own.empty()) RefuseMjcf(FailureCode::kMjcfClass, fmt::format("{}: it has no 'class'", attributes.owner()));
     if (classes_.contains(own) || outermost_.contains(own))
-      RefuseMjcf("mjcf_class", fmt::format("{}: there are two classes of that name", attributes.owner()));
+      RefuseMjcf(FailureCode::kMjcfClass, fmt::format("{}: there are two classes of that name", attributes.owner()));
     if (classes_.size() >= kMostMjcfClasses)
-      RefuseMjcf("large_mjcf", fmt::format("{}: there are over {} classes; at most that many are read",
-                                           attributes.owner(), kMostMjcfClasses));
+      RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: there are over {} classes; at most that many are read",
+                                                      attributes.owner(), kMostMjcfClasses));
     classes_[own] = Class(classes_.at(name));
     Read(*inner, own);
   }
@@ -91,8 +91,8 @@ const MjcfDefaults::Class& MjcfDefaults::Named(const std::string& name, const ti
   if (at != classes_.end()) return at->second;
   std::vector<std::string> names;
   for (const auto& [known, values] : classes_) names.push_back(known);
-  RefuseMjcf("mjcf_class", fmt::format("{}: there is no class '{}'{}", document_.Owner(element), ShownMjcf(name),
-                                       NearestOrAll(name, names)));
+  RefuseMjcf(FailureCode::kMjcfClass, fmt::format("{}: there is no class '{}'{}", document_.Owner(element),
+                                                  ShownMjcf(name), NearestOrAll(name, names)));
 }
 
 MjcfAttributes MjcfDefaults::Of(const tinyxml2::XMLElement& element, const std::string& kind,

@@ -64,14 +64,14 @@ bool HasManyMjcfAttributes(const std::string& text) {
 
 std::string ShownMjcf(const std::string& text) { return IsPlainText(text) ? Shortened(text) : "(no text)"; }
 
-void RefuseMjcf(const std::string& code, const std::string& message) {
+void RefuseMjcf(FailureCode code, const std::string& message) {
   throw Failure{FailureKind::kBadInput, code, "ConvertMjcf", message, {}};
 }
 
 MjcfDocument::MjcfDocument(const std::string& text, const std::string& name, const TextReader& read_text) {
   const tinyxml2::XMLElement& model = Parse(text, name);
   if (std::strcmp(model.Name(), "mujoco") != 0 && std::strcmp(model.Name(), "mujocoinclude") != 0) {
-    RefuseMjcf("not_mjcf",
+    RefuseMjcf(FailureCode::kNotMjcf,
                fmt::format("{}: the root element is <{}>; a MuJoCo model has <mujoco>", name, ShownMjcf(model.Name())));
   }
   Include(model, 1, read_text);
@@ -80,25 +80,27 @@ MjcfDocument::MjcfDocument(const std::string& text, const std::string& name, con
 const tinyxml2::XMLElement& MjcfDocument::Parse(const std::string& text, const std::string& name) {
   bytes_ += text.size();
   if (bytes_ > kLargestMjcf) {
-    RefuseMjcf("large_mjcf", fmt::format("{}: the model has more than {} bytes with all files that it includes; at "
-                                         "most that many are read",
-                                         name, kLargestMjcf));
+    RefuseMjcf(FailureCode::kLargeMjcf,
+               fmt::format("{}: the model has more than {} bytes with all files that it includes; at "
+                           "most that many are read",
+                           name, kLargestMjcf));
   }
   if (text.find('\0') != std::string::npos || FindMjcfZeroReference(text) != std::string::npos)
-    RefuseMjcf("not_xml", fmt::format("{}: it is not XML: it holds the character 0x00", name));
+    RefuseMjcf(FailureCode::kNotXml, fmt::format("{}: it is not XML: it holds the character 0x00", name));
   if (HasManyMjcfAttributes(text))
-    RefuseMjcf("large_mjcf", fmt::format("{}: an element has over {} attributes; at most that many are read", name,
-                                         kMostMjcfAttributes));
+    RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: an element has over {} attributes; at most that many are read",
+                                                    name, kMostMjcfAttributes));
   if (!IsPlainText(text))
-    RefuseMjcf("not_text", fmt::format("{}: it holds what is no text in UTF-8, or a control character", name));
+    RefuseMjcf(FailureCode::kNotText,
+               fmt::format("{}: it holds what is no text in UTF-8, or a control character", name));
   files_.push_back(std::make_unique<File>());
   File& file = *files_.back();
   file.name = name;
   name_of_[&file.xml] = name;
   if (file.xml.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
-    RefuseMjcf("not_xml",
+    RefuseMjcf(FailureCode::kNotXml,
                fmt::format("{}, line {}: it is not XML: {}", name, file.xml.ErrorLineNum(), file.xml.ErrorName()));
-  if (file.xml.RootElement() == nullptr) RefuseMjcf("not_xml", fmt::format("{}: it has no element", name));
+  if (file.xml.RootElement() == nullptr) RefuseMjcf(FailureCode::kNotXml, fmt::format("{}: it has no element", name));
   return *file.xml.RootElement();
 }
 
@@ -106,13 +108,13 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
                                                        const TextReader& read_text) {
   const char* named = include.Attribute("file");
   if (named == nullptr || *named == '\0' || !IsPlainText(named))
-    RefuseMjcf("mjcf_missing", fmt::format("{}: it has no 'file'", Owner(include)));
+    RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has no 'file'", Owner(include)));
   if (files_.size() >= kMostMjcfFiles)
-    RefuseMjcf("large_mjcf", fmt::format("{}: over {} files are included; at most that many are read", Owner(include),
-                                         kMostMjcfFiles));
+    RefuseMjcf(FailureCode::kLargeMjcf, fmt::format("{}: over {} files are included; at most that many are read",
+                                                    Owner(include), kMostMjcfFiles));
   if (!read_text)
-    RefuseMjcf("no_file", fmt::format("{}: the file '{}' does not come with the text of the model", Owner(include),
-                                      Shortened(named)));
+    RefuseMjcf(FailureCode::kNoFile, fmt::format("{}: the file '{}' does not come with the text of the model",
+                                                 Owner(include), Shortened(named)));
   std::string name = std::filesystem::path(named).lexically_normal().string();
   Result<std::string> text = read_text(name);
   if (!text && include.GetDocument() != &files_.front()->xml) {
@@ -125,19 +127,20 @@ const tinyxml2::XMLElement& MjcfDocument::ReadIncluded(const tinyxml2::XMLElemen
       name = beside;
     }
   }
-  if (!text) RefuseMjcf("no_file", fmt::format("{}: {}", Owner(include), text.failure().message));
+  if (!text) RefuseMjcf(FailureCode::kNoFile, fmt::format("{}: {}", Owner(include), text.failure().message));
   const bool again =
       std::any_of(files_.begin(), files_.end(), [&](const std::unique_ptr<File>& file) { return file->name == name; });
   if (again)
-    RefuseMjcf("mjcf_include", fmt::format("{}: the file '{}' is included twice, or includes itself", Owner(include),
-                                           Shortened(named)));
+    RefuseMjcf(FailureCode::kMjcfInclude, fmt::format("{}: the file '{}' is included twice, or includes itself",
+                                                      Owner(include), Shortened(named)));
   return Parse(*text, name);
 }
 
 void MjcfDocument::Include(const tinyxml2::XMLElement& parent, int depth, const TextReader& read_text) {
   if (depth > kDeepestMjcf) {
-    RefuseMjcf("large_mjcf", fmt::format("{}: elements stand over {} deep in one another; at most that many are read",
-                                         Owner(parent), kDeepestMjcf));
+    RefuseMjcf(FailureCode::kLargeMjcf,
+               fmt::format("{}: elements stand over {} deep in one another; at most that many are read", Owner(parent),
+                           kDeepestMjcf));
   }
   for (const auto* child = parent.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     if (!IsMjcfInclude(*child)) {

@@ -14,7 +14,7 @@
 namespace gaitwright {
 
 /// Ends the conversion with a Failure that ConvertMjcfText catches.
-[[noreturn]] void RefuseMjcf(const std::string& code, const std::string& message);
+[[noreturn]] void RefuseMjcf(FailureCode code, const std::string& message);
 
 /// A text of the model as messages show it: shortened, and nothing of what is no text.
 std::string ShownMjcf(const std::string& text);

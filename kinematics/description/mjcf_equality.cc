@@ -21,8 +21,8 @@ int MjcfCoupledJoint(const MjcfAttributes& attributes, const MjcfTree& tree, con
   if (at != tree.joint_named.end()) return at->second;
   std::vector<std::string> names;
   for (const auto& [known, index] : tree.joint_named) names.push_back(known);
-  RefuseMjcf("mjcf_equality", fmt::format("{}: its {} '{}' does not exist{}", attributes.owner(), key, ShownMjcf(name),
-                                          NearestOrAll(name, names)));
+  RefuseMjcf(FailureCode::kMjcfEquality, fmt::format("{}: its {} '{}' does not exist{}", attributes.owner(), key,
+                                                     ShownMjcf(name), NearestOrAll(name, names)));
 }
 
 /// Couples joints one by one.
@@ -35,26 +35,29 @@ class MjcfCoupler {
   void Couple(const MjcfAttributes& attributes) {
     const int first = MjcfCoupledJoint(attributes, tree_, "joint1");
     const int second = MjcfCoupledJoint(attributes, tree_, "joint2");
-    if (first < 0) RefuseMjcf("mjcf_missing", fmt::format("{}: it has no 'joint1'", attributes.owner()));
+    if (first < 0) RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has no 'joint1'", attributes.owner()));
     if (!tree_.IsRobotJoint(first) && (second < 0 || !tree_.IsRobotJoint(second))) return;  // noted with its body
     if (!tree_.Moves(first) || (second >= 0 && !tree_.Moves(second))) {
       context_.Note(attributes.owner(), "it couples a joint that is left out; so is the equality");
       return;
     }
     if (!JointAt(first).is_scalar() || (second >= 0 && !JointAt(second).is_scalar()) || first == second)
-      RefuseMjcf("mjcf_equality", fmt::format("{}: it couples a ball joint, or a joint to itself", attributes.owner()));
+      RefuseMjcf(FailureCode::kMjcfEquality,
+                 fmt::format("{}: it couples a ball joint, or a joint to itself", attributes.owner()));
     std::vector<double> a = {0.0, 1.0, 0.0, 0.0, 0.0};
     const std::vector<double> given = attributes.Numbers("polycoef", 1, a.size());
     std::copy(given.begin(), given.end(), a.begin());
     if (a[2] != 0.0 || a[3] != 0.0 || a[4] != 0.0)
-      RefuseMjcf("mjcf_equality", fmt::format("{}: 'polycoef' is '{}'; only linear couplings are supported: the last "
-                                              "three numbers must be 0",
-                                              attributes.owner(), ShownMjcf(attributes.Text("polycoef"))));
+      RefuseMjcf(FailureCode::kMjcfEquality,
+                 fmt::format("{}: 'polycoef' is '{}'; only linear couplings are supported: the last "
+                             "three numbers must be 0",
+                             attributes.owner(), ShownMjcf(attributes.Text("polycoef"))));
     constexpr double kLeast = 1e-6, kMost = 1e6;
     if (a[1] != 0.0 && !(std::abs(a[1]) >= kLeast && std::abs(a[1]) <= kMost))
-      RefuseMjcf("mjcf_equality", fmt::format("{}: the second number of 'polycoef' is {}; accepted: 0, and {} to {} up "
-                                              "or down",
-                                              attributes.owner(), a[1], kLeast, kMost));
+      RefuseMjcf(FailureCode::kMjcfEquality,
+                 fmt::format("{}: the second number of 'polycoef' is {}; accepted: 0, and {} to {} up "
+                             "or down",
+                             attributes.owner(), a[1], kLeast, kMost));
     if (second < 0 || a[1] == 0.0) {
       Lock(attributes, first, JointAt(first).ref + a[0]);
     } else {
@@ -84,8 +87,8 @@ class MjcfCoupler {
   bool IsDriven(int joint) const { return drives_[static_cast<std::size_t>(joint)].actuators > 0; }
 
   void RefuseSecond(const MjcfAttributes& attributes, int joint) const {
-    RefuseMjcf("mjcf_equality", fmt::format("{}: joint '{}' is coupled by another equality already", attributes.owner(),
-                                            JointAt(joint).name));
+    RefuseMjcf(FailureCode::kMjcfEquality, fmt::format("{}: joint '{}' is coupled by another equality already",
+                                                       attributes.owner(), JointAt(joint).name));
   }
 
   void Lock(const MjcfAttributes& attributes, int joint, double position) {
@@ -114,7 +117,8 @@ class MjcfCoupler {
     }
     if (!CouplingOf(follower).moves_alone()) RefuseSecond(attributes, follower);
     if (LeadsTo(leader, follower))
-      RefuseMjcf("mjcf_equality", fmt::format("{}: the joints follow one another in a circle", attributes.owner()));
+      RefuseMjcf(FailureCode::kMjcfEquality,
+                 fmt::format("{}: the joints follow one another in a circle", attributes.owner()));
     CouplingOf(follower) = {leader, multiplier, offset, std::nullopt};
     if (IsDriven(follower))
       context_.Note(attributes.owner(), fmt::format("joint '{}' follows '{}'; its own actuators are left out",
@@ -140,8 +144,9 @@ std::vector<MjcfCoupling> ReadMjcfCouplings(MjcfContext& context, const MjcfTree
     } else if (tag == "joint") {
       coupler.Couple(attributes);
     } else if (tag != "connect" && tag != "weld") {
-      RefuseMjcf("mjcf_equality", fmt::format("{}: an equality <{}> is not supported: equalities of joints are",
-                                              attributes.owner(), tag));
+      RefuseMjcf(
+          FailureCode::kMjcfEquality,
+          fmt::format("{}: an equality <{}> is not supported: equalities of joints are", attributes.owner(), tag));
     }
   }
   LockMjcfLoops(context, tree, masses, coupler.couplings());

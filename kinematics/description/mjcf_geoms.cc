@@ -34,10 +34,10 @@ void ReadMjcfSize(const MjcfAttributes& attributes, bool from_to, MjcfGeom& geom
   const std::size_t needed = MjcfSizes(geom.type, from_to);
   if (needed == 0) return;
   const std::vector<double> size = attributes.Numbers("size", needed, 3);
-  if (size.empty()) RefuseMjcf("mjcf_geom", fmt::format("{}: it has no 'size'", geom.owner));
+  if (size.empty()) RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it has no 'size'", geom.owner));
   for (std::size_t i = 0; i < needed; ++i) {
     if (size[i] <= 0.0)
-      RefuseMjcf("mjcf_geom", fmt::format("{}: 'size' holds {}; it must be positive", geom.owner, size[i]));
+      RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: 'size' holds {}; it must be positive", geom.owner, size[i]));
     geom.size[static_cast<Eigen::Index>(i)] = size[i];
   }
 }
@@ -45,13 +45,15 @@ void ReadMjcfSize(const MjcfAttributes& attributes, bool from_to, MjcfGeom& geom
 /// Pose and length of a geom from its ends; the ends lie on its z axis, which points to the first.
 void ReadMjcfEnds(const MjcfAttributes& attributes, const Pose& X_BF, MjcfGeom& geom) {
   if (geom.type == MjcfGeomType::kSphere || geom.type == MjcfGeomType::kMesh)
-    RefuseMjcf("mjcf_geom", fmt::format("{}: 'fromto' is for capsule, cylinder, ellipsoid and box", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom,
+               fmt::format("{}: 'fromto' is for capsule, cylinder, ellipsoid and box", geom.owner));
   const std::vector<double> ends = attributes.Numbers("fromto", 6, 6);
   const Vector3 from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
   const double half = 0.5 * (from - to).norm();
-  if (half < 1e-9) RefuseMjcf("mjcf_geom", fmt::format("{}: the ends of 'fromto' are one point", geom.owner));
+  if (half < 1e-9)
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: the ends of 'fromto' are one point", geom.owner));
   if (!attributes.Three("pos", Vector3::Zero()).isZero(0.0))
-    RefuseMjcf("mjcf_geom", fmt::format("{}: it has both 'pos' and 'fromto'", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it has both 'pos' and 'fromto'", geom.owner));
   if (geom.type == MjcfGeomType::kEllipsoid || geom.type == MjcfGeomType::kBox) {
     geom.size = Vector3(geom.size.x(), geom.size.x(), half);
   } else {
@@ -82,7 +84,7 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   }
   geom.type = MjcfTypeNamed(type);
   if (geom.type == MjcfGeomType::kMesh && geom.mesh.empty())
-    RefuseMjcf("mjcf_geom", fmt::format("{}: it is a mesh, and has no 'mesh'", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: it is a mesh, and has no 'mesh'", geom.owner));
   if (geom.type != MjcfGeomType::kMesh && !geom.mesh.empty()) {
     context.Note(geom.owner, fmt::format("the mesh is taken in place of the {} that MuJoCo fits to it", type));
     geom.type = MjcfGeomType::kMesh;
@@ -106,7 +108,7 @@ std::optional<MjcfGeom> ReadMjcfGeom(MjcfContext& context, const MjcfPart& part,
   if (attributes.Has("mass")) geom.mass = attributes.Number("mass", 0.0);
   geom.density = attributes.Number("density", geom.density);
   if (geom.mass.value_or(0.0) < 0.0 || geom.density < 0.0)
-    RefuseMjcf("mjcf_geom", fmt::format("{}: its mass or density is negative", geom.owner));
+    RefuseMjcf(FailureCode::kMjcfGeom, fmt::format("{}: its mass or density is negative", geom.owner));
   return geom;
 }
 
@@ -132,17 +134,19 @@ MjcfMeshAssets ReadMjcfMeshes(MjcfContext& context) {
     mesh.scale = attributes.Three("scale", Vector3::Ones());
     mesh.p_ref = attributes.Three("refpos", Vector3::Zero());
     if (mesh.scale.cwiseAbs().minCoeff() == 0.0)
-      RefuseMjcf("mjcf_mesh", fmt::format("{}: its scale is 0, which leaves nothing of it", mesh.owner));
+      RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: its scale is 0, which leaves nothing of it", mesh.owner));
     if (const auto q = attributes.Numbers("refquat", 4, 4); !q.empty()) {
       const Quaternion quaternion(q[0], q[1], q[2], q[3]);
-      if (quaternion.norm() < 1e-9) RefuseMjcf("mjcf_mesh", fmt::format("{}: its refquat is zero", mesh.owner));
+      if (quaternion.norm() < 1e-9)
+        RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: its refquat is zero", mesh.owner));
       mesh.R_ref = quaternion.normalized().toRotationMatrix();
     }
     std::string name = attributes.Name("name");
     if (name.empty()) name = std::filesystem::path(mesh.file).stem().string();
-    if (name.empty()) RefuseMjcf("mjcf_missing", fmt::format("{}: it has neither 'name' nor 'file'", mesh.owner));
+    if (name.empty())
+      RefuseMjcf(FailureCode::kMjcfMissing, fmt::format("{}: it has neither 'name' nor 'file'", mesh.owner));
     if (!assets.emplace(name, mesh).second)
-      RefuseMjcf("double_name", fmt::format("{}: there are two meshes '{}'", mesh.owner, ShownMjcf(name)));
+      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: there are two meshes '{}'", mesh.owner, ShownMjcf(name)));
   }
   return assets;
 }
@@ -152,8 +156,8 @@ const MjcfMeshAsset& MjcfMeshOf(const MjcfGeom& geom, const MjcfMeshAssets& asse
   if (at != assets.end()) return at->second;
   std::vector<std::string> names;
   for (const auto& [name, asset] : assets) names.push_back(name);
-  RefuseMjcf("mjcf_mesh", fmt::format("{}: there is no mesh '{}'{}", geom.owner, ShownMjcf(geom.mesh),
-                                      NearestOrAll(geom.mesh, names)));
+  RefuseMjcf(FailureCode::kMjcfMesh, fmt::format("{}: there is no mesh '{}'{}", geom.owner, ShownMjcf(geom.mesh),
+                                                 NearestOrAll(geom.mesh, names)));
 }
 
 std::set<std::string> MjcfPairedGeoms(const MjcfContext& context) {

@@ -94,13 +94,14 @@ MjcfVolume MjcfInertias::VolumeOfMesh(const MjcfGeom& geom) {
   const MjcfMeshAsset& asset = MjcfMeshOf(geom, assets_);
   if (!of_file_.contains(asset.file)) {
     if (asset.file.empty() || !context_.files.mesh)
-      RefuseMjcf("mjcf_inertia", fmt::format("{}: the inertia of its body comes from the mesh '{}', which cannot be "
-                                             "read here; give the body an <inertial>",
-                                             geom.owner, geom.mesh));
+      RefuseMjcf(FailureCode::kMjcfInertia,
+                 fmt::format("{}: the inertia of its body comes from the mesh '{}', which cannot be "
+                             "read here; give the body an <inertial>",
+                             geom.owner, geom.mesh));
     const Result<MjcfMesh> mesh = context_.files.mesh(asset.file);
     if (!mesh)
-      RefuseMjcf("mjcf_inertia", fmt::format("{}: the inertia of its body comes from the mesh '{}': {}", geom.owner,
-                                             geom.mesh, mesh.failure().message));
+      RefuseMjcf(FailureCode::kMjcfInertia, fmt::format("{}: the inertia of its body comes from the mesh '{}': {}",
+                                                        geom.owner, geom.mesh, mesh.failure().message));
     std::optional<MjcfVolume> volume = VolumeOfMjcfMesh(*mesh);
     if (!volume) {
       context_.Note(asset.owner, "its triangles do not enclose a volume; for inertia the box around it is taken");
@@ -140,9 +141,10 @@ MjcfInertia MjcfInertias::FromGeoms(const std::vector<MjcfGeom>& geoms) {
     const bool counts = geom.group >= context_.compiler.lowest_group && geom.group <= context_.compiler.highest_group;
     if (!counts || geom.mass.value_or(geom.density) == 0.0) continue;
     if (geom.is_shell || (geom.type == MjcfGeomType::kMesh && MjcfMeshOf(geom, assets_).is_shell))
-      RefuseMjcf("mjcf_inertia", fmt::format("{}: its body's inertia comes from it, and the inertia of a shell is not "
-                                             "supported; give the body an <inertial>",
-                                             geom.owner));
+      RefuseMjcf(FailureCode::kMjcfInertia,
+                 fmt::format("{}: its body's inertia comes from it, and the inertia of a shell is not "
+                             "supported; give the body an <inertial>",
+                             geom.owner));
     const MjcfVolume volume = VolumeOf(geom);
     if (!(volume.volume > 0.0)) continue;
     const double mass = geom.mass.value_or(geom.density * volume.volume);
@@ -160,18 +162,19 @@ MjcfInertia MjcfInertias::FromGeoms(const std::vector<MjcfGeom>& geoms) {
 MjcfInertia MjcfInertias::FromElement(const MjcfPart& part) const {
   const MjcfAttributes attributes = context_.defaults.Of(*part.element, "inertial");
   const std::string& owner = attributes.owner();
-  if (!attributes.Has("mass")) RefuseMjcf("mjcf_inertia", fmt::format("{}: it has no 'mass'", owner));
+  if (!attributes.Has("mass")) RefuseMjcf(FailureCode::kMjcfInertia, fmt::format("{}: it has no 'mass'", owner));
   MjcfInertia inertia;
   inertia.mass = attributes.Number("mass", 0.0);
   if (inertia.mass < 0.0)
-    RefuseMjcf("negative_mass", fmt::format("{}: its mass is {} kg; zero or more is accepted", owner, inertia.mass));
+    RefuseMjcf(FailureCode::kNegativeMass,
+               fmt::format("{}: its mass is {} kg; zero or more is accepted", owner, inertia.mass));
   const Pose X_BI = part.X_BF * MjcfPose(attributes, context_.compiler);
   inertia.p_BC = X_BI.translation();
   const Vector3 diagonal = attributes.Three("diaginertia", Vector3::Zero());
   Matrix3 I = diagonal.asDiagonal();
   if (const auto full = attributes.Numbers("fullinertia", 6, 6); !full.empty()) {
     if (attributes.Has("diaginertia"))
-      RefuseMjcf("mjcf_inertia", fmt::format("{}: it has both 'diaginertia' and 'fullinertia'", owner));
+      RefuseMjcf(FailureCode::kMjcfInertia, fmt::format("{}: it has both 'diaginertia' and 'fullinertia'", owner));
     I = SymmetricMatrix(full[0], full[3], full[4], full[1], full[5], full[2]);
   }
   inertia.I_C = X_BI.linear() * I * X_BI.linear().transpose();

@@ -15,7 +15,7 @@ double MjcfLoss(MjcfContext& context, const MjcfAttributes& attributes, const st
   const std::vector<double> numbers = attributes.Numbers(key, 1, kMostCoefficients);
   if (numbers.empty()) return 0.0;
   if (numbers.front() < 0.0)
-    RefuseMjcf("mjcf_joint",
+    RefuseMjcf(FailureCode::kMjcfJoint,
                fmt::format("{}: its {} is {}; zero or more is accepted", attributes.owner(), key, numbers.front()));
   if (numbers.size() > 1)
     context.Note(attributes.owner(), fmt::format("of '{}' the first number is taken; the others are left out", key));
@@ -78,7 +78,7 @@ MjcfJoint ReadMjcfJoint(MjcfContext& context, const MjcfPart& part) {
   joint.pos = part.X_BF * attributes.Three("pos", Vector3::Zero());
   const Vector3 axis = attributes.Three("axis", Vector3::UnitZ());
   if (axis.norm() < 1e-9 && joint.is_scalar())
-    RefuseMjcf("zero_axis", fmt::format("{}: its axis is zero", attributes.owner()));
+    RefuseMjcf(FailureCode::kZeroAxis, fmt::format("{}: its axis is zero", attributes.owner()));
   if (joint.is_scalar()) joint.axis = part.X_BF.linear() * axis.normalized();
   if (joint.type == MjcfJointType::kSlide) joint.ref = attributes.Number("ref", 0.0);
   if (joint.type == MjcfJointType::kHinge) joint.ref = context.compiler.Radians(attributes.Number("ref", 0.0));

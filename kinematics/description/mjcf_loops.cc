@@ -26,8 +26,8 @@ int EndOfMjcfTie(const MjcfAttributes& attributes, const MjcfTree& tree, const s
   if (const auto at = named.find(name); at != named.end()) return at->second;
   std::vector<std::string> names;
   for (const auto& [known, body] : named) names.push_back(known);
-  RefuseMjcf("mjcf_equality", fmt::format("{}: its {} '{}' does not exist{}", attributes.owner(), key, ShownMjcf(name),
-                                          NearestOrAll(name, names)));
+  RefuseMjcf(FailureCode::kMjcfEquality, fmt::format("{}: its {} '{}' does not exist{}", attributes.owner(), key,
+                                                     ShownMjcf(name), NearestOrAll(name, names)));
 }
 
 /// A body and those that carry it, to the first body of its tree.
@@ -118,14 +118,14 @@ void LockMjcfLoops(MjcfContext& context, const MjcfTree& tree, const std::vector
       continue;
     }
     if (!is_robots(one) || !is_robots(other))
-      RefuseMjcf("mjcf_loop",
+      RefuseMjcf(FailureCode::kMjcfLoop,
                  fmt::format("{}: it ties the robot to the world or to another body; a robot that walks is "
                              "free",
                              attributes.owner()));
     const std::vector<int> bodies = LoopOfMjcf(tree, one, other);
     const std::vector<int> joints = JointsOfMjcf(tree, bodies);
     if (!IsSmallMjcfPart(tree, masses, bodies))
-      RefuseMjcf("mjcf_loop",
+      RefuseMjcf(FailureCode::kMjcfLoop,
                  fmt::format("{}: it closes a loop of the joints {}, and the joints must form a tree; where "
                              "the loop only carries a motor's torque on, leave it and its rods out and put "
                              "the actuator on the joint that it moves",

@@ -54,7 +54,7 @@ std::optional<MjcfUrdfShape> MeshOfMjcfGeom(MjcfContext& context, const MjcfGeom
   // The URDF scales along the axes of the file; MuJoCo scales along those of refquat.
   const bool even = (asset.scale.array() == asset.scale.x()).all();
   if (!even && !asset.R_ref.isIdentity(1e-12))
-    RefuseMjcf("mjcf_mesh",
+    RefuseMjcf(FailureCode::kMjcfMesh,
                fmt::format("{}: 'refquat' together with a scale that differs by axis is not supported", asset.owner));
   Pose X_GM = Pose::Identity();
   X_GM.linear() = asset.R_ref.transpose();

@@ -43,7 +43,8 @@ class MjcfTreeReader {
         Refuse(*child, tag, body);
       } else if (body < 0) {
         if (tag == "joint" || tag == "freejoint" || tag == "inertial")
-          RefuseMjcf("mjcf_element", context_.document.Owner(*child) + ": the world has no joint and no inertia");
+          RefuseMjcf(FailureCode::kMjcfElement,
+                     context_.document.Owner(*child) + ": the world has no joint and no inertia");
       } else {
         ReadPart({child, around.X_BF, around.childclass}, tag, body);
       }
@@ -60,7 +61,7 @@ class MjcfTreeReader {
   void ReadBody(const MjcfPart& part, int parent) {
     const MjcfAttributes attributes = context_.defaults.Of(*part.element, "body");
     if (tree_.bodies.size() >= kMostMjcfBodies)
-      RefuseMjcf("large_mjcf",
+      RefuseMjcf(FailureCode::kLargeMjcf,
                  fmt::format("{}: over {} bodies; at most that many are read", attributes.owner(), kMostMjcfBodies));
     MjcfBody body;
     body.owner = attributes.owner();
@@ -70,7 +71,7 @@ class MjcfTreeReader {
     body.X_PB = part.X_BF * MjcfPose(attributes, context_.compiler);
     const int index = static_cast<int>(tree_.bodies.size());
     if (body.name == "world" || (!body.name.empty() && !tree_.body_named.emplace(body.name, index).second))
-      RefuseMjcf("double_name", fmt::format("{}: there are two bodies of that name", body.owner));
+      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: there are two bodies of that name", body.owner));
     if (attributes.Number("gravcomp", 0.0) != 0.0)
       context_.Note(body.owner, "'gravcomp' is left out: the body has its whole weight");
     tree_.bodies.push_back(std::move(body));
@@ -82,7 +83,7 @@ class MjcfTreeReader {
     if (tag == "geom") {
       of.geoms.push_back(part);
     } else if (tag == "inertial") {
-      if (of.inertial) RefuseMjcf("mjcf_element", fmt::format("{}: there are two <inertial>", of.owner));
+      if (of.inertial) RefuseMjcf(FailureCode::kMjcfElement, fmt::format("{}: there are two <inertial>", of.owner));
       of.inertial = part;
     } else if (tag == "joint" || tag == "freejoint") {
       AddJoint(ReadMjcfJoint(context_, part), body);
@@ -94,15 +95,15 @@ class MjcfTreeReader {
   void AddJoint(MjcfJoint joint, int body) {
     MjcfBody& of = tree_.bodies[static_cast<std::size_t>(body)];
     if (joint.type == MjcfJointType::kFree && of.parent >= 0)
-      RefuseMjcf("mjcf_joint",
+      RefuseMjcf(FailureCode::kMjcfJoint,
                  fmt::format("{}: a free joint stands in body '{}'; only a body of the world may have one", joint.owner,
                              ShownMjcf(of.name)));
     if (tree_.joints.size() >= kMostMjcfJoints)
-      RefuseMjcf("large_mjcf",
+      RefuseMjcf(FailureCode::kLargeMjcf,
                  fmt::format("{}: over {} joints; at most that many are read", joint.owner, kMostMjcfJoints));
     const int index = static_cast<int>(tree_.joints.size());
     if (!joint.name.empty() && !tree_.joint_named.emplace(joint.name, index).second)
-      RefuseMjcf("double_name", fmt::format("{}: there are two joints of that name", joint.owner));
+      RefuseMjcf(FailureCode::kDoubleName, fmt::format("{}: there are two joints of that name", joint.owner));
     of.joints.push_back(index);
     tree_.body_of.push_back(body);
     tree_.joints.push_back(std::move(joint));
@@ -115,7 +116,7 @@ class MjcfTreeReader {
       context_.Note(owner, "it is no part of the robot; left out");
       return;
     }
-    RefuseMjcf("mjcf_element",
+    RefuseMjcf(FailureCode::kMjcfElement,
                fmt::format("{}: <{}> is not supported; save the model from MuJoCo, which writes it out", owner, tag));
   }
 
@@ -148,7 +149,8 @@ void ChooseMjcfRobot(MjcfContext& context, MjcfTree& tree) {
     root[b] = parent < 0 ? static_cast<int>(b) : root[static_cast<std::size_t>(parent)];
     ++size[static_cast<std::size_t>(root[b])];
   }
-  if (tree.bodies.empty()) RefuseMjcf("mjcf_bodies", "the model has no body: its <worldbody> holds no robot");
+  if (tree.bodies.empty())
+    RefuseMjcf(FailureCode::kMjcfBodies, "the model has no body: its <worldbody> holds no robot");
   tree.root = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
     tree.in_robot.push_back(root[b] == tree.root);
@@ -171,7 +173,7 @@ void NoteMjcfBase(MjcfContext& context, const MjcfTree& tree) {
       context.Note(joint.owner, "it joins the robot's first body to the world; left out: the base floats freely");
   }
   if (is_free && base.joints.size() > 1)
-    RefuseMjcf("mjcf_joint", fmt::format("{}: it has a free joint and other joints", base.owner));
+    RefuseMjcf(FailureCode::kMjcfJoint, fmt::format("{}: it has a free joint and other joints", base.owner));
   if (base.joints.empty())
     context.Note(base.owner, "it has no free joint, so that MuJoCo holds it fast in the world; here the base floats");
 }

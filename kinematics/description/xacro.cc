@@ -30,7 +30,7 @@ std::string WithoutXmlComments(const std::string& text) {
 /// The text of a file; where not `strict`, one in another encoding than UTF-8 too.
 Result<std::string> ReadXacroText(const std::string& path, bool strict) {
   Result<std::string> text = ReadFile(path, kMostXacroBytes);
-  if (text || strict || text.failure().code != "not_text") return text;
+  if (text || strict || text.failure().code != FailureCode::kNotText) return text;
   const Result<std::string> bytes = ReadBytes(path, kMostXacroBytes);
   const std::optional<std::string> converted = bytes ? InUtf8(*bytes) : std::nullopt;
   return converted ? Result<std::string>(*converted) : text;

@@ -43,7 +43,7 @@ void XacroExpander::GiveAttributes(const Element& element, const XacroMacro& mac
     const std::string name = a->Name();
     if (name.starts_with("xmlns") || (is_call && name == "macro")) continue;
     if (std::find(names.begin(), names.end(), name) == names.end()) {
-      throw XacroProblem{"macro_parameter",
+      throw XacroProblem{FailureCode::kMacroParameter,
                          fmt::format("the macro '{}' ({}) has no parameter '{}'{}", macro.name, PlaceOf(*macro.body),
                                      Shortened(name), NearestOrAll(name, names))};
     }
@@ -59,7 +59,7 @@ void XacroExpander::GiveBlocks(const XacroMacro& macro, const Element& expanded,
     ++blocks;
     if (block == nullptr) {
       throw XacroProblem{
-          "macro_parameter",
+          FailureCode::kMacroParameter,
           fmt::format("the macro '{}' ({}) needs an element for its block '{}{}', and the call has {}", macro.name,
                       PlaceOf(*macro.body), parameter.kind == ParameterKind::kBlock ? "*" : "**", parameter.name,
                       blocks == 1 ? "none" : fmt::format("only {}", blocks - 1))};
@@ -68,7 +68,7 @@ void XacroExpander::GiveBlocks(const XacroMacro& macro, const Element& expanded,
     block = block->NextSiblingElement();
   }
   if (block != nullptr) {
-    throw XacroProblem{"macro_parameter",
+    throw XacroProblem{FailureCode::kMacroParameter,
                        fmt::format("the macro '{}' ({}) takes {} blocks, and <{}> in the call is one more", macro.name,
                                    PlaceOf(*macro.body), blocks, block->Name())};
   }
@@ -89,7 +89,7 @@ void XacroExpander::GiveDefaults(const XacroMacro& macro, XacroScope& local, Xac
     }
   }
   if (!missing.empty()) {
-    throw XacroProblem{"macro_parameter",
+    throw XacroProblem{FailureCode::kMacroParameter,
                        fmt::format("the macro '{}' ({}) is called without {} {}", macro.name, PlaceOf(*macro.body),
                                    missing.size() == 1 ? "its parameter" : "its parameters", QuotedList(missing))};
   }
@@ -100,10 +100,11 @@ void XacroExpander::CallMacro(const Element& element, const std::string& name, N
   if (macro == nullptr) {
     std::string hint = NearestOrAll(name, scope.MacroNames());
     if (hint.empty()) hint = "; a macro stands before its call, here or in an included file";
-    throw XacroProblem{"unknown_macro", fmt::format("the macro '{}' is not defined{}", Shortened(name), hint)};
+    throw XacroProblem{FailureCode::kUnknownMacro,
+                       fmt::format("the macro '{}' is not defined{}", Shortened(name), hint)};
   }
   if (calls_.size() >= kMostMacroCalls) {
-    throw XacroProblem{"xacro_limit",
+    throw XacroProblem{FailureCode::kXacroLimit,
                        fmt::format("more than {} macros in one another; does '{}' call itself without end?",
                                    kMostMacroCalls, macro->name)};
   }

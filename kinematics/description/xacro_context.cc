@@ -53,8 +53,9 @@ XacroValue XacroExpander::Resolve(const std::string& name, XacroProperty& proper
   if (property.resolving) {
     const auto first = std::find(resolving_.begin(), resolving_.end(), name);
     const std::vector<std::string> circle(first, resolving_.end());
-    throw XacroProblem{"xacro_recursion", fmt::format("the property '{}' is defined by itself, by way of {} ({})",
-                                                      Shortened(name), QuotedList(circle), PlaceOf(*property.where))};
+    throw XacroProblem{FailureCode::kXacroRecursion,
+                       fmt::format("the property '{}' is defined by itself, by way of {} ({})", Shortened(name),
+                                   QuotedList(circle), PlaceOf(*property.where))};
   }
   property.resolving = true;
   resolving_.push_back(name);
@@ -79,7 +80,7 @@ const std::string& XacroExpander::Argument(const std::string& name) {
   if (argument != arguments_.end()) return argument->second;
   std::vector<std::string> names;
   for (const auto& [known, value] : arguments_) names.push_back(known);
-  throw XacroProblem{"xacro_argument",
+  throw XacroProblem{FailureCode::kXacroArgument,
                      fmt::format("the argument '{}' has no value: give it ({}=VALUE with --xacro-arg), or define it by "
                                  "<xacro:arg> before its use{}",
                                  Shortened(name), Shortened(name), NearestOrAll(name, names))};
@@ -95,8 +96,8 @@ std::string XacroExpander::FoundPackage(const Element& element, const std::strin
   const Result<std::string> folder = sources_.find_package(name, FolderOf(element));
   if (folder) return *folder;
   std::string message = folder.failure().message;
-  for (const std::string& hint : folder.failure().hints) message += "; " + hint;
-  throw XacroProblem{"no_package", message};
+  for (const Suggestion& hint : folder.failure().suggestions) message += "; " + hint.text;
+  throw XacroProblem{FailureCode::kNoPackage, message};
 }
 
 std::optional<XacroValue> XacroScopeContext::Call(const std::string& function,
@@ -116,13 +117,14 @@ std::optional<XacroValue> XacroScopeContext::Call(const std::string& function,
   if (function != "fatal") return std::nullopt;
   std::string message;
   for (const XacroValue& part : arguments) message += (message.empty() ? "" : " ") + XacroPrinted(part, budget);
-  throw XacroProblem{"xacro_fatal", fmt::format("the description says: {}", Shortened(message)), true};
+  throw XacroProblem{FailureCode::kXacroFatal, fmt::format("the description says: {}", Shortened(message)), true};
 }
 
 std::string XacroScopeContext::Substitution(const std::string& command, const std::vector<std::string>& words) {
   const auto need = [&, count = words.size()](std::size_t least, std::size_t most) {
     if (count >= least && count <= most) return;
-    throw XacroProblem{"unknown_substitution", fmt::format("'$({})' does not take {} words", command, count)};
+    throw XacroProblem{FailureCode::kUnknownSubstitution,
+                       fmt::format("'$({})' does not take {} words", command, count)};
   };
   if (command == "arg") {
     need(1, 1);
@@ -138,13 +140,15 @@ std::string XacroScopeContext::Substitution(const std::string& command, const st
     return folder.empty() ? "." : folder;
   }
   if (command != "env" && command != "optenv") {
-    throw XacroProblem{"unknown_substitution", fmt::format("'$({} ...)' is not supported; there are {}",
-                                                           Shortened(command), QuotedList(kXacroSubstitutions))};
+    throw XacroProblem{
+        FailureCode::kUnknownSubstitution,
+        fmt::format("'$({} ...)' is not supported; there are {}", Shortened(command), QuotedList(kXacroSubstitutions))};
   }
   need(1, command == "env" ? 1 : 1000);
   if (const auto value = expander_.sources().environment(words[0])) return *value;
   if (command == "env") {
-    throw XacroProblem{"no_variable", fmt::format("the environment variable '{}' is not set", Shortened(words[0]))};
+    throw XacroProblem{FailureCode::kNoVariable,
+                       fmt::format("the environment variable '{}' is not set", Shortened(words[0]))};
   }
   std::string usual;
   for (std::size_t i = 1; i < words.size(); ++i) usual += (i == 1 ? "" : " ") + words[i];

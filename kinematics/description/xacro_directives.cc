@@ -18,7 +18,7 @@ using tinyxml2::XMLElement;
 /// Refuses a name of a property that no expression can use.
 void CheckXacroName(const std::string& name) {
   if (!name.empty() && name.find_first_of(" \t\r\n${}") == std::string::npos) return;
-  throw XacroProblem{"bad_name",
+  throw XacroProblem{FailureCode::kBadName,
                      fmt::format("'{}' is not a name; it has no blanks, '$', '{{' nor '}}'", Shortened(name))};
 }
 
@@ -32,7 +32,7 @@ void CheckMadeName(const std::string& name) {
   };
   const bool fine = !name.empty() && is_letter(name[0]) && std::all_of(name.begin(), name.end(), is_part);
   if (fine && name.find("xacro:") == std::string::npos) return;
-  throw XacroProblem{"bad_name", fmt::format("'{}' is not a name that XML allows here", Shortened(name))};
+  throw XacroProblem{FailureCode::kBadName, fmt::format("'{}' is not a name that XML allows here", Shortened(name))};
 }
 
 }  // namespace
@@ -41,14 +41,15 @@ void CheckXacroAttributes(const XMLElement& element, const std::vector<std::stri
   for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
     const std::string name = a->Name();
     if (name.starts_with("xmlns") || std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw XacroProblem{"unknown_attribute",
+    throw XacroProblem{FailureCode::kUnknownAttribute,
                        fmt::format("the attribute '{}' is not known{}", Shortened(name), NearestOrAll(name, known))};
   }
 }
 
 std::string NeededXacroAttribute(const XMLElement& element, const char* name) {
   const char* value = element.Attribute(name);
-  if (value == nullptr) throw XacroProblem{"xacro_missing", fmt::format("the attribute '{}' is missing", name)};
+  if (value == nullptr)
+    throw XacroProblem{FailureCode::kXacroMissing, fmt::format("the attribute '{}' is missing", name)};
   return value;
 }
 
@@ -59,7 +60,7 @@ bool XacroTruthOfText(const XacroValue& value, const std::string& what) {
   if (word == "true" || word == "True") return true;
   if (word == "false" || word == "False") return false;
   if (const auto whole = XacroWholeOf(word)) return *whole != 0;
-  throw XacroProblem{"xacro_condition",
+  throw XacroProblem{FailureCode::kXacroCondition,
                      fmt::format("{} is '{}', which is not true, false or a whole number", what, Shortened(*text))};
 }
 
@@ -97,8 +98,8 @@ void XacroExpander::InsertBlock(const Element& element, Node& out, XacroScope& s
   const std::string name = PrintedAttribute(element, "name", scope);
   const XacroBlock* found = scope.FindBlock(name, budget_);
   if (found == nullptr) {
-    throw XacroProblem{"unknown_block", fmt::format("the block '{}' is not defined{}", Shortened(name),
-                                                    NearestOrAll(name, scope.BlockNames()))};
+    throw XacroProblem{FailureCode::kUnknownBlock, fmt::format("the block '{}' is not defined{}", Shortened(name),
+                                                               NearestOrAll(name, scope.BlockNames()))};
   }
   const XacroBlock block = *found;
   if (!block.expanded) {
@@ -114,7 +115,7 @@ void XacroExpander::MakeAttribute(const Element& element, Node& out, XacroScope&
   CheckXacroAttributes(element, {"name", "value"});
   const std::string name = PrintedAttribute(element, "name", scope);
   CheckMadeName(name);
-  if (out.ToElement() == nullptr) throw XacroProblem{"xacro_missing", "there is no element around it"};
+  if (out.ToElement() == nullptr) throw XacroProblem{FailureCode::kXacroMissing, "there is no element around it"};
   SetAttribute(*out.ToElement(), name, PrintedAttribute(element, "value", scope));
 }
 
@@ -151,8 +152,8 @@ void XacroExpander::DefineProperty(const Element& element, Node&, XacroScope& sc
     return text == nullptr ? absent : XacroTruthOfText(Evaluated(text, scope), fmt::format("'{}'", key));
   };
   if (where != "local" && where != "parent" && where != "global") {
-    throw XacroProblem{"xacro_scope", fmt::format("the scope '{}' is not known; there are {}", Shortened(where),
-                                                  QuotedList({"parent", "global"}))};
+    throw XacroProblem{FailureCode::kXacroScope, fmt::format("the scope '{}' is not known; there are {}",
+                                                             Shortened(where), QuotedList({"parent", "global"}))};
   }
   XacroScope& target = where == "global"                              ? globals_
                        : where == "parent" && scope.caller != nullptr ? *scope.caller
@@ -184,7 +185,8 @@ void XacroExpander::DefineMacro(const Element& element, Node&, XacroScope& scope
   if (macro.name.starts_with("xacro:")) macro.name.erase(0, 6);
   CheckXacroName(macro.name);
   if (DirectiveOf(macro.name) != nullptr)
-    throw XacroProblem{"bad_name", fmt::format("'{}' cannot be the name of a macro: xacro has it", macro.name)};
+    throw XacroProblem{FailureCode::kBadName,
+                       fmt::format("'{}' cannot be the name of a macro: xacro has it", macro.name)};
   macro.parameters = ParseXacroParameters(element.Attribute("params") == nullptr ? "" : element.Attribute("params"));
   macro.body = &element;
   macro.bare = std::string(element.Name()) == "macro";

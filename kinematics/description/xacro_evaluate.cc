@@ -30,7 +30,7 @@ std::size_t PlaceInSequence(std::size_t size, const XacroValue& index, const std
     RefuseXacroType(fmt::format("the index of a {} is a whole number, not a {}", kind, XacroKind(index)));
   const std::int64_t place = *index.whole() < 0 ? *index.whole() + static_cast<std::int64_t>(size) : *index.whole();
   if (place < 0 || place >= static_cast<std::int64_t>(size))
-    throw XacroProblem{"xacro_index", fmt::format("index {} of a {} of {}", *index.whole(), kind, size)};
+    throw XacroProblem{FailureCode::kXacroIndex, fmt::format("index {} of a {} of {}", *index.whole(), kind, size)};
   return static_cast<std::size_t>(place);
 }
 
@@ -109,8 +109,8 @@ class XacroEvaluator {
 
   XacroValue NameValue(const std::string& name) {
     if (auto known = Known(name)) return *known;
-    throw XacroProblem{"unknown_property", fmt::format("the property '{}' is not defined{}", Shortened(name),
-                                                       NearestHint(name, context_.PropertyNames()))};
+    throw XacroProblem{FailureCode::kUnknownProperty, fmt::format("the property '{}' is not defined{}", Shortened(name),
+                                                                  NearestHint(name, context_.PropertyNames()))};
   }
 
   XacroValue DictValue(const XacroNode& node) {
@@ -181,7 +181,8 @@ class XacroEvaluator {
     const XacroNode& owner = node.children[0];
     if (IsModule(owner)) {
       if (auto constant = XacroConstant(node.text)) return *constant;
-      throw XacroProblem{"unknown_property", fmt::format("'{}.{}' is not known", owner.text, Shortened(node.text))};
+      throw XacroProblem{FailureCode::kUnknownProperty,
+                         fmt::format("'{}.{}' is not known", owner.text, Shortened(node.text))};
     }
     const std::string dotted = DottedName(node);
     if (!dotted.empty() && !Known(dotted.substr(0, dotted.find('.')))) {
@@ -201,7 +202,7 @@ class XacroEvaluator {
       if (name.text() != nullptr && keys.size() < 1000) keys.push_back(*name.text());
     }
     const std::string name = XacroPrinted(key, context_.budget);
-    throw XacroProblem{"unknown_key",
+    throw XacroProblem{FailureCode::kUnknownKey,
                        fmt::format("the dictionary has no key '{}'{}", Shortened(name), NearestOrAll(name, keys))};
   }
 
@@ -238,7 +239,8 @@ class XacroEvaluator {
     const auto named =
         std::find_if(node.operators.begin(), node.operators.end(), [](const auto& k) { return !k.empty(); });
     if (named != node.operators.end() && !is_dict)
-      throw XacroProblem{"xacro_syntax", fmt::format("{}() takes no argument '{}' by its name", callee.text, *named)};
+      throw XacroProblem{FailureCode::kXacroSyntax,
+                         fmt::format("{}() takes no argument '{}' by its name", callee.text, *named)};
     if (method) {
       const XacroValue object = Value(callee.children[0]);
       return CallXacroMethod(object, callee.text, Values(node, 1), context_.budget);
@@ -249,8 +251,9 @@ class XacroEvaluator {
     if (auto value = CallXacroFunction(callee.text, arguments, context_.budget)) return *value;
     std::vector<std::string> names = XacroFunctionNames();
     names.insert(names.end(), kXacroFileFunctions.begin(), kXacroFileFunctions.end());
-    throw XacroProblem{"unknown_function", fmt::format("the function '{}' is not known{}", Shortened(callee.text),
-                                                       NearestHint(callee.text, names))};
+    throw XacroProblem{
+        FailureCode::kUnknownFunction,
+        fmt::format("the function '{}' is not known{}", Shortened(callee.text), NearestHint(callee.text, names))};
   }
 
   /// dict(a=1, b=2), dict(other, a=1) or dict([['a', 1]]).

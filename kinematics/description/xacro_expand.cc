@@ -54,7 +54,7 @@ XMLElement& XacroExpander::AppendElement(const std::string& name, Node& out) {
   budget_.Visit();
   const std::size_t depth = DepthInResult(&out);
   if (depth > kDeepestXacroElement)
-    throw XacroProblem{"xacro_limit",
+    throw XacroProblem{FailureCode::kXacroLimit,
                        fmt::format("the result has more than {} elements in one another", kDeepestXacroElement)};
   budget_.Write(2 * name.size() + 8 + 8 * depth);
   XMLElement* made = out.GetDocument()->NewElement(name.c_str());
@@ -95,11 +95,11 @@ void XacroExpander::CopyAttributes(const Element& element, Element& made, XacroS
     const std::string name = attribute->Name();
     if (name == "xmlns:xacro" || (names_itself && name == "xacro:name")) continue;
     if (name.starts_with(kXacroPrefix)) {
-      throw XacroProblem{"unknown_attribute",
+      throw XacroProblem{FailureCode::kUnknownAttribute,
                          fmt::format("the attribute '{}' is not known; <xacro:attribute> makes attributes", name)};
     }
     if (++count > kMostXacroAttributes)
-      throw XacroProblem{"xacro_limit", fmt::format("it has more than {} attributes", kMostXacroAttributes)};
+      throw XacroProblem{FailureCode::kXacroLimit, fmt::format("it has more than {} attributes", kMostXacroAttributes)};
     SetAttribute(made, name, Printed(attribute->Value(), scope));
   }
 }
@@ -154,7 +154,7 @@ void XacroExpander::CheckArguments() const {
   for (const auto& [name, value] : given_) {
     if (used_.contains(name)) continue;
     const std::vector<std::string> known(used_.begin(), used_.end());
-    throw XacroProblem{"unknown_argument",
+    throw XacroProblem{FailureCode::kUnknownArgument,
                        fmt::format("the argument '{}' is given, and the description has no argument of that name{}",
                                    Shortened(name), NearestOrAll(name, known))};
   }
@@ -165,7 +165,7 @@ std::string XacroExpander::ExpandRoot(const std::string& text, const std::string
   const XMLElement& root = *file.xml.RootElement();
   at_ = &root;
   if (std::string_view(root.Name()).starts_with(kXacroPrefix))
-    throw XacroProblem{"not_urdf", "the root is an element of xacro; a description has <robot>"};
+    throw XacroProblem{FailureCode::kNotUrdf, "the root is an element of xacro; a description has <robot>"};
   result_.InsertEndChild(result_.NewDeclaration("xml version=\"1.0\" encoding=\"utf-8\""));
   XMLElement& made = AppendElement(root.Name(), result_);
   including_.push_back(&file);
@@ -176,15 +176,16 @@ std::string XacroExpander::ExpandRoot(const std::string& text, const std::string
   result_.Print(&printer);
   std::string expanded = printer.CStr();
   if (!IsPlainText(expanded))
-    throw XacroProblem{"not_text", "the result is not text in UTF-8: it has control characters or parts of characters"};
+    throw XacroProblem{FailureCode::kNotText,
+                       "the result is not text in UTF-8: it has control characters or parts of characters"};
   return expanded;
 }
 
-std::vector<std::string> XacroExpander::CallHints() const {
-  std::vector<std::string> hints;
-  for (auto call = calls_.rbegin(); call != calls_.rend() && hints.size() < kMostMacroCallsShown; ++call)
-    hints.push_back(fmt::format("called by <{}> in {}", (*call)->Name(), PlaceOf(**call)));
-  return hints;
+std::vector<Suggestion> XacroExpander::CallHints() const {
+  std::vector<Suggestion> suggestions;
+  for (auto call = calls_.rbegin(); call != calls_.rend() && suggestions.size() < kMostMacroCallsShown; ++call)
+    suggestions.push_back(fmt::format("called by <{}> in {}", (*call)->Name(), PlaceOf(**call)));
+  return suggestions;
 }
 
 Result<std::string> XacroExpander::Expand(const std::string& text, const std::string& path) {

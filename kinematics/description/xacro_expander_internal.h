@@ -93,7 +93,7 @@ class XacroExpander {
 
   static const XacroFile& FileOf(const Element& element);
   static std::string PlaceOf(const Element& element);
-  std::vector<std::string> CallHints() const;
+  std::vector<Suggestion> CallHints() const;
 
   const XacroSources& sources_;
   XacroBudget budget_;

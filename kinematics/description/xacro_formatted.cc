@@ -21,7 +21,7 @@ struct XacroConversion {
 int XacroFormatDigits(const std::string& format, std::size_t& at) {
   int number = 0;
   for (int count = 0; at < format.size() && format[at] >= '0' && format[at] <= '9'; ++at) {
-    if (++count > 2) throw XacroProblem{"xacro_limit", "a format has a width of more than two digits"};
+    if (++count > 2) throw XacroProblem{FailureCode::kXacroLimit, "a format has a width of more than two digits"};
     number = number * 10 + (format[at] - '0');
   }
   return number;
@@ -84,7 +84,8 @@ std::string XacroFormatted(const std::string& format, const XacroValue& value, X
       budget.Spend(8);
       text += XacroConverted(conversion, values[used++], budget);
     }
-    if (text.size() > kLongestXacroText) throw XacroProblem{"xacro_limit", "a formatted text of more than 1 MiB"};
+    if (text.size() > kLongestXacroText)
+      throw XacroProblem{FailureCode::kXacroLimit, "a formatted text of more than 1 MiB"};
   }
   if (used < values.size()) RefuseXacroType(fmt::format("the format '{}' has fewer conversions than values", format));
   return text;

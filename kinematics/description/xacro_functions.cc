@@ -33,7 +33,7 @@ template <double (*kFunction)(double)>
 XacroValue CallOfOne(const XacroArguments& arguments, XacroBudget&) {
   const double x = RealOfXacro(arguments[0]), y = kFunction(x);
   if (std::isfinite(x) && !std::isfinite(y))
-    throw XacroProblem{"xacro_number", fmt::format("it has no finite value at {}", x)};
+    throw XacroProblem{FailureCode::kXacroNumber, fmt::format("it has no finite value at {}", x)};
   return {y};
 }
 
@@ -42,7 +42,7 @@ template <double (*kFunction)(double, double)>
 XacroValue CallOfTwo(const XacroArguments& arguments, XacroBudget&) {
   const double x = RealOfXacro(arguments[0]), y = RealOfXacro(arguments[1]), z = kFunction(x, y);
   if (std::isfinite(x) && std::isfinite(y) && !std::isfinite(z))
-    throw XacroProblem{"xacro_number", fmt::format("it has no finite value at {}, {}", x, y)};
+    throw XacroProblem{FailureCode::kXacroNumber, fmt::format("it has no finite value at {}, {}", x, y)};
   return {z};
 }
 
@@ -51,7 +51,7 @@ double XacroDegrees(double radians) { return radians / kXacroDegree; }
 
 XacroValue XacroWholeFrom(double number) {
   if (!(number >= -9.2e18 && number <= 9.2e18))
-    throw XacroProblem{"xacro_number", fmt::format("{} is not a whole number of 64 bits", number)};
+    throw XacroProblem{FailureCode::kXacroNumber, fmt::format("{} is not a whole number of 64 bits", number)};
   return {static_cast<std::int64_t>(number)};
 }
 
@@ -82,7 +82,7 @@ XacroValue CallLog(const XacroArguments& arguments, XacroBudget&) {
   const double x = RealOfXacro(arguments[0]),
                base = arguments.size() == 2 ? RealOfXacro(arguments[1]) : std::numbers::e;
   if (!(x > 0.0) || !(base > 0.0) || base == 1.0)
-    throw XacroProblem{"xacro_number", fmt::format("log of {} to the base {} is not defined", x, base)};
+    throw XacroProblem{FailureCode::kXacroNumber, fmt::format("log of {} to the base {} is not defined", x, base)};
   return {arguments.size() == 2 ? std::log(x) / std::log(base) : std::log(x)};
 }
 
@@ -190,7 +190,7 @@ XacroValue CallRange(const XacroArguments& arguments, XacroBudget& budget) {
   if (step == 0) RefuseXacroType("the step of range() is not 0");
   XacroArguments items;
   for (std::int64_t i = first; step > 0 ? i < end : i > end;) {
-    if (items.size() > kMostXacroItems) throw XacroProblem{"xacro_limit", "range() of too many numbers"};
+    if (items.size() > kMostXacroItems) throw XacroProblem{FailureCode::kXacroLimit, "range() of too many numbers"};
     items.push_back({i});
     if (__builtin_add_overflow(i, step, &i)) break;
   }
@@ -281,14 +281,14 @@ std::optional<XacroValue> CallXacroFunction(const std::string& name, const std::
   const auto& [least, most, call] = known->second;
   if (arguments.size() < least || arguments.size() > most) {
     throw XacroProblem{
-        "xacro_type",
+        FailureCode::kXacroType,
         fmt::format("{}() takes {} arguments, not {}", name,
                     least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most), arguments.size())};
   }
   try {
     return call(arguments, budget);
   } catch (XacroProblem& problem) {
-    if (problem.code != "xacro_limit") problem.message = fmt::format("{}(): {}", name, problem.message);
+    if (problem.code != FailureCode::kXacroLimit) problem.message = fmt::format("{}(): {}", name, problem.message);
     throw;
   }
 }

@@ -61,12 +61,13 @@ std::string XacroExpander::PathOfUrl(const Element& element, const std::string& 
 const XacroFile& XacroExpander::Parse(const std::string& text, const std::string& path) {
   bytes_read_ += text.size();
   if (bytes_read_ > kMostXacroRead)
-    throw XacroProblem{"xacro_limit", fmt::format("the included files have more than {} MiB", kMostXacroRead >> 20)};
+    throw XacroProblem{FailureCode::kXacroLimit,
+                       fmt::format("the included files have more than {} MiB", kMostXacroRead >> 20)};
   auto file = std::make_unique<XacroFile>();
   file->path = path;
   file->xml.SetUserData(file.get());
   if (const std::string reason = ReasonNotXacroXml(text, file->xml); !reason.empty())
-    throw XacroProblem{"not_xml", path + reason};
+    throw XacroProblem{FailureCode::kNotXml, path + reason};
   file->bare_tags = file->xml.RootElement()->Attribute("xmlns:xacro") != nullptr;
   return *(files_[path] = std::move(file));
 }
@@ -74,9 +75,9 @@ const XacroFile& XacroExpander::Parse(const std::string& text, const std::string
 void XacroExpander::Include(const Element& element, Node& out, XacroScope& scope) {
   CheckXacroAttributes(element, {"filename", "ns", "optional"});
   const std::string name = PrintedAttribute(element, "filename", scope);
-  if (Trimmed(name).empty()) throw XacroProblem{"xacro_include", "the attribute 'filename' is empty"};
+  if (Trimmed(name).empty()) throw XacroProblem{FailureCode::kXacroInclude, "the attribute 'filename' is empty"};
   if (name.find_first_of("*?[") != std::string::npos) {
-    throw XacroProblem{"xacro_include",
+    throw XacroProblem{FailureCode::kXacroInclude,
                        fmt::format("'{}' is a pattern; only single files are included", Shortened(name))};
   }
   const std::string path = PathOfUrl(element, Trimmed(name));
@@ -85,11 +86,11 @@ void XacroExpander::Include(const Element& element, Node& out, XacroScope& scope
   const auto known = files_.find(path);
   const XacroFile* file = known == files_.end() ? nullptr : known->second.get();
   if (std::find(including_.begin(), including_.end(), file) != including_.end() && file != nullptr)
-    throw XacroProblem{"xacro_recursion", fmt::format("'{}' includes itself", path)};
+    throw XacroProblem{FailureCode::kXacroRecursion, fmt::format("'{}' includes itself", path)};
   if (file == nullptr) {
     const Result<std::string> text = sources_.read(path);
-    if (!text && optional && text.failure().code == "no_such_file") return;
-    if (!text) throw XacroProblem{"xacro_include", text.failure().message};
+    if (!text && optional && text.failure().code == FailureCode::kNoSuchFile) return;
+    if (!text) throw XacroProblem{FailureCode::kXacroInclude, text.failure().message};
     file = &Parse(*text, path);
   }
   XacroScope* inner = &scope;
@@ -114,10 +115,11 @@ void XacroExpander::Include(const Element& element, Node& out, XacroScope& scope
 XacroValue XacroExpander::LoadYamlFile(const std::string& path) {
   if (!yaml_.contains(path)) {
     const Result<std::string> text = sources_.read(path);
-    if (!text) throw XacroProblem{"xacro_yaml", text.failure().message};
+    if (!text) throw XacroProblem{FailureCode::kXacroYaml, text.failure().message};
     bytes_read_ += text->size();
     if (bytes_read_ > kMostXacroRead)
-      throw XacroProblem{"xacro_limit", fmt::format("the files have more than {} MiB", kMostXacroRead >> 20)};
+      throw XacroProblem{FailureCode::kXacroLimit,
+                         fmt::format("the files have more than {} MiB", kMostXacroRead >> 20)};
     yaml_[path] = *text;
   }
   XacroScope none;

@@ -146,7 +146,7 @@ XacroValue PoppedItem(XacroList& list, const std::vector<XacroValue>& arguments,
     RefuseXacroType("pop() takes the index of an item");
   const std::int64_t given = arguments.empty() ? -1 : *arguments[0].whole(), place = given < 0 ? given + size : given;
   if (place < 0 || place >= size)
-    throw XacroProblem{"xacro_index", fmt::format("pop() of item {} from a list of {}", given, size)};
+    throw XacroProblem{FailureCode::kXacroIndex, fmt::format("pop() of item {} from a list of {}", given, size)};
   budget.Spend(1 + list.items.size() / 8);
   XacroValue item = list.items[static_cast<std::size_t>(place)];
   list.items.erase(list.items.begin() + place);
@@ -176,8 +176,9 @@ XacroValue CallXacroMethod(const XacroValue& object, const std::string& name, co
                                                                        : nullptr;
   if (methods == nullptr) RefuseXacroType(fmt::format("a {} has no method '{}'", XacroKind(object), Shortened(name)));
   if (std::find(methods->begin(), methods->end(), name) == methods->end()) {
-    throw XacroProblem{"unknown_function", fmt::format("the method '{}' of a {} is not known{}", Shortened(name),
-                                                       XacroKind(object), NearestOrAll(name, *methods))};
+    throw XacroProblem{FailureCode::kUnknownFunction,
+                       fmt::format("the method '{}' of a {} is not known{}", Shortened(name), XacroKind(object),
+                                   NearestOrAll(name, *methods))};
   }
   if (object.text() != nullptr) return TextMethod(*object.text(), name, arguments, budget);
   if (object.dict() != nullptr) return DictMethod(*object.dict(), name, arguments, budget);

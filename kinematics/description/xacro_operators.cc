@@ -11,7 +11,9 @@
 namespace gaitwright {
 namespace {
 
-[[noreturn]] void RefuseXacroNumber(const std::string& message) { throw XacroProblem{"xacro_number", message}; }
+[[noreturn]] void RefuseXacroNumber(const std::string& message) {
+  throw XacroProblem{FailureCode::kXacroNumber, message};
+}
 
 std::optional<std::int64_t> WholeOfXacro(const XacroValue& value) {
   if (const auto* truth = std::get_if<bool>(&value.held)) return *truth ? 1 : 0;
@@ -90,7 +92,7 @@ XacroValue RepeatedXacroValue(const XacroValue& value, std::int64_t times, Xacro
   const std::size_t count = static_cast<std::size_t>(std::max<std::int64_t>(times, 0));
   const std::size_t size = value.text() != nullptr ? value.text()->size() : value.list()->items.size();
   if (size > 0 && count > kLongestXacroText / size)
-    throw XacroProblem{"xacro_limit",
+    throw XacroProblem{FailureCode::kXacroLimit,
                        fmt::format("a {} that is repeated {} times is too long", XacroKind(value), times)};
   budget.Spend(1 + count * size / 8);
   if (value.text() != nullptr) {
@@ -165,7 +167,7 @@ bool XacroContains(const XacroValue& container, const XacroValue& item, XacroBud
 
 }  // namespace
 
-void RefuseXacroType(const std::string& message) { throw XacroProblem{"xacro_type", message}; }
+void RefuseXacroType(const std::string& message) { throw XacroProblem{FailureCode::kXacroType, message}; }
 
 XacroValue XacroArithmetic(const std::string& operation, const XacroValue& left, const XacroValue& right,
                            XacroBudget& budget) {

@@ -65,8 +65,8 @@ std::size_t ParameterDefaultEnd(const std::string& text, std::size_t from) {
     if (group) closing = text[at + 1] == '{' ? '}' : ')';
     const std::size_t close = closing == '\0' ? at : text.find(closing, at + 1);
     if (close == std::string::npos) {
-      throw XacroProblem{"xacro_syntax", fmt::format("params: the default '{}' has no closing {}",
-                                                     Shortened(text.substr(from)), closing)};
+      throw XacroProblem{FailureCode::kXacroSyntax, fmt::format("params: the default '{}' has no closing {}",
+                                                                Shortened(text.substr(from)), closing)};
     }
     at = close + 1;
   }
@@ -130,9 +130,10 @@ std::vector<XacroParameter> ParseXacroParameters(const std::string& text) {
     if (end < text.size() && !IsParameterBlank(text, end)) {
       const std::size_t from = text.find_first_not_of(":=", end);
       if (text[end] == ':' && (end + 1 >= text.size() || text[end + 1] != '=')) {
-        throw XacroProblem{"xacro_syntax", fmt::format("params: '{}:' is not understood; a default is written "
-                                                       "'{}:=VALUE'",
-                                                       Shortened(parameter.name), Shortened(parameter.name))};
+        throw XacroProblem{FailureCode::kXacroSyntax,
+                           fmt::format("params: '{}:' is not understood; a default is written "
+                                       "'{}:=VALUE'",
+                                       Shortened(parameter.name), Shortened(parameter.name))};
       }
       end = from == std::string::npos ? text.size() : ParameterDefaultEnd(text, from);
       std::string value = from == std::string::npos ? "" : text.substr(from, end - from);
@@ -140,15 +141,17 @@ std::vector<XacroParameter> ParseXacroParameters(const std::string& text) {
       if (!parameter.forwarded) parameter.default_text = value;
       if (value.starts_with("^|")) parameter.default_text = value.substr(2);
       if (stars > 0)
-        throw XacroProblem{"xacro_syntax", fmt::format("params: the block '{}' has a default", parameter.name)};
+        throw XacroProblem{FailureCode::kXacroSyntax,
+                           fmt::format("params: the block '{}' has a default", parameter.name)};
     }
     const bool twice = std::any_of(parameters.begin(), parameters.end(),
                                    [&](const XacroParameter& other) { return other.name == parameter.name; });
     if (parameter.name.empty() || twice || parameters.size() >= 1000) {
-      throw XacroProblem{"xacro_syntax", fmt::format("params: the parameter '{}' {}", Shortened(parameter.name),
-                                                     parameter.name.empty() ? "has no name"
-                                                     : twice                ? "appears twice"
-                                                                            : "is one of more than 1000")};
+      throw XacroProblem{FailureCode::kXacroSyntax,
+                         fmt::format("params: the parameter '{}' {}", Shortened(parameter.name),
+                                     parameter.name.empty() ? "has no name"
+                                     : twice                ? "appears twice"
+                                                            : "is one of more than 1000")};
     }
     parameters.push_back(std::move(parameter));
     at = end;

@@ -60,17 +60,17 @@ class XacroParser {
   }
 
   [[noreturn]] void Refuse(const std::string& more = "") const {
-    if (IsEnd()) throw XacroProblem{"xacro_syntax", "it ends too early" + more};
-    throw XacroProblem{"xacro_syntax", fmt::format("unexpected {}'{}' at character {}{}",
-                                                   Token().kind == XacroToken::Kind::kText ? "text " : "",
-                                                   Shortened(Token().text), Token().at + 1, more)};
+    if (IsEnd()) throw XacroProblem{FailureCode::kXacroSyntax, "it ends too early" + more};
+    throw XacroProblem{FailureCode::kXacroSyntax, fmt::format("unexpected {}'{}' at character {}{}",
+                                                              Token().kind == XacroToken::Kind::kText ? "text " : "",
+                                                              Shortened(Token().text), Token().at + 1, more)};
   }
 
   /// Counts expressions in one another.
   struct Deeper {
     explicit Deeper(int& depth) : level(depth) {
       if (level >= kDeepestXacroExpression) {
-        throw XacroProblem{"xacro_limit",
+        throw XacroProblem{FailureCode::kXacroLimit,
                            fmt::format("more than {} expressions in one another", kDeepestXacroExpression)};
       }
       ++level;
@@ -170,7 +170,8 @@ class XacroParser {
     XacroNode node = Atom();
     for (int i = 0; Is(".") || Is("[") || Is("("); ++i) {
       if (i == kMostSuffixes)
-        throw XacroProblem{"xacro_limit", fmt::format("more than {} members and indices in a row", kMostSuffixes)};
+        throw XacroProblem{FailureCode::kXacroLimit,
+                           fmt::format("more than {} members and indices in a row", kMostSuffixes)};
       std::vector<XacroNode> parts;
       parts.push_back(std::move(node));
       if (Take(".")) {
@@ -295,8 +296,8 @@ class XacroParser {
 
 XacroNode ParseXacroExpression(const std::string& expression) {
   if (expression.size() > kLongestXacroExpression) {
-    throw XacroProblem{"xacro_limit", fmt::format("an expression of {} bytes; at most {} are read", expression.size(),
-                                                  kLongestXacroExpression)};
+    throw XacroProblem{FailureCode::kXacroLimit, fmt::format("an expression of {} bytes; at most {} are read",
+                                                             expression.size(), kLongestXacroExpression)};
   }
   return XacroParser(expression).Whole();
 }

@@ -37,7 +37,7 @@ std::size_t XacroPieceEnd(const std::string& text, std::size_t at) {
   if (end == std::string::npos) end = BehindXacroBracket(text, at + 1, false);
   if (end == std::string::npos) {
     throw XacroProblem{
-        "xacro_syntax",
+        FailureCode::kXacroSyntax,
         fmt::format("'{}' has no closing '{}'; a '${}' that is meant so is written '$${}'", Shortened(text.substr(at)),
                     text[at + 1] == '{' ? '}' : ')', text[at + 1], text[at + 1])};
   }
@@ -62,7 +62,7 @@ std::string PrintedXacroText(const std::string& text, XacroContext& context) {
 XacroValue XacroSubstitutionPiece(const std::string& inside, XacroContext& context) {
   const std::string text = PrintedXacroText(inside, context);
   std::vector<std::string> words = XacroWordsOf(text);
-  if (words.empty()) throw XacroProblem{"unknown_substitution", "'$()' is empty"};
+  if (words.empty()) throw XacroProblem{FailureCode::kUnknownSubstitution, "'$()' is empty"};
   const std::string command = words[0];
   if (command == "eval") return context.EvalSubstitution(Trimmed(text.substr(text.find("eval") + 4)));
   words.erase(words.begin());

@@ -98,7 +98,7 @@ class XacroTokenizer {
       }
     }
     if (at_ >= text_.size())
-      throw XacroProblem{"xacro_syntax",
+      throw XacroProblem{FailureCode::kXacroSyntax,
                          fmt::format("the text that begins at character {} has no closing {}", token.at + 1, quote)};
     ++at_;
     return token;
@@ -107,10 +107,11 @@ class XacroTokenizer {
   XacroToken Operator() {
     for (const std::string_view known : {"&&", "||", "<<", ">>", ":="}) {
       if (std::string_view(text_).substr(at_, 2) != known) continue;
-      throw XacroProblem{"xacro_syntax", fmt::format("'{}' at character {} is not an operator{}", known, at_ + 1,
-                                                     known == "&&"   ? "; write 'and'"
-                                                     : known == "||" ? "; write 'or'"
-                                                                     : "")};
+      throw XacroProblem{FailureCode::kXacroSyntax,
+                         fmt::format("'{}' at character {} is not an operator{}", known, at_ + 1,
+                                     known == "&&"   ? "; write 'and'"
+                                     : known == "||" ? "; write 'or'"
+                                                     : "")};
     }
     for (const std::string_view known : {"**", "//", "==", "!=", "<=", ">=", "+", "-", "*", "/", "%", "<",
                                          ">",  "(",  ")",  "[",  "]",  "{",  "}", ",", ":", ".", "="}) {
@@ -120,7 +121,7 @@ class XacroTokenizer {
     }
     std::size_t end = at_ + 1;  // the whole of a character of several bytes
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
-    throw XacroProblem{"xacro_syntax",
+    throw XacroProblem{FailureCode::kXacroSyntax,
                        fmt::format("'{}' at character {} is not understood{}", text_.substr(at_, end - at_), at_ + 1,
                                    text_[at_] == '!'   ? "; write 'not'"
                                    : text_[at_] == '^' ? "; a power is '**'"
@@ -128,7 +129,8 @@ class XacroTokenizer {
   }
 
   [[noreturn]] static void RefuseNumber(const std::string& written, std::size_t at) {
-    throw XacroProblem{"xacro_syntax", fmt::format("'{}' at character {} is not a number", Shortened(written), at + 1)};
+    throw XacroProblem{FailureCode::kXacroSyntax,
+                       fmt::format("'{}' at character {} is not a number", Shortened(written), at + 1)};
   }
 
   const std::string& text_;

@@ -24,9 +24,10 @@ int DepthOfXacro(const XacroValue& value) {
 
 void CheckXacroSize(std::size_t items, int depth) {
   if (items > kMostXacroItems)
-    throw XacroProblem{"xacro_limit", fmt::format("a list of {} items; at most {} are kept", items, kMostXacroItems)};
+    throw XacroProblem{FailureCode::kXacroLimit,
+                       fmt::format("a list of {} items; at most {} are kept", items, kMostXacroItems)};
   if (depth > kDeepestXacroValue) {
-    throw XacroProblem{"xacro_limit",
+    throw XacroProblem{FailureCode::kXacroLimit,
                        fmt::format("more than {} lists and dictionaries in one another", kDeepestXacroValue)};
   }
 }
@@ -62,7 +63,8 @@ std::string QuotedXacroText(const std::string& text) {
 
 void AppendXacro(const XacroValue& value, bool quotes, std::string& out, XacroBudget& budget) {
   budget.Spend(1);
-  if (out.size() > kLongestXacroText) throw XacroProblem{"xacro_limit", "a list that prints more than 1 MiB"};
+  if (out.size() > kLongestXacroText)
+    throw XacroProblem{FailureCode::kXacroLimit, "a list that prints more than 1 MiB"};
   if (const auto* truth = std::get_if<bool>(&value.held)) {
     out += *truth ? "True" : "False";
   } else if (const auto* whole = value.whole()) {
@@ -112,26 +114,29 @@ std::string XacroNumberText(const std::string& text) {
 void XacroBudget::Spend(std::size_t units) {
   units_ += units;
   if (units_ > kMostXacroUnits) {
-    throw XacroProblem{"xacro_limit", fmt::format("it takes more than {} steps to expand", kMostXacroUnits)};
+    throw XacroProblem{FailureCode::kXacroLimit, fmt::format("it takes more than {} steps to expand", kMostXacroUnits)};
   }
 }
 
 void XacroBudget::Visit() {
   if (++elements_ > kMostXacroElements)
-    throw XacroProblem{"xacro_limit", fmt::format("it expands to more than {} elements", kMostXacroElements)};
+    throw XacroProblem{FailureCode::kXacroLimit,
+                       fmt::format("it expands to more than {} elements", kMostXacroElements)};
 }
 
 void XacroBudget::Write(std::size_t bytes) {
   bytes_ += bytes;
   if (bytes_ > kLargestExpansion)
-    throw XacroProblem{"xacro_limit", fmt::format("it expands to more than {} MiB", kLargestExpansion >> 20)};
+    throw XacroProblem{FailureCode::kXacroLimit,
+                       fmt::format("it expands to more than {} MiB", kLargestExpansion >> 20)};
 }
 
 XacroBudget::Level::Level(XacroBudget& budget) : budget_(budget) {
   if (budget.level_ >= kDeepestXacroLevel) {
-    throw XacroProblem{"xacro_limit", fmt::format("more than {} elements, macros and expressions in one another; does "
-                                                  "one use itself?",
-                                                  kDeepestXacroLevel)};
+    throw XacroProblem{FailureCode::kXacroLimit,
+                       fmt::format("more than {} elements, macros and expressions in one another; does "
+                                   "one use itself?",
+                                   kDeepestXacroLevel)};
   }
   ++budget.level_;
 }
@@ -155,7 +160,7 @@ const XacroValue* XacroDict::Find(const XacroValue& key, XacroBudget& budget) co
 
 XacroValue XacroText(std::string text) {
   if (text.size() > kLongestXacroText) {
-    throw XacroProblem{"xacro_limit",
+    throw XacroProblem{FailureCode::kXacroLimit,
                        fmt::format("a text of {} bytes; at most {} are kept", text.size(), kLongestXacroText)};
   }
   return {std::move(text)};
@@ -174,7 +179,8 @@ XacroValue XacroDictOf(std::vector<std::pair<XacroValue, XacroValue>> entries, X
   XacroDict dict;
   for (auto& [key, value] : entries) {
     if (DepthOfXacro(key) > 0)
-      throw XacroProblem{"xacro_type", fmt::format("a {} cannot be the key of a dictionary", XacroKind(key))};
+      throw XacroProblem{FailureCode::kXacroType,
+                         fmt::format("a {} cannot be the key of a dictionary", XacroKind(key))};
     budget.Spend(1 + dict.entries.size() / 8);
     depth = std::max(depth, DepthOfXacro(value));
     const auto known = std::find_if(dict.entries.begin(), dict.entries.end(), [&, &name = key](const auto& entry) {

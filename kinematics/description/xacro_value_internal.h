@@ -10,11 +10,14 @@
 #include <variant>
 #include <vector>
 
+#include "kinematics/base/failure_code.h"
+
 namespace gaitwright {
 
 /// Thrown for what cannot be evaluated or expanded. It has no place in a file; the expander adds that.
 struct XacroProblem {
-  std::string code, message;
+  FailureCode code = FailureCode::kInternal;
+  std::string message;
   bool shows_expression = false;  ///< the message begins with the innermost expression
 };
 

@@ -46,8 +46,8 @@ XacroValue UnitXacroYaml(const YAML::Node& node, double unit, XacroContext& cont
   const XacroValue value = EvaluateXacro(node.Scalar(), context);
   const auto number = XacroNumber(value);
   if (!number) {
-    throw XacroProblem{"xacro_yaml", fmt::format("line {}: {} '{}' is not a number", LineOf(node), node.Tag(),
-                                                 Shortened(node.Scalar()))};
+    throw XacroProblem{FailureCode::kXacroYaml, fmt::format("line {}: {} '{}' is not a number", LineOf(node),
+                                                            node.Tag(), Shortened(node.Scalar()))};
   }
   return {*number * unit};
 }
@@ -69,7 +69,7 @@ XacroValue XacroValueOfYaml(const YAML::Node& node, XacroContext& context) {
   std::vector<std::pair<XacroValue, XacroValue>> entries;
   for (const auto& entry : node) {
     if (!entry.first.IsScalar())
-      throw XacroProblem{"xacro_yaml", fmt::format("line {}: a key is not a word", LineOf(entry.first))};
+      throw XacroProblem{FailureCode::kXacroYaml, fmt::format("line {}: a key is not a word", LineOf(entry.first))};
     entries.emplace_back(XacroValueOfYaml(entry.first, context), XacroValueOfYaml(entry.second, context));
   }
   return XacroDictOf(std::move(entries), context.budget);
@@ -82,9 +82,10 @@ XacroValue XacroFromYaml(const std::string& text, XacroContext& context) {
   try {
     return XacroValueOfYaml(LoadYaml(text, kXacroYaml), context);
   } catch (const YAML::Exception& error) {
-    throw XacroProblem{"xacro_yaml", fmt::format("line {}: it is not YAML: {}", error.mark.line + 1, error.msg)};
+    throw XacroProblem{FailureCode::kXacroYaml,
+                       fmt::format("line {}: it is not YAML: {}", error.mark.line + 1, error.msg)};
   } catch (const InvalidArgument& error) {
-    throw XacroProblem{"xacro_yaml", error.what()};
+    throw XacroProblem{FailureCode::kXacroYaml, error.what()};
   }
 }
 

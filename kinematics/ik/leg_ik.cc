@@ -225,7 +225,7 @@ Failure LegIk::OutOfReach(const ReachGap& gap) const {
     how += fmt::format(" and turned {:.1f} deg off", kDegrees * gap.angle_rad);
   }
   return {FailureKind::kInfeasible,
-          "out_of_reach",
+          FailureCode::kOutOfReach,
           "LegIk",
           fmt::format("foot '{}' cannot reach its target: {}", chain_.foot_name, how),
           {hint}};
@@ -245,7 +245,7 @@ Failure LegIk::JointLimit(const VectorX& joints) const {
   const double limit = joints[c] < chain_.lower[c] ? chain_.lower[c] : chain_.upper[c];
   const auto position = [&](double coordinate) { return worst->multiplier * coordinate + worst->offset; };
   return {FailureKind::kInfeasible,
-          "joint_limit",
+          FailureCode::kJointLimit,
           "LegIk",
           fmt::format("foot '{}' {} its target only with joint '{}' at {:.3f} {}, beyond its limit of {:.3f}",
                       chain_.foot_name, form_ ? "reaches" : "was found to reach", worst->name, position(joints[c]),

@@ -279,7 +279,7 @@ Failure WholeBodyIk::OutOfReach(const BodyTarget& target) const {
   }
   const double com_gap = (target.p_WC - CentreOfMass(*model_, scratch_)).norm();
   return {FailureKind::kInfeasible,
-          "out_of_reach",
+          FailureCode::kOutOfReach,
           "WholeBodyIk",
           fmt::format("foot '{}' cannot reach its target: {:.1f} mm are missing (the centre of mass is {:.1f} mm off)",
                       model_->feet[worst].name, 1e3 * distance, 1e3 * com_gap),

@@ -85,7 +85,7 @@ std::string FixedJointOf(const RobotYaml::SharedDrive& drive, const RobotModel& 
   for (const std::string& joint : drive.joints) {
     const std::string part = fmt::format("joint '{}'", joint);
     if (std::any_of(model.findings.begin(), model.findings.end(),
-                    [&](const Finding& f) { return f.code == "no_inertia" && f.part == part; }))
+                    [&](const Finding& f) { return f.code == FailureCode::kNoInertia && f.part == part; }))
       return joint;
   }
   return "";
@@ -125,7 +125,8 @@ void ApplyTransmissions(const RobotYaml& yaml, RobotModel& model) {
       ApplyTransmission(yaml, drive, model, taken);
       continue;
     }
-    model.findings.push_back({FindingLevel::kWarning, "transmission", fmt::format("transmission '{}'", drive.name), 0,
+    model.findings.push_back({FindingLevel::kWarning, FailureCode::kTransmission,
+                              fmt::format("transmission '{}'", drive.name), 0,
                               fmt::format("it is left out, since its joint '{}' moves nothing and was fixed", fixed)});
   }
 }

@@ -116,7 +116,8 @@ class Builder {
     if (const auto solid = placeholder_inertias_ ? SolidInertia(shapes, inertial.mass) : std::nullopt) {
       I = *solid;
       used_.push_back({link.name, I});
-      model_.findings.push_back({FindingLevel::kWarning, "placeholder_inertia", fmt::format("link '{}'", link.name), 0,
+      model_.findings.push_back({FindingLevel::kWarning, FailureCode::kPlaceholderInertia,
+                                 fmt::format("link '{}'", link.name), 0,
                                  "its inertia is that of all links, a placeholder; that of its shapes is used"});
     } else if (auto mended = Mended(link, given, X_LI.translation(), shapes)) {
       I = mended->I;
@@ -166,7 +167,7 @@ class Builder {
       const std::string change = share < 1.0 ? fmt::format("which is {:.2g} % of the robot's", 100.0 * share)
                                              : fmt::format("where the whole robot then has {:.4g} kg m^2", whole);
       model_.findings.push_back(
-          {FindingLevel::kWarning, "impossible_inertia", fmt::format("link '{}'", mended.link), 0,
+          {FindingLevel::kWarning, FailureCode::kImpossibleInertia, fmt::format("link '{}'", mended.link), 0,
            fmt::format("its inertia {}; {} is used, with the principal moments {:.4g}, {:.4g} and {:.4g} kg m^2, {}",
                        mended.by.was, mended.by.used, moments[0], moments[1], moments[2], change)});
     }
@@ -286,7 +287,7 @@ class Builder {
 /// What a strict reader refuses: an inertia that is mended by the sizes of shapes.
 std::optional<Failure> RefusedInertia(const RobotModel& model) {
   for (const Finding& finding : model.findings) {
-    if (finding.code != "impossible_inertia") continue;
+    if (finding.code != FailureCode::kImpossibleInertia) continue;
     return Failure{FailureKind::kBadInput, finding.code, "LoadRobot", finding.part + ": " + finding.message, {}};
   }
   return std::nullopt;
@@ -300,7 +301,7 @@ std::optional<Failure> CheckFollowers(const RobotModel& model) {
     if (gear >= kLeast && gear <= kMost && std::abs(joint.offset) <= kMost) continue;
     return Failure{
         FailureKind::kBadInput,
-        "bad_mimic",
+        FailureCode::kBadMimic,
         "LoadRobot",
         fmt::format("joint '{}' follows '{}' with multiplier {} and offset {}; accepted: {} to {} up or down, "
                     "and at most {}",
@@ -352,7 +353,7 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
   const urdf::ModelInterfaceSharedPtr urdf = ParseTree(parts.tree_text, reason);
   if (!urdf || !urdf->getRoot()) {
     return Failure{FailureKind::kBadInput,
-                   "not_urdf",
+                   FailureCode::kNotUrdf,
                    "LoadRobot",
                    fmt::format("the URDF of '{}' cannot be read: {}", name, reason),
                    {}};
@@ -360,7 +361,7 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
   RobotModel model = Builder(*urdf, parts, name, scale).Take();
   if (!(model.total_mass_kg >= kLightestRobot)) {
     return Failure{FailureKind::kBadInput,
-                   "no_mass",
+                   FailureCode::kNoMass,
                    "LoadRobot",
                    fmt::format("robot '{}': its {} links weigh {} kg together; a robot needs mass, {} kg or more", name,
                                model.frames.size(), model.total_mass_kg, kLightestRobot),
@@ -372,7 +373,7 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
   if (idle.empty()) return model;
   if (strict) {
     return Failure{FailureKind::kBadInput,
-                   "no_inertia",
+                   FailureCode::kNoInertia,
                    "LoadRobot",
                    fmt::format("joint '{}' moves nothing: all beyond it has no inertia about its axis", idle.front()),
                    {"give a link beyond it an <inertial>, or make the joint fixed"}};
@@ -380,7 +381,7 @@ Result<RobotModel> BuildModel(const UrdfParts& parts, const std::string& name, d
   const std::vector<std::string> fixed = FixJoints(*urdf, idle);
   model = Builder(*urdf, parts, name, scale).Take();
   for (const std::string& joint : fixed) {
-    model.findings.push_back({FindingLevel::kWarning, "no_inertia", fmt::format("joint '{}'", joint), 0,
+    model.findings.push_back({FindingLevel::kWarning, FailureCode::kNoInertia, fmt::format("joint '{}'", joint), 0,
                               "it moves nothing, since all beyond it has no inertia about its axis: taken as fixed"});
   }
   return model;

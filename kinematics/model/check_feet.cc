@@ -13,7 +13,7 @@ namespace {
 
 Failure Refused(const FootOverride& foot, const std::string& message) {
   return {FailureKind::kBadInput,
-          "robot_feet",
+          FailureCode::kRobotFeet,
           "LoadRobot",
           AtYamlLine(foot.line, message),
           {"'gaitwright robots show' of the URDF alone lists the feet that it finds"}};
@@ -66,7 +66,7 @@ std::optional<Failure> CheckFeetAreKnown(const RobotModel& model, const std::vec
       feet += fmt::format("{}{{link: {}, radius_m: R}}", feet.empty() ? "" : ", ", f.link);
     return Failure{
         FailureKind::kBadInput,
-        "unknown_foot",
+        FailureCode::kUnknownFoot,
         "LoadRobot",
         fmt::format("link '{}': its collision shape cannot be had: {}; it ends a leg, and nothing else tells "
                     "how that foot meets the ground",

@@ -82,11 +82,11 @@ void DropArms(const RobotModel& model, std::vector<LimbThatReaches>& limbs) {
 /// Why there are too few legs: no joint at all, joints that make up no limb, or limbs that end too high.
 Failure NoLegs(const RobotModel& model, std::size_t found) {
   const std::string count = fmt::format("robot '{}': {} legs found", model.name, found);
-  const Failure failure{FailureKind::kBadInput, "no_legs", "LoadRobot", "", {}};
+  const Failure failure{FailureKind::kBadInput, FailureCode::kNoLegs, "LoadRobot", "", {}};
   const auto refused = [&](const std::string& why, const std::string& hint) {
     Failure of = failure;
     of.message = count + why;
-    of.hints = {hint};
+    of.suggestions = {hint};
     return of;
   };
   const std::string name_feet = "name the feet in robot.yaml: feet: [{link: NAME}, ...]";
@@ -175,7 +175,7 @@ Result<int> DeriveLegs(RobotModel& model, const LegChoices& given, const VectorX
   if (ends.size() < (feet.empty() ? 2U : 1U)) return NoLegs(model, ends.size());
   if (ends.size() > kMostLegs) {
     return Failure{FailureKind::kBadInput,
-                   "many_legs",
+                   FailureCode::kManyLegs,
                    "LoadRobot",
                    fmt::format("robot '{}' has {} legs; at most {} are accepted", model.name, ends.size(), kMostLegs),
                    {"name those that walk in robot.yaml: feet: [{link: NAME}, ...]"}};

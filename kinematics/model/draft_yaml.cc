@@ -67,7 +67,8 @@ std::string Quoted(const std::string& name) {
 }  // namespace
 
 bool WantsRobotYaml(const Failure& failure) {
-  return failure.code == "no_legs" || failure.code == "many_legs" || failure.code == "unknown_foot";
+  return failure.code == FailureCode::kNoLegs || failure.code == FailureCode::kManyLegs ||
+         failure.code == FailureCode::kUnknownFoot;
 }
 
 std::string DraftRobotYaml(const std::string& urdf_text, const Failure& why) {

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "kinematics/base/failure_code.h"
+
 namespace gaitwright {
 
 /// How much a finding about a robot description weighs.
@@ -15,10 +17,10 @@ enum class FindingLevel {
 /// Something that is wrong or doubtful in a robot description, and what is used in its place.
 struct Finding {
   FindingLevel level = FindingLevel::kWarning;
-  std::string code;     ///< its kind, as `impossible_inertia`
-  std::string part;     ///< where: "link 'trunk'", "joint 'FL_KFE'", "robot"
-  int line = 0;         ///< of the file; 0 where it is of no single line
-  std::string message;  ///< what was found, and what is used
+  FailureCode code = FailureCode::kInternal;  ///< its kind; with `--strict`, why the file is refused
+  std::string part;                           ///< where: "link 'trunk'", "joint 'FL_KFE'", "robot"
+  int line = 0;                               ///< of the file; 0 where it is of no single line
+  std::string message;                        ///< what was found, and what is used
 
   bool operator==(const Finding&) const = default;
 };

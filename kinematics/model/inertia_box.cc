@@ -54,7 +54,7 @@ void TakeInertiaBoxes(const std::vector<MissingMesh>& missing, RobotModel& model
     }
     box->size *= kCore;
     model.findings.push_back(
-        {FindingLevel::kWarning, "missing_mesh", fmt::format("link '{}'", mesh.link), 0,
+        {FindingLevel::kWarning, FailureCode::kMissingMesh, fmt::format("link '{}'", mesh.link), 0,
          fmt::format("{}: the core of its inertia's box, {:.3f} x {:.3f} x {:.3f} m, stands for it", mesh.why,
                      box->size.x(), box->size.y(), box->size.z())});
     model.collision_shapes.push_back(std::move(*box));

@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Failure BadInput(const std::string& code, const std::string& message) {
+Failure BadInput(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "LoadRobot", message, {}};
 }
 
@@ -47,7 +47,7 @@ Result<std::vector<MeshHull>> FillMeshes(std::vector<Shape>& shapes, const MeshS
     auto known = std::find_if(meshes.begin(), meshes.end(), [&](const auto& m) { return m.file == shape.mesh_file; });
     if (known == meshes.end()) {
       Result<std::vector<Vector3>> hull = source(shape.mesh_file);
-      if (!hull && hull.failure().code == "no_file") {
+      if (!hull && hull.failure().code == FailureCode::kNoFile) {
         missing.push_back({shape.link, hull.failure().message});
         continue;
       }
@@ -95,8 +95,8 @@ void TakeVisualsOfFeet(const std::vector<FootOverride>& named, const MeshSource&
         if (hull == nullptr) continue;
         for (const Vector3& v : hull->vertices) shape.vertices.push_back(shape.size.cwiseProduct(v));
       }
-      model.findings.push_back({FindingLevel::kWarning, "visual_foot", fmt::format("link '{}'", shape.link), 0,
-                                "its foot has no collision geometry: what is seen of it stands on the ground"});
+      model.findings.push_back({FindingLevel::kWarning, FailureCode::kVisualFoot, fmt::format("link '{}'", shape.link),
+                                0, "its foot has no collision geometry: what is seen of it stands on the ground"});
       model.collision_shapes.push_back(std::move(shape));
     }
   }
@@ -117,7 +117,7 @@ void DropFixedJoints(const RobotModel& model, RobotYaml& yaml) {
   const auto is_fixed = [&](const auto& entry) {
     const std::string part = fmt::format("joint '{}'", entry.joint);
     return std::any_of(model.findings.begin(), model.findings.end(),
-                       [&](const Finding& f) { return f.code == "no_inertia" && f.part == part; });
+                       [&](const Finding& f) { return f.code == FailureCode::kNoInertia && f.part == part; });
   };
   std::erase_if(yaml.limits, is_fixed);
   std::erase_if(yaml.standing, is_fixed);
@@ -187,7 +187,7 @@ Result<RobotModel> LoadGuarded(const RobotTexts& texts, const MeshSource& source
   try {
     return Load(texts, source);
   } catch (const InvalidArgument& error) {
-    return BadInput("robot_yaml", error.what());
+    return BadInput(FailureCode::kRobotYaml, error.what());
   }
 }
 
@@ -227,7 +227,7 @@ Result<RobotModel> LoadRobotFromText(const std::string& urdf_text, const std::st
     for (const MeshHull& mesh : meshes) {
       if (mesh.file == file) return mesh.vertices;
     }
-    return BadInput("no_file", fmt::format("the mesh '{}' does not come with the text of the robot", file));
+    return BadInput(FailureCode::kNoFile, fmt::format("the mesh '{}' does not come with the text of the robot", file));
   };
   return LoadGuarded({urdf_text, yaml_text, name, strict}, source);
 }
@@ -252,12 +252,12 @@ Result<RobotModel> LoadRobot(const std::string& path, const RobotLoading& loadin
   Result<RobotModel> model = LoadGuarded({description->urdf, description->yaml, name, loading.strict}, source);
   const bool has_key =
       description->yaml_without_posture != description->yaml && description->yaml_without_posture != "";
-  const bool stands = model.ok() || model.failure().code != "robot_yaml";
+  const bool stands = model.ok() || model.failure().code != FailureCode::kRobotYaml;
   if (has_key && (!stands || (model && HasStraightKnee(*model)))) {
     Result<RobotModel> other =
         LoadGuarded({description->urdf, description->yaml_without_posture, name, loading.strict}, source);
     if (other) {
-      other->findings.push_back({FindingLevel::kInfo, "mjcf", "robot", 0,
+      other->findings.push_back({FindingLevel::kInfo, FailureCode::kMjcf, "robot", 0,
                                  stands
                                      ? "a leg is straight in its keyframe, from which no foot can be lifted: a posture "
                                        "is worked out"
@@ -294,7 +294,7 @@ std::vector<std::string> RobotNames() {
 Result<RobotModel> LoadNamedRobot(const std::string& name) {
   const std::vector<std::string> names = RobotNames();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    return BadInput("unknown_robot",
+    return BadInput(FailureCode::kUnknownRobot,
                     fmt::format("there is no robot '{}'; there are {}; a URDF of your own goes with --urdf FILE", name,
                                 QuotedList(names)));
   }

@@ -75,7 +75,7 @@ std::optional<std::string> WithoutCommas(const std::string& text, std::size_t co
 bool MendNumbers(XMLElement& element, const std::string& part, std::vector<Finding>& findings) {
   bool mended = false;
   const auto put = [&](const char* name, const std::string& value, const std::string& why) {
-    findings.push_back({FindingLevel::kWarning, "number_format", part, element.GetLineNum(),
+    findings.push_back({FindingLevel::kWarning, FailureCode::kNumberFormat, part, element.GetLineNum(),
                         fmt::format("{}=\"{}\" of <{}> {}: read as \"{}\"", name, element.Attribute(name),
                                     element.Name(), why, value)});
     element.SetAttribute(name, value.c_str());

@@ -21,7 +21,7 @@ struct PartNotes {
   const std::string& part;
   std::vector<Finding>& findings;
 
-  void Add(FindingLevel level, const char* code, const XMLElement& element, std::string message) const {
+  void Add(FindingLevel level, FailureCode code, const XMLElement& element, std::string message) const {
     findings.push_back({level, code, part, element.GetLineNum(), std::move(message)});
   }
 };
@@ -55,7 +55,7 @@ bool ThickenShape(XMLElement& shape, const PartNotes& notes) {
     if (thickened) shape.SetAttribute("size", mended.c_str());
   }
   if (thickened)
-    notes.Add(FindingLevel::kInfo, "zero_size", shape,
+    notes.Add(FindingLevel::kInfo, FailureCode::kZeroSize, shape,
               fmt::format("a {} has the size 0: taken as {} m", shape.Name(), kThin));
   return thickened;
 }
@@ -78,7 +78,8 @@ bool MendShapes(XMLElement& link, const PartNotes& notes) {
       const XMLElement* geometry = e->FirstChildElement("geometry");
       const bool empty = geometry == nullptr || geometry->FirstChildElement() == nullptr;
       if (empty || (std::strcmp(kind, "visual") == 0 && !CanBeShown(*e))) {
-        notes.Add(FindingLevel::kInfo, "no_geometry", *e, fmt::format("a <{}> has no geometry: left out", kind));
+        notes.Add(FindingLevel::kInfo, FailureCode::kNoGeometry, *e,
+                  fmt::format("a <{}> has no geometry: left out", kind));
         link.DeleteChild(e);
         mended = true;
       } else {
@@ -96,19 +97,19 @@ bool MendInertial(XMLElement& link, const PartNotes& notes) {
   XMLElement* mass = inertial->FirstChildElement("mass");
   XMLElement* inertia = inertial->FirstChildElement("inertia");
   if (mass == nullptr && inertia == nullptr) {
-    notes.Add(FindingLevel::kInfo, "empty_inertial", *inertial, "its <inertial> holds nothing: left out");
+    notes.Add(FindingLevel::kInfo, FailureCode::kEmptyInertial, *inertial, "its <inertial> holds nothing: left out");
     link.DeleteChild(inertial);
     return true;
   }
   bool mended = false;
   if (mass == nullptr) {
     inertial->InsertNewChildElement("mass")->SetAttribute("value", "0");
-    notes.Add(FindingLevel::kWarning, "no_mass", *inertial, "it has an inertia and no mass: taken as 0 kg");
+    notes.Add(FindingLevel::kWarning, FailureCode::kNoMass, *inertial, "it has an inertia and no mass: taken as 0 kg");
     mended = true;
   }
   if (inertia == nullptr) {
     inertia = inertial->InsertNewChildElement("inertia");
-    notes.Add(FindingLevel::kWarning, "no_inertia", *inertial, "it has a mass and no inertia");
+    notes.Add(FindingLevel::kWarning, FailureCode::kNoInertia, *inertial, "it has a mass and no inertia");
   }
   for (const char* name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
     if (inertia->Attribute(name) != nullptr) continue;
@@ -134,7 +135,7 @@ bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& not
   const std::string type = held ? "revolute" : given;
   if (held) {
     joint.SetAttribute("type", "revolute");
-    notes.Add(FindingLevel::kInfo, "limited_continuous", joint,
+    notes.Add(FindingLevel::kInfo, FailureCode::kLimitedContinuous, joint,
               "of type 'continuous' with limits of its position in the file: they are used");
   }
   const bool turns = type == "continuous" || type == "spherical";
@@ -147,10 +148,11 @@ bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& not
   const auto lacks = [&](const char* name) { return limit->Attribute(name) == nullptr; };
   if (type == "revolute" && lacks("lower") && lacks("upper")) {
     joint.SetAttribute("type", "continuous");
-    notes.Add(FindingLevel::kInfo, "missing_limit", joint, "its position has no limits in the file: none are used");
+    notes.Add(FindingLevel::kInfo, FailureCode::kMissingLimit, joint,
+              "its position has no limits in the file: none are used");
     mended = true;
   } else if (!turns && (lacks("lower") || lacks("upper"))) {
-    notes.Add(FindingLevel::kInfo, "missing_limit", joint,
+    notes.Add(FindingLevel::kInfo, FailureCode::kMissingLimit, joint,
               fmt::format("its position has no {} limit in the file: none is used", lacks("lower") && lacks("upper")
                                                                                         ? "lower or upper"
                                                                                     : lacks("lower") ? "lower"
@@ -162,7 +164,7 @@ bool MendLimit(XMLElement& joint, const std::string& given, const PartNotes& not
   for (const char* name : {"effort", "velocity"}) {
     if (!lacks(name)) continue;
     limit->SetAttribute(name, kUnknownLimit);
-    notes.Add(FindingLevel::kInfo, "missing_limit", joint,
+    notes.Add(FindingLevel::kInfo, FailureCode::kMissingLimit, joint,
               fmt::format("its {} limit is not given: none is used", name));
     mended = true;
   }
@@ -186,7 +188,7 @@ bool MendJoint(XMLElement& joint, const std::string& part, bool at_root, std::ve
   if (at_root && (type == "floating" || type == "planar")) {
     joint.SetAttribute("type", "fixed");
     notes.Add(
-        FindingLevel::kInfo, "floating_root", joint,
+        FindingLevel::kInfo, FailureCode::kFloatingRoot, joint,
         fmt::format("of type '{}' at the root: the robot's base is free by itself, and this joint is that", type));
     return true;
   }

@@ -77,7 +77,7 @@ class Mender {
   static std::string PartOf(const char* kind, const XMLElement& element) {
     return fmt::format("{} '{}'", kind, TextOr(element.Attribute("name")));
   }
-  void Add(const char* code, const char* kind, const XMLElement& element, const std::string& message) {
+  void Add(FailureCode code, const char* kind, const XMLElement& element, const std::string& message) {
     findings_.push_back({FindingLevel::kWarning, code, PartOf(kind, element), element.GetLineNum(), message});
     mended_ = true;
   }
@@ -94,7 +94,7 @@ class Mender {
     for (XMLElement* link : ElementsOf(robot_, "link")) {
       const auto [known, is_new] = first.try_emplace(TextOr(link->Attribute("name")), link);
       if (is_new || Printed(*link) != Printed(*known->second)) continue;
-      Add("double_name", "link", *link,
+      Add(FailureCode::kDoubleName, "link", *link,
           fmt::format("it is given twice alike, in the lines {} and {}", known->second->GetLineNum(),
                       link->GetLineNum()));
       robot_.DeleteChild(link);
@@ -119,7 +119,7 @@ class Mender {
         !std::includes(names.begin(), names.end(), held.begin(), held.end());
     if (misspelt || loose.size() > kMost || loose.size() == ElementsOf(robot_, "link").size()) return;
     for (XMLElement* link : loose) {
-      Add("loose_link", "link", *link, "no joint holds it: left out");
+      Add(FailureCode::kLooseLink, "link", *link, "no joint holds it: left out");
       robot_.DeleteChild(link);
     }
   }
@@ -134,7 +134,8 @@ class Mender {
       int number = 2;
       while (names.contains(fmt::format("{}_{}", name, number))) ++number;
       const std::string renamed = fmt::format("{}_{}", name, number);
-      Add("double_name", "joint", *joint, fmt::format("it is the second of that name: called '{}'", renamed));
+      Add(FailureCode::kDoubleName, "joint", *joint,
+          fmt::format("it is the second of that name: called '{}'", renamed));
       joint->SetAttribute("name", renamed.c_str());
       names.insert(renamed);
     }
@@ -151,8 +152,8 @@ MendedUrdf MendUrdf(const std::string& urdf_text) {
   MendedUrdf mended{urdf_text, {}};
   if (const auto text = InUtf8(urdf_text)) {
     mended.text = *text;
-    mended.findings.push_back(
-        {FindingLevel::kInfo, "encoding", "robot", 0, "the file is not in UTF-8: read as UTF-16 or Latin-1"});
+    mended.findings.push_back({FindingLevel::kInfo, FailureCode::kEncoding, "robot", 0,
+                               "the file is not in UTF-8: read as UTF-16 or Latin-1"});
   }
   tinyxml2::XMLDocument document;
   if (document.Parse(mended.text.c_str(), mended.text.size()) != tinyxml2::XML_SUCCESS) return mended;
@@ -162,7 +163,7 @@ MendedUrdf MendUrdf(const std::string& urdf_text) {
   bool changed = false;
   if (const std::size_t colon = name.find(':'); colon != std::string::npos && name.substr(colon + 1) == "robot") {
     changed = DropPrefix(*robot, name.substr(0, colon + 1));
-    mended.findings.push_back({FindingLevel::kInfo, "namespace", "robot", robot->GetLineNum(),
+    mended.findings.push_back({FindingLevel::kInfo, FailureCode::kNamespace, "robot", robot->GetLineNum(),
                                fmt::format("its elements are in the namespace '{}'", name.substr(0, colon))});
   }
   if (std::strcmp(robot->Name(), "robot") != 0) return mended;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kKinds = {".stl", ".obj", ".dae"};
 
-Failure Refused(const std::string& code, const std::string& message) {
+Failure Refused(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "ReadMesh", message, {}};
 }
 
@@ -114,9 +114,10 @@ std::vector<Vector3> FarthestAlong(const std::vector<Vector3>& points, const std
 
 Result<Mesh> ReadMesh(const std::string& path) {
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) return Refused("no_file", fmt::format("there is no file '{}'", path));
+  if (!fs::is_regular_file(path, error))
+    return Refused(FailureCode::kNoFile, fmt::format("there is no file '{}'", path));
   if (std::find(kKinds.begin(), kKinds.end(), Kind(path)) == kKinds.end()) {
-    return Refused("mesh_kind",
+    return Refused(FailureCode::kMeshKind,
                    fmt::format("'{}' is a mesh of a kind that is not read; there are {}", path, QuotedList(kKinds)));
   }
   const Result<std::string> bytes = ReadBytes(path, kLargestMeshFile);
@@ -125,12 +126,13 @@ Result<Mesh> ReadMesh(const std::string& path) {
   try {
     mesh = Kind(path) == ".stl" ? ParseStl(*bytes) : Kind(path) == ".obj" ? ParseObj(*bytes) : ParseCollada(*bytes);
   } catch (const InvalidArgument& bad) {
-    return Refused("mesh_unreadable", fmt::format("the mesh '{}' cannot be read: {}", path, bad.what()));
+    return Refused(FailureCode::kMeshUnreadable, fmt::format("the mesh '{}' cannot be read: {}", path, bad.what()));
   }
-  if (mesh.triangles.empty()) return Refused("mesh_empty", fmt::format("the mesh '{}' has no triangles", path));
+  if (mesh.triangles.empty())
+    return Refused(FailureCode::kMeshEmpty, fmt::format("the mesh '{}' has no triangles", path));
   for (const Vector3& v : mesh.vertices) {
     if (!(v.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
-      return Refused("mesh_number",
+      return Refused(FailureCode::kMeshNumber,
                      fmt::format("the mesh '{}' has a vertex that is not finite, or farther away than {}", path,
                                  kLargestCoordinate));
     }
@@ -186,9 +188,10 @@ Result<std::string> FindMeshFile(const std::string& name, const std::string& fol
     if (is_there(fs::path(folder) / path)) return tried.back();
   }
   if (!tried.empty())
-    return Refused("no_file", fmt::format("the mesh '{}' is not there; looked for {}", name, QuotedList(tried)));
+    return Refused(FailureCode::kNoFile,
+                   fmt::format("the mesh '{}' is not there; looked for {}", name, QuotedList(tried)));
   return Refused(
-      "no_file",
+      FailureCode::kNoFile,
       reason.empty()
           ? fmt::format("the mesh '{}' cannot be looked for; a path, 'file://' or 'package://NAME/' can", name)
           : fmt::format("the mesh '{}' is not found: {}", name, reason));

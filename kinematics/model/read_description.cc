@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 /// The text of a file; where not `strict`, one in another encoding than UTF-8 too.
 Result<std::string> ReadText(const std::string& path, bool strict) {
   Result<std::string> text = ReadFile(path);
-  if (text || strict || text.failure().code != "not_text") return text;
+  if (text || strict || text.failure().code != FailureCode::kNotText) return text;
   const Result<std::string> bytes = ReadBytes(path);
   if (!bytes) return bytes;
   const std::optional<std::string> converted = InUtf8(*bytes);
@@ -71,7 +71,7 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
   const Result<std::string> yaml = ReadYaml(folder, loading.yaml_path);
   if (!yaml) return yaml.failure();
   RobotDescription description{*text, *yaml, "", {}};
-  const auto note = [&](const char* code, const std::string& message) {
+  const auto note = [&](FailureCode code, const std::string& message) {
     description.findings.push_back({FindingLevel::kInfo, code, "robot", 0, message});
   };
   if (IsMjcf(*text)) {
@@ -85,17 +85,17 @@ Result<RobotDescription> ReadDescription(const std::string& path, const RobotLoa
     } catch (const YAML::Exception&) {
       description.yaml = *yaml;  // which is refused when it is read
     }
-    for (const std::string& said : converted->notes) note("mjcf", said);
+    for (const std::string& said : converted->notes) note(FailureCode::kMjcf, said);
   } else if (IsXacro(*text)) {
     Result<std::string> expanded =
         ExpandXacro({path, loading.xacro_arguments, {loading.packages.begin(), loading.packages.end()}});
     if (!expanded) return expanded.failure();
     description.urdf = std::move(*expanded);
-    note("xacro", "the file is a xacro file: expanded");
+    note(FailureCode::kXacro, "the file is a xacro file: expanded");
   } else if (RootOf(*text) == "sdf") {
     return Failure{
         FailureKind::kBadInput,
-        "not_urdf",
+        FailureCode::kNotUrdf,
         "LoadRobot",
         fmt::format("'{}' is an SDF file, as Gazebo has them; a URDF, a xacro file or an MJCF is read", path),
         {"most makers publish a URDF beside it"}};

@@ -37,7 +37,8 @@ struct Tree {
 /// The name of a link or a joint.
 std::string NameOf(const XMLElement& element, const std::string& what) {
   std::string name = Attribute(element, "name", what);
-  if (name.empty()) Refuse("urdf_missing", fmt::format("{} in line {} has an empty name", what, element.GetLineNum()));
+  if (name.empty())
+    Refuse(FailureCode::kUrdfMissing, fmt::format("{} in line {} has an empty name", what, element.GetLineNum()));
   return name;
 }
 
@@ -45,11 +46,11 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
   const std::string name = NameOf(joint, "a joint");
   const std::string owner = fmt::format("joint '{}'", name);
   if (!tree.joint_names.insert(name).second) {
-    Refuse("double_name", fmt::format("{}: there are two joints of that name", owner));
+    Refuse(FailureCode::kDoubleName, fmt::format("{}: there are two joints of that name", owner));
   }
   const std::string type = Attribute(joint, "type", owner);
   if (std::find(kSupportedJoints.begin(), kSupportedJoints.end(), type) == kSupportedJoints.end()) {
-    Refuse("joint_type",
+    Refuse(FailureCode::kJointType,
            fmt::format("{}: type '{}' is not supported; there are {}", owner, type, QuotedList(kSupportedJoints)));
   }
   CheckOrigin(joint, owner);
@@ -57,22 +58,22 @@ void CheckJoint(const XMLElement& joint, Tree& tree) {
   for (int i = 0; i < 2; ++i) {
     const char* tag = i == 0 ? "parent" : "child";
     const XMLElement* end = joint.FirstChildElement(tag);
-    if (end == nullptr) Refuse("urdf_missing", fmt::format("{}: it has no <{}>", owner, tag));
+    if (end == nullptr) Refuse(FailureCode::kUrdfMissing, fmt::format("{}: it has no <{}>", owner, tag));
     ends[i] = Attribute(*end, "link", owner);
     if (!tree.links.contains(ends[i])) {
-      Refuse("unknown_link",
+      Refuse(FailureCode::kUnknownLink,
              fmt::format("{}: its {} '{}' is no link{}", owner, tag, ends[i], NearestOrAll(ends[i], tree.link_names)));
     }
   }
   if (tree.parent_of.contains(ends[1])) {
-    Refuse("urdf_loop",
+    Refuse(FailureCode::kUrdfLoop,
            fmt::format("link '{}' has two parent joints, '{}' and '{}': a closed loop; the joints must form a tree",
                        ends[1], tree.joint_of[ends[1]], name));
   }
   tree.parent_of[ends[1]] = ends[0];
   tree.joint_of[ends[1]] = name;
   if (type == "spherical" && joint.FirstChildElement("mimic") != nullptr)
-    Refuse("bad_mimic", fmt::format("{}: a spherical joint mimics none", owner));
+    Refuse(FailureCode::kBadMimic, fmt::format("{}: a spherical joint mimics none", owner));
   if (type != "fixed") CheckMotion(joint, type, owner);
 }
 
@@ -82,14 +83,14 @@ void CheckRoots(const Tree& tree) {
     if (!tree.parent_of.contains(link)) roots.push_back(link);
   }
   if (roots.size() > 1) {
-    Refuse("urdf_roots", fmt::format("the links {} have no parent: one root is needed", QuotedList(roots)));
+    Refuse(FailureCode::kUrdfRoots, fmt::format("the links {} have no parent: one root is needed", QuotedList(roots)));
   }
   for (const std::string& link : tree.link_names) {
     std::string at = link;
     std::set<std::string> seen;
     while (tree.parent_of.contains(at)) {
       if (!seen.insert(at).second)
-        Refuse("urdf_loop", fmt::format("link '{}' is part of a cycle of joints: a closed loop", link));
+        Refuse(FailureCode::kUrdfLoop, fmt::format("link '{}' is part of a cycle of joints: a closed loop", link));
       at = tree.parent_of.at(at);
     }
   }
@@ -98,22 +99,25 @@ void CheckRoots(const Tree& tree) {
 void RefuseXacro(const XMLElement& robot) {
   for (const XMLElement* child = robot.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     if (std::string_view(child->Name()).starts_with("xacro:"))
-      Refuse("xacro", fmt::format("line {} has <{}>: this is a xacro file, from which a URDF is yet to be made, by "
-                                  "'xacro FILE > robot.urdf'",
-                                  child->GetLineNum(), child->Name()));
+      Refuse(FailureCode::kXacro,
+             fmt::format("line {} has <{}>: this is a xacro file, from which a URDF is yet to be made, by "
+                         "'xacro FILE > robot.urdf'",
+                         child->GetLineNum(), child->Name()));
   }
 }
 
 void CheckText(const std::string& urdf_text) {
   if (urdf_text.size() > kLargestUrdf) {
-    Refuse("large_urdf", fmt::format("the URDF has {} bytes; at most {} are read", urdf_text.size(), kLargestUrdf));
+    Refuse(FailureCode::kLargeUrdf,
+           fmt::format("the URDF has {} bytes; at most {} are read", urdf_text.size(), kLargestUrdf));
   }
   if (const std::size_t at = urdf_text.find('\0'); at != std::string::npos)
-    Refuse("not_xml", fmt::format("the URDF is not XML: byte {} is 0x00, which is no text", at + 1));
+    Refuse(FailureCode::kNotXml, fmt::format("the URDF is not XML: byte {} is 0x00, which is no text", at + 1));
   for (std::size_t at = urdf_text.find("&#"); at != std::string::npos; at = urdf_text.find("&#", at + 1)) {
     const std::size_t digits = urdf_text.find_first_not_of("xX0", at + 2);
     if (digits != std::string::npos && digits > at + 2 && urdf_text[digits] == ';')
-      Refuse("not_xml", fmt::format("the URDF is not XML: byte {} begins '&#0;', which is no character", at + 1));
+      Refuse(FailureCode::kNotXml,
+             fmt::format("the URDF is not XML: byte {} begins '&#0;', which is no character", at + 1));
   }
 }
 
@@ -122,7 +126,8 @@ int Count(const XMLElement& parent, const char* kind, int most, const std::strin
   int count = 0;
   for (const XMLElement* e = parent.FirstChildElement(kind); e != nullptr; e = e->NextSiblingElement(kind)) ++count;
   if (count > most)
-    Refuse("large_urdf", fmt::format("{} has {} elements <{}>; at most {} are read", owner, count, kind, most));
+    Refuse(FailureCode::kLargeUrdf,
+           fmt::format("{} has {} elements <{}>; at most {} are read", owner, count, kind, most));
   return count;
 }
 
@@ -141,20 +146,22 @@ void CheckCounts(const XMLElement& robot) {
     if (type != nullptr && std::string_view(type) != "fixed") ++moving;
   }
   if (shapes > kMostShapes)
-    Refuse("large_urdf", fmt::format("the robot has {} shapes; at most {} are read", shapes, kMostShapes));
+    Refuse(FailureCode::kLargeUrdf, fmt::format("the robot has {} shapes; at most {} are read", shapes, kMostShapes));
   if (moving > kMostMoving)
-    Refuse("large_urdf", fmt::format("the robot has {} moving joints; at most {} are read", moving, kMostMoving));
+    Refuse(FailureCode::kLargeUrdf,
+           fmt::format("the robot has {} moving joints; at most {} are read", moving, kMostMoving));
 }
 
 void CheckDocument(const std::string& urdf_text, bool strict) {
   CheckText(urdf_text);
   tinyxml2::XMLDocument document;
   if (document.Parse(urdf_text.c_str(), urdf_text.size()) != tinyxml2::XML_SUCCESS) {
-    Refuse("not_xml", fmt::format("the URDF is not XML: line {}: {}", document.ErrorLineNum(), document.ErrorName()));
+    Refuse(FailureCode::kNotXml,
+           fmt::format("the URDF is not XML: line {}: {}", document.ErrorLineNum(), document.ErrorName()));
   }
   const XMLElement* robot = document.RootElement();
   if (robot == nullptr || std::strcmp(robot->Name(), "robot") != 0) {
-    Refuse("not_urdf",
+    Refuse(FailureCode::kNotUrdf,
            fmt::format("the root element is <{}>; a URDF has <robot>", robot == nullptr ? "" : robot->Name()));
   }
   RefuseXacro(*robot);
@@ -165,11 +172,11 @@ void CheckDocument(const std::string& urdf_text, bool strict) {
     const std::string name = NameOf(*link, "a link");
     const std::string owner = fmt::format("link '{}'", name);
     if (!tree.links.insert(name).second)
-      Refuse("double_name", fmt::format("{}: there are two links of that name", owner));
+      Refuse(FailureCode::kDoubleName, fmt::format("{}: there are two links of that name", owner));
     tree.link_names.push_back(name);
     CheckLink(*link, strict, owner);
   }
-  if (tree.links.empty()) Refuse("not_urdf", "the URDF has no link");
+  if (tree.links.empty()) Refuse(FailureCode::kNotUrdf, "the URDF has no link");
   for (const XMLElement* joint = robot->FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint")) {
     CheckJoint(*joint, tree);

@@ -16,7 +16,7 @@ using tinyxml2::XMLElement;
 /// The URDF gives a limit that is left out the value 0; a joint cannot be meant to stop there unsaid.
 double PositionLimit(const XMLElement& limit, const char* name, const std::string& owner) {
   if (limit.Attribute(name) == nullptr) {
-    Refuse("missing_limit",
+    Refuse(FailureCode::kMissingLimit,
            fmt::format("{}: its <limit> has no '{}', which the URDF format takes for 0: say it, as lower=\"...\" "
                        "upper=\"...\", or make the joint continuous",
                        owner, name));
@@ -29,16 +29,17 @@ void CheckLimit(const XMLElement& joint, const std::string& type, const std::str
   const XMLElement* limit = joint.FirstChildElement("limit");
   if (limit == nullptr) {
     if (is_free) return;
-    Refuse("missing_limit", fmt::format("{}: a {} joint needs a <limit>", owner, type));
+    Refuse(FailureCode::kMissingLimit, fmt::format("{}: a {} joint needs a <limit>", owner, type));
   }
   for (const char* name : {"effort", "velocity"}) {
     if (Number(*limit, name, owner) < 0.0)
-      Refuse("bad_limit", fmt::format("{}: its {} limit is negative", owner, name));
+      Refuse(FailureCode::kBadLimit, fmt::format("{}: its {} limit is negative", owner, name));
   }
   if (is_free) return;
   const double lower = PositionLimit(*limit, "lower", owner), upper = PositionLimit(*limit, "upper", owner);
   if (lower > upper)
-    Refuse("bad_limit", fmt::format("{}: its lower limit {} is over its upper limit {}", owner, lower, upper));
+    Refuse(FailureCode::kBadLimit,
+           fmt::format("{}: its lower limit {} is over its upper limit {}", owner, lower, upper));
 }
 
 /// Numbers of an element of a joint that may be left out; negative ones are refused where `positive`.
@@ -49,7 +50,7 @@ void CheckNumbers(const XMLElement& joint, const char* element, const std::vecto
     if (e == nullptr || e->Attribute(name) == nullptr) continue;
     const double value = Number(*e, name, owner);
     if (positive && value < 0.0) {
-      Refuse("bad_dynamics", fmt::format("{}: its {} is {}; zero or more is accepted", owner, name, value));
+      Refuse(FailureCode::kBadDynamics, fmt::format("{}: its {} is {}; zero or more is accepted", owner, name, value));
     }
   }
 }
@@ -61,19 +62,20 @@ void CheckMimic(const XMLElement& mimic, const std::map<std::string, std::string
   for (const auto& [joint, type] : types) {
     if (joint != name) others.push_back(joint);
   }
-  if (target == name) Refuse("bad_mimic", fmt::format("{}: it mimics itself; name another joint", owner));
+  if (target == name) Refuse(FailureCode::kBadMimic, fmt::format("{}: it mimics itself; name another joint", owner));
   if (!types.contains(target)) {
-    Refuse("unknown_mimic",
+    Refuse(FailureCode::kUnknownMimic,
            fmt::format("{}: it mimics '{}', which is no joint{}", owner, target, NearestOrAll(target, others)));
   }
   if (types.at(target) == "fixed") {
-    Refuse("bad_mimic", fmt::format("{}: it mimics '{}', which is fixed and never moves; name a moving joint or make "
-                                    "'{}' fixed too",
-                                    owner, target, name));
+    Refuse(FailureCode::kBadMimic,
+           fmt::format("{}: it mimics '{}', which is fixed and never moves; name a moving joint or make "
+                       "'{}' fixed too",
+                       owner, target, name));
   }
   if (mimic.Attribute("offset") != nullptr) Number(mimic, "offset", owner);
   if (mimic.Attribute("multiplier") != nullptr && Number(mimic, "multiplier", owner) == 0.0) {
-    Refuse("bad_mimic",
+    Refuse(FailureCode::kBadMimic,
            fmt::format("{}: it mimics '{}' with multiplier 0, so it never moves; make it fixed", owner, target));
   }
 }
@@ -84,7 +86,7 @@ void CheckMotion(const XMLElement& joint, const std::string& type, const std::st
   const XMLElement* axis = joint.FirstChildElement("axis");
   if (axis != nullptr && type != "spherical") {
     const auto a = Numbers(Attribute(*axis, "xyz", owner), 3, owner + ", axis");
-    if (std::hypot(a[0], a[1], a[2]) < 1e-9) Refuse("zero_axis", fmt::format("{}: its axis is zero", owner));
+    if (std::hypot(a[0], a[1], a[2]) < 1e-9) Refuse(FailureCode::kZeroAxis, fmt::format("{}: its axis is zero", owner));
   }
   CheckLimit(joint, type, owner);
   CheckNumbers(joint, "dynamics", {"damping", "friction"}, true, owner);
@@ -110,7 +112,8 @@ void CheckMimics(const XMLElement& robot) {
     for (std::string at = first;; at = leader.at(at)) {
       path += fmt::format(" mimics '{}'", at);
       if (!seen.insert(at).second) {
-        Refuse("bad_mimic", fmt::format("joint '{}': {}: a circle; one of them must mimic none", follower, path));
+        Refuse(FailureCode::kBadMimic,
+               fmt::format("joint '{}': {}: a circle; one of them must mimic none", follower, path));
       }
       if (!leader.contains(at)) break;
       path += ", which";

@@ -26,24 +26,27 @@ void CheckInertial(const XMLElement& link, bool strict, const std::string& owner
   const XMLElement* mass = inertial->FirstChildElement("mass");
   const XMLElement* inertia = inertial->FirstChildElement("inertia");
   if (mass == nullptr || inertia == nullptr) {
-    Refuse("urdf_missing", fmt::format("{}: <inertial> needs <mass> and <inertia>", owner));
+    Refuse(FailureCode::kUrdfMissing, fmt::format("{}: <inertial> needs <mass> and <inertia>", owner));
   }
   const double m = Number(*mass, "value", owner, kHeaviest);
-  if (m < 0.0) Refuse("negative_mass", fmt::format("{}: its mass is {} kg; zero or more is accepted", owner, m));
+  if (m < 0.0)
+    Refuse(FailureCode::kNegativeMass, fmt::format("{}: its mass is {} kg; zero or more is accepted", owner, m));
   const auto I = [&](const char* name) { return Number(*inertia, name, owner, kHeaviest); };
   const Matrix3 tensor = SymmetricMatrix(I("ixx"), I("ixy"), I("ixz"), I("iyy"), I("iyz"), I("izz"));
   const std::string broken = tensor.isZero(0.0) ? "" : BrokenInertiaLaw(tensor, m);
-  if (strict && !broken.empty()) Refuse("impossible_inertia", fmt::format("{}: its inertia {}", owner, broken));
+  if (strict && !broken.empty())
+    Refuse(FailureCode::kImpossibleInertia, fmt::format("{}: its inertia {}", owner, broken));
 }
 
 void CheckMesh(const XMLElement& mesh, const std::string& owner) {
   if (Attribute(mesh, "filename", owner).empty()) {
-    Refuse("urdf_missing", fmt::format("{}: <mesh> has an empty 'filename'", owner));
+    Refuse(FailureCode::kUrdfMissing, fmt::format("{}: <mesh> has an empty 'filename'", owner));
   }
   if (mesh.Attribute("scale") == nullptr) return;
   for (const double s : Numbers(mesh.Attribute("scale"), 3, owner + ", mesh scale", kHeaviest)) {
     if (s == 0.0)
-      Refuse("urdf_geometry", fmt::format("{}: its mesh has the scale 0, which leaves nothing of it", owner));
+      Refuse(FailureCode::kUrdfGeometry,
+             fmt::format("{}: its mesh has the scale 0, which leaves nothing of it", owner));
   }
 }
 
@@ -59,32 +62,35 @@ void CheckShape(const XMLElement& shape, const std::string& owner) {
   } else if (type == "mesh") {
     CheckMesh(shape, owner);
   } else {
-    Refuse("urdf_geometry", fmt::format("{}: geometry '{}' is not known; there are 'box', 'cylinder', 'sphere', "
-                                        "'capsule', 'mesh'",
-                                        owner, type));
+    Refuse(FailureCode::kUrdfGeometry,
+           fmt::format("{}: geometry '{}' is not known; there are 'box', 'cylinder', 'sphere', "
+                       "'capsule', 'mesh'",
+                       owner, type));
   }
   for (const double size : sizes) {
     if (size <= 0.0)
-      Refuse("urdf_geometry", fmt::format("{}: a {} has the size {}; it must be positive", owner, type, size));
+      Refuse(FailureCode::kUrdfGeometry,
+             fmt::format("{}: a {} has the size {}; it must be positive", owner, type, size));
   }
 }
 
 }  // namespace
 
-void Refuse(const std::string& code, const std::string& message, std::vector<std::string> hints) {
-  throw Failure{FailureKind::kBadInput, code, "LoadRobot", message, std::move(hints)};
+void Refuse(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions) {
+  throw Failure{FailureKind::kBadInput, code, "LoadRobot", message, std::move(suggestions)};
 }
 
 std::string Attribute(const XMLElement& element, const char* name, const std::string& owner) {
   const char* text = element.Attribute(name);
-  if (text == nullptr) Refuse("urdf_missing", fmt::format("{}: <{}> has no '{}'", owner, element.Name(), name));
+  if (text == nullptr)
+    Refuse(FailureCode::kUrdfMissing, fmt::format("{}: <{}> has no '{}'", owner, element.Name(), name));
   if (std::strlen(text) > kLongestAttribute) {
-    Refuse("long_text", fmt::format("{}: '{}' of <{}> has {} bytes; at most {} are read", owner, name, element.Name(),
-                                    std::strlen(text), kLongestAttribute));
+    Refuse(FailureCode::kLongText, fmt::format("{}: '{}' of <{}> has {} bytes; at most {} are read", owner, name,
+                                               element.Name(), std::strlen(text), kLongestAttribute));
   }
   if (!IsPlainText(text)) {
-    Refuse("not_text", fmt::format("{}: '{}' of <{}> holds what is no text in UTF-8, or a control character", owner,
-                                   name, element.Name()));
+    Refuse(FailureCode::kNotText, fmt::format("{}: '{}' of <{}> holds what is no text in UTF-8, or a control character",
+                                              owner, name, element.Name()));
   }
   return text;
 }
@@ -97,15 +103,16 @@ std::vector<double> Numbers(const std::string& text, std::size_t count, const st
     const char* begin = word.data() + (word.front() == '+' ? 1 : 0);
     const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
-      Refuse("urdf_number", fmt::format("{}: '{}' is not a finite number", owner, word));
+      Refuse(FailureCode::kUrdfNumber, fmt::format("{}: '{}' is not a finite number", owner, word));
     }
     if (std::abs(value) > largest) {
-      Refuse("urdf_number", fmt::format("{}: {} is absurd; at most {} is accepted", owner, word, largest));
+      Refuse(FailureCode::kUrdfNumber, fmt::format("{}: {} is absurd; at most {} is accepted", owner, word, largest));
     }
     numbers.push_back(value);
   }
   if (numbers.size() != count) {
-    Refuse("urdf_number", fmt::format("{}: '{}' holds {} numbers, {} are needed", owner, text, numbers.size(), count));
+    Refuse(FailureCode::kUrdfNumber,
+           fmt::format("{}: '{}' holds {} numbers, {} are needed", owner, text, numbers.size(), count));
   }
   return numbers;
 }
@@ -130,7 +137,7 @@ void CheckLink(const XMLElement& link, bool strict, const std::string& owner) {
       CheckOrigin(*e, owner);
       const XMLElement* geometry = e->FirstChildElement("geometry");
       const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
-      if (shape == nullptr) Refuse("urdf_missing", fmt::format("{}: <{}> has no geometry", owner, kind));
+      if (shape == nullptr) Refuse(FailureCode::kUrdfMissing, fmt::format("{}: <{}> has no geometry", owner, kind));
       CheckShape(*shape, owner);
     }
   }

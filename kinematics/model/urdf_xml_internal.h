@@ -11,7 +11,7 @@
 namespace gaitwright {
 
 /// Ends the reading of a URDF with a Failure that CheckUrdf catches.
-[[noreturn]] void Refuse(const std::string& code, const std::string& message, std::vector<std::string> hints = {});
+[[noreturn]] void Refuse(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions = {});
 
 /// The attribute's text. Refuses, naming the owner, where there is none.
 std::string Attribute(const tinyxml2::XMLElement& element, const char* name, const std::string& owner);

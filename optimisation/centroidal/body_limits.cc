@@ -95,7 +95,7 @@ class Limits {
     if (way <= most) return std::nullopt;
     return Failure{
         FailureKind::kInfeasible,
-        "too_little_friction",
+        FailureCode::kTooLittleFriction,
         "PlanRigidBody",
         fmt::format(
             "{:.2f} m from rest to rest in {:.2f} s take more than a friction of {:.3g}, with which a body goes "
@@ -126,14 +126,14 @@ class Limits {
 
   Failure TooLong(const Support& from, double flight_s, double takes, double gives, double fall_m) const {
     const double most_s = (gives + std::sqrt(std::max(0.0, gives * gives + 2.0 * kGravity * fall_m))) / kGravity;
-    std::vector<std::string> hints = {"a shorter cycle", "a larger duty factor"};
-    if (most_s > 0.0) hints.insert(hints.begin(), fmt::format("flights of {:.2f} s at most", most_s));
-    return {FailureKind::kInfeasible, "flight_too_long", "PlanRigidBody",
+    std::vector<Suggestion> suggestions = {"a shorter cycle", "a larger duty factor"};
+    if (most_s > 0.0) suggestions.insert(suggestions.begin(), fmt::format("flights of {:.2f} s at most", most_s));
+    return {FailureKind::kInfeasible, FailureCode::kFlightTooLong, "PlanRigidBody",
             fmt::format("a flight of {:.2f} s at {:.2f} s takes a lift-off at {:.2f} m/s; legs that push with {:.0f} N "
                         "over {:.2f} m and {:.2f} s, a body of {:.1f} kg, give {:.2f} m/s at most",
                         flight_s, from.end_s, takes, from.most_n, from.highest_m - from.lowest_m,
                         from.end_s - from.start_s, problem_.mass_kg, std::max(0.0, gives)),
-            hints};
+            suggestions};
   }
 
   const RigidBodyProblem& problem_;

@@ -81,7 +81,7 @@ Result<CentreOfMassPlan> Checked(const ZmpProblem& problem, const std::vector<Ve
   }
   if (worst > 0.0) {
     return Failure{FailureKind::kInfeasible,
-                   "zmp_support",
+                   FailureCode::kZmpSupport,
                    "PlanCentreOfMass",
                    fmt::format("in phase {} the ZMP would at {:.2f} s be {:.1f} mm outside its support",
                                ZmpPhaseAt(problem, worst_s), worst_s, 1e3 * worst),

@@ -99,7 +99,7 @@ class Chooser {
       if (way_.time_s[k] >= stance.end_s) last = way_.p_WC[k];
     }
     return {FailureKind::kInfeasible,
-            "out_of_reach",
+            FailureCode::kOutOfReach,
             "ChooseFootholds",
             fmt::format(
                 "foot {}, on the ground from {:.2f} to {:.2f} s while the body goes {:.2f} m, stays {:.3f} m out of "
@@ -112,7 +112,7 @@ class Chooser {
   static Failure NoRoom(const RigidStance& stance) {
     return {
         FailureKind::kInfeasible,
-        "no_patches",
+        FailureCode::kNoPatches,
         "ChooseFootholds",
         fmt::format("no patch has room for foot {} from {:.2f} to {:.2f} s", stance.foot, stance.start_s, stance.end_s),
         {"give the ground larger patches, or lower edge_margin_m"}};
@@ -123,7 +123,7 @@ class Chooser {
     const GoalGround ground = LookAtGoal(terrain_, result_.problem, options_.edge_margin_m, options_.misfit_m);
     if (ground.foot >= 0) {
       return Failure{FailureKind::kInfeasible,
-                     "goal_out_of_reach",
+                     FailureCode::kGoalOutOfReach,
                      "ChooseFootholds",
                      fmt::format("at the goal foot {} is {:.3f} m out of its workspace wherever it stands", ground.foot,
                                  ground.out_of_reach_m),
@@ -131,7 +131,7 @@ class Chooser {
     }
     if (ground.needed_friction <= ground.friction) return std::nullopt;
     return Failure{FailureKind::kInfeasible,
-                   "goal_not_held",
+                   FailureCode::kGoalNotHeld,
                    "ChooseFootholds",
                    fmt::format("no forces hold the body at rest at the goal: the ground that its feet reach from there "
                                "is too steep for a friction of {:.2f}; {:.2f} is needed",
@@ -299,7 +299,7 @@ Result<ChosenFootholds> ChooseFootholds(const Terrain& terrain, const RigidBodyP
                    [&](const TerrainPatch& patch) { return Shrunk(OutlineOf(patch), margin).size() >= 3; })) {
     return Failure{
         FailureKind::kInfeasible,
-        "no_patches",
+        FailureCode::kNoPatches,
         "ChooseFootholds",
         fmt::format("ground '{}' has no patch with room for a foot {:.3f} m from its edges", terrain.name, margin),
         {"give it patches, or lower edge_margin_m"}};

@@ -43,7 +43,7 @@ VectorX ShortestOf(const RigidBodyProblem& problem, const std::vector<double>& s
 
 Failure NoTiming(const VectorX& durations, const char* which, const char* than, double total_s) {
   return {FailureKind::kInfeasible,
-          "no_timing",
+          FailureCode::kNoTiming,
           "OptimiseTiming",
           fmt::format("{} phases take {:g} s together at their {}, and {} {:g} s", durations.size(), durations.sum(),
                       which, than, total_s),
@@ -79,7 +79,7 @@ class TimingSearch {
   std::optional<Failure> Refusal() const {
     if (bounds_.lower.maxCoeff() > options_.longest_s) {
       return Failure{FailureKind::kBadInput,
-                     "no_duration",
+                     FailureCode::kNoDuration,
                      "OptimiseTiming",
                      fmt::format("a phase cannot last at least {:g} s and at most {:g} s", bounds_.lower.maxCoeff(),
                                  options_.longest_s),
@@ -93,7 +93,7 @@ class TimingSearch {
     if (IsRetimable(best_.problem)) return std::nullopt;
     return Failure{
         FailureKind::kBadInput,
-        "tied_to_time",
+        FailureCode::kTiedToTime,
         "OptimiseTiming",
         "inner momentum, limits of motors and clearances belong to given times, so that these cannot be variables",
         {"leave them out, and find them anew at the times that are found"}};

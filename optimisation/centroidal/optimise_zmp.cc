@@ -179,7 +179,7 @@ Result<OptimisedZmp> OptimiseZmp(const ZmpProblem& problem, const ZmpWeights& we
   const Result<ConstrainedSolution> solution = Solve(Assembler(problem, weights, *zmp).Run(guess), options, &last);
   if (!solution && last.violation > options.tolerance) {
     return Failure{FailureKind::kInfeasible,
-                   "zmp_support",
+                   FailureCode::kZmpSupport,
                    "PlanCentreOfMass",
                    fmt::format(fmt::runtime(last.worst_constraint), 1e3 * last.violation),
                    {"stand longer at the ends, or take smaller or slower steps"},

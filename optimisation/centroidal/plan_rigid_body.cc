@@ -58,7 +58,7 @@ std::string ReliefOf(const std::string& worst) {
 
 Failure Unmet(const RigidBodyProblem& problem, const std::string& worst, const std::string& unmet) {
   return {FailureKind::kInfeasible,
-          "unmet_law",
+          FailureCode::kUnmetLaw,
           "PlanRigidBody",
           "no motion was found that keeps all laws: " + unmet + TooSteepAtGoal(problem),
           {ReliefOf(worst), "a nearer goal, or footholds elsewhere"}};
@@ -66,7 +66,7 @@ Failure Unmet(const RigidBodyProblem& problem, const std::string& worst, const s
 
 Failure FaultsBetween(const RigidBodySummary& summary) {
   return {FailureKind::kInfeasible,
-          "faults_between",
+          FailureCode::kFaultsBetween,
           "PlanRigidBody",
           fmt::format("between breaks {} is missed by {:.3g} after {} refinements", summary.faults.Worst(),
                       summary.faults.Largest(), summary.refinements),
@@ -234,7 +234,7 @@ std::optional<Failure> WhyNotCarried(const RigidBodyProblem& problem, const Rigi
   without_swings.swings.clear();
   if (const auto at = Hopeless(without_swings, lenient, options.hopeless)) {
     Failure failure = Unmet(problem, at->worst_constraint, UnmetOf(*at));
-    failure.code = "not_carried";
+    failure.code = FailureCode::kNotCarried;
     failure.message = "no forces carry the body along, however it turns: " + UnmetOf(*at) + TooSteepAtGoal(problem);
     return failure;
   }

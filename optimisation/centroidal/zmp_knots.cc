@@ -112,7 +112,7 @@ class Placer {
   void NoteNarrow(std::size_t phase, double time_s) {
     if (narrow_) return;
     narrow_ = Failure{FailureKind::kInfeasible,
-                      "zmp_support",
+                      FailureCode::kZmpSupport,
                       "PlanCentreOfMass",
                       fmt::format("in phase {} the support at {:.2f} s has no place that is {:.1f} mm from its edge",
                                   phase, time_s, 1e3 * margin_m_),

@@ -333,7 +333,7 @@ class Solver {
 
   Failure Unmet() const {
     return {FailureKind::kInfeasible,
-            "unmet_constraint",
+            FailureCode::kUnmetConstraint,
             "Solve",
             fmt::format("constraint '{}' stays unmet by {:.3g} after {} updates and {} iterations",
                         solution_.worst_constraint, solution_.violation, solution_.outer, solution_.iterations),
@@ -342,7 +342,7 @@ class Solver {
 
   Failure Unsettled() const {
     return {FailureKind::kInfeasible,
-            "unsettled_cost",
+            FailureCode::kUnsettledCost,
             "Solve",
             fmt::format("all constraints are met, but the cost, {:.6g}, has not settled after {} updates and {} "
                         "iterations",

@@ -321,14 +321,14 @@ Result<ConstrainedSolution> ElasticSolver::Run() {
   Finish();
   if (solution_.violation > options_.tolerance) {
     return Failure{FailureKind::kInfeasible,
-                   "unmet_constraint",
+                   FailureCode::kUnmetConstraint,
                    "SolveElastic",
                    fmt::format("constraint '{}' stays unmet by {:.3g} after {} iterations", solution_.worst_constraint,
                                solution_.violation, solution_.iterations),
                    {"relax that constraint, or start elsewhere"}};
   }
   return Failure{FailureKind::kInfeasible,
-                 "unsettled_cost",
+                 FailureCode::kUnsettledCost,
                  "SolveElastic",
                  fmt::format("all constraints are met, but the cost, {:.6g}, has not settled after {} iterations",
                              solution_.cost, solution_.iterations),

@@ -60,16 +60,16 @@ std::string MotorText(const RobotModel& model, int index, bool speed) {
 Failure CannotFly(const RobotModel& model, const PushedFlight& flight, const PushOff& best, double gives,
                   bool by_speed) {
   const double takes = 0.5 * kGravity * flight.duration_s, longest_s = 2.0 * gives / (kLeastSpeed * kGravity);
-  std::vector<std::string> hints = {"a shorter cycle (--set gait.cycle_s)",
-                                    "a larger duty factor (--set gait.duty_factor)"};
-  if (longest_s > 0.005) hints.insert(hints.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
-  return {FailureKind::kInfeasible, by_speed ? "legs_too_slow" : "legs_too_weak", "CrouchFor",
+  std::vector<Suggestion> suggestions = {"a shorter cycle (--set gait.cycle_s)",
+                                         "a larger duty factor (--set gait.duty_factor)"};
+  if (longest_s > 0.005) suggestions.insert(suggestions.begin(), fmt::format("flights of {:.3f} s at most", longest_s));
+  return {FailureKind::kInfeasible, by_speed ? FailureCode::kLegsTooSlow : FailureCode::kLegsTooWeak, "CrouchFor",
           fmt::format("a flight of {:.3f} s at {:.2f} s takes a lift-off at {:.2f} m/s and {:.2f} m/s before the push "
                       "ends; with flat soles and a level body the legs of '{}' give {:.2f} m/s at most, with the "
                       "centre of mass {:.3f} m up, where {}",
                       flight.duration_s, flight.start_s, takes, kLeastSpeed * takes, model.name, gives, best.com_m,
                       MotorText(model, by_speed ? best.fastest : best.strongest, by_speed)),
-          hints};
+          suggestions};
 }
 
 /// The robot with that posture for its standing one.
@@ -125,7 +125,7 @@ Result<std::optional<Crouch>> AtHeight(const RobotModel& model, double com_heigh
   const auto below = std::find_if(at.begin(), at.end(), [&](const PushOff& p) { return p.com_m <= com_height_m; });
   if (com_height_m > highest_m || below == at.end()) {
     return Failure{FailureKind::kInfeasible,
-                   "height",
+                   FailureCode::kHeight,
                    "CrouchFor",
                    fmt::format("the centre of mass of '{}' cannot be carried {:.3f} m up: {}, level and on flat feet, "
                                "it is from {:.3f} to {:.3f} m",

@@ -52,7 +52,7 @@ class Carriages {
     const double asked = task_.options.pipeline.com_height_m, height = asked > 0.0 ? asked : standing;
     Result<MotionPass> best = At(height).Run(passes_, hopeless);
     if (Excess(best) == 0.0) return best;
-    if (!best && best.failure().code != "out_of_reach") return best;
+    if (!best && best.failure().code != FailureCode::kOutOfReach) return best;
     if (!IsLevelAndBare(task_.terrain)) KeepInReach(height, hopeless, best);
     if (Excess(best) > 0.0 && StandsOnOneSole(task_.model, task_.skeleton.schedule)) MoveInward(height, hopeless, best);
     if (asked == 0.0 && Excess(best) > 0.0) Lower(standing, hopeless, best);

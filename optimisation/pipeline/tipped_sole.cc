@@ -48,7 +48,7 @@ std::optional<Failure> TippedSole(const RobotModel& model, const Terrain& terrai
   const Foot& foot = model.feet[static_cast<std::size_t>(worst.foot)];
   return Failure{
       FailureKind::kInfeasible,
-      "tipped_sole",
+      FailureCode::kTippedSole,
       "PlanMotion",
       fmt::format("at {:.2f} s the sole of '{}' would have its edge {:.1f} mm in the ground: no joint of its leg ({} "
                   "joints) rolls it, so that it tips by {:.3f} rad as the body sways, and it is {:.3f} m wide",

@@ -116,7 +116,7 @@ class SwingPlanner {
                              hit_->distance_m, hit_->solid, std::max(hit_->asked_m, 0.0));
     }
     return {FailureKind::kInfeasible,
-            "no_clearance",
+            FailureCode::kNoClearance,
             "PlanSwings",
             message,
             {"lower swing.clearance_m or choose other footholds"}};

@@ -236,7 +236,7 @@ Failure Unmet(double by_m, double out_m) {
                               ? fmt::format("no swing keeps within reach; it strays by {:.1f} mm", 1e3 * out_m)
                               : fmt::format("no swing keeps the clearance; it is missed by {:.1f} mm", 1e3 * by_m);
   return {FailureKind::kInfeasible,
-          out_m < by_m ? "out_of_reach" : "no_clearance",
+          out_m < by_m ? FailureCode::kOutOfReach : FailureCode::kNoClearance,
           "RefineSwing",
           why,
           {"ask for less clearance, give it more time, or place the footholds farther from edges"}};

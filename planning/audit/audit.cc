@@ -237,7 +237,7 @@ std::optional<std::string> WhyMisfit(const RobotModel& model, const MotionPlan& 
 Result<AuditReport> Audit(const RobotModel& model, const MotionPlan& plan, const AuditOptions& options) {
   if (const auto why = WhyMisfit(model, plan)) {
     return Failure{FailureKind::kBadInput,
-                   "misfit",
+                   FailureCode::kMisfit,
                    "Audit",
                    fmt::format("the plan does not fit robot '{}': {}", model.name, *why),
                    {}};

@@ -106,8 +106,11 @@ DataShape StartPostureShape() {
 
 Result<StartPosture> StartPostureFromYaml(const std::string& text, const std::string& source, const RobotModel& model) {
   const auto bad = [&](const std::string& message) {
-    return Failure{
-        FailureKind::kBadInput, "start_posture", "StartPosture", fmt::format("'{}', {}", source, message), {}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kStartPosture,
+                   "StartPosture",
+                   fmt::format("'{}', {}", source, message),
+                   {}};
   };
   try {
     const YAML::Node root = LoadYaml(text);

@@ -23,7 +23,7 @@ namespace {
 constexpr double kThin = 0.01;  // of the leg's length: the width under which a support is none
 constexpr double kWeak = 0.02;  // of the leg's length a foot moves for each radian of its joints, under which it cannot
 
-Failure Cannot(const std::string& code, const std::string& message, const std::string& hint) {
+Failure Cannot(FailureCode code, const std::string& message, const std::string& hint) {
   return {FailureKind::kInfeasible, code, "PlanFootsteps", message, {hint}};
 }
 
@@ -55,7 +55,7 @@ std::optional<Failure> LacksSupport(const RobotModel& model, const DynamicsScrat
   }
   const double width = WidthOf(ConvexHull(corners)), least = kThin * model.leg_length_m();
   if (width >= least) return std::nullopt;
-  return Cannot("no_support",
+  return Cannot(FailureCode::kNoSupport,
                 fmt::format("robot '{}' cannot stand still: its feet {} touch the ground in {}, on a line {:.1f} mm "
                             "wide, and it takes {:.1f} mm to stand on; plans start and end standing",
                             model.name, QuotedList(names), model.feet.size() == 2 ? "two points" : "points in line",
@@ -91,7 +91,7 @@ std::optional<Failure> HasHalvesOfLegs(const RobotModel& model) {
           apart.cross(hips[i]->axis_O).norm() > kOffAxis * length)
         continue;
       return Cannot(
-          "parallel_legs",
+          FailureCode::kParallelLegs,
           fmt::format("legs '{}' and '{}' of robot '{}' turn about one axis on one side of its base: they are "
                       "the halves of one leg with two motors at its hip, and the joint that closes the loop "
                       "between their ends is not in the description",
@@ -166,7 +166,7 @@ std::optional<Failure> LacksFreedom(const RobotModel& model, const DynamicsScrat
   if (count >= needed) return std::nullopt;
   Eigen::Index lacking = 0;
   svd.U.col(needed - 1).cwiseAbs().maxCoeff(&lacking);
-  return Cannot("freedoms",
+  return Cannot(FailureCode::kFreedoms,
                 fmt::format("leg '{}' cannot {}: {} of {} freedoms of its foot can be moved from the standing "
                             "posture, and {} is lacking; its own joints are {}",
                             leg.name, What(walk), count, needed, demand.names[static_cast<std::size_t>(lacking)],
@@ -192,7 +192,7 @@ std::optional<Failure> LacksMotor(const RobotModel& model) {
     passive.push_back(model.dof_names[static_cast<std::size_t>(dof)]);
   }
   if (passive.empty()) return std::nullopt;
-  return Cannot("passive_joint",
+  return Cannot(FailureCode::kPassiveJoint,
                 fmt::format("leg '{}' cannot be held: {} {} no motor (effort limit 0), and the file does not tell "
                             "which spring or rod holds {}",
                             model.legs[static_cast<std::size_t>(leg)].name, QuotedList(passive),

@@ -16,7 +16,7 @@ namespace {
 using Extent = WalkCommand::Extent;
 
 Failure BadCommand(const std::string& message) {
-  return {FailureKind::kBadInput, "command", "PlanFootsteps", message, {}};
+  return {FailureKind::kBadInput, FailureCode::kCommand, "PlanFootsteps", message, {}};
 }
 
 PlanarTwist Scaled(const PlanarTwist& twist, double factor) {

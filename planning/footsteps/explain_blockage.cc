@@ -133,14 +133,16 @@ class Explanation {
     for (const Hurdle& hurdle : HurdlesAhead()) {
       if (const auto reason = ReasonOf(hurdle)) return Told(*reason);
     }
-    if (out_of_budget_) hints_.emplace_back("more footsteps.search.max_expansions");
+    if (out_of_budget_)
+      suggestions_.emplace_back("footsteps.search.max_expansions", std::monostate(), Certainty::kUntried,
+                                "more footsteps.search.max_expansions");
     if (const auto reason = ObstacleReason()) return Told(*reason);
     return Told(CommonReason());
   }
 
  private:
   Failure Told(const std::string& reason) const {
-    return {FailureKind::kInfeasible, "no_footholds", "SearchFootsteps", reason, hints_};
+    return {FailureKind::kInfeasible, FailureCode::kNoFootholds, "SearchFootsteps", reason, suggestions_};
   }
 
   /// Of all feet, by how far along the route they are met.
@@ -187,7 +189,7 @@ class Explanation {
   /// What feet cannot be set over may be leapt over.
   void HintAtLeap(double size_m) {
     const bool leaps = scene_.model.legs.size() == 4 && !HasFlight(scene_.query.gait);
-    if (leaps && size_m <= 2.0 * leg_m_) hints_.emplace_back("--gait jump");
+    if (leaps && size_m <= 2.0 * leg_m_) suggestions_.emplace_back("gait", "jump", Certainty::kUntried, "--gait jump");
   }
 
   std::optional<std::string> StepReason(const Hurdle& step) {
@@ -196,8 +198,9 @@ class Explanation {
     const std::string what = fmt::format("step {} of {:.2f} m at {}; {}", up ? "up" : "down", rise,
                                          PlaceText(step.place_W), scene_.model.name);
     if (rise > lift + 1e-9) {
-      hints_.push_back(
-          fmt::format("a larger footsteps.search.{}", HasFlight(scene_.query.gait) ? "leap_height" : "step_height"));
+      const std::string option =
+          fmt::format("footsteps.search.{}", HasFlight(scene_.query.gait) ? "leap_height" : "step_height");
+      suggestions_.emplace_back(option, std::monostate(), Certainty::kUntried, "a larger " + option);
       return fmt::format("{} lifts its feet {:.2f} m", what, lift);
     }
     if (rise <= tried_step_m_) return std::nullopt;
@@ -274,7 +277,7 @@ class Explanation {
   int farthest_;
   bool out_of_budget_;
   double leg_m_;
-  std::vector<std::string> hints_;
+  std::vector<Suggestion> suggestions_;
   double tried_gap_m_ = 0.0, tried_step_m_ = 0.0;
   FootstepGraph::Refusals refusals_;
   StanceFaults stances_{};

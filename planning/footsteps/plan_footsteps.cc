@@ -152,7 +152,7 @@ std::optional<Failure> WhyNotWalked(const RobotModel& model, const Gait& gait, c
   if (auto failure = CheckCommand(command)) return failure;
   if (gait.num_feet() != static_cast<int>(model.feet.size())) {
     return Failure{FailureKind::kBadInput,
-                   "command",
+                   FailureCode::kCommand,
                    "PlanFootsteps",
                    fmt::format("gait '{}' is for {} feet; robot '{}' has {}", gait.name, gait.num_feet(), model.name,
                                model.feet.size()),
@@ -167,7 +167,7 @@ std::optional<Failure> WhyOutOfReach(const RobotModel& model, const FootstepSkel
   const Foothold& foothold = skeleton.footsteps.footholds[static_cast<std::size_t>(worst.foothold)];
   return Failure{
       FailureKind::kInfeasible,
-      "out_of_reach",
+      FailureCode::kFootholdOutOfReach,
       "PlanFootsteps",
       fmt::format("foot '{}' cannot reach its foothold at {:.2f} s: it is {:.3f} m from its hip, the leg reaches "
                   "{:.3f} m",

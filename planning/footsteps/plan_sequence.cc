@@ -17,7 +17,9 @@ namespace {
 
 using Extent = WalkCommand::Extent;
 
-Failure BadPart(const std::string& message) { return {FailureKind::kBadInput, "command", "PlanSequence", message, {}}; }
+Failure BadPart(const std::string& message) {
+  return {FailureKind::kBadInput, FailureCode::kCommand, "PlanSequence", message, {}};
+}
 
 /// A part with where it leads and how it takes over from the one before.
 struct PartCourse {

@@ -46,13 +46,13 @@ std::optional<FirstBlocked> FindBlocked(PoseCheck& check, const std::vector<Plan
 Failure Refused(const std::vector<PlanarPose>& way, const FirstBlocked& blocked) {
   if (blocked.before == 0)
     return {FailureKind::kInfeasible,
-            "start_blocked",
+            FailureCode::kStartBlocked,
             "RouteOf",
             "the robot cannot stand at the start: " + blocked.hindrance.text,
             {"start elsewhere"}};
   const std::vector<PlanarPose> free(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(blocked.before));
   return {FailureKind::kInfeasible,
-          "way_blocked",
+          FailureCode::kWayBlocked,
           "RouteOf",
           fmt::format("the way is blocked after {:.2f} of {:.2f} m: {}", LengthOf(free), LengthOf(way),
                       blocked.hindrance.text),

@@ -188,7 +188,7 @@ std::vector<Footfalls> StepsOf(const FootstepGraph& graph, const std::vector<int
 
 std::optional<Failure> CheckQuery(const RobotModel& model, const FootstepQuery& query) {
   const auto bad = [](const std::string& message) {
-    return Failure{FailureKind::kBadInput, "footstep_query", "SearchFootsteps", message, {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kFootstepQuery, "SearchFootsteps", message, {}};
   };
   if (query.gait.num_feet() != static_cast<int>(model.feet.size())) {
     return bad(fmt::format("gait '{}' is for {} feet; robot '{}' has {}", query.gait.name, query.gait.num_feet(),
@@ -260,7 +260,7 @@ struct Problem {
   }
 
   static Failure CannotStart(const std::string& message) {
-    return {FailureKind::kInfeasible, "no_footholds", "SearchFootsteps", message, {"start elsewhere"}};
+    return {FailureKind::kInfeasible, FailureCode::kNoFootholds, "SearchFootsteps", message, {"start elsewhere"}};
   }
 
   static constexpr double kCell = 0.5;  // of the ground's index, of the leg length

@@ -153,7 +153,7 @@ Result<FootstepQuery> CourseQuery(const RobotModel& model, const Gait& gait, con
     const int ahead = StepsAhead(gait, command.steps);
     if (ahead < 1) {
       return Failure{FailureKind::kBadInput,
-                     "command",
+                     FailureCode::kCommand,
                      "PlanFootsteps",
                      fmt::format("{} footfalls only close the stance of {} feet; {} or more go ahead", command.steps,
                                  gait.num_feet(), gait.num_feet()),

@@ -16,7 +16,9 @@ constexpr double kLeastDuty = 0.3, kRunningDuty = 0.62;
 constexpr int kRunningFeet = 4;  // with fewer of them that is another gait
 constexpr double kLeastFlight_s = 0.005;
 
-Failure BadGait(const std::string& message) { return {FailureKind::kBadInput, "gait", "FindGait", message, {}}; }
+Failure BadGait(const std::string& message) {
+  return {FailureKind::kBadInput, FailureCode::kGait, "FindGait", message, {}};
+}
 
 /// A name as a file and the gait in it; both empty where it is not one.
 struct FileAndName {

@@ -108,7 +108,7 @@ DataShape GaitFileShape() { return shapes::MapOf(GaitShape(), 1); }
 
 Result<std::vector<GaitEntry>> LoadGaits(const std::string& path) {
   const auto bad = [&](const std::string& message) {
-    return Failure{FailureKind::kBadInput, "gait", "LoadGaits", fmt::format("'{}', {}", path, message), {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kGait, "LoadGaits", fmt::format("'{}', {}", path, message), {}};
   };
   const Result<std::string> text = ReadFile(path);
   if (!text) return text.failure();

@@ -126,7 +126,8 @@ AskedPart ParseNode(const YAML::Node& node, const std::string& folder) {
 
 Result<std::vector<AskedPart>> ReadFileOfParts(const std::string& path) {
   const auto bad = [&](const std::string& message) {
-    return Failure{FailureKind::kBadInput, "sequence", "ReadSequence", fmt::format("'{}', {}", path, message), {}};
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kSequence, "ReadSequence", fmt::format("'{}', {}", path, message), {}};
   };
   const Result<std::string> text = ReadFile(path);
   if (!text) return text.failure();
@@ -164,7 +165,7 @@ Result<std::vector<AskedPart>> ReadSequence(const std::string& text) {
   try {
     return ParseParts(text);
   } catch (const InvalidArgument& error) {
-    return Failure{FailureKind::kBadInput, "sequence", "ReadSequence", error.what(), {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kSequence, "ReadSequence", error.what(), {}};
   }
 }
 

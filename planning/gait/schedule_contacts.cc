@@ -85,7 +85,7 @@ std::optional<Failure> CheckGrid(const Gait& gait, double grid_s) {
     const bool swing = gait.duty_factor[i] > 0.5;
     return Failure{
         FailureKind::kBadInput,
-        "gait",
+        FailureCode::kGait,
         "ScheduleContacts",
         fmt::format("in gait '{}' the {} of foot {} lasts {:.3g} s, less than two steps of the plan's grid of {:.3g} s",
                     gait.name, swing ? "swing" : "stance", i, share * gait.cycle_s, grid_s),
@@ -187,7 +187,7 @@ Result<ContactSchedule> ScheduleContacts(const Gait& gait, const ScheduleRequest
 
 Result<JoinedSchedule> JoinSchedules(const std::vector<GaitStint>& stints, const ScheduleEnds& ends) {
   if (stints.empty())
-    return Failure{FailureKind::kBadInput, "gait", "ScheduleContacts", "the schedule has no part", {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kGait, "ScheduleContacts", "the schedule has no part", {}};
   Joiner joiner(stints.front().gait.num_feet(), ends);
   for (const GaitStint& stint : stints) {
     if (!StandsStill(stint.gait)) {

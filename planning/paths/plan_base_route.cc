@@ -17,8 +17,8 @@
 namespace gaitwright {
 namespace {
 
-Failure Blocked(const std::string& code, const std::string& message, const std::vector<std::string>& hints) {
-  return {FailureKind::kInfeasible, code, "PlanBaseRoute", message, hints};
+Failure Blocked(FailureCode code, const std::string& message, const std::vector<Suggestion>& suggestions) {
+  return {FailureKind::kInfeasible, code, "PlanBaseRoute", message, suggestions};
 }
 
 TravelWeights WeightsOf(const BaseRouteOptions& options, const BodySpace& space) {
@@ -156,7 +156,7 @@ std::vector<PlanarPose> Thinned(const std::vector<PlanarPose>& guide, int iterat
 
 Failure NoWay(const CoarseWay& guide, const BaseRouteOptions& options, const RrtStarReport& report) {
   if (guide.complete) {
-    return Blocked("way_not_found",
+    return Blocked(FailureCode::kWayNotFound,
                    fmt::format("no way to the goal was found in {} iterations, though a coarse search finds one of "
                                "{:.1f} m; {} poses were reached",
                                report.iterations, LengthOf(guide.poses), report.states),
@@ -165,7 +165,7 @@ Failure NoWay(const CoarseWay& guide, const BaseRouteOptions& options, const Rrt
   const std::string what = guide.hindrance ? "where least is in the way, " + guide.hindrance->text
                                            : "the room between them is too narrow for a coarse search";
   return Blocked(
-      "way_blocked",
+      FailureCode::kWayBlocked,
       fmt::format("start and goal are free, but everything between them is blocked: {}; {} poses were reached", what,
                   report.states),
       {"move the goal, or what is in the way"});
@@ -182,9 +182,10 @@ Result<BaseRoute> PlanBaseRoute(const RobotModel& model, const Terrain& terrain,
   PoseCheck check(model, terrain, options.space);
   const TravelWeights weights = WeightsOf(options, check.space());
   if (const auto why = check.WhyNot(start))
-    return Blocked("start_blocked", "the robot cannot stand at the start: " + why->text, {"start elsewhere"});
+    return Blocked(FailureCode::kStartBlocked, "the robot cannot stand at the start: " + why->text,
+                   {"start elsewhere"});
   if (const auto why = check.WhyNot(goal))
-    return Blocked("goal_blocked", "the robot cannot stand at the goal: " + why->text, {"move the goal"});
+    return Blocked(FailureCode::kGoalBlocked, "the robot cannot stand at the goal: " + why->text, {"move the goal"});
   BaseRoute route;
   RouteStatistics statistics;
   std::vector<PlanarPose> way = FreeDirectWay(check, start, goal, options);

@@ -56,7 +56,7 @@ const std::vector<Kind>& Kinds() {
   return kinds;
 }
 
-Failure RefusedTerrain(const std::string& code, const std::string& message) {
+Failure RefusedTerrain(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "MakeTerrain", message, {"'gaitwright terrains' lists grounds and parameters"}};
 }
 
@@ -73,11 +73,11 @@ Result<Made> MakeFrom(const std::string& spec, const TerrainScale& scale) {
       made.terrain.name = spec;
       return made;
     } catch (const InvalidArgument& error) {
-      return RefusedTerrain("terrain_parameter", fmt::format("terrain '{}': {}", name, error.what()));
+      return RefusedTerrain(FailureCode::kTerrainParameter, fmt::format("terrain '{}': {}", name, error.what()));
     }
   }
-  return RefusedTerrain("unknown_terrain", fmt::format("there is no terrain '{}'{}; there is {}", name,
-                                                       NearestHint(name, names), QuotedList(names)));
+  return RefusedTerrain(FailureCode::kUnknownTerrain, fmt::format("there is no terrain '{}'{}; there is {}", name,
+                                                                  NearestHint(name, names), QuotedList(names)));
 }
 
 }  // namespace

@@ -112,6 +112,10 @@ void JoinParts(MotionPlan& plan, double at_s, const MotionPlan& then) {
     }
   }
   plan.parts = std::move(parts);
+  for (const Adjustment& adjustment : then.adjustments) {
+    if (std::find(plan.adjustments.begin(), plan.adjustments.end(), adjustment) == plan.adjustments.end())
+      plan.adjustments.push_back(adjustment);
+  }
   plan.goal = then.goal;
 }
 
@@ -162,7 +166,9 @@ double MeanOmega(double one_rad_s, double one_s, double other_rad_s, double othe
   return std::sqrt((one_s + other_s) / (one_s * height(one_rad_s) + other_s * height(other_rad_s)));
 }
 
-Failure Misfit(const std::string& why) { return {FailureKind::kBadInput, "misfit", "JoinedPlans", why, {}}; }
+Failure Misfit(const std::string& why) {
+  return {FailureKind::kBadInput, FailureCode::kMisfit, "JoinedPlans", why, {}};
+}
 
 std::optional<Failure> WhyNotJoined(const MotionPlan& before, double before_s, const MotionPlan& after,
                                     double after_s) {

@@ -7,6 +7,7 @@
 
 #include "kinematics/model/robot_model.h"
 #include "kinematics/spatial/pose.h"
+#include "planning/plan/adjustment.h"
 #include "planning/plan/gait.h"
 #include "planning/plan/terrain.h"
 
@@ -157,6 +158,7 @@ struct MotionPlan {
   WholeBodyTrajectory whole_body;
   std::vector<PlanGate> gates;        ///< in order of time
   std::vector<std::string> warnings;  ///< limits that the plan knowingly does not keep
+  std::vector<Adjustment> adjustments;
 
   double duration_s() const { return whole_body.end_s() - whole_body.start_s; }
 };

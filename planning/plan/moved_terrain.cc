@@ -24,7 +24,7 @@ Result<Terrain> MovedTerrain(const Pose& X, Terrain terrain) {
     if (std::abs(YawOf(X.linear())) > kTurned) {
       return Failure{
           FailureKind::kInfeasible,
-          "turned_field",
+          FailureCode::kTurnedField,
           "MovedTerrain",
           fmt::format("height field '{}' cannot be turned: after a turn, a robot cannot go on over it", field.name),
           {"go over it before turning, or on a ground of patches"}};

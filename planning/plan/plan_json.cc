@@ -217,8 +217,9 @@ void AppendTrajectories(std::string& text, const MotionPlan& plan) {
   });
 }
 
-Failure Refused(const std::string& source, const std::string& why, const std::vector<std::string>& hints = {}) {
-  return {FailureKind::kBadInput, "plan_file", "LoadPlan", fmt::format("'{}' is refused: {}", source, why), hints};
+Failure Refused(const std::string& source, const std::string& why, const std::vector<Suggestion>& suggestions = {}) {
+  return {FailureKind::kBadInput, FailureCode::kPlanFile, "LoadPlan", fmt::format("'{}' is refused: {}", source, why),
+          suggestions};
 }
 
 Failure OtherSchema(const std::string& source, int schema) {
@@ -228,6 +229,19 @@ Failure OtherSchema(const std::string& source, int schema) {
 }
 
 }  // namespace
+
+Json AdjustmentsToJson(const std::vector<Adjustment>& adjustments) {
+  Json list = Json::array();
+  for (const Adjustment& a : adjustments) {
+    list.push_back({{"what", a.what},
+                    {"asked", a.asked},
+                    {"given", a.given},
+                    {"unit", a.unit},
+                    {"why", FailureCodeName(a.why)},
+                    {"part", a.part}});
+  }
+  return list;
+}
 
 std::string PlanToJson(const MotionPlan& plan) {
   Json head = {{"format", kPlanFormat},
@@ -247,6 +261,7 @@ std::string PlanToJson(const MotionPlan& plan) {
                {"start_s", plan.whole_body.start_s},
                {"step_s", plan.whole_body.step_s},
                {"omega_rad_s", plan.centroidal.omega_rad_s}};
+  if (!plan.adjustments.empty()) head["adjustments"] = AdjustmentsToJson(plan.adjustments);
   if (!plan.gates.empty()) head["gates"] = GatesJson(plan.gates);
   if (!plan.meshes.empty()) head["meshes"] = MeshesJson(plan.meshes);
   std::string text = head.dump();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "kinematics/base/result.h"
 #include "planning/plan/motion_plan.h"
@@ -10,6 +12,9 @@ namespace gaitwright {
 
 /// The plan as JSON text (docs/plan-format.md). The same plan gives the same bytes.
 std::string PlanToJson(const MotionPlan& plan);
+
+/// [{"what", "asked", "given", "unit", "why", "part"}]
+nlohmann::ordered_json AdjustmentsToJson(const std::vector<Adjustment>& adjustments);
 
 /// Hash of the whole plan as it is written: any change of its file that is read changes it.
 std::string PlanHash(const MotionPlan& plan);

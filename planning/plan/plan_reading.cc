@@ -175,6 +175,15 @@ PlanGate ToGate(const JsonPart& part, int feet) {
   return gate;
 }
 
+Adjustment ToAdjustment(const JsonPart& part) {
+  part.Object(AdjustmentsShape().of.front());
+  const std::string why = part.At("why").Text();
+  const auto code = FailureCodeOfName(why);
+  if (!code) part.At("why").Refuse(fmt::format("is '{}', which is no code of a refusal", why));
+  return {part.At("what").Text(), part.At("asked").Number(), part.At("given").Number(), part.At("unit").Text(), *code,
+          part.At("part").Text()};
+}
+
 ContactSchedule ToSchedule(const JsonPart& list, int feet) {
   ContactSchedule schedule;
   for (const JsonPart& phase : list.List()) {
@@ -315,6 +324,9 @@ MotionPlan ReadPlan(const JsonPart& whole) {
   const int surfaces = plan.terrain.num_surfaces();
   for (const JsonPart& part : whole.At("parts").List()) plan.parts.push_back(ToPart(part, feet));
   if (plan.parts.empty()) whole.At("parts").Refuse("is empty; a plan has one part or more");
+  if (whole.Has("adjustments")) {
+    for (const JsonPart& part : whole.At("adjustments").List()) plan.adjustments.push_back(ToAdjustment(part));
+  }
   plan.schedule = ToSchedule(whole.At("schedule"), feet);
   for (const JsonPart& part : whole.At("footholds").List())
     plan.footsteps.footholds.push_back(ToFoothold(part, feet, surfaces));

@@ -122,6 +122,15 @@ DataShape SwingShape() {
                  Optional("cruise", Number(0.0, 1.0), "Share of the time at constant speed.")});
 }
 
+DataShape AdjustmentsShape() {
+  return List(Object({{"what", Text(), "The flag or option that would ask for it."},
+                      {"asked", Number()},
+                      {"given", Number()},
+                      {"unit", Text()},
+                      {"why", Text(FailureCodeNames()), "Code of the refusal of the plan as asked for, such as a law."},
+                      {"part", Text(), "Of a sequence: its number and gait; else empty."}}));
+}
+
 DataShape ProvenanceShape() {
   return Object({{"program_version", Text()},
                  {"made_by", Text()},
@@ -153,6 +162,7 @@ DataShape PlanShape() {
                  {"a", RowsShape(), "Their rates."},
                  {"tau_nm", RowsShape(), "Feed-forward torques by joint."},
                  {"contact_wrenches", RowsShape(), "Force and moment of each foot."},
+                 Optional("adjustments", AdjustmentsShape(), "What is otherwise than was asked for."),
                  Optional("meshes", List(MeshShape())),
                  Optional("gates", List(PlanGateShape()), "Where the motion waits for what is measured.")});
 }

@@ -7,5 +7,7 @@ namespace gaitwright {
 
 /// What a plan's file may hold.
 DataShape PlanShape();
+/// The list of what a plan has otherwise than was asked for.
+DataShape AdjustmentsShape();
 
 }  // namespace gaitwright

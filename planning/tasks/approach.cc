@@ -24,8 +24,8 @@ namespace {
 
 constexpr char kApproachStage[] = "PlanApproach";
 
-Failure Infeasible(const std::string& code, const std::string& message, const std::vector<std::string>& hints = {}) {
-  return {FailureKind::kInfeasible, code, kApproachStage, message, hints};
+Failure Infeasible(FailureCode code, const std::string& message, const std::vector<Suggestion>& suggestions = {}) {
+  return {FailureKind::kInfeasible, code, kApproachStage, message, suggestions};
 }
 
 /// A move of all joints from rest to rest.
@@ -57,7 +57,7 @@ std::string PairText(const Overlap& pair) {
 Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, const VectorX& from, const VectorX& to) {
   const auto blocked = [&](const char* posture, const Overlap& pair) {
     return Failure{FailureKind::kBadInput,
-                   "self_collision",
+                   FailureCode::kSelfCollision,
                    kApproachStage,
                    fmt::format("in the {} posture {}", posture, PairText(pair)),
                    {}};
@@ -70,7 +70,7 @@ Result<std::vector<VectorX>> FreeWay(const RobotModel& model, WayCheck& check, c
   auto bent = check.FirstMeeting(from, standing);
   if (!bent) bent = check.FirstMeeting(standing, to);
   if (!bent) return std::vector<VectorX>{from, standing, to};
-  return Infeasible("self_collision",
+  return Infeasible(FailureCode::kSelfCollision,
                     fmt::format("no free way to the plan's first posture: on the straight one {}, on that by the "
                                 "standing posture {}",
                                 PairText(*straight), PairText(*bent)),
@@ -208,21 +208,21 @@ void Close(const RobotModel& model, const VectorX& q_base, MotionPlan& plan) {
 
 /// Why an approach of that time is not planned, or nothing.
 std::optional<Failure> TooLong(double time_s, double step_s) {
-  const std::vector<std::string> hints = {
+  const std::vector<Suggestion> suggestions = {
       "bring the joints nearer to the plan's first posture by hand and measure again",
       "let it go faster: --set approach.speed_rad_s= and approach.speed_share="};
   if (!(time_s <= kLongestApproach)) {
-    return Infeasible("too_long",
+    return Infeasible(FailureCode::kTooLong,
                       fmt::format("the way to the plan's first posture takes {:.4g} s; at most {:.0f} s are planned",
                                   time_s, kLongestApproach),
-                      hints);
+                      suggestions);
   }
   if (time_s / step_s <= kMostApproachRows) return std::nullopt;
-  return Infeasible("too_long",
+  return Infeasible(FailureCode::kTooLong,
                     fmt::format("the way to the plan's first posture takes {:.4g} s, which is {:.4g} rows of the "
                                 "plan's time step of {:.4g} s; at most {:.0f} rows are made",
                                 time_s, time_s / step_s, step_s, kMostApproachRows),
-                    hints);
+                    suggestions);
 }
 
 double TimeOf(const std::vector<Move>& moves) {
@@ -243,7 +243,7 @@ std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, st
     if (!over) return std::nullopt;
     if (over->at_rest || tries == kMostTries) {
       const Actuator motor = ActuatorOf(model, over->motor);
-      return Infeasible("torque",
+      return Infeasible(FailureCode::kTorque,
                         fmt::format("{} '{}' needs {:.4g} {} {} on the way to the plan's first posture, "
                                     "with the base held in the air; its share of the limit is {:.4g}",
                                     motor.shared() ? "motor" : "joint", motor.name, over->effort, motor.effort_unit(),
@@ -257,7 +257,7 @@ std::optional<Failure> SlowDown(const RobotModel& model, double torque_share, st
 /// Why the way is none for this robot, or nothing.
 std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan, const StartPosture& from) {
   const auto bad = [](const std::string& message) {
-    return Failure{FailureKind::kBadInput, "misfit", kApproachStage, message, {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kMisfit, kApproachStage, message, {}};
   };
   if (plan.whole_body.q.empty() || plan.whole_body.q.front().size() != model.nq() || !(plan.whole_body.step_s > 0.0) ||
       from.joints.size() != model.num_dofs())
@@ -280,7 +280,7 @@ std::optional<Failure> WhatForbids(const RobotModel& model, const MotionPlan& wa
   if (audit->pass()) return std::nullopt;
   const Violation& worst = audit->violations.front();
   Failure failure = Infeasible(
-      LawName(worst.law),
+      FailureCodeOf(worst.law),
       fmt::format("the way to the plan's first posture breaks the law '{}': {}, {} at {:.2f} s "
                   "(limit {:.4g})",
                   LawName(worst.law), worst.where, AuditFigure(worst.value, worst.unit), worst.at_s, worst.limit));

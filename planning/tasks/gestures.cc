@@ -110,7 +110,7 @@ Result<VectorX> RaisedArm(const RobotModel& model, const Limb& arm, const Vector
   if (!free.met || gain >= kLeast * model.leg_length_m()) return raised;
   return Failure{
       FailureKind::kInfeasible,
-      "self_collision",
+      FailureCode::kSelfCollision,
       "RaisedArm",
       fmt::format("the arm that ends in '{}' rises by {:.3f} m only before '{}' and '{}' meet",
                   model.bodies[static_cast<std::size_t>(arm.end_body)].name, gain, free.met->link_a, free.met->link_b),
@@ -136,7 +136,7 @@ Result<Wave> WaveOf(const RobotModel& model, const Limb& arm, const VectorX& rai
   }
   if (best < 0) {
     return Failure{FailureKind::kInfeasible,
-                   "no_wave",
+                   FailureCode::kNoWave,
                    "WaveOf",
                    fmt::format("no joint of the arm that ends in '{}' moves it sideways",
                                model.bodies[static_cast<std::size_t>(arm.end_body)].name),

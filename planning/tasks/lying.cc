@@ -116,7 +116,9 @@ double Along(const RobotModel& model) {
   return high - low;
 }
 
-Failure CannotLie(const std::string& why) { return {FailureKind::kInfeasible, "lying", "FindLying", why, {}}; }
+Failure CannotLie(const std::string& why) {
+  return {FailureKind::kInfeasible, FailureCode::kLying, "FindLying", why, {}};
+}
 
 }  // namespace
 

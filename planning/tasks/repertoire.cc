@@ -57,7 +57,7 @@ Failure NoArm(const RobotModel& model, bool left) {
   const UpperBody upper = FindUpperBody(model);
   const std::string has = upper.left_arm || upper.right_arm ? "has no arm on that side" : "has no arms";
   return {FailureKind::kBadInput,
-          "no_arm",
+          FailureCode::kNoArm,
           "Repertoire",
           fmt::format("the {} arm cannot be moved: robot '{}' {}", left ? "left" : "right", model.name, has),
           {}};
@@ -209,7 +209,7 @@ Result<PostureMotion> BalanceOn(const RobotModel& model, const PostureKey& from,
   constexpr double kLower = 0.02;                              // of the leg's length
   if (model.feet.size() != 2 || !model.feet[0].has_sole() || !model.feet[1].has_sole()) {
     return Failure{FailureKind::kBadInput,
-                   "two_feet",
+                   FailureCode::kTwoFeet,
                    "BalanceOn",
                    fmt::format("balancing on one foot takes two feet with soles; robot '{}' has {} feet", model.name,
                                model.feet.size()),

@@ -125,7 +125,7 @@ std::string TaskPlanJson(const TaskPlan& plan) {
 
 Result<TaskPlan> TaskPlanFromJson(const std::string& text) {
   const auto bad = [](const std::string& message) {
-    return Failure{FailureKind::kBadInput, "task_plan", "TaskPlanFromJson", message, {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kTaskPlan, "TaskPlanFromJson", message, {}};
   };
   Json json;
   try {

@@ -18,8 +18,8 @@ using Kind = ParameterRule::Kind;
 
 constexpr char kCheckStage[] = "CheckTask";
 
-Failure Bad(const std::string& code, const std::string& message, const std::vector<std::string>& hints = {}) {
-  return {FailureKind::kBadInput, code, kCheckStage, message, hints};
+Failure Bad(FailureCode code, const std::string& message, const std::vector<Suggestion>& suggestions = {}) {
+  return {FailureKind::kBadInput, code, kCheckStage, message, suggestions};
 }
 
 std::vector<std::string> KeysOf(const ActionRule& rule) {
@@ -48,13 +48,13 @@ bool Contains(const std::vector<std::string>& names, const std::string& name) {
 std::optional<Failure> OutOfRange(const Task& task, const ParameterRule& rule, double value) {
   const ParameterRange range = RangeOf(*FindAction(task.action), rule);
   if (value >= range.lowest && value <= range.highest) return std::nullopt;
-  return Bad("range", fmt::format("'{}' of '{}' is {:.6g}; {:.6g} to {:.6g} is accepted", rule.key, task.action, value,
-                                  range.lowest, range.highest));
+  return Bad(FailureCode::kRange, fmt::format("'{}' of '{}' is {:.6g}; {:.6g} to {:.6g} is accepted", rule.key,
+                                              task.action, value, range.lowest, range.highest));
 }
 
 std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, const TaskValue& value) {
   const auto kind = [&](const char* wanted) {
-    return Bad("parameter", fmt::format("'{}' of '{}' must be {}", rule.key, task.action, wanted));
+    return Bad(FailureCode::kParameter, fmt::format("'{}' of '{}' must be {}", rule.key, task.action, wanted));
   };
   switch (rule.kind) {
     case Kind::kNumber:
@@ -66,8 +66,8 @@ std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, c
     case Kind::kWord:
       if (const auto* word = std::get_if<std::string>(&value)) {
         if (Contains(rule.words, *word)) return std::nullopt;
-        return Bad("parameter", fmt::format("'{}' of '{}' is '{}'; it is one of {}", rule.key, task.action, *word,
-                                            QuotedList(rule.words)));
+        return Bad(FailureCode::kParameter, fmt::format("'{}' of '{}' is '{}'; it is one of {}", rule.key, task.action,
+                                                        *word, QuotedList(rule.words)));
       }
       return kind("a word");
     case Kind::kPlace:
@@ -76,7 +76,7 @@ std::optional<Failure> WhyNoValue(const Task& task, const ParameterRule& rule, c
   const auto* place = std::get_if<PlaceName>(&value);
   if (place == nullptr || place->name.empty()) return kind("a place with a name");
   if (place->number < -1 || place->number > 1000)
-    return Bad("range", fmt::format("number {} of place '{}' is none", place->number, place->name));
+    return Bad(FailureCode::kRange, fmt::format("number {} of place '{}' is none", place->number, place->name));
   return std::nullopt;
 }
 
@@ -84,23 +84,26 @@ std::optional<Failure> WhyNoParameters(const Task& task, const ActionRule& rule)
   const std::vector<std::string> keys = KeysOf(rule);
   for (const auto& [key, value] : task.parameters) {
     if (!Contains(keys, key)) {
-      return Bad("parameter", fmt::format("'{}' has no parameter '{}'{}", task.action, key, NearestOrAll(key, keys)));
+      return Bad(FailureCode::kParameter,
+                 fmt::format("'{}' has no parameter '{}'{}", task.action, key, NearestOrAll(key, keys)));
     }
     if (auto failure = WhyNoValue(task, *FindParameter(key), value)) return failure;
   }
   for (const std::string& key : rule.required) {
-    if (!task.Has(key)) return Bad("parameter", fmt::format("'{}' lacks its parameter '{}'", task.action, key));
+    if (!task.Has(key))
+      return Bad(FailureCode::kParameter, fmt::format("'{}' lacks its parameter '{}'", task.action, key));
   }
   std::vector<std::string> extents;
   for (const std::string& key : ExtentKeys()) {
     if (task.action == "walk" && task.Has(key)) extents.push_back(key);
   }
   if (extents.size() > 1)
-    return Bad("parameter", fmt::format("{} each say how far to walk: one of them is accepted", QuotedList(extents)));
+    return Bad(FailureCode::kParameter,
+               fmt::format("{} each say how far to walk: one of them is accepted", QuotedList(extents)));
   if (task.Has("pace") && task.Has("speed_m_s"))
-    return Bad("parameter", "'pace' and 'speed_m_s' each say how fast to walk: one of them is accepted");
+    return Bad(FailureCode::kParameter, "'pace' and 'speed_m_s' each say how fast to walk: one of them is accepted");
   if (task.Has("step_length_m") && task.action == "walk" && !task.Has("steps"))
-    return Bad("parameter", "'step_length_m' goes with 'steps'");
+    return Bad(FailureCode::kParameter, "'step_length_m' goes with 'steps'");
   return std::nullopt;
 }
 
@@ -113,12 +116,13 @@ std::optional<Failure> WhyNoPlace(const PlaceName& place, const TaskScope& scope
     if ((one && place.number <= 1) ||
         (!one && (place.number == -1 || (place.number >= 1 && place.number <= known.number))))
       return std::nullopt;
-    return Bad("place", one ? fmt::format("there is one place '{}' only", place.name)
-                            : fmt::format("place '{}' needs a number from 1 to {}", place.name, known.number));
+    return Bad(FailureCode::kPlace,
+               one ? fmt::format("there is one place '{}' only", place.name)
+                   : fmt::format("place '{}' needs a number from 1 to {}", place.name, known.number));
   }
-  return Bad("place", names.empty()
-                          ? fmt::format("there is no place '{}': the ground has none with a name", place.name)
-                          : fmt::format("there is no place '{}'{}", place.name, NearestOrAll(place.name, names)));
+  return Bad(FailureCode::kPlace,
+             names.empty() ? fmt::format("there is no place '{}': the ground has none with a name", place.name)
+                           : fmt::format("there is no place '{}'{}", place.name, NearestOrAll(place.name, names)));
 }
 
 std::string MissingFor(Needs needs) {
@@ -242,18 +246,19 @@ TaskScope ScopeOf(const RobotModel& model) {
 std::optional<Failure> WhyNoTask(const Task& task) {
   const ActionRule* rule = FindAction(task.action);
   if (rule == nullptr) {
-    return Bad("action", fmt::format("there is no action '{}'{}", task.action,
-                                     NearestOrAll(task.action, NamesOf(ActionRules()))));
+    return Bad(FailureCode::kAction, fmt::format("there is no action '{}'{}", task.action,
+                                                 NearestOrAll(task.action, NamesOf(ActionRules()))));
   }
   if (auto failure = WhyNoParameters(task, *rule)) return failure;
   if (rule->is_gesture && !task.during.empty())
-    return Bad("parameter", fmt::format("nothing can be done while '{}' is", task.action));
+    return Bad(FailureCode::kParameter, fmt::format("nothing can be done while '{}' is", task.action));
   for (const Task& gesture : task.during) {
     if (auto failure = WhyNoTask(gesture)) return failure;
     if (!FindAction(gesture.action)->is_gesture) {
-      return Bad("parameter", fmt::format("'{}' cannot be done while '{}' is; gestures can: raise_arm, lower_arm, "
-                                          "wave, nod",
-                                          gesture.action, task.action));
+      return Bad(FailureCode::kParameter,
+                 fmt::format("'{}' cannot be done while '{}' is; gestures can: raise_arm, lower_arm, "
+                             "wave, nod",
+                             gesture.action, task.action));
     }
   }
   return std::nullopt;
@@ -262,10 +267,11 @@ std::optional<Failure> WhyNoTask(const Task& task) {
 std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
   const ActionRule& rule = *FindAction(task.action);
   const auto cannot = [&](const std::string& why) {
-    std::vector<std::string> hints = {fmt::format("it can {}", fmt::join(scope.Actions(), ", "))};
+    std::vector<Suggestion> suggestions = {fmt::format("it can {}", fmt::join(scope.Actions(), ", "))};
     if (!rule.instead.empty())
-      hints.insert(hints.begin(), fmt::format("the nearest that it can do is {}", rule.instead));
-    return Bad("cannot", fmt::format("robot '{}' cannot '{}': it {}", scope.robot, task.action, why), hints);
+      suggestions.insert(suggestions.begin(), fmt::format("the nearest that it can do is {}", rule.instead));
+    return Bad(FailureCode::kCannot, fmt::format("robot '{}' cannot '{}': it {}", scope.robot, task.action, why),
+               suggestions);
   };
   if (!scope.Can(rule)) return cannot(MissingFor(rule.needs));
   if (rule.needs == Needs::kArm) {
@@ -285,9 +291,10 @@ std::optional<Failure> WhyNotDone(const Task& task, const TaskScope& scope) {
 }
 
 std::optional<Failure> WhyNotPlanned(const TaskPlan& plan, const TaskScope& scope) {
-  if (plan.tasks.empty()) return Bad("empty", "there is nothing to do");
+  if (plan.tasks.empty()) return Bad(FailureCode::kEmpty, "there is nothing to do");
   if (plan.tasks.size() > kMostTasks)
-    return Bad("range", fmt::format("there are {} tasks; at most {} are done", plan.tasks.size(), kMostTasks));
+    return Bad(FailureCode::kRange,
+               fmt::format("there are {} tasks; at most {} are done", plan.tasks.size(), kMostTasks));
   for (std::size_t k = 0; k < plan.tasks.size(); ++k) {
     const Task& task = plan.tasks[k];
     std::optional<Failure> failure = WhyNoTask(task);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kLargestTable = std::size_t{128} << 20;  // [byte]
 
 Failure RefusedHeights(const std::string& path, const std::string& why) {
-  return {FailureKind::kBadInput, "terrain_file", "ReadHeightMap", fmt::format("'{}' {}", path, why), {}};
+  return {FailureKind::kBadInput, FailureCode::kTerrainFile, "ReadHeightMap", fmt::format("'{}' {}", path, why), {}};
 }
 
 /// Numbers by row from the top, and the line of each row in its file.

@@ -46,7 +46,7 @@ FileText Part(const std::string& text) {
   return {text, "", "", false};
 }
 
-Failure Refused(const std::string& code, const std::string& message) {
+Failure Refused(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "LoadTerrain", message, {}};
 }
 
@@ -97,12 +97,12 @@ Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale&
   if (TerrainFileOf(name_or_file).empty()) return MakeTerrain(name_or_file, scale);
   const FileText file = Part(name_or_file);
   if (file.kind.empty()) {
-    return Refused("terrain_kind", fmt::format("'{}' is a terrain of a kind that is not read; there are {}",
-                                               name_or_file, QuotedList(kKinds)));
+    return Refused(FailureCode::kTerrainKind, fmt::format("'{}' is a terrain of a kind that is not read; there are {}",
+                                                          name_or_file, QuotedList(kKinds)));
   }
   std::error_code error;
   if (!fs::is_regular_file(file.path, error))
-    return Refused("no_file", fmt::format("there is no terrain file '{}'", file.path));
+    return Refused(FailureCode::kNoFile, fmt::format("there is no terrain file '{}'", file.path));
   try {
     Result<Terrain> terrain = LoadFile(file, scale);
     if (!terrain) return terrain;
@@ -110,7 +110,7 @@ Result<Terrain> LoadTerrain(const std::string& name_or_file, const TerrainScale&
     if (file.has_parameters) terrain->name += ":" + file.parameters;
     return terrain;
   } catch (const InvalidArgument& wrong) {
-    return Refused("terrain_parameter", fmt::format("terrain '{}': {}", file.path, wrong.what()));
+    return Refused(FailureCode::kTerrainParameter, fmt::format("terrain '{}': {}", file.path, wrong.what()));
   }
 }
 

@@ -170,8 +170,11 @@ Result<Terrain> TerrainFromMesh(const Mesh& mesh, const MeshTerrainOptions& opti
     CheckOptions(checked.Fields());
     return Make(Placed(mesh, options), options);
   } catch (const InvalidArgument& error) {
-    return Failure{
-        FailureKind::kBadInput, "terrain_file", "TerrainFromMesh", fmt::format("'{}' {}", name, error.what()), {}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kTerrainFile,
+                   "TerrainFromMesh",
+                   fmt::format("'{}' {}", name, error.what()),
+                   {}};
   }
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kLargestPicture = std::size_t{64} << 20;  // [byte]
 
 Failure RefusedPng(const std::string& path, const std::string& why) {
-  return {FailureKind::kBadInput, "terrain_file", "ReadGreyPng", fmt::format("'{}' {}", path, why), {}};
+  return {FailureKind::kBadInput, FailureCode::kTerrainFile, "ReadGreyPng", fmt::format("'{}' {}", path, why), {}};
 }
 
 void KeepMessage(png_structp png, png_const_charp message) {

@@ -259,8 +259,11 @@ DataShape TerrainFileShape() {
 
 Result<Terrain> ReadTerrainYaml(const std::string& path, const TerrainScale& scale) {
   const auto bad = [&](const std::string& message) {
-    return Failure{
-        FailureKind::kBadInput, "terrain_file", "ReadTerrainYaml", fmt::format("'{}', {}", path, message), {}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kTerrainFile,
+                   "ReadTerrainYaml",
+                   fmt::format("'{}', {}", path, message),
+                   {}};
   };
   const Result<std::string> text = ReadFile(path);
   if (!text) return text.failure();

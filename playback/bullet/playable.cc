@@ -16,7 +16,7 @@ namespace {
 constexpr double kLongestPlan = 3600.0;   // [s]
 constexpr double kBumpsBeyondPlan = 2.0;  // bumpy ground around where the plan goes [m]
 
-Failure Mismatch(const std::string& code, const std::string& message, const std::string& hint) {
+Failure Mismatch(FailureCode code, const std::string& message, const std::string& hint) {
   return {FailureKind::kBadInput, code, "Play", message, {hint}};
 }
 
@@ -24,20 +24,20 @@ Failure Mismatch(const std::string& code, const std::string& message, const std:
 std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
   const WholeBodyTrajectory& w = plan.whole_body;
   if (w.size() == 0 || w.step_s <= 0.0) {
-    return Mismatch("plan_without_motion", "the plan has no whole-body motion to play", "plan it again");
+    return Mismatch(FailureCode::kPlanWithoutMotion, "the plan has no whole-body motion to play", "plan it again");
   }
   if (!(plan.duration_s() <= kLongestPlan) || !std::isfinite(w.start_s)) {
-    return Mismatch("plan_too_long",
+    return Mismatch(FailureCode::kPlanTooLong,
                     fmt::format("the plan lasts {:.6g} s from {:.6g} s on; at most {} s are played", plan.duration_s(),
                                 w.start_s, kLongestPlan),
                     "see that its 'step_s' is right");
   }
   if (std::any_of(plan.parts.begin(), plan.parts.end(), [](const MotionPart& part) { return Hangs(part.gait); })) {
-    return Mismatch("hangs", "the plan moves a robot that hangs, held from outside: it would fall at once",
+    return Mismatch(FailureCode::kHangs, "the plan moves a robot that hangs, held from outside: it would fall at once",
                     "audit and export it; play the plan that it leads to");
   }
   if (!model.hash.empty() && !plan.robot_hash.empty() && plan.robot_hash != model.hash) {
-    return Mismatch("plan_of_other_robot",
+    return Mismatch(FailureCode::kPlanOfOtherRobot,
                     fmt::format("the plan was made for robot '{}' ({}), and this is '{}' ({})", plan.robot,
                                 plan.robot_hash, model.name, model.hash),
                     "play it with the robot in the plan itself, or plan again");
@@ -45,7 +45,7 @@ std::optional<Failure> Misfit(const RobotModel& model, const MotionPlan& plan) {
   try {
     CheckMotion(model, w);
   } catch (const InvalidArgument& error) {
-    return Mismatch("plan_of_other_robot", error.what(), "plan again for this robot");
+    return Mismatch(FailureCode::kPlanOfOtherRobot, error.what(), "plan again for this robot");
   }
   return std::nullopt;
 }
@@ -56,7 +56,7 @@ std::optional<Failure> LatePush(const MotionPlan& plan, const PlayOptions& optio
   for (const TimedPush& push : bullet::PushesOf(options)) {
     if (push.at_s < end_s) continue;
     return Mismatch(
-        "late_push",
+        FailureCode::kLatePush,
         fmt::format("the push begins at {} s, when the playback has ended: it ends at {:.3f} s", push.at_s, end_s),
         "push earlier");
   }

@@ -246,7 +246,8 @@ PlaybackLog ReadLog(const Json& j) {
 }
 
 Failure Refused(const std::string& source, const std::string& why) {
-  return {FailureKind::kBadInput, "log_file", "LoadLog", fmt::format("'{}' is refused: {}", source, why), {}};
+  return {
+      FailureKind::kBadInput, FailureCode::kLogFile, "LoadLog", fmt::format("'{}' is refused: {}", source, why), {}};
 }
 
 }  // namespace

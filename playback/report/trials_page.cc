@@ -59,7 +59,7 @@ std::string SensitivityTable(const RobustnessReport& report) {
     return "<p class=\"soft\">What falls go with cannot be told: every trial fell.</p>\n";
   std::string rows;
   for (const Sensitivity& s : report.sensitivity) {
-    const bool word = s.how.starts_with("is");
+    const bool word = s.of_a_word;
     rows += fmt::format(
         "<tr><td><span class=\"key\">{}</span></td>{}<td class=\"n\">{:.2f}</td><td class=\"n\">{:.2g}</td>"
         "<td class=\"n\">{:.2f}</td>{}{}</tr>\n",

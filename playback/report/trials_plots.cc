@@ -188,7 +188,7 @@ std::vector<Plot> TrialPlots(const RobustnessReport& report) {
   if (report.n == 0) return plots;
   if (!report.push_bins.empty()) plots.push_back(PolarPlot(report));
   const auto numeric = std::find_if(report.sensitivity.begin(), report.sensitivity.end(),
-                                    [](const Sensitivity& s) { return !s.how.starts_with("is "); });
+                                    [](const Sensitivity& s) { return !s.of_a_word; });
   if (numeric != report.sensitivity.end()) plots.push_back(SurvivalOver(report, *numeric));
   plots.push_back(GatesPlot(report));
   plots.push_back(ScoresPlot(report));

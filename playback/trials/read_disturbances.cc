@@ -248,7 +248,7 @@ DataShape DisturbancesShape(const OptionFields& sensors) {
 Result<Disturbances> ReadDisturbances(const std::string& text, const OptionFields& sensors, const std::string& source) {
   const auto bad = [&](const std::string& message) {
     return Failure{FailureKind::kBadInput,
-                   "disturbances",
+                   FailureCode::kDisturbances,
                    "ReadDisturbances",
                    fmt::format("'{}', {}", source, message),
                    {"every key stands in docs/trials.md"}};

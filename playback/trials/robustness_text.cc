@@ -138,7 +138,7 @@ std::string SensitivityLines(const RobustnessReport& report) {
   for (std::size_t i = 0; i < std::min(kMostTold, report.sensitivity.size()); ++i) {
     const Sensitivity& s = report.sensitivity[i];
     text += fmt::format("  {:<36} {:<10} effect {:.2f}  p {:.2g}", s.name, s.how, s.effect, s.p);
-    if (!s.how.starts_with("is")) {
+    if (!s.of_a_word) {
       text +=
           fmt::format("  median {:.4g} where it fell, {:.4g} where not [{}]", s.median_fell, s.median_survived, s.unit);
     }

@@ -178,6 +178,7 @@ std::vector<Sensitivity> RankDisturbances(const std::vector<SampledColumn>& colu
     const std::vector<Look> looks = LooksOf(column);
     if (std::none_of(looks.begin(), looks.end(), [](const Look& look) { return Differs(look.values); })) continue;
     Sensitivity best{column.name, column.unit};
+    best.of_a_word = !column.words.empty();
     std::vector<double> values;
     for (const Look& look : looks) {
       const Halves halves = Split(look.values, fell);

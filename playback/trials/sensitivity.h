@@ -21,10 +21,11 @@ RankTest CompareRanks(const std::vector<double>& first, const std::vector<double
 /// What one sampled figure has to do with the falls.
 struct Sensitivity {
   std::string name = {}, unit = {};
-  std::string how = {};  ///< "more", "less", "far off", "near", or "is WORD": what goes with falls
-  double effect = 0.0;   ///< rank-biserial correlation of falls with that, 0 to 1
-  double p = 1.0;        ///< two-sided, times the number of ways that were tried for this figure
-  double weight = 0.0;   ///< of all figures together: ridge logistic regression, odds per standard deviation, log
+  std::string how = {};    ///< "more", "less", "far off", "near", or "is WORD": what goes with falls
+  bool of_a_word = false;  ///< the figure is a word, which has no median
+  double effect = 0.0;     ///< rank-biserial correlation of falls with that, 0 to 1
+  double p = 1.0;          ///< two-sided, times the number of ways that were tried for this figure
+  double weight = 0.0;     ///< of all figures together: ridge logistic regression, odds per standard deviation, log
   double median_fell = 0.0, median_survived = 0.0;
 
   bool operator==(const Sensitivity&) const = default;

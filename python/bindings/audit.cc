@@ -59,6 +59,7 @@ void BindAudit(py::module_& module) {
                            report.violations.size(), report.samples);
       });
   module.attr("AUDIT_LAWS") = LawNames();
+  module.attr("FAILURE_CODES") = FailureCodeNames();
   module.def("audit", AuditOf, py::arg("plan").none(false), py::arg("margins") = false, py::arg("options") = py::dict(),
              R"(Looks at a plan at 1 kHz, between its nodes too: dynamics, forces, limits, reach, clearance and more.
 

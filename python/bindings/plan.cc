@@ -78,6 +78,21 @@ py::list FootholdsOf(const Plan& plan) {
   return list;
 }
 
+py::list AdjustmentsOf(const Plan& plan) {
+  py::list list;
+  for (const Adjustment& adjustment : plan.motion().adjustments) {
+    py::dict one;
+    one["what"] = adjustment.what;
+    one["asked"] = adjustment.asked;
+    one["given"] = adjustment.given;
+    one["unit"] = adjustment.unit;
+    one["why"] = FailureCodeName(adjustment.why);
+    one["part"] = adjustment.part;
+    list.append(one);
+  }
+  return list;
+}
+
 /// Whether each foot is scheduled to stand, by row.
 py::array ContactOf(const py::object& self) {
   const Plan& plan = PlanIn(self);
@@ -157,6 +172,9 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to:
           "gait", [](const Plan& p) { return GaitNames(p.motion().parts); }, "Of its parts.")
       .def_property_readonly(
           "warnings", [](const Plan& p) { return p.motion().warnings; }, "Limits that it knowingly does not keep.")
+      .def_property_readonly(
+          "adjustments", AdjustmentsOf,
+          "What it has otherwise than was asked for: dictionaries of what, asked, given, unit, why, part.")
       .def_property_readonly("footholds", FootholdsOf, "Dictionaries of foot, pose (4 x 4), touchdown_s, liftoff_s.")
       .def_property_readonly("hash", [](const Plan& p) { return PlanHash(p.motion()); })
       .def(

@@ -152,7 +152,7 @@ Playback WithPlan(Result<PlaybackLog> log, const std::string& name, const std::s
   played.log = Value(std::move(log));
   if (const std::string hash = MotionHash(plan->motion()); hash != played.log.plan_hash) {
     throw FailureError({FailureKind::kBadInput,
-                        "other_plan",
+                        FailureCode::kOtherPlan,
                         "LoadLog",
                         fmt::format("'{}' was played from another plan: its motion has hash {}, the log says {}", name,
                                     hash, played.log.plan_hash),

@@ -12,6 +12,7 @@
 
 from gaitwright._core import (
     AUDIT_LAWS,
+    FAILURE_CODES,
     CONTROLLERS,
     AuditMargin,
     AuditReport,
@@ -58,6 +59,7 @@ from gaitwright.plots import plot
 
 __all__ = [
     "AUDIT_LAWS",
+    "FAILURE_CODES",
     "CONTROLLERS",
     "AuditMargin",
     "AuditReport",

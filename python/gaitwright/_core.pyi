@@ -15,6 +15,7 @@ Options = Mapping[str, Union[float, bool, np.bool_, str]]
 Path = Union[str, "os.PathLike[str]"]
 
 AUDIT_LAWS: list[str]
+FAILURE_CODES: list[str]
 CONTROLLERS: list[str]
 __version__: str
 

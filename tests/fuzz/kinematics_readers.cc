@@ -30,7 +30,8 @@ Verdict ReadUrdf(const std::string& input) {
 /// Beside it lie `part.xacro`, in the package `bot` too, `sizes.yaml` and, as `self.xacro`, the input again.
 Result<std::string> ExpandInput(const std::string& input) {
   const auto missing = [](const std::string& what) {
-    return Failure{FailureKind::kBadInput, "no_such_file", "File", fmt::format("no such file: '{}'", what), {}};
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kNoSuchFile, "File", fmt::format("no such file: '{}'", what), {}};
   };
   XacroSources sources;
   sources.read = [&](const std::string& path) -> Result<std::string> {
@@ -80,7 +81,7 @@ Verdict ReadMjcf(const std::string& input) {
   MjcfFiles files;
   files.text = [](const std::string& file) -> Result<std::string> {
     if (file == "leg.xml") return leg;
-    return Failure{FailureKind::kBadInput, "no_file", "ReadFile", "no such file", {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kNoFile, "ReadFile", "no such file", {}};
   };
   files.mesh = [](const std::string&) -> Result<MjcfMesh> {
     return MjcfMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
@@ -93,11 +94,11 @@ Verdict ReadMjcf(const std::string& input) {
   Require(IsMjcf(input), "what is converted is known as a model");
   for (const std::string& note : converted->notes) Require(IsPlainText(note), "a note can be shown");
   Result<RobotModel> model = LoadRobotFromText(converted->urdf, converted->yaml);
-  if (!model && model.failure().code == "robot_yaml")  // the keyframe is no stance
+  if (!model && model.failure().code == FailureCode::kRobotYaml)  // the keyframe is no stance
     model = LoadRobotFromText(converted->urdf, converted->yaml_without_posture);
   if (!model) {
-    Require(model.failure().code != "not_xml" && model.failure().code != "robot_yaml" &&
-                model.failure().code != "unknown_link" && model.failure().code != "urdf_missing",
+    Require(model.failure().code != FailureCode::kNotXml && model.failure().code != FailureCode::kRobotYaml &&
+                model.failure().code != FailureCode::kUnknownLink && model.failure().code != FailureCode::kUrdfMissing,
             "the URDF and the robot.yaml of a model are whole: " + model.failure().message);
     return Verdict::kRefused;
   }

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "workflows/formats/failure_json.h"
+
 namespace gaitwright {
 namespace {
 
@@ -20,11 +22,8 @@ std::string AnswerOf(const Result<TrialOutcome>& trial) {
   if (trial) return OutcomeToLine(*trial);
   const Failure& failure = trial.failure();
   Json answer = Json::object();
-  answer["failure"] = {{"infeasible", failure.kind == FailureKind::kInfeasible},
-                       {"code", failure.code},
-                       {"stage", failure.stage},
-                       {"message", failure.message},
-                       {"hints", failure.hints}};
+  answer["failure"] = FailureToJson(failure);
+  answer["failure"]["infeasible"] = failure.kind == FailureKind::kInfeasible;
   return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -32,9 +31,15 @@ Result<TrialOutcome> TrialOfAnswer(const std::string& answer) {
   if (!answer.starts_with(kFailure)) return OutcomeFromLine(answer);
   try {
     const Json of = Json::parse(answer).at("failure");
-    return Failure{of.at("infeasible").get<bool>() ? FailureKind::kInfeasible : FailureKind::kBadInput,
-                   of.at("code").get<std::string>(), of.at("stage").get<std::string>(),
-                   of.at("message").get<std::string>(), of.at("hints").get<std::vector<std::string>>()};
+    const auto code = FailureCodeOfName(of.at("code").get<std::string>());
+    if (!code) throw InvalidArgument(fmt::format("a failure has the unknown code {}", of.at("code").dump()));
+    Failure failure{of.at("infeasible").get<bool>() ? FailureKind::kInfeasible : FailureKind::kBadInput,
+                    *code,
+                    of.at("stage").get<std::string>(),
+                    of.at("message").get<std::string>(),
+                    {}};
+    for (const Json& hint : of.at("hints")) failure.suggestions.emplace_back(hint.get<std::string>());
+    return failure;
   } catch (const Json::exception& error) {
     throw InvalidArgument(fmt::format("an answer is neither the outcome of a trial nor a failure: {}", error.what()));
   }

@@ -61,7 +61,7 @@ Result<std::vector<PieceRunner>> SharedWork::Runners(const RankReadiness& own) {
   if (misgiving.empty()) return runners;
   LetGo(kRefused);
   return Failure{FailureKind::kBadInput,
-                 "rank_not_ready",
+                 FailureCode::kRankNotReady,
                  "SharedWork",
                  misgiving,
                  {"see that every machine has the same program and the same files at the same paths"}};

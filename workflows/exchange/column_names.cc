@@ -81,7 +81,8 @@ Result<ColumnNames> ReadColumnNames(const std::string& path, ImportOptions& opti
   const Result<std::string> text = ReadFile(path);
   if (!text) return text.failure();
   const auto refused = [&](const std::string& why) {
-    return Failure{FailureKind::kBadInput, "columns_file", "ReadColumnNames", fmt::format("'{}': {}", path, why), {}};
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kColumnsFile, "ReadColumnNames", fmt::format("'{}': {}", path, why), {}};
   };
   try {
     return Parsed(LoadYaml(*text), options);

@@ -67,8 +67,11 @@ std::string Joined(const std::vector<std::string>& laws) { return fmt::format("{
 
 Result<ReadReport> ReportFromJson(const std::string& text, const std::string& source) {
   const auto refused = [&](const std::string& why) {
-    return Failure{
-        FailureKind::kBadInput, "report_file", "ReadReport", fmt::format("'{}' is refused: {}", source, why), {}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kReportFile,
+                   "ReadReport",
+                   fmt::format("'{}' is refused: {}", source, why),
+                   {}};
   };
   try {
     ReadReport report = Read(ParseJsonOnce(text));

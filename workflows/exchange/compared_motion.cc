@@ -190,8 +190,11 @@ Result<ComparedMotion> CheckedTable(const RobotModel& model, const ImportOptions
     CheckComparedTable(model, options, table);
     return ComparedTable(model, table, name);
   } catch (const InvalidArgument& error) {
-    return Failure{
-        FailureKind::kBadInput, "motion", "ReadCompareInput", fmt::format("'{}': {}", name, error.what()), {}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kMotion,
+                   "ReadCompareInput",
+                   fmt::format("'{}': {}", name, error.what()),
+                   {}};
   }
 }
 

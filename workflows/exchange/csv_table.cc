@@ -250,7 +250,8 @@ Result<CsvTable> ParseCsvTable(const std::string& text, const std::string& sourc
   try {
     CsvReader(text, table).Read();
   } catch (const InvalidArgument& error) {
-    return Failure{FailureKind::kBadInput, "csv", "ReadCsvTable", fmt::format("'{}': {}", source, error.what()), {}};
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kCsv, "ReadCsvTable", fmt::format("'{}': {}", source, error.what()), {}};
   }
   return table;
 }

@@ -309,7 +309,8 @@ DataShape FootstepFileShape() {
 Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& terrain, const std::string& text,
                                        const std::string& source, double grid_s) {
   const auto refused = [&](const std::string& why) {
-    return Failure{FailureKind::kBadInput, "footsteps", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
+    return Failure{
+        FailureKind::kBadInput, FailureCode::kFootsteps, "ImportMotion", fmt::format("'{}': {}", source, why), {}};
   };
   try {
     return FootstepReader(model, terrain, grid_s).Read(LoadYaml(text));
@@ -323,7 +324,11 @@ Result<FootstepSkeleton> ReadFootsteps(const RobotModel& model, const Terrain& t
 std::optional<Failure> PlanFootstepFile(const RobotModel& model, const Terrain& terrain, const std::string& text,
                                         const ImportRequest& request, ImportedMotion& imported) {
   if (request.goal)
-    return Failure{FailureKind::kBadInput, "footsteps", "ImportMotion", "footsteps say themselves where they lead", {}};
+    return Failure{FailureKind::kBadInput,
+                   FailureCode::kFootsteps,
+                   "ImportMotion",
+                   "footsteps say themselves where they lead",
+                   {}};
   const Result<FootstepSkeleton> skeleton =
       ReadFootsteps(model, terrain, text, request.file, request.motion.pipeline.grid_step_s);
   if (!skeleton) return skeleton.failure();

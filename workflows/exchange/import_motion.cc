@@ -25,7 +25,7 @@ namespace gaitwright {
 namespace {
 
 Failure RefusedMotion(const std::string& file, const std::string& why) {
-  return {FailureKind::kBadInput, "import", "ImportMotion", fmt::format("'{}': {}", file, why), {}};
+  return {FailureKind::kBadInput, FailureCode::kImport, "ImportMotion", fmt::format("'{}': {}", file, why), {}};
 }
 
 std::string ExtensionOf(const std::string& file) { return LowerCase(std::filesystem::path(file).extension().string()); }

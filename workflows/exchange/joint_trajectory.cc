@@ -201,7 +201,8 @@ std::string WithoutLastSeparator(const std::string& text) {
 }
 
 Failure RefusedTrajectory(const std::string& source, const std::string& why) {
-  return {FailureKind::kBadInput, "joint_trajectory", "ImportMotion", fmt::format("'{}': {}", source, why), {}};
+  return {
+      FailureKind::kBadInput, FailureCode::kJointTrajectory, "ImportMotion", fmt::format("'{}': {}", source, why), {}};
 }
 
 }  // namespace

@@ -339,7 +339,7 @@ Result<MotionTable> MotionFromCsv(const RobotModel& model, const CsvTable& table
     return Mapper(model, table, names, options).Run();
   } catch (const InvalidArgument& error) {
     return Failure{FailureKind::kBadInput,
-                   "columns",
+                   FailureCode::kColumns,
                    "ImportMotion",
                    fmt::format("'{}': {}", table.source, error.what()),
                    {"docs/import.md says how columns are named; --columns FILE gives other names"}};

@@ -112,7 +112,7 @@ Result<ColumnNames> Ocs2ColumnNames(const RobotModel& model, const CsvTable& tab
     legs = LegsByPlace(model);
     if (!Complete(legs)) {
       return Failure{FailureKind::kBadInput,
-                     "ocs2",
+                     FailureCode::kOcs2,
                      "ImportMotion",
                      fmt::format("'{}' is a motion of OCS2's quadrupeds, with legs LF, RF, LH and RH of three joints "
                                  "each; robot '{}' has no such legs",
@@ -138,7 +138,7 @@ Result<ColumnNames> Ocs2ColumnNames(const RobotModel& model, const CsvTable& tab
     std::vector<std::string> known;
     for (const auto& [theirs, ours] : names.ours) known.push_back(theirs);
     return Failure{FailureKind::kBadInput,
-                   "ocs2",
+                   FailureCode::kOcs2,
                    "ImportMotion",
                    fmt::format("'{}' is a motion of OCS2's quadrupeds, which have no column '{}'{}", table.source,
                                *column, NearestOrAll(*column, known)),

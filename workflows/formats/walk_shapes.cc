@@ -97,6 +97,7 @@ DataShape WalkResultShape() {
                  {"notes", TextsShape()},
                  {"audit", AuditShape()},
                  {"warnings", TextsShape(), "Of the plan."},
+                 {"adjustments", AdjustmentsShape(), "Of the plan."},
                  Optional("drawn", MapOf(Text()), "Of a trial: what was drawn, by name."),
                  {"log_hash", Text(), "Of all samples of the log."},
                  {"planning_cpu_s", Number(), "0 for play."},
@@ -126,15 +127,27 @@ DataShape PlanResultShape() {
                  {"residual", Number()},
                  {"planning_cpu_s", Number()},
                  {"warnings", TextsShape()},
+                 {"adjustments", AdjustmentsShape()},
                  {"audit", AuditShape()},
                  {"files", FilesShape({"plan"})}});
 }
 
 DataShape ErrorShape() {
-  return Object({{"error", Object({{"code", Text(), "Short and stable."},
+  const DataShape suggestion = Object({{"what", Text(), "The flag or option to give, without dashes."},
+                                       {"value", OrNull(Either(Number(), Text())), "Null: not known."},
+                                       {"certainty", Text({"planned", "estimated", "untried"})}});
+  const DataShape violation = Object({{"law", Text(LawNames())},
+                                      {"at_s", NumberOrNull(), "Null: not known."},
+                                      {"where", Text(), "Joint, foot or pair of links."},
+                                      {"value", Number()},
+                                      {"limit", Number()},
+                                      {"unit", Text()}});
+  return Object({{"error", Object({{"code", Text(FailureCodeNames()), "Why it is refused."},
                                    {"stage", Text()},
                                    {"message", Text(), "One sentence that names the offender."},
-                                   {"hints", TextsShape(), "What may help."}})}});
+                                   {"hints", TextsShape(), "What may help, in words."},
+                                   {"suggestions", List(suggestion), "Those hints that name an option."},
+                                   Optional("violation", violation, "The law that forbids it.")})}});
 }
 
 }  // namespace gaitwright

@@ -82,7 +82,7 @@ Result<std::vector<std::string>> WriteAnswers(const std::string& inputs_folder, 
     try {
       files.push_back({fmt::format("{}/{}.csv", answers_folder, part.name), AnswersCsv(*inputs, part.answer)});
     } catch (const InvalidArgument& error) {
-      return Failure{FailureKind::kBadInput, "answers", "WriteAnswers", error.what(), {}};
+      return Failure{FailureKind::kBadInput, FailureCode::kAnswers, "WriteAnswers", error.what(), {}};
     }
   }
   return WriteFilesTogether(files);

@@ -39,7 +39,7 @@ double ActiveSeconds(pid_t process) {
   return stream >> ran_ns >> queued_ns ? 1e-9 * (ran_ns + queued_ns) : 0.0;
 }
 
-Failure Broken(const std::string& code, const std::string& message) {
+Failure Broken(FailureCode code, const std::string& message) {
   return {FailureKind::kBadInput, code, "ChildProcess", message, {}};
 }
 
@@ -50,8 +50,12 @@ void CloseAll(std::initializer_list<int> handles) {
 }
 
 /// What a signal tells of its end.
+bool IsOutOfTime(int signal, const ChildLimits& limits, double used_s) {
+  return signal == SIGXCPU || (signal == SIGKILL && used_s >= limits.time_s);
+}
+
 std::string EndedBy(int signal, const ChildLimits& limits, double used_s) {
-  if (signal == SIGXCPU || (signal == SIGKILL && used_s >= limits.time_s))
+  if (IsOutOfTime(signal, limits, used_s))
     return fmt::format("it took more than {} s of processor time", limits.time_s);
   if (signal == SIGXFSZ) return fmt::format("it wrote a file of more than {} MB", limits.file_mb);
   const char* name = sigabbrev_np(signal);
@@ -93,7 +97,7 @@ Result<ChildProcess> ChildProcess::Start(const ChildSetup& setup) {
   std::array<int, 2> requests{-1, -1}, answers{-1, -1};
   if (!MakePipe(requests) || !MakePipe(answers)) {
     CloseAll({requests[0], requests[1]});
-    return Broken("child", "a submission's process can be given no pipes");
+    return Broken(FailureCode::kChild, "a submission's process can be given no pipes");
   }
   const Result<pid_t> process = StartChild(setup, requests[0], answers[1]);
   CloseAll({requests[0], answers[1]});
@@ -131,7 +135,7 @@ void ChildProcess::Kill() {
   process_ = requests_ = answers_ = -1;
 }
 
-Failure ChildProcess::End(const std::string& code, const std::string& message) {
+Failure ChildProcess::End(FailureCode code, const std::string& message) {
   Kill();
   failure_ = Broken(code, message);
   return *failure_;
@@ -146,7 +150,7 @@ Failure ChildProcess::Ended() {
     ended = wait4(process_, &status, WNOHANG, &used);
     if (ended == 0) poll(nullptr, 0, kLookEach);
   }
-  if (ended != process_) return End("child_ended", "it closed its answers");
+  if (ended != process_) return End(FailureCode::kChildEnded, "it closed its answers");
   kill(-process_, SIGKILL);
   process_ = -1;
   const auto seconds = [](const timeval& t) {
@@ -154,9 +158,10 @@ Failure ChildProcess::Ended() {
   };
   const double used_s = seconds(used.ru_utime) + seconds(used.ru_stime);
   if (!WIFSIGNALED(status))
-    return End("child_ended", fmt::format("it ended by itself, with status {}", WEXITSTATUS(status)));
-  const std::string how = EndedBy(WTERMSIG(status), setup_.limits, used_s);
-  return End(how.find("processor") == std::string::npos ? "child_ended" : "child_time", how);
+    return End(FailureCode::kChildEnded, fmt::format("it ended by itself, with status {}", WEXITSTATUS(status)));
+  const bool out_of_time = IsOutOfTime(WTERMSIG(status), setup_.limits, used_s);
+  return End(out_of_time ? FailureCode::kChildTime : FailureCode::kChildEnded,
+             EndedBy(WTERMSIG(status), setup_.limits, used_s));
 }
 
 bool ChildProcess::OverFileLimit() {
@@ -180,7 +185,7 @@ std::optional<Failure> ChildProcess::WaitFor(int handle, short what) {
     if (SecondsSince(looked_) * 1000.0 >= kLookEach) {
       looked_ = Clock::now();
       if (OverFileLimit())
-        return End("child_files",
+        return End(FailureCode::kChildFiles,
                    fmt::format("it wrote more than {} MB, or {} files", setup_.limits.file_mb, kMostFiles));
     }
     pollfd ready{handle, what, 0};
@@ -188,7 +193,7 @@ std::optional<Failure> ChildProcess::WaitFor(int handle, short what) {
     slept_s_ = before_s + std::max(0.0, SecondsSince(start) - (ActiveSeconds(process_) - active_s));
     if (found > 0) return std::nullopt;
     if (slept_s_ > setup_.limits.longest_sleep_s())
-      return End("child_time", fmt::format("it slept for {} s in all", setup_.limits.longest_sleep_s()));
+      return End(FailureCode::kChildTime, fmt::format("it slept for {} s in all", setup_.limits.longest_sleep_s()));
   }
 }
 
@@ -219,7 +224,8 @@ Result<std::string> ChildProcess::Receive(std::size_t longest) {
       line.resize(end);
     }
     if (line.size() > longest)
-      return End("child_answer", fmt::format("its answer is of more than {} bytes, which no answer needs", longest));
+      return End(FailureCode::kChildAnswer,
+                 fmt::format("its answer is of more than {} bytes, which no answer needs", longest));
     if (end != std::string::npos) return line;
     searched = line.size();
     if (auto failure = WaitFor(answers_, POLLIN)) return *failure;

@@ -74,7 +74,7 @@ class ChildProcess {
   Result<std::string> Receive(std::size_t longest);
   std::optional<Failure> WaitFor(int handle, short what);
   Failure Ended();
-  Failure End(const std::string& code, const std::string& message);
+  Failure End(FailureCode code, const std::string& message);
   void Kill();
   bool OverFileLimit();
 

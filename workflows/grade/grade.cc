@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Failure CannotGrade(const std::string& code, const std::string& message, std::vector<std::string> hints = {}) {
-  return {FailureKind::kBadInput, code, "GradeClass", message, std::move(hints)};
+Failure CannotGrade(FailureCode code, const std::string& message, std::vector<Suggestion> suggestions = {}) {
+  return {FailureKind::kBadInput, code, "GradeClass", message, std::move(suggestions)};
 }
 
 bool RunsCode(const Rubric& rubric) {
@@ -36,7 +36,7 @@ std::optional<Failure> WhyNotAsked(const GradeRequest& request) {
         if (part.kind == PartKind::kController) (void)GivenPlan(part, *model, run);
       }
     } catch (const InvalidArgument& error) {
-      return CannotGrade("rubric", error.what());
+      return CannotGrade(FailureCode::kRubric, error.what());
     }
   }
   return std::nullopt;
@@ -56,7 +56,7 @@ std::optional<Failure> WhyNotThere(const GradeRequest& request) {
   std::error_code error;
   if (!LiesIn(fs::absolute(request.out_folder, error), fs::absolute(request.folder, error))) return std::nullopt;
   return CannotGrade(
-      "out_dir",
+      FailureCode::kOutDir,
       fmt::format("the grades' folder '{}' lies in that of the submissions, '{}', where each folder is a "
                   "student's",
                   request.out_folder, request.folder),
@@ -73,7 +73,7 @@ std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProg
     if (!fs::is_directory(own, error)) continue;
     for (const std::string& hidden : {request.folder, request.rubric_file, request.out_folder}) {
       if (LiesIn(fs::absolute(hidden, error), own))
-        return CannotGrade("readable",
+        return CannotGrade(FailureCode::kReadable,
                            fmt::format("'{}' lies in '{}', which submissions may read since Python or the "
                                        "program needs it",
                                        hidden, own),
@@ -84,15 +84,16 @@ std::optional<Failure> WhyReadable(const GradeRequest& request, const PythonProg
 }
 
 std::optional<Failure> WhyNoCode(const GradeRequest& request, const PythonProgram& python) {
-  if (!python.has_numpy) return CannotGrade("python", fmt::format("the Python '{}' has no NumPy", python.path));
+  if (!python.has_numpy)
+    return CannotGrade(FailureCode::kPython, fmt::format("the Python '{}' has no NumPy", python.path));
   for (const RubricPart& part : request.rubric.parts) {
     if (part.package && RunsCode(part.kind) && python.package.empty())
-      return CannotGrade("python",
+      return CannotGrade(FailureCode::kPython,
                          fmt::format("part '{}' needs the Python package gaitwright, which '{}' does not have",
                                      part.name, python.path),
                          {"build it (docs/python.md), or name a Python that has it by --python PROGRAM"});
     if (const std::string path = part.package && RunsCode(part.kind) ? UnreadableForNobody(python) : ""; !path.empty())
-      return CannotGrade("unreadable",
+      return CannotGrade(FailureCode::kUnreadable,
                          fmt::format("submissions cannot be run safely here: started by root they run as nobody, who "
                                      "may not read '{}'",
                                      path),
@@ -108,7 +109,7 @@ std::optional<Failure> WhyNotTriedOut(const PythonProgram& python, const ChildLi
       fmt::format("import numpy\n{}def ready():\n    return 0\n", package ? "import gaitwright\n" : "");
   Result<StudentPython> code = StudentPython::Start(python, {{{"ready.py", text}}, "ready", package}, limits, confined);
   if (code) return std::nullopt;
-  return CannotGrade("python",
+  return CannotGrade(FailureCode::kPython,
                      fmt::format("submissions cannot be run by '{}'{}: {}", python.path,
                                  package ? " with the package gaitwright" : "", code.failure().message),
                      {"--python PROGRAM names another one, which all users may read", "raise limits.memory_mb"});
@@ -133,7 +134,7 @@ Result<MarkingSetup> SetUp(const GradeRequest& request) {
   const std::string why = WhyNotConfined();
   setup.confined = why.empty();
   if (!setup.confined && !request.unconfined)
-    return CannotGrade("unconfined_only", fmt::format("submissions cannot be run safely here: {}", why),
+    return CannotGrade(FailureCode::kUnconfinedOnly, fmt::format("submissions cannot be run safely here: {}", why),
                        {"--unconfined runs them all the same, with all that your user may do"});
   Result<PythonProgram> python = LookOver(request.python);
   if (!python) return python.failure();
@@ -160,7 +161,8 @@ Result<ClassMarks> GradeClass(const GradeRequest& request, const GradeHooks& hoo
   for (const Student& student : *students) {
     StudentMarks own{student.name, {}};
     for (const RubricPart& part : request.rubric.parts) {
-      if (hooks.stop && hooks.stop()) return CannotGrade("interrupted", "grading was ended before it was done");
+      if (hooks.stop && hooks.stop())
+        return CannotGrade(FailureCode::kInterrupted, "grading was ended before it was done");
       if (hooks.progress) hooks.progress(done++, all, student.name);
       own.parts.push_back(MarkApart(part, [&] { return MarkPart(part, student, *setup); }));
     }

@@ -51,7 +51,8 @@ int Grant(int rules, const std::string& path, std::uint64_t rights) {
 }
 
 Failure NoRules(const std::string& why) {
-  return {FailureKind::kBadInput, "landlock", "LandlockRules", "a submission cannot be confined: " + why, {}};
+  return {
+      FailureKind::kBadInput, FailureCode::kLandlock, "LandlockRules", "a submission cannot be confined: " + why, {}};
 }
 
 }  // namespace

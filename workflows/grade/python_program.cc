@@ -38,7 +38,7 @@ print(json.dumps({"version": list(sys.version_info[:3]), "path": sys.executable,
 )";
 
 Failure NoPython(const std::string& why) {
-  return {FailureKind::kBadInput, "python", "LookOver", why, {"name one by --python PROGRAM"}};
+  return {FailureKind::kBadInput, FailureCode::kPython, "LookOver", why, {"name one by --python PROGRAM"}};
 }
 
 /// The package beside the running program, in a build tree or under its prefix; "" where there is none.

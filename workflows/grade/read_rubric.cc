@@ -145,7 +145,7 @@ Rubric ReadRoot(const YAML::Node& root) {
 Result<Rubric> ReadRubric(const std::string& text, const std::string& source) {
   const auto bad = [&](const std::string& message) {
     return Failure{FailureKind::kBadInput,
-                   "rubric",
+                   FailureCode::kRubric,
                    "ReadRubric",
                    fmt::format("'{}', {}", source, message),
                    {"every key stands in docs/grading.md"}};

@@ -41,7 +41,11 @@ struct Report {
 };
 
 Failure NotStarted(const std::string& why) {
-  return {FailureKind::kBadInput, "child", "StartChild", "a submission's process cannot be started: " + why, {}};
+  return {FailureKind::kBadInput,
+          FailureCode::kChild,
+          "StartChild",
+          "a submission's process cannot be started: " + why,
+          {}};
 }
 
 /// Texts as exec wants them; made before fork, since nothing may be allocated after it.

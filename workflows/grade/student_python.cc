@@ -23,7 +23,7 @@ constexpr std::size_t kMostWords = 400, kShortAnswer = 4096;
 constexpr mode_t kMayPass = 0711, kMayRead = 0755, kOwn = 0700;
 
 Failure CannotRun(const std::string& why) {
-  return {FailureKind::kBadInput, "child", "StudentPython", "a submission cannot be run: " + why, {}};
+  return {FailureKind::kBadInput, FailureCode::kChild, "StudentPython", "a submission cannot be run: " + why, {}};
 }
 
 }  // namespace
@@ -118,7 +118,9 @@ StudentPython::StudentPython(StudentPython&&) noexcept = default;
 
 namespace {
 
-Failure Said(const std::string& words) { return {FailureKind::kBadInput, "submission", "StudentPython", words, {}}; }
+Failure Said(const std::string& words) {
+  return {FailureKind::kBadInput, FailureCode::kSubmission, "StudentPython", words, {}};
+}
 
 /// The text without each `part`: the folder's name is another in each run.
 std::string Without(const std::string& part, std::string text) {
@@ -150,7 +152,7 @@ Result<std::string> StudentPython::Ask(const std::string& request, std::size_t l
   return Said("its answer is not readable");
 }
 
-bool EndedIt(const Failure& failure) { return failure.code != "submission"; }
+bool EndedIt(const Failure& failure) { return failure.code != FailureCode::kSubmission; }
 
 std::string ShownWords(const std::string& words) {
   static const std::regex kAddress("0x[0-9a-fA-F]{6,}");

@@ -24,11 +24,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostStudents = 10000, kMostOthers = 100;
 
 Failure NoClass(const std::string& message, const std::string& hint = "each student has a folder in it") {
-  return {FailureKind::kBadInput, "submissions", "FindStudents", message, {hint}};
+  return {FailureKind::kBadInput, FailureCode::kSubmissions, "FindStudents", message, {hint}};
 }
 
 Failure NotHandedIn(const std::string& message) {
-  return {FailureKind::kBadInput, "submission", "ReadSubmission", message, {}};
+  return {FailureKind::kBadInput, FailureCode::kSubmission, "ReadSubmission", message, {}};
 }
 
 /// A name whose bytes that are no printable ASCII are written as \xHH.

@@ -299,7 +299,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
   constexpr int kHighestPort = 65535;
   if (address.port < 0 || address.port > kHighestPort) {
     return Failure{FailureKind::kBadInput,
-                   "address",
+                   FailureCode::kAddress,
                    "LiveServer",
                    fmt::format("there is no port {}; accepted: 0 to {}", address.port, kHighestPort),
                    {"--port 0 takes any port that is free"}};
@@ -309,7 +309,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
       asio::ip::make_address(address.host == "localhost" ? "127.0.0.1" : address.host, no_address);
   if (no_address) {
     return Failure{FailureKind::kBadInput,
-                   "address",
+                   FailureCode::kAddress,
                    "LiveServer",
                    fmt::format("'{}' is no IP address, which is needed to listen at", address.host),
                    {"127.0.0.1 is reached from this machine alone, 0.0.0.0 from all that reach it"}};
@@ -328,7 +328,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::Start(const LiveAddress& address
     impl->shared.port = impl->acceptor.local_endpoint().port();
   } catch (const boost::system::system_error& error) {
     return Failure{FailureKind::kBadInput,
-                   "address",
+                   FailureCode::kAddress,
                    "LiveServer",
                    fmt::format("cannot listen at {}, port {}: {}", address.host, address.port, error.code().message()),
                    {error.code() == asio::error::address_in_use ? "--port 0 takes any port that is free"

@@ -196,7 +196,7 @@ Result<PacePlan> LiveWorld::Planned() {
   try {
     return planning_.get();
   } catch (const std::exception& error) {
-    return Failure{FailureKind::kInfeasible, "planning", "PlanPace", error.what(), {}};
+    return Failure{FailureKind::kInfeasible, FailureCode::kPlanning, "PlanPace", error.what(), {}};
   }
 }
 

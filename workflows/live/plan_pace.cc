@@ -104,7 +104,7 @@ Result<PacePlan> PlanAtHeight(const RobotModel& model, const PaceChange& change,
     asked_rad += missing;
   }
   return Failure{FailureKind::kInfeasible,
-                 "not_steady",
+                 FailureCode::kNotSteady,
                  "PlanPace",
                  fmt::format("{} at {:.4g} m/s does not come to repeat itself", change.to.gait, change.to.speed_m_s),
                  {"a slower pace"}};

@@ -50,7 +50,7 @@ constexpr Seam kMostAtOnce = {
 
 Failure TooFarApart(const Seam& seam) {
   return {FailureKind::kInfeasible,
-          "misfit",
+          FailureCode::kMisfit,
           "WalkStream",
           fmt::format("that pace needs another posture ({:.3g} m higher or lower, joints by up to {:.3g}) than can be "
                       "gone over to while walking",
@@ -59,7 +59,11 @@ Failure TooFarApart(const Seam& seam) {
 }
 
 Failure NotFromHere() {
-  return {FailureKind::kBadInput, "misfit", "WalkStream", "the plan does not begin with what the robot does now", {}};
+  return {FailureKind::kBadInput,
+          FailureCode::kMisfit,
+          "WalkStream",
+          "the plan does not begin with what the robot does now",
+          {}};
 }
 
 }  // namespace

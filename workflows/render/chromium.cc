@@ -72,7 +72,9 @@ std::string FromBase64(const std::string& text) {
   return bytes;
 }
 
-Failure Refused(const std::string& what) { return {FailureKind::kBadInput, "browser", kChromiumStage, what, {}}; }
+Failure Refused(const std::string& what) {
+  return {FailureKind::kBadInput, FailureCode::kBrowser, kChromiumStage, what, {}};
+}
 
 }  // namespace
 
@@ -174,7 +176,7 @@ Result<std::unique_ptr<Chromium>> Chromium::Start(const ChromiumOptions& options
   const std::string program = ProgramOf(options);
   if (program.empty()) {
     return Failure{FailureKind::kBadInput,
-                   "no_browser",
+                   FailureCode::kNoBrowser,
                    kChromiumStage,
                    "pictures are made by Chromium, and none is installed",
                    {"on Debian: apt-get install chromium", "GAITWRIGHT_CHROMIUM=/path/to/chromium"}};

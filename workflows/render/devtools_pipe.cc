@@ -25,7 +25,7 @@ namespace {
 constexpr int kItReads = 3, kItWrites = 4;
 
 Failure Broken(const std::string& what) {
-  return {FailureKind::kBadInput, "browser_gone", "DevtoolsPipe", "the browser " + what, {}};
+  return {FailureKind::kBadInput, FailureCode::kBrowserGone, "DevtoolsPipe", "the browser " + what, {}};
 }
 
 /// Two ends that stand clear of the numbers that the program is to have, and that no other process inherits. They are

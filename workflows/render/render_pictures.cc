@@ -18,8 +18,8 @@ namespace {
 constexpr char kStage[] = "Render";
 constexpr int kMostFrames = 20000;
 
-Failure Failed(const std::string& code, const std::string& what, const std::vector<std::string>& hints = {}) {
-  return {FailureKind::kBadInput, code, kStage, what, hints};
+Failure Failed(FailureCode code, const std::string& what, const std::vector<Suggestion>& suggestions = {}) {
+  return {FailureKind::kBadInput, code, kStage, what, suggestions};
 }
 
 /// Refuses what is out of range.
@@ -47,7 +47,7 @@ class Studio {
  public:
   static Result<Studio> Open(const std::string& page, const PictureOptions& options) {
     Studio studio;
-    if (!studio.folder_->there()) return Failed("no_folder", "no temporary folder can be made");
+    if (!studio.folder_->there()) return Failed(FailureCode::kNoFolder, "no temporary folder can be made");
     const std::string file = studio.folder_->In("page.html");
     const auto written = WriteFileAtomically(file, page);
     if (!written) return written.failure();
@@ -85,7 +85,8 @@ class Studio {
     Result<std::string> answer = browser_->Evaluate(script);
     if (!answer) return answer;
     const auto json = nlohmann::ordered_json::parse(*answer);
-    if (json.value("stages", 0) == 0) return Failed("no_3d", "this Chromium has no WebGL, which 3D pictures need");
+    if (json.value("stages", 0) == 0)
+      return Failed(FailureCode::kNo3d, "this Chromium has no WebGL, which 3D pictures need");
     start_s_ = std::max(json.value("start", 0.0), options.from_s);
     end_s_ = std::min(json.value("end", 0.0), options.to_s);
     return answer;
@@ -135,17 +136,18 @@ Result<std::string> RenderFilm(const std::string& page, FilmFormat format, const
   CheckOptions(options);
   const std::string ffmpeg = FindProgram({"ffmpeg"});
   if (ffmpeg.empty()) {
-    return Failed("no_ffmpeg", "moving pictures are put together by ffmpeg, and it is not installed",
+    return Failed(FailureCode::kNoFfmpeg, "moving pictures are put together by ffmpeg, and it is not installed",
                   {"on Debian: apt-get install ffmpeg", "--png FILE makes a still picture without it"});
   }
   Result<Studio> studio = Studio::Open(page, options);
   if (!studio) return studio.failure();
   const double span_s = studio->end_s() - studio->start_s(), step_s = options.speed / options.frames_per_s;
   if (!(span_s > 0.0))
-    return Failed("no_time", fmt::format("the motion has nothing between {} and {} s", options.from_s, options.to_s));
+    return Failed(FailureCode::kNoTime,
+                  fmt::format("the motion has nothing between {} and {} s", options.from_s, options.to_s));
   const int frames = static_cast<int>(std::min(std::floor(span_s / step_s + 1e-9), 1e6)) + 1;
   if (frames > kMostFrames)
-    return Failed("too_long", fmt::format("{} pictures are too many, {} is the most", frames, kMostFrames),
+    return Failed(FailureCode::kTooLong, fmt::format("{} pictures are too many, {} is the most", frames, kMostFrames),
                   {"--from-s, --to-s, --speed, --fps"});
   for (int k = 0; k < frames; ++k) {
     const Result<std::string> png = studio->PictureAt(studio->start_s() + k * step_s);

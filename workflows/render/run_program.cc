@@ -21,7 +21,9 @@ namespace {
 
 constexpr std::size_t kMostWords = 600;
 
-Failure Failed(const std::string& what) { return {FailureKind::kBadInput, "program_failed", "RunProgram", what, {}}; }
+Failure Failed(const std::string& what) {
+  return {FailureKind::kBadInput, FailureCode::kProgramFailed, "RunProgram", what, {}};
+}
 
 std::string ReadAll(int from) {
   std::string text;

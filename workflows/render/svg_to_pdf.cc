@@ -11,14 +11,14 @@ Result<std::string> SvgToPdf(const std::string& svg) {
   const std::string program = FindProgram({"rsvg-convert"});
   if (program.empty()) {
     return Failure{FailureKind::kBadInput,
-                   "no_rsvg",
+                   FailureCode::kNoRsvg,
                    "SvgToPdf",
                    "PDF is made by rsvg-convert, and it is not installed",
                    {"on Debian: apt-get install librsvg2-bin", "a figure as .svg needs nothing"}};
   }
   const TemporaryFolder folder;
   if (!folder.there())
-    return Failure{FailureKind::kBadInput, "no_folder", "SvgToPdf", "no temporary folder can be made", {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kNoFolder, "SvgToPdf", "no temporary folder can be made", {}};
   const auto written = WriteFileAtomically(folder.In("figure.svg"), svg);
   if (!written) return written;
   const auto made =

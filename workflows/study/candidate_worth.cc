@@ -87,7 +87,7 @@ Result<CandidateWorth> WorthFromLine(const std::string& line) {
     return worth;
   } catch (const std::exception& error) {  // of the reader of JSON
     return Failure{FailureKind::kBadInput,
-                   "journal_line",
+                   FailureCode::kJournalLine,
                    "WorthFromLine",
                    fmt::format("a line of the journal is no candidate: {}", error.what()),
                    {}};

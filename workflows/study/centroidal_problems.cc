@@ -102,7 +102,7 @@ Result<CentroidalProblemSet> LoadCentroidalProblems(const std::string& path) {
     return ToSet(JsonPart(json));
   } catch (const std::exception& e) {
     return Failure{FailureKind::kBadInput,
-                   "bad_problem_set",
+                   FailureCode::kBadProblemSet,
                    "LoadCentroidalProblems",
                    fmt::format("'{}' is no set of problems: {}", path, e.what()),
                    {"see tests/benchmarks/centroidal_problems.json"}};

@@ -24,8 +24,8 @@ namespace {
 constexpr std::string_view kHead = "gaitwright journal of ";
 constexpr std::size_t kLongestLine = std::size_t{16} << 20;
 
-Failure Refused(const std::string& path, const std::string& why, const std::vector<std::string>& hints = {}) {
-  return {FailureKind::kBadInput, "so_far", "JobJournal", fmt::format("'{}' {}", path, why), hints};
+Failure Refused(const std::string& path, const std::string& why, const std::vector<Suggestion>& suggestions = {}) {
+  return {FailureKind::kBadInput, FailureCode::kSoFar, "JobJournal", fmt::format("'{}' {}", path, why), suggestions};
 }
 
 std::string Anew(const std::string& path) { return fmt::format("delete '{}' to begin anew", path); }

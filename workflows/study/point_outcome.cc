@@ -101,7 +101,7 @@ Result<PointOutcome> PointFromLine(const std::string& line) {
     return FromJson(Json::parse(line));
   } catch (const std::exception& error) {  // of the reader of JSON, or of a status
     return Failure{FailureKind::kBadInput,
-                   "journal_line",
+                   FailureCode::kJournalLine,
                    "PointFromLine",
                    fmt::format("a line of the journal is no outcome: {}", error.what()),
                    {}};

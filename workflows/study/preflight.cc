@@ -21,7 +21,7 @@ namespace {
 std::optional<Failure> CheckTrials(const RobotModel& model, const Preflight& preflight, const TrialsResult& trials) {
   const auto other = [](const std::string& what, const char* key, const std::string& theirs, const std::string& ours) {
     return Failure{FailureKind::kBadInput,
-                   "trials_result",
+                   FailureCode::kTrialsResult,
                    "MakePreflight",
                    fmt::format("the trials are of another {}: their {} is '{}', that of this one is '{}'", what, key,
                                theirs, ours),

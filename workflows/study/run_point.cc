@@ -9,13 +9,13 @@ namespace gaitwright {
 namespace {
 
 Failure AsFailure(const InvalidArgument& error) {
-  return {FailureKind::kBadInput, "invalid_argument", "RunPoint", error.what(), {}};
+  return {FailureKind::kBadInput, FailureCode::kInvalidArgument, "RunPoint", error.what(), {}};
 }
 
 PointOutcome Refused(std::size_t point, const Failure& failure) {
   PointOutcome outcome;
   outcome.point = point;
-  outcome.code = failure.code;
+  outcome.code = FailureCodeName(failure.code);
   outcome.reason = failure.message;
   return outcome;
 }

@@ -45,7 +45,7 @@ bool RunJobs(const std::vector<std::size_t>& order, const JobRunner& job, const 
 
 Failure Interrupted(const std::string& stage) {
   return {FailureKind::kBadInput,
-          "interrupted",
+          FailureCode::kInterrupted,
           stage,
           "interrupted before the end; what is done so far is kept",
           {"the same command line with --resume goes on"}};

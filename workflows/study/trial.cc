@@ -81,16 +81,16 @@ std::optional<Failure> SaidTwice(const PlayRequest& request, const Disturbances&
   const std::vector<std::string> twice = DrawnInPlaceOf(disturbances, keys);
   if (twice.empty()) return std::nullopt;
   return Failure{FailureKind::kBadInput,
-                 "said_twice",
+                 FailureCode::kSaidTwice,
                  "PlayTrial",
                  fmt::format("the disturbances draw {}, which an option of the playback says too", QuotedList(twice)),
                  {"leave one of them out"}};
 }
 
-Failure CannotBePlayed(const std::string& code, const std::string& why, std::vector<std::string> hints = {}) {
-  hints.emplace_back("narrow what is sampled");
+Failure CannotBePlayed(FailureCode code, const std::string& why, std::vector<Suggestion> suggestions = {}) {
+  suggestions.emplace_back("narrow what is sampled");
   return {FailureKind::kBadInput, code, "PlayTrial",
-          fmt::format("some trials that the disturbances may draw cannot be played: {}", why), std::move(hints)};
+          fmt::format("some trials that the disturbances may draw cannot be played: {}", why), std::move(suggestions)};
 }
 
 /// What `check` has to say of the request at either end of the disturbances; options out of range are a failure too.
@@ -106,12 +106,12 @@ std::optional<Failure> AtBothEnds(const RobotModel& model, const MotionPlan& pla
       PlayRequest at_end = DisturbedRequest(request, trial);
       CheckOptions(at_end.Fields());
       if (const std::optional<Failure> failure = check(at_end))
-        return CannotBePlayed(failure->code, failure->message, failure->hints);
+        return CannotBePlayed(failure->code, failure->message, failure->suggestions);
     }
   } catch (const InvalidArgument& error) {
     const std::string why = error.what();
     const bool scaled = noise_scale > 1.0 && why.find(std::string("'") + kSensorPrefix) != std::string::npos;
-    return CannotBePlayed("disturbances",
+    return CannotBePlayed(FailureCode::kDisturbances,
                           why + (scaled ? fmt::format(", where sensor_noise_scale is {}", noise_scale) : ""));
   }
   return std::nullopt;

@@ -41,7 +41,7 @@ std::optional<Failure> TrialBook::Restore() {
       Count(number, outcomes_.emplace(number, std::move(outcome)).first->second);
     } catch (const InvalidArgument& error) {
       return Failure{FailureKind::kBadInput,
-                     "journal_line",
+                     FailureCode::kJournalLine,
                      "RunTrials",
                      fmt::format("'{}' is broken at trial {}: {}", hooks_.journal, number, error.what()),
                      {fmt::format("delete '{}' to begin anew", hooks_.journal)}};
@@ -102,7 +102,7 @@ Result<RobustnessReport> TrialBook::Report() {
     const std::string kept =
         hooks_.journal.empty() ? "nothing is kept" : fmt::format("'{}' keeps them", hooks_.journal);
     return Failure{FailureKind::kBadInput,
-                   "interrupted",
+                   FailureCode::kInterrupted,
                    "RunTrials",
                    fmt::format("interrupted after {} of {} trials; {}", progress().done, end_, kept),
                    {"the same command with --resume goes on"}};

@@ -186,7 +186,7 @@ TrialsResult Read(const JsonPart& part) {
 Result<TrialsResult> TrialsResultFromJson(const std::string& text, const std::string& source) {
   const auto bad = [&](const std::string& message) {
     return Failure{FailureKind::kBadInput,
-                   "trials_result",
+                   FailureCode::kTrialsResult,
                    "TrialsResult",
                    fmt::format("the trials' result '{}': {}", source, message),
                    {}};

@@ -142,7 +142,7 @@ Result<TuneReport> Tune(const Study& study, const TuneOptions& options, JobJourn
   TuneReport report{std::move(*found), {}, {}, MetricKeys()};
   if (!report.result.candidates[report.result.favourite].value) {
     return Failure{FailureKind::kInfeasible,
-                   "no_plan",
+                   FailureCode::kNoPlan,
                    "Tune",
                    fmt::format("none of {} candidates has a plan that passes its audit; the usual one: {}",
                                report.result.candidates.size(), report.result.candidates.front().worth.refusal),

@@ -260,7 +260,7 @@ class TuneSearch {
 
   static Failure NotProved(bool of_usual, const CandidateWorth& worth) {
     return {FailureKind::kBadInput,
-            "held_out",
+            FailureCode::kHeldOut,
             "SearchTuning",
             fmt::format("the proof failed: held-out trials of the {} values could not be played: {}",
                         of_usual ? "usual" : "favourite", worth.refusal.empty() ? "some are missing" : worth.refusal),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "workflows/walk/refuse_walk.h"
@@ -34,8 +35,10 @@ WalkCommand StartOf(const RobotModel& model, const Terrain& terrain, const Gait&
 
 /// Whether a problem had to be solved before a plan was refused: what comes after that, and its own laws.
 bool TookSolving(const Failure& failure) {
-  return failure.code == "unmet_law" || failure.code == "not_carried" || failure.stage == "PlanSwings" ||
-         failure.stage == "RefineSwing" || failure.stage == "SolveWholeBody" || failure.stage == "WholeBodyIk";
+  static const std::set<FailureCode> kAfterSolving = {FailureCode::kUnmetLaw, FailureCode::kNotCarried,
+                                                      FailureCode::kNoClearance, FailureCode::kOutOfReach,
+                                                      FailureCode::kJointLimit};
+  return kAfterSolving.contains(failure.code);
 }
 
 FirstLook Look(const RobotModel& model, const Terrain& terrain, const WalkRequest& cheap, const Gait& gait,
@@ -48,7 +51,7 @@ FirstLook Look(const RobotModel& model, const Terrain& terrain, const WalkReques
     if (IsTooMuch(motion.failure())) look.refusal = motion.failure();
     return look;
   }
-  look.solved = true;
+  look.solved = look.planned = true;
   if (motion->limit_excess < far) return look;
   const Result<AuditReport> audit = Audit(model, motion->plan, {});
   if (!audit || BrokenLimits(*audit).empty()) return look;
@@ -65,8 +68,7 @@ FirstLook LookAt(const RobotModel& model, const Terrain& terrain, const WalkRequ
   const WalkCommand start = StartOf(model, terrain, gait, command);
   const double far = whole ? kFarPast : kSlightExcess;
   FirstLook look = Look(model, terrain, cheap, gait, start, far);
-  const bool of_limits = look.refusal && look.refusal->stage == "PlanWalk";
-  if (!whole || !look.refusal || of_limits || start == command) return look;
+  if (!whole || !look.refusal || look.planned || start == command) return look;
   return Look(model, terrain, cheap, gait, command, far);
 }
 

@@ -13,6 +13,7 @@ struct FirstLook {
   std::optional<Failure> refusal;  ///< nothing where there may be a plan
   double ease = 0.7;               ///< share of the pace at which it may be otherwise, by how far limits are passed
   bool solved = false;             ///< whether anything had to be solved to know
+  bool planned = false;            ///< there is a motion; its audit refuses it where anything does
 };
 
 /// Looks at a walk by few passes of the interior-point method alone: what stays unmet or far past limits there was so

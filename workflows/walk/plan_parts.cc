@@ -37,9 +37,15 @@ Result<PlannedWalk> PlanAndAudit(const RobotModel& model, const Terrain& terrain
   return PlannedWalk{std::move(*motion), *audit, 0.0};
 }
 
+struct ServingParts {
+  std::vector<WalkPart> parts;
+  std::vector<Adjustment> adjustments;
+};
+
 /// The parts with what serves each of them by itself; the failure of the first that nothing serves.
-Result<std::vector<WalkPart>> ServingAlone(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
-                                           const std::vector<AskedPart>& asked, std::vector<WalkPart> parts) {
+Result<ServingParts> ServingAlone(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                                  const std::vector<AskedPart>& asked, std::vector<WalkPart> parts) {
+  ServingParts serving{std::move(parts), {}};
   for (std::size_t k = 0; k < asked.size(); ++k) {
     if (asked[k].stands()) continue;
     WalkRequest alone = request;
@@ -49,16 +55,20 @@ Result<std::vector<WalkPart>> ServingAlone(const RobotModel& model, const Terrai
     const Result<PlannedWalk> planned = PlanWithin(model, terrain, alone);
     if (!planned) return OfPart(k, asked[k].gait, planned.failure());
     const MotionPart& made = planned->motion.plan.parts.front();
-    parts[k] = {made.gait, made.command};
+    serving.parts[k] = {made.gait, made.command};
+    for (Adjustment adjustment : planned->motion.plan.adjustments) {
+      adjustment.part = fmt::format("{}: {}", k + 1, made.gait.name);
+      serving.adjustments.push_back(std::move(adjustment));
+    }
   }
-  return parts;
+  return serving;
 }
 
 /// Why the whole is not given though each part alone may be, with the part in which it breaks.
 Failure RefusedWhole(const Result<PlannedWalk>& planned) {
   if (!planned) {
     Failure failure = planned.failure();
-    failure.hints.emplace_back("a part of standing still between others, or a longer one");
+    failure.suggestions.emplace_back("a part of standing still between others, or a longer one");
     return failure;
   }
   Failure failure = WhyForbidden(*planned);
@@ -68,8 +78,7 @@ Failure RefusedWhole(const Result<PlannedWalk>& planned) {
     const MotionPart* part = PartAt(parts, forbidding.front().at_s);
     failure = OfPart(static_cast<std::size_t>(part - parts.data()), part->gait.name, failure);
   }
-  failure.hints = {"a part of standing still between others, or a longer one", "a slower part",
-                   "--set pipeline.allow_limits=true gives the plan all the same"};
+  failure.suggestions = {"a part of standing still between others, or a longer one", "a slower part", AllowLimits()};
   return failure;
 }
 
@@ -82,12 +91,12 @@ Result<PlannedWalk> PlanPartsWithin(const RobotModel& model, const Terrain& terr
   Result<PlannedWalk> planned = PlanAndAudit(model, terrain, request, *fitted);
   if (request.motion.pipeline.allow_limits || IsSound(planned)) return planned;
   if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
-  const Result<std::vector<WalkPart>> serving = ServingAlone(model, terrain, request, asked, *fitted);
+  const Result<ServingParts> serving = ServingAlone(model, terrain, request, asked, *fitted);
   if (!serving) return serving.failure();
-  if (*serving == *fitted) return RefusedWhole(planned);
-  planned = PlanAndAudit(model, terrain, request, *serving);
+  if (serving->parts == *fitted) return RefusedWhole(planned);
+  planned = PlanAndAudit(model, terrain, request, serving->parts);
   if (!IsSound(planned)) return RefusedWhole(planned);
-  planned->motion.summary += "; times of gaits as they serve each part alone";
+  planned->motion.plan.adjustments = serving->adjustments;
   return planned;
 }
 

@@ -27,6 +27,15 @@ bool IsInPlace(const WalkCommand& c) {
          c.yaw_rate_rad_s == 0.0 && c.step_length_m == 0.0;
 }
 
+/// What a plan that is not sound is refused for.
+FailureCode ReasonOf(const Result<PlannedWalk>& planned) {
+  return planned ? WhyForbidden(*planned).code : planned.failure().code;
+}
+
+Adjustment OfCycle(double asked_s, double given_s, FailureCode why) {
+  return {"gait.cycle_s", asked_s, given_s, "s", why};
+}
+
 bool IsOfBalance(const Failure& failure) { return failure.violation && failure.violation->law == Law::kZmpSupport; }
 
 /// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
@@ -74,30 +83,30 @@ class Search {
       const FirstLook look = LookAt(model_, terrain_, request_, cycles->fitted, command, true);
       if (look.refusal) {
         ease_ = look.ease;
-        Result<PlannedWalk> other = WithOtherFlights(cycles->fitted, command);
+        Result<PlannedWalk> other = WithOtherFlights(cycles->fitted, command, look.refusal->code);
         return other ? other : *look.refusal;
       }
     }
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
     if (request_.motion.pipeline.allow_limits || IsSound(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
+    const FailureCode why = ReasonOf(first);
     if (Leaps(cycles->fitted)) {
-      Result<PlannedWalk> other = WithOtherFlights(cycles->fitted, command);
+      Result<PlannedWalk> other = WithOtherFlights(cycles->fitted, command, why);
       return other ? other : first;
     }
     if (!IsLevelGround(terrain_)) {
-      Result<PlannedWalk> eased = IsOwnPace() ? Eased(command, kOwnEases) : Eased(command, kEases);
+      Result<PlannedWalk> eased = IsOwnPace() ? Eased(command, kOwnEases, why) : Eased(command, kEases, why);
       return eased ? eased : first;
     }
     const bool ground = first ? BrokenLimits(first->audit).empty() : IsOfBalance(first.failure());
     Result<PlannedWalk> other = FirstOf(ground ? std::vector<int>{-1, -2, -3, -4, 1, 2, 3, 4, 5, 6}
                                                : std::vector<int>{1, 2, 3, 4, 5, 6, -1, -2, -3, -4},
-                                        *cycles, command);
+                                        *cycles, command, why);
     if (other || !IsOwnPace()) return other ? other : first;
-    SoundWalk slower = LargestThatIsSound();
+    SoundWalk slower = LargestThatIsSound(why);
     if (slower.pace == 0.0) return first;
-    slower.planned->motion.summary +=
-        fmt::format("; {}, since faster plans would fail their audit", PaceText(AtPace(model_, command, slower.pace)));
+    slower.planned->motion.plan.adjustments.push_back(OfPace(command, slower.pace, why));
     return std::move(slower.planned);
   }
 
@@ -111,8 +120,8 @@ class Search {
       return {leaping > 0.0 ? leaping : LargestOnTheGround(), Known::kMay};
     }
     if (IsOwnPace()) return {};
-    if (IsLevelGround(terrain_)) return {LargestThatIsSound().pace, Known::kLargest};
-    const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases);
+    if (IsLevelGround(terrain_)) return {LargestThatIsSound(FailureCode::kLimits).pace, Known::kLargest};
+    const Result<PlannedWalk> slower = Eased(request_.command, kOwnEases, FailureCode::kLimits);
     return {slower ? PaceValue(model_, slower->motion.plan.parts.front().command) : 0.0, Known::kServes};
   }
 
@@ -123,7 +132,7 @@ class Search {
   };
 
   /// The walk of the request's command at the largest pace that has a plan on level ground, without leaps.
-  SoundWalk LargestThatIsSound() const {
+  SoundWalk LargestThatIsSound(FailureCode why) const {
     constexpr int kDigits = 2, kLowered = 5;
     constexpr double kShare = 0.75;
     int serves = 0;
@@ -132,7 +141,8 @@ class Search {
       const WalkCommand slower = AtPace(model_, request_.command, largest);
       const Result<Cycles> cycles = CyclesFor(slower);
       if (cycles) {
-        if (Result<PlannedWalk> planned = FirstOf({serves, 0}, *cycles, slower)) return {largest, std::move(planned)};
+        if (Result<PlannedWalk> planned = FirstOf({serves, 0}, *cycles, slower, why))
+          return {largest, std::move(planned)};
       }
       largest = NextLower(i < kDigits ? largest : kShare * largest);
     }
@@ -145,7 +155,7 @@ class Search {
   /// Leaps onto other ground, down or over something, with a flight that is longer or shorter than the gait's own: what
   /// feet have to clear, and how far the body falls, say how long it should be. Only of counted leaps whose times are
   /// not given.
-  Result<PlannedWalk> WithOtherFlights(const Gait& gait, const WalkCommand& command) const {
+  Result<PlannedWalk> WithOtherFlights(const Gait& gait, const WalkCommand& command, FailureCode why) const {
     constexpr double kMost = 0.95;  // of the cycle
     const bool given = request_.gait_options.cycle_s > 0.0 || request_.gait_options.duty_factor > 0.0;
     const bool leaps = command.extent == WalkCommand::Extent::kSteps && HasFlight(gait) && !IsLevelGround(terrain_);
@@ -156,12 +166,11 @@ class Search {
       if (LookAt(model_, terrain_, request_, other, command, true).refusal) continue;
       Result<PlannedWalk> planned = Whole(other, command, true);
       if (!IsSound(planned)) continue;
-      planned->motion.summary +=
-          fmt::format("; flights {:.0f} % {} than the gait's own, since a plan with those would fail its audit",
-                      100.0 * std::abs(longer - 1.0), longer > 1.0 ? "longer" : "shorter");
+      planned->motion.plan.adjustments.push_back(
+          {"gait.duty_factor", gait.duty_factor.front(), other.duty_factor.front(), "1", why});
       return planned;
     }
-    return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no other flight serves", {}};
+    return Failure{FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", "no other flight serves", {}};
   }
 
   /// Three quarters of a slower pace that a first look finds nothing against, or a pace whose brief walk passes where
@@ -222,7 +231,7 @@ class Search {
 
   /// The first of some easier walks that passes. Over ground that is not level it is the ground that says how long
   /// steps are, so that quicker ones do not help.
-  Result<PlannedWalk> Eased(const WalkCommand& command, std::span<const Ease> eases) const {
+  Result<PlannedWalk> Eased(const WalkCommand& command, std::span<const Ease> eases, FailureCode why) const {
     for (const Ease& ease : eases) {
       WalkCommand slower = command;
       if (ease.pace < 1.0) slower = AtPace(model_, command, ease.pace * PaceValue(model_, command));
@@ -232,12 +241,17 @@ class Search {
       Result<PlannedWalk> planned = Whole(gait, slower, true);
       if (!planned && !IsTooMuch(planned.failure())) return planned;
       if (!IsSound(planned)) continue;
-      const std::string at_pace = ease.pace < 1.0 ? fmt::format("{} and ", PaceText(slower)) : "";
-      planned->motion.summary +=
-          fmt::format("; {}a cycle of {:.2f} s, since faster plans would fail their audit", at_pace, gait.cycle_s);
+      std::vector<Adjustment>& adjustments = planned->motion.plan.adjustments;
+      if (ease.pace < 1.0) adjustments.push_back(OfPace(command, PaceValue(model_, slower), why));
+      if (ease.cycle != 0) adjustments.push_back(OfCycle(cycles->fitted.cycle_s, gait.cycle_s, why));
       return planned;
     }
-    return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no easier walk serves", {}};
+    return Failure{FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", "no easier walk serves", {}};
+  }
+
+  Adjustment OfPace(const WalkCommand& command, double given, FailureCode why) const {
+    const Pace pace = PaceOf(command);
+    return {PaceFlag(pace), PaceValue(model_, command), given, PaceUnit(pace), why};
   }
 
   Result<Cycles> CyclesFor(const WalkCommand& command) const {
@@ -330,20 +344,18 @@ class Search {
   }
 
   /// The plan with the first of some cycles that passes.
-  Result<PlannedWalk> FirstOf(const std::vector<int>& numbers, const Cycles& cycles, const WalkCommand& command) const {
+  Result<PlannedWalk> FirstOf(const std::vector<int>& numbers, const Cycles& cycles, const WalkCommand& command,
+                              FailureCode why) const {
     for (const int number : numbers) {
       const double height = Brief(cycles, number, command);
       if (height == 0.0) continue;
       const Gait gait = cycles.At(number);
       Result<PlannedWalk> planned = WholeAt(height, gait, command);
       if (!IsSound(planned)) continue;
-      if (number != 0) {
-        planned->motion.summary += fmt::format("; a cycle of {:.2f} s, since a plan with {:.2f} s would fail its audit",
-                                               gait.cycle_s, cycles.fitted.cycle_s);
-      }
+      if (number != 0) planned->motion.plan.adjustments.push_back(OfCycle(cycles.fitted.cycle_s, gait.cycle_s, why));
       return planned;
     }
-    return Failure{FailureKind::kInfeasible, "limits", "PlanWalk", "no time of the gait serves", {}};
+    return Failure{FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", "no time of the gait serves", {}};
   }
 
   const RobotModel& model_;
@@ -360,18 +372,18 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
   const Result<Gait> gait = FindGait(model, request.gait, CommandedSpeed(model, command), request.gait_options);
   if (!gait) return failure;
   const SlowerPace slower = search.Slower();
-  if (failure.stage == "PlanWalk") failure.hints = {"--set pipeline.allow_limits=true gives the plan all the same"};
-  const bool at_every_pace = failure.code == "legs_too_slow" || failure.code == "legs_too_weak" || IsInPlace(command);
+  const bool at_every_pace =
+      failure.code == FailureCode::kLegsTooSlow || failure.code == FailureCode::kLegsTooWeak || IsInPlace(command);
   if (slower.value == 0.0) {
     if (!at_every_pace)
       failure.message += fmt::format("; no {1} of robot '{0}' was found that has a sound plan with gait '{2}'",
                                      model.name, PaceName(PaceOf(command)), gait->name);
-    failure.hints.insert(failure.hints.begin(), "another gait");
+    failure.suggestions.insert(failure.suggestions.begin(), "another gait");
     return failure;
   }
   const WalkCommand at_pace = AtPace(model, command, slower.value);
   failure.message += "; " + slower.Text(at_pace, gait->name);
-  failure.hints.insert(failure.hints.begin(), PaceFlags(at_pace));
+  failure.suggestions.insert(failure.suggestions.begin(), slower.AsSuggestion(at_pace));
   return failure;
 }
 

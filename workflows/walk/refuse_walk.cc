@@ -63,11 +63,11 @@ double LargestBetween(double known, double high, const std::function<bool(double
 }  // namespace
 
 bool IsTooMuch(const Failure& failure) {
-  static const std::set<std::string> kWhateverThePace = {
-      "passive_joint", "freedoms",      "height",       "no_support",  "no_footholds",
-      "search_budget", "start_blocked", "goal_blocked", "way_blocked", "way_not_found"};
-  return failure.kind == FailureKind::kInfeasible && failure.stage != "ScheduleContacts" &&
-         !kWhateverThePace.contains(failure.code);
+  static const std::set<FailureCode> kWhateverThePace = {
+      FailureCode::kGait,        FailureCode::kPassiveJoint, FailureCode::kFreedoms,     FailureCode::kHeight,
+      FailureCode::kNoSupport,   FailureCode::kNoFootholds,  FailureCode::kSearchBudget, FailureCode::kStartBlocked,
+      FailureCode::kGoalBlocked, FailureCode::kWayBlocked,   FailureCode::kWayNotFound};
+  return failure.kind == FailureKind::kInfeasible && !kWhateverThePace.contains(failure.code);
 }
 
 std::vector<Violation> BrokenLimits(const AuditReport& audit) {
@@ -102,15 +102,15 @@ Failure WhyForbidden(const PlannedWalk& planned) {
   if (forbidding.empty()) {  // limits that are passed between the audit's samples
     std::string text;
     for (const std::string& warning : planned.motion.plan.warnings) text += (text.empty() ? "" : "; ") + warning;
-    return {FailureKind::kInfeasible, "limits", "PlanWalk", text, {}};
+    return {FailureKind::kInfeasible, FailureCode::kLimits, "PlanWalk", text, {AllowLimits()}};
   }
   const std::size_t limits = BrokenLimits(planned.audit).size();
   return {
       FailureKind::kInfeasible,
-      limits > 0 ? "limits" : LawName(forbidding.front().law),
+      limits > 0 ? FailureCode::kLimits : FailureCodeOf(forbidding.front().law),
       "PlanWalk",
       LimitText(forbidding.front()) + (limits > 1 ? fmt::format(" (worst of {} limits that are broken)", limits) : ""),
-      {},
+      {AllowLimits()},
       forbidding.front()};
 }
 
@@ -238,6 +238,11 @@ double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, dou
 }
 
 double NextLower(double value) { return TwoDigitsBetween(0.5 * value, value).back(); }
+
+Suggestion AllowLimits() {
+  return {"pipeline.allow_limits", "true", Certainty::kPlanned,
+          "--set pipeline.allow_limits=true gives the plan all the same"};
+}
 
 std::string PaceFlags(const WalkCommand& c) {
   std::string flags;

@@ -61,6 +61,9 @@ double LargestPaceAbove(const RobotModel& model, const WalkCommand& command, dou
 /// The next lower number of two digits.
 double NextLower(double value);
 
+/// To give a plan all the same that fails its audit.
+Suggestion AllowLimits();
+
 /// The flags that ask for a pace and what goes with it: "--speed 1.1 --yaw-rate 0.2".
 std::string PaceFlags(const WalkCommand& command);
 

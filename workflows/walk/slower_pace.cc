@@ -21,6 +21,22 @@ std::string PaceName(Pace pace) {
   return "";
 }
 
+std::string PaceFlag(Pace pace) {
+  switch (pace) {
+    case Pace::kSpeed:
+      return "speed";
+    case Pace::kLateralSpeed:
+      return "lateral-speed";
+    case Pace::kYawRate:
+      return "yaw-rate";
+    case Pace::kStepLength:
+      return "step-length";
+  }
+  return "";
+}
+
+std::string PaceUnit(Pace pace) { return pace == Pace::kYawRate ? "rad/s" : pace == Pace::kStepLength ? "m" : "m/s"; }
+
 std::string PaceText(const WalkCommand& command) {
   switch (PaceOf(command)) {
     case Pace::kSpeed:
@@ -33,6 +49,16 @@ std::string PaceText(const WalkCommand& command) {
       return fmt::format("{:.2g} m", std::abs(command.step_length_m));
   }
   return "";
+}
+
+Suggestion SlowerPace::AsSuggestion(const WalkCommand& at_pace) const {
+  const Pace pace = PaceOf(at_pace);
+  const double signed_value = pace == Pace::kSpeed          ? at_pace.speed_m_s
+                              : pace == Pace::kLateralSpeed ? at_pace.lateral_speed_m_s
+                              : pace == Pace::kYawRate      ? at_pace.yaw_rate_rad_s
+                                                            : at_pace.step_length_m;
+  return {PaceFlag(pace), signed_value, known == Known::kMay ? Certainty::kEstimated : Certainty::kPlanned,
+          PaceFlags(at_pace)};
 }
 
 std::string SlowerPace::Text(const WalkCommand& at_pace, const std::string& gait) const {

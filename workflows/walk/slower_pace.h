@@ -9,6 +9,11 @@ namespace gaitwright {
 
 /// "speed", "turning rate"
 std::string PaceName(Pace pace);
+/// The command's flag without dashes: `speed`, `lateral-speed`, `yaw-rate`, `step-length`.
+std::string PaceFlag(Pace pace);
+
+/// "m/s", "rad/s" or "m"
+std::string PaceUnit(Pace pace);
 
 /// A command's pace with its unit: "0.8 m/s".
 std::string PaceText(const WalkCommand& command);
@@ -25,6 +30,8 @@ struct SlowerPace {
 
   /// What is known of it, for people, of a command at that pace.
   std::string Text(const WalkCommand& at_pace, const std::string& gait) const;
+  /// To ask for the command at that pace; what else moves goes on in proportion.
+  Suggestion AsSuggestion(const WalkCommand& at_pace) const;
 };
 
 }  // namespace gaitwright

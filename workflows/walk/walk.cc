@@ -77,7 +77,7 @@ Result<RobotModel> RobotOf(const MotionPlan& plan) {
   Result<RobotModel> model = LoadRobotFromText(plan.urdf_text, plan.yaml_text, plan.robot, plan.meshes);
   if (model && model->hash != plan.robot_hash) {
     return Failure{FailureKind::kBadInput,
-                   "robot_hash",
+                   FailureCode::kRobotHash,
                    "RobotOf",
                    fmt::format("the plan was made for robot {} ({}), but carries another ({})", plan.robot,
                                plan.robot_hash, model->hash),

@@ -27,7 +27,7 @@ std::string ContentsHash(const WalkRequest& request) {
   std::string text;
   for (const std::string& file : FilesOf(request)) {
     const Result<std::string> bytes = ReadBytes(file);
-    text += (bytes ? HexHash(*bytes) : bytes.failure().code) + "\n";
+    text += (bytes ? HexHash(*bytes) : FailureCodeName(bytes.failure().code)) + "\n";
   }
   return HexHash(text);
 }

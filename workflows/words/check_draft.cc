@@ -30,13 +30,14 @@ void CheckParameter(const std::string& text, const TaskScope& scope, const Task&
                     const std::string& key) {
   const ActionRule& rule = *FindAction(task.action);
   const std::string words = TextOf(text, SpanOf(draft, key));
-  if (!Takes(rule.action, key)) throw Refused{{"unknown", words, WhyNotTaken(rule, key), ""}};
+  if (!Takes(rule.action, key)) throw Refused{{FailureCode::kUnknown, words, WhyNotTaken(rule, key), ""}};
   const Task alone = Alone(task, key, rule);
   const auto failure = WhyNoTask(alone);
-  if (failure && failure->code == "range") throw Refused{{"range", words, failure->message, ""}};
+  if (failure && failure->code == FailureCode::kRange)
+    throw Refused{{FailureCode::kRange, words, failure->message, ""}};
   if (key != "to") return;
-  if (const auto away = WhyNotDone(alone, scope); away && away->code == "place")
-    throw Refused{{"place", words, away->message, ""}};
+  if (const auto away = WhyNotDone(alone, scope); away && away->code == FailureCode::kPlace)
+    throw Refused{{FailureCode::kPlace, words, away->message, ""}};
 }
 
 void CheckExtents(const std::string& text, const Task& task, const Draft& draft) {
@@ -46,7 +47,8 @@ void CheckExtents(const std::string& text, const Task& task, const Draft& draft)
     const Span span = SpanOf(draft, key);
     if (extent) {
       const Span both = {std::min(extent->begin, span.begin), std::max(extent->end, span.end)};
-      throw Refused{{"ambiguous", TextOf(text, both), "says twice how far: an amount or a place is taken", ""}};
+      throw Refused{
+          {FailureCode::kAmbiguous, TextOf(text, both), "says twice how far: an amount or a place is taken", ""}};
     }
     extent = span;
   }
@@ -62,9 +64,10 @@ std::string WhatToSay(const std::string& key) {
 void CheckSideways(const std::string& text, const Task& task, const Draft& draft) {
   if (!draft.sideways || task.action == "lower_arm") return;  // arms hang at the sides
   const std::string words = TextOf(text, *draft.sideways);
-  if (task.action != "walk") throw Refused{{"unknown", words, fmt::format("is nothing to '{}'", task.action), ""}};
+  if (task.action != "walk")
+    throw Refused{{FailureCode::kUnknown, words, fmt::format("is nothing to '{}'", task.action), ""}};
   if (task.Word("direction") != "left" && task.Word("direction") != "right")
-    throw Refused{{"ambiguous", words, "does not say to which side", "", "left or right"}};
+    throw Refused{{FailureCode::kAmbiguous, words, "does not say to which side", "", "left or right"}};
 }
 
 }  // namespace
@@ -77,16 +80,17 @@ bool Takes(const std::string& action, const std::string& key) {
 
 void CheckDraft(const std::string& text, const TaskScope& scope, const Task& task, const Draft& draft) {
   if (draft.bare)
-    throw Refused{{"ambiguous", TextOf(text, {draft.bare->begin, draft.bare->end}), "has no unit", "",
+    throw Refused{{FailureCode::kAmbiguous, TextOf(text, {draft.bare->begin, draft.bare->end}), "has no unit", "",
                    "its unit: metres, steps, degrees, seconds or times"}};
   const ActionRule& rule = *FindAction(task.action);
   if (!scope.Can(rule)) {
     const Task bare{task.action, {}, "", {}};
-    throw Refused{{"cannot", TextOf(text, draft.words), WhyNotDone(bare, scope)->message, rule.instead}};
+    throw Refused{{FailureCode::kCannot, TextOf(text, draft.words), WhyNotDone(bare, scope)->message, rule.instead}};
   }
   if (draft.side) {
     const std::string words = TextOf(text, draft.side_said.value_or(draft.words));
-    throw Refused{{"unknown", words, fmt::format("is nothing to '{}', which has no sides", rule.action), ""}};
+    throw Refused{
+        {FailureCode::kUnknown, words, fmt::format("is nothing to '{}', which has no sides", rule.action), ""}};
   }
   CheckSideways(text, task, draft);
   for (const auto& [key, value] : task.parameters) CheckParameter(text, scope, task, draft, key);
@@ -94,11 +98,11 @@ void CheckDraft(const std::string& text, const TaskScope& scope, const Task& tas
   const bool goes =
       std::any_of(ExtentKeys().begin(), ExtentKeys().end(), [&](const auto& key) { return task.Has(key); });
   if (draft.to_nowhere && task.action == "walk" && !goes)
-    throw Refused{{"place", TextOf(text, draft.words), "does not say where to", ""}};
+    throw Refused{{FailureCode::kPlace, TextOf(text, draft.words), "does not say where to", ""}};
   for (const std::string& required : rule.required) {
     if (!task.Has(required))
-      throw Refused{{"ambiguous", TextOf(text, draft.words), fmt::format("does not say the {}", required), "",
-                     WhatToSay(required)}};
+      throw Refused{{FailureCode::kAmbiguous, TextOf(text, draft.words), fmt::format("does not say the {}", required),
+                     "", WhatToSay(required)}};
   }
   for (std::size_t k = 0; k < task.during.size(); ++k) CheckDraft(text, scope, task.during[k], draft.during[k]);
 }

@@ -40,10 +40,10 @@ void ClimbWords::TakeStairs(const std::string& text, const Clause& clause, std::
     if (!item.SaysNothing() || IsRelation(item)) before = &item;
   }
   const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == kToPlace));
-  if (to && stairs.value != 2.0) throw Refused{{"place", words, "is no place that is known here", ""}};
+  if (to && stairs.value != 2.0) throw Refused{{FailureCode::kPlace, words, "is no place that is known here", ""}};
   while (before != nullptr && IsRelation(*before) && begin > 0 && clause.items[begin - 1].Is(M::kFiller)) --begin;
   if (before != nullptr && IsRelation(*before))
-    throw Refused{{"unknown", TextOf(text, {clause.items[begin].begin, stairs.end}),
+    throw Refused{{FailureCode::kUnknown, TextOf(text, {clause.items[begin].begin, stairs.end}),
                    "is no way that it goes: stairs are gone up or down", ""}};
   if (stairs.value != 0.0) way_ = static_cast<int>(stairs.value);
   stairs_ = stairs;
@@ -54,8 +54,9 @@ void ClimbWords::CheckAmounts(const std::string& text, const Draft& draft) const
   for (const char* key : {"distance_m", "duration_s", "times"}) {
     const auto said = draft.said.find(key);
     if (said == draft.said.end()) continue;
-    throw Refused{{"unknown", TextOf(text, said->second), "is not how stairs are gone: by their steps, or to their end",
-                   "", "'two steps', or 'to the second step'"}};
+    throw Refused{{FailureCode::kUnknown, TextOf(text, said->second),
+                   "is not how stairs are gone: by their steps, or to their end", "",
+                   "'two steps', or 'to the second step'"}};
   }
 }
 
@@ -64,14 +65,15 @@ void ClimbWords::Settle(const std::string& text, Draft& draft) const {
   if (way_ == 0 && !named) return;
   const bool walks = draft.action.empty() || draft.action == "walk";
   const Span words = stairs_ ? Span{stairs_->begin, stairs_->end} : draft.words;
-  if (!walks && named) throw Refused{{"unknown", TextOf(text, words), "are nothing to '" + draft.action + "'", ""}};
+  if (!walks && named)
+    throw Refused{{FailureCode::kUnknown, TextOf(text, words), "are nothing to '" + draft.action + "'", ""}};
   if (!walks) return;
   if (draft.parameters.contains("to")) {
     draft.stairs = way_;
     return;
   }
   if (way_ == 0)
-    throw Refused{{"unknown", TextOf(text, words), "are gone up or down, and neither is said", "",
+    throw Refused{{FailureCode::kUnknown, TextOf(text, words), "are gone up or down, and neither is said", "",
                    "'climb the stairs', or 'go down the stairs'"}};
   if (sure_ || named) CheckAmounts(text, draft);
   draft.stairs = way_;

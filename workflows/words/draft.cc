@@ -11,7 +11,7 @@ namespace gaitwright::words {
 namespace {
 
 [[noreturn]] void RefuseAmbiguous(const std::string& part, const std::string& why) {
-  throw Refused{{"ambiguous", part, why, ""}};
+  throw Refused{{FailureCode::kAmbiguous, part, why, ""}};
 }
 
 bool IsWay(const std::string& action) { return action == "walk" || action == "turn"; }
@@ -52,7 +52,7 @@ void SettleSide(const std::string& text, Draft& draft) {
   }
   if (HasArms(draft.action) && draft.side && draft.side_said) {
     if (SaysWhereTo(TextOf(text, *draft.side_said)))
-      throw Refused{{"ambiguous", TextOf(text, *draft.side_said), "says where to, and not which arm", "",
+      throw Refused{{FailureCode::kAmbiguous, TextOf(text, *draft.side_said), "says where to, and not which arm", "",
                      "which arm: 'with the left hand'"}};
   }
   const bool limbs = HasArms(draft.action) || draft.action == "balance";
@@ -70,8 +70,8 @@ void SettleSide(const std::string& text, Draft& draft) {
 
 void Merge(const std::string& text, const Draft& said, bool over, Draft& into) {
   if (said.action.empty() && !said.part.empty() && !IsDoneWith(into.action, said.part))
-    throw Refused{
-        {"unknown", TextOf(text, said.words), "is no part of its body that '" + into.action + "' is done with", ""}};
+    throw Refused{{FailureCode::kUnknown, TextOf(text, said.words),
+                   "is no part of its body that '" + into.action + "' is done with", ""}};
   const bool on_stairs = into.stairs != 0 || said.parameters.contains("to") || said.parameters.contains("steps");
   const bool elsewhere = over && (said.said.contains("to") || said.said.contains("distance_m"));
   if (elsewhere || (said.stairs != 0 && on_stairs)) into.stairs = said.stairs;

@@ -67,7 +67,7 @@ bool Has(Drafts& drafts, const Draft& what, Which which) {
 }
 
 [[noreturn]] void Refuse(const std::string& text, const Draft& what, const std::string& why) {
-  throw Refused{{"unknown", TextOf(text, what.words), why, "", "only what is to be done"}};
+  throw Refused{{FailureCode::kUnknown, TextOf(text, what.words), why, "", "only what is to be done"}};
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <sstream>
+#include <utility>
+#include <variant>
 
 namespace gaitwright::words {
 namespace {
@@ -20,15 +20,16 @@ std::string KnownPlaces(const TaskScope& scope) {
   return "--terrain with a ground that has places: a file with markers, or stairs, whose steps have names";
 }
 
-std::vector<std::string> HintsFor(const Refusal& refusal, const TaskScope& scope) {
+std::vector<Suggestion> HintsFor(const Refusal& refusal, const TaskScope& scope) {
   if (!refusal.say.empty()) return {refusal.say};
-  if (refusal.reason == "range") return {};
-  if (refusal.reason == "ambiguous") return {"one of them, or 'no' before what is meant instead"};
-  if (refusal.reason == "place") return {KnownPlaces(scope)};
-  std::vector<std::string> hints;
-  if (!refusal.nearest.empty()) hints.push_back(fmt::format("to {}, the nearest that it can do", refusal.nearest));
-  hints.push_back(fmt::format("what robot '{}' can do: {}", scope.robot, fmt::join(scope.Actions(), ", ")));
-  return hints;
+  if (refusal.code == FailureCode::kRange) return {};
+  if (refusal.code == FailureCode::kAmbiguous) return {"one of them, or 'no' before what is meant instead"};
+  if (refusal.code == FailureCode::kPlace) return {KnownPlaces(scope)};
+  std::vector<Suggestion> suggestions;
+  if (!refusal.nearest.empty())
+    suggestions.push_back(fmt::format("to {}, the nearest that it can do", refusal.nearest));
+  suggestions.push_back(fmt::format("what robot '{}' can do: {}", scope.robot, fmt::join(scope.Actions(), ", ")));
+  return suggestions;
 }
 
 }  // namespace
@@ -39,22 +40,22 @@ Failure FailureOf(const Refusal& refusal, const TaskScope& scope) {
   const bool whole =
       refusal.why.starts_with("robot '") || refusal.why.starts_with("'") || refusal.why.starts_with("there ");
   const std::string message = fmt::format("{}{} {}", part, whole ? ":" : "", refusal.why);
-  return {FailureKind::kBadInput, refusal.reason, "Understand", message, HintsFor(refusal, scope)};
+  return {FailureKind::kBadInput, refusal.code, "Understand", message, HintsFor(refusal, scope)};
 }
 
-std::vector<std::string> HintsInWords(const std::vector<std::string>& hints, int footfalls) {
-  std::vector<std::string> in_words;
-  for (const std::string& hint : hints) {
-    std::istringstream flags(hint);
-    std::string flag, value, said;
-    for (; hint.starts_with("--") && flags >> flag >> value;) {
-      const double number = std::abs(std::strtod(value.c_str(), nullptr));
-      if (flag == "--speed" || flag == "--lateral-speed") said = fmt::format("say 'at {:.4g} m/s' or slower", number);
-      if (flag == "--step-length") said = fmt::format("say 'steps of {:.4g} m' or shorter", footfalls * number);
+std::vector<Suggestion> SuggestionsInWords(const std::vector<Suggestion>& suggestions, int footfalls) {
+  std::vector<Suggestion> in_words;
+  for (Suggestion said : suggestions) {
+    const double* value = std::get_if<double>(&said.value);
+    const double number = value != nullptr ? std::abs(*value) : 0.0;
+    if (said.what == "speed" || said.what == "lateral-speed") {
+      said.text = fmt::format("say 'at {:.4g} m/s' or slower", number);
+    } else if (said.what == "step-length") {
+      said.text = fmt::format("say 'steps of {:.4g} m' or shorter", footfalls * number);
+    } else if (said.what == "yaw-rate") {
+      continue;  // nothing says how fast to turn
     }
-    const bool is_option = hint.starts_with("--set ");
-    if (!hint.starts_with("--") || is_option) said = hint;
-    if (!said.empty()) in_words.push_back(said);
+    in_words.push_back(std::move(said));
   }
   return in_words;
 }

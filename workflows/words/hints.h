@@ -14,9 +14,9 @@ namespace gaitwright::words {
 /// listed only where that is the question.
 Failure FailureOf(const Refusal& refusal, const TaskScope& scope);
 
-/// Hints of a planner that are flags of the command line, such as "--speed 0.4", as words to say: "at 0.4 m/s". What no
-/// words say is left out.
+/// Suggestions of a planner with flags of the command line, such as "--speed 0.4", as words to say: "at 0.4 m/s". What
+/// no words say is left out.
 /// @param footfalls  of a step as words have it: one, or one of each foot of a robot with more than two.
-std::vector<std::string> HintsInWords(const std::vector<std::string>& hints, int footfalls);
+std::vector<Suggestion> SuggestionsInWords(const std::vector<Suggestion>& suggestions, int footfalls);
 
 }  // namespace gaitwright::words

@@ -59,7 +59,7 @@ Result<Interpretation> Interpret(const std::string& instruction, const TaskScope
     std::vector<ChatMessage> messages = {{"system", InterpreterPrompt(scope)}, {"user", instruction}};
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       const Result<std::string> answer = Complete(*model, messages);
-      if (!answer && answer.failure().code == "interpreter_url") return answer.failure();
+      if (!answer && answer.failure().code == FailureCode::kInterpreterUrl) return answer.failure();
       if (!answer) {
         made.notes.push_back(answer.failure().message);
         break;
@@ -79,7 +79,7 @@ Result<Interpretation> Interpret(const std::string& instruction, const TaskScope
   Result<TaskPlan> plan = words::UnderstandWords(instruction, scope);
   if (!plan) {
     Failure failure = plan.failure();
-    failure.hints.insert(failure.hints.end(), made.notes.begin(), made.notes.end());
+    failure.suggestions.insert(failure.suggestions.end(), made.notes.begin(), made.notes.end());
     return failure;
   }
   made.plan = std::move(*plan);

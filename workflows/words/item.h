@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/base/failure_code.h"
 #include "planning/tasks/task_plan.h"
 
 namespace gaitwright::words {
@@ -86,7 +87,8 @@ struct Item {
 
 /// A part of an instruction that is not accepted, and why: unknown, cannot, range, ambiguous, place, empty.
 struct Refusal {
-  std::string reason, part, why;
+  FailureCode code = FailureCode::kInternal;
+  std::string part, why;
   std::string nearest;   ///< an action that could be meant, or ""
   std::string say = {};  ///< what to say instead, where that is known
 };

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
-Failure NoAnswer(const std::string& why, const std::string& code = "interpreter") {
+Failure NoAnswer(const std::string& why, FailureCode code = FailureCode::kInterpreter) {
   return {FailureKind::kBadInput, code, "Complete", fmt::format("the language model gives no answer: {}", why), {}};
 }
 
@@ -63,7 +63,7 @@ std::string ApiKeyFromEnvironment() {
 
 Result<std::string> Complete(const LanguageModel& model, const std::vector<ChatMessage>& messages) {
   if (!model.url.starts_with("http://") && !model.url.starts_with("https://"))
-    return NoAnswer(fmt::format("'{}' is no http or https URL", Shortened(model.url)), "interpreter_url");
+    return NoAnswer(fmt::format("'{}' is no http or https URL", Shortened(model.url)), FailureCode::kInterpreterUrl);
   const std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl(curl_easy_init(), &curl_easy_cleanup);
   if (!curl) return NoAnswer("no connection can be made");
   curl_slist* list = curl_slist_append(nullptr, "Content-Type: application/json");
@@ -82,7 +82,8 @@ Result<std::string> Complete(const LanguageModel& model, const std::vector<ChatM
   curl_easy_setopt(curl.get(), CURLOPT_WRITEFUNCTION, &Receive);
   curl_easy_setopt(curl.get(), CURLOPT_WRITEDATA, &body);
   const CURLcode code = curl_easy_perform(curl.get());
-  if (code == CURLE_URL_MALFORMAT) return NoAnswer(fmt::format("'{}' is no URL", Shortened(url)), "interpreter_url");
+  if (code == CURLE_URL_MALFORMAT)
+    return NoAnswer(fmt::format("'{}' is no URL", Shortened(url)), FailureCode::kInterpreterUrl);
   if (code == CURLE_WRITE_ERROR) return NoAnswer("what it sends is over a megabyte");
   if (code != CURLE_OK) return NoAnswer(curl_easy_strerror(code));
   long status = 0;

@@ -47,8 +47,8 @@ class Relation {
   std::string Word(std::size_t k) const { return LowerCase(TextOf(text_, {items_[k].begin, items_[k].end})); }
 
   [[noreturn]] void Refuse(std::size_t begin, std::size_t end) const {
-    throw Refused{
-        {"unknown", TextOf(text_, {begin, end}), "is no way that it goes: a place can only be walked to", ""}};
+    throw Refused{{FailureCode::kUnknown, TextOf(text_, {begin, end}),
+                   "is no way that it goes: a place can only be walked to", ""}};
   }
 
   void CheckBefore() const {

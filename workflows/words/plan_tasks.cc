@@ -20,7 +20,7 @@ namespace {
 Failure OfTask(std::size_t index, const Task& task, std::size_t feet, Failure failure) {
   const std::string said = task.words.empty() ? TaskText(task) : task.words;
   failure.message = fmt::format("task {}, '{}': {}", index + 1, said, failure.message);
-  failure.hints = words::HintsInWords(failure.hints, feet > 2 ? static_cast<int>(feet) : 1);
+  failure.suggestions = words::SuggestionsInWords(failure.suggestions, feet > 2 ? static_cast<int>(feet) : 1);
   return failure;
 }
 
@@ -33,7 +33,7 @@ Failure WhyUnsound(const TaskPlan& tasks, const PlannedTasks& planned) {
       std::min<std::size_t>(static_cast<std::size_t>(within - ends_s.begin()), tasks.tasks.size() - 1);
   const Task& task = tasks.tasks[k];
   Failure failure = tasks::WhyBroken(task.action, planned.audit);
-  if (!task.during.empty()) failure.hints = {"one after the other may do: 'then' in place of 'while'"};
+  if (!task.during.empty()) failure.suggestions = {"one after the other may do: 'then' in place of 'while'"};
   return OfTask(k, task, planned.robot.legs.size(), failure);
 }
 
@@ -62,7 +62,7 @@ Result<RobotModel> WholeRobot(const RobotModel& model, const TaskPlan& tasks, co
   }
   if (!lies) return model;  // gets up from where it stands
   return Failure{FailureKind::kInfeasible,
-                 "lying",
+                 FailureCode::kLying,
                  "PlanTasks",
                  fmt::format("robot '{}' has nothing flat under its body to lie on", model.name),
                  {}};

@@ -51,7 +51,7 @@ Failure WhyBroken(const std::string& what, const AuditReport& audit) {
   const std::vector<Violation> forbidding = Forbidding(audit);
   const Violation& worst = forbidding.empty() ? audit.violations.front() : forbidding.front();
   return {FailureKind::kInfeasible,
-          LawName(worst.law),
+          FailureCodeOf(worst.law),
           "PlanTasks",
           fmt::format("'{}' breaks the law '{}': {}", what, LawName(worst.law), LimitText(worst)),
           {},
@@ -76,7 +76,7 @@ Result<PostureMotion> PostureWithin(const RobotModel& model, const MotionBySize&
   };
   const double largest = LargestBelow(serves, sizes.tried.front());
   if (largest > 0.0) {
-    first->hints = {
+    first->suggestions = {
         fmt::format("the largest {} that robot '{}' can do here is about {:.2g}", sizes.name, model.name, largest)};
   }
   return *first;

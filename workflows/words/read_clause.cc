@@ -14,9 +14,9 @@ namespace {
 
 using M = Meaning;
 
-[[noreturn]] void Refuse(const std::string& reason, const std::string& part, const std::string& why,
+[[noreturn]] void Refuse(FailureCode code, const std::string& part, const std::string& why,
                          const std::string& nearest = "") {
-  throw Refused{{reason, part, why, nearest}};
+  throw Refused{{code, part, why, nearest}};
 }
 
 /// Reads the items of one clause.
@@ -43,9 +43,10 @@ class ClauseReader {
       if (item.Is(M::kElsewhere)) nearest = item.name;
     }
     if (nearest == "recover")
-      throw Refused{{"unknown", TextOf(text_, clause_.Words()), "is done by a controller, whatever the robot is told",
-                     "", "'stand' with --controller recovering and --push, or 'brace'"}};
-    Refuse("unknown", TextOf(text_, clause_.Words()), "is nothing that a robot can be told", nearest);
+      throw Refused{{FailureCode::kUnknown, TextOf(text_, clause_.Words()),
+                     "is done by a controller, whatever the robot is told", "",
+                     "'stand' with --controller recovering and --push, or 'brace'"}};
+    Refuse(FailureCode::kUnknown, TextOf(text_, clause_.Words()), "is nothing that a robot can be told", nearest);
   }
 
   /// What begins with what is not known is not known on the whole.
@@ -166,7 +167,7 @@ class ClauseReader {
   void Say(const std::string& key, const TaskValue& value, const Item& item) {
     const auto said = draft_.said.find(key);
     if (said != draft_.said.end() && draft_.parameters[key] != value)
-      Refuse("ambiguous", TextOf(text_, {said->second.begin, item.end}), "says two things at once");
+      Refuse(FailureCode::kAmbiguous, TextOf(text_, {said->second.begin, item.end}), "says two things at once");
     draft_.parameters[key] = value;
     draft_.said[key] = {item.begin, item.end};
   }
@@ -181,7 +182,8 @@ class ClauseReader {
     if (draft_.side && *draft_.side != side) {
       const bool both =
           (arm_ && !IsMeans(text_, clause_, draft_.side_said->begin, at_)) || *draft_.side == "both" || side == "both";
-      if (!both) Refuse("ambiguous", TextOf(text_, {draft_.side_said->begin, item.end}), "says two sides at once");
+      if (!both)
+        Refuse(FailureCode::kAmbiguous, TextOf(text_, {draft_.side_said->begin, item.end}), "says two sides at once");
       draft_.side = "both";
       return;
     }
@@ -194,7 +196,7 @@ class ClauseReader {
     const bool counts = at_ + 1 < clause_.items.size() && NextIsCounted();
     if (counts) return SayAmount("times", item.value, 1.0, item);
     if (draft_.bare)
-      Refuse("ambiguous", TextOf(text_, {draft_.bare->begin, item.end}), "are two numbers without units");
+      Refuse(FailureCode::kAmbiguous, TextOf(text_, {draft_.bare->begin, item.end}), "are two numbers without units");
     draft_.bare = item;
   }
 
@@ -212,7 +214,7 @@ class ClauseReader {
     if (rule->kind == ParameterRule::Kind::kCount) {
       constexpr double kMost = 1e9;
       if (value != std::round(value) && key == "steps")
-        Refuse("range", TextOf(text_, {item.begin, item.end}), "is no whole number of steps");
+        Refuse(FailureCode::kRange, TextOf(text_, {item.begin, item.end}), "is no whole number of steps");
       Say(key, static_cast<int>(std::lround(std::clamp(value, -kMost, kMost))), item);
     } else {
       Say(key, Rounded(value), item);
@@ -255,7 +257,7 @@ class ClauseReader {
     const bool place =
         std::any_of(clause_.items.begin(), clause_.items.end(), [](const Item& other) { return other.Is(M::kPlace); });
     if (round && draft_.action == "walk" && !amount && !place)
-      Refuse("unknown", word, "says no way and no place to go to");
+      Refuse(FailureCode::kUnknown, word, "says no way and no place to go to");
   }
 
   bool NextIsEach() const {
@@ -285,13 +287,13 @@ class ClauseReader {
     }
     if (draft_.bare) {
       const bool walks = draft_.action.empty() || draft_.action == "walk";
-      Refuse("unknown", TextOf(text_, {draft_.bare->begin, end}), "is no amount", walks ? "walk" : "");
+      Refuse(FailureCode::kUnknown, TextOf(text_, {draft_.bare->begin, end}), "is no amount", walks ? "walk" : "");
     }
     const bool to = before != nullptr && (before->Is(M::kTo) || (before->Is(M::kAction) && before->value == kToPlace));
     if (to && (draft_.action.empty() || draft_.action == "walk"))
-      Refuse("place", TextOf(text_, {item.begin, item.end}), "is no place that is known here");
+      Refuse(FailureCode::kPlace, TextOf(text_, {item.begin, item.end}), "is no place that is known here");
     if (draft_.action.empty() || climb_.IsSure()) RefuseAll();
-    Refuse("unknown", TextOf(text_, {item.begin, item.end}), "is not understood");
+    Refuse(FailureCode::kUnknown, TextOf(text_, {item.begin, item.end}), "is not understood");
   }
 
   /// The action where it is said by several words, and what an action's own word says.
@@ -351,7 +353,7 @@ class ClauseReader {
       const std::string why = draft_.action.empty()
                                   ? "is no part that it can be told to move alone"
                                   : "is no part of its body that '" + draft_.action + "' is done with";
-      Refuse("unknown", TextOf(text_, {item.begin, item.end}), why);
+      Refuse(FailureCode::kUnknown, TextOf(text_, {item.begin, item.end}), why);
     };
     if (arm_) check("arm", *arm_);
     if (foot_) check("foot", *foot_);

@@ -67,7 +67,7 @@ class StairsWalker {
       CheckWay(draft, std::get<PlaceName>(said->second));
     } else if (draft.stairs != 0) {
       if (!stairs_)
-        Refuse("place", draft, "goes by stairs, and this ground has none",
+        Refuse(FailureCode::kPlace, draft, "goes by stairs, and this ground has none",
                "--terrain stairs, or a file of a ground whose steps have names");
       SetPlace(draft, Target(draft));
     }
@@ -77,9 +77,9 @@ class StairsWalker {
   }
 
  private:
-  [[noreturn]] void Refuse(const std::string& reason, const Draft& draft, const std::string& why,
+  [[noreturn]] void Refuse(FailureCode code, const Draft& draft, const std::string& why,
                            const std::string& say = "") const {
-    throw Refused{{reason, TextOf(text_, draft.words), why, "", say}};
+    throw Refused{{code, TextOf(text_, draft.words), why, "", say}};
   }
 
   void Turn(const Draft& draft) {
@@ -105,8 +105,10 @@ class StairsWalker {
     const std::optional<int> there = stairs_ ? stairs_->LevelOf(place) : std::nullopt;
     if (!there || !at_ || *there == *at_) return;
     const bool up = HeightOf(*there) > HeightOf(*at_);
-    if (draft.stairs == 1 && !up) Refuse("cannot", draft, "goes up, and that is no place above where it is then");
-    if (draft.stairs == -1 && up) Refuse("cannot", draft, "goes down, and that is no place below where it is then");
+    if (draft.stairs == 1 && !up)
+      Refuse(FailureCode::kCannot, draft, "goes up, and that is no place above where it is then");
+    if (draft.stairs == -1 && up)
+      Refuse(FailureCode::kCannot, draft, "goes down, and that is no place below where it is then");
   }
 
   /// Which way along the levels: 1 or -1.
@@ -114,12 +116,13 @@ class StairsWalker {
     const int at = *at_, top = stairs_->top;
     if (draft.stairs == 2) return 1;
     if (at != top) return (at < top) == (draft.stairs > 0) ? 1 : -1;
-    if (draft.stairs > 0) Refuse("cannot", draft, "goes up, and it is at the top already");
+    if (draft.stairs > 0) Refuse(FailureCode::kCannot, draft, "goes up, and it is at the top already");
     if (stairs_->end() == top) return -1;
     const double ahead = std::cos(turned_deg_ * std::numbers::pi / 180.0);
     constexpr double kAhead = 0.3;
     if (std::abs(ahead) < kAhead)
-      Refuse("ambiguous", draft, "does not say down which side of the stairs", "'turn around' before it, or nothing");
+      Refuse(FailureCode::kAmbiguous, draft, "does not say down which side of the stairs",
+             "'turn around' before it, or nothing");
     return ahead > 0.0 ? 1 : -1;
   }
 
@@ -128,20 +131,22 @@ class StairsWalker {
     const bool whole = steps == draft.parameters.end();
     if (!at_ && whole && draft.stairs == 1) return stairs_->levels[static_cast<std::size_t>(stairs_->top)];
     if (!at_)
-      Refuse("ambiguous", draft, "goes on from a step, and where the walk before it ends is none that is known",
+      Refuse(FailureCode::kAmbiguous, draft,
+             "goes on from a step, and where the walk before it ends is none that is known",
              "a step by its number: 'to the second step'");
     const int at = *at_, end = stairs_->end(), top = stairs_->top;
     if (draft.stairs == -1 && (at == 0 || (at == end && end > top)))
-      Refuse("cannot", draft, "goes down, and it stands on the ground, from where the stairs go up",
+      Refuse(FailureCode::kCannot, draft, "goes down, and it stands on the ground, from where the stairs go up",
              "to climb them first: 'climb the stairs, then go down'");
     const int way = WayOf(draft), limit = draft.stairs == 1 ? top : way > 0 ? end : 0;
     const int there = std::abs(limit - at);
     const int by = whole ? there : std::get<int>(steps->second);
     if (by < 1 || by > there)
-      Refuse("range", draft, fmt::format("goes {} steps, and there are {} from where it is then", by, there));
+      Refuse(FailureCode::kRange, draft,
+             fmt::format("goes {} steps, and there are {} from where it is then", by, there));
     const PlaceName place = stairs_->levels[static_cast<std::size_t>(at + way * by)];
     if (place.name.empty())
-      Refuse("cannot", draft, "goes down to the ground before the stairs, which no place here is");
+      Refuse(FailureCode::kCannot, draft, "goes down to the ground before the stairs, which no place here is");
     return place;
   }
 

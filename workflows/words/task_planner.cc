@@ -85,7 +85,7 @@ std::optional<Failure> TaskPlanner::FindGround() {
   const auto name = [&](auto foot) { return model_.feet[static_cast<std::size_t>(foot - heights_m.begin())].name; };
   if (*high - *low > kLevel) {
     return Failure{FailureKind::kInfeasible,
-                   "not_level",
+                   FailureCode::kNotLevel,
                    "PlanTasks",
                    fmt::format("the walk before it ends with '{}' {:.2f} m above '{}', and what is done there must be "
                                "the last thing",
@@ -304,9 +304,9 @@ std::optional<Failure> TaskPlanner::BowDown(const Task& task, int times) {
   if (!asked) return failure;
   const double largest = LargestBelow(
       [&](double bow_rad) { return PostureWithin(whole_model_, by(bow_rad), lower, options_.motion).ok(); }, angle);
-  failure->hints.clear();
+  failure->suggestions.clear();
   if (largest >= kDegree)
-    failure->hints = {
+    failure->suggestions = {
         fmt::format("a bow of 1 to {:.0f} degrees, which is about the largest that robot '{}' can do here",
                     std::floor(largest / kDegree), model_.name)};
   return failure;

@@ -97,7 +97,7 @@ Result<MotionPlan> TaskPlanner::WithGestures(MotionPlan walk, PostureKey& key) c
   if (!audit) return audit.failure();
   if (audit->pass()) return walk;
   Failure failure = WhyBroken(task_->words, *audit);
-  failure.hints = {"one after the other may do: 'then' in place of 'while'"};
+  failure.suggestions = {"one after the other may do: 'then' in place of 'while'"};
   return failure;
 }
 

@@ -38,12 +38,12 @@ class Assembler {
 
   void Add(const Clause& clause) {
     if (clause.denies)
-      throw Refused{
-          {"ambiguous", text_, "is taken back, and nothing is said in its place", "", "what is to be done instead"}};
+      throw Refused{{FailureCode::kAmbiguous, text_, "is taken back, and nothing is said in its place", "",
+                     "what is to be done instead"}};
     if (clause.forbids) return Forbid(clause);
     const bool in_doubt = std::exchange(after_forbidden_, false) && !clause.follows_break && !clause.corrects;
     if (in_doubt)
-      throw Refused{{"ambiguous", Text(clause.Words()), "may or may not be forbidden too", "",
+      throw Refused{{FailureCode::kAmbiguous, Text(clause.Words()), "may or may not be forbidden too", "",
                      "a comma before what is to be done, or only what is"}};
     if (clause.drops) Drop(clause);
     if (clause.drops && clause.is_not) return;
@@ -84,11 +84,12 @@ class Assembler {
       drafts_.push_back(std::move(walk));
     }
     if (manner_ && !drafts_.empty() && drafts_.back().action == "walk")  // "walk two metres, then slowly"
-      throw Refused{{"ambiguous", Text(manner_->words), "says how, and how far it is to walk so is not said", "",
+      throw Refused{{FailureCode::kAmbiguous, Text(manner_->words),
+                     "says how, and how far it is to walk so is not said", "",
                      "'walk two metres slowly', or how far it is to go so"}};
     if (!drafts_.empty() || !waiting_) Flush();
     const bool at_once = waiting_ && !before_ && !drafts_.empty() && !IsGesture(waiting_->action);
-    if (at_once) throw Refused{{"cannot", Text(waiting_->words), "cannot be done at the same time as the other", ""}};
+    if (at_once) RefuseAtOnce(*waiting_);
     if (waiting_) drafts_.push_back(*waiting_);
     TaskPlan plan;
     plan.text = text_;
@@ -96,7 +97,7 @@ class Assembler {
     forbidden_.Check(drafts_);
     SettleStairs(text_, scope_.places, drafts_);
     for (const Draft& draft : drafts_) plan.tasks.push_back(TaskOf(draft));
-    if (plan.tasks.empty()) throw Refused{{"empty", "", "says nothing to do", ""}};
+    if (plan.tasks.empty()) throw Refused{{FailureCode::kEmpty, "", "says nothing to do", ""}};
     for (std::size_t k = 0; k < plan.tasks.size(); ++k) CheckDraft(text_, scope_, plan.tasks[k], drafts_[k]);
     if (const auto failure = WhyNotPlanned(plan, scope_)) throw Refused{{failure->code, text_, failure->message, ""}};
     return plan;
@@ -118,7 +119,7 @@ class Assembler {
     if (dropped != drafts_.rend()) {
       drafts_.erase(std::next(dropped).base());
     } else if (clause.is_not) {
-      throw Refused{{"unknown", Text(clause.Words()), "says what not to do, which nobody asked for", ""}};
+      throw Refused{{FailureCode::kUnknown, Text(clause.Words()), "says what not to do, which nobody asked for", ""}};
     }
   }
 
@@ -141,10 +142,15 @@ class Assembler {
   }
 
   /// Takes away what is corrected.
+  [[noreturn]] void RefuseAtOnce(const Draft& said) const {
+    throw Refused{{FailureCode::kCannot, Text(said.words), "cannot be done at the same time as the other", ""}};
+  }
+
   void Undo() { drafts_.pop_back(); }
 
   void Repeat() {
-    if (drafts_.empty()) throw Refused{{"ambiguous", text_, "asks for something again, and there was nothing", ""}};
+    if (drafts_.empty())
+      throw Refused{{FailureCode::kAmbiguous, text_, "asks for something again, and there was nothing", ""}};
     const Draft last = drafts_.back();
     drafts_.push_back(last);
   }
@@ -186,7 +192,7 @@ class Assembler {
       const bool after_walk = !drafts_.empty() && drafts_.back().action == "walk" && !clause.follows_then;
       if (after_walk) return Merge(text_, said, corrects, drafts_.back());
       if (speed_only && !walk->said.contains("speed_m_s")) return Merge(text_, said, corrects, *walk);
-      if (!SaysOnlyHow(said)) throw Refused{{"unknown", Text(said.words), "does not say what to do", ""}};
+      if (!SaysOnlyHow(said)) throw Refused{{FailureCode::kUnknown, Text(said.words), "does not say what to do", ""}};
       manner_ = said;
       return;
     }
@@ -205,8 +211,7 @@ class Assembler {
     const bool same_side = said.side && side != last.parameters.end() && side->second == TaskValue(*said.side);
     if (same_side && said.parameters.empty() && !said.bare) return;
     const bool other_side = said.side && !corrects && (last.said.contains("direction") || last.said.contains("side"));
-    if (other_side && clause.is_meanwhile && !IsGesture(last.action))
-      throw Refused{{"cannot", Text(said.words), "cannot be done at the same time as the other", ""}};
+    if (other_side && clause.is_meanwhile && !IsGesture(last.action)) RefuseAtOnce(said);
     if (other_side) {
       Draft more;
       more.action = last.action;
@@ -324,8 +329,7 @@ class Assembler {
       return;
     }
     Draft& last = drafts_.back();
-    if (!gesture && !IsGesture(last.action))
-      throw Refused{{"cannot", Text(said.words), "cannot be done at the same time as the other", ""}};
+    if (!gesture && !IsGesture(last.action)) RefuseAtOnce(said);
     if (!gesture && IsGesture(last.action)) {  // "nod and wave as you walk"
       const bool again = drafts_.size() > 1 && said.action == drafts_[drafts_.size() - 2].action && said.said.empty();
       if (again) {  // "walk three steps and wave while you walk"
@@ -377,9 +381,11 @@ class Assembler {
 std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskScope& scope) {
   constexpr std::size_t kLongest = 2000;
   const std::string trimmed = Trimmed(text);
-  if (text.size() > kLongest) return Refusal{"range", Shortened(text), "is too long: 2000 bytes are read", ""};
-  if (!IsPlainText(text)) return Refusal{"unknown", "", "is no plain text", ""};
-  if (text.find_first_of("{}") != std::string::npos) return Refusal{"unknown", trimmed, "is no instruction", ""};
+  if (text.size() > kLongest)
+    return Refusal{FailureCode::kRange, Shortened(text), "is too long: 2000 bytes are read", ""};
+  if (!IsPlainText(text)) return Refusal{FailureCode::kUnknown, "", "is no plain text", ""};
+  if (text.find_first_of("{}") != std::string::npos)
+    return Refusal{FailureCode::kUnknown, trimmed, "is no instruction", ""};
   try {
     Assembler assembler(text, scope);
     const std::vector<Item> items = WithoutAsides(ItemsOf(text, LanguageOf(text), scope.places));

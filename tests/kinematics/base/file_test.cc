@@ -79,7 +79,7 @@ TEST_F(Files, OneThatCannotBeWrittenLeavesAllAsItWas) {
   }
   const auto no_folder = WriteFilesTogether({{In("new/a"), "1"}, {"/proc/none/b", "2"}});
   ASSERT_FALSE(no_folder);
-  EXPECT_EQ(no_folder.failure().code, "unwritable_file");
+  EXPECT_EQ(no_folder.failure().code, FailureCode::kUnwritableFile);
   EXPECT_EQ(Found(), before);
 }
 
@@ -94,7 +94,7 @@ TEST_F(Files, TheSystemsReasonIsSaidOfOneThatCannotBeMade) {
 TEST_F(Files, OneNamedTwiceIsRefused) {
   const auto written = WriteFilesTogether({{In("a"), "1"}, {In("./a"), "2"}});
   ASSERT_FALSE(written);
-  EXPECT_EQ(written.failure().code, "file_named_twice");
+  EXPECT_EQ(written.failure().code, FailureCode::kFileNamedTwice);
   EXPECT_TRUE(Found().empty());
 }
 
@@ -112,7 +112,7 @@ TEST_F(Files, OnlyTextIsRead) {
   ASSERT_TRUE(WriteFileAtomically(In("latin"), "name: one\nname: caf\xe9\n"));
   const Result<std::string> latin = ReadFile(In("latin"));
   ASSERT_FALSE(latin);
-  EXPECT_EQ(latin.failure().code, "not_text");
+  EXPECT_EQ(latin.failure().code, FailureCode::kNotText);
   EXPECT_NE(latin.failure().message.find("line 2 is not text in UTF-8: there is a byte 0xe9"), std::string::npos);
   ASSERT_TRUE(WriteFileAtomically(In("marked"), "\xef\xbb\xbfname: caf\xc3\xa9\n"));
   EXPECT_EQ(*ReadFile(In("marked")), "name: caf\xc3\xa9\n");
@@ -147,10 +147,10 @@ TEST_F(Files, DevicesAreNotRead) {
   for (const char* device : {"/dev/zero", "/dev/null"}) {
     const Result<std::string> read = ReadBytes(device);
     ASSERT_FALSE(read) << device;
-    EXPECT_EQ(read.failure().code, "not_a_file");
+    EXPECT_EQ(read.failure().code, FailureCode::kNotAFile);
     EXPECT_NE(read.failure().message.find(device), std::string::npos);
   }
-  EXPECT_EQ(ReadFile(In("")).failure().code, "not_a_file");
+  EXPECT_EQ(ReadFile(In("")).failure().code, FailureCode::kNotAFile);
 }
 
 TEST_F(Files, NoMoreIsReadThanIsAskedFor) {
@@ -158,7 +158,7 @@ TEST_F(Files, NoMoreIsReadThanIsAskedFor) {
   EXPECT_EQ(*ReadBytes(In("ten"), 10), "0123456789");
   const Result<std::string> large = ReadFile(In("ten"), 9);
   ASSERT_FALSE(large);
-  EXPECT_EQ(large.failure().code, "large_file");
+  EXPECT_EQ(large.failure().code, FailureCode::kLargeFile);
   EXPECT_NE(large.failure().message.find("more than 9 bytes"), std::string::npos) << large.failure().message;
 }
 

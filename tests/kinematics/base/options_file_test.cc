@@ -26,7 +26,7 @@ class OptionsFiles : public testing::Test {
   void ExpectRefused(const std::string& text, const std::string& part) {
     const Result<OptionTexts> texts = Load(text);
     ASSERT_FALSE(texts) << text;
-    EXPECT_EQ(texts.failure().code, "options_file");
+    EXPECT_EQ(texts.failure().code, FailureCode::kOptionsFile);
     EXPECT_NE(texts.failure().message.find("'" + path_.string() + "', " + part), std::string::npos)
         << texts.failure().message;
   }

@@ -107,13 +107,13 @@ TEST_F(FindsPackages, SaysWhereItLookedAndWhatHelps) {
   const VariableSet ros("ROS_PACKAGE_PATH", "/opt/elsewhere");
   const Result<std::string> none = FindPackage("no_bot", folder_, {{"bot", "/x"}});
   ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.failure().code, "no_package");
+  EXPECT_EQ(none.failure().code, FailureCode::kNoPackage);
   for (const std::string& part :
        {std::string("'no_bot' is not found"), folder_, std::string("ROS_PACKAGE_PATH ('/opt/e"),
         std::string("AMENT_PREFIX_PATH"), std::string("package.xml")})
     EXPECT_NE(none.failure().message.find(part), std::string::npos) << none.failure().message;
-  ASSERT_EQ(none.failure().hints.size(), 1U);
-  EXPECT_EQ(none.failure().hints[0], "give its folder as no_bot=DIR; given are 'bot'");
+  ASSERT_EQ(none.failure().suggestions.size(), 1U);
+  EXPECT_EQ(none.failure().suggestions[0].text, "give its folder as no_bot=DIR; given are 'bot'");
   for (const char* odd : {"", ".", "..", "a/b"}) EXPECT_EQ(Found(odd, folder_), "no_package") << odd;
 }
 

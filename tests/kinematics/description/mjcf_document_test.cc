@@ -17,7 +17,7 @@ MjcfFiles FilesOf(std::map<std::string, std::string> texts) {
   files.text = [texts = std::move(texts)](const std::string& file) -> Result<std::string> {
     const auto at = texts.find(file);
     if (at != texts.end()) return at->second;
-    return Failure{FailureKind::kBadInput, "no_file", "ReadFile", "there is no file '" + file + "'", {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kNoFile, "ReadFile", "there is no file '" + file + "'", {}};
   };
   return files;
 }

@@ -166,7 +166,7 @@ TEST(MjcfInertia, RefusesWhatIsWrongByLine) {
              {"line 3: geom 'g'", "comes from the mesh 'm'", "give the body an <inertial>"});
   MjcfFiles missing;
   missing.mesh = [](const std::string& file) -> Result<MjcfMesh> {
-    return Failure{FailureKind::kBadInput, "no_file", "ReadMesh", "there is no file '" + file + "'", {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kNoFile, "ReadMesh", "there is no file '" + file + "'", {}};
   };
   ExpectSays(with("<geom name='g' type='mesh' mesh='m'/>", kBoxAsset, missing),
              {"line 3: geom 'g'", "there is no file 'box.stl'"});

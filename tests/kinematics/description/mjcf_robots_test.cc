@@ -236,7 +236,7 @@ TEST(MjcfRobots, AKeyframeWithStraightLegsIsLeftForAPostureWithBentKnees) {
     EXPECT_GT(std::abs(KneeBend(*model, leg, foot, model->standing_joints)), 0.3);
   }
   EXPECT_TRUE(std::any_of(model->findings.begin(), model->findings.end(), [](const Finding& finding) {
-    return finding.code == "mjcf" && finding.message.find("straight in its keyframe") != std::string::npos;
+    return finding.code == FailureCode::kMjcf && finding.message.find("straight in its keyframe") != std::string::npos;
   }));
 }
 

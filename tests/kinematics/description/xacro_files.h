@@ -19,14 +19,14 @@ inline XacroSources SourcesWith(const TextFiles& files, const std::vector<std::s
   sources.read = [files](const std::string& path) -> Result<std::string> {
     const auto file = files.find(path);
     if (file != files.end()) return file->second;
-    return Failure{FailureKind::kBadInput, "no_such_file", "File", "no such file: '" + path + "'", {}};
+    return Failure{FailureKind::kBadInput, FailureCode::kNoSuchFile, "File", "no such file: '" + path + "'", {}};
   };
   sources.find_package = [packages](const std::string& name, const std::string&) -> Result<std::string> {
     for (const std::string& package : packages) {
       if (package == name) return "/packages/" + name;
     }
     return Failure{FailureKind::kBadInput,
-                   "no_package",
+                   FailureCode::kNoPackage,
                    "FindPackage",
                    "the package '" + name + "' is not found",
                    {"give its folder as " + name + "=DIR"}};

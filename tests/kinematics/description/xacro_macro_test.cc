@@ -114,12 +114,12 @@ TEST(XacroMacro, AFailureInsideTellsWhichMacrosWereCalled) {
                            XacroMacro("leg", "", "\n<xacro:foot/>") + "\n<xacro:leg/></r>";
   const Result<std::string> expanded = ExpandXacroText(text, "robot.xacro", {}, SourcesWith({}));
   ASSERT_FALSE(expanded.ok());
-  EXPECT_EQ(expanded.failure().code, "unknown_property");
+  EXPECT_EQ(expanded.failure().code, FailureCode::kUnknownProperty);
   EXPECT_EQ(expanded.failure().message.find("robot.xacro:3: <a>: 'nothing': the property 'nothing' is not defined"), 0U)
       << expanded.failure().message;
-  ASSERT_EQ(expanded.failure().hints.size(), 2U);
-  EXPECT_EQ(expanded.failure().hints[0], "called by <xacro:foot> in robot.xacro:5");
-  EXPECT_EQ(expanded.failure().hints[1], "called by <xacro:leg> in robot.xacro:6");
+  ASSERT_EQ(expanded.failure().suggestions.size(), 2U);
+  EXPECT_EQ(expanded.failure().suggestions[0].text, "called by <xacro:foot> in robot.xacro:5");
+  EXPECT_EQ(expanded.failure().suggestions[1].text, "called by <xacro:leg> in robot.xacro:6");
 }
 
 TEST(XacroMacro, FilesFromBeforeJadeNeedNoPrefix) {

@@ -61,13 +61,13 @@ TEST(XacroRobot, ATextInLatin1IsConvertedUnlessThatIsRefused) {
   const Result<std::string> expanded = ExpandXacro({file, {}, {}});
   ASSERT_TRUE(expanded.ok()) << expanded.failure().message;
   EXPECT_NE(expanded->find("<robot name=\"b\u00f6t\">"), std::string::npos) << *expanded;
-  EXPECT_EQ(ExpandXacro({file, {}, {}, true}).failure().code, "not_text");
+  EXPECT_EQ(ExpandXacro({file, {}, {}, true}).failure().code, FailureCode::kNotText);
 }
 
 TEST(XacroRobot, AFileThatDoesNotExistIsRefused) {
   const Result<std::string> none = ExpandXacro({"no/such.xacro", {}, {}});
   ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.failure().code, "no_such_file");
+  EXPECT_EQ(none.failure().code, FailureCode::kNoSuchFile);
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ TEST(LegIk, GapIsTheDistanceToTheReachOfA1) {
   }
   const auto failure = ik.Solve(X_BF).failure();
   EXPECT_EQ(failure.kind, FailureKind::kInfeasible);
-  EXPECT_EQ(failure.code, "out_of_reach");
+  EXPECT_EQ(failure.code, FailureCode::kOutOfReach);
   EXPECT_EQ(failure.message, "foot 'FL_foot' cannot reach its target: it is too far from the hip by 12.3 mm");
 }
 
@@ -292,7 +292,7 @@ TEST(LegIk, ALimitIsNamedWithItsJoint) {
     const Pose X_BF = ik.FootPose(Vector3(0.0, 0.4, -0.5));  // nearly straight; the calf stops at -0.916
     const Result<LegIk::Solution> found = ik.Solve(X_BF);
     ASSERT_FALSE(found.ok());
-    EXPECT_EQ(found.failure().code, "joint_limit");
+    EXPECT_EQ(found.failure().code, FailureCode::kJointLimit);
     const std::string reaches = method == Method::kDamped ? "was found to reach" : "reaches";
     EXPECT_EQ(found.failure().message,
               "foot 'FL_foot' " + reaches +
@@ -325,7 +325,7 @@ TEST(LegIk, DampedSaysWhatIsMissing) {
   X_BF.translation() = Vector3(0.1805, 0.047 + 0.0838, -0.42);
   const double beyond = std::hypot(0.42, 0.0838) - A1Radius();
   EXPECT_NEAR(ik.Gap(X_BF).distance_m, beyond, 1e-6);
-  EXPECT_EQ(ik.Solve(X_BF).failure().code, "out_of_reach");
+  EXPECT_EQ(ik.Solve(X_BF).failure().code, FailureCode::kOutOfReach);
   EXPECT_NE(ik.Solve(X_BF).failure().message.find("too far from the hip by 19.6 mm"), std::string::npos);
 }
 

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-const Failure kNoLegs{FailureKind::kBadInput, "no_legs", "LoadRobot", "robot 'x': 0 legs found", {}};
+const Failure kNoLegs{FailureKind::kBadInput, FailureCode::kNoLegs, "LoadRobot", "robot 'x': 0 legs found", {}};
 
 TEST(DraftRobotYaml, NamesTheFeetThatComeDownLowest) {
   const std::string urdf = LoadNamedRobot("nao").value().urdf_text;
@@ -57,8 +57,9 @@ TEST(DraftRobotYaml, WhereNothingMovesTheMessageSaysSo) {
   const Result<RobotModel> model = LoadRobotFromText("<robot name='x'>" + Link("body") + "</robot>", "");
   ASSERT_FALSE(model.ok());
   EXPECT_NE(model.failure().message.find("no joint of its URDF moves"), std::string::npos) << model.failure().message;
-  ASSERT_EQ(model.failure().hints.size(), 1U);
-  EXPECT_NE(model.failure().hints[0].find("a robot.yaml cannot"), std::string::npos) << model.failure().hints[0];
+  ASSERT_EQ(model.failure().suggestions.size(), 1U);
+  EXPECT_NE(model.failure().suggestions[0].text.find("a robot.yaml cannot"), std::string::npos)
+      << model.failure().suggestions[0].text;
 }
 
 TEST(DraftRobotYaml, IsEmptyForWhatHasNoLimbs) {

@@ -66,7 +66,7 @@ TEST(Legs, AFootWithoutCollisionGeometryStandsOnWhatIsSeen) {
   ASSERT_TRUE(model.ok()) << model.failure().message;
   for (const Foot& foot : model->feet) EXPECT_DOUBLE_EQ(foot.radius, 0.02);
   EXPECT_EQ(model->findings.size(), 4U);
-  EXPECT_EQ(model->findings.front().code, "visual_foot");
+  EXPECT_EQ(model->findings.front().code, FailureCode::kVisualFoot);
 }
 
 TEST(Legs, AJointThatMovesNothingIsFixed) {

@@ -14,14 +14,14 @@
 namespace gaitwright {
 namespace {
 
-const Finding* FindingOf(const RobotModel& model, const std::string& code) {
+const Finding* FindingOf(const RobotModel& model, FailureCode code) {
   const auto at =
       std::find_if(model.findings.begin(), model.findings.end(), [&](const Finding& f) { return f.code == code; });
   return at == model.findings.end() ? nullptr : &*at;
 }
 
 /// The robot with one thing put in place of another; it is loaded, with one finding of that code, and refused strictly.
-RobotModel Mended(const std::string& from, const std::string& to, const std::string& code, const std::string& part) {
+RobotModel Mended(const std::string& from, const std::string& to, FailureCode code, const std::string& part) {
   const std::string urdf = Replaced(FourLegs(), from, to);
   EXPECT_NE(urdf, FourLegs());
   Result<RobotModel> model = LoadRobotFromText(urdf, "");

@@ -169,7 +169,7 @@ TEST_F(MeshFile, TheCoreOfItsInertiaBoxStandsForAMissingMesh) {
   const Vector3 along = (box->X_BS.linear() * box->size.asDiagonal()).cwiseAbs().rowwise().sum();
   EXPECT_TRUE(along.isApprox(0.5 * Vector3(0.1, 0.2, 0.3), 1e-6)) << along.transpose();
   const auto warning = std::find_if(model->findings.begin(), model->findings.end(),
-                                    [](const Finding& f) { return f.code == "missing_mesh"; });
+                                    [](const Finding& f) { return f.code == FailureCode::kMissingMesh; });
   ASSERT_NE(warning, model->findings.end());
   EXPECT_EQ(warning->part, "link 'A_thigh'");
 }
@@ -178,8 +178,9 @@ TEST_F(MeshFile, AFootThatNothingElseTellsOfIsToBeSaid) {
   Write("robot.urdf", FourLegs("<mesh filename='no.stl'/>"));
   const Result<RobotModel> untold = LoadRobot(folder_ + "/robot.urdf");
   ASSERT_FALSE(untold.ok());
-  ASSERT_EQ(untold.failure().hints.size(), 2U);
-  ExpectSays(untold.failure().hints[1], {"{link: A_foot, radius_m: R}", "{link: D_foot, radius_m: R}", "'sole_m'"});
+  ASSERT_EQ(untold.failure().suggestions.size(), 2U);
+  ExpectSays(untold.failure().suggestions[1].text,
+             {"{link: A_foot, radius_m: R}", "{link: D_foot, radius_m: R}", "'sole_m'"});
   std::string feet;
   for (const std::string leg : {"A", "B", "C", "D"}) feet += "  - {link: " + leg + "_foot, radius_m: 0.03}\n";
   Write("robot.yaml", "feet:\n" + feet);

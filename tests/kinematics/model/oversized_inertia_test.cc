@@ -21,7 +21,7 @@ std::string WithHeavyTrunk() {
   return urdf;
 }
 
-std::size_t CountOfCode(const RobotModel& model, const std::string& code) {
+std::size_t CountOfCode(const RobotModel& model, FailureCode code) {
   return static_cast<std::size_t>(std::count_if(model.findings.begin(), model.findings.end(),
                                                 [&](const Finding& finding) { return finding.code == code; }));
 }

@@ -56,7 +56,7 @@ TEST(SolidInertia, StandsInForWhatAUrdfLeavesOut) {
   EXPECT_LT((model.bodies.front().I_C - trunk).norm(), 1e-12);
   std::vector<std::string> parts;
   for (const Finding& finding : model.findings) {
-    EXPECT_EQ(finding.code, "impossible_inertia");
+    EXPECT_EQ(finding.code, FailureCode::kImpossibleInertia);
     parts.push_back(finding.part);
   }
   EXPECT_EQ(std::count(parts.begin(), parts.end(), "link 'trunk'"), 1);

@@ -40,9 +40,9 @@ TEST(BodyLimits, AFlightMayBeAsLongAsTheStrokeAndTheForceAllow) {
   const std::optional<Failure> failure = WhyBeyondLegs(Hopping(longest + 1e-3, kMost));
   ASSERT_TRUE(failure.has_value());
   EXPECT_EQ(failure->kind, FailureKind::kInfeasible);
-  EXPECT_EQ(failure->code, "flight_too_long");
+  EXPECT_EQ(failure->code, FailureCode::kFlightTooLong);
   EXPECT_NE(failure->message.find("push with 600 N over 0.83 m and 0.50 s"), std::string::npos) << failure->message;
-  EXPECT_NE(failure->hints[0].find(" s at most"), std::string::npos);
+  EXPECT_NE(failure->suggestions[0].text.find(" s at most"), std::string::npos);
 }
 
 TEST(BodyLimits, AShortSupportGivesNoMoreThanItsTime) {
@@ -61,7 +61,7 @@ TEST(BodyLimits, ALandingHighUpTakesMoreSpeed) {
   problem.goal.p_WC.z() += 5.0;
   const std::optional<Failure> failure = WhyBeyondLegs(problem);
   ASSERT_TRUE(failure.has_value());
-  EXPECT_EQ(failure->code, "flight_too_long");
+  EXPECT_EQ(failure->code, FailureCode::kFlightTooLong);
 }
 
 TEST(BodyLimits, WithoutFrictionThereIsNoWayAhead) {
@@ -73,7 +73,7 @@ TEST(BodyLimits, WithoutFrictionThereIsNoWayAhead) {
   for (RigidStance& stance : problem.stances) stance.friction = 0.99 * least;
   const std::optional<Failure> failure = WhyBeyondLegs(problem);
   ASSERT_TRUE(failure.has_value());
-  EXPECT_EQ(failure->code, "too_little_friction");
+  EXPECT_EQ(failure->code, FailureCode::kTooLittleFriction);
   EXPECT_NE(failure->message.find("0.60 m from rest to rest in 1.90 s"), std::string::npos) << failure->message;
 }
 

@@ -168,7 +168,7 @@ TEST(CentreOfMass, WhatCannotBeNamesThePhaseAndHowFar) {
     const Result<CentreOfMassPlan> plan = PlanCentreOfMass(problem, {.method = method});
     ASSERT_FALSE(plan.ok()) << method;
     EXPECT_EQ(plan.failure().kind, FailureKind::kInfeasible);
-    EXPECT_EQ(plan.failure().code, "zmp_support");
+    EXPECT_EQ(plan.failure().code, FailureCode::kZmpSupport);
     EXPECT_EQ(plan.failure().message.rfind("in phase 8", 0), 0U) << plan.failure().message;
     EXPECT_NE(plan.failure().message.find(" mm"), std::string::npos) << plan.failure().message;
   }

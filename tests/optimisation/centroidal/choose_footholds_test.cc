@@ -92,7 +92,7 @@ TEST(ChooseFootholds, RefusesWhatNoWayReachesAndSaysWhichFootAndWhen) {
   const Terrain ground = Strips({{-2.0, 0.2, 0.0}, {1.6, 3.0, 0.0}});
   const Result<ChosenFootholds> choice = ChooseFootholds(ground, rigid_bodies::Walker(2.0));
   ASSERT_FALSE(choice.ok());
-  EXPECT_EQ(choice.failure().code, "out_of_reach");
+  EXPECT_EQ(choice.failure().code, FailureCode::kOutOfReach);
   for (const char* part : {"foot ", "on the ground from ", " out of its workspace at "})
     EXPECT_NE(choice.failure().message.find(part), std::string::npos) << choice.failure().message;
   EXPECT_TRUE(ChooseFootholds(ground, rigid_bodies::Walker(2.0), {.hopeless_m = 10.0}).ok());
@@ -112,7 +112,7 @@ TEST(ChooseFootholds, RefusesGroundWithoutPatches) {
   EXPECT_EQ(choice.failure().message, "ground 'nothing' has no patch with room for a foot 0.010 m from its edges");
   const Result<ChosenFootholds> narrow = ChooseFootholds(Strips({{-0.01, 0.008, 0.0}}), rigid_bodies::Walker());
   ASSERT_FALSE(narrow.ok());
-  EXPECT_EQ(narrow.failure().code, "no_patches");
+  EXPECT_EQ(narrow.failure().code, FailureCode::kNoPatches);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(LookAtGoal, ABodyIsHeldAstrideARidgeButNotOnItsSide) {
   EXPECT_NEAR(beside.needed_friction, 0.6, 1e-3);
   const Result<ChosenFootholds> choice = ChooseFootholds(Ridge(), problem);
   ASSERT_FALSE(choice.ok());
-  EXPECT_EQ(choice.failure().code, "goal_not_held");
+  EXPECT_EQ(choice.failure().code, FailureCode::kGoalNotHeld);
   EXPECT_NE(choice.failure().message.find("too steep for a friction of 0.50; 0.60 is needed"), std::string::npos)
       << choice.failure().message;
   // One foot stands on one side only.

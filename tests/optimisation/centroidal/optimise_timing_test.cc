@@ -192,7 +192,7 @@ TEST(OptimiseTiming, MendsTimesAtWhichThereIsNoMotion) {
   EXPECT_FALSE(Timed(rigid_bodies::Hopper()).mended);
 }
 
-void ExpectRefused(const RigidBodyProblem& problem, const TimingOptions& options, FailureKind kind, const char* code,
+void ExpectRefused(const RigidBodyProblem& problem, const TimingOptions& options, FailureKind kind, FailureCode code,
                    const char* said) {
   const Result<TimedPlan> timed = OptimiseTiming(problem, {}, options);
   ASSERT_FALSE(timed.ok());
@@ -203,18 +203,19 @@ void ExpectRefused(const RigidBodyProblem& problem, const TimingOptions& options
 
 TEST(OptimiseTiming, RefusesWhatCannotBe) {
   RigidBodyProblem problem = rigid_bodies::Hopper();
-  ExpectRefused(problem, {.shortest_s = 0.5}, FailureKind::kInfeasible, "no_timing",
+  ExpectRefused(problem, {.shortest_s = 0.5}, FailureKind::kInfeasible, FailureCode::kNoTiming,
                 "3 phases take 1.5 s together at their shortest, and there are 1.25 s");
-  ExpectRefused(problem, {.longest_s = 0.4}, FailureKind::kInfeasible, "no_timing",
+  ExpectRefused(problem, {.longest_s = 0.4}, FailureKind::kInfeasible, FailureCode::kNoTiming,
                 "3 phases take 1.2 s together at their longest, and are to take 1.25 s");
   ExpectRefused(problem, {.shortest_s = 0.4, .longest_s = 0.3, .least_total = 0.5}, FailureKind::kBadInput,
-                "no_duration", "a phase cannot last at least 0.4 s and at most 0.3 s");
-  ExpectRefused(rigid_bodies::Hopper(8.0), {}, FailureKind::kInfeasible, "unmet_law", "; at other times of contacts ");
+                FailureCode::kNoDuration, "a phase cannot last at least 0.4 s and at most 0.3 s");
+  ExpectRefused(rigid_bodies::Hopper(8.0), {}, FailureKind::kInfeasible, FailureCode::kUnmetLaw,
+                "; at other times of contacts ");
   rigid_bodies::AddInnerMotion(problem, 20);
-  ExpectRefused(problem, {}, FailureKind::kBadInput, "tied_to_time", "inner momentum");
+  ExpectRefused(problem, {}, FailureKind::kBadInput, FailureCode::kTiedToTime, "inner momentum");
   RigidBodyProblem beside = rigid_bodies::Hopper();
   beside.clearances = {{0.3}};
-  ExpectRefused(beside, {}, FailureKind::kBadInput, "tied_to_time", "clearances");
+  ExpectRefused(beside, {}, FailureKind::kBadInput, FailureCode::kTiedToTime, "clearances");
   EXPECT_THROW((void)OptimiseTiming(rigid_bodies::Hopper(), {}, {.least_total = 1.2}), InvalidArgument);
 }
 

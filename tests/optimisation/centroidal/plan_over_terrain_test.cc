@@ -43,7 +43,7 @@ TEST(PlanOverTerrain, OtherPatchesAreTriedWhereLawsStayUnmetAndTheRefusalIsOfThe
   const Result<PlanOverPatches> plan =
       PlanOverTerrain(ground, rigid_bodies::Hopper(1.2), hopeful, {}, {.near_m = 2.0}, &last);
   ASSERT_FALSE(plan.ok());
-  EXPECT_EQ(plan.failure().code, "unmet_law");
+  EXPECT_EQ(plan.failure().code, FailureCode::kUnmetLaw);
   EXPECT_GT(last.choices, 1);
   EXPECT_NE(plan.failure().message.find(last.plan.summary.worst), std::string::npos) << plan.failure().message;
   const Result<PlanOverPatches> once =
@@ -55,7 +55,7 @@ TEST(PlanOverTerrain, OtherPatchesAreTriedWhereLawsStayUnmetAndTheRefusalIsOfThe
 TEST(PlanOverTerrain, RefusesWhatHasNoFootholdsAndOptionsThatAreNone) {
   const Result<PlanOverPatches> none = PlanOverTerrain(Terrain{"nothing", {}, {}, {}}, rigid_bodies::Walker());
   ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.failure().code, "no_patches");
+  EXPECT_EQ(none.failure().code, FailureCode::kNoPatches);
   EXPECT_THROW((void)PlanOverTerrain(FlatTerrain(), rigid_bodies::Walker(), {}, {}, {.better = 2.0}), InvalidArgument);
 }
 

@@ -78,7 +78,7 @@ TEST(ConstrainedProblem, ACostThatHasNotSettledIsNoSolution) {
   options.max_outer = 3;
   const Result<ConstrainedSolution> hasty = Solve(problem, options);
   ASSERT_FALSE(hasty.ok());
-  EXPECT_EQ(hasty.failure().code, "unsettled_cost");
+  EXPECT_EQ(hasty.failure().code, FailureCode::kUnsettledCost);
   EXPECT_NE(hasty.failure().message.find("after 3 updates"), std::string::npos) << hasty.failure().message;
   EXPECT_EQ(hasty.failure().message.find("unmet"), std::string::npos);
   const Result<ConstrainedSolution> patient = Solve(problem);

@@ -156,7 +156,7 @@ TEST(SolveElastic, WhereThereIsNoSolutionViolationsAreLeast) {
   ConstrainedSolution last;
   const Result<ConstrainedSolution> solution = SolveElastic(problem, {}, &last);
   ASSERT_FALSE(solution.ok());
-  EXPECT_EQ(solution.failure().code, "unmet_constraint");
+  EXPECT_EQ(solution.failure().code, FailureCode::kUnmetConstraint);
   EXPECT_NE(solution.failure().message.find("constraint 'x' stays unmet by"), std::string::npos)
       << solution.failure().message;
   EXPECT_TRUE(last.least);

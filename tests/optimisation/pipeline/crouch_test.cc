@@ -54,16 +54,16 @@ TEST(Crouch, FlightsThatNoHeightGivesAreRefusedWithTheirMotor) {
   const RobotModel nao = *LoadNamedRobot("nao");
   const Result<std::optional<Crouch>> crouch = CrouchFor(nao, OneFlight(0.12));
   ASSERT_FALSE(crouch.ok());
-  EXPECT_EQ(crouch.failure().code, "legs_too_slow");
+  EXPECT_EQ(crouch.failure().code, FailureCode::kLegsTooSlow);
   EXPECT_NE(crouch.failure().message.find("KneePitch' turns at 6.4"), std::string::npos) << crouch.failure().message;
   EXPECT_NE(crouch.failure().message.find("takes a lift-off at 0.59 m/s"), std::string::npos);
   // No height is faster than what is said.
   double fastest = 0.0;
   for (const PushOff& at : PushOffs(nao, 2, 0.03, 0.95)) fastest = std::max(fastest, 0.95 * at.speed_m_s);
   EXPECT_LT(fastest, 0.5 * kGravity * 0.12);
-  ASSERT_FALSE(crouch.failure().hints.empty());
-  EXPECT_NE(crouch.failure().hints.front().find("flights of 0.06"), std::string::npos)
-      << crouch.failure().hints.front();
+  ASSERT_FALSE(crouch.failure().suggestions.empty());
+  EXPECT_NE(crouch.failure().suggestions.front().text.find("flights of 0.06"), std::string::npos)
+      << crouch.failure().suggestions.front().text;
 }
 
 TEST(Crouch, TheBodyIsCarriedAtTheHeightAskedFor) {
@@ -74,14 +74,14 @@ TEST(Crouch, TheBodyIsCarriedAtTheHeightAskedFor) {
   EXPECT_NEAR(HeightOf((*low)->model), 0.8 * HeightOf(a1), 1e-4);
   const Result<std::optional<Crouch>> stretched = CrouchFor(a1, trot, 1.5 * HeightOf(a1));
   ASSERT_FALSE(stretched.ok());
-  EXPECT_EQ(stretched.failure().code, "height") << stretched.failure().message;
+  EXPECT_EQ(stretched.failure().code, FailureCode::kHeight) << stretched.failure().message;
 }
 
 TEST(Crouch, LegsThatAreFastEnoughOnlyLowerDownAreNotCarriedHigh) {
   const RobotModel nao = *LoadNamedRobot("nao");
   const Result<std::optional<Crouch>> high = CrouchFor(nao, OneFlight(0.06), HeightOf(nao));
   ASSERT_FALSE(high.ok());
-  EXPECT_EQ(high.failure().code, "height");
+  EXPECT_EQ(high.failure().code, FailureCode::kHeight);
   EXPECT_NE(high.failure().message.find("fast enough"), std::string::npos) << high.failure().message;
   const Result<std::optional<Crouch>> low =
       CrouchFor(nao, OneFlight(0.06), 0.98 * (*CrouchFor(nao, OneFlight(0.06)))->highest_m);
@@ -96,7 +96,7 @@ TEST(Crouch, LegsThatCannotHoldTheBodyOnOneFootAreTooWeak) {
   running.phases.front().stance = FootBit(0);
   const Result<std::optional<Crouch>> crouch = CrouchFor(weak, running);
   ASSERT_FALSE(crouch.ok());
-  EXPECT_EQ(crouch.failure().code, "legs_too_weak") << crouch.failure().message;
+  EXPECT_EQ(crouch.failure().code, FailureCode::kLegsTooWeak) << crouch.failure().message;
   EXPECT_NE(crouch.failure().message.find("N m at most"), std::string::npos) << crouch.failure().message;
 }
 

@@ -213,7 +213,7 @@ TEST(RigidBodyPasses, WhatNoForcesCarryIsRefusedByTheNamesOfFeet) {
   const Gait long_flights = *FindGait(model, "pronk", 0.2, slow);
   const Result<PlannedMotion> flying = PlanMotion(model, FlatTerrain(), long_flights, Ahead(0.2, 0.5), {});
   ASSERT_FALSE(flying.ok());
-  EXPECT_EQ(flying.failure().code, "legs_too_slow");
+  EXPECT_EQ(flying.failure().code, FailureCode::kLegsTooSlow);
   EXPECT_NE(flying.failure().message.find("_calf_joint' turns at 21"), std::string::npos) << flying.failure().message;
 }
 

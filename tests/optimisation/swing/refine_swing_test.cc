@@ -172,7 +172,7 @@ TEST(RefineSwing, ATouchingEdgeIsRefusedWithTheLack) {
   const Result<RefinedSwing> refined =
       RefineSwing(Straight(0.4, 0.3), UndersideOf(Sole()), Ground({{0.07, 9.0, 0.3}}), {});
   ASSERT_FALSE(refined.ok());
-  EXPECT_EQ(refined.failure().code, "no_clearance");
+  EXPECT_EQ(refined.failure().code, FailureCode::kNoClearance);
   EXPECT_NE(refined.failure().message.find(" mm"), std::string::npos);
 }
 

@@ -9,7 +9,7 @@
 namespace gaitwright {
 namespace {
 
-void ExpectRefused(const std::string& urdf, const std::string& code, const std::vector<std::string>& parts) {
+void ExpectRefused(const std::string& urdf, FailureCode code, const std::vector<std::string>& parts) {
   const Result<RobotModel> model = LoadRobotFromText(urdf, "");
   ASSERT_TRUE(model.ok()) << model.failure().message;
   const auto failure = WhyCannotWalk(*model);
@@ -40,7 +40,7 @@ TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
   EXPECT_FALSE(WhyCannotWalk(planar).has_value()) << "straight ahead it can";
   const auto failure = WhyCannotSidestep(planar);
   ASSERT_TRUE(failure.has_value());
-  EXPECT_EQ(failure->code, "freedoms");
+  EXPECT_EQ(failure->code, FailureCode::kFreedoms);
   for (const char* part : {"leg 'a_foot'", "2 of 3", "sideways is lacking", "'a2_joint', 'a3_joint'"})
     EXPECT_NE(failure->message.find(part), std::string::npos) << failure->message;
   EXPECT_TRUE(WhyCannotTurn(planar).has_value());
@@ -65,7 +65,7 @@ TEST(CanWalk, TurningTakesAJointForEachSole) {
   EXPECT_FALSE(WhyCannotWalk(stork).has_value());
   const auto failure = WhyCannotTurn(stork);
   ASSERT_TRUE(failure.has_value());
-  EXPECT_EQ(failure->code, "freedoms");
+  EXPECT_EQ(failure->code, FailureCode::kFreedoms);
   EXPECT_NE(failure->message.find("leg 'sx_piede' cannot turn as it walks: 5 of 6"), std::string::npos)
       << failure->message;
 }

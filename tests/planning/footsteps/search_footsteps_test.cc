@@ -245,7 +245,7 @@ void WalkSeededGrounds(const char* robot, const char* gait, double speed_m_s, do
       ExpectSound(model, terrain, query, *sequence);
       continue;
     }
-    EXPECT_EQ(sequence.failure().code, "no_footholds");
+    EXPECT_EQ(sequence.failure().code, FailureCode::kNoFootholds);
     EXPECT_NE(sequence.failure().message.find("x = "), std::string::npos) << sequence.failure().message;
   }
   EXPECT_GE(found, 18);
@@ -332,13 +332,17 @@ TEST(SearchFootsteps, WhatIsTooWideToStepOverIsToBeLeaptOverAndNotSearchedForLon
     const RobotModel model = LoadNamedRobot(robot).value();
     FootstepSearchOptions options;
     options.max_expansions = 2000;
-    return SearchFootsteps(model, terrain, Ahead(model, gait, 2.0, 0.1), {}, options).failure().hints;
+    std::vector<std::string> options_named;
+    for (const Suggestion& suggestion :
+         SearchFootsteps(model, terrain, Ahead(model, gait, 2.0, 0.1), {}, options).failure().suggestions)
+      options_named.push_back(suggestion.what);
+    return options_named;
   };
   using Hints = std::vector<std::string>;
-  EXPECT_EQ(hints("a1", "trot", Gap(0.8, 0.4)), Hints{"--gait jump"});
+  EXPECT_EQ(hints("a1", "trot", Gap(0.8, 0.4)), Hints{"gait"});
   EXPECT_EQ(hints("a1", "trot", Gap(0.8, 1.2)), Hints{}) << "no leap is as wide";
   EXPECT_EQ(hints("nao", "", Gap(0.4, 0.3)), Hints{});
-  EXPECT_EQ(hints("a1", "trot", StepUp(0.7, 0.2)), Hints{"a larger footsteps.search.step_height"});
+  EXPECT_EQ(hints("a1", "trot", StepUp(0.7, 0.2)), Hints{"footsteps.search.step_height"});
 }
 
 TEST(SearchFootsteps, ABodyThatMayNotPassIsKeptBack) {

@@ -156,11 +156,11 @@ TEST(PlanBaseRoute, SaysWhatBlocksTheStartOrTheGoal) {
   const auto goal = PlanBaseRoute(Named("a1"), terrain, {}, {2.0, 0.0, 0.0}, {});
   ASSERT_FALSE(goal.ok());
   EXPECT_EQ(goal.failure().kind, FailureKind::kInfeasible);
-  EXPECT_EQ(goal.failure().code, "goal_blocked");
+  EXPECT_EQ(goal.failure().code, FailureCode::kGoalBlocked);
   EXPECT_NE(goal.failure().message.find("'pillar' is in the way"), std::string::npos) << goal.failure().message;
   const auto start = PlanBaseRoute(Named("a1"), terrain, {2.1, 0.0, 0.5}, {}, {});
   ASSERT_FALSE(start.ok());
-  EXPECT_EQ(start.failure().code, "start_blocked");
+  EXPECT_EQ(start.failure().code, FailureCode::kStartBlocked);
   EXPECT_NE(start.failure().message.find("'pillar' is in the way"), std::string::npos) << start.failure().message;
 }
 
@@ -173,7 +173,7 @@ TEST(PlanBaseRoute, SaysWhatBlocksEverythingBetween) {
     const auto route = PlanBaseRoute(Named(name), closed, {}, {3.0, 0.0, 0.0}, {});
     ASSERT_FALSE(route.ok());
     EXPECT_EQ(route.failure().kind, FailureKind::kInfeasible);
-    EXPECT_EQ(route.failure().code, "way_blocked");
+    EXPECT_EQ(route.failure().code, FailureCode::kWayBlocked);
     EXPECT_NE(route.failure().message.find("'dam' is in the way"), std::string::npos) << route.failure().message;
   }
 }
@@ -183,7 +183,7 @@ TEST(PlanBaseRoute, NamesAGapTooWideAndItsWidth) {
   terrain.patches = {Slab("near", {-1.0, -1.0}, {1.0, 1.0}), Slab("far", {1.5, -1.0}, {3.0, 1.0})};
   const auto route = PlanBaseRoute(Named("a1"), terrain, {}, {2.3, 0.0, 0.0}, {});
   ASSERT_FALSE(route.ok());
-  EXPECT_EQ(route.failure().code, "way_blocked");
+  EXPECT_EQ(route.failure().code, FailureCode::kWayBlocked);
   EXPECT_NE(route.failure().message.find("the gap from (1.00, "), std::string::npos) << route.failure().message;
   EXPECT_NE(route.failure().message.find("on is 0.5"), std::string::npos) << route.failure().message;
 }
@@ -194,7 +194,7 @@ TEST(PlanBaseRoute, WithoutIterationsItSaysThatTheyWereTooFew) {
   const Terrain terrain = Walled({Wall("wall", {1.5, -1.0}, {1.5, 1.0})});
   const auto route = PlanBaseRoute(Named("a1"), terrain, {}, {3.0, 0.0, 0.0}, options);
   ASSERT_FALSE(route.ok());
-  EXPECT_EQ(route.failure().code, "way_not_found");
+  EXPECT_EQ(route.failure().code, FailureCode::kWayNotFound);
 }
 
 TEST(PlanBaseRoute, IsAPureFunctionWhateverWasPlannedBefore) {

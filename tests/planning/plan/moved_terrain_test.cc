@@ -50,7 +50,7 @@ TEST(MovedTerrain, AFieldIsRaisedAndMovedButNotTurned) {
     EXPECT_DOUBLE_EQ(moved.height_fields[0].height_m[k], ground.height_fields[0].height_m[k] + 0.5);
   const Result<Terrain> turned = MovedTerrain(Moved(0.0, 0.0, 0.0, 0.1), ground);
   ASSERT_FALSE(turned.ok());
-  EXPECT_EQ(turned.failure().code, "turned_field");
+  EXPECT_EQ(turned.failure().code, FailureCode::kTurnedField);
 }
 
 }  // namespace

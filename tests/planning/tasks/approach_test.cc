@@ -137,7 +137,7 @@ TEST_P(Approaching, KeepsTheReserveThatThePlanIsHeldAgainst) {
   reserve.derate_torque = 0.01;
   const auto weak = PlanApproach(model(), plan(), start, {}, reserve);
   ASSERT_FALSE(weak);
-  EXPECT_EQ(weak.failure().code, "torque");
+  EXPECT_EQ(weak.failure().code, FailureCode::kTorque);
   // What no motion of the approach can mend, its audit finds.
   RobotModel warm = model();
   for (Motor& motor : warm.motors) motor.continuous_effort = 1.0;
@@ -145,7 +145,7 @@ TEST_P(Approaching, KeepsTheReserveThatThePlanIsHeldAgainst) {
   reserve.derate_continuous = 0.01;
   const auto hot = PlanApproach(warm, plan(), start, {}, reserve);
   ASSERT_FALSE(hot);
-  EXPECT_EQ(hot.failure().code, "continuous_torque");
+  EXPECT_EQ(hot.failure().code, FailureCode::kContinuousTorque);
 }
 
 TEST_P(Approaching, OneThatTakesTooLongIsRefusedBeforeItsRowsAreMade) {
@@ -160,9 +160,9 @@ TEST_P(Approaching, OneThatTakesTooLongIsRefusedBeforeItsRowsAreMade) {
     far.whole_body.q.front()[7 + d] = way;
     const auto refused = PlanApproach(endless, far, StartPosture{First(), {}});
     ASSERT_FALSE(refused) << way;
-    EXPECT_EQ(refused.failure().code, "too_long");
+    EXPECT_EQ(refused.failure().code, FailureCode::kTooLong);
     EXPECT_NE(refused.failure().message.find("at most 600 s"), std::string::npos) << refused.failure().message;
-    EXPECT_FALSE(refused.failure().hints.empty());
+    EXPECT_FALSE(refused.failure().suggestions.empty());
   }
   MotionPlan fine = plan();
   fine.whole_body.step_s = 1e-9;
@@ -177,7 +177,7 @@ TEST_P(Approaching, PositionsThatCannotBeAreRefused) {
     start.joints[1] = wrong;
     const auto refused = PlanApproach(model(), plan(), start);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.failure().code, "misfit");
+    EXPECT_EQ(refused.failure().code, FailureCode::kMisfit);
     EXPECT_NE(refused.failure().message.find("'" + model().dof_names[1] + "'"), std::string::npos);
   }
 }
@@ -187,7 +187,7 @@ TEST_P(Approaching, WhatDoesNotFitIsRefused) {
   start.joints.conservativeResize(n() - 1);
   const auto approach = PlanApproach(model(), plan(), start);
   ASSERT_FALSE(approach);
-  EXPECT_EQ(approach.failure().code, "misfit");
+  EXPECT_EQ(approach.failure().code, FailureCode::kMisfit);
   ApproachOptions options;
   options.speed_share = 0.0;
   EXPECT_THROW((void)PlanApproach(model(), plan(), Off(0.0), options), InvalidArgument);
@@ -219,9 +219,9 @@ TEST(ApproachPastABall, IsByTheStandingPostureOrRefusedNamingIt) {
   ASSERT_TRUE(PlanApproach(a1.model, a1.plan, start)) << "free without the ball";
   const auto refused = PlanApproach(blocked, a1.plan, start);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.failure().code, "self_collision");
+  EXPECT_EQ(refused.failure().code, FailureCode::kSelfCollision);
   EXPECT_NE(refused.failure().message.find("'ball'"), std::string::npos) << refused.failure().message;
-  EXPECT_FALSE(refused.failure().hints.empty());
+  EXPECT_FALSE(refused.failure().suggestions.empty());
   // By a standing posture that has the leg aside of the ball there is a way.
   blocked.standing_joints[thigh - 1] += a1.model.legs[0].mirror >= 0 ? 0.5 : -0.5;
   auto by_standing = PlanApproach(blocked, a1.plan, start);

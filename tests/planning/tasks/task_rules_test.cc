@@ -56,10 +56,10 @@ TEST(TaskRules, ARobotIsToldWhatItCannotDo) {
   const auto no_arms = WhyNotDone(wave, a1);
   ASSERT_TRUE(no_arms);
   EXPECT_EQ(no_arms->message, "robot 'a1' cannot 'wave': it has no arms");
-  EXPECT_EQ(no_arms->hints.front(), "the nearest that it can do is nod");
+  EXPECT_EQ(no_arms->suggestions.front().text, "the nearest that it can do is nod");
   const auto no_four = WhyNotDone(lie, nao);
   ASSERT_TRUE(no_four);
-  EXPECT_EQ(no_four->code, "cannot");
+  EXPECT_EQ(no_four->code, FailureCode::kCannot);
 }
 
 TEST(TaskRules, PlacesAreThoseThatThereAre) {

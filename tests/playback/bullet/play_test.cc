@@ -216,11 +216,11 @@ TEST_P(PlayTest, RefusesPlansOfOthersAndBadRates) {
   other.robot = "somebody";
   const auto refused = Play(model_, other, controller);
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.failure().code, "plan_of_other_robot");
+  EXPECT_EQ(refused.failure().code, FailureCode::kPlanOfOtherRobot);
   EXPECT_NE(refused.failure().message.find("somebody"), std::string::npos);
   other.whole_body = {};
   other.robot_hash = plan_.robot_hash;
-  EXPECT_EQ(Play(model_, other, controller).failure().code, "plan_without_motion");
+  EXPECT_EQ(Play(model_, other, controller).failure().code, FailureCode::kPlanWithoutMotion);
   PlayOptions options;
   options.log_rate_hz = 300.0;
   EXPECT_THROW((void)Play(model_, plan_, controller, options), InvalidArgument);

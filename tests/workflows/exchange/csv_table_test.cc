@@ -25,7 +25,7 @@ std::string WhyCsvTableRefused(const std::string& text) {
   EXPECT_FALSE(table.ok()) << text;
   if (table.ok()) return "";
   EXPECT_EQ(table.failure().kind, FailureKind::kBadInput);
-  EXPECT_EQ(table.failure().code, "csv");
+  EXPECT_EQ(table.failure().code, FailureCode::kCsv);
   return table.failure().message;
 }
 

@@ -37,7 +37,7 @@ Result<FootstepSkeleton> Steps(const std::string& text) {
 void ExpectNoSteps(const std::string& text, const std::string& part) {
   const Result<FootstepSkeleton> steps = Steps(text);
   ASSERT_FALSE(steps.ok()) << part;
-  EXPECT_EQ(steps.failure().code, "footsteps");
+  EXPECT_EQ(steps.failure().code, FailureCode::kFootsteps);
   EXPECT_NE(steps.failure().message.find(part), std::string::npos) << steps.failure().message;
 }
 

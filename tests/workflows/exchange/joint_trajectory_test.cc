@@ -32,7 +32,7 @@ Result<MotionTable> Trajectory(const std::string& text, const ImportOptions& opt
 void ExpectWhy(const std::string& text, const std::string& part) {
   const Result<MotionTable> motion = Trajectory(text);
   ASSERT_FALSE(motion.ok()) << part;
-  EXPECT_EQ(motion.failure().code, "joint_trajectory");
+  EXPECT_EQ(motion.failure().code, FailureCode::kJointTrajectory);
   EXPECT_NE(motion.failure().message.find(part), std::string::npos) << motion.failure().message;
 }
 

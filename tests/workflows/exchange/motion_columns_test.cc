@@ -39,7 +39,7 @@ Result<MotionTable> Taken(const CsvTable& table, const ColumnNames& names = {}, 
 
 void ExpectRefusal(const Result<MotionTable>& motion, const std::string& part) {
   ASSERT_FALSE(motion.ok()) << part;
-  EXPECT_EQ(motion.failure().code, "columns");
+  EXPECT_EQ(motion.failure().code, FailureCode::kColumns);
   EXPECT_NE(motion.failure().message.find(part), std::string::npos) << motion.failure().message;
 }
 
@@ -234,7 +234,7 @@ TEST(ColumnNamesFile, AndCommandLineMayNotContradictEachOther) {
 TEST(ColumnNamesFile, IsReadStrictly) {
   ImportOptions options;
   const auto why = [&](const std::string& text) { return ReadColumnNames(FileWithNames(text), options).failure(); };
-  EXPECT_EQ(why("colums: {}\n").code, "columns_file");
+  EXPECT_EQ(why("colums: {}\n").code, FailureCode::kColumnsFile);
   EXPECT_NE(why("colums: {}\n").message.find("'columns'"), std::string::npos) << why("colums: {}\n").message;
   EXPECT_NE(why("scale: {a: 0}\n").message.find("scale of 'a' is 0"), std::string::npos);
   EXPECT_NE(why("angle_unit: turns\n").message.find("line 1"), std::string::npos);

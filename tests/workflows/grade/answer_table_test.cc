@@ -67,7 +67,7 @@ TEST(AnswerTable, WritesAllPartsOrNone) {
   const AnsweredPart broken{"height", [](const AnswerCase&) { return std::vector{std::nan("")}; }};
   const auto refused = WriteAnswers(folder, folder + "/none", {height, broken});
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.failure().code, "answers");
+  EXPECT_EQ(refused.failure().code, FailureCode::kAnswers);
   EXPECT_EQ(refused.failure().message,
             "the answer to case 0 of " + folder + "/height_inputs.csv is nan; it must be finite");
   EXPECT_FALSE(std::filesystem::exists(folder + "/none/height.csv"));

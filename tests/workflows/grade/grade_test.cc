@@ -119,7 +119,8 @@ TEST_F(GradeClassTest, CodeIsRunConfinedOrNotAtAll) {
     return;
   }
   ASSERT_FALSE(marks.ok());
-  EXPECT_TRUE(marks.failure().code == "unconfined_only" || marks.failure().code == "python") << marks.failure().message;
+  EXPECT_TRUE(marks.failure().code == FailureCode::kUnconfinedOnly || marks.failure().code == FailureCode::kPython)
+      << marks.failure().message;
   EXPECT_TRUE(pages_.empty());
 }
 
@@ -151,7 +152,7 @@ TEST_F(GradeClassTest, GradesDoNotLieAmongTheSubmissions) {
   HandIn("class/ada", "dcm.csv", "");
   GradeRequest request = RequestFor(kRubric);
   request.out_folder = In("class/grades").string();
-  EXPECT_EQ(Grade(request).failure().code, "out_dir");
+  EXPECT_EQ(Grade(request).failure().code, FailureCode::kOutDir);
 }
 
 /// Nor its temporary folder's name, which is another each time.
@@ -166,7 +167,7 @@ TEST_F(GradeClassTest, WordsOfASubmissionAreTheSameAgain) {
 }
 
 TEST_F(GradeClassTest, AClassWithoutStudentsIsRefused) {
-  EXPECT_EQ(Grade(RequestFor(kRubric)).failure().code, "submissions");
+  EXPECT_EQ(Grade(RequestFor(kRubric)).failure().code, FailureCode::kSubmissions);
   fs::create_directories(In("class"));
   EXPECT_NE(Grade(RequestFor(kRubric)).failure().message.find("no folder in it"), std::string::npos);
 }
@@ -176,7 +177,7 @@ TEST_F(GradeClassTest, NothingThatIsHiddenLiesWhereCodeReads) {
   HandIn("class/ada", "work.py", "");
   GradeRequest request = RequestFor(kCode);
   request.rubric_file = "/usr/lib/rubric.yaml";
-  EXPECT_EQ(Grade(request).failure().code, "readable");
+  EXPECT_EQ(Grade(request).failure().code, FailureCode::kReadable);
   EXPECT_NE(Grade(request).failure().message.find("'/usr/lib/rubric.yaml' lies in '/usr/lib'"), std::string::npos);
 }
 
@@ -185,7 +186,7 @@ TEST_F(GradeClassTest, APythonThatIsNoneIsTold) {
   HandIn("class/ada", "work.py", "");
   GradeRequest request = RequestFor(kCode);
   request.python = "/usr/bin/true";
-  EXPECT_EQ(Grade(request).failure().code, "python");
+  EXPECT_EQ(Grade(request).failure().code, FailureCode::kPython);
   request.python = "no-such-python";
   EXPECT_NE(Grade(request).failure().message.find("no Python 'no-such-python'"), std::string::npos);
 }
@@ -195,7 +196,7 @@ TEST_F(GradeClassTest, ItEndsWhenAskedTo) {
   const Result<ClassMarks> marks =
       GradeClass(RequestFor(kRubric), {{}, [] { return true; }},
                  [](const std::vector<OutputFile>&) -> Result<std::string> { return std::string(); });
-  EXPECT_EQ(marks.failure().code, "interrupted");
+  EXPECT_EQ(marks.failure().code, FailureCode::kInterrupted);
 }
 
 /// From now on this process has no Landlock, as on an older machine.
@@ -217,7 +218,7 @@ TEST_F(GradeClassTest, WhereNothingConfinesCodeItIsRefusedUnlessAskedFor) {
     TakeLandlockAway();
     GradeRequest request = RequestFor(kCode);
     const Result<ClassMarks> refused = Grade(request);
-    const bool told = !refused && refused.failure().code == "unconfined_only" &&
+    const bool told = !refused && refused.failure().code == FailureCode::kUnconfinedOnly &&
                       refused.failure().message.find("Landlock") != std::string::npos;
     request.unconfined = true;
     const Result<ClassMarks> marks = Grade(request);

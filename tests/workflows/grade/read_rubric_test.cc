@@ -15,7 +15,7 @@ const std::string kPass = ", checks: [{measure: pass, points: 5}]";
 void ExpectRefused(const std::string& text, const std::vector<std::string>& words) {
   const Result<Rubric> rubric = ReadRubric(text, "r.yaml");
   ASSERT_FALSE(rubric.ok()) << text;
-  EXPECT_EQ(rubric.failure().code, "rubric");
+  EXPECT_EQ(rubric.failure().code, FailureCode::kRubric);
   for (const std::string& word : words)
     EXPECT_NE(rubric.failure().message.find(word), std::string::npos) << rubric.failure().message;
 }

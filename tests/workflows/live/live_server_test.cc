@@ -103,7 +103,7 @@ TEST(ServerOfAPort, IsOneThatThereIs) {
   for (const int port : {-1, 65536, 70000}) {
     const auto server = LiveServer::Start({.port = port}, "");
     ASSERT_FALSE(server) << port;
-    EXPECT_EQ(server.failure().code, "address");
+    EXPECT_EQ(server.failure().code, FailureCode::kAddress);
   }
 }
 

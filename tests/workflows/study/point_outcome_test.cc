@@ -34,7 +34,7 @@ TEST(PointOutcome, BrokenLinesAreFailures) {
   for (const char* line : {"", "{}", "{\"point\":1", "[1,2]", "{\"point\":1,\"status\":\"odd\"}"}) {
     const Result<PointOutcome> read = PointFromLine(line);
     ASSERT_FALSE(read) << line;
-    EXPECT_EQ(read.failure().code, "journal_line");
+    EXPECT_EQ(read.failure().code, FailureCode::kJournalLine);
   }
   PointOutcome outcome = At(4, PointStatus::kPass, 90.0);
   for (const auto& [trials, survived] : {std::pair{0, 0}, {5, 6}, {-3, -5}}) {

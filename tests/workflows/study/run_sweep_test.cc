@@ -68,7 +68,7 @@ TEST(RunSweep, GivesEachPointInItsPlaceForAnyNumberOfThreads) {
     std::atomic<int> begun = 0;
     const Result<std::vector<PointOutcome>> cut = RunSweep(study, *journal, {1, {}, [&] { return begun++ >= 2; }});
     ASSERT_FALSE(cut);
-    EXPECT_EQ(cut.failure().code, "interrupted");
+    EXPECT_EQ(cut.failure().code, FailureCode::kInterrupted);
   }
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 5);
   Result<JobJournal> journal = JobJournal::Open(path.string(), StudyIdentity(study, ""), true);

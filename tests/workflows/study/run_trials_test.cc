@@ -56,8 +56,8 @@ class RunTrialsTest : public testing::Test {
     hooks.stop = [&] { return left <= 0; };
     const auto report = RunTrials(Study(), options, hooks);
     ASSERT_FALSE(report.ok());
-    EXPECT_EQ(report.failure().code, "interrupted");
-    EXPECT_NE(report.failure().hints.at(0).find("--resume"), std::string::npos);
+    EXPECT_EQ(report.failure().code, FailureCode::kInterrupted);
+    EXPECT_NE(report.failure().suggestions.at(0).text.find("--resume"), std::string::npos);
   }
 
   const RobotModel model_ = standing::Load("a1");
@@ -154,7 +154,7 @@ TEST_F(RunTrialsTest, AJournalOfAnotherRunIsRefused) {
   const auto refused = [&](const TrialOptions& options, bool resume, const std::string& part) {
     const auto report = RunTrials(Study(), options, {.journal = Journal(), .resume = resume});
     ASSERT_FALSE(report.ok());
-    EXPECT_EQ(report.failure().code, "so_far");
+    EXPECT_EQ(report.failure().code, FailureCode::kSoFar);
     EXPECT_NE(report.failure().message.find(part), std::string::npos) << report.failure().message;
   };
   refused(Some(4), false, "not finished");
@@ -177,7 +177,7 @@ TEST_F(RunTrialsTest, ABrokenOutcomeInTheJournalIsRefused) {
     std::ofstream(Journal(), std::ios::binary | std::ios::trunc) << broken;
     const auto report = RunTrials(Study(), Some(4), {.journal = Journal(), .resume = true});
     ASSERT_FALSE(report.ok());
-    EXPECT_EQ(report.failure().code, "journal_line");
+    EXPECT_EQ(report.failure().code, FailureCode::kJournalLine);
     EXPECT_NE(report.failure().message.find("is broken at trial"), std::string::npos) << report.failure().message;
   };
   expect_broken("\"survived\"", "\"surived\"");
@@ -213,7 +213,7 @@ TEST_F(RunTrialsTest, TheBookEndsInOrderWhateverArrivesFirst) {
   for (int i = 0; i < 8; ++i) EXPECT_EQ(book.Next(), i);
   for (const int i : {7, 6, 5, 3, 2, 1}) book.Add(outcome(i));
   EXPECT_FALSE(book.complete());
-  EXPECT_EQ(book.Report().failure().code, "interrupted");
+  EXPECT_EQ(book.Report().failure().code, FailureCode::kInterrupted);
   book.Add(outcome(0));
   EXPECT_TRUE(book.complete());
   EXPECT_FALSE(book.Next().has_value());
@@ -232,11 +232,11 @@ TEST_F(RunTrialsTest, WhatCannotBePlayedIsRefusedBeforeTheFirstTrial) {
   };
   const Disturbances before = disturbances_;
   disturbances_.pushes[0][1].distribution = Distribution::Uniform(0.1, 1.0);  // most are in time
-  EXPECT_EQ(refusal().code, "late_push");
+  EXPECT_EQ(refusal().code, FailureCode::kLatePush);
   EXPECT_NE(refusal().message.find("the push begins at 1 s"), std::string::npos) << refusal().message;
   disturbances_.pushes[0] = {{"size_n", Distribution::Fixed(1.0)},
                              {"place", Distribution::OneOf(std::vector<std::string>{"base", "nowhere"})}};
-  EXPECT_EQ(refusal().code, "disturbances");
+  EXPECT_EQ(refusal().code, FailureCode::kDisturbances);
   EXPECT_NE(refusal().message.find("'nowhere'"), std::string::npos) << refusal().message;
   disturbances_ = before;
   disturbances_.figures.push_back({"sensor_noise_scale", Distribution::Uniform(0.0, 3.0)});
@@ -275,14 +275,14 @@ TEST_F(RunTrialsTest, WhatIsDrawnGoesTogetherWithWhatIsSet) {
   EXPECT_TRUE(RunTrials(Study(), Some(1)).ok());
   request_.sensing.command_delay_s = 0.1;
   disturbances_.figures.push_back({"latency_s", Distribution::Uniform(0.0, 0.004)});
-  EXPECT_EQ(RunTrials(Study(), Some(1)).failure().code, "disturbances") << "too late in all";
+  EXPECT_EQ(RunTrials(Study(), Some(1)).failure().code, FailureCode::kDisturbances) << "too late in all";
 }
 
 TEST_F(RunTrialsTest, WhatIsSaidTwiceIsRefusedAndLeftOutOfTheStandardSet) {
   request_.play.world.ground_bumps_m = 0.01;
   const auto twice = RunTrials(Study(), Some(1));
   ASSERT_FALSE(twice.ok());
-  EXPECT_EQ(twice.failure().code, "said_twice");
+  EXPECT_EQ(twice.failure().code, FailureCode::kSaidTwice);
   EXPECT_NE(twice.failure().message.find("'ground_bumps_m'"), std::string::npos) << twice.failure().message;
   const auto has = [](const Disturbances& d, const std::string& key) {
     return std::any_of(d.figures.begin(), d.figures.end(), [&](const Disturbance& f) { return f.key == key; });

@@ -187,7 +187,7 @@ TEST(TuneSearch, GoesOnWhereItWasCutOff) {
     ASSERT_TRUE(journal);
     const Result<TuneResult> cut = SearchTuning(problem, options, 1, *journal, {1, {}, [&] { return judged >= 25; }});
     ASSERT_FALSE(cut);
-    EXPECT_EQ(cut.failure().code, "interrupted");
+    EXPECT_EQ(cut.failure().code, FailureCode::kInterrupted);
   }
   const int before = judged;
   EXPECT_EQ(before, 25);
@@ -210,7 +210,7 @@ TEST(TuneSearch, WhenStoppedItTriesNothingMore) {
     const auto stop = [&] { return ++asked > 30 && ++told > 0; };
     const Result<TuneResult> cut = SearchTuning(problem, options, 1, none, {1, {}, stop});
     ASSERT_FALSE(cut);
-    EXPECT_EQ(cut.failure().code, "interrupted");
+    EXPECT_EQ(cut.failure().code, FailureCode::kInterrupted);
     EXPECT_EQ(told, 1) << method << ": it asks no more once it was told";
   }
 }
@@ -233,7 +233,7 @@ TEST(TuneSearch, HeldOutTrialsThatCannotBePlayedAreNoZeros) {
     JobJournal none;
     const Result<TuneResult> result = SearchTuning(RefusingFrom(3 * 4 + 10, usual), options, 1, none, {1});
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.failure().code, "held_out");
+    EXPECT_EQ(result.failure().code, FailureCode::kHeldOut);
     EXPECT_NE(result.failure().message.find(usual ? "of the usual values" : "of the favourite values"),
               std::string::npos)
         << result.failure().message;

@@ -55,7 +55,7 @@ TEST(FirstLook, HasNothingAgainstWalksThatPass) {
 TEST(FirstLook, NamesTheLimitThatIsPassedAndAPaceThatEasesIt) {
   const FirstLook look = LookOf({"gallop", 4.0, 1.5});
   ASSERT_TRUE(look.refusal);
-  EXPECT_EQ(look.refusal->code, "limits");
+  EXPECT_EQ(look.refusal->code, FailureCode::kLimits);
   EXPECT_NE(look.refusal->message.find("past its limit of 21"), std::string::npos) << look.refusal->message;
   EXPECT_LT(look.ease, 1.0);
   EXPECT_FALSE(LookOf({"gallop", 4.0 * look.ease, 1.5}, false).refusal);
@@ -64,17 +64,17 @@ TEST(FirstLook, NamesTheLimitThatIsPassedAndAPaceThatEasesIt) {
 TEST(FirstLook, LawsThatStayUnmetAreThoseOfTheWholeWalk) {
   const FirstLook slippery = LookOf({"bound", 0.8, 1.5, "flat:friction=0.05"});
   ASSERT_TRUE(slippery.refusal);
-  EXPECT_EQ(slippery.refusal->code, "unmet_law");
+  EXPECT_EQ(slippery.refusal->code, FailureCode::kUnmetLaw);
   EXPECT_NE(slippery.refusal->message.find("in all"), std::string::npos) << slippery.refusal->message;
   const FirstLook far = LookOf({"jump", 0.0, 0.0, "flat", 0.375});
   ASSERT_TRUE(far.refusal);
-  EXPECT_EQ(far.refusal->code, "not_carried");
+  EXPECT_EQ(far.refusal->code, FailureCode::kNotCarried);
 }
 
 TEST(FirstLook, WhatNeedsNoSolvingIsSaidToNeedNone) {
   const FirstLook look = LookOf({"trot", 9.0, 1.0});
   ASSERT_TRUE(look.refusal);
-  EXPECT_EQ(look.refusal->code, "out_of_reach");
+  EXPECT_EQ(look.refusal->code, FailureCode::kOutOfReach);
   EXPECT_FALSE(look.solved);
 }
 
@@ -104,7 +104,7 @@ void ExpectHintServes(const Asked& asked) {
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.failure().message.find("may serve with gait '" + asked.gait), std::string::npos)
       << refused.failure().message;
-  const std::string& hint = refused.failure().hints.front();
+  const std::string& hint = refused.failure().suggestions.front().text;
   const bool by_speed = hint.starts_with("--speed ");
   ASSERT_TRUE(by_speed || hint.starts_with("--step-length ")) << hint;
   (by_speed ? request.command.speed_m_s : request.command.step_length_m) = std::stod(hint.substr(hint.find(' ')));

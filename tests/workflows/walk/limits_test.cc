@@ -84,7 +84,7 @@ TEST(Limits, WhereNothingIsPossibleNoSpeedIsNamed) {
   ASSERT_FALSE(planned.ok());
   EXPECT_NE(planned.failure().message.find("no speed of robot 'a1' was found"), std::string::npos);
   EXPECT_NE(planned.failure().message.find("N m past its limit of 0.5"), std::string::npos);
-  for (const std::string& hint : planned.failure().hints) EXPECT_EQ(hint.find("--speed"), std::string::npos) << hint;
+  for (const Suggestion& suggestion : planned.failure().suggestions) EXPECT_NE(suggestion.what, "speed");
 }
 
 /// Refused for a law of the ground rather than a limit of the robot; what is offered instead passes.
@@ -94,14 +94,15 @@ void ExpectRefusedFor(Law law, const RobotModel& model, WalkRequest request) {
   EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
   ASSERT_TRUE(planned.failure().violation.has_value());
   EXPECT_EQ(planned.failure().violation->law, law);
-  ASSERT_EQ(planned.failure().hints.front().rfind("--speed ", 0), 0u) << planned.failure().hints.front();
+  ASSERT_EQ(planned.failure().suggestions.front().text.rfind("--speed ", 0), 0u)
+      << planned.failure().suggestions.front().text;
   request.motion.pipeline.allow_limits = true;
   const Result<PlannedWalk> anyway = PlanWalk(model, request);
   ASSERT_TRUE(anyway.ok());
   EXPECT_FALSE(anyway->audit.pass());
   EXPECT_TRUE(BrokenLimits(anyway->audit).empty());
   request.motion.pipeline.allow_limits = false;
-  request.command.speed_m_s = std::stod(planned.failure().hints.front().substr(8));
+  request.command.speed_m_s = std::get<double>(planned.failure().suggestions.front().value);
   ExpectPasses(model, request);
 }
 

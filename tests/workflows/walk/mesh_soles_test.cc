@@ -85,7 +85,7 @@ TEST_P(MeshSoles, OfAPlanThatWereChangedAreRefused) {
   EXPECT_TRUE(RobotOf(plan).ok());
   plan.meshes[0].vertices[0].x() -= 0.01;
   ASSERT_FALSE(RobotOf(plan).ok());
-  EXPECT_EQ(RobotOf(plan).failure().code, "robot_hash");
+  EXPECT_EQ(RobotOf(plan).failure().code, FailureCode::kRobotHash);
   plan.meshes.clear();
   ASSERT_FALSE(RobotOf(plan).ok());
   EXPECT_NE(RobotOf(plan).failure().message.find(GetParam()), std::string::npos);

@@ -94,7 +94,7 @@ TEST(UnusualRobots, LegsOfTwoJointsWalkStraightAndDoNotTurn) {
     aside.command.yaw_rate_rad_s = yaw_rad_s;
     const Result<PlannedWalk> refused = PlanWalk(model, aside);
     ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.failure().code, "freedoms") << refused.failure().message;
+    EXPECT_EQ(refused.failure().code, FailureCode::kFreedoms) << refused.failure().message;
   }
 }
 
@@ -110,7 +110,8 @@ TEST(UnusualRobots, WhatCannotWalkIsToldWhy) {
     ASSERT_FALSE(planned.ok()) << why;
     EXPECT_EQ(planned.failure().kind, FailureKind::kInfeasible);
     EXPECT_NE(planned.failure().message.find(why), std::string::npos) << planned.failure().message;
-    const bool of_build = planned.failure().code == "freedoms" || planned.failure().code == "no_support";
+    const bool of_build =
+        planned.failure().code == FailureCode::kFreedoms || planned.failure().code == FailureCode::kNoSupport;
     EXPECT_EQ(planned.failure().message.find("no speed") == std::string::npos, of_build) << "no speed is to blame";
   }
 }

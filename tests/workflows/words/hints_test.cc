@@ -11,27 +11,39 @@ namespace {
 
 using Hints = std::vector<std::string>;
 
+Hints TextsOf(const std::vector<Suggestion>& suggestions) {
+  Hints texts;
+  for (const Suggestion& suggestion : suggestions) texts.push_back(suggestion.text);
+  return texts;
+}
+
+Suggestion Flag(const std::string& flag, double value) { return {flag, value, Certainty::kPlanned, "--" + flag}; }
+
 TEST(Hints, FlagsBecomeWords) {
-  EXPECT_EQ(HintsInWords({"--speed 0.4", "another gait"}, 1), (Hints{"say 'at 0.4 m/s' or slower", "another gait"}));
-  EXPECT_EQ(HintsInWords({"--lateral-speed -0.2"}, 1), Hints{"say 'at 0.2 m/s' or slower"});
-  EXPECT_EQ(HintsInWords({"--step-length 0.05"}, 1), Hints{"say 'steps of 0.05 m' or shorter"});
-  EXPECT_EQ(HintsInWords({"--step-length -0.05"}, 4), Hints{"say 'steps of 0.2 m' or shorter"});
-  EXPECT_EQ(HintsInWords({"--yaw-rate 0.5"}, 1), Hints{});  // nothing says how fast to turn
-  EXPECT_EQ(HintsInWords({"--set pipeline.allow_limits=true gives the plan all the same"}, 1).size(), 1U);
+  const auto said = [](const std::vector<Suggestion>& suggestions, int footfalls = 1) {
+    return TextsOf(SuggestionsInWords(suggestions, footfalls));
+  };
+  EXPECT_EQ(said({Flag("speed", 0.4), "another gait"}), (Hints{"say 'at 0.4 m/s' or slower", "another gait"}));
+  EXPECT_EQ(said({Flag("lateral-speed", -0.2)}), Hints{"say 'at 0.2 m/s' or slower"});
+  EXPECT_EQ(said({Flag("step-length", 0.05)}), Hints{"say 'steps of 0.05 m' or shorter"});
+  EXPECT_EQ(said({Flag("step-length", -0.05)}, 4), Hints{"say 'steps of 0.2 m' or shorter"});
+  EXPECT_EQ(said({Flag("yaw-rate", 0.5)}), Hints{});  // nothing says how fast to turn
+  const Suggestion option{"pipeline.allow_limits", "true", Certainty::kUntried, "--set pipeline.allow_limits=true"};
+  EXPECT_EQ(said({option}), Hints{option.text});
 }
 
 TEST(Hints, ThePlacesThatThereAreAreNamed) {
   TaskScope scope = CorpusScope("nao");
   scope.places = {{"door", 0}, {"step", 3}};
-  const Refusal refusal{"place", "kitchen", "is no place that is known here", ""};
-  EXPECT_EQ(FailureOf(refusal, scope).hints, Hints{"a place of this ground: 'door', 'step' (1 to 3)"});
+  const Refusal refusal{FailureCode::kPlace, "kitchen", "is no place that is known here", ""};
+  EXPECT_EQ(TextsOf(FailureOf(refusal, scope).suggestions), Hints{"a place of this ground: 'door', 'step' (1 to 3)"});
   scope.places.clear();
-  EXPECT_NE(FailureOf(refusal, scope).hints.at(0).find("--terrain"), std::string::npos);
+  EXPECT_NE(FailureOf(refusal, scope).suggestions.at(0).text.find("--terrain"), std::string::npos);
 }
 
 TEST(Hints, WhatIsSaidInsteadComesAlone) {
-  const Refusal refusal{"ambiguous", "turn", "does not say the direction", "", "left or right"};
-  EXPECT_EQ(FailureOf(refusal, CorpusScope("nao")).hints, Hints{"left or right"});
+  const Refusal refusal{FailureCode::kAmbiguous, "turn", "does not say the direction", "", "left or right"};
+  EXPECT_EQ(TextsOf(FailureOf(refusal, CorpusScope("nao")).suggestions), Hints{"left or right"});
   EXPECT_EQ(FailureOf(refusal, CorpusScope("nao")).message, "'turn' does not say the direction");
 }
 

@@ -90,10 +90,11 @@ TEST(Interpret, WhereNobodyUnderstandsItIsRefusedWithBothReasons) {
   const FakeModel fake({{Kind::kContent, R"({"schema": 1, "tasks": []})", 200}});
   const Result<Interpretation> made = Interpret("juggle three balls", CorpusScope("nao"), ModelAt(fake));
   ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.failure().code, "unknown");
+  EXPECT_EQ(made.failure().code, FailureCode::kUnknown);
   EXPECT_NE(made.failure().message.find("'juggle three balls'"), std::string::npos);
   bool told = false;
-  for (const std::string& hint : made.failure().hints) told = told || hint.find("nothing to do") != std::string::npos;
+  for (const Suggestion& suggestion : made.failure().suggestions)
+    told = told || suggestion.text.find("nothing to do") != std::string::npos;
   EXPECT_TRUE(told);
 }
 
@@ -101,7 +102,7 @@ TEST(Interpret, OnlyHttpIsSpoken) {
   for (const char* url : {"file:///etc/passwd", "ftp://localhost/", "localhost:8000", ""}) {
     const Result<Interpretation> made = Interpret("bow", CorpusScope("nao"), LanguageModel{url, "m", "", 1.0});
     ASSERT_FALSE(made.ok()) << url;
-    EXPECT_EQ(made.failure().code, "interpreter_url");
+    EXPECT_EQ(made.failure().code, FailureCode::kInterpreterUrl);
   }
 }
 

@@ -43,12 +43,18 @@ TEST(OddRobots, TheHexapodIsAsFastAsItsServos) {
   const double speed = own->motion.plan.parts.front().command.speed_m_s;
   EXPECT_GT(speed, 0.0);
   EXPECT_LT(speed, hexapod.nominal_speed_m_s);
-  EXPECT_NE(own->motion.summary.find("since faster plans would fail their audit"), std::string::npos);
+  const std::vector<Adjustment>& adjustments = own->motion.plan.adjustments;
+  ASSERT_FALSE(adjustments.empty());
+  EXPECT_EQ(adjustments.back().what, "speed");
+  EXPECT_EQ(adjustments.back().unit, "m/s");
+  EXPECT_NEAR(adjustments.back().asked, hexapod.nominal_speed_m_s, 1e-12);
+  EXPECT_EQ(adjustments.back().given, speed);
+  EXPECT_EQ(adjustments.back().why, FailureCode::kLimits);
   request.command.speed_m_s = hexapod.nominal_speed_m_s;
   const Result<PlannedWalk> asked = PlanWalk(hexapod, request);
   ASSERT_FALSE(asked.ok()) << "what is asked for is not lowered";
-  ASSERT_FALSE(asked.failure().hints.empty());
-  EXPECT_EQ(asked.failure().hints.front(), fmt::format("--speed {:g}", speed));
+  ASSERT_FALSE(asked.failure().suggestions.empty());
+  EXPECT_EQ(asked.failure().suggestions.front().text, fmt::format("--speed {:g}", speed));
 }
 
 TEST(OddRobots, TheHexapodTurnsAndCrouches) {
@@ -82,7 +88,7 @@ TEST(OddRobots, TheStorkSaysThatItCannotTurn) {
   curve.command.yaw_rate_rad_s = 0.1;
   const Result<PlannedWalk> curved = PlanWalk(Odd("stork"), curve);
   ASSERT_FALSE(curved.ok());
-  EXPECT_EQ(curved.failure().code, "freedoms");
+  EXPECT_EQ(curved.failure().code, FailureCode::kFreedoms);
   EXPECT_NE(curved.failure().message.find("cannot turn as it walks"), std::string::npos) << curved.failure().message;
 }
 

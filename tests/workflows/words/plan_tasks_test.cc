@@ -151,7 +151,7 @@ TEST(Quadrupeds, NothingIsDoneAfterAWalkThatEndsOnTwoSteps) {
   const Terrain stairs = MakeTerrain("stairs", ScaleOf(a1)).value();
   const Result<PlannedTasks> planned = PlannedInWords(a1, "walk to the second step, then bow", stairs);
   ASSERT_FALSE(planned.ok());
-  EXPECT_EQ(planned.failure().code, "not_level");
+  EXPECT_EQ(planned.failure().code, FailureCode::kNotLevel);
   EXPECT_NE(planned.failure().message.find("task 2, 'bow'"), std::string::npos) << planned.failure().message;
 }
 
@@ -198,9 +198,9 @@ TEST(Tasks, AWalkIsMadeToGiveAGestureRoom) { Do("nao", "walk four steps while ra
 TEST(Tasks, AGestureThatAWalkHasNoRoomForIsRefused) {
   const Result<PlannedTasks> planned = Planned("nao", "turn left while raising both arms", FlatTerrain());
   ASSERT_FALSE(planned.ok());
-  EXPECT_EQ(planned.failure().code, "joint_position");
+  EXPECT_EQ(planned.failure().code, FailureCode::kJointPosition);
   EXPECT_NE(planned.failure().message.find("AnkleRoll"), std::string::npos) << planned.failure().message;
-  ASSERT_EQ(planned.failure().hints.size(), 1U);
+  ASSERT_EQ(planned.failure().suggestions.size(), 1U);
   Do("nao", "turn left, then raise both arms");
 }
 
@@ -217,16 +217,17 @@ TEST(Tasks, WhatIsTooMuchIsToldWithTheMostThatIsNot) {
   ASSERT_FALSE(deep.ok());
   EXPECT_EQ(deep.failure().kind, FailureKind::kInfeasible);
   EXPECT_NE(deep.failure().message.find("task 1, 'squat 30 cm'"), std::string::npos);
-  ASSERT_FALSE(deep.failure().hints.empty());
-  EXPECT_NE(deep.failure().hints[0].find("the largest depth_m"), std::string::npos) << deep.failure().hints[0];
+  ASSERT_FALSE(deep.failure().suggestions.empty());
+  EXPECT_NE(deep.failure().suggestions[0].text.find("the largest depth_m"), std::string::npos)
+      << deep.failure().suggestions[0].text;
 }
 
 /// What is told to be possible is.
 TEST(Tasks, ABowTooDeepIsToldTheRange) {
   const Result<PlannedTasks> deep = Planned("a1", "bow 60 degrees", FlatTerrain());
   ASSERT_FALSE(deep.ok());
-  ASSERT_EQ(deep.failure().hints.size(), 1U);
-  const std::string hint = deep.failure().hints[0], begin = "a bow of 1 to ";
+  ASSERT_EQ(deep.failure().suggestions.size(), 1U);
+  const std::string hint = deep.failure().suggestions[0].text, begin = "a bow of 1 to ";
   ASSERT_EQ(hint.find(begin), 0U) << hint;
   const std::string most = hint.substr(begin.size(), hint.find(" degrees") - begin.size());
   EXPECT_TRUE(Planned("a1", "bow " + most + " degrees", FlatTerrain()).ok()) << most;
@@ -240,7 +241,7 @@ TEST(Tasks, AWalkTooFastOrTooLongOfStepIsToldWhatToSay) {
                         Case{"a1", "walk 4 ", "steps of 0.9 m", "' or shorter"}}) {
     const Result<PlannedTasks> fast = Planned(c.robot, std::string(c.walk) + c.too_much, FlatTerrain());
     ASSERT_FALSE(fast.ok()) << c.robot;
-    const std::string &hint = fast.failure().hints.at(0), say = "say '";
+    const std::string &hint = fast.failure().suggestions.at(0).text, say = "say '";
     ASSERT_TRUE(hint.starts_with(say) && hint.ends_with(c.more)) << hint;
     const std::string said = hint.substr(say.size(), hint.find('\'', say.size()) - say.size());
     EXPECT_TRUE(Planned(c.robot, c.walk + said, FlatTerrain()).ok()) << c.robot << ": " << said;
@@ -270,11 +271,11 @@ TEST(PlanTasks, AMotionThatBreaksALawOfTheAuditIsRefusedByTheTaskThatDoesIt) {
       Planned("nao", "squat, then balance on the left foot for 3 seconds while raising the right arm", FlatTerrain());
   ASSERT_FALSE(planned.ok());
   const Failure& failure = planned.failure();
-  EXPECT_EQ(failure.code, "joint_position");
+  EXPECT_EQ(failure.code, FailureCode::kJointPosition);
   for (const char* told : {"task 2", "balance", "RAnkleRoll"})
     EXPECT_NE(failure.message.find(told), std::string::npos) << failure.message;
-  ASSERT_EQ(failure.hints.size(), 1U);
-  EXPECT_NE(failure.hints[0].find("'then' in place of 'while'"), std::string::npos);
+  ASSERT_EQ(failure.suggestions.size(), 1U);
+  EXPECT_NE(failure.suggestions[0].text.find("'then' in place of 'while'"), std::string::npos);
 }
 
 }  // namespace

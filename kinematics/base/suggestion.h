@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace gaitwright {
+
+/// How sure it is that a suggestion helps.
+enum class Certainty {
+  kPlanned,    ///< a plan that follows it was made and passes its audit
+  kEstimated,  ///< a calculation says so; no whole plan was made
+  kUntried,
+};
+/// `planned`, `estimated` or `untried`, as JSON and Python have it.
+const char* CertaintyName(Certainty certainty);
+
+/// What would help where something is refused.
+struct Suggestion {
+  /// The flag or option to give, without dashes: `speed`, `gait`, `pipeline.allow_limits`. Empty for advice in words.
+  std::string what;
+  /// The value to give it, in the option's unit; nothing where that is not known.
+  std::variant<std::monostate, double, std::string> value;
+  Certainty certainty = Certainty::kUntried;
+  std::string text;  ///< for people, such as "--speed 0.4" or "another gait"
+
+  /// Advice in words.
+  Suggestion(std::string words) : text(std::move(words)) {}  // NOLINT(google-explicit-constructor)
+  Suggestion(const char* words) : text(words) {}             // NOLINT(google-explicit-constructor)
+  Suggestion(std::string option, std::variant<std::monostate, double, std::string> its_value, Certainty how_sure,
+             std::string words)
+      : what(std::move(option)), value(std::move(its_value)), certainty(how_sure), text(std::move(words)) {}
+
+  bool operator==(const Suggestion&) const = default;
+};
+
+}  // namespace gaitwright
