@@ -84,12 +84,10 @@ class Assembler {
       drafts_.push_back(std::move(walk));
     }
     if (manner_ && !drafts_.empty() && drafts_.back().action == "walk")  // "walk two metres, then slowly"
-      throw Refused{{FailureCode::kAmbiguous, Text(manner_->words),
-                     "says how, and how far it is to walk so is not said", "",
+      throw Refused{{FailureCode::kAmbiguous, Text(manner_->words), "says how, and not how far it is to walk so", "",
                      "'walk two metres slowly', or how far it is to go so"}};
     if (!drafts_.empty() || !waiting_) Flush();
-    const bool at_once = waiting_ && !before_ && !drafts_.empty() && !IsGesture(waiting_->action);
-    if (at_once) RefuseAtOnce(*waiting_);
+    if (waiting_ && !before_ && !drafts_.empty() && !IsGesture(waiting_->action)) RefuseAtOnce(*waiting_);
     if (waiting_) drafts_.push_back(*waiting_);
     TaskPlan plan;
     plan.text = text_;
@@ -149,8 +147,7 @@ class Assembler {
   void Undo() { drafts_.pop_back(); }
 
   void Repeat() {
-    if (drafts_.empty())
-      throw Refused{{FailureCode::kAmbiguous, text_, "asks for something again, and there was nothing", ""}};
+    if (drafts_.empty()) throw Refused{{FailureCode::kAmbiguous, text_, "asks again, and nothing was asked", ""}};
     const Draft last = drafts_.back();
     drafts_.push_back(last);
   }
@@ -380,12 +377,10 @@ class Assembler {
 
 std::variant<TaskPlan, Refusal> Understand(const std::string& text, const TaskScope& scope) {
   constexpr std::size_t kLongest = 2000;
-  const std::string trimmed = Trimmed(text);
-  if (text.size() > kLongest)
-    return Refusal{FailureCode::kRange, Shortened(text), "is too long: 2000 bytes are read", ""};
+  if (text.size() > kLongest) return Refusal{FailureCode::kRange, Shortened(text), "is over 2000 bytes long", ""};
   if (!IsPlainText(text)) return Refusal{FailureCode::kUnknown, "", "is no plain text", ""};
   if (text.find_first_of("{}") != std::string::npos)
-    return Refusal{FailureCode::kUnknown, trimmed, "is no instruction", ""};
+    return Refusal{FailureCode::kUnknown, Trimmed(text), "is no instruction", ""};
   try {
     Assembler assembler(text, scope);
     const std::vector<Item> items = WithoutAsides(ItemsOf(text, LanguageOf(text), scope.places));
