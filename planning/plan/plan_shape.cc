@@ -123,11 +123,11 @@ DataShape SwingShape() {
 }
 
 DataShape AdjustmentsShape() {
-  return List(Object({{"what", Text(), "The flag or option that would ask for it."},
+  return List(Object({{"what", Text(), "The flag or option that sets it, without dashes."},
                       {"asked", Number()},
                       {"given", Number()},
                       {"unit", Text()},
-                      {"why", Text(FailureCodeNames()), "Code of the refusal of the plan as asked for, such as a law."},
+                      {"why", Text(FailureCodeNames()), "Code for which the plan with the requested value is refused."},
                       {"part", Text(), "Of a sequence: its number and gait; else empty."}}));
 }
 
@@ -162,7 +162,7 @@ DataShape PlanShape() {
                  {"a", RowsShape(), "Their rates."},
                  {"tau_nm", RowsShape(), "Feed-forward torques by joint."},
                  {"contact_wrenches", RowsShape(), "Force and moment of each foot."},
-                 Optional("adjustments", AdjustmentsShape(), "What is otherwise than was asked for."),
+                 Optional("adjustments", AdjustmentsShape(), "Where the plan differs from the request."),
                  Optional("meshes", List(MeshShape())),
                  Optional("gates", List(PlanGateShape()), "Where the motion waits for what is measured.")});
 }

@@ -7,7 +7,7 @@ namespace gaitwright {
 
 /// What a plan's file may hold.
 DataShape PlanShape();
-/// The list of what a plan has otherwise than was asked for.
+/// The list of adjustments: where a plan differs from the request.
 DataShape AdjustmentsShape();
 
 }  // namespace gaitwright

@@ -172,9 +172,8 @@ It never changes. Arrays of it are shared, not copied, and cannot be written to:
           "gait", [](const Plan& p) { return GaitNames(p.motion().parts); }, "Of its parts.")
       .def_property_readonly(
           "warnings", [](const Plan& p) { return p.motion().warnings; }, "Limits that it knowingly does not keep.")
-      .def_property_readonly(
-          "adjustments", AdjustmentsOf,
-          "What it has otherwise than was asked for: dictionaries of what, asked, given, unit, why, part.")
+      .def_property_readonly("adjustments", AdjustmentsOf,
+                             "Where it differs from the request: dictionaries of what, asked, given, unit, why, part.")
       .def_property_readonly("footholds", FootholdsOf, "Dictionaries of foot, pose (4 x 4), touchdown_s, liftoff_s.")
       .def_property_readonly("hash", [](const Plan& p) { return PlanHash(p.motion()); })
       .def(

@@ -57,7 +57,7 @@ class FindsPackages : public testing::Test {
   }
   static std::string Found(const std::string& name, const std::string& from, const PackageFolders& given = {}) {
     const Result<std::string> found = FindPackage(name, from, given);
-    return found ? *found : found.failure().code;
+    return found ? *found : FailureCodeName(found.failure().code);
   }
 
   std::string folder_;

@@ -43,7 +43,7 @@ inline std::string InnerXacro(const std::string& inside, const TextFiles& files 
   const Result<std::string> expanded =
       ExpandXacroText("<r xmlns:xacro='http://www.ros.org/wiki/xacro'>" + inside + "</r>", "robot.xacro", arguments,
                       SourcesWith(files, {"bot"}));
-  if (!expanded) return expanded.failure().code + ": " + expanded.failure().message;
+  if (!expanded) return FailureCodeName(expanded.failure().code) + ": " + expanded.failure().message;
   const std::size_t open = expanded->find("<r"), from = expanded->find('>', open) + 1, to = expanded->rfind("</r>");
   if (to == std::string::npos) return "";
   std::string inner = expanded->substr(from, to - from);

@@ -70,7 +70,7 @@ TEST(DraftRobotYaml, IsEmptyForWhatHasNoLimbs) {
 TEST(DraftRobotYaml, IsForWhatAFileCanTell) {
   EXPECT_TRUE(WantsRobotYaml(kNoLegs));
   Failure other = kNoLegs;
-  other.code = "urdf_loop";
+  other.code = FailureCode::kUrdfLoop;
   EXPECT_FALSE(WantsRobotYaml(other));
 }
 

@@ -42,12 +42,12 @@ TEST(MendUrdf, ASoundFileStaysAsItIs) {
 }
 
 TEST(MendUrdf, LimitsThatAreNotGivenAreNone) {
-  const RobotModel none = Mended(" lower='-2' upper='1'", "", "missing_limit", "joint 'A_hip'");
+  const RobotModel none = Mended(" lower='-2' upper='1'", "", FailureCode::kMissingLimit, "joint 'A_hip'");
   EXPECT_TRUE(std::isinf(none.dof_lower(0)) && std::isinf(none.dof_upper(0)));
-  const RobotModel lower = Mended(" lower='-2'", "", "missing_limit", "joint 'A_hip'");
+  const RobotModel lower = Mended(" lower='-2'", "", FailureCode::kMissingLimit, "joint 'A_hip'");
   EXPECT_LE(lower.dof_lower(0), -1000.0);
   EXPECT_EQ(lower.dof_upper(0), 1.0);
-  EXPECT_TRUE(std::isinf(Mended(" effort='30'", "", "missing_limit", "joint 'A_hip'").dof_effort_limit(0)));
+  EXPECT_TRUE(std::isinf(Mended(" effort='30'", "", FailureCode::kMissingLimit, "joint 'A_hip'").dof_effort_limit(0)));
 }
 
 TEST(MendUrdf, LimitsOfAContinuousJointHoldItWhereTheyAreLessThanATurn) {
@@ -63,12 +63,13 @@ TEST(MendUrdf, LimitsOfAContinuousJointHoldItWhereTheyAreLessThanATurn) {
 }
 
 TEST(MendUrdf, CommasAreReadAsPointsOrAsSpaces) {
-  const RobotModel points = Mended("0 0 -0.2", "0 0 -0,25", "number_format", "joint 'A_knee'");
+  const RobotModel points = Mended("0 0 -0.2", "0 0 -0,25", FailureCode::kNumberFormat, "joint 'A_knee'");
   EXPECT_DOUBLE_EQ(points.joints[1].X_PJ.translation().z(), -0.25);
-  const RobotModel spaces = Mended("0 0 -0.2", "0, 0, -0.25", "number_format", "joint 'A_knee'");
+  const RobotModel spaces = Mended("0 0 -0.2", "0, 0, -0.25", FailureCode::kNumberFormat, "joint 'A_knee'");
   EXPECT_DOUBLE_EQ(spaces.joints[1].X_PJ.translation().z(), -0.25);
-  EXPECT_DOUBLE_EQ(Mended("0 0 -0.2", "0,0,-1", "number_format", "joint 'A_knee'").joints[1].X_PJ.translation().z(),
-                   -1.0);
+  EXPECT_DOUBLE_EQ(
+      Mended("0 0 -0.2", "0,0,-1", FailureCode::kNumberFormat, "joint 'A_knee'").joints[1].X_PJ.translation().z(),
+      -1.0);
 }
 
 TEST(MendUrdf, NumbersThatAreTooManyAreRefusedByName) {
@@ -76,7 +77,7 @@ TEST(MendUrdf, NumbersThatAreTooManyAreRefusedByName) {
 }
 
 TEST(MendUrdf, ABallWithoutSizeIsAPointFoot) {
-  const RobotModel model = Mended("radius='0.02'", "radius='0'", "zero_size", "link 'A_foot'");
+  const RobotModel model = Mended("radius='0.02'", "radius='0'", FailureCode::kZeroSize, "link 'A_foot'");
   EXPECT_EQ(model.feet[0].type, FootType::kPoint);
   EXPECT_NEAR(model.feet[0].X_BF.translation().z(), -0.2, 1e-9);
 }
@@ -89,26 +90,28 @@ TEST(MendUrdf, AFloatingJointAtTheRootIsTheFreeBase) {
     const Result<RobotModel> model = LoadRobotFromText(urdf, "");
     ASSERT_TRUE(model.ok()) << model.failure().message;
     EXPECT_EQ(model->num_dofs(), 8);
-    ASSERT_NE(FindingOf(*model, "floating_root"), nullptr);
-    EXPECT_EQ(FindingOf(*model, "floating_root")->part, "joint 'free'");
+    ASSERT_NE(FindingOf(*model, FailureCode::kFloatingRoot), nullptr);
+    EXPECT_EQ(FindingOf(*model, FailureCode::kFloatingRoot)->part, "joint 'free'");
   }
   ExpectSays(MessageOf(Replaced(FourLegs(), "name='A_end' type='fixed'", "name='A_end' type='floating'")),
              {"joint 'A_end'", "'floating'"});
 }
 
 TEST(MendUrdf, NamesGivenTwice) {
-  const RobotModel joints = Mended("'B_knee'", "'A_knee'", "double_name", "joint 'A_knee'");
+  const RobotModel joints = Mended("'B_knee'", "'A_knee'", FailureCode::kDoubleName, "joint 'A_knee'");
   EXPECT_EQ(joints.DofIndex("A_knee_2"), joints.DofIndex("B_hip") + 1);
-  const RobotModel links = Mended("</robot>", SmallLink("A_thigh") + "</robot>", "double_name", "link 'A_thigh'");
+  const RobotModel links =
+      Mended("</robot>", SmallLink("A_thigh") + "</robot>", FailureCode::kDoubleName, "link 'A_thigh'");
   EXPECT_DOUBLE_EQ(links.total_mass_kg, LoadRobotFromText(FourLegs(), "")->total_mass_kg);
   ExpectSays(MessageOf(Replaced(FourLegs(), "</robot>", SmallLink("A_thigh", "<sphere radius='1'/>") + "</robot>")),
              {"link 'A_thigh'", "two links"});
-  EXPECT_EQ(Mended("</robot>", SmallLink("bench") + "</robot>", "loose_link", "link 'bench'").frames.size(), 13U);
+  EXPECT_EQ(Mended("</robot>", SmallLink("bench") + "</robot>", FailureCode::kLooseLink, "link 'bench'").frames.size(),
+            13U);
 }
 
 TEST(MendUrdf, InertialsThatLackAHalf) {
   const std::string tensor = "<inertia ixx='0.01' iyy='0.01' izz='0.01' ixy='0' ixz='0' iyz='0'/>";
-  const RobotModel shapes = Mended(tensor, "", "no_inertia", "link 'trunk'");
+  const RobotModel shapes = Mended(tensor, "", FailureCode::kNoInertia, "link 'trunk'");
   // A box of 0.4 x 0.2 x 0.1 m and 1 kg.
   EXPECT_NEAR(shapes.bodies[0].I_C(0, 0), (0.04 + 0.01) / 12.0, 1e-12);
   EXPECT_NEAR(shapes.bodies[0].I_C(2, 2), (0.16 + 0.04) / 12.0, 1e-12);
@@ -128,7 +131,7 @@ TEST(MendUrdf, OtherEncodingsAndNamespaces) {
   }
   const Result<RobotModel> model = LoadRobotFromText(urdf, "");
   ASSERT_TRUE(model.ok()) << model.failure().message;
-  EXPECT_NE(FindingOf(*model, "namespace"), nullptr);
+  EXPECT_NE(FindingOf(*model, FailureCode::kNamespace), nullptr);
 }
 
 TEST(MendUrdf, WhatIsMendedNeedsNoMending) {
@@ -180,10 +183,10 @@ TEST(MendInertia, WhereNumbersTellNothingTheShapesDo) {
 }
 
 TEST(MendInertia, ARobotIsToldHowMuchItChanges) {
-  const RobotModel model =
-      Mended("<mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01'",
-             "<mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.03'", "impossible_inertia", "link 'trunk'");
-  EXPECT_EQ(FindingOf(model, "impossible_inertia")->level, FindingLevel::kWarning);
+  const RobotModel model = Mended("<mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01'",
+                                  "<mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.03'",
+                                  FailureCode::kImpossibleInertia, "link 'trunk'");
+  EXPECT_EQ(FindingOf(model, FailureCode::kImpossibleInertia)->level, FindingLevel::kWarning);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(OversizedInertia, PointsFarFromTheShapesAreOfTheLinkToo) {
 
 TEST(OversizedInertia, ARobotIsLoadedWithOneWarningAndRefusedStrictly) {
   const RobotModel model = LoadRobotFromText(WithHeavyTrunk(), "").value();
-  ASSERT_EQ(CountOfCode(model, "impossible_inertia"), 1U);
+  ASSERT_EQ(CountOfCode(model, FailureCode::kImpossibleInertia), 1U);
   EXPECT_NEAR(model.bodies[0].I_C(2, 2), (0.4 * 0.4 + 0.2 * 0.2) / 12.0, 1e-9);
   EXPECT_NE(MessageOf(WithHeavyTrunk(), "", true), "");
   EXPECT_EQ(MessageOf(FourLegs(), "", true), "");
@@ -63,7 +63,7 @@ TEST(OversizedInertia, LinksOfNoWeightAreLeftAsTheyAre) {
       "iyz='0'/></inertial><collision><geometry><box size='0.01 0.01 0.01'/></geometry></collision></link>"
       "<joint name='imu_joint' type='fixed'><parent link='trunk'/><child link='imu'/></joint></robot>";
   const RobotModel model = LoadRobotFromText(Replaced(FourLegs(), "</robot>", sensor), "").value();
-  EXPECT_EQ(CountOfCode(model, "impossible_inertia"), 0U);
+  EXPECT_EQ(CountOfCode(model, FailureCode::kImpossibleInertia), 0U);
 }
 
 TEST(OversizedInertia, WhatAMeshThatIsMissingMightShowIsNotGuessed) {
@@ -73,14 +73,15 @@ TEST(OversizedInertia, WhatAMeshThatIsMissingMightShowIsNotGuessed) {
                "iyz='0'/></inertial><collision><geometry><mesh filename='gone.stl'/></geometry></collision>"
                "<collision><geometry><box size='0.01 0.01 0.01'/></geometry></collision></link><joint name='haunt' "
                "type='fixed'><parent link='trunk'/><child link='ghost'/></joint><link name='A_thigh'>");
-  EXPECT_EQ(CountOfCode(LoadRobotFromText(urdf, "").value(), "impossible_inertia"), 1U) << "the trunk's alone";
+  EXPECT_EQ(CountOfCode(LoadRobotFromText(urdf, "").value(), FailureCode::kImpossibleInertia), 1U)
+      << "the trunk's alone";
 }
 
 TEST(OversizedInertia, TheRepairedFileHasWhatIsUsed) {
   for (const std::string& yaml : {std::string(), std::string("scale: 0.5\n")}) {
     const RobotModel model = LoadRobotFromText(WithHeavyTrunk(), yaml).value();
     const RobotModel again = LoadRobotFromText(RepairedUrdf(model), yaml).value();
-    EXPECT_EQ(CountOfCode(again, "impossible_inertia"), 0U);
+    EXPECT_EQ(CountOfCode(again, FailureCode::kImpossibleInertia), 0U);
     EXPECT_LT((again.bodies[0].I_C - model.bodies[0].I_C).norm(), 1e-9);
   }
 }
@@ -89,9 +90,9 @@ TEST(OversizedInertia, TheRepairedFileHasThoseOfPlaceholdersToo) {
   const std::string urdf = Replaced(FourLegs(), "<link name='trunk'><inertial><mass value='1'/>",
                                     "<link name='trunk'><inertial><mass value='7'/>");
   const RobotModel model = LoadRobotFromText(urdf, "").value();
-  ASSERT_GT(CountOfCode(model, "placeholder_inertia"), 0U);
+  ASSERT_GT(CountOfCode(model, FailureCode::kPlaceholderInertia), 0U);
   const RobotModel again = LoadRobotFromText(RepairedUrdf(model), "").value();
-  EXPECT_EQ(CountOfCode(again, "placeholder_inertia"), 0U);
+  EXPECT_EQ(CountOfCode(again, FailureCode::kPlaceholderInertia), 0U);
   EXPECT_LT((again.bodies[0].I_C - model.bodies[0].I_C).norm(), 1e-9);
 }
 

@@ -21,21 +21,24 @@ void ExpectRefused(const std::string& urdf, FailureCode code, const std::vector<
 }
 
 TEST(CanWalk, TwoPointsCannotStandStill) {
-  ExpectRefused(unusual::PointBiped(), "no_support", {"cannot stand still", "'a_foot'", "'b_foot'", "two points"});
+  ExpectRefused(unusual::PointBiped(), FailureCode::kNoSupport,
+                {"cannot stand still", "'a_foot'", "'b_foot'", "two points"});
 }
 
 TEST(CanWalk, ALegNeedsAMotorAtEachOfItsJoints) {
   unusual::UrdfText::Motion knee = unusual::Knee();
   knee.effort = 0.0;
-  ExpectRefused(unusual::FourLegged(unusual::Abduction(), knee), "passive_joint", {"leg 'a_foot'", "'a3_joint'"});
+  ExpectRefused(unusual::FourLegged(unusual::Abduction(), knee), FailureCode::kPassiveJoint,
+                {"leg 'a_foot'", "'a3_joint'"});
 }
 
 TEST(CanWalk, LegsOnOneAxisAreTheHalvesOfOneLeg) {
-  ExpectRefused(unusual::OpenFiveBars(), "parallel_legs", {"'a_foot'", "'b_foot'", "one leg with two motors"});
+  ExpectRefused(unusual::OpenFiveBars(), FailureCode::kParallelLegs,
+                {"'a_foot'", "'b_foot'", "one leg with two motors"});
 }
 
 TEST(CanWalk, ALegNeedsTwoFreedomsAndThreeToSidestep) {
-  ExpectRefused(unusual::Pantograph(), "freedoms", {"leg 'a_foot'", "1 of 2", "'a1_joint', 'a2_joint'"});
+  ExpectRefused(unusual::Pantograph(), FailureCode::kFreedoms, {"leg 'a_foot'", "1 of 2", "'a1_joint', 'a2_joint'"});
   const RobotModel planar = LoadRobotFromText(unusual::Planar(), "").value();
   EXPECT_FALSE(WhyCannotWalk(planar).has_value()) << "straight ahead it can";
   const auto failure = WhyCannotSidestep(planar);

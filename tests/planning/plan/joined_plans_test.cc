@@ -106,7 +106,7 @@ TEST(JoinedPlans, ThatDoNotFitAreRefused) {
   const SteadyStretch steady = Steady();
   const auto refused = [](const MotionPlan& before, double before_s, const MotionPlan& after, double after_s) {
     const Result<MotionPlan> joined = JoinedPlans(before, before_s, after, after_s);
-    return joined ? "" : joined.failure().code;
+    return joined ? std::string() : FailureCodeName(joined.failure().code);
   };
   const double step_s = Trot().whole_body.step_s, quarter_s = std::round(0.25 * steady.cycle_s / step_s) * step_s;
   EXPECT_EQ(refused(Trot(), steady.start_s, Trot(), steady.start_s + quarter_s), "misfit") << "the other feet stand";

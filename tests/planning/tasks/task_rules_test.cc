@@ -13,7 +13,7 @@ Task Walk() { return {"walk", {{"direction", std::string("forward")}, {"distance
 
 std::string WhyNone(const Task& task) {
   const auto failure = WhyNoTask(task);
-  return failure ? failure->code + ": " + failure->message : "";
+  return failure ? FailureCodeName(failure->code) + ": " + failure->message : "";
 }
 
 TEST(TaskRules, EachActionHasItsParameters) {

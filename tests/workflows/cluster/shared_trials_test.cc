@@ -16,7 +16,7 @@ TEST(SharedTrials, AnOutcomeComesBackAsItWas) {
 TEST(SharedTrials, AFailureComesBackWithItsCodeAndHints) {
   for (const FailureKind kind : {FailureKind::kBadInput, FailureKind::kInfeasible}) {
     const Failure failure{
-        kind, "late_push", "Play", "the push begins at 5 s\nand \"late\"", {"push earlier", "or not"}};
+        kind, FailureCode::kLatePush, "Play", "the push begins at 5 s\nand \"late\"", {"push earlier", "or not"}};
     const Result<TrialOutcome> again = TrialOfAnswer(AnswerOf(failure));
     ASSERT_FALSE(again.ok());
     EXPECT_EQ(again.failure(), failure);

@@ -112,7 +112,7 @@ TEST(MutatedInstructions, NeverCrashNorGoOutOfRange) {
       ++understood;
       for (const Task& task : plan->tasks) ExpectWithinRules(task);
     } else {
-      EXPECT_FALSE(std::get<words::Refusal>(answer).reason.empty());
+      EXPECT_NE(std::get<words::Refusal>(answer).code, FailureCode::kInternal);
     }
   }
   EXPECT_GT(understood, 100);
