@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,10 +22,11 @@
 namespace gaitwright {
 namespace {
 
-/// Whether a walk stays where it is, so that there is no slower one.
+/// Whether a walk stays where it is, so that there is no slower one; steps of a millimetre go nowhere either.
 bool IsInPlace(const WalkCommand& c) {
+  constexpr double kNoStep = 1e-3;  // [m]
   return c.extent == WalkCommand::Extent::kSteps && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 &&
-         c.yaw_rate_rad_s == 0.0 && c.step_length_m == 0.0;
+         c.yaw_rate_rad_s == 0.0 && std::abs(c.step_length_m) < kNoStep;
 }
 
 bool IsOfBalance(const Failure& failure) { return failure.violation && failure.violation->law == Law::kZmpSupport; }
@@ -331,10 +333,12 @@ class Search {
 
   /// The plan with the first of some cycles that passes.
   Result<PlannedWalk> FirstOf(const std::vector<int>& numbers, const Cycles& cycles, const WalkCommand& command) const {
+    std::set<double> tried_s;
     for (const int number : numbers) {
       const double height = Brief(cycles, number, command);
       if (height == 0.0) continue;
       const Gait gait = cycles.At(number);
+      if (!tried_s.insert(gait.cycle_s).second) continue;  // all quicker ones are one where nothing is gained by them
       Result<PlannedWalk> planned = WholeAt(height, gait, command);
       if (!IsSound(planned)) continue;
       if (number != 0) {
