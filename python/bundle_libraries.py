@@ -56,18 +56,24 @@ def patch(file, names, search):
     subprocess.run(["patchelf", "--force-rpath", "--set-rpath", search, str(file)], check=True)
 
 
+def packages_of(files):
+    """Debian's package of each file that is one's, all asked at once: each question reads the lists of all packages."""
+    asked = subprocess.run(["dpkg-query", "-S", *files], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    rows = (line.partition(": ") for line in asked.stdout.splitlines())
+    return {file: owners.partition(",")[0].partition(":")[0] for owners, _, file in rows}
+
+
 def copy_licences(paths, folder):
     if not shutil.which("dpkg-query"):
         return
     folder.mkdir(exist_ok=True)
-    for path in paths:
-        for known in (path, Path("/" + str(path).removeprefix("/usr/"))):  # /lib is a link to /usr/lib
-            asked = subprocess.run(["dpkg-query", "-S", str(known)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-            package = asked.stdout.partition(":")[0]
-            text = Path("/usr/share/doc") / package / "copyright"
-            if package and text.exists():
-                shutil.copyfile(text, folder / f"{package}.txt")
-                break
+    names = {path: (str(path), "/" + str(path).removeprefix("/usr/")) for path in paths}  # /lib is a link to /usr/lib
+    package_of = packages_of([name for both in names.values() for name in both])
+    for both in names.values():
+        package = next((package_of[name] for name in both if name in package_of), "")
+        text = Path("/usr/share/doc") / package / "copyright"
+        if package and text.exists():
+            shutil.copyfile(text, folder / f"{package}.txt")
 
 
 def bundle(folder, files):

@@ -63,7 +63,11 @@ TEST_F(RobotsCheck, WhatIsRefusedIsAnErrorWithStatusOne) {
 }
 
 TEST_F(RobotsCheck, TheRepairedFileIsTakenStrictly) {
-  Write("robot.urdf", Replaced(Replaced(FourLegs(), "izz='0.01' ixy", "izz='0.03' ixy"), " lower='-2' upper='1'", ""));
+  std::string broken = Replaced(FourLegs(), "izz='0.01' ixy", "izz='0.03' ixy");
+  const std::string limit =
+      " lower='-2' upper='1'";  // of one joint: with it gone from all, the verdict is long in coming
+  broken.replace(broken.find(limit), limit.size(), "");
+  Write("robot.urdf", broken);
   EXPECT_EQ(Run({"robots", "check", "robot.urdf", "--strict"}).status, 1);
   const Ran ran = Run({"robots", "check", "robot.urdf", "--repaired", "repaired.urdf", "--json"});
   EXPECT_EQ(ran.json().at("files").at("repaired"), "repaired.urdf");

@@ -36,7 +36,8 @@ away env PYTHONPATH="$(echo "$work/a folder"/lib/python3*/*-packages)" /usr/bin/
 course="$work/a folder/share/doc/gaitwright/examples/course"
 mkdir -p "$work/class/student"
 cp "$course/solutions/7-stairs/stairs.py" "$work/class/student/"
+sed 's/runs: 4/runs: 1/' "$course/7-stairs/rubric-python.yaml" >"$work/rubric.yaml"
 chmod 755 "$work"
-away "$program" grade "$work/class" --rubric "$course/7-stairs/rubric-python.yaml" --seed 1 --out-dir "$work/grades" \
+away "$program" grade "$work/class" --rubric "$work/rubric.yaml" --seed 1 --out-dir "$work/grades" \
   >"$work/grade.txt" 2>&1 || grep -q "cannot be run safely here" "$work/grade.txt" || fail "$(cat "$work/grade.txt")"
 echo "The archive works away from where it was made"

@@ -5,7 +5,7 @@ import pytest
 from conftest import ROBOTS
 from urdf_chain import Urdf
 
-STATES = 1000
+STATES = 200
 
 
 def random_state(robot, random):

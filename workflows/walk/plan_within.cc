@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,15 +22,11 @@
 namespace gaitwright {
 namespace {
 
-/// Whether a walk stays where it is, so that there is no slower one.
+/// Whether a walk stays where it is, so that there is no slower one; steps of a millimetre go nowhere either.
 bool IsInPlace(const WalkCommand& c) {
+  constexpr double kNoStep = 1e-3;  // [m]
   return c.extent == WalkCommand::Extent::kSteps && c.speed_m_s == 0.0 && c.lateral_speed_m_s == 0.0 &&
-         c.yaw_rate_rad_s == 0.0 && c.step_length_m == 0.0;
-}
-
-/// What a plan that is not sound is refused for.
-FailureCode ReasonOf(const Result<PlannedWalk>& planned) {
-  return planned ? WhyForbidden(*planned).code : planned.failure().code;
+         c.yaw_rate_rad_s == 0.0 && std::abs(c.step_length_m) < kNoStep;
 }
 
 Adjustment OfCycle(double asked_s, double given_s, FailureCode why) {
@@ -90,7 +87,7 @@ class Search {
     Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
     if (request_.motion.pipeline.allow_limits || IsSound(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
-    const FailureCode why = ReasonOf(first);
+    const FailureCode why = ReasonRefused(first);
     if (Leaps(cycles->fitted)) {
       Result<PlannedWalk> other = WithOtherFlights(cycles->fitted, command, why);
       return other ? other : first;
@@ -346,10 +343,12 @@ class Search {
   /// The plan with the first of some cycles that passes.
   Result<PlannedWalk> FirstOf(const std::vector<int>& numbers, const Cycles& cycles, const WalkCommand& command,
                               FailureCode why) const {
+    std::set<double> tried_s;
     for (const int number : numbers) {
       const double height = Brief(cycles, number, command);
       if (height == 0.0) continue;
       const Gait gait = cycles.At(number);
+      if (!tried_s.insert(gait.cycle_s).second) continue;  // all quicker ones are one where nothing is gained by them
       Result<PlannedWalk> planned = WholeAt(height, gait, command);
       if (!IsSound(planned)) continue;
       if (number != 0) planned->motion.plan.adjustments.push_back(OfCycle(cycles.fitted.cycle_s, gait.cycle_s, why));

@@ -114,6 +114,10 @@ Failure WhyForbidden(const PlannedWalk& planned) {
       forbidding.front()};
 }
 
+FailureCode ReasonRefused(const Result<PlannedWalk>& planned) {
+  return planned ? WhyForbidden(*planned).code : planned.failure().code;
+}
+
 std::string LimitText(const Violation& v) {
   if (v.law == Law::kSelfCollision) return fmt::format("{} collide at {:.2f} s", v.where, v.at_s);
   if (v.law == Law::kDynamics && v.where.starts_with("base")) {

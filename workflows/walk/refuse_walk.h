@@ -28,6 +28,9 @@ bool IsSound(const Result<PlannedWalk>& planned);
 /// Why a plan that is not sound is not given: the worst limit of the robot, or else the first of the other laws.
 Failure WhyForbidden(const PlannedWalk& planned);
 
+/// The code for which a plan that is not sound is refused.
+FailureCode ReasonRefused(const Result<PlannedWalk>& planned);
+
 /// One sentence without a full stop that names the joint, link or foot of a violation, its value, its limit and by how
 /// much that is passed; of other laws than limits what is lacking.
 std::string LimitText(const Violation& violation);

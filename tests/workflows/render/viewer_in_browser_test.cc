@@ -214,11 +214,11 @@ TEST(ViewerInBrowser, TurnsTheCameraByKeys) {
   press("w", 2);
   EXPECT_NEAR(CameraOf(page)[1], at_first[1] - 15.0, 1e-3);
   EXPECT_NEAR(CameraOf(page)[2], at_first[2], 1e-6);
-  press("s", 30);
+  press("s", 15);
   EXPECT_LT(CameraOf(page)[1], 90.0) << "never from below the ground";
   press("e");
   EXPECT_NEAR(CameraOf(page)[2], 0.9 * at_first[2], 1e-6);
-  press("q", 200);
+  press("q", 50);
   const double farthest = CameraOf(page)[2];
   press("q");
   EXPECT_NEAR(CameraOf(page)[2], farthest, 1e-6);

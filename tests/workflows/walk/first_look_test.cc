@@ -43,7 +43,7 @@ FirstLook LookOf(const Asked& asked, bool whole = true) {
 
 TEST(FirstLook, HasNothingAgainstWalksThatPass) {
   for (const Asked& asked :
-       {Asked{"trot", 1.5, 5.0}, Asked{"bound", 0.8, 5.0}, Asked{"pronk", 0.5, 5.0}, Asked{"gallop", 1.0, 5.0},
+       {Asked{"trot", 1.5, 3.0}, Asked{"bound", 0.8, 2.0}, Asked{"pronk", 0.5, 2.0}, Asked{"gallop", 1.0, 2.0},
         Asked{"bound", 0.8, 3.0, "gap:width_m=0.3"}, Asked{"jump", 0.0, 0.0, "flat", 0.1},
         Asked{"jump", 0.0, 0.0, "block:height_m=0.15,start_m=0.31,length_m=2", 0.13}}) {
     const FirstLook look = LookOf(asked);

@@ -22,12 +22,13 @@ WalkRequest Asked(double speed, double lateral, double yaw_rate) {
   return request;
 }
 
-void ExpectPasses(const RobotModel& model, const WalkRequest& request) {
-  const Result<PlannedWalk> planned = PlanWalk(model, request);
+void ExpectSound(const Result<PlannedWalk>& planned) {
   ASSERT_TRUE(planned.ok()) << planned.failure().message;
   EXPECT_TRUE(planned->audit.pass()) << AuditText(planned->audit);
   EXPECT_TRUE(BrokenLimits(planned->audit).empty());
 }
+
+void ExpectPasses(const RobotModel& model, const WalkRequest& request) { ExpectSound(PlanWalk(model, request)); }
 
 TEST(Limits, CountedStepsOfAnyNumberPassTheirAudit) {
   for (const char* name : {"a1", "nao"}) {
@@ -46,8 +47,10 @@ TEST(Limits, CountedStepsOfAnyNumberPassTheirAudit) {
 TEST(Limits, SideStepsAndTurnsInOrdinaryRangesAreSteppedQuickerAtTheSpeedAskedFor) {
   const RobotModel nao = *LoadNamedRobot("nao");
   for (const WalkRequest& request : {Asked(0, -0.04, 0), Asked(0, 0.05, 0), Asked(0, -0.06, 0), Asked(0, 0, 0.4)}) {
-    ExpectPasses(nao, request);
-    const MotionPlan plan = PlanWalk(nao, request)->motion.plan;
+    const Result<PlannedWalk> planned = PlanWalk(nao, request);
+    ExpectSound(planned);
+    if (!planned) continue;
+    const MotionPlan& plan = planned->motion.plan;
     EXPECT_LT(plan.parts.front().gait.cycle_s, FindGait(nao, "", nao.nominal_speed_m_s, {})->cycle_s);
     EXPECT_EQ(plan.parts.front().command, request.command);
   }

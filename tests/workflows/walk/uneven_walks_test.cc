@@ -17,7 +17,7 @@ INSTANTIATE_TEST_SUITE_P(A1, UnevenWalks,
                                          UnevenWalk{"a1", "block:height_m=0.1", 4.0},
                                          UnevenWalk{"a1", "gap:width_m=0.15", 4.0},
                                          UnevenWalk{"a1", "stepping-stones", 4.0},
-                                         UnevenWalk{"a1", "rough:amplitude_m=0.03", 4.0}));
+                                         UnevenWalk{"a1", "rough:amplitude_m=0.03", 2.0}));
 
 INSTANTIATE_TEST_SUITE_P(Nao, UnevenWalks,
                          testing::Values(UnevenWalk{"nao", "slope:angle_deg=5", 1.5},
