@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/explain.h"
 #include "cli/json_text_internal.h"
 #include "cli/options_file.h"
 #include "cli/paths.h"
@@ -20,26 +21,28 @@ struct PlanSettings {
   WalkArguments walk;
   OptionsFile options;
   std::string out = "plan.json", folder;
+  Explain explain;
 };
 
-void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Common& common) {
+void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Explain& explain, const Common& common) {
   if (common.json) {
     nlohmann::ordered_json parts = nlohmann::ordered_json::array();
     for (const MotionPart& part : planned.motion.plan.parts)
       parts.push_back({{"gait", part.gait.name}, {"start_s", part.start_s}, {"end_s", part.end_s}});
-    const nlohmann::ordered_json json = {{"robot", planned.motion.plan.robot},
-                                         {"verdict", planned.audit.pass() ? "pass" : "fail"},
-                                         {"gait", GaitNames(planned.motion.plan.parts)},
-                                         {"parts", parts},
-                                         {"duration_s", planned.motion.plan.duration_s()},
-                                         {"footholds", planned.motion.plan.footsteps.footholds.size()},
-                                         {"zmp_error_max_m", planned.motion.zmp_error_max_m},
-                                         {"residual", planned.motion.residual},
-                                         {"planning_cpu_s", planned.planning_cpu_s},
-                                         {"warnings", planned.motion.plan.warnings},
-                                         {"adjustments", AdjustmentsToJson(planned.motion.plan.adjustments)},
-                                         {"audit", ParsedJson(AuditJson(planned.audit))},
-                                         {"files", {{"plan", path}}}};
+    nlohmann::ordered_json json = {{"robot", planned.motion.plan.robot},
+                                   {"verdict", planned.audit.pass() ? "pass" : "fail"},
+                                   {"gait", GaitNames(planned.motion.plan.parts)},
+                                   {"parts", parts},
+                                   {"duration_s", planned.motion.plan.duration_s()},
+                                   {"footholds", planned.motion.plan.footsteps.footholds.size()},
+                                   {"zmp_error_max_m", planned.motion.zmp_error_max_m},
+                                   {"residual", planned.motion.residual},
+                                   {"planning_cpu_s", planned.planning_cpu_s},
+                                   {"warnings", planned.motion.plan.warnings},
+                                   {"adjustments", AdjustmentsToJson(planned.motion.plan.adjustments)},
+                                   {"audit", ParsedJson(AuditJson(planned.audit))},
+                                   {"files", {{"plan", path}}}};
+    if (explain.asked) json["tried"] = explain.Json();
     PrintJson(json);
     return;
   }
@@ -55,6 +58,7 @@ void PrintPlanned(const PlannedWalk& planned, const std::string& path, const Com
   for (const std::string& warning : planned.motion.plan.warnings) fmt::print("warning: {}\n", warning);
   fmt::print("{}", AuditText(planned.audit));
   fmt::print("plan    {}\n", path);
+  explain.Print(common);
 }
 
 int RunPlan(PlanSettings& a) {
@@ -74,11 +78,14 @@ int RunPlan(PlanSettings& a) {
   const Result<RobotModel> model = ReadRobot(a.walk.robot);
   if (!model) return Report(model.failure(), a.common);
   a.walk.Finish(*model);
-  const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);
-  if (!planned) return Report(WithDraft(planned.failure(), a.walk.robot, *model), a.common);
+  const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request, a.explain.target());
+  if (!planned) {
+    a.explain.PrintRefused();
+    return Report(WithDraft(planned.failure(), a.walk.robot, *model), a.common);
+  }
   const Result<std::string> saved = SavePlan(planned->motion.plan, path);
   if (!saved) return Report(saved.failure(), a.common);
-  PrintPlanned(*planned, path, a.common);
+  PrintPlanned(*planned, path, a.explain, a.common);
   return planned->audit.pass() ? kPass : kVerdictFail;
 }
 
@@ -94,6 +101,7 @@ void AddPlan(Verb program, int& status) {
       AddText(verb, "--out", "FILE", a->out, "The file to write, its folder made if need be; default plan.json.");
   AddText(verb, "--out-dir", "FOLDER", a->folder, "Folder for plan.json, instead of --out; default: where --out says.")
       .Exclude(out);
+  a->explain.AddTo(verb);
   AddCommon(verb, a->common,
             {"plan --robot a1 --gait trot --speed 0.3 --distance 1 --out plan.json", "plan --goal 1,0.5,0.7 --json",
              "plan --sequence 'walk: speed=0.1, distance=0.3; trot: speed=0.4' --out parts.json"});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "cli/explain.h"
 #include "cli/options_file.h"
 #include "cli/output.h"
 #include "cli/paths.h"
@@ -16,6 +18,7 @@ struct WalkSettings {
   PlayArguments play;
   OptionsFile options;
   Outputs outputs;
+  Explain explain;
 };
 
 void CheckWalkPaths(const WalkSettings& a) {
@@ -42,15 +45,21 @@ int RunWalk(WalkSettings& a) {
   a.walk.Finish(*model);
   a.play.Finish();
   a.play.CheckActs(a.common.sets);
-  const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request);
-  if (!planned) return Report(WithDraft(planned.failure(), a.walk.robot, *model), a.common);
+  const Result<PlannedWalk> planned = PlanWalk(*model, a.walk.request, a.explain.target());
+  if (!planned) {
+    a.explain.PrintRefused();
+    return Report(WithDraft(planned.failure(), a.walk.robot, *model), a.common);
+  }
   const Result<PlayedWalk> played = PlayWalk(*model, planned->motion.plan, a.play.request);
   if (!played) return Report(played.failure(), a.common);
   Judged judged{*model, planned->motion.plan, *played, planned->audit, planned->planning_cpu_s, true};
   if (a.walk.robot.is_file()) judged.mesh_folder = a.walk.robot.folder();
   const Result<Files> files = WriteOutputs(judged, a.outputs);
   if (!files) return Report(files.failure(), a.common);
-  PrintJudged(judged, *files, a.common);
+  std::vector<std::pair<std::string, std::string>> more;
+  if (a.explain.asked) more.emplace_back("tried", a.explain.Json().dump());
+  PrintJudged(judged, *files, a.common, more);
+  a.explain.Print(a.common);
   return judged.pass() ? kPass : kVerdictFail;
 }
 
@@ -65,6 +74,7 @@ void AddWalk(Verb program, int& status) {
   a->play.AddTo(verb);
   a->options.AddTo(verb);
   a->outputs.AddTo(verb);
+  a->explain.AddTo(verb);
   AddCommon(verb, a->common,
             {"walk --robot a1 --speed 0.3 --distance 1", "walk --robot nao --steps 4 --step-length 0.04 --out-dir nao",
              "walk --sequence 'trot: speed=0.5; stand: duration=1; walk: speed=0.1' --out-dir parts",

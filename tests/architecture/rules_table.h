@@ -38,6 +38,7 @@ inline const std::vector<Layer> kLayers = {
     {"optimisation/swing", 32},
     {"optimisation/whole_body", 33},
     {"optimisation/pipeline", 34},
+    {"optimisation/search", 35},
 
     {"playback/log", 40},
     {"playback/bullet", 41},

@@ -88,6 +88,20 @@ DataShape MetricsShape() {
 
 }  // namespace
 
+namespace {
+
+/// What --explain lists.
+DataShape TriedShape() {
+  return List(Object({{"extent", Text({"first-look", "start", "whole"})},
+                      {"pace", Text(), "The flag of the command's speed, without dashes."},
+                      {"value", Number(), "Of the pace, in its unit."},
+                      {"unit", Text()},
+                      {"cycle_s", Number()},
+                      {"refused", OrNull(Text(FailureCodeNames())), "Null: the plan is sound."}}));
+}
+
+}  // namespace
+
 DataShape WalkResultShape() {
   return Object({{"robot", Text()},
                  {"verdict", VerdictShape()},
@@ -98,6 +112,7 @@ DataShape WalkResultShape() {
                  {"audit", AuditShape()},
                  {"warnings", TextsShape(), "Of the plan."},
                  {"adjustments", AdjustmentsShape(), "Of the plan."},
+                 Optional("tried", TriedShape(), "With --explain: plans that were tried."),
                  Optional("drawn", MapOf(Text()), "Of a trial: what was drawn, by name."),
                  {"log_hash", Text(), "Of all samples of the log."},
                  {"planning_cpu_s", Number(), "0 for play."},
@@ -129,6 +144,7 @@ DataShape PlanResultShape() {
                  {"warnings", TextsShape()},
                  {"adjustments", AdjustmentsShape()},
                  {"audit", AuditShape()},
+                 Optional("tried", TriedShape(), "With --explain: plans that were tried."),
                  {"files", FilesShape({"plan"})}});
 }
 

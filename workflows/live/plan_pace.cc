@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "kinematics/spatial/rotation.h"
+#include "optimisation/search/plan_parts.h"
 #include "planning/footsteps/course.h"
 #include "planning/gait/read_sequence.h"
 #include "planning/plan/built_in_terrain.h"
 #include "planning/plan/sample_plan.h"
 #include "workflows/live/walk_stream.h"
-#include "workflows/walk/plan_parts.h"
 
 namespace gaitwright {
 namespace {

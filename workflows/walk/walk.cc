@@ -4,60 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "kinematics/model/joint_losses.h"
 #include "kinematics/model/load_robot.h"
-#include "planning/footsteps/uneven_footsteps.h"
-#include "planning/terrain/load_terrain.h"
 #include "playback/bullet/whole_steps.h"
 #include "playback/control/joint_pd.h"
 #include "playback/sensing/sensing_controller.h"
-#include "workflows/walk/cpu_clock.h"
 #include "workflows/walk/idle_options.h"
-#include "workflows/walk/plan_parts.h"
 #include "workflows/walk/plan_recovery.h"
-#include "workflows/walk/plan_within.h"
 
 namespace gaitwright {
-namespace {
-
-/// All that shapes a plan beside its command and seed: what was asked for by name (of a file its name alone, since a
-/// plan holds no path; the gait itself is in it), and the options.
-OptionFields AsAsked(WalkRequest& request) {
-  const auto file_name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
-  if (!request.gait.empty()) request.gait = file_name(request.gait);
-  request.terrain = file_name(request.terrain);
-  if (!SequenceFileOf(request.sequence).empty()) request.sequence = file_name(request.sequence);
-  return Joined({{{"gait", &request.gait, "", 0.0, 0.0, "The gait asked for; empty for the robot's best.", {}},
-                  {"terrain", &request.terrain, "", 0.0, 0.0, "The ground asked for.", {}},
-                  {"sequence", &request.sequence, "", 0.0, 0.0, "The parts asked for; empty for a single one.", {}}},
-                 request.Fields()});
-}
-
-/// A distance in strides of the gait's own, where it has any; what is wrong with the gait is for planning to tell.
-WalkCommand InOwnStrides(const RobotModel& model, const WalkRequest& request, const std::string& name,
-                         const WalkCommand& command) {
-  const Result<Gait> gait = FindGait(model, name, CommandedSpeed(model, command), request.gait_options);
-  const Result<double> stride_m = OwnStride(model, name);
-  return gait && stride_m ? CountedByStride(*gait, *stride_m, command) : command;
-}
-
-Result<PlannedWalk> PlanAsked(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
-  if (request.sequence.empty()) {
-    WalkRequest in_strides = request;
-    in_strides.command = InOwnStrides(model, request, request.gait, request.command);
-    return PlanWithin(model, terrain, in_strides);
-  }
-  Result<std::vector<AskedPart>> parts = ReadSequence(request.sequence);
-  if (!parts) return parts.failure();
-  for (AskedPart& part : *parts) {
-    if (!part.stands()) part.command = InOwnStrides(model, request, part.gait, part.command);
-  }
-  return PlanPartsWithin(model, terrain, request, *parts);
-}
-
-}  // namespace
 
 GainOptions GainsFor(const PlayRequest& request) {
   constexpr double kLongest = 0.1;  // that explicit_step_s may be [s]
@@ -84,29 +40,6 @@ Result<RobotModel> RobotOf(const MotionPlan& plan) {
                    {"make the plan anew"}};
   }
   return model;
-}
-
-Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request) {
-  const CpuClock clock;
-  WalkRequest checked = request;
-  CheckOptions(checked.Fields());
-  const Result<Terrain> terrain = LoadTerrain(request.terrain, ScaleOf(model));
-  if (!terrain) return terrain.failure();
-  Result<PlannedWalk> planned = PlanWalkOn(model, *terrain, request);
-  if (planned) planned->planning_cpu_s = clock.elapsed_s();
-  return planned;
-}
-
-Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
-  const CpuClock clock;
-  WalkRequest checked = request;
-  CheckOptions(checked.Fields());
-  Result<PlannedWalk> planned = PlanAsked(model, terrain, request);
-  if (!planned) return planned;
-  planned->motion.plan.provenance.seed = request.seed;
-  planned->motion.plan.provenance.options = TextsOf(AsAsked(checked));
-  planned->planning_cpu_s = clock.elapsed_s();
-  return planned;
 }
 
 namespace {

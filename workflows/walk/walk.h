@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,9 +9,7 @@
 #include "kinematics/base/options.h"
 #include "kinematics/base/result.h"
 #include "kinematics/model/robot_model.h"
-#include "optimisation/pipeline/plan_motion.h"
-#include "planning/audit/audit.h"
-#include "planning/gait/find_gait.h"
+#include "optimisation/search/plan_walk.h"
 #include "playback/bullet/play.h"
 #include "playback/control/gains.h"
 #include "playback/control/recovering.h"
@@ -21,20 +18,6 @@
 #include "playback/sensing/sensing_options.h"
 
 namespace gaitwright {
-
-/// What is asked of PlanWalk.
-struct WalkRequest {
-  std::string gait;  ///< "" for the robot's best
-  std::string terrain = "flat";
-  WalkCommand command;
-  bool own_pace = false;  ///< nobody asked for the command's speed: see PlanWalk; of commands without one it is true
-  std::string sequence;   ///< parts one after the other in place of the gait and command, see ReadSequence; or ""
-  GaitOptions gait_options;
-  MotionOptions motion;
-  std::uint64_t seed = 0;
-
-  OptionFields Fields() { return Joined({Prefixed("gait", gait_options.Fields()), motion.Fields()}); }
-};
 
 /// How a plan is played and judged.
 struct PlayRequest {
@@ -53,13 +36,6 @@ struct PlayRequest {
   }
 };
 
-/// A plan, its audit, and the CPU time of planning without the audit.
-struct PlannedWalk {
-  PlannedMotion motion;
-  AuditReport audit;
-  double planning_cpu_s = 0.0;
-};
-
 /// What was measured and what it is worth.
 struct PlayedWalk {
   PlaybackLog log;
@@ -72,19 +48,6 @@ Result<RobotModel> ChooseRobot(const std::string& name, const std::string& urdf_
 
 /// The robot that a plan carries in itself.
 Result<RobotModel> RobotOf(const MotionPlan& plan);
-
-/// Plans and audits. A walk whose plan fails its audit is planned again with quicker or slower steps as far as the
-/// gait's own time may change; when that does not help either, failure kInfeasible names what forbids it, the robot's
-/// worst limit before laws of the ground (dynamics, friction, support), by how much it is passed, and the largest
-/// speed, turning rate or step length of the same walk that has a plan; where the speed is the robot's own, that walk
-/// is given. Both are looked for on the start of the walk and then tried on the whole. With `pipeline.allow_limits` the
-/// first plan is given all the same, with the audit's verdict; so is in any case one whose only fault is a shank in the
-/// ground beside the foot at its end, which no pace mends. A sequence is planned in one motion; a part that has no plan
-/// is named.
-Result<PlannedWalk> PlanWalk(const RobotModel& model, const WalkRequest& request);
-
-/// The same on a ground that is there already; the request's `terrain` is only written down.
-Result<PlannedWalk> PlanWalkOn(const RobotModel& model, const Terrain& terrain, const WalkRequest& request);
 
 /// The gains asked for, bounded for explicit torque control at the playback's own step, and the age of what it acts on,
 /// unless another step is given.

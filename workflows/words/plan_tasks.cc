@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "kinematics/base/cpu_clock.h"
 #include "kinematics/base/version.h"
 #include "kinematics/model/load_robot.h"
 #include "planning/tasks/task_plan_json.h"
-#include "workflows/walk/cpu_clock.h"
 #include "workflows/words/hints.h"
 #include "workflows/words/places.h"
 #include "workflows/words/task_planner_internal.h"

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "optimisation/pipeline/plan_posture.h"
+#include "optimisation/search/refuse_walk.h"
 #include "planning/audit/audit.h"
-#include "workflows/walk/refuse_walk.h"
 #include "workflows/words/plan_tasks_internal.h"
 
 namespace gaitwright::tasks {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/model/load_robot.h"
+#include "optimisation/search/plan_within.h"
 #include "tests/planning/paths/walled_grounds.h"
-#include "workflows/walk/plan_within.h"
 
 namespace gaitwright {
 namespace {

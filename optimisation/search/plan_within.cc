@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/walk/plan_within.h"
+#include "optimisation/search/plan_within.h"
 
 #include <fmt/format.h>
 
@@ -14,10 +14,11 @@
 #include <vector>
 
 #include "optimisation/pipeline/dynamic_motion.h"
+#include "optimisation/search/gait_cycles.h"
+#include "optimisation/search/refuse_walk.h"
+#include "optimisation/search/slower_pace.h"
+#include "optimisation/search/walk_evaluator.h"
 #include "planning/footsteps/plan_footsteps.h"
-#include "workflows/walk/first_look.h"
-#include "workflows/walk/refuse_walk.h"
-#include "workflows/walk/slower_pace.h"
 
 namespace gaitwright {
 namespace {
@@ -35,56 +36,32 @@ Adjustment OfCycle(double asked_s, double given_s, FailureCode why) {
 
 bool IsOfBalance(const Failure& failure) { return failure.violation && failure.violation->law == Law::kZmpSupport; }
 
-/// The request for plans that only tell whether there are any: on a grid twice as coarse where a cycle has steps
-/// enough, and no matter how good.
-WalkRequest Coarse(const WalkRequest& request, double cycle_s) {
-  constexpr double kStepsOfCycle = 100.0, kCoarsest = 0.01;
-  WalkRequest coarse = request;
-  coarse.motion.rigid_body.method = "interior-point";  // which knows sooner where there is none
-  double& grid = coarse.motion.pipeline.grid_step_s;
-  if (cycle_s >= 2.0 * grid * kStepsOfCycle) grid = std::max(grid, std::min(2.0 * grid, kCoarsest));
-  return coarse;
-}
-
-/// A gait fitted to a command and its other possible cycles, by number: 0 as fitted, up to kQuickest ever shorter, down
-/// to kSlowest ever longer, in even ratios.
-struct Cycles {
-  static constexpr int kQuickest = 6, kSlowest = -4;
-  Gait fitted;
-  double shortest_s = 0.0, longest_s = 0.0;
-  double step_s = 0.0;  ///< each is a whole number of these; 0 for any
-
-  Gait At(int number) const {
-    Gait gait = fitted;
-    const double last = number > 0 ? std::min(shortest_s, gait.cycle_s) : std::max(longest_s, gait.cycle_s);
-    gait.cycle_s *= std::pow(last / gait.cycle_s, static_cast<double>(number) / (number > 0 ? kQuickest : kSlowest));
-    if (step_s > 0.0) gait.cycle_s = step_s * std::max(1.0, std::round(gait.cycle_s / step_s));
-    return gait;
-  }
-};
-
 /// Looks for plans that pass their audit, at a gait's fitted time or another, and for the largest pace that has one.
 /// What is possible is found on brief walks, the start of the whole one on a coarse grid; a whole walk is then planned
 /// only where its brief one passes.
 class Search {
  public:
-  Search(const RobotModel& model, const Terrain& terrain, const WalkRequest& request)
-      : model_(model), terrain_(terrain), request_(request) {}
+  Search(const RobotModel& model, const Terrain& terrain, const WalkRequest& request, SearchTrace* trace)
+      : model_(model),
+        terrain_(terrain),
+        request_(request),
+        trace_(trace),
+        evaluator_(model, terrain, request, trace) {}
 
   /// The plan of a command: as the gait is fitted, or at another cycle where only that passes; else the first one's
   /// outcome. What the joints cannot do may be helped by quicker steps, what the ground cannot hold by slower ones.
   Result<PlannedWalk> Plan(const WalkCommand& command) const {
-    const Result<Cycles> cycles = CyclesFor(command);
+    const Result<GaitCycles> cycles = CyclesFor(command);
     if (!cycles) return cycles.failure();
     if (Leaps(cycles->fitted) && !request_.motion.pipeline.allow_limits) {
-      const FirstLook look = LookAt(model_, terrain_, request_, cycles->fitted, command, true);
+      const FirstLook look = evaluator_.Look(cycles->fitted, command, true);
       if (look.refusal) {
         ease_ = look.ease;
         Result<PlannedWalk> other = WithOtherFlights(cycles->fitted, command, look.refusal->code);
         return other ? other : *look.refusal;
       }
     }
-    Result<PlannedWalk> first = Whole(cycles->fitted, command, false);
+    Result<PlannedWalk> first = evaluator_.Whole(cycles->fitted, command, false);
     if (request_.motion.pipeline.allow_limits || IsSound(first)) return first;
     if (!first && !IsTooMuch(first.failure())) return first;
     const FailureCode why = ReasonRefused(first);
@@ -112,7 +89,7 @@ class Search {
   SlowerPace Slower() const {
     using Known = SlowerPace::Known;
     if (IsInPlace(request_.command)) return {};
-    if (const Result<Cycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted)) {
+    if (const Result<GaitCycles> cycles = CyclesFor(request_.command); cycles && Leaps(cycles->fitted)) {
       const double leaping = LargestLeaping();
       return {leaping > 0.0 ? leaping : LargestOnTheGround(), Known::kMay};
     }
@@ -136,7 +113,7 @@ class Search {
     double largest = LargestBrief(serves);
     for (int i = 0; i < kDigits + kLowered && largest > 0.0; ++i) {
       const WalkCommand slower = AtPace(model_, request_.command, largest);
-      const Result<Cycles> cycles = CyclesFor(slower);
+      const Result<GaitCycles> cycles = CyclesFor(slower);
       if (cycles) {
         if (Result<PlannedWalk> planned = FirstOf({serves, 0}, *cycles, slower, why))
           return {largest, std::move(planned)};
@@ -160,8 +137,8 @@ class Search {
       if (given || !leaps) break;
       Gait other = gait;
       for (double& duty : other.duty_factor) duty = std::min(1.0 - longer * (1.0 - duty), kMost);
-      if (LookAt(model_, terrain_, request_, other, command, true).refusal) continue;
-      Result<PlannedWalk> planned = Whole(other, command, true);
+      if (evaluator_.Look(other, command, true).refusal) continue;
+      Result<PlannedWalk> planned = evaluator_.Whole(other, command, true);
       if (!IsSound(planned)) continue;
       planned->motion.plan.adjustments.push_back(
           {"gait.duty_factor", gait.duty_factor.front(), other.duty_factor.front(), "1", why});
@@ -179,14 +156,14 @@ class Search {
     for (int i = 0, looks = 0; i < kPaces && looks < kLooks; ++i) {
       pace = NextLower(ease * pace);
       const WalkCommand slower = AtPace(model_, request_.command, pace);
-      const Result<Cycles> cycles = CyclesFor(slower);
+      const Result<GaitCycles> cycles = CyclesFor(slower);
       if (!cycles) return 0.0;
       if (!Leaps(cycles->fitted)) {
         if (Brief(*cycles, 0, slower) > 0.0) return pace;
         ease = kEase;
         continue;
       }
-      const FirstLook look = LookAt(model_, terrain_, request_, cycles->fitted, slower, false);
+      const FirstLook look = evaluator_.Look(cycles->fitted, slower, false);
       if (!look.refusal) return NextLower(kSpare * pace);
       ease = look.ease;
       looks += look.solved ? 1 : 0;
@@ -200,12 +177,12 @@ class Search {
     if (!slow || Leaps(*slow)) return 0.0;
     WalkRequest grounded = request_;
     grounded.gait_options.duty_factor = *std::max_element(slow->duty_factor.begin(), slow->duty_factor.end());
-    double pace = Search(model_, terrain_, grounded).Slower().value;
+    double pace = Search(model_, terrain_, grounded, trace_).Slower().value;
     constexpr int kTries = 10;
     constexpr double kLower = 0.95;
     for (int i = 0; i < kTries && pace > 0.0; ++i) {
       const WalkCommand slower = AtPace(model_, request_.command, pace);
-      const Result<Cycles> cycles = CyclesFor(slower);
+      const Result<GaitCycles> cycles = CyclesFor(slower);
       if (cycles && !Leaps(cycles->fitted)) return pace;
       pace = NextLower(kLower * pace);
     }
@@ -232,10 +209,10 @@ class Search {
     for (const Ease& ease : eases) {
       WalkCommand slower = command;
       if (ease.pace < 1.0) slower = AtPace(model_, command, ease.pace * PaceValue(model_, command));
-      const Result<Cycles> cycles = CyclesFor(slower);
+      const Result<GaitCycles> cycles = CyclesFor(slower);
       if (!cycles) return cycles.failure();
       const Gait gait = cycles->At(ease.cycle);
-      Result<PlannedWalk> planned = Whole(gait, slower, true);
+      Result<PlannedWalk> planned = evaluator_.Whole(gait, slower, true);
       if (!planned && !IsTooMuch(planned.failure())) return planned;
       if (!IsSound(planned)) continue;
       std::vector<Adjustment>& adjustments = planned->motion.plan.adjustments;
@@ -251,56 +228,11 @@ class Search {
     return {PaceFlag(pace), PaceValue(model_, command), given, PaceUnit(pace), why};
   }
 
-  Result<Cycles> CyclesFor(const WalkCommand& command) const {
-    const double speed = CommandedSpeed(model_, command);
-    const Result<Gait> gait = FindGait(model_, request_.gait, speed, request_.gait_options);
-    if (!gait) return gait.failure();
-    const Result<double> shortest = ShortestCycle(model_, request_.gait, request_.gait_options);
-    const Result<double> longest = LongestCycle(model_, request_.gait, request_.gait_options);
-    if (!shortest || !longest) return shortest ? longest.failure() : shortest.failure();
-    const bool quicker =
-        PaceOf(command) != Pace::kStepLength;  // steps as long as they are asked for gain nothing by it
-    return Cycles{*gait, quicker ? *shortest : gait->cycle_s, *longest, request_.gait_options.cycle_step_s};
-  }
-
-  /// Plans and audits; a plan past limits is not audited where only one that passes is of interest.
-  Result<PlannedWalk> PlanAndAudit(const WalkRequest& request, const Gait& gait, const WalkCommand& command,
-                                   const AuditOptions& options, bool only_passing) const {
-    Result<PlannedMotion> motion = PlanMotion(model_, terrain_, gait, command, request.motion);
-    if (!motion) return motion.failure();
-    PlannedWalk planned;
-    planned.motion = std::move(*motion);
-    if (planned.motion.limit_excess >= kSlightExcess && only_passing) return planned;
-    const Result<AuditReport> audit = Audit(model_, planned.motion.plan, options);
-    if (!audit) return audit.failure();
-    planned.audit = *audit;
-    return planned;
-  }
-
-  Result<PlannedWalk> Whole(const Gait& gait, const WalkCommand& command, bool only_passing) const {
-    return PlanAndAudit(request_, gait, command, {}, only_passing);
-  }
-
-  /// Whether the start of a walk has a plan that passes: the height of its centre of mass, or 0.
-  double Brief(const Cycles& cycles, int number, const WalkCommand& command) const {
-    const Gait gait = cycles.At(number);
-    const auto asked = std::make_pair(PaceFlags(command), gait.cycle_s);
-    const auto known = brief_.find(asked);
-    if (known != brief_.end()) return known->second;
-    AuditOptions seldom;
-    seldom.rate_hz *= 0.5;
-    const WalkRequest coarse = Coarse(request_, cycles.fitted.cycle_s);
-    const Result<PlannedWalk> planned = PlanAndAudit(coarse, gait, Shortened(model_, command, gait), seldom, true);
-    const double height = IsSound(planned) ? planned->motion.plan.centroidal.p_WC.front().z() : 0.0;
-    brief_[asked] = height;
-    return height;
-  }
-
   /// Raises the largest pace so far to that whose brief walk passes with a cycle of that number, short of it by less
   /// than `grain` numbers of two digits; true when it is larger.
   bool Raise(int number, int grain, double& largest) const {
     const auto can_walk = [&](const WalkCommand& c) {
-      const Result<Cycles> cycles = CyclesFor(c);
+      const Result<GaitCycles> cycles = CyclesFor(c);
       return cycles && Brief(*cycles, number, c) > 0.0;
     };
     const double before = largest;
@@ -312,7 +244,7 @@ class Search {
   /// Largest pace whose brief walk passes with any of the cycles, and the number of that: from the middle one of the
   /// quicker ones and from the fitted one on, by neighbours as long as they do better. 0 when none has any.
   double LargestBrief(int& serves) const {
-    constexpr int kMiddle = Cycles::kQuickest / 2, kCoarse = 4;
+    constexpr int kMiddle = GaitCycles::kQuickest / 2, kCoarse = 4;
     double largest = 0.0;
     const auto climb = [&](int from, int to, int step) {
       for (int i = from; i != to + step; i += step) {
@@ -323,25 +255,23 @@ class Search {
         }
       }
     };
-    climb(kMiddle, Cycles::kQuickest, 1);
+    climb(kMiddle, GaitCycles::kQuickest, 1);
     if (serves == kMiddle) climb(kMiddle - 1, 1, -1);
     climb(0, kMiddle - 1, 1);
-    climb(-1, Cycles::kSlowest, -1);
+    climb(-1, GaitCycles::kSlowest, -1);
     if (largest > 0.0) Raise(serves, 1, largest);
     return largest;
   }
 
-  /// The whole walk at the height of its brief one or, where it is past limits there, at heights of its own.
-  Result<PlannedWalk> WholeAt(double height_m, const Gait& gait, const WalkCommand& command) const {
-    WalkRequest at_height = request_;
-    at_height.motion.pipeline.com_height_m = height_m;
-    Result<PlannedWalk> planned = PlanAndAudit(at_height, gait, command, {}, true);
-    const bool keeps_limits = planned && planned->motion.limit_excess < kSlightExcess;
-    return keeps_limits ? planned : Whole(gait, command, true);
+  Result<GaitCycles> CyclesFor(const WalkCommand& command) const { return FindCycles(model_, request_, command); }
+
+  /// WalkEvaluator::Start with one of the cycles.
+  double Brief(const GaitCycles& cycles, int number, const WalkCommand& command) const {
+    return evaluator_.Start(cycles.At(number), cycles.fitted.cycle_s, command);
   }
 
   /// The plan with the first of some cycles that passes.
-  Result<PlannedWalk> FirstOf(const std::vector<int>& numbers, const Cycles& cycles, const WalkCommand& command,
+  Result<PlannedWalk> FirstOf(const std::vector<int>& numbers, const GaitCycles& cycles, const WalkCommand& command,
                               FailureCode why) const {
     std::set<double> tried_s;
     for (const int number : numbers) {
@@ -349,7 +279,7 @@ class Search {
       if (height == 0.0) continue;
       const Gait gait = cycles.At(number);
       if (!tried_s.insert(gait.cycle_s).second) continue;  // all quicker ones are one where nothing is gained by them
-      Result<PlannedWalk> planned = WholeAt(height, gait, command);
+      Result<PlannedWalk> planned = evaluator_.WholeAt(height, gait, command);
       if (!IsSound(planned)) continue;
       if (number != 0) planned->motion.plan.adjustments.push_back(OfCycle(cycles.fitted.cycle_s, gait.cycle_s, why));
       return planned;
@@ -362,7 +292,8 @@ class Search {
   const WalkRequest& request_;
   static constexpr double kEase = 0.8;
   mutable double ease_ = kEase;  // of the pace asked for, at which a plan is looked for first
-  mutable std::map<std::pair<std::string, double>, double> brief_;  // by flags of the pace and cycle: answers so far
+  SearchTrace* trace_;
+  mutable WalkEvaluator evaluator_;
 };
 
 /// The failure with what it would take instead; of a plan that was made and not given that it can be had all the same.
@@ -388,8 +319,9 @@ Failure Refusal(const Search& search, const RobotModel& model, const WalkRequest
 
 }  // namespace
 
-Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request) {
-  const Search search(model, terrain, request);
+Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                               SearchTrace* trace) {
+  const Search search(model, terrain, request, trace);
   Result<PlannedWalk> planned = search.Plan(request.command);
   if (request.motion.pipeline.allow_limits || IsSound(planned)) return planned;
   if (planned) return Refusal(search, model, request, WhyForbidden(*planned));

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "workflows/walk/refuse_walk.h"
+#include "optimisation/search/refuse_walk.h"
 
 namespace gaitwright {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/walk/refuse_walk.h"
+#include "optimisation/search/refuse_walk.h"
 
 #include <fmt/format.h>
 

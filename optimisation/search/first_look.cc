@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/walk/first_look.h"
+#include "optimisation/search/first_look.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
-#include "workflows/walk/refuse_walk.h"
+#include "optimisation/search/refuse_walk.h"
 
 namespace gaitwright {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "workflows/walk/walk.h"
+#include "optimisation/search/plan_walk.h"
 
 namespace gaitwright {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/walk/slower_pace.h"
+#include "optimisation/search/slower_pace.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/walk/first_look.h"
+#include "optimisation/search/first_look.h"
 
 #include <gtest/gtest.h>
 

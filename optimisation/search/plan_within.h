@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "workflows/walk/walk.h"
+#include "optimisation/search/plan_walk.h"
 
 namespace gaitwright {
 
 /// A plan that passes its audit, or why there is none and what there is instead: see PlanWalk.
-Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request);
+Result<PlannedWalk> PlanWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
+                               SearchTrace* trace);
 
 }  // namespace gaitwright

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "optimisation/search/plan_walk.h"
 #include "planning/gait/load_gaits.h"
-#include "workflows/walk/walk.h"
 
 namespace gaitwright {
 

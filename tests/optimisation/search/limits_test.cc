@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "kinematics/model/load_robot.h"
+#include "optimisation/search/refuse_walk.h"
 #include "tests/unusual_robots.h"
-#include "workflows/walk/refuse_walk.h"
 
 namespace gaitwright {
 namespace {

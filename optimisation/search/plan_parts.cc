@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "workflows/walk/plan_parts.h"
+#include "optimisation/search/plan_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "workflows/walk/plan_within.h"
-#include "workflows/walk/refuse_walk.h"
+#include "optimisation/search/plan_within.h"
+#include "optimisation/search/refuse_walk.h"
 
 namespace gaitwright {
 namespace {
 
 Result<std::vector<WalkPart>> Fitted(const RobotModel& model, const WalkRequest& request,
-                                     const std::vector<AskedPart>& asked) {
+                                     const std::vector<AskedPart>& asked, SearchTrace* trace) {
   std::vector<WalkPart> parts;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const AskedPart& part = asked[k];
@@ -44,7 +44,8 @@ struct ServingParts {
 
 /// The parts with what serves each of them by itself; the failure of the first that nothing serves.
 Result<ServingParts> ServingAlone(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
-                                  const std::vector<AskedPart>& asked, std::vector<WalkPart> parts) {
+                                  const std::vector<AskedPart>& asked, std::vector<WalkPart> parts,
+                                  SearchTrace* trace) {
   ServingParts serving{std::move(parts), {}};
   for (std::size_t k = 0; k < asked.size(); ++k) {
     if (asked[k].stands()) continue;
@@ -52,7 +53,7 @@ Result<ServingParts> ServingAlone(const RobotModel& model, const Terrain& terrai
     alone.sequence.clear();
     alone.gait = asked[k].gait;
     alone.command = asked[k].command;
-    const Result<PlannedWalk> planned = PlanWithin(model, terrain, alone);
+    const Result<PlannedWalk> planned = PlanWithin(model, terrain, alone, trace);
     if (!planned) return OfPart(k, asked[k].gait, planned.failure());
     const MotionPart& made = planned->motion.plan.parts.front();
     serving.parts[k] = {made.gait, made.command};
@@ -85,13 +86,13 @@ Failure RefusedWhole(const Result<PlannedWalk>& planned) {
 }  // namespace
 
 Result<PlannedWalk> PlanPartsWithin(const RobotModel& model, const Terrain& terrain, const WalkRequest& request,
-                                    const std::vector<AskedPart>& asked) {
+                                    const std::vector<AskedPart>& asked, SearchTrace* trace) {
   const Result<std::vector<WalkPart>> fitted = Fitted(model, request, asked);
   if (!fitted) return fitted.failure();
   Result<PlannedWalk> planned = PlanAndAudit(model, terrain, request, *fitted);
   if (request.motion.pipeline.allow_limits || IsSound(planned)) return planned;
   if (!planned && planned.failure().kind == FailureKind::kBadInput) return planned;
-  const Result<ServingParts> serving = ServingAlone(model, terrain, request, asked, *fitted);
+  const Result<ServingParts> serving = ServingAlone(model, terrain, request, asked, *fitted, trace);
   if (!serving) return serving.failure();
   if (serving->parts == *fitted) return RefusedWhole(planned);
   planned = PlanAndAudit(model, terrain, request, serving->parts);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/explain.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace gaitwright::cli {
+
+void Explain::AddTo(Verb verb) {
+  verb.AddSwitch("--explain", asked,
+                 "Print each plan that the search for a sound plan tried, with its speed, its cycle and why it was "
+                 "refused.");
+}
+
+nlohmann::ordered_json Explain::Json() const {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const TriedPlan& tried : trace) {
+    nlohmann::ordered_json refused = nullptr;
+    if (tried.refused) refused = FailureCodeName(*tried.refused);
+    list.push_back({{"extent", ExtentName(tried.extent)},
+                    {"pace", tried.pace},
+                    {"value", tried.pace_value},
+                    {"unit", tried.unit},
+                    {"cycle_s", tried.cycle_s},
+                    {"refused", refused}});
+  }
+  return list;
+}
+
+void Explain::Print(const Common& common) const {
+  if (asked && !common.json && !common.quiet) fmt::print("{}", TraceText(trace));
+}
+
+void Explain::PrintRefused() const {
+  if (asked) fmt::print(stderr, "{}", TraceText(trace));
+}
+
+}  // namespace gaitwright::cli

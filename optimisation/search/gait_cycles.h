@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "optimisation/search/plan_walk.h"
+
+namespace gaitwright {
+
+/// A gait fitted to a command and its other possible cycles, by number: 0 as fitted, up to kQuickest ever shorter, down
+/// to kSlowest ever longer, in even ratios.
+struct GaitCycles {
+  static constexpr int kQuickest = 6, kSlowest = -4;
+  Gait fitted;
+  double shortest_s = 0.0, longest_s = 0.0;
+  double step_s = 0.0;  ///< each is a whole number of these; 0 for any
+
+  Gait At(int number) const;
+};
+
+/// Failure as of FindGait.
+Result<GaitCycles> FindCycles(const RobotModel& model, const WalkRequest& request, const WalkCommand& command);
+
+}  // namespace gaitwright
