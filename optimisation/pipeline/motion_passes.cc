@@ -13,6 +13,7 @@
 #include "optimisation/swing/planar_swings.h"
 #include "optimisation/swing/swing_ground.h"
 #include "optimisation/whole_body/reach_height.h"
+#include "planning/audit/tolerances.h"
 #include "planning/plan/sample_plan.h"
 #include "planning/plan/sole_support.h"
 
@@ -80,14 +81,18 @@ MotionPasses::MotionPasses(const MotionTask& task, const Carriage& carriage)
 Result<MotionPass> MotionPasses::Run(int& passes, double hopeless) {
   MotionPass best;
   double gain = 1.0;
-  for (passes = 0; passes < task_.options.pipeline.max_passes; ++passes) {
+  const int most = task_.options.pipeline.max_passes;
+  bool nears = false;  // the ZMP came nearer to its reference in the last pass, and is not as near as an audit asks
+  for (passes = 0; passes < most || (nears && passes < 2 * most); ++passes) {
     adapts_ = in_reach_ && passes < kAdapting;
     Result<MotionPass> made = MakePass();
     if (!made) return made;
     const bool rolled = UpdateRolls(made->solution), leaned = UpdateLeans(*made);
     made->settled = rolled && leaned;
+    nears = false;
     if (adapts_ || made->BetterThan(best)) {
       best = *made;
+      nears = best.settled && best.error_m > tolerance::kZmp;
     } else {
       gain *= 0.5;
       if (gain < 0.1) break;
