@@ -63,8 +63,31 @@ Pose LevelledPose(const RobotModel& model, int body, const VectorX& given, const
   return BottomTilt(X_OE, shapes).inverse() * X_OE;
 }
 
+/// The largest flat bottom of a foot that is aslant, where the posture that would level it is not known: of those that
+/// are level when the foot is turned from any of some directions that are evenly spread about straight down.
+bool FindAslantBottom(const Pose& X_OE, const std::vector<const Shape*>& shapes, std::optional<double> give_m,
+                      Foot& foot) {
+  constexpr double kFarthest = 1.0;  // [rad]
+  constexpr int kDirections = 600;   // 0.07 rad apart; BottomTilt takes what is between them
+  const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+  bool found = false;
+  for (int i = 0; i < kDirections; ++i) {
+    const double tilt = std::acos(1.0 - (1.0 - std::cos(kFarthest)) * (i + 0.5) / kDirections);
+    const Vector3 axis(std::cos(i * golden_angle), std::sin(i * golden_angle), 0.0);
+    const Pose X_OT = Eigen::AngleAxisd(tilt, axis) * X_OE;
+    Foot there = foot;
+    there.sole_F.clear();
+    if (!FindFlatBottom(BottomTilt(X_OT, shapes).inverse() * X_OT, shapes, give_m, there)) continue;
+    if (found && Area(there.sole_F) <= Area(foot.sole_F)) continue;
+    foot = there;
+    found = true;
+  }
+  return found;
+}
+
 /// The flat bottom of shapes of the last body at joint positions zero, as a sole. Where it is larger by far in a
-/// posture that is given, which a sole is that lies aslant at zero, that one.
+/// posture that is given, which a sole is that lies aslant at zero, that one. Where neither is known, the largest of
+/// those that are level when the foot is turned.
 bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const Shape*>& shapes, const VectorX& given,
               std::optional<double> give_m, Foot& foot) {
   constexpr double kLarger = 1.5;
@@ -79,7 +102,7 @@ bool FindSole(const RobotModel& model, const Leg& leg, const std::vector<const S
   if (is_given && FindFlatBottom(LevelledPose(model, foot.body, given, shapes), shapes, give_m, there) &&
       (!at_zero || Area(there.sole_F) > kLarger * Area(found.sole_F))) {
     found = there;
-  } else if (!at_zero) {
+  } else if (!at_zero && (is_given || !FindAslantBottom(X_OE, shapes, give_m, found))) {
     return false;
   }
   foot = found;

@@ -193,7 +193,7 @@ void TurnOver(const UrdfEdge& edge, const Pose& X_from) {
 
 }  // namespace
 
-std::optional<RerootedUrdf> RerootFromLimbEnd(const std::string& urdf_text) {
+std::optional<RerootedUrdf> RerootFromLimbEnd(const std::string& urdf_text) try {
   tinyxml2::XMLDocument document;
   document.Parse(urdf_text.c_str(), urdf_text.size());
   if (document.Error() || document.RootElement() == nullptr) return std::nullopt;
@@ -216,6 +216,8 @@ std::optional<RerootedUrdf> RerootFromLimbEnd(const std::string& urdf_text) {
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);
   return RerootedUrdf{printer.CStr(), stem.back().child, graph.root};
+} catch (const Failure&) {  // of numbers that others tell of
+  return std::nullopt;
 }
 
 }  // namespace gaitwright

@@ -10,8 +10,8 @@
 namespace gaitwright {
 namespace {
 
-long CountOf(const std::string& urdf, const std::string& code) {
-  const Result<RobotModel> model = LoadRobotFromText(urdf, "");
+long CountOf(const std::string& urdf, const std::string& code, const std::string& yaml = "") {
+  const Result<RobotModel> model = LoadRobotFromText(urdf, yaml);
   EXPECT_TRUE(model.ok()) << model.failure().message;
   const std::vector<Finding> findings = CheckRobot(*model);
   return std::count_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
@@ -44,8 +44,8 @@ TEST(CheckSides, BuiltInRobotsHaveNone) {
 TEST(CheckSides, LengthsInMillimetresAreSeen) {
   EXPECT_EQ(CountOf(unusual::Plain(), "odd_size"), 0);
   EXPECT_EQ(CountOf(unusual::Plain(0.3), "odd_size"), 0);
-  EXPECT_EQ(CountOf(Replaced(unusual::Plain(), "mass value='8'", "mass value='8000000'"), "odd_size"), 1);
-  EXPECT_EQ(CountOf(Replaced(unusual::Plain(), "mass value='", "mass value='0.000"), "odd_size"), 1);
+  EXPECT_EQ(CountOf(unusual::Plain(), "odd_size", "scale: 30"), 1);
+  EXPECT_EQ(CountOf(unusual::Plain(), "odd_size", "scale: 0.05"), 1);
 }
 
 }  // namespace
