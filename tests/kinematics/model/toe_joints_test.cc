@@ -63,7 +63,7 @@ TEST(ToeJoints, OtherFeetHaveNone) {
 
 TEST(FindFeet, ASoleThatIsAslantAtZeroIsFound) {
   const std::string sole = unusual::UrdfText().Block(0.16, 0.1, 0.02, 0.04);
-  for (const char* aslant : {"0 0.3 0", "0 -0.47 0", "0 0.8 0", "0.4 0.5 0"}) {
+  for (const char* aslant : {"0 0.3 0", "0 -0.47 0", "0 0.8 0", "0.3 0 0"}) {
     const std::string pitched = Replaced(sole, "<origin ", fmt::format("<origin rpy='{}' ", aslant));
     const std::string urdf = Replaced(Toed(0.0), sole, pitched);
     std::string heel_alone = urdf;
